@@ -44,5 +44,5 @@ pub extern "C" fn sum_of_angles(count: u32) -> f64 {
 #[expect(unsafe_code, reason = "a name for the host")]
 #[unsafe(no_mangle)]
 pub extern "C" fn rounds_once() -> bool {
-    libration::rounds_once()
+    libration::internals::rounds_once()
 }

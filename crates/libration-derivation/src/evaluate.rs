@@ -16,23 +16,23 @@ pub trait Analysis: Ring {
         &self,
         from: &Self::Element,
         to: &Self::Element,
-        integrand: &mut dyn FnMut(Self::Element) -> Result<Self::Element, NoEvaluation>,
-    ) -> Result<Self::Element, NoEvaluation>;
+        integrand: &mut dyn FnMut(Self::Element) -> Result<Self::Element, EvaluationError>,
+    ) -> Result<Self::Element, EvaluationError>;
     /// The derivative at 0 of a function of a small number.
     fn slope(
         &self,
-        function: &mut dyn FnMut(Self::Element) -> Result<Self::Element, NoEvaluation>,
-    ) -> Result<Self::Element, NoEvaluation>;
+        function: &mut dyn FnMut(Self::Element) -> Result<Self::Element, EvaluationError>,
+    ) -> Result<Self::Element, EvaluationError>;
     /// The arithmetic–geometric mean.
     fn agm(&self, a: &Self::Element, b: &Self::Element) -> Option<Self::Element>;
     /// The value of terms that are left out.
-    fn left_out(&self, order: &Self::Element) -> Result<Self::Element, NoEvaluation>;
+    fn left_out(&self, order: &Self::Element) -> Result<Self::Element, EvaluationError>;
 }
 
 /// The reason why a formula has no value.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
-pub enum NoEvaluation {
+pub enum EvaluationError {
     /// A letter that stands for nothing yet.
     #[error("`{0}` has no value here")]
     Unknown(String),
@@ -170,16 +170,16 @@ pub fn evaluate<R: Analysis>(
     formula: &Formula,
     ring: &R,
     values: &Values<R::Element>,
-) -> Result<R::Element, NoEvaluation> {
+) -> Result<R::Element, EvaluationError> {
     let of = |formula: &Formula| evaluate(formula, ring, values);
-    let rational = |value: &Rational| ring.rational(value).ok_or(NoEvaluation::NotInRing("a fraction"));
+    let rational = |value: &Rational| ring.rational(value).ok_or(EvaluationError::NotInRing("a fraction"));
     match formula {
         Formula::Number(value) => rational(value),
         Formula::Decimal(value) => {
-            let plain = rational(&value.value().ok_or(NoEvaluation::NotInRing("a decimal"))?)?;
+            let plain = rational(&value.value().ok_or(EvaluationError::NotInRing("a decimal"))?)?;
             if value.unit == super::formula::DecimalUnit::Degree { degrees(ring, &plain) } else { Ok(plain) }
         }
-        Formula::Pi => ring.pi().ok_or(NoEvaluation::NotInRing("π")),
+        Formula::Pi => ring.pi().ok_or(EvaluationError::NotInRing("π")),
         Formula::Name(name) => of_name(name, ring, values),
         Formula::Negate(it) => Ok(ring.negate(&of(it)?)),
         Formula::Sum(terms) => terms.iter().try_fold(ring.zero(), |sum, term| Ok(ring.add(&sum, &of(term)?))),
@@ -188,14 +188,14 @@ pub fn evaluate<R: Analysis>(
             factors.iter().try_fold(one, |product, factor| Ok(ring.multiply(&product, &of(factor)?)))
         }
         Formula::Fraction(over, under) => {
-            ring.divide(&of(over)?, &of(under)?).ok_or(NoEvaluation::NotInRing("a quotient"))
+            ring.divide(&of(over)?, &of(under)?).ok_or(EvaluationError::NotInRing("a quotient"))
         }
         Formula::Power(base, exponent) => power(base, exponent, ring, values),
         Formula::Call(function, argument) => {
-            ring.value(*function, &of(argument)?).ok_or(NoEvaluation::NotInRing(function.name()))
+            ring.value(*function, &of(argument)?).ok_or(EvaluationError::NotInRing(function.name()))
         }
         Formula::Apply(name, arguments) => apply(name, arguments, ring, values),
-        Formula::Agm(a, b) => ring.agm(&of(a)?, &of(b)?).ok_or(NoEvaluation::NotInRing("agm")),
+        Formula::Agm(a, b) => ring.agm(&of(a)?, &of(b)?).ok_or(EvaluationError::NotInRing("agm")),
         Formula::Series { index, from, to, term } => series(index, from, to.as_deref(), term, ring, values),
         Formula::Integral { variable, from, to, integrand } => {
             let mut inner = values.clone();
@@ -206,28 +206,29 @@ pub fn evaluate<R: Analysis>(
         }
         Formula::Derivative { of, by } => derivative(of, by, ring, values),
         Formula::DoubleFactorial(it) => {
-            let last = values.integer(it).ok_or(NoEvaluation::NotInRing("!! of what is not an integer"))?;
+            let last =
+                values.integer(it).ok_or(EvaluationError::NotInRing("!! of what is not an integer"))?;
             rational(&double_factorial(last))
         }
         Formula::Order(it) => ring.left_out(&of(it)?),
     }
 }
 
-fn degrees<R: Ring>(ring: &R, value: &R::Element) -> Result<R::Element, NoEvaluation> {
-    let pi = ring.pi().ok_or(NoEvaluation::NotInRing("π"))?;
-    ring.over_integer(&ring.multiply(value, &pi), 180).ok_or(NoEvaluation::NotInRing("an angle"))
+fn degrees<R: Ring>(ring: &R, value: &R::Element) -> Result<R::Element, EvaluationError> {
+    let pi = ring.pi().ok_or(EvaluationError::NotInRing("π"))?;
+    ring.over_integer(&ring.multiply(value, &pi), 180).ok_or(EvaluationError::NotInRing("an angle"))
 }
 
 fn of_name<R: Analysis>(
     name: &Name,
     ring: &R,
     values: &Values<R::Element>,
-) -> Result<R::Element, NoEvaluation> {
+) -> Result<R::Element, EvaluationError> {
     let key = values.key(name);
     if let Some(&index) = values.indices.get(&key) {
-        return ring.rational(&Rational::from(index)).ok_or(NoEvaluation::NotInRing("an index"));
+        return ring.rational(&Rational::from(index)).ok_or(EvaluationError::NotInRing("an index"));
     }
-    values.numbers.get(&key).cloned().ok_or(NoEvaluation::Unknown(key))
+    values.numbers.get(&key).cloned().ok_or(EvaluationError::Unknown(key))
 }
 
 fn power<R: Analysis>(
@@ -235,22 +236,22 @@ fn power<R: Analysis>(
     exponent: &Formula,
     ring: &R,
     values: &Values<R::Element>,
-) -> Result<R::Element, NoEvaluation> {
+) -> Result<R::Element, EvaluationError> {
     let value = evaluate(base, ring, values)?;
     if let Some(whole) = values.integer(exponent) {
         return whole_power(ring, &value, whole);
     }
     if let Some(constant) = values.constant(exponent) {
-        return ring.power(&value, &constant).ok_or(NoEvaluation::NotInRing("a power"));
+        return ring.power(&value, &constant).ok_or(EvaluationError::NotInRing("a power"));
     }
-    let logarithm = ring.value(Function::Ln, &value).ok_or(NoEvaluation::NotInRing("a logarithm"))?;
+    let logarithm = ring.value(Function::Ln, &value).ok_or(EvaluationError::NotInRing("a logarithm"))?;
     let product = ring.multiply(&evaluate(exponent, ring, values)?, &logarithm);
-    ring.value(Function::Exp, &product).ok_or(NoEvaluation::NotInRing("a power"))
+    ring.value(Function::Exp, &product).ok_or(EvaluationError::NotInRing("a power"))
 }
 
 /// Repeated squaring.
-fn whole_power<R: Ring>(ring: &R, base: &R::Element, exponent: i64) -> Result<R::Element, NoEvaluation> {
-    let one = ring.rational(&Rational::from(1)).ok_or(NoEvaluation::NotInRing("a power"))?;
+fn whole_power<R: Ring>(ring: &R, base: &R::Element, exponent: i64) -> Result<R::Element, EvaluationError> {
+    let one = ring.rational(&Rational::from(1)).ok_or(EvaluationError::NotInRing("a power"))?;
     let (mut power, mut square, mut rest) = (one.clone(), base.clone(), exponent.unsigned_abs());
     while rest > 0 {
         if rest % 2 == 1 {
@@ -261,7 +262,11 @@ fn whole_power<R: Ring>(ring: &R, base: &R::Element, exponent: i64) -> Result<R:
             square = ring.multiply(&square, &square);
         }
     }
-    if exponent < 0 { ring.divide(&one, &power).ok_or(NoEvaluation::NotInRing("a power")) } else { Ok(power) }
+    if exponent < 0 {
+        ring.divide(&one, &power).ok_or(EvaluationError::NotInRing("a power"))
+    } else {
+        Ok(power)
+    }
 }
 
 fn apply<R: Analysis>(
@@ -269,9 +274,9 @@ fn apply<R: Analysis>(
     arguments: &[Formula],
     ring: &R,
     values: &Values<R::Element>,
-) -> Result<R::Element, NoEvaluation> {
+) -> Result<R::Element, EvaluationError> {
     let key = values.key(name);
-    let (parameters, body) = values.functions.get(&key).ok_or(NoEvaluation::Unknown(key))?;
+    let (parameters, body) = values.functions.get(&key).ok_or(EvaluationError::Unknown(key))?;
     let mut inner = values.clone();
     for (parameter, argument) in parameters.iter().zip(arguments) {
         match values.integer(argument) {
@@ -289,9 +294,9 @@ fn series<R: Analysis>(
     term: &Formula,
     ring: &R,
     values: &Values<R::Element>,
-) -> Result<R::Element, NoEvaluation> {
+) -> Result<R::Element, EvaluationError> {
     let integer =
-        |formula| values.integer(formula).ok_or(NoEvaluation::NotInRing("a sum without integer limits"));
+        |formula| values.integer(formula).ok_or(EvaluationError::NotInRing("a sum without integer limits"));
     let first = integer(from)?;
     let last = to.map(integer).transpose()?;
     let most = i64::try_from(ring.most_terms()).unwrap_or(i64::MAX);
@@ -305,7 +310,7 @@ fn series<R: Analysis>(
             return Ok(sum);
         }
     }
-    if last.is_some() { Ok(sum) } else { Err(NoEvaluation::Divergent("the sum")) }
+    if last.is_some() { Ok(sum) } else { Err(EvaluationError::Divergent("the sum")) }
 }
 
 /// The variable alone moves; with time moves all that has a rate.
@@ -314,7 +319,7 @@ fn derivative<R: Analysis>(
     by: &Name,
     ring: &R,
     values: &Values<R::Element>,
-) -> Result<R::Element, NoEvaluation> {
+) -> Result<R::Element, EvaluationError> {
     let mut movements = vec![];
     if by.letter == TIME {
         for (name, rate) in &values.rates {

@@ -60,7 +60,7 @@ pub use check::{
 };
 pub use document::{Block, Cells, Derivation, DerivationStep, DerivationTable};
 pub use elliptic::elliptic;
-pub use evaluate::NoEvaluation;
+pub use evaluate::EvaluationError;
 pub use formula::{Decimal, DecimalUnit, Formula, Name, Relation, Statement, Subscript};
 pub use limit_cycle::{HIGHEST_CYCLE_ORDER, limit_cycle};
 pub use lindstedt::{HIGHEST_ORDER, Released, perturbation};

@@ -266,7 +266,7 @@ pub mod internals {
             };
         }
         pub mod levenberg_marquardt {
-            pub use crate::statistics::levenberg_marquardt::{Effort, Linearised, NoResiduals, minimum};
+            pub use crate::statistics::levenberg_marquardt::{Effort, Linearised, ResidualsError, minimum};
         }
         pub mod robust {
             pub use crate::statistics::robust::robust_deviation;

@@ -48,7 +48,7 @@ pub mod internals {
         pub use crate::expression::{
             decimal::{from_digits, to_decimal},
             instruction::{Evaluator, Instruction, Value, Weighted},
-            jet::{Jet, NoSeries},
+            jet::{Jet, SeriesError},
             side::Side,
             simplify::difference,
             tape::{Operation, Tape},
@@ -78,7 +78,7 @@ pub mod internals {
     pub mod roots {
         pub use crate::roots::{
             golden_section::{maximum_between, other_sign_between},
-            newton::{NoZero, Unsolved, correction, newton},
+            newton::{NewtonError, Unsolved, correction, newton},
             polynomial::value_and_slope,
             sign_changes::sign_change,
         };

@@ -111,7 +111,7 @@
 //! # Errors
 //! Functions of numbers return NaN outside their documented domain. Constructors check their arguments once, and return an
 //! error that states the value received, the reason, and what would work. Each activity has its own error type, such as
-//! [`PendulumError`](pendulum::PendulumError) or [`NoOrbit`](orbit::NoOrbit).
+//! [`PendulumError`](pendulum::PendulumError) or [`OrbitError`](orbit::OrbitError).
 //!
 //! # Keys
 //! Oscillators, systems and formulas have keys; an unknown one is an error that names the nearest:
@@ -158,7 +158,7 @@
 #[doc(inline)]
 pub use libration_branches::{continuation, melnikov, nonlinear_modes, normal_form, normal_modes};
 #[doc(inline)]
-pub use libration_kernels::{elliptic, fused::rounds_once};
+pub use libration_kernels::elliptic;
 #[doc(inline)]
 pub use libration_motion::{chaos, decay, orbit, oscillator, spectrum, systems, taylor};
 #[doc(inline)]
@@ -171,5 +171,6 @@ pub use libration_perturbation::{comparison, perturbation};
 /// Internals that the other crates of this workspace use. They may change at any time.
 #[doc(hidden)]
 pub mod internals {
+    pub use libration_kernels::fused::rounds_once;
     pub use libration_numbers::internals::progress;
 }

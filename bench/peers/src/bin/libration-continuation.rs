@@ -1,7 +1,7 @@
 //! Our side of `bench/peers/continuation`: for each line it reads it follows the response curve of the driven pendulum once, and prints the
 //! seconds, how many points there are and the frequencies of the folds.
 
-use libration::continuation::{NoBranch, Response, ResponseOptions, SpecialKind};
+use libration::continuation::{BranchError, Response, ResponseOptions, SpecialKind};
 use libration::progress::Quiet;
 use std::error::Error;
 use std::io::{self, BufRead, Write};
@@ -11,7 +11,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let equation = "theta'' = -0.1*theta' - sin(theta) + 0.15*cos(w*t)".parse()?;
     let options = ResponseOptions { generations: 0, ..ResponseOptions::default() };
     let followed =
-        || -> Result<Response, NoBranch> { Response::over(&equation, "w", [0.3, 1.4], &options, &Quiet) };
+        || -> Result<Response, BranchError> { Response::over(&equation, "w", [0.3, 1.4], &options, &Quiet) };
     for line in io::stdin().lock().lines() {
         line?;
         let start = Instant::now();

@@ -3,7 +3,7 @@
 use super::branch::Branch;
 use super::curve::{CurvePoint, SpecialCurve, Trace};
 use super::edges::{Crossing, Grid, RestStability};
-use super::error::NoBranch;
+use super::error::BranchError;
 use super::family::{Family, TOLERANCES};
 use super::options::ResponseOptions;
 use super::point::BranchPoint;
@@ -89,11 +89,11 @@ impl StabilityChart {
         ranges: [[f64; 2]; 2],
         options: &ChartOptions,
         progress: &dyn Progress,
-    ) -> Result<Self, NoBranch> {
+    ) -> Result<Self, BranchError> {
         let watch = &Watch::new(progress);
         for [from, to] in ranges {
             if !(from.is_finite() && to.is_finite() && (from < to || to < from)) {
-                return Err(NoBranch::Range { from, to });
+                return Err(BranchError::Range { from, to });
             }
         }
         watch.begin(Stage::Whole, None);

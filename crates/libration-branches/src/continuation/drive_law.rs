@@ -1,6 +1,6 @@
 //! The period of the drive as a function of the parameters.
 
-use super::error::NoBranch;
+use super::error::BranchError;
 use libration_motion::chaos::drive_frequency;
 use libration_numbers::algebra::{BigFloat, Doubles, Floats, Ring};
 use libration_numbers::{
@@ -18,8 +18,8 @@ pub(super) struct DriveLaw {
 }
 
 impl DriveLaw {
-    pub(super) fn new(equation: &Equation, parameters: &[&str]) -> Result<Self, NoBranch> {
-        let (frequency, times) = drive_frequency(equation).ok_or(NoBranch::NotDriven)?;
+    pub(super) fn new(equation: &Equation, parameters: &[&str]) -> Result<Self, BranchError> {
+        let (frequency, times) = drive_frequency(equation).ok_or(BranchError::NotDriven)?;
         let symbols: Vec<Symbol> = parameters.iter().map(|name| Symbol::plain(name)).collect();
         let slopes: Vec<Expression> =
             symbols.iter().map(|it| frequency.derivative(it).simplified()).collect();

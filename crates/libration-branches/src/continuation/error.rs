@@ -1,13 +1,13 @@
 //! Errors of the search for branches of periodic orbits.
 
-use libration_motion::orbit::NoOrbit;
+use libration_motion::orbit::OrbitError;
 use libration_numbers::expression::{EquationError, WithoutValue};
 use libration_numbers::progress::Interrupted;
 
 /// Reason why no branch of periodic orbits was found.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum NoBranch {
+pub enum BranchError {
     /// A value that the equations cannot have.
     #[error(transparent)]
     Equation(#[from] EquationError),
@@ -65,7 +65,7 @@ pub enum NoBranch {
     },
     /// No motion to begin with at either end.
     #[error("no periodic solution was found at the ends of the range or at the given value: {0}")]
-    NoStart(NoOrbit),
+    NoStart(OrbitError),
     /// Cancelled before the first point.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),

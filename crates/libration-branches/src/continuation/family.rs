@@ -1,7 +1,7 @@
 //! A system over its open parameters: how the end of a motion depends on its start and on them.
 
 use super::drive_law::DriveLaw;
-use super::error::NoBranch;
+use super::error::BranchError;
 use super::field::{Field, Rates, returned};
 use super::space::{Space, Symmetry};
 use super::symmetry::symmetry;
@@ -95,7 +95,7 @@ impl<'w> Family<'w> {
         parameters: &[&str],
         ranges: &[[f64; 2]],
         watch: &'w Watch<'w>,
-    ) -> Result<Self, NoBranch> {
+    ) -> Result<Self, BranchError> {
         let law = DriveLaw::new(equation, parameters)?;
         Self::with_beat(equation, parameters, ranges, Beat::Drive(law), watch)
     }
@@ -106,7 +106,7 @@ impl<'w> Family<'w> {
         parameters: &[&str],
         ranges: &[[f64; 2]],
         watch: &'w Watch<'w>,
-    ) -> Result<Self, NoBranch> {
+    ) -> Result<Self, BranchError> {
         if depends_on_time(equation) {
             return Self::new(equation, parameters, ranges, watch);
         }
@@ -120,7 +120,7 @@ impl<'w> Family<'w> {
         ranges: &[[f64; 2]],
         beat: Beat,
         watch: &'w Watch<'w>,
-    ) -> Result<Self, NoBranch> {
+    ) -> Result<Self, BranchError> {
         let flow = Flow::new(equation, parameters, MOST_STEPS)?.for_many_steps();
         let law = match &beat {
             Beat::Drive(law) => Some(law),

@@ -6,7 +6,7 @@
 //! other tests, so that folds are found as sharply as with a drive. If the start of a cycle lies on a repelling part of the orbit, as in a canard,
 //! the cycle begins at another of its turning points.
 
-use super::error::NoBranch;
+use super::error::BranchError;
 use libration_motion::taylor::StateLayout;
 use libration_numbers::algebra::Doubles;
 use libration_numbers::{
@@ -30,7 +30,7 @@ pub(super) struct Rates {
 }
 
 impl Field {
-    pub(super) fn new(equation: &Equation, parameters: &[&str]) -> Result<Self, NoBranch> {
+    pub(super) fn new(equation: &Equation, parameters: &[&str]) -> Result<Self, BranchError> {
         let layout = StateLayout::new(equation);
         let state = layout.symbols(equation.variables());
         let mut rates = vec![Expression::from(0); layout.numbers()];

@@ -9,7 +9,7 @@ use super::point::BranchPoint;
 use libration_motion::orbit::Stability;
 use libration_numbers::algebra::{Complex, Doubles};
 use libration_numbers::internals::linear::{eigenvalues, solve};
-use libration_numbers::internals::roots::{NoZero, newton};
+use libration_numbers::internals::roots::{NewtonError, newton};
 use libration_numbers::roots::{Tolerance, zero_between};
 use std::f64::consts::TAU;
 
@@ -79,10 +79,10 @@ impl Rest {
             found.slopes.iter().map(|row| row[..numbers].to_vec()).collect()
         };
         let step = |at: &[f64]| {
-            let found = field.at(at, &[value]).ok_or(NoZero::NoValue)?;
+            let found = field.at(at, &[value]).ok_or(NewtonError::NoValue)?;
             let missed: Vec<f64> = found.rates.iter().map(|rate| -rate).collect();
             let change = solve(&Doubles, |x| x.abs(), &jacobian(&found), &missed);
-            change.filter(|change| change.iter().all(|x| x.is_finite())).ok_or(NoZero::NoSlope)
+            change.filter(|change| change.iter().all(|x| x.is_finite())).ok_or(NewtonError::NoSlope)
         };
         let mut before = f64::INFINITY;
         let is_last = |change: &[f64], _: &[f64]| {

@@ -12,7 +12,7 @@ const MOST: u32 = 100;
 /// let third: ResonanceOrder = "2/6".parse()?;
 /// assert_eq!((third.oscillations(), third.drive_periods(), third.to_string().as_str()), (1, 3, "1/3"));
 /// assert!("0/3".parse::<ResonanceOrder>().is_err());
-/// # Ok::<(), libration::continuation::NoOrder>(())
+/// # Ok::<(), libration::continuation::ParseOrderError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ResonanceOrder {
@@ -25,7 +25,7 @@ pub struct ResonanceOrder {
 #[error(
     "`{0}` is not an order: give two whole numbers from 1 to 100, such as 1/3 for a third of the drive frequency, or one"
 )]
-pub struct NoOrder(String);
+pub struct ParseOrderError(String);
 
 impl ResonanceOrder {
     /// Number of oscillations.
@@ -42,13 +42,13 @@ impl ResonanceOrder {
 }
 
 impl std::str::FromStr for ResonanceOrder {
-    type Err = NoOrder;
+    type Err = ParseOrderError;
 
-    fn from_str(text: &str) -> Result<Self, NoOrder> {
+    fn from_str(text: &str) -> Result<Self, ParseOrderError> {
         let number = |part: &str| part.trim().parse().ok().filter(|number| (1..=MOST).contains(number));
         let (above, below) = text.split_once('/').unwrap_or((text, "1"));
         let (Some(oscillations), Some(drive_periods)) = (number(above), number(below)) else {
-            return Err(NoOrder(text.trim().to_owned()));
+            return Err(ParseOrderError(text.trim().to_owned()));
         };
         let shared = (1..=MOST).rev().find(|it| oscillations % it == 0 && drive_periods % it == 0);
         let shared = shared.unwrap_or(1);

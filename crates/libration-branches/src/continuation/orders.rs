@@ -9,7 +9,7 @@
 
 use super::branch::{Branch, Origin, Walked};
 use super::energy_balance::{EnergyBalance, Frequencies, Work};
-use super::error::NoBranch;
+use super::error::BranchError;
 use super::full_strength::ToFullStrength;
 use super::jumps::landing;
 use super::order::ResonanceOrder;
@@ -55,7 +55,7 @@ impl Search<'_> {
         order: ResonanceOrder,
         branches: &mut Vec<Branch>,
         mut told: impl FnMut(&Walked),
-    ) -> Result<OrderAnswers, NoBranch> {
+    ) -> Result<OrderAnswers, BranchError> {
         let (mut finding, before) = (OrderFinding::NoOscillation, branches.len());
         let mut known: Option<(Equation, Frequencies)> = None;
         for k in 0..VALUES {
@@ -64,8 +64,8 @@ impl Search<'_> {
             }
             let value = self.range[0] + self.width() * (f64::from(k) + 0.5) / f64::from(VALUES);
             let Some(drive) = self.family.drive_period(&[value]) else { continue };
-            let equation = self.at(value).map_err(NoBranch::NoStart)?;
-            let balance = EnergyBalance::new(equation).ok_or(NoBranch::NotOneOscillator)?;
+            let equation = self.at(value).map_err(BranchError::NoStart)?;
+            let balance = EnergyBalance::new(equation).ok_or(BranchError::NotOneOscillator)?;
             let ratio = f64::from(order.oscillations()) / f64::from(order.drive_periods());
             let frequency = ratio * std::f64::consts::TAU / drive;
             let frequencies = match known.take() {
@@ -93,7 +93,7 @@ impl Search<'_> {
         order: ResonanceOrder,
         branches: &mut Vec<Branch>,
         told: &mut impl FnMut(&Walked),
-    ) -> Result<OrderFinding, NoBranch> {
+    ) -> Result<OrderFinding, BranchError> {
         let states = match balance.work(orbit, order, drive) {
             Work::WithoutPhase => return Ok(OrderFinding::NoWork),
             Work::TooWeak(part) => return Ok(OrderFinding::TooWeak(part)),

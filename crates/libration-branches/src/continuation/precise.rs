@@ -1,7 +1,7 @@
 //! Singular points to as many digits as are wanted.
 
 use super::corrector::norm;
-use super::error::NoBranch;
+use super::error::BranchError;
 use super::family::{Family, TOLERANCES};
 use super::precise_flow::{PreciseFlow, PreciseImage};
 use super::singular::Singular;
@@ -66,7 +66,7 @@ impl SpecialPoint {
         space: Space,
         digits: u32,
         progress: &dyn Progress,
-    ) -> Result<Option<PreciseSpecial>, NoBranch> {
+    ) -> Result<Option<PreciseSpecial>, BranchError> {
         let watch = &Watch::new(progress);
         let value = self.point.parameter;
         let width = value.abs().max(f64::MIN_POSITIVE);

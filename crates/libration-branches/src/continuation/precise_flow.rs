@@ -1,7 +1,7 @@
 //! The motion with its derivatives by the start in floats of many bits.
 
 use super::drive_law::DriveLaw;
-use super::error::NoBranch;
+use super::error::BranchError;
 use super::space::Space;
 use libration_motion::internals::periodic::{precise_series, precise_step, precise_sum};
 use libration_motion::taylor::{StateLayout, with_sensitivities};
@@ -41,7 +41,7 @@ impl<'w> PreciseFlow<'w> {
         parameter: &str,
         signs: &'w [f64],
         watch: &'w Watch<'w>,
-    ) -> Result<Self, NoBranch> {
+    ) -> Result<Self, BranchError> {
         let own = StateLayout::new(equation);
         let with_derivatives = with_sensitivities(equation, &[], own.numbers());
         let all = StateLayout::new(&with_derivatives);

@@ -1,7 +1,7 @@
 //! The responses of a driven system over a range of a parameter: all branches that are found from its ends, and what branches off.
 
 use super::branch::{Branch, Origin, Walked};
-use super::error::NoBranch;
+use super::error::BranchError;
 use super::family::Family;
 use super::jumps::{Jump, jumps};
 use super::node::Node;
@@ -26,7 +26,7 @@ pub struct Response {
     /// The jumps of slow sweeps, branch by branch.
     pub jumps: Vec<Jump>,
     /// The values of the parameter at which no motion to begin with is found, with the reasons.
-    pub missing: Vec<(f64, NoBranch)>,
+    pub missing: Vec<(f64, BranchError)>,
     /// `true` if a drive sets the periods; else the motions are limit cycles.
     pub driven: bool,
     /// `true` if the computation was cancelled before all branches were followed.
@@ -54,7 +54,7 @@ impl Response {
     /// # Errors
     /// A time that stands elsewhere than in a periodic drive, another open parameter, a range without a width, no motion at either end, free
     /// motions that come in families at each value, as where energy is conserved.
-    /// [`NoBranch::Interrupted`] if the call is cancelled before the first point.
+    /// [`BranchError::Interrupted`] if the call is cancelled before the first point.
     ///
     /// # Examples
     /// ```
@@ -89,22 +89,22 @@ impl Response {
         range: [f64; 2],
         options: &ResponseOptions,
         progress: &dyn Progress,
-    ) -> Result<Self, NoBranch> {
+    ) -> Result<Self, BranchError> {
         let watch = &Watch::new(progress);
         let [from, to] = range;
         if !(from.is_finite() && to.is_finite() && (from < to || to < from)) {
-            return Err(NoBranch::Range { from, to });
+            return Err(BranchError::Range { from, to });
         }
         watch.begin(Stage::Whole, None);
         let range = [from.min(to), from.max(to)];
         if let Some(at) = options.at.filter(|at| !(range[0]..=range[1]).contains(at)) {
-            return Err(NoBranch::Outside { at, from, to });
+            return Err(BranchError::Outside { at, from, to });
         }
         let family = Family::free_or_driven(equation, &[parameter], &[range], watch)?;
         let needs_drive =
             options.drive_periods != 1 || !options.orders.is_empty() || options.rotation.is_some();
         if !family.is_driven() && needs_drive {
-            return Err(NoBranch::NotDriven);
+            return Err(BranchError::NotDriven);
         }
         let search = Search { equation, parameter, family: &family, range, options };
         options.rotation.map_or(Ok(()), |rotation| search.check(rotation))?;
@@ -124,15 +124,15 @@ struct Found {
 }
 
 impl Search<'_> {
-    fn response(&self) -> Result<Response, NoBranch> {
+    fn response(&self) -> Result<Response, BranchError> {
         let mut found = Found::default();
-        let mut missing: Vec<(f64, NoBranch)> = vec![];
+        let mut missing: Vec<(f64, BranchError)> = vec![];
         let [low, high] = self.range;
         let places = self.options.at.map_or(vec![(low, 1.0), (high, -1.0)], |at| vec![(at, 1.0)]);
         for (value, into) in places {
             let starts = match self.starts(value) {
                 Ok(starts) => starts,
-                Err(NoBranch::Interrupted(interrupted)) if found.branches.is_empty() => {
+                Err(BranchError::Interrupted(interrupted)) if found.branches.is_empty() => {
                     return Err(interrupted.into());
                 }
                 Err(error) => {

@@ -4,7 +4,7 @@
 //! The angle of a rotating solution returns a number of turns later, which its space knows (`Rotation` in `space.rs`); everything else is as for
 //! other motions, and its range is that of its lead over an even rotation. Rotating solutions are searched from sixteen phases of the angle.
 
-use super::error::NoBranch;
+use super::error::BranchError;
 use super::search::{Search, Start};
 use super::space::{Rotation, Space};
 use libration_motion::chaos::angles;
@@ -17,21 +17,21 @@ const SETTLING: [u32; 2] = [10, 5];
 
 impl Search<'_> {
     /// Returns an error unless the coordinate of a rotation is an angle.
-    pub(super) fn check(&self, rotation: Rotation) -> Result<(), NoBranch> {
+    pub(super) fn check(&self, rotation: Rotation) -> Result<(), BranchError> {
         let names = self.equation.variables();
         let is_angle = angles(self.equation).get(rotation.coordinate).copied().unwrap_or(false);
         match names.get(rotation.coordinate) {
             Some(_) if is_angle => Ok(()),
-            Some(name) => Err(NoBranch::NotAnAngle(name.clone())),
-            None => Err(NoBranch::NotAnAngle(format!("of number {}", rotation.coordinate))),
+            Some(name) => Err(BranchError::NotAnAngle(name.clone())),
+            None => Err(BranchError::NotAnAngle(format!("of number {}", rotation.coordinate))),
         }
     }
 
     /// Motions that rotate at a value of the parameter, each once: what Newton's method finds from all phases of the angle at the even speed, or
     /// where the motion from there goes.
-    pub(super) fn rotating(&self, rotation: Rotation, value: f64) -> Result<Vec<Start>, NoBranch> {
+    pub(super) fn rotating(&self, rotation: Rotation, value: f64) -> Result<Vec<Start>, BranchError> {
         let space = Space { rotation: Some(rotation), ..self.space() };
-        let none = || NoBranch::NoRotation { turns: rotation.turns, drive_periods: space.drive_periods() };
+        let none = || BranchError::NoRotation { turns: rotation.turns, drive_periods: space.drive_periods() };
         let duration = self.family.duration(space, &[], &[value]).ok_or_else(none)?;
         let mut found: Vec<(Start, Vec<Vec<f64>>)> = vec![];
         for phase in 0..PHASES {

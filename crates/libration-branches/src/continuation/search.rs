@@ -2,13 +2,13 @@
 
 use super::branch::{Ending, Limits, Origin, Walk, Walked};
 use super::corrector::Corrector;
-use super::error::NoBranch;
+use super::error::BranchError;
 use super::family::{Family, TOLERANCES};
 use super::node::{Node, Tests};
 use super::options::ResponseOptions;
 use super::space::Space;
 use libration_motion::chaos::angles;
-use libration_motion::orbit::{NoOrbit, Orbit};
+use libration_motion::orbit::{Orbit, OrbitError};
 use libration_numbers::algebra::BigFloat;
 use libration_numbers::expression::{Equation, Expression};
 use std::f64::consts::TAU;
@@ -29,42 +29,43 @@ pub(super) struct Start {
 
 impl Search<'_> {
     /// The equations with a value of the parameter.
-    pub(super) fn at(&self, value: f64) -> Result<Equation, NoOrbit> {
+    pub(super) fn at(&self, value: f64) -> Result<Equation, OrbitError> {
         let exact = BigFloat::from_f64(value, 53).map(|it| Expression::Number(it.to_rational()));
         let put_in = exact.and_then(|exact| self.equation.with(&[(self.parameter, exact)]).ok());
-        put_in.ok_or(NoOrbit::NoPeriod)
+        put_in.ok_or(OrbitError::NoPeriod)
     }
 
     /// Periodic motions at an end of the range.
-    pub(super) fn starts(&self, value: f64) -> Result<Vec<Start>, NoBranch> {
+    pub(super) fn starts(&self, value: f64) -> Result<Vec<Start>, BranchError> {
         if let Some(rotation) = self.options.rotation {
             return self.rotating(rotation, value);
         }
         match self.start(value) {
             Ok(start) => Ok(vec![start]),
-            Err(NoOrbit::Interrupted(interrupted)) => Err(interrupted.into()),
+            Err(OrbitError::Interrupted(interrupted)) => Err(interrupted.into()),
             // Neighbouring motions close as well.
-            Err(NoOrbit::Undetermined(_)) if !self.family.is_driven() => Err(NoBranch::Family),
-            Err(error) => Err(NoBranch::NoStart(error)),
+            Err(OrbitError::Undetermined(_)) if !self.family.is_driven() => Err(BranchError::Family),
+            Err(error) => Err(BranchError::NoStart(error)),
         }
     }
 
-    fn start(&self, value: f64) -> Result<Start, NoOrbit> {
+    fn start(&self, value: f64) -> Result<Start, OrbitError> {
         let equation = self.at(value)?;
         let state = self.options.start.clone().unwrap_or_else(|| vec![0.0; self.family.layout.numbers()]);
         if !self.family.is_driven() {
             let state = self.family.displaced(state, value);
             let cycle = Orbit::limit_cycle(&equation, &state, self.family.watch)?;
-            let turns = self.family.turns(&cycle.start(), value, cycle.period()).ok_or(NoOrbit::NoPeriod)?;
+            let turns =
+                self.family.turns(&cycle.start(), value, cycle.period()).ok_or(OrbitError::NoPeriod)?;
             let period = cycle.period() / f64::from(turns);
             let unknowns = cycle.start().into_iter().chain([period]).collect();
             return Ok(Start { unknowns, space: Space::of_periods(turns) });
         }
-        let duration = self.family.duration(self.space(), &[], &[value]).ok_or(NoOrbit::NoPeriod)?;
+        let duration = self.family.duration(self.space(), &[], &[value]).ok_or(OrbitError::NoPeriod)?;
         let unknowns = match Orbit::driven(&equation, duration, &state, self.family.watch) {
             Ok(orbit) => self.about_the_nearest_bottom(&orbit),
             // The drive has the amplitude zero.
-            Err(NoOrbit::NotDriven) => state,
+            Err(OrbitError::NotDriven) => state,
             Err(error) => return Err(error),
         };
         Ok(Start { unknowns, space: self.space() })
@@ -109,14 +110,24 @@ impl Search<'_> {
     }
 
     /// The branch through a motion, in the smallest space that has it: from an end of the range on, or both ways.
-    pub(super) fn through(&self, value: f64, start: &Start, into: f64) -> Result<Option<Walked>, NoBranch> {
+    pub(super) fn through(
+        &self,
+        value: f64,
+        start: &Start,
+        into: f64,
+    ) -> Result<Option<Walked>, BranchError> {
         match self.options.at {
             Some(_) => self.both_ways(value, start),
             None => self.primary(value, start, into),
         }
     }
 
-    pub(super) fn primary(&self, value: f64, start: &Start, into: f64) -> Result<Option<Walked>, NoBranch> {
+    pub(super) fn primary(
+        &self,
+        value: f64,
+        start: &Start,
+        into: f64,
+    ) -> Result<Option<Walked>, BranchError> {
         /// A multiplier of a free motion that is 1 to half the digits, compared with that of a deviation along the motion.
         const FAMILY: f64 = 1e-6;
         let corrector = self.corrector(self.smallest(start.space, &start.unknowns, value));
@@ -124,7 +135,7 @@ impl Search<'_> {
         if !self.family.is_driven() {
             let tests = corrector.image(&place).and_then(|image| Tests::new(&image, 0.0));
             if tests.is_some_and(|tests| tests.branching.abs() < FAMILY) {
-                return Err(NoBranch::Family);
+                return Err(BranchError::Family);
             }
         }
         let mut along = vec![0.0; place.len()];
@@ -153,7 +164,7 @@ impl Search<'_> {
     }
 
     /// The branch through a motion at a value, both ways.
-    pub(super) fn both_ways(&self, value: f64, start: &Start) -> Result<Option<Walked>, NoBranch> {
+    pub(super) fn both_ways(&self, value: f64, start: &Start) -> Result<Option<Walked>, BranchError> {
         let Some(onward) = self.primary(value, start, 1.0)? else { return Ok(None) };
         if onward.branch.ending == Ending::Closed {
             return Ok(Some(onward));

@@ -4,7 +4,7 @@
 //! A slow sweep uses integration alone, from one value to the next until the motion repeats itself.
 
 use super::description::ranges;
-use super::error::NoBranch;
+use super::error::BranchError;
 use super::family::Family;
 use super::point::amplitude_of;
 use super::response::Response;
@@ -100,7 +100,7 @@ impl Response {
         range: [f64; 2],
         values: usize,
         progress: &dyn Progress,
-    ) -> Result<Vec<Sweep>, NoBranch> {
+    ) -> Result<Vec<Sweep>, BranchError> {
         let watch = &Watch::new(progress);
         let [low, high] = [range[0].min(range[1]), range[0].max(range[1])];
         watch.begin(Stage::Whole, Some(2 * values));

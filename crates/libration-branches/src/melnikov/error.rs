@@ -1,13 +1,13 @@
 //! Errors of Melnikov's method.
 
 use libration_motion::taylor::IntegrationError;
-use libration_numbers::expression::{NotSecondOrder, WithoutValue};
+use libration_numbers::expression::{SecondOrderError, WithoutValue};
 use libration_numbers::progress::Interrupted;
 
 /// Reason why a pendulum has no Melnikov function or no threshold.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum NoMelnikov {
+pub enum MelnikovError {
     /// Several coordinates.
     #[error(
         "the equations are for {0} coordinates: give one, such as \"x'' + sin(x) = -0.1 x' + 0.3 cos(t)\""
@@ -15,7 +15,7 @@ pub enum NoMelnikov {
     Coordinates(usize),
     /// An equation of the first order.
     #[error(transparent)]
-    NotSecondOrder(#[from] NotSecondOrder),
+    NotSecondOrder(#[from] SecondOrderError),
     /// A parameter without a value.
     #[error("`{0}` has no value: give it one")]
     Open(String),
@@ -63,10 +63,10 @@ pub enum NoMelnikov {
 /// Reason why no tangency of the manifolds was found.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum NoTangency {
+pub enum TangencyError {
     /// No Melnikov function to begin with.
     #[error(transparent)]
-    NoMelnikov(#[from] NoMelnikov),
+    NoMelnikov(#[from] MelnikovError),
     /// The upright position is no longer a saddle orbit.
     #[error("no periodic motion stays near the upright position: the perturbation is too strong")]
     NoSaddle,
@@ -85,7 +85,7 @@ pub enum NoTangency {
     Integration(#[from] IntegrationError),
 }
 
-impl From<WithoutValue> for NoTangency {
+impl From<WithoutValue> for TangencyError {
     fn from(error: WithoutValue) -> Self {
         Self::NoMelnikov(error.into())
     }

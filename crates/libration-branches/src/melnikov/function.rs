@@ -1,6 +1,6 @@
 //! The Melnikov function: by how much the perturbation separates the manifolds of the upright position.
 
-use super::NoMelnikov;
+use super::MelnikovError;
 use super::perturbation::PerturbedPendulum;
 use super::separatrix::integrals;
 use libration_kernels::elementary::count;
@@ -178,7 +178,7 @@ pub struct Threshold {
 ///
 /// # Errors
 /// As [`PerturbedPendulum::new`], an empty range, or a value at which the equation has none.
-/// [`NoMelnikov::Interrupted`] if the call is cancelled.
+/// [`MelnikovError::Interrupted`] if the call is cancelled.
 ///
 /// # Examples
 /// ```
@@ -194,12 +194,12 @@ pub fn thresholds(
     parameter: &str,
     range: [f64; 2],
     progress: &dyn Progress,
-) -> Result<Vec<Threshold>, NoMelnikov> {
+) -> Result<Vec<Threshold>, MelnikovError> {
     let watch = &Watch::new(progress);
     let [from, to] = range;
     let width = (to - from).abs();
     if !(width > 0.0 && width.is_finite()) {
-        return Err(NoMelnikov::Range { from, to });
+        return Err(MelnikovError::Range { from, to });
     }
     let at = |value: f64| at_value(equation, parameter, value, watch);
     let place = |j: u32| if j == LOOKS { to } else { from + (to - from) * f64::from(j) / f64::from(LOOKS) };
@@ -209,7 +209,7 @@ pub fn thresholds(
         Ok((place(j), at(place(j))?))
     };
     let looks = (0..).zip(0..=LOOKS).map(look);
-    let looks = looks.collect::<Result<Vec<_>, NoMelnikov>>()?;
+    let looks = looks.collect::<Result<Vec<_>, MelnikovError>>()?;
     let mut found = vec![];
     for side in [0, 1] {
         let margin = |value: f64| at(value).map_or(f64::NAN, |both| both[side].margin());
@@ -233,14 +233,18 @@ fn at_value(
     parameter: &str,
     value: f64,
     watch: &Watch<'_>,
-) -> Result<[Melnikov; 2], NoMelnikov> {
+) -> Result<[Melnikov; 2], MelnikovError> {
     let pendulum = PerturbedPendulum::new(&with_value(equation, parameter, value)?)?;
     Ok(Melnikov::both(&pendulum, watch)?)
 }
 
 /// The equation with this value of the parameter.
-pub(super) fn with_value(equation: &Equation, parameter: &str, value: f64) -> Result<Equation, NoMelnikov> {
-    let failed = |reason: String| NoMelnikov::At { parameter: parameter.to_owned(), value, reason };
+pub(super) fn with_value(
+    equation: &Equation,
+    parameter: &str,
+    value: f64,
+) -> Result<Equation, MelnikovError> {
+    let failed = |reason: String| MelnikovError::At { parameter: parameter.to_owned(), value, reason };
     let number = format!("{value:?}").parse().map_err(|_| failed("not a finite number".to_owned()))?;
     equation.with(&[(parameter, number)]).map_err(|error| failed(error.to_string()))
 }

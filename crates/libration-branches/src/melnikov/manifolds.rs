@@ -5,7 +5,7 @@
 
 use std::f64::consts::PI;
 
-use super::NoTangency;
+use super::TangencyError;
 use super::saddle::Saddle;
 use libration_motion::taylor::{Effort, Event, Moment, System, integrate};
 use libration_numbers::expression::{Equation, Expression, Symbol};
@@ -43,7 +43,7 @@ impl<'a> Manifolds<'a> {
         [direction, omega0, frequency]: [f64; 3],
         distance: f64,
         watch: &'a Watch<'a>,
-    ) -> Result<Self, NoTangency> {
+    ) -> Result<Self, TangencyError> {
         let angle = Expression::Symbol(Symbol::plain(&equation.variables()[0]));
         let bottom = Event { ends_at: Some(1), ..Event::zero_of(angle) };
         let motion = System::new(equation)?.with_events(&[bottom])?;
@@ -59,7 +59,7 @@ impl<'a> Manifolds<'a> {
 
     /// Energy per m·l² of the unstable manifold minus that of the stable one as they pass the bottom at this time, and the velocity of the unstable
     /// one.
-    pub(super) fn separation(&self, time: f64, delays: &mut Delays) -> Result<[f64; 2], NoTangency> {
+    pub(super) fn separation(&self, time: f64, delays: &mut Delays) -> Result<[f64; 2], TangencyError> {
         let [leaving, arriving] = [0, 1].map(|end| self.velocity_at(time, end, &mut delays[end]));
         let (leaving, arriving) = (leaving?, arriving?);
         Ok([0.5 * (leaving - arriving) * (leaving + arriving), leaving])
@@ -67,7 +67,7 @@ impl<'a> Manifolds<'a> {
 
     /// The velocity with which a manifold passes the bottom at a time: a later start is a later passage. Rounding of the start, as a part of its
     /// distance from the saddle, leaves the time of the passage that uncertain, and the last two passages tell what that changes.
-    fn velocity_at(&self, time: f64, end: usize, delay: &mut f64) -> Result<f64, NoTangency> {
+    fn velocity_at(&self, time: f64, end: usize, delay: &mut f64) -> Result<f64, TangencyError> {
         const TRIES: usize = 30;
         const NEAR: f64 = 1e-8;
         let mut start = time - *delay;
@@ -83,10 +83,10 @@ impl<'a> Manifolds<'a> {
             start -= late;
             last = passage;
         }
-        Err(NoTangency::NoConvergence)
+        Err(TangencyError::NoConvergence)
     }
 
-    fn passage(&self, time: f64, end: usize) -> Result<Passage, NoTangency> {
+    fn passage(&self, time: f64, end: usize) -> Result<Passage, TangencyError> {
         let inward = if end == 0 { self.direction } else { -self.direction };
         let saddle = self.saddles[end].state_at(time);
         let velocity = saddle[1] + self.direction * self.omega0 * self.distance;
@@ -94,7 +94,7 @@ impl<'a> Manifolds<'a> {
         let until = if end == 0 { LONGEST } else { -LONGEST } / self.omega0;
         let effort = Effort::to_tolerance(TOLERANCE);
         let solution = integrate(&self.motion, &start, &[time + until], &effort, &self.watch.part())?;
-        let bottom = solution.events.first().ok_or(NoTangency::NoPassage)?;
+        let bottom = solution.events.first().ok_or(TangencyError::NoPassage)?;
         Ok(Passage { time: bottom.time, velocity: bottom.state[1] })
     }
 }

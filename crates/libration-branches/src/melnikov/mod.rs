@@ -34,7 +34,7 @@ mod saddle;
 mod manifolds;
 mod tangency;
 
-pub use error::{NoMelnikov, NoTangency};
+pub use error::{MelnikovError, TangencyError};
 pub use function::{Melnikov, Threshold, thresholds};
 pub use perturbation::PerturbedPendulum;
 pub use resonance::DriveResonance;

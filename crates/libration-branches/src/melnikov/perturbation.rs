@@ -1,6 +1,6 @@
 //! An equation of motion as that of a pendulum and what perturbs it.
 
-use super::NoMelnikov;
+use super::MelnikovError;
 use super::trigonometric::{Monomial, Names, Trigonometric};
 use libration_motion::chaos::drive_period;
 use libration_numbers::algebra::{Complex, Doubles};
@@ -42,20 +42,20 @@ impl PerturbedPendulum {
     /// # Errors
     /// Several coordinates, an equation of the first order, open parameters; no restoring force −ω0²·sin θ; a force of the angle alone that
     /// is not periodic in it; a drive that is not periodic.
-    pub fn new(equation: &Equation) -> Result<Self, NoMelnikov> {
+    pub fn new(equation: &Equation) -> Result<Self, MelnikovError> {
         equation.refuse_first_order()?;
         let [name] = equation.variables() else {
-            return Err(NoMelnikov::Coordinates(equation.variables().len()));
+            return Err(MelnikovError::Coordinates(equation.variables().len()));
         };
         if let Some(open) = equation.parameters().pop_first() {
-            return Err(NoMelnikov::Open(open));
+            return Err(MelnikovError::Open(open));
         }
         let acceleration = &equation.accelerations()[0];
         let time = Symbol::plain("t");
         let frequency = match (acceleration.contains(&time), drive_period(equation)) {
             (false, _) => 0.0,
             (true, Some(period)) => TAU / period,
-            (true, None) => return Err(NoMelnikov::NotPeriodic),
+            (true, None) => return Err(MelnikovError::NotPeriodic),
         };
         let angle = Symbol::plain(name);
         let names = Names { velocity: angle.with_primes(1), angle, time, frequency };
@@ -63,7 +63,7 @@ impl PerturbedPendulum {
         let omega0 = own_frequency(&mut closed)?;
         let moving = |part: &Expression| part.contains(&names.velocity) || part.contains(&names.time);
         if let Some(alone) = rest.iter().find(|part| !moving(part)) {
-            return Err(NoMelnikov::NoAngle(alone.to_string()));
+            return Err(MelnikovError::NoAngle(alone.to_string()));
         }
         let rest_depends_on_time = rest.iter().any(|part| part.contains(&names.time));
         let sum = rest.into_iter().reduce(|a, b| Expression::Add(Box::new(a), Box::new(b)));
@@ -182,10 +182,10 @@ fn collect_terms(
 }
 
 /// ω0 of the term −ω0²·sin θ, which is taken out.
-fn own_frequency(closed: &mut Trigonometric) -> Result<f64, NoMelnikov> {
+fn own_frequency(closed: &mut Trigonometric) -> Result<f64, MelnikovError> {
     let sine = Monomial { velocity: 0, sines: 1, cosines: 0, harmonic: 0 };
     let force = closed.terms.remove(&sine).map_or(0.0, |coefficient| coefficient.re);
-    if force < 0.0 { Ok((-force).sqrt()) } else { Err(NoMelnikov::NoPendulum(force)) }
+    if force < 0.0 { Ok((-force).sqrt()) } else { Err(MelnikovError::NoPendulum(force)) }
 }
 
 #[doc(hidden)]

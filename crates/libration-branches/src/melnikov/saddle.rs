@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::NoTangency;
+use super::TangencyError;
 use libration_kernels::elementary::count;
 use libration_numbers::algebra::{Complex, Doubles};
 use libration_numbers::{
@@ -30,7 +30,7 @@ impl Saddle {
         equation: &Equation,
         upright: f64,
         [omega0, frequency]: [f64; 2],
-    ) -> Result<Self, NoTangency> {
+    ) -> Result<Self, TangencyError> {
         const ROUNDS: usize = 400;
         const ENOUGH: f64 = 1e-12;
         let angle = Symbol::plain(&equation.variables()[0]);
@@ -65,7 +65,7 @@ impl Saddle {
                 return Ok(saddle);
             }
         }
-        Err(NoTangency::NoSaddle)
+        Err(TangencyError::NoSaddle)
     }
 
     /// Angle and velocity.

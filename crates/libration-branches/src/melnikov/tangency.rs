@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::function::{Melnikov, Threshold, with_value};
 use super::manifolds::{Delays, Manifolds};
-use super::{NoMelnikov, NoTangency, PerturbedPendulum};
+use super::{MelnikovError, PerturbedPendulum, TangencyError};
 use libration_kernels::elementary::count;
 use libration_numbers::expression::Equation;
 use libration_numbers::internals::progress::Watch;
@@ -56,7 +56,7 @@ impl Threshold {
         equation: &Equation,
         parameter: &str,
         progress: &dyn Progress,
-    ) -> Result<Tangency, NoTangency> {
+    ) -> Result<Tangency, TangencyError> {
         let watch = &Watch::new(progress);
         let approach = Approach { equation, parameter, direction: self.direction, watch };
         approach.tangency(self.value)
@@ -92,7 +92,7 @@ const SHORTER: &[f64] = &[1.0 / 2048.0];
 impl Approach<'_> {
     /// Finds the tangency by the secant method, from the threshold on. Where the step is so short that rounding shows in its slope, the slope before
     /// it is kept.
-    fn tangency(&self, threshold: f64) -> Result<Tangency, NoTangency> {
+    fn tangency(&self, threshold: f64) -> Result<Tangency, TangencyError> {
         const FIRST_STEP: f64 = 1e-3;
         const SHORTEST_OF_SLOPE: f64 = 1e-7;
         const STEPS: usize = 20;
@@ -111,7 +111,7 @@ impl Approach<'_> {
             let next = value - nearest.separation / slope;
             let before = std::mem::replace(&mut change, (next - value).abs());
             if !change.is_finite() || (next - threshold).abs() > 0.5 * threshold.abs() {
-                return Err(NoTangency::NoConvergence);
+                return Err(TangencyError::NoConvergence);
             }
             if change <= 2.0 * f64::EPSILON * value.abs()
                 || (change >= before && before < SMALL * value.abs())
@@ -121,18 +121,24 @@ impl Approach<'_> {
             last = (value, nearest.separation);
             value = next;
         }
-        Err(NoTangency::NoConvergence)
+        Err(TangencyError::NoConvergence)
     }
 
     /// The tangency with its errors. The part of a start that is not on the manifold grows with the square of its distance from the saddle, so that
     /// starts at twice the distance change three times what it does.
-    fn found(&self, value: f64, change: f64, nearest: &Nearest, slope: f64) -> Result<Tangency, NoTangency> {
+    fn found(
+        &self,
+        value: f64,
+        change: f64,
+        nearest: &Nearest,
+        slope: f64,
+    ) -> Result<Tangency, TangencyError> {
         let farther = self.nearest(value, 2.0 * DISTANCE, nearest.time, NEXT)?;
         let start = (farther.separation - nearest.separation).abs();
         let error = change + (start + nearest.separation_error) / slope.abs();
         let place = self.nearest(value, DISTANCE, nearest.time, SHORTER)?;
         let pendulum = PerturbedPendulum::new(&with_value(self.equation, self.parameter, value)?)?;
-        let frequency = pendulum.frequency().ok_or(NoTangency::NoSaddle)?;
+        let frequency = pendulum.frequency().ok_or(TangencyError::NoSaddle)?;
         let time_error = (place.time - nearest.time).abs() + place.time_rounding;
         Ok(Tangency {
             value,
@@ -144,7 +150,7 @@ impl Approach<'_> {
     }
 
     /// The time at which the Melnikov function touches zero at its threshold.
-    fn first_time(&self, threshold: f64) -> Result<f64, NoTangency> {
+    fn first_time(&self, threshold: f64) -> Result<f64, TangencyError> {
         const PLACES: usize = 64;
         let melnikov = self.melnikov(threshold)?;
         let places = PLACES * melnikov.harmonics.len().max(1);
@@ -154,9 +160,9 @@ impl Approach<'_> {
         Ok(nearest.unwrap_or(0.0) / melnikov.frequency)
     }
 
-    fn melnikov(&self, value: f64) -> Result<Melnikov, NoTangency> {
+    fn melnikov(&self, value: f64) -> Result<Melnikov, TangencyError> {
         let pendulum = PerturbedPendulum::new(&with_value(self.equation, self.parameter, value)?)?;
-        let [upper, lower] = Melnikov::both(&pendulum, self.watch).map_err(NoMelnikov::from)?;
+        let [upper, lower] = Melnikov::both(&pendulum, self.watch).map_err(MelnikovError::from)?;
         Ok(if self.direction > 0.0 { upper } else { lower })
     }
 
@@ -168,11 +174,11 @@ impl Approach<'_> {
         distance: f64,
         time: f64,
         intervals: &[f64],
-    ) -> Result<Nearest, NoTangency> {
+    ) -> Result<Nearest, TangencyError> {
         const MOST: usize = 10;
         let equation = with_value(self.equation, self.parameter, value)?;
         let pendulum = PerturbedPendulum::new(&equation)?;
-        let frequency = pendulum.frequency().ok_or(NoTangency::NoSaddle)?;
+        let frequency = pendulum.frequency().ok_or(TangencyError::NoSaddle)?;
         let kind = [self.direction, pendulum.omega0(), frequency];
         let manifolds = Manifolds::new(&equation, kind, distance, self.watch)?;
         let mut delays: Delays = manifolds.delays();
@@ -186,7 +192,7 @@ impl Approach<'_> {
                 return Ok(next);
             }
         }
-        Err(NoTangency::NoConvergence)
+        Err(TangencyError::NoConvergence)
     }
 }
 
@@ -196,7 +202,7 @@ fn extreme(
     time: f64,
     interval: f64,
     delays: &mut Delays,
-) -> Result<Nearest, NoTangency> {
+) -> Result<Nearest, TangencyError> {
     /// Intervals of one step.
     const FARTHEST: f64 = 8.0;
     let mut at = |side: f64| manifolds.separation(time + side * interval, delays);
@@ -206,7 +212,7 @@ fn extreme(
     let bend = (16.0 * (b + c) - 30.0 * middle - (a + d)) / 12.0;
     let shift = -slope / bend;
     if shift.is_nan() || shift.abs() > FARTHEST {
-        return Err(NoTangency::NoConvergence);
+        return Err(TangencyError::NoConvergence);
     }
     let (correction, rounding) = (0.5 * slope * shift, ROUNDING * velocity * velocity);
     Ok(Nearest {

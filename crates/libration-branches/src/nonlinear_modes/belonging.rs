@@ -4,7 +4,7 @@
 //! equilibria. None of them is the mode at that amplitude, however well it closes.
 
 use super::Reason;
-use libration_motion::orbit::{NoOrbit, Orbit};
+use libration_motion::orbit::{Orbit, OrbitError};
 
 /// Release of a mode from rest, displaced in one coordinate.
 pub(super) struct Release<'a> {
@@ -41,7 +41,7 @@ impl Release<'_> {
         let largest = (0..self.rest.len()).map(swing).fold(0.0, f64::max);
         // NaN too, which compares with nothing.
         if !matches!(largest.partial_cmp(&(STILL * self.amplitude)), Some(std::cmp::Ordering::Greater)) {
-            return Some(NoOrbit::AtRest(start[..self.rest.len()].to_vec()).into());
+            return Some(OrbitError::AtRest(start[..self.rest.len()].to_vec()).into());
         }
         let (period, uncertainty) = (orbit.period(), orbit.period_uncertainty());
         if !matches!(uncertainty.partial_cmp(&(UNCERTAIN * period)), Some(std::cmp::Ordering::Less)) {
@@ -62,7 +62,7 @@ impl Release<'_> {
         }
         let start = centre + self.amplitude;
         let other_side = if high - start > start - low { high } else { low };
-        Some(NoOrbit::Elsewhere { start, other_side, centre }.into())
+        Some(OrbitError::Elsewhere { start, other_side, centre }.into())
     }
 }
 

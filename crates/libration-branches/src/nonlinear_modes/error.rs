@@ -1,12 +1,12 @@
 //! Errors of following a nonlinear mode.
 
-use libration_motion::orbit::NoOrbit;
+use libration_motion::orbit::OrbitError;
 use libration_numbers::progress::Interrupted;
 
 /// Reason why a mode cannot be followed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum NoNonlinearMode {
+pub enum NonlinearModeError {
     /// A number of a mode that is not there.
     #[error("there is no mode {wanted}: give 1 to {modes}")]
     NoMode {
@@ -46,7 +46,7 @@ pub struct LostMode {
 pub enum Reason {
     /// The search failed.
     #[error(transparent)]
-    NoOrbit(#[from] NoOrbit),
+    NoOrbit(#[from] OrbitError),
     /// The orbit found belongs to another family.
     #[error("the orbits found are not close to the previous ones")]
     Jump,
@@ -79,6 +79,6 @@ pub enum Reason {
 impl Reason {
     /// Returns whether the reason says more than that nothing was found.
     pub(super) const fn is_telling(&self) -> bool {
-        !matches!(self, Self::Jump | Self::NoOrbit(NoOrbit::NoConvergence { .. } | NoOrbit::Period(_)))
+        !matches!(self, Self::Jump | Self::NoOrbit(OrbitError::NoConvergence { .. } | OrbitError::Period(_)))
     }
 }

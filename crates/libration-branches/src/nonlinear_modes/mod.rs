@@ -20,5 +20,5 @@ mod error;
 mod belonging;
 mod mode;
 
-pub use error::{LostMode, NoNonlinearMode, Reason};
+pub use error::{LostMode, NonlinearModeError, Reason};
 pub use mode::{ModePoint, NonlinearMode, StabilityChange};

@@ -1,9 +1,9 @@
 //! A normal mode followed in amplitude.
 
 use super::belonging::Release;
-use super::{LostMode, NoNonlinearMode, Reason};
+use super::{LostMode, NonlinearModeError, Reason};
 use crate::normal_modes::{Behaviour, Mode, NormalModes};
-use libration_motion::orbit::{NoOrbit, Orbit, OrbitGuess};
+use libration_motion::orbit::{Orbit, OrbitError, OrbitGuess};
 use libration_numbers::expression::Equation;
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Progress;
@@ -96,13 +96,13 @@ impl NonlinearMode {
         coordinate: usize,
         amplitudes: &[f64],
         progress: &dyn Progress,
-    ) -> Result<Self, NoNonlinearMode> {
+    ) -> Result<Self, NonlinearModeError> {
         let watch = &Watch::new(progress);
         let family = Family::new(equation, modes, number, coordinate, watch)?;
         let mut last = 0.0;
         for amplitude in amplitudes {
             if !(*amplitude > last && amplitude.is_finite()) {
-                return Err(NoNonlinearMode::Amplitudes(*amplitude));
+                return Err(NonlinearModeError::Amplitudes(*amplitude));
             }
             last = *amplitude;
         }
@@ -143,22 +143,22 @@ impl<'a> Family<'a> {
         number: usize,
         coordinate: usize,
         watch: &'a Watch<'a>,
-    ) -> Result<Self, NoNonlinearMode> {
-        let missing = NoNonlinearMode::NoMode { wanted: number + 1, modes: modes.modes.len() };
+    ) -> Result<Self, NonlinearModeError> {
+        let missing = NonlinearModeError::NoMode { wanted: number + 1, modes: modes.modes.len() };
         let mode = modes.modes.get(number).ok_or(missing)?;
         if mode.behaviour != Behaviour::Oscillating || mode.multiplicity > 1 {
-            return Err(NoNonlinearMode::NotOscillating(number + 1));
+            return Err(NonlinearModeError::NotOscillating(number + 1));
         }
         /// Smallest part of a moving coordinate, of the largest part, which is 1.
         const STILL: f64 = 1e-6;
         if mode.shape[coordinate].re.abs() < STILL {
-            return Err(NoNonlinearMode::AtRest(modes.variables[coordinate].clone()));
+            return Err(NonlinearModeError::AtRest(modes.variables[coordinate].clone()));
         }
         Ok(Self { equation, mode, rest: &modes.equilibrium, coordinate, watch })
     }
 
     /// Orbits up to an amplitude, behind those that are there; why it was not reached.
-    fn extend(&self, path: &mut Vec<ModePoint>, to: f64) -> Result<Option<Reason>, NoNonlinearMode> {
+    fn extend(&self, path: &mut Vec<ModePoint>, to: f64) -> Result<Option<Reason>, NonlinearModeError> {
         if path.is_empty() {
             let first = (FIRST * to).min(FIRST);
             match self.orbit(first, self.linear(first))? {
@@ -224,12 +224,12 @@ impl<'a> Family<'a> {
     }
 
     /// Reason why there is no orbit at an amplitude: for one coordinate from its release, for several the last one found.
-    fn reason_at(&self, amplitude: f64, last: Reason) -> Result<Reason, NoNonlinearMode> {
+    fn reason_at(&self, amplitude: f64, last: Reason) -> Result<Reason, NonlinearModeError> {
         if self.rest.len() > 1 {
             return Ok(last);
         }
         match Orbit::released(self.equation, self.rest[0] + amplitude, &self.watch.part()) {
-            Err(NoOrbit::Interrupted(interrupted)) => Err(interrupted.into()),
+            Err(OrbitError::Interrupted(interrupted)) => Err(interrupted.into()),
             Err(error) => Ok(error.into()),
             Ok(orbit) => Ok(self.release(amplitude).refusal(&orbit).unwrap_or(last)),
         }
@@ -239,13 +239,17 @@ impl<'a> Family<'a> {
         Release { rest: self.rest, coordinate: self.coordinate, amplitude }
     }
 
-    fn orbit(&self, amplitude: f64, guess: OrbitGuess) -> Result<Result<ModePoint, Reason>, NoNonlinearMode> {
+    fn orbit(
+        &self,
+        amplitude: f64,
+        guess: OrbitGuess,
+    ) -> Result<Result<ModePoint, Reason>, NonlinearModeError> {
         let fixed = [self.coordinate, self.rest.len() + self.coordinate];
         let mut guess = guess;
         guess.state[fixed[0]] = self.rest[self.coordinate] + amplitude;
         guess.state[fixed[1]] = 0.0;
         match Orbit::near(self.equation, &guess, &fixed, &self.watch.part()) {
-            Err(NoOrbit::Interrupted(interrupted)) => Err(interrupted.into()),
+            Err(OrbitError::Interrupted(interrupted)) => Err(interrupted.into()),
             Err(error) => Ok(Err(error.into())),
             Ok(orbit) => Ok(match self.release(amplitude).refusal(&orbit) {
                 Some(reason) => Err(reason),
@@ -264,7 +268,7 @@ impl<'a> Family<'a> {
     }
 
     /// Changes of stability along a path, from one of its orbits on.
-    fn changes(&self, path: &[ModePoint], from: usize) -> Result<Vec<StabilityChange>, NoNonlinearMode> {
+    fn changes(&self, path: &[ModePoint], from: usize) -> Result<Vec<StabilityChange>, NonlinearModeError> {
         let mut changes = vec![];
         for (place, pair) in path.windows(2).enumerate().skip(from) {
             let stable_above = pair[1].is_stable();

@@ -1,16 +1,16 @@
 //! Errors of normal forms.
 
-use crate::normal_modes::NoModes;
+use crate::normal_modes::ModesError;
 use libration_numbers::expression::WithoutValue;
 use libration_numbers::progress::Interrupted;
 
 /// Reason why a system has no normal form about an equilibrium.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum NoNormalForm {
+pub enum NormalFormError {
     /// No small oscillations.
     #[error(transparent)]
-    NoModes(#[from] NoModes),
+    NoModes(#[from] ModesError),
     /// A parameter that is left open.
     #[error(transparent)]
     WithoutValue(#[from] WithoutValue),

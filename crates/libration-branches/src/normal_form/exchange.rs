@@ -37,7 +37,7 @@ pub struct MeasuredExchange {
 /// Reason why there is no exchange of energy.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum NoExchange {
+pub enum ExchangeError {
     /// No resonant term.
     #[error("no two modes are in resonance to this order: each keeps its amplitude")]
     NoResonance,
@@ -81,10 +81,10 @@ impl NormalForm {
     /// No resonance; a state beyond the reach of the form; amplitudes that stay as they are, or do not come back in 2000 periods of the slowest
     /// mode.
     /// Cancellation.
-    pub fn exchange(&self, state: &[f64], progress: &dyn Progress) -> Result<Exchange, NoExchange> {
+    pub fn exchange(&self, state: &[f64], progress: &dyn Progress) -> Result<Exchange, ExchangeError> {
         let watch = &Watch::new(progress);
-        let mode = self.exchanging_mode().ok_or(NoExchange::NoResonance)?;
-        let amplitudes = self.amplitudes_of(state).ok_or(NoExchange::TooFar)?;
+        let mode = self.exchanging_mode().ok_or(ExchangeError::NoResonance)?;
+        let amplitudes = self.amplitudes_of(state).ok_or(ExchangeError::TooFar)?;
         let seen = |interval: f64, samples: usize| self.slow_path(&amplitudes, interval, samples, watch);
         let slowest = self.modes.modes.iter().map(|mode| TAU / mode.frequency()).fold(0.0, f64::max);
         let about = self.rough_period(mode, slowest, &seen)?;
@@ -117,8 +117,8 @@ impl NormalForm {
         state: &[f64],
         exchange: &Exchange,
         progress: &dyn Progress,
-    ) -> Result<MeasuredExchange, NoExchange> {
-        let mode = self.exchanging_mode().ok_or(NoExchange::NoResonance)?;
+    ) -> Result<MeasuredExchange, ExchangeError> {
+        let mode = self.exchanging_mode().ok_or(ExchangeError::NoResonance)?;
         let interval = exchange.period / count(SAMPLES);
         let path = self.seen_path(equation, state, interval, EXCHANGES * SAMPLES, &Watch::new(progress))?;
         let places: Vec<Place> = path.iter().map(|amplitudes| self.place(mode, amplitudes)).collect();
@@ -137,7 +137,7 @@ impl NormalForm {
         interval: f64,
         samples: usize,
         progress: &dyn Progress,
-    ) -> Result<Vec<Vec<Complex>>, NoExchange> {
+    ) -> Result<Vec<Vec<Complex>>, ExchangeError> {
         let start: Vec<f64> = amplitudes.iter().flat_map(|a| [a.re, a.im]).collect();
         let states = motion(&self.slow_flow(), &start, interval, samples, &Watch::new(progress))?;
         let amplitudes =
@@ -156,9 +156,9 @@ impl NormalForm {
         interval: f64,
         samples: usize,
         progress: &dyn Progress,
-    ) -> Result<Vec<Vec<Complex>>, NoExchange> {
+    ) -> Result<Vec<Vec<Complex>>, ExchangeError> {
         let states = motion(equation, state, interval, samples, &Watch::new(progress))?;
-        states.iter().map(|state| self.amplitudes_of(state).ok_or(NoExchange::TooFar)).collect()
+        states.iter().map(|state| self.amplitudes_of(state).ok_or(ExchangeError::TooFar)).collect()
     }
 
     /// The first mode with a term that is not there in every system.
@@ -176,8 +176,8 @@ impl NormalForm {
         &self,
         mode: usize,
         slowest: f64,
-        seen: &dyn Fn(f64, usize) -> Result<Vec<Vec<Complex>>, NoExchange>,
-    ) -> Result<f64, NoExchange> {
+        seen: &dyn Fn(f64, usize) -> Result<Vec<Vec<Complex>>, ExchangeError>,
+    ) -> Result<f64, ExchangeError> {
         const PER_PERIOD: usize = 4;
         let interval = slowest / count(PER_PERIOD);
         let mut is_steady = true;
@@ -193,7 +193,7 @@ impl NormalForm {
                 return Ok(interval * count(last - first) / count(maxima.len() - 1));
             }
         }
-        Err(if is_steady { NoExchange::Steady } else { NoExchange::TooSlow(slowest * count(LONGEST)) })
+        Err(if is_steady { ExchangeError::Steady } else { ExchangeError::TooSlow(slowest * count(LONGEST)) })
     }
 
     /// Period by aⱼ′ = iα·b², b′ = iβ·a·b̄: u = |b|² is a Jacobi function of the time, between roots of (|a|²u − …) as Re(a·b̄²) is conserved.
@@ -234,9 +234,9 @@ fn motion(
     interval: f64,
     samples: usize,
     watch: &Watch<'_>,
-) -> Result<Vec<Vec<f64>>, NoExchange> {
+) -> Result<Vec<Vec<f64>>, ExchangeError> {
     const TOLERANCE: f64 = 1e-14;
-    let system = System::new(equation).map_err(|_| NoExchange::TooFar)?;
+    let system = System::new(equation).map_err(|_| ExchangeError::TooFar)?;
     let times: Vec<f64> = (0..=samples).map(|k| interval * count(k)).collect();
     let start = Moment { time: 0.0, state: start.to_vec() };
     let solution = integrate(&system, &start, &times, &Effort::to_tolerance(TOLERANCE), &watch.part())?;

@@ -5,7 +5,7 @@
 //! the motion, else it stays in Nⱼ and changes the amplitude slowly.
 
 use super::polynomials::{AmplitudePolynomials, Polynomial, Powers};
-use libration_numbers::internals::expression::{Jet, NoSeries, Tape};
+use libration_numbers::internals::expression::{Jet, SeriesError, Tape};
 use libration_numbers::internals::linear::solve;
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Interrupted;
@@ -50,8 +50,8 @@ pub(super) enum Obstacle {
     Interrupted(Interrupted),
 }
 
-impl From<NoSeries> for Obstacle {
-    fn from(_: NoSeries) -> Self {
+impl From<SeriesError> for Obstacle {
+    fn from(_: SeriesError) -> Self {
         Self::NoSeries
     }
 }

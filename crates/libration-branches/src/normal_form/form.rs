@@ -3,7 +3,7 @@
 use super::expansion::{Expansion, Judge, LinearMotion, Obstacle, expand};
 use super::linear_motion::{exactly, in_digits};
 use super::polynomials::{Polynomial, Powers};
-use super::{LARGEST_ORDER, NoNormalForm};
+use super::{LARGEST_ORDER, NormalFormError};
 use crate::normal_modes::{Behaviour, NormalModes};
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::{Progress, Stage};
@@ -95,14 +95,14 @@ impl NormalForm {
         order: usize,
         detuning: f64,
         progress: &dyn Progress,
-    ) -> Result<Self, NoNormalForm> {
+    ) -> Result<Self, NormalFormError> {
         let watch = &Watch::new(progress);
         if !(2..=LARGEST_ORDER).contains(&order) {
-            return Err(NoNormalForm::Order(order));
+            return Err(NormalFormError::Order(order));
         }
         let modes = NormalModes::about(equation, guess, &watch.part())?;
         if let Some(number) = modes.modes.iter().position(|it| it.behaviour != Behaviour::Oscillating) {
-            return Err(NoNormalForm::NotOscillating(number + 1));
+            return Err(NormalFormError::NotOscillating(number + 1));
         }
         let formulas: Vec<_> = equation.accelerations().iter().collect();
         let plain = equation.variables().iter().map(|name| Symbol::plain(name));
@@ -187,9 +187,9 @@ impl NormalForm {
     }
 }
 
-fn failure(obstacle: Obstacle) -> NoNormalForm {
+fn failure(obstacle: Obstacle) -> NormalFormError {
     match obstacle {
-        Obstacle::NoSeries => NoNormalForm::NoSeries,
+        Obstacle::NoSeries => NormalFormError::NoSeries,
         Obstacle::Interrupted(interrupted) => interrupted.into(),
     }
 }

@@ -31,8 +31,8 @@ mod form;
 mod exchange;
 mod slow_flow;
 
-pub use error::NoNormalForm;
-pub use exchange::{Exchange, MeasuredExchange, NoExchange};
+pub use error::NormalFormError;
+pub use exchange::{Exchange, ExchangeError, MeasuredExchange};
 pub use form::{Divisor, NormalForm, SlowTerm};
 
 /// The largest order in the amplitudes.

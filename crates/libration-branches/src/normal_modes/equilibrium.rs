@@ -1,8 +1,8 @@
 //! Equilibria of a system.
 
-use super::error::{NoModes, SearchEnd};
+use super::error::{ModesError, SearchEnd};
 use libration_numbers::algebra::{BigFloat, Doubles, Rational, Rationals, Ring};
-use libration_numbers::internals::roots::{NoZero, Unsolved, correction, newton};
+use libration_numbers::internals::roots::{NewtonError, Unsolved, correction, newton};
 use libration_numbers::{
     expression::{Equation, Expression, Symbol},
     internals::expression::Tape,
@@ -17,7 +17,7 @@ pub(super) struct Equilibrium {
 }
 
 /// The equilibrium that Newton's method finds from a guess.
-pub(super) fn equilibrium(equation: &Equation, guess: &[f64]) -> Result<Equilibrium, NoModes> {
+pub(super) fn equilibrium(equation: &Equation, guess: &[f64]) -> Result<Equilibrium, ModesError> {
     let at_rest: Vec<Expression> = equation.accelerations().iter().map(|it| at_rest(it, equation)).collect();
     let names: Vec<Symbol> = equation.variables().iter().map(|name| Symbol::plain(name)).collect();
     if let Some(exact) = proved(&at_rest, &names, guess) {
@@ -63,7 +63,7 @@ pub(super) fn simplest(x: f64) -> Option<Rational> {
     Some(Rational::simplest_between(&Rationals.subtract(&value, &width), &Rationals.add(&value, &width)))
 }
 
-fn zero_near(formulas: &[Expression], names: &[Symbol], guess: &[f64]) -> Result<Vec<f64>, NoModes> {
+fn zero_near(formulas: &[Expression], names: &[Symbol], guess: &[f64]) -> Result<Vec<f64>, ModesError> {
     const MOST_STEPS: usize = 100;
     let tape = Tape::new(&formulas.iter().collect::<Vec<_>>(), names)?;
     let size = |values: &[f64]| values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
@@ -72,10 +72,10 @@ fn zero_near(formulas: &[Expression], names: &[Symbol], guess: &[f64]) -> Result
     let step = |at: &[f64]| correction(&Doubles, |x| x.abs(), &tape, at);
     newton(&Doubles, guess, MOST_STEPS, step, is_last).map_err(|Unsolved { at: to, reason }| {
         let end = match reason {
-            NoZero::NoValue => SearchEnd::NoValue,
-            NoZero::NoSlope => SearchEnd::NoSlope,
-            NoZero::Unsettled => SearchEnd::Unsettled,
+            NewtonError::NoValue => SearchEnd::NoValue,
+            NewtonError::NoSlope => SearchEnd::NoSlope,
+            NewtonError::Unsettled => SearchEnd::Unsettled,
         };
-        NoModes::NoEquilibrium { from: guess.to_vec(), to, end }
+        ModesError::NoEquilibrium { from: guess.to_vec(), to, end }
     })
 }

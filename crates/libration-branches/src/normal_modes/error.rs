@@ -1,18 +1,18 @@
 //! Errors of the search for normal modes.
 
-use libration_numbers::expression::{NotSecondOrder, WithoutValue};
+use libration_numbers::expression::{SecondOrderError, WithoutValue};
 use libration_numbers::progress::Interrupted;
 
 /// Reason why a system has no normal modes.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum NoModes {
+pub enum ModesError {
     /// A parameter that is left open.
     #[error(transparent)]
     WithoutValue(#[from] WithoutValue),
     /// An equation of the first order.
     #[error(transparent)]
-    NotSecondOrder(#[from] NotSecondOrder),
+    NotSecondOrder(#[from] SecondOrderError),
     /// Accelerations that change in time.
     #[error("the accelerations depend on the time t: set the strength of the driving to zero")]
     DependsOnTime,

@@ -13,7 +13,7 @@
 //!
 //! Reference: A. H. Nayfeh, D. T. Mook, *Nonlinear Oscillations*, Wiley 1979, chapter 6.
 
-use libration_numbers::internals::expression::{Jet, NoSeries, Tape};
+use libration_numbers::internals::expression::{Jet, SeriesError, Tape};
 use libration_numbers::internals::linear::solve;
 use libration_numbers::{
     algebra::Ring,
@@ -45,8 +45,8 @@ pub(super) enum Obstacle {
     Resonance(usize),
 }
 
-impl From<NoSeries> for Obstacle {
-    fn from(_: NoSeries) -> Self {
+impl From<SeriesError> for Obstacle {
+    fn from(_: SeriesError) -> Self {
         Self::NoSeries
     }
 }
@@ -96,7 +96,7 @@ impl<E: Clone> Linear<E> {
         tape: &Tape,
         coordinates: usize,
     ) -> Result<Self, Obstacle> {
-        let column = |input: usize| -> Result<Vec<E>, NoSeries> {
+        let column = |input: usize| -> Result<Vec<E>, SeriesError> {
             let gains = jet.gains(input)?;
             Ok(tape.results().iter().map(|&place| ring.harmonic(&gains[place], 0).cosine).collect())
         };

@@ -1,7 +1,7 @@
 //! The linear equations of small motions: x″ = −A·x + G·x′.
 
 use super::equilibrium::{Equilibrium, substituted};
-use super::error::NoModes;
+use super::error::ModesError;
 use libration_numbers::algebra::{Doubles, Rational};
 use libration_numbers::{
     expression::{Equation, Expression, Symbol},
@@ -32,7 +32,7 @@ pub(super) fn symbols(equation: &Equation) -> Vec<Symbol> {
 /// masses, 25 s for one of 64 and minutes for one of 150.
 const MOST_EXACT: usize = 32;
 
-pub(super) fn linearisation(equation: &Equation, rest: &Equilibrium) -> Result<Linear, NoModes> {
+pub(super) fn linearisation(equation: &Equation, rest: &Equilibrium) -> Result<Linear, ModesError> {
     let symbols = symbols(equation);
     let state: Vec<f64> = rest.at.iter().copied().chain(rest.at.iter().map(|_| 0.0)).collect();
     let on_side = |sign: i64| -> Vec<Expression> {
@@ -43,7 +43,7 @@ pub(super) fn linearisation(equation: &Equation, rest: &Equilibrium) -> Result<L
     let slopes = slopes(&above, &symbols);
     let numbers = in_numbers(&slopes, &symbols, &state)?;
     if above != below && !is_smooth([&above, &below], &symbols, &state)? {
-        return Err(NoModes::NotSmooth { at: rest.at.clone() });
+        return Err(ModesError::NotSmooth { at: rest.at.clone() });
     }
     let is_small = rest.at.len() <= MOST_EXACT;
     let exact = rest.exact.as_ref().filter(|_| is_small);
@@ -60,7 +60,7 @@ fn slopes(formulas: &[Expression], symbols: &[Symbol]) -> Vec<Vec<Expression>> {
 }
 
 /// Returns whether formulas and their slopes are the same on both sides of a state.
-fn is_smooth(sides: [&[Expression]; 2], symbols: &[Symbol], state: &[f64]) -> Result<bool, NoModes> {
+fn is_smooth(sides: [&[Expression]; 2], symbols: &[Symbol], state: &[f64]) -> Result<bool, ModesError> {
     const ROUNDING: f64 = 1e-9;
     let values = |formulas: &[Expression]| {
         let mut rows = slopes(formulas, symbols);
@@ -81,10 +81,14 @@ fn split<N: Clone>(slopes: &[Vec<N>], negative: impl Fn(&N) -> N) -> Linearisati
     Linearisation { stiffness, velocity: slopes.iter().map(|row| row[n..].to_vec()).collect() }
 }
 
-fn in_numbers(rows: &[Vec<Expression>], symbols: &[Symbol], state: &[f64]) -> Result<Vec<Vec<f64>>, NoModes> {
+fn in_numbers(
+    rows: &[Vec<Expression>],
+    symbols: &[Symbol],
+    state: &[f64],
+) -> Result<Vec<Vec<f64>>, ModesError> {
     let all: Vec<&Expression> = rows.iter().flatten().collect();
     let tape = Tape::new(&all, symbols)?;
-    let refusal = || NoModes::NotSmooth { at: state[..rows.len()].to_vec() };
+    let refusal = || ModesError::NotSmooth { at: state[..rows.len()].to_vec() };
     let jet = Jet::new(&Doubles, &tape, state).map_err(|_| refusal())?;
     let values: Vec<f64> = (0..all.len()).map(|i| jet.result(i)[0]).collect();
     if values.iter().all(|x| x.is_finite()) {

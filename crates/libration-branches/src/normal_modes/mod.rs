@@ -42,7 +42,7 @@ mod shift;
 
 mod modes;
 
-pub use error::{NoModes, SearchEnd};
+pub use error::{ModesError, SearchEnd};
 pub use mode::{Behaviour, Mode, Resonance, Shift};
 pub use modes::NormalModes;
-pub use no_shift::NoShift;
+pub use no_shift::ShiftError;

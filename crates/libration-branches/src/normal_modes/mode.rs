@@ -1,6 +1,6 @@
 //! One normal mode.
 
-use super::no_shift::NoShift;
+use super::no_shift::ShiftError;
 use libration_numbers::algebra::{Complex, Surd};
 
 /// A motion in which all coordinates change in time as e^{st}.
@@ -22,7 +22,7 @@ pub struct Mode {
     /// Other modes whose frequency is a small multiple of this one's, or of which this one's is.
     pub resonances: Vec<Resonance>,
     /// Change of the frequency with the amplitude.
-    pub shift: Result<Shift, NoShift>,
+    pub shift: Result<Shift, ShiftError>,
 }
 
 /// Behaviour of a mode in time.

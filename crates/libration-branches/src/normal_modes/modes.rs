@@ -1,10 +1,10 @@
 //! All normal modes of a system about an equilibrium.
 
 use super::equilibrium::equilibrium;
-use super::error::NoModes;
+use super::error::ModesError;
 use super::linearisation::linearisation;
 use super::mode::{Behaviour, Mode};
-use super::no_shift::NoShift;
+use super::no_shift::ShiftError;
 use super::resonance::resonances;
 use super::shapes::shapes;
 use super::shift::shift;
@@ -50,7 +50,7 @@ impl NormalModes {
     ///
     /// # Errors
     /// Open parameters, the time in the accelerations, and no equilibrium at which they have derivatives.
-    pub fn new(equation: &Equation) -> Result<Self, NoModes> {
+    pub fn new(equation: &Equation) -> Result<Self, ModesError> {
         Self::about(equation, &vec![0.0; equation.variables().len()], &Quiet)
     }
 
@@ -58,16 +58,16 @@ impl NormalModes {
     ///
     /// # Errors
     /// As [`new`](Self::new), and a guess that does not fit.
-    /// [`NoModes::Interrupted`] if the call is cancelled.
-    pub fn about(equation: &Equation, guess: &[f64], progress: &dyn Progress) -> Result<Self, NoModes> {
+    /// [`ModesError::Interrupted`] if the call is cancelled.
+    pub fn about(equation: &Equation, guess: &[f64], progress: &dyn Progress) -> Result<Self, ModesError> {
         let watch = &Watch::new(progress);
         equation.refuse_first_order()?;
         let wanted = equation.variables().len();
         if guess.len() != wanted || !guess.iter().all(|x| x.is_finite()) {
-            return Err(NoModes::Guess { guess: guess.to_vec(), wanted });
+            return Err(ModesError::Guess { guess: guess.to_vec(), wanted });
         }
         if equation.accelerations().iter().any(|formula| formula.contains(&Symbol::plain("t"))) {
-            return Err(NoModes::DependsOnTime);
+            return Err(ModesError::DependsOnTime);
         }
         let rest = equilibrium(equation, guess)?;
         let linear = linearisation(equation, &rest)?;
@@ -83,7 +83,7 @@ impl NormalModes {
                 exact_shape: shape.exact,
                 multiplicity,
                 resonances: vec![],
-                shift: Err(NoShift::NotOscillating),
+                shift: Err(ShiftError::NotOscillating),
             }));
         }
         let found: Vec<_> = (0..modes.len()).map(|number| resonances(&modes, number)).collect();

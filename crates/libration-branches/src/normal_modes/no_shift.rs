@@ -5,7 +5,7 @@ use super::lindstedt::Obstacle;
 /// Reason why the change of the frequency is not given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
-pub enum NoShift {
+pub enum ShiftError {
     /// A mode that does not oscillate.
     #[error("it does not oscillate with a constant amplitude")]
     NotOscillating,
@@ -33,7 +33,7 @@ pub enum NoShift {
     NotSmooth,
 }
 
-impl From<Obstacle> for NoShift {
+impl From<Obstacle> for ShiftError {
     fn from(obstacle: Obstacle) -> Self {
         match obstacle {
             Obstacle::NoSeries => Self::NotSmooth,

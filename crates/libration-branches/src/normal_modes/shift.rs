@@ -4,7 +4,7 @@ use super::equilibrium::Equilibrium;
 use super::lindstedt::{Fundamental, Judge, Obstacle, Third, third_order};
 use super::linearisation::symbols;
 use super::mode::{Behaviour, Mode, Shift};
-use super::no_shift::NoShift;
+use super::no_shift::ShiftError;
 use libration_numbers::{
     algebra::{Doubles, Rational, Rationals, Ring, Surd},
     internals::algebra::{Quadratic, QuadraticField},
@@ -17,21 +17,21 @@ pub(super) fn shift(
     rest: &Equilibrium,
     modes: &[Mode],
     number: usize,
-) -> Result<Shift, NoShift> {
+) -> Result<Shift, ShiftError> {
     let mode = &modes[number];
     if mode.behaviour != Behaviour::Oscillating {
-        return Err(NoShift::NotOscillating);
+        return Err(ShiftError::NotOscillating);
     }
     if mode.multiplicity > 1 {
-        return Err(NoShift::Degenerate);
+        return Err(ShiftError::Degenerate);
     }
     let formulas: Vec<_> = equation.accelerations().iter().collect();
-    let tape = Tape::new(&formulas, &symbols(equation)).map_err(|_| NoShift::NotSmooth)?;
+    let tape = Tape::new(&formulas, &symbols(equation)).map_err(|_| ShiftError::NotSmooth)?;
     let resonant = resonant(modes, number);
     let exact = rest.exact.as_ref().and_then(|rest| Exact::new(mode, rest));
     match exact.map(|exact| exact.shift(&tape, &resonant)) {
         Some(Ok(shift)) => Ok(shift),
-        Some(Err(reason)) if reason != NoShift::NotSmooth => Err(reason),
+        Some(Err(reason)) if reason != ShiftError::NotSmooth => Err(reason),
         _ => in_digits(&tape, rest, mode, resonant),
     }
 }
@@ -44,7 +44,12 @@ fn resonant(modes: &[Mode], number: usize) -> Vec<usize> {
     multiples.chain(free.then_some(0)).collect()
 }
 
-fn in_digits(tape: &Tape, rest: &Equilibrium, mode: &Mode, resonant: Vec<usize>) -> Result<Shift, NoShift> {
+fn in_digits(
+    tape: &Tape,
+    rest: &Equilibrium,
+    mode: &Mode,
+    resonant: Vec<usize>,
+) -> Result<Shift, ShiftError> {
     const ROUNDING: f64 = 1e-11;
     let fundamental = Fundamental {
         frequency: mode.frequency(),
@@ -55,10 +60,10 @@ fn in_digits(tape: &Tape, rest: &Equilibrium, mode: &Mode, resonant: Vec<usize>)
     let judge = Judge { size: &|x: &f64| x.abs(), rounding: ROUNDING, resonant };
     let Third { frequency, growth } = third_order(&Doubles, &judge, tape, &rest.at, &fundamental)?;
     if !(frequency.is_finite() && growth.is_finite()) {
-        return Err(NoShift::NotSmooth);
+        return Err(ShiftError::NotSmooth);
     }
     if growth.abs() > 1e-9 * frequency.abs().max(growth.abs()) {
-        return Err(NoShift::NotPeriodic { grows: growth > 0.0 });
+        return Err(ShiftError::NotPeriodic { grows: growth > 0.0 });
     }
     Ok(Shift { coefficient: frequency * mode.frequency(), relative: None })
 }
@@ -82,7 +87,7 @@ impl<'a> Exact<'a> {
     }
 
     /// The shift, in the smallest field that contains ω.
-    fn shift(&self, tape: &Tape, resonant: &[usize]) -> Result<Shift, NoShift> {
+    fn shift(&self, tape: &Tape, resonant: &[usize]) -> Result<Shift, ShiftError> {
         let base = QuadraticField { base: Rationals, square: self.radicand.clone() };
         let element = |surd: &Surd| Quadratic { plain: surd.plain().clone(), root: surd.root().clone() };
         let value = |x: &Quadratic<Rational>| self.surd(x).to_f64();
@@ -95,11 +100,11 @@ impl<'a> Exact<'a> {
         let omega = self.square.to_f64().sqrt();
         let size = |x: &Quadratic<Quadratic<Rational>>| (value(&x.plain) + value(&x.root) * omega).abs();
         let judge = Judge { size: &size, rounding: 0.0, resonant: resonant.to_vec() };
-        let root = field.square_root().ok_or(NoShift::NotSmooth)?;
+        let root = field.square_root().ok_or(ShiftError::NotSmooth)?;
         let third = self.third(&field, &judge, tape, |surd| field.plain(element(surd)), root)?;
         let growth = value(&third.growth.plain) + value(&third.growth.root) * omega;
         if !field.base.is_zero(&third.frequency.root) {
-            return Err(NoShift::NotSmooth);
+            return Err(ShiftError::NotSmooth);
         }
         self.answer(&third.frequency.plain, growth)
     }
@@ -128,9 +133,9 @@ impl<'a> Exact<'a> {
         Surd::new(x.plain.clone(), x.root.clone(), self.radicand.clone())
     }
 
-    fn answer(&self, relative: &Quadratic<Rational>, growth: f64) -> Result<Shift, NoShift> {
+    fn answer(&self, relative: &Quadratic<Rational>, growth: f64) -> Result<Shift, ShiftError> {
         if growth != 0.0 {
-            return Err(NoShift::NotPeriodic { grows: growth > 0.0 });
+            return Err(ShiftError::NotPeriodic { grows: growth > 0.0 });
         }
         let relative = self.surd(relative);
         let coefficient = relative.to_f64() * self.square.to_f64().sqrt();

@@ -1,6 +1,6 @@
 //! The exponents of small motions.
 
-use super::error::NoModes;
+use super::error::ModesError;
 use super::linearisation::{Linear, Linearisation};
 use super::roots::{Root, roots, roots_in_digits};
 use libration_numbers::algebra::{Complex, Doubles, Rational, Rationals, Ring, Surd};
@@ -20,12 +20,12 @@ const SAME: f64 = 1e-9;
 
 /// The exponents with imaginary parts that are not negative. Of a conservative system, where −s is an exponent beside s, one of
 /// the two is kept.
-pub(super) fn spectrum(linear: &Linear) -> Result<Vec<Exponent>, NoModes> {
+pub(super) fn spectrum(linear: &Linear) -> Result<Vec<Exponent>, ModesError> {
     let found = match &linear.exact {
         Some(exact) => from_fractions(exact, &linear.numbers).or_else(|| from_numbers(&linear.numbers)),
         None => from_numbers(&linear.numbers),
     };
-    let mut found = found.ok_or(NoModes::NoEigenvalues)?;
+    let mut found = found.ok_or(ModesError::NoEigenvalues)?;
     found.sort_by(|a, b| a.value.im.total_cmp(&b.value.im).then(a.value.re.total_cmp(&b.value.re)));
     Ok(found)
 }

@@ -1,9 +1,10 @@
 //! Branches of periodic motions compared with two other methods: Fourier collocation with extended systems, and Taylor shooting with the
 //! variational equations, both in floats of 130 bits, which agree in 30 digits unless stated otherwise.
 
+use crate::typed::equation_with;
 use libration::algebra::Complex;
 use libration::continuation::{
-    Branch, BranchPoint, Ending, NoBranch, Origin, Response, ResponseOptions, SpecialKind,
+    Branch, BranchError, BranchPoint, Ending, Origin, Response, ResponseOptions, SpecialKind,
 };
 use libration::expression::Equation;
 use libration::progress::{Quiet, Status};
@@ -12,11 +13,6 @@ use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 
 const PENDULUM: &str = "theta'' = -c*theta' - sin(theta) + A*cos(w*t)";
-
-fn equation(text: &str, values: &[(&str, &str)]) -> Equation {
-    let values: Vec<_> = values.iter().map(|(name, value)| (*name, value.parse().unwrap())).collect();
-    text.parse::<Equation>().unwrap().with(&values).unwrap()
-}
 
 fn over(equation: &Equation, parameter: &str, range: [f64; 2]) -> Response {
     let options = ResponseOptions { generations: 1, ..ResponseOptions::default() };
@@ -55,7 +51,7 @@ fn folds_of_the_driven_pendulum_are_exact() {
         (["0.2", "0.32"], [0.6, 1.2], 0.7855183495770513073720936, 1.21672100780130924),
     ];
     for ([c, a], range, value, amplitude) in over_frequency {
-        let response = over(&equation(PENDULUM, &[("c", c), ("A", a)]), "w", range);
+        let response = over(&equation_with(PENDULUM, &[("c", c), ("A", a)]), "w", range);
         assert_special(&response, SpecialKind::Fold, value, Some(amplitude));
     }
     let over_amplitude = [
@@ -63,14 +59,14 @@ fn folds_of_the_driven_pendulum_are_exact() {
         (["0.02", "0.9"], [0.0, 0.1], 0.09223553605572827970804111, 0.729620901589684041),
     ];
     for ([c, w], range, value, amplitude) in over_amplitude {
-        let response = over(&equation(PENDULUM, &[("c", c), ("w", w)]), "A", range);
+        let response = over(&equation_with(PENDULUM, &[("c", c), ("w", w)]), "A", range);
         assert_special(&response, SpecialKind::Fold, value, Some(amplitude));
     }
 }
 
 #[test]
 fn losses_of_symmetry_and_doublings_are_exact_and_each_branch_is_followed_once() {
-    let response = over(&equation(PENDULUM, &[("c", "1/2"), ("w", "2/3")]), "A", [0.9, 1.07]);
+    let response = over(&equation_with(PENDULUM, &[("c", "1/2"), ("w", "2/3")]), "A", [0.9, 1.07]);
     assert_special(
         &response,
         SpecialKind::SymmetryBreaking,
@@ -99,16 +95,18 @@ fn losses_of_symmetry_and_doublings_are_exact_and_each_branch_is_followed_once()
     );
     assert!((second.period - 6.0 * PI).abs() < 1e-12);
     // Over the damping, from a published notebook: Q about 1.348.
-    let response = over(&equation(PENDULUM, &[("A", "1.5"), ("w", "2/3")]), "c", [0.735, 0.78]);
+    let response = over(&equation_with(PENDULUM, &[("A", "1.5"), ("w", "2/3")]), "c", [0.735, 0.78]);
     assert_special(&response, SpecialKind::PeriodDoubling, 0.7411730170883635402983935, None);
 }
 
 #[test]
 fn curves_of_duffings_oscillator_have_their_folds_and_no_others() {
     let duffing = "x'' = -c*x' - x - b*x^3 + F*cos(w*t)";
-    let response = over(&equation(duffing, &[("c", "0.1"), ("b", "-1"), ("F", "0.05")]), "w", [0.7, 1.2]);
+    let response =
+        over(&equation_with(duffing, &[("c", "0.1"), ("b", "-1"), ("F", "0.05")]), "w", [0.7, 1.2]);
     assert_special(&response, SpecialKind::Fold, 0.8927792130704409856717577, None);
-    let response = over(&equation(duffing, &[("c", "0.1"), ("b", "-0.1"), ("F", "0.1")]), "w", [0.5, 1.5]);
+    let response =
+        over(&equation_with(duffing, &[("c", "0.1"), ("b", "-0.1"), ("F", "0.1")]), "w", [0.5, 1.5]);
     assert_eq!(response.branches.len(), 1);
     assert_eq!(response.branches[0].special, []);
     assert!(response.branches[0].points.iter().all(|point| point.is_stable()));
@@ -119,7 +117,7 @@ fn curves_of_duffings_oscillator_have_their_folds_and_no_others() {
         generations: 0,
         ..ResponseOptions::default()
     };
-    let subharmonic = equation(duffing, &[("c", "0.05"), ("b", "1"), ("F", "5")]);
+    let subharmonic = equation_with(duffing, &[("c", "0.05"), ("b", "1"), ("F", "5")]);
     let response = Response::over(&subharmonic, "w", [9.0, 10.5], &options, &Quiet).unwrap();
     assert_special(&response, SpecialKind::Fold, 10.02822141013707399662466, None);
     assert_eq!(response.branches[0].space.drive_periods(), 3);
@@ -127,7 +125,7 @@ fn curves_of_duffings_oscillator_have_their_folds_and_no_others() {
 
 #[test]
 fn a_curve_that_closes_is_followed_once_around() {
-    let duffing = equation("x'' = -0.15*x' - x - x^3 + 5*cos(w*t)", &[]);
+    let duffing = equation_with("x'' = -0.15*x' - x - x^3 + 5*cos(w*t)", &[]);
     let options = ResponseOptions {
         start: Some(vec![1.4, 1.5]),
         at: Some(4.5),
@@ -149,27 +147,27 @@ fn a_curve_that_closes_is_followed_once_around() {
     let outside = ResponseOptions { at: Some(7.0), ..options };
     assert!(matches!(
         Response::over(&duffing, "w", [2.5, 6.0], &outside, &Quiet),
-        Err(NoBranch::Outside { .. })
+        Err(BranchError::Outside { .. })
     ));
 }
 
 #[test]
 fn a_determinant_of_one_is_a_bifurcation_where_multipliers_are_complex() {
     let van_der_pol = "x'' = mu*(1 - x^2)*x' - x + F*cos(w*t)";
-    let response = over(&equation(van_der_pol, &[("mu", "1"), ("F", "1")]), "w", [0.5, 1.3]);
+    let response = over(&equation_with(van_der_pol, &[("mu", "1"), ("F", "1")]), "w", [0.5, 1.3]);
     assert_special(&response, SpecialKind::NeimarkSacker, 0.5439378644861768229010272, None);
     assert_special(&response, SpecialKind::Fold, 1.196077164552389013827867, None);
     // By the same two roads: the determinant is one there, and the trace 2.89.
     let saddles = specials(&response, SpecialKind::NeutralSaddle);
     assert!(saddles.len() == 1 && (saddles[0] - 1.17072).abs() < 1e-5, "{saddles:?}");
     assert_eq!(specials(&response, SpecialKind::NeimarkSacker).len(), 1);
-    let response = over(&equation(van_der_pol, &[("mu", "0.1"), ("F", "0.2")]), "w", [0.8, 1.0]);
+    let response = over(&equation_with(van_der_pol, &[("mu", "0.1"), ("F", "0.2")]), "w", [0.8, 1.0]);
     assert_special(&response, SpecialKind::NeimarkSacker, 0.9306613812095431400414873, None);
 }
 
 #[test]
 fn without_damping_every_determinant_is_one_and_none_is_special() {
-    let response = over(&equation(PENDULUM, &[("c", "0"), ("A", "0.1")]), "w", [0.4, 1.4]);
+    let response = over(&equation_with(PENDULUM, &[("c", "0"), ("A", "0.1")]), "w", [0.4, 1.4]);
     assert!(specials(&response, SpecialKind::NeutralSaddle).is_empty());
     assert!(specials(&response, SpecialKind::NeimarkSacker).is_empty());
 }
@@ -177,7 +175,7 @@ fn without_damping_every_determinant_is_one_and_none_is_special() {
 #[test]
 fn neighbouring_branches_are_not_mistaken_for_each_other() {
     // Their amplitudes at w = 0.85 differ by 0.05.
-    let response = over(&equation(PENDULUM, &[("c", "0.02"), ("A", "0.03")]), "w", [0.85, 1.4]);
+    let response = over(&equation_with(PENDULUM, &[("c", "0.02"), ("A", "0.03")]), "w", [0.85, 1.4]);
     assert_eq!(response.branches.len(), 2);
     let [low, high] = [0, 1].map(|number| response.branches[number].points.last().unwrap());
     assert_eq!((low.parameter, high.parameter), (0.85, 0.85));
@@ -191,7 +189,7 @@ fn neighbouring_branches_are_not_mistaken_for_each_other() {
 
 #[test]
 fn a_strong_drive_leads_over_the_top_and_to_the_frequency_zero() {
-    let pendulum = |a: &str| equation(PENDULUM, &[("c", "0.1"), ("A", a)]);
+    let pendulum = |a: &str| equation_with(PENDULUM, &[("c", "0.1"), ("A", a)]);
     let options = ResponseOptions { generations: 0, ..ResponseOptions::default() };
     let response = Response::over(&pendulum("0.2"), "w", [0.3, 1.4], &options, &Quiet).unwrap();
     let last = response.branches.iter().map(|branch| branch.points.last().unwrap());
@@ -205,7 +203,7 @@ fn a_strong_drive_leads_over_the_top_and_to_the_frequency_zero() {
 
 #[test]
 fn the_shaken_pendulum_swings_from_one_edge_of_its_tongue_to_the_other() {
-    let shaken = equation("theta'' = -0.1*theta' - (1 - 0.1*w^2*cos(w*t))*sin(theta)", &[]);
+    let shaken = equation_with("theta'' = -0.1*theta' - (1 - 0.1*w^2*cos(w*t))*sin(theta)", &[]);
     let response = over(&shaken, "w", [1.5, 2.5]);
     assert!(response.branches[0].points.iter().all(|point| point.amplitude(0, true) == 0.0));
     let edges = specials(&response, SpecialKind::PeriodDoubling);
@@ -260,7 +258,7 @@ fn apart(a: &[f64], b: &[f64]) -> f64 {
 
 #[test]
 fn sweeps_of_the_integrator_land_on_the_stable_branches() {
-    let pendulum = equation(PENDULUM, &[("c", "0.1"), ("A", "0.15")]);
+    let pendulum = equation_with(PENDULUM, &[("c", "0.1"), ("A", "0.15")]);
     let response = over(&pendulum, "w", [0.5, 1.2]);
     let branch = &response.branches[0];
     let fold = branch.special[0].before;
@@ -299,7 +297,7 @@ fn sweeps_of_the_integrator_land_on_the_stable_branches() {
 
 #[test]
 fn jumps_of_an_interrupted_response_lead_to_the_nearest_points_and_say_how_far_that_may_be() {
-    let pendulum = equation(PENDULUM, &[("c", "0.1"), ("A", "0.15")]);
+    let pendulum = equation_with(PENDULUM, &[("c", "0.1"), ("A", "0.15")]);
     let whole = over(&pendulum, "w", [0.7, 1.0]);
     let most = whole.branches[0].points.len() - 3;
     let progress = |status: Status| {
@@ -316,7 +314,7 @@ fn jumps_of_an_interrupted_response_lead_to_the_nearest_points_and_say_how_far_t
 
 #[test]
 fn multipliers_of_two_coordinates_have_the_product_that_the_damping_tells() {
-    let pair = equation("x'' = -x + y - 0.1*x' - x^3 + 0.3*cos(w*t); y'' = x - 2*y - 0.1*y'", &[]);
+    let pair = equation_with("x'' = -x + y - 0.1*x' - x^3 + 0.3*cos(w*t); y'' = x - 2*y - 0.1*y'", &[]);
     let response = over(&pair, "w", [0.9, 1.2]);
     let branch = &response.branches[0];
     for point in &branch.points {
@@ -336,12 +334,13 @@ fn multipliers_of_two_coordinates_have_the_product_that_the_damping_tells() {
 #[test]
 fn what_has_no_branch_says_why() {
     let refused = |text: &str, range: [f64; 2]| {
-        Response::over(&equation(text, &[]), "w", range, &ResponseOptions::default(), &Quiet).unwrap_err()
+        Response::over(&equation_with(text, &[]), "w", range, &ResponseOptions::default(), &Quiet)
+            .unwrap_err()
     };
-    assert_eq!(refused("x'' = -x + w*t", [1.0, 2.0]), NoBranch::NotDriven);
-    assert_eq!(refused("x'' = -x + cos(w*t)", [1.0, 1.0]), NoBranch::Range { from: 1.0, to: 1.0 });
-    assert!(matches!(refused("x'' = -x + cos(w*t)", [1.0, f64::NAN]), NoBranch::Range { .. }));
-    assert!(matches!(refused("x'' = -k*x + cos(w*t)", [1.0, 2.0]), NoBranch::WithoutValue(_)));
+    assert_eq!(refused("x'' = -x + w*t", [1.0, 2.0]), BranchError::NotDriven);
+    assert_eq!(refused("x'' = -x + cos(w*t)", [1.0, 1.0]), BranchError::Range { from: 1.0, to: 1.0 });
+    assert!(matches!(refused("x'' = -x + cos(w*t)", [1.0, f64::NAN]), BranchError::Range { .. }));
+    assert!(matches!(refused("x'' = -k*x + cos(w*t)", [1.0, 2.0]), BranchError::WithoutValue(_)));
     // Without damping the answer at its resonance has no bound, at both ends.
-    assert!(matches!(refused("x'' = -x + w*cos(t)", [1.0, 2.0]), NoBranch::NoStart(_)));
+    assert!(matches!(refused("x'' = -x + w*cos(t)", [1.0, 2.0]), BranchError::NoStart(_)));
 }

@@ -1,6 +1,6 @@
 //! Crossings of branches of periodic motions, and similar cases, compared with closed forms and integrations by other programs.
 
-use libration::continuation::{Branch, Ending, NoBranch, Response, ResponseOptions, SpecialKind};
+use libration::continuation::{Branch, BranchError, Ending, Response, ResponseOptions, SpecialKind};
 use libration::expression::Equation;
 use libration::progress::Quiet;
 use std::f64::consts::PI;
@@ -83,7 +83,7 @@ fn van_der_pols_cycle_crosses_all_circles_where_nothing_excites_it() {
     }
     let circles = "x'' = -x + mu*0".parse().unwrap();
     let none = Response::over(&circles, "mu", [0.0, 1.0], &ResponseOptions::default(), &Quiet);
-    assert_eq!(none.unwrap_err(), NoBranch::Family);
+    assert_eq!(none.unwrap_err(), BranchError::Family);
 }
 
 /// The motion from rest goes seven turns around before it settles on a response that has lost its symmetry: it is the one about the bottom.
@@ -112,7 +112,7 @@ fn answers_that_are_found_turns_away_are_on_the_branches_about_the_bottom() {
 fn an_end_of_the_range_without_a_motion_is_named() {
     let response = over("x'' + x = cos(w*t)", "w", [0.5, 0.9], ResponseOptions::default());
     let [(value, reason)] = &response.missing[..] else { panic!("{:?}", response.missing) };
-    assert!(*value == 0.5 && matches!(reason, NoBranch::NoStart(_)), "{reason}");
+    assert!(*value == 0.5 && matches!(reason, BranchError::NoStart(_)), "{reason}");
     assert_eq!(response.branches.len(), 1);
     let everywhere = over("x'' + x = cos(w*t)", "w", [0.55, 0.9], ResponseOptions::default());
     assert_eq!(everywhere.missing, vec![]);

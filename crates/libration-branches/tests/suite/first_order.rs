@@ -1,10 +1,10 @@
 //! Equations of the first order, alone and beside ones of the second, against the thirty digits of `first_order.csv` and closed forms.
 
+use crate::typed::{equation, system};
 use libration::chaos::{
     Continuation, Family, LyapunovVerdict, Points, Schedule, Section, bifurcation_diagram, lyapunov_exponent,
     section,
 };
-use libration::expression::Equation;
 use libration::normal_modes::NormalModes;
 use libration::orbit::{Orbit, OrbitGuess, Stability};
 use libration::oscillator::Oscillator;
@@ -19,14 +19,6 @@ use libration_testing::golden::{Row, Table};
 use std::f64::consts::TAU;
 
 const LORENZ: &str = "x' = 10*(y - x); y' = x*(28 - z) - y; z' = x*y - 8/3*z";
-
-fn equation(text: &str) -> Equation {
-    text.parse().unwrap()
-}
-
-fn system(text: &str) -> System {
-    System::new(&equation(text)).unwrap()
-}
 
 fn from(state: &[f64]) -> Moment {
     Moment { time: 0.0, state: state.to_vec() }

@@ -1,6 +1,7 @@
 //! Points of response curves and the singular points that no other file of the suite has, against Fourier collocation with extended systems and
 //! Taylor shooting, both in floats of 130 bits, which agree in 30 digits.
 
+use crate::typed::equation_with;
 use libration::continuation::{BranchPoint, Ending, Response, ResponseOptions, SpecialKind};
 use libration::expression::Equation;
 use libration::progress::Quiet;
@@ -152,11 +153,6 @@ const SWINGS: &[Swing<'_>] = &[
     ),
 ];
 
-fn equation(text: &str, values: &[(&str, &str)]) -> Equation {
-    let values: Vec<_> = values.iter().map(|(name, value)| (*name, value.parse().unwrap())).collect();
-    text.parse::<Equation>().unwrap().with(&values).unwrap()
-}
-
 /// The motion at a frequency near a state of which three decimals are known.
 fn point_near(equation: &Equation, frequency: f64, state: [f64; 2], drive_periods: u32) -> BranchPoint {
     let rough = state.map(|x| (x * 1e3).round() / 1e3);
@@ -186,7 +182,7 @@ fn assert_state(point: &BranchPoint, state: [f64; 2], amplitude: f64) {
 #[test]
 fn points_of_the_driven_pendulum_have_their_states_and_multipliers() {
     for (values, w, state, amplitude, first, second) in DRIVEN {
-        let pendulum = equation(PENDULUM, &[("c", values[0]), ("A", values[1])]);
+        let pendulum = equation_with(PENDULUM, &[("c", values[0]), ("A", values[1])]);
         let point = point_near(&pendulum, *w, *state, 1);
         assert_state(&point, *state, *amplitude);
         for expected in [first, second] {
@@ -205,7 +201,7 @@ fn points_of_the_driven_pendulum_have_their_states_and_multipliers() {
 #[test]
 fn swings_of_the_pendulum_on_a_moving_pivot_have_their_states() {
     for (values, w, state, amplitude, stable) in SWINGS {
-        let pivot = equation(PIVOT, &[("c", values[0]), ("a", values[1])]);
+        let pivot = equation_with(PIVOT, &[("c", values[0]), ("a", values[1])]);
         let point = point_near(&pivot, *w, *state, 2);
         assert_state(&point, *state, *amplitude);
         assert_eq!(point.is_stable(), *stable, "{point:?}");
@@ -244,18 +240,18 @@ fn further_folds_and_losses_of_symmetry_are_exact() {
         ([("c", "0.1"), ("w", "0.8")], "A", [-2.541, 0.431], SymmetryBreaking, 0.8313728241194022479976947),
         ([("c", "0.05"), ("w", "0.85")], "A", [-2.574, 0.202], SymmetryBreaking, 0.9904648158858902725871148),
     ] {
-        assert_special(&equation(PENDULUM, &values), parameter, start, kind, expected);
+        assert_special(&equation_with(PENDULUM, &values), parameter, start, kind, expected);
     }
-    let strong = equation(DUFFING, &[("c", "0.1"), ("b", "1"), ("F", "1")]);
+    let strong = equation_with(DUFFING, &[("c", "0.1"), ("b", "1"), ("F", "1")]);
     assert_special(&strong, "w", [-0.056, 8.749], Fold, 3.039054720421332215233475);
     for (mu, f, start, expected) in [
         ("0.1", "0.05", [-1.947, -0.241], 1.011950453981722751644733),
         ("0.5", "0.1", [-1.986, 0.032], 1.010141301474202509810812),
     ] {
-        assert_special(&equation(VAN_DER_POL, &[("mu", mu), ("F", f)]), "w", start, Fold, expected);
+        assert_special(&equation_with(VAN_DER_POL, &[("mu", mu), ("F", f)]), "w", start, Fold, expected);
     }
     // The other end of the same entrainment is beyond its value.
-    let relaxed = equation(VAN_DER_POL, &[("mu", "1"), ("F", "0.2")]);
+    let relaxed = equation_with(VAN_DER_POL, &[("mu", "1"), ("F", "0.2")]);
     let options = ResponseOptions {
         start: Some(vec![-1.974, 0.199]),
         at: Some(0.99),
@@ -271,7 +267,7 @@ fn further_folds_and_losses_of_symmetry_are_exact() {
 #[test]
 fn a_motion_of_two_hundred_harmonics_is_exact() {
     // Pulses: the drive has the harmonics exp(-500)*I_k(500), the answer these over 1 - k²w² + ikw/2; summed in mpmath to 40 digits.
-    let pulses = equation("x'' = -x'/2 - x + exp(500*(cos(w*t) - 1))", &[]);
+    let pulses = equation_with("x'' = -x'/2 - x + exp(500*(cos(w*t) - 1))", &[]);
     let point = point_near(&pulses, 0.3, [0.0231, 0.1741], 1);
     for (found, expected) in point.state.iter().zip([0.02309985491357088725345, 0.1741238350746010008378]) {
         let off = (found - expected).abs();
@@ -282,7 +278,7 @@ fn a_motion_of_two_hundred_harmonics_is_exact() {
 #[test]
 fn strong_damping_leaves_multipliers_below_rounding_and_no_special_point() {
     // Linear, so that amplitude and both multipliers are known: exp((-5 ± √24)·2π/w), the second below 1e-90.
-    let damped = equation("x'' = -10*x' - x + cos(w*t)", &[]);
+    let damped = equation_with("x'' = -10*x' - x + cos(w*t)", &[]);
     let response = Response::over(&damped, "w", [0.2, 0.3], &ResponseOptions::default(), &Quiet).unwrap();
     let [branch] = &response.branches[..] else { panic!("{} branches", response.branches.len()) };
     assert!(branch.special.is_empty(), "{:?}", branch.special);

@@ -20,4 +20,5 @@ mod precise_special_points;
 mod rotations;
 mod self_excited_branches;
 mod stability_charts;
+mod typed;
 mod unit;

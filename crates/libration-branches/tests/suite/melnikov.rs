@@ -2,7 +2,7 @@
 
 use libm::{acosh, atan, cos, cosh, sin, sinh, tanh};
 use libration::expression::Equation;
-use libration::melnikov::{Melnikov, NoMelnikov, PerturbedPendulum, thresholds};
+use libration::melnikov::{Melnikov, MelnikovError, PerturbedPendulum, thresholds};
 use libration::progress::Quiet;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -166,16 +166,16 @@ fn damping_must_be_made_up_for_within_a_resonance() {
 #[test]
 fn what_is_no_pendulum_under_a_periodic_drive_is_refused() {
     let refusal = |text: &str| PerturbedPendulum::new(&text.parse().unwrap()).unwrap_err();
-    assert!(matches!(refusal("x'' = y; y'' = x"), NoMelnikov::Coordinates(2)));
-    assert!(matches!(refusal("x' = -x"), NoMelnikov::NotSecondOrder(_)));
-    assert!(matches!(refusal("x'' + k sin(x) = 0"), NoMelnikov::Open(_)));
-    assert!(matches!(refusal("x'' = x - x^3 + cos(t)"), NoMelnikov::NoPendulum(_)));
-    assert!(matches!(refusal("x'' = sin(x) + cos(t)"), NoMelnikov::NoPendulum(_)));
-    assert!(matches!(refusal("x'' = -sin(x) - x^3"), NoMelnikov::NoAngle(_)));
-    assert!(matches!(refusal("x'' = -sin(x) + t"), NoMelnikov::NotPeriodic));
+    assert!(matches!(refusal("x'' = y; y'' = x"), MelnikovError::Coordinates(2)));
+    assert!(matches!(refusal("x' = -x"), MelnikovError::NotSecondOrder(_)));
+    assert!(matches!(refusal("x'' + k sin(x) = 0"), MelnikovError::Open(_)));
+    assert!(matches!(refusal("x'' = x - x^3 + cos(t)"), MelnikovError::NoPendulum(_)));
+    assert!(matches!(refusal("x'' = sin(x) + cos(t)"), MelnikovError::NoPendulum(_)));
+    assert!(matches!(refusal("x'' = -sin(x) - x^3"), MelnikovError::NoAngle(_)));
+    assert!(matches!(refusal("x'' = -sin(x) + t"), MelnikovError::NotPeriodic));
     let equation: Equation = "x'' + sin(x) = A cos(t)".parse().unwrap();
-    assert!(matches!(thresholds(&equation, "A", [1.0, 1.0], &Quiet), Err(NoMelnikov::Range { .. })));
-    assert!(matches!(thresholds(&equation, "B", [0.0, 1.0], &Quiet), Err(NoMelnikov::At { .. })));
+    assert!(matches!(thresholds(&equation, "A", [1.0, 1.0], &Quiet), Err(MelnikovError::Range { .. })));
+    assert!(matches!(thresholds(&equation, "B", [0.0, 1.0], &Quiet), Err(MelnikovError::At { .. })));
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Nonlinear normal modes against collocation of Lagrange's equations and shooting in 130-bit floats.
 
 use libration::expression::Equation;
-use libration::nonlinear_modes::{NoNonlinearMode, NonlinearMode};
+use libration::nonlinear_modes::{NonlinearMode, NonlinearModeError};
 use libration::normal_modes::NormalModes;
 use libration::progress::Quiet;
 
@@ -68,16 +68,16 @@ fn what_cannot_be_followed_is_told() {
     let refusal = |number, amplitudes: &[f64]| {
         NonlinearMode::follow(&equation, &modes, number, 0, amplitudes, &Quiet).unwrap_err()
     };
-    assert!(matches!(refusal(2, &[0.1]), NoNonlinearMode::NoMode { wanted: 3, modes: 2 }));
-    assert!(matches!(refusal(0, &[0.2, 0.1]), NoNonlinearMode::Amplitudes(_)));
-    assert!(matches!(refusal(0, &[f64::NAN]), NoNonlinearMode::Amplitudes(_)));
+    assert!(matches!(refusal(2, &[0.1]), NonlinearModeError::NoMode { wanted: 3, modes: 2 }));
+    assert!(matches!(refusal(0, &[0.2, 0.1]), NonlinearModeError::Amplitudes(_)));
+    assert!(matches!(refusal(0, &[f64::NAN]), NonlinearModeError::Amplitudes(_)));
     let spring: Equation =
         "r'' = r*theta'^2 + cos(theta) - 10*(r - 1); theta'' = -(2*r'*theta' + sin(theta))/r"
             .parse()
             .unwrap();
     let modes = NormalModes::about(&spring, &[1.1, 0.0], &Quiet).unwrap();
     let still = NonlinearMode::follow(&spring, &modes, 0, 0, &[0.1], &Quiet);
-    assert!(matches!(still, Err(NoNonlinearMode::AtRest(_))));
+    assert!(matches!(still, Err(NonlinearModeError::AtRest(_))));
 }
 
 fn pendulum_mode(equation: &str, amplitudes: &[f64]) -> NonlinearMode {

@@ -1,7 +1,7 @@
 //! Normal forms against Lindstedt's series, the exact pendulum, the shifts of normal modes, and exchanges of energy by other programs.
 
 use libration::expression::Equation;
-use libration::normal_form::{DETUNING, NoExchange, NoNormalForm, NormalForm};
+use libration::normal_form::{DETUNING, ExchangeError, NormalForm, NormalFormError};
 use libration::normal_modes::NormalModes;
 use libration::pendulum::Pendulum;
 use libration::progress::Quiet;
@@ -161,12 +161,12 @@ fn what_has_no_normal_form_or_exchange_is_told() {
     let refusal = |text: &str, rest: &[f64], order| {
         NormalForm::about(&text.parse().unwrap(), rest, order, DETUNING, &Quiet).unwrap_err()
     };
-    assert!(matches!(refusal("x'' = -x - x'", &[0.0], 3), NoNormalForm::NotOscillating(1)));
-    assert!(matches!(refusal("x'' = -x", &[0.0], 1), NoNormalForm::Order(1)));
-    assert!(matches!(refusal("x'' = -x - x*abs(x)", &[0.0], 3), NoNormalForm::NoSeries));
-    assert!(matches!(refusal("x'' = -x + cos(t)", &[0.0], 3), NoNormalForm::NoModes(_)));
+    assert!(matches!(refusal("x'' = -x - x'", &[0.0], 3), NormalFormError::NotOscillating(1)));
+    assert!(matches!(refusal("x'' = -x", &[0.0], 1), NormalFormError::Order(1)));
+    assert!(matches!(refusal("x'' = -x - x*abs(x)", &[0.0], 3), NormalFormError::NoSeries));
+    assert!(matches!(refusal("x'' = -x + cos(t)", &[0.0], 3), NormalFormError::NoModes(_)));
     let double = form(DOUBLE_PENDULUM, &[0.0, 0.0], 3);
-    assert_eq!(double.exchange(&[0.1, 0.0, 0.0, 0.0], &Quiet), Err(NoExchange::NoResonance));
+    assert_eq!(double.exchange(&[0.1, 0.0, 0.0, 0.0], &Quiet), Err(ExchangeError::NoResonance));
 }
 
 const HENON_HEILES: &str = "x'' = -x - 2*x*y; y'' = -y - x^2 + y^2";
@@ -176,7 +176,7 @@ const HENON_HEILES: &str = "x'' = -x - 2*x*y; y'' = -y - x^2 + y^2";
 fn an_exchange_is_found_where_the_order_has_it() {
     let state = [0.1, 0.05, 0.0, 0.0];
     let of_order = |order| form(HENON_HEILES, &[0.0, 0.0], order).exchange(&state, &Quiet);
-    assert_eq!(of_order(3), Err(NoExchange::Steady));
+    assert_eq!(of_order(3), Err(ExchangeError::Steady));
     let fifth = of_order(5).unwrap();
     // SciPy's DOP853 at 1e-12 with the fifth order's terms: 2850 s, with |a1| from 0.0972 to 0.1033 and |a2| from 0.0525 to 0.0631.
     assert!((fifth.period / 2850.0 - 1.0).abs() < 0.01 && fifth.error < 1e-3, "{fifth:?}");

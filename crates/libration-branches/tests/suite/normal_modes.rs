@@ -1,14 +1,10 @@
 //! Normal modes beside textbooks, exact numbers, and periodic orbits found by integration.
 
-use libration::expression::Equation;
-use libration::normal_modes::{Behaviour, Mode, NoModes, NoShift, NormalModes, SearchEnd};
+use crate::typed::equation;
+use libration::normal_modes::{Behaviour, Mode, ModesError, NormalModes, SearchEnd, ShiftError};
 use libration::orbit::{Orbit, OrbitGuess};
 use libration::progress::Quiet;
 use std::f64::consts::{PI, TAU};
-
-fn equation(text: &str) -> Equation {
-    text.parse().unwrap()
-}
 
 fn modes(text: &str) -> Vec<Mode> {
     NormalModes::new(&equation(text)).unwrap().modes
@@ -124,7 +120,7 @@ fn chains_have_frequencies_with_square_roots() {
 #[test]
 fn the_spring_pendulum_is_in_resonance_at_two_to_one() {
     let modes = spring("4");
-    assert_eq!(modes[0].shift, Err(NoShift::Resonance(2)));
+    assert_eq!(modes[0].shift, Err(ShiftError::Resonance(2)));
     let resonance = modes[0].resonances[0];
     assert!(resonance.exact && resonance.multiple == 2 && resonance.other_is_faster && resonance.other == 1);
     // The spring alone is linear, though its swings are not stable.
@@ -154,7 +150,7 @@ fn resonances_that_nothing_drives_do_no_harm() {
     assert!(found[0].resonances[0].exact && found[0].shift.as_ref().unwrap().coefficient == 0.0);
     // x³ drives y at its own frequency.
     let found = modes("x'' = -x - x^3; y'' = -9*y - x^3");
-    assert_eq!(found[0].shift, Err(NoShift::Resonance(3)));
+    assert_eq!(found[0].shift, Err(ShiftError::Resonance(3)));
     // Near by it does not, but is said.
     let found = modes("x'' = -x - x^3; y'' = -9.1*y - x^3");
     let resonance = found[0].resonances[0];
@@ -167,7 +163,7 @@ fn modes_of_one_frequency_are_given_together() {
     let found = modes("x'' = -sin(x); y'' = -sin(y)");
     assert_eq!(found.len(), 2);
     for mode in &found {
-        assert_eq!((mode.multiplicity, &mode.shift), (2, &Err(NoShift::Degenerate)));
+        assert_eq!((mode.multiplicity, &mode.shift), (2, &Err(ShiftError::Degenerate)));
     }
     assert!(found[0].shape != found[1].shape);
 }
@@ -220,8 +216,8 @@ fn shifts_of_gyroscopic_modes_are_those_of_circles() {
 
 #[test]
 fn damping_that_grows_with_the_amplitude_is_no_frequency() {
-    assert_eq!(modes("x'' = -x - x'^3")[0].shift, Err(NoShift::NotPeriodic { grows: false }));
-    assert_eq!(modes("x'' = -x + x^2*x'")[0].shift, Err(NoShift::NotPeriodic { grows: true }));
+    assert_eq!(modes("x'' = -x - x'^3")[0].shift, Err(ShiftError::NotPeriodic { grows: false }));
+    assert_eq!(modes("x'' = -x + x^2*x'")[0].shift, Err(ShiftError::NotPeriodic { grows: true }));
 }
 
 #[test]
@@ -245,11 +241,11 @@ fn equilibria_are_found_from_a_guess() {
 #[test]
 fn what_has_no_modes_is_refused_for_a_reason() {
     let refusal = |text: &str, guess: &[f64]| NormalModes::about(&equation(text), guess, &Quiet).unwrap_err();
-    assert!(matches!(refusal("x'' = -k*x", &[0.0]), NoModes::WithoutValue(_)));
-    assert_eq!(refusal("x'' = -x + cos(t)", &[0.0]), NoModes::DependsOnTime);
-    assert!(matches!(refusal("x'' = -x", &[0.0, 1.0]), NoModes::Guess { wanted: 1, .. }));
-    assert!(matches!(refusal("x'' = -x^2 - 1", &[0.3]), NoModes::NoEquilibrium { .. }));
-    assert!(matches!(refusal("x'' = -sqrt(x)", &[0.0]), NoModes::NotSmooth { .. }));
+    assert!(matches!(refusal("x'' = -k*x", &[0.0]), ModesError::WithoutValue(_)));
+    assert_eq!(refusal("x'' = -x + cos(t)", &[0.0]), ModesError::DependsOnTime);
+    assert!(matches!(refusal("x'' = -x", &[0.0, 1.0]), ModesError::Guess { wanted: 1, .. }));
+    assert!(matches!(refusal("x'' = -x^2 - 1", &[0.3]), ModesError::NoEquilibrium { .. }));
+    assert!(matches!(refusal("x'' = -sqrt(x)", &[0.0]), ModesError::NotSmooth { .. }));
     for (text, end) in [
         ("x'' = 1", SearchEnd::NoSlope),
         ("x'' = -ln(x)", SearchEnd::NoValue),
@@ -257,20 +253,20 @@ fn what_has_no_modes_is_refused_for_a_reason() {
     ] {
         let refused = refusal(text, &[0.3 * f64::from(u8::from(end == SearchEnd::Unsettled))]);
         assert!(
-            matches!(refused, NoModes::NoEquilibrium { end: found, .. } if found == end),
+            matches!(refused, ModesError::NoEquilibrium { end: found, .. } if found == end),
             "{text}: {refused}"
         );
     }
     // Kinks and dry friction are no linear forces, though both vanish at rest.
-    assert!(matches!(refusal("x'' = -x - abs(x)/3", &[0.0]), NoModes::NotSmooth { .. }));
-    assert!(matches!(refusal("x'' = -x - sign(x')/3", &[0.0]), NoModes::NotSmooth { .. }));
+    assert!(matches!(refusal("x'' = -x - abs(x)/3", &[0.0]), ModesError::NotSmooth { .. }));
+    assert!(matches!(refusal("x'' = -x - sign(x')/3", &[0.0]), ModesError::NotSmooth { .. }));
 }
 
 #[test]
 fn quadratic_drag_does_not_change_small_oscillations() {
     let mode = &modes("x'' = -4*x - x'*abs(x')")[0];
     assert_eq!((mode.frequency(), mode.behaviour), (2.0, Behaviour::Oscillating));
-    assert_eq!(mode.shift, Err(NoShift::NotSmooth));
+    assert_eq!(mode.shift, Err(ShiftError::NotSmooth));
 }
 
 /// Σ over neighbours on a line with its ends held: ω² = 4 sin²(kπ/(2(n + 1))), k = 1 … n.

@@ -2,11 +2,11 @@
 //! equations, and with Fourier collocation and Taylor shooting in floats of 130 bits.
 
 use libration::continuation::{
-    Branch, Ending, NoBranch, OrderFinding, Origin, Response, ResponseOptions, SpecialKind,
+    Branch, BranchError, Ending, OrderFinding, Origin, Response, ResponseOptions, SpecialKind,
 };
 use libration::progress::Quiet;
 
-fn sought(equation: &str, range: [f64; 2], orders: &[&str]) -> Result<Response, NoBranch> {
+fn sought(equation: &str, range: [f64; 2], orders: &[&str]) -> Result<Response, BranchError> {
     let orders = orders.iter().map(|order| order.parse().unwrap()).collect();
     let options = ResponseOptions { orders, generations: 0, ..ResponseOptions::default() };
     Response::over(&equation.parse().unwrap(), "w", range, &options, &Quiet)
@@ -66,6 +66,6 @@ fn an_order_without_answers_says_why() {
 #[test]
 fn orders_belong_to_one_driven_oscillator() {
     let pair = "x'' = -x - x' + y + cos(w*t); y'' = -2*y - y' + x";
-    assert_eq!(sought(pair, [1.0, 2.0], &["1/3"]).unwrap_err(), NoBranch::NotOneOscillator);
-    assert_eq!(sought("x'' = w*(1 - x^2)*x' - x", [1.0, 2.0], &["1/3"]).unwrap_err(), NoBranch::NotDriven);
+    assert_eq!(sought(pair, [1.0, 2.0], &["1/3"]).unwrap_err(), BranchError::NotOneOscillator);
+    assert_eq!(sought("x'' = w*(1 - x^2)*x' - x", [1.0, 2.0], &["1/3"]).unwrap_err(), BranchError::NotDriven);
 }

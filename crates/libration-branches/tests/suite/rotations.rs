@@ -1,8 +1,9 @@
 //! Answers that rotate in step with the drive, against an exact one and against Taylor shooting in 40 digits; slow sweeps beside branches.
 
+use crate::typed::equation_with;
 use libration::algebra::Complex;
 use libration::continuation::{
-    BranchPoint, NoBranch, Response, ResponseOptions, Rotation, SpecialKind, SpecialPoint, Sweep,
+    BranchError, BranchPoint, Response, ResponseOptions, Rotation, SpecialKind, SpecialPoint, Sweep,
 };
 use libration::expression::Equation;
 use libration::progress::Quiet;
@@ -10,11 +11,6 @@ use libration_testing::golden::Table;
 use std::f64::consts::TAU;
 
 const PENDULUM: &str = "theta'' = -c*theta' - sin(theta) + A*cos(w*t)";
-
-fn equation(text: &str, values: &[(&str, &str)]) -> Equation {
-    let exact: Vec<_> = values.iter().map(|(name, value)| (*name, value.parse().unwrap())).collect();
-    text.parse::<Equation>().unwrap().with(&exact).unwrap()
-}
 
 fn turning(turns: i32, drive_periods: u32) -> ResponseOptions {
     let rotation = Some(Rotation { coordinate: 0, turns });
@@ -29,7 +25,7 @@ fn apart(a: f64, b: f64) -> f64 {
 #[test]
 fn an_even_rotation_is_found_over_all_its_range() {
     // theta = w t is exact: the constant torque keeps it up against the damping, the other against gravity.
-    let pendulum = equation("theta'' = -theta'/5 - sin(theta) + w/5 + sin(w*t)", &[]);
+    let pendulum = equation_with("theta'' = -theta'/5 - sin(theta) + w/5 + sin(w*t)", &[]);
     for turns in [1, 2] {
         let options = ResponseOptions { at: Some(2.0), ..turning(turns, u32::try_from(turns).unwrap()) };
         let response = Response::over(&pendulum, "w", [1.5, 3.0], &options, &Quiet).unwrap();
@@ -53,7 +49,7 @@ fn rotating_answers_and_their_special_points_are_those_of_taylor_shooting() {
     let table = Table::read("rotations.csv");
     let mut kinds = vec![];
     for row in table.rows() {
-        let pendulum = equation(PENDULUM, &[("c", row.text("c")), ("A", row.text("A"))]);
+        let pendulum = equation_with(PENDULUM, &[("c", row.text("c")), ("A", row.text("A"))]);
         let [turns, periods] = ["turns", "drive_periods"].map(|it| row.text(it).parse::<i32>().unwrap());
         let [w, theta, velocity, trace] =
             ["w", "theta", "velocity", "trace"].map(|it| row.text(it).parse::<f64>().unwrap());
@@ -91,7 +87,7 @@ fn rotating_answers_and_their_special_points_are_those_of_taylor_shooting() {
 
 #[test]
 fn an_answer_goes_around_either_way() {
-    let pendulum = equation(PENDULUM, &[("c", "0.5"), ("A", "2")]);
+    let pendulum = equation_with(PENDULUM, &[("c", "0.5"), ("A", "2")]);
     let doublings = [1, -1].map(|turns| {
         let response = Response::over(&pendulum, "w", [0.67, 1.0], &turning(turns, 1), &Quiet).unwrap();
         let branch = &response.branches[0];
@@ -104,17 +100,17 @@ fn an_answer_goes_around_either_way() {
 #[test]
 fn what_cannot_go_around_is_refused() {
     let over = |text: &str, values: &[(&str, &str)]| {
-        Response::over(&equation(text, values), "w", [0.5, 1.0], &turning(1, 1), &Quiet).unwrap_err()
+        Response::over(&equation_with(text, values), "w", [0.5, 1.0], &turning(1, 1), &Quiet).unwrap_err()
     };
     let weak = over(PENDULUM, &[("c", "0.5"), ("A", "0.1")]);
-    assert_eq!(weak, NoBranch::NoRotation { turns: 1, drive_periods: 1 });
+    assert_eq!(weak, BranchError::NoRotation { turns: 1, drive_periods: 1 });
     let duffing = over("x'' = -x'/10 - x - x^3 + cos(w*t)", &[]);
-    assert_eq!(duffing, NoBranch::NotAnAngle("x".to_owned()));
-    assert_eq!(over("theta'' = w - theta' - sin(theta)", &[]), NoBranch::NotDriven);
+    assert_eq!(duffing, BranchError::NotAnAngle("x".to_owned()));
+    assert_eq!(over("theta'' = w - theta' - sin(theta)", &[]), BranchError::NotDriven);
     let third = ResponseOptions { rotation: Some(Rotation { coordinate: 3, turns: 1 }), ..turning(1, 1) };
-    let pendulum = equation(PENDULUM, &[("c", "0.5"), ("A", "2")]);
+    let pendulum = equation_with(PENDULUM, &[("c", "0.5"), ("A", "2")]);
     let refused = Response::over(&pendulum, "w", [0.67, 1.0], &third, &Quiet).unwrap_err();
-    assert!(matches!(refused, NoBranch::NotAnAngle(_)), "{refused}");
+    assert!(matches!(refused, BranchError::NotAnAngle(_)), "{refused}");
 }
 
 fn swept(
@@ -130,7 +126,7 @@ fn swept(
 
 #[test]
 fn sweeps_go_along_the_stable_answers_and_jump_where_these_end() {
-    let pendulum = equation(PENDULUM, &[("c", "0.1"), ("A", "0.15")]);
+    let pendulum = equation_with(PENDULUM, &[("c", "0.1"), ("A", "0.15")]);
     let (response, sweeps) = swept(&pendulum, ("w", [0.7, 1.0]), 31, &ResponseOptions::default());
     assert_eq!(
         sweeps.iter().map(|it| (it.rising, it.points.len())).collect::<Vec<_>>(),
@@ -162,7 +158,7 @@ fn sweeps_go_along_the_stable_answers_and_jump_where_these_end() {
 fn sweeps_tell_doubled_chaotic_and_rotating_motions() {
     // G. L. Baker and J. P. Gollub, Chaotic Dynamics, Cambridge 1990: with c = 1/2 and w = 2/3 there are two periods at 1.07, chaos at 1.15 and
     // rotations at 1.35; the doubling of the swings is at 1.0663728625 (two documents' references), that of the rotations beyond 1.4.
-    let pendulum = equation("theta'' = -theta'/2 - sin(theta) + A*cos(2*t/3)", &[]);
+    let pendulum = equation_with("theta'' = -theta'/2 - sin(theta) + A*cos(2*t/3)", &[]);
     let options = ResponseOptions { generations: 0, ..ResponseOptions::default() };
     let (_, sweeps) = swept(&pendulum, ("A", [0.95, 1.15]), 11, &options);
     let upwards = sweeps.iter().find(|it| it.rising).unwrap();
@@ -178,7 +174,7 @@ fn sweeps_tell_doubled_chaotic_and_rotating_motions() {
 
 #[test]
 fn sweeps_end_where_the_watch_says() {
-    let pendulum = equation(PENDULUM, &[("c", "0.1"), ("A", "0.15")]);
+    let pendulum = equation_with(PENDULUM, &[("c", "0.1"), ("A", "0.15")]);
     let response = Response::over(&pendulum, "w", [0.9, 1.0], &ResponseOptions::default(), &Quiet).unwrap();
     let progress = |status: libration::progress::Status| match status.done {
         0..5 => std::ops::ControlFlow::Continue(()),

@@ -1,6 +1,6 @@
 //! Limit cycles over a parameter, beside closed forms and shooting by another integrator.
 
-use libration::continuation::{Branch, Ending, NoBranch, Origin, Response, ResponseOptions, SpecialKind};
+use libration::continuation::{Branch, BranchError, Ending, Origin, Response, ResponseOptions, SpecialKind};
 use libration::expression::Equation;
 use libration::progress::{Quiet, Status};
 use std::f64::consts::TAU;
@@ -69,7 +69,7 @@ fn a_cycle_between_two_hopf_points_is_found_from_a_value_within_the_range() {
     let neuron = "v' = v - v^3/3 - w + q; w' = 0.5*(v + 0.7 - 0.8*w)";
     let at_ends =
         Response::over(&neuron.parse().unwrap(), "q", [0.2, 1.6], &ResponseOptions::default(), &Quiet);
-    assert!(matches!(at_ends, Err(NoBranch::NoStart(_))), "{at_ends:?}");
+    assert!(matches!(at_ends, Err(BranchError::NoStart(_))), "{at_ends:?}");
     let options = ResponseOptions { at: Some(0.8), ..ResponseOptions::default() };
     let response = over(neuron, "q", [0.2, 1.6], &options);
     let branch = &response.branches[0];
@@ -123,10 +123,10 @@ fn what_has_no_cycle_says_why() {
         Response::over(&equation.parse::<Equation>().unwrap(), "k", [1.0, 2.0], options, &Quiet).unwrap_err()
     };
     let once = ResponseOptions::default();
-    assert_eq!(refused("x'' = -k*x - x^3", &once), NoBranch::Family);
-    assert!(matches!(refused("x'' = -k*x - x'", &once), NoBranch::NoStart(_)));
+    assert_eq!(refused("x'' = -k*x - x^3", &once), BranchError::Family);
+    assert!(matches!(refused("x'' = -k*x - x'", &once), BranchError::NoStart(_)));
     let twice = ResponseOptions { drive_periods: 2, ..once };
-    assert_eq!(refused("x'' = k*(1 - x^2)*x' - x", &twice), NoBranch::NotDriven);
+    assert_eq!(refused("x'' = k*(1 - x^2)*x' - x", &twice), BranchError::NotDriven);
 }
 
 #[test]

@@ -3,11 +3,11 @@
 //! References: Hill's matrix and the monodromy matrix by Taylor series for states of rest, Fourier collocation and shooting for driven motions,
 //! all in floats of 130 bits; 30 digits of both agree.
 
+use crate::typed::equation_with;
 use libration::continuation::{
-    ChartOptions, CurvePoint, Ending, NoBranch, Response, ResponseOptions, SpecialCurve, SpecialKind,
+    BranchError, ChartOptions, CurvePoint, Ending, Response, ResponseOptions, SpecialCurve, SpecialKind,
     StabilityChart,
 };
-use libration::expression::Equation;
 use libration::progress::{Quiet, Status};
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
@@ -15,11 +15,6 @@ use std::ops::ControlFlow;
 const PIVOT: &str = "theta'' = -c*theta' - (1 - a*w^2*cos(w*t))*sin(theta)";
 const REST_ALONE: ChartOptions =
     ChartOptions { start: None, drive_periods: 1, generations: 1, lines: 0, most_points: 2000 };
-
-fn equation(text: &str, values: &[(&str, &str)]) -> Equation {
-    let values: Vec<_> = values.iter().map(|(name, value)| (*name, value.parse().unwrap())).collect();
-    text.parse::<Equation>().unwrap().with(&values).unwrap()
-}
 
 /// The point of the curves of a kind at a value of the first parameter, nearest to an expected second one.
 fn assert_at(chart: &StabilityChart, kind: SpecialKind, at_rest: bool, [first, second]: [f64; 2]) {
@@ -42,7 +37,7 @@ fn assert_edge([w, c]: [&str; 2], rest: f64, range: [f64; 2], kind: SpecialKind,
     let options =
         ResponseOptions { start: Some(vec![rest, 0.0]), generations: 0, ..ResponseOptions::default() };
     let response =
-        Response::over(&equation(PIVOT, &[("w", w), ("c", c)]), "a", range, &options, &Quiet).unwrap();
+        Response::over(&equation_with(PIVOT, &[("w", w), ("c", c)]), "a", range, &options, &Quiet).unwrap();
     let special = response.branches.iter().flat_map(|it| &it.special).filter(|it| it.kind == kind);
     let off = |parameter: f64| (parameter - edge).abs();
     let found = special.min_by(|a, b| off(a.point.parameter).total_cmp(&off(b.point.parameter)));
@@ -88,7 +83,7 @@ fn edges_of_the_hanging_and_of_the_upright_pendulum_are_exact() {
 
 #[test]
 fn the_chart_of_the_upright_pendulum_has_both_edges_and_what_is_between_them_stable() {
-    let upright = equation(PIVOT, &[("c", "0")]);
+    let upright = equation_with(PIVOT, &[("c", "0")]);
     let options = ChartOptions { start: Some(vec![PI, 0.0]), ..REST_ALONE };
     let chart =
         StabilityChart::over(&upright, ["w", "a"], [[10.0, 20.0], [0.01, 0.5]], &options, &Quiet).unwrap();
@@ -105,7 +100,7 @@ fn the_chart_of_the_upright_pendulum_has_both_edges_and_what_is_between_them_sta
 #[test]
 fn tongues_narrower_than_the_grid_are_found() {
     // The second tongue under weak damping, and the first without any down to its tip.
-    let hanging = equation(PIVOT, &[("c", "0")]);
+    let hanging = equation_with(PIVOT, &[("c", "0")]);
     let ranges = [[0.5, 4.5], [0.0, 0.05]];
     let chart = StabilityChart::over(&hanging, ["w", "a"], ranges, &REST_ALONE, &Quiet).unwrap();
     let edges = |kind: SpecialKind| chart.curves.iter().filter(|it| it.kind == kind).collect::<Vec<_>>();
@@ -127,7 +122,7 @@ fn tongues_narrower_than_the_grid_are_found() {
 
 #[test]
 fn folds_of_the_driven_pendulum_meet_in_a_cusp() {
-    let driven = equation("theta'' = -0.1*theta' - sin(theta) + A*cos(w*t)", &[]);
+    let driven = equation_with("theta'' = -0.1*theta' - sin(theta) + A*cos(w*t)", &[]);
     let options = ChartOptions { generations: 0, lines: 2, ..ChartOptions::default() };
     let chart =
         StabilityChart::over(&driven, ["w", "A"], [[0.7, 1.0], [0.05, 0.45]], &options, &Quiet).unwrap();
@@ -141,7 +136,7 @@ fn folds_of_the_driven_pendulum_meet_in_a_cusp() {
     // Below the cusp nothing folds, above it two folds are there.
     for (part, folds) in [(0.999, 0), (1.001, 2)] {
         let drive = format!("{:?}", part * cusp.second);
-        let at = equation("theta'' = -0.1*theta' - sin(theta) + A*cos(w*t)", &[("A", &drive)]);
+        let at = equation_with("theta'' = -0.1*theta' - sin(theta) + A*cos(w*t)", &[("A", &drive)]);
         let none = ResponseOptions { generations: 0, ..ResponseOptions::default() };
         let response = Response::over(&at, "w", [0.8, 1.0], &none, &Quiet).unwrap();
         assert_eq!(response.branches[0].special.len(), folds, "at {drive}");
@@ -150,7 +145,7 @@ fn folds_of_the_driven_pendulum_meet_in_a_cusp() {
 
 #[test]
 fn folds_of_swings_begin_at_the_edge_of_rest() {
-    let hanging = equation(PIVOT, &[("c", "0.1")]);
+    let hanging = equation_with(PIVOT, &[("c", "0.1")]);
     let options = ChartOptions { lines: 1, ..ChartOptions::default() };
     let ends = [1.512626304330608055862438, 2.2];
     let chart = StabilityChart::over(&hanging, ["w", "a"], [ends, [0.01, 0.2]], &options, &Quiet).unwrap();
@@ -173,14 +168,14 @@ fn folds_of_swings_begin_at_the_edge_of_rest() {
 
 #[test]
 fn losses_of_symmetry_and_second_frequencies_are_followed() {
-    let shaken = equation("theta'' = -0.1*theta' - sin(theta) + a*w^2*cos(w*t)*cos(theta)", &[]);
+    let shaken = equation_with("theta'' = -0.1*theta' - sin(theta) + a*w^2*cos(w*t)*cos(theta)", &[]);
     let options = ChartOptions { generations: 0, lines: 1, ..ChartOptions::default() };
     let chart =
         StabilityChart::over(&shaken, ["w", "a"], [[5.0, 20.0], [0.0, 0.4]], &options, &Quiet).unwrap();
     assert_at(&chart, SpecialKind::SymmetryBreaking, false, [5.0, 0.2807823565671525037105779]);
     assert_at(&chart, SpecialKind::SymmetryBreaking, false, [20.0, 0.07067842058025383831445224]);
     assert_eq!(chart.curves.len(), 1);
-    let van_der_pol = equation("x'' = 0.1*(1 - x^2)*x' - x + F*cos(w*t)", &[]);
+    let van_der_pol = equation_with("x'' = 0.1*(1 - x^2)*x' - x + F*cos(w*t)", &[]);
     let ranges = [[0.9306613812095431400414873, 1.1], [0.0, 0.3]];
     let chart = StabilityChart::over(&van_der_pol, ["w", "F"], ranges, &options, &Quiet).unwrap();
     assert_at(&chart, SpecialKind::NeimarkSacker, false, [ranges[0][0], 0.2]);
@@ -195,7 +190,7 @@ fn losses_of_symmetry_and_second_frequencies_are_followed() {
 
 #[test]
 fn a_chart_that_is_stopped_has_what_was_done() {
-    let hanging = equation(PIVOT, &[("c", "0.1")]);
+    let hanging = equation_with(PIVOT, &[("c", "0.1")]);
     let progress = |status: Status| {
         if status.done < 6 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     };
@@ -208,12 +203,12 @@ fn a_chart_that_is_stopped_has_what_was_done() {
 #[test]
 fn what_has_no_chart_says_why() {
     let refused = |text: &str, ranges: [[f64; 2]; 2]| {
-        StabilityChart::over(&equation(text, &[]), ["w", "a"], ranges, &REST_ALONE, &Quiet).unwrap_err()
+        StabilityChart::over(&equation_with(text, &[]), ["w", "a"], ranges, &REST_ALONE, &Quiet).unwrap_err()
     };
-    assert_eq!(refused("x'' = -w*x - a*x", [[1.0, 2.0]; 2]), NoBranch::NotDriven);
+    assert_eq!(refused("x'' = -w*x - a*x", [[1.0, 2.0]; 2]), BranchError::NotDriven);
     let flat = [[1.0, 2.0], [1.0, 1.0]];
-    assert_eq!(refused("x'' = -a*x + cos(w*t)", flat), NoBranch::Range { from: 1.0, to: 1.0 });
-    assert!(matches!(refused("x'' = -k*x + a*cos(w*t)", [[1.0, 2.0]; 2]), NoBranch::WithoutValue(_)));
+    assert_eq!(refused("x'' = -a*x + cos(w*t)", flat), BranchError::Range { from: 1.0, to: 1.0 });
+    assert!(matches!(refused("x'' = -k*x + a*cos(w*t)", [[1.0, 2.0]; 2]), BranchError::WithoutValue(_)));
 }
 
 /// Beyond d = 0 the strip between the first two edges of Mathieu's equation is 0.03 wide there, half an interval of the grid.

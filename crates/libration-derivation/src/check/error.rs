@@ -1,6 +1,6 @@
 //! Errors of derivations.
 
-use super::super::evaluate::NoEvaluation;
+use super::super::evaluate::EvaluationError;
 use libration::oscillator::Remedy;
 use libration::pendulum::PendulumError;
 use libration::perturbation::{ExpansionError, OpenGaugeError, SlowFlowError};
@@ -24,7 +24,7 @@ pub enum DerivationError {
         /// The formula in LaTeX.
         formula: String,
         /// The reason why it has no value.
-        reason: NoEvaluation,
+        reason: EvaluationError,
     },
     /// An amplitude at which the steps cannot be shown with their numbers.
     #[error(

@@ -9,7 +9,7 @@ use super::amplitude::of_amplitude;
 use super::names::harmonic_name;
 use super::question::Question;
 use libration::algebra::Rational;
-use libration::comparison::{ExactMotion, ExactValue, NoExactValue, SeriesQuantity};
+use libration::comparison::{ExactMotion, ExactValue, ExactValueError, SeriesQuantity};
 use libration::internals::progress::Watch;
 use libration::perturbation::{
     Certainty, Gauge, Remainder, SeriesEvaluation, expand, pendulum_period_remainder,
@@ -118,7 +118,7 @@ fn terms(question: &Question, amplitude: f64, motion: &Exactly) -> Result<Deriva
 }
 
 /// The note on the basis of the remainders and the errors.
-fn note(basis: &str, found: &Result<ExactValue, NoExactValue>) -> Prose {
+fn note(basis: &str, found: &Result<ExactValue, ExactValueError>) -> Prose {
     let exact = match found {
         Err(reason) => return Prose::text(format!("{basis}; there is no exact value: {reason}")),
         Ok(exact) => exact,
@@ -190,13 +190,13 @@ pub fn motion(
 }
 
 /// The motion without the series: in closed form for the pendulum, for all else by integration in time.
-type Exactly = Result<ExactMotion, NoExactValue>;
+type Exactly = Result<ExactMotion, ExactValueError>;
 
 /// The exact motion at an amplitude.
 pub fn exactly_at(question: &Question, amplitude: &Displacement, watch: &Watch<'_>) -> Exactly {
     ExactMotion::new(&question.oscillator, &question.solution.expansion, amplitude, watch)
 }
 
-fn exact(motion: &Exactly, quantity: SeriesQuantity) -> Result<ExactValue, NoExactValue> {
+fn exact(motion: &Exactly, quantity: SeriesQuantity) -> Result<ExactValue, ExactValueError> {
     motion.as_ref().map_err(Clone::clone)?.value(quantity)
 }

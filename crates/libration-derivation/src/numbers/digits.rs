@@ -2,7 +2,7 @@
 
 use super::precision::PRECISION;
 use super::quadrature;
-use crate::evaluate::{Analysis, NoEvaluation};
+use crate::evaluate::{Analysis, EvaluationError};
 use libration::algebra::{BigFloat, Floats, Ring};
 
 /// The terms after which an infinite sum is given up.
@@ -29,8 +29,8 @@ impl Analysis for Floats {
         &self,
         from: &BigFloat,
         to: &BigFloat,
-        integrand: &mut dyn FnMut(BigFloat) -> Result<BigFloat, NoEvaluation>,
-    ) -> Result<BigFloat, NoEvaluation> {
+        integrand: &mut dyn FnMut(BigFloat) -> Result<BigFloat, EvaluationError>,
+    ) -> Result<BigFloat, EvaluationError> {
         quadrature::integral(from, to, integrand)
     }
 
@@ -38,8 +38,8 @@ impl Analysis for Floats {
     /// digits: two thirds of them are good.
     fn slope(
         &self,
-        function: &mut dyn FnMut(BigFloat) -> Result<BigFloat, NoEvaluation>,
-    ) -> Result<BigFloat, NoEvaluation> {
+        function: &mut dyn FnMut(BigFloat) -> Result<BigFloat, EvaluationError>,
+    ) -> Result<BigFloat, EvaluationError> {
         let one = BigFloat::from_integer(1, self.precision);
         let step = (0..self.precision / 3).fold(one, |step, _| step.halved());
         let difference = function(step.clone())? - function(-step.clone())?;
@@ -51,7 +51,7 @@ impl Analysis for Floats {
         (*a > zero && *b > zero).then(|| a.agm(b))
     }
 
-    fn left_out(&self, _order: &BigFloat) -> Result<BigFloat, NoEvaluation> {
-        Err(NoEvaluation::NotInRing("the sum of the terms left out"))
+    fn left_out(&self, _order: &BigFloat) -> Result<BigFloat, EvaluationError> {
+        Err(EvaluationError::NotInRing("the sum of the terms left out"))
     }
 }

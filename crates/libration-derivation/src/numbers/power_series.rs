@@ -3,7 +3,7 @@
 use libration::algebra::{Function, Rational, Rationals, Ring};
 use libration::series::PowerSeries;
 
-use crate::evaluate::{Analysis, NoEvaluation};
+use crate::evaluate::{Analysis, EvaluationError};
 
 /// The coefficients that are certain, constant term first.
 pub(crate) type Coefficients = Vec<Rational>;
@@ -21,16 +21,16 @@ impl Analysis for PowerSeries<Rationals> {
         &self,
         _from: &Coefficients,
         _to: &Coefficients,
-        _integrand: &mut dyn FnMut(Coefficients) -> Result<Coefficients, NoEvaluation>,
-    ) -> Result<Coefficients, NoEvaluation> {
-        Err(NoEvaluation::NotInRing("an integral of series"))
+        _integrand: &mut dyn FnMut(Coefficients) -> Result<Coefficients, EvaluationError>,
+    ) -> Result<Coefficients, EvaluationError> {
+        Err(EvaluationError::NotInRing("an integral of series"))
     }
 
     fn slope(
         &self,
-        _function: &mut dyn FnMut(Coefficients) -> Result<Coefficients, NoEvaluation>,
-    ) -> Result<Coefficients, NoEvaluation> {
-        Err(NoEvaluation::NotInRing("a derivative of series"))
+        _function: &mut dyn FnMut(Coefficients) -> Result<Coefficients, EvaluationError>,
+    ) -> Result<Coefficients, EvaluationError> {
+        Err(EvaluationError::NotInRing("a derivative of series"))
     }
 
     /// Each step doubles the coefficients that agree.
@@ -48,7 +48,7 @@ impl Analysis for PowerSeries<Rationals> {
     }
 
     /// The part left out; nothing if the order lies beyond those compared.
-    fn left_out(&self, order: &Coefficients) -> Result<Coefficients, NoEvaluation> {
+    fn left_out(&self, order: &Coefficients) -> Result<Coefficients, EvaluationError> {
         let begins = order.iter().position(|c| !c.is_zero()).unwrap_or(order.len());
         Ok(vec![Rational::from(0); begins])
     }

@@ -4,7 +4,7 @@
 use std::sync::OnceLock;
 
 use super::precision::PRECISION;
-use crate::evaluate::NoEvaluation;
+use crate::evaluate::EvaluationError;
 use libration::algebra::BigFloat;
 
 /// Halvings of the step after which an integral is given up.
@@ -23,8 +23,8 @@ static NODES: [OnceLock<Vec<Node>>; LEVELS] = [const { OnceLock::new() }; LEVELS
 pub(super) fn integral(
     from: &BigFloat,
     to: &BigFloat,
-    integrand: &mut dyn FnMut(BigFloat) -> Result<BigFloat, NoEvaluation>,
-) -> Result<BigFloat, NoEvaluation> {
+    integrand: &mut dyn FnMut(BigFloat) -> Result<BigFloat, EvaluationError>,
+) -> Result<BigFloat, EvaluationError> {
     let width = to.clone() - from.clone();
     let (mut sum, mut estimate) = (number(0), number(0));
     for (level, kept) in NODES.iter().enumerate() {
@@ -38,7 +38,7 @@ pub(super) fn integral(
         }
         estimate = refined;
     }
-    Err(NoEvaluation::Divergent("the integral"))
+    Err(EvaluationError::Divergent("the integral"))
 }
 
 fn number(value: i64) -> BigFloat {

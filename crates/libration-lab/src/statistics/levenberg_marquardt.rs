@@ -16,7 +16,7 @@ pub struct Linearised {
 
 /// Reason why a model has no residuals at some parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum NoResiduals {
+pub enum ResidualsError {
     /// The parameters are outside the domain of the model.
     OutOfDomain,
     /// The model was cancelled.
@@ -62,8 +62,8 @@ const OUT_OF_DOMAIN: f64 = 1e9;
 pub fn minimum(
     start: DVector<f64>,
     effort: Effort,
-    mut evaluate: impl FnMut(&DVector<f64>) -> Result<Linearised, NoResiduals>,
-) -> Result<Minimum, NoResiduals> {
+    mut evaluate: impl FnMut(&DVector<f64>) -> Result<Linearised, ResidualsError>,
+) -> Result<Minimum, ResidualsError> {
     let linearised = evaluate(&start)?;
     if start.is_empty() {
         return Ok(Minimum { parameters: start, linearised, converged: true });
@@ -84,7 +84,7 @@ pub fn minimum(
         .with_gtol(0.0);
     let (search, report) = method.with_patience(effort.patience).minimize(search);
     if search.end.get() == Some(End::Stopped) {
-        return Err(NoResiduals::Stopped);
+        return Err(ResidualsError::Stopped);
     }
     // No improvement possible means that rounding errors are all that is left.
     let converged = report.termination.was_successful()
@@ -114,7 +114,7 @@ enum End {
 
 impl<F> LeastSquaresProblem<f64, Dyn, Dyn> for Search<F>
 where
-    F: FnMut(&DVector<f64>) -> Result<Linearised, NoResiduals>,
+    F: FnMut(&DVector<f64>) -> Result<Linearised, ResidualsError>,
 {
     type ResidualStorage = Owned<f64, Dyn>;
     type JacobianStorage = Owned<f64, Dyn, Dyn>;
@@ -130,8 +130,8 @@ where
         }
         match (self.evaluate)(parameters) {
             Ok(linearised) => self.linearised = linearised,
-            Err(NoResiduals::OutOfDomain) => self.linearised.residuals.fill(OUT_OF_DOMAIN),
-            Err(NoResiduals::Stopped) => self.end.set(Some(End::Stopped)),
+            Err(ResidualsError::OutOfDomain) => self.linearised.residuals.fill(OUT_OF_DOMAIN),
+            Err(ResidualsError::Stopped) => self.end.set(Some(End::Stopped)),
         }
     }
 

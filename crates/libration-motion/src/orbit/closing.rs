@@ -1,6 +1,6 @@
 //! One round from a state, and how its end depends on its start.
 
-use super::error::NoOrbit;
+use super::error::OrbitError;
 use super::near::OrbitGuess;
 use super::path::{Path, sign_change, until};
 use crate::periodic::Flow;
@@ -36,7 +36,7 @@ const MOST_STEPS: usize = 1_000_000;
 const VARIATIONS: [f64; 2] = [1e-15, 1e-14];
 
 impl<'w> Rounds<'w> {
-    pub(super) fn new(equation: &Equation, watch: &'w Watch<'w>) -> Result<Self, NoOrbit> {
+    pub(super) fn new(equation: &Equation, watch: &'w Watch<'w>) -> Result<Self, OrbitError> {
         Ok(Self { flow: Flow::new(equation, &[], MOST_STEPS)?, watch })
     }
 
@@ -68,7 +68,7 @@ impl<'w> Rounds<'w> {
     }
 
     /// The motion with its deviations.
-    pub(super) fn round(&self, state: &[f64], duration: f64) -> Result<Round, NoOrbit> {
+    pub(super) fn round(&self, state: &[f64], duration: f64) -> Result<Round, OrbitError> {
         let path = self.path(state, duration, 1e-17)?;
         let end = path.state_at(duration);
         let monodromy = self.monodromy(state, duration)?;
@@ -79,7 +79,7 @@ impl<'w> Rounds<'w> {
 
     /// The number of the state that keeps its value while a cycle is closed that begins at a maximum of the first coordinate: the
     /// velocity, and without one what moves fastest there, since the coordinate itself stands still.
-    pub(super) fn held_at_maximum(&self, guess: &OrbitGuess) -> Result<usize, NoOrbit> {
+    pub(super) fn held_at_maximum(&self, guess: &OrbitGuess) -> Result<usize, OrbitError> {
         if let Some(velocity) = self.layout().velocity(0) {
             return Ok(velocity);
         }
@@ -111,8 +111,8 @@ impl<'w> Rounds<'w> {
     }
 
     /// The derivative of the state by the time.
-    pub(super) fn rate(&self, state: &[f64], time: f64) -> Result<Vec<f64>, NoOrbit> {
-        let refusal = || NoOrbit::Start { state: state.to_vec(), wanted: self.layout().numbers() };
+    pub(super) fn rate(&self, state: &[f64], time: f64) -> Result<Vec<f64>, OrbitError> {
+        let refusal = || OrbitError::Start { state: state.to_vec(), wanted: self.layout().numbers() };
         self.flow.rate(state, time, &[]).ok_or_else(refusal)
     }
 }

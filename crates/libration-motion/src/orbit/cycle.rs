@@ -2,7 +2,7 @@
 
 use super::closing::Rounds;
 use super::drift::{MOST_LEAPS, leap};
-use super::error::{Lost, NoOrbit, finished};
+use super::error::{Lost, OrbitError, finished};
 use super::family::{Family, through_start};
 use super::near::OrbitGuess;
 use super::path::turn_in;
@@ -41,7 +41,7 @@ impl Orbit {
     ///
     /// # Errors
     /// The time in the equation; a motion that comes to rest, leads to infinity, or does not repeat itself.
-    /// [`NoOrbit::Interrupted`] if the call is cancelled.
+    /// [`OrbitError::Interrupted`] if the call is cancelled.
     ///
     /// # Examples
     /// ```
@@ -53,9 +53,13 @@ impl Orbit {
     /// assert_eq!(orbit.floquet().ok_or("no multipliers")?.stability, Stability::Attracting);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn limit_cycle(equation: &Equation, start: &[f64], progress: &dyn Progress) -> Result<Self, NoOrbit> {
+    pub fn limit_cycle(
+        equation: &Equation,
+        start: &[f64],
+        progress: &dyn Progress,
+    ) -> Result<Self, OrbitError> {
         if depends_on_time(equation) {
-            return Err(NoOrbit::DependsOnTime);
+            return Err(OrbitError::DependsOnTime);
         }
         let none_asked = |_: &Rounds<'_>, _: f64| Ok(None);
         Ok(cycle_unless(none_asked, equation, start, &Watch::new(progress))?.1)
@@ -66,7 +70,7 @@ impl Orbit {
         equation: &Equation,
         start: &[f64],
         watch: &Watch<'_>,
-    ) -> Result<(OrbitKind, Self), NoOrbit> {
+    ) -> Result<(OrbitKind, Self), OrbitError> {
         let through = |rounds: &Rounds<'_>, period: f64| {
             through_start(equation, rounds, &OrbitGuess { state: start.to_vec(), period }, Family::Asked)
         };
@@ -76,11 +80,11 @@ impl Orbit {
 
 /// The cycle to which a motion settles, unless there is an orbit of a family of about its period.
 fn cycle_unless(
-    family: impl Fn(&Rounds<'_>, f64) -> Result<Option<Orbit>, NoOrbit>,
+    family: impl Fn(&Rounds<'_>, f64) -> Result<Option<Orbit>, OrbitError>,
     equation: &Equation,
     start: &[f64],
     watch: &Watch<'_>,
-) -> Result<(OrbitKind, Orbit), NoOrbit> {
+) -> Result<(OrbitKind, Orbit), OrbitError> {
     let rounds = Rounds::new(equation, watch)?;
     let guess = finished(settled(&System::new(equation)?, start, watch), watch)?;
     if let Some(orbit) = finished(forgetful(equation, &rounds, &guess), watch)? {
@@ -93,11 +97,12 @@ fn cycle_unless(
 }
 
 /// The cycle near a guess, or where the drift of a turn leads to.
-fn drifted(equation: &Equation, rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<Orbit, NoOrbit> {
+fn drifted(equation: &Equation, rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<Orbit, OrbitError> {
     let mut outcome = at_maximum(equation, rounds, guess);
     let mut at = guess.clone();
     for _ in 0..MOST_LEAPS {
-        if !matches!(outcome, Err(NoOrbit::NoCycle(Lost::UnstableRest) | NoOrbit::NoConvergence { .. })) {
+        if !matches!(outcome, Err(OrbitError::NoCycle(Lost::UnstableRest) | OrbitError::NoConvergence { .. }))
+        {
             break;
         }
         let Some(next) = leap(rounds, &at)? else { break };
@@ -109,14 +114,14 @@ fn drifted(equation: &Equation, rounds: &Rounds<'_>, guess: &OrbitGuess) -> Resu
 }
 
 /// The cycle near a guess that begins at a maximum of the first coordinate.
-fn at_maximum(equation: &Equation, rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<Orbit, NoOrbit> {
+fn at_maximum(equation: &Equation, rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<Orbit, OrbitError> {
     let held = rounds.held_at_maximum(guess)?;
     let free = (0..rounds.layout().numbers()).filter(|number| *number != held).collect();
     closed(equation, rounds, guess, &Unknowns { free, period: true })
 }
 
 /// The motion followed from maximum to maximum until it repeats itself.
-fn settled(system: &System, start: &[f64], watch: &Watch<'_>) -> Result<OrbitGuess, NoOrbit> {
+fn settled(system: &System, start: &[f64], watch: &Watch<'_>) -> Result<OrbitGuess, OrbitError> {
     /// A time that no motion comes to: the maxima or the steps end the search before.
     const FAR: f64 = 1e300;
     let mut maxima = Maxima::new(system.layout());
@@ -137,9 +142,9 @@ fn settled(system: &System, start: &[f64], watch: &Watch<'_>) -> Result<OrbitGue
     }
 }
 
-fn lost(error: Option<IntegrationError>, maxima: &Maxima) -> NoOrbit {
+fn lost(error: Option<IntegrationError>, maxima: &Maxima) -> OrbitError {
     let Maxima { time, steps, .. } = *maxima;
-    NoOrbit::NoCycle(match error {
+    OrbitError::NoCycle(match error {
         Some(IntegrationError::Stopped { cause: Cause::Interrupted | Cause::StepLimit, .. }) => {
             match (maxima.vanish() || maxima.is_still(), steps < MOST_STEPS) {
                 (true, _) => Lost::Rest,

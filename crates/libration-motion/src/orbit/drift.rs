@@ -4,7 +4,7 @@
 //! drift of one turn is the slope of a slow motion, which is followed in leaps of many turns until Newton's method leads to the cycle.
 
 use super::closing::Rounds;
-use super::error::NoOrbit;
+use super::error::OrbitError;
 use super::near::OrbitGuess;
 
 /// A leap changes the state by this part of its way in half a turn. From a fourth of its amplitude van der Pol's cycle is in reach of
@@ -15,7 +15,7 @@ pub(super) const MOST_LEAPS: usize = 60;
 
 /// The maximum to which the drift of one turn leads from a maximum in a leap; `None` where the first coordinate has no velocity, or does not
 /// turn.
-pub(super) fn leap(rounds: &Rounds<'_>, from: &OrbitGuess) -> Result<Option<OrbitGuess>, NoOrbit> {
+pub(super) fn leap(rounds: &Rounds<'_>, from: &OrbitGuess) -> Result<Option<OrbitGuess>, OrbitError> {
     let Some(velocity) = rounds.layout().velocity(0) else { return Ok(None) };
     let Some(path) = rounds.turn(from, 1e-16)? else { return Ok(None) };
     let period = path.end_time();

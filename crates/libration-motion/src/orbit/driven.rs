@@ -1,7 +1,7 @@
 //! Answers to a periodic force.
 
 use super::closing::Rounds;
-use super::error::{NoOrbit, finished};
+use super::error::{OrbitError, finished};
 use super::near::OrbitGuess;
 use super::periodic::Orbit;
 use super::released::depends_on_time;
@@ -19,8 +19,8 @@ impl Orbit {
     ///
     /// # Errors
     /// No time in the equation, a period or a start that cannot be, motions that cannot be followed, and
-    /// [`NoOrbit::NoConvergence`].
-    /// [`NoOrbit::Interrupted`] if the call is cancelled.
+    /// [`OrbitError::NoConvergence`].
+    /// [`OrbitError::Interrupted`] if the call is cancelled.
     ///
     /// # Examples
     /// ```
@@ -37,13 +37,13 @@ impl Orbit {
         period: f64,
         start: &[f64],
         progress: &dyn Progress,
-    ) -> Result<Self, NoOrbit> {
+    ) -> Result<Self, OrbitError> {
         let watch = &Watch::new(progress);
         /// A transient that falls to a tenth in ten periods is 1e-4 of itself after the four later starts; what falls more slowly has
         /// been given to Newton's method, which needs no transient to fall.
         const TRIES: u32 = 5;
         if !depends_on_time(equation) {
-            return Err(NoOrbit::NotDriven);
+            return Err(OrbitError::NotDriven);
         }
         let rounds = Rounds::new(equation, watch)?;
         let unknowns = Unknowns { free: (0..rounds.layout().numbers()).collect(), period: false };
@@ -51,7 +51,7 @@ impl Orbit {
         let mut outcome = closed(equation, &rounds, &guess, &unknowns);
         for _ in 1..TRIES {
             // What ends at rest may come to the orbit that the motion goes to instead.
-            if !matches!(outcome, Err(NoOrbit::NoConvergence { .. } | NoOrbit::NoCycle(_))) {
+            if !matches!(outcome, Err(OrbitError::NoConvergence { .. } | OrbitError::NoCycle(_))) {
                 break;
             }
             guess.state = later(&rounds, &guess)?;
@@ -67,7 +67,7 @@ impl Orbit {
         period: f64,
         start: &[f64],
         progress: &dyn Progress,
-    ) -> Result<Self, NoOrbit> {
+    ) -> Result<Self, OrbitError> {
         let watch = &Watch::new(progress);
         let rounds = Rounds::new(equation, watch)?;
         let unknowns = Unknowns { free: (0..rounds.layout().numbers()).collect(), period: false };
@@ -77,7 +77,7 @@ impl Orbit {
 }
 
 /// The state after ten periods; each begins at t = 0 again, where the force is the same.
-fn later(rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<Vec<f64>, NoOrbit> {
+fn later(rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<Vec<f64>, OrbitError> {
     /// Number of drive periods in which the transient of a quality factor of 14 falls to a tenth.
     const PERIODS: u32 = 10;
     (0..PERIODS).try_fold(guess.state.clone(), |state, _| {

@@ -1,20 +1,20 @@
 //! Reasons why there is no periodic orbit, or why it is not found.
 
 use crate::taylor::{Cause, IntegrationError};
-use libration_numbers::expression::{NotSecondOrder, WithoutValue};
+use libration_numbers::expression::{SecondOrderError, WithoutValue};
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Interrupted;
 
 /// The reason why there is no periodic orbit.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum NoOrbit {
+pub enum OrbitError {
     /// A parameter that is left open.
     #[error(transparent)]
     WithoutValue(#[from] WithoutValue),
     /// A release from rest of what has no velocity.
     #[error(transparent)]
-    NotSecondOrder(#[from] NotSecondOrder),
+    NotSecondOrder(#[from] SecondOrderError),
     /// A release of more or less than one coordinate.
     #[error("a release from rest is for one coordinate, and there are {0}: give a guess of the whole orbit")]
     SeveralCoordinates(usize),
@@ -135,7 +135,7 @@ pub enum NoOrbit {
     Interrupted(#[from] Interrupted),
 }
 
-impl From<IntegrationError> for NoOrbit {
+impl From<IntegrationError> for OrbitError {
     fn from(error: IntegrationError) -> Self {
         match error {
             IntegrationError::Stopped { cause: Cause::Interrupted, .. } => Self::Interrupted(Interrupted),
@@ -181,6 +181,6 @@ pub enum Lost {
 }
 
 /// Returns the outcome of a search; the outcome of a cancelled search is discarded.
-pub(super) fn finished<T>(outcome: Result<T, NoOrbit>, watch: &Watch<'_>) -> Result<T, NoOrbit> {
+pub(super) fn finished<T>(outcome: Result<T, OrbitError>, watch: &Watch<'_>) -> Result<T, OrbitError> {
     if watch.is_stopped() { Err(Interrupted.into()) } else { outcome }
 }

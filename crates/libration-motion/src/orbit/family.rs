@@ -1,7 +1,7 @@
 //! Orbits among others that close too, as those of a prey and its predators, or about a sun: the start chooses one of them.
 
 use super::closing::Rounds;
-use super::error::NoOrbit;
+use super::error::OrbitError;
 use super::near::OrbitGuess;
 use super::periodic::Orbit;
 use super::shooting::{Unknowns, closed};
@@ -29,7 +29,7 @@ pub(super) fn through_start(
     rounds: &Rounds<'_>,
     guess: &OrbitGuess,
     family: Family,
-) -> Result<Option<Orbit>, NoOrbit> {
+) -> Result<Option<Orbit>, OrbitError> {
     let Ok(path) = rounds.path(&guess.state, guess.period, 1e-12) else { return Ok(None) };
     let opposite = path.state_at(0.5 * guess.period);
     let moves = |(there, here): (&f64, &f64)| (there - here).abs() > STILL * here.abs();
@@ -48,11 +48,11 @@ pub(super) fn through_start(
     Ok(Some(orbit.one_of_a_family()))
 }
 
-fn closes(equation: &Equation, rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<Option<Orbit>, NoOrbit> {
+fn closes(equation: &Equation, rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<Option<Orbit>, OrbitError> {
     let period_alone = Unknowns { free: vec![], period: true };
     match closed(equation, rounds, guess, &period_alone) {
         Ok(orbit) => Ok(Some(orbit)),
-        Err(error @ NoOrbit::Interrupted(_)) => Err(error),
+        Err(error @ OrbitError::Interrupted(_)) => Err(error),
         Err(_) => Ok(None),
     }
 }

@@ -52,7 +52,7 @@ mod driven;
 mod search;
 
 pub use crate::periodic::{Floquet, Stability};
-pub use error::{Lost, NoOrbit};
+pub use error::{Lost, OrbitError};
 pub use harmonics::{Harmonic, Harmonics};
 pub use near::OrbitGuess;
 pub use periodic::Orbit;

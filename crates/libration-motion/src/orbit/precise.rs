@@ -40,7 +40,7 @@ pub struct HalfPeriod {
 
 /// The reason why there is no such motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum NoHalfPeriod {
+pub enum HalfPeriodError {
     /// The motion comes so near an equilibrium that its continuation is not determined with these bits.
     Undecided,
     /// Until a time it does not come to rest, and it is far away then, or where the equation has no value.
@@ -75,24 +75,24 @@ impl<'a> Motion<'a> {
     }
 
     /// The motion that is released from rest at a place, at a time that its steps begin to count from.
-    pub fn half_period(&self, place: &BigFloat, start: f64) -> Result<HalfPeriod, NoHalfPeriod> {
+    pub fn half_period(&self, place: &BigFloat, start: f64) -> Result<HalfPeriod, HalfPeriodError> {
         let size = place.exponent().unwrap_or(0);
         let mut state = State { x: place.clone(), velocity: self.ring.zero() };
         let (mut steps, mut duration) = (vec![], self.ring.zero());
         let mut nearness = Nearness::default();
         for _ in 0..MOST_STEPS {
-            self.watch.go_on().map_err(|_| NoHalfPeriod::Unable)?;
-            let lost = NoHalfPeriod::Lost(duration.to_f64());
+            self.watch.go_on().map_err(|_| HalfPeriodError::Unable)?;
+            let lost = HalfPeriodError::Lost(duration.to_f64());
             if is_far(&state.x, size) {
                 return Err(lost);
             }
             // Exponentials of large numbers, which take too long, have values in double precision.
-            let no_series = || if self.has_value_nearby(&state) { NoHalfPeriod::Unable } else { lost };
+            let no_series = || if self.has_value_nearby(&state) { HalfPeriodError::Unable } else { lost };
             let series = self.series(&state).ok_or_else(no_series)?;
             nearness.watch(&state.velocity, &series.velocity[1], self.ring.precision)?;
             let size = size.max(state.x.exponent().unwrap_or(size));
             let longest = precise_step(self.ring.precision, slice::from_ref(&series.x), size);
-            let length = self.tried(&state, &series, longest.ok_or(NoHalfPeriod::Unable)?, size)?;
+            let length = self.tried(&state, &series, longest.ok_or(HalfPeriodError::Unable)?, size)?;
             let begin = start + duration.to_f64();
             if let Some(rest) = self.rest_within(&series, length) {
                 duration = duration + rest.clone();
@@ -101,7 +101,7 @@ impl<'a> Motion<'a> {
                 steps.push(owned_step(&series, begin, start + duration.to_f64(), length));
                 return Ok(HalfPeriod { steps, duration, end });
             }
-            let elapsed = BigFloat::from_f64(length, self.ring.precision).ok_or(NoHalfPeriod::Unable)?;
+            let elapsed = BigFloat::from_f64(length, self.ring.precision).ok_or(HalfPeriodError::Unable)?;
             duration = duration + elapsed.clone();
             steps.push(owned_step(&series, begin, start + duration.to_f64(), length));
             state = State {
@@ -109,7 +109,7 @@ impl<'a> Motion<'a> {
                 velocity: precise_sum(&series.velocity, &elapsed),
             };
         }
-        Err(NoHalfPeriod::Unable)
+        Err(HalfPeriodError::Unable)
     }
 
     fn has_value_nearby(&self, state: &State) -> bool {
@@ -127,14 +127,20 @@ impl<'a> Motion<'a> {
     }
 
     /// The length of a step, or as much of it as double precision agrees with.
-    fn tried(&self, state: &State, series: &Series, length: f64, size: isize) -> Result<f64, NoHalfPeriod> {
+    fn tried(
+        &self,
+        state: &State,
+        series: &Series,
+        length: f64,
+        size: isize,
+    ) -> Result<f64, HalfPeriodError> {
         let lengths = (0..MOST_HALVINGS).map(|halvings| libm::ldexp(length, -halvings.cast_signed()));
         let unseen = UNSEEN * libm::ldexp(1.0, i32::try_from(size).unwrap_or(i32::MAX));
         let agrees = |length: &f64| {
             let [place, velocity] = self.misfit(state, series, *length).unwrap_or_default();
             place <= unseen && velocity * length <= unseen
         };
-        lengths.into_iter().find(agrees).ok_or(NoHalfPeriod::Unable)
+        lengths.into_iter().find(agrees).ok_or(HalfPeriodError::Unable)
     }
 
     /// The difference between the end of the same step in double precision and the sums of the series; `None` where double precision has no values.
@@ -179,7 +185,7 @@ impl Nearness {
         velocity: &BigFloat,
         acceleration: &BigFloat,
         precision: usize,
-    ) -> Result<(), NoHalfPeriod> {
+    ) -> Result<(), HalfPeriodError> {
         let (v, a) = (velocity.exponent(), acceleration.exponent());
         self.first = self.first.or(a);
         self.velocity = self.velocity.max(v);
@@ -188,14 +194,14 @@ impl Nearness {
             largest.is_some_and(|largest| own.is_none_or(|own| own - largest < -limit(precision)))
         };
         let near = below(v, self.velocity) && below(a, self.acceleration);
-        if near { Err(NoHalfPeriod::Undecided) } else { Ok(()) }
+        if near { Err(HalfPeriodError::Undecided) } else { Ok(()) }
     }
 
     /// Concludes the check at the end, where the size of the first acceleration is known.
-    fn conclude(&self, precision: usize) -> Result<(), NoHalfPeriod> {
+    fn conclude(&self, precision: usize) -> Result<(), HalfPeriodError> {
         let parts = self.first.zip(self.acceleration);
         let near = parts.is_none_or(|(first, largest)| first - largest < -limit(precision));
-        if near { Err(NoHalfPeriod::Undecided) } else { Ok(()) }
+        if near { Err(HalfPeriodError::Undecided) } else { Ok(()) }
     }
 }
 

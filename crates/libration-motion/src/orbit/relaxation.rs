@@ -10,7 +10,7 @@
 
 use super::closing::Rounds;
 use super::divergence::Divergence;
-use super::error::NoOrbit;
+use super::error::OrbitError;
 use super::near::OrbitGuess;
 use super::path::Path;
 use super::periodic::{Orbit, StateErrors};
@@ -32,7 +32,7 @@ pub(super) fn forgetful(
     equation: &Equation,
     rounds: &Rounds<'_>,
     guess: &OrbitGuess,
-) -> Result<Option<Orbit>, NoOrbit> {
+) -> Result<Option<Orbit>, OrbitError> {
     let Some(divergence) = Divergence::new(equation) else { return Ok(None) };
     let Some(first) = rounds.turn(guess, 1e-17)? else { return Ok(None) };
     let is_whole = (first.end_time() / guess.period - 1.0).abs() < SAME_PERIOD;

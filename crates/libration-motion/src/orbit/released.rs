@@ -14,11 +14,11 @@
 //! release with a damping of 1e-10 is refused.
 
 use super::acceleration::Acceleration;
-use super::error::{Lost, NoOrbit, finished};
+use super::error::{Lost, OrbitError, finished};
 use super::path::{Path, sign_change, until};
 use super::periodic::{Orbit, StateErrors};
 use super::place::ReleasePlace;
-use super::precise::{HalfPeriod, Motion, NoHalfPeriod};
+use super::precise::{HalfPeriod, HalfPeriodError, Motion};
 use crate::taylor::{Cause, Effort, IntegrationError, Moment, Step, System};
 use libration_numbers::algebra::BigFloat;
 use libration_numbers::expression::{Equation, Expression, Symbol};
@@ -56,7 +56,7 @@ impl Orbit {
     /// # Errors
     /// Several coordinates or the time in the equation, a release in an equilibrium or on a separatrix, and motions that do not come
     /// back to where they began.
-    /// [`NoOrbit::Interrupted`] if the call is cancelled.
+    /// [`OrbitError::Interrupted`] if the call is cancelled.
     ///
     /// # Examples
     /// ```
@@ -68,8 +68,8 @@ impl Orbit {
     /// assert!((orbit.period() - 7.416298709205487 / 2.0).abs() < 1e-14);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn released(equation: &Equation, place: f64, progress: &dyn Progress) -> Result<Self, NoOrbit> {
-        let refusal = || NoOrbit::Start { state: vec![place], wanted: 1 };
+    pub fn released(equation: &Equation, place: f64, progress: &dyn Progress) -> Result<Self, OrbitError> {
+        let refusal = || OrbitError::Start { state: vec![place], wanted: 1 };
         Release::check(equation)?;
         Self::released_from(equation, &ReleasePlace::from_f64(place).ok_or_else(refusal)?, progress)
     }
@@ -79,7 +79,7 @@ impl Orbit {
         equation: &Equation,
         place: &ReleasePlace,
         progress: &dyn Progress,
-    ) -> Result<Self, NoOrbit> {
+    ) -> Result<Self, OrbitError> {
         let watch = &Watch::new(progress);
         Release::check(equation)?;
         finished(Release::new(equation, place, watch)?.orbit(), watch)
@@ -103,22 +103,26 @@ struct Around {
 }
 
 impl<'a> Release<'a> {
-    fn check(equation: &Equation) -> Result<(), NoOrbit> {
+    fn check(equation: &Equation) -> Result<(), OrbitError> {
         let [_] = equation.variables() else {
-            return Err(NoOrbit::SeveralCoordinates(equation.variables().len()));
+            return Err(OrbitError::SeveralCoordinates(equation.variables().len()));
         };
         equation.refuse_first_order()?;
-        if depends_on_time(equation) { Err(NoOrbit::DependsOnTime) } else { Ok(()) }
+        if depends_on_time(equation) { Err(OrbitError::DependsOnTime) } else { Ok(()) }
     }
 
-    fn new(equation: &'a Equation, place: &'a ReleasePlace, watch: &'a Watch<'a>) -> Result<Self, NoOrbit> {
+    fn new(
+        equation: &'a Equation,
+        place: &'a ReleasePlace,
+        watch: &'a Watch<'a>,
+    ) -> Result<Self, OrbitError> {
         let (system, acceleration) = (System::new(equation)?, Acceleration::new(equation)?);
         Ok(Self { equation, system, acceleration, place, start: place.to_f64(), watch })
     }
 
-    fn orbit(&self) -> Result<Orbit, NoOrbit> {
+    fn orbit(&self) -> Result<Orbit, OrbitError> {
         if self.is_too_small() {
-            return Err(NoOrbit::TooSmall(self.start));
+            return Err(OrbitError::TooSmall(self.start));
         }
         let found = self.once_around(self.start, 1e-17).and_then(|around| self.judged(around));
         let doubtful = match &found {
@@ -140,7 +144,7 @@ impl<'a> Release<'a> {
     /// The orbit with its uncertainty: what other steps make of it, and what rounding does to an acceleration that is as large as
     /// the largest, e of it, anywhere on the way. That changes energies by e times acceleration and swing, as another amplitude does,
     /// and the period by e.
-    fn judged(&self, around: Around) -> Result<Orbit, NoOrbit> {
+    fn judged(&self, around: Around) -> Result<Orbit, OrbitError> {
         let period = around.full.end_time();
         // Other orders and lengths of the steps make other rounding errors.
         let again = self.once_around(self.start, 1e-16)?;
@@ -157,7 +161,7 @@ impl<'a> Release<'a> {
         let [end, other_end] = [&around, &again].map(|it| it.full.state_at(it.full.end_time())[0]);
         let flow = (end - other_end).abs() + f64::EPSILON * self.start.abs().max(other_side.abs());
         if !self.acceleration.is_reversible && (end - self.start).abs() > CLOSED * flow {
-            return Err(NoOrbit::NotClosed { start: self.start, end });
+            return Err(OrbitError::NotClosed { start: self.start, end });
         }
         let apart: Vec<f64> = around.full.apart(&again.full).iter().map(|it| 16.0 * it).collect();
         let errors = StateErrors::new(&around.full, vec![0.0; 2], &[0.0; 2], &apart, uncertainty);
@@ -180,30 +184,30 @@ impl<'a> Release<'a> {
         if largest < OTHER { largest / PART } else { f64::INFINITY }
     }
 
-    fn sure(&self, orbit: Orbit) -> Result<Orbit, NoOrbit> {
+    fn sure(&self, orbit: Orbit) -> Result<Orbit, OrbitError> {
         let (period, uncertainty) = (orbit.period(), orbit.period_uncertainty());
         if uncertainty <= UNCERTAIN * period {
             return Ok(orbit);
         }
-        Err(NoOrbit::Unsure { start: self.start, period, uncertainty })
+        Err(OrbitError::Unsure { start: self.start, period, uncertainty })
     }
 
     /// The orbit with the precision that it requires, or the result in double precision where higher precision is not possible.
-    fn precisely(&self, rough: Result<Orbit, NoOrbit>) -> Result<Orbit, NoOrbit> {
+    fn precisely(&self, rough: Result<Orbit, OrbitError>) -> Result<Orbit, OrbitError> {
         let mut before: Option<BigFloat> = None;
         for precision in PRECISIONS {
             let found = match self.precise_halves(precision) {
                 Ok(halves) => halves,
-                Err(NoHalfPeriod::Undecided) => {
+                Err(HalfPeriodError::Undecided) => {
                     before = None;
                     continue;
                 }
-                Err(NoHalfPeriod::Unable) => return rough,
-                Err(NoHalfPeriod::Lost(time)) => {
-                    let lost = NoOrbit::NoReturn { start: self.start, why: Lost::OneWay(time) };
+                Err(HalfPeriodError::Unable) => return rough,
+                Err(HalfPeriodError::Lost(time)) => {
+                    let lost = OrbitError::NoReturn { start: self.start, why: Lost::OneWay(time) };
                     return Err(rough
                         .err()
-                        .filter(|error| !matches!(error, NoOrbit::Unsure { .. }))
+                        .filter(|error| !matches!(error, OrbitError::Unsure { .. }))
                         .unwrap_or(lost));
                 }
             };
@@ -215,10 +219,10 @@ impl<'a> Release<'a> {
             }
             before = Some(period);
         }
-        Err(NoOrbit::Separatrix(self.start))
+        Err(OrbitError::Separatrix(self.start))
     }
 
-    fn precise_halves(&self, precision: usize) -> Result<Halves, NoHalfPeriod> {
+    fn precise_halves(&self, precision: usize) -> Result<Halves, HalfPeriodError> {
         let motion = Motion::new(&self.system, &self.acceleration.tape, precision, self.watch);
         let there = motion.half_period(&self.place.to_bits(precision), 0.0)?;
         let back = match self.acceleration.is_free_of_velocity {
@@ -228,7 +232,7 @@ impl<'a> Release<'a> {
         Ok(Halves { there, back })
     }
 
-    fn once_around(&self, place: f64, tolerance: f64) -> Result<Around, NoOrbit> {
+    fn once_around(&self, place: f64, tolerance: f64) -> Result<Around, OrbitError> {
         let start = Moment { time: 0.0, state: vec![place, 0.0] };
         let effort = Effort { most_steps: MOST_STEPS, ..Effort::to_tolerance(tolerance) };
         let there = self.to_rest(&start, place, &effort)?;
@@ -238,30 +242,30 @@ impl<'a> Release<'a> {
         let end = full.state_at(full.end_time())[0];
         let (swing, back) = ((place - other_side.state[0]).abs(), (end - other_side.state[0]).abs());
         if back < NEARLY_CLOSED * swing {
-            return Err(NoOrbit::NoReturn { start: place, why: Lost::Rest });
+            return Err(OrbitError::NoReturn { start: place, why: Lost::Rest });
         }
         if (end - place).abs() > NEARLY_CLOSED * swing {
             return Err(match self.acceleration.is_free_of_velocity {
-                true => NoOrbit::Separatrix(place),
-                false => NoOrbit::NotClosed { start: place, end },
+                true => OrbitError::Separatrix(place),
+                false => OrbitError::NotClosed { start: place, end },
             });
         }
         Ok(Around { full, half })
     }
 
     /// Integrates the motion from rest to the next rest.
-    fn to_rest(&self, start: &Moment, place: f64, effort: &Effort) -> Result<Path, NoOrbit> {
+    fn to_rest(&self, start: &Moment, place: f64, effort: &Effort) -> Result<Path, OrbitError> {
         /// Distance beyond which a motion that has not turned moves one way for good: any noticeable force turns a motion within the square root of
         /// the largest number.
         const FAR: f64 = 1e100;
         let first = self.acceleration.at(&start.state).abs();
         if first == 0.0 {
-            return Err(NoOrbit::AtRest(vec![start.state[0]]));
+            return Err(OrbitError::AtRest(vec![start.state[0]]));
         }
         if !first.is_finite() {
             return Err(match self.acceleration.is_too_large(&start.state) {
-                true => NoOrbit::TooLarge(place),
-                false => NoOrbit::NoValue(place),
+                true => OrbitError::TooLarge(place),
+                false => OrbitError::NoValue(place),
             });
         }
         let happens = |step: &Step<'_>| sign_change(step, 1);
@@ -269,7 +273,7 @@ impl<'a> Release<'a> {
         let size = libm::fmax(start.state[0].abs(), f64::MIN_POSITIVE);
         let horizon = Self::HORIZON * libm::sqrt(size) / libm::sqrt(first);
         let found = until(&self.system, start, [horizon, FAR], effort, self.watch, happens);
-        let lost = |why| NoOrbit::NoReturn { start: place, why };
+        let lost = |why| OrbitError::NoReturn { start: place, why };
         match found {
             Ok(Some(path)) => Ok(path),
             Ok(None) => Err(lost(Lost::OneWay(FAR))),
@@ -295,7 +299,7 @@ impl Halves {
     }
 
     /// The orbit, if its end is its start.
-    fn closed(self, start: f64, equation: &Equation, uncertainty: f64) -> Result<Orbit, NoOrbit> {
+    fn closed(self, start: f64, equation: &Equation, uncertainty: f64) -> Result<Orbit, OrbitError> {
         let (period, other_side) = (self.period().to_f64(), self.there.end.to_f64());
         let Some(back) = self.back else {
             let path = Path::there_and_back(self.there.steps, period);
@@ -303,7 +307,7 @@ impl Halves {
         };
         let end = back.end.to_f64();
         if (end - start).abs() > CLOSED * f64::EPSILON * start.abs().max(other_side.abs()) {
-            return Err(NoOrbit::NotClosed { start, end });
+            return Err(OrbitError::NotClosed { start, end });
         }
         let path = Path::of_steps([self.there.steps, back.steps].concat(), period);
         Ok(Self::orbit(equation, path, uncertainty))

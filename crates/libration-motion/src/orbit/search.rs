@@ -1,7 +1,7 @@
 //! An orbit of any kind: which way it is looked for follows from the equations.
 
 use super::closing::Rounds;
-use super::error::{NoOrbit, finished};
+use super::error::{OrbitError, finished};
 use super::family::{Family, through_start};
 use super::near::OrbitGuess;
 use super::periodic::Orbit;
@@ -45,8 +45,8 @@ impl Orbit {
     /// the start close it is the one through the start.
     ///
     /// # Errors
-    /// As the kind of orbit has them; [`NoOrbit::NoPeriod`] where a period is needed and none is given.
-    /// [`NoOrbit::Interrupted`] if the call is cancelled.
+    /// As the kind of orbit has them; [`OrbitError::NoPeriod`] where a period is needed and none is given.
+    /// [`OrbitError::Interrupted`] if the call is cancelled.
     ///
     /// # Examples
     /// ```
@@ -63,14 +63,14 @@ impl Orbit {
         equation: &Equation,
         search: &OrbitSearch,
         progress: &dyn Progress,
-    ) -> Result<(OrbitKind, Self), NoOrbit> {
+    ) -> Result<(OrbitKind, Self), OrbitError> {
         let watch = &Watch::new(progress);
         let layout = StateLayout::new(equation);
         if search.start.len() != layout.numbers() {
-            return Err(NoOrbit::Start { state: search.start.clone(), wanted: layout.numbers() });
+            return Err(OrbitError::Start { state: search.start.clone(), wanted: layout.numbers() });
         }
         if depends_on_time(equation) {
-            let period = search.period.ok_or(NoOrbit::NoPeriod)?;
+            let period = search.period.ok_or(OrbitError::NoPeriod)?;
             let orbit = Self::driven(equation, period, &search.start, watch)?;
             return Ok((OrbitKind::Driven, orbit));
         }
@@ -81,7 +81,7 @@ impl Orbit {
         match from_rest {
             Some(Ok(orbit)) => Ok((OrbitKind::Released, orbit)),
             Some(Err(error)) if search.conserves_energy => Err(error),
-            _ if search.conserves_energy => Err(NoOrbit::NoPeriod),
+            _ if search.conserves_energy => Err(OrbitError::NoPeriod),
             _ => Self::undriven(equation, &search.start, watch),
         }
     }
@@ -101,7 +101,7 @@ impl OrbitSearch {
         layout: &StateLayout,
         period: f64,
         watch: &Watch<'_>,
-    ) -> Result<(OrbitKind, Orbit), NoOrbit> {
+    ) -> Result<(OrbitKind, Orbit), OrbitError> {
         /// Largest relative uncertainty of the period of an isolated cycle, which is some roundings; in a family the period is arbitrary.
         const OPEN: f64 = 1e-4;
         let guess = OrbitGuess { state: self.start.clone(), period };
@@ -121,7 +121,7 @@ impl OrbitSearch {
                 // An isolated cycle has a well-determined period; NaN fails the comparison.
                 Ok(found) if found.1.period_uncertainty() <= OPEN * found.1.period() => Ok(found),
                 Ok(_) => near(&[start, family]),
-                Err(NoOrbit::Undetermined(_)) => near(&[start, family]),
+                Err(OrbitError::Undetermined(_)) => near(&[start, family]),
                 found => found,
             },
         }

@@ -13,7 +13,7 @@
 
 use super::closing::{Round, Rounds};
 use super::divergence::Divergence;
-use super::error::{Lost, NoOrbit, finished};
+use super::error::{Lost, OrbitError, finished};
 use super::near::OrbitGuess;
 use super::periodic::{Orbit, StateErrors};
 use super::released::depends_on_time;
@@ -32,8 +32,8 @@ impl Orbit {
     ///
     /// # Errors
     /// A guess that does not fit, the time in the equation, a motion that cannot be followed, and
-    /// [`NoOrbit::NoConvergence`].
-    /// [`NoOrbit::Interrupted`] if the call is cancelled.
+    /// [`OrbitError::NoConvergence`].
+    /// [`OrbitError::Interrupted`] if the call is cancelled.
     ///
     /// # Examples
     /// ```
@@ -56,10 +56,10 @@ impl Orbit {
         guess: &OrbitGuess,
         fixed: &[usize],
         progress: &dyn Progress,
-    ) -> Result<Self, NoOrbit> {
+    ) -> Result<Self, OrbitError> {
         let watch = &Watch::new(progress);
         if depends_on_time(equation) {
-            return Err(NoOrbit::DependsOnTime);
+            return Err(OrbitError::DependsOnTime);
         }
         let rounds = Rounds::new(equation, watch)?;
         let free = (0..rounds.layout().numbers()).filter(|number| !fixed.contains(number)).collect();
@@ -94,24 +94,24 @@ pub(super) fn closed(
     rounds: &Rounds<'_>,
     guess: &OrbitGuess,
     unknowns: &Unknowns,
-) -> Result<Orbit, NoOrbit> {
+) -> Result<Orbit, OrbitError> {
     check(rounds, guess)?;
     let mut newton = Newton::new(rounds, unknowns, guess)?;
     let size_of_guess = newton.size();
     let taken = newton.converge()?;
     if newton.size() < VANISHED * size_of_guess {
-        return Err(NoOrbit::NoCycle(newton.kind_of_rest()));
+        return Err(OrbitError::NoCycle(newton.kind_of_rest()));
     }
     newton.judged(equation, taken)
 }
 
-fn check(rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<(), NoOrbit> {
+fn check(rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<(), OrbitError> {
     let wanted = rounds.layout().numbers();
     if guess.state.len() != wanted || !guess.state.iter().all(|x| x.is_finite()) {
-        return Err(NoOrbit::Start { state: guess.state.clone(), wanted });
+        return Err(OrbitError::Start { state: guess.state.clone(), wanted });
     }
     if !(guess.period > 0.0 && guess.period.is_finite()) {
-        return Err(NoOrbit::Period(guess.period));
+        return Err(OrbitError::Period(guess.period));
     }
     Ok(())
 }
@@ -128,7 +128,7 @@ struct Newton<'a> {
 }
 
 impl<'a> Newton<'a> {
-    fn new(rounds: &'a Rounds<'a>, unknowns: &'a Unknowns, guess: &OrbitGuess) -> Result<Self, NoOrbit> {
+    fn new(rounds: &'a Rounds<'a>, unknowns: &'a Unknowns, guess: &OrbitGuess) -> Result<Self, OrbitError> {
         let round = rounds.round(&guess.state, guess.period)?;
         let sizes = round.sizes(rounds.layout(), guess);
         let miss = miss(&round.defect, &sizes);
@@ -153,7 +153,7 @@ impl<'a> Newton<'a> {
     }
 
     /// Rounds until they improve nothing; how many there were.
-    fn converge(&mut self) -> Result<usize, NoOrbit> {
+    fn converge(&mut self) -> Result<usize, OrbitError> {
         for count in 0..MOST_ROUNDS {
             let before = self.miss;
             if before == 0.0 || !self.improve()? {
@@ -167,7 +167,7 @@ impl<'a> Newton<'a> {
     }
 
     /// One step, shortened until it leads nearer; whether one does.
-    fn improve(&mut self) -> Result<bool, NoOrbit> {
+    fn improve(&mut self) -> Result<bool, OrbitError> {
         /// Steps below 2⁻¹² of Newton's own would need more rounds than there are to come anywhere.
         const HALVINGS: u32 = 12;
         let Some(change) = self.change(&self.round.defect) else { return Ok(false) };
@@ -225,14 +225,14 @@ impl<'a> Newton<'a> {
     }
 
     /// The orbit with its errors, if it closes within the error of the flow and the rounding of its start.
-    fn judged(self, equation: &Equation, rounds: usize) -> Result<Orbit, NoOrbit> {
+    fn judged(self, equation: &Equation, rounds: usize) -> Result<Orbit, OrbitError> {
         let again = self.rounds.path(&self.at.state, self.at.period, 1e-16)?;
         let end = again.state_at(self.at.period);
         let other: Vec<f64> = end.iter().zip(&self.at.state).map(|(a, b)| a - b).collect();
         let rounding = self.rounding();
         let spread: Vec<f64> = other.iter().zip(&self.round.defect).map(|(a, b)| (a - b).abs()).collect();
         if self.miss > CLOSED * (miss(&spread, &self.sizes) + miss(&rounding, &self.sizes)) {
-            return Err(NoOrbit::NoConvergence { rounds, defect: self.miss });
+            return Err(OrbitError::NoConvergence { rounds, defect: self.miss });
         }
         let uncertainty = self.period_uncertainty(&other);
         let [monodromy, largest] = self.rounds.largest_variations(&self.at.state, self.at.period)?;
@@ -240,7 +240,7 @@ impl<'a> Newton<'a> {
         let start = self.start_errors(&residual.collect::<Vec<f64>>());
         let undetermined = miss(&start, &self.sizes);
         if undetermined > UNDETERMINED {
-            return Err(NoOrbit::Undetermined(undetermined));
+            return Err(OrbitError::Undetermined(undetermined));
         }
         let grown: Vec<f64> =
             largest.iter().map(|row| row.iter().zip(&start).map(|(a, b)| a * b).sum()).collect();

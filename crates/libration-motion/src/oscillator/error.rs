@@ -3,7 +3,7 @@
 use super::neighbourhood::{Roughness, Tendency};
 use super::remedy::Remedy;
 use super::roots::SEARCHED;
-use libration_numbers::expression::{EquationError, NotSecondOrder};
+use libration_numbers::expression::{EquationError, SecondOrderError};
 
 /// The reason why an equation of motion cannot be taken as an oscillator about an equilibrium.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -14,7 +14,7 @@ pub enum OscillatorError {
     Equation(#[from] EquationError),
     /// An equation of the first order.
     #[error(transparent)]
-    NotSecondOrder(#[from] NotSecondOrder),
+    NotSecondOrder(#[from] SecondOrderError),
     /// More than one variable.
     #[error(
         "there are {} variables, {}: give one equation of motion",

@@ -43,4 +43,4 @@ pub use neighbourhood::{Roughness, Tendency};
 pub use numbers_or_letters::{NumbersOrLetters, NumbersOrLettersError};
 pub use pure_power::PurePower;
 pub use remedy::Remedy;
-pub use symbolic::{NoSymbolicExpansion, SymbolicOscillator, SymbolicOscillatorError};
+pub use symbolic::{SymbolicOscillator, SymbolicOscillatorError, SymbolicSeriesError};

@@ -70,7 +70,7 @@ impl SymbolicOscillator {
         force: &Force,
         place: &Expression,
         names: &[String],
-    ) -> Result<Self, NoSymbolicExpansion> {
+    ) -> Result<Self, SymbolicSeriesError> {
         let mut force = Force { formula: counted_from(&force.formula, &force.x, place), ..force.clone() };
         let variables = [force.x.clone(), force.velocity.clone()];
         let mut named = NamedConstants::new(&variables, names);
@@ -80,7 +80,7 @@ impl SymbolicOscillator {
             names.iter().chain(constants.iter().map(|(name, _)| name)).cloned().collect();
         in_ring.push(free_name("omega0", &in_ring));
         let ring = LaurentPolynomials::new(in_ring);
-        let equilibrium = value_of(&ring, place).ok_or(NoSymbolicExpansion::NoSeries)?;
+        let equilibrium = value_of(&ring, place).ok_or(SymbolicSeriesError::NoSeries)?;
         let zero = Rational::from(0);
         let kind = match (force.uses_velocity(), force.is_reversible(), force.is_mirrored_about(&zero)) {
             (false, ..) => Some(Kind::Conservative),
@@ -91,17 +91,17 @@ impl SymbolicOscillator {
         if kind == Some(Kind::Conservative) {
             force.formula = force.at_rest();
         }
-        let tape = tape(&force, &ring).ok_or(NoSymbolicExpansion::NoSeries)?;
+        let tape = tape(&force, &ring).ok_or(SymbolicSeriesError::NoSeries)?;
         let AtRest { values, slope, damping } =
-            AtRest::new(&ring, &tape).ok_or(NoSymbolicExpansion::NoSeries)?;
+            AtRest::new(&ring, &tape).ok_or(SymbolicSeriesError::NoSeries)?;
         let vanishing = &values[tape.results()[0]];
         if !vanishing.is_zero() {
-            return Err(NoSymbolicExpansion::NotAtRest { acceleration: excerpt(&vanishing.to_string()) });
+            return Err(SymbolicSeriesError::NotAtRest { acceleration: excerpt(&vanishing.to_string()) });
         }
         if !damping.is_zero() {
-            return Err(NoSymbolicExpansion::Damped { damping: excerpt(&damping.to_string()) });
+            return Err(SymbolicSeriesError::Damped { damping: excerpt(&damping.to_string()) });
         }
-        let kind = kind.ok_or(NoSymbolicExpansion::Irreversible)?;
+        let kind = kind.ok_or(SymbolicSeriesError::Irreversible)?;
         let omega0_squared = stiffness(&ring, &slope)?;
         let odd = force.is_odd_about(&zero);
         let (equation, letters) = (equation.clone(), names.to_vec());
@@ -225,13 +225,13 @@ fn tape(force: &Force, ring: &LaurentPolynomials) -> Option<Tape> {
 fn stiffness(
     ring: &LaurentPolynomials,
     slope: &LaurentPolynomial,
-) -> Result<LaurentPolynomial, NoSymbolicExpansion> {
+) -> Result<LaurentPolynomial, SymbolicSeriesError> {
     let omega0_squared = ring.negate(slope);
     if omega0_squared.is_zero() {
-        return Err(NoSymbolicExpansion::NoLinearPart);
+        return Err(SymbolicSeriesError::NoLinearPart);
     }
     if omega0_squared.terms().all(|(factor, _)| factor.is_negative()) {
-        return Err(NoSymbolicExpansion::Unstable { omega0_squared: excerpt(&omega0_squared.to_string()) });
+        return Err(SymbolicSeriesError::Unstable { omega0_squared: excerpt(&omega0_squared.to_string()) });
     }
     Ok(omega0_squared)
 }
@@ -265,14 +265,14 @@ pub enum SymbolicOscillatorError {
         /// The place that was to be the equilibrium.
         at: String,
         /// The reason.
-        reason: NoSymbolicExpansion,
+        reason: SymbolicSeriesError,
     },
 }
 
 /// The property that letters do not allow.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum NoSymbolicExpansion {
+pub enum SymbolicSeriesError {
     /// A quantity is not a Laurent polynomial in the letters and their roots.
     NoSeries,
     /// The acceleration does not vanish there.
@@ -296,7 +296,7 @@ pub enum NoSymbolicExpansion {
     Irreversible,
 }
 
-impl fmt::Display for NoSymbolicExpansion {
+impl fmt::Display for SymbolicSeriesError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoSeries => formatter.write_str(

@@ -40,7 +40,7 @@ pub struct Spectrum {
 /// The reason why there is no spectrum.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum NoSpectrum {
+pub enum SpectrumError {
     /// Hardly any values.
     #[error("{0} values are too few for a spectrum: give at least {least}", least = Spectrum::FEWEST)]
     TooFew(usize),
@@ -89,15 +89,15 @@ impl Spectrum {
     ///
     /// # Errors
     /// Too few values, a value that is not finite, an interval that is not above zero.
-    pub fn new(values: &[f64], interval: f64) -> Result<Self, NoSpectrum> {
+    pub fn new(values: &[f64], interval: f64) -> Result<Self, SpectrumError> {
         if values.len() < Self::FEWEST {
-            return Err(NoSpectrum::TooFew(values.len()));
+            return Err(SpectrumError::TooFew(values.len()));
         }
         if let Some(value) = values.iter().find(|value| !value.is_finite()) {
-            return Err(NoSpectrum::NotFinite(*value));
+            return Err(SpectrumError::NotFinite(*value));
         }
         if !(interval > 0.0 && interval.is_finite()) {
-            return Err(NoSpectrum::Interval(interval));
+            return Err(SpectrumError::Interval(interval));
         }
         let weighted = window::weighted(values);
         let transform = fourier::transform(&padded(&weighted));
@@ -129,7 +129,7 @@ impl Spectrum {
         motion: &DenseSolution,
         number: usize,
         [from, until]: [f64; 2],
-    ) -> Result<Self, NoSpectrum> {
+    ) -> Result<Self, SpectrumError> {
         let mut count = (2 * motion.steps().len()).clamp(FEWEST_OF_MOTION, Self::MOST);
         loop {
             let interval = (until - from) / float(count - 1);
@@ -137,7 +137,7 @@ impl Spectrum {
             let time = |place: usize| if place + 1 == count { until } else { from + interval * float(place) };
             let value = |place| motion.state_at(time(place))?.get(number).copied();
             let values: Option<Vec<f64>> = (0..count).map(value).collect();
-            let values = values.filter(|_| from < until).ok_or(NoSpectrum::NotKnown { from, until })?;
+            let values = values.filter(|_| from < until).ok_or(SpectrumError::NotKnown { from, until })?;
             check_trend(&values)?;
             let spectrum = Self::new(&values, interval)?;
             if spectrum.is_resolved() {
@@ -145,7 +145,7 @@ impl Spectrum {
             }
             count *= 2;
             if count > Self::MOST {
-                return Err(NoSpectrum::NotResolved(values.len()));
+                return Err(SpectrumError::NotResolved(values.len()));
             }
         }
     }
@@ -196,12 +196,12 @@ const FEWEST_OF_MOTION: usize = 4096;
 
 /// Refuses values whose departure from the line between their ends is less than half of the way between these. Whatever swings
 /// about a mean, at any phases of its ends, departs by at least as much.
-fn check_trend(values: &[f64]) -> Result<(), NoSpectrum> {
+fn check_trend(values: &[f64]) -> Result<(), SpectrumError> {
     let (Some(&first), Some(&last)) = (values.first(), values.last()) else { return Ok(()) };
     let slope = (last - first) / float(values.len() - 1);
     let departures = values.iter().enumerate().map(|(place, value)| value - first - slope * float(place));
     let (low, high) = departures.fold((0.0, 0.0), |(low, high): (f64, f64), it| (low.min(it), high.max(it)));
-    if high - low < 0.5 * (last - first).abs() { Err(NoSpectrum::Trend { first, last }) } else { Ok(()) }
+    if high - low < 0.5 * (last - first).abs() { Err(SpectrumError::Trend { first, last }) } else { Ok(()) }
 }
 
 /// A mean value is its own mirror image.

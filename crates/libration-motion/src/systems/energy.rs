@@ -7,7 +7,7 @@
 //! roundings of the positions, and their difference is the uncertainty of the drift. The drift is the largest change over the largest kinetic
 //! energy, which does not depend on the zero of the potential.
 
-use super::NoEnergy;
+use super::EnergyError;
 use super::line_integral::work;
 use crate::taylor::{Moment, StateLayout, larger_or_nan};
 use libration_kernels::double_double::DoubleDouble;
@@ -52,14 +52,14 @@ enum Holds {
 
 impl Energy {
     /// An energy that is a formula of coordinates and velocities.
-    pub(super) fn of_formula(equation: &Equation, energy: &Expression) -> Result<Self, NoEnergy> {
+    pub(super) fn of_formula(equation: &Equation, energy: &Expression) -> Result<Self, EnergyError> {
         Self::on_tape(equation, &[energy], Holds::Energy)
     }
 
     /// The energy Σ m x′²/2 + V of forces −∂V/∂x that depend on the coordinates only, m being what multiplies x″ in the
     /// equations if that is a positive constant, and else one. That the forces have a potential is proved by
     /// ∂Fᵢ/∂xⱼ = ∂Fⱼ/∂xᵢ.
-    pub(super) fn of_forces(equation: &Equation) -> Result<Self, NoEnergy> {
+    pub(super) fn of_forces(equation: &Equation) -> Result<Self, EnergyError> {
         equation.refuse_first_order()?;
         let masses =
             masses(equation).unwrap_or_else(|| vec![Expression::from(1); equation.variables().len()]);
@@ -71,14 +71,14 @@ impl Energy {
         for (name, force) in names.iter().zip(&forces) {
             let foreign = |symbol: &Symbol| symbol.primes > 0 || symbol.name == "t";
             if let Some(on) = force.symbols().into_iter().find(foreign) {
-                return Err(NoEnergy::NotOfPlace { coordinate: name.clone(), on });
+                return Err(EnergyError::NotOfPlace { coordinate: name.clone(), on });
             }
         }
         for (place, first) in names.iter().enumerate() {
             for (other, second) in names.iter().enumerate().take(place) {
                 let slope = |force: usize, by: &str| Box::new(forces[force].derivative(&Symbol::plain(by)));
                 if !Expression::Subtract(slope(place, second), slope(other, first)).vanishes() {
-                    return Err(NoEnergy::Curl { first: second.clone(), second: first.clone() });
+                    return Err(EnergyError::Curl { first: second.clone(), second: first.clone() });
                 }
             }
         }
@@ -86,7 +86,7 @@ impl Energy {
         Ok(Self { masses: masses.iter().filter_map(Expression::to_f64).collect(), ..energy })
     }
 
-    fn on_tape(equation: &Equation, formulas: &[&Expression], holds: Holds) -> Result<Self, NoEnergy> {
+    fn on_tape(equation: &Equation, formulas: &[&Expression], holds: Holds) -> Result<Self, EnergyError> {
         let inputs = StateLayout::new(equation).symbols(equation.variables());
         let tape = Tape::new(formulas, &inputs)?;
         Ok(Self { coordinates: equation.variables().len(), tape, holds, masses: vec![] })

@@ -1,7 +1,7 @@
 //! The reasons why there is no such model, or no energy of it.
 
 use libration_numbers::catalogue::UnknownKey;
-use libration_numbers::expression::{EquationError, NotSecondOrder, Symbol, WithoutValue};
+use libration_numbers::expression::{EquationError, SecondOrderError, Symbol, WithoutValue};
 
 /// The reason why there is no such model.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -48,7 +48,7 @@ pub enum ModelError {
 /// The reason why a model has no conserved energy.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
-pub enum NoEnergy {
+pub enum EnergyError {
     /// Damping or driving.
     #[error("energy is not conserved: it changes by {power} per time")]
     NotConserved {
@@ -80,5 +80,5 @@ pub enum NoEnergy {
     WithoutValue(#[from] WithoutValue),
     /// An equation of the first order.
     #[error("the equation for {variable}' is of the first order: an energy is found only for equations of the second order", variable = .0.variable)]
-    NotSecondOrder(#[from] NotSecondOrder),
+    NotSecondOrder(#[from] SecondOrderError),
 }

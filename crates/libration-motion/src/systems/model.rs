@@ -1,7 +1,7 @@
 //! Equations of motion with their values, and the words for them.
 
 use super::count::Counted;
-use super::{Bodies, Coordinate, Energy, ModelError, NamedSystem, NoEnergy, VelocityPower};
+use super::{Bodies, Coordinate, Energy, EnergyError, ModelError, NamedSystem, VelocityPower};
 use crate::oscillator::{NamedOscillator, Oscillator};
 use crate::taylor::{Moment, StateLayout, StateNameError, System, named_state};
 use libration_numbers::expression::{Equation, EquationError, Expression, Function, Symbol, WithoutValue};
@@ -252,11 +252,11 @@ impl Model {
     ///
     /// # Errors
     /// Why there is none.
-    pub fn energy(&self) -> Result<Energy, NoEnergy> {
+    pub fn energy(&self) -> Result<Energy, EnergyError> {
         match &self.known {
             Some(Known { energy: Some(energy), power: Some(power), .. }) => match power.vanishes() {
                 true => Energy::of_formula(&self.equation, energy),
-                false => Err(NoEnergy::NotConserved { power: power.to_string() }),
+                false => Err(EnergyError::NotConserved { power: power.to_string() }),
             },
             _ => Energy::of_forces(&self.equation),
         }

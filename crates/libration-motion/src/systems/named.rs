@@ -112,10 +112,10 @@ impl NamedSystem {
         &self,
         length: Option<f64>,
         gravity: Option<f64>,
-    ) -> Result<Vec<(&'static str, Expression)>, NoSuchPendulum> {
+    ) -> Result<Vec<(&'static str, Expression)>, PendulumParametersError> {
         /// The pendulum of a metre under the standard gravity.
         const DEFAULTS: [f64; 2] = [1.0, STANDARD_GRAVITY];
-        let number = |value: f64| decimal(value).ok_or(NoSuchPendulum::NotAbove(value));
+        let number = |value: f64| decimal(value).ok_or(PendulumParametersError::NotAbove(value));
         let quotient = Expression::Divide(
             Box::new(number(gravity.unwrap_or(DEFAULTS[1]))?),
             Box::new(number(length.unwrap_or(DEFAULTS[0]))?),
@@ -136,9 +136,11 @@ impl NamedSystem {
         let names = || self.parameters.iter().map(|it| it.name).collect::<Vec<_>>().join(", ");
         match said {
             [true, true] => Ok(values),
-            [false, _] => Err(NoSuchPendulum::Without { key: self.key, what: "length", parameters: names() }),
+            [false, _] => {
+                Err(PendulumParametersError::Without { key: self.key, what: "length", parameters: names() })
+            }
             [_, false] => {
-                Err(NoSuchPendulum::Without { key: self.key, what: "gravity", parameters: names() })
+                Err(PendulumParametersError::Without { key: self.key, what: "gravity", parameters: names() })
             }
         }
     }
@@ -147,7 +149,7 @@ impl NamedSystem {
 /// The reason why a system is not a pendulum of a given length or gravity.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum NoSuchPendulum {
+pub enum PendulumParametersError {
     /// A length or gravity that is not above zero.
     #[error("the length or gravity is {0:?}: give finite numbers above zero")]
     NotAbove(f64),

@@ -32,7 +32,7 @@ pub struct Observables {
 /// The reason why formulas cannot be evaluated along a motion.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
-pub enum NoObservable {
+pub enum ObservableError {
     /// A symbol that the system does not have.
     #[error("{name}: the system has no `{symbol}`: it has {}, and the time t", known.join(", "))]
     Unknown {
@@ -53,14 +53,14 @@ impl Observables {
     ///
     /// # Errors
     /// A symbol that is unknown there, or a name that is taken.
-    pub fn new(model: &Model, formulas: &[(&str, Expression)]) -> Result<Self, NoObservable> {
+    pub fn new(model: &Model, formulas: &[(&str, Expression)]) -> Result<Self, ObservableError> {
         let states = model.state_names();
         let mut names: Vec<String> = vec![];
         let mut in_state = vec![];
         for (name, formula) in formulas {
             let taken = states.iter().chain(&names).any(|other| other == name);
             if taken || matches!(*name, "t" | "time" | "event") {
-                return Err(NoObservable::NameTaken((*name).to_owned()));
+                return Err(ObservableError::NameTaken((*name).to_owned()));
             }
             names.push((*name).to_owned());
             in_state.push(in_numbers(model, name, formula)?);
@@ -68,7 +68,7 @@ impl Observables {
         let inputs = model.layout().symbols(model.equation().variables());
         let inputs: Vec<Symbol> = inputs.into_iter().chain([Symbol::plain("t")]).collect();
         let tape = Tape::new(&in_state.iter().collect::<Vec<_>>(), &inputs).map_err(|error| {
-            NoObservable::Unknown { name: names.join(", "), symbol: error.0, known: states }
+            ObservableError::Unknown { name: names.join(", "), symbol: error.0, known: states }
         })?;
         Ok(Self { names, tape, components: inputs.len() - 1 })
     }
@@ -97,7 +97,7 @@ impl Observables {
 }
 
 /// A formula of the state and the time alone.
-fn in_numbers(model: &Model, name: &str, formula: &Expression) -> Result<Expression, NoObservable> {
+fn in_numbers(model: &Model, name: &str, formula: &Expression) -> Result<Expression, ObservableError> {
     let put_in = |formula: Expression, (name, value): &(String, Expression)| {
         formula.substitute(&Symbol::plain(name), value)
     };
@@ -111,7 +111,7 @@ fn in_numbers(model: &Model, name: &str, formula: &Expression) -> Result<Express
         Some(symbol) => {
             let parameters = model.values().iter().map(|(name, _)| name.clone());
             let known = states.into_iter().chain(parameters).collect();
-            Err(NoObservable::Unknown { name: name.to_owned(), symbol, known })
+            Err(ObservableError::Unknown { name: name.to_owned(), symbol, known })
         }
     }
 }

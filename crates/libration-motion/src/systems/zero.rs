@@ -6,7 +6,7 @@ use libration_numbers::expression::{Expression, ParseError, Symbol};
 /// The reason why a text is not a condition that can be searched for.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum NoZero {
+pub enum ConditionError {
     /// The text is not a formula.
     #[error(transparent)]
     Formula(#[from] ParseError),
@@ -36,7 +36,7 @@ impl Model {
     /// assert!(model.zero_of("y").is_err());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn zero_of(&self, text: &str) -> Result<Expression, NoZero> {
+    pub fn zero_of(&self, text: &str) -> Result<Expression, ConditionError> {
         let difference = match text.split_once('=') {
             Some((left, right)) => format!("({left}) - ({right})"),
             None => text.to_owned(),
@@ -50,7 +50,7 @@ impl Model {
         let in_state = self.equation().with_rates(&formula);
         let unknown = in_state.symbols().into_iter().map(|symbol| symbol.to_string());
         match unknown.into_iter().find(|name| name != "t" && !known.contains(name)) {
-            Some(name) => Err(NoZero::Unknown { name, known }),
+            Some(name) => Err(ConditionError::Unknown { name, known }),
             None => Ok(formula),
         }
     }

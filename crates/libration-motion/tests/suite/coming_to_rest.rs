@@ -1,5 +1,6 @@
 //! Components that come to zero in a finite time, and stay there.
 
+use crate::typed::{from, system};
 use libm::{pow, sqrt};
 use libration::progress::Quiet;
 use libration::taylor::{
@@ -10,14 +11,6 @@ use std::ops::ControlFlow;
 
 /// The height of water over a hole, by Evangelista Torricelli's law.
 const WATER: &str = "x' = -sqrt(abs(x))*sign(x)";
-
-fn system(equations: &str) -> System {
-    System::new(&equations.parse().unwrap()).unwrap()
-}
-
-fn from(state: &[f64]) -> Moment {
-    Moment { time: 0.0, state: state.to_vec() }
-}
 
 fn solve(equations: &str, state: &[f64], times: &[f64], tolerance: f64) -> Solution {
     integrate(&system(equations), &from(state), times, &Effort::to_tolerance(tolerance), &Quiet).unwrap()

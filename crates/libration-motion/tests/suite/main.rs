@@ -22,4 +22,5 @@ mod state_errors;
 mod systems;
 mod taylor;
 mod tolerances;
+mod typed;
 mod unit;

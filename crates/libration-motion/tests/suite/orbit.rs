@@ -1,16 +1,13 @@
 //! Periodic orbits compared with elliptic functions and closed forms, which are independent of integration.
 
+use crate::typed::equation;
 use libration::elliptic::Modulus;
 use libration::expression::Equation;
-use libration::orbit::{Lost, NoOrbit, Orbit, OrbitGuess, OrbitKind, OrbitSearch, Stability};
+use libration::orbit::{Lost, Orbit, OrbitError, OrbitGuess, OrbitKind, OrbitSearch, Stability};
 use libration::pendulum::{Motion, Pendulum};
 use libration::progress::Quiet;
 use libration::quantity::Angle;
 use std::f64::consts::{PI, TAU};
-
-fn equation(text: &str) -> Equation {
-    text.parse().unwrap()
-}
 
 fn released(text: &str, place: f64) -> Orbit {
     Orbit::released(&equation(text), place, &Quiet).unwrap()
@@ -91,7 +88,7 @@ fn amplitudes_whose_squares_have_all_digits_have_the_right_orbit_and_smaller_one
                 assert!(orbit.period_uncertainty() < 1e-13, "1e-{exponent}");
             }
             Err(error) => {
-                assert_eq!(error, NoOrbit::TooSmall(amplitude));
+                assert_eq!(error, OrbitError::TooSmall(amplitude));
                 assert!(exponent > 145, "1e-{exponent}");
             }
         }
@@ -339,34 +336,34 @@ fn a_search_without_a_period_says_what_is_missing() {
         held: None,
     };
     let refused = |text: &str, it: &OrbitSearch| Orbit::search(&equation(text), it, &Quiet).unwrap_err();
-    assert_eq!(refused("x'' = -x + cos(t)", &search(&[0.0, 0.0], false)), NoOrbit::NoPeriod);
-    assert_eq!(refused("x'' = -x; y'' = -2*y", &search(&[1.0, 1.0, 0.0, 0.0], true)), NoOrbit::NoPeriod);
-    assert!(matches!(refused("x'' = -x", &search(&[0.0], true)), NoOrbit::Start { wanted: 2, .. }));
-    assert!(matches!(refused("x'' = -x", &search(&[0.0, 0.0], true)), NoOrbit::AtRest(_)));
+    assert_eq!(refused("x'' = -x + cos(t)", &search(&[0.0, 0.0], false)), OrbitError::NoPeriod);
+    assert_eq!(refused("x'' = -x; y'' = -2*y", &search(&[1.0, 1.0, 0.0, 0.0], true)), OrbitError::NoPeriod);
+    assert!(matches!(refused("x'' = -x", &search(&[0.0], true)), OrbitError::Start { wanted: 2, .. }));
+    assert!(matches!(refused("x'' = -x", &search(&[0.0, 0.0], true)), OrbitError::AtRest(_)));
 }
 
 #[test]
 fn motions_without_a_period_are_refused_for_a_reason() {
     let refusal = |text: &str, place: f64| Orbit::released(&equation(text), place, &Quiet).unwrap_err();
-    assert!(matches!(refusal("x'' = -x - x'/10", 1.0), NoOrbit::NotClosed { start: 1.0, .. }));
-    assert!(matches!(refusal("x'' = -x - 3*x'", 1.0), NoOrbit::NoReturn { why: Lost::Rest, .. }));
-    assert!(matches!(refusal("x'' = -x + x^2", 2.0), NoOrbit::NoReturn { why: Lost::Stopped(_), .. }));
-    assert!(matches!(refusal("x'' = -1", 2.0), NoOrbit::NoReturn { why: Lost::OneWay(_), .. }));
-    assert!(matches!(refusal("x'' = x", 2.0), NoOrbit::NoReturn { .. }));
+    assert!(matches!(refusal("x'' = -x - x'/10", 1.0), OrbitError::NotClosed { start: 1.0, .. }));
+    assert!(matches!(refusal("x'' = -x - 3*x'", 1.0), OrbitError::NoReturn { why: Lost::Rest, .. }));
+    assert!(matches!(refusal("x'' = -x + x^2", 2.0), OrbitError::NoReturn { why: Lost::Stopped(_), .. }));
+    assert!(matches!(refusal("x'' = -1", 2.0), OrbitError::NoReturn { why: Lost::OneWay(_), .. }));
+    assert!(matches!(refusal("x'' = x", 2.0), OrbitError::NoReturn { .. }));
     // x = 1/2 is on the separatrix: its motion takes for ever to come to −1.
-    assert_eq!(refusal("x'' = -x - x^2", 0.5), NoOrbit::Separatrix(0.5));
-    assert_eq!(refusal("x'' = x - x^3", 1.0), NoOrbit::AtRest(vec![1.0]));
-    assert_eq!(refusal("x'' = -x + cos(t)", 1.0), NoOrbit::DependsOnTime);
-    assert_eq!(refusal("x'' = -y; y'' = -x", 1.0), NoOrbit::SeveralCoordinates(2));
-    assert!(matches!(refusal("x'' = -k*x", 1.0), NoOrbit::WithoutValue(_)));
-    assert!(matches!(refusal("x'' = -x", f64::NAN), NoOrbit::Start { .. }));
+    assert_eq!(refusal("x'' = -x - x^2", 0.5), OrbitError::Separatrix(0.5));
+    assert_eq!(refusal("x'' = x - x^3", 1.0), OrbitError::AtRest(vec![1.0]));
+    assert_eq!(refusal("x'' = -x + cos(t)", 1.0), OrbitError::DependsOnTime);
+    assert_eq!(refusal("x'' = -y; y'' = -x", 1.0), OrbitError::SeveralCoordinates(2));
+    assert!(matches!(refusal("x'' = -k*x", 1.0), OrbitError::WithoutValue(_)));
+    assert!(matches!(refusal("x'' = -x", f64::NAN), OrbitError::Start { .. }));
     let cycle = |text: &str, start: &[f64]| Orbit::limit_cycle(&equation(text), start, &Quiet).unwrap_err();
-    assert!(matches!(cycle("x'' = -x - 3*x'", &[1.0, 0.0]), NoOrbit::NoCycle(_)));
+    assert!(matches!(cycle("x'' = -x - 3*x'", &[1.0, 0.0]), OrbitError::NoCycle(_)));
     assert!(matches!(
         cycle("x'' = -x - x'/10", &[1.0, 0.0]),
-        NoOrbit::NoCycle(_) | NoOrbit::NoConvergence { .. }
+        OrbitError::NoCycle(_) | OrbitError::NoConvergence { .. }
     ));
-    assert!(matches!(cycle("x'' = -x + cos(t)", &[1.0, 0.0]), NoOrbit::DependsOnTime));
+    assert!(matches!(cycle("x'' = -x + cos(t)", &[1.0, 0.0]), OrbitError::DependsOnTime));
     assert!(Orbit::driven(&equation("x'' = -x"), 1.0, &[1.0, 0.0], &Quiet).is_err());
     assert!(Orbit::driven(&equation("x'' = -x + cos(t)"), TAU, &[1.0, 0.0], &Quiet).is_err());
 }
@@ -400,7 +397,7 @@ fn next_to_a_separatrix_a_force_with_a_kink_has_no_sure_period() {
         assert!(orbit.period_uncertainty() < 1e-9 * period, "{:e}", orbit.period_uncertainty());
     }
     let refusal = Orbit::released(&equation(kinked), 0.5 - 1e-10, &Quiet).unwrap_err();
-    let NoOrbit::Unsure { start, period, uncertainty } = refusal else { panic!("{refusal}") };
+    let OrbitError::Unsure { start, period, uncertainty } = refusal else { panic!("{refusal}") };
     assert!(start == 0.5 - 1e-10 && period > 25.0 && uncertainty > 1e-4 * period, "{period} {uncertainty}");
 }
 
@@ -515,7 +512,7 @@ fn weak_limit_cycles_are_found_from_a_start_that_drifts_to_them() {
 fn rest_is_only_told_of_motions_that_come_to_it() {
     let lost =
         |text: &str, start: &[f64]| match Orbit::limit_cycle(&equation(text), start, &Quiet).unwrap_err() {
-            NoOrbit::NoCycle(why) => why,
+            OrbitError::NoCycle(why) => why,
             other => panic!("{other}"),
         };
     assert!(matches!(lost("x'' = -x - x'/10", &[1.0, 0.0]), Lost::Rest));
@@ -546,7 +543,7 @@ fn a_motion_with_weak_damping_is_not_periodic() {
         "x'' = -x - 1e-12*x'*abs(x')",
     ] {
         let refusal = Orbit::released(&equation(text), 2.0, &Quiet).unwrap_err();
-        assert!(matches!(refusal, NoOrbit::NotClosed { .. }), "{text}: {refusal}");
+        assert!(matches!(refusal, OrbitError::NotClosed { .. }), "{text}: {refusal}");
         let search = OrbitSearch { start: vec![2.0, 0.0], period: None, conserves_energy: false, held: None };
         let found =
             Orbit::search(&equation(text), &search, &Quiet).map(|(kind, orbit)| (kind, orbit.start()));

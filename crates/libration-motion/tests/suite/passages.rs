@@ -1,5 +1,6 @@
 //! Forces without a series at zero, such as |x|^1.5: passed to the tolerance, against closed forms.
 
+use crate::typed::system;
 use libm::{atan, log, pow, sqrt, tgamma};
 use libration::expression::Expression;
 use libration::progress::Quiet;
@@ -10,10 +11,6 @@ use libration::taylor::{
 };
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
-
-fn system(text: &str) -> System {
-    System::new(&text.parse().unwrap()).unwrap()
-}
 
 fn watching(text: &str, formula: &str, direction: Direction) -> System {
     let event = Event { direction, ..Event::zero_of(formula.parse().unwrap()) };

@@ -1,14 +1,11 @@
 //! Derivatives of motions with respect to parameters and initial values.
 
+use crate::typed::equation;
 use libm::{cos, exp, sin, sqrt};
-use libration::expression::{Equation, Expression};
+use libration::expression::Expression;
 use libration::progress::Quiet;
 use libration::taylor::{Effort, Moment, Sensitivities, SensitivityError, System, integrate};
 use libration_testing::golden::Table;
-
-fn equation(text: &str) -> Equation {
-    text.parse().unwrap()
-}
 
 fn value(number: f64) -> Expression {
     format!("{number:?}").parse().unwrap()

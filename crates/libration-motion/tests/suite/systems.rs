@@ -2,7 +2,7 @@
 
 use libration::expression::Expression;
 use libration::progress::Quiet;
-use libration::systems::{Model, NamedSystem, NoSuchPendulum};
+use libration::systems::{Model, NamedSystem, PendulumParametersError};
 use libration::taylor::{Contact, Effort, Event, Moment, integrate, integrate_stepwise};
 use libration_testing::golden::{Row, Table};
 use libration_testing::ulp::Truth;
@@ -232,10 +232,16 @@ fn pendulums_have_the_frequency_of_their_length_and_gravity() {
         [("physical_pendulum", Some(1.0), None), ("physical_pendulum", Some(1.0), Some(9.8))]
     {
         let refused = values(key, length, gravity);
-        assert!(matches!(refused, Err(NoSuchPendulum::Without { what: "length", .. })), "{refused:?}");
+        assert!(
+            matches!(refused, Err(PendulumParametersError::Without { what: "length", .. })),
+            "{refused:?}"
+        );
     }
     for impossible in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        assert!(matches!(values("pendulum", Some(impossible), None), Err(NoSuchPendulum::NotAbove(_))));
+        assert!(matches!(
+            values("pendulum", Some(impossible), None),
+            Err(PendulumParametersError::NotAbove(_))
+        ));
     }
 }
 

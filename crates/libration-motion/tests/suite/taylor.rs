@@ -1,5 +1,6 @@
 //! Integration in time against the exact pendulum, solutions in closed form, and damped pendulums in forty digits.
 
+use crate::typed::{from, system};
 use libration::pendulum::Pendulum;
 use libration::progress::Quiet;
 use libration::quantity::Angle;
@@ -12,14 +13,6 @@ use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 
 const PENDULUM: &str = "theta'' + sin(theta) = 0";
-
-fn system(equation: &str) -> System {
-    System::new(&equation.parse().unwrap()).unwrap()
-}
-
-fn from(state: &[f64]) -> Moment {
-    Moment { time: 0.0, state: state.to_vec() }
-}
 
 fn attempt(
     equation: &str,

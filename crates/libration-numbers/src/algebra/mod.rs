@@ -76,7 +76,7 @@ pub use pi_sum::PiSum;
 pub use polynomial::{Monomial, Polynomial, Polynomials, Variable};
 pub(crate) use prime_field::PrimeField;
 pub(crate) use prime_fields::{LANES, PrimeFields, Residues};
-pub use rational::{NotARational, Rational};
+pub use rational::{ParseRationalError, Rational};
 pub use rationals::Rationals;
 pub use ring::Ring;
 pub use surd::Surd;

@@ -16,7 +16,7 @@ use dashu_ratio::RBig;
 /// use libration::algebra::Rational;
 /// let slope: Rational = "1/16".parse()?;
 /// assert_eq!((slope.clone() * slope).to_string(), "1/256");
-/// # Ok::<(), libration::algebra::NotARational>(())
+/// # Ok::<(), libration::algebra::ParseRationalError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Rational(pub(super) RBig);
@@ -210,10 +210,10 @@ impl fmt::Display for Rational {
 
 /// Reads what [`Display`](fmt::Display) writes: an integer, or two of them about a slash.
 impl FromStr for Rational {
-    type Err = NotARational;
+    type Err = ParseRationalError;
 
-    fn from_str(text: &str) -> Result<Self, NotARational> {
-        let refusal = || NotARational { text: text.to_owned() };
+    fn from_str(text: &str) -> Result<Self, ParseRationalError> {
+        let refusal = || ParseRationalError { text: text.to_owned() };
         let (numerator, denominator) = text.split_once('/').unwrap_or((text, "1"));
         let numerator = IBig::from_str_radix(numerator.trim(), 10).map_err(|_| refusal())?;
         let denominator = UBig::from_str_radix(denominator.trim(), 10).map_err(|_| refusal())?;
@@ -227,7 +227,7 @@ impl FromStr for Rational {
 /// A text that is not a fraction of two decimal integers.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("`{text}` is not a fraction: give an integer such as 7, or two such as -23/737280")]
-pub struct NotARational {
+pub struct ParseRationalError {
     /// The text given.
     pub text: String,
 }

@@ -13,7 +13,7 @@ use super::parser::Parser;
 use super::simplify::{difference, negative, quotient, sum};
 use super::{Expression, Symbol};
 
-pub use error::{EquationError, NotSecondOrder};
+pub use error::{EquationError, SecondOrderError};
 use indexed::{Written, expanded};
 pub use order::Order;
 use order::own_derivatives;
@@ -96,10 +96,10 @@ impl Equation {
     ///
     /// # Errors
     /// The first variable whose equation is of the first order.
-    pub fn refuse_first_order(&self) -> Result<(), NotSecondOrder> {
+    pub fn refuse_first_order(&self) -> Result<(), SecondOrderError> {
         let mut pairs = self.variables.iter().zip(&self.orders);
         match pairs.find(|(_, order)| **order == Order::First) {
-            Some((variable, _)) => Err(NotSecondOrder { variable: variable.clone() }),
+            Some((variable, _)) => Err(SecondOrderError { variable: variable.clone() }),
             None => Ok(()),
         }
     }

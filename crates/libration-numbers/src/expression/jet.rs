@@ -13,7 +13,7 @@ use crate::algebra::{Rational, Ring};
 
 /// Reason why a formula has no series: an operation has no value in the ring, or is not analytic at the point of evaluation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct NoSeries {
+pub struct SeriesError {
     /// The operation on the tape.
     pub(crate) place: usize,
 }
@@ -35,20 +35,20 @@ struct Series<E> {
 
 impl<'a, R: Ring> Jet<'a, R> {
     /// The values at the inputs' zeroth coefficients.
-    pub fn new(ring: &'a R, tape: &'a Tape, inputs: &[R::Element]) -> Result<Self, NoSeries> {
+    pub fn new(ring: &'a R, tape: &'a Tape, inputs: &[R::Element]) -> Result<Self, SeriesError> {
         let mut jet = Self::empty(ring, tape);
         jet.restart(inputs)?;
         Ok(jet)
     }
 
     /// Begins again with other zeroth coefficients, in the memory it has.
-    pub fn restart(&mut self, inputs: &[R::Element]) -> Result<(), NoSeries> {
+    pub fn restart(&mut self, inputs: &[R::Element]) -> Result<(), SeriesError> {
         for place in 0..self.places.len() {
             let keep = usize::from(self.tape.is_constant(place));
             self.places[place].plain.truncate(keep);
             self.places[place].weighted.truncate(keep);
             if self.places[place].plain.is_empty() {
-                let value = self.value(place, inputs).ok_or(NoSeries { place })?;
+                let value = self.value(place, inputs).ok_or(SeriesError { place })?;
                 self.push(place, value);
             }
         }
@@ -85,9 +85,9 @@ impl<'a, R: Ring> Jet<'a, R> {
     }
 
     /// Appends the next coefficient of every place, given those of the inputs.
-    pub fn extend(&mut self, inputs: &[R::Element]) -> Result<(), NoSeries> {
+    pub fn extend(&mut self, inputs: &[R::Element]) -> Result<(), SeriesError> {
         for place in 0..self.places.len() {
-            let value = self.coefficient(place, inputs).ok_or(NoSeries { place })?;
+            let value = self.coefficient(place, inputs).ok_or(SeriesError { place })?;
             self.push(place, value);
         }
         Ok(())
@@ -102,10 +102,10 @@ impl<'a, R: Ring> Jet<'a, R> {
     }
 
     /// Derivatives of the coefficients of all places with respect to those of one input, from the first on, where they are linear.
-    pub fn gains(&self, input: usize) -> Result<Vec<R::Element>, NoSeries> {
+    pub fn gains(&self, input: usize) -> Result<Vec<R::Element>, SeriesError> {
         let values = self.values().cloned().collect();
         let mut jet = Self::with_values(self.ring, self.tape, values);
-        let one = self.ring.rational(&1.into()).ok_or(NoSeries { place: 0 })?;
+        let one = self.ring.rational(&1.into()).ok_or(SeriesError { place: 0 })?;
         let seed = |n: usize| if n == input { one.clone() } else { self.ring.zero() };
         jet.extend(&(0..self.tape.inputs()).map(seed).collect::<Vec<_>>())?;
         Ok(jet.places.into_iter().map(|mut series| series.plain.swap_remove(1)).collect())

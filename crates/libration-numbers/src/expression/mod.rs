@@ -49,12 +49,12 @@ mod value;
 use crate::algebra::Rational;
 
 pub use crate::algebra::Function;
-pub use equation::{Equation, EquationError, NotSecondOrder, Order};
+pub use equation::{Equation, EquationError, Order, SecondOrderError};
 pub use error::{Fault, ParseError};
 pub(crate) use jet::Jet;
 pub use letters::greek_letter;
 pub use lexer::LONGEST_TEXT;
-pub use no_value::NoValue;
+pub use no_value::ValueError;
 pub use parser::{DEEPEST_NESTING, DEEPEST_TREE};
 pub(crate) use tape::Tape;
 pub use tape::WithoutValue;

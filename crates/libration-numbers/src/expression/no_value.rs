@@ -12,7 +12,7 @@ const NOISE: isize = -128;
 /// A part of a formula without a value, such as 1/0 or ln(-1).
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("`{part}` has no value: {why}")]
-pub struct NoValue {
+pub struct ValueError {
     /// The part, shortened.
     pub part: String,
     /// The reason.
@@ -22,11 +22,11 @@ pub struct NoValue {
 impl Expression {
     /// The first part that is proved to have no real value, wherever it is evaluated.
     #[doc(hidden)]
-    pub fn without_value(&self) -> Option<NoValue> {
+    pub fn without_value(&self) -> Option<ValueError> {
         let inner = self.parts().find_map(Self::without_value);
         inner.or_else(|| {
             let why = self.why_without_value()?;
-            Some(NoValue { part: excerpt(&self.to_string()), why })
+            Some(ValueError { part: excerpt(&self.to_string()), why })
         })
     }
 

@@ -6,7 +6,7 @@ use crate::linear::elimination::solve;
 
 /// The reason for which Newton's method comes to no zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum NoZero {
+pub enum NewtonError {
     /// A function without a finite value.
     NoValue,
     /// A matrix of slopes that is singular or has no value.
@@ -21,7 +21,7 @@ pub struct Unsolved<T> {
     /// The last place.
     pub at: Vec<T>,
     /// The reason.
-    pub reason: NoZero,
+    pub reason: NewtonError,
 }
 
 /// The zero to which Newton's method comes from a guess, or else the last place and the reason. `step` is the correction of a place; `is_last` tells
@@ -30,7 +30,7 @@ pub fn newton<R: Ring>(
     ring: &R,
     guess: &[R::Element],
     most_steps: usize,
-    mut step: impl FnMut(&[R::Element]) -> Result<Vec<R::Element>, NoZero>,
+    mut step: impl FnMut(&[R::Element]) -> Result<Vec<R::Element>, NewtonError>,
     mut is_last: impl FnMut(&[R::Element], &[R::Element]) -> bool,
 ) -> Result<Vec<R::Element>, Unsolved<R::Element>> {
     let mut at = guess.to_vec();
@@ -44,7 +44,7 @@ pub fn newton<R: Ring>(
             return Ok(at);
         }
     }
-    Err(Unsolved { at, reason: NoZero::Unsettled })
+    Err(Unsolved { at, reason: NewtonError::Unsettled })
 }
 
 /// The correction −F′⁻¹·F of a place for formulas on a tape; zero where they all vanish.
@@ -53,19 +53,19 @@ pub fn correction<R: Ring>(
     size: impl Fn(&R::Element) -> f64,
     tape: &Tape,
     at: &[R::Element],
-) -> Result<Vec<R::Element>, NoZero> {
-    let jet = Jet::new(ring, tape, at).map_err(|_| NoZero::NoValue)?;
+) -> Result<Vec<R::Element>, NewtonError> {
+    let jet = Jet::new(ring, tape, at).map_err(|_| NewtonError::NoValue)?;
     let value: Vec<R::Element> = (0..at.len()).map(|i| ring.negate(&jet.result(i)[0])).collect();
     if value.iter().all(|x| ring.is_zero(x)) {
         return Ok(value);
     }
     if !value.iter().all(|x| size(x).is_finite()) {
-        return Err(NoZero::NoValue);
+        return Err(NewtonError::NoValue);
     }
     let gains: Result<Vec<Vec<R::Element>>, _> = (0..at.len()).map(|j| jet.gains(j)).collect();
-    let gains = gains.map_err(|_| NoZero::NoSlope)?;
+    let gains = gains.map_err(|_| NewtonError::NoSlope)?;
     let row = |i: usize| gains.iter().map(|gain| gain[tape.results()[i]].clone()).collect();
     let slopes: Vec<Vec<R::Element>> = (0..at.len()).map(row).collect();
     let step = solve(ring, &size, &slopes, &value);
-    step.filter(|step| step.iter().all(|x| size(x).is_finite())).ok_or(NoZero::NoSlope)
+    step.filter(|step| step.iter().all(|x| size(x).is_finite())).ok_or(NewtonError::NoSlope)
 }

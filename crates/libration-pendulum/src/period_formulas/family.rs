@@ -1,7 +1,7 @@
 //! The formulas with a number of terms: any number can be requested.
 
 use super::expansion::{frequency_in_amplitude, period_in_amplitude, period_in_sine_squared};
-use super::formula::{Attribution, Complexity, LeadingError, PeriodFormula};
+use super::formula::{Attribution, Complexity, LeadingTerm, PeriodFormula};
 use super::law::Law;
 use super::real::Coefficients;
 use libration_numbers::algebra::Rational;
@@ -167,14 +167,14 @@ impl Family {
     }
 
     /// T/T0 loses its next term; of one over Ω/ω0 the next term stays with its sign; sin²(θ0/2) is about θ0²/4.
-    fn leading_error(self, next: Rational, corrections: usize) -> LeadingError {
+    fn leading_error(self, next: Rational, corrections: usize) -> LeadingTerm {
         let power = u32::try_from(2 * (corrections + 1)).unwrap_or(u32::MAX);
         let coefficient = match self {
             Self::PowerSeries => -next,
             Self::FourierPerturbation => next,
             Self::SineSquared => -next.divided_by_power_of_two(2 * (corrections + 1)),
         };
-        LeadingError { coefficient, power }
+        LeadingTerm { coefficient, power }
     }
 
     fn latex(self, coefficients: &[Rational]) -> String {

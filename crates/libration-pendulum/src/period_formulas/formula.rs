@@ -33,7 +33,7 @@ pub struct PeriodFormula {
     pub(super) latex: String,
     pub(super) domain: String,
     pub(super) complexity: Complexity,
-    pub(super) leading_error: Option<LeadingError>,
+    pub(super) leading_error: Option<LeadingTerm>,
     pub(super) law: Law,
 }
 
@@ -67,14 +67,14 @@ impl Complexity {
 
 /// The leading term, coefficient·θ0^power, of a fractional error at small amplitude.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct LeadingError {
+pub struct LeadingTerm {
     /// The coefficient, exactly.
     pub coefficient: Rational,
     /// The power of the amplitude in radians.
     pub power: u32,
 }
 
-impl fmt::Display for LeadingError {
+impl fmt::Display for LeadingTerm {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(formatter, "{}·θ0^{}", self.coefficient, self.power)
     }
@@ -211,12 +211,12 @@ impl PeriodFormula {
 
     /// The leading fractional error at small amplitude, where it is known exactly.
     #[must_use]
-    pub fn leading_error(&self) -> Option<&LeadingError> {
+    pub fn leading_error(&self) -> Option<&LeadingTerm> {
         self.leading_error.as_ref()
     }
 }
 
-impl LeadingError {
+impl LeadingTerm {
     pub(super) fn from_text((coefficient, power): (&str, u32)) -> Option<Self> {
         coefficient.parse().ok().map(|coefficient| Self { coefficient, power })
     }

@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use super::catalogue::{CLOSED, Entry};
 use super::family::Family;
-use super::formula::{Complexity, LeadingError, PeriodFormula};
+use super::formula::{Complexity, LeadingTerm, PeriodFormula};
 use libration_numbers::catalogue::{self, UnknownKey};
 
 static CATALOGUE: LazyLock<Vec<PeriodFormula>> = LazyLock::new(|| {
@@ -50,7 +50,7 @@ impl PeriodFormula {
             latex: entry.latex.to_owned(),
             domain: entry.domain.to_owned(),
             complexity: Complexity { functions, roots, operations },
-            leading_error: entry.leading_error.and_then(LeadingError::from_text),
+            leading_error: entry.leading_error.and_then(LeadingTerm::from_text),
             law: entry.law.clone(),
         }
     }

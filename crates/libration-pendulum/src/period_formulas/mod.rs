@@ -43,6 +43,6 @@ pub(crate) mod swing;
 
 pub use expansion::{frequency_in_amplitude, period_in_amplitude, period_in_sine_squared};
 pub use family::MOST_TERMS;
-pub use formula::{Attribution, Complexity, LeadingError, PeriodFormula, fractional_errors};
+pub use formula::{Attribution, Complexity, LeadingTerm, PeriodFormula, fractional_errors};
 pub use known::catalogue;
-pub use search::{Crossover, ErrorTable, WorstError};
+pub use search::{Crossover, ErrorMaximum, ErrorTable};

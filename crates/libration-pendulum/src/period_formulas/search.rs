@@ -18,7 +18,7 @@ const SAME: f64 = 8.0 * f64::EPSILON;
 
 /// The amplitude at which an error is largest on an interval, and that error with its sign.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WorstError {
+pub struct ErrorMaximum {
     /// Amplitude of the worst error.
     pub amplitude: Angle,
     /// formula/exact − 1 there; infinite where the formula stops being defined.
@@ -327,7 +327,7 @@ impl PeriodFormula {
     /// The largest |fractional error| between two amplitudes, which may be given in either order; amplitudes at
     /// and beyond the top count as the last ones below it. `None` for amplitudes with whole turns.
     #[must_use]
-    pub fn worst_error(&self, from: &Angle, to: &Angle) -> Option<WorstError> {
+    pub fn worst_error(&self, from: &Angle, to: &Angle) -> Option<ErrorMaximum> {
         let (from, to) = (end_coordinate(from)?, end_coordinate(to)?);
         let (low, high) = (from.min(to), from.max(to));
         let inner = grid::points().into_iter().filter(|u| (low < *u) && (*u < high));
@@ -336,7 +336,7 @@ impl PeriodFormula {
         let sizes: Vec<f64> = points.iter().map(|&u| size(u)).collect();
         let (place, _) = highest_peak(&points, &sizes, &mut size);
         let amplitude = amplitude_at(place);
-        Some(WorstError { amplitude: amplitude.to_angle()?, error: self.error(amplitude) })
+        Some(ErrorMaximum { amplitude: amplitude.to_angle()?, error: self.error(amplitude) })
     }
 
     /// The amplitude in radians up to which |fractional error| ≤ `tolerance` from the smallest on: 0 when it fails

@@ -2,15 +2,15 @@
 //! pendulum, exactly.
 
 use super::enclosed::other_equilibrium;
-use super::{ExactValue, NoExactValue, Radius, SeriesComparison, SeriesQuantity};
+use super::{ExactValue, ExactValueError, Radius, SeriesComparison, SeriesQuantity};
 use crate::perturbation::{Expansion, ExpansionError, Gauge, Remainder, expand};
 use libration_motion::oscillator::{Constant, Kind, Oscillator, OscillatorError, Remedy, centre_of};
 use libration_motion::{
     internals::orbit::ReleasePlace,
-    orbit::{NoOrbit, Orbit},
+    orbit::{Orbit, OrbitError},
 };
 use libration_numbers::algebra::BigFloat;
-use libration_numbers::expression::{Equation, Expression, NotSecondOrder, Symbol};
+use libration_numbers::expression::{Equation, Expression, SecondOrderError, Symbol};
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Progress;
 use libration_numbers::quantity::Displacement;
@@ -34,7 +34,7 @@ use libration_numbers::quantity::Displacement;
 pub struct Backbone {
     equation: Equation,
     centre: Option<Constant>,
-    series: Result<Series, NoSeries>,
+    series: Result<Series, SeriesError>,
 }
 
 /// An oscillator with its expansion.
@@ -47,7 +47,7 @@ struct Series {
 /// The reason why there is no perturbation series to compare with the orbits.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
-pub enum NoSeries {
+pub enum SeriesError {
     /// No centre to expand about.
     #[error(transparent)]
     Oscillator(#[from] OscillatorError),
@@ -59,13 +59,13 @@ pub enum NoSeries {
 /// The reason why there is no amplitude–frequency curve.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
-pub enum NoBackbone {
+pub enum BackboneError {
     /// Several coordinates.
     #[error("there are {0} coordinates: give one equation of motion")]
     SeveralCoordinates(usize),
     /// An equation of the first order.
     #[error(transparent)]
-    NotSecondOrder(#[from] NotSecondOrder),
+    NotSecondOrder(#[from] SecondOrderError),
     /// The time in the force.
     #[error("the acceleration depends on t: set the strength of the driving to zero")]
     DependsOnTime,
@@ -82,7 +82,7 @@ pub enum NoBackbone {
     About(OscillatorError),
 }
 
-impl NoBackbone {
+impl BackboneError {
     /// The computations that have a result for such an equation.
     #[must_use]
     pub fn remedies(&self) -> Vec<Remedy> {
@@ -101,11 +101,11 @@ pub struct BackbonePoint {
     /// The largest displacement above the centre.
     pub amplitude: f64,
     /// Frequency of the periodic orbit, or the reason why there is none.
-    pub orbit: Result<OrbitFrequency, NoOrbit>,
+    pub orbit: Result<OrbitFrequency, OrbitError>,
     /// Frequency from the perturbation series, where there is one.
     pub series: Option<SeriesFrequency>,
     /// Frequency from elliptic integrals, or the reason why there is none; `None` for all oscillators but the pendulum.
-    pub exact: Option<Result<ExactValue, NoExactValue>>,
+    pub exact: Option<Result<ExactValue, ExactValueError>>,
 }
 
 /// The frequency of an orbit.
@@ -143,13 +143,13 @@ impl Backbone {
         about: Option<&Expression>,
         order: usize,
         progress: &dyn Progress,
-    ) -> Result<Self, NoBackbone> {
+    ) -> Result<Self, BackboneError> {
         if equation.variables().len() != 1 {
-            return Err(NoBackbone::SeveralCoordinates(equation.variables().len()));
+            return Err(BackboneError::SeveralCoordinates(equation.variables().len()));
         }
         equation.refuse_first_order()?;
         if equation.accelerations()[0].contains(&Symbol::plain("t")) {
-            return Err(NoBackbone::DependsOnTime);
+            return Err(BackboneError::DependsOnTime);
         }
         let oscillator = match about {
             None => Oscillator::new(equation),
@@ -157,17 +157,21 @@ impl Backbone {
         };
         if let Some(open) = equation.parameters().into_iter().next() {
             let cycle = matches!(oscillator.as_ref().map(Oscillator::kind), Ok(Kind::LimitCycle { .. }));
-            return Err(if cycle { NoBackbone::LimitCycle(open) } else { NoBackbone::WithoutValue(open) });
+            return Err(if cycle {
+                BackboneError::LimitCycle(open)
+            } else {
+                BackboneError::WithoutValue(open)
+            });
         }
         let centre = match &oscillator {
             Ok(oscillator) => Some(oscillator.equilibrium().clone()),
             Err(_) => centre_of(equation, about),
         };
         let oscillator = match oscillator {
-            Err(error) if about.is_some() && centre.is_none() => return Err(NoBackbone::About(error)),
+            Err(error) if about.is_some() && centre.is_none() => return Err(BackboneError::About(error)),
             oscillator => oscillator,
         };
-        let series = oscillator.map_err(NoSeries::from).and_then(|oscillator| {
+        let series = oscillator.map_err(SeriesError::from).and_then(|oscillator| {
             let expansion = expand(&oscillator, order, &Gauge::Fundamental, progress)?;
             Ok(Series { oscillator, expansion })
         });
@@ -195,7 +199,7 @@ impl Backbone {
 
     /// The reason why there is no series; `None` when there is one.
     #[must_use]
-    pub fn no_series(&self) -> Option<&NoSeries> {
+    pub fn no_series(&self) -> Option<&SeriesError> {
         self.series.as_ref().err()
     }
 
@@ -207,14 +211,14 @@ impl Backbone {
 
     /// All frequencies at an amplitude, exactly this `f64`.
     ///
-    /// The point has no orbit ([`NoOrbit::Interrupted`]) if the call is cancelled.
+    /// The point has no orbit ([`OrbitError::Interrupted`]) if the call is cancelled.
     #[must_use]
     pub fn at(&self, amplitude: f64, progress: &dyn Progress) -> BackbonePoint {
         match Displacement::from_f64(amplitude) {
             Some(displacement) => self.at_displacement(&displacement, progress),
             None => BackbonePoint {
                 amplitude,
-                orbit: Err(NoOrbit::Start { state: vec![amplitude], wanted: 1 }),
+                orbit: Err(OrbitError::Start { state: vec![amplitude], wanted: 1 }),
                 series: None,
                 exact: None,
             },
@@ -234,7 +238,7 @@ impl Backbone {
         BackbonePoint { amplitude, orbit, series, exact }
     }
 
-    fn orbit_at(&self, displacement: &Displacement, watch: &Watch<'_>) -> Result<OrbitFrequency, NoOrbit> {
+    fn orbit_at(&self, displacement: &Displacement, watch: &Watch<'_>) -> Result<OrbitFrequency, OrbitError> {
         let origin = self.centre.as_ref().map_or_else(|| BigFloat::from_integer(0, 1), Constant::digits);
         let centre = self.centre();
         let start = centre + displacement.to_f64();
@@ -242,7 +246,7 @@ impl Backbone {
         let orbit = Orbit::released_from(&self.equation, &place, watch)?;
         let other_side = orbit.state_at(0.5 * orbit.period())[0];
         if self.has_equilibrium() && other_side >= centre {
-            return Err(NoOrbit::Elsewhere { start, other_side, centre });
+            return Err(OrbitError::Elsewhere { start, other_side, centre });
         }
         let enclosed = || other_equilibrium(&self.equation, centre, [other_side, start]);
         Ok(OrbitFrequency {
@@ -267,7 +271,7 @@ impl Series {
     }
 
     /// Ω/ω0 of the pendulum.
-    fn exact_at(&self, displacement: &Displacement) -> Option<Result<ExactValue, NoExactValue>> {
+    fn exact_at(&self, displacement: &Displacement) -> Option<Result<ExactValue, ExactValueError>> {
         self.relation().exact_without_motion(displacement)
     }
 }

@@ -1,6 +1,6 @@
 //! The distance of a limit cycle, as its series gives it, from the orbit to which Newton's method comes from there.
 
-use super::exact::NoExactValue;
+use super::exact::ExactValueError;
 use super::{SeriesComparison, SeriesQuantity};
 use libration_kernels::elementary::count;
 use libration_motion::orbit::{Orbit, OrbitGuess};
@@ -43,7 +43,7 @@ impl SeriesComparison<'_> {
         &self,
         strength: &Displacement,
         progress: &dyn Progress,
-    ) -> Option<Result<CycleDistance, NoExactValue>> {
+    ) -> Option<Result<CycleDistance, ExactValueError>> {
         self.expansion()
             .variable
             .is_strength()
@@ -54,8 +54,8 @@ impl SeriesComparison<'_> {
         &self,
         strength: &Displacement,
         watch: &Watch<'_>,
-    ) -> Result<CycleDistance, NoExactValue> {
-        let refusal = || NoExactValue::Strength(strength.to_f64());
+    ) -> Result<CycleDistance, ExactValueError> {
+        let refusal = || ExactValueError::Strength(strength.to_f64());
         let fraction = strength.fraction().map(|(n, d)| Rational::from_parts(n, d));
         let value = fraction.filter(|value| !value.is_zero()).ok_or_else(refusal)?;
         let parameter = self.expansion().variable.name();

@@ -7,7 +7,7 @@ use libration_kernels::elementary::count;
 use libration_motion::oscillator::{Kind, Oscillator};
 use libration_motion::{
     internals::orbit::ReleasePlace,
-    orbit::{NoOrbit, Orbit},
+    orbit::{Orbit, OrbitError},
 };
 use libration_numbers::algebra::Rational;
 use libration_numbers::expression::Expression;
@@ -43,7 +43,7 @@ pub enum Method {
 /// The reason why there is no exact value.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum NoExactValue {
+pub enum ExactValueError {
     /// A displacement that cannot be.
     #[error("the amplitude is {0:?}: give a finite number above zero")]
     Amplitude(f64),
@@ -67,7 +67,7 @@ pub enum NoExactValue {
     Strength(f64),
     /// A motion that cannot be followed.
     #[error(transparent)]
-    Orbit(#[from] NoOrbit),
+    Orbit(#[from] OrbitError),
 }
 
 /// Units in the last place by which a closed form may be wrong: of the period ratio, which is promised to 0.56, with what is compared
@@ -83,12 +83,13 @@ const ROUNDINGS: f64 = 4.0 * f64::EPSILON;
 pub(super) fn of_pendulum(
     quantity: SeriesQuantity,
     displacement: &Displacement,
-) -> Result<ExactValue, NoExactValue> {
+) -> Result<ExactValue, ExactValueError> {
     let radians = displacement.to_f64();
-    let angle = displacement.to_angle().filter(|_| radians > 0.0).ok_or(NoExactValue::Amplitude(radians))?;
+    let angle =
+        displacement.to_angle().filter(|_| radians > 0.0).ok_or(ExactValueError::Amplitude(radians))?;
     let amplitude = Amplitude::new(angle).map_err(|_| match (angle.turns(), angle.complement() == 0.0) {
-        (0, true) => NoExactValue::Infinite(radians),
-        _ => NoExactValue::NotRestoring(radians),
+        (0, true) => ExactValueError::Infinite(radians),
+        _ => ExactValueError::NotRestoring(radians),
     })?;
     let ratio = amplitude.period_ratio();
     let (value, uncertainty) = match quantity {
@@ -129,13 +130,13 @@ impl ExactMotion {
     ///
     /// # Errors
     /// There is no such motion, it is not found, or its period is infinite.
-    /// [`NoOrbit::Interrupted`] if the call is cancelled.
+    /// [`OrbitError::Interrupted`] if the call is cancelled.
     pub fn new(
         oscillator: &Oscillator,
         expansion: &Expansion,
         amplitude: &Displacement,
         progress: &dyn Progress,
-    ) -> Result<Self, NoExactValue> {
+    ) -> Result<Self, ExactValueError> {
         let unit = libm::sqrt(expansion.unit_squared.to_f64());
         let near = expansion.x_max.first().map_or(0.0, Rational::to_f64) * unit;
         let method = match is_pendulum(oscillator) {
@@ -152,7 +153,7 @@ impl ExactMotion {
     ///
     /// # Errors
     /// A pendulum that is not released below its top.
-    pub fn value(&self, quantity: SeriesQuantity) -> Result<ExactValue, NoExactValue> {
+    pub fn value(&self, quantity: SeriesQuantity) -> Result<ExactValue, ExactValueError> {
         match &self.method {
             Known::Pendulum(amplitude) => of_pendulum(quantity, amplitude),
             Known::Orbit(found) => Ok(found.value(quantity, self.small_period, self.unit)),
@@ -175,21 +176,21 @@ pub(super) fn released(
     oscillator: &Oscillator,
     displacement: &Displacement,
     watch: &Watch<'_>,
-) -> Result<OrbitMotion, NoExactValue> {
+) -> Result<OrbitMotion, ExactValueError> {
     let amplitude = displacement.to_f64();
     if !(amplitude > 0.0 && amplitude.is_finite()) {
-        return Err(NoExactValue::Amplitude(amplitude));
+        return Err(ExactValueError::Amplitude(amplitude));
     }
     let place = ReleasePlace::new(oscillator.equilibrium().digits(), displacement.clone());
     let orbit = Orbit::released_from(oscillator.equation(), &place, watch).map_err(|error| match error {
-        NoOrbit::Separatrix(_) | NoOrbit::AtRest(_) => NoExactValue::Infinite(amplitude),
-        NoOrbit::NoReturn { .. } => NoExactValue::NoReturn(amplitude),
+        OrbitError::Separatrix(_) | OrbitError::AtRest(_) => ExactValueError::Infinite(amplitude),
+        OrbitError::NoReturn { .. } => ExactValueError::NoReturn(amplitude),
         other => other.into(),
     })?;
     let equilibrium = oscillator.equilibrium().to_f64();
     let other_side = orbit.state_at(0.5 * orbit.period())[0];
     if other_side >= equilibrium {
-        return Err(NoExactValue::NotRestoring(amplitude));
+        return Err(ExactValueError::NotRestoring(amplitude));
     }
     let encloses = other_equilibrium(oscillator.equation(), equilibrium, [other_side, orbit.start()[0]]);
     let is_mirrored = *oscillator.kind() == Kind::Mirrored;
@@ -203,9 +204,9 @@ pub(super) fn limit_cycle(
     strength: &Displacement,
     near: f64,
     watch: &Watch<'_>,
-) -> Result<OrbitMotion, NoExactValue> {
+) -> Result<OrbitMotion, ExactValueError> {
     let value = strength.to_f64();
-    let refusal = NoExactValue::Strength(value);
+    let refusal = ExactValueError::Strength(value);
     let fraction = strength.fraction().map(|(n, d)| Rational::from_parts(n, d).magnitude());
     let Some(fraction) = fraction.filter(|fraction| !fraction.is_zero()) else { return Err(refusal) };
     // Backwards in time the strength has the other sign, and the cycle attracts.
@@ -223,7 +224,7 @@ impl OrbitMotion {
         amplitude: &Displacement,
         near: f64,
         watch: &Watch<'_>,
-    ) -> Result<Self, NoExactValue> {
+    ) -> Result<Self, ExactValueError> {
         match oscillator.kind() {
             Kind::LimitCycle { parameter } => limit_cycle(oscillator, parameter, amplitude, near, watch),
             _ => released(oscillator, amplitude, watch),

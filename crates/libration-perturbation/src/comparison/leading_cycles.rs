@@ -10,7 +10,7 @@
 
 use super::work::{Work, WorkOverOrbits};
 use crate::perturbation::{FirstOrder, SlowFlowError};
-use libration_motion::orbit::NoOrbit;
+use libration_motion::orbit::OrbitError;
 use libration_motion::oscillator::Oscillator;
 use libration_numbers::expression::{Equation, Symbol};
 use libration_numbers::internals::progress::Watch;
@@ -57,7 +57,7 @@ pub struct LeadingLimitCycles {
 /// The reason why limit cycles are not searched for.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum NoLeadingLimitCycles {
+pub enum LeadingLimitCyclesError {
     /// No small parameter, or no oscillator without it.
     #[error(transparent)]
     SlowFlow(#[from] SlowFlowError),
@@ -71,13 +71,13 @@ pub enum NoLeadingLimitCycles {
     },
     /// No orbit about the equilibrium.
     #[error("no orbit about the equilibrium is found: {0}")]
-    Orbit(#[from] NoOrbit),
+    Orbit(#[from] OrbitError),
     /// Cancelled by the caller.
     #[error("interrupted")]
     Interrupted,
 }
 
-impl From<Interrupted> for NoLeadingLimitCycles {
+impl From<Interrupted> for LeadingLimitCyclesError {
     fn from(_: Interrupted) -> Self {
         Self::Interrupted
     }
@@ -93,7 +93,7 @@ impl LeadingLimitCycles {
     /// # Errors
     /// As [`slow_flow`](crate::perturbation::slow_flow) has them of the letters; a force that depends on the velocity without the small
     /// terms; no orbit.
-    /// [`NoLeadingLimitCycles::Interrupted`] if the call is cancelled.
+    /// [`LeadingLimitCyclesError::Interrupted`] if the call is cancelled.
     ///
     /// # Examples
     /// ```
@@ -110,7 +110,7 @@ impl LeadingLimitCycles {
         equation: &Equation,
         parameter: Option<&str>,
         progress: &dyn Progress,
-    ) -> Result<Self, NoLeadingLimitCycles> {
+    ) -> Result<Self, LeadingLimitCyclesError> {
         let watch = &Watch::new(progress);
         let FirstOrder { parameter, unperturbed, force } = FirstOrder::new(equation, parameter)?;
         let oscillator = Oscillator::new(&unperturbed).map_err(|error| SlowFlowError::Oscillator {
@@ -119,7 +119,7 @@ impl LeadingLimitCycles {
         })?;
         let velocity = Symbol::plain(oscillator.variable()).with_primes(1);
         if unperturbed.accelerations()[0].contains(&velocity) {
-            return Err(NoLeadingLimitCycles::VelocityDependent { parameter });
+            return Err(LeadingLimitCyclesError::VelocityDependent { parameter });
         }
         let centre = oscillator.equilibrium().to_f64();
         let work = WorkOverOrbits::new(&unperturbed, &force, centre).ok_or(SlowFlowError::NoSeries)?;
@@ -160,13 +160,13 @@ const LARGEST: f64 = 1e4;
 const TOWARDS_THE_END: usize = 8;
 
 impl Scan {
-    fn new(work: &WorkOverOrbits<'_>, watch: &Watch<'_>) -> Result<Self, NoLeadingLimitCycles> {
+    fn new(work: &WorkOverOrbits<'_>, watch: &Watch<'_>) -> Result<Self, LeadingLimitCyclesError> {
         let mut places: Vec<Work> = vec![];
         let mut amplitude = SMALLEST;
         while amplitude <= LARGEST {
             match work.at(amplitude, watch) {
                 Ok(found) => places.push(found),
-                Err(NoOrbit::Interrupted(stopped)) => return Err(stopped.into()),
+                Err(OrbitError::Interrupted(stopped)) => return Err(stopped.into()),
                 Err(error) if places.is_empty() => return Err(error.into()),
                 Err(_) => break,
             }
@@ -182,7 +182,7 @@ impl Scan {
                         places.push(found);
                         inside = middle;
                     }
-                    Err(NoOrbit::Interrupted(stopped)) => return Err(stopped.into()),
+                    Err(OrbitError::Interrupted(stopped)) => return Err(stopped.into()),
                     Err(_) => outside = middle,
                 }
             }
@@ -195,7 +195,7 @@ fn cycles(
     work: &WorkOverOrbits<'_>,
     places: &[Work],
     watch: &Watch<'_>,
-) -> Result<Vec<LeadingLimitCycle>, NoLeadingLimitCycles> {
+) -> Result<Vec<LeadingLimitCycle>, LeadingLimitCyclesError> {
     let certain: Vec<Work> = places.iter().copied().filter(Work::is_some).collect();
     let mut found = vec![];
     for pair in certain.windows(2) {
@@ -215,7 +215,7 @@ fn extremum(
     work: &WorkOverOrbits<'_>,
     [below, above]: [Work; 2],
     watch: &Watch<'_>,
-) -> Result<Option<Work>, NoLeadingLimitCycles> {
+) -> Result<Option<Work>, LeadingLimitCyclesError> {
     let sign = below.value.signum();
     let dips = below.value * above.value > 0.0 && below.slope * sign < 0.0 && above.slope * sign > 0.0;
     if !dips {
@@ -234,10 +234,10 @@ fn at_zero(
     tolerance: f64,
     of: &dyn Fn(&Work) -> f64,
     watch: &Watch<'_>,
-) -> Result<Option<Work>, NoLeadingLimitCycles> {
+) -> Result<Option<Work>, LeadingLimitCyclesError> {
     let stopped = Cell::new(None);
     let at = |amplitude: f64| match work.at(amplitude, watch) {
-        Err(NoOrbit::Interrupted(reason)) => {
+        Err(OrbitError::Interrupted(reason)) => {
             stopped.set(Some(reason));
             None
         }
@@ -262,7 +262,7 @@ fn cycle(
     work: &WorkOverOrbits<'_>,
     ends: [Work; 2],
     watch: &Watch<'_>,
-) -> Result<Option<LeadingLimitCycle>, NoLeadingLimitCycles> {
+) -> Result<Option<LeadingLimitCycle>, LeadingLimitCyclesError> {
     // W goes with the square of the amplitude where that is small.
     let value = |found: &Work| found.value / (found.amplitude * found.amplitude);
     let bracket = ends.map(|end| (end.amplitude, value(&end)));

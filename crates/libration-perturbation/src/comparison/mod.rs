@@ -38,11 +38,11 @@ mod slow_decay;
 pub(crate) mod work;
 
 pub use approximant::Approximant;
-pub use backbone::{Backbone, BackbonePoint, NoBackbone, NoSeries, OrbitFrequency, SeriesFrequency};
+pub use backbone::{Backbone, BackboneError, BackbonePoint, OrbitFrequency, SeriesError, SeriesFrequency};
 pub use cycle_distance::CycleDistance;
-pub use exact::{ExactMotion, ExactValue, Method, NoExactValue};
-pub use leading_cycles::{LeadingLimitCycle, LeadingLimitCycles, NoLeadingLimitCycles};
-pub use quantity::{NotASeriesQuantity, SeriesQuantity};
+pub use exact::{ExactMotion, ExactValue, ExactValueError, Method};
+pub use leading_cycles::{LeadingLimitCycle, LeadingLimitCycles, LeadingLimitCyclesError};
+pub use quantity::{ParseSeriesQuantityError, SeriesQuantity};
 pub use relation::{Radius, SeriesComparison};
 pub use scaling_law::{HarmonicRatio, ScalingLaw};
-pub use slow_decay::{NoSlowDecay, SlowDecay, SlowState};
+pub use slow_decay::{SlowDecay, SlowDecayError, SlowState};

@@ -18,7 +18,7 @@ pub enum SeriesQuantity {
 /// A text that names no quantity.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("unknown quantity `{0}`: give period, frequency, or a harmonic such as a3")]
-pub struct NotASeriesQuantity(String);
+pub struct ParseSeriesQuantityError(String);
 
 impl fmt::Display for SeriesQuantity {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -31,9 +31,9 @@ impl fmt::Display for SeriesQuantity {
 }
 
 impl FromStr for SeriesQuantity {
-    type Err = NotASeriesQuantity;
+    type Err = ParseSeriesQuantityError;
 
-    fn from_str(text: &str) -> Result<Self, NotASeriesQuantity> {
+    fn from_str(text: &str) -> Result<Self, ParseSeriesQuantityError> {
         /// Largest number of a harmonic, beyond all orders of expansions.
         const HIGHEST: usize = 10_000;
         let text = text.trim();
@@ -42,7 +42,9 @@ impl FromStr for SeriesQuantity {
             "frequency" => Ok(Self::Frequency),
             _ => {
                 let harmonic = text.strip_prefix('a').and_then(|k| k.parse().ok()).filter(|k| *k <= HIGHEST);
-                harmonic.map(Self::Cosine).ok_or_else(|| NotASeriesQuantity(text.chars().take(60).collect()))
+                harmonic
+                    .map(Self::Cosine)
+                    .ok_or_else(|| ParseSeriesQuantityError(text.chars().take(60).collect()))
             }
         }
     }

@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use super::exact::{ExactMotion, ExactValue, NoExactValue, of_pendulum};
+use super::exact::{ExactMotion, ExactValue, ExactValueError, of_pendulum};
 use super::{Approximant, SeriesQuantity, pendulum_harmonic};
 use crate::perturbation::{
     Convergence, Expansion, Pade, PeriodMajorant, SeriesEvaluation, is_pendulum, pendulum_period_remainder,
@@ -172,9 +172,9 @@ impl<'a> SeriesComparison<'a> {
     ///
     /// # Errors
     /// There is no such motion, it is not found, or its period is infinite.
-    /// [`NoOrbit::Interrupted`](libration_motion::orbit::NoOrbit::Interrupted) if the call is cancelled.
-    pub fn exact_at(&self, amplitude: f64, progress: &dyn Progress) -> Result<ExactValue, NoExactValue> {
-        let displacement = Displacement::from_f64(amplitude).ok_or(NoExactValue::Amplitude(amplitude))?;
+    /// [`OrbitError::Interrupted`](libration_motion::orbit::OrbitError::Interrupted) if the call is cancelled.
+    pub fn exact_at(&self, amplitude: f64, progress: &dyn Progress) -> Result<ExactValue, ExactValueError> {
+        let displacement = Displacement::from_f64(amplitude).ok_or(ExactValueError::Amplitude(amplitude))?;
         self.exact_from(&displacement, progress)
     }
 
@@ -189,7 +189,7 @@ impl<'a> SeriesComparison<'a> {
         &self,
         amplitude: &Displacement,
         progress: &dyn Progress,
-    ) -> Result<ExactValue, NoExactValue> {
+    ) -> Result<ExactValue, ExactValueError> {
         ExactMotion::new(self.oscillator, self.expansion, amplitude, progress)?.value(self.quantity)
     }
 
@@ -197,7 +197,7 @@ impl<'a> SeriesComparison<'a> {
     pub(super) fn exact_without_motion(
         &self,
         amplitude: &Displacement,
-    ) -> Option<Result<ExactValue, NoExactValue>> {
+    ) -> Option<Result<ExactValue, ExactValueError>> {
         is_pendulum(self.oscillator).then(|| of_pendulum(self.quantity, amplitude))
     }
 }

@@ -54,7 +54,7 @@ pub struct SlowState {
 /// The reason why a decay has no slow flow.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum NoSlowDecay {
+pub enum SlowDecayError {
     /// A power of the velocity that is not whole.
     #[error(
         "the slow flow is known for whole powers of the velocity, and one is {0}: compare with the averaged law, which holds for any"
@@ -76,7 +76,7 @@ impl SlowDecay {
         order: usize,
         damping_order: usize,
         progress: &dyn Progress,
-    ) -> Result<Self, NoSlowDecay> {
+    ) -> Result<Self, SlowDecayError> {
         let (equation, strength) = equation(decay.scaled_terms())?;
         let flow = slow_flow(&equation, Some(SMALL), order, damping_order, &Gauge::XMax, progress)?;
         let rates = [&flow.amplitude_rate, &flow.phase_rate].map(|series| by_powers(series, strength));
@@ -181,7 +181,7 @@ fn by_powers(series: &SlowSeries, parameter: f64) -> Vec<f64> {
 }
 
 /// The pendulum under ε times these terms, and the value of ε.
-fn equation(terms: &[PowerLawTerm]) -> Result<(Equation, f64), NoSlowDecay> {
+fn equation(terms: &[PowerLawTerm]) -> Result<(Equation, f64), SlowDecayError> {
     let angle = Expression::Symbol(Symbol::plain("theta"));
     let gravity = Expression::Call(Function::Sin, Box::new(angle));
     let (alone, strength) = match terms {
@@ -201,11 +201,11 @@ fn equation(terms: &[PowerLawTerm]) -> Result<(Equation, f64), NoSlowDecay> {
 }
 
 /// θ′|θ′|ⁿ⁻¹.
-fn power(exponent: f64) -> Result<Expression, NoSlowDecay> {
+fn power(exponent: f64) -> Result<Expression, SlowDecayError> {
     let velocity = || Box::new(Expression::Symbol(Symbol::plain("theta").with_primes(1)));
     let whole = |power: f64| Expression::Power(velocity(), Box::new(number(power)));
     if exponent.fract() != 0.0 {
-        return Err(NoSlowDecay::Exponent(exponent));
+        return Err(SlowDecayError::Exponent(exponent));
     }
     let is_even = (0.5 * exponent).fract() == 0.0;
     Ok(match is_even {

@@ -4,7 +4,7 @@
 //! orbits: ∂x′/∂E = 1/x′ at a place x, so that dW/dE = ∮ ∂f/∂x′ dt, and at the turning points what f jumps by there, over F.
 
 use super::enclosed::other_equilibrium;
-use libration_motion::orbit::{NoOrbit, Orbit};
+use libration_motion::orbit::{Orbit, OrbitError};
 use libration_numbers::algebra::Doubles;
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::quadrature::{Integral, gauss_kronrod};
@@ -63,9 +63,9 @@ impl<'a> WorkOverOrbits<'a> {
     }
 
     /// The work over the orbit of an amplitude, in the family about the centre.
-    pub fn at(&self, amplitude: f64, watch: &Watch<'_>) -> Result<Work, NoOrbit> {
+    pub fn at(&self, amplitude: f64, watch: &Watch<'_>) -> Result<Work, OrbitError> {
         let (centre, start) = (self.centre, self.centre + amplitude);
-        let elsewhere = |other_side: f64| NoOrbit::Elsewhere { start, other_side, centre };
+        let elsewhere = |other_side: f64| OrbitError::Elsewhere { start, other_side, centre };
         let encloses = |ends: [f64; 2]| other_equilibrium(self.equation, centre, ends).is_some();
         // Beyond a separatrix nothing needs to be integrated.
         if encloses([start, start]) {

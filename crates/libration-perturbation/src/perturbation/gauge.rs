@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use libration_numbers::algebra::{NotARational, Rational};
+use libration_numbers::algebra::{ParseRationalError, Rational};
 
 /// The definition of the expansion parameter ε of a family of periodic motions. The choice changes every
 /// series in ε and no relation between physical quantities.
@@ -47,15 +47,15 @@ impl fmt::Display for Gauge {
 
 /// Reads a name, or a list such as `A1=1,A3=-1/2` in any order; what is not listed is zero.
 impl FromStr for Gauge {
-    type Err = NotAGauge;
+    type Err = ParseGaugeError;
 
-    fn from_str(text: &str) -> Result<Self, NotAGauge> {
+    fn from_str(text: &str) -> Result<Self, ParseGaugeError> {
         let named = [Self::Fundamental, Self::XMax, Self::HalfSwing, Self::Energy, Self::Nome];
         if let Some(gauge) = named.into_iter().find(|gauge| gauge.to_string() == text.trim()) {
             return Ok(gauge);
         }
         if !text.contains('=') {
-            return Err(NotAGauge::Unknown(text.to_owned()));
+            return Err(ParseGaugeError::Unknown(text.to_owned()));
         }
         let mut list: Vec<Option<Rational>> = vec![];
         for item in text.split(',') {
@@ -64,12 +64,12 @@ impl FromStr for Gauge {
                 list.resize(index, None);
             }
             if list[index - 1].replace(value).is_some() {
-                return Err(NotAGauge::Twice(index));
+                return Err(ParseGaugeError::Twice(index));
             }
         }
         let list: Vec<Rational> = list.into_iter().map(|a| a.unwrap_or_else(|| Rational::from(0))).collect();
         if list[0].is_zero() {
-            Err(NotAGauge::NoFirst(text.to_owned()))
+            Err(ParseGaugeError::NoFirst(text.to_owned()))
         } else {
             Ok(Self::Coefficients(list))
         }
@@ -77,8 +77,8 @@ impl FromStr for Gauge {
 }
 
 /// The index and value of `A3=-1`.
-fn coefficient(item: &str) -> Result<(usize, Rational), NotAGauge> {
-    let refusal = || NotAGauge::Item(item.trim().to_owned());
+fn coefficient(item: &str) -> Result<(usize, Rational), ParseGaugeError> {
+    let refusal = || ParseGaugeError::Item(item.trim().to_owned());
     let (name, value) = item.split_once('=').ok_or_else(refusal)?;
     let index = name.trim().strip_prefix(['A', 'a']).ok_or_else(refusal)?;
     let index: usize = index.trim_start_matches('_').parse().map_err(|_| refusal())?;
@@ -91,7 +91,7 @@ fn coefficient(item: &str) -> Result<(usize, Rational), NotAGauge> {
 /// A text that names no gauge.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
-pub enum NotAGauge {
+pub enum ParseGaugeError {
     /// Neither a name nor a list.
     #[error(
         "unknown gauge `{0}`: give fundamental, x_max, half_swing, energy, nome, or coefficients such as A1=1,A3=-1"
@@ -112,5 +112,5 @@ pub enum NotAGauge {
     NoFirst(String),
     /// A coefficient that is not a fraction.
     #[error(transparent)]
-    Value(#[from] NotARational),
+    Value(#[from] ParseRationalError),
 }

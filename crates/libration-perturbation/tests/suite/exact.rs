@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 use libration::comparison::{
-    Backbone, ExactMotion, ExactValue, Method, NoExactValue, SeriesComparison, SeriesQuantity,
+    Backbone, ExactMotion, ExactValue, ExactValueError, Method, SeriesComparison, SeriesQuantity,
 };
 use libration::oscillator::{NamedOscillator, Oscillator};
 use libration::perturbation::{Expansion, Gauge, expand};
@@ -25,7 +25,7 @@ impl Known {
         Self { oscillator, expansion }
     }
 
-    fn exact(&self, quantity: SeriesQuantity, amplitude: &str) -> Result<ExactValue, NoExactValue> {
+    fn exact(&self, quantity: SeriesQuantity, amplitude: &str) -> Result<ExactValue, ExactValueError> {
         SeriesComparison::new(&self.oscillator, &self.expansion, quantity)
             .exact_from(&displacement(amplitude), &Quiet)
     }
@@ -64,7 +64,7 @@ fn check(key: &str) {
         let period = row.input("period");
         let exact = known.exact(SeriesQuantity::Period, amplitude);
         if period.is_infinite() {
-            assert!(matches!(exact, Err(NoExactValue::Infinite(_))), "{what}: {exact:?}");
+            assert!(matches!(exact, Err(ExactValueError::Infinite(_))), "{what}: {exact:?}");
             continue;
         }
         let exact = exact.unwrap_or_else(|reason| panic!("{what}: {reason}"));
@@ -200,7 +200,7 @@ fn limit_cycles_are_found_and_their_uncertainties_hold() {
         assert_eq!(exact.method, Method::Integration);
     }
     let refusal = known.exact(SeriesQuantity::Period, "0").unwrap_err();
-    assert_eq!(refusal, NoExactValue::Strength(0.0));
+    assert_eq!(refusal, ExactValueError::Strength(0.0));
 }
 
 /// The largest difference between 2·cos τ − (μ/4)·sin 3τ, the series to the first order, and the cycle at the same phase: by SciPy's DOP853 with a
@@ -226,18 +226,21 @@ fn the_distance_of_a_limit_cycle_from_its_orbit_is_that_of_another_program() {
     assert!(precise.distance < 1e-13 && precise.uncertainty < 1e-13, "{precise:?}");
     // Far beyond the radius of convergence there is nothing near.
     assert!(distance(15, "6").map_or(true, |found| !found.is_near()));
-    assert!(matches!(distance(3, "0"), Err(NoExactValue::Strength(_))));
+    assert!(matches!(distance(3, "0"), Err(ExactValueError::Strength(_))));
 }
 
 #[test]
 fn motions_that_do_not_return_are_refused_for_a_reason() {
     let from =
         |key: &str, amplitude: &str| Known::new(key).exact(SeriesQuantity::Period, amplitude).unwrap_err();
-    assert_eq!(from("quadratic", "0.6"), NoExactValue::NoReturn(0.6));
-    assert_eq!(from("quadratic", "0.500000000001"), NoExactValue::NoReturn(0.500000000001));
-    assert!(matches!(from("duffing_soft", "1.5"), NoExactValue::NoReturn(_) | NoExactValue::NotRestoring(_)));
-    assert!(matches!(from("pendulum", "181deg"), NoExactValue::NotRestoring(_)));
-    assert!(matches!(from("rotating_hoop", "181deg"), NoExactValue::NotRestoring(_)));
-    assert_eq!(from("duffing", "-1"), NoExactValue::Amplitude(-1.0));
-    assert_eq!(from("pendulum", "0"), NoExactValue::Amplitude(0.0));
+    assert_eq!(from("quadratic", "0.6"), ExactValueError::NoReturn(0.6));
+    assert_eq!(from("quadratic", "0.500000000001"), ExactValueError::NoReturn(0.500000000001));
+    assert!(matches!(
+        from("duffing_soft", "1.5"),
+        ExactValueError::NoReturn(_) | ExactValueError::NotRestoring(_)
+    ));
+    assert!(matches!(from("pendulum", "181deg"), ExactValueError::NotRestoring(_)));
+    assert!(matches!(from("rotating_hoop", "181deg"), ExactValueError::NotRestoring(_)));
+    assert_eq!(from("duffing", "-1"), ExactValueError::Amplitude(-1.0));
+    assert_eq!(from("pendulum", "0"), ExactValueError::Amplitude(0.0));
 }

@@ -1,5 +1,6 @@
 //! Perturbation expansions against FLINT's tables, closed forms, and themselves in other gauges.
 
+use crate::typed::oscillator;
 use libration::algebra::Rational;
 use libration::oscillator::{NamedOscillator, Oscillator};
 use libration::period_formulas::period_in_amplitude;
@@ -58,10 +59,6 @@ fn composed(outer: &[Rational], a: &[Rational]) -> Series {
         next[0] = next[0].clone() + c.clone();
         next
     })
-}
-
-fn oscillator(equation: &str) -> Oscillator {
-    Oscillator::new(&equation.parse().unwrap()).unwrap()
 }
 
 fn pendulum() -> Oscillator {

@@ -1,6 +1,6 @@
 //! Limit cycles over exact orbits, beside integrations of the whole equation with a small parameter, and closed forms.
 
-use libration::comparison::{LeadingLimitCycle, LeadingLimitCycles, NoLeadingLimitCycles};
+use libration::comparison::{LeadingLimitCycle, LeadingLimitCycles, LeadingLimitCyclesError};
 use libration::orbit::Orbit;
 use libration::progress::{Quiet, Status};
 use std::f64::consts::PI;
@@ -115,10 +115,10 @@ fn a_force_that_only_takes_has_none_and_says_so() {
 #[test]
 fn what_has_no_orbits_is_refused() {
     let refused = |text: &str| LeadingLimitCycles::new(&text.parse().unwrap(), None, &Quiet).unwrap_err();
-    assert!(matches!(refused("x'' + x*x' + x = e*x'"), NoLeadingLimitCycles::VelocityDependent { .. }));
-    assert!(matches!(refused("x'' - x = e*x'"), NoLeadingLimitCycles::SlowFlow(_)));
-    assert!(matches!(refused("x'' + x = x'"), NoLeadingLimitCycles::SlowFlow(_)));
+    assert!(matches!(refused("x'' + x*x' + x = e*x'"), LeadingLimitCyclesError::VelocityDependent { .. }));
+    assert!(matches!(refused("x'' - x = e*x'"), LeadingLimitCyclesError::SlowFlow(_)));
+    assert!(matches!(refused("x'' + x = x'"), LeadingLimitCyclesError::SlowFlow(_)));
     let equation = "x'' + x = e*(1 - x^2)*x'".parse().unwrap();
     let stopped = LeadingLimitCycles::new(&equation, None, &|_: Status| std::ops::ControlFlow::Break(()));
-    assert_eq!(stopped, Err(NoLeadingLimitCycles::Interrupted));
+    assert_eq!(stopped, Err(LeadingLimitCyclesError::Interrupted));
 }

@@ -20,4 +20,5 @@ mod slow_flow;
 mod symbolic_expansions;
 mod truncated_system;
 mod two_sided;
+mod typed;
 mod unit;

@@ -1,6 +1,7 @@
 //! Centres whose force keeps odd powers of the velocity: (x, t) → (−x, −t) makes their motions periodic. Compared with closed forms, with
 //! a quadrature of the first integral, and with orbits.
 
+use crate::typed::oscillator;
 use libration::algebra::Rational;
 use libration::comparison::{SeriesComparison, SeriesQuantity};
 use libration::expression::Equation;
@@ -12,10 +13,6 @@ use std::f64::consts::PI;
 
 const ISOCHRONOUS: &str = "x'' + 3*x*x' + x^3 + x = 0";
 const LINEAR_DRAG: &str = "x'' + x*x' + x = 0";
-
-fn oscillator(text: &str) -> Oscillator {
-    Oscillator::new(&text.parse::<Equation>().unwrap()).unwrap_or_else(|error| panic!("{text}: {error}"))
-}
 
 fn expansion(text: &str, order: usize) -> Expansion {
     expand(&oscillator(text), order, &Gauge::Fundamental, &Quiet).unwrap()

@@ -1,14 +1,11 @@
 //! Proven remainders of period and frequency for polynomial forces, against the integrated motion.
 
+use crate::typed::oscillator;
 use libration::comparison::{ExactMotion, SeriesComparison, SeriesQuantity};
 use libration::oscillator::Oscillator;
 use libration::perturbation::{Certainty, Gauge, PeriodMajorant, expand};
 use libration::progress::Quiet;
 use libration::quantity::Displacement;
-
-fn oscillator(equation: &str) -> Oscillator {
-    Oscillator::new(&equation.parse().unwrap()).unwrap()
-}
 
 /// Parts of the limit, and the motion at each, which no order of a series changes.
 fn motions<const N: usize>(oscillator: &Oscillator, limit: f64, shares: [f64; N]) -> [(f64, ExactMotion); N] {

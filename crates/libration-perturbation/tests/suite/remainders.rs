@@ -1,5 +1,6 @@
 //! Remainders of series compared with exact values: the pendulum's proven bounds, and estimates elsewhere.
 
+use crate::typed::oscillator;
 use std::f64::consts::PI;
 
 use libration::comparison::{ExactMotion, ExactValue, Radius, SeriesComparison, SeriesQuantity};
@@ -11,10 +12,6 @@ use libration_testing::sweep;
 
 fn pendulum() -> Oscillator {
     NamedOscillator::by_key("pendulum").unwrap().oscillator(&[]).unwrap()
-}
-
-fn oscillator(equation: &str) -> Oscillator {
-    Oscillator::new(&equation.parse().unwrap()).unwrap()
 }
 
 fn motion(oscillator: &Oscillator, expansion: &Expansion, amplitude: f64) -> ExactMotion {

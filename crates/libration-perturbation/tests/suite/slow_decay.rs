@@ -1,6 +1,6 @@
 //! The slow flow of damped pendulums beside their turning points by integration.
 
-use libration::comparison::{NoSlowDecay, SlowDecay};
+use libration::comparison::{SlowDecay, SlowDecayError};
 use libration::decay::{Damping, Decay, PowerLawTerm, TurningPoint};
 use libration::pendulum::Pendulum;
 use libration::progress::Quiet;
@@ -69,7 +69,7 @@ fn the_frequency_is_a_unit_of_time() {
 #[test]
 fn powers_that_are_not_whole_have_no_series_and_dry_friction_ends_it() {
     let refused = SlowDecay::new(&decay(1.0, 0.5, &[(1.5, 0.1)]), 3, 1, &Quiet).unwrap_err();
-    assert_eq!(refused, NoSlowDecay::Exponent(1.5));
+    assert_eq!(refused, SlowDecayError::Exponent(1.5));
     let stopped = SlowDecay::new(&decay(1.0, 0.1, &[(0.0, 0.02)]), 3, 2, &Quiet).unwrap();
     let points = stopped.turning_points(100);
     assert!((2..6).contains(&points.len()), "{points:?}");

@@ -1,7 +1,8 @@
 //! Weak damping and excitation against closed forms, first integrals, limit cycles and the integrated motion.
 
+use crate::typed::equation;
 use libration::algebra::{PiSum, Rational};
-use libration::expression::{Equation, Expression};
+use libration::expression::Expression;
 use libration::orbit::Orbit;
 use libration::oscillator::{NamedOscillator, Oscillator};
 use libration::perturbation::{
@@ -12,10 +13,6 @@ use libration::progress::Quiet;
 use libration::taylor::{Effort, System, integrate};
 use libration_testing::golden::Table;
 use std::f64::consts::{PI, TAU};
-
-fn equation(text: &str) -> Equation {
-    text.parse().unwrap()
-}
 
 fn flow(text: &str, order: usize, parameter_order: usize) -> SlowFlow {
     slow_flow(&equation(text), None, order, parameter_order, &Gauge::XMax, &Quiet).unwrap()

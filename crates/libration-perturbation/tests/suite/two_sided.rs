@@ -1,19 +1,14 @@
 //! Forces with one power series above the equilibrium and another below, compared with the integral of the energy and with orbits.
 
+use crate::typed::oscillator;
 use libration::algebra::{LaurentPolynomial, Rational};
 use libration::comparison::{ExactMotion, SeriesQuantity};
-use libration::expression::Equation;
-use libration::oscillator::Oscillator;
 use libration::perturbation::{Certificate, Expansion, Gauge, Precision, expand, expand_with_pi};
 use libration::progress::Quiet;
 use libration::quadrature::double_exponential;
 use libration::quantity::Displacement;
 use libration_testing::sweep;
 use std::f64::consts::PI;
-
-fn oscillator(text: &str) -> Oscillator {
-    Oscillator::new(&text.parse::<Equation>().unwrap()).unwrap_or_else(|error| panic!("{text}: {error}"))
-}
 
 fn with_pi(text: &str, order: usize, gauge: &Gauge) -> Expansion<LaurentPolynomial> {
     expand_with_pi(&oscillator(text), order, gauge, &Quiet).unwrap().unwrap_or_else(|| panic!("{text}"))

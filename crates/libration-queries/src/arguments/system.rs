@@ -7,7 +7,7 @@ use super::values::{borrowed, values};
 use crate::query_error::{Parameter, QueryError, argument, option};
 use libration::catalogue::is_like_a_key;
 use libration::expression::{EquationError, Expression};
-use libration::systems::{Model, ModelError, NamedSystem, NoSuchPendulum};
+use libration::systems::{Model, ModelError, NamedSystem, PendulumParametersError};
 use std::fmt::Display;
 
 /// The system.
@@ -140,7 +140,9 @@ impl PendulumSystemOptions {
             QueryError::usage(argument, reason)
         })?;
         named.values_of(self.length, self.gravity).map_err(|error| match error {
-            NoSuchPendulum::Without { .. } => QueryError::usage(argument, format!("{error} by <--set>")),
+            PendulumParametersError::Without { .. } => {
+                QueryError::usage(argument, format!("{error} by <--set>"))
+            }
             _ => QueryError::usage(argument, error),
         })
     }

@@ -5,15 +5,15 @@ use libration::chaos::{
     section,
 };
 use libration::comparison::{
-    Backbone, ExactMotion, LeadingLimitCycles, NoExactValue, NoLeadingLimitCycles, SeriesComparison,
+    Backbone, ExactMotion, ExactValueError, LeadingLimitCycles, LeadingLimitCyclesError, SeriesComparison,
     SeriesQuantity,
 };
-use libration::continuation::{NoBranch, Response, ResponseOptions};
+use libration::continuation::{BranchError, Response, ResponseOptions};
 use libration::expression::Equation;
-use libration::melnikov::{DriveResonance, Melnikov, NoMelnikov, PerturbedPendulum, thresholds};
-use libration::normal_form::{NoNormalForm, NormalForm};
-use libration::normal_modes::{NoModes, NormalModes};
-use libration::orbit::{NoOrbit, Orbit, OrbitGuess};
+use libration::melnikov::{DriveResonance, Melnikov, MelnikovError, PerturbedPendulum, thresholds};
+use libration::normal_form::{NormalForm, NormalFormError};
+use libration::normal_modes::{ModesError, NormalModes};
+use libration::orbit::{Orbit, OrbitError, OrbitGuess};
 use libration::oscillator::{Oscillator, SymbolicOscillator};
 use libration::period_formulas::{ErrorTable, catalogue};
 use libration::perturbation::{
@@ -64,12 +64,12 @@ fn at(state: &[f64]) -> Moment {
 }
 
 /// Orbits have no equality: their period and their start decide.
-fn in_numbers(orbit: Result<Orbit, NoOrbit>) -> Result<(f64, Vec<f64>), NoOrbit> {
+fn in_numbers(orbit: Result<Orbit, OrbitError>) -> Result<(f64, Vec<f64>), OrbitError> {
     orbit.map(|orbit| (orbit.period(), orbit.start()))
 }
 
-fn no_orbit<T>(found: &Result<T, NoOrbit>, _: &Result<T, NoOrbit>) -> bool {
-    matches!(found, Err(NoOrbit::Interrupted(Interrupted)))
+fn no_orbit<T>(found: &Result<T, OrbitError>, _: &Result<T, OrbitError>) -> bool {
+    matches!(found, Err(OrbitError::Interrupted(Interrupted)))
 }
 
 #[test]
@@ -128,7 +128,8 @@ fn normal_forms_stop_before_the_next_order() {
     stops(
         |progress| NormalForm::about(&coupled, &[0.0, 0.0], 4, 0.1, progress).map(terms),
         |found, whole| {
-            matches!(found, Err(NoNormalForm::Interrupted(_) | NoNormalForm::NoModes(_))) && whole.is_ok()
+            matches!(found, Err(NormalFormError::Interrupted(_) | NormalFormError::NoModes(_)))
+                && whole.is_ok()
         },
     );
 }
@@ -152,7 +153,7 @@ fn branches_stop_with_the_points_that_are_followed() {
     stops(
         |progress| Response::over(&duffing, "w", [0.9, 1.0], &options, progress),
         |found, whole| match (found, whole) {
-            (Err(error), _) => *error == NoBranch::Interrupted(Interrupted),
+            (Err(error), _) => *error == BranchError::Interrupted(Interrupted),
             (Ok(found), Ok(whole)) => {
                 let (part, all) = (&found.branches[0].points, &whole.branches[0].points);
                 found.interrupted && part[..] == all[..part.len()]
@@ -239,7 +240,8 @@ fn backbones_and_exact_values_stop_at_any_update() {
     );
     let oscillator = Oscillator::new(&duffing).unwrap();
     let expansion = expand(&oscillator, 5, &Gauge::Fundamental, &Quiet).unwrap();
-    let interrupted = |error: &NoExactValue| *error == NoExactValue::from(NoOrbit::Interrupted(Interrupted));
+    let interrupted =
+        |error: &ExactValueError| *error == ExactValueError::from(OrbitError::Interrupted(Interrupted));
     let relation = SeriesComparison::new(&oscillator, &expansion, SeriesQuantity::Period);
     stops(|progress| relation.exact_at(0.5, progress), |found, _| found.as_ref().is_err_and(interrupted));
     let amplitude = Displacement::from_f64(0.5).unwrap();
@@ -257,7 +259,7 @@ fn thresholds_and_integrals_over_the_separatrix_stop_at_any_update() {
     let driven = equation("x'' + sin(x) = -0.1*x'*abs(x') + A*cos(t)");
     stops(
         |progress| thresholds(&driven, "A", [0.3, 0.4], progress),
-        |found, _| matches!(found, Err(NoMelnikov::Interrupted(_))),
+        |found, _| matches!(found, Err(MelnikovError::Interrupted(_))),
     );
     let weak = PerturbedPendulum::new(&equation("x'' + sin(x) = -0.1*x'*abs(x')")).unwrap();
     stops(|progress| Melnikov::both(&weak, progress), |found, _| found.is_err());
@@ -268,7 +270,7 @@ fn normal_modes_stop_at_any_update() {
     let pair = equation("x'' = y - 2*x - (x - y)^3; y'' = x - 2*y + (x - y)^3");
     stops(
         |progress| NormalModes::about(&pair, &[0.0, 0.0], progress).map(|modes| modes.modes),
-        |found, _| matches!(found, Err(NoModes::Interrupted(_))),
+        |found, _| matches!(found, Err(ModesError::Interrupted(_))),
     );
 }
 
@@ -325,6 +327,6 @@ fn tables_of_errors_stop_at_any_update() {
 #[test]
 fn limit_cycles_over_exact_orbits_stop() {
     let equation = equation("x'' + x + x^3 = e*(1 - x^2)*x'");
-    let none = Err(NoLeadingLimitCycles::Interrupted);
+    let none = Err(LeadingLimitCyclesError::Interrupted);
     stops(|progress| LeadingLimitCycles::new(&equation, None, progress), |found, _| *found == none);
 }

@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector};
 use super::HalfSwing;
 use super::decay_rates::DecayRates;
 use crate::fit::trace::{DampingKind, DampingModel};
-use crate::statistics::levenberg_marquardt::{Effort, Linearised, NoResiduals, minimum};
+use crate::statistics::levenberg_marquardt::{Effort, Linearised, ResidualsError, minimum};
 use crate::statistics::{Design, median, robust_deviation, weighted_least_squares};
 use libration::internals::progress::Watch;
 
@@ -96,8 +96,12 @@ impl Fall<'_> {
     }
 
     /// Differences of the law from the amplitudes, over their uncertainties, with their derivatives by differences.
-    fn linearised(&self, terms: DampingModel, parameters: &DVector<f64>) -> Result<Linearised, NoResiduals> {
-        self.watch.go_on().map_err(|_| NoResiduals::Stopped)?;
+    fn linearised(
+        &self,
+        terms: DampingModel,
+        parameters: &DVector<f64>,
+    ) -> Result<Linearised, ResidualsError> {
+        self.watch.go_on().map_err(|_| ResidualsError::Stopped)?;
         let fitted = self.amplitudes(terms, parameters.as_slice());
         let residuals = -DVector::from_vec(self.residuals(&fitted));
         let mut jacobian = DMatrix::zeros(fitted.len(), parameters.len());
@@ -110,7 +114,7 @@ impl Fall<'_> {
             }
         }
         let finite = residuals.iter().chain(jacobian.iter()).all(|x| x.is_finite());
-        if finite { Ok(Linearised { residuals, jacobian }) } else { Err(NoResiduals::OutOfDomain) }
+        if finite { Ok(Linearised { residuals, jacobian }) } else { Err(ResidualsError::OutOfDomain) }
     }
 
     /// The coefficient with which a kind of damping alone would halve the amplitude in this time.

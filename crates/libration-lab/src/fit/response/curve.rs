@@ -5,7 +5,7 @@ use super::fitted::ResponseFit;
 use super::required_drive::{AllHarmonics, Asked, EFFORT, Law, along, scaled};
 use crate::fit::Uncertain;
 use libration::algebra::Complex;
-use libration::continuation::{BranchPoint, Jump, NoBranch, Response, ResponseOptions};
+use libration::continuation::{BranchError, BranchPoint, Jump, Response, ResponseOptions};
 use libration::orbit::Stability;
 use libration::progress::{Progress, Quiet};
 use libration::taylor::{Moment, System, Trajectory};
@@ -51,7 +51,7 @@ impl ResponseFit {
     ///
     /// # Errors
     /// Fails as [`Response::over`] does.
-    pub fn curve(&self, range: [f64; 2], progress: &dyn Progress) -> Result<FittedCurve, NoBranch> {
+    pub fn curve(&self, range: [f64; 2], progress: &dyn Progress) -> Result<FittedCurve, BranchError> {
         let equation = self.model.with_frequency_open(&self.parameters());
         let options = ResponseOptions { generations: 0, ..ResponseOptions::default() };
         let response = Response::over(&equation, "w", range, &options, progress)?;

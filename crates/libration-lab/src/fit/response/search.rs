@@ -11,7 +11,7 @@ use super::model::ResponseModel;
 use super::required_drive::{Asked, Law, OneHarmonic, RequiredDrive};
 use super::scatters::Scatters;
 use super::table::{ResponseTable, Row};
-use crate::statistics::levenberg_marquardt::{Effort, Linearised, NoResiduals, minimum};
+use crate::statistics::levenberg_marquardt::{Effort, Linearised, ResidualsError, minimum};
 use crate::statistics::{Design, ROUNDING};
 use libration::algebra::Complex;
 use libration::internals::progress::Watch;
@@ -121,7 +121,8 @@ impl Search<'_> {
         for round in 1..=self.rounds {
             self.watch.go_on().map_err(|_| ResponseFitError::Interrupted)?;
             let weighed = self.weighed(&about, &amplitudes, &scatters).ok_or_else(failed)?;
-            let evaluate = |at: &DVector<f64>| self.linearised(at, &weighed).ok_or(NoResiduals::OutOfDomain);
+            let evaluate =
+                |at: &DVector<f64>| self.linearised(at, &weighed).ok_or(ResidualsError::OutOfDomain);
             let least = minimum(about.clone(), EFFORT, evaluate).map_err(|_| failed())?;
             let design = Design::new(&least.linearised.jacobian, ROUNDING);
             let covariance = design.map_err(|_| ResponseFitError::Undetermined(self.model))?.covariance();

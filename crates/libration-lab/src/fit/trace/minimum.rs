@@ -10,7 +10,7 @@ use super::model::{Model, Rows};
 use super::series::{self, Series};
 use super::weights::Weights;
 use crate::measurement::Trace;
-use crate::statistics::levenberg_marquardt::{self, Linearised, NoResiduals};
+use crate::statistics::levenberg_marquardt::{self, Linearised, ResidualsError};
 use nalgebra::DVector;
 
 /// Start of a search, with its limits.
@@ -114,12 +114,12 @@ pub fn descent(
     let mut least = None;
     let found = levenberg_marquardt::minimum(varied, effort, |values| {
         if watch.go_on().is_err() {
-            return Err(NoResiduals::Stopped);
+            return Err(ResidualsError::Stopped);
         }
         for (&place, &value) in free.iter().zip(values) {
             parameters[place] = value;
         }
-        let rows = model.rows(series, &parameters, &free, &care.effort).ok_or(NoResiduals::OutOfDomain)?;
+        let rows = model.rows(series, &parameters, &free, &care.effort).ok_or(ResidualsError::OutOfDomain)?;
         let few = Rows::few(&rows, &free);
         let sum = few.residuals.norm_squared();
         if least.as_ref().is_none_or(|(_, before, _)| sum < *before) {
@@ -128,8 +128,8 @@ pub fn descent(
         Ok(few)
     });
     let found = found.map_err(|reason| match reason {
-        NoResiduals::Stopped => TraceFitError::Interrupted,
-        NoResiduals::OutOfDomain => TraceFitError::NoMotion { omega0 },
+        ResidualsError::Stopped => TraceFitError::Interrupted,
+        ResidualsError::OutOfDomain => TraceFitError::NoMotion { omega0 },
     })?;
     for (&place, &value) in free.iter().zip(&found.parameters) {
         parameters[place] = value;

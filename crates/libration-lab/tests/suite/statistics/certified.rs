@@ -3,7 +3,9 @@
 //! National Institute of Standards and Technology, *Statistical Reference Datasets*, nonlinear regression, doi:10.18434/T43G6C: the
 //! measurements, both starting values and the certified parameters. Newton's method with forty digits confirms all the digits here.
 
-use libration_lab::internals::statistics::levenberg_marquardt::{Effort, Linearised, NoResiduals, minimum};
+use libration_lab::internals::statistics::levenberg_marquardt::{
+    Effort, Linearised, ResidualsError, minimum,
+};
 use nalgebra::{DMatrix, DVector};
 
 const EFFORT: Effort = Effort { tolerance: 1e-14, patience: 1000 };
@@ -32,7 +34,7 @@ fn check(dataset: &Dataset) {
         let evaluate = |parameters: &DVector<f64>| {
             let found = linearised(dataset.model, &dataset.measured, parameters);
             let finite = found.residuals.iter().chain(found.jacobian.iter()).all(|number| number.is_finite());
-            if finite { Ok(found) } else { Err(NoResiduals::OutOfDomain) }
+            if finite { Ok(found) } else { Err(ResidualsError::OutOfDomain) }
         };
         let found = minimum(DVector::from_row_slice(start), EFFORT, evaluate).unwrap();
         assert!(found.converged, "{start:?}: {}", found.parameters);
@@ -173,7 +175,7 @@ fn the_search_turns_back_from_where_there_are_no_residuals() {
         let value = libm::log(parameters[0]) - 3.0;
         if !value.is_finite() {
             outside += 1;
-            return Err(NoResiduals::OutOfDomain);
+            return Err(ResidualsError::OutOfDomain);
         }
         Ok(Linearised {
             residuals: DVector::from_row_slice(&[value]),

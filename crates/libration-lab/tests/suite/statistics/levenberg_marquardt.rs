@@ -1,15 +1,17 @@
 //! Levenberg's and Marquardt's method on problems with known minima.
 
-use libration_lab::internals::statistics::levenberg_marquardt::{Effort, Linearised, NoResiduals, minimum};
+use libration_lab::internals::statistics::levenberg_marquardt::{
+    Effort, Linearised, ResidualsError, minimum,
+};
 use nalgebra::{DMatrix, DVector};
 
 const EFFORT: Effort = Effort { tolerance: 1e-12, patience: 100 };
 
 /// Residuals of a·e^(−bt) at four times from 3·e^(−t/2), which has none for b above 5.
-fn exponential(parameters: &DVector<f64>) -> Result<Linearised, NoResiduals> {
+fn exponential(parameters: &DVector<f64>) -> Result<Linearised, ResidualsError> {
     let (a, b) = (parameters[0], parameters[1]);
     if b > 5.0 {
-        return Err(NoResiduals::OutOfDomain);
+        return Err(ResidualsError::OutOfDomain);
     }
     let times = [0.0, 1.0, 2.0, 3.0];
     let value = |t: f64| libm::exp(-b * t);
@@ -52,13 +54,13 @@ fn a_search_without_patience_does_not_converge() {
 fn outside_and_stopped_are_told_apart() {
     let start = |b: f64| DVector::from_row_slice(&[1.0, b]);
     let refused = minimum(start(6.0), EFFORT, exponential).map(|_| ()).unwrap_err();
-    assert_eq!(refused, NoResiduals::OutOfDomain);
+    assert_eq!(refused, ResidualsError::OutOfDomain);
     let mut evaluations = 0;
     let stopped = |parameters: &DVector<f64>| {
         evaluations += 1;
-        if evaluations > 2 { Err(NoResiduals::Stopped) } else { exponential(parameters) }
+        if evaluations > 2 { Err(ResidualsError::Stopped) } else { exponential(parameters) }
     };
-    assert_eq!(minimum(start(1.0), EFFORT, stopped).map(|_| ()).unwrap_err(), NoResiduals::Stopped);
+    assert_eq!(minimum(start(1.0), EFFORT, stopped).map(|_| ()).unwrap_err(), ResidualsError::Stopped);
 }
 
 /// A line through its best parameters: one evaluation tells that they are, and two from elsewhere.

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::{Expression, Symbol};
-use crate::expression::{NoValue, ParseError};
+use crate::expression::{ParseError, ValueError};
 use crate::quantity::excerpt;
 
 /// Reason why a text is not a set of equations of motion, or why values do not fit it.
@@ -159,14 +159,14 @@ pub enum EquationError {
     DropsOut(Symbol),
     /// A part that has no value, as 1/0.
     #[error(transparent)]
-    NoValue(#[from] NoValue),
+    NoValue(#[from] ValueError),
     /// A value that is none, as 1/0.
     #[error("{name} has no value: {why}")]
     ValueWithout {
         /// The parameter.
         name: String,
         /// The part without a value.
-        why: NoValue,
+        why: ValueError,
     },
     /// A value for a name that is not a parameter.
     #[error("the equation has no parameter `{name}`: {known}")]
@@ -233,7 +233,7 @@ fn equation_text(left: &Expression, right: &Expression) -> String {
     "the equation for {variable}' is of the first order, and this needs an acceleration: give one of the second order, as in \
      {variable}'' = -{variable}"
 )]
-pub struct NotSecondOrder {
+pub struct SecondOrderError {
     /// Its variable.
     pub variable: String,
 }

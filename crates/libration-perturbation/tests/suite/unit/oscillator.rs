@@ -1,11 +1,8 @@
+use crate::typed::oscillator;
 use libration::expression::{Equation, Expression};
 use libration::oscillator::{Kind, NamedOscillator, Oscillator, catalogue};
 use libration::perturbation::{Gauge, expand};
 use libration::progress::Quiet;
-
-fn oscillator(text: &str) -> Oscillator {
-    Oscillator::new(&text.parse::<Equation>().unwrap()).unwrap_or_else(|error| panic!("{text}: {error}"))
-}
 
 fn refusal(text: &str) -> String {
     Oscillator::new(&text.parse::<Equation>().unwrap()).unwrap_err().to_string()

@@ -5,7 +5,7 @@ use crate::output::field::{Field, Fields};
 use crate::output::number::short;
 use crate::parallel;
 use crate::query_error::{QueryError, option};
-use libration::comparison::{NoSlowDecay, SlowDecay};
+use libration::comparison::{SlowDecay, SlowDecayError};
 use libration::decay::Decay;
 use libration::perturbation::SlowFlowError;
 
@@ -39,10 +39,10 @@ pub(super) fn follow(decay: &Decay, [order, damping_order]: [usize; 2]) -> Resul
     let found =
         parallel::with_progress(how_far, || SlowDecay::new(decay, order, damping_order, &Cancellation));
     found.map_err(|error| match error {
-        NoSlowDecay::SlowFlow(SlowFlowError::Interrupted) => {
+        SlowDecayError::SlowFlow(SlowFlowError::Interrupted) => {
             QueryError::cancelled("interrupted before the slow flow was known")
         }
-        NoSlowDecay::Exponent(_) => QueryError::usage(option("order"), error),
+        SlowDecayError::Exponent(_) => QueryError::usage(option("order"), error),
         other => QueryError::no_result("slow flow", other),
     })
 }

@@ -8,7 +8,7 @@ use crate::output::number::count;
 use crate::output::series::{subscript, superscript};
 use crate::query_error::{Parameter, QueryError, option};
 use crate::{interrupt, parallel};
-use libration::comparison::{ExactValue, NoExactValue, Radius, SeriesComparison, SeriesQuantity};
+use libration::comparison::{ExactValue, ExactValueError, Radius, SeriesComparison, SeriesQuantity};
 use libration::oscillator::Oscillator;
 use libration::perturbation::{Expansion, Gauge, MAX_ORDER, SeriesEvaluation, expand};
 use libration::progress::{Progress, Status};
@@ -175,7 +175,7 @@ impl Subject {
         SeriesComparison::new(&self.oscillator, &self.expansion, self.quantity)
     }
 
-    fn exact_at(&self, amplitude: &Displacement) -> Option<Result<ExactValue, NoExactValue>> {
+    fn exact_at(&self, amplitude: &Displacement) -> Option<Result<ExactValue, ExactValueError>> {
         let relation = self.relation();
         parallel::unless_cancelled("the exact values", |progress| relation.exact_from(amplitude, progress))
     }
@@ -224,7 +224,7 @@ fn lines(
     lines
 }
 
-fn no_exact(text: &str, reason: &NoExactValue) -> QueryError {
+fn no_exact(text: &str, reason: &ExactValueError) -> QueryError {
     QueryError::no_result(option("amplitudes"), format!("{}: {reason}", text.trim()))
 }
 

@@ -12,7 +12,7 @@ use crate::figure::trajectories::{Sampled, against_time, in_plane, spectra};
 use crate::interrupt;
 use crate::output::number::{count, short};
 use crate::query_error::{Parameter, QueryError, option};
-use libration::spectrum::{NoSpectrum, Spectrum};
+use libration::spectrum::{Spectrum, SpectrumError};
 use libration::systems::Model;
 use libration::taylor::{
     Cause, DenseSolution, Effort, IntegrationError, Moment, Step, System, integrate_stepwise,
@@ -173,10 +173,10 @@ fn done<T>(runs: &[Run], each: impl Fn(&Run) -> Result<T, QueryError>) -> Result
 }
 
 /// A coordinate that grows has a velocity that may not.
-fn no_spectrum(error: &NoSpectrum, run: &Run, shown: &StateAxis) -> QueryError {
+fn no_spectrum(error: &SpectrumError, run: &Run, shown: &StateAxis) -> QueryError {
     let place = shown.place;
     let reason = match (error, run.system.layout().velocity(place)) {
-        (NoSpectrum::Trend { first, last }, Some(_)) => {
+        (SpectrumError::Trend { first, last }, Some(_)) => {
             let name = shown.name();
             format!(
                 "{name} goes from {} to {} and swings little about that: draw the spectrum of {name}′",

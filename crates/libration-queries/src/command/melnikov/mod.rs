@@ -9,7 +9,8 @@ use crate::output::{FormOptions, announce};
 use crate::query_error::{QueryError, argument, option};
 use crate::{figure, interrupt, parallel};
 use libration::melnikov::{
-    DriveResonance, Melnikov, NoMelnikov, NoTangency, PerturbedPendulum, Tangency, Threshold, thresholds,
+    DriveResonance, Melnikov, MelnikovError, PerturbedPendulum, Tangency, TangencyError, Threshold,
+    thresholds,
 };
 use libration::systems::Model;
 use std::io::Write;
@@ -57,7 +58,7 @@ pub(crate) struct MelnikovQuestion {
 /// The parameter at which the manifolds begin or cease to cross: to the first order, and for the manifolds as they are.
 struct Crossing {
     threshold: Threshold,
-    tangency: Result<Tangency, NoTangency>,
+    tangency: Result<Tangency, TangencyError>,
 }
 
 /// The result to write.
@@ -150,10 +151,10 @@ fn interrupted(before: &str) -> QueryError {
     QueryError::cancelled(format!("interrupted before the {before} were known: nothing is written"))
 }
 
-fn failure(error: NoMelnikov) -> QueryError {
+fn failure(error: MelnikovError) -> QueryError {
     match error {
-        NoMelnikov::Interrupted(_) => interrupted("thresholds"),
-        NoMelnikov::Range { .. } | NoMelnikov::At { .. } => QueryError::usage(option("over"), error),
+        MelnikovError::Interrupted(_) => interrupted("thresholds"),
+        MelnikovError::Range { .. } | MelnikovError::At { .. } => QueryError::usage(option("over"), error),
         _ => QueryError::no_result(argument("SYSTEM|EQUATION"), error),
     }
 }

@@ -11,7 +11,7 @@ use crate::output::{Form, FormOptions, announce};
 use crate::parallel;
 use crate::query_error::{QueryError, argument, option};
 use follow::{FollowOptions, Followed};
-use libration::nonlinear_modes::{NoNonlinearMode, NonlinearMode};
+use libration::nonlinear_modes::{NonlinearMode, NonlinearModeError};
 use libration::normal_modes::NormalModes;
 use libration::systems::Model;
 use std::io::Write;
@@ -98,8 +98,8 @@ impl Modes {
         });
         let early = || QueryError::cancelled("interrupted before the orbits were known: nothing is written");
         let found = found.ok_or_else(early)?.map_err(|error| match error {
-            NoNonlinearMode::NoMode { .. } => QueryError::usage(option("follow"), error),
-            NoNonlinearMode::AtRest(_) => QueryError::usage(option("coordinate"), error),
+            NonlinearModeError::NoMode { .. } => QueryError::usage(option("follow"), error),
+            NonlinearModeError::AtRest(_) => QueryError::usage(option("coordinate"), error),
             _ => QueryError::no_result(option("follow"), error),
         })?;
         let followed = Followed { model, mode, coordinate, found };

@@ -11,7 +11,7 @@ use crate::output::{FormOptions, announce};
 use crate::query_error::{QueryError, option};
 use crate::{figure, interrupt, parallel};
 use libration::chaos::drive_period;
-use libration::orbit::{Harmonics, NoOrbit, Orbit, OrbitKind, OrbitSearch};
+use libration::orbit::{Harmonics, Orbit, OrbitError, OrbitKind, OrbitSearch};
 use libration::systems::Model;
 use std::io::Write;
 use std::path::PathBuf;
@@ -114,10 +114,10 @@ impl OrbitQuestion {
 }
 
 /// The error, which names an option where that option can remove it.
-fn failure(error: NoOrbit, model: &Model) -> QueryError {
+fn failure(error: OrbitError, model: &Model) -> QueryError {
     match error {
-        NoOrbit::NoCycle(_) => QueryError::no_result("orbit", with_idle_drive(error, model)),
-        NoOrbit::NoPeriod => QueryError::usage(option("period"), error),
+        OrbitError::NoCycle(_) => QueryError::no_result("orbit", with_idle_drive(error, model)),
+        OrbitError::NoPeriod => QueryError::usage(option("period"), error),
         _ => QueryError::no_result("orbit", error),
     }
 }

@@ -9,7 +9,7 @@ use crate::output::{FormOptions, announce};
 use crate::query_error::{QueryError, argument, option};
 use crate::{figure, interrupt, parallel};
 use libration::normal_form::{
-    Exchange, LARGEST_ORDER, MeasuredExchange, NoExchange, NoNormalForm, NormalForm,
+    Exchange, ExchangeError, LARGEST_ORDER, MeasuredExchange, NormalForm, NormalFormError,
 };
 use libration::progress::Quiet;
 use libration::systems::Model;
@@ -62,7 +62,7 @@ struct Answer {
     model: Model,
     form: NormalForm,
     initial: Option<Vec<f64>>,
-    exchange: Option<Result<(Exchange, MeasuredExchange), NoExchange>>,
+    exchange: Option<Result<(Exchange, MeasuredExchange), ExchangeError>>,
 }
 
 impl ResonanceQuestion {
@@ -109,7 +109,7 @@ impl Answer {
         let missing =
             || QueryError::usage(option("figure"), "it shows a motion: give its start by <--initial>");
         let state = self.initial.as_ref().ok_or_else(missing)?;
-        let none = |error: NoExchange| QueryError::no_result(option("initial"), error);
+        let none = |error: ExchangeError| QueryError::no_result(option("initial"), error);
         let slowest = self.form.modes.modes.iter().map(|mode| mode.frequency()).fold(f64::INFINITY, f64::min);
         let span = match &self.exchange {
             Some(Ok((exchange, _))) => 2.0 * exchange.period,
@@ -123,9 +123,9 @@ impl Answer {
     }
 }
 
-fn failure(error: NoNormalForm) -> QueryError {
+fn failure(error: NormalFormError) -> QueryError {
     match error {
-        NoNormalForm::Order(_) => QueryError::usage(option("order"), error),
+        NormalFormError::Order(_) => QueryError::usage(option("order"), error),
         _ => QueryError::no_result(argument("SYSTEM|EQUATION"), error),
     }
 }

@@ -7,7 +7,7 @@ use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
 use crate::output::number::short;
-use libration::continuation::{BranchPoint, NoBranch, OrderAnswers, OrderFinding};
+use libration::continuation::{BranchError, BranchPoint, OrderAnswers, OrderFinding};
 use serde_json::Value;
 
 /// A line of CSV.
@@ -106,8 +106,8 @@ fn of_backbone() -> Fields<(f64, f64)> {
 }
 
 /// A value of the parameter at which no motion to begin with is found.
-fn of_missing() -> Fields<(f64, NoBranch)> {
-    type Of = Field<(f64, NoBranch)>;
+fn of_missing() -> Fields<(f64, BranchError)> {
+    type Of = Field<(f64, BranchError)>;
     Fields::from([
         Of::number("parameter", "", "value of the parameter at which no initial solution was found", |it| {
             it.0

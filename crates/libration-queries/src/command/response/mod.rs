@@ -15,7 +15,7 @@ use crate::output::{FormOptions, announce};
 use crate::query_error::{QueryError, argument, option};
 use crate::{figure, parallel};
 use libration::continuation::{
-    Branch, NoBranch, PreciseSpecial, ResonanceOrder, Response, ResponseOptions, Rotation, Space,
+    Branch, BranchError, PreciseSpecial, ResonanceOrder, Response, ResponseOptions, Rotation, Space,
     SpecialPoint, Sweep,
 };
 use libration::progress::Status;
@@ -264,21 +264,23 @@ impl Answer {
     }
 }
 
-fn failure(error: NoBranch, model: &Model) -> QueryError {
+fn failure(error: BranchError, model: &Model) -> QueryError {
     match error {
-        NoBranch::NoStart(_) => QueryError::no_result("response", with_idle_drive(error, model)),
-        NoBranch::Interrupted(_) => {
+        BranchError::NoStart(_) => QueryError::no_result("response", with_idle_drive(error, model)),
+        BranchError::Interrupted(_) => {
             QueryError::cancelled("interrupted before the first solution was known: nothing is written")
         }
-        NoBranch::Range { .. } => QueryError::usage(option("over"), error),
-        NoBranch::Outside { .. } => QueryError::usage(option("at"), error),
-        NoBranch::Family => QueryError::no_result(
+        BranchError::Range { .. } => QueryError::usage(option("over"), error),
+        BranchError::Outside { .. } => QueryError::usage(option("at"), error),
+        BranchError::Family => QueryError::no_result(
             argument("SYSTEM|EQUATION"),
             format!("{error}, as <libration backbone> does"),
         ),
-        NoBranch::NotAnAngle(_) | NoBranch::NoRotation { .. } => QueryError::usage(option("turns"), error),
-        NoBranch::NotOneOscillator => QueryError::usage(option("orders"), error),
-        NoBranch::NotDriven => QueryError::no_result(argument("SYSTEM|EQUATION"), error),
+        BranchError::NotAnAngle(_) | BranchError::NoRotation { .. } => {
+            QueryError::usage(option("turns"), error)
+        }
+        BranchError::NotOneOscillator => QueryError::usage(option("orders"), error),
+        BranchError::NotDriven => QueryError::no_result(argument("SYSTEM|EQUATION"), error),
         _ => QueryError::no_result("response", error),
     }
 }

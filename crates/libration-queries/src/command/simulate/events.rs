@@ -3,7 +3,7 @@
 use crate::arguments::at_commas;
 use crate::query_error::{Parameter, QueryError, option};
 use libration::expression::{Expression, Function, Symbol};
-use libration::systems::{Coordinate, Model, NoZero};
+use libration::systems::{ConditionError, Coordinate, Model};
 use libration::taylor::{Contact, Direction, Event, MomentErrors, Occurrence};
 
 /// The events of a question, each with its name.
@@ -178,7 +178,7 @@ fn crossing(coordinate: &Coordinate) -> Expression {
 
 fn zero_of(argument: &Parameter, text: &str, model: &Model) -> Result<Kind, QueryError> {
     let formula = model.zero_of(text).map_err(|error| match error {
-        NoZero::Formula(error) => QueryError::usage(
+        ConditionError::Formula(error) => QueryError::usage(
             argument,
             format!("{error}; write turning, crossing, or a formula such as theta - 0.5"),
         ),

@@ -8,7 +8,7 @@ use crate::figure::stability::Chart;
 use crate::output::{FormOptions, announce};
 use crate::query_error::{QueryError, argument, option};
 use crate::{figure, interrupt, parallel};
-use libration::continuation::{ChartOptions, NoBranch, StabilityChart};
+use libration::continuation::{BranchError, ChartOptions, StabilityChart};
 use libration::progress::Status;
 use libration::systems::Model;
 use std::io::Write;
@@ -127,10 +127,10 @@ impl Answer {
     }
 }
 
-fn failure(error: NoBranch) -> QueryError {
+fn failure(error: BranchError) -> QueryError {
     match error {
-        NoBranch::Range { .. } => QueryError::usage(option("map"), error),
-        NoBranch::NotDriven => QueryError::no_result(argument("SYSTEM|EQUATION"), error),
+        BranchError::Range { .. } => QueryError::usage(option("map"), error),
+        BranchError::NotDriven => QueryError::no_result(argument("SYSTEM|EQUATION"), error),
         _ => QueryError::no_result("stability", error),
     }
 }

@@ -1,10 +1,7 @@
+use crate::typed::equation;
 use libration::chaos::{Theorem, angles};
-use libration::expression::{Equation, Expression};
+use libration::expression::Expression;
 use libration::internals::chaos::{has_jumps, theorem};
-
-fn equation(text: &str) -> Equation {
-    text.parse().unwrap()
-}
 
 #[test]
 fn an_angle_is_left_alone_by_a_turn() {

@@ -2,7 +2,7 @@ mod fourier;
 mod window;
 
 use libration::pendulum::Pendulum;
-use libration::spectrum::{NoSpectrum, Spectrum};
+use libration::spectrum::{Spectrum, SpectrumError};
 use libration::taylor::{DenseSolution, Effort, System, integrate_dense};
 use std::f64::consts::TAU;
 
@@ -63,11 +63,11 @@ fn the_lines_of_a_swing_are_its_harmonics() {
 fn what_has_no_spectrum_is_refused() {
     let values = [1.0; 16];
     assert!(Spectrum::new(&values, 1.0).is_ok());
-    assert_eq!(Spectrum::new(&values[1..], 1.0).unwrap_err(), NoSpectrum::TooFew(15));
-    assert_eq!(Spectrum::new(&values, 0.0).unwrap_err(), NoSpectrum::Interval(0.0));
+    assert_eq!(Spectrum::new(&values[1..], 1.0).unwrap_err(), SpectrumError::TooFew(15));
+    assert_eq!(Spectrum::new(&values, 0.0).unwrap_err(), SpectrumError::Interval(0.0));
     assert!(Spectrum::new(&values, f64::NAN).is_err() && Spectrum::new(&values, f64::INFINITY).is_err());
     let infinite = [&values[1..], &[f64::INFINITY]].concat();
-    assert_eq!(Spectrum::new(&infinite, 1.0).unwrap_err(), NoSpectrum::NotFinite(f64::INFINITY));
+    assert_eq!(Spectrum::new(&infinite, 1.0).unwrap_err(), SpectrumError::NotFinite(f64::INFINITY));
 }
 
 fn integrated(equation: &str, start: &[(&str, f64)], end: f64) -> DenseSolution {
@@ -113,14 +113,17 @@ fn a_trend_is_told_from_a_swing() {
     let turning = integrated("theta'' + sin(theta) = 0", &[("theta'", 2.01)], 100.0);
     let refused = Spectrum::of_motion(&turning, 0, [0.0, 100.0]).unwrap_err();
     assert!(
-        matches!(refused, NoSpectrum::Trend { first, last } if first.abs() < f64::MIN_POSITIVE && last > 60.0),
+        matches!(refused, SpectrumError::Trend { first, last } if first.abs() < f64::MIN_POSITIVE && last > 60.0),
         "{refused}"
     );
     assert!(Spectrum::of_motion(&turning, 1, [0.0, 100.0]).is_ok());
     let at_rest = integrated("x'' + x = 0", &[], 100.0);
     assert!(Spectrum::of_motion(&at_rest, 0, [0.0, 100.0]).is_ok());
     for span in [[0.0, 100.1], [-1.0, 50.0], [50.0, 50.0], [60.0, 50.0], [0.0, f64::NAN]] {
-        assert!(matches!(Spectrum::of_motion(&swing, 0, span), Err(NoSpectrum::NotKnown { .. })), "{span:?}");
+        assert!(
+            matches!(Spectrum::of_motion(&swing, 0, span), Err(SpectrumError::NotKnown { .. })),
+            "{span:?}"
+        );
     }
-    assert!(matches!(Spectrum::of_motion(&swing, 2, [0.0, 50.0]), Err(NoSpectrum::NotKnown { .. })));
+    assert!(matches!(Spectrum::of_motion(&swing, 2, [0.0, 50.0]), Err(SpectrumError::NotKnown { .. })));
 }

@@ -5,7 +5,7 @@ mod mechanisms;
 
 use libration::catalogue::Named;
 use libration::expression::{Expression, Symbol};
-use libration::systems::{Energy, Model, ModelError, NamedSystem, NoEnergy, catalogue};
+use libration::systems::{Energy, EnergyError, Model, ModelError, NamedSystem, catalogue};
 use libration::taylor::Moment;
 use mechanisms::{BOB, MECHANISMS, Numbers, Open, formula, sum};
 
@@ -143,7 +143,7 @@ fn defaults_leave_out_damping_and_driving_and_rest_is_at_rest() {
     }
 }
 
-fn energy_of(equations: &str) -> Result<Energy, NoEnergy> {
+fn energy_of(equations: &str) -> Result<Energy, EnergyError> {
     Model::typed(equations, &[], &[]).unwrap().energy()
 }
 
@@ -154,12 +154,12 @@ fn only_forces_with_a_potential_have_an_energy() {
     {
         assert!(energy_of(equations).is_ok(), "{equations}");
     }
-    assert!(matches!(energy_of("x'' = -y; y'' = x"), Err(NoEnergy::Curl { .. })));
-    assert!(matches!(energy_of("x'' = -x - 0.1 x'"), Err(NoEnergy::NotOfPlace { .. })));
-    assert!(matches!(energy_of("x'' = -x + cos(t)"), Err(NoEnergy::NotOfPlace { .. })));
-    assert!(matches!(energy_of("x'' = -k*x"), Err(NoEnergy::WithoutValue(_))));
+    assert!(matches!(energy_of("x'' = -y; y'' = x"), Err(EnergyError::Curl { .. })));
+    assert!(matches!(energy_of("x'' = -x - 0.1 x'"), Err(EnergyError::NotOfPlace { .. })));
+    assert!(matches!(energy_of("x'' = -x + cos(t)"), Err(EnergyError::NotOfPlace { .. })));
+    assert!(matches!(energy_of("x'' = -k*x"), Err(EnergyError::WithoutValue(_))));
     let damped = Model::by_key("damped_pendulum", &[("c", formula("0.1"))], &[]).unwrap();
-    assert!(matches!(damped.energy(), Err(NoEnergy::NotConserved { .. })));
+    assert!(matches!(damped.energy(), Err(EnergyError::NotConserved { .. })));
 }
 
 #[test]

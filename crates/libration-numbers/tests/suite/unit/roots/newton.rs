@@ -1,7 +1,7 @@
 use libration::algebra::{BigFloat, Doubles, Floats};
 use libration::expression::{Expression, Symbol};
 use libration::internals::expression::Tape;
-use libration::internals::roots::{NoZero, Unsolved, correction, newton};
+use libration::internals::roots::{NewtonError, Unsolved, correction, newton};
 
 fn tape(formulas: &[&str], names: &[&str]) -> Tape {
     let formulas: Vec<Expression> = formulas.iter().map(|it| it.parse().unwrap()).collect();
@@ -45,8 +45,8 @@ fn zeros_are_found_to_the_digits_of_the_field() {
 fn each_reason_for_no_zero_is_told_apart() {
     let reason =
         |formula: &str, guess: f64| in_doubles(&tape(&[formula], &["x"]), &[guess]).unwrap_err().reason;
-    assert_eq!(reason("x^2 + 1", 0.0), NoZero::NoSlope);
-    assert_eq!(reason("1/x", 0.0), NoZero::NoValue);
-    assert_eq!(reason("x^2 + 1", 0.3), NoZero::Unsettled);
+    assert_eq!(reason("x^2 + 1", 0.0), NewtonError::NoSlope);
+    assert_eq!(reason("1/x", 0.0), NewtonError::NoValue);
+    assert_eq!(reason("x^2 + 1", 0.3), NewtonError::Unsettled);
     assert_eq!(in_doubles(&tape(&["x^2"], &["x"]), &[0.0]), Ok(vec![0.0]));
 }

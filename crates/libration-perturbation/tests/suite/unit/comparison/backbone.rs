@@ -1,5 +1,5 @@
-use libration::comparison::{Backbone, NoBackbone};
-use libration::orbit::NoOrbit;
+use libration::comparison::{Backbone, BackboneError};
+use libration::orbit::OrbitError;
 use libration::progress::Quiet;
 
 fn backbone(equation: &str) -> Backbone {
@@ -51,19 +51,19 @@ fn amplitudes_count_from_a_centre_without_expansion() {
     let told = Backbone::new(&cubic, Some(&"1".parse().unwrap()), 9, &Quiet).unwrap();
     assert!(told.has_equilibrium() && (told.centre() - 1.0).abs() < 1e-15);
     let unstable = Backbone::new(&cubic, Some(&"0".parse().unwrap()), 9, &Quiet);
-    assert!(matches!(unstable, Err(NoBackbone::About(_))));
+    assert!(matches!(unstable, Err(BackboneError::About(_))));
     assert!(!backbone("x'' = exp(x)").has_equilibrium());
 }
 
 #[test]
 fn orbits_about_another_equilibrium_are_none_of_this_curve() {
     let pendulum = backbone("theta'' + sin(theta) = 0");
-    assert!(matches!(pendulum.at(3.5, &Quiet).orbit, Err(NoOrbit::Elsewhere { .. })));
+    assert!(matches!(pendulum.at(3.5, &Quiet).orbit, Err(OrbitError::Elsewhere { .. })));
     // The well at −1 ends at 0; beyond the motion is in the other well.
     let equation = "x'' - x + x^3 = 0".parse().unwrap();
     let well = Backbone::new(&equation, Some(&"-1".parse().unwrap()), 9, &Quiet).unwrap();
     assert!(well.at(0.9, &Quiet).orbit.is_ok());
-    assert!(matches!(well.at(1.5, &Quiet).orbit, Err(NoOrbit::Elsewhere { .. })));
+    assert!(matches!(well.at(1.5, &Quiet).orbit, Err(OrbitError::Elsewhere { .. })));
     // Around both wells, which is not what the series is for.
     assert!(well.at(3.0, &Quiet).orbit.unwrap().encloses.is_some_and(|place| place.abs() < 1e-15));
     assert_eq!(well.at(0.9, &Quiet).orbit.unwrap().encloses, None);
@@ -72,8 +72,8 @@ fn orbits_about_another_equilibrium_are_none_of_this_curve() {
 #[test]
 fn what_has_no_family_of_orbits_is_refused_for_a_reason() {
     let refusal = |text: &str| Backbone::new(&text.parse().unwrap(), None, 9, &Quiet).unwrap_err();
-    assert_eq!(refusal("x'' = -y; y'' = -x"), NoBackbone::SeveralCoordinates(2));
-    assert_eq!(refusal("x'' = -x + cos(t)"), NoBackbone::DependsOnTime);
-    assert_eq!(refusal("x'' = mu*(1 - x^2)*x' - x"), NoBackbone::LimitCycle("mu".to_owned()));
-    assert_eq!(refusal("x'' = -k*sin(x)"), NoBackbone::WithoutValue("k".to_owned()));
+    assert_eq!(refusal("x'' = -y; y'' = -x"), BackboneError::SeveralCoordinates(2));
+    assert_eq!(refusal("x'' = -x + cos(t)"), BackboneError::DependsOnTime);
+    assert_eq!(refusal("x'' = mu*(1 - x^2)*x' - x"), BackboneError::LimitCycle("mu".to_owned()));
+    assert_eq!(refusal("x'' = -k*sin(x)"), BackboneError::WithoutValue("k".to_owned()));
 }

@@ -11,7 +11,7 @@ use crate::output::{Form, json};
 use crate::parallel::unless_cancelled;
 use crate::query_error::{QueryError, option};
 use libration::comparison::{
-    CycleDistance, ExactValue, NoExactValue, Radius, SeriesComparison, SeriesQuantity,
+    CycleDistance, ExactValue, ExactValueError, Radius, SeriesComparison, SeriesQuantity,
 };
 use libration::oscillator::Oscillator;
 use libration::perturbation::SeriesEvaluation;
@@ -31,9 +31,9 @@ struct Numbers<'a> {
     relation: &'a SeriesComparison<'a>,
     amplitude: f64,
     evaluation: SeriesEvaluation,
-    exact: Option<Result<ExactValue, NoExactValue>>,
+    exact: Option<Result<ExactValue, ExactValueError>>,
     /// The distance of a limit cycle from the orbit next to it.
-    distance: Option<Result<CycleDistance, NoExactValue>>,
+    distance: Option<Result<CycleDistance, ExactValueError>>,
     radius: Option<Option<Radius>>,
     pade: Option<Vec<Quotient>>,
 }
@@ -87,7 +87,7 @@ impl<'a> Numbers<'a> {
     ) -> Result<Self, QueryError> {
         let amplitude = exactly.to_f64();
         let exact = unless_cancelled("the exact value", |progress| relation.exact_from(exactly, progress));
-        if let Some(Err(refusal @ NoExactValue::Amplitude(_))) = &exact {
+        if let Some(Err(refusal @ ExactValueError::Amplitude(_))) = &exact {
             return Err(QueryError::no_result(option("evaluate"), refusal));
         }
         let distance = unless_cancelled("the orbit next to the series", |progress| {

@@ -12,7 +12,7 @@ use crate::output::description::Answers;
 use crate::output::{Form, json};
 use crate::parallel;
 use crate::query_error::{QueryError, option};
-use libration::comparison::{LeadingLimitCycles, NoLeadingLimitCycles};
+use libration::comparison::{LeadingLimitCycles, LeadingLimitCyclesError};
 use libration::perturbation::{Gauge, SlowFlow, SlowFlowError, slow_flow};
 use std::io::Write;
 
@@ -24,7 +24,7 @@ pub(super) struct Answer {
     subject: Subject,
     flow: SlowFlow,
     /// Limit cycles by the work over exact orbits.
-    leading: Result<LeadingLimitCycles, NoLeadingLimitCycles>,
+    leading: Result<LeadingLimitCycles, LeadingLimitCyclesError>,
 }
 
 pub(super) fn answers() -> Answers {
@@ -51,7 +51,7 @@ impl Answer {
         let how_far = || "work over exact orbits".to_owned();
         let leading =
             parallel::with_progress(how_far, || LeadingLimitCycles::new(&equation, small, &Cancellation));
-        if leading == Err(NoLeadingLimitCycles::Interrupted) {
+        if leading == Err(LeadingLimitCyclesError::Interrupted) {
             return Err(failure(SlowFlowError::Interrupted));
         }
         let subject = Subject::new(&equation, (key, title), values, read_as);
