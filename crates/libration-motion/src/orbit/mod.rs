@@ -22,6 +22,7 @@
 mod error;
 
 mod path;
+mod pieces;
 
 mod harmonics;
 mod near;

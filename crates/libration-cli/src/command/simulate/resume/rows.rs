@@ -76,16 +76,17 @@ impl Rows {
                 }
                 let mut lines = BufReader::with_capacity(1 << 16, file).take(*bytes);
                 let (mut checksum, mut line, mut number) = (Checksum::NONE, vec![], 0);
-                let mut cells = None;
+                let mut cells: Option<Cells> = None;
                 while lines.read_until(b'\n', &mut line).map_err(unreadable)? > 0 {
                     checksum.include(&line);
                     number += 1;
-                    match &cells {
-                        None => {
-                            cells = Some(Cells::below(&line, *contents).ok_or(ResumeError::Unreadable(1))?)
+                    cells = Some(match cells {
+                        None => Cells::below(&line, *contents).ok_or(ResumeError::Unreadable(1))?,
+                        Some(cells) => {
+                            take(&cells.of_line(&line).ok_or(ResumeError::Unreadable(number))?)?;
+                            cells
                         }
-                        Some(cells) => take(&cells.of_line(&line).ok_or(ResumeError::Unreadable(number))?)?,
-                    }
+                    });
                     line.clear();
                 }
                 Ok(checksum)
