@@ -40,8 +40,8 @@ pub mod internals {
     }
     pub mod periodic {
         pub use crate::periodic::{
-            CLOSED, Extrema, Flow, Frame, NewtonStep, Nodes, Piece, Variations, extrema, multiplier_errors,
-            precise_series, precise_step, precise_sum, turns_in,
+            CLOSED, Checked, Extrema, Flow, Frame, LOST, NewtonStep, Nodes, Piece, Variations, extrema,
+            multiplier_errors, norm, norm_of_map, precise_series, precise_step, precise_sum, turns_in,
         };
     }
     pub mod spectrum {

@@ -1,6 +1,6 @@
 //! A branch of periodic motions, followed from a place on it.
 
-use super::corrector::{Corrector, norm};
+use super::corrector::Corrector;
 use super::established::{Milestone, is_established};
 use super::family::TOLERANCES;
 use super::node::{Node, Tests, between};
@@ -8,7 +8,7 @@ use super::point::BranchPoint;
 use super::space::Space;
 use super::special::{Meeting, SpecialKind, SpecialPoint, Stretch};
 use super::units::{difference, in_units, largest_swing};
-use libration_motion::internals::periodic::turns_in;
+use libration_motion::internals::periodic::{norm, turns_in};
 use libration_numbers::roots::{Tolerance, bisect};
 
 /// A branch of periodic orbits over one parameter.

@@ -264,14 +264,13 @@ impl Survey<'_> {
             .iter()
             .flat_map(|branch| branch.special.iter().map(move |special| seed(branch, special)))
             .filter(|seed| {
-                test_of(seed.kind).is_some() && seed.point.ranges.iter().any(|[low, high]| high - low > 1e-9)
+                test_of(seed).is_some() && seed.point.ranges.iter().any(|[low, high]| high - low > 1e-9)
             })
             .collect()
     }
 
     fn curve(&self, seed: &Seed) -> Option<SpecialCurve> {
-        let singular =
-            Singular { family: self.family, space: seed.space, test: test_of(seed.kind)?, rest: None };
+        let singular = Singular { family: self.family, space: seed.space, test: test_of(seed)?, rest: None };
         let place: Vec<f64> =
             seed.point.state.iter().copied().chain([seed.point.parameter, seed.second]).collect();
         let start = (&place[..], &seed.point);
@@ -299,9 +298,10 @@ impl Survey<'_> {
 }
 
 /// Test function that vanishes at a singular point; `None` for kinds that make no curve.
-fn test_of(kind: SpecialKind) -> Option<Test> {
-    match kind {
+fn test_of(seed: &Seed) -> Option<Test> {
+    match seed.kind {
         SpecialKind::Fold => Some(Test::Branching),
+        SpecialKind::SymmetryBreaking if !seed.space.mirrored => None,
         SpecialKind::SymmetryBreaking | SpecialKind::PeriodDoubling => Some(Test::Flip),
         SpecialKind::NeimarkSacker => Some(Test::Torus),
         SpecialKind::NeutralSaddle | SpecialKind::BranchPoint | SpecialKind::Hopf => None,

@@ -2,7 +2,7 @@
 
 use super::family::{Family, Image};
 use super::space::Space;
-use libration_motion::internals::periodic::NewtonStep;
+use libration_motion::internals::periodic::{NewtonStep, norm};
 
 /// A state followed by the parameter, with their image under the motion.
 #[derive(Clone, Debug)]
@@ -111,8 +111,4 @@ pub(super) fn bordered(image: &Image, last: &[f64], units: &[f64]) -> NewtonStep
     let free: Vec<usize> = (0..image.map.len()).collect();
     let parameter = (&image.by_parameters[0][..], units[free.len()]);
     NewtonStep::new(&image.map, units, &free, &[parameter]).bordered(last)
-}
-
-pub(super) fn norm(vector: &[f64]) -> f64 {
-    vector.iter().fold(0.0, |length: f64, x| libm::hypot(length, *x))
 }

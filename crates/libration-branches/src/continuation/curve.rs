@@ -1,13 +1,13 @@
 //! A curve of singular points over two parameters, followed from one of them.
 
 use super::branch::Ending;
-use super::corrector::norm;
 use super::family::TOLERANCES;
 use super::point::BranchPoint;
 use super::singular::Singular;
 use super::space::Space;
 use super::special::{SpecialKind, Test};
 use super::units::largest_swing;
+use libration_motion::internals::periodic::norm;
 use libration_numbers::algebra::Doubles;
 use libration_numbers::internals::linear::solve;
 use libration_numbers::roots::{Tolerance, zero_between};

@@ -1,12 +1,12 @@
 //! The description of a motion that was found: its range, its multipliers and their errors, and a check that it closes.
 
-use super::corrector::{Corrected, Corrector, bordered, norm};
+use super::corrector::{Corrected, Corrector, bordered};
 use super::family::{Family, Image, TOLERANCES};
-use super::pieces::Checked;
+use super::pieces::MotionToCheck;
 use super::point::BranchPoint;
 use super::space::Space;
 use super::units::{in_units, largest_swing};
-use libration_motion::internals::periodic::{CLOSED, extrema, multiplier_errors};
+use libration_motion::internals::periodic::{CLOSED, LOST, extrema, multiplier_errors, norm, norm_of_map};
 use libration_motion::orbit::Stability;
 use libration_motion::taylor::{OwnedStep, StateLayout};
 use libration_numbers::algebra::Complex;
@@ -43,7 +43,7 @@ impl Corrector<'_> {
         let growth = growth(&corrected.image, self.space, units);
         let closes = if growth * f64::EPSILON > LOST {
             let (space, place, steps) = (self.space, &corrected.place[..], &motion.steps[..]);
-            let checked = Checked { space, place, steps, tangent, errors: &errors, units };
+            let checked = MotionToCheck { space, place, steps, tangent, errors: &errors, units };
             self.family.closes_by_pieces(checked, growth)
         } else {
             closes(&corrected.image, &motion, point.error, growth, units)
@@ -51,9 +51,6 @@ impl Corrector<'_> {
         closes.then_some((point, own))
     }
 }
-
-/// The growth of rounding errors in a period beyond which the end of one integration tells nothing of the start.
-const LOST: f64 = 1e-6;
 
 /// A motion over its whole period, by integration of the equation alone.
 struct Whole {
@@ -163,8 +160,7 @@ pub(super) fn squared((multiplier, error): (Complex, f64)) -> (Complex, f64) {
 /// The growth of deviations in the whole period, in units: with a mirror at most the square of that in the time of the space.
 fn growth(image: &Image, space: Space, units: &[f64]) -> f64 {
     let map = image.return_map();
-    let entries = (0..map.len()).flat_map(|i| (0..map.len()).map(move |j| map[i][j] * units[j] / units[i]));
-    let own = 1.0 + norm(&entries.collect::<Vec<f64>>());
+    let own = 1.0 + norm_of_map(map.len(), units, |i, j| map[i][j]);
     if space.mirrored { own * own } else { own }
 }
 

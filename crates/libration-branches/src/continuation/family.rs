@@ -4,9 +4,9 @@ use super::drive_law::DriveLaw;
 use super::error::BranchError;
 use super::field::{Field, Rates, returned};
 use super::space::{Space, Symmetry};
-use super::symmetry::symmetry;
+use super::symmetry::{has_partial_mirror, symmetry};
 use libration_motion::internals::orbit::depends_on_time;
-use libration_motion::internals::periodic::{Flow, Variations};
+use libration_motion::internals::periodic::{Flow, Variations, norm_of_map};
 use libration_motion::taylor::{IntegrationError, OwnedStep, StateLayout};
 use libration_numbers::expression::Equation;
 use libration_numbers::internals::progress::Watch;
@@ -29,6 +29,8 @@ pub(super) struct Family<'w> {
     pub(super) signs: Vec<f64>,
     beat: Beat,
     flow: Flow,
+    /// The ranges of the open parameters.
+    ranges: Vec<[f64; 2]>,
     pub(super) watch: &'w Watch<'w>,
 }
 
@@ -68,12 +70,8 @@ impl Image {
 
     /// The norm of the difference from the map of another image, as a part of the norm of this one, in units.
     pub(super) fn change(&self, other: &Self, units: &[f64]) -> f64 {
-        let norm = |entry: &dyn Fn(usize, usize) -> f64| {
-            let numbers = 0..self.return_map().len();
-            let entries = numbers.clone().flat_map(|i| numbers.clone().map(move |j| (i, j)));
-            entries.fold(0.0, |norm: f64, (i, j)| libm::hypot(norm, entry(i, j) * units[j] / units[i]))
-        };
         let (own, other) = (self.return_map(), other.return_map());
+        let norm = |entry: &dyn Fn(usize, usize) -> f64| norm_of_map(own.len(), units, entry);
         norm(&|i, j| own[i][j] - other[i][j]) / norm(&|i, j| own[i][j])
     }
 
@@ -127,12 +125,30 @@ impl<'w> Family<'w> {
             Beat::Own(_) => None,
         };
         let (symmetry, signs) = symmetry(&flow.layout, flow.rates(), law, ranges);
-        Ok(Self { layout: flow.layout.clone(), symmetry, signs, beat, flow, watch })
+        let ranges = ranges.to_vec();
+        Ok(Self { layout: flow.layout.clone(), symmetry, signs, beat, flow, ranges, watch })
     }
 
     /// `true` if the only motion that is its own mirror image at all times is the rest at zero.
     pub(super) fn mirrors_all(&self) -> bool {
         self.signs.iter().all(|sign| *sign < 0.0)
+    }
+
+    /// `true` if a mirror image of some coordinates, without a shift in time, keeps a motion and turns a deviation from it into its opposite; both in
+    /// units.
+    pub(super) fn loses_partial_mirror(&self, state: &[f64], deviation: &[f64]) -> bool {
+        /// Smallest component that counts, as a part of the largest one.
+        const LEAST: f64 = 1e-3;
+        let counts = |vector: &[f64]| -> Vec<bool> {
+            let largest = vector.iter().map(|x| x.abs()).fold(0.0, f64::max);
+            vector.iter().map(|x| x.abs() > LEAST * largest).collect()
+        };
+        let law = match &self.beat {
+            Beat::Drive(law) => Some(law),
+            Beat::Own(_) => None,
+        };
+        let (changed, kept) = (counts(deviation), counts(state));
+        has_partial_mirror(&self.layout, self.flow.rates(), law, &self.ranges, [&changed, &kept])
     }
 
     pub(super) fn is_driven(&self) -> bool {

@@ -1,11 +1,12 @@
 //! Jumps from one stable motion to another in slow sweeps of the parameter.
 
 use super::branch::Branch;
-use super::corrector::{Corrector, norm};
+use super::corrector::Corrector;
 use super::node::Node;
 use super::point::BranchPoint;
 use super::space::Space;
 use super::special::{SpecialKind, SpecialPoint};
+use libration_motion::internals::periodic::norm;
 
 /// A fold in which a stable motion ends.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,9 +1,10 @@
 //! A place on a branch, with its direction and what tells singular points.
 
-use super::corrector::{Corrected, Corrector, norm};
+use super::corrector::{Corrected, Corrector};
 use super::family::Image;
 use super::point::BranchPoint;
 use super::units::{difference, in_units, largest_swing};
+use libration_motion::internals::periodic::norm;
 use libration_numbers::algebra::Complex;
 use libration_numbers::internals::linear::eigenvalues;
 

@@ -1,6 +1,7 @@
 //! Singular points to as many digits as are wanted.
+//!
+//! The iteration is separate from `roots::newton`: its slopes are computed once, in double precision, and it ends where corrections no longer shrink.
 
-use super::corrector::norm;
 use super::error::BranchError;
 use super::family::{Family, TOLERANCES};
 use super::precise_flow::{PreciseFlow, PreciseImage};
@@ -9,6 +10,7 @@ use super::space::Space;
 use super::special::{SpecialKind, SpecialPoint, Test};
 use super::units::largest_swing;
 use libration_motion::internals::orbit::depends_on_time;
+use libration_motion::internals::periodic::norm;
 use libration_numbers::algebra::{BigFloat, Doubles, Floats, Ring};
 use libration_numbers::expression::Equation;
 use libration_numbers::internals::linear::{self, eigenvalues, solve};
@@ -80,7 +82,8 @@ impl SpecialPoint {
         let test = match self.kind {
             SpecialKind::Fold => Test::Branching,
             SpecialKind::BranchPoint if is_rest => Test::Branching,
-            SpecialKind::SymmetryBreaking | SpecialKind::PeriodDoubling => Test::Flip,
+            SpecialKind::SymmetryBreaking if space.mirrored => Test::Flip,
+            SpecialKind::PeriodDoubling => Test::Flip,
             SpecialKind::NeimarkSacker if self.point.state.len() == 2 => Test::Torus,
             _ => return Ok(None),
         };

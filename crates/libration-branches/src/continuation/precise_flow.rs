@@ -1,4 +1,7 @@
 //! The motion with its derivatives by the start in floats of many bits.
+//!
+//! Series, lengths of steps and sums are those of `periodic`. The loop over the steps is separate from that of `orbit`, which ends at rest, watches the
+//! distance from equilibria and compares each step with double precision.
 
 use super::drive_law::DriveLaw;
 use super::error::BranchError;

@@ -1,6 +1,6 @@
 //! Singular points of a branch, to the last digits.
 
-use super::corrector::{Corrected, Corrector, norm};
+use super::corrector::{Corrected, Corrector};
 use super::description::parameter_error;
 use super::family::TOLERANCES;
 use super::hopf::hopf;
@@ -8,6 +8,9 @@ use super::node::{Node, Tests, between};
 use super::point::BranchPoint;
 use super::space::Space;
 use super::units::{difference, in_units};
+use libration_motion::internals::periodic::norm;
+use libration_numbers::algebra::Doubles;
+use libration_numbers::internals::linear::null_space;
 use libration_numbers::roots::{Tolerance, zero_between};
 use std::f64::consts::TAU;
 
@@ -16,7 +19,8 @@ use std::f64::consts::TAU;
 pub enum SpecialKind {
     /// The branch turns back: on one side of the value there are two motions, on the other none of them.
     Fold,
-    /// A symmetric motion loses its symmetry: two mirrored ones branch off.
+    /// A symmetric motion loses its symmetry: two mirrored ones branch off. In a space that is not mirrored the symmetry is that of some coordinates
+    /// without a shift in time.
     SymmetryBreaking,
     /// A motion with twice the period branches off.
     PeriodDoubling,
@@ -272,8 +276,8 @@ impl Stretch<'_> {
         let own = [&a, &b].map(|it| parameter_error(&it.corrected, &it.direction, self.units).unwrap_or(0.0));
         let missed = off(&a).max(off(&b)) + off(&again) + f64::EPSILON * node.point.parameter.abs();
         let error = own[0].max(own[1]) + 4.0 * (missed + left_of(test, [&node, &again], [&a, &b]));
-        let special =
-            SpecialPoint { kind: SpecialKind::BranchPoint, point: node.point.clone(), error, before: 0 };
+        let kind = self.kind(Test::Branching, &node);
+        let special = SpecialPoint { kind, point: node.point.clone(), error, before: 0 };
         Some((s, Located { special, node }))
     }
 
@@ -332,12 +336,30 @@ impl Stretch<'_> {
     fn kind(&self, test: Test, node: &Node) -> SpecialKind {
         match test {
             Test::Fold => SpecialKind::Fold,
+            Test::Branching if self.loses_partial_mirror(node) => SpecialKind::SymmetryBreaking,
             Test::Branching => SpecialKind::BranchPoint,
             Test::Flip if self.corrector.space.mirrored => SpecialKind::SymmetryBreaking,
             Test::Flip => SpecialKind::PeriodDoubling,
             Test::Torus if node.point.is_torus() => SpecialKind::NeimarkSacker,
             Test::Torus => SpecialKind::NeutralSaddle,
         }
+    }
+
+    /// `true` if a motion that is not at rest loses the mirror symmetry of some coordinates without a shift in time. In mirrored spaces the kind would
+    /// not tell this from the loss of the mirror of the space.
+    fn loses_partial_mirror(&self, node: &Node) -> bool {
+        let Corrector { family, space, .. } = self.corrector;
+        let moves = node.point.ranges.iter().any(|[low, high]| low < high);
+        if space.mirrored || !moves {
+            return false;
+        }
+        let map = node.corrected.image.return_map().iter().enumerate();
+        let less_one = map
+            .map(|(i, row)| row.iter().enumerate().map(|(j, x)| if i == j { x - 1.0 } else { *x }).collect());
+        let vectors = null_space(&Doubles, |x| x.abs(), &less_one.collect::<Vec<Vec<f64>>>(), 1);
+        let Some(vector) = vectors.and_then(|mut all| all.pop()) else { return false };
+        let scaled = |it: &[f64]| it.iter().zip(self.units).map(|(x, unit)| x / unit).collect::<Vec<f64>>();
+        family.loses_partial_mirror(&scaled(&node.point.state), &scaled(&vector))
     }
 }
 

@@ -32,8 +32,9 @@ impl Search<'_> {
         if generation >= self.options.generations {
             return vec![];
         }
+        let is_mirrored = walked.branch.space.mirrored;
         let origin = |kind: SpecialKind| match kind {
-            SpecialKind::SymmetryBreaking => Some(Origin::SymmetryBreaking),
+            SpecialKind::SymmetryBreaking if is_mirrored => Some(Origin::SymmetryBreaking),
             SpecialKind::PeriodDoubling => Some(Origin::PeriodDoubling),
             _ => None,
         };

@@ -41,6 +41,24 @@ pub(super) fn symmetry(
     }
 }
 
+/// `true` if there is a mirror image without a shift in time, with these components of a state changed and those kept, that the equation has.
+pub(super) fn has_partial_mirror(
+    layout: &StateLayout,
+    rates: &Tape,
+    law: Option<&DriveLaw>,
+    ranges: &[[f64; 2]],
+    [changed, kept]: [&[bool]; 2],
+) -> bool {
+    let equation = Trial { layout, rates, law, ranges };
+    let fits = |mirror: &Vec<f64>| {
+        let signs = equation.of_state(mirror);
+        let agrees =
+            |((sign, changed), kept): ((&f64, &bool), &bool)| !if *sign < 0.0 { *kept } else { *changed };
+        signs.iter().zip(changed).zip(kept).all(agrees)
+    };
+    mirrors(layout.coordinates()).filter(fits).any(|mirror| equation.has(0.0, &mirror))
+}
+
 /// The signs of coordinates, some of them −1: all of them first, and those that keep the first coordinate's last.
 fn mirrors(coordinates: usize) -> impl Iterator<Item = Vec<f64>> {
     /// Coordinates that may keep their signs.

@@ -1,8 +1,8 @@
 //! The units of the unknowns of a motion: half of what each coordinate goes, its share of the velocity, the period, and the range of the parameter.
 
-use super::corrector::norm;
 use super::family::Family;
 use super::point::BranchPoint;
+use libration_motion::internals::periodic::norm;
 use std::f64::consts::TAU;
 
 /// A direction as a unit vector in units.

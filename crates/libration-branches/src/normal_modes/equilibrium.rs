@@ -1,4 +1,4 @@
-//! Equilibria of a system.
+//! Equilibria of a system: Newton's method of `roots` from a guess, and the fractions at which all forces are proved to vanish.
 
 use super::error::{ModesError, SearchEnd};
 use libration_numbers::algebra::{BigFloat, Doubles, Rational, Rationals, Ring};

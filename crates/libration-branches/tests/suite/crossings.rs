@@ -58,10 +58,29 @@ fn a_branch_that_turns_back_where_it_crosses_another_one_has_no_fold_there() {
     assert_eq!(response.branches.len(), 2);
     for branch in &response.branches {
         let crossings: Vec<_> =
-            branch.special.iter().filter(|it| it.kind == SpecialKind::BranchPoint).collect();
+            branch.special.iter().filter(|it| it.kind == SpecialKind::SymmetryBreaking).collect();
         assert_eq!((crossings.len(), specials(branch, SpecialKind::Fold)), (1, vec![]));
         let off = (crossings[0].point.parameter - 0.0328535739955020294313792134768).abs();
         assert!(off < 1e-12 && off <= crossings[0].error, "{off:e} {:e}", crossings[0].error);
+    }
+}
+
+/// y → −y is a symmetry without a shift in time, which the motion in the plane y = 0 loses where y″ + y′/5 + (1/2 − x² − 3x/10)·y = 0 with x = 10·F·sin t
+/// has the multiplier 1: by SciPy's DOP853 at 1e-13. With a constant force on y there is no such symmetry, and no crossing.
+#[test]
+fn a_mirror_image_of_some_coordinates_without_a_shift_is_recognised() {
+    for (force, lost) in [("", 1), (" + 1/1000", 0)] {
+        let pair =
+            format!("x'' = -0.1*x' - x + F*cos(t); y'' = -0.2*y' - (0.5 - x^2 - 0.3*x)*y - y^3{force}");
+        let response = over(&pair, "F", [0.05, 0.15], ResponseOptions::default());
+        let branch = &response.branches[0];
+        let found = specials(branch, SpecialKind::SymmetryBreaking);
+        assert!(
+            found.len() == lost && found.iter().all(|it| (it - 0.10696352084745486).abs() < 1e-10),
+            "{force}: {found:?} {:?}",
+            branch.special
+        );
+        assert_eq!(specials(branch, SpecialKind::BranchPoint), [0.0; 0]);
     }
 }
 

@@ -3,7 +3,7 @@
 use super::error::OrbitError;
 use super::near::OrbitGuess;
 use super::path::{Path, sign_change, until};
-use crate::periodic::Flow;
+use crate::periodic::{Flow, Variations};
 use crate::taylor::{IntegrationError, Moment, StateLayout};
 use libration_numbers::expression::Equation;
 use libration_numbers::internals::progress::Watch;
@@ -96,10 +96,15 @@ impl<'w> Rounds<'w> {
 
     /// The derivatives of the state after a time with respect to the state at the start, by rows.
     fn monodromy(&self, state: &[f64], duration: f64) -> Result<Vec<Vec<f64>>, IntegrationError> {
-        Ok(self.flow.variations(state, &[], [0.0, duration], VARIATIONS[0], || self.watch.flow())?.by_start)
+        Ok(self.variations(state, [0.0, duration])?.by_start)
     }
 
-    /// The same to another tolerance, and the largest size of each derivative on the way.
+    /// The state after a time with its derivatives.
+    pub(super) fn variations(&self, state: &[f64], times: [f64; 2]) -> Result<Variations, IntegrationError> {
+        self.flow.variations(state, &[], times, VARIATIONS[0], || self.watch.flow())
+    }
+
+    /// The derivatives by the start to another tolerance, and the largest size of each derivative on the way.
     pub(super) fn largest_variations(
         &self,
         state: &[f64],

@@ -6,6 +6,7 @@
 use super::closing::Rounds;
 use super::error::OrbitError;
 use super::near::OrbitGuess;
+use crate::periodic::norm;
 
 /// A leap changes the state by this part of its way in half a turn. From a fourth of its amplitude van der Pol's cycle is in reach of
 /// Newton's method, which begins at three fifths, after seven of them.
@@ -20,8 +21,8 @@ pub(super) fn leap(rounds: &Rounds<'_>, from: &OrbitGuess) -> Result<Option<Orbi
     let Some(path) = rounds.turn(from, 1e-16)? else { return Ok(None) };
     let period = path.end_time();
     let drift = difference(&path.state_at(period), &from.state);
-    let way = length(&difference(&path.state_at(0.5 * period), &from.state));
-    let turns = LEAP * way / length(&drift);
+    let way = norm(&difference(&path.state_at(0.5 * period), &from.state));
+    let turns = LEAP * way / norm(&drift);
     if !turns.is_finite() {
         return Ok(None);
     }
@@ -32,8 +33,4 @@ pub(super) fn leap(rounds: &Rounds<'_>, from: &OrbitGuess) -> Result<Option<Orbi
 
 fn difference(to: &[f64], from: &[f64]) -> Vec<f64> {
     to.iter().zip(from).map(|(to, from)| to - from).collect()
-}
-
-fn length(vector: &[f64]) -> f64 {
-    vector.iter().fold(0.0, |length, x| libm::hypot(length, *x))
 }

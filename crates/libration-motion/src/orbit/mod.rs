@@ -23,6 +23,7 @@
 mod error;
 
 mod path;
+mod pieces;
 
 mod harmonics;
 mod near;

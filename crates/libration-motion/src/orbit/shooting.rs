@@ -17,7 +17,7 @@ use super::error::{Lost, OrbitError, finished};
 use super::near::OrbitGuess;
 use super::periodic::{Orbit, StateErrors};
 use super::released::depends_on_time;
-use crate::periodic::{CLOSED, Floquet, NewtonStep, Stability};
+use crate::periodic::{CLOSED, Floquet, LOST, NewtonStep, Stability, norm_of_map};
 use libration_numbers::expression::Equation;
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Progress;
@@ -117,12 +117,12 @@ fn check(rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<(), OrbitError> {
 }
 
 /// The state of Newton's method.
-struct Newton<'a> {
-    rounds: &'a Rounds<'a>,
-    unknowns: &'a Unknowns,
-    at: OrbitGuess,
-    round: Round,
-    sizes: Vec<f64>,
+pub(super) struct Newton<'a> {
+    pub(super) rounds: &'a Rounds<'a>,
+    pub(super) unknowns: &'a Unknowns,
+    pub(super) at: OrbitGuess,
+    pub(super) round: Round,
+    pub(super) sizes: Vec<f64>,
     /// The largest part of its size by which a number of the state misses its start.
     miss: f64,
 }
@@ -242,6 +242,10 @@ impl<'a> Newton<'a> {
         if undetermined > UNDETERMINED {
             return Err(OrbitError::Undetermined(undetermined));
         }
+        let growth = self.norm(|i, j| self.round.monodromy[i][j]);
+        if growth * f64::EPSILON > LOST && !self.closes_by_pieces(&start, uncertainty, growth) {
+            return Err(OrbitError::NoConvergence { rounds, defect: self.miss });
+        }
         let grown: Vec<f64> =
             largest.iter().map(|row| row.iter().zip(&start).map(|(a, b)| a * b).sum()).collect();
         let apart: Vec<f64> = self.round.path.apart(&again).iter().map(|it| 4.0 * it).collect();
@@ -265,15 +269,14 @@ impl<'a> Newton<'a> {
     /// The error of the monodromy matrix relative to its norm: from the difference of another integration, and from the error of the start
     /// relative to the size of the orbit.
     fn change_of_map(&self, other: &[Vec<f64>], start: &[f64]) -> f64 {
-        let norm = |matrix: &dyn Fn(usize, usize) -> f64| {
-            let entries = (0..start.len()).flat_map(|i| (0..start.len()).map(move |j| (i, j)));
-            entries.fold(0.0, |norm: f64, (i, j)| {
-                libm::hypot(norm, matrix(i, j) * self.sizes[j] / self.sizes[i])
-            })
-        };
         let own = &self.round.monodromy;
-        let apart = norm(&|i, j| own[i][j] - other[i][j]);
-        4.0 * (apart / norm(&|i, j| own[i][j]) + miss(start, &self.sizes))
+        let apart = self.norm(|i, j| own[i][j] - other[i][j]);
+        4.0 * (apart / self.norm(|i, j| own[i][j]) + miss(start, &self.sizes))
+    }
+
+    /// The norm of a matrix of derivatives by the start, in the sizes of the orbit.
+    fn norm(&self, matrix: impl Fn(usize, usize) -> f64) -> f64 {
+        norm_of_map(self.sizes.len(), &self.sizes, matrix)
     }
 
     /// The errors of the start that a residual leaves, zero for the components that are held.

@@ -1,4 +1,7 @@
 //! Equilibria of an oscillator, and whether motions return to them.
+//!
+//! Newton's method is that of `roots`. The search before it and the recognition of fractions after it differ from those of `normal_modes`: here all
+//! zeros of one force are wanted to 512 bits, there one zero of several forces near a guess in double precision.
 
 use super::constant::{Approximation, Constant, PRECISION};
 use super::error::{FrequencySource, OscillatorError, RejectedEquilibrium, RejectionReason};

@@ -5,6 +5,7 @@
 //! (`linear::eigenvalue_errors`). An orbit is called stable or unstable only if the multipliers differ from one in modulus by more than their
 //! errors.
 
+use super::norm::norm;
 use libration_numbers::algebra::Complex;
 use libration_numbers::internals::linear::{eigenvalue_errors, eigenvalues};
 
@@ -117,7 +118,7 @@ pub fn multiplier_errors(
     const ROUNDINGS: f64 = 4.0;
     let row = |(row, own): (&Vec<f64>, &f64)| row.iter().zip(units).map(|(x, unit)| x * unit / own).collect();
     let scaled: Vec<Vec<f64>> = monodromy.iter().zip(units).map(row).collect();
-    let norm = scaled.iter().flatten().fold(0.0, |norm: f64, x| libm::hypot(norm, *x));
+    let norm = norm(&scaled.concat());
     let rows = scaled.iter().fold(0.0, |count, _| count + 1.0);
     eigenvalue_errors(&scaled, multipliers, norm * (part + ROUNDINGS * rows * f64::EPSILON))
 }

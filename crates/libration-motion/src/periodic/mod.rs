@@ -19,11 +19,13 @@ mod floquet;
 mod flow;
 mod multiple_shooting;
 mod newton_step;
+mod norm;
 mod precise_series;
 
 pub use extrema::{Extrema, extrema, turns_in};
 pub use floquet::{Floquet, Stability, multiplier_errors};
 pub use flow::{Flow, Variations};
-pub use multiple_shooting::{Frame, Nodes, Piece};
+pub use multiple_shooting::{Checked, Frame, LOST, Nodes, Piece};
 pub use newton_step::{CLOSED, NewtonStep};
+pub use norm::{norm, norm_of_map};
 pub use precise_series::{precise_series, precise_step, precise_sum};

@@ -4,7 +4,12 @@
 //! J. Stoer and R. Bulirsch, *Introduction to Numerical Analysis*, Springer 2002, section 7.3.5.
 
 use super::newton_step::CLOSED;
+use super::norm::norm_of_map;
+use libration_kernels::elementary::count;
 use libration_numbers::internals::linear::least_squares;
+
+/// The rounding of a start, as it grows in a period, beyond which the end of one integration tells nothing of the start.
+pub const LOST: f64 = 1e-6;
 
 /// The end of a piece with its derivatives.
 #[derive(Clone, Debug)]
@@ -37,6 +42,72 @@ pub struct Frame<'a> {
     pub conditions: &'a [Vec<f64>],
 }
 
+impl Frame<'_> {
+    /// The norm of the derivatives of a piece by its start, in units.
+    fn norm(&self, piece: &Piece) -> f64 {
+        norm_of_map(self.shift.len(), self.units, |i, j| piece.by_start[i][j])
+    }
+}
+
+/// An orbit whose deviations grow much, to be checked piece by piece.
+#[derive(Clone, Copy, Debug)]
+pub struct Checked<'a> {
+    /// Units and conditions.
+    pub frame: Frame<'a>,
+    /// The components of the first state, then the further unknowns.
+    pub place: &'a [f64],
+    /// The errors of these, in units.
+    pub errors: &'a [f64],
+    /// The growth of deviations in a period.
+    pub growth: f64,
+}
+
+impl Checked<'_> {
+    /// `true` if there is an orbit within the errors of this one: integrated from node to node, each piece ends where the next one begins. `state_at`
+    /// has the state at a part of the period, and `piece` integrates from a state between two parts of the period for values of the further unknowns.
+    pub fn closes(
+        &self,
+        state_at: impl Fn(f64) -> Option<Vec<f64>>,
+        piece: impl Fn([f64; 2], &[f64], &[f64]) -> Option<Piece>,
+    ) -> bool {
+        /// The growth of deviations in a piece that is aimed at, and how often pieces are halved where it is uneven.
+        const GROWTH: f64 = 1e3;
+        const HALVINGS: u32 = 4;
+        const MOST_PIECES: f64 = 128.0;
+        let even = 2.0 * libm::ceil(libm::log(self.growth) / libm::log(GROWTH)).max(1.0);
+        let counts = (0..HALVINGS).map(|halvings| even * libm::exp2(f64::from(halvings)));
+        counts.take_while(|pieces| *pieces <= MOST_PIECES).any(|pieces| {
+            let starts = std::iter::successors(Some(0.0), |k| Some(k + 1.0)).take_while(|k| *k < pieces);
+            let states = starts.map(|k| state_at(k / pieces)).collect::<Option<Vec<_>>>();
+            let further = self.place[self.frame.shift.len()..].to_vec();
+            let between = |number: usize, state: &[f64], further: &[f64]| {
+                piece([number, number + 1].map(|k| count(k) / pieces), state, further)
+            };
+            let nodes = states.map(|states| Nodes { states, further });
+            nodes.and_then(|nodes| nodes.closed(self.frame, between)).is_some_and(|found| self.holds(&found))
+        })
+    }
+
+    /// `true` if an orbit lies within the errors of this one.
+    fn holds(&self, found: &Nodes) -> bool {
+        let found = found.states[0].iter().chain(&found.further);
+        let off = found.zip(self.place).map(|(a, b)| a - b);
+        let allowed = self.errors.iter().zip(self.place).zip(self.frame.units);
+        off.zip(allowed).all(|(off, ((error, x), unit))| {
+            off.abs() <= CLOSED * (error * unit + f64::EPSILON * x.abs().max(*unit))
+        })
+    }
+}
+
+impl Piece {
+    /// The derivative of the end by the duration of an orbit, of which start and end of the piece are parts; `rates` are the rates of change there.
+    pub fn by_duration(by_start: &[Vec<f64>], rates: [&[f64]; 2], parts: [f64; 2]) -> Vec<f64> {
+        let grown = |row: &Vec<f64>| row.iter().zip(rates[0]).map(|(x, rate)| x * rate).sum::<f64>();
+        let rows = by_start.iter().zip(rates[1]);
+        rows.map(|(row, rate)| parts[1] * rate - parts[0] * grown(row)).collect()
+    }
+}
+
 impl Nodes {
     /// The orbit next to these nodes whose pieces, integrated one by one, all end at the beginning of the next one within the rounding of a state as
     /// the piece makes it grow; `None` where Newton's method finds none. `piece` integrates the piece of a number from a state.
@@ -54,7 +125,7 @@ impl Nodes {
                 pieces.iter().enumerate().map(|(number, it)| self.missed(frame, number, it)).collect();
             let rounding = f64::EPSILON * (1.0 + self.size(frame));
             let joins = |(missed, piece): (&Vec<f64>, &Piece)| {
-                largest(missed) <= CLOSED * (1.0 + norm(frame, piece)) * rounding
+                largest(missed) <= CLOSED * (1.0 + frame.norm(piece)) * rounding
             };
             if missed.iter().zip(&pieces).all(joins) {
                 return Some(self);
@@ -130,12 +201,4 @@ impl Nodes {
 
 fn largest(vector: &[f64]) -> f64 {
     vector.iter().fold(0.0, |largest: f64, x| if x.is_nan() { f64::INFINITY } else { largest.max(x.abs()) })
-}
-
-/// The norm of the derivatives of a piece by its start, in units.
-fn norm(frame: Frame<'_>, piece: &Piece) -> f64 {
-    let entries = (0..frame.shift.len()).flat_map(|i| (0..frame.shift.len()).map(move |j| (i, j)));
-    entries.fold(0.0, |norm: f64, (i, j)| {
-        libm::hypot(norm, piece.by_start[i][j] * frame.units[j] / frame.units[i])
-    })
 }

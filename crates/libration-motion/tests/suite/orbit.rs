@@ -247,6 +247,31 @@ fn a_driven_linear_oscillator_answers_as_it_must() {
     assert_eq!(orbit.floquet().unwrap().stability, Stability::Attracting);
 }
 
+/// Deviations grow by e^{aT} in a period, 8e10 and 1.6e12, beyond what one integration closes: x = −cos t/(1 + a²).
+#[test]
+fn strongly_unstable_orbits_close_piece_by_piece() {
+    for stiffness in [16.0, 20.0] {
+        let driven = equation(&format!("x'' = {stiffness}*x + cos(t)"));
+        let start = -1.0 / (1.0 + stiffness);
+        let orbit = Orbit::driven(&driven, TAU, &[start, 0.0], &Quiet).unwrap();
+        assert_within(orbit.start()[0], start, orbit.start_errors()[0], &format!("{stiffness}"));
+        let growth = libm::exp(TAU * libm::sqrt(stiffness));
+        let largest = orbit.floquet().unwrap().multipliers[0].re;
+        assert_within(largest / growth, 1.0, 1e-2, "growth");
+    }
+}
+
+/// y loses 2e-5 of its amplitude in a period, which is less than the rounding of x makes the end miss: no orbit.
+#[test]
+fn damped_motion_next_to_a_strongly_unstable_one_does_not_close() {
+    for (damping, is_orbit) in [("0", true), ("1/200000", false)] {
+        let equation = equation(&format!("y'' = -y - {damping}*y'; x'' = 20*x + y"));
+        let guess = OrbitGuess { state: vec![1.0, -1.0 / 21.0, 0.0, 0.0], period: TAU };
+        let found = Orbit::near(&equation, &guess, &[0, 2], &Quiet);
+        assert_eq!(found.is_ok(), is_orbit, "{damping}: {:?}", found.map(|it| it.start_errors().to_vec()));
+    }
+}
+
 /// The inverted pendulum on a pivot that shakes fast enough stands: a²Ω² > 2gl.
 #[test]
 fn a_shaken_pendulum_stands_upside_down() {

@@ -1,6 +1,6 @@
 //! The result as lines of numbers below their names.
 
-use super::events::Happening;
+use super::events::{Happening, error_column};
 use super::fields;
 use super::motion::SimulatedMotion;
 use super::report::{AnswerWriter, Sample, Summary};
@@ -54,7 +54,7 @@ impl AnswerWriter for Csv {
         if self.with_errors {
             names.extend(self.with_events.then(|| fields::TIME_ERROR.0.to_owned()));
             let of_errors = [motion.model.state_names(), motion.column_names()].concat();
-            names.extend(of_errors.iter().map(|name| error_of(name)));
+            names.extend(of_errors.iter().map(|name| error_column(name)));
         }
         names.extend(self.with_events.then(|| fields::EVENT.0.to_owned()));
         csv::line(out, &names)
@@ -75,9 +75,4 @@ impl AnswerWriter for Csv {
     fn end(&mut self, _: &Summary, _: &mut dyn Write) -> io::Result<()> {
         Ok(())
     }
-}
-
-/// The name of the error of a column.
-pub(super) fn error_of(name: &str) -> String {
-    format!("{name}_error")
 }

@@ -1,8 +1,7 @@
 //! The samples and events of an earlier result, one after the other.
 
 use super::{Checksum, Mark, Question, ResumeError};
-use crate::command::simulate::csv::error_of;
-use crate::command::simulate::events::Happening;
+use crate::command::simulate::events::{Happening, error_column};
 use crate::output::csv;
 use libration::taylor::MomentErrors;
 use serde_json::Value;
@@ -76,16 +75,17 @@ impl Rows {
                 }
                 let mut lines = BufReader::with_capacity(1 << 16, file).take(*bytes);
                 let (mut checksum, mut line, mut number) = (Checksum::NONE, vec![], 0);
-                let mut cells = None;
+                let mut cells: Option<Cells> = None;
                 while lines.read_until(b'\n', &mut line).map_err(unreadable)? > 0 {
                     checksum.include(&line);
                     number += 1;
-                    match &cells {
-                        None => {
-                            cells = Some(Cells::below(&line, *contents).ok_or(ResumeError::Unreadable(1))?)
+                    cells = Some(match cells {
+                        None => Cells::below(&line, *contents).ok_or(ResumeError::Unreadable(1))?,
+                        Some(cells) => {
+                            take(&cells.of_line(&line).ok_or(ResumeError::Unreadable(number))?)?;
+                            cells
                         }
-                        Some(cells) => take(&cells.of_line(&line).ok_or(ResumeError::Unreadable(number))?)?,
-                    }
+                    });
                     line.clear();
                 }
                 Ok(checksum)
@@ -120,7 +120,7 @@ impl Cells {
         let columns = rest.checked_sub(numbers)? / 2;
         let (values, behind) = names.get(1..)?.split_at_checked(numbers + columns)?;
         let errors = behind.get(with_time_errors..)?;
-        let fits = errors.iter().zip(values).filter(|(error, name)| **error == error_of(name)).count();
+        let fits = errors.iter().zip(values).filter(|(error, name)| **error == error_column(name)).count();
         (fits == values.len()).then_some(Self { contents, columns })
     }
 

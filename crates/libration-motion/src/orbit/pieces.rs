@@ -1,0 +1,42 @@
+//! The check of a strongly unstable orbit, piece by piece.
+
+use super::shooting::Newton;
+use crate::periodic::{Checked, Frame, Piece};
+
+impl Newton<'_> {
+    /// `true` if there is an orbit of the equation within the errors of this one, integrated piece by piece over its period. The components that
+    /// Newton's method holds keep their values. `growth` is that of deviations in the period.
+    pub(super) fn closes_by_pieces(&self, start: &[f64], period: f64, growth: f64) -> bool {
+        let numbers = start.len();
+        let is_own = self.unknowns.period;
+        let period_alone = is_own.then_some(self.at.period);
+        let place: Vec<f64> = self.at.state.iter().copied().chain(period_alone).collect();
+        let units: Vec<f64> = self.sizes.iter().copied().chain(period_alone).collect();
+        let errors = start.iter().zip(&self.sizes).map(|(error, size)| error / size);
+        let errors: Vec<f64> = errors.chain(is_own.then_some(period / self.at.period)).collect();
+        let held = (0..numbers).filter(|number| !self.unknowns.free.contains(number));
+        let conditions: Vec<Vec<f64>> = held
+            .map(|held| (0..units.len()).map(|number| if number == held { 1.0 } else { 0.0 }).collect())
+            .collect();
+        let shift = vec![0.0; numbers];
+        let frame = Frame { units: &units, shift: &shift, conditions: &conditions };
+        let piece = |parts: [f64; 2], state: &[f64], further: &[f64]| {
+            let whole = further.first().copied().unwrap_or(self.at.period);
+            let times = parts.map(|part| whole * part);
+            let found = self.rounds.variations(state, times).ok()?;
+            let mut by_further = vec![];
+            if is_own {
+                let [from, to] = [(state, times[0]), (&found.end[..], times[1])];
+                let rates = [self.rounds.rate(from.0, from.1).ok()?, self.rounds.rate(to.0, to.1).ok()?];
+                by_further.push(Piece::by_duration(
+                    &found.by_start,
+                    rates.each_ref().map(|it| &it[..]),
+                    parts,
+                ));
+            }
+            Some(Piece { end: found.end, by_start: found.by_start, by_further })
+        };
+        let state_at = |part: f64| Some(self.round.path.state_at(part * self.at.period));
+        Checked { frame, place: &place, errors: &errors, growth }.closes(state_at, piece)
+    }
+}
