@@ -649,7 +649,7 @@ fn cells_without_a_finite_number_are_empty_in_csv() {
     let cells: Vec<&str> = lines[2].split(',').collect();
     assert!(cells[3].parse::<f64>().is_ok_and(f64::is_finite) && cells[4].is_empty(), "{one}");
     let file = directory("simulate-not-finite").join("motions.csv");
-    std::fs::write(&file, "x\n1\n").unwrap();
+    fs::write(&file, "x\n1\n").unwrap();
     let each = file.display().to_string();
     let many =
         run(&["simulate", "x'' = -x", "--each", &each, "--times", "0,1", "--columns", columns, "--csv"]);
