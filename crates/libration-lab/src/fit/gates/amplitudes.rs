@@ -120,12 +120,12 @@ impl Swings {
         let mut of_passages = vec![None; self.placed.len()];
         let mut next = 0;
         for &cycle in self.cycles.iter().take_while(|_| watch.go_on().is_ok()) {
-            for passage in next.max(cycle)..cycle + 3 {
+            (next.max(cycle)..cycle + 3).for_each(|passage| {
                 let motion = NearBottom { omega0: TAU / t0, drag: found.drag[passage] };
                 of_passages[passage] = self
                     .blocked(passage)
                     .and_then(|blocked| motion.amplitude(found.width, blocked, found.from_bottom[passage]));
-            }
+            });
             next = cycle + 3;
         }
         of_passages

@@ -32,8 +32,7 @@ impl NearBottom {
             later - earlier - width
         };
         let largest = excess(LARGEST);
-        // Also false for what is not a number.
-        if !(largest > 0.0) {
+        if largest.is_nan() || largest <= 0.0 {
             return None;
         }
         zero_between([(0.0, -width), (LARGEST, largest)], Tolerance::absolute(1e-13), excess)

@@ -60,7 +60,7 @@ impl Table {
 
     /// Adds a row, and writes it when the widths are known.
     pub fn row(&mut self, out: &mut dyn Write, mut cells: Vec<String>) -> io::Result<()> {
-        cells.iter_mut().for_each(|cell| screen::clean(cell));
+        cells.iter_mut().for_each(screen::clean);
         if let Some(layout) = self.layout.as_ref().filter(|_| self.held.is_empty())
             && layout.is_one_block()
             && layout.holds(&self.columns, &cells)
