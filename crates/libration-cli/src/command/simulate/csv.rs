@@ -4,6 +4,7 @@ use super::events::Happening;
 use super::fields;
 use super::motion::SimulatedMotion;
 use super::report::{AnswerWriter, Sample, Summary};
+use super::resume::error_of;
 use crate::output::csv;
 use crate::output::field::Fields;
 use libration::taylor::MomentErrors;
@@ -75,9 +76,4 @@ impl AnswerWriter for Csv {
     fn end(&mut self, _: &Summary, _: &mut dyn Write) -> io::Result<()> {
         Ok(())
     }
-}
-
-/// The name of the error of a column.
-pub(super) fn error_of(name: &str) -> String {
-    format!("{name}_error")
 }

@@ -1,7 +1,6 @@
 //! The samples and events of an earlier answer, one after the other.
 
 use super::{Checksum, Mark, Question, ResumeError};
-use crate::command::simulate::csv::error_of;
 use crate::command::simulate::events::Happening;
 use crate::output::csv;
 use libration::taylor::MomentErrors;
@@ -93,6 +92,11 @@ impl Rows {
             }
         }
     }
+}
+
+/// The name of the error of a column.
+pub(crate) fn error_of(name: &str) -> String {
+    format!("{name}_error")
 }
 
 fn of_record(value: &Value) -> Option<Happening> {
