@@ -187,8 +187,3 @@ fn zero_of(argument: &Parameter, text: &str, model: &Model) -> Result<Kind, Quer
     let name = text.parse().map_or_else(|_| text.to_owned(), |written: Expression| written.to_string());
     Ok(Kind { name, formula, coordinate: 0, direction: Direction::Any, ends_at: None })
 }
-
-/// The name of the column with the errors of a column.
-pub(crate) fn error_column(name: &str) -> String {
-    format!("{name}_error")
-}

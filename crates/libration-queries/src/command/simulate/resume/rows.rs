@@ -1,7 +1,7 @@
 //! The samples and events of an earlier result, one after the other.
 
 use super::{Checksum, Mark, Question, ResumeError};
-use crate::command::simulate::events::{Happening, error_column};
+use crate::command::simulate::events::Happening;
 use crate::output::csv;
 use libration::taylor::MomentErrors;
 use serde_json::Value;
@@ -94,6 +94,11 @@ impl Rows {
     }
 }
 
+/// The name of the error of a column.
+pub(crate) fn error_of(name: &str) -> String {
+    format!("{name}_error")
+}
+
 fn of_record(value: &Value) -> Option<Happening> {
     let state = value["state"].as_array()?.iter().map(Value::as_f64).collect::<Option<_>>()?;
     let kind = value["kind"].as_str().unwrap_or_default().to_owned();
@@ -120,7 +125,7 @@ impl Cells {
         let columns = rest.checked_sub(numbers)? / 2;
         let (values, behind) = names.get(1..)?.split_at_checked(numbers + columns)?;
         let errors = behind.get(with_time_errors..)?;
-        let fits = errors.iter().zip(values).filter(|(error, name)| **error == error_column(name)).count();
+        let fits = errors.iter().zip(values).filter(|(error, name)| **error == error_of(name)).count();
         (fits == values.len()).then_some(Self { contents, columns })
     }
 
