@@ -73,6 +73,7 @@ pub fn ask(arguments: impl IntoIterator<Item = OsString>, host: Arc<dyn Host>) -
 ///
 /// # Examples
 /// ```
+/// use libration::progress::Quiet;
 /// use libration_queries::{Host, InputFile};
 /// use std::path::Path;
 /// use std::sync::Arc;
@@ -93,7 +94,7 @@ pub fn ask(arguments: impl IntoIterator<Item = OsString>, host: Arc<dyn Host>) -
 /// let words = "simulate double_pendulum --each starts.csv --times 0:10:1 --tolerance 1e-8";
 /// let (model, mut ensemble) = libration_queries::ensemble(words.split(' ').map(Into::into), Arc::new(Starts))?;
 /// assert_eq!((model.state_names()[1].as_str(), ensemble.len()), ("theta2", 2));
-/// let states = ensemble.states_at(0.5);
+/// let states = ensemble.states_at(0.5, &Quiet)?;
 /// assert!((states[1] - states[5]).abs() < 1e-3);
 /// # Ok::<(), libration_queries::QueryError>(())
 /// ```

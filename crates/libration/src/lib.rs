@@ -91,18 +91,19 @@
 //! ```
 //! use libration::continuation::{Response, ResponseOptions, SpecialKind};
 //! use libration::orbit::Orbit;
+//! use libration::progress::Quiet;
 //! use libration::taylor::{Effort, System, integrate};
 //!
 //! let system = System::new(&"theta'' + theta'/10 + sin(theta) = 0".parse()?)?;
 //! let start = system.start(&[("theta", 2.0)])?;
-//! let solution = integrate(&system, &start, &[5.0, 10.0], &Effort::to_tolerance(1e-15))?;
+//! let solution = integrate(&system, &start, &[5.0, 10.0], &Effort::to_tolerance(1e-15), &Quiet)?;
 //! assert_eq!(solution.samples.len(), 2);
 //!
-//! let cycle = Orbit::limit_cycle(&"x'' - (1 - x^2) x' + x = 0".parse()?, &[0.5, 0.0])?;
+//! let cycle = Orbit::limit_cycle(&"x'' - (1 - x^2) x' + x = 0".parse()?, &[0.5, 0.0], &Quiet)?;
 //! assert!((cycle.period() - 6.6632868593231301896996820).abs() < 1e-12);
 //!
 //! let driven = "theta'' = -0.1*theta' - sin(theta) + 0.15*cos(w*t)".parse()?;
-//! let response = Response::over(&driven, "w", [0.3, 1.4], &ResponseOptions::default())?;
+//! let response = Response::over(&driven, "w", [0.3, 1.4], &ResponseOptions::default(), &Quiet)?;
 //! let fold = response.branches[0].special.iter().find(|special| special.kind == SpecialKind::Fold);
 //! assert!((fold.ok_or("no fold")?.point.parameter - 0.87215756913791717).abs() < 1e-13);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -128,6 +129,7 @@
 //! # Ok::<(), libration::catalogue::UnknownKey>(())
 //! ```
 //!
+//! # Cancellation
 //! Calls that may take long have a [`Progress`](progress::Progress) as their last argument, such as a function that cancels them, or
 //! [`Quiet`](progress::Quiet). A cancelled call returns what is done:
 //!

@@ -32,7 +32,7 @@ impl Response {
     /// let backbone = response.backbone(&driven, "w", [0.6, 1.2], true);
     /// let exact = |amplitude: f64| -> Result<f64, Box<dyn std::error::Error>> {
     ///     let pendulum = libration::pendulum::Pendulum::from_angular_frequency(1.0)?;
-    ///     Ok(std::f64::consts::TAU / pendulum.released_from(libration::quantity::Angle::from_radians(amplitude))?.period())
+    ///     Ok(std::f64::consts::TAU / pendulum.released_from(libration::quantity::Angle::from_radians(amplitude)?)?.period())
     /// };
     /// for (frequency, amplitude) in backbone {
     ///     assert!((frequency - exact(amplitude)?).abs() < 1e-12);

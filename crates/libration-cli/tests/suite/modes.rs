@@ -72,7 +72,7 @@ fn questions_about_modes_without_an_answer_are_refused() {
         (&["modes", "x'' = -x^2 - 1"], 1, "no equilibrium"),
         (&["modes", "pendulum", "--about", "phi=1"], 2, "no coordinate `phi`: it has theta"),
         (&["modes", "pendulum", "--about", "theta"], 2, "has no value"),
-        (&["modes", "x'' = -x", "--about", "x=1kg"], 2, "no number"),
+        (&["modes", "x'' = -x", "--about", "x=1kg"], 2, "not a number"),
         (&["backbone", "duffing"], 2, "--amplitudes"),
         (&["backbone", "duffing", "--amplitudes", "1deg"], 2, "angle units"),
         (&["backbone", "duffing", "--amplitudes", "0:1:0.5"], 2, "above zero"),

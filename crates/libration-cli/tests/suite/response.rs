@@ -52,8 +52,8 @@ fn a_response_is_told_in_words() {
     let told = text("response driven_pendulum --set A=0.15,c=0.1 --over omega=0.7:1");
     let words = told.split_whitespace().collect::<Vec<_>>().join(" ");
     for part in [
-        "Upwards in omega the answer jumps up at omega = 0.872158, from 52.195° to 89.119°",
-        "Downwards in omega the answer jumps down at omega = 0.780633, from 106.32° to 22.624°",
+        "Upwards in omega the solution jumps up at omega = 0.872158, from 52.195° to 89.119°",
+        "Downwards in omega the solution jumps down at omega = 0.780633, from 106.32° to 22.624°",
         "fold 1 0.872157569137917",
     ] {
         assert!(words.contains(part), "{part} in {told}");

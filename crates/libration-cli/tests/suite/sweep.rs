@@ -196,7 +196,7 @@ fn another_sweep_is_refused() {
     let text = fs::read_to_string(&manifest).unwrap();
     let changed = [
         (text.replace("\"format\": 1", "\"format\": 2"), "its format is 2"),
-        (text.replace("\"version\": \"", "\"version\": \"9."), "has begun it"),
+        (text.replace("\"version\": \"", "\"version\": \"9."), "was begun by"),
         (text.replace("\"shape\"", "\"form\""), "not the plan of a sweep"),
         (text[..text.len() / 2].to_owned(), "sweep.json"),
     ];
@@ -304,7 +304,7 @@ fn a_full_disk_is_told_and_keeps_whole_chunks() {
     assert_eq!(output.status.code(), Some(1), "{}", message(&output));
     let said = message(&output);
     assert!(
-        said.contains("cannot write") && said.contains("too large") && said.contains("goes on"),
+        said.contains("cannot write") && said.contains("too large") && said.contains("continues"),
         "{said}"
     );
     assert_eq!(chunks(&place).len(), 1);

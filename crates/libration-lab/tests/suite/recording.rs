@@ -435,7 +435,7 @@ fn degrees_under_a_header_of_radians_are_doubted_at_once() {
     };
     let doubtful = |header: &str, degrees: f64| {
         told(&traces(&swing(header, degrees), &Choices::default()).unwrap())
-            .contains("these are degrees (unit overrides it)")
+            .contains("these are degrees (angle-unit overrides it)")
     };
     assert!(doubtful("θ (rad)", 47.3));
     assert!(!doubtful("θ (deg)", 47.3) && !doubtful("θ (rad)", 2.9));
@@ -495,7 +495,7 @@ fn a_rotation_without_a_unit_is_not_taken_for_degrees() {
             .collect::<String>()
     );
     let refused = traces(&file, &Choices::default()).unwrap_err();
-    assert!(refused.to_string().contains("say angle-unit=rad or deg"), "{refused}");
+    assert!(refused.to_string().contains("give angle-unit=rad or deg"), "{refused}");
 }
 
 /// Twenty thousand rows know the radius to a few hundredths, but an arc no higher than twice its scatter may be bent by anything.

@@ -73,7 +73,7 @@ const REFUSED: &[(&str, &str)] = &[
     ("x[i]'' = -x[i], i = 1..2000", "more than 1000 equations"),
     ("x[i]'' = -x[i], i = 1..3; x[2] = 0", "gives a value to x[2], which has an equation of motion"),
     ("x[i]'' = x[i-1], i = 1..3; x[0] = 0; x[0] = 1", "x[0] is given twice"),
-    ("x[i]'' = x[i-1], i = 1..3; x[0] = x[-1]", "x[0] is given by x[-1], which is outside"),
+    ("x[i]'' = x[i-1], i = 1..3; x[0] = x[-1]", "x[0] is defined by x[-1], which is outside"),
     ("x[i]'' = x[i-1]', i = 1..3; x[0] = 2*x[1]", "an equation contains x[0]'"),
     ("x[i]'' = -x[i] + x0, i = 1..3", "`x0` may be a parameter or x[0]"),
     ("x[i]'' = -x[i], i = 1..3; x[2]'' = 0", "two equations for x2''"),

@@ -30,7 +30,7 @@ fn a_period_that_drifts_is_in_the_uncertainty() {
     let t0 = fit.small_angle_period();
     assert!(t0.uncertainty > 0.002, "{t0}");
     assert!(matches!(fit.warnings[0], Warning::ModelRefuted(_)), "{:?}", fit.warnings);
-    assert!(fit.warnings[0].to_string().contains("refuted"));
+    assert!(fit.warnings[0].to_string().contains("rejected"));
 }
 
 #[test]

@@ -203,8 +203,8 @@ fn what_a_force_lacks_for_a_power_series_is_said_as_it_is() {
         ),
         ("x'' = -sign(x)", ["it jumps", by_orbits]),
         ("x'' = -4*x - sign(x)", ["the force jumps from 1 to -1", "circular arcs with omega^2 = 4"]),
-        ("x'' = -sqrt(x)", ["it has no value below the place", ""]),
-        ("x'' = -sqrt(1 - x)", ["it has no value above the place", ""]),
+        ("x'' = -sqrt(x)", ["it has no value below this position", ""]),
+        ("x'' = -sqrt(1 - x)", ["it has no value above this position", ""]),
         ("x'' = -sign(x)*sqrt(abs(x))", ["its slope is infinite", "the force points back to it"]),
         (
             "x'' = -x - x*abs(x)^(1/2)",
