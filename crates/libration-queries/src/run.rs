@@ -96,7 +96,7 @@ pub fn ask(arguments: impl IntoIterator<Item = OsString>, host: Arc<dyn Host>) -
 /// assert_eq!((model.state_names()[1].as_str(), ensemble.len()), ("theta2", 2));
 /// let states = ensemble.states_at(0.5, &Quiet)?;
 /// assert!((states[1] - states[5]).abs() < 1e-3);
-/// # Ok::<(), libration_queries::QueryError>(())
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn ensemble(
     arguments: impl IntoIterator<Item = OsString>,
