@@ -182,7 +182,7 @@ def test_series_are_drawn():
     ax = series.plot(amplitudes=np.linspace(0, 2, 11))
     assert [line.get_label() for line in ax.lines] == ["to A^2", "to A^4", "to A^6", "to A^8"]
     assert ax.lines[0].get_ydata()[-1] == 1 - 4 / 16
-    with pytest.raises(lb.errors.ExpansionError, match="letters"):
+    with pytest.raises(lb.errors.ExpansionError, match="symbols"):
         lb.expand("x'' + x + a*x^3 = 0", order=3).plot()
 
 

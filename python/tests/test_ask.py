@@ -26,7 +26,6 @@ QUESTIONS = [
     ["motion", "60deg", "--times", "0:1:0.1", "--figure", "-"],
     ["expand", "duffing", "--order", "5", "--json"],
     ["decay", "60deg", "--linear", "0.1", "--cycles", "3"],
-    ["--help"],
 ]
 
 

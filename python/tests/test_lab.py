@@ -58,7 +58,9 @@ def test_what_was_chosen_in_reading_is_chosen_in_the_fit():
     assert fit.g.nominal_value == pytest.approx(9.80665, rel=2e-3)
     assert "--angle=2" in fit.question and "--angle-unit=deg" in fit.question
     part = lb.lab.fit_trace(
-        lb.lab.read(table, time=1, time_unit="s", angle=2, angle_unit="deg", to=6), model="undamped", to=9
+        lb.lab.read(table, time=1, time_unit="s", angle=2, angle_unit="deg", to=6),
+        model="undamped",
+        to=9,
     )
     assert part["rows"] == np.count_nonzero(t <= 9)
 
@@ -204,7 +206,10 @@ def test_names_of_columns_are_no_rows_even_where_they_are_numbers():
     numbered = lb.lab.fit_periods(pandas.DataFrame(np.c_[amplitude, period]), length="99.4(1)cm")
     assert numbered["rows"] == 30 and numbered.g.nominal_value == named.g.nominal_value
     read = lb.lab.read(
-        pandas.DataFrame(np.c_[[0.0, 0.1, 0.2], [61.0, 55.0, 38.0]]), time=1, angle=2, angle_unit="deg"
+        pandas.DataFrame(np.c_[[0.0, 0.1, 0.2], [61.0, 55.0, 38.0]]),
+        time=1,
+        angle=2,
+        angle_unit="deg",
     )
     assert read.columns["0"].tolist() == [0.0, 0.1, 0.2]
 

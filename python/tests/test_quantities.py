@@ -16,7 +16,7 @@ from libration._ask import asked, catalogue
 matplotlib.use("agg")
 EXAMPLES = Path(__file__).parents[2] / "examples"
 # Values that are texts, names or files.
-OTHERS = ("FILE", "DIR", "KEY", "COLUMN", "UNIT", "SHEET", "RUN", "HEADER", "COMMAND", "QUESTION", "CATALOGUE")
+OTHERS = ("FILE", "DIR", "KEY", "COLUMN", "UNIT", "SHEET", "RUN", "HEADER", "COMMAND", "CATALOGUE")
 NUMBERS = [
     (question, it)
     for question in catalogue().values()

@@ -305,7 +305,8 @@ ELSEWHERE = {
 def test_python_has_every_question_and_every_option():
     missing = []
     for question in catalogue().values():
-        function = getattr(questions, question.words.replace(" ", "_"), None)
+        name = question.words.replace(" ", "_")
+        function = getattr(questions, "list_" if name == "list" else name, None)
         has = set(inspect.signature(function).parameters) if function else set()
         for it in question.parameters:
             is_form = it.name in ("json", "csv") or (

@@ -140,7 +140,7 @@ REFUSED = {
         (
             lambda: lb.sweep("perod", {"length": [1]}, "x.zarr"),
             errors.UsageError,
-            "question: `perod` is not a query with numbers in its result",
+            "command: `perod` is not a query with numbers in its result",
         ),
     ],
     "what is missing": [

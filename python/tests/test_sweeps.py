@@ -146,7 +146,7 @@ def test_a_finished_store_is_read_and_another_sweep_refused(tmp_path: Path) -> N
     own = tmp_path / "own"
     own.mkdir()
     (own / "letter.txt").write_text("dear")
-    with pytest.raises(lb.errors.NoAnswer, match="something else"):
+    with pytest.raises(lb.errors.NoAnswer, match="something other than a sweep"):
         lb.sweep("period", {"amplitude": [0.5, 1.0]}, own)
 
 

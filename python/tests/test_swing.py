@@ -41,7 +41,8 @@ def test_captions_say_the_regime_and_the_period():
     assert said["wide"] == "libration of 150°: T = 3.52448 s, 76.22 % longer than small swings"
     assert said["small"].endswith("6.25e-12 % longer than small swings")
     assert said["fast"] == "rotation: a turn takes 0.0209462 s"
-    assert said["separatrix"] == "separatrix: it approaches the upright position, and never reaches it"
+    upwards = "separatrix: it approaches the upright position, and never reaches it"
+    assert said["separatrix"] == upwards
     assert (said["rest"], said["upright"]) == ("rest (stable)", "rest (upright)")
 
 

@@ -44,14 +44,14 @@ def derive(
     damping_order : int, optional
         Averaging: the highest power of the small parameter, 1 to 4 [default: 2].
     small : number or text, optional
-        Averaging, limit-cycle: which letter is small, where several have no value.
+        Averaging, limit-cycle: the small symbol, where several have no value.
     gauge : str, optional
-        Perturbation: what the expansion parameter means, such as energy or A1=1,A3=-1 [default:
+        Perturbation: meaning of the expansion parameter, such as energy or A1=1,A3=-1 [default:
         fundamental].
     set : dict, optional
         Series: the value of a parameter; may be given several times.
     about : number or text, optional
-        Perturbation: which equilibrium, where there are several.
+        Perturbation: the equilibrium, where there are several.
     amplitude : angle, optional
         Show the numbers at this amplitude, such as 40deg; for other oscillators, a plain number.
     length : quantity, optional
@@ -60,7 +60,7 @@ def derive(
         Acceleration of free fall, such as 9.81m/s^2; plain numbers are m/s² [default:
         9.80665m/s^2].
     exercises : bool
-        Leave out the results, as exercises, and give them as answers at the end.
+        Leave out the results, as exercises, and give them as solutions at the end.
     format : {"markdown", "latex", "html", "ipynb"}, optional
         Format of the derivation [default: markdown].
     output : str or path, optional

@@ -27,18 +27,18 @@ def expand(
     Periodic motions are expanded by Lindstedt and Poincaré's method in a parameter ε whose meaning,
     the gauge, can be chosen; frequency, period and harmonics are also given as functions of the
     amplitude, which is the same in every gauge. Self-excited oscillators with an open parameter,
-    such as ``van_der_pol``, are expanded in that parameter. Other parameters without a value stay
-    letters: the coefficients are then polynomials in them.
+    such as ``van_der_pol``, are expanded in that parameter. Other parameters without a value are
+    symbolic: the coefficients are then polynomials in them.
 
     A force in proportion to one power of the displacement, such as x^3 or x*abs(x), has no small
-    oscillations to expand about; the answer is then its scaling law, Ω = C·√k·A^((p−1)/2) with the
+    oscillations to expand about; the result is then its scaling law, Ω = C·√k·A^((p−1)/2) with the
     exact C, and its harmonics, which are the same at all amplitudes.
 
-    Under weak damping or excitation, whose strength stays a letter, the answer is the slow flow:
-    A′, how the amplitude changes, and ψ′, how the phase runs, as polynomials in the amplitude and
-    the letter, with the motion x(A, ψ). Powers of the velocity may be even, x'*abs(x'), and zero,
-    sign(x'). Where a limit cycle has no expansion in an open strength, the slow flow is the answer
-    without being asked for.
+    Under weak damping or excitation of symbolic strength, the result is the slow flow: A′, the rate
+    of the amplitude, and ψ′, the rate of the phase, as polynomials in the amplitude and the
+    strength, with the motion x(A, ψ). Powers of the velocity may be even, x'*abs(x'), and zero,
+    sign(x'). Where a limit cycle has no expansion in a symbolic strength, the slow flow is the
+    result without ``damping_order`` too.
 
     Parameters
     ----------
@@ -50,7 +50,7 @@ def expand(
     about : number or text, optional
         The equilibrium, where there are several [default: the stable one nearest to zero].
     letters : number or text, or several, optional
-        Parameters of a built-in oscillator that stay letters, with commas between.
+        Symbolic parameters of a built-in oscillator, separated by commas.
     order : int, optional
         The highest power of the expansion parameter [default: 7; 31 with ``evaluate``, 15 where no
         powers vanish].
@@ -60,8 +60,8 @@ def expand(
         Give the slow flow under weak damping or excitation to this power of its strength [default:
         2].
     small : number or text, optional
-        The letter that is this strength, where several have no value; the strength left open of a
-        named system.
+        The symbol of this strength, where several have no value; the symbolic strength of a named
+        system.
     evaluate : number or text, optional
         Evaluate the series term by term at this amplitude, the largest displacement from the
         equilibrium, such as 0.5, or 40deg where the variable is an angle; for a limit cycle, at

@@ -14,9 +14,9 @@ def fields(
     """The fields of JSON and CSV results: names, units, meanings.
 
     In names, [] stands for each entry of a list, and capitals for a name that depends on the
-    question: KEY is the key of a formula, NAME the name of a parameter, a coordinate or a velocity,
-    K the number of a harmonic. Nested fields are preceded by their path. The unit is empty where
-    there is none, or where it depends on the question.
+    command line: KEY is the key of a formula, NAME the name of a parameter, a coordinate or a
+    velocity, K the number of a harmonic. Nested fields are preceded by their path. The unit is
+    empty where there is none, or where it depends on the command line.
 
     Parameters
     ----------

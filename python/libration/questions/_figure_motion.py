@@ -17,7 +17,7 @@ def figure_motion(
     height: Quantity | None = None,
     progress: Say = False,
 ) -> Picture:
-    """The angle in time after release from several amplitudes, beside the small-angle cosine.
+    """The angle in time after release from several amplitudes, with the small-angle cosine.
 
     Parameters
     ----------

@@ -87,8 +87,8 @@ def fit_gates(
     height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
     length : quantity, optional
-        From the pivot to the centre of the bob, with its uncertainty, such as 0.57m±0.004m: gives
-        gravity.
+        Distance from the pivot to the centre of the bob, with its uncertainty, such as
+        0.57m±0.004m: gives gravity.
     bob_radius : quantity, optional
         Radius of the bob, a sphere, such as 20.0(1)mm.
     bob_mass : quantity, optional
@@ -98,7 +98,7 @@ def fit_gates(
     rod_mass : quantity, optional
         Mass of the rod or string.
     rod_length : quantity, optional
-        From the pivot to the end of the rod [default: to the surface of the bob].
+        Distance from the pivot to the end of the rod [default: to the surface of the bob].
     air_density : quantity, optional
         Density of the air [default: 1.20(2)kg/m^3].
     stretch : quantity, optional

@@ -52,7 +52,7 @@ def fit_lengths(
     delimiter : {"comma", "semicolon", "tab", "space"}, optional
         Separator of the columns [default: detected].
     header : {"detect", "present", "absent"}, optional
-        Whether the first row names the columns [default: detect].
+        Row of column names: detected, present or absent [default: detect].
     bob_radius : quantity, optional
         Radius of the bob, a sphere, whose moment of inertia is then part of every law; without it a
         radius of gyration is fitted.

@@ -60,7 +60,7 @@ def fit_periods(
     delimiter : {"comma", "semicolon", "tab", "space"}, optional
         Separator of the columns [default: detected].
     header : {"detect", "present", "absent"}, optional
-        Whether the first row names the columns [default: detect].
+        Row of column names: detected, present or absent [default: detect].
     reject_outliers : float or str, optional
         Leave out rows more than this many robust standard deviations from the exact law.
     formulas : str, or several, optional
@@ -76,8 +76,8 @@ def fit_periods(
     height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
     length : quantity, optional
-        From the pivot to the centre of the bob, with its uncertainty, such as 0.57m±0.004m: gives
-        gravity.
+        Distance from the pivot to the centre of the bob, with its uncertainty, such as
+        0.57m±0.004m: gives gravity.
     bob_radius : quantity, optional
         Radius of the bob, a sphere, such as 20.0(1)mm.
     bob_mass : quantity, optional
@@ -87,7 +87,7 @@ def fit_periods(
     rod_mass : quantity, optional
         Mass of the rod or string.
     rod_length : quantity, optional
-        From the pivot to the end of the rod [default: to the surface of the bob].
+        Distance from the pivot to the end of the rod [default: to the surface of the bob].
     air_density : quantity, optional
         Density of the air [default: 1.20(2)kg/m^3].
     stretch : quantity, optional

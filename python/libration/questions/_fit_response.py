@@ -51,9 +51,9 @@ def fit_response(
     delimiter : {"comma", "semicolon", "tab", "space"}, optional
         Separator of the columns [default: detected].
     header : {"detect", "present", "absent"}, optional
-        Whether the first row names the columns [default: detect].
+        Row of column names: detected, present or absent [default: detect].
     model : {"linear", "pendulum", "duffing"}, optional
-        The oscillator [default: the simplest that goes with the rows; a pendulum where amplitudes
+        The oscillator [default: the simplest consistent with the rows; a pendulum where amplitudes
         are angles].
     measured : {"peak", "fundamental"}, optional
         The quantity measured as the amplitude [default: peak].

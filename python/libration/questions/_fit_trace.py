@@ -75,7 +75,7 @@ def fit_trace(
     free_scale : bool
         Fit the scale of the angles too, from how the period depends on the amplitude.
     report : str or path, optional
-        Write a report with pictures to FILE.html, or to FILE.md with the pictures beside it.
+        Write a report with pictures to FILE.html, or to FILE.md with the pictures next to it.
     figure : str or path, optional
         Draw the data, the fitted motion and the residuals to FILE.svg or FILE.png.
     size : {"page", "column", "slide"}, optional
@@ -87,8 +87,8 @@ def fit_trace(
     height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
     length : quantity, optional
-        From the pivot to the centre of the bob, with its uncertainty, such as 0.57m±0.004m: gives
-        gravity.
+        Distance from the pivot to the centre of the bob, with its uncertainty, such as
+        0.57m±0.004m: gives gravity.
     bob_radius : quantity, optional
         Radius of the bob, a sphere, such as 20.0(1)mm.
     bob_mass : quantity, optional
@@ -98,7 +98,7 @@ def fit_trace(
     rod_mass : quantity, optional
         Mass of the rod or string.
     rod_length : quantity, optional
-        From the pivot to the end of the rod [default: to the surface of the bob].
+        Distance from the pivot to the end of the rod [default: to the surface of the bob].
     air_density : quantity, optional
         Density of the air [default: 1.20(2)kg/m^3].
     stretch : quantity, optional

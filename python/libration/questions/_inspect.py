@@ -56,11 +56,11 @@ def inspect(
         In JSON, list the numbers of all columns, and the rows that would be fitted in seconds and
         radians.
     spectrum : bool
-        Measure the harmonics of the swings, each beside that of the pendulum.
+        Measure the harmonics of the swings, each compared with that of the pendulum.
     harmonics : int, optional
         The highest harmonic [default: 7].
     swings : int, optional
-        Number of swings in a window, three at least [default: 5].
+        Number of swings in a window, at least three [default: 5].
     figure : str or path, optional
         Draw the spectrum with the pendulum's harmonics to FILE.svg or FILE.png.
     size : {"page", "column", "slide"}, optional

@@ -37,15 +37,14 @@ def modes(
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     about : dict, optional
-        Coordinates near the equilibrium in question, such as x=1,theta=180deg; the others are taken
-        at rest.
+        Coordinates near the equilibrium, such as x=1,theta=180deg; the others are taken at rest.
     follow : int, optional
         Follow the mode with this number, from 1, to large amplitudes, as periodic orbits with their
         stability.
     amplitudes : number or text, or several, optional
         Amplitudes of the followed mode: a list or a range, such as 10deg:90deg:10deg or 0.1,0.5.
     coordinate : coordinate, optional
-        The coordinate whose amplitude is meant [default: the first].
+        The coordinate of the amplitude [default: the first].
     figure : str or path, optional
         Draw the shapes to FILE.svg or FILE.png.
     size : {"page", "column", "slide"}, optional

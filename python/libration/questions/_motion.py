@@ -45,7 +45,7 @@ def motion(
     figure : str or path, optional
         Draw the motion to FILE.svg or FILE.png instead of listing it.
     animate : bool
-        Animate the pendulum beside its curve (an SVG animation, for browsers).
+        Animate the pendulum next to its curve (an SVG animation, for browsers).
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].

@@ -25,8 +25,9 @@ def orbit(
 ) -> Answer:
     """A periodic orbit: its period, harmonics, Floquet multipliers and stability, with errors.
 
-    Of a driven system the periodic answer near the start, or to which the start leads; without a
-    drive a motion released from rest, a limit cycle, or the orbit near a guess of its period.
+    For a driven system, the periodic response near the start, or the one to which the start leads;
+    without a drive, a motion released from rest, a limit cycle, or the orbit near a guess of its
+    period.
 
     Parameters
     ----------
@@ -39,12 +40,12 @@ def orbit(
         Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33)
         for all of a chain; those not given start at rest.
     period : float or str, optional
-        A guess of the period, in seconds; of a driven system the period of the answer.
+        A guess of the period, in seconds; for a driven system, the period of the response.
     drive_periods : int, optional
         Number of periods of the drive in one period of the orbit, for subharmonic orbits [default:
         1].
     hold : coordinate, optional
-        The coordinate whose value at the start is kept, of a family of orbits near a guess
+        The coordinate whose value at the start is kept, in a family of orbits near a guess
         [default: the farthest from zero].
     figure : str or path, optional
         Draw the orbit to FILE.svg or FILE.png, in time and in the plane of coordinate and velocity.

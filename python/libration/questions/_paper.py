@@ -18,7 +18,7 @@ def paper(
 
     The documents are B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), and J. Côté, Period of a
     Pendulum. What they print is compared with what the program computes, exactly where possible.
-    Where they state something in words, ``paraphrase`` marks the formula as ours.
+    Where they state something in words, ``paraphrase`` marks the formula.
 
     Parameters
     ----------

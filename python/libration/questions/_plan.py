@@ -19,21 +19,20 @@ def plan(
     gravity: Value | None = None,
     progress: Say = False,
 ) -> Answer:
-    """Plan a measurement of g: from which amplitude, how many swings, how well the length must be
-    known.
+    """Plan a measurement of g: amplitude of release, number of swings, uncertainty of the length.
 
     The rows have independent errors of the angle, and a fit finds ω0, damping and start from them,
     as `libration fit trace ``model`` linear` does; without a model the fit does not know the law of
-    damping either, and of few swings states about half as much more. What they leave open of ω0 is
-    the Cramér–Rao bound; length, clock and the scale of the angles add their parts, as in the
-    budget of the measurement.
+    damping either, and its uncertainties for few swings are about half as large again. The
+    uncertainty of ω0 is the Cramér–Rao bound; length, clock and the scale of the angles add their
+    parts, as in the budget of the measurement.
 
     Parameters
     ----------
     g_to : float or str
-        The relative standard uncertainty of g that is wanted, such as 1e-3 or 0.1%.
+        The target relative standard uncertainty of g, such as 1e-3 or 0.1%.
     length : quantity
-        From the pivot to the centre of the bob, with its uncertainty, such as 1.0000(5)m.
+        Distance from the pivot to the centre of the bob, with its uncertainty, such as 1.0000(5)m.
     angle_noise : angle
         Standard deviation of the angle in a row, such as 0.2deg.
     rate : float or str

@@ -23,12 +23,12 @@ def resonance(
     height: Quantity | None = None,
     progress: Say = False,
 ) -> Answer:
-    """Slow changes of the modes of a system near rest: the normal form with its resonances, and the
-    exchange of energy between modes.
+    """Slow changes of the modes of a system near equilibrium: the normal form with its resonances,
+    and the exchange of energy between modes.
 
-    With aⱼ the complex amplitude of mode j, coordinates are xₑ + Re Σ aⱼφⱼ to the first order.
-    Terms that turn as fast as aⱼ stay in aⱼ′, exactly where the modes are exact; all others are
-    taken out, each divided by its divisor.
+    With aⱼ the complex amplitude of mode j, coordinates are xₑ + Re Σ aⱼφⱼ to first order. Terms
+    that turn as fast as aⱼ stay in aⱼ′, exactly where the modes are exact; all others are removed,
+    each divided by its divisor.
 
     Parameters
     ----------
@@ -38,15 +38,14 @@ def resonance(
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     about : dict, optional
-        Coordinates near the equilibrium in question, such as x=1,theta=180deg; the others are taken
-        at rest.
+        Coordinates near the equilibrium, such as x=1,theta=180deg; the others are taken at rest.
     initial : dict, optional
         Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33)
         for all of a chain; those not given start at rest.
     order : int, optional
-        Up to which order in the amplitudes [default: 3].
+        Highest order in the amplitudes [default: 3].
     detuning : float or str, optional
-        Divisors below this part of the least frequency are taken for resonances [default: 0.1].
+        Divisors below this fraction of the least frequency count as resonances [default: 0.1].
     figure : str or path, optional
         Draw the amplitudes in time to FILE.svg or FILE.png instead of listing the terms; needs
         ``initial``.

@@ -29,12 +29,12 @@ def response(
     height: Quantity | None = None,
     progress: Say = False,
 ) -> Answer:
-    """The periodic answers of a driven system, or limit cycles, over a parameter: amplitude,
-    stability, folds and jumps, losses of symmetry, period doublings.
+    """The periodic responses of a driven system, or limit cycles, over a parameter: amplitude,
+    stability, folds and jumps, symmetry breakings, period doublings.
 
-    Branches begin with the answers that are found at both ends of the range, and are followed
-    through their folds; those that branch off are followed too. Every point has an error, special
-    points are exact to their last digits.
+    Branches begin with the solutions found at both ends of the range, and are followed through
+    their folds; secondary branches are followed too. Every point has an error, special points are
+    exact to their last digits.
 
     Parameters
     ----------
@@ -55,15 +55,15 @@ def response(
         Number of turns of the angle of ``coordinate`` in one period, for rotating responses;
         backwards where negative.
     orders : float or str, or several, optional
-        Look for sub- and superharmonic answers too: how many oscillations in how many periods of
-        the drive, such as 1/3,1/2.
+        Search for sub- and superharmonic responses too: numbers of oscillations per periods of the
+        drive, such as 1/3,1/2.
     at : float or str, optional
-        The value at which answers are looked for, for curves that close within the range [default:
-        the ends of the range].
+        The value at which solutions are searched, for isolated closed branches (isolas) within the
+        range [default: the ends of the range].
     generations : int, optional
-        Number of successive losses of symmetry and period doublings that are followed [default: 2].
+        Maximum depth of secondary branches (symmetry breaking, period doubling) [default: 2].
     coordinate : coordinate, optional
-        The coordinate whose amplitude is meant [default: the first].
+        The coordinate of the amplitude [default: the first].
     digits : int, optional
         Compute the parameter at special points to this number of digits, up to 100.
     sweeps : int, optional

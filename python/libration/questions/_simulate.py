@@ -63,15 +63,15 @@ def simulate(
         The relative error allowed in each step, for all coordinates or each by its name: 1e-12,
         "phi=1e-6", "1e-12, phi=1e-6" [default: 1e-12].
     events : number or text, or several, optional
-        Find turning points (turning), passages through rest (crossing), or zeros of a formula, such
-        as theta-0.5.
+        Find turning points (turning), crossings of the equilibrium (crossing), or zeros of a
+        formula, such as theta-0.5.
     until : number or text, optional
         End the motion where a formula vanishes or two are equal, such as "x = 0" or theta-0.5;
-        ``times`` says how long it is waited for.
+        ``times`` limits the search.
     direction : {"any", "rising", "falling"}, optional
-        Direction of the passages that count for ``until``: rising, falling, or any [default: any].
+        Direction of the crossings that count for ``until``: rising, falling, or any [default: any].
     count : int, optional
-        End the motion at the n-th passage that counts for ``until`` [default: 1].
+        End the motion at the n-th crossing that counts for ``until`` [default: 1].
     columns : dict, optional
         Formulas of the state, the time t and the parameters as further columns, such as "energy =
         x'^2/2 - cos(x), p = 2*x'".
@@ -79,7 +79,7 @@ def simulate(
         Derivatives of the motion with respect to parameters and initial values, as further columns,
         such as "c, theta": dtheta/dc, dtheta/dtheta(0).
     no_errors : bool
-        Estimate no errors of the states: saves the time for that.
+        Do not estimate the errors of the states, which saves time.
     figure : str or path, optional
         Draw the coordinates and the formulas of ``columns`` against time to FILE.svg or FILE.png
         instead of listing the samples.
@@ -87,7 +87,7 @@ def simulate(
         Draw one state variable against another instead of the coordinates against time, such as
         theta,theta'.
     animate : bool
-        Animate the bodies beside the curves (an SVG animation, for browsers).
+        Animate the bodies next to the curves (an SVG animation, for browsers).
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
@@ -97,11 +97,11 @@ def simulate(
     height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
     output : str or path, optional
-        Write the answer to a file, which is replaced only when complete, or to a stream; the
+        Write the output to a file, which is replaced only when complete, or to a stream; the
         extensions .json and .csv choose the format, - is standard output.
     resume : str or path, optional
-        Continue an earlier run from its JSON answer, or its CSV answer with FILE.state; the new
-        answer includes the earlier one.
+        Continue an earlier run from its JSON output, or its CSV output with FILE.state; the new
+        output includes the earlier one.
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal
 
-from .._ask import Equation, Given, Path, Quantity, Say, Values
+from .._ask import Equation, Path, Quantity, Say, Values
 from ..answer import Answer, answer
 
 
@@ -24,19 +24,19 @@ def stability(
     height: Quantity | None = None,
     progress: Say = False,
 ) -> Answer:
-    """Stability over two parameters: edges of a state of rest, curves of folds, symmetry breakings
-    and period doublings, cusps.
+    """Stability over two parameters: stability boundaries of an equilibrium, curves of folds,
+    symmetry breakings and period doublings, cusps.
 
-    A state of rest, such as the hanging or the upright pendulum whose pivot moves, has its edges
-    where a Floquet multiplier leaves the unit circle. Driven motions are followed on some lines of
-    the map, and their singular points from there in both parameters.
+    An equilibrium, such as the hanging or the upright pendulum whose pivot moves, has its stability
+    boundaries where a Floquet multiplier leaves the unit circle. Driven motions are followed on
+    some lines of the map, and their singular points from there in both parameters.
 
     Parameters
     ----------
     system : equation
         A key from ``libration list``, or equations of motion, such as "x'' = y - x; y'' = x - y",
         or of the first order, such as "x' = x - x*y; y' = x*y - y".
-    map : number or text, or several
+    map : dict
         Two parameters and their ranges, such as omega=1:3,a=0:0.5.
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
@@ -46,10 +46,10 @@ def stability(
     drive_periods : int, optional
         Number of periods of the drive in one period of the response [default: 1].
     generations : int, optional
-        Number of successive losses of symmetry and period doublings that are followed [default: 1].
+        Maximum depth of secondary branches (symmetry breaking, period doubling) [default: 1].
     lines : int, optional
-        Number of lines each way on which driven motions are followed; 0 for rest alone [default:
-        3].
+        Number of lines in each direction on which driven motions are followed; 0 for the
+        equilibrium alone [default: 3].
     figure : str or path, optional
         Draw the map to FILE.svg or FILE.png instead of listing the curves.
     size : {"page", "column", "slide"}, optional

@@ -17,26 +17,26 @@ def sweep(
     chunk: int | None = None,
     progress: Say = False,
 ) -> str:
-    """Ask a question at all points of a grid, in chunks that survive interruptions.
+    """Run a command over a parameter grid, in chunks that survive interruptions.
 
-    Each ``over`` is an axis. Its values go where the question has {NAME}, or to its option or
+    Each ``over`` is an axis. Its values replace {NAME} in the command, or go to its option or
     argument of this name, or they are initial values or parameters of its system.
 
     Parameters
     ----------
     question : number or text, or several
-        The command and its options, as behind ``libration``; ``json`` is implied.
+        The command and its options, as after ``libration``; ``json`` is implied.
     over : dict
         An axis and its values: A=1:1.5:0.01, theta=1deg:9deg:1deg or n=1,2,5; with semicolons where
         values have commas.
     output : str or path
-        The directory for the chunks; that of the same sweep is gone on with.
+        The directory for the chunks; a sweep begun there is continued.
     keep : number or text, or several, optional
-        Keep this number of the answer, by its way in JSON: exponent, results[0].ratio,
+        Keep this number of the result, by its path in JSON: exponent, results[0].ratio,
         samples[-1].state[0], points[0:100].state[1], with a name as angle=samples[-1].state[0]
         [default: all that stand alone].
     shard : str, optional
-        Answer this part of the sweep only, such as 3/64.
+        Compute this part of the sweep only, such as 3/64.
     chunk : int, optional
         Number of points in a chunk, at most [default: about 256 chunks].
     progress : bool or callable

@@ -23,7 +23,8 @@ def sweep_join(
     directories : str or path, or several
         The directories of the shards; one where all have written to the same.
     output : str or path, optional
-        The file, whose ending says its form: .csv or .json [default: CSV on the standard output].
+        The file, whose extension chooses its format: .csv or .json [default: CSV on the standard
+        output].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.
 

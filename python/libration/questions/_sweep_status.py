@@ -13,7 +13,7 @@ def sweep_status(
     *,
     progress: Say = False,
 ) -> Answer:
-    """Say how far a sweep is, and which shards are missing.
+    """Show the progress of a sweep and the missing shards.
 
     Parameters
     ----------
