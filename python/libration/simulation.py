@@ -349,8 +349,7 @@ def _simulation(
 ) -> Simulation:
     title, equation, names, units, steps, end = motion.words()
     t, y = motion.samples()
-    known = motion.errors()
-    errors, of_times, of_states, until = known or (None, None, None, None)
+    errors, of_times, of_states, until = motion.errors() or (None, None, None, None)
     happened = motion.events()
     events = _ByFormula()
     for number, text in enumerate(looked_for):
@@ -358,9 +357,14 @@ def _simulation(
         own = [happened[place][1:] for place in places]
         states = np.array([it[1] for it in own]).reshape(len(own), len(names))
         contact = tuple(it[2] for it in own)
-        own_errors = (of_states[places], of_times[places]) if known else (None, None)
-        times = np.array([it[0] for it in own])
-        events[text] = Events(times, states, tuple(names), contact, *own_errors)
+        events[text] = Events(
+            np.array([it[0] for it in own]),
+            states,
+            tuple(names),
+            contact,
+            errors=None if of_states is None else of_states[places],
+            t_errors=None if of_times is None else of_times[places],
+        )
     return Simulation(
         t=t,
         y=y,
