@@ -24,6 +24,8 @@ def test_mypy():
 
 def test_the_stub_has_what_the_compiled_module_has(tmp_path):
     pytest.importorskip("mypy.stubtest")
+    # In the annotations of NumPy 1 arrays and numbers overlap, and so do the calls of ufuncs.
+    pytest.importorskip("numpy", "2.0")
     # The stub types the calls of ufuncs, and has aliases.
     others = [it.__name__ for it in ALL] + ["_.*"]
     allowed = tmp_path / "allowed"
