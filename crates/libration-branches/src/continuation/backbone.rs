@@ -11,16 +11,26 @@ use std::f64::consts::{PI, TAU};
 /// Number of free oscillations on a backbone curve.
 const POINTS: u32 = 80;
 
+/// A free oscillation of a driven system.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FreeOscillation {
+    /// The value of the parameter with which the drive repeats itself together with it.
+    pub parameter: f64,
+    /// Estimate of the error of the parameter.
+    pub error: f64,
+    /// The largest displacement, from which it is released.
+    pub amplitude: f64,
+}
+
 impl Response {
-    /// The backbone curve: the frequencies of the drive in the range at which free oscillations up to the largest amplitude of the response repeat
-    /// themselves with it, each with its amplitude.
+    /// The backbone curve: the free oscillations up to the largest amplitude of the response that repeat themselves with a drive in the range.
     ///
     /// The free oscillations are those without velocities in the force and with zero for each sine and cosine of the time. The equation has the
     /// parameter open. `is_angle` says whether its coordinate is an angle, whose oscillations end below π.
     ///
     /// # Domain
     /// One coordinate of the second order, and a parameter that is the frequency of the drive: period times parameter is the same at all points, but
-    /// for factors of subharmonics. Elsewhere, and for rotations, the curve is empty.
+    /// for factors of subharmonics, and the free oscillations do not depend on it. Elsewhere, and for rotations, the curve is empty.
     ///
     /// # Examples
     /// ```
@@ -34,8 +44,9 @@ impl Response {
     ///     let pendulum = libration::pendulum::Pendulum::from_angular_frequency(1.0)?;
     ///     Ok(std::f64::consts::TAU / pendulum.released_from(libration::quantity::Angle::from_radians(amplitude)?)?.period())
     /// };
-    /// for (frequency, amplitude) in backbone {
-    ///     assert!((frequency - exact(amplitude)?).abs() < 1e-12);
+    /// assert_eq!(backbone.len(), 80);
+    /// for free in backbone {
+    ///     assert!((free.parameter - exact(free.amplitude)?).abs() <= free.error && free.error < 1e-13);
     /// }
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -46,21 +57,21 @@ impl Response {
         parameter: &str,
         range: [f64; 2],
         is_angle: bool,
-    ) -> Vec<(f64, f64)> {
-        let (Some(periods), Some(free)) = (self.drive_periods(), free_equation(equation, parameter, range))
-        else {
-            return vec![];
-        };
+    ) -> Vec<FreeOscillation> {
+        let free = undriven(equation).filter(|free| !free.parameters().iter().any(|name| name == parameter));
+        let (Some(periods), Some(free)) = (self.drive_periods(), free) else { return vec![] };
         let most = self.points().map(|point| point.amplitude(0, is_angle)).fold(0.0, f64::max);
         let most = if is_angle { most.min(0.999 * PI) } else { most };
         let amplitudes = (1..=POINTS).map(|k| most * f64::from(k) / f64::from(POINTS));
-        let frequency =
-            |amplitude| Some(periods * Orbit::released(&free, amplitude, &Quiet).ok()?.frequency());
+        let of_amplitude = |amplitude| {
+            let orbit = Orbit::released(&free, amplitude, &Quiet).ok()?;
+            let parameter = periods * orbit.frequency();
+            // Two roundings of the frequency, and the products that give the number of periods.
+            let error = parameter * (orbit.period_uncertainty() / orbit.period() + 4.0 * f64::EPSILON);
+            Some(FreeOscillation { parameter, error, amplitude })
+        };
         let within = range[0].min(range[1])..=range[0].max(range[1]);
-        amplitudes
-            .filter_map(|amplitude| Some((frequency(amplitude)?, amplitude)))
-            .filter(|(frequency, _)| within.contains(frequency))
-            .collect()
+        amplitudes.filter_map(of_amplitude).filter(|it| within.contains(&it.parameter)).collect()
     }
 
     fn points(&self) -> impl Iterator<Item = &BranchPoint> {
@@ -78,10 +89,4 @@ impl Response {
         };
         self.points().all(is_frequency).then_some(first)
     }
-}
-
-/// The equation of the free oscillations, with the middle of the range for the parameter.
-fn free_equation(equation: &Equation, parameter: &str, range: [f64; 2]) -> Option<Equation> {
-    let middle = format!("{:?}", 0.5 * (range[0] + range[1])).parse().ok()?;
-    undriven(&equation.with(&[(parameter, middle)]).ok()?)
 }

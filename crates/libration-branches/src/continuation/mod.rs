@@ -93,6 +93,7 @@ mod precise_flow;
 
 mod precise;
 
+pub use backbone::FreeOscillation;
 pub use branch::{Branch, Ending, Origin};
 pub use chart::{ChartOptions, StabilityChart};
 pub use curve::{CurvePoint, SpecialCurve};

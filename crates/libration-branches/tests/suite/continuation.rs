@@ -8,6 +8,7 @@ use libration::continuation::{
 };
 use libration::expression::Equation;
 use libration::progress::{Quiet, Status};
+use libration::quantity::Angle;
 use libration::taylor::{Effort, Moment, System, integrate};
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
@@ -343,4 +344,30 @@ fn what_has_no_branch_says_why() {
     assert!(matches!(refused("x'' = -k*x + cos(w*t)", [1.0, 2.0]), BranchError::WithoutValue(_)));
     // Without damping the answer at its resonance has no bound, at both ends.
     assert!(matches!(refused("x'' = -x + w*cos(t)", [1.0, 2.0]), BranchError::NoStart(_)));
+}
+
+/// Exact by the elliptic integral: a drive at twice the parameter repeats itself with half of its frequency.
+#[test]
+fn the_backbone_is_that_of_the_frequency_of_the_drive() {
+    let pendulum = libration::pendulum::Pendulum::from_angular_frequency(1.0).unwrap();
+    let exact = |amplitude: f64| {
+        TAU / pendulum.released_from(Angle::from_radians(amplitude).unwrap()).unwrap().period()
+    };
+    for (factor, range) in [("", [0.6, 1.2]), ("2*", [0.3, 0.6])] {
+        let text = format!("theta'' = -0.1*theta' - sin(theta) + 0.15*cos({factor}w*t)");
+        let driven = equation_with(&text, &[]);
+        let backbone = over(&driven, "w", range).backbone(&driven, "w", range, true);
+        assert_eq!(backbone.len(), 80, "{text}");
+        for free in backbone {
+            let parameter = exact(free.amplitude) * range[0] / 0.6;
+            assert!((free.parameter - parameter).abs() <= free.error && free.error < 1e-13, "{free:?}");
+        }
+    }
+    // An amplitude of the drive, a frequency that the oscillator depends on too.
+    let empty = |text: &str, parameter: &str, range: [f64; 2]| {
+        let driven = equation_with(text, &[]);
+        assert_eq!(over(&driven, parameter, range).backbone(&driven, parameter, range, true), [], "{text}");
+    };
+    empty("theta'' = -0.1*theta' - sin(theta) + A*cos(0.9*t)", "A", [0.01, 0.1]);
+    empty("x'' = -0.1*x' - w*x + 0.15*cos(w*t)", "w", [0.6, 1.2]);
 }

@@ -29,6 +29,13 @@ pub(crate) fn text(arguments: &str) -> String {
     String::from_utf8(output.stdout).unwrap()
 }
 
+/// The message of a command line that is refused as a usage error.
+pub(crate) fn refusal(arguments: &str) -> String {
+    let output = libration(arguments);
+    assert_eq!(output.status.code(), Some(2), "{arguments}: {}", message(&output));
+    message(&output)
+}
+
 /// Text in one line, as it was before it was folded.
 pub(crate) fn unfolded(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")

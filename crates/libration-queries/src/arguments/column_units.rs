@@ -146,7 +146,7 @@ impl Wanted {
             (None, WrittenUnit::Unknown(text)) => match self.option {
                 Some((option, _)) if self.uncertainties_of.is_none() => {
                     return Err(format!(
-                        "{place}: `{text}` is not a known unit of {}: give it by {option}",
+                        "{place}: `{text}` is not a known unit of {}: give it by <{option}>",
                         self.role
                     ));
                 }

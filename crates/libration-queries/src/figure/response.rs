@@ -4,7 +4,7 @@ use super::chart::{Axis, Look, Mark, Panel, Picture, Series, Units};
 use super::names::{name, symbol};
 use super::parameters::of_model;
 use super::style;
-use libration::continuation::{Branch, BranchPoint, SpecialKind, Sweep, SweepPoint};
+use libration::continuation::{Branch, BranchPoint, FreeOscillation, SpecialKind, Sweep, SweepPoint};
 use libration::systems::Model;
 
 /// The dashes of what is unstable.
@@ -28,7 +28,7 @@ pub(crate) struct ResponseCurve<'a> {
     pub(crate) coordinate: usize,
     pub(crate) branches: &'a [Branch],
     /// Frequency and amplitude of free oscillations, where the parameter is the frequency of the drive.
-    pub(crate) backbone: &'a [(f64, f64)],
+    pub(crate) backbone: &'a [FreeOscillation],
     /// Slow sweeps of the parameter.
     pub(crate) sweeps: &'a [Sweep],
 }
@@ -66,7 +66,7 @@ pub(crate) fn response(curve: &ResponseCurve<'_>) -> Picture {
     let unit = if curve.is_angle() { 1_f64.to_degrees() } else { 1.0 };
     let mut series = vec![];
     if !curve.backbone.is_empty() {
-        let points = curve.backbone.iter().map(|(frequency, place)| (*frequency, unit * place));
+        let points = curve.backbone.iter().map(|free| (free.parameter, unit * free.amplitude));
         series.push(Series::line("free oscillations", style::reference(), points));
     }
     let mut named = [false; 2];

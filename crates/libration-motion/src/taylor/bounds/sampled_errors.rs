@@ -34,9 +34,9 @@ pub struct SampledErrors<'a> {
     sides: [Option<StateErrors>; 2],
     /// The times of the samples in ascending order.
     times: Vec<f64>,
-    /// By the bits of the times.
+    /// Errors by the bits of the times.
     samples: HashMap<u64, MomentErrors>,
-    /// By the bits of the times and the numbers of the formulas.
+    /// Errors by the bits of the times and the numbers of the formulas.
     events: HashMap<(u64, usize), MomentErrors>,
 }
 

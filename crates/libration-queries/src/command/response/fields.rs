@@ -7,7 +7,7 @@ use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
 use crate::output::number::short;
-use libration::continuation::{BranchError, BranchPoint, OrderAnswers, OrderFinding};
+use libration::continuation::{BranchError, BranchPoint, FreeOscillation, OrderAnswers, OrderFinding};
 use serde_json::Value;
 
 /// A line of CSV.
@@ -92,16 +92,17 @@ pub(super) fn of_answer() -> Fields<Answer> {
 }
 
 /// A free oscillation, which the resonance curve leans on.
-fn of_backbone() -> Fields<(f64, f64)> {
-    type Of = Field<(f64, f64)>;
+fn of_backbone() -> Fields<FreeOscillation> {
+    type Of = Field<FreeOscillation>;
     Fields::from([
         Of::number(
             "parameter",
             "",
             "frequency of the drive with which a free oscillation repeats itself; none where the parameter is not that frequency",
-            |it| it.0,
+            |it| it.parameter,
         ),
-        Of::number("amplitude", "", "amplitude of the free oscillation, of angles in rad", |it| it.1),
+        Of::number("error", "", "estimate of the error of the parameter", |it| it.error),
+        Of::number("amplitude", "", "amplitude of the free oscillation, of angles in rad", |it| it.amplitude),
     ])
 }
 

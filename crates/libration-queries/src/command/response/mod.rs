@@ -11,12 +11,12 @@ use crate::arguments::{
 };
 use crate::figure::response::ResponseCurve;
 use crate::interrupt::{self, Cancellation};
-use crate::output::{FormOptions, announce};
+use crate::output::{Form, FormOptions, announce};
 use crate::query_error::{QueryError, argument, option};
 use crate::{figure, parallel};
 use libration::continuation::{
-    Branch, BranchError, PreciseSpecial, ResonanceOrder, Response, ResponseOptions, Rotation, Space,
-    SpecialPoint, Sweep,
+    Branch, BranchError, FreeOscillation, PreciseSpecial, ResonanceOrder, Response, ResponseOptions,
+    Rotation, Space, SpecialPoint, Sweep,
 };
 use libration::progress::Status;
 use libration::systems::Model;
@@ -122,8 +122,8 @@ pub(crate) struct Answer {
     /// The precise values of the special points of each branch, where requested and known.
     precise: Vec<Vec<Option<Decimal>>>,
     pub(crate) sweeps: Vec<Sweep>,
-    /// Free oscillations as frequencies of the drive and amplitudes, where the parameter is that frequency.
-    pub(crate) backbone: Vec<(f64, f64)>,
+    /// Free oscillations, where the parameter is the frequency of the drive and the form of the result has them.
+    pub(crate) backbone: Vec<FreeOscillation>,
 }
 
 impl ResponseQuestion {
@@ -156,8 +156,10 @@ impl ResponseQuestion {
         let precise = self.digits.map_or(Ok(vec![]), |digits| self.precise(&model, &response, digits))?;
         response.interrupted |= interrupt::check().is_break();
         let parameter = name.clone();
-        let is_angle = model.coordinates()[0].is_angle();
-        let backbone = response.backbone(model.equation(), name, *range, is_angle);
+        let backbone = match self.figure.is_some() || self.form.form() == Form::Json {
+            true => response.backbone(model.equation(), name, *range, model.coordinates()[0].is_angle()),
+            false => vec![],
+        };
         Ok(Answer { model, parameter, range: *range, coordinate, response, precise, sweeps, backbone })
     }
 
