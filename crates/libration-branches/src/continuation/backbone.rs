@@ -58,12 +58,12 @@ impl Response {
         range: [f64; 2],
         is_angle: bool,
     ) -> Vec<FreeOscillation> {
-        let free = undriven(equation).filter(|free| !free.parameters().iter().any(|name| name == parameter));
-        let (Some(periods), Some(free)) = (self.drive_periods(), free) else { return vec![] };
+        let (Some(periods), Some(free)) = (self.drive_periods(), undriven(equation)) else { return vec![] };
         let most = self.points().map(|point| point.amplitude(0, is_angle)).fold(0.0, f64::max);
         let most = if is_angle { most.min(0.999 * PI) } else { most };
         let amplitudes = (1..=POINTS).map(|k| most * f64::from(k) / f64::from(POINTS));
         let of_amplitude = |amplitude| {
+            // Without one where the parameter is left in the equation.
             let orbit = Orbit::released(&free, amplitude, &Quiet).ok()?;
             let parameter = periods * orbit.frequency();
             // Two roundings of the frequency, and the products that give the number of periods.
