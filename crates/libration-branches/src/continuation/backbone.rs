@@ -39,7 +39,7 @@ impl Response {
     /// use libration::progress::Quiet;
     /// let driven = "theta'' = -0.1*theta' - sin(theta) + 0.15*cos(w*t)".parse()?;
     /// let response = Response::over(&driven, "w", [0.6, 1.2], &ResponseOptions::default(), &Quiet)?;
-    /// let backbone = response.backbone(&driven, "w", [0.6, 1.2], true);
+    /// let backbone = response.backbone(&driven, [0.6, 1.2], true);
     /// let exact = |amplitude: f64| -> Result<f64, Box<dyn std::error::Error>> {
     ///     let pendulum = libration::pendulum::Pendulum::from_angular_frequency(1.0)?;
     ///     Ok(std::f64::consts::TAU / pendulum.released_from(libration::quantity::Angle::from_radians(amplitude)?)?.period())
@@ -51,13 +51,7 @@ impl Response {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]
-    pub fn backbone(
-        &self,
-        equation: &Equation,
-        parameter: &str,
-        range: [f64; 2],
-        is_angle: bool,
-    ) -> Vec<FreeOscillation> {
+    pub fn backbone(&self, equation: &Equation, range: [f64; 2], is_angle: bool) -> Vec<FreeOscillation> {
         let (Some(periods), Some(free)) = (self.drive_periods(), undriven(equation)) else { return vec![] };
         let most = self.points().map(|point| point.amplitude(0, is_angle)).fold(0.0, f64::max);
         let most = if is_angle { most.min(0.999 * PI) } else { most };

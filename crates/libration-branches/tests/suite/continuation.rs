@@ -356,7 +356,7 @@ fn the_backbone_is_that_of_the_frequency_of_the_drive() {
     for (factor, range) in [("", [0.6, 1.2]), ("2*", [0.3, 0.6])] {
         let text = format!("theta'' = -0.1*theta' - sin(theta) + 0.15*cos({factor}w*t)");
         let driven = equation_with(&text, &[]);
-        let backbone = over(&driven, "w", range).backbone(&driven, "w", range, true);
+        let backbone = over(&driven, "w", range).backbone(&driven, range, true);
         assert_eq!(backbone.len(), 80, "{text}");
         for free in backbone {
             let parameter = exact(free.amplitude) * range[0] / 0.6;
@@ -366,7 +366,7 @@ fn the_backbone_is_that_of_the_frequency_of_the_drive() {
     // An amplitude of the drive, a frequency that the oscillator depends on too.
     let empty = |text: &str, parameter: &str, range: [f64; 2]| {
         let driven = equation_with(text, &[]);
-        assert_eq!(over(&driven, parameter, range).backbone(&driven, parameter, range, true), [], "{text}");
+        assert_eq!(over(&driven, parameter, range).backbone(&driven, range, true), [], "{text}");
     };
     empty("theta'' = -0.1*theta' - sin(theta) + A*cos(0.9*t)", "A", [0.01, 0.1]);
     empty("x'' = -0.1*x' - w*x + 0.15*cos(w*t)", "w", [0.6, 1.2]);

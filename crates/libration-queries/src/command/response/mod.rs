@@ -157,7 +157,7 @@ impl ResponseQuestion {
         response.interrupted |= interrupt::check().is_break();
         let parameter = name.clone();
         let backbone = match self.figure.is_some() || self.form.form() == Form::Json {
-            true => response.backbone(model.equation(), name, *range, model.coordinates()[0].is_angle()),
+            true => response.backbone(model.equation(), *range, model.coordinates()[0].is_angle()),
             false => vec![],
         };
         Ok(Answer { model, parameter, range: *range, coordinate, response, precise, sweeps, backbone })
