@@ -121,6 +121,16 @@ pub enum OrbitError {
         /// The distance between start and end, in sizes of the orbit.
         defect: f64,
     },
+    /// An orbit so unstable that rounding errors of its start decide where it ends.
+    #[error(
+        "no periodic orbit can be confirmed near the start: deviations grow by a factor of {growth:.0e} in one period, so that the last digit of the \
+         start changes the end by {:.0e} of its size",
+        growth * f64::EPSILON
+    )]
+    TooUnstable {
+        /// The growth of deviations in one period.
+        growth: f64,
+    },
     /// An orbit whose neighbours close as well, within rounding errors.
     #[error(
         "closed orbits near the start cannot be distinguished in double precision: neighbouring motions close as well, and the start is known to \

@@ -97,7 +97,8 @@ pub(super) fn closed(
 ) -> Result<Orbit, OrbitError> {
     check(rounds, guess)?;
     let mut newton = Newton::new(rounds, unknowns, guess)?;
-    let size_of_guess = newton.size();
+    // The swing of a guess that runs away from an unstable orbit is no size of that orbit.
+    let size_of_guess = newton.size() / newton.lost().unwrap_or(1.0);
     let taken = newton.converge()?;
     if newton.size() < VANISHED * size_of_guess {
         return Err(OrbitError::NoCycle(newton.kind_of_rest()));
@@ -232,7 +233,7 @@ impl<'a> Newton<'a> {
         let rounding = self.rounding();
         let spread: Vec<f64> = other.iter().zip(&self.round.defect).map(|(a, b)| (a - b).abs()).collect();
         if self.miss > CLOSED * (miss(&spread, &self.sizes) + miss(&rounding, &self.sizes)) {
-            return Err(OrbitError::NoConvergence { rounds, defect: self.miss });
+            return Err(self.not_closed(rounds));
         }
         let uncertainty = self.period_uncertainty(&other);
         let [monodromy, largest] = self.rounds.largest_variations(&self.at.state, self.at.period)?;
@@ -240,11 +241,11 @@ impl<'a> Newton<'a> {
         let start = self.start_errors(&residual.collect::<Vec<f64>>());
         let undetermined = miss(&start, &self.sizes);
         if undetermined > UNDETERMINED {
-            return Err(OrbitError::Undetermined(undetermined));
+            let unstable = self.lost().map(|growth| OrbitError::TooUnstable { growth });
+            return Err(unstable.unwrap_or(OrbitError::Undetermined(undetermined)));
         }
-        let growth = self.norm(|i, j| self.round.monodromy[i][j]);
-        if growth * f64::EPSILON > LOST && !self.closes_by_pieces(&start, uncertainty, growth) {
-            return Err(OrbitError::NoConvergence { rounds, defect: self.miss });
+        if self.lost().is_some_and(|growth| !self.closes_by_pieces(&start, uncertainty, growth)) {
+            return Err(self.not_closed(rounds));
         }
         let grown: Vec<f64> =
             largest.iter().map(|row| row.iter().zip(&start).map(|(a, b)| a * b).sum()).collect();
@@ -257,6 +258,18 @@ impl<'a> Newton<'a> {
         let logarithm = divergence.map(|divergence| divergence.along(&self.round.path));
         let floquet = floquet.map(|floquet| Floquet { logarithm, ..floquet });
         Ok(Orbit::new(equation, self.round.path, uncertainty, floquet, errors))
+    }
+
+    /// The growth of deviations in a period, if it makes the rounding of the start more than Newton's method may lose.
+    fn lost(&self) -> Option<f64> {
+        let growth = self.norm(|i, j| self.round.monodromy[i][j]);
+        (growth * f64::EPSILON > LOST).then_some(growth)
+    }
+
+    /// The reason why the orbit does not close.
+    fn not_closed(&self, rounds: usize) -> OrbitError {
+        let unstable = self.lost().map(|growth| OrbitError::TooUnstable { growth });
+        unstable.unwrap_or(OrbitError::NoConvergence { rounds, defect: self.miss })
     }
 
     /// The effect of rounding each component of the start on the end.

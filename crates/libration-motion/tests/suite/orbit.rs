@@ -272,6 +272,18 @@ fn damped_motion_next_to_a_strongly_unstable_one_does_not_close() {
     }
 }
 
+/// Deviations grow by e^{aT}, 2e13 and 3e16, of which the last digit of the start makes 0.5 % and seven times the swing: x = −cos t/(1 + a²).
+/// The second begins at a guess that is wrong by 4 %, from where Newton's method left the range of numbers.
+#[test]
+fn orbits_too_unstable_for_double_precision_are_refused_for_that_reason() {
+    for (stiffness, guess) in [(24.0, -0.04), (25.0, -0.04), (37.0, -1.0 / 38.0)] {
+        let driven = equation(&format!("x'' = {stiffness}*x + cos(t)"));
+        let error = Orbit::driven(&driven, TAU, &[guess, 0.0], &Quiet).unwrap_err();
+        let OrbitError::TooUnstable { growth } = error else { panic!("{stiffness}: {error}") };
+        assert_within(growth / libm::exp(TAU * libm::sqrt(stiffness)), 1.0, 5.0, "growth");
+    }
+}
+
 /// The inverted pendulum on a pivot that shakes fast enough stands: a²Ω² > 2gl.
 #[test]
 fn a_shaken_pendulum_stands_upside_down() {
