@@ -7,7 +7,7 @@ use crate::terminal::Terminal;
 use clap::{ArgMatches, Command};
 use libration_queries::{QueryError, Run, refusal};
 use std::ffi::OsString;
-use std::io::{Write, stderr, stdout};
+use std::io::{Write, stderr};
 use std::sync::Arc;
 
 /// Runs a command line, whose words begin after the name of the program, on the standard streams; returns the exit status.
@@ -17,29 +17,49 @@ pub fn program(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let mut words: Vec<OsString> = arguments.into_iter().collect();
     let options = TerminalOptions::take(&mut words);
     let mut command = command::command(options.color);
-    let terminal = Arc::new(Terminal::new(options.is_quiet));
-    let run = Run::new(words, terminal.clone());
-    match run.matches(&mut command) {
-        Ok(matches) => {
-            written(&run, &matches, &mut command, &terminal).map_or_else(|error| report(&error), |()| 0)
-        }
-        Err(error) => refuse(&error),
+    if words.iter().filter_map(|it| it.to_str()).any(|it| it.starts_with("-o") || it.starts_with("--output"))
+    {
+        // What is noted about these words is noted when they are read again.
+        let read = Reading::new(words.clone(), true, &mut command);
+        words = read.with_format_of_file().unwrap_or(words);
+    }
+    let read = Reading::new(words, options.is_quiet, &mut command);
+    match &read.matches {
+        Ok(matches) => read.written(matches, &mut command).map_or_else(|error| report(&error), |()| 0),
+        Err(error) => refuse(error),
     }
 }
 
-fn written(
-    run: &Run,
-    matches: &ArgMatches,
-    program: &mut Command,
-    terminal: &Arc<Terminal>,
-) -> Result<(), QueryError> {
-    if let Some(written) = command::written(matches, program, &mut stdout()) {
-        return written;
+/// A command line that was read.
+struct Reading {
+    words: Vec<OsString>,
+    terminal: Arc<Terminal>,
+    run: Run,
+    matches: Result<ArgMatches, clap::Error>,
+}
+
+impl Reading {
+    fn new(words: Vec<OsString>, is_quiet: bool, command: &mut Command) -> Self {
+        let terminal = Arc::new(Terminal::new(is_quiet));
+        let run = Run::new(words.clone(), terminal.clone());
+        let matches = run.matches(command);
+        Self { words, terminal, run, matches }
     }
-    let heartbeat = Heartbeat::begin(terminal);
-    let written = run.write(matches);
-    heartbeat.end();
-    written
+
+    /// The words with the option for the format that the extension of the file names.
+    fn with_format_of_file(&self) -> Option<Vec<OsString>> {
+        let (place, option) = command::format_by_extension(self.matches.as_ref().ok()?)?;
+        let mut words = self.words.clone();
+        words.insert(place, option);
+        Some(words)
+    }
+
+    fn written(&self, matches: &ArgMatches, program: &mut Command) -> Result<(), QueryError> {
+        let heartbeat = Heartbeat::begin(&self.terminal);
+        let written = command::write(&self.run, matches, program);
+        heartbeat.end();
+        written
+    }
 }
 
 /// Shows the help, or the refusal by clap.

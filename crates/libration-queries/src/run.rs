@@ -3,6 +3,7 @@
 use crate::call::{self, Call};
 use crate::command;
 use crate::host::Host;
+use crate::output::file::NewFile;
 use crate::output::standard::StandardOutput;
 use crate::query_error::QueryError;
 use crate::questions;
@@ -11,6 +12,7 @@ use libration::systems::Model;
 use libration::taylor::Ensemble;
 use std::ffi::OsString;
 use std::io::Write;
+use std::path::Path;
 use std::sync::Arc;
 
 /// A run of a query, for front ends that parse the words of a command line with commands of their own.
@@ -31,12 +33,35 @@ impl Run {
         call::within(&self.0, || command::matches(command, self.0.arguments().to_vec()))
     }
 
-    /// Writes the result of the query to the host.
+    /// Writes the result of the query to a file, which takes its place only when it is complete, or to the host where no file is named.
     ///
     /// # Errors
-    /// The reason why there is no result or not all of it; the part written until then stays with the host.
-    pub fn write(&self, matches: &ArgMatches) -> Result<(), QueryError> {
-        let written = call::within(&self.0, || written(matches));
+    /// The reason why there is no result or not all of it; the host keeps the part written until then, a file does not.
+    pub fn write(&self, matches: &ArgMatches, file: Option<&Path>) -> Result<(), QueryError> {
+        self.write_by(file, |out| command::write(matches, out))
+    }
+
+    /// Writes what a command of a front end gives, in the same way.
+    ///
+    /// # Errors
+    /// Those of the command, and files that cannot be written.
+    pub fn write_by(
+        &self,
+        file: Option<&Path>,
+        command: impl FnOnce(&mut dyn Write) -> Result<(), QueryError>,
+    ) -> Result<(), QueryError> {
+        let written = call::within(&self.0, || match file {
+            Some(path) => {
+                let mut file = NewFile::create(path)?;
+                command(&mut file)?;
+                file.finish()
+            }
+            None => {
+                let mut out = StandardOutput::new();
+                command(&mut out)?;
+                Ok(out.flush()?)
+            }
+        });
         written.map_err(|error| self.named(error))
     }
 
@@ -59,7 +84,7 @@ impl Run {
 pub fn ask(arguments: impl IntoIterator<Item = OsString>, host: Arc<dyn Host>) -> Result<(), QueryError> {
     let run = Run::new(arguments, Arc::clone(&host));
     match command::with_command(|command| run.matches(command)) {
-        Ok(matches) => run.write(&matches),
+        Ok(matches) => run.write(&matches, None),
         Err(help) if !help.use_stderr() => Ok(host.write(help.render().to_string().as_bytes())?),
         Err(error) => Err(run.named(QueryError::refused(&error))),
     }
@@ -104,10 +129,4 @@ pub fn ensemble(
 ) -> Result<(Model, Ensemble), QueryError> {
     let run = Run::new(arguments, host);
     call::within(&run.0, || command::ensemble(&command::matches_of_query(run.0.arguments().to_vec())?))
-}
-
-fn written(matches: &ArgMatches) -> Result<(), QueryError> {
-    let mut out = StandardOutput::new();
-    command::write(matches, &mut out)?;
-    Ok(out.flush()?)
 }

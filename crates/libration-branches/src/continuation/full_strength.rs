@@ -59,7 +59,7 @@ impl<'w> ToFullStrength<'w> {
         let exact = Expression::Number(BigFloat::from_f64(strength, 53)?.to_rational());
         let equation = self.equation.with(&[(&self.strength, exact)]).ok()?;
         let duration = self.family.duration(space, &[], &[strength])?;
-        let orbit = Orbit::driven_near(&equation, duration, state, self.family.watch).ok()?;
+        let orbit = Orbit::driven_near(&equation, state, duration, self.family.watch).ok()?;
         Some(orbit.start().into_iter().chain([strength]).collect())
     }
 }

@@ -62,7 +62,7 @@ impl Search<'_> {
             return Ok(Start { unknowns, space: Space::of_periods(turns) });
         }
         let duration = self.family.duration(self.space(), &[], &[value]).ok_or(OrbitError::NoPeriod)?;
-        let unknowns = match Orbit::driven(&equation, duration, &state, self.family.watch) {
+        let unknowns = match Orbit::driven(&equation, &state, duration, self.family.watch) {
             Ok(orbit) => self.about_the_nearest_bottom(&orbit),
             // The drive has the amplitude zero.
             Err(OrbitError::NotDriven) => state,

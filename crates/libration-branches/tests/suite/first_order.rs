@@ -233,7 +233,7 @@ fn a_limit_cycle_of_the_first_order_is_found_with_its_multipliers() {
     let floquet = orbit.floquet().unwrap();
     assert_eq!(floquet.stability, Stability::Attracting);
     assert!((floquet.multipliers[1].abs() / libm::exp(-2.0 * TAU) - 1.0).abs() < 1e-6, "{floquet:?}");
-    let driven = Orbit::driven(&equation("q' = -q + cos(t)"), TAU, &[3.0], &Quiet).unwrap();
+    let driven = Orbit::driven(&equation("q' = -q + cos(t)"), &[3.0], TAU, &Quiet).unwrap();
     // q = (cos t + sin t)/2.
     assert!((driven.start()[0] - 0.5).abs() < 1e-14);
 }

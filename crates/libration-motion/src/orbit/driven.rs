@@ -28,14 +28,14 @@ impl Orbit {
     /// use libration::orbit::Orbit;
     /// use libration::progress::Quiet;
     /// // x = cos(2t/3)/(1 − 4/9) is the answer of the oscillator without damping.
-    /// let orbit = Orbit::driven(&"x'' = -x + cos(2t/3)".parse()?, 3.0 * std::f64::consts::PI, &[1.0, 0.2], &Quiet)?;
+    /// let orbit = Orbit::driven(&"x'' = -x + cos(2t/3)".parse()?, &[1.0, 0.2], 3.0 * std::f64::consts::PI, &Quiet)?;
     /// assert!((orbit.start()[0] - 1.8).abs() < 1e-14);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn driven(
         equation: &Equation,
-        period: f64,
         start: &[f64],
+        period: f64,
         progress: &dyn Progress,
     ) -> Result<Self, OrbitError> {
         let watch = &Watch::new(progress);
@@ -64,8 +64,8 @@ impl Orbit {
     #[doc(hidden)]
     pub fn driven_near(
         equation: &Equation,
-        period: f64,
         start: &[f64],
+        period: f64,
         progress: &dyn Progress,
     ) -> Result<Self, OrbitError> {
         let watch = &Watch::new(progress);

@@ -71,7 +71,7 @@ impl Orbit {
         }
         if depends_on_time(equation) {
             let period = search.period.ok_or(OrbitError::NoPeriod)?;
-            let orbit = Self::driven(equation, period, &search.start, watch)?;
+            let orbit = Self::driven(equation, &search.start, period, watch)?;
             return Ok((OrbitKind::Driven, orbit));
         }
         if let Some(period) = search.period {

@@ -235,7 +235,7 @@ fn absolute_values_have_their_deviations() {
 fn a_driven_linear_oscillator_answers_as_it_must() {
     let driven = equation("x'' = -x - x'/5 + cos(3*t/2)");
     let period = TAU / 1.5;
-    let orbit = Orbit::driven(&driven, period, &[3.0, 0.0], &Quiet).unwrap();
+    let orbit = Orbit::driven(&driven, &[3.0, 0.0], period, &Quiet).unwrap();
     let (real, imaginary) = (1.0 - 2.25, 0.2 * 1.5);
     let size = real * real + imaginary * imaginary;
     let terms = orbit.harmonics(0).terms;
@@ -253,7 +253,7 @@ fn strongly_unstable_orbits_close_piece_by_piece() {
     for stiffness in [16.0, 20.0] {
         let driven = equation(&format!("x'' = {stiffness}*x + cos(t)"));
         let start = -1.0 / (1.0 + stiffness);
-        let orbit = Orbit::driven(&driven, TAU, &[start, 0.0], &Quiet).unwrap();
+        let orbit = Orbit::driven(&driven, &[start, 0.0], TAU, &Quiet).unwrap();
         assert_within(orbit.start()[0], start, orbit.start_errors()[0], &format!("{stiffness}"));
         let growth = libm::exp(TAU * libm::sqrt(stiffness));
         let largest = orbit.floquet().unwrap().multipliers[0].re;
@@ -278,7 +278,7 @@ fn damped_motion_next_to_a_strongly_unstable_one_does_not_close() {
 fn orbits_too_unstable_for_double_precision_are_refused_for_that_reason() {
     for (stiffness, guess) in [(24.0, -0.04), (25.0, -0.04), (37.0, -1.0 / 38.0)] {
         let driven = equation(&format!("x'' = {stiffness}*x + cos(t)"));
-        let error = Orbit::driven(&driven, TAU, &[guess, 0.0], &Quiet).unwrap_err();
+        let error = Orbit::driven(&driven, &[guess, 0.0], TAU, &Quiet).unwrap_err();
         let OrbitError::TooUnstable { growth } = error else { panic!("{stiffness}: {error}") };
         assert_within(growth / libm::exp(TAU * libm::sqrt(stiffness)), 1.0, 5.0, "growth");
     }
@@ -290,7 +290,7 @@ fn a_shaken_pendulum_stands_upside_down() {
     let stability = |amplitude: &str| {
         let text = "theta'' + (1 - 900*a*cos(30*t))*sin(theta) = 0";
         let equation = equation(text).with(&[("a", amplitude.parse().unwrap())]).unwrap();
-        let orbit = Orbit::driven(&equation, TAU / 30.0, &[PI, 0.0], &Quiet).unwrap();
+        let orbit = Orbit::driven(&equation, &[PI, 0.0], TAU / 30.0, &Quiet).unwrap();
         orbit.floquet().unwrap().stability
     };
     assert_eq!(stability("0.03"), Stability::Unstable);
@@ -401,8 +401,8 @@ fn motions_without_a_period_are_refused_for_a_reason() {
         OrbitError::NoCycle(_) | OrbitError::NoConvergence { .. }
     ));
     assert!(matches!(cycle("x'' = -x + cos(t)", &[1.0, 0.0]), OrbitError::DependsOnTime));
-    assert!(Orbit::driven(&equation("x'' = -x"), 1.0, &[1.0, 0.0], &Quiet).is_err());
-    assert!(Orbit::driven(&equation("x'' = -x + cos(t)"), TAU, &[1.0, 0.0], &Quiet).is_err());
+    assert!(Orbit::driven(&equation("x'' = -x"), &[1.0, 0.0], 1.0, &Quiet).is_err());
+    assert!(Orbit::driven(&equation("x'' = -x + cos(t)"), &[1.0, 0.0], TAU, &Quiet).is_err());
 }
 
 /// The `f64` next to π is 1.2e-16 below the top.
@@ -564,7 +564,7 @@ fn rest_is_only_told_of_motions_that_come_to_it() {
 #[test]
 fn a_driven_orbit_about_an_unstable_rest_is_found_from_afar() {
     let kapitza = equation("theta'' + 0.05*theta' + (1 - 0.4*cos(2*t))*sin(theta) = 0");
-    let from = |start: [f64; 2]| Orbit::driven(&kapitza, TAU, &start, &Quiet).unwrap();
+    let from = |start: [f64; 2]| Orbit::driven(&kapitza, &start, TAU, &Quiet).unwrap();
     let [far, near] = [[1.0, 0.0], [1.0, 0.1]].map(from);
     let sizes = [&far, &near].map(|orbit| orbit.range(0).1);
     assert!(sizes[0] > 0.1 && (sizes[0] - sizes[1]).abs() < 1e-3 * sizes[0], "{sizes:?}");
@@ -602,7 +602,7 @@ fn errors_of_a_driven_orbit_hold_and_are_not_absurd() {
     for (damping, frequency) in [(0.2, 1.5), (1e-3, 0.999), (1e-6, 1.01), (0.5, 0.1)] {
         let text = format!("x'' = -x - {damping:?}*x' + cos({frequency:?}*t)");
         let period = TAU / frequency;
-        let orbit = Orbit::driven(&equation(&text), period, &[0.1, 0.0], &Quiet).unwrap();
+        let orbit = Orbit::driven(&equation(&text), &[0.1, 0.0], period, &Quiet).unwrap();
         let (real, imaginary) = (1.0 - frequency * frequency, damping * frequency);
         let size = real * real + imaginary * imaginary;
         let start = [real / size, frequency * imaginary / size];
@@ -641,7 +641,7 @@ fn errors_of_a_driven_orbit_hold_and_are_not_absurd() {
 #[test]
 fn a_weakly_damped_orbit_of_small_size_has_its_start() {
     let text = "x'' + 1e-9*x' + x + x^3 = 1e-6*cos(0.5*t)";
-    let orbit = Orbit::driven(&equation(text), 4.0 * PI, &[0.0, 0.0], &Quiet).unwrap();
+    let orbit = Orbit::driven(&equation(text), &[0.0, 0.0], 4.0 * PI, &Quiet).unwrap();
     let a = 4e-6 / 3.0;
     let exact = [a - 0.8 * a * a * a, 0.5 * a * (0.5e-9 / 0.75)];
     for ((start, error), exact) in orbit.start().iter().zip(orbit.start_errors()).zip(exact) {

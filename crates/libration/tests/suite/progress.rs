@@ -118,7 +118,7 @@ fn searches_of_orbits_stop_at_any_update() {
     stops(|progress| in_numbers(Orbit::near(&pair, &guess, &[0, 2], progress)), no_orbit);
     let driven = equation("x'' = -x - x^3 - x'/5 + cos(t)");
     let period = std::f64::consts::TAU;
-    stops(|progress| in_numbers(Orbit::driven(&driven, period, &[1.0, 0.2], progress)), no_orbit);
+    stops(|progress| in_numbers(Orbit::driven(&driven, &[1.0, 0.2], period, progress)), no_orbit);
 }
 
 #[test]
