@@ -80,8 +80,8 @@ fn assert_honest_in_a_sweep(record: &GateRecord, jitter: f64, number: u64, [squa
 /// Without any jitter the law is all that is left, and its rows scatter by parts in 1e7.
 #[test]
 fn what_amplitudes_by_speeds_leave_out_is_stated_in_a_sweep() {
-    let cases = [0.3, 0.5, 0.9, 1.5].into_iter().flat_map(|release| {
-        [0.01, 0.03, 0.1]
+    let cases = [0.3, 0.5, 0.9, 1.5, 2.0, 2.3, 2.6, 2.8].into_iter().flat_map(|release| {
+        [0.01, 0.03, 0.06, 0.1]
             .into_iter()
             .flat_map(move |damping| [0.0, 0.02].map(|gate| (release, damping, gate)))
     });
@@ -103,9 +103,10 @@ fn strong_damping_and_a_gate_off_the_centre_leave_the_law_right() {
     let (t0, beta) = (precise.t0.unwrap().value - strong.t0(), precise.beta.unwrap().factor.value - 1.0);
     // What the damping does to a half swing in second order is left.
     assert!(t0.abs() < 6e-6 && beta.abs() < 8e-4, "{t0:e} {beta:e}");
-    // The noise alone gives 6.2e-4, by generalised least squares with the covariance of the edges (`numpy.linalg`); the scatter may be larger by chance.
+    // The noise gives 6.2e-4, by generalised least squares with the covariance of the edges (`numpy.linalg`), and a record without any jitter is 1.2e-3
+    // off by what the damping does in second order: 1.35e-3 together. The scatter may be larger by chance.
     let uncertainty = fits(&strong, 2e-5, 1..2)[0].beta.unwrap().factor.uncertainty;
-    assert!((5.5e-4..9e-4).contains(&uncertainty), "{uncertainty:e}");
+    assert!((1.3e-3..1.7e-3).contains(&uncertainty), "{uncertainty:e}");
 }
 
 /// With eight passages, of which no side has five, the scatter was taken to be zero, and T0 was twelve of its uncertainties off.
@@ -139,10 +140,10 @@ fn long_records_are_as_uncertain_as_they_say() {
     assert_honest("off the centre", &GateRecord { gate: 0.02, ..RECORD }, 2e-5, 100);
     assert_honest("from 1.5 rad", &GateRecord { gate: 0.02, release: 1.5, ..RECORD }, 2e-5, 100);
     let strong = GateRecord { gate: 0.02, release: 2.0, damping: 0.1, ..RECORD };
-    let [of_t0, beta] = deviations(&strong, 2e-5, 1..101);
-    assert!((0.7..1.3).contains(&beta.rms()), "{}", beta.rms());
-    // What speeds leave out is three quarters of this uncertainty.
-    assert!(of_t0.rms() < 1.3 && of_t0.within(2.0) >= 0.88, "{} {}", of_t0.rms(), of_t0.within(2.0));
+    // What speeds leave out is three quarters of these uncertainties, and does not scatter.
+    for found in deviations(&strong, 2e-5, 1..101) {
+        assert!(found.rms() < 1.3 && found.within(2.0) >= 0.88, "{} {}", found.rms(), found.within(2.0));
+    }
 }
 
 /// 0.3 m, 7°, and a flag of 30 mm, whose edges are at 47 % of the swing: the speed at the middle of the flag is not its width over the time.

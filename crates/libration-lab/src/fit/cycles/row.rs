@@ -67,7 +67,7 @@ impl Share {
 
 impl Row {
     /// The mean amplitude of its two extremes, in radians.
-    pub(super) fn amplitude(&self) -> f64 {
+    pub(crate) fn amplitude(&self) -> f64 {
         0.5 * (self.sides[0].amplitude + self.sides[1].amplitude)
     }
 
