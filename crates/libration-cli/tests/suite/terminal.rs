@@ -1,6 +1,6 @@
 //! The commands and options of the terminal, and the help.
 
-use crate::command::{libration, message, refusal, text};
+use crate::command::{directory, libration, message, refusal, text};
 use libration_queries::{ParameterKind, questions};
 
 #[test]
@@ -60,4 +60,43 @@ fn manual_pages_name_every_option_and_example() {
     assert!(text("man").contains("libration\\-period"));
     let refused = refusal("man fit swing");
     assert!(refused.contains("no command `fit swing`") && refused.contains("periods, lengths"), "{refused}");
+}
+
+/// A file has the bytes of the standard output, and its extension chooses the format where none is stated.
+#[test]
+fn every_command_writes_to_a_file() {
+    let folder = directory("output");
+    let file = |name: &str| folder.join(name).display().to_string();
+    let noted = "--length 1m±0.1m";
+    for (name, command, options, format) in [
+        ("period.json", "period 1", noted, "--json"),
+        ("rows.csv", "-q period 1 2", "", "--csv"),
+        ("stated.json", "period 1 2", "", "--csv"),
+        ("none.json", "completions bash", "", ""),
+        ("page.1", "man period", "", ""),
+        ("list.txt", "list oscillators", "", ""),
+        ("fit.json", "fit trace ../../examples/swing_synthetic.csv", "", "--json"),
+    ] {
+        let stated = if name == "stated.json" { format } else { "" };
+        let path = file(name);
+        let written = libration(&format!("{command} {options} {stated} --output {path}"));
+        let shown = libration(&format!("{command} {options} {format}"));
+        assert!(written.status.success() && written.stdout.is_empty(), "{name}: {}", message(&written));
+        assert_eq!(std::fs::read(&path).unwrap(), shown.stdout, "{name}");
+        // A note is written once, though the words are read twice.
+        assert_eq!(message(&written), message(&shown), "{name}");
+    }
+    assert_eq!(text(&format!("period 1 -o {}", "-")), text("period 1"));
+}
+
+#[test]
+fn a_result_that_fails_leaves_the_file_as_it_was() {
+    let path = directory("output").join("kept.json");
+    std::fs::write(&path, "before").unwrap();
+    // The second amplitude has no period.
+    let failed = libration(&format!("period 1 4 -o {}", path.display()));
+    assert!(!failed.status.success() && message(&failed).contains("not below pi"), "{}", message(&failed));
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), "before");
+    let failed = libration("period 1 -o no/such/folder/x.json");
+    assert!(message(&failed).contains("cannot write no/such/folder/x.json"), "{}", message(&failed));
 }
