@@ -9,7 +9,7 @@ import sys
 from fractions import Fraction
 from math import comb, factorial
 
-from mpmath import agm, besselj, cos, exp, findroot, inf, log, mp, mpf, nstr, pi, radians, sin, sqrt
+from mpmath import agm, besselj, cos, exp, findroot, inf, log, mp, mpf, nstr, pi, polyval, radians, sin, sqrt
 
 TERMS = 12
 
@@ -78,6 +78,18 @@ def power_series(corrections):
 
 def black_vel(corrections):
     return lambda x: 1 / polynomial(FREQUENCY, x, corrections)
+
+
+def pade(coefficients, degree, variable):
+    """The quotient whose product with its denominator agrees with the series (mpmath.pade, Baker and Graves-Morris)."""
+
+    def formula(x):
+        # In the digits of the moment.
+        series = [rational(c) for c in coefficients[: 2 * degree + 1]]
+        numerator, denominator = mp.pade(series, degree, degree)
+        return polyval(numerator[::-1], variable(x)) / polyval(denominator[::-1], variable(x))
+
+    return formula
 
 
 def molina(x):
@@ -170,6 +182,8 @@ FORMULAS = {
     "agm_a5": lambda x: 1 / means(x, 5)[0],
     "chachiyo": chachiyo,
     "nome_one_root": nome_one_root,
+    **{f"pade_power_{n}": pade(PERIOD, n, lambda x: x**2) for n in (1, 2, 3, 5)},
+    **{f"pade_sin2_{n}": pade(period_in_sine_squared(), n, lambda x: sin(x / 2) ** 2) for n in (1, 2, 3, 5)},
 }
 
 
@@ -195,7 +209,8 @@ AMPLITUDES = """1e-300 1e-100 1e-08 0.001 0.1 0.03490658503988659 0.174532925199
 
 WORST = """small_angle bernoulli power_series_2 power_series_3 denman black_vel_2 black_vel_3 molina kidd_fogg
 ganley_parwani cubic_force describing_function lima_arun cromer butikov two_term_log lima_2008 agm_a1 agm_b2
-carvalhaes_suppes belendez agm_a3 agm_a4 agm_a5 chachiyo nome_one_root""".split()
+carvalhaes_suppes belendez agm_a3 agm_a4 agm_a5 chachiyo nome_one_root
+pade_power_1 pade_power_2 pade_power_3 pade_power_5 pade_sin2_1 pade_sin2_2 pade_sin2_3 pade_sin2_5""".split()
 
 
 def digits(x, count):

@@ -10,6 +10,7 @@
 //! | item | task |
 //! |---|---|
 //! | [`elliptic()`] | the exact period of the pendulum: energy, elliptic integral, series, arithmetic–geometric mean |
+//! | [`first_correction`] | from sin θ ≈ θ − θ³/6 to T ≈ T0(1 + θ0²/16), on two pages |
 //! | [`formulas`] | the published formulas for the period |
 //! | [`perturbation`] | Lindstedt's series of a conservative oscillator, order by order |
 //! | [`averaging()`] | amplitude and phase under weak damping or excitation |
@@ -42,6 +43,7 @@ mod words;
 
 mod averaging;
 mod elliptic;
+mod first_correction;
 mod limit_cycle;
 mod lindstedt;
 mod published;
@@ -61,6 +63,7 @@ pub use check::{
 pub use document::{Block, Cells, Derivation, DerivationStep, DerivationTable};
 pub use elliptic::elliptic;
 pub use evaluate::EvaluationError;
+pub use first_correction::first_correction;
 pub use formula::{Decimal, DecimalUnit, Formula, Name, Relation, Statement, Subscript};
 pub use limit_cycle::{HIGHEST_CYCLE_ORDER, limit_cycle};
 pub use lindstedt::{HIGHEST_ORDER, Released, perturbation};

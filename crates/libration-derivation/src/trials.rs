@@ -15,6 +15,8 @@ use libration::quantity::{Angle, STANDARD_GRAVITY};
 const CLOSE: f64 = 1e-30;
 /// Largest difference of sides of which one is in double precision.
 const CLOSE_IN_DOUBLE: f64 = 2e-14;
+/// The largest amplitude in degrees.
+const LARGEST: f64 = 179.9;
 /// Digits of a value that is shown.
 const SHOWN: usize = 11;
 
@@ -56,8 +58,8 @@ impl Trials {
         let (mut shown, mut wanted) = (1, Wanted::Formulas);
         if let Some(swing) = reader {
             let degrees = swing.amplitude.angle().degrees();
-            if !(0.01..=179.9).contains(&degrees) {
-                return Err(DerivationError::Amplitude { degrees });
+            if !(0.01..=LARGEST).contains(&degrees) {
+                return Err(DerivationError::Amplitude { degrees, largest: LARGEST });
             }
             (shown, wanted) = (trials.len(), Wanted::Numbers);
             trials.push(Trial::new(swing)?);

@@ -34,6 +34,32 @@ fn overtaking_formulas_are_found_where_they_overtake() {
 #[test]
 fn the_table_and_the_csv_have_a_row_per_formula() {
     let rows = |arguments: &str| text(arguments).lines().count();
-    assert_eq!(rows("formulas --formulas molina,butikov"), 3);
+    // The abbreviations stand below.
+    assert_eq!(rows("formulas --formulas molina,butikov"), 3 + 3);
     assert_eq!(rows("formulas --formulas molina,butikov --csv"), 3);
+}
+
+/// 1/agm(1, cos 30°) = 1.0731820071493643752 (mpmath); formula/exact − 1 of (θ0/sin θ0)^(3/8) there is 6.065976129908904e-4 (mpmath).
+#[test]
+fn the_sheet_of_a_formula_has_its_text_its_derivation_and_its_error_curve() {
+    let answer = json("formulas molina pade-power-2");
+    let molina = &answer["formulas"][0];
+    assert_eq!(molina["formula"], "(θ0/sin θ0)^(3/8)");
+    assert!(molina["derivation"].as_str().unwrap().contains("3/4"));
+    let at_60 = &molina["errors"][5];
+    close(&at_60["amplitude_rad"], 60_f64.to_radians(), 1e-15);
+    close(&at_60["fractional_error"], 6.065_976_129_908_904e-4, 1e-12);
+    let product = at_60["ratio"].as_f64().unwrap() / (1.0 + at_60["fractional_error"].as_f64().unwrap());
+    assert!((product - 1.073_182_007_149_364_4).abs() < 1e-15, "{product:?}");
+    // The error of the sheet at the end of each range is the tolerance.
+    for range in answer["formulas"][1]["holds"].as_array().unwrap() {
+        let (tolerance, to) = (range["tolerance"].as_f64().unwrap(), range["holds_to_rad"].as_f64().unwrap());
+        let there = json(&format!("period {to:?} --formulas pade_power_2"));
+        close(&there["results"][0]["formulas"][0]["fractional_error"], tolerance, 1e-9);
+    }
+    let sheet = text("formulas molina");
+    for word in ["derivation", "source", "T/T0", "error at most", "LaTeX"] {
+        assert!(sheet.contains(word), "{word}: {sheet}");
+    }
+    assert!(text("formulas").contains("1 + θ0²/16 + 11 θ0⁴/3072"), "the table has the formulas");
 }

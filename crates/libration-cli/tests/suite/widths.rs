@@ -19,7 +19,7 @@ fn widest(text: &str) -> (usize, &str) {
     text.lines().map(|line| (line.chars().count(), line)).max().unwrap_or((0, ""))
 }
 
-pub(crate) const QUESTIONS: [&str; 61] = [
+pub(crate) const QUESTIONS: [&str; 62] = [
     "period|60deg",
     "period|10deg,60deg,150deg",
     "period|10deg,60deg|--formulas|bernoulli,kidd_fogg,denman,black_vel_2,black_vel_3",
@@ -29,6 +29,7 @@ pub(crate) const QUESTIONS: [&str; 61] = [
     "formulas|--formulas|bernoulli,carvalhaes_suppes,describing_function,ganley_parwani",
     "formulas|--tolerance|1e-3|--formulas|denman,black_vel_3,butikov",
     "formulas|--crossovers|--formulas|denman,butikov",
+    "formulas|pade_power_2|lima_2008",
     "decay|60deg|--linear|0.1|--cycles|3",
     "decay|60deg|--linear|0.1|--cycles|3|--order|5",
     "decay|60deg|--dry|0.5|--quadratic|0.1|--power|1.5:0.1|--cycles|3",

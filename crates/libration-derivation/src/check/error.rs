@@ -28,11 +28,13 @@ pub enum DerivationError {
     },
     /// An amplitude at which the steps cannot be shown with their numbers.
     #[error(
-        "an amplitude of {degrees:?} degrees: the numbers of each step are shown for 0.01 to 179.9 degrees"
+        "an amplitude of {degrees:?} degrees: the numbers of each step are shown for 0.01 to {largest} degrees"
     )]
     Amplitude {
         /// The amplitude in degrees.
         degrees: f64,
+        /// The largest amplitude of this derivation in degrees.
+        largest: f64,
     },
     /// An order that is not derived step by step.
     #[error("order {order} is not derived step by step: give 2 to 9")]

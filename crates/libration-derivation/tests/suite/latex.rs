@@ -4,7 +4,8 @@ use libration::oscillator::{NamedOscillator, Oscillator};
 use libration::perturbation::Gauge;
 use libration::progress::Quiet;
 use libration_derivation::{
-    Derivation, averaging, elliptic, formulas, limit_cycle, perturbation, to_latex, to_notebook,
+    Derivation, averaging, elliptic, first_correction, formulas, limit_cycle, perturbation, to_latex,
+    to_notebook,
 };
 use std::process::Command;
 
@@ -17,6 +18,7 @@ fn derivations() -> Vec<(&'static str, Derivation)> {
     let excited = "x'' - mu*(1 - x^2)*x' + x = 0".parse().unwrap();
     let own = vec![
         ("elliptic", elliptic(None).unwrap()),
+        ("first_correction", first_correction(None).unwrap()),
         ("formulas", formulas(None).unwrap()),
         ("perturbation", perturbation(&pendulum, 5, &Gauge::Fundamental, None, &Quiet).unwrap()),
         ("two-sided", perturbation(&two_sided, 3, &Gauge::Fundamental, None, &Quiet).unwrap()),

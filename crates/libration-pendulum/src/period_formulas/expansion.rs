@@ -2,7 +2,8 @@
 
 use dashu_int::{IBig, UBig};
 
-use libration_numbers::algebra::Rational;
+use libration_numbers::algebra::{Rational, Rationals};
+use libration_numbers::internals::linear::solve;
 use libration_numbers::internals::series::{even_reciprocal, exponential};
 
 /// The coefficients `t₀ … t_N` of T/T0 = Σ tₙθ0²ⁿ (the first document's equation (14)): 1, 1/16, 11/3072, ….
@@ -57,4 +58,22 @@ fn over_weights(integers: Vec<IBig>) -> Vec<Rational> {
         coefficients.push(Rational::from_parts(integer, &factorial << (4 * n)));
     }
     coefficients
+}
+
+/// Numerator and denominator of the quotient of polynomials of this degree that agrees with a series to twice the degree, and the first coefficient
+/// of denominator·series − numerator; `None` where there is no such quotient.
+pub(super) fn pade(series: &[Rational], degree: usize) -> Option<([Vec<Rational>; 2], Rational)> {
+    let zero = || Rational::from(0);
+    let at =
+        |n: usize, back: usize| n.checked_sub(back).and_then(|k| series.get(k).cloned()).unwrap_or_else(zero);
+    let rows = degree + 1..=2 * degree;
+    let matrix: Vec<Vec<Rational>> =
+        rows.clone().map(|n| (1..=degree).map(|back| at(n, back)).collect()).collect();
+    let right: Vec<Rational> = rows.map(|n| -at(n, 0)).collect();
+    let solution = solve(&Rationals, |it| it.to_f64().abs(), &matrix, &right)?;
+    let denominator: Vec<Rational> = std::iter::once(Rational::from(1)).chain(solution).collect();
+    let product = |n: usize| {
+        denominator.iter().enumerate().fold(zero(), |sum, (back, q)| sum + q.clone() * at(n, back))
+    };
+    Some(([(0..=degree).map(product).collect(), denominator.clone()], product(2 * degree + 1)))
 }

@@ -1,6 +1,6 @@
 //! The formulas with a number of terms: any number can be requested.
 
-use super::expansion::{frequency_in_amplitude, period_in_amplitude, period_in_sine_squared};
+use super::expansion::{frequency_in_amplitude, pade, period_in_amplitude, period_in_sine_squared};
 use super::formula::{Attribution, Complexity, LeadingTerm, PeriodFormula};
 use super::law::Law;
 use super::real::Coefficients;
@@ -8,6 +8,10 @@ use libration_numbers::algebra::Rational;
 
 /// The most correction terms a formula can be requested with; their exact coefficients take seconds.
 pub const MOST_TERMS: usize = 1000;
+
+/// The largest degree of a Padé approximant. In θ0² that of degree 11 has a pole at an amplitude of 2.89 rad (mpmath, 60 digits), and denominators of
+/// degree 10 cancel so near the top that two words are off 300 times as far as for other formulas.
+pub const LARGEST_PADE: usize = 5;
 
 /// A formula that is known under another name.
 struct Known {
@@ -41,10 +45,31 @@ pub enum Family {
     PowerSeries,
     FourierPerturbation,
     SineSquared,
+    PadePower,
+    PadeSineSquared,
 }
 
 impl Family {
-    pub const ALL: [Self; 3] = [Self::PowerSeries, Self::FourierPerturbation, Self::SineSquared];
+    pub const ALL: [Self; 5] = [
+        Self::PowerSeries,
+        Self::FourierPerturbation,
+        Self::SineSquared,
+        Self::PadePower,
+        Self::PadeSineSquared,
+    ];
+
+    /// The largest number of a key.
+    pub fn most(self) -> usize {
+        if self.is_quotient() { LARGEST_PADE } else { MOST_TERMS }
+    }
+
+    fn is_quotient(self) -> bool {
+        matches!(self, Self::PadePower | Self::PadeSineSquared)
+    }
+
+    fn is_in_sine(self) -> bool {
+        matches!(self, Self::SineSquared | Self::PadeSineSquared)
+    }
 
     /// The key without its number.
     pub(super) fn stem(self) -> &'static str {
@@ -52,6 +77,8 @@ impl Family {
             Self::PowerSeries => "power_series_",
             Self::FourierPerturbation => "black_vel_",
             Self::SineSquared => "sin2_series_",
+            Self::PadePower => "pade_power_",
+            Self::PadeSineSquared => "pade_sin2_",
         }
     }
 
@@ -61,14 +88,12 @@ impl Family {
         let digits = key.strip_prefix(family.stem())?;
         let corrections: usize = digits.parse().ok()?;
         let canonical = digits == corrections.to_string();
-        (canonical && (1..=MOST_TERMS).contains(&corrections)).then(|| family.formula(corrections))
+        (canonical && (1..=family.most()).contains(&corrections)).then(|| family.formula(corrections))
     }
 
-    /// The formula with this many corrections, at least one.
+    /// The formula with this many corrections, or of this degree, at least one.
     pub fn formula(self, corrections: usize) -> PeriodFormula {
-        let mut coefficients = self.coefficients(corrections + 1);
-        let next = coefficients.pop().unwrap_or_else(|| Rational::from(0));
-        let latex = self.latex(&coefficients);
+        let Built { law, text, latex, leading_error } = self.built(corrections);
         let known = self.known(corrections);
         let numbered = format!("{}{corrections}", self.stem());
         PeriodFormula {
@@ -79,28 +104,60 @@ impl Family {
             year: known.map_or_else(|| self.year(), |known| known.year),
             source: known.map_or_else(|| self.source(), |known| known.source).to_owned(),
             attribution: Attribution::Certain,
+            text,
+            derivation: self.derivation().to_owned(),
             latex,
             domain: self.domain().to_owned(),
             complexity: self.complexity(corrections),
-            leading_error: Some(self.leading_error(next, corrections)),
-            law: self.law(coefficients),
+            leading_error: Some(leading_error),
+            law,
         }
+    }
+
+    fn built(self, corrections: usize) -> Built {
+        if self.is_quotient() {
+            return self.quotient(corrections);
+        }
+        let mut coefficients = self.coefficients(corrections + 1);
+        let next = coefficients.pop().unwrap_or_else(|| Rational::from(0));
+        let polynomial = |notation: &Notation| notation.polynomial(&coefficients);
+        let (text, latex) = (polynomial(&self.plain()), polynomial(&self.in_latex()));
+        let is_reciprocal = self == Self::FourierPerturbation;
+        Built {
+            text: if is_reciprocal { format!("1/({text})") } else { text },
+            latex: if is_reciprocal { format!(r"\left({latex}\right)^{{-1}}") } else { latex },
+            leading_error: self.leading_error(if is_reciprocal { next } else { -next }, corrections + 1),
+            law: self.law(Coefficients::new(coefficients)),
+        }
+    }
+
+    /// The Padé approximant of this degree, or of the next smaller one that exists: 1 in the end.
+    fn quotient(self, degree: usize) -> Built {
+        let series = self.coefficients(2 * degree + 1);
+        let one = || ([vec![Rational::from(1)], vec![Rational::from(1)]], series[1].clone());
+        let (both, next) = pade(&series, degree).unwrap_or_else(one);
+        let [text, latex] = [self.plain(), self.in_latex()].map(|notation| {
+            let [numerator, denominator] = both.each_ref().map(|it| notation.polynomial(it));
+            notation.quotient(&numerator, &denominator)
+        });
+        let both = both.map(Coefficients::new);
+        let law = if self.is_in_sine() { Law::PadeSineSquared(both) } else { Law::PadePower(both) };
+        Built { law, text, latex, leading_error: self.leading_error(-next, 2 * degree + 1) }
     }
 
     fn coefficients(self, corrections: usize) -> Vec<Rational> {
         match self {
-            Self::PowerSeries => period_in_amplitude(corrections),
+            Self::PowerSeries | Self::PadePower => period_in_amplitude(corrections),
             Self::FourierPerturbation => frequency_in_amplitude(corrections),
-            Self::SineSquared => period_in_sine_squared(corrections),
+            Self::SineSquared | Self::PadeSineSquared => period_in_sine_squared(corrections),
         }
     }
 
-    fn law(self, coefficients: Vec<Rational>) -> Law {
-        let coefficients = Coefficients::new(coefficients);
+    fn law(self, coefficients: Coefficients) -> Law {
         match self {
-            Self::PowerSeries => Law::PowerSeries(coefficients),
             Self::FourierPerturbation => Law::FourierPerturbation(coefficients),
-            Self::SineSquared => Law::SineSquared(coefficients),
+            Self::SineSquared | Self::PadeSineSquared => Law::SineSquared(coefficients),
+            Self::PowerSeries | Self::PadePower => Law::PowerSeries(coefficients),
         }
     }
 
@@ -110,6 +167,8 @@ impl Family {
             Self::PowerSeries => format!("power series, {corrections} correction{plural}"),
             Self::FourierPerturbation => format!("Fourier-perturbation, {corrections} term{plural}"),
             Self::SineSquared => format!("series in sin\u{b2}(\u{3b8}0/2), {corrections} correction{plural}"),
+            Self::PadePower => format!("Padé [{corrections}/{corrections}] in \u{3b8}0\u{b2}"),
+            Self::PadeSineSquared => format!("Padé [{corrections}/{corrections}] in sin\u{b2}(\u{3b8}0/2)"),
         }
     }
 
@@ -124,7 +183,7 @@ impl Family {
 
     fn authors(self) -> &'static str {
         match self {
-            Self::PowerSeries | Self::SineSquared => "",
+            Self::PowerSeries | Self::SineSquared | Self::PadePower | Self::PadeSineSquared => "",
             Self::FourierPerturbation => "B. Black and V. Vel",
         }
     }
@@ -142,6 +201,9 @@ impl Family {
                 "equation (51) of B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), doi:10.1119/5.0130943"
             }
             Self::SineSquared => "J. C\u{f4}t\u{e9}, Period of a Pendulum, the last equation",
+            Self::PadePower | Self::PadeSineSquared => {
+                "the Padé approximant (DLMF 3.11.16) of the exact series"
+            }
         }
     }
 
@@ -156,58 +218,109 @@ impl Family {
             Self::SineSquared => {
                 "all amplitudes below the top, where it stays finite; converges slower than the power series"
             }
+            Self::PadePower | Self::PadeSineSquared => "all amplitudes below the top, where it stays finite",
+        }
+    }
+
+    fn derivation(self) -> &'static str {
+        match self {
+            Self::PowerSeries => "(2/π) K(k) expanded in powers of θ0²",
+            Self::FourierPerturbation => {
+                "perturbation theory gives the frequency Ω/ω0 in powers of θ0², and T/T0 = ω0/Ω"
+            }
+            Self::SineSquared => {
+                "1/√(1 − k² sin²φ) under the integral of K expanded in powers of k², and integrated term by term"
+            }
+            Self::PadePower | Self::PadeSineSquared => {
+                "the quotient of two polynomials that agrees with the exact series in as many terms as it has coefficients"
+            }
         }
     }
 
     fn complexity(self, corrections: usize) -> Complexity {
         let terms = u16::try_from(corrections).unwrap_or(u16::MAX);
-        let division = u16::from(self == Self::FourierPerturbation);
-        let sine = u16::from(self == Self::SineSquared);
-        Complexity { functions: sine, roots: 0, operations: 1 + sine + division + terms.saturating_mul(2) }
+        let division = u16::from(self == Self::FourierPerturbation || self.is_quotient());
+        let sine = u16::from(self.is_in_sine());
+        let polynomials = 1 + u16::from(self.is_quotient());
+        let operations = 1 + sine + division + terms.saturating_mul(2 * polynomials);
+        Complexity { functions: sine, roots: 0, operations }
     }
 
-    /// T/T0 loses its next term; of one over Ω/ω0 the next term stays with its sign; sin²(θ0/2) is about θ0²/4.
-    fn leading_error(self, next: Rational, corrections: usize) -> LeadingTerm {
-        let power = u32::try_from(2 * (corrections + 1)).unwrap_or(u32::MAX);
-        let coefficient = match self {
-            Self::PowerSeries => -next,
-            Self::FourierPerturbation => next,
-            Self::SineSquared => -next.divided_by_power_of_two(2 * (corrections + 1)),
-        };
-        LeadingTerm { coefficient, power }
+    /// The coefficient of this power of the variable in the fractional error, in powers of θ0: sin²(θ0/2) is about θ0²/4.
+    fn leading_error(self, coefficient: Rational, power: usize) -> LeadingTerm {
+        let scaled =
+            if self.is_in_sine() { coefficient.divided_by_power_of_two(2 * power) } else { coefficient };
+        LeadingTerm { coefficient: scaled, power: u32::try_from(2 * power).unwrap_or(u32::MAX) }
     }
 
-    fn latex(self, coefficients: &[Rational]) -> String {
-        let variable = match self {
-            Self::SineSquared => r"\sin^{#}\frac{\theta_0}{2}",
-            Self::PowerSeries | Self::FourierPerturbation => r"\theta_0^{#}",
-        };
-        let polynomial = polynomial_latex(coefficients, variable);
-        if self == Self::FourierPerturbation {
-            format!(r"\left({polynomial}\right)^{{-1}}")
-        } else {
-            polynomial
+    fn in_latex(self) -> Notation {
+        let variable = if self.is_in_sine() { r"\sin^{#}\frac{\theta_0}{2}" } else { r"\theta_0^{#}" };
+        Notation { variable, is_latex: true }
+    }
+
+    fn plain(self) -> Notation {
+        Notation { variable: if self.is_in_sine() { "k" } else { "θ0" }, is_latex: false }
+    }
+}
+
+/// A formula of a family, of some number of corrections.
+struct Built {
+    law: Law,
+    text: String,
+    latex: String,
+    leading_error: LeadingTerm,
+}
+
+/// A notation for polynomials in an even power of a variable.
+struct Notation {
+    variable: &'static str,
+    is_latex: bool,
+}
+
+impl Notation {
+    /// The first terms, and dots for more.
+    fn polynomial(&self, coefficients: &[Rational]) -> String {
+        let shown = if self.is_latex { 7 } else { 4 };
+        let terms = coefficients.iter().take(shown).enumerate().skip(1);
+        let mut text: String = terms.fold("1".to_owned(), |text, (n, c)| text + &self.term(c, 2 * n));
+        if coefficients.len() > shown {
+            let last = self.power(2 * (coefficients.len() - 1));
+            text += &match self.is_latex {
+                true => format!(r"+\cdots\ \left(\text{{to }}{last}\right)"),
+                false => format!(" + … to {last}"),
+            };
+        }
+        text
+    }
+
+    fn term(&self, coefficient: &Rational, power: usize) -> String {
+        let (numerator, denominator) = (coefficient.numerator(), coefficient.denominator());
+        let (sign, digits) = numerator
+            .strip_prefix('-')
+            .map_or((['+', '+'], numerator.as_str()), |digits| (['-', '−'], digits));
+        let power = self.power(power);
+        match (self.is_latex, digits) {
+            (true, _) => format!(r"{}\frac{{{digits}}}{{{denominator}}}{power}", sign[0]),
+            (false, "1") => format!(" {} {power}/{denominator}", sign[1]),
+            (false, _) => format!(" {} {digits} {power}/{denominator}", sign[1]),
         }
     }
-}
 
-/// The first terms, and dots for more than six.
-fn polynomial_latex(coefficients: &[Rational], variable: &str) -> String {
-    const SHOWN: usize = 7;
-    let terms = coefficients.iter().take(SHOWN).enumerate().skip(1);
-    let mut text: String = terms.fold("1".to_owned(), |text, (n, c)| {
-        text + &term_latex(c, &variable.replace('#', &(2 * n).to_string()))
-    });
-    if coefficients.len() > SHOWN {
-        let last = 2 * (coefficients.len() - 1);
-        text += &format!(r"+\cdots\ \left(\text{{to }}{}\right)", variable.replace('#', &last.to_string()));
+    fn power(&self, power: usize) -> String {
+        if self.is_latex {
+            return self.variable.replace('#', &power.to_string());
+        }
+        const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+        let raised =
+            power.to_string().bytes().map(|digit| RAISED[usize::from(digit - b'0')]).collect::<String>();
+        format!("{}{raised}", self.variable)
     }
-    text
-}
 
-fn term_latex(coefficient: &Rational, power: &str) -> String {
-    let numerator = coefficient.numerator();
-    let (sign, digits) =
-        numerator.strip_prefix('-').map_or(("+", numerator.as_str()), |digits| ("-", digits));
-    format!(r"{sign}\frac{{{digits}}}{{{}}}{power}", coefficient.denominator())
+    fn quotient(&self, numerator: &str, denominator: &str) -> String {
+        if self.is_latex {
+            format!(r"\frac{{{numerator}}}{{{denominator}}}")
+        } else {
+            format!("({numerator})/({denominator})")
+        }
+    }
 }

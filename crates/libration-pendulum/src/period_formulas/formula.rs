@@ -30,6 +30,8 @@ pub struct PeriodFormula {
     pub(super) year: Option<u16>,
     pub(super) source: String,
     pub(super) attribution: Attribution,
+    pub(super) text: String,
+    pub(super) derivation: String,
     pub(super) latex: String,
     pub(super) domain: String,
     pub(super) complexity: Complexity,
@@ -82,8 +84,7 @@ impl fmt::Display for LeadingTerm {
 
 impl Named for PeriodFormula {
     const KIND: &'static str = "formula";
-    const OTHERWISE: &'static str =
-        "; power_series_N, black_vel_N and sin2_series_N have up to 1000 corrections";
+    const OTHERWISE: &'static str = "; power_series_N, black_vel_N and sin2_series_N have up to 1000 corrections, pade_power_N and pade_sin2_N up to degree 5";
 
     fn keys(&self) -> impl Iterator<Item = &str> {
         std::iter::once(&self.key).chain(&self.also).map(String::as_str)
@@ -189,6 +190,18 @@ impl PeriodFormula {
     #[must_use]
     pub fn attribution(&self) -> Attribution {
         self.attribution
+    }
+
+    /// T/T0 as a line of text, θ0 the amplitude, with the [`ABBREVIATIONS`](super::ABBREVIATIONS).
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The argument that leads to the formula, in a sentence without its stop.
+    #[must_use]
+    pub fn derivation(&self) -> &str {
+        &self.derivation
     }
 
     /// T/T0 in LaTeX, θ0 the amplitude.

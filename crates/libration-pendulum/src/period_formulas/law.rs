@@ -14,6 +14,10 @@ pub enum Law {
     FourierPerturbation(Coefficients),
     /// A polynomial in k².
     SineSquared(Coefficients),
+    /// A quotient of polynomials in θ².
+    PadePower([Coefficients; 2]),
+    /// A quotient of polynomials in k².
+    PadeSineSquared([Coefficients; 2]),
     Molina,
     KiddFogg,
     Butikov,
@@ -43,6 +47,8 @@ impl Law {
                 swing.number(1) / swing.amplitude.square().polynomial(coefficients)
             }
             Self::SineSquared(coefficients) => swing.sin_half.square().polynomial(coefficients),
+            Self::PadePower(of) => quotient(&swing.amplitude.square(), of),
+            Self::PadeSineSquared(of) => quotient(&swing.sin_half.square(), of),
             Self::Molina => molina(swing),
             Self::KiddFogg => swing.number(1) / swing.cos_half.sqrt(),
             Self::Butikov => two_over_pi(swing) * (swing.number(8) / swing.complement.clone()).ln(),
@@ -61,6 +67,10 @@ impl Law {
             Self::DescribingFunction => describing_function(swing),
         }
     }
+}
+
+fn quotient<R: Real>(variable: &R, [numerator, denominator]: &[Coefficients; 2]) -> R {
+    variable.polynomial(numerator) / variable.polynomial(denominator)
 }
 
 fn two_over_pi<R: Real>(swing: &Swing<R>) -> R {

@@ -34,15 +34,18 @@ mod grid;
 mod known;
 mod law;
 #[doc(hidden)]
-#[doc(hidden)]
 pub(crate) mod quick;
 mod real;
 mod search;
 #[doc(hidden)]
 pub(crate) mod swing;
+mod worst;
 
 pub use expansion::{frequency_in_amplitude, period_in_amplitude, period_in_sine_squared};
-pub use family::MOST_TERMS;
+pub use family::{LARGEST_PADE, MOST_TERMS};
 pub use formula::{Attribution, Complexity, LeadingTerm, PeriodFormula, fractional_errors};
 pub use known::catalogue;
 pub use search::{Crossover, ErrorMaximum, ErrorTable};
+
+/// The abbreviations in [`PeriodFormula::text`] and [`PeriodFormula::derivation`], and the exact ratio in them.
+pub const ABBREVIATIONS: &str = "c = cos(θ0/2), k = sin(θ0/2), s = √c, L = ln(4/c); exact: T/T0 = 1/M(1, c), M the arithmetic-geometric mean";

@@ -47,7 +47,7 @@ pub(crate) use commas::at_commas;
 pub(crate) use counted::CountedOptions;
 pub(crate) use displacements::displacements;
 pub(crate) use equilibrium::EquilibriumOptions;
-pub(crate) use formulas::FormulaChoice;
+pub(crate) use formulas::{FormulaChoice, formula};
 pub(crate) use initial::{Initial, InitialOptions, SeveralInitialOptions};
 pub(crate) use input_file::{read_at_most, read_bytes};
 pub(crate) use keys::KeyOptions;

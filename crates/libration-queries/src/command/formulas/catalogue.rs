@@ -1,37 +1,30 @@
 //! The formulas with their sources and errors.
 
+use super::formula_sheet;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
-use crate::output::table::Table;
+use crate::output::table::{Table, write_text};
 use crate::output::{Form, csv};
-use libration::period_formulas::PeriodFormula;
-use libration::quantity::Angle;
-use std::f64::consts::FRAC_PI_2;
+use libration::period_formulas::{ABBREVIATIONS, PeriodFormula};
 use std::io::{self, Write};
 
 /// A formula with what is known about its error.
 #[derive(Clone, Debug)]
 pub(super) struct Entry {
-    formula: PeriodFormula,
-    /// The largest fractional error up to 90°, with its sign.
-    worst_error: f64,
+    pub(super) formula: PeriodFormula,
     /// The amplitude (rad) up to which it keeps the tolerance, if one was given.
-    holds_to: Option<f64>,
+    pub(super) holds_to: Option<f64>,
+    /// `true` if its error curve is shown.
+    pub(super) is_sheet: bool,
 }
 
-impl Entry {
-    pub(super) fn new(formula: &PeriodFormula, holds_to: Option<f64>) -> Self {
-        let [bottom, right_angle] =
-            [0.0, FRAC_PI_2].map(|radians| Angle::from_radians(radians).expect("these are finite"));
-        let worst = formula.worst_error(&bottom, &right_angle);
-        Self { formula: formula.clone(), worst_error: worst.map_or(f64::NAN, |worst| worst.error), holds_to }
-    }
-}
+/// The widest formula of the table, next to the longest key; longer ones stand in their sheets.
+const WIDEST: usize = 59;
 
 fn of_entry() -> Fields<Entry> {
     type Of = Field<Entry>;
-    Fields::from([
+    let fields = Fields::from([
         Of::value("key", "", "short name of the formula", |it| it.formula.key().into())
             .words("key", |it| it.formula.key().to_owned()),
         Of::value("name", "", "name of the formula", |it| it.formula.name().into())
@@ -44,7 +37,18 @@ fn of_entry() -> Fields<Entry> {
         })
         .words("year", |it| it.formula.year().map_or_else(String::new, |year| year.to_string())),
         Of::value("source", "", "source of the formula", |it| it.formula.source().into()),
+        Of::value("formula", "", "T/T0, with c = cos(θ0/2), k = sin(θ0/2), s = √c, L = ln(4/c)", |it| {
+            it.formula.text().into()
+        })
+        .words("T/T0", |it| {
+            let text = it.formula.text();
+            if text.chars().count() > WIDEST { it.formula.name().to_owned() } else { text.to_owned() }
+        }),
         Of::value("latex", "", "the formula in LaTeX", |it| it.formula.latex().into()),
+        Of::value("derivation", "", "the argument that leads to the formula", |it| {
+            it.formula.derivation().into()
+        })
+        .only_json(),
         Of::value("domain", "", "domain in which it is good, and its limit at the end", |it| {
             it.formula.domain().into()
         })
@@ -57,14 +61,15 @@ fn of_entry() -> Fields<Entry> {
             "worst_error_to_90deg",
             "1",
             "largest magnitude of its fractional error up to 90°",
-            |it| it.worst_error.abs(),
+            |it| it.formula.worst_error_to_90deg().abs(),
         )
         .rounded("error to 90°", 3),
         Of::present("holds_to_rad", "rad", "amplitude up to which it is within the given tolerance", |it| {
             it.holds_to
         })
         .degrees("holds to / °", 12),
-    ])
+    ]);
+    fields.and(formula_sheet::of_curve())
 }
 
 pub(super) fn write(out: &mut dyn Write, form: Form, entries: &[Entry]) -> io::Result<()> {
@@ -78,18 +83,21 @@ pub(super) fn write(out: &mut dyn Write, form: Form, entries: &[Entry]) -> io::R
             csv::line(out, &fields.csv_names())?;
             entries.iter().try_for_each(|entry| csv::line(out, &fields.csv_cells(entry)))
         }
+        Form::Table if entries.iter().any(|it| it.is_sheet) => formula_sheet::write(out, entries),
         Form::Table => write_table(out, entries),
     }
 }
 
 fn write_table(out: &mut dyn Write, entries: &[Entry]) -> io::Result<()> {
     let with_tolerance = entries.iter().any(|entry| entry.holds_to.is_some());
-    let titles = ["key", "error to 90°", "holds to / °", "formula", "authors", "year"];
+    let titles = ["key", "error to 90°", "holds to / °", "T/T0", "authors", "year"];
     let titles = titles.into_iter().filter(|title| with_tolerance || *title != "holds to / °");
     let fields = of_entry().for_table(&titles.collect::<Vec<_>>());
     let mut table = Table::new(fields.columns());
     entries.iter().try_for_each(|entry| table.row(out, fields.cells(entry)))?;
-    table.finish(out)
+    table.finish(out)?;
+    writeln!(out)?;
+    write_text(out, "", ABBREVIATIONS)
 }
 
 pub(super) fn answers() -> Answers {

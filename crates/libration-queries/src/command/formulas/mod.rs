@@ -3,6 +3,7 @@
 mod catalogue;
 mod crossovers;
 mod error_table;
+mod formula_sheet;
 
 use crate::arguments::{self, FormulaChoice};
 use crate::output::FormOptions;
@@ -16,10 +17,14 @@ use std::io::Write;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration formulas
+  libration formulas molina                               # its sheet
   libration formulas --tolerance 1e-3                     # how far each holds
   libration formulas --amplitude 90deg --tolerance 1e-3   # simplest first
   libration formulas --crossovers --formulas denman,black_vel_3,butikov")]
 pub(crate) struct Formulas {
+    /// Keys of formulas whose sheets are shown: formula, derivation, source, error curve
+    #[arg(value_name = "KEY", value_parser = arguments::formula, conflicts_with_all = ["amplitude", "tolerance", "crossovers", "formulas"])]
+    keys: Vec<PeriodFormula>,
     /// List only formulas within the tolerance at this amplitude and all smaller ones
     #[arg(long, requires = "tolerance", value_parser = arguments::angle)]
     amplitude: Option<Angle>,
@@ -37,12 +42,17 @@ pub(crate) struct Formulas {
 
 impl Formulas {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
+        if !self.keys.is_empty() {
+            let sheets: Vec<_> =
+                self.keys.iter().map(|it| catalogue::Entry { is_sheet: true, ..entry(it, None) }).collect();
+            return Ok(catalogue::write(out, self.form.form(), &sheets)?);
+        }
         let formulas = self.formulas.chosen_or_all();
         if self.crossovers {
             return crossovers::write(out, self.form.form(), formulas);
         }
         let entries = match self.tolerance {
-            None => formulas.iter().map(|formula| catalogue::Entry::new(formula, None)).collect(),
+            None => formulas.iter().map(|formula| entry(formula, None)).collect(),
             Some(tolerance) => self.sufficient(formulas, tolerance)?,
         };
         Ok(catalogue::write(out, self.form.form(), &entries)?)
@@ -67,11 +77,12 @@ impl Formulas {
             );
             return Err(QueryError::no_result(option("amplitude"), reason));
         }
-        Ok(chosen
-            .into_iter()
-            .map(|formula| catalogue::Entry::new(formula, holds_to(formula.key())))
-            .collect())
+        Ok(chosen.into_iter().map(|formula| entry(formula, holds_to(formula.key()))).collect())
     }
+}
+
+fn entry(formula: &PeriodFormula, holds_to: Option<f64>) -> catalogue::Entry {
+    catalogue::Entry { formula: formula.clone(), holds_to, is_sheet: false }
 }
 
 pub(crate) fn answers() -> Vec<Answers> {

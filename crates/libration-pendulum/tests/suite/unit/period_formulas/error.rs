@@ -18,7 +18,9 @@ fn amplitudes() -> impl Iterator<Item = SwingAmplitude> {
 
 /// The catalogue, and long sums.
 fn formulas() -> Vec<PeriodFormula> {
-    let sums = Family::ALL.into_iter().flat_map(|family| [7, 40].map(|terms| family.formula(terms)));
+    let sums = Family::ALL
+        .into_iter()
+        .flat_map(|family| [3, 7, 40].map(|terms| family.formula(terms.min(family.most()))));
     catalogue().iter().cloned().chain(sums).collect()
 }
 
