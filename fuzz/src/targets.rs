@@ -59,7 +59,7 @@ fn same(written: &str, again: &str) -> Result<(), String> {
     if written == again { Ok(()) } else { Err(format!("`{written}` is read and written as `{again}`")) }
 }
 
-/// Checks that an angle has finite radians, and its angle in the turn is within a turn.
+/// Checks that an angle is finite and that its part in the turn is at most π.
 fn angle(input: &[u8]) -> Result<(), String> {
     let text = String::from_utf8_lossy(input);
     match text.parse::<Angle>() {

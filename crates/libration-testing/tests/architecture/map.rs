@@ -42,7 +42,7 @@ impl Map {
         Self { crates, common }
     }
 
-    /// Returns `true` for a mathematics crate; the modules of these are named in each other's entries.
+    /// Returns `true` for a mathematics crate, for which uses of modules of other crates are listed too.
     pub(crate) fn is_mathematics(&self, name: &str) -> bool {
         let place = |name: &str| self.crates.iter().position(|section| section.name == name).unwrap();
         (place("libration-kernels")..=place("libration-branches")).contains(&place(name))
