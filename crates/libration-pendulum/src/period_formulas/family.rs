@@ -1,4 +1,4 @@
-//! The formulas with a number of terms: any number can be requested.
+//! Formulas with a selectable number of terms.
 
 use super::expansion::{frequency_in_amplitude, period_in_amplitude, period_in_sine_squared};
 use super::formula::{Attribution, Complexity, LeadingTerm, PeriodFormula};
@@ -6,10 +6,10 @@ use super::law::Law;
 use super::real::Coefficients;
 use libration_numbers::algebra::Rational;
 
-/// The most correction terms a formula can be requested with; their exact coefficients take seconds.
+/// The largest number of correction terms; computing their exact coefficients takes seconds.
 pub const MOST_TERMS: usize = 1000;
 
-/// A formula that is known under another name.
+/// A formula that has another name.
 struct Known {
     key: &'static str,
     name: &'static str,
@@ -46,7 +46,7 @@ pub enum Family {
 impl Family {
     pub const ALL: [Self; 3] = [Self::PowerSeries, Self::FourierPerturbation, Self::SineSquared];
 
-    /// The key without its number.
+    /// The key without its number of corrections.
     pub(super) fn stem(self) -> &'static str {
         match self {
             Self::PowerSeries => "power_series_",
@@ -113,7 +113,7 @@ impl Family {
         }
     }
 
-    /// The older formula that a series with one correction equals, for two of the series.
+    /// The older formula that equals this series with one correction, for two of the series.
     fn known(self, corrections: usize) -> Option<&'static Known> {
         match self {
             Self::PowerSeries if corrections == 1 => Some(&BERNOULLI),
@@ -166,7 +166,8 @@ impl Family {
         Complexity { functions: sine, roots: 0, operations: 1 + sine + division + terms.saturating_mul(2) }
     }
 
-    /// T/T0 loses its next term; of one over Ω/ω0 the next term stays with its sign; sin²(θ0/2) is about θ0²/4.
+    /// The leading error of the truncated series: T/T0 lacks its next term; for the inverse of Ω/ω0 the next term keeps its sign; sin²(θ0/2) is
+    /// about θ0²/4.
     fn leading_error(self, next: Rational, corrections: usize) -> LeadingTerm {
         let power = u32::try_from(2 * (corrections + 1)).unwrap_or(u32::MAX);
         let coefficient = match self {
@@ -191,7 +192,7 @@ impl Family {
     }
 }
 
-/// The first terms, and dots for more than six.
+/// The first terms, followed by dots if there are more than six.
 fn polynomial_latex(coefficients: &[Rational], variable: &str) -> String {
     const SHOWN: usize = 7;
     let terms = coefficients.iter().take(SHOWN).enumerate().skip(1);

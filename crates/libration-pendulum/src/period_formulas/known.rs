@@ -1,4 +1,4 @@
-//! The formulas that are known, by their keys.
+//! The known formulas, by key.
 
 use std::sync::LazyLock;
 
@@ -19,16 +19,16 @@ static CATALOGUE: LazyLock<Vec<PeriodFormula>> = LazyLock::new(|| {
         .collect()
 });
 
-/// Every formula of the catalogue, each once, the series with few terms; [`PeriodFormula::by_key`] has more.
+/// Every formula of the catalogue, each once, the series with few terms; [`PeriodFormula::by_key`] gives more.
 #[must_use]
 pub fn catalogue() -> &'static [PeriodFormula] {
     &CATALOGUE
 }
 
 impl PeriodFormula {
-    /// The formula of this key, or the one that is the same under another (`agm_a2` is `carvalhaes_suppes`,
-    /// `power_series_1` is `bernoulli`, `black_vel_1` is `denman`). The series `power_series_N`, `black_vel_N` and `sin2_series_N` have any
-    /// number N of corrections up to [`MOST_TERMS`](super::MOST_TERMS).
+    /// The formula with this key. Keys of equal formulas are synonyms (`agm_a2` is `carvalhaes_suppes`, `power_series_1` is `bernoulli`,
+    /// `black_vel_1` is `denman`). The series `power_series_N`, `black_vel_N` and `sin2_series_N` have any number N of corrections up to
+    /// [`MOST_TERMS`](super::MOST_TERMS).
     ///
     /// # Errors
     /// No formula has this key; the error lists the nearest keys and all of them.
