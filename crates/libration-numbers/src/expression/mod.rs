@@ -59,10 +59,10 @@ pub use parser::{DEEPEST_NESTING, DEEPEST_TREE};
 pub(crate) use tape::Tape;
 pub use tape::WithoutValue;
 
-/// A formula. The tree is what was written: nothing is reordered or simplified unless requested.
+/// A formula. The tree corresponds to the text: nothing is reordered or simplified unless requested.
 ///
-/// From text it is at most [`DEEPEST_TREE`] levels deep, and what is made from it a small multiple of that; its
-/// methods call themselves for each level.
+/// A formula from text is at most [`DEEPEST_TREE`] levels deep, and one derived from it a small multiple of that; the methods call themselves
+/// for each level.
 ///
 /// # Examples
 /// ```
@@ -75,7 +75,7 @@ pub use tape::WithoutValue;
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Expression {
-    /// An exact number; never negative when it comes from text.
+    /// An exact number; never negative if it comes from text.
     Number(Rational),
     /// π.
     Pi,

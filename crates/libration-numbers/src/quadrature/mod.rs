@@ -1,4 +1,4 @@
-//! Quadrature: integrals from zero to one, each with an estimate of what the rule misses.
+//! Quadrature: integrals from zero to one, each with an estimate of the truncation error.
 //!
 //! | rule | for functions that are | evaluations |
 //! |---|---|---|
@@ -33,11 +33,11 @@ pub(crate) use equal_steps::equal_steps;
 pub use gauss::gauss;
 pub use kronrod::gauss_kronrod;
 
-/// The integral of a function, as far as it is known.
+/// The integral of a function, with its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Integral {
-    /// NaN where it does not converge.
+    /// The value; NaN if the integral does not converge.
     pub value: f64,
-    /// An estimate of the truncation error; the roundings of a sum come in addition.
+    /// An estimate of the truncation error; the rounding errors of a sum are not included.
     pub error: f64,
 }
