@@ -1,4 +1,4 @@
-//! Nonlinear normal modes: the modes of small oscillations followed to large ones, as periodic orbits with their stability.
+//! Nonlinear normal modes: modes of small oscillations continued to large amplitudes, as periodic orbits with their stability.
 //!
 //! ```
 //! # extern crate libration_branches as libration;
