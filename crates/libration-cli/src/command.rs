@@ -6,14 +6,14 @@ use clap::{Arg, ArgAction, ArgMatches, Args, ColorChoice, Command, FromArgMatche
 use libration_queries::QueryError;
 use std::io::Write;
 
-/// The command line, with colours in help and refusals or not.
+/// The command line, with or without colours in help and error messages.
 pub(crate) fn command(color: ColorChoice) -> Command {
     let completions = Completions::augment_args(Command::new("completions"));
     let manual = Manual::augment_args(Command::new("man"));
     libration_queries::command([completions, manual]).color(color).args(options())
 }
 
-/// The options of the terminal, which every command has; `TerminalOptions` reads them.
+/// The terminal's options, which every command has; `TerminalOptions` reads them.
 fn options() -> [Arg; 2] {
     let quiet = Arg::new("quiet")
         .short('q')
@@ -29,7 +29,7 @@ fn options() -> [Arg; 2] {
     [quiet.global(true), color.global(true)]
 }
 
-/// Writes the result of a command of the terminal; `None` if the words name a query.
+/// Writes the result of a terminal command; `None` if the words name a query.
 pub(crate) fn written(
     matches: &ArgMatches,
     program: &mut Command,
