@@ -1,4 +1,4 @@
-//! Answers to a periodic force.
+//! Periodic responses to a periodic force.
 
 use super::closing::Rounds;
 use super::error::{OrbitError, finished};
@@ -11,16 +11,15 @@ use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Progress;
 
 impl Orbit {
-    /// The periodic motion of a system whose force depends on the time t, near a state at t = 0: a fixed point of the map from
-    /// one period to the next. The period is that of the force, or a multiple of it for subharmonic answers.
+    /// The periodic motion of a system whose force depends on the time t, near a state at t = 0: a fixed point of the map over one period. The
+    /// period is that of the force, or a multiple of it for subharmonic responses.
     ///
-    /// Newton's method is tried at the start, and again after the motion has been followed for 10, 20, … periods, which leads to
-    /// what attracts.
+    /// Newton's method is tried at the start, and again after the motion has
+    /// been followed for 10, 20, … periods, which leads to attracting motions.
     ///
     /// # Errors
-    /// No time in the equation, a period or a start that cannot be, motions that cannot be followed, and
-    /// [`OrbitError::NoConvergence`].
-    /// [`OrbitError::Interrupted`] if the call is cancelled.
+    /// No time in the equation, an invalid period or start, motions that cannot be integrated,
+    /// and [`OrbitError::NoConvergence`]. [`OrbitError::Interrupted`] if the call is cancelled.
     ///
     /// # Examples
     /// ```
@@ -39,8 +38,8 @@ impl Orbit {
         progress: &dyn Progress,
     ) -> Result<Self, OrbitError> {
         let watch = &Watch::new(progress);
-        /// A transient that falls to a tenth in ten periods is 1e-4 of itself after the four later starts; what falls more slowly has
-        /// been given to Newton's method, which needs no transient to fall.
+        /// Number of trials. A transient that falls to a tenth in ten periods is 1e-4 of itself after the four later starts; a slower one is no
+        /// obstacle, since Newton's method does not need transients to fall.
         const TRIES: u32 = 5;
         if !depends_on_time(equation) {
             return Err(OrbitError::NotDriven);
@@ -50,7 +49,7 @@ impl Orbit {
         let mut guess = OrbitGuess { state: start.to_vec(), period };
         let mut outcome = closed(equation, &rounds, &guess, &unknowns);
         for _ in 1..TRIES {
-            // What ends at rest may come to the orbit that the motion goes to instead.
+            // A trial that ended at rest may still reach the orbit to which the motion settles.
             if !matches!(outcome, Err(OrbitError::NoConvergence { .. } | OrbitError::NoCycle(_))) {
                 break;
             }
@@ -60,7 +59,7 @@ impl Orbit {
         finished(outcome, watch)
     }
 
-    /// The same by Newton's method alone, which leads to what does not attract too.
+    /// The same by Newton's method alone, which leads to repelling motions too.
     #[doc(hidden)]
     pub fn driven_near(
         equation: &Equation,

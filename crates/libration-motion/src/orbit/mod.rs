@@ -1,8 +1,8 @@
 //! Periodic orbits of any equations of motion, found by integration in time.
 //!
-//! The motion of one coordinate that is released from rest is followed until it comes to rest again. Limit cycles, answers to a
-//! periodic force, and orbits of several coordinates are closed by Newton's method, whose derivatives come from the
-//! equations of small deviations; these also tell the Floquet multipliers.
+//! The motion of one coordinate released from rest is followed until it comes to rest again. Limit
+//! cycles, responses to a periodic force, and orbits of several coordinates are closed by Newton's
+//! method, with derivatives from the variational equations; these also give the Floquet multipliers.
 //!
 //! ```
 //! # extern crate libration_motion as libration;
