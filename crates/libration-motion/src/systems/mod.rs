@@ -1,5 +1,5 @@
-//! Systems to be simulated: named ones with their energies, units and sources, oscillators of the other catalogue, and
-//! equations as they are typed.
+//! Systems to be simulated: named systems with their energies, units and
+//! sources, oscillators of the other catalogue, and equations given as text.
 //!
 //! ```
 //! # extern crate libration_motion as libration;
