@@ -38,8 +38,8 @@ impl Orbit {
         progress: &dyn Progress,
     ) -> Result<Self, OrbitError> {
         let watch = &Watch::new(progress);
-        /// Number of trials. A transient that falls to a tenth in ten periods is 1e-4 of itself after the four later starts; a slower one is no
-        /// obstacle, since Newton's method does not need transients to fall.
+        /// Number of trials. A transient that decreases to a tenth in ten periods is 1e-4 of its size after the four later starts; slower
+        /// transients may remain, since Newton's method does not require their decay.
         const TRIES: u32 = 5;
         if !depends_on_time(equation) {
             return Err(OrbitError::NotDriven);

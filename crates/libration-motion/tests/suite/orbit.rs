@@ -653,7 +653,8 @@ fn extrema_are_those_of_the_motion() {
     assert_within(-slow, fast, 1e-15, "both ways");
 }
 
-/// A mass on a belt, whose friction decreases with the sliding speed so that the equilibrium is unstable, sticks to the belt: this is no rest.
+/// A mass on a belt, whose friction decreases with the sliding speed so that
+/// the equilibrium is unstable, sticks to the belt without coming to rest.
 #[test]
 fn a_mass_that_sticks_to_a_belt_does_not_come_to_rest() {
     let belt = |start: &[f64]| {
