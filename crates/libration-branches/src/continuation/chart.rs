@@ -70,7 +70,7 @@ impl StabilityChart {
     /// # extern crate libration_branches as libration;
     /// use libration::continuation::{ChartOptions, SpecialKind, StabilityChart};
     /// use libration::progress::Quiet;
-    /// // How fast a pivot has to move up and down for the pendulum to stand on it.
+    /// // The boundary of stability of an inverted pendulum whose pivot moves up and down.
     /// let upright = "theta'' = -0.1*theta' + (1 + a*w^2*cos(w*t))*sin(theta)".parse()?;
     /// let options = ChartOptions { lines: 0, ..ChartOptions::default() };
     /// let chart = StabilityChart::over(&upright, ["w", "a"], [[5.0, 10.0], [0.1, 0.4]], &options, &Quiet)?;

@@ -13,7 +13,7 @@
 //!     .filter(|special| special.kind == SpecialKind::Fold)
 //!     .map(|special| special.point.parameter)
 //!     .collect();
-//! // The jump up, going down: by Fourier collocation 0.8721575691379171688795389.
+//! // The upward jump in a downward sweep: by Fourier collocation 0.8721575691379171688795389.
 //! assert!((folds[0] - 0.87215756913791717).abs() < 1e-13);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

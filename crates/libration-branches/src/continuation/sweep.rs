@@ -87,7 +87,7 @@ impl Response {
     /// let (pendulum, range) = ("theta'' = -0.1*theta' - sin(theta) + 0.15*cos(w*t)".parse()?, [0.6, 1.2]);
     /// let response = Response::over(&pendulum, "w", range, &ResponseOptions::default(), &Quiet)?;
     /// let sweeps = response.sweeps(&pendulum, "w", range, 31, &Quiet)?;
-    /// // At 0.82 rad/s, between the jumps, the way decides: 27.5° or 101.7°.
+    /// // At 0.82 rad/s, between the jumps, the amplitude depends on the direction of the sweep: 27.5° or 101.7°.
     /// let at = |rising: bool| sweeps.iter().find(|it| it.rising == rising)?.points.iter().find(|it| (it.parameter - 0.82).abs() < 1e-9);
     /// let degrees = |rising: bool| Some(at(rising)?.amplitude(0, true)?.to_degrees());
     /// assert!(degrees(true).is_some_and(|it| it < 30.0) && degrees(false).is_some_and(|it| it > 90.0));

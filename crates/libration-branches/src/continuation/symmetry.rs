@@ -129,7 +129,7 @@ impl Trial<'_> {
         Some(differences.fold(0.0, f64::max) <= rounding)
     }
 
-    /// The derivatives, and the largest intermediate value; `None` where one is not finite.
+    /// The derivatives, and the largest intermediate value; `None` if a value is not finite.
     fn values(
         &self,
         state: impl Iterator<Item = f64>,

@@ -27,7 +27,7 @@ use std::f64::consts::TAU;
 /// use std::f64::consts::{PI, FRAC_PI_2};
 /// let driven = PerturbedPendulum::new(&"x'' + 0.1 x' + sin(x) = 0.3 cos(t)".parse()?)?;
 /// let [upper, _] = Melnikov::both(&driven, &Quiet)?;
-/// // Damping takes 8c; a drive of (4c/π) cosh(πΩ/2) makes up for it.
+/// // Damping removes 8c; a drive of (4c/π) cosh(πΩ/2) compensates it.
 /// assert!((upper.mean + 0.8).abs() < 1e-15);
 /// let threshold = 0.4 / PI * FRAC_PI_2.cosh();
 /// assert!((upper.threshold_factor() * 0.3 / threshold - 1.0).abs() < 1e-14);

@@ -75,7 +75,7 @@ impl PerturbedPendulum {
     /// # extern crate libration_branches as libration;
     /// use libration::melnikov::PerturbedPendulum;
     /// use libration::progress::Quiet;
-    /// // A wave that runs along with the angle: the separatrix of its own resonance is 2·√0.01 away in the velocity.
+    /// // A wave that moves with the angle: the half-width of its resonance in the velocity is 2·√0.01.
     /// let driven = PerturbedPendulum::new(&"x'' + 1e-6 sin(x) = -0.01 sin(x - t)".parse()?)?;
     /// let resonances = driven.resonances(1, &Quiet)?;
     /// let rotation = resonances.iter().find(|it| it.direction > 0.0).ok_or("none")?;

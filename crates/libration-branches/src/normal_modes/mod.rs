@@ -8,7 +8,7 @@
 //! # extern crate libration_branches as libration;
 //! use libration::normal_modes::NormalModes;
 //!
-//! // Two equal masses between walls, on three equal springs: together at 1, against each other at √3.
+//! // Two equal masses between walls, on three equal springs: in phase with frequency 1, in opposite phase with √3.
 //! let modes = NormalModes::new(&"x'' = y - 2*x; y'' = x - 2*y".parse()?)?.modes;
 //! let exact: Vec<String> =
 //!     modes.iter().filter_map(|mode| mode.frequency_squared.as_ref()).map(|square| square.square_root_text()).collect();

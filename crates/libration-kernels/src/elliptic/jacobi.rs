@@ -146,7 +146,7 @@ pub(crate) struct Copolar {
 }
 
 impl Factors {
-    /// θ₂ and θ₄ in the order in which their quotient stands with θ₁/θ₃.
+    /// θ₂ and θ₄, the numerator of the quotient that belongs to θ₁/θ₃ first.
     #[inline(always)]
     fn in_order(&self, values: &ThetaValues) -> (DoubleDouble, DoubleDouble) {
         (pick(self.above, values.fourth, values.second), pick(self.above, values.second, values.fourth))

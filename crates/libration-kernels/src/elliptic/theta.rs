@@ -175,7 +175,7 @@ pub trait Side: Copy {
     const SQUARE: f64;
     /// The sine and cosine, or their hyperbolic counterparts, of z = rest·scale: |rest| ≤ 1/8 turn.
     fn sine_cosine(rest: DoubleDouble, scale: DoubleDouble) -> (DoubleDouble, DoubleDouble);
-    /// θ₂ and θ₄ in the order in which their quotient stands with θ₁/θ₃.
+    /// θ₂ and θ₄, the numerator of the quotient that belongs to θ₁/θ₃ first.
     fn beside(values: &ThetaValues) -> (DoubleDouble, DoubleDouble);
 
     /// The theta values for the rest of a phase; θ₁ is divided by i where z is imaginary.

@@ -10,7 +10,7 @@
 //! use libration::progress::Quiet;
 //! use libration::taylor::{Effort, Moment};
 //!
-//! // A driven pendulum, once in each period of its drive: a stronger drive doubles the period of its answer.
+//! // A driven pendulum, once in each period of its drive: a stronger drive doubles the period of the response.
 //! let family = Family {
 //!     equation: &"theta'' + theta'/2 + sin(theta) = A*cos(2t/3)".parse()?,
 //!     parameter: "A",

@@ -11,7 +11,7 @@
 //! use libration::decay::{Damping, Decay, EnvelopeLaw};
 //! use libration::pendulum::Pendulum;
 //!
-//! // A metre of thread, viscous damping, released from 60°: the amplitude after each half swing, and the averaged law next to it.
+//! // A pendulum of one metre with viscous damping, released from 60°: the amplitude after each half swing, and the averaged law.
 //! let pendulum = Pendulum::new(1.0, 9.80665)?;
 //! let decay = Decay::new(pendulum, Damping::of_degree(1.0, 0.02)?, "60deg".parse()?)?;
 //! for turning_point in decay.swings().take(10) {
@@ -58,7 +58,7 @@ pub use swings::{Swings, TurningPoint};
 /// use libration::decay::{Damping, Decay, EnvelopeLaw};
 /// use libration::pendulum::Pendulum;
 ///
-/// // Drag of a fast flow, ω0 = 1, released from 1 rad.
+/// // Quadratic drag, ω0 = 1, released from 1 rad.
 /// let pendulum = Pendulum::from_angular_frequency(1.0)?;
 /// let decay = Decay::new(pendulum, Damping::of_degree(2.0, 0.1)?, "1rad".parse()?)?;
 /// let fourth_return = decay.swings().nth(8).ok_or("it does not come back")??;

@@ -26,7 +26,7 @@ impl Orbit {
     /// # extern crate libration_motion as libration;
     /// use libration::orbit::Orbit;
     /// use libration::progress::Quiet;
-    /// // x = cos(2t/3)/(1 − 4/9) is the answer of the oscillator without damping.
+    /// // x = cos(2t/3)/(1 − 4/9) is the response of the oscillator without damping.
     /// let orbit = Orbit::driven(&"x'' = -x + cos(2t/3)".parse()?, 3.0 * std::f64::consts::PI, &[1.0, 0.2], &Quiet)?;
     /// assert!((orbit.start()[0] - 1.8).abs() < 1e-14);
     /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -9,7 +9,7 @@
 //! use libration::orbit::Orbit;
 //! use libration::progress::Quiet;
 //!
-//! // The pendulum from 60°, which this module only integrates, beside its closed form.
+//! // The pendulum from 60°, integrated by this module and compared with its closed form.
 //! let orbit = Orbit::released(&"theta'' + sin(theta) = 0".parse()?, std::f64::consts::FRAC_PI_3, &Quiet)?;
 //! let exact = libration::pendulum::Pendulum::from_angular_frequency(1.0)?.released_from("60deg".parse()?)?.period();
 //! assert!((orbit.period() - exact).abs() <= orbit.period_uncertainty());

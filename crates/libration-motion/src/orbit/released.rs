@@ -62,7 +62,7 @@ impl Orbit {
     /// use libration::orbit::Orbit;
     /// use libration::progress::Quiet;
     /// let orbit = Orbit::released(&"x'' = -x^3".parse()?, 2.0, &Quiet)?;
-    /// // Γ(1/4)²/√π over the amplitude.
+    /// // The period is Γ(1/4)²/√π divided by the amplitude.
     /// assert!((orbit.period() - 7.416298709205487 / 2.0).abs() < 1e-14);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

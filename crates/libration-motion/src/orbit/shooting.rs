@@ -39,7 +39,7 @@ impl Orbit {
     /// # extern crate libration_motion as libration;
     /// use libration::orbit::{OrbitGuess, Orbit};
     /// use libration::progress::Quiet;
-    /// // Two equal masses between three springs, of which the middle one stiffens: in opposite phase x = −y.
+    /// // Two equal masses between three springs, of which the middle one stiffens: an oscillation in opposite phase, x = −y.
     /// let equation = "x'' = y - 2*x - (x - y)^3; y'' = x - 2*y + (x - y)^3".parse()?;
     /// let guess = OrbitGuess { state: vec![0.1, -0.1, 0.0, 0.0], period: 3.6 };
     /// let orbit = Orbit::near(&equation, &guess, &[0, 2], &Quiet)?;

@@ -82,7 +82,7 @@ impl<'a> Neighbourhood<'a> {
         Some(Self { curve: Curve::new(at_rest, x)?, at_rest, x, at })
     }
 
-    /// The direction of the force; `None` where it is unknown.
+    /// The direction of the force; `None` if it is unknown.
     pub(super) fn tendency(&self) -> Option<Tendency> {
         let signs = TRIED.iter().filter_map(|&n| {
             Some((self.sign(Towards::Below, n)?, self.sign(Towards::Above, n)?)).filter(|it| *it != (0, 0))

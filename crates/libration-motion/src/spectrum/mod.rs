@@ -5,7 +5,7 @@
 //! use libration::pendulum::Pendulum;
 //! use libration::spectrum::Spectrum;
 //!
-//! // A pendulum from 120°, over 30 periods: the harmonics 1, 3, 5, … stand out.
+//! // A pendulum from 120°, over 30 periods: its lines are the harmonics 1, 3, 5, …
 //! let motion = Pendulum::from_angular_frequency(1.0)?.released_from("120deg".parse()?)?;
 //! let interval = 30.0 * motion.period() / 4096.0;
 //! let angles: Vec<f64> = (0..4096_u32).map(|n| motion.state_at(interval * f64::from(n)).angle).collect();
@@ -118,7 +118,7 @@ impl Spectrum {
     /// use libration::spectrum::Spectrum;
     /// use libration::taylor::{Effort, System, integrate_dense};
     /// let system = System::new(&"theta'' + sin(theta) = 0".parse()?)?;
-    /// // Fast enough to turn over: the angle grows, its velocity swings.
+    /// // Fast enough to turn over: the angle grows, but its velocity oscillates.
     /// let start = system.start(&[("theta'", 3.0)])?;
     /// let motion = integrate_dense(&system, &start, 100.0, &Effort::to_tolerance(1e-12))?;
     /// assert!(Spectrum::of_motion(&motion, 0, [0.0, 100.0]).is_err());

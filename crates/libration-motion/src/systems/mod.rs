@@ -6,7 +6,7 @@
 //! use libration::systems::Model;
 //! use libration::taylor::Moment;
 //!
-//! // Where the bodies of a double pendulum are, and the energy that its motion must keep.
+//! // The positions of the bodies of a double pendulum, and its energy, which the motion conserves.
 //! let model = Model::by_key("double_pendulum", &[], &[])?;
 //! let start = Moment { time: 0.0, state: vec![std::f64::consts::FRAC_PI_2, 0.0, 0.0, 0.0] };
 //! let bodies = model.bodies().ok_or("no places")?.at(&start);

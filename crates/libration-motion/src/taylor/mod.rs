@@ -8,7 +8,7 @@
 //! use libration::progress::Quiet;
 //! use libration::taylor::{Effort, Event, System, integrate, integrate_dense};
 //!
-//! // A damped pendulum from 2 rad: the states at two times, and when it passes the bottom.
+//! // A damped pendulum from 2 rad: the states at two times, and the times at which it passes the bottom.
 //! let bottom = Event::zero_of("theta".parse()?);
 //! let system = System::new(&"theta'' + theta'/10 + sin(theta) = 0".parse()?)?.with_events(&[bottom])?;
 //! let start = system.start(&[("theta", 2.0)])?;

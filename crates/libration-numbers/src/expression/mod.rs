@@ -4,7 +4,7 @@
 //! # extern crate libration_numbers as libration;
 //! use libration::expression::{Equation, Symbol};
 //!
-//! // As it is written on paper; what multiplies the highest derivatives may stand anywhere.
+//! // In the usual notation; the factor of the highest derivative may be on either side.
 //! let equation: Equation = "l θ″ + 2 c θ' + g sin(θ) = 0".parse()?;
 //! assert_eq!(equation.variables(), ["theta"]);
 //! let acceleration = &equation.accelerations()[0];

@@ -10,7 +10,7 @@
 //! # extern crate libration_numbers as libration;
 //! use libration::quantity::{Angle, Dimension, angles, parse};
 //!
-//! // A nanoradian from the top: the complement is kept, which π − θ in `f64` has lost.
+//! // A nanoradian from the top: the complement is stored, because π − θ in `f64` would lose it.
 //! let angle: Angle = "pi-1e-9".parse()?;
 //! assert_eq!(angle.complement(), 1e-9);
 //! let length = parse("99.4(2) cm", Dimension::Length)?;

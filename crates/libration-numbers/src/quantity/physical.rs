@@ -59,7 +59,7 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<Quantity, QuantityError
 ///
 /// let angle = in_si(30.0, "deg", Dimension::Angle).ok_or("degrees measure angles")?;
 /// assert_eq!(angle, "30deg".parse::<Angle>()?.radians());
-/// // The product of two rounded numbers is another number.
+/// // The product of two rounded numbers differs from the correctly rounded value.
 /// assert_ne!(angle, 30.0 * (std::f64::consts::PI / 180.0));
 /// assert_eq!(in_si(1.0, "s", Dimension::Angle), None);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -18,7 +18,7 @@ use super::Tolerance;
 /// use libration::roots::{Tolerance, bisect};
 /// let [holds, fails] = bisect([1.0, 2.0], Tolerance::LAST_BIT, |x| x * x <= 2.0);
 /// assert!(holds * holds <= 2.0 && fails * fails > 2.0 && fails == holds.next_up());
-/// // Coarsely, in ten steps.
+/// // A coarse result, in ten steps.
 /// let [below, above] = bisect([1.0, 2.0], Tolerance::absolute(1e-3), |x| x * x <= 2.0);
 /// assert!(above - below <= 1e-3);
 /// ```

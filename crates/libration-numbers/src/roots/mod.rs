@@ -14,7 +14,7 @@
 //! # extern crate libration_numbers as libration;
 //! use libration::roots::{Tolerance, bisect, zero_between};
 //!
-//! // Where the cosine is the angle itself.
+//! // The angle that equals its cosine.
 //! let missing = |x: f64| x.cos() - x;
 //! let [below, above] = bisect([0.0, 1.0], Tolerance::LAST_BIT, |x| missing(x) > 0.0);
 //! assert_eq!(above, below.next_up());

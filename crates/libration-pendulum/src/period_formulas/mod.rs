@@ -8,7 +8,7 @@
 //! use libration::period_formulas::{ErrorTable, catalogue};
 //! use libration::progress::Quiet;
 //!
-//! // Which published formula, the simplest of all, is right to a thousandth at 90°?
+//! // The simplest published formula with an error of at most a thousandth at 90°.
 //! let table = ErrorTable::new(catalogue(), &Quiet)?;
 //! let simplest = table.simplest(&"90deg".parse()?, 1e-3);
 //! let best = simplest.first().ok_or("none is so good")?;

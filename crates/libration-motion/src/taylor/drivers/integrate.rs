@@ -61,7 +61,7 @@ pub fn integrate(
 /// use std::ops::ControlFlow;
 /// let system = System::new(&"x'' + x = 0".parse()?)?;
 /// let start = system.start(&[("x", 1.0)])?;
-/// // Until x is negative for the first time.
+/// // Stops at the end of the first step after which x is negative.
 /// let stopped = integrate_stepwise(&system, &start, &[100.0], &Effort::to_tolerance(1e-12), |step| {
 ///     if step.state_at(step.end())[0] < 0.0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 /// });

@@ -14,7 +14,7 @@ use libration_numbers::expression::{Equation, EquationError, Expression};
 /// # extern crate libration_motion as libration;
 /// use libration::progress::Quiet;
 /// use libration::taylor::{Effort, Sensitivities, System, integrate};
-/// // How x = cos(√k·t) changes with k and with x(0).
+/// // The derivatives of x = cos(√k·t) by k and by x(0).
 /// let by = Sensitivities::new(&"x'' = -k*x".parse()?, &[("k", "4".parse()?)], &["k", "x"])?;
 /// assert_eq!(by.names(), ["dx/dk", "dx'/dk", "dx/dx(0)", "dx'/dx(0)"]);
 /// let start = by.start(&[1.0, 0.0]);

@@ -94,7 +94,7 @@ impl System {
     /// # extern crate libration_motion as libration;
     /// use libration::progress::Quiet;
     /// use libration::taylor::{Effort, System, integrate};
-    /// // What y is matters to nothing else.
+    /// // No other coordinate depends on y.
     /// let system = System::new(&"x'' = -x; y' = x*cos(20*x)".parse()?)?;
     /// let start = system.start(&[("x", 1.0)])?;
     /// let steps = |system: &System| integrate(system, &start, &[20.0], &Effort::to_tolerance(1e-15), &Quiet).map(|it| it.steps);
