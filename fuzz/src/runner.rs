@@ -15,7 +15,7 @@ const SEED: u64 = 2026;
 
 /// A parser under test.
 pub struct Target {
-    /// Its name.
+    /// The name of the parser.
     pub name: &'static str,
     /// Initial inputs, past failures among them; all are run unchanged.
     pub corpus: Vec<Vec<u8>>,

@@ -23,7 +23,7 @@ const SHOWN: usize = 11;
 pub struct Swing {
     /// The pendulum.
     pub pendulum: Pendulum,
-    /// Its amplitude.
+    /// The amplitude of the motion.
     pub amplitude: Amplitude,
 }
 

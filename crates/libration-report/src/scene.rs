@@ -40,12 +40,12 @@ pub struct Moving {
 pub enum MovingForm {
     /// An open line.
     Line {
-        /// Its width.
+        /// The width of the line.
         width: f64,
     },
     /// A filled circle.
     Dot {
-        /// Its radius.
+        /// The radius of the circle.
         radius: f64,
     },
 }
@@ -101,7 +101,7 @@ pub enum Form {
     Lines {
         /// Each line with its corners.
         pieces: Vec<Vec<Place>>,
-        /// Its width.
+        /// The width of the line.
         width: f64,
         /// Lengths of dashes and gaps.
         dashes: Vec<f64>,
@@ -112,7 +112,7 @@ pub enum Form {
     Dots {
         /// Centres of the circles.
         places: Vec<Place>,
-        /// Their common radius.
+        /// The common radius of the circles.
         radius: f64,
     },
     /// A line of text.

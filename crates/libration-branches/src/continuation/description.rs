@@ -133,8 +133,8 @@ fn apart(image: &Image, motion: &Whole, units: &[f64]) -> f64 {
     ends.map(|((a, b), unit)| ((a - b) / unit).abs()).fold(0.0, f64::max)
 }
 
-/// The eigenvalues of a map with their errors, from the difference of two integrations with
-/// different tolerances, in units, and from a further error of the map relative to its norm.
+/// The eigenvalues of a map with their errors: from the difference of two integrations with different
+/// tolerances, `apart`, which is measured in `units`, and from a further error of the map relative to its norm.
 pub(super) fn multipliers(
     image: &Image,
     units: &[f64],

@@ -35,7 +35,7 @@ pub struct OrderAnswers {
 pub enum OrderFinding {
     /// Free oscillations with this frequency do not exist.
     NoOscillation,
-    /// To first order, the work of the drive on the free oscillations does not depend on their phase.
+    /// To first order, the work of the drive on the free oscillations does not depend on the phase of the oscillations.
     NoWork,
     /// The largest fraction of the energy lost to damping that the drive supplies at any phase, to first order.
     TooWeak(f64),

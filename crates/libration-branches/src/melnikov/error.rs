@@ -50,7 +50,7 @@ pub enum MelnikovError {
     At {
         /// The parameter.
         parameter: String,
-        /// Its value.
+        /// The value of the parameter.
         value: f64,
         /// Reason why the value is refused.
         reason: String,

@@ -58,10 +58,10 @@ pub enum Reason {
     Unsure {
         /// The period of the orbit.
         period: f64,
-        /// Its error; NaN if the orbit does not determine it.
+        /// The error of the period; NaN if the orbit does not determine it.
         uncertainty: f64,
     },
-    /// A turning point that is not the farthest one.
+    /// A turning point that is not the farthest position of the coordinate.
     #[error(
         "released from {amplitude} the coordinate comes to {displacement} on the same side, so that this is not its amplitude: give a smaller one"
     )]

@@ -46,7 +46,7 @@ pub struct SlowTerm {
     pub mode: usize,
     /// The powers of all amplitudes.
     pub powers: Vec<u8>,
-    /// The powers of their conjugates.
+    /// The powers of the conjugate amplitudes.
     pub conjugate_powers: Vec<u8>,
     /// The coefficient.
     pub coefficient: Complex,
@@ -63,7 +63,7 @@ pub struct Divisor {
     pub mode: usize,
     /// The powers of all amplitudes.
     pub powers: Vec<u8>,
-    /// The powers of their conjugates.
+    /// The powers of the conjugate amplitudes.
     pub conjugate_powers: Vec<u8>,
     /// The frequency of the monomial minus that of the mode, in rad/s.
     pub divisor: f64,

@@ -39,7 +39,7 @@ fn two_folds_within_one_step_are_found() {
 
 #[test]
 fn a_second_oscillator_that_comes_back_with_the_drive_adds_no_singular_point() {
-    // Its multipliers are −1 and −1, or 1 and 1, at the two frequencies.
+    // The multipliers of the second oscillator are −1 and −1, or 1 and 1, at the two frequencies.
     for times in ["12.25", "16"] {
         let pair = format!("x'' = -0.1*x' - sin(x) + 0.2*cos(w*t) + 0.1*sin(w*t)^2; y'' = -{times}*w^2*y");
         let response = over(&pair, "w", [1.05, 2.1], ResponseOptions::default());

@@ -51,7 +51,7 @@ fn question_of_derivatives(times: &str) -> [&str; 6] {
     ["x'' = -k*x", times, "--columns", "e=k*x^2+x'^2", "--sensitivity", "x',k"]
 }
 
-/// Their energy is that of the motion alone; a picture, which could not show them, is rejected.
+/// The energy is that of the motion alone; a picture, which could not show the sensitivities, is rejected.
 #[test]
 fn derivatives_by_parameters_and_starts_are_columns_of_each_motion() {
     let question = question_of_derivatives("--times=0:50:10");

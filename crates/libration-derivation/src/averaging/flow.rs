@@ -59,7 +59,7 @@ pub(crate) enum Part {
     Slow,
     /// A′ times the derivative of ψ′ with respect to the amplitude.
     Detuning,
-    /// A′ times its derivative with respect to the amplitude.
+    /// A′ times the derivative of A′ with respect to the amplitude.
     Drift,
     /// The term of the force with this index.
     Force(usize),

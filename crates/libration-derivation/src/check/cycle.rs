@@ -21,7 +21,7 @@ pub enum CycleClaim {
     Forcing {
         /// The undetermined amplitude.
         open: Name,
-        /// Its known value.
+        /// The known value of the amplitude.
         known: Formula,
     },
     /// The factor of the sine on the right side, which must vanish.

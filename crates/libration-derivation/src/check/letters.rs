@@ -27,6 +27,6 @@ pub struct OpenCondition {
     pub fixes: Option<Name>,
     /// The power of the condition.
     pub order: usize,
-    /// Its harmonic.
+    /// The harmonic of the condition.
     pub harmonic: usize,
 }

@@ -59,9 +59,9 @@ pub enum Check {
     Rationals {
         /// The index.
         index: Name,
-        /// Its first value.
+        /// The first value of the index.
         first: i64,
-        /// Its last value.
+        /// The last value of the index.
         last: i64,
     },
     /// All sides are the same exact number.
@@ -102,7 +102,7 @@ pub enum Check {
     Digits {
         /// Amplitudes or parameters of the comparison.
         place: ComparedAt,
-        /// The value at the first of these.
+        /// The value at the first amplitude or parameter.
         value: Decimal,
         /// The largest difference, relative to the size of the sides.
         difference: f64,
@@ -127,9 +127,9 @@ pub enum ComparedAt {
     Cases {
         /// The index.
         index: Name,
-        /// Its first value.
+        /// The first value of the index.
         first: i64,
-        /// Its last value.
+        /// The last value of the index.
         last: i64,
     },
 }
@@ -137,7 +137,7 @@ pub enum ComparedAt {
 /// The value with which a formula is compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Against {
-    /// Its other side, in many digits.
+    /// The other side of the statement, in many digits.
     OtherSide,
     /// The library's exact motion or period, in double precision.
     Library,
@@ -150,13 +150,13 @@ impl CheckedEquation {
         &self.statement
     }
 
-    /// The method by which it was checked.
+    /// The method of the check.
     #[must_use]
     pub fn check(&self) -> &Check {
         &self.check
     }
 
-    /// The meanings of its names when it was checked.
+    /// The meanings of the names in the formula when it was checked.
     #[must_use]
     pub fn letters(&self) -> &Letters {
         &self.letters

@@ -11,7 +11,7 @@ use super::names::{cosine, harmonic_name};
 use super::question::Question;
 use libration::algebra::Rational;
 
-/// A motion as the harmonics k with their series in ε, and its Ω/ω0.
+/// A motion as the harmonics k with their series in ε, and its frequency ratio Ω/ω0.
 #[derive(Debug)]
 pub struct Motion {
     pub harmonics: Vec<(usize, Vec<Rational>)>,

@@ -82,7 +82,7 @@ pub enum ModulusError {
     OutOfRange {
         /// Name of the number.
         name: &'static str,
-        /// Its value.
+        /// The value of the number.
         value: f64,
     },
 }

@@ -59,7 +59,7 @@ impl Orbit {
         finished(outcome, watch)
     }
 
-    /// The same by Newton's method alone, which leads to repelling motions too.
+    /// The driven orbit, by Newton's method alone, which leads to repelling motions too.
     #[doc(hidden)]
     pub fn driven_near(
         equation: &Equation,

@@ -79,7 +79,7 @@ pub enum OrbitError {
     Elsewhere {
         /// The position of the release.
         start: f64,
-        /// The other turning point.
+        /// The turning point on the other side.
         other_side: f64,
         /// The requested equilibrium.
         centre: f64,

@@ -7,10 +7,10 @@ use super::periodic::Orbit;
 use super::shooting::{Unknowns, closed};
 use libration_numbers::expression::Equation;
 
-/// The condition under which an orbit counts as one of a family.
+/// The condition under which an orbit counts as a member of a family.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Family {
-    /// None: the energy is conserved, so that it is one.
+    /// No condition: since the energy is conserved, every orbit belongs to a family.
     Known,
     /// A neighbouring orbit must close too, since an isolated cycle could pass through the start.
     Asked,

@@ -155,7 +155,7 @@ impl<'a> Motion<'a> {
         misfits.collect::<Vec<_>>().try_into().ok()
     }
 
-    /// The time at which the velocity vanishes in a step, to the last bit; `None` if it does not.
+    /// The time at which the velocity vanishes in a step, to the last bit; `None` if the velocity has no zero.
     fn rest_within(&self, series: &Series, length: f64) -> Option<BigFloat> {
         let near = sign_change(&scaled(&series.velocity, length))? * length;
         let mut time = BigFloat::from_f64(near, self.ring.precision)?;
@@ -218,7 +218,7 @@ fn is_far(place: &BigFloat, size: isize) -> bool {
 
 /// The coefficients in powers of the fraction of a step, which neither overflow nor underflow.
 fn scaled(series: &[BigFloat], length: f64) -> Vec<f64> {
-    /// Number of bits, 53 of which remain.
+    /// Precision in bits of the intermediate results, which are rounded to 53 bits at the end.
     const ENOUGH: usize = 64;
     let Some(length) = BigFloat::from_f64(length, ENOUGH) else { return vec![] };
     let powers = std::iter::successors(Some(BigFloat::from_integer(1, ENOUGH)), |power| {

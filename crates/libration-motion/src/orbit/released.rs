@@ -72,7 +72,7 @@ impl Orbit {
         Self::released_from(equation, &ReleasePlace::from_f64(place).ok_or_else(refusal)?, progress)
     }
 
-    /// The same from a position that is known to more digits than an `f64` has.
+    /// The orbit released from a position that is known to more digits than an `f64` has.
     pub fn released_from(
         equation: &Equation,
         place: &ReleasePlace,
@@ -295,7 +295,7 @@ impl Halves {
         self.there.duration.clone() + back.duration.clone()
     }
 
-    /// The orbit, if its end is its start.
+    /// The orbit, if the motion ends at its start.
     fn closed(self, start: f64, equation: &Equation, uncertainty: f64) -> Result<Orbit, OrbitError> {
         let (period, other_side) = (self.period().to_f64(), self.there.end.to_f64());
         let Some(back) = self.back else {

@@ -112,7 +112,7 @@ impl OscillatorError {
 }
 
 impl RejectionReason {
-    /// The computations that have a result about such an equilibrium.
+    /// The computations that have a result for such an equilibrium.
     fn remedies(&self) -> Vec<Remedy> {
         match self {
             Self::NoLinearPart { force: Some(Tendency::Back), frequency }
@@ -202,7 +202,7 @@ pub enum FrequencySource {
     Orbits,
     /// The motion in time.
     Motion,
-    /// None: integration does not pass the equilibrium.
+    /// No method, since integration does not pass the equilibrium.
     Nothing,
 }
 

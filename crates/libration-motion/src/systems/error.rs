@@ -72,7 +72,7 @@ pub enum EnergyError {
     Curl {
         /// One coordinate.
         first: String,
-        /// The other.
+        /// The other coordinate.
         second: String,
     },
     /// A parameter without a value.

@@ -94,7 +94,7 @@ fn energy_of_chain(state: &[f64], alpha: f64, beta: f64) -> f64 {
     springs + velocities.iter().map(|v| 0.5 * v * v).sum::<f64>()
 }
 
-/// The largest relative change of the energy, starting with the lowest mode, at a hundred times.
+/// The largest relative change of the energy at a hundred times, for a motion that begins in the lowest mode.
 fn drift_of_chain(alpha: &str, beta: &str, end: f64) -> f64 {
     let model = model("fermi_pasta_ulam", &format!("alpha={alpha},beta={beta}"));
     let mode = (1..=32).map(|i| libm::sin(PI * f64::from(i) / 33.0)).chain([0.0; 32]);

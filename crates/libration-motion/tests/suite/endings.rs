@@ -226,7 +226,7 @@ fn arguments_of_jumps_are_rounded() {
     assert!(1e-13 < off && off <= error.state[0] && error.state[0] < 1e-8, "{off:e} {error:?}");
 }
 
-/// The same for the formula of an event.
+/// The formula of an event is known to 1e-10 only, and so is the time of the event.
 #[test]
 fn formulas_of_events_are_rounded() {
     let event = first_zero_of("(1000000 + t) - (1000000 + 1/3)");

@@ -559,7 +559,7 @@ fn a_driven_orbit_about_an_unstable_rest_is_found_from_afar() {
     assert!(sizes[0] > 0.1 && (sizes[0] - sizes[1]).abs() < 1e-3 * sizes[0], "{sizes:?}");
 }
 
-/// Weak damping, which takes little energy in a turn, does not make a family of orbits, and a distant cycle is not at the present state.
+/// A motion whose energy changes little in a turn is neither an orbit of a family nor the limit cycle far away from it.
 #[test]
 fn a_motion_with_weak_damping_is_not_periodic() {
     for text in [

@@ -88,7 +88,7 @@ impl ApproximateMotion {
         catalogue::by_key(Self::CATALOGUE.iter(), key).copied()
     }
 
-    /// Its stable name in commands and files: `small-angle`, `fourier-3`, `fourier-5`, `fourier-7`.
+    /// The stable name in commands and files: `small-angle`, `fourier-3`, `fourier-5`, `fourier-7`.
     #[must_use]
     pub fn key(&self) -> &'static str {
         self.key

@@ -96,7 +96,7 @@ pub enum PendulumError {
     NotPositive {
         /// Name of the quantity.
         name: &'static str,
-        /// Its value.
+        /// The value of the quantity.
         value: f64,
     },
     /// An angular frequency whose period or velocities would leave the range of `f64`.
@@ -117,7 +117,7 @@ pub enum PendulumError {
     NotFinite {
         /// Name of the quantity.
         name: &'static str,
-        /// Its value.
+        /// The value of the quantity.
         value: f64,
     },
     /// An amplitude at or beyond the upright position.

@@ -26,9 +26,9 @@ pub enum Regularity {
     Theorem(Theorem),
     /// The motion is at an equilibrium.
     AtRest,
-    /// All neighbouring motions converge to it.
+    /// All neighbouring motions converge to the motion.
     Converging,
-    /// Deviations grow at most in proportion to the time, as far as it was measured.
+    /// Deviations grow at most in proportion to the time, within the measured time.
     Slow {
         /// Exponents above this value would have been detected.
         below: f64,

@@ -93,7 +93,7 @@ impl<const N: usize> Stepper<'_, N> {
 
     /// The motion over a zero, if its error is within the tolerance.
     fn stretch_over(&self, lane: usize, zero: Zero) -> Option<Stretch> {
-        /// Part of the allowed error that the iteration may have, so that it is negligible.
+        /// Allowed error of the iteration as a fraction of the allowed error of the step: small enough to be negligible.
         const PART: f64 = 0.0625;
         let beginning = self.beginning(lane)?;
         let rates = beginning.first_rates()?;

@@ -167,7 +167,7 @@ impl Steep<Row> {
 }
 
 impl<P> Steep<P> {
-    /// The same for the series of the argument, in powers of the fraction of a step.
+    /// The same fraction, given the series of the argument in powers of the fraction of a step.
     pub(in crate::taylor) fn first_turn_of(&self, series: &[f64]) -> Option<f64> {
         if series.iter().any(|c| !c.is_finite()) {
             return None;

@@ -55,7 +55,7 @@ impl<'a> Expander<'a> {
         self.expand_by(block, surroundings, self.compiled());
     }
 
-    /// The same with or without machine code.
+    /// Computes the same coefficients, with or without machine code.
     pub fn expand_by<const N: usize>(
         &self,
         block: &mut Block<N>,
@@ -66,7 +66,7 @@ impl<'a> Expander<'a> {
         self.go_on(block, compiled);
     }
 
-    /// The same with given zeroth coefficients of all formulas.
+    /// Computes the same coefficients, given the zeroth coefficients of all formulas.
     pub(in crate::taylor) fn expand_begun<const N: usize>(
         &self,
         block: &mut Block<N>,

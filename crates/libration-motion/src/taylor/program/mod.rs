@@ -251,7 +251,7 @@ struct Writer<'a> {
 
 /// The number of operations between the values that are known first at an order and each result, if the inputs marked `last` are known last.
 fn delays(tape: &Tape, last: &[bool]) -> Vec<usize> {
-    /// A number larger than that of the operations between two orders.
+    /// An upper bound on the number of operations between two orders.
     const ORDER: usize = 1000;
     let mut delays: Vec<usize> = vec![];
     for operation in tape.operations() {

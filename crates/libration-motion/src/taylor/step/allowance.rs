@@ -1,6 +1,6 @@
 //! The allowed error of a step in one state component.
 
-/// Size of an acceleration's error, in units of its size, below which it is only rounding.
+/// Error of an acceleration, relative to its size, that counts as rounding.
 pub(in crate::taylor) const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// The allowed error of one state component in a step.

@@ -124,7 +124,7 @@ struct Log2Radius<const N: usize> {
 impl<const N: usize> Log2Radius<N> {
     const ENDLESS: Self = Self { of_sizes: [f64::INFINITY; N], of_nothing: [f64::INFINITY; N] };
 
-    /// The radius of one lane, in all lanes.
+    /// The radius of a single lane, copied to all lanes.
     #[inline(always)]
     fn lane<const M: usize>(&self, lane: usize) -> Log2Radius<M> {
         Log2Radius { of_sizes: [self.of_sizes[lane]; M], of_nothing: [self.of_nothing[lane]; M] }
@@ -229,7 +229,7 @@ impl<'s, const N: usize> Sizes<'s, N> {
     }
 }
 
-/// The first lanes of rows that belong to several series, next to each other.
+/// The rows of several series with one lane each, as rows with one lane per series.
 #[inline(always)]
 fn first_lanes<const N: usize, const M: usize, const ROWS: usize>(
     rows: [[&[f64; M]; ROWS]; N],

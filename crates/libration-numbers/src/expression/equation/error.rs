@@ -184,7 +184,7 @@ pub enum EquationError {
     NotConstant {
         /// The parameter.
         name: String,
-        /// The first symbol in it.
+        /// The first symbol in the value.
         inside: Symbol,
     },
 }
