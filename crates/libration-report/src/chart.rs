@@ -97,7 +97,7 @@ pub enum Scale {
 pub enum Units {
     /// 1, 2 or 5 times a power of ten.
     Decimal,
-    /// The same without fractions: no step below 1.
+    /// 1, 2 or 5 times a power of ten that is at least 1.
     Whole,
     /// 15°, 30°, 45°, 90° and turns.
     Degrees,

@@ -9,7 +9,7 @@
 
 use core::ops::Range;
 
-/// Returns whether all cases are run.
+/// Returns `true` if all cases are run.
 pub fn is_full() -> bool {
     std::env::var("LIBRATION_SWEEP").is_ok_and(|extent| extent == "full")
 }

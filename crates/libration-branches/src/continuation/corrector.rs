@@ -10,7 +10,7 @@ pub(super) struct Corrected {
     /// The unknowns of the motion, followed by the parameter.
     pub(super) place: Vec<f64>,
     pub(super) image: Image,
-    /// Size of the first Newton correction, in units.
+    /// Size of the first Newton correction, in scaled units.
     pub(super) first: f64,
     /// The change of the map with the position, relative to its norm, per unit.
     pub(super) map_slope: f64,
@@ -31,12 +31,12 @@ pub(super) struct Corrector<'a> {
     pub(super) family: &'a Family<'a>,
     pub(super) space: Space,
     pub(super) tolerance: f64,
-    /// Largest last correction, in units, after which the derivatives from before it are kept: their relative change is about as large.
+    /// Largest last correction, in scaled units, after which the derivatives from before it are kept: their relative change is about as large.
     pub(super) stale: f64,
 }
 
 impl Corrector<'_> {
-    /// The motion of the space nearest to a guess, in the plane perpendicular to a direction given in units.
+    /// The motion of the space nearest to a guess, in the plane perpendicular to a direction given in scaled units.
     pub(super) fn corrected(&self, guess: &[f64], across: &[f64], units: &[f64]) -> Option<Corrected> {
         let mut place = guess.to_vec();
         let (mut first, mut before) = (0.0, f64::INFINITY);
@@ -89,7 +89,7 @@ impl Corrector<'_> {
         self.family.image(self.space, state, &[*parameter], self.tolerance)
     }
 
-    /// The unit tangent of the branch, in units, oriented like a given vector.
+    /// The unit tangent of the branch, in scaled units, oriented like a given vector.
     pub(super) fn tangent(&self, image: &Image, along: &[f64], units: &[f64]) -> Option<Vec<f64>> {
         let tangent = bordered(image, along, units).change(&vec![0.0; image.defect.len()], &[-1.0])?;
         let size = norm(&tangent);

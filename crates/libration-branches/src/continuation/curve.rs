@@ -51,7 +51,7 @@ const SHORT: f64 = 1e-3;
 #[derive(Clone, Debug)]
 struct Spot {
     place: Vec<f64>,
-    /// The unit tangent of the curve, in units.
+    /// The unit tangent of the curve, in scaled units.
     tangent: Vec<f64>,
     point: CurvePoint,
 }
@@ -184,7 +184,7 @@ impl<'a> Trace<'a> {
     fn corrected(&self, guess: &[f64], across: &[f64]) -> Option<Vec<f64>> {
         const MOST_ROUNDS: usize = 16;
         const NEAR: f64 = 1e-3;
-        /// Largest remaining correction, in units: a few rounding errors.
+        /// Largest remaining correction, in scaled units: a few rounding errors.
         const DONE: f64 = 3e-15;
         const ROUNDING: f64 = 1e-9;
         let mut place = guess.to_vec();

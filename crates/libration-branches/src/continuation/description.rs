@@ -127,7 +127,7 @@ impl Family<'_> {
     }
 }
 
-/// Largest difference, in units, between the ends of two integrations with different tolerances.
+/// Largest difference, in scaled units, between the ends of two integrations with different tolerances.
 fn apart(image: &Image, motion: &Whole, units: &[f64]) -> f64 {
     let ends = image.defect.iter().zip(&motion.defect).zip(units);
     ends.map(|((a, b), unit)| ((a - b) / unit).abs()).fold(0.0, f64::max)
@@ -157,7 +157,7 @@ pub(super) fn squared((multiplier, error): (Complex, f64)) -> (Complex, f64) {
     (multiplier * multiplier, error * (2.0 * multiplier.abs() + error))
 }
 
-/// The growth of deviations over the whole period, in units; with a mirror at most the square of the growth over the time of the space.
+/// The growth of deviations over the whole period, in scaled units; with a mirror at most the square of the growth over the time of the space.
 fn growth(image: &Image, space: Space, units: &[f64]) -> f64 {
     let map = image.return_map();
     let own = 1.0 + norm_of_map(map.len(), units, |i, j| map[i][j]);
@@ -172,7 +172,7 @@ fn closes(image: &Image, motion: &Whole, error: f64, growth: f64, units: &[f64])
     missed <= CLOSED * growth * (error / unit + apart(image, motion, units) + f64::EPSILON)
 }
 
-/// The error of the state, from the errors of all unknowns in units.
+/// The error of the state, from the errors of all unknowns in scaled units.
 fn state_error(errors: &[f64], numbers: usize, units: &[f64]) -> f64 {
     let unit = units[..numbers].iter().copied().fold(0.0, f64::max);
     4.0 * unit * norm(&errors[..numbers])
@@ -184,7 +184,7 @@ pub(super) fn parameter_error(corrected: &Corrected, direction: &[f64], units: &
     Some(4.0 * errors.last()? * units.last()?)
 }
 
-/// The errors of state and parameter perpendicular to the branch, in units, of a motion with two
+/// The errors of state and parameter perpendicular to the branch, in scaled units, of a motion with two
 /// defects and with the rounding of its state. Each defect is treated as one vector: for a strongly
 /// unstable motion it lies along the direction in which deviations grow, and hardly changes the start.
 fn across(corrected: &Corrected, other: &[f64], tangent: &[f64], units: &[f64]) -> Option<Vec<f64>> {

@@ -69,7 +69,7 @@ impl Image {
         Some(self)
     }
 
-    /// The norm of the difference between two maps relative to the norm of this one, in units.
+    /// The norm of the difference between two maps relative to the norm of this one, in scaled units.
     pub(super) fn change(&self, other: &Self, units: &[f64]) -> f64 {
         let (own, other) = (self.return_map(), other.return_map());
         let norm = |entry: &dyn Fn(usize, usize) -> f64| norm_of_map(own.len(), units, entry);
@@ -135,7 +135,7 @@ impl<'w> Family<'w> {
         self.signs.iter().all(|sign| *sign < 0.0)
     }
 
-    /// `true` if some mirror image without a shift in time maps a motion to itself and a deviation to its opposite; both are in units.
+    /// `true` if some mirror image without a shift in time maps a motion to itself and a deviation to its opposite; both are in scaled units.
     pub(super) fn loses_partial_mirror(&self, state: &[f64], deviation: &[f64]) -> bool {
         /// Smallest component that matters, relative to the largest one.
         const LEAST: f64 = 1e-3;
@@ -177,7 +177,7 @@ impl<'w> Family<'w> {
         (period > 0.0).then(|| 0.5 * f64::from(space.half_periods) * period)
     }
 
-    /// The derivatives of that time with respect to the period, if it is an unknown, and to the parameters.
+    /// The derivatives of the duration with respect to the period, if this is an unknown, and to the parameters.
     pub(super) fn duration_slopes(&self, space: Space, parameters: &[f64]) -> Option<Vec<f64>> {
         let share = 0.5 * f64::from(space.half_periods);
         Some(match &self.beat {

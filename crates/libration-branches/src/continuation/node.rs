@@ -12,7 +12,7 @@ use libration_numbers::internals::linear::eigenvalues;
 #[derive(Clone, Debug)]
 pub(super) struct Node {
     pub(super) corrected: Corrected,
-    /// The direction along the branch, not in units.
+    /// The direction along the branch, not in scaled units.
     pub(super) direction: Vec<f64>,
     pub(super) point: BranchPoint,
     pub(super) tests: Tests,

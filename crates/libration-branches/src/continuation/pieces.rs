@@ -14,7 +14,7 @@ pub(super) struct MotionToCheck<'a> {
     pub(super) place: &'a [f64],
     /// The steps over the time of the space.
     pub(super) steps: &'a [OwnedStep],
-    /// The direction of the branch and the errors perpendicular to it, in units.
+    /// The direction of the branch and the errors perpendicular to it, in scaled units.
     pub(super) tangent: &'a [f64],
     pub(super) errors: &'a [f64],
     pub(super) units: &'a [f64],
@@ -60,7 +60,7 @@ impl Family<'_> {
         Checked { frame, place, errors, growth }.closes(state_at, piece)
     }
 
-    /// The linearised condition, in units, that an autonomous motion begins where its first coordinate turns back.
+    /// The linearised condition, in scaled units, that an autonomous motion begins where its first coordinate turns back.
     fn phase_row(&self, unknowns: &[f64], parameter: f64, units: &[f64]) -> Option<Vec<f64>> {
         let numbers = self.layout.numbers();
         let found = self.field()?.at(self.state(unknowns), &[parameter])?;

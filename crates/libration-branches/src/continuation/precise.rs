@@ -134,7 +134,7 @@ impl Root<'_> {
         None
     }
 
-    /// Newton's correction in units, with series to an order.
+    /// Newton's correction in scaled units, with series to an order.
     fn change(&self, slopes: &[Vec<f64>], place: &[BigFloat], units: &[f64], order: u32) -> Option<Vec<f64>> {
         let zero: Vec<BigFloat> = vec![self.ring.zero(); self.flow_numbers()];
         let (state, parameter) = match self.singular.rest {

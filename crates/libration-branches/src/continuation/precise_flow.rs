@@ -2,7 +2,6 @@
 //!
 //! Series, step sizes and sums are those of `periodic`. The loop over the steps is separate from that of `orbit`, which ends at equilibria,
 //! monitors the distance from them and compares each step with double precision.
-//! distance from equilibria and compares each step with double precision.
 
 use super::drive_law::DriveLaw;
 use super::error::BranchError;

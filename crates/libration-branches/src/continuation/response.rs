@@ -203,7 +203,7 @@ impl Search<'_> {
     /// The branch through a motion, from a nearby parameter on: the motion itself is singular, since another
     /// branch ends there, and known only by interpolation. `None` if the branch is already followed.
     fn beside(&self, branches: &[Branch], parameter: f64, start: &Start) -> Option<Walked> {
-        /// The distance relative to the range.
+        /// Distance of the nearby parameter, relative to the range.
         const ASIDE: f64 = 1e-3;
         let values = [1.0, -1.0].map(|side| parameter + side * ASIDE * self.width());
         let within = values.into_iter().filter(|value| (self.range[0]..=self.range[1]).contains(value));

@@ -39,7 +39,7 @@ impl Singular<'_> {
         Some(image.defect.iter().zip(units).map(|(d, unit)| d / unit).chain([test]).collect())
     }
 
-    /// Derivatives of the values with respect to the unknowns, in units, by central differences, to about ten digits.
+    /// Derivatives of the values with respect to the unknowns, in scaled units, by central differences, to about ten digits.
     pub(super) fn slopes(&self, place: &[f64], units: &[f64], tolerance: f64) -> Option<Vec<Vec<f64>>> {
         /// Step of the differences, for which the truncation error and the rounding error are about equal.
         const ASIDE: f64 = 1e-5;

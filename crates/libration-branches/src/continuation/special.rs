@@ -69,7 +69,7 @@ impl std::fmt::Display for SpecialKind {
 pub struct SpecialPoint {
     /// Kind of the singular point.
     pub kind: SpecialKind,
-    /// The motion there.
+    /// The motion at the singular point.
     pub point: BranchPoint,
     /// Error estimate of the parameter: its change with another integration tolerance, plus rounding.
     pub error: f64,
@@ -165,7 +165,7 @@ impl Stretch<'_> {
         Test::Fold.changes(a, b) && !Test::Branching.changes(a, b)
     }
 
-    /// The size of a state in units.
+    /// The size of a state in scaled units.
     fn size(&self, place: &[f64]) -> f64 {
         let state = self.corrector.family.state(place).iter().zip(self.units);
         norm(&state.map(|(x, unit)| x / unit).collect::<Vec<_>>())

@@ -47,7 +47,7 @@ impl Search<'_> {
 
     /// The secondary branch, along the deviation that the map turns into its opposite.
     pub(super) fn switched(&self, leaving: &Leaving) -> Option<Walked> {
-        /// Initial distances in units, in the order of the trials: far enough from the
+        /// Initial distances in scaled units, in the order of the trials: far enough from the
         /// primary branch to determine the side, and nearer if a motion is not found there.
         const ASIDE: [f64; 3] = [1e-2, 3e-3, 1e-3];
         ASIDE.into_iter().find_map(|aside| self.switched_aside(leaving, aside))

@@ -1,4 +1,4 @@
-//! The units of the unknowns of a motion: half of each coordinate's range,
+//! The scaled units of the unknowns of a motion: half of each coordinate's range,
 //! the corresponding velocity, the period, and the range of the parameter.
 
 use super::family::Family;
@@ -6,7 +6,7 @@ use super::point::BranchPoint;
 use libration_motion::internals::periodic::norm;
 use std::f64::consts::TAU;
 
-/// A direction as a unit vector, in units.
+/// A direction as a unit vector, in scaled units.
 pub(super) fn in_units(direction: &[f64], units: &[f64]) -> Vec<f64> {
     let scaled: Vec<f64> = direction.iter().zip(units).map(|(x, unit)| x / unit).collect();
     let size = norm(&scaled);
@@ -35,7 +35,7 @@ impl Family<'_> {
     }
 }
 
-/// A difference in units.
+/// A difference in scaled units.
 pub(super) fn difference(a: &[f64], b: &[f64], units: &[f64]) -> Vec<f64> {
     a.iter().zip(b).zip(units).map(|((a, b), unit)| (a - b) / unit).collect()
 }

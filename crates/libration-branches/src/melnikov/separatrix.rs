@@ -104,7 +104,7 @@ impl Sum {
     }
 }
 
-/// The same by the trapezoidal rule, whose error for analytic functions is e^{−2πd/h}, with d the
+/// The integrals by the trapezoidal rule, whose error for analytic functions is e^{−2πd/h}, with d the
 /// distance of the nearest pole from the real axis and h the step, which is halved until nothing changes.
 fn by_quadrature(
     pendulum: &PerturbedPendulum,

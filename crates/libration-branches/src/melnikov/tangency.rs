@@ -33,7 +33,7 @@ pub struct Tangency {
     pub error: f64,
     /// The phase Ωt of the drive at which the common motion of both manifolds passes the bottom.
     pub phase: f64,
-    /// The velocity of that motion at the bottom, in rad/s.
+    /// The velocity of the common motion at the bottom, in rad/s.
     pub velocity: f64,
     /// Bound on the errors of phase and velocity: the last correction of the phase, and rounding.
     pub place_error: f64,

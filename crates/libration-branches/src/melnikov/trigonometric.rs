@@ -21,7 +21,7 @@ pub(super) struct Monomial {
     pub(super) harmonic: i32,
 }
 
-/// A sum of such terms.
+/// A sum of trigonometric terms.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Trigonometric {
     pub(super) terms: BTreeMap<Monomial, Complex>,

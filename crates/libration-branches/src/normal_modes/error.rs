@@ -33,7 +33,7 @@ pub enum ModesError {
         from: Vec<f64>,
         /// The last point of Newton's method.
         to: Vec<f64>,
-        /// The reason why the method ended there.
+        /// The reason why the method ended at this point.
         end: SearchEnd,
     },
     /// Accelerations without derivatives.

@@ -225,8 +225,8 @@ fn the_angle_variable_grows_evenly() {
     assert!(pendulum.on_separatrix().angle_variable_at(1.0).is_nan());
 }
 
-/// Source: two manifolds integrated in 150-bit floats and Newton's method for their contact, which agree with the same in doubles to 15 to 17
-/// digits. The equation is θ″ + c·θ′ + sin θ = A·cos Ωt; the columns are c, Ω, A.
+/// Source: two manifolds integrated in 150-bit floats and Newton's method for their contact, which agree with this computation in doubles
+/// to 15 to 17 digits. The equation is θ″ + c·θ′ + sin θ = A·cos Ωt; the columns are c, Ω, A.
 const TANGENCIES: [(&str, &str, f64); 4] = [
     ("0.1", "1", 0.319_869_600_087_485_03),
     ("0.1", "(2/3)", 0.203_712_546_072_548_16),

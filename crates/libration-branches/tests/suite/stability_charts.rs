@@ -16,7 +16,7 @@ const PIVOT: &str = "theta'' = -c*theta' - (1 - a*w^2*cos(w*t))*sin(theta)";
 const REST_ALONE: ChartOptions =
     ChartOptions { start: None, drive_periods: 1, generations: 1, lines: 0, most_points: 2000 };
 
-/// The point, on curves of this kind, at a value of the first parameter and nearest to an expected second one.
+/// Asserts the second parameter of the point on curves of this kind that is at a value of the first parameter and nearest to the expected point.
 fn assert_at(chart: &StabilityChart, kind: SpecialKind, at_rest: bool, [first, second]: [f64; 2]) {
     let curves = chart.curves.iter().filter(|it| it.kind == kind && it.at_rest == at_rest);
     let points =

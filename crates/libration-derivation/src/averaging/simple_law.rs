@@ -123,7 +123,7 @@ fn mean(question: &Question, n: usize) -> Formula {
     times_strength(question, n, number(1) / Formula::Pi) * integral("ψ", 0, Formula::Pi, raised)
 }
 
-/// The value of that harmonic, which is the number in the law.
+/// The value of the first harmonic of a power of the sine, which is the number in the law.
 fn coefficient(
     question: &Question,
     n: usize,

@@ -103,7 +103,7 @@ pub enum DerivationError {
     /// Two methods that disagree: an error of this program.
     #[error("{what} do not agree: this is an error of the program")]
     Disagreement {
-        /// The quantity on which they disagree.
+        /// The quantity on which the methods disagree.
         what: &'static str,
     },
     /// An equation without a slow flow.

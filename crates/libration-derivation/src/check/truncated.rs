@@ -19,16 +19,16 @@ pub struct TruncatedFormula {
 pub enum TruncatedClaim {
     /// The factor of a cosine that must vanish, up to a constant factor.
     Condition {
-        /// Number of the harmonic of that cosine.
+        /// Number of the harmonic of the cosine.
         harmonic: usize,
-        /// `true` if it was divided by the first harmonic.
+        /// `true` if the factor was divided by the first harmonic.
         over_first: bool,
     },
     /// The square of the frequency from the first condition.
     SquaredRatio,
-    /// The second condition after substitution of that frequency, up to a constant factor.
+    /// The second condition after substitution of the frequency from the first, up to a constant factor.
     Eliminated,
-    /// The same condition at zero amplitude.
+    /// The second condition, after this substitution, at zero amplitude.
     AtZero,
     /// A harmonic as a series in the amplitude, for substitution into the eliminated condition.
     Series {

@@ -25,7 +25,7 @@ pub struct Elimination {
     pub conditions: [Polynomial; 2],
     /// Δ² from the first condition.
     pub ratio_squared: Polynomial,
-    /// The second condition with that value of Δ².
+    /// The second condition with Δ² from the first condition.
     pub left: Polynomial,
 }
 

@@ -14,7 +14,7 @@ use crate::fused::FusedMultiplyAdd;
 
 /// 2K/π of the modulus 4ε².
 const QUARTER: [f64; 8] = [1.0, 4.0, 36.0, 400.0, 4900.0, 63504.0, 853776.0, 11778624.0];
-/// The reciprocal of that series.
+/// π/2K of the modulus 4ε², the reciprocal of `QUARTER`.
 const INVERSE_QUARTER: [f64; 8] = [1.0, -4.0, -20.0, -176.0, -1876.0, -22064.0, -275568.0, -3584064.0];
 /// q/ε.
 const NOME: [f64; 8] = [1.0, 2.0, 15.0, 150.0, 1707.0, 20910.0, 268616.0, 3567400.0];
@@ -99,7 +99,7 @@ impl Descent {
         self.log_from(&fine_logarithm(self.epsilon), raised)
     }
 
-    /// The same from ln ε.
+    /// ln(1/q) from ln ε, infinite for q = 0.
     #[inline(always)]
     pub(crate) fn log_from(&self, log: &FineLogarithm, raised: bool) -> DoubleDouble {
         let exponent = log.exponent - if raised { 1200.0 } else { 0.0 };
@@ -122,7 +122,7 @@ impl Descent {
         (self.epsilon.sqrt() * short_series(self.fourth, &ROOT_OF_NOME)).scaled(lowering)
     }
 
-    /// The same with a relative error below 2⁻¹⁰².
+    /// √q as in `root_of_nome`, with a relative error below 2⁻¹⁰².
     pub fn precise_root_of_nome(&self, lowering: f64) -> DoubleDouble {
         (self.epsilon.sqrt() * series(self.fourth, &ROOT_OF_NOME)).scaled(lowering)
     }

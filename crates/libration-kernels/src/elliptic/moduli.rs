@@ -79,7 +79,7 @@ pub(super) const FEW: usize = 6;
 pub struct LengthMismatch {
     /// The length of the first slice.
     pub expected: usize,
-    /// The length that differs from it.
+    /// The length that differs from that of the first slice.
     pub found: usize,
 }
 

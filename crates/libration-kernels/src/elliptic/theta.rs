@@ -238,7 +238,7 @@ pub struct PhaseClock {
     pub frequency: DoubleDouble,
     /// The nearest quarter for argument zero, −2 … 2.
     pub quarter: f64,
-    /// Turns from that quarter at argument zero, relatively accurate: a start next to the turning point must keep its small velocity.
+    /// Turns from the nearest quarter at argument zero, relatively accurate: a start next to the turning point must keep its small velocity.
     pub offset: DoubleDouble,
 }
 

@@ -10,7 +10,7 @@ use libration_pendulum::pendulum::Amplitude;
 /// The law by which the amplitude decreases.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EnvelopeLaw {
-    /// dE/dt is its mean over an undamped cycle, with exact integrals at any amplitude.
+    /// dE/dt is replaced by the mean of dE/dt over an undamped cycle, with exact integrals at any amplitude.
     Averaged,
     /// The same law for small amplitudes: dA/dt = −Σ cₙβₙω0ⁿ⁻¹Aⁿ/π.
     SmallAmplitude,

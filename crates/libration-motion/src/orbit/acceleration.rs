@@ -63,7 +63,7 @@ impl Acceleration {
 
     /// The difference between the acceleration in double precision and that at a position which
     /// rounds to this one. Zero if a |…| or a sign changes its branch between these positions: over
-    /// so short a distance a jump changes the energy as little as rounding of the position does.
+    /// so short a distance a jump changes the energy no more than rounding of the position does.
     fn error(&self, state: &[f64]) -> Option<f64> {
         let ring = Floats { precision: PRECISION };
         let exact: Vec<BigFloat> =

@@ -157,7 +157,7 @@ pub enum Lost {
     /// An equilibrium.
     #[error("it comes to rest at an equilibrium")]
     Rest,
-    /// Motion along a jump of the force on both sides of which the force leads back, such as that of a mass that sticks to a moving belt.
+    /// Motion along a jump of the force, towards which the force points from both sides, such as that of a mass that sticks to a moving belt.
     #[error("it sticks or slides at a jump of the force from t = {0:?} on, which is not computed")]
     Sticks(f64),
     /// An equilibrium found by Newton's method to which the motion does not settle.

@@ -17,7 +17,7 @@ use super::periodic::{Orbit, StateErrors};
 use crate::periodic::Floquet;
 use libration_numbers::expression::Equation;
 
-/// Logarithm below which a deviation as large as the orbit is below its last bit after a turn: e⁻⁴⁰ = 4e-18.
+/// Logarithm of a multiplier below which one turn shrinks a deviation as large as the orbit to less than the last bit of a state: e⁻⁴⁰ = 4e-18.
 const FORGOTTEN: f64 = -40.0;
 
 /// Relative difference from the period of the guess up to which a turn to the next maximum is the whole

@@ -107,7 +107,7 @@ impl Floquet {
 }
 
 /// The errors of the eigenvalues of a monodromy matrix whose entries are known to a fraction of its
-/// norm, the components of the state being measured in units; including the errors by rounding.
+/// norm, the components of the state being measured in scaled units; including the errors by rounding.
 pub fn multiplier_errors(
     monodromy: &[Vec<f64>],
     units: &[f64],

@@ -39,12 +39,12 @@ pub struct Frame<'a> {
     pub units: &'a [f64],
     /// The state at the end of the last piece minus the first state.
     pub shift: &'a [f64],
-    /// Rows that multiply the changes of the first state and of the further unknowns, in units; the products are to vanish.
+    /// Rows that multiply the changes of the first state and of the further unknowns, in scaled units; the products are to vanish.
     pub conditions: &'a [Vec<f64>],
 }
 
 impl Frame<'_> {
-    /// The norm of the derivatives of a piece by its start, in units.
+    /// The norm of the derivatives of a piece by its start, in scaled units.
     fn norm(&self, piece: &Piece) -> f64 {
         norm_of_map(self.shift.len(), self.units, |i, j| piece.by_start[i][j])
     }
@@ -57,7 +57,7 @@ pub struct Checked<'a> {
     pub frame: Frame<'a>,
     /// The components of the first state, then the further unknowns.
     pub place: &'a [f64],
-    /// The errors of these components and unknowns, in units.
+    /// The errors of these components and unknowns, in scaled units.
     pub errors: &'a [f64],
     /// The growth of deviations in a period.
     pub growth: f64,
@@ -146,13 +146,13 @@ impl Nodes {
         }
     }
 
-    /// The end of a piece minus the beginning of the next one, in units.
+    /// The end of a piece minus the beginning of the next one, in scaled units.
     fn missed(&self, frame: Frame<'_>, number: usize, piece: &Piece) -> Vec<f64> {
         let next = self.next(frame, number);
         piece.end.iter().zip(next).zip(frame.units).map(|((end, next), unit)| (end - next) / unit).collect()
     }
 
-    /// The largest component of a state in units.
+    /// The largest component of a state in scaled units.
     fn size(&self, frame: Frame<'_>) -> f64 {
         let parts = self.states.iter().map(|state| {
             largest(&state.iter().zip(frame.units).map(|(x, unit)| x / unit).collect::<Vec<_>>())

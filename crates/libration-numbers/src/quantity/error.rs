@@ -51,7 +51,7 @@ pub enum QuantityError {
     DecimalComma {
         /// The text, shortened.
         text: String,
-        /// The same with a point.
+        /// The text with a decimal point.
         with_point: String,
     },
     /// A known unit of another dimension.

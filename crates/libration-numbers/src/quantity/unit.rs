@@ -57,7 +57,7 @@ impl Unit {
         self.to_si_in_two_words(&number).or_else(|| self.times(number.decimal()?.exact()).nearest())
     }
 
-    /// The same if two words decide the rounding: each of the four operations on them has a relative error below 2⁻¹⁰⁰.
+    /// The number in the SI unit, if two words decide the rounding: each of the four operations on them has a relative error below 2⁻¹⁰⁰.
     fn to_si_in_two_words(&self, number: &Shortest) -> Option<f64> {
         const ERROR: f64 = 4.0 * f64::EPSILON * f64::EPSILON * 16.0;
         let below = exactly(i64::try_from(self.denominator).ok()?)?;

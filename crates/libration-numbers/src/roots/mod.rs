@@ -7,8 +7,8 @@
 //! |---|---|---|
 //! | [`bisect`] | a condition that holds at one end | log2(width/tolerance), at most 2100 |
 //! | [`zero_between`] | the values at both ends, of opposite sign | few for smooth functions, at most ten more than bisection |
-//! | [`polynomial_roots`] | the coefficients | some ten of each root |
-//! | [`polynomial_sign_changes`] | the coefficients | some sixty of each real zero of it and its derivatives |
+//! | [`polynomial_roots`] | the coefficients | some ten per root |
+//! | [`polynomial_sign_changes`] | the coefficients | some sixty per real zero of the polynomial and its derivatives |
 //!
 //! ```
 //! # extern crate libration_numbers as libration;

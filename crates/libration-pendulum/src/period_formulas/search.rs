@@ -21,7 +21,7 @@ const SAME: f64 = 8.0 * f64::EPSILON;
 pub struct ErrorMaximum {
     /// Amplitude of the worst error.
     pub amplitude: Angle,
-    /// formula/exact − 1 at that amplitude; infinite if the formula is not defined up to the end.
+    /// formula/exact − 1 at the amplitude of the maximum; infinite if the formula is not defined up to the end.
     pub error: f64,
 }
 

@@ -91,7 +91,7 @@ fn small_swing(printed: &Printed) -> Option<StatementFinding> {
     Some(StatementFinding::verified_if(solves && frequency < 1e-6, "", evidence))
 }
 
-/// The same by central differences, if g/l and phi are not rational squares.
+/// The largest residual of theta″ + (g/l)·theta = 0 by central differences, for g/l and phi that are not rational squares.
 fn largest_residual_of_the_swing(angle: &Expression) -> Option<f64> {
     const STEP: f64 = 1e-4;
     let mut largest = 0.0_f64;

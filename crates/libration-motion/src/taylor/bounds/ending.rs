@@ -13,8 +13,8 @@ use libration_numbers::progress::Quiet;
 
 /// The uncertainty of time and state at the end of an integration, each component in its unit.
 ///
-/// If an event ends the motion, the uncertainty of its time is that of the event's formula
-/// divided by the rate at which this changes: the result contains both uncertainties.
+/// If an event ends the motion, the uncertainty of the time of the event is that of the event's
+/// formula divided by the rate of change of the formula; the result contains both uncertainties.
 ///
 /// # Accuracy
 /// Two errors are added up. The truncation error of the steps is the difference from another integration, to a thousandth of the tolerance, and

@@ -2,7 +2,6 @@
 //!
 //! A `Jet` determines at every order which slots are constant, weighted or linear in the
 //! time. Integrations evaluate the tape millions of times, so here this is determined once.
-//! of times, so here that is asked once.
 
 #[doc(hidden)]
 pub(crate) mod expander;

@@ -63,9 +63,9 @@ pub enum EquationError {
         primes = "'".repeat(usize::from(.first.primes))
     )]
     Coupled {
-        /// The first derivative found.
+        /// The derivative found first.
         first: Symbol,
-        /// The second one.
+        /// The derivative found second.
         second: Symbol,
     },
     /// Two equations for one variable.

@@ -41,7 +41,7 @@ fn two_words_are_off_no_more_than_is_said() {
     }
 }
 
-/// Decisions in two words equal those of floats, for every formula, from the least to the largest amplitude that two words take.
+/// Decisions in two words equal those of floats, for every formula, from the least to the largest amplitude for which two words are used.
 #[test]
 fn two_words_decide_as_floats_do() {
     let formulas = formulas();
