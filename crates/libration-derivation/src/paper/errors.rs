@@ -84,7 +84,7 @@ pub(super) fn exact_at(key: &str) -> Option<Vec<f64>> {
     Some(TABLE.amplitudes_where_exact(place(key)?).iter().map(Angle::radians).collect())
 }
 
-/// The best formula of a set from the smallest amplitude on, each with the amplitude at which its lead ends.
+/// The best formulas of a set, from the smallest amplitude on, each with the amplitude up to which it is the best.
 pub(super) fn leaders(keys: &[&str]) -> Option<Vec<(String, f64)>> {
     let pairs = keys.iter().enumerate().flat_map(|(i, a)| keys[i + 1..].iter().map(move |b| (a, b)));
     let mut bounds = vec![std::f64::consts::PI];

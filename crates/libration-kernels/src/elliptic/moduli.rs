@@ -41,7 +41,7 @@ impl<'a> Moduli<'a> {
         }
     }
 
-    /// The nearer side of a modulus given in the same way as these; an arbitrary one for a value outside [0, 1].
+    /// The nearer side of a modulus given by the quantity of this variant; an arbitrary side for a value outside [0, 1].
     #[inline(always)]
     pub(super) fn nearer(&self, value: f64) -> Nearer {
         match self {

@@ -142,7 +142,7 @@ impl<'a> Motion<'a> {
         lengths.into_iter().find(agrees).ok_or(HalfPeriodError::Unable)
     }
 
-    /// The difference between the end of the same step in double precision and the sums of the series; `None` if double precision has no values.
+    /// The difference between the end of a step in double precision and the sums of the series; `None` if double precision has no values.
     fn misfit(&self, state: &State, series: &Series, length: f64) -> Option<[f64; 2]> {
         const MOST_STEPS: usize = 10_000;
         let start = Moment { time: 0.0, state: vec![state.x.to_f64(), state.velocity.to_f64()] };

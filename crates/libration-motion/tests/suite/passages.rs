@@ -167,7 +167,7 @@ fn starts_beside_zero_are_like_the_start_at_zero() {
 
 type Law<'a> = &'a dyn Fn(f64) -> f64;
 
-/// Thrown up against a resistance proportional to the power n of the velocity, and falling: v′ = 1 − |v|ⁿ·sign(v).
+/// A body thrown up against a resistance proportional to the power n of the velocity, and falling: v′ = 1 − |v|ⁿ·sign(v).
 #[test]
 fn a_throw_against_a_broken_power_of_the_velocity_is_that_of_closed_forms() {
     // The times from v = 0, with the root w of the speed: ∫2w dw/(1 ∓ w) and ∫2w dw/(1 ∓ w³).

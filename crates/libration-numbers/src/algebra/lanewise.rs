@@ -48,7 +48,7 @@ pub fn convolution<E: Copy>(on: &impl Rounded<E>, a: &[E], b: &[E]) -> E {
     }
 }
 
-/// The same sum over coefficients 1 to n − 1, of which the last ones have become known only just before the order begins.
+/// Σ aᵢ·b_{n−1−i} over slices whose last coefficients have become known only just before the order begins: their products are added last.
 #[inline(always)]
 fn before_the_last<E: Copy>(on: &impl Rounded<E>, a: &[E], b: &[E]) -> E {
     let n = a.len();

@@ -31,7 +31,7 @@ pub trait Images {
     /// Order and family of each number; called after the first image.
     fn places(&self) -> Vec<Place>;
 
-    /// Called while fractions are reconstructed, with the number of primes; an error ends the reconstruction.
+    /// Receives the number of primes while fractions are reconstructed; an error ends the reconstruction.
     fn go_on(&mut self, _primes: usize) -> Result<(), Self::Error> {
         Ok(())
     }

@@ -1,6 +1,6 @@
 //! Numbers in the notation of printed results.
 
-/// Rounded to this many significant digits; with a power of ten if very small or very large; `nan`, `inf` or `-inf` if not finite.
+/// The number rounded to this many significant digits; with a power of ten if very small or very large; `nan`, `inf` or `-inf` if not finite.
 ///
 /// # Examples
 /// ```
@@ -24,7 +24,7 @@ pub fn rounded(value: f64, digits: usize) -> String {
     format!("{value:.*}", usize::try_from(last_place).unwrap_or(0))
 }
 
-/// Rounded to this many significant digits, without trailing zeros: `60` rather than `60.0000`.
+/// The number rounded to this many significant digits, without trailing zeros: `60` rather than `60.0000`.
 #[must_use]
 pub fn short(value: f64, digits: usize) -> String {
     let text = rounded(value, digits);
@@ -58,7 +58,7 @@ pub fn with_uncertainty(value: f64, uncertainty: f64, unit: &str) -> String {
     text.trim_end().to_owned()
 }
 
-/// Rounded to the decimal place 10ᵏ, and to at most this many significant digits; 0 if the number is less than half of 10ᵏ.
+/// The number rounded to the decimal place 10ᵏ, and to at most this many significant digits; 0 if the number is less than half of 10ᵏ.
 ///
 /// # Examples
 /// ```

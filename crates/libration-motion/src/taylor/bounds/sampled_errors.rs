@@ -95,7 +95,7 @@ impl<'a> SampledErrors<'a> {
         self.events.get(&(event.time.to_bits(), event.event))
     }
 
-    /// The errors of the direction of time in which the motion is determined for a shorter time, at its end.
+    /// The errors before or after the start, whichever part of the motion is determined for a shorter time, at the end of this part.
     #[must_use]
     pub fn worse(&self) -> Option<&StateErrors> {
         let reach = |errors: &&StateErrors| errors.determined_until().map_or(f64::INFINITY, f64::abs);

@@ -229,7 +229,7 @@ impl<'s, const N: usize> Sizes<'s, N> {
     }
 }
 
-/// The rows of several series with one lane each, as rows with one lane per series.
+/// The first lane of each row of several series, combined to rows with one lane per series.
 #[inline(always)]
 fn first_lanes<const N: usize, const M: usize, const ROWS: usize>(
     rows: [[&[f64; M]; ROWS]; N],
