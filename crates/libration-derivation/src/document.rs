@@ -18,7 +18,7 @@ pub struct Derivation {
 }
 
 impl Derivation {
-    /// The derivation with a sentence at the beginning that the last steps are missing.
+    /// The derivation, beginning with a sentence which states that the last steps are missing.
     #[must_use]
     pub fn broken_off(mut self) -> Self {
         let told = "This derivation was interrupted: what follows its last step here is missing.";

@@ -52,7 +52,7 @@ pub enum MelnikovError {
         parameter: String,
         /// The value of the parameter.
         value: f64,
-        /// Reason why the value is refused.
+        /// Reason why the value is rejected.
         reason: String,
     },
     /// Cancelled by the caller.

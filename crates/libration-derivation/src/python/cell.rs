@@ -103,7 +103,7 @@ fn catalogued(statement: &Statement, leading_error: Option<&(Rational, u32)>) ->
     })
 }
 
-/// The force and the harmonics that are kept.
+/// The code of a cell with the force and the harmonics that are kept.
 pub(crate) fn few_harmonics(formula: &TruncatedFormula) -> Option<String> {
     let force = formula.force.iter().map(|it| expression(&Formula::Number(it.clone())));
     let harmonics: Vec<String> = formula.harmonics.iter().map(ToString::to_string).collect();
@@ -135,7 +135,7 @@ fn truncated(statement: &Statement, claim: &TruncatedClaim, harmonics: &[usize])
     })
 }
 
-/// The equation of a limit cycle.
+/// The code of a cell with the equation of a limit cycle.
 pub(crate) fn limit_cycle(flow: &FlowTerms) -> Option<String> {
     slow_flow(flow).map(|code| format!("{code}\ncycle = LimitCycle(flow)"))
 }

@@ -46,7 +46,7 @@ impl PreparedMotion {
         &self.motion
     }
 
-    /// The state at this time in seconds; NaN where [`Motion::state_at`] is.
+    /// The state at this time in seconds; NaN if the result of [`Motion::state_at`] is NaN.
     ///
     /// # Accuracy
     /// As [`Motion::state_at`], with which it agrees within the sum of the bounds.
