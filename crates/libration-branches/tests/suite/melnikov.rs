@@ -83,7 +83,7 @@ fn other_perturbations_are_integrated_by_quadrature_with_their_error() {
 
 #[test]
 fn what_is_exponentially_small_keeps_its_digits() {
-    // 2π sech(πΩ/2), which is 13 thousandths of 1e-24 at Ω = 40.
+    // 2π sech(πΩ/2), which is 6.5e-27 at Ω = 40.
     let [upper, _] = Melnikov::both(&perturbed("x'' + sin(x) = cos(40 t)"), &Quiet).unwrap();
     let expected = TAU / cosh(20.0 * PI);
     assert!((upper.harmonics[0].abs() / expected - 1.0).abs() < 1e-13);
