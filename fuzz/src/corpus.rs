@@ -1,4 +1,4 @@
-//! Inputs to begin with: each notation of the documentation, and inputs that failed once.
+//! Initial inputs: each notation of the documentation, and inputs that once failed.
 
 use libration_testing::zip_archive::{Packed, archive};
 
@@ -29,7 +29,7 @@ pub fn equations() -> Vec<Vec<u8>> {
         "x''=-sin(x) - 1e-7*x'",
         "theta'' = -sin(theta) + A*cos(omega*t) - c*theta'",
         "x'' + x*(1 - 2*h*cos(2*t)) = 0",
-        // Failed once.
+        // An input that once failed.
         "bla(,A=0,omega=2/3",
         "x'' + x = 0; y",
         "x''' = 0",
@@ -161,7 +161,7 @@ pub fn tables() -> Vec<Vec<u8>> {
     all
 }
 
-/// Workbooks and archives, whole.
+/// Complete workbooks and archives.
 pub fn archives() -> Vec<Vec<u8>> {
     let sheet = br#"<worksheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"><sheetData><row r="1"><c r="A1" t="inlineStr"><is><t>Time (s)</t></is></c><c r="B1" t="inlineStr"><is><t>Angle (rad)</t></is></c></row><row r="2"><c r="A2"><v>0</v></c><c r="B2"><v>0.5</v></c></row></sheetData></worksheet>"#;
     vec![
@@ -187,7 +187,7 @@ pub fn workbook(sheet: &[u8], packed: fn(&str, &[u8]) -> Packed) -> Vec<u8> {
     ])
 }
 
-/// Tokens of files that are continued.
+/// Tokens of files that runs continue from.
 pub const RESUME: &[&str] = &[
     "null",
     "true",
@@ -215,7 +215,7 @@ pub const RESUME: &[&str] = &[
     "18446744073709551616",
 ];
 
-/// Files of runs.
+/// Files of interrupted runs.
 pub fn resumes() -> Vec<Vec<u8>> {
     let mut all = bytes(&[
         "{}",

@@ -1,8 +1,8 @@
-//! Changes of inputs at random.
+//! Random changes of inputs.
 
 use libration_testing::random::Random;
 
-/// The longest input.
+/// Length limit of inputs in bytes.
 const LONGEST: usize = 1 << 14;
 
 /// An input from the corpus after one to eight changes.
@@ -15,7 +15,7 @@ pub fn mutated(random: &mut Random, corpus: &[Vec<u8>], dictionary: &[&str]) -> 
     input
 }
 
-/// A number below a limit, 0 where the limit is 0.
+/// A number below a limit; 0 for the limit 0.
 fn below(random: &mut Random, limit: usize) -> usize {
     let limit = u64::try_from(limit).unwrap_or(u64::MAX).max(1);
     usize::try_from(random.below(limit)).unwrap_or(0)

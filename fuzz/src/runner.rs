@@ -6,22 +6,22 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// An input may take as long.
+/// Time limit for one input.
 const LONGEST: Duration = Duration::from_secs(10);
-/// The number of inputs where no time is given.
+/// The number of inputs if no time is given.
 const INPUTS: usize = 2000;
-/// The seed where no time is given.
+/// The seed if no time is given.
 const SEED: u64 = 2026;
 
 /// A parser under test.
 pub struct Target {
-    /// Its name.
+    /// The name of the parser.
     pub name: &'static str,
-    /// Inputs to begin with, past failures among them, which are all run as they are.
+    /// Initial inputs, past failures among them; all are run unchanged.
     pub corpus: Vec<Vec<u8>>,
     /// Tokens of its notation.
     pub dictionary: &'static [&'static str],
-    /// The parser with its properties; the error says which property does not hold.
+    /// The parser with its properties; the error names the property that does not hold.
     pub run: fn(&[u8]) -> Result<(), String>,
 }
 
@@ -31,10 +31,10 @@ impl std::fmt::Debug for Target {
     }
 }
 
-/// Runs the corpus and then mutations of it; the error names the input that fails.
+/// Runs the corpus, then mutations of it; the error names the failing input.
 ///
 /// # Errors
-/// With the input, the seed, and the panic, the property or the time.
+/// The failing input, the seed, and the panic, the violated property or the exceeded time.
 pub fn run(target: &Target) -> Result<usize, String> {
     let seconds = std::env::var("LIBRATION_FUZZ_SECONDS").ok().and_then(|it| it.parse().ok());
     let time = seconds.map(Duration::from_secs);
@@ -61,10 +61,10 @@ fn clock() -> u64 {
     u64::from(now.subsec_nanos()) ^ now.as_secs()
 }
 
-/// An input with the time at which it began.
+/// The current input with its start time.
 type Current = Arc<Mutex<Option<(Instant, Vec<u8>)>>>;
 
-/// The input in work, which another thread looks at: a parser that does not return cannot be stopped from its own.
+/// The current input, watched by another thread, since a parser that does not return cannot be stopped from its own thread.
 struct Watched(Current);
 
 impl Watched {
@@ -98,7 +98,7 @@ impl Watched {
     }
 }
 
-/// An input as a literal of Rust, for a test.
+/// An input as a Rust literal, for a test.
 fn shown(input: &[u8]) -> String {
     format!("b\"{}\"", input.escape_ascii())
 }

@@ -25,7 +25,7 @@ pub fn all() -> Vec<Target> {
     ]
 }
 
-/// Checks that a formula which is read is written so that it is read again as the same.
+/// Checks that a formula survives writing: the text written for it is parsed as the same formula.
 fn equation(input: &[u8]) -> Result<(), String> {
     let text = String::from_utf8_lossy(input);
     if let Ok(read) = text.parse::<Expression>() {
@@ -47,7 +47,7 @@ fn equation(input: &[u8]) -> Result<(), String> {
     }
 }
 
-/// Accepts the error that a formula is too deep: written formulas have additional brackets. Returns any other error.
+/// Accepts the error for a formula that is nested too deeply, because written formulas have additional brackets. Returns any other error.
 fn is_too_deep(written: &str, error: EquationError) -> Result<(), String> {
     match error {
         EquationError::Formula(ParseError { fault: Fault::TooDeep { .. }, .. }) => Ok(()),
@@ -59,7 +59,7 @@ fn same(written: &str, again: &str) -> Result<(), String> {
     if written == again { Ok(()) } else { Err(format!("`{written}` is read and written as `{again}`")) }
 }
 
-/// An angle has finite radians, and its parts are within a turn.
+/// Checks that an angle is finite and that its part in the turn is at most π.
 fn angle(input: &[u8]) -> Result<(), String> {
     let text = String::from_utf8_lossy(input);
     match text.parse::<Angle>() {
@@ -69,7 +69,7 @@ fn angle(input: &[u8]) -> Result<(), String> {
     }
 }
 
-/// A quantity is finite, and its uncertainty too.
+/// Checks that a quantity and its uncertainty are finite.
 fn quantity(input: &[u8]) -> Result<(), String> {
     let text = String::from_utf8_lossy(input);
     for dimension in [Dimension::Length, Dimension::Acceleration, Dimension::AngularVelocity] {
@@ -83,17 +83,17 @@ fn quantity(input: &[u8]) -> Result<(), String> {
     Ok(())
 }
 
-/// A table is described as JSON, or refused with a message.
+/// Checks that a table is described as JSON or rejected with a message.
 fn table(input: &[u8]) -> Result<(), String> {
     inspected("table.csv", input)
 }
 
-/// The same of workbooks and archives.
+/// The same check for workbooks and archives.
 fn archive(input: &[u8]) -> Result<(), String> {
     ["table.xlsx", "table.ods", "table.zip", "table.xls"]
         .iter()
         .try_for_each(|name| inspected(name, input))?;
-    // Inside an archive whose checks hold.
+    // The input as a worksheet inside an archive with valid checksums.
     inspected("table.xlsx", &corpus::workbook(input, |name, bytes| Packed::stored(name, bytes)))?;
     inspected("table.zip", &archive_of(&[Packed::stored("table.csv", input)]))
 }
@@ -106,7 +106,7 @@ fn inspected(name: &str, input: &[u8]) -> Result<(), String> {
     }
 }
 
-/// A run is continued, or the file is refused with a message.
+/// Checks that a run is continued or its file rejected with a message.
 fn resume(input: &[u8]) -> Result<(), String> {
     let words =
         ["simulate", "pendulum", "--initial", "theta=1", "--times", "0,1", "--json", "--resume", "run.json"];
@@ -117,7 +117,7 @@ fn resume(input: &[u8]) -> Result<(), String> {
     }
 }
 
-/// Every file is the input.
+/// File access that returns the input for every file.
 struct Files {
     input: Vec<u8>,
     output: Mutex<Vec<u8>>,
@@ -153,7 +153,7 @@ fn is_json(output: &[u8]) -> Result<(), String> {
     serde_json::from_slice::<serde_json::Value>(output).map(drop).map_err(|error| format!("no JSON: {error}"))
 }
 
-/// Messages do not repeat long input, and have no characters that a terminal obeys.
+/// Checks that a message does not repeat long input and contains no control characters.
 fn is_short(message: &str) -> Result<(), String> {
     if message.len() > 20_000 {
         return Err(format!("a message of {} bytes", message.len()));

@@ -42,7 +42,7 @@ fn resumed_runs() {
     target("resume");
 }
 
-/// The check value of CRC-32, of the digits 1 to 9.
+/// The standard check value of CRC-32, for the digits 1 to 9.
 #[test]
 fn the_checksum_of_archives_is_the_usual_one() {
     assert_eq!(checksum(b"123456789"), 0xcbf4_3926);

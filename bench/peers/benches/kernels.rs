@@ -1,4 +1,5 @@
-//! Time that each kernel takes, so that a change is seen before the peers are run: `cargo bench -p libration-peers`, one by its name after `--`.
+//! Time of each kernel, to see a change before the comparison with peers is run: `cargo bench -p libration-peers`, with a name after `--` for
+//! one kernel.
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
@@ -16,7 +17,7 @@ fn main() {
     divan::main();
 }
 
-/// Numbers between 0 and an end that are even, by the golden section.
+/// Evenly distributed numbers between 0 and an end, by multiples of the golden ratio.
 fn even(end: f64) -> Vec<f64> {
     (0_u32..).take(COUNT).map(|n| end * (f64::from(n) * 0.618_033_988_749_894_9).fract()).collect()
 }
@@ -27,7 +28,7 @@ fn periods(bencher: Bencher<'_, '_>) {
     bencher.counter(ItemsCount::new(COUNT)).bench_local(|| pendulum::period_ratios(&amplitudes, &mut ratios));
 }
 
-/// At an amplitude that many times share.
+/// Many times at one amplitude.
 #[divan::bench(args = [0.5, 2.0, 3.12])]
 fn states_of_one_motion(bencher: Bencher<'_, '_>, amplitude: f64) {
     let pendulum = Pendulum::from_angular_frequency(1.0).expect("one is a frequency");
@@ -75,7 +76,7 @@ fn jacobi_functions(bencher: Bencher<'_, '_>) {
     });
 }
 
-/// Ten swings from 179°, after as many as it takes until there is machine code.
+/// Ten swings from 179°, after enough runs that the system is compiled to machine code.
 #[divan::bench(args = [1e-9, 1e-12, 1e-16])]
 fn integration(bencher: Bencher<'_, '_>, tolerance: f64) {
     let system = system("theta'' + sin(theta) = 0");

@@ -1,4 +1,4 @@
-//! Passes over elliptic integrals and functions, all of parameters that vary.
+//! Passes over elliptic integrals and functions with varying parameters.
 
 use crate::work::{Failure, Work};
 use libration::elliptic::{
@@ -8,12 +8,12 @@ use libration::elliptic::{
 use std::time::{Duration, Instant};
 
 impl Work {
-    /// K.
+    /// K of the parameters.
     pub(crate) fn complete_firsts(&mut self) -> Result<Duration, Failure> {
         self.timed(|it| complete_firsts(Moduli::Parameters(&it.parameters), &mut it.angles))
     }
 
-    /// E.
+    /// E of the parameters.
     pub(crate) fn complete_seconds(&mut self) -> Result<Duration, Failure> {
         self.timed(|it| complete_seconds(Moduli::Parameters(&it.parameters), &mut it.angles))
     }

@@ -1,10 +1,10 @@
-//! Our side of the comparison: keeps the arrays that `run.py` sends, times one pass over them on request.
+//! The part of libration in the comparison: keeps the arrays that `run.py` sends and times one pass over them on request.
 //!
-//! Requests are lines on standard input, answers go to standard output:
-//! `amplitudes N`, `times N` or `parameters N`, followed by N binary `f64`, keeps an array (no answer);
-//! `period`, `motion THETA0`, `prepared THETA0` and `varying`, and of the parameters `first` (K), `second` (E), `incomplete_first` (of the
-//! amplitudes), `incomplete_second` and `jacobi` (of the times) make one pass and answer its nanoseconds as a line;
-//! `angles` answers what the last pass wrote first (sn for `jacobi`), as binary `f64`.
+//! Requests are lines on standard input; responses go to standard output.
+//! - `amplitudes N`, `times N` or `parameters N`, followed by N binary `f64`, keeps an array (no response).
+//! - `period`, `motion THETA0`, `prepared THETA0` and `varying`, and for the parameters `first` (K), `second` (E), `incomplete_first` (of the
+//!   amplitudes), `incomplete_second` and `jacobi` (of the times), make one pass and print its nanoseconds in a line.
+//! - `angles` returns the first output of the last pass (sn for `jacobi`), as binary `f64`.
 
 mod elliptic;
 mod work;

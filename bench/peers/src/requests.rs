@@ -1,8 +1,8 @@
 //! Requests of `motion.py` to a program, and the responses.
 //!
-//! A request is a line `CASE TOLERANCE END COUNT`, then COUNT lines with the numbers of a state at t = 0: angles, then
-//! velocities. The answer is a line `SECONDS STEPS SET-UP` (processor seconds of the integrations, their steps,
-//! processor seconds spent beforehand), then the states at END, as many lines.
+//! A request is a line `CASE TOLERANCE END COUNT`, then COUNT lines with the components of a state at t = 0: angles, then velocities. The
+//! response is a line `SECONDS STEPS SET-UP` (processor seconds of the integrations, their number of steps, processor seconds spent beforehand),
+//! then COUNT lines with the states at END.
 
 use std::error::Error;
 use std::io::{self, Write};
@@ -29,7 +29,7 @@ pub(crate) struct Answer {
     pub(crate) states: Vec<Vec<f64>>,
 }
 
-/// Answers requests until there are no more.
+/// Serves requests until the input ends.
 pub(crate) fn serve(mut answer: impl FnMut(&Request) -> Result<Answer, Failure>) -> Result<(), Failure> {
     while let Some(request) = next_request()? {
         let answer = answer(&request)?;
@@ -82,7 +82,7 @@ pub(crate) fn timed<T>(seconds: &mut f64, task: impl FnOnce() -> T) -> Result<T,
     Ok(result)
 }
 
-/// Yielding brings the count, which otherwise waits for the next tick of the clock, up to date.
+/// `yield_now` updates the count of processor time, which otherwise waits for the next clock tick.
 fn processor_seconds() -> Result<f64, Failure> {
     std::thread::yield_now();
     let times = fs::read_to_string("/proc/self/schedstat")?;

@@ -1,4 +1,4 @@
-//! The passes that are timed, each with whatever set-up a user would pay.
+//! The timed passes, each including the set-up that a user would need.
 
 use libration::pendulum::{self, LengthMismatch, Motion, Pendulum, PendulumError};
 use libration::quantity::{Angle, QuantityError};
@@ -6,7 +6,7 @@ use std::io;
 use std::num::{ParseFloatError, ParseIntError};
 use std::time::{Duration, Instant};
 
-/// The arrays in use; results are written over the last ones, as NumPy's `out=` does.
+/// The arrays in use; results overwrite the previous ones, as with NumPy's `out=`.
 #[derive(Default)]
 pub(crate) struct Work {
     pub(crate) amplitudes: Vec<f64>,
@@ -53,7 +53,7 @@ impl Work {
         Ok(start.elapsed())
     }
 
-    /// The same by a motion prepared for many times.
+    /// The states at every time of one motion prepared for many times.
     pub(crate) fn prepared(&mut self, amplitude: f64) -> Result<Duration, Failure> {
         self.resize(self.times.len());
         let start = Instant::now();

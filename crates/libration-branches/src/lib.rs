@@ -1,5 +1,5 @@
 //! Dependence of motions on a parameter or on the amplitude: branches of periodic motions, normal modes and their continuation, normal forms of
-//! coupled modes, Melnikov's method. The crate `libration` re-exports its modules.
+//! coupled modes, Melnikov's method. The crate `libration` re-exports the modules.
 
 pub mod continuation;
 pub mod melnikov;
@@ -7,7 +7,7 @@ pub mod nonlinear_modes;
 pub mod normal_form;
 pub mod normal_modes;
 
-// The modules of the crates below under the names that `libration` gives them, so that examples read as its users write them.
+// The modules of lower crates under the names that `libration` gives them, so that examples read as in users' code.
 #[doc(hidden)]
 pub use libration_kernels::elliptic;
 #[doc(hidden)]

@@ -7,7 +7,7 @@ use libration_queries::{QueryError, Run};
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-/// The command line, with colours in help and refusals or not.
+/// The command line, with or without colours in help and error messages.
 pub(crate) fn command(color: ColorChoice) -> Command {
     let completions = Completions::augment_args(Command::new("completions"));
     let manual = Manual::augment_args(Command::new("man"));
@@ -65,7 +65,7 @@ fn innermost(matches: &ArgMatches) -> (&ArgMatches, usize) {
     (inner, depth)
 }
 
-/// The options of the terminal, which every command has; `TerminalOptions` reads them.
+/// The terminal's options, which every command has; `TerminalOptions` reads them.
 fn options() -> [Arg; 2] {
     let quiet = Arg::new("quiet")
         .short('q')

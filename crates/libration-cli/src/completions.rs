@@ -17,7 +17,7 @@ pub(crate) struct Completions {
 
 impl Completions {
     pub(crate) fn write(&self, program: &mut Command, out: &mut dyn Write) -> Result<(), QueryError> {
-        // Written to memory first, because the generator panics when its writer is closed.
+        // Written to memory first, because the generator panics if its writer is closed.
         let mut script = vec![];
         clap_complete::generate(self.shell, program, "libration", &mut script);
         Ok(out.write_all(&script)?)

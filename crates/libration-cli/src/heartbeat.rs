@@ -1,4 +1,4 @@
-//! The progress of commands that take long and show no progress of their own.
+//! Progress display of commands that take long and report no progress themselves.
 
 use crate::terminal::Terminal;
 use std::sync::Arc;
@@ -6,15 +6,15 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::thread::{JoinHandle, spawn};
 use std::time::{Duration, Instant};
 
-/// The progress of commands that are long at work and show no progress of their own.
+/// Progress display of commands that take long and report no progress themselves.
 pub(crate) struct Heartbeat {
-    /// Hangs up when the work has ended.
+    /// Closed when the work has ended.
     at_work: std::sync::mpsc::Sender<()>,
     beating: Option<JoinHandle<()>>,
 }
 
 impl Heartbeat {
-    /// Time between two looks.
+    /// Time between two updates.
     const BEAT: Duration = Duration::from_secs(1);
 
     pub(crate) fn begin(terminal: &Arc<Terminal>) -> Self {
@@ -28,7 +28,7 @@ impl Heartbeat {
         let Self { at_work, beating } = self;
         drop(at_work);
         if let Some(beating) = beating {
-            // A failed display of progress does not fail the run.
+            // A failed progress display does not fail the run.
             let _ = beating.join();
         }
     }

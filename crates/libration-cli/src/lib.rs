@@ -1,4 +1,4 @@
-//! The program `libration`, for hosts that provide it as a command of their own, such as the Python package.
+//! The program `libration`, for hosts that offer it as a command, such as the Python package.
 //!
 //! The queries themselves are in `libration_queries`; this crate adds the terminal: streams, Ctrl-C, progress, completions and manual pages.
 

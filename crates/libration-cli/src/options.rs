@@ -3,9 +3,9 @@
 use clap::{ColorChoice, ValueEnum};
 use std::ffi::OsString;
 
-/// The options of the terminal, taken out of a command line before its query is read.
+/// The terminal's options, taken from a command line before its query is parsed.
 ///
-/// A refusal has colours too, and a query in a report or a file of results is the same with and without them.
+/// Colours thus also apply to error messages, and a query in a report or a result file does not depend on these options.
 #[derive(Debug, Default)]
 pub(crate) struct TerminalOptions {
     pub(crate) is_quiet: bool,
@@ -13,7 +13,7 @@ pub(crate) struct TerminalOptions {
 }
 
 impl TerminalOptions {
-    /// Takes the options out of the words; those with a value that is not possible stay, and are refused with them.
+    /// Removes the options from the words; options with invalid values stay, and are rejected when the query is parsed.
     pub(crate) fn take(words: &mut Vec<OsString>) -> Self {
         let mut options = Self::default();
         let mut place = 0;
@@ -25,7 +25,7 @@ impl TerminalOptions {
         options
     }
 
-    /// The number of words, from the first on, that state an option.
+    /// Number of words, from the first on, that form an option.
     fn read(&mut self, words: &[OsString]) -> usize {
         let text = |place: usize| words.get(place).and_then(|it| it.to_str()).unwrap_or_default();
         let (value, length) = match text(0) {

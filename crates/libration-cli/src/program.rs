@@ -1,4 +1,4 @@
-//! The program: words in, results on the standard output, the exit status.
+//! The program: command line, standard output, exit status.
 
 use crate::command;
 use crate::heartbeat::Heartbeat;
@@ -10,9 +10,9 @@ use std::ffi::OsString;
 use std::io::{Write, stderr};
 use std::sync::Arc;
 
-/// Runs a command line, whose words begin after the name of the program, on the standard streams; returns the exit status.
+/// Runs a command line, given without the name of the program, on the standard streams; returns the exit status.
 ///
-/// The first Ctrl-C cancels long work, which keeps what is finished; the second ends the process at once.
+/// The first Ctrl-C cancels long work and keeps the completed part; the second ends the process at once.
 pub fn program(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let mut words: Vec<OsString> = arguments.into_iter().collect();
     let options = TerminalOptions::take(&mut words);
@@ -62,10 +62,10 @@ impl Reading {
     }
 }
 
-/// Shows the help, or the refusal by clap.
+/// Shows the help, or clap's error message.
 fn refuse(error: &clap::Error) -> u8 {
     let shown = refusal(error);
-    // Nothing is left to be done when a stream is closed.
+    // A closed stream needs no further action.
     let _ = match !error.use_stderr() || shown == error.render().to_string() {
         true => error.print(),
         false => write!(stderr(), "{shown}"),
@@ -76,7 +76,7 @@ fn refuse(error: &clap::Error) -> u8 {
 /// Writes the message to the error stream and returns the exit status.
 fn report(error: &QueryError) -> u8 {
     if !error.is_closed_pipe() {
-        // Nothing is left to be done when even the error stream is closed.
+        // A closed error stream needs no further action.
         let _ = writeln!(stderr(), "error: {error}");
     }
     error.status()

@@ -1,4 +1,4 @@
-//! The terminal as the host of a run: the standard streams, a line of progress, Ctrl-C, the width of tables.
+//! The terminal as the host of a run: standard streams, progress line, Ctrl-C, width of tables.
 
 use libration_queries::{Host, QueryError};
 use std::io::{self, IsTerminal, Read, Write, stderr, stdin, stdout};
@@ -16,9 +16,9 @@ pub(crate) struct Terminal {
     line: Mutex<Line>,
 }
 
-/// The line of progress, which is written over and over.
+/// The progress line, which is overwritten repeatedly.
 struct Line {
-    /// `true` if the result has begun on the terminal, where progress would stand among its lines.
+    /// `true` if output has begun on the terminal, where a progress line would appear between its lines.
     is_over: bool,
     shown: Option<Instant>,
 }
@@ -42,7 +42,7 @@ impl Terminal {
         }
     }
 
-    /// Returns `true` if no progress was shown for this time.
+    /// Returns `true` if no progress was shown for this duration.
     pub(crate) fn is_silent(&self, since: Duration) -> bool {
         let line = self.line.lock().unwrap_or_else(PoisonError::into_inner);
         !line.is_over && line.shown.is_none_or(|shown| shown.elapsed() >= since)
@@ -99,7 +99,7 @@ impl Host for Terminal {
         !INTERRUPTED.load(Ordering::Relaxed)
     }
 
-    /// `COLUMNS` where it is set, else those of the terminal, else 80: files and pipes do not change with the window.
+    /// `COLUMNS` if it is set, otherwise the width of the terminal, otherwise 80; the output to files and pipes does not depend on the window.
     fn columns(&self) -> usize {
         const USUAL: usize = 80;
         let said = std::env::var("COLUMNS").ok().and_then(|text| text.trim().parse().ok());

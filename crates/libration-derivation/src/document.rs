@@ -13,12 +13,12 @@ pub struct Derivation {
     pub introduction: Vec<Block>,
     /// The steps in order.
     pub steps: Vec<DerivationStep>,
-    /// Formulas that [`exercises`](Self::exercises) leave out, each in its step; empty for a derivation that leaves out nothing.
+    /// Formulas omitted by [`exercises`](Self::exercises), each in its step; empty if nothing is omitted.
     pub answers: Vec<DerivationStep>,
 }
 
 impl Derivation {
-    /// The same with a sentence at its beginning that the last steps are missing.
+    /// The derivation, beginning with a sentence which states that the last steps are missing.
     #[must_use]
     pub fn broken_off(mut self) -> Self {
         let told = "This derivation was interrupted: what follows its last step here is missing.";
@@ -30,7 +30,7 @@ impl Derivation {
 /// A step of a derivation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DerivationStep {
-    /// Identifier for links. It stays the same when other steps are added or removed.
+    /// Identifier for links, unaffected when other steps are added or removed.
     pub id: String,
     /// Heading: the purpose of the step.
     pub heading: String,
@@ -43,7 +43,7 @@ pub struct DerivationStep {
 pub enum Block {
     /// Sentences.
     Paragraph(Prose),
-    /// An aside: a common error, a limit of what was said.
+    /// An aside: a common error, or a limitation.
     Remark(Prose),
     /// A formula with its check.
     Equation {
@@ -52,11 +52,11 @@ pub enum Block {
         /// The formula.
         equation: CheckedEquation,
     },
-    /// A formula whose result the reader is to find, or which the reader is to show.
+    /// A formula whose result the reader is to find, or which the reader is to prove.
     Exercise {
         /// The number of the formula in its step.
         number: usize,
-        /// The formula with a question mark for the result, if that is to be found.
+        /// The formula, with a question mark for the result if the reader is to find it.
         statement: Statement,
     },
     /// Numbers or formulas in rows.
@@ -70,10 +70,10 @@ pub enum Block {
     },
 }
 
-/// The detail that a reader wants.
+/// The level of detail.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Wanted {
-    /// The steps.
+    /// The steps alone.
     Formulas,
     /// The steps with the numbers of a swing.
     Numbers,
@@ -88,7 +88,7 @@ pub struct DerivationTable {
     pub head: Vec<Prose>,
     /// The cells, row by row.
     pub rows: Vec<Vec<Prose>>,
-    /// Computation and check of the numbers.
+    /// Source and check of the numbers.
     pub note: Prose,
 }
 
@@ -97,7 +97,7 @@ pub struct DerivationTable {
 pub enum Cells {
     /// Numbers that were computed.
     Numbers,
-    /// The subject of each row, and formulas that a reader can find, of any length.
+    /// The subject of each row, and formulas of any length that a reader can find.
     Formulas,
 }
 
@@ -112,17 +112,17 @@ impl DerivationStep {
         Self { id: id.to_owned(), heading: heading.to_owned(), blocks: Vec::new() }
     }
 
-    /// A paragraph, each `{}` of which is the next formula.
+    /// Adds a paragraph in which each `{}` is the next formula.
     pub(super) fn say<const N: usize>(self, template: &str, formulas: [Formula; N]) -> Self {
         self.with(Block::Paragraph(Prose::new(template, formulas)))
     }
 
-    /// A paragraph that is put together elsewhere.
+    /// Adds a paragraph that was composed elsewhere.
     pub(super) fn paragraph(self, prose: Prose) -> Self {
         self.with(Block::Paragraph(prose))
     }
 
-    /// A paragraph where there is something to say.
+    /// Adds a paragraph if a condition holds.
     pub(super) fn say_where<const N: usize>(
         self,
         wanted: Wanted,
@@ -135,28 +135,28 @@ impl DerivationStep {
         }
     }
 
-    /// An aside.
+    /// Adds an aside.
     pub(super) fn remark<const N: usize>(self, template: &str, formulas: [Formula; N]) -> Self {
         self.with(Block::Remark(Prose::new(template, formulas)))
     }
 
-    /// A checked formula.
+    /// Adds a checked formula.
     pub(super) fn show(self, equation: CheckedEquation) -> Self {
         let number = formulas_in(&self.blocks) + 1;
         self.with(Block::Equation { number, equation })
     }
 
-    /// Checked formulas.
+    /// Adds checked formulas.
     pub(super) fn show_all(self, equations: Vec<CheckedEquation>) -> Self {
         equations.into_iter().fold(self, Self::show)
     }
 
-    /// A table.
+    /// Adds a table.
     pub(super) fn table(self, table: DerivationTable) -> Self {
         self.with(Block::Table(table))
     }
 
-    /// Folds away the blocks that `add` adds.
+    /// Adds a folded block with the content that `add` appends.
     pub(super) fn fold(mut self, summary: &str, add: impl FnOnce(Self) -> Self) -> Self {
         let before = self.blocks.len();
         self = add(self);
@@ -170,7 +170,7 @@ impl DerivationStep {
     }
 }
 
-/// Number of formulas that have a number.
+/// Number of numbered formulas.
 fn formulas_in(blocks: &[Block]) -> usize {
     let formulas = |block: &Block| match block {
         Block::Equation { .. } | Block::Exercise { .. } => 1,

@@ -5,11 +5,11 @@ use std::collections::BTreeMap;
 use super::formula::{Formula, Name, Subscript};
 use libration::algebra::{Function, Rational, Ring};
 
-/// A ring in which there are also sums without end, integrals, derivatives and means.
+/// A ring with infinite sums, integrals, derivatives and means.
 pub trait Analysis: Ring {
     /// Returns `true` if an infinite sum may end at this term.
     fn is_negligible(&self, term: &Self::Element, sum: &Self::Element) -> bool;
-    /// The terms after which an infinite sum is given up.
+    /// Maximum number of terms of an infinite sum.
     fn most_terms(&self) -> usize;
     /// ∫ over the interval.
     fn integral(
@@ -18,14 +18,14 @@ pub trait Analysis: Ring {
         to: &Self::Element,
         integrand: &mut dyn FnMut(Self::Element) -> Result<Self::Element, EvaluationError>,
     ) -> Result<Self::Element, EvaluationError>;
-    /// The derivative at 0 of a function of a small number.
+    /// The derivative at 0 of a function of one variable.
     fn slope(
         &self,
         function: &mut dyn FnMut(Self::Element) -> Result<Self::Element, EvaluationError>,
     ) -> Result<Self::Element, EvaluationError>;
     /// The arithmetic–geometric mean.
     fn agm(&self, a: &Self::Element, b: &Self::Element) -> Option<Self::Element>;
-    /// The value of terms that are left out.
+    /// The value of omitted terms.
     fn left_out(&self, order: &Self::Element) -> Result<Self::Element, EvaluationError>;
 }
 
@@ -33,24 +33,24 @@ pub trait Analysis: Ring {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum EvaluationError {
-    /// A letter that stands for nothing yet.
+    /// A symbol without a value.
     #[error("`{0}` has no value here")]
     Unknown(String),
-    /// An operation that leads out of the numbers in use.
+    /// An operation whose result is outside the ring.
     #[error("{0} cannot be formed here")]
     NotInRing(&'static str),
-    /// An infinite sum or an integral that does not come to its end.
+    /// An infinite sum or an integral that does not converge.
     #[error("{0} does not converge fast enough to be checked")]
     Divergent(&'static str),
 }
 
-/// The values of letters and functions.
+/// The values of symbols and functions.
 #[derive(Clone, Debug)]
 pub struct Values<E> {
     numbers: BTreeMap<String, E>,
     indices: BTreeMap<String, i64>,
     functions: BTreeMap<String, (Vec<Name>, Formula)>,
-    /// Names that change with the letter of time, and their rates.
+    /// Names that depend on the time, and their rates of change.
     rates: Vec<(Name, Formula)>,
 }
 
@@ -65,37 +65,37 @@ impl<E> Default for Values<E> {
     }
 }
 
-/// The name of a function, its parameters, and what it is of them.
+/// The name of a function, its parameters, and its body.
 pub(super) type FunctionOf = (Name, Vec<Name>, Formula);
 
-/// The letter of time.
+/// The symbol of time.
 pub(super) const TIME: &str = "t";
 
 impl<E: Clone> Values<E> {
-    /// A letter stands for a number.
+    /// Assigns a number to a symbol.
     pub fn set(&mut self, name: &Name, value: E) {
         let key = self.key(name);
         self.indices.remove(&key);
         self.numbers.insert(key, value);
     }
 
-    /// A letter stands for an integer.
+    /// Assigns an integer to a symbol.
     pub(super) fn set_index(&mut self, name: &Name, value: i64) {
         self.indices.insert(self.key(name), value);
     }
 
-    /// A name stands for a function.
+    /// Defines a function.
     pub(super) fn define(&mut self, name: &Name, parameters: &[&str], body: Formula) {
         let parameters = parameters.iter().map(|parameter| Name::new(parameter)).collect();
         self.functions.insert(self.key(name), (parameters, body));
     }
 
-    /// A letter changes with time at this rate.
+    /// Declares the rate at which a symbol changes with time.
     pub(super) fn set_rate(&mut self, name: &Name, rate: Formula) {
         self.rates.push((name.clone(), rate));
     }
 
-    /// The values of the names in formulas, and the functions they apply, with all that is needed for these.
+    /// The values of the names in formulas, and the functions that they apply, directly or indirectly.
     pub(super) fn used_in(&self, formulas: &[&Formula]) -> (Vec<(Name, E)>, Vec<FunctionOf>) {
         let (mut numbers, mut functions) = (BTreeMap::new(), BTreeMap::new());
         let mut open: Vec<Formula> = formulas.iter().map(|formula| (*formula).clone()).collect();
@@ -124,7 +124,7 @@ impl<E: Clone> Values<E> {
         (numbers.into_values().collect(), functions.into_values().collect())
     }
 
-    /// The key of a name, with the values of indices in it.
+    /// The key of a name, with the values of its indices.
     fn key(&self, name: &Name) -> String {
         let primes = "'".repeat(usize::from(name.primes));
         let below = match &name.subscript {
@@ -138,7 +138,7 @@ impl<E: Clone> Values<E> {
         format!("{}{below}{primes}", name.letter)
     }
 
-    /// The value of a formula of numbers and indices alone.
+    /// The value of a formula that contains only numbers and indices.
     pub(super) fn constant(&self, formula: &Formula) -> Option<Rational> {
         match formula {
             Formula::Number(value) => Some(value.clone()),
@@ -165,7 +165,7 @@ impl<E: Clone> Values<E> {
     }
 }
 
-/// The value of the formula.
+/// Evaluates the formula.
 pub fn evaluate<R: Analysis>(
     formula: &Formula,
     ring: &R,
@@ -249,7 +249,7 @@ fn power<R: Analysis>(
     ring.value(Function::Exp, &product).ok_or(EvaluationError::NotInRing("a power"))
 }
 
-/// Repeated squaring.
+/// aⁿ by repeated squaring.
 fn whole_power<R: Ring>(ring: &R, base: &R::Element, exponent: i64) -> Result<R::Element, EvaluationError> {
     let one = ring.rational(&Rational::from(1)).ok_or(EvaluationError::NotInRing("a power"))?;
     let (mut power, mut square, mut rest) = (one.clone(), base.clone(), exponent.unsigned_abs());
@@ -313,7 +313,7 @@ fn series<R: Analysis>(
     if last.is_some() { Ok(sum) } else { Err(EvaluationError::Divergent("the sum")) }
 }
 
-/// The variable alone moves; with time moves all that has a rate.
+/// The derivative; only the variable varies, except for the time, with which every name with a rate varies.
 fn derivative<R: Analysis>(
     of: &Formula,
     by: &Name,

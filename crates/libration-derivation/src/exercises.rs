@@ -1,4 +1,4 @@
-//! A derivation as exercises: results are left out, and stand on a page of answers.
+//! A derivation as exercises: results are omitted and collected on a page of answers.
 
 use super::check::{Check, CheckedEquation};
 use super::document::{Block, Cells, Derivation, DerivationStep, DerivationTable};
@@ -6,8 +6,8 @@ use super::formula::{Formula, Name, Statement, number};
 use super::prose::Prose;
 
 impl Derivation {
-    /// The same derivation with a question mark for each result that was computed, and the results as its answers, under the same
-    /// numbers. Definitions, starting points and tables of numbers stay.
+    /// The same derivation with a question mark for each computed result, and the results as
+    /// answers under the same numbers. Definitions, premises and tables of numbers are kept.
     ///
     /// # Examples
     /// ```
@@ -42,7 +42,7 @@ fn with_blocks(step: &DerivationStep, change: fn(&Block) -> Vec<Block>) -> Deriv
     }
 }
 
-/// The block with question marks for its results.
+/// The block with question marks in place of its results.
 fn exercise_of(block: &Block) -> Vec<Block> {
     vec![match block {
         Block::Equation { number, equation } => match question(equation) {
@@ -57,7 +57,7 @@ fn exercise_of(block: &Block) -> Vec<Block> {
     }]
 }
 
-/// The formulas left out of the block.
+/// The formulas omitted from the block.
 fn answers_of(block: &Block) -> Vec<Block> {
     match block {
         Block::Equation { equation, .. } if question(equation).is_some() => vec![block.clone()],
@@ -67,7 +67,7 @@ fn answers_of(block: &Block) -> Vec<Block> {
     }
 }
 
-/// The formula with a question mark for its result, as it is where it is to be shown; `None` where there is nothing to find.
+/// The formula with a question mark for its result, or unchanged if it is to be proved; `None` if there is nothing to find.
 fn question(equation: &CheckedEquation) -> Option<Statement> {
     let statement = equation.statement();
     let is_named = matches!(equation.check(), Check::Catalogued { .. });
@@ -77,7 +77,7 @@ fn question(equation: &CheckedEquation) -> Option<Statement> {
     let unknown = || Formula::from(Name::new("?"));
     let (relation, _) = *statement.rest.first()?;
     let all = |is: fn(&Formula) -> bool| statement.rest.iter().all(|(_, side)| is(side));
-    // What is to be shown; the check has the results of other formulas in it.
+    // A remainder O(…) is to be proved; the check contains the results of other formulas.
     if all(|side| matches!(side, Formula::Order(_))) {
         return Some(statement.clone());
     }
@@ -87,7 +87,7 @@ fn question(equation: &CheckedEquation) -> Option<Statement> {
     })
 }
 
-/// The rows with a question mark for all but what they stand for.
+/// The rows with a question mark for everything except their subject.
 fn unsolved(table: &DerivationTable) -> DerivationTable {
     let unknown = || Prose::formula(Name::new("?").into());
     let row = |row: &Vec<Prose>| {

@@ -1,4 +1,4 @@
-//! Worked derivations: every step in sentences and formulas, and every formula checked as it is written.
+//! Worked derivations: every step in sentences and formulas, with every printed formula checked.
 //!
 //! # Terms
 //! A [`Derivation`] is data: **steps** of sentences and formulas. A **formula** is a tree that is both printed and evaluated, so
@@ -73,7 +73,7 @@ pub use published::formulas;
 pub use trials::Swing;
 pub use typeset::{formula_latex, statement_latex};
 
-/// Internals that the suite tests; no promise of stability.
+/// Internals that the test suite uses; they may change at any time.
 #[doc(hidden)]
 pub mod internals {
     pub use crate::check::{Given, equal_fractions, same_series, same_series_where};

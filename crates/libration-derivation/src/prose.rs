@@ -2,7 +2,7 @@
 
 use super::formula::Formula;
 
-/// Sentences with formulas in them. What they assert as an equation stands in a [`CheckedEquation`](super::CheckedEquation), where it is checked.
+/// Sentences with formulas in them. Equations that they assert are in a [`CheckedEquation`](super::CheckedEquation), where they are checked.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Prose(pub Vec<Span>);
 
@@ -42,7 +42,7 @@ impl Prose {
         Self(vec![Span::Formula(formula)])
     }
 
-    /// The text followed by more.
+    /// The text followed by more text.
     pub(super) fn and(mut self, more: Self) -> Self {
         self.0.extend(more.0);
         self

@@ -1,4 +1,4 @@
-//! Swings at which formulas are compared: three of our own and the reader's.
+//! Swings at which formulas are compared: three built-in ones and the reader's.
 
 use std::ops::RangeInclusive;
 
@@ -11,21 +11,21 @@ use libration::algebra::{BigFloat, Rational, Ring};
 use libration::pendulum::{Amplitude, Pendulum};
 use libration::quantity::{Angle, STANDARD_GRAVITY};
 
-/// Largest difference of sides in these digits, a singular integral's lost half included.
+/// Largest difference of two sides in 77 digits, after a singular integral has lost half of them.
 const CLOSE: f64 = 1e-30;
-/// Largest difference of sides of which one is in double precision.
+/// Largest difference of two sides, one of which is in double precision.
 const CLOSE_IN_DOUBLE: f64 = 2e-14;
 /// The largest amplitude in degrees.
 const LARGEST: f64 = 179.9;
-/// Digits of a value that is shown.
+/// Number of digits of a printed value.
 const SHOWN: usize = 11;
 
-/// A pendulum and its amplitude: whose numbers a derivation shows.
+/// A pendulum and its amplitude, whose numbers a derivation shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Swing {
     /// The pendulum.
     pub pendulum: Pendulum,
-    /// Its amplitude.
+    /// The amplitude of the motion.
     pub amplitude: Amplitude,
 }
 
@@ -34,11 +34,11 @@ pub struct Swing {
 pub struct Trials {
     trials: Vec<Trial>,
     shown: usize,
-    /// `Numbers` if the swing shown is the reader's, whose numbers each step gives.
+    /// `Numbers` if the swing shown is the reader's, so that each step gives its numbers.
     wanted: Wanted,
 }
 
-/// A swing with the values of its letters.
+/// A swing with the values of its symbols.
 #[derive(Clone, Debug)]
 struct Trial {
     angle: Angle,
@@ -67,7 +67,7 @@ impl Trials {
         Ok(Self { trials, shown, wanted })
     }
 
-    /// A name now stands for this, in every swing.
+    /// Defines a name in every swing.
     pub(super) fn define(&mut self, name: &Name, value: Formula) -> Result<CheckedEquation, DerivationError> {
         let statement = Statement::defined(name, value.clone());
         for trial in &mut self.trials {
@@ -77,7 +77,7 @@ impl Trials {
         Ok(CheckedEquation::definition(statement))
     }
 
-    /// A name now stands for this function.
+    /// Defines a function in every swing.
     pub(super) fn define_function(
         &mut self,
         name: &str,
@@ -92,14 +92,14 @@ impl Trials {
         CheckedEquation::definition(Statement::defined(Formula::Apply(function, arguments), body))
     }
 
-    /// A name stands for this, without being shown.
+    /// The trials with a further value that is not shown.
     pub(super) fn with(&self, name: &Name, value: Formula) -> Result<Self, DerivationError> {
         let mut trials = self.clone();
         trials.define(name, value)?;
         Ok(trials)
     }
 
-    /// A name stands for this function of one parameter, without being shown.
+    /// The trials with a further function of one parameter that is not shown.
     pub(super) fn with_function(&self, name: &Name, parameter: &str, body: Formula) -> Self {
         let mut trials = self.clone();
         for trial in &mut trials.trials {
@@ -113,7 +113,7 @@ impl Trials {
         self.compare_within(CLOSE, Against::OtherSide, statement)
     }
 
-    /// Checks a statement of which one side is the library's exact solution.
+    /// Checks a statement, one side of which is the library's exact solution.
     pub fn compare_with_library(&self, statement: Statement) -> Result<CheckedEquation, DerivationError> {
         self.compare_within(CLOSE_IN_DOUBLE, Against::Library, statement)
     }
@@ -140,7 +140,7 @@ impl Trials {
         Ok(Comparison { value: shown, difference }.equation(statement, place, against).with_letters(letters))
     }
 
-    /// Checks a statement about no amplitude.
+    /// Checks a statement that does not depend on the amplitude.
     pub fn compare_once(&self, statement: Statement) -> Result<CheckedEquation, DerivationError> {
         let shown = &self.trials[self.shown];
         let comparison = shown.compare(CLOSE, &statement)?;
@@ -180,7 +180,7 @@ impl Trials {
         Self { trials, shown, ..*self }
     }
 
-    /// The numbers of the reader's swing, each a formula with its digits and unit; none if no swing was given.
+    /// The numbers of the reader's swing, each with its digits and unit; empty if no swing was given.
     pub(super) fn numbers(
         &self,
         wanted: &[(Formula, usize, DecimalUnit)],
@@ -201,12 +201,12 @@ impl Trials {
         wanted.iter().map(number).collect()
     }
 
-    /// The value of a formula in the swing shown.
+    /// The value of a formula for the swing that is shown.
     pub(super) fn value(&self, formula: &Formula) -> Result<BigFloat, DerivationError> {
         side(&Statement::from(formula.clone()), formula, &DIGITS, &self.trials[self.shown].values)
     }
 
-    /// The reader's pendulum and amplitude; none if no swing was given.
+    /// The reader's pendulum and amplitude; empty if no swing was given.
     pub(super) fn given(&self) -> Vec<CheckedEquation> {
         let shown = match self.wanted {
             Wanted::Formulas => &[],
@@ -219,7 +219,7 @@ impl Trials {
         shown.iter().flat_map(|trial| trial.given.iter().map(equation)).collect()
     }
 
-    /// The detail wanted: formulas, or numbers too.
+    /// The level of detail: formulas alone, or numbers too.
     pub(super) fn wanted(&self) -> Wanted {
         self.wanted
     }
@@ -252,7 +252,7 @@ impl Trials {
     }
 }
 
-/// Checks that a statement's last formula, a decimal, is its first one rounded.
+/// Checks that the last formula of a statement, a decimal, is the first one rounded.
 fn check_rounding(statement: &Statement, values: &Values<BigFloat>) -> Result<(), DerivationError> {
     let Some((_, Formula::Decimal(decimal))) = statement.rest.last() else { return Ok(()) };
     let place = Formula::Decimal(Decimal { mantissa: "1".to_owned(), exponent: 0, unit: decimal.unit });
@@ -260,7 +260,7 @@ fn check_rounding(statement: &Statement, values: &Values<BigFloat>) -> Result<()
     let exact = side(statement, &statement.first, &DIGITS, values)?;
     let printed = side(statement, &Formula::Decimal(decimal.clone()), &DIGITS, values)?;
     let place = side(statement, &place, &DIGITS, values)?.to_f64();
-    // The double nearest to the value was rounded, not the value.
+    // The double nearest to the value was rounded, and not the value itself.
     let slack = 2.0 * f64::EPSILON * exact.to_f64().abs();
     let difference = (exact - printed).to_f64().abs();
     if difference <= 0.5 * place + slack {
@@ -277,8 +277,8 @@ fn example(degrees: f64) -> Result<Swing, DerivationError> {
 }
 
 impl Trial {
-    /// The letters g, ℓ, ω0, θ0, and a moment at which the pendulum rises from the bottom, with θ and θ′ from the
-    /// library's closed solution, and T from its period.
+    /// The symbols g, ℓ, ω0, θ0; θ and θ′ from the library's closed solution at a
+    /// time at which the pendulum rises from the bottom; and T from its period.
     fn new(swing: &Swing) -> Result<Self, DerivationError> {
         let angle = swing.amplitude.angle();
         let motion = swing.pendulum.released_from(angle)?;
@@ -310,7 +310,7 @@ impl Trial {
         Ok(trial)
     }
 
-    /// θ changes with θ′, and θ′ with θ″, which is what the equation of motion says.
+    /// Declares that θ changes at the rate θ′, and θ′ at the rate θ″, by the equation of motion.
     fn let_time_run(&mut self) {
         let (theta, omega) = (Name::new("θ"), Name::new("ω").index(0));
         let velocity = theta.clone().prime();
@@ -344,7 +344,7 @@ impl Trial {
         ))
     }
 
-    /// The values of the names in a statement, to the digits of a double.
+    /// The values of the names in a statement, to double precision.
     fn letters(&self, statement: &Statement) -> Letters {
         const DIGITS_OF_DOUBLE: usize = 17;
         let sides: Vec<&Formula> =
@@ -371,7 +371,7 @@ impl Trial {
     }
 }
 
-/// The value of a side, and the sum of the sizes of its summands, against which a difference is small or large.
+/// The value of a side, and the sum of the magnitudes of its summands, to which a difference is relative.
 struct Side {
     value: BigFloat,
     size: f64,
@@ -387,7 +387,7 @@ impl Side {
     }
 }
 
-/// The value of the first side and how far the others are from it.
+/// The value of the first side and its largest distance from the others.
 #[derive(Clone, Copy)]
 struct Comparison {
     value: f64,
@@ -395,7 +395,7 @@ struct Comparison {
 }
 
 impl Comparison {
-    /// The value of this case with the larger difference of the two.
+    /// The value of this comparison, with the larger of the two differences.
     fn with(self, other: Self) -> Self {
         Self { difference: self.difference.max(other.difference), ..self }
     }

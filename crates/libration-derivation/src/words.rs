@@ -1,4 +1,4 @@
-//! The letters of the pendulum.
+//! The symbols of the pendulum.
 
 use super::formula::{Formula, Name, apply, cos, letter, sin};
 
@@ -40,7 +40,7 @@ pub(super) fn cos_half_amplitude() -> Formula {
     cos(theta_0() / 2)
 }
 
-/// The complete elliptic integral of the parameter m.
+/// The complete elliptic integral of the first kind for the parameter m.
 pub(super) fn complete_integral(parameter: Formula) -> Formula {
     apply("K", [parameter])
 }

@@ -1,7 +1,7 @@
 //! Memory that begins at a line of the cache.
 
-/// Numbers in memory, the first at a multiple of 64 bytes, so that no vector crosses two lines of the cache; anywhere if the system cannot
-/// tell.
+/// Numbers in memory. The first one stands at a multiple of 64 bytes, so that no vector crosses two lines of the cache; if `align_offset` cannot
+/// find the multiple, the numbers are right and only slower.
 ///
 /// ```
 /// let numbers = libration_jit::Aligned::zeros(3);
@@ -32,7 +32,7 @@ impl Aligned {
         &self.memory[self.first..self.first + self.count]
     }
 
-    /// The numbers, to be changed.
+    /// The numbers, for writing.
     #[must_use]
     #[inline(always)]
     pub fn numbers_mut(&mut self) -> &mut [f64] {

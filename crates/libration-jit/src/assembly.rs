@@ -1,6 +1,7 @@
 //! Lines in the instructions of x86-64: AVX2 with fused multiply-add, or AVX-512.
 //!
-//! Values stay in registers until these are needed for others. A value kept in a slot is stored at once, and can be loaded again from there.
+//! Values stay in registers until the registers are needed for other values. A value kept in a slot is stored at once, and can be loaded from
+//! there.
 
 mod packing;
 
@@ -16,17 +17,17 @@ use crate::uses::Uses;
 use crate::windows::Windows;
 use crate::{Arithmetic, StraightLine};
 
-/// Code, and the numbers that it reads.
+/// Machine code, and the constants that it reads.
 #[derive(Debug)]
 pub(crate) struct Assembled {
     pub(crate) code: Vec<u8>,
     pub(crate) numbers: Vec<f64>,
-    /// Number of values that it stores in the scratch memory.
+    /// Number of values that the code stores in the scratch memory.
     pub(crate) scratch: usize,
 }
 
-/// The code of a line in a set of instructions, for this number of lanes side by side in memory; `None` if more values are needed at the same time
-/// than there are registers.
+/// The machine code of a line in one instruction set, for `lanes` lanes side by side in memory; `None` if more values are needed at the same
+/// time than there are registers.
 pub(crate) fn assembled(
     line: &StraightLine,
     set: &'static InstructionSet,
@@ -62,9 +63,9 @@ enum Home {
 /// The reason why there is no code.
 #[derive(Debug)]
 enum NoCode {
-    /// All registers hold what is still needed and is nowhere else.
+    /// Every register holds a value that is still needed and is stored nowhere else.
     Registers,
-    /// An instruction that cannot be encoded, as one with an address beyond 2³¹.
+    /// An instruction that cannot be encoded, such as one with an address beyond 2³¹.
     Instruction,
 }
 
@@ -79,10 +80,10 @@ struct Assembler<'a> {
     line: &'a StraightLine,
     encoder: Encoder,
     registers: Registers,
-    /// Locations of the values, by their numbers.
+    /// The location of each value, by the number of its step.
     homes: Vec<Option<Home>>,
     uses: Uses,
-    /// The step that is written.
+    /// The step for which code is written.
     now: usize,
     numbers: Vec<f64>,
     places_of_numbers: HashMap<u64, usize>,
@@ -90,7 +91,7 @@ struct Assembler<'a> {
     stride: usize,
     windows: Windows,
     packs: Packs,
-    /// The values kept in the slots.
+    /// The value kept in each slot.
     kept: Vec<Option<usize>>,
 }
 
@@ -145,7 +146,7 @@ impl<'a> Assembler<'a> {
                 self.kept[place] = Some(value);
                 self.release(number, &[value]);
             }
-            // Its group was written before.
+            // Written with the first inner product of its group.
             Arithmetic::InnerProduct { .. } => {}
         }
         Ok(())
@@ -183,7 +184,7 @@ impl Assembler<'_> {
         Ok(MemoryOperand::with_base_displ(base, i64::from(displacement)))
     }
 
-    /// A register for a value that is not an operand of this step.
+    /// A register for a value; no register of an operand is taken.
     fn take(&mut self, value: usize, operands: &[usize]) -> Result<Register, NoCode> {
         let next_use = |held: usize| {
             let can_be_had_again =
@@ -213,7 +214,8 @@ impl Assembler<'_> {
         Ok(Operand::Memory(self.address(home)?))
     }
 
-    /// The factors of a product, or the terms of a sum, one that is in no register last: of two that which is not needed so soon.
+    /// The two operands of a product or sum, in the order in which the last one may be read from memory: last stands the one that is in no
+    /// register, or, of two such, the one whose next use is later.
     fn memory_last(&self, [a, b]: [usize; 2]) -> [usize; 2] {
         let next = |value: usize| self.uses.after(self.now, value).unwrap_or(usize::MAX);
         let swaps = match [a, b].map(|value| self.registers.find(value).is_some()) {
@@ -231,7 +233,7 @@ impl Assembler<'_> {
         })
     }
 
-    /// A value from two others, one of whose registers it may have.
+    /// A value from two others; its register may be that of an operand that is not needed any more.
     fn combine(&mut self, code: Code, value: usize, [a, b]: [usize; 2]) -> Result<(), NoCode> {
         let (first, last) = (self.in_register(a, &[a, b])?, self.operand(b)?);
         self.release(value, &[a, b]);
@@ -247,7 +249,7 @@ impl Assembler<'_> {
         self.three(self.set.exclusive_or, to, first, last)
     }
 
-    /// A product is added to what is in a register, which has the sum then.
+    /// Adds a product to an addend in a register, which holds the sum afterwards.
     fn multiply_add(&mut self, value: usize, factors: [usize; 2], addend: usize) -> Result<(), NoCode> {
         let [a, b] = self.memory_last(factors);
         let operands = [a, b, addend];
@@ -259,7 +261,7 @@ impl Assembler<'_> {
         Ok(())
     }
 
-    /// The register of a sum, which holds what is added to.
+    /// The register of a sum, loaded with the addend.
     fn addend(&mut self, value: usize, addend: usize, operands: &[usize; 3]) -> Result<Register, NoCode> {
         if self.is_nothing(addend) {
             let to = self.take(value, operands)?;
@@ -276,7 +278,7 @@ impl Assembler<'_> {
         Ok(to)
     }
 
-    /// Frees the registers of what is not needed after this step.
+    /// Frees the registers of the operands that are not needed after this step.
     fn release(&mut self, step: usize, operands: &[usize]) {
         for operand in operands {
             if self.uses.after(step, *operand).is_none() {

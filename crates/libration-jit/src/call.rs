@@ -5,7 +5,7 @@ use memmap2::{Mmap, MmapMut};
 use crate::assembly::Assembled;
 use crate::{Aligned, StraightLine};
 
-/// The signature of the code: pointers to the slots, the arguments, the numbers in the line and the scratch memory.
+/// The signature of the code: pointers to the slots, the arguments, the constants of the line and the scratch memory.
 type Function = unsafe extern "sysv64" fn(
     places: *mut f64,
     arguments: *const f64,
@@ -17,7 +17,7 @@ type Function = unsafe extern "sysv64" fn(
 #[derive(Debug)]
 pub(crate) struct Code {
     memory: Mmap,
-    /// The numbers in the line, each as often as a register has lanes.
+    /// The constants of the line, each repeated for every lane of a register.
     numbers: Aligned,
     places: usize,
     arguments: usize,
@@ -28,7 +28,7 @@ pub(crate) struct Code {
 }
 
 impl Code {
-    /// `None` if the system grants no memory that can be executed.
+    /// Maps the code into executable memory; `None` if the system grants none.
     pub(crate) fn new(line: &StraightLine, assembled: Assembled, width: usize, lanes: usize) -> Option<Self> {
         let Assembled { code, numbers, scratch } = assembled;
         let mut memory = MmapMut::map_anon(code.len()).ok()?;
@@ -51,11 +51,11 @@ impl Code {
         }
         let scratch = scratch.numbers_mut();
         for first in (0..*lanes).step_by(*width) {
-            // SAFETY: the memory holds a whole function of this type, which reads and writes `width` numbers from each of the `places`, and reads as
-            // many from each of the `arguments`, `lanes` numbers apart, and `width` from each of the `numbers`, reads and writes what is in
-            // `scratch`, and nothing else: what it was assembled from names no others, and the slices are as long. The first lane is a multiple of
-            // the width below `lanes`, which is another. It changes no register that a function may not change, and the processor has the
-            // instructions, as `InstructionSet` found out.
+            // SAFETY: the memory holds a whole function of this type. It reads and writes `width` numbers from each of the `places`, reads
+            // `width` numbers from each of the `arguments`, `lanes` numbers apart, and from each of the `numbers`, and reads and writes
+            // `scratch`; it touches no other memory, since the line it was assembled from names no other slots, and the slices have the lengths
+            // that the line needs. The first lane is a multiple of the width below `lanes`, itself a multiple of the width. The function changes
+            // no register that it must preserve, and the processor has the instructions, as `InstructionSet` checked.
             #[expect(unsafe_code, reason = "calling code that was made at run time")]
             unsafe {
                 let function: Function = std::mem::transmute(memory.as_ptr());

@@ -15,7 +15,8 @@ pub struct Compiled {
 
 #[cfg(all(target_arch = "x86_64", unix))]
 impl Compiled {
-    /// Code for this number of lanes; `None` if there is none for this processor or this number of lanes, or the system grants no memory for it.
+    /// Compiles the line for `lanes` lanes; `None` if there is no code for this processor or number of lanes, or if the system grants no memory
+    /// for it.
     #[must_use]
     pub fn new(line: &StraightLine, lanes: usize) -> Option<Self> {
         Self::in_set(line, lanes, InstructionSet::for_lanes(lanes).next()?)
@@ -57,7 +58,7 @@ mod tests {
     use super::*;
     use crate::Arithmetic;
 
-    /// More values at a time than the fewest registers hold, and inner products of five rows.
+    /// A line with more values at a time than the smallest set of registers holds, and with inner products of five rows.
     fn line() -> StraightLine {
         let places = (0..40).map(Arithmetic::Place);
         let products = (0..5).map(|row| Arithmetic::InnerProduct { a: 8 * row, b: 32 - 8 * row, count: 8 });

@@ -14,7 +14,8 @@ pub(crate) struct Group {
 /// Largest number of inner products side by side in a register.
 pub(crate) const WIDEST: usize = 8;
 
-/// All inner products of a line in groups of at most `most`, keyed by the first step of each, at which all that the group reads is known.
+/// All inner products of a line in groups of at most `most`. The key is the first step of the group, at which every value that the group reads
+/// is known.
 pub(crate) fn groups(line: &StraightLine, most: usize) -> HashMap<usize, Group> {
     let mut kept = vec![None; line.places()];
     for (number, step) in line.steps().iter().enumerate() {

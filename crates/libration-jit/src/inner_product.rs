@@ -1,8 +1,8 @@
-//! Sums of products in an order that processors are fast at.
+//! Sums of products, in an order that is fast on current processors.
 
 /// The operations of a sum of products.
 pub trait MultiplyAdd {
-    /// A number, or as many as are worked on side by side.
+    /// A number, or several numbers side by side.
     type Element: Copy;
 
     /// Zero.
@@ -17,8 +17,8 @@ pub trait MultiplyAdd {
 
 /// Σ aᵢ·b_{n−1−i} over two slices of the same length n.
 ///
-/// In four sums, which a processor forms at the same time, from the middle to the ends: in the convolution of two series the newest
-/// coefficients are there, and all else can be under way before these are known.
+/// Forms four partial sums, which a processor can work on at the same time, from the middle to the ends. In the convolution of two series the
+/// newest coefficients stand at the ends, so that all other products can start before these are known.
 #[inline(always)]
 pub fn inner_product<S: MultiplyAdd>(on: &S, a: &[S::Element], b: &[S::Element]) -> S::Element {
     let (half, n) = (a.len() / 2, a.len());

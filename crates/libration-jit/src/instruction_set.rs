@@ -20,20 +20,20 @@ pub(crate) struct InstructionSet {
     pub(crate) exclusive_or: Code,
     /// The instruction before the return.
     pub(crate) leave: Code,
-    /// Instructions for two, four or eight numbers at once, with one lane.
+    /// Instructions for two, four or eight numbers at once, in a set with one lane.
     pub(crate) packed: Option<PackedSet>,
 }
 
-/// Instructions that combine two numbers, two such pairs, and two of these, and the operations for each width.
+/// Instructions that combine two numbers to a pair, two pairs to four, and two fours to eight, and the arithmetic of each width.
 #[derive(Debug)]
 pub(crate) struct PackedSet {
-    /// The lower number of one and the lower one of another.
+    /// Joins the lower numbers of two registers.
     pub(crate) unpack_low: Code,
-    /// The higher number of both, from one register twice.
+    /// Moves the higher number down; both operands are the same register.
     pub(crate) unpack_high: Code,
-    /// A number in memory above what is low in a register.
+    /// Loads a number from memory above the lower number of a register.
     pub(crate) load_high: Code,
-    /// A pair above another.
+    /// Inserts a pair above another pair.
     pub(crate) insert: Code,
     pub(crate) one: Packed,
     pub(crate) two: Packed,
@@ -41,10 +41,10 @@ pub(crate) struct PackedSet {
     pub(crate) eight: Option<Eight>,
 }
 
-/// Instructions for eight numbers, where registers hold this many.
+/// Instructions for eight numbers, in sets whose registers hold eight.
 #[derive(Debug)]
 pub(crate) struct Eight {
-    /// Four numbers above four others.
+    /// Inserts four numbers above four others.
     pub(crate) insert: Code,
     pub(crate) packed: Packed,
 }
@@ -76,7 +76,7 @@ impl Packed {
 }
 
 impl InstructionSet {
-    /// The sets of which `lanes` is a multiple, and that the processor has; the widest first.
+    /// The instruction sets that the processor has and whose number of lanes divides `lanes`, widest first.
     pub(crate) fn for_lanes(lanes: usize) -> impl Iterator<Item = &'static Self> {
         let is_known = lanes > 0 && is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
         let fits = move |set: &&'static Self| {
@@ -87,12 +87,12 @@ impl InstructionSet {
         [&EIGHT, &FOUR, &ONE_OF_32, &ONE].into_iter().filter(move |set| is_known && fits(set))
     }
 
-    /// The size of a register.
+    /// The size of a register in bytes.
     pub(crate) fn bytes(&self) -> usize {
         self.lanes * size_of::<f64>()
     }
 
-    /// Returns whether addresses that are a multiple of the size of a register away, up to 127 times, are written in one byte.
+    /// Returns `true` if a displacement of up to 127 times the size of a register is encoded in one byte.
     pub(crate) fn has_short_distances(&self) -> bool {
         self.registers == EIGHT.registers
     }

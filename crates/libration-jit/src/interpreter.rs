@@ -4,7 +4,7 @@ use crate::inner_product::Numbers;
 use crate::{Arithmetic, StraightLine, inner_product};
 
 impl StraightLine {
-    /// Runs the line in `lanes` lanes, whose numbers are side by side in each slot and in each argument.
+    /// Runs the line in `lanes` lanes; the numbers of the lanes are side by side in each slot and in each argument.
     ///
     /// # Panics
     /// If there are fewer numbers than slots or arguments times lanes.

@@ -1,8 +1,8 @@
 //! Straight-line arithmetic on double-precision numbers, as machine code for several lanes side by side.
 //!
-//! An integrator does the same few thousand multiplications and additions in every step. As a [`StraightLine`] they are a list without
-//! loops and branches, which is interpreted or, where the processor is one that is known, compiled: with every operation rounded as
-//! IEEE 754 has it, and in the order of the list, both give the same bits.
+//! An integrator repeats the same few thousand multiplications and additions in every step. A [`StraightLine`] is a list of these without loops
+//! and branches. It is interpreted, or compiled on processors for which there is machine code. Both give the same bits: every operation is
+//! rounded as IEEE 754 requires, in the order of the list.
 //!
 //! ```
 //! use libration_jit::{Arithmetic, Compiled, StraightLine};
@@ -21,13 +21,14 @@
 //! # Ok::<(), libration_jit::OutOfOrder>(())
 //! ```
 //!
-//! Compiled are lines for x86-64 with fused multiply-add on Unix, with 4 or 8 lanes in a vector register, or one lane at a time; then up to
-//! four inner products stand side by side instead, with AVX-512 up to eight.
+//! Lines are compiled for x86-64 with fused multiply-add on Unix: with 4 or 8 lanes in a vector register, or with one lane, where up to four
+//! inner products (eight with AVX-512) share a vector register.
 //!
 //! # Method
-//! Values stay in registers as long as none is needed sooner. With one lane, sums of products of the same length are formed up to four at a time,
-//! with AVX-512 up to eight (`groups.rs`, `assembly/packing.rs`): their factors are put next to each other as they become known, once for all
-//! orders, so that the code is half as long or less and fits the first cache for instructions. Each sum keeps its own order of operations.
+//! A value stays in its register until another value needs the register sooner. With one lane, sums of products of the same length are formed up
+//! to four at a time, with AVX-512 up to eight (`groups.rs`, `assembly/packing.rs`). Their factors are packed next to each other as they become
+//! known, once for all orders of the series, so that the code is half as long or less and fits the first-level instruction cache. The order of
+//! operations within each sum does not change.
 
 mod aligned;
 mod inner_product;

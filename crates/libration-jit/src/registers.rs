@@ -1,6 +1,6 @@
-//! The values in the vector registers.
+//! Register allocation: the values that the vector registers hold.
 
-/// The values in registers.
+/// The value in each register.
 #[derive(Debug)]
 pub(crate) struct Registers {
     held: Vec<Option<usize>>,
@@ -31,7 +31,8 @@ impl Registers {
         }
     }
 
-    /// A register for something new: an empty one, or that whose value is needed last, among those with a time when they are.
+    /// A register for a new value: an empty one, or else the one whose value is needed last. Values for which `next_use` is `None` are not
+    /// displaced.
     ///
     /// Reference: L. A. Belady, IBM Syst. J. 5, 78 (1966), doi:10.1147/sj.52.0078.
     pub(crate) fn take(&self, next_use: impl Fn(usize) -> Option<usize>) -> Option<usize> {

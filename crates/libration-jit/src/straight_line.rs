@@ -1,6 +1,6 @@
 //! Arithmetic without loops and branches.
 
-/// One step of a [`StraightLine`]. All but `Keep` have a value, which others name by the number of the step.
+/// One step of a [`StraightLine`]. Every step except `Keep` has a value, which later steps name by the number of the step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Arithmetic {
     /// The content of a slot before the line is run.
@@ -23,9 +23,9 @@ pub enum Arithmetic {
     MultiplyAdd(usize, usize, usize),
     /// The [`inner_product`](crate::inner_product) of the values in consecutive slots.
     InnerProduct {
-        /// The first slot of the one factor.
+        /// The first slot of the first factor.
         a: usize,
-        /// The first slot of the other factor, the last of which comes first.
+        /// The first slot of the second factor, which is taken in reverse order.
         b: usize,
         /// Number of slots of each factor.
         count: usize,
@@ -40,7 +40,7 @@ pub enum Arithmetic {
 }
 
 impl Arithmetic {
-    /// The values that it needs.
+    /// The values that the step needs.
     pub(crate) fn operands(&self) -> impl Iterator<Item = usize> + use<> {
         let operands = match *self {
             Self::Place(_) | Self::Argument(_) | Self::Number(_) | Self::InnerProduct { .. } => [None; 3],
@@ -63,7 +63,7 @@ impl Arithmetic {
     }
 }
 
-/// Consecutive steps on slots in memory and arguments that are not changed.
+/// Consecutive arithmetic steps on slots in memory, and on arguments, which stay unchanged.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StraightLine {
     steps: Vec<Arithmetic>,
@@ -71,10 +71,10 @@ pub struct StraightLine {
     arguments: usize,
 }
 
-/// A step that cannot be done where it stands.
+/// A step that cannot be done in its position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OutOfOrder {
-    /// Its number.
+    /// The number of the step.
     pub step: usize,
 }
 
@@ -89,11 +89,11 @@ impl std::fmt::Display for OutOfOrder {
 impl std::error::Error for OutOfOrder {}
 
 impl StraightLine {
-    /// The line of these steps, with these numbers of slots and arguments.
+    /// Creates a line from its steps and its numbers of slots and arguments.
     ///
     /// # Errors
-    /// A step with an operand that is not the value of an earlier step; slots and arguments that do not exist; the initial value of a slot, used
-    /// after something was stored there; a second value stored in the same slot, or one stored where an inner product has read.
+    /// A step with an operand that is not the value of an earlier step; a slot or argument that does not exist; a slot read as its initial
+    /// content after a value was stored in it; a second value stored in the same slot, or a value stored where an inner product has read.
     pub fn new(steps: Vec<Arithmetic>, places: usize, arguments: usize) -> Result<Self, OutOfOrder> {
         let (mut kept, mut read) = (vec![false; places], vec![false; places]);
         for (number, step) in steps.iter().enumerate() {

@@ -7,12 +7,12 @@ use crate::StraightLine;
 pub(crate) struct Uses {
     /// Steps that use the first value, the second, ….
     steps: Vec<u32>,
-    /// Index of the first use of each value, and the end of all uses.
+    /// Index of the first use of each value in `steps`, and the total number of uses.
     first: Vec<u32>,
 }
 
 impl Uses {
-    /// `None` for more steps than can be counted.
+    /// Collects the uses; `None` if there are more steps than a `u32` counts.
     pub(crate) fn of(line: &StraightLine) -> Option<Self> {
         let all = line.steps();
         let mut first = vec![0_u32; all.len() + 1];
@@ -38,7 +38,7 @@ impl Uses {
         &self.steps[bound(value)..bound(value + 1)]
     }
 
-    /// The first step after a step that needs a value.
+    /// The first step after `step` that needs a value.
     pub(crate) fn after(&self, step: usize, value: usize) -> Option<usize> {
         let uses = self.of_value(value);
         let later = uses.partition_point(|&needs| usize::try_from(needs).is_ok_and(|needs| needs <= step));

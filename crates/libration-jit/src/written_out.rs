@@ -1,10 +1,10 @@
-//! Inner products written out.
+//! Inner products as single additions and multiplications.
 
 use std::cell::RefCell;
 
 use crate::{Arithmetic, MultiplyAdd, OutOfOrder, StraightLine, inner_product};
 
-/// The same line with every inner product written out: for registers the lanes of which are taken already.
+/// The same line with every inner product as single steps, for registers whose lanes are all in use already.
 pub(crate) fn written_out(line: &StraightLine) -> Result<StraightLine, OutOfOrder> {
     let steps = Steps::default();
     let mut numbers = Vec::with_capacity(line.steps().len());
@@ -46,8 +46,8 @@ fn with_operands(step: Arithmetic, other: impl Fn(usize) -> usize) -> Arithmetic
     }
 }
 
-/// The steps of an inner product, and the number of the step with its value. Slots are numbered: first those of the one row, then those of the
-/// other.
+/// The steps of one inner product, and the number of the step with its value. The slots of the first row are numbered first, then those of the
+/// second.
 pub(crate) fn inner_product_steps(count: usize) -> (Vec<Arithmetic>, usize) {
     let steps = Steps::default();
     let row = |first: usize| -> Vec<usize> {

@@ -1,10 +1,10 @@
-//! Compiled lines give the bits of interpreted ones.
+//! Compiled lines give the same bits as interpreted ones.
 
 use std::cell::RefCell;
 
 use libration_jit::{Aligned, Arithmetic, Compiled, OutOfOrder, StraightLine};
 
-/// Numbers that look random, by a linear congruence.
+/// Pseudorandom numbers from a linear congruential generator.
 struct Numbers(u64);
 
 impl Numbers {
@@ -20,7 +20,7 @@ impl Numbers {
     }
 }
 
-/// Some steps of all kinds, with values that live long and such that do not.
+/// Steps of all kinds in random order, with values that are used long after their step and values that are used soon.
 fn random_line(numbers: &mut Numbers, length: usize, places: usize, arguments: usize) -> StraightLine {
     let mut steps = vec![Arithmetic::Place(0), Arithmetic::Argument(0), Arithmetic::Number(0.0)];
     let mut values: Vec<usize> = vec![0, 1, 2];
@@ -67,7 +67,7 @@ fn random_line(numbers: &mut Numbers, length: usize, places: usize, arguments: u
         }
         steps.push(step);
     }
-    // A value taken for a keep may be the place itself, which is gone then.
+    // A kept value may be the initial content of the slot itself, which is gone afterwards: the line ends before such a step.
     let end = (1..=steps.len())
         .rev()
         .find(|&end| StraightLine::new(steps[..end].to_vec(), places, arguments).is_ok());
@@ -75,7 +75,7 @@ fn random_line(numbers: &mut Numbers, length: usize, places: usize, arguments: u
     StraightLine::new(steps, places, arguments).expect("it was one just now")
 }
 
-/// NaN has many bits, and which of them come out is not said.
+/// Returns `true` for equal bits or two NaN, whose payload is not specified.
 fn same(a: f64, b: f64) -> bool {
     a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan())
 }
@@ -99,7 +99,7 @@ fn compiled_lines_have_the_bits_of_interpreted_ones() {
             (compiled_lines, steps) = (compiled_lines + 1, steps + line.steps().len());
         }
     }
-    // Values that are nowhere else have to stay in registers: twice as many, and longer, lines have code where there are 32 of these.
+    // Values without a home must stay in registers: with 32 registers twice as many lines, and longer ones, can be compiled.
     let expected = if has_32_registers() { [1000, 100_000] } else { [600, 30_000] };
     assert!(
         !is_supported() || (compiled_lines > expected[0] && steps > expected[1]),
@@ -107,7 +107,7 @@ fn compiled_lines_have_the_bits_of_interpreted_ones() {
     );
 }
 
-/// Rows that grow by one number each from inner products of all before, and of what was just kept: as many rows as fill a register,
+/// Rows that grow by one number at a time from inner products of all earlier numbers and of the newest one: as many rows as fill a register,
 /// fewer and more.
 #[test]
 fn inner_products_of_many_rows_have_the_bits_of_interpreted_ones() {
@@ -127,7 +127,7 @@ fn inner_products_of_many_rows_have_the_bits_of_interpreted_ones() {
                 let value = push(Arithmetic::Multiply(product, product));
                 push(Arithmetic::Keep { value, place: row * terms + n });
             }
-            // One that reads what was kept after the others stands alone.
+            // An inner product that reads a number kept after the others belongs to no group.
             let last = push(Arithmetic::InnerProduct { a: 0, b: n, count: 1 });
             push(Arithmetic::Keep { value: last, place: rows * terms + n });
         }
@@ -135,7 +135,7 @@ fn inner_products_of_many_rows_have_the_bits_of_interpreted_ones() {
     }
 }
 
-/// Two products of the rows that four others read too, three of these one and the same.
+/// Two products of rows that four others read too; three of the four are the same product.
 #[test]
 fn packs_of_two_are_none_of_four() {
     let product = |a, b, count| Arithmetic::InnerProduct { a, b, count };

@@ -1,16 +1,15 @@
 //! The choice of instruction set at run time, and the only unsafe code of this crate.
 //!
-//! The kernels use the fused multiply-add throughout. It is one correctly rounded operation everywhere, so
-//! the results do not depend on the choice made here; but without the instruction it is a slow library call.
+//! The kernels use the fused multiply-add throughout. It is one correctly rounded operation everywhere, so the results do not depend on the
+//! choice of instruction set; but without a hardware instruction it is a slow library call.
 //!
 //! # Method
-//! A kernel is compiled for AVX2 with FMA too, and kernels over slices or in eight lanes for AVX-512; the version that the processor can run is
-//! called. These calls, and the hint to fetch memory ahead of a batch, are the only unsafe blocks. Kernels call none of the platform's elementary
-//! functions: clippy refuses std's `sin`, `exp`, `powf` and the like. The instruction set therefore changes the speed and not the result; tests
-//! that batches equal their scalar functions compare the versions with each other.
+//! A kernel is compiled a second time for AVX2 with FMA, and kernels over slices or in eight lanes a third time for AVX-512; the widest version
+//! that the processor can run is called. These calls, and the hint to fetch memory ahead of a batch, are the only unsafe blocks. Kernels call
+//! none of the platform's elementary functions: clippy rejects std's `sin`, `exp`, `powf` and the like. The instruction set therefore changes
+//! the speed and not the result. Tests that batches equal their scalar functions compare the versions with each other.
 
-/// A computation that can be compiled once per instruction set. `run` must be `#[inline(always)]`, as must
-/// all that it calls.
+/// A computation that can be compiled once per instruction set. `run` must be `#[inline(always)]`, and so must every function that it calls.
 pub trait Kernel {
     /// The result of the computation.
     type Output;
@@ -30,7 +29,7 @@ pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
     kernel.run()
 }
 
-/// Runs a kernel over slices: with AVX-512 too, which one element gains nothing from.
+/// Runs a kernel over slices, with AVX-512 too, which is useful for slices but not for one element.
 #[inline]
 pub fn dispatch_slices<K: Kernel>(kernel: K) -> K::Output {
     #[cfg(target_arch = "x86_64")]
@@ -42,7 +41,7 @@ pub fn dispatch_slices<K: Kernel>(kernel: K) -> K::Output {
     dispatch(kernel)
 }
 
-/// Runs a kernel in `N` lanes: eight fill a register of AVX-512.
+/// Runs a kernel in `N` lanes; eight lanes fill a register of AVX-512.
 #[inline]
 pub fn dispatch_lanes<const N: usize, K: Kernel>(kernel: K) -> K::Output {
     if N.is_multiple_of(8) { dispatch_slices(kernel) } else { dispatch(kernel) }
@@ -74,12 +73,12 @@ fn run_widest<K: Kernel>(kernel: K) -> K::Output {
     kernel.run()
 }
 
-/// Number of elements to fetch ahead: two pages of memory, beyond which the processor does not look by itself. With 512, 1024, 2048 and
-/// 4096 a million periods out of memory took 0.88 to 0.93 of the time without, prepared states 0.85 to 0.91.
+/// Number of elements to fetch ahead: two pages of memory, beyond which the processor does not prefetch by itself. With 512, 1024, 2048 and 4096
+/// elements, a million periods out of memory took 0.88 to 0.93 of the time without prefetching, prepared states 0.85 to 0.91.
 #[cfg(target_arch = "x86_64")]
 const AHEAD: usize = 1024;
 
-/// Asks for the memory that a batch comes to soon, given the block it is at. A slice that ends before does no harm.
+/// Prefetches the memory that a batch needs soon, given its current block. A slice that ends earlier does no harm.
 #[inline(always)]
 pub fn fetch_ahead(block: &[f64]) {
     #[cfg(not(target_arch = "x86_64"))]

@@ -1,16 +1,15 @@
 //! Numbers in two words: an unevaluated sum `hi + lo` of two `f64`, good to about 106 bits.
 //!
-//! The error-free transformations are Knuth's two-sum and the product by fused multiply-add; sums and
-//! products follow M. Joldes, J.-M. Muller and V. Popescu, *Tight and rigorous error bounds for basic
-//! building blocks of double-word arithmetic*, ACM TOMS 44 (2017), doi:10.1145/3121432, whose relative
-//! error bounds stand beside each operation (u = 2⁻⁵³).
+//! The error-free transformations are Knuth's two-sum and the product by fused multiply-add. Sums and products follow M. Joldes, J.-M. Muller
+//! and V. Popescu, *Tight and rigorous error bounds for basic building blocks of double-word arithmetic*, ACM TOMS 44 (2017),
+//! doi:10.1145/3121432; each operation states its relative error bound from there (u = 2⁻⁵³).
 //!
 //! # Method
-//! A number takes two words where one `f64` is not enough. Values that a motion or a modulus needs once are computed in two words and kept: k, k′,
+//! A number takes two words where one `f64` is not enough. Values that are computed once for a motion or a modulus are kept in two words: k, k′,
 //! K, E, the incomplete integrals by Carlson's duplication, and the factors of the theta quotients. Values that are computed a million times
-//! (period, phase, theta values, quotients, angle) keep their leading terms in two words down to the last rounding; the small terms added to them,
-//! such as all that a polynomial adds to its first term, are plain `f64`. Where π itself is subtracted its third word counts
-//! (`DoubleDouble::PI_TAIL`). Squares of complements are not formed where they would underflow, so that k′ down to 1e-300 is an ordinary input.
+//! (period, phase, theta values, quotients, angle) keep their leading terms in two words until the last rounding; the small terms added to them,
+//! such as those that follow the first term of a polynomial, are plain `f64`. Where π itself is subtracted, the third word of π is used
+//! (`DoubleDouble::PI_TAIL`). Squares of complements are not formed where they would underflow, so that k′ down to 1e-300 needs no special case.
 
 pub mod block;
 
@@ -22,11 +21,11 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 pub struct DoubleDouble {
     /// The leading word: the sum rounded to nearest.
     pub hi: f64,
-    /// The rest, at most half an ulp of the leading word.
+    /// The remainder, at most half an ulp of the leading word.
     pub lo: f64,
 }
 
-/// Below this the rounding error of a square root underflows.
+/// Number below which the rounding error of a square root underflows.
 const TINY: f64 = 1e-270;
 /// 2¹⁰⁰.
 const TWO_TO_100: f64 = 1267650600228229401496703205376.0;
@@ -54,7 +53,7 @@ pub fn two_prod(a: f64, b: f64) -> DoubleDouble {
     DoubleDouble { hi, lo: a.fma(b, -hi) }
 }
 
-/// A choice word by word, which the compiler turns into selections.
+/// Selects one of two numbers word by word, which the compiler turns into selections without branches.
 #[inline(always)]
 pub fn pick(condition: bool, yes: DoubleDouble, no: DoubleDouble) -> DoubleDouble {
     DoubleDouble::new(if condition { yes.hi } else { no.hi }, if condition { yes.lo } else { no.lo })
@@ -82,7 +81,7 @@ impl DoubleDouble {
     /// ln 2.
     pub const LN_2: Self = Self::new(0.6931471805599453, 2.3190468138462996e-17);
 
-    /// The words as given; the caller sees to `|lo| ≤ ulp(hi)/2`.
+    /// The number with these words; the caller ensures `|lo| ≤ ulp(hi)/2`.
     #[inline(always)]
     pub const fn new(hi: f64, lo: f64) -> Self {
         Self { hi, lo }
@@ -100,13 +99,13 @@ impl DoubleDouble {
         if self.hi < 0.0 { -self } else { self }
     }
 
-    /// Multiplication by a power of two, exact barring underflow.
+    /// Multiplication by a power of two, exact unless the result underflows.
     #[inline(always)]
     pub fn scaled(self, power_of_two: f64) -> Self {
         Self::new(self.hi * power_of_two, self.lo * power_of_two)
     }
 
-    /// Multiplication by 2^exponent, exact barring underflow.
+    /// Multiplication by 2^exponent, exact unless the result underflows.
     pub fn times_power_of_two(self, exponent: i32) -> Self {
         Self::new(libm::scalbn(self.hi, exponent), libm::scalbn(self.lo, exponent))
     }
@@ -117,14 +116,14 @@ impl DoubleDouble {
         self * self
     }
 
-    /// The square rounded to one word, also where it overflows or underflows.
+    /// The square rounded to one word, correct even if the two-word square would overflow or underflow.
     pub fn square_to_f64(self) -> f64 {
         let (_, exponent) = libm::frexp(self.hi);
         libm::scalbn(self.times_power_of_two(-exponent).square().to_f64(), 2 * exponent)
     }
 
-    /// The square root, relative error below 4u² (one Newton step from the one-word root); zero for zero, NaN for a
-    /// negative number. Without branches.
+    /// The square root, relative error below 4u² (one Newton step from the one-word root); zero for zero, NaN for a negative number. It has no
+    /// branches.
     #[inline(always)]
     pub fn sqrt(self) -> Self {
         let tiny = self.hi < TINY;
@@ -136,8 +135,7 @@ impl DoubleDouble {
         if tiny { sum.scaled(1.0 / TWO_TO_100) } else { sum }
     }
 
-    /// self/other, relative error below 12u², with one division where `/` has two; the inverse of `other` is a normal
-    /// number.
+    /// self/other, relative error below 12u², with one division instead of the two of `/`; 1/`other` must be a normal number.
     #[inline(always)]
     pub fn over(self, other: Self) -> Self {
         let inverse = 1.0 / other.hi;
@@ -153,7 +151,7 @@ impl DoubleDouble {
         fast_two_sum(sum.hi, sum.lo + (self.lo + smaller.lo))
     }
 
-    /// self + a·b for |a·b| ≤ |self|/16, relative error below 2⁻¹⁰⁴: the second word may exceed half an ulp by a sixteenth.
+    /// self + a·b for |a·b| ≤ |self|/16, relative error below 2⁻¹⁰⁴; the second word of the sum may exceed half an ulp by a sixteenth.
     #[inline(always)]
     pub fn plus_product(self, a: Self, b: Self) -> Self {
         let product = two_prod(a.hi, b.hi);
@@ -190,7 +188,7 @@ impl Neg for DoubleDouble {
     }
 }
 
-/// Relative error at most 3u²/(1−4u), with cancellation too (`AccurateDWPlusDW`).
+/// Relative error at most 3u²/(1−4u), even with cancellation (`AccurateDWPlusDW`).
 impl Add for DoubleDouble {
     type Output = Self;
     #[inline(always)]

@@ -1,13 +1,13 @@
-//! The fused multiply-add, in one place, so that a target can supply its own.
+//! The fused multiply-add, defined in one module so that a target can supply its own.
 //!
-//! WebAssembly has none. What compilers put there works on integers and takes some hundred times as long. Where a module is
-//! compiled with `-C target-feature=+simd128,+relaxed-simd`, the relaxed instruction for sums of products is taken, which rounds once or
-//! twice as the processor likes.
+//! WebAssembly has no such instruction, and the function that compilers supply works on integers and takes about a hundred times as long. A
+//! module compiled with `-C target-feature=+simd128,+relaxed-simd` uses the relaxed instruction for sums of products, which rounds once or
+//! twice, depending on the processor.
 //!
 //! # Method
-//! Both ways give the same bits where [`rounds_once`] returns `true`; elsewhere a host takes the module without relaxed instructions, in which a
-//! million periods take about a second. `scripts/wasm32` compares 30 000 results (periods, states, elliptic functions, harmonics, an expansion, an
-//! integration, a picture) with those of wasm32; with `--pair` it builds and compares both modules.
+//! Both instructions give the same bits where [`rounds_once`] returns `true`; elsewhere a host uses the module without relaxed instructions, in
+//! which a million periods take about a second. `scripts/wasm32` compares 30 000 results (periods, states, elliptic functions, harmonics, an
+//! expansion, an integration, a picture) with those of wasm32; with `--pair` it builds and compares both modules.
 
 /// Sums of a product with one rounding.
 pub trait FusedMultiplyAdd {
@@ -34,13 +34,13 @@ impl FusedMultiplyAdd for f64 {
     }
 }
 
-/// Returns `true` if sums of products are rounded once here, as all accuracies promise.
+/// Returns `true` if sums of products are rounded once here, as every stated accuracy assumes.
 ///
-/// True but for modules of WebAssembly that were compiled for relaxed vector instructions, on processors without a fused multiply-add: there
-/// a host takes a module that was compiled without.
+/// Only a WebAssembly module compiled for relaxed vector instructions may return `false`, on a processor without a fused multiply-add: the host
+/// then loads a module that was compiled without them.
 #[must_use]
 pub fn rounds_once() -> bool {
     let x = std::hint::black_box(1.0 + libm::ldexp(1.0, -30));
-    // (1 + 2⁻³⁰)² = 1 + 2⁻²⁹ + 2⁻⁶⁰, of which two roundings leave nothing of the last.
+    // (1 + 2⁻³⁰)² = 1 + 2⁻²⁹ + 2⁻⁶⁰, whose last term is lost if there are two roundings.
     x.fma(x, -1.0 - libm::ldexp(1.0, -29)) > 0.0
 }

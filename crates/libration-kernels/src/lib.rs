@@ -1,8 +1,8 @@
-//! The arithmetic that everything numerical in `libration` stands on, in double precision with proven or measured errors: two-word numbers,
-//! elementary functions without branches, complete and incomplete elliptic integrals and Jacobi's functions, for single values and for
-//! slices. It depends on no big numbers and can be used alone. The crate `libration` re-exports [`elliptic`].
+//! Foundation of all numerical code of `libration`, in double precision with proven or measured errors: two-word numbers, elementary functions
+//! without branches, complete and incomplete elliptic integrals and Jacobi's functions, for single values and for slices. The crate does not
+//! depend on big-number libraries and can be used alone. The crate `libration` re-exports [`elliptic`].
 //!
-//! Results are the same bits on every platform: std's elementary functions, which differ from one system to the next, are not used.
+//! Results have the same bits on every platform, since std's elementary functions, which differ between systems, are not used.
 //!
 //! ```
 //! use libration_kernels::elliptic::Modulus;

@@ -1,5 +1,5 @@
-//! Motion in time of any equations: Taylor integration with events, named systems, oscillators about an equilibrium, periodic orbits, decay
-//! under damping, chaos, spectra. The crate `libration` re-exports its modules.
+//! Motion in time for any equations: Taylor integration with events, named systems, oscillators about an equilibrium, periodic orbits, decay
+//! under damping, chaos, spectra. The crate `libration` re-exports the modules.
 
 pub mod chaos;
 pub mod decay;
@@ -10,7 +10,7 @@ pub mod spectrum;
 pub mod systems;
 pub mod taylor;
 
-// The modules of the crates below under the names that `libration` gives them, so that examples read as its users write them.
+// The modules of lower crates under the names that `libration` gives them, so that examples read as in users' code.
 #[doc(hidden)]
 pub use libration_kernels::elliptic;
 #[doc(hidden)]

@@ -1,4 +1,4 @@
-//! Catalogues of named items: entries with keys, their parameters, and the error where no entry has a key.
+//! Catalogues of named items: entries with keys, their parameters, and the error for an unknown key.
 
 use crate::quantity::{excerpt, nearest};
 
@@ -6,14 +6,14 @@ use crate::quantity::{excerpt, nearest};
 pub trait Named {
     /// Kind of the entries.
     const KIND: &'static str;
-    /// Other input that is accepted, as the end of a sentence.
+    /// Other accepted input, as the end of a sentence.
     const OTHERWISE: &'static str;
 
-    /// The key, then other names for it.
+    /// The key, followed by its synonyms.
     fn keys(&self) -> impl Iterator<Item = &str>;
 }
 
-/// Returns whether a text can only be a key: one word, and so not an equation.
+/// Returns `true` if a text can only be a key: it is one word, and thus not an equation.
 ///
 /// # Examples
 /// ```
@@ -29,17 +29,17 @@ pub fn is_like_a_key(text: &str) -> bool {
 /// A parameter of a named equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NamedParameter {
-    /// Its name in the equations.
+    /// The name in the equations.
     pub name: &'static str,
-    /// The value it has unless another is given.
+    /// The default value.
     pub default: &'static str,
-    /// Its unit: `1` for pure numbers, empty where the equation leaves all units open.
+    /// The unit: `1` for pure numbers, empty if the equation leaves its units open.
     pub unit: &'static str,
     /// Meaning of the parameter.
     pub meaning: &'static str,
 }
 
-/// A key that no entry has.
+/// The error for a key that no entry has.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
     "no {kind} has the key `{key}`; the nearest are {}; the keys are {}{otherwise}",
@@ -51,14 +51,14 @@ pub struct UnknownKey {
     pub kind: &'static str,
     /// The key given, shortened.
     pub key: String,
-    /// The nearest keys and other names there are.
+    /// The nearest keys and synonyms.
     pub near: Vec<String>,
     /// All keys.
     pub known: Vec<String>,
     otherwise: &'static str,
 }
 
-/// The entry with this key, or this other name.
+/// The entry with this key or synonym.
 pub fn by_key<'c, E: Named + 'c>(
     entries: impl Iterator<Item = &'c E> + Clone,
     key: &str,

@@ -1,5 +1,5 @@
-//! Quantities as text, exact numbers and the rings over them, truncated power series, roots, quadrature, small linear algebra, and expressions with
-//! their tapes: the part of `libration` that contains no physics. The crate `libration` re-exports its modules.
+//! Quantities as text, exact numbers and the rings over them, truncated power series, roots, quadrature, small linear algebra, and expressions
+//! with their tapes: the part of `libration` that contains no physics. The crate `libration` re-exports the modules.
 
 pub mod algebra;
 pub mod catalogue;
@@ -11,7 +11,7 @@ pub mod quantity;
 pub mod roots;
 pub mod series;
 
-// The modules of the crates below under the names that `libration` gives them, so that examples read as its users write them.
+// The modules of lower crates under the names that `libration` gives them, so that examples read as in users' code.
 #[doc(hidden)]
 pub use libration_kernels::elliptic;
 

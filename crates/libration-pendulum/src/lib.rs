@@ -1,10 +1,10 @@
 //! The exact pendulum at any amplitude and in every regime, and the published formulas for its period, each with its exact error. The crate
-//! `libration` re-exports its modules.
+//! `libration` re-exports the modules.
 
 pub mod pendulum;
 pub mod period_formulas;
 
-// The modules of the crates below under the names that `libration` gives them, so that examples read as its users write them.
+// The modules of lower crates under the names that `libration` gives them, so that examples read as in users' code.
 #[doc(hidden)]
 pub use libration_kernels::elliptic;
 #[doc(hidden)]

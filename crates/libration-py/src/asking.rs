@@ -1,10 +1,10 @@
-//! Every question of the command, for `_ask.py`, and the command itself.
+//! All queries of the command, for `_ask.py`, and the command itself.
 //!
 //! # Method
-//! `libration.questions` has a function for each command, which `scripts/questions` writes from clap's description (`libration_queries::questions`):
-//! names, choices and meanings are stated in the command alone, and a test fails where Python lacks one. Arguments are passed as the words of a
-//! command line (`_ask.py`). The JSON comes back as an `Answer` (`answer.py`), a mapping whose lists are arrays; `Fit`, `Recording` and `Paper` are
-//! derived from it and have methods of their own.
+//! `libration.questions` has a function for each command, which `scripts/questions` generates from clap's description
+//! (`libration_queries::questions`). Names, choices and meanings are stated in the command alone, and a test fails if Python lacks one.
+//! Arguments are passed as the words of a command line (`_ask.py`). The JSON result becomes an `Answer` (`answer.py`), a mapping whose lists are
+//! arrays; `Fit`, `Recording` and `Paper` are derived from it and have further methods.
 
 use std::ffi::OsString;
 use std::fs::File;
@@ -19,10 +19,10 @@ use pyo3::prelude::*;
 use crate::errors::{MissingFile, NoAnswer, UsageError, refusal};
 use crate::progress::CallProgress;
 
-/// Name in messages of the columns that are given in place of a file (`_ask.py`).
+/// Name, in messages, of columns that are given in place of a file (`_ask.py`).
 const TABLE: &str = "the table";
 
-/// Keeps the answer and the notes of one question.
+/// Collects the result and the notes of one query.
 struct Conversation {
     progress: CallProgress,
     input: Vec<u8>,
@@ -63,10 +63,10 @@ impl Host for Conversation {
     }
 }
 
-/// The answer, the notes next to it, and why there is none or not all of it.
+/// The result, its notes, and the exception if the result is missing or incomplete.
 type Answered = (String, Vec<String>, Option<PyErr>);
 
-/// Answers the arguments of a command line; `input` is the content of a file called `-` or `the table`.
+/// Runs a command line and returns its result; `input` is the content of the file `-` or `the table`.
 #[pyfunction]
 #[pyo3(signature = (arguments, input=None, progress=None))]
 pub(crate) fn ask(
@@ -91,7 +91,7 @@ pub(crate) fn ask(
     Ok((answer, notes, stopped_by.or(answered.err().map(|error| raised(py, &error)))))
 }
 
-/// The names of parameters and queries in the package.
+/// The names of parameters and queries in the Python package.
 struct PythonWords;
 
 impl Words for PythonWords {
@@ -118,7 +118,7 @@ impl Words for PythonWords {
     }
 
     fn query(&self, words: &str) -> String {
-        // `list` is a type of Python.
+        // `list` is a built-in type of Python.
         if words == "list" {
             "questions.list_".to_owned()
         } else {
@@ -146,17 +146,17 @@ pub(crate) fn raised(py: Python<'_>, error: &QueryError) -> PyErr {
     set.err().unwrap_or(exception)
 }
 
-/// The command on the standard streams of the process; its exit status.
+/// Runs the command on the standard streams of the process; returns its exit status.
 #[pyfunction]
 pub(crate) fn program(py: Python<'_>, arguments: Vec<OsString>) -> u8 {
     py.detach(|| libration_cli::program(arguments))
 }
 
-/// Name, kind ("argument", "option" or "flag"), what stands for the value, whether it is required and may be given several times, the
-/// choices, the meaning, the type of the value.
+/// Name, kind ("argument", "option" or "flag"), placeholder of the value, whether it is
+/// required, whether it may be repeated, the choices, the meaning, the type of the value.
 type Given = (String, &'static str, String, bool, bool, Vec<String>, String, &'static str);
 
-/// All questions: words, what is asked, remarks, parameters.
+/// All queries: words, purpose, remarks, parameters.
 #[pyfunction]
 pub(crate) fn questions() -> Vec<(String, String, String, Vec<Given>)> {
     let given = |it: Parameter| {

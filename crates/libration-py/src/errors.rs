@@ -1,4 +1,4 @@
-//! The exceptions of the package, which `python/libration/errors.py` has, with the library's messages.
+//! The exceptions of the package, defined in `python/libration/errors.py`, with the library's messages.
 
 use std::fmt::Display;
 

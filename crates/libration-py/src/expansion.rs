@@ -16,7 +16,7 @@ use pyo3::types::PyDict;
 use crate::errors::{ExpansionError as Refused, UnknownKeyError, refusal};
 use crate::progress::CallProgress;
 
-/// An expansion, with what it takes to evaluate it.
+/// An expansion, together with the data for its evaluation.
 #[pyclass(frozen, name = "Expansion", module = "libration._native")]
 pub(crate) struct NativeExpansion(Found);
 
@@ -25,11 +25,11 @@ enum Found {
     Letters { equation: Equation, expansion: Box<SymbolicExpansion> },
 }
 
-/// Arguments: an equation or a key, values of parameters, those that stay symbols, the equilibrium.
+/// Arguments: an equation or a key, values of parameters, parameters that stay symbolic, the equilibrium.
 #[derive(FromPyObject)]
 pub(crate) struct Question(String, Vec<(String, String)>, Vec<String>, Option<String>);
 
-/// The expansion, or as much as there is of it and what has stopped it.
+/// The expansion, or its completed part and the exception that stopped it.
 #[pyfunction]
 pub(crate) fn expand(
     py: Python<'_>,
@@ -71,7 +71,7 @@ impl Question {
     }
 }
 
-/// `None` where it was stopped before any order was certain.
+/// Computes the expansion; `None` if it was stopped before any order was certain.
 fn expanded(
     oscillator: NumbersOrLetters,
     order: usize,
@@ -100,10 +100,10 @@ fn expanded(
     }
 }
 
-/// Value, remainder, whether that is proven; powers, terms and sums.
+/// Value, remainder, and whether the remainder is proven; powers, terms and sums.
 type Evaluation = (f64, f64, bool, Vec<(usize, f64, f64)>);
 
-/// A coefficient for Python: terms, each a fraction as text and powers of letters.
+/// A coefficient for Python: terms, each a fraction as text and powers of symbols.
 trait Coefficient {
     fn terms(&self) -> Terms;
 }
@@ -131,7 +131,7 @@ fn terms<C: Coefficient>(series: &[C]) -> Vec<Terms> {
 
 #[pymethods]
 impl NativeExpansion {
-    /// Everything it says, by the names of `Expansion` in Python; series as lists of coefficients.
+    /// All results under the names of `Expansion` in Python; series are lists of coefficients.
     fn fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let fields = PyDict::new(py);
         match &self.0 {
@@ -150,7 +150,7 @@ impl NativeExpansion {
         Ok(fields)
     }
 
-    /// The evaluation at an amplitude, or a strength: value, remainder and its proof, powers, terms, sums.
+    /// The evaluation at an amplitude or a strength: value, remainder and whether it is proven, powers, terms, sums.
     fn evaluate(&self, at: f64, quantity: &str) -> PyResult<Evaluation> {
         let Found::Numbers { oscillator, expansion } = &self.0 else {
             return Err(refusal::<Refused>("the coefficients contain symbols: give them values with set"));

@@ -1,4 +1,4 @@
-//! The period formulas of the literature.
+//! The published period formulas.
 
 use std::f64::consts::PI;
 use std::sync::OnceLock;
@@ -11,7 +11,7 @@ use crate::errors::{FormulaError, QuantityError, UnknownKeyError, refusal};
 use crate::quantity::{Given, angle};
 use libration::progress::Quiet;
 
-/// A formula, with what is known about it.
+/// A formula with its source and properties.
 #[pyclass(frozen, name = "PeriodFormula", module = "libration._native")]
 pub(crate) struct NativeFormula(PeriodFormula);
 
@@ -22,7 +22,7 @@ impl NativeFormula {
         Ok(Self(PeriodFormula::by_key(key).map_err(refusal::<UnknownKeyError>)?))
     }
 
-    /// Key, name, authors, year, source, LaTeX, domain, rank of the effort, and where it ends.
+    /// Key, name, authors, year, source, LaTeX, domain, rank of the effort, and the amplitude at which the formula ends.
     fn words(&self) -> (&str, &str, &str, Option<u16>, &str, &str, &str, u32, f64) {
         let it = &self.0;
         let rank = it.complexity().rank();
@@ -46,7 +46,7 @@ impl NativeFormula {
         py.detach(|| amplitudes.into_iter().map(|it| self.0.fractional_error_at(it)).collect())
     }
 
-    /// The largest error up to an amplitude, and where it is.
+    /// The largest error up to an amplitude, and the amplitude at which it occurs.
     fn worst_error(&self, py: Python<'_>, up_to: Given) -> PyResult<(f64, f64)> {
         let up_to = amplitude(py, "up_to", &up_to)?;
         let bottom = Angle::from_radians(0.0).map_err(refusal::<QuantityError>)?;
@@ -60,7 +60,7 @@ impl NativeFormula {
     }
 }
 
-/// An angle to which formulas are compared with the period, which ends at π.
+/// An amplitude up to which formulas are compared with the period, below π.
 fn amplitude(py: Python<'_>, parameter: &str, given: &Given) -> PyResult<Angle> {
     let angle = angle(py, parameter, given)?;
     let radians = angle.radians();

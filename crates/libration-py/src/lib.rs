@@ -1,4 +1,4 @@
-//! The library for Python: the module `libration._native`, on which the package in `python/libration` stands.
+//! The library for Python: the module `libration._native`, on which the package in `python/libration` is built.
 
 mod asking;
 mod batches;

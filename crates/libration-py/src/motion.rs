@@ -1,4 +1,4 @@
-//! The pendulum's motion as the objects of Python hold it.
+//! The pendulum's motion for Python objects.
 
 use libration::pendulum::{FourierSeries, Motion, Pendulum, PendulumError as NoPendulum};
 use libration::quantity::Dimension;
@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use crate::errors::{PendulumError, refusal};
 use crate::quantity::{Given, angle, quantity};
 
-/// Length and gravity in SI units, if there is such a pendulum, with its angular frequency and period of small swings.
+/// Length and gravity in SI units, for a valid pendulum, with its angular frequency and period of small swings.
 #[pyfunction]
 pub(crate) fn pendulum(py: Python<'_>, length: Given, gravity: Given) -> PyResult<(f64, f64, f64, f64)> {
     let length = quantity(py, "length", &length, Dimension::Length)?;
@@ -17,7 +17,7 @@ pub(crate) fn pendulum(py: Python<'_>, length: Given, gravity: Given) -> PyResul
     Ok((length, gravity, pendulum.angular_frequency(), pendulum.small_angle_period()))
 }
 
-/// The error with the names of the arguments that it is about.
+/// The error with the names of the arguments that caused it.
 fn refused(py: Python<'_>, error: &NoPendulum) -> PyErr {
     let parameters: &[&str] = match error {
         NoPendulum::NotPositive { name, .. } | NoPendulum::NotFinite { name, .. } => &[name],

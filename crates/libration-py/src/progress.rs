@@ -1,9 +1,9 @@
 //! Progress of long calls, and their cancellation by Ctrl-C.
 //!
 //! # Method
-//! Objects of the package are frozen dataclasses of `python/libration` that hold the data they were made from, so that they pickle, copy, compare
-//! and print; computed values come from a native object. Long calls release the interpreter's lock and check every 20 ms whether Ctrl-C was
-//! pressed; the exception carries the finished part.
+//! Objects of the package are frozen dataclasses of `python/libration` that hold their input data, so that they
+//! can be pickled, copied, compared and printed; computed values come from a native object. Long calls release the
+//! interpreter's lock and check every 20 ms whether Ctrl-C was pressed; the exception carries the completed part.
 
 use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
@@ -13,14 +13,14 @@ use std::time::{Duration, Instant};
 use libration::progress::{Progress, Status};
 use pyo3::prelude::*;
 
-/// Interval at which the interpreter is consulted; it may be busy with another thread.
+/// Interval between checks with the interpreter, which may be busy with another thread.
 const INTERVAL: Duration = Duration::from_millis(20);
 
 /// Cancellation and progress of a long call.
 pub(crate) struct CallProgress {
-    /// A function that is called with the progress, or `None`.
+    /// A function that receives the progress, or `None`.
     function: Option<Py<PyAny>>,
-    /// The thread that has called: the interpreter hears of signals on no other.
+    /// The calling thread: only there does the interpreter process signals.
     caller: ThreadId,
     state: Mutex<State>,
 }
@@ -43,7 +43,7 @@ impl CallProgress {
 
     /// Reports the progress of the call in words.
     pub(crate) fn report(&self, how_far: &str) {
-        // A cancellation is noticed at the next check.
+        // A cancellation is detected at the next check.
         let _ = self.consult(Duration::ZERO, |py, tell| tell.call1(py, (how_far,)).map(drop));
     }
 
@@ -73,7 +73,7 @@ impl CallProgress {
         }
     }
 
-    /// The exception that has stopped the call: `KeyboardInterrupt`, or the one that the function of the progress has raised.
+    /// The exception that stopped the call: `KeyboardInterrupt`, or one raised by the progress function.
     pub(crate) fn stopped_by(&self) -> Option<PyErr> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner).stopped_by.take()
     }

@@ -1,4 +1,4 @@
-//! Angles, lengths and accelerations as Python gives them: numbers in SI units, or texts with units.
+//! Angles, lengths and accelerations as Python passes them: numbers in SI units, or text with a unit.
 
 use std::ffi::CString;
 use std::fmt::Display;
@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 
 use crate::errors::{QuantityError, refusal};
 
-/// A number or a text, as `_numbers.number` passes them on.
+/// A number or a text, as `_numbers.number` returns it.
 #[derive(FromPyObject)]
 pub(crate) enum Given {
     Text(String),
@@ -31,7 +31,7 @@ pub(crate) fn angle(py: Python<'_>, parameter: &str, given: &Given) -> PyResult<
     angle.map_err(|error| about(py, parameter, error))
 }
 
-/// Warns of a number that may have been meant as degrees: those that were calculated are rarely whole.
+/// Warns of a number that may have been meant as degrees: computed angles in radians are rarely whole numbers.
 pub(crate) fn warn_of_whole_radians(py: Python<'_>, text: &str) -> PyResult<()> {
     let is_whole = text.parse::<f64>().is_ok_and(|radians| radians.fract().abs() <= 0.0);
     if is_whole { warn_of_bare_radians(py, text) } else { Ok(()) }
@@ -58,7 +58,7 @@ pub(crate) fn quantity(
     }
 }
 
-/// The error in an argument, which it names as `UsageError` does.
+/// The error in an argument, with the name of the argument, as in `UsageError`.
 fn about(py: Python<'_>, parameter: &str, error: impl Display) -> PyErr {
     let exception = refusal::<QuantityError>(format!("{parameter}: {error}"));
     let set = exception.value(py).setattr("parameters", (parameter,));

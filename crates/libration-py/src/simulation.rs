@@ -18,8 +18,8 @@ use crate::errors::{SimulationError, refusal};
 use crate::progress::CallProgress;
 use crate::quantity::warn_of_whole_radians;
 
-/// Arguments: equations or a key, values of parameters, names and values of the start, events with their directions, the event that ends the motion,
-/// the tolerance.
+/// Arguments: equations or a key, values of parameters, names and values of the start,
+/// events with their directions, the event that ends the motion, the tolerance.
 #[derive(FromPyObject)]
 pub(crate) struct Question(
     String,
@@ -30,7 +30,7 @@ pub(crate) struct Question(
     f64,
 );
 
-/// A motion as far as it was found.
+/// A motion as far as it was computed.
 #[pyclass(frozen, name = "Simulation", module = "libration._native")]
 pub(crate) struct NativeSimulation {
     model: Model,
@@ -41,14 +41,14 @@ pub(crate) struct NativeSimulation {
     errors: Option<Errors>,
 }
 
-/// The errors of the samples and events of a motion; NaN where it is not determined.
+/// The errors of the samples and events of a motion; NaN where the motion is not determined.
 struct Errors {
     samples: Vec<MomentErrors>,
     events: Vec<MomentErrors>,
     determined_until: Option<f64>,
 }
 
-/// The motion, and what has stopped it before its end: an exception, or the reason.
+/// The motion, and the exception or reason that stopped it before its end.
 #[pyfunction]
 pub(crate) fn simulate(
     py: Python<'_>,
@@ -112,9 +112,10 @@ impl Asked {
     }
 
     fn followed(&self, times: &[f64], with_errors: bool, progress: &CallProgress) -> Followed<'_> {
-        /// Bytes that any machine with a notebook has.
+        /// Memory limit in bytes, which every computer for notebooks has.
         const MOST: usize = 1_000_000_000;
-        /// Numbers in a step, about, for each component of the state; the step itself and the management of its memory take as much as one component.
+        /// Approximate number of coefficients in a step for each component of the state;
+        /// the step itself and its memory management take as much as one component.
         const TERMS: usize = 30;
         let numbers = TERMS * (self.start.state.len() + 1);
         let (mut steps, mut is_full) = (0_usize, false);
@@ -150,7 +151,7 @@ struct Followed<'a> {
     outcome: Result<Solution, IntegrationError>,
     dense: [DenseSolution; 2],
     errors: Option<SampledErrors<'a>>,
-    /// `true` if it was ended because its steps take too much memory.
+    /// `true` if the motion was ended because its steps exceed the memory limit.
     is_full: bool,
 }
 
@@ -208,19 +209,19 @@ fn direction(way: &str) -> PyResult<Direction> {
     }
 }
 
-/// Number of the event, time, state, contact.
+/// Index of the event, time, state, contact.
 type Happening<'py> = (usize, f64, Bound<'py, PyArray1<f64>>, &'static str);
 
-/// The errors of states, of the times of events and of their states, and the last determined time.
+/// The errors of states, of event times and of event states, and the last time at which the motion is determined.
 type KnownErrors<'py> =
     (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>, Option<f64>);
 
-/// Times, and a state for each.
+/// Times and the state at each time.
 type Samples<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>);
 
 #[pymethods]
 impl NativeSimulation {
-    /// Title, equations, names, units, how many steps it took, and the last time.
+    /// Title, equations, names, units, number of steps, and the last time.
     fn words(&self) -> (&'static str, String, Vec<String>, Vec<String>, usize, f64) {
         let (model, solution) = (&self.model, &self.solution);
         let equations = model.equation().to_string();
@@ -248,7 +249,7 @@ impl NativeSimulation {
         self.solution.events.iter().map(happening).collect()
     }
 
-    /// The errors of samples and events, where they are estimated.
+    /// The errors of samples and events, if they are estimated.
     fn errors<'py>(&self, py: Python<'py>) -> PyResult<Option<KnownErrors<'py>>> {
         let Some(Errors { samples, events, determined_until }) = &self.errors else { return Ok(None) };
         let states = |all: &[MomentErrors]| {
@@ -259,7 +260,7 @@ impl NativeSimulation {
         Ok(Some((states(samples)?, times.into_pyarray(py), states(events)?, *determined_until)))
     }
 
-    /// The states at any times between the ends, a row for each.
+    /// The states at any times between the ends, a row for each time.
     fn states_at<'py>(
         &self,
         py: Python<'py>,

@@ -1,4 +1,4 @@
-//! The plan of a sweep and the answers of its chunks, for `sweeps.py`.
+//! The plan of a sweep and the results of its chunks, for `sweeps.py`.
 
 use std::io;
 use std::sync::Arc;
@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 use crate::asking::raised;
 use crate::progress::CallProgress;
 
-/// The values of an axis: a text as the command takes it, or a list.
+/// The values of an axis: text as on the command line, or a list.
 #[derive(FromPyObject)]
 pub(crate) enum Values {
     Text(String),
@@ -27,7 +27,7 @@ impl From<Values> for AxisValues {
     }
 }
 
-/// Cancellation of a chunk by the interpreter, or by a function that raises.
+/// Cancellation of a chunk by the interpreter, or by a function that raises an exception.
 struct Watcher {
     progress: CallProgress,
 }
@@ -74,7 +74,7 @@ pub(crate) fn sweep_plan(
 /// A row of numbers for each point, the statuses, the messages.
 type Answers<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<u8>>, Vec<String>);
 
-/// The selected results of a chunk; `go_on` is called at intervals with two arguments, and ends the computation by raising.
+/// The selected results of a chunk; `go_on` is called at intervals with two arguments, and stops the computation by raising an exception.
 #[pyfunction]
 #[pyo3(signature = (plan, chunk, go_on=None))]
 pub(crate) fn sweep_chunk<'py>(

@@ -1,14 +1,15 @@
 //! NumPy's universal functions over batches of the library; with `ufunc_types` the only unsafe code of this crate.
 //!
-//! NumPy calls a loop with the first address, the step in bytes and the count of each array. The loop copies a block of the inputs to the stack,
-//! calls the batch, and copies its outputs back, so that the batch has slices of `f64` whatever the arrays are, and outputs that are the inputs, or
-//! lie across them as far as NumPy lets them, are never seen through a Rust slice. NumPy has let go of the interpreter's lock meanwhile.
+//! NumPy calls a loop with the first address, the stride in bytes and the number of elements of each array.
+//! The loop copies a block of the inputs to the stack, calls the batch function, and copies its outputs back.
+//! The batch function thus has slices of `f64` whatever the arrays are; outputs that overlap the inputs, as
+//! far as NumPy allows it, never appear in a Rust slice. NumPy has released the interpreter's lock meanwhile.
 //!
 //! # Method
-//! NumPy broadcasts, casts and buffers. Blocks have 8, 256 or 2048 elements, by the length of the call. The kernels compute both sides of
-//! selections and so leave flags without meaning: a loop restores the flags, and raises `invalid` where a NaN has come from inputs without NaN. A
-//! panic becomes an exception in Python, for which the package has a profile of its own (`Cargo.toml`). `python/libration/_native.pyi` has the
-//! types, which NumPy's own do not state.
+//! NumPy broadcasts, casts and buffers. Blocks have 8, 256 or 2048 elements, depending on the length of the call. The kernels
+//! compute both sides of selections and therefore set meaningless floating-point flags: a loop restores the flags, and raises
+//! `invalid` if an output is NaN and no input is. A panic becomes a Python exception; for this the package has a separate
+//! profile (`Cargo.toml`). `python/libration/_native.pyi` declares the types, which NumPy's annotations of ufuncs do not.
 #![expect(unsafe_code, reason = "loops over NumPy's arrays, and the flags of floating-point exceptions")]
 
 #[cfg(target_arch = "x86_64")]
@@ -23,19 +24,19 @@ use pyo3::prelude::*;
 
 use crate::ufunc_types::choose_types;
 
-/// A function of N numbers with M values, over slices of one length.
+/// A function of N inputs with M outputs, over slices of one length.
 pub(crate) type Batch<const N: usize, const M: usize> =
     fn([&[f64]; N], [&mut [f64]; M]) -> Result<(), LengthMismatch>;
 
-/// Elements that go to a batch together. What a modulus alone decides is prepared once in a batch, which takes `ellipj` 3.3 µs, as much as 260
-/// elements. Six arrays of such blocks lie in the second-level cache.
+/// Elements per call of a batch function. The quantities of a common modulus are prepared once per batch; for `ellipj` this takes 3.3 µs, as
+/// much as 260 elements. Six arrays of such blocks fit into the second-level cache.
 const BLOCK: usize = 2048;
-/// Block length of calls with few elements, which clear less memory: six full arrays take 2 µs, as much as 160 elements of `ellipj`.
+/// Block length for calls with few elements, which clear less memory: six full arrays take 2 µs, as much as 160 elements of `ellipj`.
 const MIDDLE_BLOCK: usize = 256;
-/// Block for calls with one number or a few.
+/// Block length for calls with one or a few numbers.
 const SMALL_BLOCK: usize = 8;
 
-/// The batch as an `np.ufunc` with loops for `float32` and `float64`, between which `ufunc_types` chooses.
+/// The batch function as an `np.ufunc` with loops for `float32` and `float64`, between which `ufunc_types` chooses.
 pub(crate) fn ufunc<'py, const N: usize, const M: usize>(
     py: Python<'py>,
     name: &'static CStr,
@@ -47,9 +48,9 @@ pub(crate) fn ufunc<'py, const N: usize, const M: usize>(
     let (loops, types) = (Box::leak(Box::new(loops)), Vec::leak(types));
     let batch: &'static mut Batch<N, M> = Box::leak(Box::new(batch));
     let data = Box::leak(Box::new([std::ptr::from_mut(batch).cast::<c_void>(); 2]));
-    // SAFETY: the loops are of NumPy's type, and their data what they expect; loops, data, types, name and documentation live as long as the
-    // process, and there are as many as is said: two loops, each with a type for every input and output. What comes back is a new
-    // reference, or null with an exception set.
+    // SAFETY: the loops have NumPy's type, and their data are as they expect; loops, data, types, name
+    // and documentation live as long as the process; the numbers are correct: two loops, each with a
+    // type for every input and output. The result is a new reference, or null with an exception set.
     let ufunc = unsafe {
         let found = PY_UFUNC_API.PyUFunc_FromFuncAndData(
             py,
@@ -70,14 +71,14 @@ pub(crate) fn ufunc<'py, const N: usize, const M: usize>(
     Ok(ufunc)
 }
 
-/// `PyUFunc_None` of NumPy: reductions have no first value.
+/// `PyUFunc_None` of NumPy: reductions have no initial value.
 const NO_IDENTITY: c_int = -1;
 
 fn count_of(arrays: usize) -> c_int {
     c_int::try_from(arrays).expect("ufuncs have few arrays")
 }
 
-/// A number that NumPy's arrays hold.
+/// A type of number in NumPy's arrays.
 trait Number: Copy {
     const TYPE: c_char;
     fn to_f64(self) -> f64;
@@ -114,14 +115,14 @@ struct Strided {
 
 impl Strided {
     /// # Safety
-    /// The array has an element of this type there.
+    /// The array has an element of this type at this index.
     #[inline(always)]
     unsafe fn at<T>(self, element: usize) -> *mut T {
         self.first.wrapping_offset(self.step.wrapping_mul(element.cast_signed())).cast()
     }
 
-    /// Goes through the array. Where elements of this type lie next to each other, the step is one that the compiler knows, which lets it take
-    /// several at once.
+    /// Visits the array. If elements of this type are contiguous, the stride is passed
+    /// as a compile-time constant, so that the compiler can process several at once.
     #[inline(always)]
     fn walk<T>(self, visit: impl FnOnce(Self)) {
         let dense = Self { step: size_of::<T>().cast_signed(), ..self };
@@ -129,40 +130,40 @@ impl Strided {
     }
 
     /// # Safety
-    /// The array has elements of type `T` from `start` on, as many as the block.
+    /// The array has at least as many elements of type `T` from `start` on as the block.
     unsafe fn read<T: Number>(self, start: usize, block: &mut [f64]) {
         self.walk::<T>(|array| {
             for (i, value) in block.iter_mut().enumerate() {
-                // SAFETY: as the caller has it; nothing is said of alignment.
+                // SAFETY: guaranteed by the caller; alignment is not required.
                 *value = unsafe { array.at::<T>(start + i).read_unaligned() }.to_f64();
             }
         });
     }
 
     /// # Safety
-    /// As [`Self::read`], and the elements may be written.
+    /// As for [`Self::read`], and the elements may be written.
     unsafe fn write<T: Number>(self, start: usize, block: &[f64]) {
         self.walk::<T>(|array| {
             for (i, value) in block.iter().enumerate() {
-                // SAFETY: as the caller has it; nothing is said of alignment.
+                // SAFETY: guaranteed by the caller; alignment is not required.
                 unsafe { array.at::<T>(start + i).write_unaligned(T::from_f64(*value)) };
             }
         });
     }
 }
 
-/// Loop that NumPy calls.
+/// Inner loop that NumPy calls.
 ///
 /// # Safety
-/// `data` is a `Batch<N, M>`. `arguments` and `steps` have N + M entries, `dimensions` one, the count; each array has as many elements of type `T`
-/// from its argument on, its step apart, and the last M may be written.
+/// `data` is a `Batch<N, M>`. `arguments` and `steps` have N + M entries, `dimensions` has one, the number of elements. Each array has this
+/// number of elements of type `T` from its argument on, one stride apart, and the last M arrays may be written.
 unsafe extern "C" fn inner_loop<T: Number, const N: usize, const M: usize>(
     arguments: *mut *mut c_char,
     dimensions: *mut npy_intp,
     steps: *mut npy_intp,
     data: *mut c_void,
 ) {
-    // SAFETY: as the caller has it.
+    // SAFETY: guaranteed by the caller.
     let (batch, count, arrays) = unsafe {
         let strided = |i: usize| Strided { first: *arguments.add(i), step: *steps.add(i) };
         (
@@ -173,7 +174,7 @@ unsafe extern "C" fn inner_loop<T: Number, const N: usize, const M: usize>(
     };
     let count = usize::try_from(count).unwrap_or(0);
     let flags = Flags::now();
-    // SAFETY: as the caller has it.
+    // SAFETY: guaranteed by the caller.
     let invalid = unsafe {
         if count <= SMALL_BLOCK {
             blocks::<T, N, M, SMALL_BLOCK>(batch, arrays, count)
@@ -189,7 +190,7 @@ unsafe extern "C" fn inner_loop<T: Number, const N: usize, const M: usize>(
     }
 }
 
-/// Goes through the arrays block by block; whether there is an element that is NaN though no input is.
+/// Processes the arrays block by block; returns `true` if an output element is NaN and no input element is.
 ///
 /// # Safety
 /// Each array has `count` elements of type `T`; those of the second kind may be written.
@@ -220,13 +221,13 @@ unsafe fn blocks<T: Number, const N: usize, const M: usize, const SIZE: usize>(
     invalid
 }
 
-/// Returns whether an element is NaN in any output and in no input.
+/// Returns `true` if some element is NaN in an output and in no input.
 fn has_new_nan<const N: usize, const M: usize, const SIZE: usize>(
     inputs: &[[f64; SIZE]; N],
     outputs: &[[f64; SIZE]; M],
     length: usize,
 ) -> bool {
-    // Nearly always there is none, which takes one pass without branches.
+    // In the usual case there is no NaN, which one pass without branches detects.
     let no_number =
         |block: &[f64; SIZE]| block[..length].iter().fold(false, |found, value| found | value.is_nan());
     if !outputs.iter().any(no_number) {
@@ -236,8 +237,8 @@ fn has_new_nan<const N: usize, const M: usize, const SIZE: usize>(
     (0..length).any(|i| any(outputs, i) && !any(inputs, i))
 }
 
-/// The flags of floating-point exceptions, from which NumPy takes its warnings. The kernels leave some that mean nothing: selections compute
-/// both sides.
+/// The floating-point exception flags, from which NumPy derives its warnings.
+/// The kernels set some meaningless ones, since selections compute both sides.
 struct Flags(Word);
 
 #[cfg(target_arch = "x86_64")]
@@ -245,23 +246,23 @@ type Word = u32;
 #[cfg(not(target_arch = "x86_64"))]
 type Word = u64;
 
-/// The register is read and written as it is: C's functions do the same for a unit that nothing here uses, in a fifth of a microsecond.
+/// Reads and writes the register directly: C's functions also handle a unit that is not used here, and take a fifth of a microsecond.
 #[cfg(target_arch = "x86_64")]
 impl Flags {
     fn now() -> Self {
         let mut word = 0;
-        // SAFETY: the instruction writes four bytes to the address, which are those of `word`.
+        // SAFETY: the instruction writes four bytes to the address, those of `word`.
         unsafe { asm!("stmxcsr [{}]", in(reg) &raw mut word, options(nostack, preserves_flags)) };
         Self(word)
     }
 
     fn restore(&self) {
-        // SAFETY: the word was read from the register, whose modes of rounding and masks nothing has changed since.
+        // SAFETY: the word was read from the register, whose rounding modes and masks have not changed since.
         unsafe { asm!("ldmxcsr [{}]", in(reg) &raw const self.0, options(nostack, preserves_flags)) };
     }
 }
 
-/// `FE_ALL_EXCEPT` of all systems for other processors.
+/// `FE_ALL_EXCEPT`, the same on all systems for other processors.
 #[cfg(not(target_arch = "x86_64"))]
 const ALL_FLAGS: c_int = 0x1f;
 
@@ -282,12 +283,12 @@ impl Flags {
     }
 
     fn restore(&self) {
-        // SAFETY: these flags were read by its counterpart.
+        // SAFETY: these flags were read by `fegetexceptflag`.
         unsafe { fesetexceptflag(&raw const self.0, ALL_FLAGS) };
     }
 }
 
-/// Raises the flag that NumPy shows as "invalid value encountered".
+/// Raises the flag that NumPy reports as "invalid value encountered".
 fn raise_invalid() {
     black_box(black_box(f64::INFINITY) - black_box(f64::INFINITY));
 }

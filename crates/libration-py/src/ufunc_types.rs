@@ -1,9 +1,10 @@
-//! Types of the elements with which a ufunc computes, by those of its arguments.
+//! Element types with which a ufunc computes, from the types of its arguments.
 //!
 //! # Method
-//! NumPy alone would take the first loop to which all arguments can be cast safely: for integers of 8 and 16 bits, booleans and `float16` that of
-//! `float32`, to which it would round the Python numbers that are given with them. Here arguments without single precision among them are computed
-//! in `float64`, and texts and objects are refused by the name of their argument. NumPy decides on other types, and where the caller requests one.
+//! NumPy alone would take the first loop to which all arguments can be cast safely: for integers of 8 and 16 bits,
+//! booleans and `float16` this is the `float32` loop, and Python numbers in the same call would be rounded to
+//! single precision. Here calls without single-precision arguments are computed in `float64`, and text and objects
+//! are rejected with the name of their argument. NumPy decides on other types, and if the caller requests one.
 #![expect(unsafe_code, reason = "a function that NumPy calls with its own structures")]
 
 use std::ffi::{CStr, c_int};
@@ -16,17 +17,18 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::ffi::PyObject;
 use pyo3::prelude::*;
 
-/// Lets the ufunc choose its types by [`resolve`].
+/// Makes the ufunc choose its types by [`resolve`].
 pub(crate) fn choose_types(ufunc: &Bound<'_, PyAny>) {
     let ufunc = ufunc.as_ptr().cast::<PyUFuncObject>();
-    // SAFETY: NumPy has made the ufunc, and reads the field when the ufunc is called, which needs the interpreter as this does.
+    // SAFETY: NumPy made the ufunc, and reads the field when the ufunc is called, which needs the interpreter, as this call does.
     unsafe { (*ufunc).fields.type_resolver = Some(resolve) };
 }
 
-/// Types for all arguments and results; -1 with an exception set where there are none.
+/// The types of all arguments and results; -1 with an exception set if there are none.
 ///
 /// # Safety
-/// NumPy's of a `type_resolver`: attached to the interpreter, with as many operands and places for types as the ufunc has arguments and results.
+/// As for NumPy's `type_resolver`: attached to the interpreter, with as many
+/// operands and entries of types as the ufunc has arguments and results.
 unsafe extern "C" fn resolve(
     ufunc: *mut PyUFuncObject,
     casting: NPY_CASTING,
@@ -34,7 +36,7 @@ unsafe extern "C" fn resolve(
     requested: *mut PyObject,
     types: *mut *mut PyArray_Descr,
 ) -> c_int {
-    // SAFETY: as the caller has it; an operand that is not null is an array.
+    // SAFETY: guaranteed by the caller; an operand that is not null is an array.
     let (py, inputs, count) = unsafe {
         let (py, of) = (Python::assume_attached(), &(*ufunc).fields);
         let operand = |i| Bound::from_borrowed_ptr_or_opt(py, (*operands.add(i)).cast());
@@ -43,19 +45,19 @@ unsafe extern "C" fn resolve(
         (py, inputs.unwrap_or_default(), usize::try_from(of.nargs).unwrap_or(0))
     };
     if let Some(wrong) = inputs.iter().position(|input| is_text(input) || is_object(input)) {
-        // SAFETY: the name and the documentation of a ufunc live as long as it.
+        // SAFETY: the name and the documentation of a ufunc live as long as the ufunc.
         let documentation = unsafe { CStr::from_ptr((*ufunc).fields.doc) }.to_string_lossy();
         refusal(&documentation, wrong, &inputs[wrong]).restore(py);
         return -1;
     }
     if requested.is_null() && !inputs.is_empty() && inputs.iter().all(is_double) {
         for i in 0..count {
-            // SAFETY: as the caller has it; each place gets a reference of its own.
+            // SAFETY: guaranteed by the caller; each entry gets a reference of its own.
             unsafe { *types.add(i) = PY_ARRAY_API.PyArray_DescrFromType(py, NPY_TYPES::NPY_DOUBLE as c_int) };
         }
         return 0;
     }
-    // SAFETY: as the caller has it.
+    // SAFETY: guaranteed by the caller.
     unsafe { PY_UFUNC_API.PyUFunc_DefaultTypeResolver(py, ufunc, casting, operands, requested, types) }
 }
 
@@ -73,7 +75,7 @@ fn is_object(input: &Input<'_>) -> bool {
     is_among(input, &[NPY_TYPES::NPY_OBJECT])
 }
 
-/// Booleans, integers of any size, half and double precision.
+/// Returns `true` for booleans, integers of any size, half and double precision.
 fn is_double(input: &Input<'_>) -> bool {
     let integers = NPY_TYPES::NPY_BOOL as c_int..=NPY_TYPES::NPY_ULONGLONG as c_int;
     integers.contains(&input.dtype().num()) || is_among(input, &[NPY_TYPES::NPY_HALF, NPY_TYPES::NPY_DOUBLE])

@@ -1,7 +1,7 @@
-//! The advance widths of the letters of pictures, in thousandths of the size of the font: the table `hmtx` of `DejaVu Sans`
-//! 2.37, rounded. Where the font has no letter, 1000.
+//! Advance widths of the characters in pictures, in thousandths of the font size: the table `hmtx` of `DejaVu Sans` 2.37, rounded. A character
+//! that the font lacks counts as 1000.
 
-/// The first letter of a run, and the width of it and of each of those that follow it.
+/// Runs of consecutive characters: the code point of the first one, and the widths of all.
 pub(crate) const RUNS: [(u32, &[u16]); 14] = [
     (
         0x0020,

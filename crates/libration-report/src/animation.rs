@@ -1,11 +1,11 @@
-//! Moving parts: bodies on their square next to the axes or above them, and dots on the curves in them.
+//! Moving parts: bodies in the square next to the axes or above them, and dots on the curves in the axes.
 
 use crate::chart::{Hanging, Mechanism, MovingDot, Picture};
 use crate::frame::Frame;
 use crate::scene::{Moving, MovingForm, Place};
 use crate::style::{INK, curve};
 
-/// All lengths are in sizes of a letter.
+/// Lengths are in units of the letter size.
 const ROD: f64 = 0.14;
 const AXLE: f64 = 0.16;
 const BODY: f64 = 0.5;
@@ -13,7 +13,7 @@ const DOT: f64 = 0.38;
 /// Distance from one rail to the next.
 const RAIL: f64 = 3.0 * BODY;
 
-/// All moving shapes of a picture on its canvas.
+/// All moving shapes of a picture, in coordinates of the canvas.
 pub(crate) fn moving(picture: &Picture, frame: &Frame, em: f64) -> Vec<Moving> {
     let Some((animation, square)) = picture.animation.as_ref().zip(frame.stage) else { return vec![] };
     let stage = Stage { middle: square.middle, reach: 0.5 * square.side - BODY, em };
@@ -28,7 +28,7 @@ pub(crate) fn moving(picture: &Picture, frame: &Frame, em: f64) -> Vec<Moving> {
 /// The square in which bodies move.
 struct Stage {
     middle: Place,
-    /// Distance from the middle of the drawing to which the middle of a body may come.
+    /// Largest distance of the middle of a body from the middle of the square.
     reach: f64,
     em: f64,
 }
@@ -47,7 +47,7 @@ impl Stage {
         Moving { form: MovingForm::Dot { radius: radius * self.em }, colour, frames }
     }
 
-    /// Bodies in front of what holds them, all of it as large as the square allows.
+    /// Bodies and their rods, the bodies in front, scaled to fill the square.
     fn plane(&self, bodies: &[Hanging]) -> Vec<Moving> {
         let places = || bodies.iter().flat_map(|body| body.places.iter().chain(&body.held));
         let (right, up) = (
@@ -68,7 +68,7 @@ impl Stage {
         rods.chain(ends).chain(bodies).collect()
     }
 
-    /// Bodies on level rails, all to the same scale.
+    /// Bodies on horizontal rails, all to the same scale.
     fn rails(&self, places: &[Vec<f64>]) -> Vec<Moving> {
         let extent = Extent::enclosing(places.iter().flatten().copied());
         let scale = extent.scale_to(self.reach);
@@ -97,13 +97,13 @@ impl Extent {
         Self { middle: 0.5 * (ends.0 + ends.1), half: 0.5 * (ends.1 - ends.0) }
     }
 
-    /// The factor that gives its half this length.
+    /// The factor that scales half the range to this length.
     fn scale_to(&self, half: f64) -> f64 {
         if self.half > 0.0 { half / self.half } else { f64::MAX.sqrt() }
     }
 }
 
-/// A dot in its axes, kept within them.
+/// A dot on a curve, kept within its axes.
 fn in_axes(dot: &MovingDot, picture: &Picture, frame: &Frame, em: f64) -> Option<Moving> {
     let (panel, cell) = (picture.panels.get(dot.panel)?, frame.cells.get(dot.panel)?);
     let part = |(x, y): &Place| (panel.x.part(*x).clamp(0.0, 1.0), panel.y.part(*y).clamp(0.0, 1.0));

@@ -3,19 +3,19 @@
 /// A picture: panels one below the other, with a title above.
 #[derive(Clone, Debug)]
 pub struct Picture {
-    /// Title over the whole picture; broken into lines where it is long.
+    /// Title above the whole picture, broken into lines if it is long.
     pub title: String,
     /// Parameters of the picture, such as `g = 9.80665 m/s²`; a line under the title.
     pub parameters: Vec<String>,
     /// The panels from the top.
     pub panels: Vec<Panel>,
-    /// The height of all axes as a part of their width, where no height is requested.
+    /// The common height of all axes as a fraction of their width, where no height is requested.
     pub aspect: f64,
     /// Animation next to the axes, for pictures that can move.
     pub animation: Option<Animation>,
 }
 
-/// Bodies that move next to the axes, and dots that follow curves in them, again and again.
+/// Bodies that move next to the axes, and dots that follow the curves in the axes; the movement repeats.
 #[derive(Clone, Debug)]
 pub struct Animation {
     /// Duration of one cycle, in seconds.
@@ -51,27 +51,27 @@ pub struct MovingDot {
     pub panel: usize,
     /// The colour of the curve that the dot follows.
     pub colour: &'static str,
-    /// Positions at evenly spaced times.
+    /// Positions at evenly spaced times, in the coordinates of the data.
     pub places: Vec<(f64, f64)>,
 }
 
 /// One pair of axes with its series.
 #[derive(Clone, Debug)]
 pub struct Panel {
-    /// Across.
+    /// The horizontal axis.
     pub x: Axis,
-    /// Upwards.
+    /// The vertical axis.
     pub y: Axis,
-    /// Series in the order of drawing: the last is in front.
+    /// Series in drawing order: the last one is in front.
     pub series: Vec<Series>,
-    /// The part of the height of all axes it takes, relative to the other panels.
+    /// The height of the panel relative to the other panels.
     pub share: f64,
 }
 
 /// An axis: its label with the unit, its ends, its scale and where its ticks may be.
 #[derive(Clone, Debug)]
 pub struct Axis {
-    /// The quantity and its unit; empty where the panel below says it.
+    /// The quantity and its unit; empty if the panel below has the label.
     pub label: String,
     /// The value at the left or lower end.
     pub from: f64,
@@ -86,9 +86,9 @@ pub struct Axis {
 /// The spacing of values along an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scale {
-    /// Evenly.
+    /// Linear.
     Linear,
-    /// Each power of ten takes as much.
+    /// Logarithmic: each power of ten has the same length.
     Logarithmic,
 }
 
@@ -97,20 +97,20 @@ pub enum Scale {
 pub enum Units {
     /// 1, 2 or 5 times a power of ten.
     Decimal,
-    /// The same, but nothing below 1.
+    /// 1, 2 or 5 times a power of ten that is at least 1.
     Whole,
     /// 15°, 30°, 45°, 90° and turns.
     Degrees,
-    /// π/4, π/2, π and so on, where π on the axis is this number.
+    /// π/4, π/2, π and so on; the number is the value of π in the units of the axis.
     HalfTurns(f64),
     /// Words at 1, 2, 3 and so on.
     Names(Vec<String>),
 }
 
-/// Points that belong together, with the name the legend gives them; no legend entry when it is empty.
+/// Points that belong together, with their name in the legend; a series with an empty name has no legend entry.
 #[derive(Clone, Debug)]
 pub struct Series {
-    /// The name.
+    /// The name in the legend.
     pub label: String,
     /// Points of the series.
     pub points: Vec<Point>,
@@ -118,20 +118,20 @@ pub struct Series {
     pub look: Look,
 }
 
-/// A place in the coordinates of the data, with uncertainties where they are known.
+/// A position in the coordinates of the data, with uncertainties where they are known.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Point {
-    /// Across.
+    /// Horizontal coordinate.
     pub x: f64,
-    /// Upwards.
+    /// Vertical coordinate.
     pub y: f64,
-    /// Half the width of a bar across.
+    /// Half the length of the horizontal error bar.
     pub x_uncertainty: Option<f64>,
-    /// Half the height of a bar upwards.
+    /// Half the length of the vertical error bar.
     pub y_uncertainty: Option<f64>,
 }
 
-/// The look of a series. Lengths are in units of which a letter is 16 high.
+/// The look of a series. The unit of length is a sixteenth of the letter size.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Look {
     /// Colour as `#RRGGBB`, one of [`style`](crate::style).
@@ -147,16 +147,16 @@ pub struct Look {
 /// The marks at or between points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mark {
-    /// A line with these lengths of dashes and gaps by turns; solid without any.
+    /// A line with alternating lengths of dashes and gaps; solid if the list is empty.
     Line(&'static [f64]),
-    /// A marker at each point, by its number: circle, square, triangle, diamond; with bars for uncertainties.
+    /// A marker at each point, by the number of its shape (circle, square, triangle, diamond), with error bars.
     Markers(usize),
-    /// A filled area within the uncertainty of the points.
+    /// A filled area between the ends of the uncertainties.
     Band,
 }
 
 impl Picture {
-    /// A picture of the usual shape, about that of a page laid across.
+    /// A picture of the usual shape, about that of a page in landscape format.
     pub fn new(title: &str, panels: Vec<Panel>) -> Self {
         Self { title: title.to_owned(), parameters: vec![], panels, aspect: 0.6, animation: None }
     }
@@ -176,50 +176,50 @@ impl Point {
 }
 
 impl Axis {
-    /// An even axis.
+    /// A linear axis.
     pub fn linear(label: &str, from: f64, to: f64) -> Self {
         Self { label: label.to_owned(), from, to, scale: Scale::Linear, units: Units::Decimal }
     }
 
-    /// An axis of powers of ten; both ends are above zero.
+    /// A logarithmic axis; both ends are positive.
     pub fn logarithmic(label: &str, from: f64, to: f64) -> Self {
         Self { scale: Scale::Logarithmic, ..Self::linear(label, from, to) }
     }
 
-    /// The axis with ticks at multiples of these.
+    /// The axis with ticks at multiples of these units.
     #[must_use]
     pub fn in_units(self, units: Units) -> Self {
         Self { units, ..self }
     }
 
-    /// The same axis without its name, for a panel above one that says it.
+    /// The same axis without its label, for a panel above another one that has the label.
     #[must_use]
     pub fn unlabelled(&self) -> Self {
         Self { label: String::new(), ..self.clone() }
     }
 
-    /// The coordinates of the ends.
+    /// The coordinates of the two ends.
     pub fn ends(&self) -> (f64, f64) {
         (self.coordinate(self.from), self.coordinate(self.to))
     }
 
-    /// The position on the axis, in the coordinate in which the axis is evenly divided.
+    /// The coordinate of a value in which the axis is evenly divided.
     pub fn coordinate(&self, value: f64) -> f64 {
         match self.scale {
             Scale::Linear => value,
-            // Nothing at all is below every axis, but not so far that a line could not lead there.
+            // Zero lies below every logarithmic axis, but at a finite distance, so that lines to it can be drawn.
             Scale::Logarithmic if value == 0.0 => f64::MIN_POSITIVE.log10(),
             Scale::Logarithmic => value.log10(),
         }
     }
 
-    /// The position of a value as a part of the length of the axis.
+    /// The position of a value as a fraction of the length of the axis.
     pub(crate) fn part(&self, value: f64) -> f64 {
         let (from, to) = self.ends();
         (self.coordinate(value) - from) / (to - from)
     }
 
-    /// Returns `true` if ticks and their labels of one serve the other too.
+    /// Returns `true` if the ticks and tick labels of one axis also serve the other.
     pub(crate) fn is_in_line_with(&self, other: &Self) -> bool {
         let same = |a: f64, b: f64| a.to_bits() == b.to_bits();
         same(self.from, other.from) && same(self.to, other.to) && self.scale == other.scale
@@ -235,7 +235,7 @@ impl Series {
 }
 
 impl Look {
-    /// The same curve as a wide pale one, to be drawn beneath what would hide it.
+    /// The same curve, wider and paler, to be drawn beneath a curve that would hide it.
     #[must_use]
     pub fn beneath(self) -> Self {
         Self { width: 3.2 * self.width, opacity: 0.35, mark: Mark::Line(&[]), ..self }

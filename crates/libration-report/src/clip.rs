@@ -3,7 +3,7 @@
 use crate::chart::{Panel, Point, Series};
 use crate::scene::Place;
 
-/// The pieces of a curve that lie within the frame, in parts of the axes; gaps at points that are not numbers.
+/// The pieces of a curve inside the frame, in fractions of the axes; points that are not numbers leave gaps.
 pub fn visible_pieces(series: &Series, panel: &Panel) -> Vec<Vec<Place>> {
     let places: Vec<Place> = series.points.iter().map(|point| place(point, panel)).collect();
     let mut pieces: Vec<Vec<Place>> = vec![];
@@ -17,7 +17,7 @@ pub fn visible_pieces(series: &Series, panel: &Panel) -> Vec<Vec<Place>> {
     pieces
 }
 
-/// The position of a point, in parts of the axes.
+/// The position of a point, in fractions of the axes.
 pub(crate) fn place(point: &Point, panel: &Panel) -> Place {
     (panel.x.part(point.x), panel.y.part(point.y))
 }
@@ -37,7 +37,7 @@ fn visible_part(a: Place, b: Place) -> Option<(Place, Place)> {
     (start < end).then(|| (along(a, b, start), along(a, b, end)))
 }
 
-/// The range of the parameter, 0 at `from` and 1 at `to`, in which the coordinate lies between 0 and 1.
+/// The range of the parameter (0 at `from`, 1 at `to`) for which the coordinate lies between 0 and 1.
 fn part_within(from: f64, to: f64) -> Option<(f64, f64)> {
     if from.max(to) < 0.0 || from.min(to) > 1.0 {
         return None;
@@ -50,7 +50,7 @@ fn part_within(from: f64, to: f64) -> Option<(f64, f64)> {
     Some((first.min(second), first.max(second)))
 }
 
-/// The ends exactly, so that neighbouring pieces meet.
+/// The point at this parameter. The ends are exact, so that neighbouring pieces meet.
 fn along(a: Place, b: Place, parameter: f64) -> Place {
     if parameter <= 0.0 {
         a

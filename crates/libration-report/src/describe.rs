@@ -3,7 +3,7 @@
 use crate::chart::{Axis, Mark, Panel, Picture, Scale, Series};
 use crate::numbers::short;
 
-/// The parameters, then for each panel what it shows against what, between which ends, and all that has a name.
+/// The description: the parameters, then for each panel the quantities of its axes, their ranges, and all names in it.
 pub(crate) fn picture(picture: &Picture) -> String {
     let parameters = (!picture.parameters.is_empty()).then(|| format!("{}.", picture.parameters.join(", ")));
     let mut across = "";

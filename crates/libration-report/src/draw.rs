@@ -10,7 +10,7 @@ use crate::marks;
 use crate::scene::{Anchor, Form, Place, Scene, Shape, ShapeRole, Text};
 use crate::style::INK;
 
-/// Lengths of ticks, in sizes of a letter.
+/// Lengths of ticks, in units of the letter size.
 const LONG_TICK: f64 = 0.35;
 const SHORT_TICK: f64 = 0.2;
 /// Widths of lines of the axes.
@@ -23,7 +23,7 @@ const HALF_DIGIT: f64 = 0.365;
 ///
 /// # Errors
 ///
-/// [`TooSmall`] if the format does not hold its axes with their labels.
+/// [`TooSmall`] if the format cannot hold the axes with their labels.
 pub fn draw(picture: &Picture, format: &PictureFormat) -> Result<Scene, TooSmall> {
     let frame = Frame::new(picture, format)?;
     let em = format.text;
@@ -101,7 +101,7 @@ fn tick_labels(cell: &Cell, em: f64, place: &dyn Fn(Place) -> Place) -> Vec<Shap
     below.chain(beside).collect()
 }
 
-/// The names of the axes, in the middle of these as far as the canvas holds them there.
+/// The labels of the axes, at the middle of each axis as far as the canvas has room.
 fn names(cell: &Cell, frame: &Frame, em: f64) -> Vec<Shape> {
     let mut shapes = vec![];
     let below = cell.top + cell.height + if cell.has_x_labels { TICK_BASE + 0.25 } else { 0.35 };

@@ -2,12 +2,12 @@
 
 use thiserror::Error;
 
-/// Units of length in a millimetre: 96 of them are an inch, as in browsers.
+/// Units of length in a millimetre; 96 units are an inch, as in browsers.
 pub const UNITS_PER_MM: f64 = 96.0 / 25.4;
 
 /// Twelve points.
 const TWELVE_POINTS: f64 = 16.0;
-/// A page's text is about so wide.
+/// Approximate width of the text on a page.
 const PAGE: f64 = 170.0 * UNITS_PER_MM;
 
 /// The size of a picture, in units of 1/96 inch, and of its letters.
@@ -15,7 +15,7 @@ const PAGE: f64 = 170.0 * UNITS_PER_MM;
 pub struct PictureFormat {
     /// Width of the picture.
     pub width: f64,
-    /// Height of the picture; by its shape where none is given.
+    /// Height of the picture; if it is `None`, the shape of the picture decides.
     pub height: Option<f64>,
     /// The size of the letters.
     pub text: f64,
@@ -36,7 +36,7 @@ impl Default for PictureFormat {
     }
 }
 
-/// A format that does not hold the picture with its labels.
+/// The reason why a format cannot hold the picture with its labels.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum TooSmall {
     /// Too narrow.

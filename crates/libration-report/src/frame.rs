@@ -1,5 +1,5 @@
-//! Layout of a picture: title, parameters, legends, axes and their labels. All heights follow from the
-//! width, since text is broken into lines; what is left of the height is shared by the axes.
+//! Layout of a picture: title, parameters, legends, axes and their labels. All heights follow from the width, because text is broken into lines;
+//! the axes share the rest of the height.
 
 use crate::chart::{Axis, Panel, Picture};
 use crate::format::{PictureFormat, TooSmall};
@@ -8,7 +8,7 @@ use crate::letters::{LINE, width, wrapped};
 use crate::scene::Place;
 use crate::ticks::{self, Ticks};
 
-/// All lengths below are in sizes of a letter. Around everything:
+/// All lengths below are in units of the letter size. Margin on every side:
 pub(crate) const PADDING: f64 = 0.6;
 pub(crate) const TITLE: f64 = 1.1;
 const UNDER_WORDS: f64 = 0.25;
@@ -17,7 +17,7 @@ const TOP: f64 = 0.6;
 /// Distance from the axes to the base line of the labels below, and the height of these labels.
 pub(crate) const TICK_BASE: f64 = 1.35;
 const TICK_LABELS: f64 = 1.6;
-/// Below axes whose ticks the next panel names.
+/// Margin below axes whose ticks are labelled at the next panel.
 const BOTTOM: f64 = 0.35;
 /// Gap between the labels of ticks and their axis.
 pub(crate) const TICK_GAP: f64 = 0.4;
@@ -25,26 +25,26 @@ pub(crate) const TICK_GAP: f64 = 0.4;
 const LABELS_APART: f64 = 0.7;
 /// Gap between the name of an axis and the labels of its ticks.
 pub(crate) const NAME_GAP: f64 = 0.35;
-/// Right of the last tick's label.
+/// Margin right of the last tick's label.
 const EDGE: f64 = 0.2;
-/// Right of the axes at least.
+/// Least margin right of the axes.
 const RIGHT: f64 = 0.7;
-/// Approximate fraction of the width that axes have.
+/// Approximate fraction of the width that the axes take.
 const AXES: f64 = 0.85;
-/// Axes that are shorter show nothing.
+/// Least height of axes: shorter ones show nothing.
 const SHORTEST: f64 = 6.0;
 
-/// The side of the square in which something moves: a part of the width, but not less than this.
+/// The side of the square of the animation as a fraction of the width, and its least length.
 const STAGE: f64 = 0.28;
 const SMALLEST_STAGE: f64 = 9.0;
-/// Least fraction of the width that a legend next to the axes leaves for them; otherwise the legend is above: in a column of a journal
+/// Least fraction of the width for the axes if the legend stands next to them; otherwise the legend stands above. In a column of a journal only
 /// three ticks would be left.
 const BESIDE: f64 = 0.5;
 
 /// A space at which no line is broken.
 const TIE: &str = "\u{a0}";
 
-/// The parts of a picture in a format. All lengths and places are in sizes of a letter.
+/// The parts of a picture in a format. All lengths and positions are in units of the letter size.
 #[derive(Clone, Debug)]
 pub(crate) struct Frame {
     pub(crate) width: f64,
@@ -58,7 +58,7 @@ pub(crate) struct Frame {
     pub(crate) stage: Option<Stage>,
 }
 
-/// The square in which something moves.
+/// The square of the animation.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Stage {
     pub(crate) side: f64,
@@ -80,16 +80,16 @@ pub(crate) struct Cell {
 }
 
 impl Frame {
-    /// The position on the canvas of a position in parts of the axes.
+    /// The position on the canvas for a position in fractions of the axes.
     pub(crate) fn place(&self, cell: &Cell, (x, y): Place, em: f64) -> Place {
         let across = self.left + x * (self.right - self.left);
         (em * across, em * (cell.top + (1.0 - y) * cell.height))
     }
 
-    /// The frame of the picture in the format, if that holds it.
+    /// The layout of the picture in the format, if the format can hold it.
     pub(crate) fn new(picture: &Picture, format: &PictureFormat) -> Result<Self, TooSmall> {
         let em = format.text;
-        // Sizes are compared with whole units: what rounding leaves does not make a size too small.
+        // Sizes are compared with whole units: a rounding error must not make a size too small.
         const SLACK: f64 = 1e-9;
         let least_width = least_width(picture);
         let wide = format.width / em;
@@ -101,7 +101,7 @@ impl Frame {
         let high = match format.height {
             Some(height) if height / em < least - SLACK => return Err(TooSmall::Height(em * least)),
             Some(height) => height / em,
-            // Names in a legend make a picture higher, not its axes lower.
+            // Legend entries make a picture higher; they do not make its axes lower.
             None => least.max(words.fixed() + picture.aspect * AXES * wide),
         };
         Ok(words.laid_out(picture, wide, high))
@@ -115,7 +115,7 @@ fn least_width(picture: &Picture) -> f64 {
     widest_left(picture) + axes + right(picture) + PADDING
 }
 
-/// Largest distance from the left edge of the picture to the axes.
+/// Largest distance between the left edge of the picture and the axes, over all panels.
 fn widest_left(picture: &Picture) -> f64 {
     let left = picture.panels.iter().map(|panel| left(panel, shortest(panel), ticks::labels(&panel.y)));
     left.fold(0.0, f64::max)
@@ -124,11 +124,11 @@ fn widest_left(picture: &Picture) -> f64 {
 /// The space of the animation.
 #[derive(Clone, Copy, Debug)]
 enum Room {
-    /// Nothing moves.
+    /// No animation.
     None,
-    /// A square of this side left of the axes.
+    /// A square of this side to the left of the axes.
     Beside(f64),
-    /// A square of this side above them.
+    /// A square of this side above the axes.
     Above(f64),
 }
 
@@ -143,18 +143,18 @@ impl Room {
         }
     }
 
-    /// The part that it takes from the width of the axes.
+    /// The width that the animation takes from the axes.
     fn beside(self) -> f64 {
         if let Self::Beside(side) = self { side } else { 0.0 }
     }
 
-    /// The part that it takes from the height of the axes.
+    /// The height that the animation takes from the axes.
     fn above(self) -> f64 {
         if let Self::Above(side) = self { side } else { 0.0 }
     }
 }
 
-/// The least height of the axes of a panel: the name next to them takes two lines or three.
+/// The least height of the axes of a panel: the label next to them takes two or three lines.
 fn shortest(panel: &Panel) -> f64 {
     let ticks = ticks::least_length(&panel.y, y_extent);
     ticks.max(SHORTEST).max(0.5 * width(&panel.y.label, 1.0))
@@ -181,12 +181,12 @@ fn y_extent(_: &str) -> f64 {
     LINE + 0.3
 }
 
-/// The name of an axis in lines; a unit stays with its stroke.
+/// The label of an axis in lines; a unit stays with its slash.
 fn named(axis: &Axis, length: f64) -> Vec<String> {
     wrapped(&axis.label.replace("/ ", &format!("/{TIE}")), 1.0, length)
 }
 
-/// The words of a picture in lines, for a certain width.
+/// The texts of a picture in lines, for a given width.
 struct Words {
     title: Vec<String>,
     parameters: Vec<String>,
@@ -225,7 +225,7 @@ impl Words {
         PADDING + title + parameters + UNDER_WORDS
     }
 
-    /// All that is not axes.
+    /// The height of everything except the axes.
     fn fixed(&self) -> f64 {
         let panels = self.panels.iter().map(|panel| panel.above() + panel.below());
         self.head() + self.room.above() + panels.sum::<f64>() + PADDING
@@ -237,7 +237,7 @@ impl Words {
         self.fixed() + needed.fold(self.room.beside(), f64::max)
     }
 
-    /// Left of the axes in the middle of their height, or above them in the middle of the width.
+    /// The square of the animation: left of the axes at half their height, or above them at half the width.
     fn stage(&self, width: f64, height: f64) -> Option<Stage> {
         let axes = |panel: Option<&Beside>, beside: &dyn Fn(&Beside) -> f64| panel.map_or(0.0, beside);
         let top = self.head() + axes(self.panels.first(), &Beside::above);
@@ -292,7 +292,7 @@ impl Words {
     }
 }
 
-/// Returns `true` if the ticks across are named here, and not below the next panel.
+/// Returns `true` if the ticks of the horizontal axis are labelled at this panel and not below the next one.
 fn has_x_labels(panel: &Panel, next: Option<&Panel>) -> bool {
     !(panel.x.label.is_empty() && next.is_some_and(|next| panel.x.is_in_line_with(&next.x)))
 }

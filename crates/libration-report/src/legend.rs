@@ -1,4 +1,4 @@
-//! The legend of a panel: in rows above its axes, where it takes no width and hides no data.
+//! The legend of a panel, in rows above the axes, where it takes no width and hides no data.
 
 use crate::chart::{Mark, Panel, Series};
 use crate::letters::{LINE, width, wrapped};
@@ -6,7 +6,7 @@ use crate::marks;
 use crate::scene::{Anchor, Form, Place, Shape, ShapeRole, Text};
 use crate::style::INK;
 
-/// Long enough to show the dashes.
+/// Length of a sample, enough to show the dashes.
 const SAMPLE: f64 = 2.6;
 const MARKER_SAMPLE: f64 = 1.0;
 /// Gap between a sample and its name.
@@ -14,7 +14,7 @@ const GAP: f64 = 0.4;
 /// Gap between an entry and the next one.
 const APART: f64 = 1.2;
 
-/// The layout of the entries of a panel's legend, in sizes of a letter.
+/// The layout of a panel's legend, in units of the letter size.
 #[derive(Clone, Debug)]
 pub(crate) struct Legend {
     entries: Vec<Entry>,
@@ -32,7 +32,7 @@ struct Entry {
 }
 
 impl Legend {
-    /// The legend in rows of this width.
+    /// The legend in rows of at most this width.
     pub(crate) fn new(panel: &Panel, across: f64) -> Self {
         let named = panel.series.iter().enumerate().filter(|(_, series)| !series.label.is_empty());
         let named: Vec<(usize, f64, f64)> =
@@ -60,7 +60,7 @@ impl Legend {
         legend
     }
 
-    /// The samples and names, with the upper left corner of the legend here and letters of this size.
+    /// The samples and names, for this upper left corner and this letter size.
     pub(crate) fn shapes(&self, panel: &Panel, (left, top): Place, em: f64) -> Vec<Shape> {
         let entry = |entry: &Entry| {
             let (left, top) = (left + entry.left * em, top + entry.top * em);

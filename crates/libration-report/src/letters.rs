@@ -2,9 +2,9 @@
 
 use super::advances::RUNS;
 
-/// Height of the highest letters above the base line, in parts of the size of the font.
+/// Height of the highest letters above the base line, as a fraction of the font size.
 pub(crate) const ASCENT: f64 = 0.76;
-/// Distance from one base line to the next, in parts of the size of the font.
+/// Distance between base lines, as a fraction of the font size.
 pub(crate) const LINE: f64 = 1.2;
 
 /// The width of a text in `DejaVu Sans` of this size.
@@ -16,12 +16,12 @@ fn advance(letter: char) -> f64 {
     let code = u32::from(letter);
     let run = RUNS.iter().rfind(|(first, _)| *first <= code);
     let found = run.and_then(|(first, widths)| widths.get(usize::try_from(code - first).ok()?));
-    // What the font does not have, another one draws, at most as wide as high.
+    // A character that the font lacks is drawn in another font, at most as wide as it is high.
     1e-3 * f64::from(found.copied().unwrap_or(1000))
 }
 
-/// The text in lines that are no wider than this: broken at spaces, but not at those that keep words together, and within words only where one
-/// is too wide alone.
+/// The text in lines of at most this width. Lines are broken at spaces, except no-break spaces; within a word only if the word alone is too
+/// wide.
 pub fn wrapped(text: &str, size: f64, widest: f64) -> Vec<String> {
     let mut lines: Vec<String> = vec![];
     for word in text.split(' ').filter(|word| !word.is_empty()).flat_map(|word| pieces(word, size, widest)) {
@@ -36,7 +36,7 @@ pub fn wrapped(text: &str, size: f64, widest: f64) -> Vec<String> {
     lines
 }
 
-/// The word, or as many pieces of it as it takes.
+/// The word, in as many pieces as its width requires.
 fn pieces(word: &str, size: f64, widest: f64) -> Vec<String> {
     let mut pieces = vec![String::new()];
     let mut wide = 0.0;

@@ -1,14 +1,14 @@
-//! Answers as they are shown: pictures described as data, laid out for a column, a page or a slide, and written as SVG.
+//! Pictures of results: described as data, laid out for a column, a page or a slide, and written as SVG.
 //!
-//! A [`Picture`](chart::Picture) says what is shown. [`draw`] lays it out in a [`PictureFormat`](format::PictureFormat) and gives a
-//! [`Scene`](scene::Scene) of lines, dots and text, which [`svg`] writes; other renderers draw the same scene. Nothing here
-//! reads files or asks for the time.
+//! A [`Picture`](chart::Picture) states the content. [`draw`] lays it out in a [`PictureFormat`](format::PictureFormat) and returns a
+//! [`Scene`](scene::Scene) of lines, dots and text, which [`svg`] writes; other renderers draw the same scene. The crate reads no files and no
+//! clock.
 //!
 //! # Method
-//! The layout (`frame`) breaks text into lines first, so that all heights follow from the width; the axes share the rest. It knows the smallest
-//! size that holds a picture. Ticks (`ticks`) are chosen from close to wide: the closest set that keeps its labels apart. A scene has units of 1/96
-//! inch, and each shape carries the class of the thing that it stands for. Widths of letters are those of the font within the command (a part of
-//! `DejaVu Sans`); a test holds both together.
+//! The layout (`frame`) first breaks text into lines, so that all heights follow from the width; the axes share the rest. The layout computes
+//! the smallest size that holds a picture. Ticks (`ticks`) are the closest set whose labels do not touch. A scene has units of 1/96 inch, and
+//! each shape has the class of the thing that it represents. Widths of letters are those of the font in the command (a subset of `DejaVu Sans`);
+//! a test compares the two.
 
 pub mod chart;
 pub mod format;
@@ -32,7 +32,7 @@ mod ticks;
 pub use draw::draw;
 pub use letters::width as text_width;
 
-/// Internals that the suite tests; no promise of stability.
+/// Internals that the test suite uses; they may change at any time.
 #[doc(hidden)]
 pub mod internals {
     pub mod clip {

@@ -4,14 +4,14 @@ use crate::chart::{Look, Mark, Panel, Point, Series};
 use crate::clip;
 use crate::scene::{Form, Place, Shape, ShapeRole};
 
-/// Widths of lines are given for letters of this size.
+/// The letter size to which widths of lines refer.
 const USUAL_LETTER: f64 = 16.0;
-/// The smallest half of a marker in a legend.
+/// Least half-width of a marker in a legend.
 const LEAST_SAMPLE: f64 = 3.0;
-/// Half the width of the ends of an error bar.
+/// Half the length of the caps of an error bar.
 const CAP: f64 = 0.18;
 
-/// The shapes of a series; `place` leads from parts of the axes to the canvas.
+/// The shapes of a series; `place` maps fractions of the axes to the canvas.
 pub(crate) fn of_series(
     series: &Series,
     panel: &Panel,
@@ -36,7 +36,7 @@ pub(crate) fn of_series(
     }
 }
 
-/// The sample of a series in a legend, from here to the right.
+/// The sample of a series in a legend; it begins at this point and extends to the right.
 pub(crate) fn sample(series: &Series, (left, middle): Place, length: f64, em: f64) -> Vec<Shape> {
     let unit = em / USUAL_LETTER;
     match series.look.mark {
@@ -83,7 +83,7 @@ fn markers(role: ShapeRole, number: usize, places: Vec<Place>, look: &Look, unit
     shape(role, Form::Areas(places.into_iter().map(outline).collect()), look)
 }
 
-/// Bars of uncertainty, as far as they lie within the frame.
+/// Error bars, clipped to the frame.
 fn bars(
     shown: &[&Point],
     panel: &Panel,

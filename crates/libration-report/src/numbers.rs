@@ -1,6 +1,6 @@
-//! Numbers as axes and descriptions show them.
+//! Numbers as axes and descriptions print them.
 
-/// Formats with the digits that tell multiples of the step apart, in powers of ten if the largest of them is very large or small.
+/// Formats a value with the digits that distinguish multiples of the step; with a power of ten if `largest` is very large or small.
 pub fn of_steps(value: f64, step: f64, largest: f64) -> String {
     if value.abs() < 1e-6 * step {
         return "0".to_owned();
@@ -14,7 +14,7 @@ pub fn of_steps(value: f64, step: f64, largest: f64) -> String {
     format!("{mantissa}×{}", power_of_ten(top))
 }
 
-/// A number for a sentence.
+/// A number in a sentence.
 pub fn short(value: f64) -> String {
     let step = 10f64.powi(exponent(value) - 3);
     let text = of_steps(value, step, value);

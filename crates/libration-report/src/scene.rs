@@ -1,9 +1,9 @@
-//! Input of a renderer: lines, dots, areas and text at places on a canvas.
+//! Input of a renderer: lines, dots, areas and text at positions on a canvas.
 
-/// A place on the canvas: from the left and from the top.
+/// A position on the canvas: distance from the left and from the top.
 pub type Place = (f64, f64);
 
-/// A drawing with its words for those who cannot see it.
+/// A drawing with a description for those who cannot see it.
 #[derive(Clone, Debug)]
 pub struct Scene {
     /// Width in units of 1/96 inch.
@@ -16,7 +16,7 @@ pub struct Scene {
     pub description: String,
     /// Title, parameters and legends.
     pub words: Vec<Shape>,
-    /// The axes, each with what stands in and around them.
+    /// The panels, each with its axes and everything in and around them.
     pub panels: Vec<Vec<Shape>>,
     /// Moving shapes, in front of everything.
     pub moving: Vec<Moving>,
@@ -31,7 +31,7 @@ pub struct Moving {
     pub form: MovingForm,
     /// Colour as `#RRGGBB`.
     pub colour: &'static str,
-    /// The corners of the line, or the middle of the dot, at evenly spaced times from the first to the last.
+    /// The corners of the line, or the centre of the dot, at evenly spaced times from the first to the last.
     pub frames: Vec<Vec<Place>>,
 }
 
@@ -40,12 +40,12 @@ pub struct Moving {
 pub enum MovingForm {
     /// An open line.
     Line {
-        /// Its width.
+        /// The width of the line.
         width: f64,
     },
     /// A filled circle.
     Dot {
-        /// Its radius.
+        /// The radius of the circle.
         radius: f64,
     },
 }
@@ -97,11 +97,11 @@ pub enum ShapeRole {
 /// The look of a shape.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Form {
-    /// Open lines; dashes and gaps by turns, solid without any.
+    /// Open lines with alternating dashes and gaps; solid if there are none.
     Lines {
         /// Each line with its corners.
         pieces: Vec<Vec<Place>>,
-        /// Its width.
+        /// The width of the line.
         width: f64,
         /// Lengths of dashes and gaps.
         dashes: Vec<f64>,
@@ -110,9 +110,9 @@ pub enum Form {
     Areas(Vec<Vec<Place>>),
     /// Filled circles.
     Dots {
-        /// Their middles.
+        /// Centres of the circles.
         places: Vec<Place>,
-        /// Their common radius.
+        /// The common radius of the circles.
         radius: f64,
     },
     /// A line of text.
@@ -124,13 +124,13 @@ pub enum Form {
 pub struct Text {
     /// The letters.
     pub content: String,
-    /// Position of the beginning, the middle or the end of its base line.
+    /// Position of the beginning, the middle or the end of the base line.
     pub at: Place,
-    /// Part of the text at that position.
+    /// The part of the text that is at the position.
     pub anchor: Anchor,
     /// The size of the letters.
     pub size: f64,
-    /// `true` if it reads upwards.
+    /// `true` if the text reads upwards.
     pub is_turned: bool,
 }
 

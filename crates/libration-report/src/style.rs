@@ -1,19 +1,19 @@
-//! The looks of curves and points: Okabe and Ito's colours, which colour-blind readers can distinguish, each joined with a dash pattern or
-//! a marker so that no two curves differ by colour alone.
+//! The looks of curves and points. Okabe and Ito's colours, which colour-blind readers can distinguish, are each joined with a dash pattern or a
+//! marker, so that no two curves differ by colour alone.
 
 use crate::chart::{Look, Mark};
 
-/// Axes and letters.
+/// The colour of axes and letters.
 pub const INK: &str = "#000000";
 /// The colour of the background.
 pub const PAPER: &str = "#FFFFFF";
-/// Grey, for what is there for comparison only.
+/// Grey, for curves that serve comparison only.
 const GREY: &str = "#767676";
 
-/// Okabe and Ito, "Color Universal Design" (2008); without their yellow, which vanishes on white.
+/// Okabe and Ito, "Color Universal Design" (2008), without their yellow, which is invisible on white.
 const COLOURS: [&str; 7] = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", INK, "#E69F00", "#56B4E9"];
 
-/// The colours of dark pages: the same hues, light enough to be told from the page.
+/// The colours for dark pages: the same hues, light enough to contrast with the page.
 pub const DARK: [(&str, &str); 9] = [
     (PAPER, "#121417"),
     (INK, "#EDEDED"),
@@ -26,34 +26,34 @@ pub const DARK: [(&str, &str); 9] = [
     ("#56B4E9", "#A5DAF8"),
 ];
 
-/// Five patterns beside seven colours: 35 looks before one comes again.
+/// Five dash patterns; with seven colours they give 35 looks before one repeats.
 const DASHES: [&[f64]; 5] =
     [&[], &[8.0, 3.5], &[2.5, 2.5], &[10.0, 3.0, 2.5, 3.0], &[13.0, 3.0, 2.5, 3.0, 2.5, 3.0]];
 
-/// The look of the curve with this number.
+/// The look of the curve with this index.
 pub fn curve(number: usize) -> Look {
     let mark = Mark::Line(DASHES[number % DASHES.len()]);
     Look { colour: COLOURS[number % COLOURS.len()], width: 1.9, opacity: 1.0, mark }
 }
 
-/// The look of a set of markers with this number.
+/// The look of a set of markers with this index.
 pub fn markers(number: usize) -> Look {
     Look { width: 4.0, mark: Mark::Markers(number), ..curve(number) }
 }
 
-/// The look of marks on the curve with this number.
+/// The look of marks on the curve with this index.
 pub fn marks(number: usize) -> Look {
     Look { width: 2.8, ..markers(number) }
 }
 
-/// The look of dots on curves where something rises, and smaller ones, which leave a rim of these, where it falls.
+/// The look of dots from a sweep: large where the parameter rises; smaller, so that a rim of the large dots stays visible, where it falls.
 pub fn swept(rising: bool) -> Look {
     let (colour, width) = if rising { (COLOURS[4], 2.6) } else { (COLOURS[5], 1.5) };
     Look { colour, width, ..markers(0) }
 }
 
-/// The look of one of several clouds of points; `all` is the number of points of all clouds: smaller where there are many, but never so
-/// small that a projector would not show them.
+/// The look of one of several clouds of points. `all` is the number of points in all clouds: the dots are smaller if there are many, but always
+/// large enough for a projector.
 pub fn dots(number: usize, all: usize) -> Look {
     let width = if all > 20_000 {
         0.7
@@ -65,7 +65,7 @@ pub fn dots(number: usize, all: usize) -> Look {
     Look { width, mark: Mark::Markers(0), ..markers(number) }
 }
 
-/// The look of measurements: smaller where there are many.
+/// The look of measurements; the markers are smaller if there are many.
 pub fn measurements(count: usize) -> Look {
     measurements_of(0, count)
 }
@@ -85,7 +85,7 @@ pub fn turning_points(count: usize) -> Look {
     Look { colour: COLOURS[4], ..measurements(count) }
 }
 
-/// The thin line that joins the markers with this number.
+/// The thin line that joins the markers with this index.
 pub fn thin(number: usize) -> Look {
     Look { width: 1.0, ..curve(number) }
 }
@@ -105,7 +105,7 @@ pub fn separatrix() -> Look {
     Look { colour: INK, width: 2.6, opacity: 1.0, mark: Mark::Line(&[]) }
 }
 
-/// A range behind curves.
+/// The look of a shaded range beneath curves.
 pub fn band() -> Look {
     Look { colour: GREY, width: 0.0, opacity: 0.25, mark: Mark::Band }
 }

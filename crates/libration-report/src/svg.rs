@@ -1,10 +1,10 @@
-//! A scene as SVG: with a view box, a title and a description, and colours for light and for dark pages.
+//! A scene as SVG, with a view box, a title, a description, and colours for light and dark pages.
 
 use crate::scene::{Anchor, Form, Moving, MovingForm, Place, Scene, Shape, ShapeRole, Text};
 use crate::style::{DARK, PAPER};
 use std::fmt::Write;
 
-/// A file of its own, with its size.
+/// A standalone file, with its size.
 pub fn file(scene: &Scene) -> String {
     let size = format!(
         " xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\"",
@@ -14,7 +14,7 @@ pub fn file(scene: &Scene) -> String {
     format!("{}\n", element(scene, &size))
 }
 
-/// A part of a page, as wide as its place.
+/// An element of a page, as wide as its container.
 pub fn inline(scene: &Scene) -> String {
     element(scene, "")
 }
@@ -41,7 +41,7 @@ fn element(scene: &Scene, size: &str) -> String {
     svg + "</svg>"
 }
 
-/// The moving shapes; still, as they begin, for readers who prefer reduced motion.
+/// The moving shapes; for readers who prefer reduced motion they stay at their initial positions.
 fn animation(scene: &Scene) -> String {
     if scene.moving.is_empty() {
         return String::new();
@@ -94,7 +94,7 @@ fn moving(moving: &Moving, seconds: f64) -> String {
     }
 }
 
-/// An attribute that takes these values one after the other, evenly, for ever; nothing if it stays.
+/// An attribute that takes these values in turn, evenly spaced and repeated for ever; empty if all values are equal.
 fn animated(attribute: &str, values: &[String], seconds: f64) -> String {
     if values.iter().all(|value| *value == values[0]) {
         return String::new();
@@ -106,7 +106,7 @@ fn animated(attribute: &str, values: &[String], seconds: f64) -> String {
     )
 }
 
-/// The style of dark screens, where each colour becomes its dark counterpart; paper is unaffected.
+/// The style for dark screens, which replaces each colour by its dark counterpart.
 fn dark_style() -> String {
     let rules = DARK.iter().map(|(light, dark)| {
         format!("[fill=\"{light}\"]{{fill:{dark}}}[stroke=\"{light}\"]{{stroke:{dark}}}")
@@ -140,7 +140,7 @@ fn shape(shape: &Shape) -> String {
             opacity("fill"),
             areas.iter().map(|area| outline(area, "Z")).collect::<String>()
         ),
-        // A line of no length with round ends is a dot, and takes the fewest letters.
+        // A line of zero length with round ends is a dot, and the shortest way to write one.
         Form::Dots { places, radius } => format!(
             "<path class=\"{class}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{}\" stroke-linecap=\"round\"{} d=\"{}\"/>\n",
             rounded(2.0 * radius),
@@ -184,7 +184,7 @@ fn text(text: &Text, class: &str, colour: &str) -> String {
     )
 }
 
-/// Corners that fall together after rounding are one.
+/// Joins corners that coincide after rounding.
 fn outline(places: &[Place], end: &str) -> String {
     let mut path = String::new();
     let mut last = None;
@@ -200,7 +200,7 @@ fn outline(places: &[Place], end: &str) -> String {
     path + end
 }
 
-/// Each dot by its distance from the one before.
+/// Each dot, written as its offset from the previous one.
 pub fn dots(places: &[Place]) -> String {
     let hundredths = |value: f64| (100.0 * value).round();
     let (mut path, mut last) = (String::new(), (0.0, 0.0));
@@ -220,7 +220,7 @@ pub fn rounded(value: f64) -> String {
     if text == "-0" { "0" } else { text }.to_owned()
 }
 
-/// Letters that XML does not allow become spaces.
+/// Replaces characters that XML does not allow by spaces.
 pub fn escaped(text: &str) -> String {
     let mut escaped = String::new();
     for letter in text.chars() {

@@ -1,9 +1,9 @@
-//! Final states beside their digits, and how far roundings on the way may have led from them.
+//! Errors of final states against the reference digits, and the part that rounding errors along the motion explain.
 
 use crate::golden::Row;
 use crate::ulp::Truth;
 
-/// The largest error of a state compared with the digits of its row.
+/// The largest error of a state against the reference digits of its row.
 pub fn error(state: &[f64], row: Row) -> f64 {
     let truths: Vec<Truth> = row.text("state").split(' ').map(Truth::from_decimal).collect();
     assert_eq!(state.len(), truths.len());
@@ -11,7 +11,7 @@ pub fn error(state: &[f64], row: Row) -> f64 {
     state.iter().zip(&truths).map(distance).fold(0.0, f64::max)
 }
 
-/// Growth of a rounding error on the way, over the rows of one case after the other.
+/// Growth of a rounding error along the motion, over the consecutive rows of one case.
 #[derive(Debug, Default)]
 pub struct Growth {
     case: String,
@@ -19,7 +19,7 @@ pub struct Growth {
 }
 
 impl Growth {
-    /// Size of a rounding error up to this row: the largest so far, since the error on the way may shrink until the end.
+    /// Size of a rounding error up to this row. The largest growth so far counts, since an error inside the motion may shrink until the end.
     pub fn until(&mut self, case: &str, row: Row) -> f64 {
         let here = row.input("sensitivity");
         let largest = if self.case == case { self.largest.max(here) } else { here };

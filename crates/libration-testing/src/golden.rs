@@ -1,4 +1,4 @@
-//! The golden tables of `data`: comma-separated, `#` lines saying source, licence and meaning, one line of names.
+//! The golden tables in `data`: comma-separated, with source, licence and meaning in `#` lines and one line of column names.
 
 use crate::ulp::{Truth, from_hex};
 use std::path::Path;
@@ -10,7 +10,7 @@ pub struct Table {
     rows: Vec<Vec<String>>,
 }
 
-/// One row, its cells by name.
+/// One row, whose cells are accessed by column name.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<'a> {
     table: &'a Table,
@@ -41,7 +41,7 @@ impl<'a> Row<'a> {
         &self.cells[column.unwrap_or_else(|| panic!("no column {name}"))]
     }
 
-    /// An input: the nearest `f64` to the decimal, or exactly the hexadecimal of a column ending in `_hex`.
+    /// An input: the nearest `f64` to the decimal, or the exact hexadecimal value of a column whose name ends in `_hex`.
     pub fn input(self, name: &str) -> f64 {
         let text = self.text(name);
         if name.ends_with("_hex") { from_hex(text) } else { text.parse().unwrap() }

@@ -7,7 +7,7 @@ use core::f64::consts::LN_10;
 pub struct Random(u64);
 
 impl Random {
-    /// The generator that begins with this seed.
+    /// A generator with this seed.
     pub fn seeded(seed: u64) -> Self {
         Self(seed)
     }
@@ -31,12 +31,12 @@ impl Random {
         self.bits() % n
     }
 
-    /// 10^x with x uniform.
+    /// 10^x with uniform x.
     pub fn log_between(&mut self, low: f64, high: f64) -> f64 {
         libm::exp(LN_10 * self.between(low, high))
     }
 
-    /// Normally distributed, with mean 0 and variance 1 (G. E. P. Box and M. E. Muller, doi:10.1214/aoms/1177706645).
+    /// A normally distributed number with mean 0 and variance 1 (G. E. P. Box and M. E. Muller, doi:10.1214/aoms/1177706645).
     pub fn normal(&mut self) -> f64 {
         let radius = libm::sqrt(-2.0 * libm::log(1.0 - self.between(0.0, 1.0)));
         radius * libm::cos(self.between(0.0, core::f64::consts::TAU))

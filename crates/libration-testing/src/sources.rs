@@ -1,4 +1,4 @@
-//! Search for tests in the sources of a crate: a library that is not compiled for tests would leave them out silently.
+//! Search for tests in the sources of a crate: a library that is not compiled for tests would silently omit them.
 
 use std::path::{Path, PathBuf};
 

@@ -1,26 +1,26 @@
-//! Extent of the sweep that a test runs: a fixed part of it with a fixed seed by default, all of it in the long run, there with fresh seeds too.
+//! Extent of the sweep that a test runs: by default a fixed part with a fixed seed; in the full run every case, with fresh seeds too.
 //!
 //! | variable | does |
 //! |---|---|
 //! | `LIBRATION_SWEEP=full` | runs every case of every sweep |
 //! | `LIBRATION_SEED=12345` | draws other random inputs; failures print the seed that repeats them |
 //!
-//! A test that heeds either has `sweep` in its name, so that `cargo test sweep` finds it.
+//! A test that uses either variable has `sweep` in its name, so that `cargo test sweep` selects it.
 
 use core::ops::Range;
 
-/// Returns whether all cases are run.
+/// Returns `true` if all cases are run.
 pub fn is_full() -> bool {
     std::env::var("LIBRATION_SWEEP").is_ok_and(|extent| extent == "full")
 }
 
-/// The number for the default run, or that for the full one.
+/// The number for the default run, or the number for the full run.
 pub fn number<T>(usual: T, full: T) -> T {
     if is_full() { full } else { usual }
 }
 
-/// The test's own seed, mixed with `LIBRATION_SEED` where that is set. Prints on the standard error, which is shown of a test that fails, how the run
-/// is repeated.
+/// The seed of a test, mixed with `LIBRATION_SEED` if that is set. Prints to standard error, which is shown for a failed test, how to repeat the
+/// run.
 ///
 /// # Panics
 /// `LIBRATION_SEED` is not a decimal number below 2⁶⁴.
@@ -34,7 +34,7 @@ pub fn seed(own: u64) -> u64 {
     mixed(own, given)
 }
 
-/// A change of any bit of either number changes half of the bits: the last steps of splitmix64, as in `random`.
+/// The two numbers mixed by the last steps of splitmix64, as in `random`: a change of any bit of either changes half of the bits.
 fn mixed(own: u64, given: u64) -> u64 {
     let z = own.wrapping_add(given.wrapping_mul(0x9e37_79b9_7f4a_7c15)) ^ given.rotate_left(32);
     let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -42,12 +42,12 @@ fn mixed(own: u64, given: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// The first case, every `step`-th one after it, and the last; all of them in the full run.
+/// The first case, every `step`-th one after it, and the last; all cases in the full run.
 pub fn part<T>(cases: impl IntoIterator<Item = T>, step: usize) -> Vec<T> {
     part_and(cases, step, |_| false)
 }
 
-/// The cases of [`part`], and those at seams, where a fault is likeliest.
+/// The cases of [`part`], and the cases at seams, where an error is likeliest.
 pub fn part_and<T>(
     cases: impl IntoIterator<Item = T>,
     step: usize,
@@ -61,7 +61,7 @@ pub fn part_and<T>(
     cases.into_iter().enumerate().filter(is_run).map(|(_, case)| case).collect()
 }
 
-/// Limits between which a number from random draws lies.
+/// Limits for a number that is computed from random draws.
 #[derive(Clone, Debug)]
 pub struct Limits {
     /// Limits for the sample of the default run with any seed.
@@ -77,7 +77,7 @@ impl Limits {
     /// Asserts that the number is within the limits of this run.
     ///
     /// # Panics
-    /// It is not.
+    /// The number is outside the limits.
     pub fn check(&self, found: f64, what: &str) {
         let range = match (is_full(), std::env::var("LIBRATION_SEED").is_ok()) {
             (false, _) => &self.usual,

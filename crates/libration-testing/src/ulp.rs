@@ -4,12 +4,12 @@ use dashu_base::Sign;
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
-/// A true value in two words: `hi` is the nearest `f64`, `lo` what is left, so that hi + lo has about 32 digits.
+/// A true value in two words: `hi` is the nearest `f64` and `lo` the remainder, so that hi + lo has about 32 digits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Truth {
     /// The nearest `f64`.
     pub hi: f64,
-    /// The rest.
+    /// The remainder.
     pub lo: f64,
 }
 
@@ -19,7 +19,7 @@ impl Truth {
         Self { hi, lo }
     }
 
-    /// The number of a decimal of any length, such as `0.1772e-2` or `inf`.
+    /// The value of a decimal of any length, such as `0.1772e-2` or `inf`.
     pub fn from_decimal(text: &str) -> Self {
         let hi: f64 = text.parse().unwrap();
         let lo = if hi.is_finite() { rest(text, hi) } else { 0.0 };
@@ -31,7 +31,7 @@ impl Truth {
         self.error_beyond(got, 0.0)
     }
 
-    /// The distance in ulp that exceeds an absolute allowance.
+    /// The part of the distance, in ulp, that exceeds an absolute allowance.
     pub fn error_beyond(self, got: f64, allowance: f64) -> f64 {
         if got.to_bits() == self.hi.to_bits() && !got.is_finite() {
             return 0.0;
@@ -41,7 +41,7 @@ impl Truth {
     }
 }
 
-/// The gap between `f64` of the size of `x`.
+/// The gap between neighbouring `f64` at `x`.
 pub fn ulp(x: f64) -> f64 {
     let magnitude = x.abs();
     if magnitude < f64::MAX { magnitude.next_up() - magnitude } else { magnitude - magnitude.next_down() }
@@ -66,7 +66,7 @@ fn exact_decimal(text: &str) -> RBig {
     }
 }
 
-/// The exact `f64` written as C's `%a` or Python's `float.hex` writes it.
+/// The exact `f64` in the hexadecimal notation of C's `%a` and Python's `float.hex`.
 pub fn from_hex(text: &str) -> f64 {
     let (sign, magnitude) = text.strip_prefix('-').map_or((1.0, text), |rest| (-1.0, rest));
     let (mantissa, exponent) = magnitude.strip_prefix("0x").unwrap().split_once('p').unwrap();

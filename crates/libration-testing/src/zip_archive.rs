@@ -2,30 +2,30 @@
 //!
 //! PKWARE, *APPNOTE.TXT – .ZIP File Format Specification*, 4.3.
 
-/// A file as its headers describe it, and its bytes as they stand in the archive.
+/// A file as its headers describe it, with its bytes in the archive.
 #[derive(Clone, Debug)]
 pub struct Packed {
-    /// The name.
+    /// The name of the file.
     pub name: Vec<u8>,
     /// The general purpose flags.
     pub flags: u16,
-    /// The method of compression: 0 stored, 8 deflated.
+    /// The compression method: 0 stored, 8 deflated.
     pub method: u16,
     /// The cyclic redundancy check.
     pub checksum: u32,
-    /// Number of bytes before they were packed.
+    /// The uncompressed size in bytes.
     pub size: u32,
-    /// The bytes as they stand in the archive.
+    /// The bytes in the archive.
     pub bytes: Vec<u8>,
-    /// Further fields of the entry in the directory.
+    /// Extra fields of the directory entry.
     pub extra: Vec<u8>,
 }
 
 impl Packed {
-    /// The flag of a descriptor after the bytes.
+    /// The flag for a data descriptor after the bytes.
     pub const DESCRIPTOR: u16 = 8;
 
-    /// A file that is not compressed.
+    /// An uncompressed file.
     pub fn stored(name: impl AsRef<[u8]>, bytes: &[u8]) -> Self {
         Self {
             name: name.as_ref().to_vec(),
@@ -38,13 +38,13 @@ impl Packed {
         }
     }
 
-    /// A file that is deflated.
+    /// A deflated file.
     pub fn deflated(name: impl AsRef<[u8]>, bytes: &[u8]) -> Self {
         let packed = miniz_oxide::deflate::compress_to_vec(bytes, 6);
         Self { method: 8, bytes: packed, ..Self::stored(name, bytes) }
     }
 
-    /// Common part of the local header and the directory, up to the lengths of the name and the further fields.
+    /// The common part of the local header and the directory entry, up to the lengths of the name and the extra fields.
     fn common(&self, is_local: bool) -> Vec<u8> {
         let later = is_local && self.flags & Self::DESCRIPTOR != 0;
         let numbers = [self.checksum, self.packed_size(), self.size];
@@ -62,7 +62,7 @@ impl Packed {
         u16::try_from(self.name.len()).unwrap().to_le_bytes()
     }
 
-    /// Header, bytes and, where it is promised, the descriptor behind them.
+    /// The local header, the bytes and, if its flag is set, the data descriptor after them.
     pub fn local(&self) -> Vec<u8> {
         let header =
             [&b"PK\x03\x04"[..], &self.common(true)[..], &self.name_size(), &[0, 0], &self.name].concat();
@@ -73,12 +73,12 @@ impl Packed {
         [&header[..], &self.bytes, descriptor].concat()
     }
 
-    /// The entry of the directory for a local header that stands there.
+    /// The directory entry for a local header at this position.
     pub fn entry(&self, place: u32) -> Vec<u8> {
         let extra = u16::try_from(self.extra.len()).unwrap().to_le_bytes();
         let (made_by, common) = ([20, 0], self.common(false));
         let before = [&b"PK\x01\x02"[..], &made_by[..], &common, &self.name_size(), &extra].concat();
-        // No remark, the first disk, and no attributes.
+        // No comment, first disk, no attributes.
         [&before[..], &[0; 10], &place.to_le_bytes(), &self.name, &self.extra].concat()
     }
 }
@@ -93,7 +93,7 @@ pub fn archive(files: &[Packed]) -> Vec<u8> {
     with_directory(bytes, &directory, files.len())
 }
 
-/// Local files with a directory after them, which states a number of entries.
+/// Local files followed by a directory that states `count` entries.
 pub fn with_directory(files: Vec<u8>, directory: &[u8], count: usize) -> Vec<u8> {
     let place = u32::try_from(files.len()).unwrap().to_le_bytes();
     let size = u32::try_from(directory.len()).unwrap().to_le_bytes();

@@ -1,5 +1,5 @@
-//! The Rust peers of `bench/peers/motion`, both with Dormand and Prince's method of order 8: `peer-integrators CRATE`
-//! answers the requests of `../../src/requests.rs` with `ode_solvers` or `differential-equations`.
+//! The Rust peers of `bench/peers/motion`, both with Dormand and Prince's method of order 8. `peer-integrators CRATE` serves the requests of
+//! `../../src/requests.rs` with `ode_solvers` or `differential-equations`.
 
 #[path = "../../src/requests.rs"]
 mod requests;
@@ -10,7 +10,7 @@ use ode_solvers::{Dop853, OutputType, SVector, System};
 use requests::{Answer, Failure, Request, serve, timed};
 use systems::{Double, Driven, DrivenWithClock, Pendulum, Rates};
 
-/// No integration needs more.
+/// A step limit that no integration reaches.
 const MOST_STEPS: u32 = 100_000_000;
 
 fn main() -> Result<(), Failure> {
@@ -34,7 +34,7 @@ fn main() -> Result<(), Failure> {
 /// The steps and the last state of one integration.
 type Outcome<const N: usize> = Result<(usize, [f64; N]), Failure>;
 
-/// Integrates all motions of a request; a state that is given too short is filled up with zeros, and shown as short.
+/// Integrates all motions of a request; a state with too few components is padded with zeros and printed without them.
 fn run<const N: usize>(
     request: &Request,
     solve: impl Fn([f64; N], f64, f64) -> Outcome<N>,
@@ -51,7 +51,7 @@ fn run<const N: usize>(
     Ok(answer)
 }
 
-/// All its steps are kept: an output at the end alone would go through its interpolation.
+/// Keeps all steps: an output at the end alone would be interpolated.
 fn ode_solvers<R: Rates<N> + Copy, const N: usize>(rates: R) -> impl Fn([f64; N], f64, f64) -> Outcome<N> {
     move |start, end, tolerance| {
         let (start, sparse) = (SVector::from(start), OutputType::Sparse);
@@ -95,7 +95,7 @@ fn differential_equations<R: Rates<N> + Copy, const N: usize>(
     }
 }
 
-/// A system under the traits of the crates.
+/// A system with the traits of both crates.
 struct Of<R>(R);
 
 impl<R: Rates<N>, const N: usize> System<f64, SVector<f64, N>> for Of<R> {

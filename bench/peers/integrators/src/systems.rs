@@ -1,4 +1,4 @@
-//! The systems of the comparison, compiled by Rust.
+//! The systems of the comparison as Rust functions.
 
 /// The time derivatives of a state.
 pub(crate) trait Rates<const N: usize> {
@@ -23,8 +23,8 @@ impl Rates<2> for Driven {
     }
 }
 
-/// With the time as a third number of the state: `Dop853` of `ode_solvers` 0.6.2 has 0 in the place of its last node
-/// 1, so that rates that depend on the time come out wrong.
+/// The driven pendulum with the time as a third component. `Dop853` of `ode_solvers` 0.6.2 has 0 instead of 1 as its last node, so that rates
+/// that depend on the time come out wrong.
 #[derive(Clone, Copy)]
 pub(crate) struct DrivenWithClock;
 

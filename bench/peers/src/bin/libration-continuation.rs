@@ -1,5 +1,5 @@
-//! Our side of `bench/peers/continuation`: for each line it reads it follows the response curve of the driven pendulum once, and prints the
-//! seconds, how many points there are and the frequencies of the folds.
+//! The part of libration in `bench/peers/continuation`. For each line of input the program follows the response curve of the driven pendulum
+//! once and prints the seconds, the number of points and the frequencies of the folds.
 
 use libration::continuation::{BranchError, Response, ResponseOptions, SpecialKind};
 use libration::progress::Quiet;

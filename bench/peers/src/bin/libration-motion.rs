@@ -1,4 +1,4 @@
-//! Our side of `bench/peers/motion`: integrates the requested motions.
+//! The part of libration in `bench/peers/motion`: integrates the requested motions.
 
 #[path = "../requests.rs"]
 mod requests;
@@ -15,7 +15,7 @@ fn main() -> Result<(), Failure> {
     serve(|request| answer(&mut systems, request))
 }
 
-/// Systems by their names and the tolerance, which have machine code.
+/// Systems compiled to machine code, by name and tolerance.
 type Systems = HashMap<(String, u64), System>;
 
 fn answer(systems: &mut Systems, request: &Request) -> Result<Answer, Failure> {
@@ -31,7 +31,7 @@ fn answer(systems: &mut Systems, request: &Request) -> Result<Answer, Failure> {
     Ok(answer)
 }
 
-/// A system that has taken enough steps to be compiled to machine code.
+/// A system after enough steps that it is compiled to machine code.
 fn prepared(request: &Request) -> Result<System, Failure> {
     const STEPS: usize = 20_000;
     let system = system(&request.case)?;
@@ -43,7 +43,7 @@ fn prepared(request: &Request) -> Result<System, Failure> {
     Ok(system)
 }
 
-/// Many motions go side by side.
+/// Several motions are integrated in lanes.
 fn motions(
     system: &System,
     request: &Request,
@@ -70,6 +70,6 @@ fn system(case: &str) -> Result<System, Failure> {
     Ok(System::new(&equations.parse()?)?)
 }
 
-/// Two equal rods without mass and two equal bobs, g = l = 1; a'' stands in the place of b'' too, as for the other tools.
+/// Two equal massless rods and two equal bobs, g = l = 1; a'' is written out in the equation of b'' too, as for the other tools.
 const DOUBLE: &str = "a'' = -((sin(a-b) b'^2 + 2 sin(a) + cos(a-b) (sin(a-b) a'^2 - sin(b)))/(1 + sin(a-b)^2)); \
     b'' = sin(a-b) a'^2 - sin(b) + cos(a-b) ((sin(a-b) b'^2 + 2 sin(a) + cos(a-b) (sin(a-b) a'^2 - sin(b)))/(1 + sin(a-b)^2))";

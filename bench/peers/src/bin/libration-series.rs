@@ -1,6 +1,5 @@
-//! Our side of `bench/peers/series`: `libration-series CASE ORDER` times one case at one order and prints
-//! `{"case", "order", "seconds": [passes], "check": [last coefficients]}`, with `null` seconds for a case that the
-//! library does not offer alone.
+//! The part of libration in `bench/peers/series`. `libration-series CASE ORDER` times one case at one order and prints `{"case", "order",
+//! "seconds": [passes], "check": [last coefficients]}`, with `null` seconds for a case that the library does not offer alone.
 
 use libration::algebra::{LaurentPolynomial, Rational};
 use libration::oscillator::{NamedOscillator, SymbolicOscillator};
@@ -11,7 +10,7 @@ use std::error::Error;
 use std::io::{self, Write};
 use std::{env, fs};
 
-/// A pass lasts at least this long.
+/// Least duration of a pass.
 const PASS_SECONDS: f64 = 0.02;
 const PASSES: usize = 7;
 /// A task slower than this is timed once.
@@ -35,7 +34,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The task of a case, which ends in the last coefficients that the other tools give.
+/// The task of a case; its output is the last coefficients, which are compared with the other tools.
 fn task(case: &str, order: usize) -> Result<Option<Task>, Box<dyn Error>> {
     Ok(match case {
         "pendulum, full answer" => Some(of_amplitude("pendulum", order)?),
@@ -70,7 +69,7 @@ fn texts<'a>(numbers: impl IntoIterator<Item = &'a Rational>) -> Vec<String> {
     numbers.into_iter().map(Rational::to_string).collect()
 }
 
-/// All coefficients of a series that are not zero, each as the powers of a, b and w of its terms with what stands before them.
+/// All nonzero coefficients of a series; each term as the powers of a, b and w with its factor.
 fn all(name: &str, series: &[LaurentPolynomial]) -> Vec<String> {
     let present = series.iter().enumerate().filter(|(_, coefficient)| !coefficient.is_zero());
     present.map(|(n, coefficient)| format!("{name} {n}: {}", terms(coefficient))).collect()
@@ -107,7 +106,7 @@ fn of_amplitude(key: &str, order: usize) -> Result<Task, Box<dyn Error>> {
 /// The seconds of the passes and the last coefficients.
 type Timed = (Option<Vec<f64>>, Vec<String>);
 
-/// Processor seconds of the passes, each a mean over runs, after one pass for warming up; of a slow task that pass.
+/// Processor seconds of the passes, each a mean over runs, after one pass to warm up; for a slow task that pass alone.
 fn passes(task: &Task) -> Result<Timed, Box<dyn Error>> {
     let start = processor_seconds()?;
     let check = task()?;

@@ -1,4 +1,4 @@
-//! Backbone curve: the free oscillations of a driven oscillator, without its drive and without velocities in its force.
+//! Backbone curve: the free oscillations of a driven oscillator, without the drive and without velocities in its force.
 
 use super::point::BranchPoint;
 use super::response::Response;
@@ -14,7 +14,7 @@ const POINTS: u32 = 80;
 /// A free oscillation of a driven system.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FreeOscillation {
-    /// The value of the parameter with which the drive repeats itself together with it.
+    /// The parameter value at which drive and oscillation repeat together.
     pub parameter: f64,
     /// Estimate of the error of the parameter.
     pub error: f64,
@@ -23,14 +23,15 @@ pub struct FreeOscillation {
 }
 
 impl Response {
-    /// The backbone curve: the free oscillations up to the largest amplitude of the response that repeat themselves with a drive in the range.
+    /// The backbone curve: the free oscillations, up to the largest amplitude of the response, that repeat together with a drive in the range.
     ///
-    /// The free oscillations are those without velocities in the force and with zero for each sine and cosine of the time. The equation has the
-    /// parameter open. `is_angle` says whether its coordinate is an angle, whose oscillations end below π.
+    /// The equation of the free oscillations has no velocities in the force and zero for each sine and cosine of the time; its parameter stays
+    /// open. `is_angle` is `true` if the coordinate is an angle, whose oscillations end below π.
     ///
     /// # Domain
-    /// One coordinate of the second order, and a parameter that is the frequency of the drive: period times parameter is the same at all points, but
-    /// for factors of subharmonics, and the free oscillations do not depend on it. Elsewhere, and for rotations, the curve is empty.
+    /// One coordinate of second order, and a parameter that is the frequency of the drive: period times
+    /// parameter is the same at all points, except for factors of subharmonics, and the free oscillations
+    /// do not depend on the parameter. In all other cases, and for rotations, the curve is empty.
     ///
     /// # Examples
     /// ```
@@ -57,10 +58,10 @@ impl Response {
         let most = if is_angle { most.min(0.999 * PI) } else { most };
         let amplitudes = (1..=POINTS).map(|k| most * f64::from(k) / f64::from(POINTS));
         let of_amplitude = |amplitude| {
-            // Without one where the parameter is left in the equation.
+            // No orbit if the equation still contains the parameter.
             let orbit = Orbit::released(&free, amplitude, &Quiet).ok()?;
             let parameter = periods * orbit.frequency();
-            // Two roundings of the frequency, and the products that give the number of periods.
+            // Two rounding errors of the frequency, and those of the products that give the number of periods.
             let error = parameter * (orbit.period_uncertainty() / orbit.period() + 4.0 * f64::EPSILON);
             Some(FreeOscillation { parameter, error, amplitude })
         };
@@ -72,7 +73,7 @@ impl Response {
         self.branches.iter().flat_map(|branch| &branch.points)
     }
 
-    /// Period times parameter over 2π at the first point, if the parameter is the frequency of the drive and nothing goes around.
+    /// Period times parameter over 2π at the first point, if the parameter is the frequency of the drive and no coordinate rotates.
     fn drive_periods(&self) -> Option<f64> {
         let product = |point: &BranchPoint| point.period * point.parameter / TAU;
         let first = product(self.points().next().filter(|_| self.driven)?);

@@ -1,4 +1,4 @@
-//! A branch of periodic motions, followed from a place on it.
+//! A branch of periodic motions, followed from a point on it.
 
 use super::corrector::Corrector;
 use super::established::{Milestone, is_established};
@@ -16,17 +16,17 @@ use libration_numbers::roots::{Tolerance, bisect};
 pub struct Branch {
     /// Origin of the branch.
     pub origin: Origin,
-    /// Space of the orbits: the period and the symmetry with which they repeat themselves.
+    /// Space of the orbits: their period and symmetry.
     pub space: Space,
-    /// Points in their order along the branch; of a closed branch the last is the first.
+    /// Points in their order along the branch; for a closed branch the last point is the first.
     pub points: Vec<BranchPoint>,
     /// Special points in the same order.
     pub special: Vec<SpecialPoint>,
-    /// The reason for which the branch does not go on before the first point.
+    /// The reason why the branch does not continue before the first point.
     pub beginning: Ending,
-    /// The reason for which the branch does not go on after the last point.
+    /// The reason why the branch does not continue after the last point.
     pub ending: Ending,
-    /// Ranges of the parameter in which the absence of further special points is not established by the shortest steps.
+    /// Ranges of the parameter in which even the minimum step does not exclude further special points.
     pub unresolved: Vec<[f64; 2]>,
 }
 
@@ -35,13 +35,13 @@ pub struct Branch {
 pub enum Origin {
     /// A motion at an end of the range.
     Primary,
-    /// A free oscillation whose frequency is a simple part or multiple of that of the drive.
+    /// A free oscillation whose frequency is a simple fraction or multiple of the drive frequency.
     FreeOscillation,
-    /// A loss of symmetry.
+    /// A symmetry-breaking bifurcation.
     SymmetryBreaking,
-    /// A doubling of the period.
+    /// A period-doubling bifurcation.
     PeriodDoubling,
-    /// The end of another branch, which meets this one.
+    /// The end of another branch, on this one.
     Meeting,
 }
 
@@ -50,20 +50,20 @@ pub enum Origin {
 pub enum Ending {
     /// The branch leaves the range of the parameter.
     RangeEnd,
-    /// The branch has come back to its first point.
+    /// The branch returned to its first point.
     Closed,
-    /// The branch ends at a branch point on another branch, of which it is one side.
+    /// The branch ends at a branch point on another branch and is one side of that point.
     BranchPoint,
-    /// The branch ends at a Hopf point, in a state of rest.
+    /// The branch ends at a Hopf point, at an equilibrium.
     Rest,
     /// The branch has the largest number of points.
     PointLimit,
-    /// The period of the drive grows beyond a hundred times its least, or without a drive that of the motion beyond a hundred times its first:
-    /// the branch goes on to the frequency zero.
+    /// The period of the drive exceeds a hundred times its least value, or without a drive the period of
+    /// the motion exceeds a hundred times its first one: the branch continues towards frequency zero.
     SlowDrive,
-    /// The motion has grown to a billion times the size of the first one.
+    /// The motion has a billion times the size of the first one.
     Unbounded,
-    /// Its motions can be followed no farther: no step is short enough.
+    /// The corrector failed at the minimum step.
     Lost,
     /// Cancelled by the caller.
     Interrupted,
@@ -78,28 +78,28 @@ pub(super) struct Limits {
     pub(super) longest_period: f64,
 }
 
-/// The longest and the shortest step, in units of the motion and of the range.
+/// The maximum and the minimum step, in units of the motion and of the range.
 const STEPS: [f64; 2] = [0.12, 1e-7];
-/// The first.
+/// The initial step.
 const FIRST: f64 = 0.02;
-/// A step that is short enough to tell a fold from a place where branches meet.
+/// Maximum step at which a fold is distinguished from a crossing of branches.
 const SHORT: f64 = 0.01;
-/// The shortest step to which steps are halved to establish that no special points are passed unseen.
+/// The minimum step of the halvings that exclude hidden special points.
 const RESOLVED: f64 = 2e-4;
 /// A branch ends at an orbit larger than this multiple of its first one's size (at least one unit).
 const UNBOUNDED: f64 = 1e9;
-/// A step whose guess is farther off than this part of it may have come to another branch.
+/// Largest distance of a predicted point from the corrected one, relative to the step; beyond it the corrected point may lie on another branch.
 const FAR: f64 = 0.2;
 /// Largest magnitude of the test for a multiplier +1 that counts as a crossing at the end of the range.
 const CROSSES: f64 = 1e-6;
-/// The largest angle between the directions at both ends, and the one that is meant.
+/// The largest angle between the directions at both ends of a step, and the intended angle.
 const TURNS: [f64; 2] = [0.35, 0.14];
 
-/// A branch under way.
+/// A branch while it is followed.
 pub(super) struct Walk<'a> {
     corrector: Corrector<'a>,
     limits: Limits,
-    /// The largest swing so far.
+    /// The largest half-range of a coordinate so far.
     largest: f64,
     nodes: Vec<Node>,
     milestones: Vec<Milestone>,
@@ -109,9 +109,9 @@ pub(super) struct Walk<'a> {
     last: f64,
     /// The size of the first motion, at least one.
     scale: f64,
-    /// The place where the branch meets the one of which it is a side.
+    /// The branch point at which this branch ends on another one.
     meeting: Option<Meeting>,
-    /// The Hopf point in which it ends.
+    /// The Hopf point at which the branch ends.
     hopf: Option<SpecialPoint>,
 }
 
@@ -120,12 +120,12 @@ pub(super) struct Walk<'a> {
 pub(super) struct Walked {
     pub(super) branch: Branch,
     pub(super) specials: Vec<(SpecialPoint, Node)>,
-    /// The points at either end where the branch meets one that it is a side of.
+    /// The branch points, at either end, on other branches.
     pub(super) meetings: Vec<Meeting>,
 }
 
 impl Walked {
-    /// The same, of a branch of which nothing is found before the first point.
+    /// The branch, marked as lost before its first point.
     pub(super) fn beginning_lost(mut self) -> Self {
         self.branch.beginning = Ending::Lost;
         self
@@ -201,7 +201,7 @@ impl<'a> Walk<'a> {
         self.nodes.last().expect("a walk begins with a node")
     }
 
-    /// One step, or a shorter one next; why there is none.
+    /// Takes one step, or shortens the next one; returns the reason if the branch ends.
     fn step(&mut self, length: &mut f64) -> Option<Ending> {
         let width = self.limits.range[1] - self.limits.range[0];
         let units = self.corrector.family.units(&self.at().point, self.largest, width);
@@ -249,8 +249,8 @@ impl<'a> Walk<'a> {
         self.accept(next, &units)
     }
 
-    /// Lets the last motion begin at that of its turning points where its start has the least error, if this is far less: a canard, which follows a
-    /// repelling way for a while, can be followed from elsewhere than from there. Whether it does.
+    /// Restarts the last motion at its turning point with the smallest error, if that error is far smaller, and returns `true` if it does. A
+    /// canard, which follows a repelling part of the orbit for a while, can be followed from other points of the orbit only.
     fn begin_elsewhere(&mut self, units: &[f64]) -> bool {
         const LESS: f64 = 0.01;
         let here = self.at().point.error;
@@ -264,7 +264,7 @@ impl<'a> Walk<'a> {
         true
     }
 
-    /// The last motion from its other turning points on, where no drive sets the phase.
+    /// The last motion, begun at each of its other turning points, if no drive sets the phase.
     fn other_turns(&self, units: &[f64]) -> Option<Vec<Node>> {
         let Corrector { family, space, .. } = self.corrector;
         let node = self.at();
@@ -274,7 +274,7 @@ impl<'a> Walk<'a> {
         let (steps, _) =
             family.motion(family.state(unknowns), &[*parameter], [0.0, duration], TOLERANCES[1]).ok()?;
         let numbers = family.layout.numbers();
-        // The period and the parameter change along the branch as they do from any start.
+        // The period and the parameter change along the branch in the same way for every starting point.
         let along: Vec<f64> =
             node.direction.iter().enumerate().map(|(j, x)| if j < numbers { 0.0 } else { *x }).collect();
         let from = |state: Vec<f64>| {
@@ -287,8 +287,8 @@ impl<'a> Walk<'a> {
         Some(turns.filter_map(|(own, time)| from(own.step().state_at(time))).collect())
     }
 
-    /// The node after a step of a length, the angle it turned by, and how far its guess was off as a part of the step; none where it may
-    /// be on another branch.
+    /// The node after a step of this length, the angle by which the direction turned, and the
+    /// distance of the prediction relative to the step; `None` if the node may lie on another branch.
     fn next(&self, units: &[f64], length: f64) -> Option<(Node, f64, f64)> {
         let tangent = in_units(&self.at().direction, units);
         let curvature = match self.nodes.len().checked_sub(2) {
@@ -311,7 +311,7 @@ impl<'a> Walk<'a> {
         (turn <= TURNS[0]).then_some((node, turn, off))
     }
 
-    /// The place on the stretch to a node where the parameter has a value.
+    /// The node at which the parameter has a value, between the last node and the next one.
     fn at_parameter(&self, next: &Node, units: &[f64], value: f64) -> Option<Node> {
         let side = |s: f64| between(self.at(), next, units, s).last().is_some_and(|p| *p > value);
         let begins = side(0.0);
@@ -329,12 +329,12 @@ impl<'a> Walk<'a> {
         Node::new(&self.corrector, corrected, &self.at().direction, units)
     }
 
-    /// Returns whether the test for a multiplier +1 vanishes here and does not vanish at the last node.
+    /// Returns `true` if the test for a multiplier +1 vanishes here and does not vanish at the last node.
     fn comes_to_crossing(&self, tests: &Tests) -> bool {
         self.at().tests.branching.abs() > CROSSES && tests.branching.abs() <= CROSSES
     }
 
-    /// The place where another branch crosses this one at the end of the range, where no test changes its sign any more.
+    /// The point where another branch crosses this one at the end of the range, beyond which no test function can change its sign.
     fn crossing_at_end(&self, end: &Node) -> Option<(SpecialPoint, Node)> {
         if !self.comes_to_crossing(&end.tests) {
             return None;
@@ -346,7 +346,7 @@ impl<'a> Walk<'a> {
         Some((SpecialPoint { kind, point: end.point.clone(), error, before }, end.clone()))
     }
 
-    /// The start, if the stretch to a node goes through it in the same direction.
+    /// The first node, if the step to the next node passes through it in the same direction.
     fn closing(&self, next: &Node, units: &[f64]) -> Option<Node> {
         let start = self.nodes.first().filter(|_| self.nodes.len() > 3)?;
         let along = in_units(&start.direction, units);
@@ -364,13 +364,13 @@ impl<'a> Walk<'a> {
             *number -= beside * along * unit;
         }
         let corrected = self.corrector.corrected(&guess, &along, units)?;
-        /// Ten thousand roundings; another branch is farther away.
+        /// Ten thousand rounding errors; the distance to another branch is larger.
         const SAME: f64 = 1e-8;
         let off = norm(&difference(&corrected.place, start.place(), units));
         (off < SAME).then(|| start.clone())
     }
 
-    /// Takes a node in, and the singular points on the way to it; an ending where the branch meets the one it came from.
+    /// Appends a node and the singular points before it; returns an ending if the branch meets the one from which it came.
     fn accept(&mut self, next: Node, units: &[f64]) -> Option<Ending> {
         let stretch = Stretch { corrector: &self.corrector, ends: [self.at(), &next], units };
         if stretch.may_meet_other_branch() {
@@ -403,7 +403,7 @@ impl<'a> Walk<'a> {
     }
 }
 
-/// Ranges in ascending order, those that touch as one.
+/// Ranges in ascending order; adjacent ones are joined.
 fn merged(mut ranges: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     ranges.sort_by(|a, b| a[0].total_cmp(&b[0]));
     let mut merged: Vec<[f64; 2]> = vec![];

@@ -1,4 +1,4 @@
-//! Stability over two parameters: the edges of a state of rest, and the curves of singular points of driven motions.
+//! Stability over two parameters: the stability boundaries of an equilibrium, and the curves of singular points of driven motions.
 
 use super::branch::Branch;
 use super::curve::{CurvePoint, SpecialCurve, Trace};
@@ -19,15 +19,15 @@ use libration_numbers::progress::{Progress, Stage};
 /// Options of a stability chart.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChartOptions {
-    /// The state of rest, or that from which driven motions are looked for; where all numbers are zero, if there is none.
+    /// The equilibrium, or the initial guess of driven motions; zero in all components if there is none.
     pub start: Option<Vec<f64>>,
-    /// Number of drive periods after which a motion repeats itself.
+    /// Number of drive periods in the period of the motions.
     pub drive_periods: u32,
     /// Maximum depth of secondary branches (symmetry breaking, period doubling).
     pub generations: usize,
-    /// Number of lines across each parameter on which driven motions are followed; the curves begin at their singular points.
+    /// Number of lines in each parameter direction along which driven motions are followed; the curves begin at singular points on these lines.
     pub lines: u32,
-    /// Points of one curve each way.
+    /// Maximum number of points of a curve in each direction.
     pub most_points: usize,
 }
 
@@ -40,37 +40,37 @@ impl Default for ChartOptions {
 /// Stability of the responses of a driven system over two of its parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StabilityChart {
-    /// The state of rest on a grid, where the start is one at all values of the parameters.
+    /// Stability of the equilibrium on a grid; `None` if the start is not an equilibrium for all parameters.
     pub rest: Option<RestStability>,
-    /// The edges at rest, then the curves of driven motions.
+    /// The stability boundaries of the equilibrium, then the curves of driven motions.
     pub curves: Vec<SpecialCurve>,
     /// `true` if the computation was cancelled before all curves were followed.
     pub interrupted: bool,
 }
 
 impl StabilityChart {
-    /// The chart over ranges of two parameters, which are left open in the equations.
+    /// The chart over ranges of two parameters that are symbolic in the equations.
     ///
-    /// Where the start is a state of rest whatever the parameters are, as a pendulum's whose pivot moves up and down, its Floquet multipliers are
-    /// computed on a grid, and the curves on which one of them is +1 or −1, or two complex ones have size one, are followed through it. Then
-    /// driven motions are followed along some lines of the chart, and from their folds, losses of symmetry, period doublings and Neimark–Sacker
-    /// points the curves of these, through their cusps.
+    /// If the start is an equilibrium for all parameters, as for a pendulum whose pivot moves up and down, its Floquet
+    /// multipliers are computed on a grid. The curves on which a multiplier is +1 or −1, or two complex ones have modulus one,
+    /// are followed from there. Then driven motions are followed along some lines of the chart; from their folds, symmetry
+    /// breakings, period doublings and Neimark–Sacker points the corresponding curves are followed, through their cusps.
     ///
-    /// A cancelled call returns the curves found until then.
+    /// A cancelled call returns the curves completed so far.
     ///
     /// # Accuracy
-    /// Newton's method ends at the rounding of the motion; every point has its error. Where a curve leaves the chart its last point is on the edge.
-    /// What lies within a grid of 32 intervals each way, and curves that none of the lines meets, are not found.
+    /// Newton's method ends at the rounding errors of the motion; every point has an error. If a curve leaves the chart, its last point is on
+    /// the edge. Details within one of the 32 × 32 grid cells, and curves that cross none of the lines, are not found.
     ///
     /// # Errors
-    /// Equations without a periodic drive, another open parameter, a range without a width.
+    /// Equations without a periodic drive, another symbolic parameter, a range without a width.
     ///
     /// # Examples
     /// ```
     /// # extern crate libration_branches as libration;
     /// use libration::continuation::{ChartOptions, SpecialKind, StabilityChart};
     /// use libration::progress::Quiet;
-    /// // How fast a pivot has to move up and down for the pendulum to stand on it.
+    /// // The boundary of stability of an inverted pendulum whose pivot moves up and down.
     /// let upright = "theta'' = -0.1*theta' + (1 + a*w^2*cos(w*t))*sin(theta)".parse()?;
     /// let options = ChartOptions { lines: 0, ..ChartOptions::default() };
     /// let chart = StabilityChart::over(&upright, ["w", "a"], [[5.0, 10.0], [0.1, 0.4]], &options, &Quiet)?;
@@ -108,8 +108,8 @@ impl StabilityChart {
 }
 
 impl StabilityChart {
-    /// Ranges of the second parameter in which rest is stable at the least value of the first, 0, or at its greatest, 1: between the ends of the
-    /// edges there. `None` where the start is not a state of rest.
+    /// Ranges of the second parameter in which the equilibrium is stable, bounded by the curves, at the least value of the first parameter
+    /// (`end` 0) or at its greatest (1). `None` if the start is not an equilibrium.
     #[must_use]
     pub fn rest_is_stable_at(&self, end: usize) -> Option<Vec<[f64; 2]>> {
         Some(self.rest.as_ref()?.at_ends[end.min(1)].clone())
@@ -138,7 +138,7 @@ impl Survey<'_> {
         Space::of_periods(self.options.drive_periods)
     }
 
-    /// Returns whether the start is an equilibrium, by trying some values of the parameters and of the time.
+    /// Returns `true` if the start is an equilibrium at some trial values of the parameters and of the time.
     fn is_at_rest(&self) -> bool {
         const SAME: f64 = 1e-11;
         const PARTS: [[f64; 2]; 3] = [[0.1, 0.35], [0.52, 0.77], [0.93, 0.61]];
@@ -150,7 +150,7 @@ impl Survey<'_> {
         })
     }
 
-    /// Its stability on the grid, and the edges.
+    /// The stability of the equilibrium on the grid, and its boundaries.
     fn rest(&self) -> (Option<RestStability>, Vec<SpecialCurve>) {
         if !self.is_at_rest() {
             return (None, vec![]);
@@ -188,16 +188,17 @@ impl Survey<'_> {
         Some(Trace::new(singular, self.ranges, self.options.most_points, start)?.followed(kind))
     }
 
-    /// Returns whether an edge followed from one crossing goes through another one, with the test rising to the same side of it.
+    /// Returns `true` if a boundary followed from one crossing passes through another one, with the test rising to the same side.
     fn is_same(&self, edge: &SpecialCurve, crossings: [&Crossing; 2]) -> bool {
-        /// Largest distance, in parts of the ranges: the error of straight lines between points.
+        /// Largest distance relative to the ranges: the error of linear interpolation between points.
         const SAME: f64 = 2e-3;
         let [[off, first], [near, other]] = crossings.map(|it| self.side(edge, it));
         let same_test = crossings[0].test == crossings[1].test;
         same_test && off.is_finite() && near <= SAME && (first > 0.0) == (other > 0.0)
     }
 
-    /// Distance of an edge from a crossing, in parts of the ranges, and a number that is positive if the test rises to the left of the edge.
+    /// Distance of a boundary from a crossing relative to the ranges, and a
+    /// number that is positive if the test rises to the left of the boundary.
     fn side(&self, edge: &SpecialCurve, crossing: &Crossing) -> [f64; 2] {
         let widths = self.ranges.map(|[low, high]| high - low);
         let relative = |it: &CurvePoint| {
@@ -217,7 +218,7 @@ impl Survey<'_> {
         nearest.unwrap_or([f64::INFINITY; 2])
     }
 
-    /// The curves of singular points of driven motions, from those on some lines.
+    /// The curves of singular points of driven motions that cross some lines.
     fn driven(&self, curves: &mut Vec<SpecialCurve>) {
         let lines = (0..2).flat_map(|fixed| (1..=self.options.lines).map(move |line| (fixed, line)));
         for (fixed, line) in lines {
@@ -277,9 +278,9 @@ impl Survey<'_> {
         Some(Trace::new(singular, self.ranges, self.options.most_points, start)?.followed(seed.kind))
     }
 
-    /// Returns whether a curve of the same kind goes through a seed, that is, has the same parameters on the line on which the seed was found.
+    /// Returns `true` if a curve of the same kind passes through a seed: it has the same parameters on the line of the seed.
     fn is_on(&self, curve: &SpecialCurve, seed: &Seed, fixed: usize) -> bool {
-        /// Largest distance, in parts of the range: the error of straight lines between points.
+        /// Largest distance relative to the range: the error of linear interpolation between points.
         const SAME: f64 = 2e-3;
         let values = |it: &CurvePoint| [it.point.parameter, it.second];
         let (here, open) = ([seed.point.parameter, seed.second], 1 - fixed);
@@ -297,7 +298,7 @@ impl Survey<'_> {
     }
 }
 
-/// Test function that vanishes at a singular point; `None` for kinds that make no curve.
+/// The test function that vanishes at a singular point; `None` for kinds without curves.
 fn test_of(seed: &Seed) -> Option<Test> {
     match seed.kind {
         SpecialKind::Fold => Some(Test::Branching),

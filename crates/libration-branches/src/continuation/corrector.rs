@@ -4,25 +4,25 @@ use super::family::{Family, Image};
 use super::space::Space;
 use libration_motion::internals::periodic::{NewtonStep, norm};
 
-/// A state followed by the parameter, with their image under the motion.
+/// A motion and its parameter after Newton's method, with the image of the state.
 #[derive(Clone, Debug)]
 pub(super) struct Corrected {
-    /// The unknowns of the motion, then the parameter.
+    /// The unknowns of the motion, followed by the parameter.
     pub(super) place: Vec<f64>,
     pub(super) image: Image,
-    /// Size of the first Newton correction, in units.
+    /// Size of the first Newton correction, in scaled units.
     pub(super) first: f64,
-    /// The change of the map with the place, as a part of its norm for each unit.
+    /// The change of the map with the position, relative to its norm, per unit.
     pub(super) map_slope: f64,
-    /// The distance in units of the place from that of the map, where this is the one before the last correction.
+    /// The size in units of the last correction if the image and the map are those before it; zero if they were recomputed.
     pub(super) stale: f64,
 }
 
-/// Newton's rounds; each doubles the digits once the guess is near.
+/// Iteration limit of Newton's method; each iteration doubles the digits once the guess is close.
 const MOST_ROUNDS: usize = 12;
 /// Size of a correction after which the iteration ends: the remaining error, of the order of its square, is below rounding.
 const CLOSE: f64 = 3e-9;
-/// A correction that no longer shrinks counts as rounding if it is below this.
+/// Size below which a correction that no longer shrinks counts as rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// Newton corrector of a family in one space.
@@ -31,12 +31,12 @@ pub(super) struct Corrector<'a> {
     pub(super) family: &'a Family<'a>,
     pub(super) space: Space,
     pub(super) tolerance: f64,
-    /// Largest last correction, in units, after which the derivatives from before it are kept: they change by about as much.
+    /// Largest last correction, in scaled units, after which the derivatives from before it are kept: their relative change is about as large.
     pub(super) stale: f64,
 }
 
 impl Corrector<'_> {
-    /// The motion of the space nearest to a guess in the plane across a direction, which is given in units.
+    /// The motion of the space nearest to a guess, in the plane perpendicular to a direction given in scaled units.
     pub(super) fn corrected(&self, guess: &[f64], across: &[f64], units: &[f64]) -> Option<Corrected> {
         let mut place = guess.to_vec();
         let (mut first, mut before) = (0.0, f64::INFINITY);
@@ -59,7 +59,7 @@ impl Corrector<'_> {
                 *number += change * unit;
             }
             if size < CLOSE || (size > 0.5 * before && size <= ROUNDING) {
-                // Without a second map the change is taken to be that of a quantity in proportion to the place.
+                // Without a second map its change is assumed to be proportional to the change of position.
                 let map_slope = last.map_or(1.0, |it| (image.change(&it, units) / before).max(1.0));
                 let is_stale = size <= self.stale;
                 let (image, stale) = if is_stale { (image, size) } else { (self.image(&place)?, 0.0) };
@@ -71,7 +71,7 @@ impl Corrector<'_> {
         None
     }
 
-    /// A motion where branches cross, so that corrections of the state have no bound: only the period is corrected, where no drive sets it.
+    /// A motion at a crossing of branches, where corrections of the state are unbounded: only the period is corrected, if no drive sets it.
     pub(super) fn closed_by_period(&self, mut place: Vec<f64>) -> Option<Corrected> {
         const ROUNDS: usize = 3;
         let period = self.family.layout.numbers();
@@ -89,7 +89,7 @@ impl Corrector<'_> {
         self.family.image(self.space, state, &[*parameter], self.tolerance)
     }
 
-    /// The unit vector along the branch, in units, that goes with another one.
+    /// The unit tangent of the branch, in scaled units, oriented like a given vector.
     pub(super) fn tangent(&self, image: &Image, along: &[f64], units: &[f64]) -> Option<Vec<f64>> {
         let tangent = bordered(image, along, units).change(&vec![0.0; image.defect.len()], &[-1.0])?;
         let size = norm(&tangent);
@@ -97,8 +97,8 @@ impl Corrector<'_> {
     }
 }
 
-/// Returns whether an orbit closes up to the rounding of its state. No correction improves it, and at a state of rest where other branches begin the
-/// correction of a rounding error has no bound.
+/// Returns `true` if an orbit closes within the rounding error of its state. No correction improves it,
+/// and at an equilibrium where other branches begin the correction of a rounding error is unbounded.
 fn is_rounding(image: &Image, place: &[f64], units: &[f64]) -> bool {
     const ROUNDINGS: f64 = 4.0;
     let largest =
@@ -106,7 +106,7 @@ fn is_rounding(image: &Image, place: &[f64], units: &[f64]) -> bool {
     largest(&image.defect) <= ROUNDINGS * f64::EPSILON * largest(&place[..image.defect.len()])
 }
 
-/// The equations of the next step for state and parameter, with the condition of a row.
+/// The equations of the next correction for state and parameter, with one row as additional condition.
 pub(super) fn bordered(image: &Image, last: &[f64], units: &[f64]) -> NewtonStep {
     let free: Vec<usize> = (0..image.map.len()).collect();
     let parameter = (&image.by_parameters[0][..], units[free.len()]);

@@ -1,4 +1,4 @@
-//! A curve of singular points over two parameters, followed from one of them.
+//! A curve of singular points over two parameters, followed from a point on it.
 
 use super::branch::Ending;
 use super::family::TOLERANCES;
@@ -15,48 +15,48 @@ use libration_numbers::roots::{Tolerance, zero_between};
 /// A singular motion at values of two parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurvePoint {
-    /// The motion; its parameter is the first one, and its error is that of both parameters, across the curve.
+    /// The motion. Its parameter is the first one, and its error is the error of both parameters perpendicular to the curve.
     pub point: BranchPoint,
     /// The value of the second parameter.
     pub second: f64,
 }
 
-/// Singular motions of one kind over two parameters, one behind the other.
+/// Consecutive singular motions of one kind over two parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpecialCurve {
     /// Kind of the singular points on the curve.
     pub kind: SpecialKind,
-    /// `true` if the motion is the state of rest: then the curve is an edge of its stability, or of one of its multipliers.
+    /// `true` if the motion is the equilibrium: the curve is then a boundary of its stability, or the curve of one multiplier.
     pub at_rest: bool,
-    /// Space of the orbits: the period and the symmetry with which they repeat themselves.
+    /// Space of the orbits: their period and symmetry.
     pub space: Space,
-    /// Points in their order; of a closed curve the last is the first.
+    /// Points in order; for a closed curve the last point is the first.
     pub points: Vec<CurvePoint>,
-    /// Cusps: points at which two folds meet and end, in the plane of the parameters.
+    /// Cusps: points in the parameter plane at which two fold curves meet and end.
     pub cusps: Vec<CurvePoint>,
-    /// Reasons why the curve ends before its first point and after its last.
+    /// Reasons why the curve ends, before its first point and after its last one.
     pub endings: [Ending; 2],
 }
 
-/// The longest, the first and the shortest step, in units of the motion and of the ranges.
+/// The maximum, the initial and the minimum step, in units of the motion and of the ranges.
 const STEPS: [f64; 3] = [0.04, 0.01, 1e-7];
-/// The largest angle between the directions at both ends, and the one that is meant.
+/// The largest angle between the directions at both ends of a step, and the intended angle.
 const TURNS: [f64; 2] = [0.3, 0.1];
-/// A step whose guess is farther off than this part of it may have come to another curve.
+/// Largest distance of a predicted point from the corrected one, relative to the step; beyond it the corrected point may lie on another curve.
 const FAR: f64 = 0.2;
-/// A step that comes near enough to the end of a range where two curves meet on it, as at the tip of a tongue.
+/// Step below which the end of a range counts as reached where two curves meet on it, as at the tip of a tongue.
 const SHORT: f64 = 1e-3;
 
-/// A place on a curve.
+/// A point on a curve.
 #[derive(Clone, Debug)]
 struct Spot {
     place: Vec<f64>,
-    /// Along the curve, a unit vector in units.
+    /// The unit tangent of the curve, in scaled units.
     tangent: Vec<f64>,
     point: CurvePoint,
 }
 
-/// A curve under way.
+/// A curve while it is followed.
 pub(super) struct Trace<'a> {
     singular: Singular<'a>,
     ranges: [[f64; 2]; 2],
@@ -68,7 +68,7 @@ pub(super) struct Trace<'a> {
 }
 
 impl<'a> Trace<'a> {
-    /// A trace from a point close to `place`, scaled by the sizes of the motion there, towards one side.
+    /// A trace towards one side, from a point close to `place`, scaled by the sizes of the motion there.
     pub(super) fn new(
         singular: Singular<'a>,
         ranges: [[f64; 2]; 2],
@@ -85,7 +85,7 @@ impl<'a> Trace<'a> {
         Some(trace)
     }
 
-    /// The curve both ways from its first place.
+    /// The curve in both directions from its first point.
     pub(super) fn followed(mut self, kind: SpecialKind) -> SpecialCurve {
         let (start, units) = (self.spots[0].clone(), self.units.clone());
         let onward = self.walked();
@@ -165,7 +165,7 @@ impl<'a> Trace<'a> {
         None
     }
 
-    /// The spot after a step, and the angle it turned by.
+    /// The spot after a step, and the angle by which the direction turned.
     fn next(&self, length: f64) -> Option<(Spot, f64)> {
         let Spot { place, tangent, .. } = self.at();
         let step = place.iter().zip(tangent).zip(&self.units);
@@ -180,11 +180,11 @@ impl<'a> Trace<'a> {
         (turn <= TURNS[0]).then_some((spot, turn))
     }
 
-    /// Newton's method across a direction; the slopes are kept once it is near.
+    /// Newton's method perpendicular to a direction; the derivatives are kept once the correction is small.
     fn corrected(&self, guess: &[f64], across: &[f64]) -> Option<Vec<f64>> {
         const MOST_ROUNDS: usize = 16;
         const NEAR: f64 = 1e-3;
-        /// Largest remaining correction, in units: some roundings.
+        /// Largest remaining correction, in scaled units: a few rounding errors.
         const DONE: f64 = 3e-15;
         const ROUNDING: f64 = 1e-9;
         let mut place = guess.to_vec();
@@ -217,7 +217,7 @@ impl<'a> Trace<'a> {
         a.iter().zip(b).zip(&self.units).map(|((a, b), unit)| (a - b) / unit).collect()
     }
 
-    /// A direction along the curve at its first place, and this place: across whichever unknown gives the best determined one.
+    /// The tangent of the curve near a point, along its largest component, and the point corrected perpendicular to it.
     fn first(&self, place: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
         let slopes = self.singular.slopes(place, &self.units, TOLERANCES[0])?;
         let along = |j: usize| {
@@ -229,7 +229,7 @@ impl<'a> Trace<'a> {
         Some((along, place))
     }
 
-    /// A place with its direction, its motion and its error.
+    /// A point with its direction, its motion and its error.
     fn spot(&self, place: Vec<f64>, along: &[f64]) -> Option<Spot> {
         let slopes = self.singular.slopes(&place, &self.units, TOLERANCES[0])?;
         let tangent = tangent(&slopes, along)?;
@@ -242,7 +242,7 @@ impl<'a> Trace<'a> {
         Some(Spot { tangent, point: CurvePoint { point, second }, place })
     }
 
-    /// Error of the parameters across the curve, from the residuals, a second tolerance of the integration and the rounding of the unknowns.
+    /// Error of the parameters perpendicular to the curve, from the residuals, a second integration tolerance and the rounding of the unknowns.
     fn error(&self, place: &[f64], mut rows: Vec<Vec<f64>>, tangent: &[f64]) -> Option<f64> {
         let values = |tolerance: f64| self.singular.values(place, &self.units, tolerance);
         let rounding =
@@ -265,7 +265,7 @@ impl<'a> Trace<'a> {
         sizes.into_iter().chain([widths[1]]).collect()
     }
 
-    /// Takes the sizes of the last motion; directions stay as they are.
+    /// Rescales the units to the sizes of the last motion; directions stay the same.
     fn rescale(&mut self) {
         let units = self.units_of(&self.at().point.point);
         let old = std::mem::replace(&mut self.units, units);
@@ -279,7 +279,7 @@ impl<'a> Trace<'a> {
         self.spots.iter_mut().zip(turned).for_each(|(spot, tangent)| spot.tangent = tangent);
     }
 
-    /// The parameter that leaves its range first on the way to a spot, and the end of it.
+    /// The parameter that first leaves its range on the way to a spot, and the end of the range.
     fn outside(&self, next: &Spot) -> Option<(usize, f64)> {
         let (_, now) = self.singular.parts(&self.at().place);
         let (_, then) = self.singular.parts(&next.place);
@@ -293,7 +293,7 @@ impl<'a> Trace<'a> {
         first.map(|(_, which, value)| (which, value))
     }
 
-    /// The spot on the way to another one where a parameter has a value.
+    /// The spot at which a parameter has a value, on the way to another spot.
     fn at_value(&self, next: &Spot, which: usize, value: f64) -> Option<Spot> {
         let (now, then) = (&self.at().place, &next.place);
         let number = now.len() - 2 + which;
@@ -306,7 +306,7 @@ impl<'a> Trace<'a> {
         self.spot(place, &self.at().tangent)
     }
 
-    /// Returns whether the step to a spot goes through the first one in the same direction.
+    /// Returns `true` if the step to a spot passes through the first spot in the same direction.
     fn closes(&self, next: &Spot, length: f64) -> bool {
         if self.spots.len() < 4 {
             return false;
@@ -321,14 +321,14 @@ impl<'a> Trace<'a> {
         near && side(&self.at().place) < 0.0 && side(&next.place) >= 0.0
     }
 
-    /// Returns whether the parameters turn back on the step to a spot.
+    /// Returns `true` if the parameters turn back on the step to a spot.
     fn turns_back(&self, next: &Spot) -> bool {
         let product =
             |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).rev().take(2).map(|(a, b)| a * b).sum() };
         self.singular.rest.is_none() && product(&self.at().tangent, &next.tangent) < 0.0
     }
 
-    /// The spot at which the parameters turn back: there the tangent of the curve has components of the state alone.
+    /// The spot at which the parameters turn back: its tangent has components in the state only.
     fn turning(&self, next: &Spot) -> Option<Spot> {
         const WIDTH: f64 = 1e-10;
         let (a, b) = (self.at(), next);
@@ -347,9 +347,9 @@ impl<'a> Trace<'a> {
         spot_at(zero_between(ends, Tolerance::absolute(WIDTH), value)?)
     }
 
-    /// Returns whether a motion belongs to a smaller space: there the curve goes back as its own image, half a period later or mirrored.
+    /// Returns `true` if a motion belongs to a smaller space: the curve continues there as its own image, half a period later or mirrored.
     fn belongs_to_less(&self, spot: &Spot) -> bool {
-        /// Largest defect, in parts of the size of the motion.
+        /// Largest defect relative to the size of the motion.
         const SAME: f64 = 1e-3;
         const REST: f64 = 0.05;
         let Singular { family, space, rest, .. } = self.singular;
@@ -369,7 +369,7 @@ impl<'a> Trace<'a> {
     }
 }
 
-/// The unit vector that slopes map to zero and that goes with another one.
+/// The unit vector that the derivatives map to zero, oriented like a given vector.
 fn tangent(slopes: &[Vec<f64>], along: &[f64]) -> Option<Vec<f64>> {
     let rows: Vec<Vec<f64>> = slopes.iter().cloned().chain([along.to_vec()]).collect();
     let right: Vec<f64> = (0..along.len()).map(|i| if i + 1 < along.len() { 0.0 } else { 1.0 }).collect();

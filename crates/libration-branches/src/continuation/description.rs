@@ -1,4 +1,4 @@
-//! The description of a motion that was found: its range, its multipliers and their errors, and a check that it closes.
+//! Description of a corrected motion: its range, its multipliers with errors, and a check that it closes.
 
 use super::corrector::{Corrected, Corrector, bordered};
 use super::family::{Family, Image, TOLERANCES};
@@ -14,14 +14,14 @@ use libration_numbers::internals::linear::eigenvalues;
 use std::f64::consts::TAU;
 
 impl Corrector<'_> {
-    /// The unknowns of a motion of the space.
+    /// The unknowns of a motion in the space.
     pub(super) fn unknowns(&self, point: &BranchPoint) -> Vec<f64> {
         let period = (!self.family.is_driven()).then(|| point.period / f64::from(self.space.drive_periods()));
         point.state.iter().copied().chain(period).collect()
     }
 
-    /// The description of a motion; `None` where it cannot be followed, or does not close over its whole period.
-    /// With the multipliers of the map of its space and their errors.
+    /// The description of a motion, with the multipliers of the map of its space and their
+    /// errors; `None` if the motion cannot be integrated or does not close over its whole period.
     pub(super) fn point(
         &self,
         corrected: &Corrected,
@@ -31,7 +31,7 @@ impl Corrector<'_> {
         let (&parameter, unknowns) = corrected.place.split_last()?;
         let other = TOLERANCES.into_iter().find(|it| *it > self.tolerance).unwrap_or(0.1 * self.tolerance);
         let motion = self.family.whole(self.space, unknowns, &[parameter], other)?;
-        // Where branches cross the state is not determined.
+        // At a crossing of branches the state is not determined.
         let errors = across(corrected, &motion.defect, tangent, units).filter(|it| norm(it).is_finite());
         let off = errors.as_ref().map_or(0.0, |it| 4.0 * norm(it)) + 2.0 * corrected.stale;
         let image = (&corrected.image, corrected.map_slope * off);
@@ -55,9 +55,9 @@ impl Corrector<'_> {
 /// A motion over its whole period, by integration of the equation alone.
 struct Whole {
     steps: Vec<OwnedStep>,
-    /// The distance of the end of the time of its space from the start.
+    /// The distance of the end from the start, over the time of the space.
     defect: Vec<f64>,
-    /// The distance of the end of the whole period from the start; that of a mirrored motion comes after twice the time of its space.
+    /// The distance of the end of the whole period from the start; for a mirrored motion this is twice the time of the space.
     closing: Vec<f64>,
 }
 
@@ -76,7 +76,7 @@ impl Family<'_> {
         Some(Whole { steps, defect, closing })
     }
 
-    /// A motion at some parameters, of which the first is named in it, with an error that is known.
+    /// A motion at some parameters with a known error; its `parameter` is the first of them.
     pub(super) fn point(
         &self,
         space: Space,
@@ -114,7 +114,7 @@ impl Family<'_> {
         let of_map = multipliers(image, &units, apart(image, motion, &units), map_error)?;
         let mut own = of_map.clone();
         if !self.is_driven() {
-            // By descending magnitude: the last one is the 0 of a deviation along the motion, which a whole period brings back.
+            // The last multiplier by descending magnitude is the 0 of a deviation along the motion; the whole period adds its 1 again.
             own.pop();
             let before = own.iter().take_while(|(it, _)| it.abs() > 1.0).count();
             own.insert(before, (Complex::from(1.0), 0.0));
@@ -127,23 +127,23 @@ impl Family<'_> {
     }
 }
 
-/// Largest difference between the ends of two integrations to different tolerances, in units.
+/// Largest difference, in scaled units, between the ends of two integrations with different tolerances.
 fn apart(image: &Image, motion: &Whole, units: &[f64]) -> f64 {
     let ends = image.defect.iter().zip(&motion.defect).zip(units);
     ends.map(|((a, b), unit)| ((a - b) / unit).abs()).fold(0.0, f64::max)
 }
 
-/// The eigenvalues of a map with their errors, from the difference of two integrations with different tolerances, in the units, and a
-/// further error of the map relative to its norm.
+/// The eigenvalues of a map with their errors: from the difference of two integrations with different
+/// tolerances, `apart`, which is measured in `units`, and from a further error of the map relative to its norm.
 pub(super) fn multipliers(
     image: &Image,
     units: &[f64],
     apart: f64,
     map_error: f64,
 ) -> Option<Vec<(Complex, f64)>> {
-    /// Variations are integrated together with the motion, to the same tolerance. The distance of multipliers from those of another integration, over
-    /// their stated errors, has the median 0.009, the quantile 0.99 of 0.12 and a maximum of about 1 in 12 110 of random oscillators; without this
-    /// factor some are beyond their errors.
+    /// Factor of the difference, because variations are integrated together with the motion, to the same tolerance. The distance of multipliers
+    /// from those of another integration, over their stated errors, has a median of 0.009, a 0.99 quantile of 0.12 and a maximum of about 1 in
+    /// 12 110 multipliers of random oscillators; without this factor some exceed their errors.
     const APART: f64 = 16.0;
     let map = image.return_map();
     let own = eigenvalues(map)?;
@@ -157,14 +157,14 @@ pub(super) fn squared((multiplier, error): (Complex, f64)) -> (Complex, f64) {
     (multiplier * multiplier, error * (2.0 * multiplier.abs() + error))
 }
 
-/// The growth of deviations in the whole period, in units: with a mirror at most the square of that in the time of the space.
+/// The growth of deviations over the whole period, in scaled units; with a mirror at most the square of the growth over the time of the space.
 fn growth(image: &Image, space: Space, units: &[f64]) -> f64 {
     let map = image.return_map();
     let own = 1.0 + norm_of_map(map.len(), units, |i, j| map[i][j]);
     if space.mirrored { own * own } else { own }
 }
 
-/// `true` if a motion comes back to its start after its whole period, within the error of the start as it grows and that of the integrations.
+/// `true` if a motion returns to its start after its whole period, within the grown error of the start and the errors of the integrations.
 fn closes(image: &Image, motion: &Whole, error: f64, growth: f64, units: &[f64]) -> bool {
     let numbers = motion.closing.len();
     let missed = motion.closing.iter().zip(units).map(|(x, unit)| (x / unit).abs()).fold(0.0, f64::max);
@@ -172,20 +172,21 @@ fn closes(image: &Image, motion: &Whole, error: f64, growth: f64, units: &[f64])
     missed <= CLOSED * growth * (error / unit + apart(image, motion, units) + f64::EPSILON)
 }
 
-/// The error of the state, from the errors of all unknowns in units.
+/// The error of the state, from the errors of all unknowns in scaled units.
 fn state_error(errors: &[f64], numbers: usize, units: &[f64]) -> f64 {
     let unit = units[..numbers].iter().copied().fold(0.0, f64::max);
     4.0 * unit * norm(&errors[..numbers])
 }
 
-/// The error of the parameter of a node, by its own defect and the rounding of its state.
+/// The error of the parameter of a node, from its defect and the rounding of its state.
 pub(super) fn parameter_error(corrected: &Corrected, direction: &[f64], units: &[f64]) -> Option<f64> {
     let errors = across(corrected, &corrected.image.defect, &in_units(direction, units), units)?;
     Some(4.0 * errors.last()? * units.last()?)
 }
 
-/// The errors of state and parameter across the branch, in units, of a motion that misses its start by two defects and by the rounding of its state.
-/// Each defect is one vector: of a strongly unstable motion it lies along the direction in which deviations grow, and changes the start by little.
+/// The errors of state and parameter perpendicular to the branch, in scaled units, of a motion with two
+/// defects and with the rounding of its state. Each defect is treated as one vector: for a strongly
+/// unstable motion it lies along the direction in which deviations grow, and hardly changes the start.
 fn across(corrected: &Corrected, other: &[f64], tangent: &[f64], units: &[f64]) -> Option<Vec<f64>> {
     let own = &corrected.image.defect;
     let step = bordered(&corrected.image, tangent, units);
@@ -200,7 +201,7 @@ fn across(corrected: &Corrected, other: &[f64], tangent: &[f64], units: &[f64]) 
     Some(errors)
 }
 
-/// The least and greatest value of each coordinate, where its rate of change is zero or a motion begins; an even rotation is taken off.
+/// The least and greatest value of each coordinate, at zeros of its rate of change and at the start; a uniform rotation is subtracted.
 pub(super) fn ranges(
     layout: &StateLayout,
     steps: &[OwnedStep],

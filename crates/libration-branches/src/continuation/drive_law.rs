@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 /// T = n·2π/ω(p, …).
 #[derive(Clone, Debug)]
 pub(super) struct DriveLaw {
-    /// ω, then its derivative by each parameter.
+    /// ω, followed by its derivative with respect to each parameter.
     frequency: Tape,
     times: i32,
 }
@@ -27,7 +27,7 @@ impl DriveLaw {
         Ok(Self { frequency: Tape::new(&formulas, &symbols)?, times })
     }
 
-    /// The period and its derivatives; `None` where there is none.
+    /// The period and its derivatives; `None` if it is undefined.
     pub(super) fn period(&self, parameters: &[f64]) -> Option<(f64, Vec<f64>)> {
         let jet = Jet::new(&Doubles, &self.frequency, parameters).ok()?;
         let frequency = jet.result(0)[0];
@@ -36,7 +36,7 @@ impl DriveLaw {
         (period > 0.0 && period.is_finite()).then(|| (period, (1..=parameters.len()).map(slope).collect()))
     }
 
-    /// The period over one parameter in many bits.
+    /// The period as a function of one parameter, in many bits.
     pub(super) fn precise_period(&self, ring: Floats, parameter: &BigFloat) -> Option<BigFloat> {
         let jet = Jet::new(&ring, &self.frequency, std::slice::from_ref(parameter)).ok()?;
         let frequency = jet.result(0)[0].clone();

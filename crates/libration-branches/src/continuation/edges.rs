@@ -1,4 +1,4 @@
-//! The edges of stability of a state of rest over two parameters, found on a grid.
+//! Stability boundaries of an equilibrium over two parameters, found on a grid.
 
 use super::curve::SpecialCurve;
 use super::description::multipliers;
@@ -10,21 +10,22 @@ use libration_motion::orbit::Stability;
 use libration_numbers::internals::roots::other_sign_between;
 use libration_numbers::roots::{Tolerance, zero_between};
 
-/// Stability of a state of rest on a grid over two parameters.
+/// Stability of an equilibrium on a grid over two parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RestStability {
     /// The values of the first parameter and of the second.
     pub values: [Vec<f64>; 2],
-    /// `true` where rest is stable, for each value of the second parameter and each of the first; `None` where the motion cannot be followed.
+    /// `true` where the equilibrium is stable, by the value of the second
+    /// parameter and then of the first; `None` if the motion cannot be integrated.
     pub stable: Vec<Vec<Option<bool>>>,
-    /// Ranges of the second parameter in which rest is stable, at the least value of the first and at its greatest.
+    /// Ranges of the second parameter in which the equilibrium is stable, at the least and at the greatest value of the first.
     pub at_ends: [Vec<[f64; 2]>; 2],
 }
 
-/// Intervals of the grid each way.
+/// Number of grid intervals in each direction.
 const INTERVALS: u32 = 32;
 
-/// The grid, with the tests at its places.
+/// The grid, with the test functions at its points.
 pub(super) struct Grid<'a> {
     family: &'a Family<'a>,
     space: Space,
@@ -33,12 +34,12 @@ pub(super) struct Grid<'a> {
     tests: Vec<Vec<Option<(Tests, bool)>>>,
 }
 
-/// A place between neighbours of the grid at which a test vanishes.
+/// A point between neighbouring grid points at which a test function vanishes.
 #[derive(Clone, Debug)]
 pub(super) struct Crossing {
     pub(super) test: Test,
     pub(super) place: [f64; 2],
-    /// The parameter along which it was found, and whether the test rises with it.
+    /// Index of the parameter that varies between the two grid points.
     pub(super) along: usize,
     pub(super) rises: bool,
 }
@@ -64,8 +65,8 @@ impl<'a> Grid<'a> {
         RestStability { values: self.values.clone(), stable, at_ends }
     }
 
-    /// The ranges of the second parameter, between the ends that edges have at this value of the first, in whose middle rest is stable: they
-    /// may be narrower than the grid.
+    /// The ranges of the second parameter, between the boundaries at this value of the
+    /// first, in whose middle the equilibrium is stable; they may be narrower than the grid.
     fn stable_ranges(&self, first: f64, edges: &[SpecialCurve]) -> Vec<[f64; 2]> {
         let ends = edges.iter().flat_map(|edge| &edge.points);
         let ends = ends.filter(|it| it.point.parameter.to_bits() == first.to_bits()).map(|it| it.second);
@@ -96,7 +97,7 @@ impl<'a> Grid<'a> {
         Some((tests, stability.may_last()))
     }
 
-    /// Zeros of the tests along the lines of the grid.
+    /// Zeros of the test functions along the lines of the grid.
     pub(super) fn crossings(&self) -> Vec<Crossing> {
         let tests = [Test::Branching, Test::Flip, Test::Torus];
         let lines = (0..2).flat_map(|along| (0..self.values[1 - along].len()).map(move |line| (along, line)));
@@ -120,7 +121,7 @@ impl<'a> Grid<'a> {
         let value_at = |at: f64| self.at(place(at)).map_or(f64::NAN, |(tests, _)| test.of(&tests));
         let axis = &self.values[along];
         let crossing = |[from, to]: [(f64, f64); 2]| {
-            /// Width to which a zero is enclosed, in parts of the interval: small enough to start Newton's method.
+            /// Width to which a zero is enclosed, relative to the interval: small enough to start Newton's method.
             const WIDTH: f64 = 1e-6;
             let width = WIDTH * (to.0 - from.0).abs();
             let at = zero_between([from, to], Tolerance::absolute(width), value_at)?;

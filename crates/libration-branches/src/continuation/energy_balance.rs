@@ -12,7 +12,7 @@ use libration_numbers::{
 };
 use std::f64::consts::{PI, TAU};
 
-/// An oscillator and what is left of it without its drive and its velocity.
+/// An oscillator, and its free equation without the drive and the velocity.
 pub(super) struct EnergyBalance {
     pub(super) equation: Equation,
     pub(super) free: Equation,
@@ -22,16 +22,16 @@ pub(super) struct EnergyBalance {
     is_periodic: bool,
 }
 
-/// Places of release with the frequencies of the free oscillations from there, in the order of the places, for each side of the bottom.
+/// Release points with the frequencies of their free oscillations, in ascending order, for each side of the bottom.
 pub(super) type Frequencies = Vec<Vec<(f64, f64)>>;
 
 /// Work of drive and damping on a free oscillation over a whole number of periods of both.
 pub(super) enum Work {
-    /// Nothing that depends on the phase.
+    /// Work that does not depend on the phase.
     WithoutPhase,
-    /// The drive supplies less than the damping takes at every phase: at most this fraction.
+    /// The drive supplies less energy than the damping removes at every phase: at most this fraction.
     TooWeak(f64),
-    /// The drive supplies what the damping takes at these states, which are those at the phase zero of the drive.
+    /// The drive supplies what the damping removes at these states, which belong to phase zero of the drive.
     Balanced(Vec<Vec<f64>>),
 }
 
@@ -59,7 +59,7 @@ impl EnergyBalance {
         })
     }
 
-    /// The frequencies of free oscillations of all sizes; where left and right are alike, of one side.
+    /// The frequencies of free oscillations of all sizes; on one side only if left and right are symmetric.
     pub(super) fn frequencies(&self) -> Frequencies {
         let places = self.places();
         let of =
@@ -71,9 +71,9 @@ impl EnergyBalance {
         Orbit::released(&self.free, place, &Quiet).map_or(f64::NAN, |orbit| orbit.frequency())
     }
 
-    /// The free oscillations of a frequency, each released from rest.
+    /// The free oscillations with a given frequency, each released from rest.
     pub(super) fn oscillations(&self, frequencies: &Frequencies, frequency: f64) -> Vec<Orbit> {
-        /// Relative tolerance of the release, sufficient for a first guess.
+        /// Relative tolerance of the release point, sufficient for an initial guess.
         const CLOSE: f64 = 1e-4;
         let pairs = frequencies.iter().flat_map(|side| side.windows(2));
         let places = pairs.filter_map(|pair| {
@@ -83,7 +83,7 @@ impl EnergyBalance {
         places.filter_map(|place| Orbit::released(&self.free, place, &Quiet).ok()).collect()
     }
 
-    /// Six decades, or from the bottom to a hundredth of a radian below the top.
+    /// Release points over six decades, or from the bottom to a hundredth of a radian below the top.
     fn places(&self) -> Vec<f64> {
         const PER_DECADE: i32 = 5;
         let decades = |from: i32, to: i32| {
@@ -97,10 +97,10 @@ impl EnergyBalance {
         below.chain(above).collect()
     }
 
-    /// The work of the rest over an oscillation that goes on by an order in a period of the drive.
+    /// The work of drive and damping on a free oscillation in resonance of the given order, as a function of its phase.
     pub(super) fn work(&self, orbit: &Orbit, order: ResonanceOrder, drive_period: f64) -> Work {
         const PHASES: u32 = 48;
-        /// Smallest variation with the phase, in parts of the sum of the sizes; it exceeds the error of the sums.
+        /// Smallest variation with the phase, relative to the sum of the magnitudes; it exceeds the error of the sums.
         const NONE: f64 = 1e-7;
         let phase = |j: u32| drive_period * f64::from(j) / f64::from(PHASES);
         let values: Vec<[f64; 2]> =
@@ -123,12 +123,12 @@ impl EnergyBalance {
         Work::Balanced(zeros.map(|shift| orbit.state_at(shift)).collect())
     }
 
-    /// Work on the oscillation that is `ahead` seconds ahead when the phase of the drive is zero, and the sum of the sizes of its terms.
+    /// The work on the oscillation that is `ahead` seconds ahead at phase zero of the drive, and the sum of the magnitudes of its terms.
     fn work_at(&self, orbit: &Orbit, order: ResonanceOrder, drive_period: f64, ahead: f64) -> [f64; 2] {
         const STEPS: u32 = 48;
         let steps = STEPS * (order.oscillations() + order.drive_periods());
         let whole = drive_period * f64::from(order.drive_periods());
-        // The frequency of the oscillation is nearly the one that is meant.
+        // The frequency of the oscillation is only nearly the resonant one.
         let whole_of_orbit = orbit.period() * f64::from(order.oscillations());
         (0..steps).fold([0.0, 0.0], |[work, size], j| {
             let part = f64::from(j) / f64::from(steps);
@@ -138,7 +138,7 @@ impl EnergyBalance {
         })
     }
 
-    /// The free oscillator with a part of the rest, which is a letter of its own.
+    /// The free oscillator with a multiple of drive and damping, and the name of this multiple, a new parameter.
     pub(super) fn with_part_of_rest(&self) -> (Equation, String) {
         let full = &self.equation.derivatives()[0];
         let taken: Vec<String> = full.symbols().into_iter().map(|it| it.name).collect();

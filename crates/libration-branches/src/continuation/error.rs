@@ -4,14 +4,14 @@ use libration_motion::orbit::OrbitError;
 use libration_numbers::expression::{EquationError, WithoutValue};
 use libration_numbers::progress::Interrupted;
 
-/// Reason why no branch of periodic orbits was found.
+/// Reason why branches of periodic orbits were not found.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum BranchError {
     /// A value that the equations cannot have.
     #[error(transparent)]
     Equation(#[from] EquationError),
-    /// Another parameter without a value.
+    /// A further parameter without a value.
     #[error(transparent)]
     WithoutValue(#[from] WithoutValue),
     /// Equations without a periodic drive.
@@ -19,7 +19,7 @@ pub enum BranchError {
         "the equations have no drive with a known period: the time may stand in sines and cosines only, in simple proportions"
     )]
     NotDriven,
-    /// Free oscillations of anything but one coordinate.
+    /// An order for equations of more than one coordinate.
     #[error(
         "sub- and superharmonic responses are searched from the free oscillations of one second-order equation: these equations have another form"
     )]
@@ -29,7 +29,7 @@ pub enum BranchError {
         "the coordinate {0} does not rotate: it is not an angle, after whose full turn the equations repeat"
     )]
     NotAnAngle(String),
-    /// No rotation to begin with.
+    /// No rotating solution to begin with.
     #[error(
         "no rotating solution was found at the ends of the range or at the given value (turns: {turns}, periods of the drive: \
          {drive_periods}): give a value within the range, or a stronger drive"
@@ -40,7 +40,7 @@ pub enum BranchError {
         /// The number of drive periods.
         drive_periods: u32,
     },
-    /// Free motions that are not isolated.
+    /// Free motions that form a continuous family.
     #[error(
         "at one value of the parameter there is a family of periodic motions, as where energy is conserved: follow it in the amplitude instead"
     )]
@@ -48,22 +48,22 @@ pub enum BranchError {
     /// A range without a width, or with ends that are not finite.
     #[error("the range from {from:?} to {to:?} has no width: give two different finite numbers")]
     Range {
-        /// One end.
+        /// The first end.
         from: f64,
-        /// The other.
+        /// The second end.
         to: f64,
     },
-    /// A start outside of the range.
+    /// A value outside the range.
     #[error("the value {at:?} at which solutions are searched is outside the range from {from:?} to {to:?}")]
     Outside {
-        /// The value at which they are looked for.
+        /// The value at which motions are searched.
         at: f64,
-        /// One end.
+        /// The first end.
         from: f64,
-        /// The other.
+        /// The second end.
         to: f64,
     },
-    /// No motion to begin with at either end.
+    /// No motion to begin with, at either end.
     #[error("no periodic solution was found at the ends of the range or at the given value: {0}")]
     NoStart(OrbitError),
     /// Cancelled before the first point.

@@ -1,33 +1,33 @@
-//! Test whether a step along a branch may have passed special points that its ends do not show.
+//! Test whether a step along a branch may have skipped special points.
 //!
 //! # Method
-//! The test functions are symmetric polynomials of the multipliers and the slope of the parameter, and so smooth along a branch. On a step each of
-//! them is interpolated by the parabola through the last two nodes and the new one. How far the parabola through the three nodes before the step
-//! was off at its end estimates the third derivative, and with it the error of the interpolation inside the step. A step is accepted where each
-//! interpolated test function stays farther from zero than [`SAFETY`] times that error, or crosses zero once with a slope that the error
-//! cannot turn round; otherwise it is halved.
+//! The test functions are symmetric polynomials of the multipliers, and the slope of the parameter; they are smooth along a
+//! branch. On a step each test function is interpolated by the parabola through the last two nodes and the new one. The third
+//! derivative, and with it the interpolation error inside the step, is estimated from the error with which the parabola through
+//! the three earlier nodes predicts the new node. A step is accepted if each interpolated test function stays farther from zero
+//! than [`SAFETY`] times that error, or crosses zero once with a slope that the error cannot reverse; otherwise it is halved.
 //!
-//! This is an estimate, not a proof: it sees windows of any width in which a test function varies on the scale of the steps, and none in which it
-//! varies only within a step.
+//! This is an estimate, not a proof: it detects windows of any width in which a test function
+//! varies on the scale of the steps, and misses those in which it varies only within a step.
 
 use super::node::Tests;
 use super::special::Test;
 
-/// A multiple of the estimated error of interpolation that a test function must stay away from zero. The estimate is not a bound: on the accepted
-/// steps of the random oscillators of the tests the error at the quarters of a step is 2.6 to 3.3 times the estimate in the median (87 times for the
-/// slope of the parameter, which is far from zero as a rule), and more than this multiple of it in 9577 of 25 922 cases; more than the value at the
-/// end of the step it is in 25. With zero in its place tongues within a step are passed.
+/// Multiple of the estimated interpolation error that a test function must stay away from zero. The estimate is not a bound: on the accepted
+/// steps of the random oscillators of the tests, the error at the quarters of a step has a median of 2.6 to 3.3 times the estimate (87 times for
+/// the slope of the parameter, which is usually far from zero). It exceeds this multiple in 9577 of 25 922 cases, and the value at the end of
+/// the step in 25. With zero in place of this multiple, tongues within a step are skipped.
 const SAFETY: f64 = 4.0;
 
-/// The test functions at a node, and the node's distance along the branch.
+/// The test functions at a node, and its distance along the branch.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Milestone {
     pub(super) at: f64,
     pub(super) tests: Tests,
 }
 
-/// `true` if no test function can have zeros between the last node and the next one that their signs do not show. `before` are the nodes up to the
-/// last one; `middle` is evaluated where there is only one of them.
+/// `true` if no test function can have hidden zeros, which its signs do not show, between the last node and the next one. `before` are the nodes
+/// up to the last one; `middle` is evaluated if there is only one of them.
 pub(super) fn is_established(
     before: &[Milestone],
     next: &Milestone,
@@ -50,7 +50,7 @@ fn is_clear(before: &[Milestone], next: &Milestone) -> bool {
     let is_clear_of = |test: Test| {
         let value = |it: &Milestone| (it.at, test.of(&it.tests));
         let three = [value(&a), value(&b), value(next)];
-        // Where a test function is rounding throughout, as in conservative systems, it tells nothing.
+        // A test function without a sign, as in conservative systems, is pure rounding and cannot be tested.
         if [&b, next].iter().any(|it| !test.has_sign(&it.tests)) {
             return true;
         }
@@ -60,20 +60,20 @@ fn is_clear(before: &[Milestone], next: &Milestone) -> bool {
         };
         let [first, step] = [b.at - a.at, next.at - b.at];
         let whole = earlier.map_or(first + step, |earlier| next.at - earlier.at);
-        // t(t + first)(step − t) against step(step + first)·whole: its maximum is at most step²/4·(step + first).
+        // The error t(t + first)(step − t) relative to step(step + first)·whole has its maximum at most at step²/4·(step + first).
         is_clear_of_zero(three, SAFETY * off * 0.25 * step / whole)
     };
     [Test::Fold, Test::Branching, Test::Flip, Test::Torus].into_iter().all(is_clear_of)
 }
 
-/// Returns whether the parabola through three points, between the last two of them, is farther from zero than an error, or crosses it once so steeply
-/// that the error leaves one zero.
+/// Returns `true` if the parabola through three points, between the last two of them, is farther
+/// from zero than an error, or crosses zero once with such a slope that the error leaves one zero.
 fn is_clear_of_zero(points: [(f64, f64); 3], error: f64) -> bool {
     let [_, (from, start), (to, end)] = points;
     let step = to - from;
     let slope = |at: f64| slope_of_parabola(points, at);
     if (start > 0.0) != (end > 0.0) {
-        // Within the error of zero the slope must be one that an error of this size over a quarter of the step cannot turn.
+        // Within the error of zero, the slope must exceed what an error of this size over a quarter of the step can change.
         let part = start / (start - end);
         return slope(from + part * step).abs() * step > 4.0 * error;
     }

@@ -1,4 +1,4 @@
-//! A system over its open parameters: how the end of a motion depends on its start and on them.
+//! A system as a function of its symbolic parameters: the end of a motion depending on the start and the parameters.
 
 use super::drive_law::DriveLaw;
 use super::error::BranchError;
@@ -14,13 +14,13 @@ use libration_numbers::internals::progress::Watch;
 /// Source of the period of a motion.
 #[derive(Debug)]
 enum Beat {
-    /// The drive, at each value of the open parameters.
+    /// The drive, whose period depends on the parameters.
     Drive(DriveLaw),
-    /// The motion itself: its period is one more unknown, and it begins where the first coordinate turns back.
+    /// The motion itself: its period is another unknown, and the motion begins where the first coordinate turns back.
     Own(Field),
 }
 
-/// A system over its open parameters. The unknowns of a motion are the components of its state, followed by its period where no drive sets it.
+/// A system with symbolic parameters. The unknowns of a motion are the components of its state, followed by its period if no drive sets it.
 #[derive(Debug)]
 pub(super) struct Family<'w> {
     pub(super) layout: StateLayout,
@@ -29,19 +29,19 @@ pub(super) struct Family<'w> {
     pub(super) signs: Vec<f64>,
     beat: Beat,
     flow: Flow,
-    /// The ranges of the open parameters.
+    /// The ranges of the parameters.
     ranges: Vec<[f64; 2]>,
     pub(super) watch: &'w Watch<'w>,
 }
 
-/// Image of a state after the time of its space; the mirror image where the space has one.
+/// Image of a state after the time of its space; mirrored if the space has a mirror.
 #[derive(Clone, Debug)]
 pub(super) struct Image {
-    /// Image minus start; then, where no drive sets the period, the deviation of the start from its phase.
+    /// Image minus start, followed, if no drive sets the period, by the deviation of the start from its phase condition.
     pub(super) defect: Vec<f64>,
-    /// Derivative of the image with respect to the unknowns, by rows: that of the defect plus the identity.
+    /// Derivative of the image with respect to the unknowns, by rows: the derivative of the defect plus the identity.
     pub(super) map: Vec<Vec<f64>>,
-    /// Derivative of the return to the phase with respect to the start, where no drive sets the period.
+    /// Derivative of the return to the phase condition with respect to the start, if no drive sets the period.
     returned: Option<Vec<Vec<f64>>>,
     /// Derivatives with respect to each parameter, including the dependence of the time on it.
     pub(super) by_parameters: Vec<Vec<f64>>,
@@ -56,7 +56,8 @@ impl Image {
         self
     }
 
-    /// Adds the period, a share of which is the time, as an unknown, and the equation that the first coordinate turns back at the start.
+    /// Adds the period as an unknown, of which the time is a fraction `share`,
+    /// and the equation that the first coordinate turns back at the start.
     fn beginning_at_turn(mut self, rate: &[f64], share: f64, start: Rates) -> Option<Self> {
         let (phase, slopes) = (start.rates[0], &start.slopes[0]);
         let (by_state, by_parameters) = slopes.split_at(self.map.len());
@@ -68,26 +69,26 @@ impl Image {
         Some(self)
     }
 
-    /// The norm of the difference from the map of another image, as a part of the norm of this one, in units.
+    /// The norm of the difference between two maps relative to the norm of this one, in scaled units.
     pub(super) fn change(&self, other: &Self, units: &[f64]) -> f64 {
         let (own, other) = (self.return_map(), other.return_map());
         let norm = |entry: &dyn Fn(usize, usize) -> f64| norm_of_map(own.len(), units, entry);
         norm(&|i, j| own[i][j] - other[i][j]) / norm(&|i, j| own[i][j])
     }
 
-    /// The map whose eigenvalues are the multipliers; without a drive the 1 of a deviation along the motion is a 0 there.
+    /// The map whose eigenvalues are the multipliers; without a drive, the 1 of a deviation along the motion is a 0 there.
     pub(super) fn return_map(&self) -> &[Vec<f64>] {
         self.returned.as_ref().unwrap_or(&self.map)
     }
 }
 
-/// The tolerance of steps from which places are computed, and another one that makes other errors.
+/// The integration tolerance for computing points, and a second one with different errors.
 pub(super) const TOLERANCES: [f64; 2] = [1e-16, 1e-15];
-/// Steps of one motion.
+/// Maximum number of steps of one motion.
 const MOST_STEPS: usize = 100_000;
 
 impl<'w> Family<'w> {
-    /// Returns the family of a driven system.
+    /// Creates the family of a driven system.
     pub(super) fn new(
         equation: &Equation,
         parameters: &[&str],
@@ -98,7 +99,7 @@ impl<'w> Family<'w> {
         Self::with_beat(equation, parameters, ranges, Beat::Drive(law), watch)
     }
 
-    /// Returns the family of a driven system, or of an autonomous one, where the time does not stand in the equations.
+    /// Creates the family of a driven system, or of an autonomous one if the time does not occur in the equations.
     pub(super) fn free_or_driven(
         equation: &Equation,
         parameters: &[&str],
@@ -129,15 +130,14 @@ impl<'w> Family<'w> {
         Ok(Self { layout: flow.layout.clone(), symmetry, signs, beat, flow, ranges, watch })
     }
 
-    /// `true` if the only motion that is its own mirror image at all times is the rest at zero.
+    /// `true` if the only motion that is its own mirror image at all times is the equilibrium at zero.
     pub(super) fn mirrors_all(&self) -> bool {
         self.signs.iter().all(|sign| *sign < 0.0)
     }
 
-    /// `true` if a mirror image of some coordinates, without a shift in time, keeps a motion and turns a deviation from it into its opposite; both in
-    /// units.
+    /// `true` if some mirror image without a shift in time maps a motion to itself and a deviation to its opposite; both are in scaled units.
     pub(super) fn loses_partial_mirror(&self, state: &[f64], deviation: &[f64]) -> bool {
-        /// Smallest component that counts, as a part of the largest one.
+        /// Smallest component that matters, relative to the largest one.
         const LEAST: f64 = 1e-3;
         let counts = |vector: &[f64]| -> Vec<bool> {
             let largest = vector.iter().map(|x| x.abs()).fold(0.0, f64::max);
@@ -155,7 +155,7 @@ impl<'w> Family<'w> {
         self.field().is_none()
     }
 
-    /// The rates of change, where no drive sets the period.
+    /// The rates of change, if no drive sets the period.
     pub(super) fn field(&self) -> Option<&Field> {
         match &self.beat {
             Beat::Drive(_) => None,
@@ -163,12 +163,12 @@ impl<'w> Family<'w> {
         }
     }
 
-    /// The state among the unknowns.
+    /// The state, as part of the unknowns.
     pub(super) fn state<'u>(&self, unknowns: &'u [f64]) -> &'u [f64] {
         &unknowns[..self.layout.numbers()]
     }
 
-    /// The time of a space.
+    /// The time over which a motion of a space is followed.
     pub(super) fn duration(&self, space: Space, unknowns: &[f64], parameters: &[f64]) -> Option<f64> {
         let period = match &self.beat {
             Beat::Drive(law) => law.period(parameters)?.0,
@@ -177,7 +177,7 @@ impl<'w> Family<'w> {
         (period > 0.0).then(|| 0.5 * f64::from(space.half_periods) * period)
     }
 
-    /// The derivatives of the time of a space by the period, where it is an unknown, and by the parameters.
+    /// The derivatives of the duration with respect to the period, if this is an unknown, and to the parameters.
     pub(super) fn duration_slopes(&self, space: Space, parameters: &[f64]) -> Option<Vec<f64>> {
         let share = 0.5 * f64::from(space.half_periods);
         Some(match &self.beat {
@@ -194,7 +194,7 @@ impl<'w> Family<'w> {
         }
     }
 
-    /// The image of a motion with its derivatives; `None` where the motion cannot be followed.
+    /// The image of a motion with its derivatives; `None` if the motion cannot be integrated.
     pub(super) fn image(
         &self,
         space: Space,
@@ -227,7 +227,7 @@ impl<'w> Family<'w> {
         }
     }
 
-    /// The end of a motion between two times with its derivatives; `None` where it cannot be followed.
+    /// The end of a motion between two times with its derivatives; `None` if the motion cannot be integrated.
     pub(super) fn variations(
         &self,
         state: &[f64],
@@ -240,7 +240,7 @@ impl<'w> Family<'w> {
         found.end.iter().chain(matrices).copied().all(f64::is_finite).then_some(found)
     }
 
-    /// A start that is not at rest: one that is goes aside a little.
+    /// A start that is not an equilibrium: an equilibrium is displaced a little.
     pub(super) fn displaced(&self, mut state: Vec<f64>, value: f64) -> Vec<f64> {
         const REST: f64 = 1e-9;
         const ASIDE: f64 = 0.1;
@@ -251,7 +251,7 @@ impl<'w> Family<'w> {
         state
     }
 
-    /// Number of times that the first coordinate begins to rise in a period from a turn on, at least 1.
+    /// Number of times, at least 1, that the first coordinate begins to rise in a period that starts at a turning point.
     pub(super) fn turns(&self, state: &[f64], value: f64, period: f64) -> Option<u32> {
         let (steps, _) = self.motion(state, &[value], [0.0, period], TOLERANCES[1]).ok()?;
         let rises = |own: &OwnedStep, time: f64| own.step().speeds_at(time)[0] > 0.0;
@@ -259,7 +259,7 @@ impl<'w> Family<'w> {
         u32::try_from(steps.iter().filter(begins_to).count().max(1)).ok()
     }
 
-    /// The motion alone between two times, step by step, and its end.
+    /// The motion without derivatives between two times: its steps and its end.
     pub(super) fn motion(
         &self,
         state: &[f64],
@@ -275,13 +275,13 @@ impl<'w> Family<'w> {
         Ok((steps, solution.end.state))
     }
 
-    /// The state at a later time from a state at a phase of the drive.
+    /// The state at a later time, from a state at a phase of the drive.
     pub(super) fn moved_on(&self, state: &[f64], value: f64, times: [f64; 2]) -> Option<Vec<f64>> {
         let solution = self.flow.motion(state, &[value], times, TOLERANCES[1], |_| self.watch.flow());
         Some(solution.ok()?.end.state)
     }
 
-    /// The derivative of a state by the time.
+    /// The time derivative of a state.
     pub(super) fn rate(&self, state: &[f64], time: f64, parameters: &[f64]) -> Option<Vec<f64>> {
         self.flow.rate(state, time, parameters)
     }

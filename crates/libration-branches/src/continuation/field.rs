@@ -1,10 +1,10 @@
-//! Rates of change of a state that nothing drives, with their derivatives: where motions begin on their orbits, and rest.
+//! Rates of change of an autonomous state with their derivatives, for the phase condition of orbits and for equilibria.
 //!
 //! # Method
-//! Without a drive the period is one more unknown, and the turning of the first coordinate at the start is one more equation. The multipliers are
-//! those of the return to such turns: the map, moved along the motion, has the multiplier 0 instead of the 1 of every free motion, far from all
-//! other tests, so that folds are found as sharply as with a drive. If the start of a cycle lies on a repelling part of the orbit, as in a canard,
-//! the cycle begins at another of its turning points.
+//! Without a drive the period is an additional unknown, and the turning of the first coordinate at the start an additional equation. The
+//! multipliers are those of the return to such turning points: projected along the motion, the map has the multiplier 0 instead of the 1 of
+//! every autonomous motion. This 0 is far from all other test values, so that folds are determined as sharply as with a drive. If the start of a
+//! cycle lies on a repelling part of the orbit, as in a canard, the cycle begins at another of its turning points.
 
 use super::error::BranchError;
 use libration_motion::taylor::StateLayout;
@@ -14,16 +14,16 @@ use libration_numbers::{
     internals::expression::{Jet, Tape},
 };
 
-/// The rates of all numbers of a state over the open parameters.
+/// The rates of all components of a state, over the symbolic parameters.
 #[derive(Clone, Debug)]
 pub(super) struct Field {
-    /// The rates, then the derivatives of each by the numbers of the state and by the parameters.
+    /// The rates, then the derivatives of each with respect to the components of the state and to the parameters.
     tape: Tape,
     numbers: usize,
     inputs: usize,
 }
 
-/// The rates of a state, and by rows their derivatives by its numbers and then by the parameters.
+/// The rates of a state, and by rows their derivatives with respect to its components and then to the parameters.
 pub(super) struct Rates {
     pub(super) rates: Vec<f64>,
     pub(super) slopes: Vec<Vec<f64>>,
@@ -60,8 +60,8 @@ impl Field {
     }
 }
 
-/// The derivative of the return to a phase whose slopes are given: what a map gives is moved along the motion, at a rate, until it has the
-/// phase. Its eigenvalues are those of the map, except that the 1 of a deviation along the motion is a 0.
+/// The derivative of the return to a phase condition with these slopes: the result of the map is moved along the motion until it satisfies the
+/// condition. Its eigenvalues are those of the map, except that the 1 of a deviation along the motion is a 0.
 pub(super) fn returned(map: &[Vec<f64>], rate: &[f64], slopes: &[f64]) -> Option<Vec<Vec<f64>>> {
     let across: f64 = rate.iter().zip(slopes).map(|(a, b)| a * b).sum();
     let column = |j: usize| map.iter().zip(slopes).map(|(row, slope)| row[j] * slope).sum::<f64>() / across;

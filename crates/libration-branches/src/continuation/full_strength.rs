@@ -13,14 +13,14 @@ use libration_numbers::algebra::BigFloat;
 use libration_numbers::expression::{Equation, Expression};
 use libration_numbers::internals::progress::Watch;
 
-/// Drive and damping of a tenth first, then less.
+/// Initial strengths of drive and damping, in the order of the trials.
 const FIRST_STRENGTHS: [f64; 3] = [0.1, 0.02, 0.004];
-/// Points on the way.
+/// Maximum number of points.
 const MOST_POINTS: usize = 300;
 /// Largest relative difference in swing between the first driven motion and the free oscillation.
 const SAME_SWING: f64 = 0.3;
 
-/// The ways from free oscillations of one oscillator to its responses.
+/// The continuation of the free oscillations of one oscillator to its responses.
 pub(super) struct ToFullStrength<'w> {
     equation: Equation,
     strength: String,
@@ -34,7 +34,7 @@ impl<'w> ToFullStrength<'w> {
         Some(Self { equation, strength, family })
     }
 
-    /// The response that a free oscillation of some amplitude becomes, as drive and damping grow together.
+    /// The response into which a free oscillation of some amplitude develops as drive and damping grow together.
     pub(super) fn answer(&self, space: Space, state: &[f64], amplitude: f64) -> Option<BranchPoint> {
         let corrector = Corrector { family: &self.family, space, tolerance: TOLERANCES[0], stale: 1e-12 };
         let mut along = vec![0.0; state.len() + 1];
@@ -54,7 +54,7 @@ impl<'w> ToFullStrength<'w> {
         branch.points.last().filter(|it| it.parameter.to_bits() == 1.0_f64.to_bits()).cloned()
     }
 
-    /// The response near a state at a strength, and the strength.
+    /// The response near a state at a given strength, followed by the strength.
     fn closed(&self, space: Space, state: &[f64], strength: f64) -> Option<Vec<f64>> {
         let exact = Expression::Number(BigFloat::from_f64(strength, 53)?.to_rational());
         let equation = self.equation.with(&[(&self.strength, exact)]).ok()?;

@@ -1,8 +1,8 @@
-//! Hopf points: where a limit cycle shrinks to a state of rest.
+//! Hopf points, where a limit cycle shrinks to an equilibrium.
 //!
 //! # Method
-//! A cycle that shrinks to an equilibrium ends at the Hopf point, which is solved for by itself: the eigenvalues of the equilibrium, not the
-//! motion, determine it.
+//! A cycle that shrinks to an equilibrium ends at the Hopf point, which is solved
+//! for separately, from the eigenvalues of the equilibrium and not from the motion.
 
 use super::field::{Field, Rates};
 use super::point::BranchPoint;
@@ -13,24 +13,24 @@ use libration_numbers::internals::roots::{NewtonError, newton};
 use libration_numbers::roots::{Tolerance, zero_between};
 use std::f64::consts::TAU;
 
-/// A state of rest at a value of the parameter.
+/// An equilibrium at a value of the parameter.
 struct Rest {
     state: Vec<f64>,
     /// Eigenvalues of the Jacobian matrix of the rates.
     eigenvalues: Vec<Complex>,
-    /// The one above the real axis whose frequency is nearest to that of the cycle.
+    /// The eigenvalue above the real axis whose frequency is nearest to that of the cycle.
     critical: Complex,
 }
 
-/// The Hopf point near a state, a period and a value of the parameter, in a range with a width: a pair of eigenvalues is imaginary there. Its
-/// error is that of the parameter.
+/// The Hopf point near a state, a period and a value of the parameter, for a range of this
+/// width: a pair of eigenvalues is imaginary there. Its error is that of the parameter.
 pub(super) fn hopf(
     field: &Field,
     near: &[f64],
     [period, value]: [f64; 2],
     width: f64,
 ) -> Option<BranchPoint> {
-    /// The first part of the range in which it is looked for, and how often this is doubled.
+    /// The first distance of the search, relative to the range, and the number of its doublings.
     const NEAR: f64 = 1e-6;
     const DOUBLINGS: i32 = 16;
     let rest = |value: f64| Rest::near(field, near, value, TAU / period);
@@ -51,7 +51,7 @@ pub(super) fn hopf(
         Complex { re: libm::cos(it.im * period), im: libm::sin(it.im * period) }
             .scaled(libm::exp(it.re * period))
     };
-    // An eigenvalue is known to some roundings of the largest.
+    // An eigenvalue has an error of a few roundings of the largest.
     let rounding = 16.0 * f64::EPSILON * eigenvalues.first()?.abs() * period;
     let with_error = |it: Complex| (multiplier(it), multiplier(it).abs() * rounding);
     let mut multipliers: Vec<(Complex, f64)> = eigenvalues.into_iter().map(with_error).collect();
@@ -71,7 +71,7 @@ pub(super) fn hopf(
 }
 
 impl Rest {
-    /// Finds a state of rest by Newton's method from a state.
+    /// Finds an equilibrium by Newton's method, from a state.
     fn near(field: &Field, state: &[f64], value: f64, frequency: f64) -> Option<Self> {
         const MOST_ROUNDS: usize = 30;
         let numbers = state.len();

@@ -8,14 +8,14 @@ use super::space::Space;
 use super::special::{SpecialKind, SpecialPoint};
 use libration_motion::internals::periodic::norm;
 
-/// A fold in which a stable motion ends.
+/// A fold at which a stable motion ends.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Jump {
     /// `true` if the jump happens as the parameter rises.
     pub rising: bool,
-    /// The motion that is left, at the value of the parameter.
+    /// The motion before the jump, at the fold.
     pub from: BranchPoint,
-    /// The other stable periodic motions at this value; none where all that were found are unstable.
+    /// The other stable periodic motions at this parameter value; empty if all known ones are unstable.
     pub to: Vec<BranchPoint>,
 }
 
@@ -47,7 +47,7 @@ pub(super) fn jumps<'a>(
     folds.filter_map(|(number, fold)| jump(number, fold)).collect()
 }
 
-/// Neighbours on stable stretches of a branch with a value between them.
+/// Neighbouring points on stable parts of a branch that enclose a value.
 fn stable_stretches(branch: &Branch, value: f64) -> impl Iterator<Item = [&BranchPoint; 2]> {
     let pairs = branch.points.iter().zip(branch.points.iter().skip(1)).map(|(a, b)| [a, b]);
     pairs.filter(move |[a, b]| {
@@ -55,7 +55,7 @@ fn stable_stretches(branch: &Branch, value: f64) -> impl Iterator<Item = [&Branc
     })
 }
 
-/// The motion at a value between two points; the nearer of them, with their distance as its error, where none is found between them.
+/// The motion at a value between two points; if the corrector fails, the nearer point, with their distance as its error.
 pub(super) fn landing(
     corrector: &Corrector<'_>,
     [a, b]: [&BranchPoint; 2],

@@ -1,4 +1,4 @@
-//! Branches of periodic motions of driven and self-excited systems over a parameter, through their folds, with stability and errors.
+//! Branches of periodic motions of driven and self-excited systems over a parameter, through folds, with stability and errors.
 //!
 //! ```
 //! # extern crate libration_branches as libration;
@@ -13,28 +13,28 @@
 //!     .filter(|special| special.kind == SpecialKind::Fold)
 //!     .map(|special| special.point.parameter)
 //!     .collect();
-//! // The jump up, going down: by Fourier collocation 0.8721575691379171688795389.
+//! // The upward jump in a downward sweep: by Fourier collocation 0.8721575691379171688795389.
 //! assert!((folds[0] - 0.87215756913791717).abs() < 1e-13);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
 //! # Method
-//! A periodic motion is a fixed point of the map over the period of the drive. The integrator gives the map with its derivatives by start and
-//! parameter, the derivative of the period included, so that the frequency of the drive is a parameter like others. A branch goes from point to
-//! point along its tangent, with Newton's method across it. A step is shorter where the guess was far off or the direction turns, which keeps
-//! neighbouring branches apart; whether a step may have passed a special point is tested in `established.rs`, and ranges in which the shortest
-//! steps do not establish that are named.
+//! A periodic motion is a fixed point of the map over the period of the drive. The integrator gives the map with its derivatives with respect to
+//! the start and the parameter, including the derivative of the period, so that the drive frequency is a parameter like others. A branch is
+//! followed from point to point along its tangent, with Newton's method perpendicular to it. The step is shortened if the prediction was far off
+//! or the direction turns, which keeps neighbouring branches apart. `established.rs` tests whether a step may have skipped a special point;
+//! parameter ranges in which even the minimum steps do not exclude that are listed.
 //!
 //! Motions that are their own mirror images half a period later are followed by the half map with a mirror (`space.rs`). Its multiplier +1 is a
-//! fold and −1 a symmetry-breaking bifurcation; the whole map could not distinguish them. Whether motions have mirror images is a property of the
+//! fold and −1 a symmetry-breaking bifurcation; the whole map could not distinguish them. The existence of mirror images is a property of the
 //! equation (`symmetry.rs`). Folds, flips and Neimark–Sacker points (products of multipliers equal to one) are zeros of test functions along the
-//! branch, found to the last digits and again with another tolerance; the difference is the error (`special.rs`). A test function that is noise, as
-//! determinants of conservative systems are, has no sign. Secondary branches are followed in the larger space until they return to a smaller one;
-//! the branch in which another branch ends is followed too (`response.rs`).
+//! branch; they are computed to the last digits, and again with another tolerance, and the difference is the error (`special.rs`). A test
+//! function that is noise, such as a determinant of a conservative system, has no sign. Secondary branches are followed in the larger space
+//! until they return to a smaller one; the branch on which another branch ends is followed too (`response.rs`).
 //!
-//! A point is accepted where the motion, integrated over its whole period by the equation alone, returns within its error as that grows
-//! (`description.rs`). Where deviations grow more than 5e9-fold, so that rounding grows to more than 1e-6, it is accepted where multiple shooting
-//! by the whole equation ends within the errors of the motion (`pieces.rs`).
+//! A point is accepted if the motion, integrated over its whole period by the equation alone, returns within the grown
+//! error of its start (`description.rs`). If deviations grow more than 5e9-fold, so that rounding errors exceed 1e-6,
+//! it is accepted if multiple shooting with the whole equation ends within the errors of the motion (`pieces.rs`).
 
 mod error;
 

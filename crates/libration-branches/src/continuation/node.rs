@@ -1,4 +1,4 @@
-//! A place on a branch, with its direction and what tells singular points.
+//! A point on a branch, with its direction and test functions.
 
 use super::corrector::{Corrected, Corrector};
 use super::family::Image;
@@ -8,17 +8,17 @@ use libration_motion::internals::periodic::norm;
 use libration_numbers::algebra::Complex;
 use libration_numbers::internals::linear::eigenvalues;
 
-/// A place on a branch.
+/// A point on a branch.
 #[derive(Clone, Debug)]
 pub(super) struct Node {
     pub(super) corrected: Corrected,
-    /// Along the branch, not in units.
+    /// The direction along the branch, not in scaled units.
     pub(super) direction: Vec<f64>,
     pub(super) point: BranchPoint,
     pub(super) tests: Tests,
 }
 
-/// Test functions, each of which changes its sign at one kind of singular points.
+/// Test functions, each of which changes its sign at one kind of singular point.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tests {
     /// Component of the unit tangent along the parameter; zero at a fold.
@@ -42,7 +42,7 @@ impl Node {
         units: &[f64],
     ) -> Option<Self> {
         let along = in_units(along, units);
-        // Where branches cross there are several directions.
+        // At a crossing of branches the direction is not unique.
         let tangent = corrector.tangent(&corrected.image, &along, units).unwrap_or(along);
         let (point, multipliers) = corrector.point(&corrected, &tangent, units)?;
         let tests = Tests::of(&multipliers, tangent.last().copied()?);
@@ -50,8 +50,8 @@ impl Node {
         Some(Self { corrected, direction, point, tests })
     }
 
-    /// The node nearest to a place, across a direction and along one, where the parameter has a range of a width: once to learn the sizes of
-    /// its motion, and again with these.
+    /// The node nearest to a point, perpendicular to one direction and oriented along another, for a parameter range of this width. It is
+    /// computed twice: first to learn the sizes of its motion, then with these sizes as units.
     pub(super) fn near(
         corrector: &Corrector<'_>,
         place: &[f64],
@@ -85,7 +85,7 @@ impl Tests {
     /// The tests of multipliers with their errors, by descending magnitude.
     fn of(own: &[(Complex, f64)], fold: f64) -> Self {
         let one = Complex::from(1.0);
-        // The product of a large multiplier and its inverse is as inexact as the square of the large one.
+        // The product of a large multiplier and its inverse has an error like that of the square of the large one.
         let largest = own.first().map_or(1.0, |(it, _)| it.abs().max(1.0));
         let rounding = largest * largest;
         let shifted = |by: f64| own.iter().map(move |(it, error)| (*it + Complex::from(by), *error));
@@ -105,7 +105,7 @@ impl Tests {
     }
 }
 
-/// The real part of a product, and what the errors of the factors make of it.
+/// The real part of a product, and its error from the errors of the factors.
 fn product(factors: impl Iterator<Item = (Complex, f64)>) -> (f64, f64) {
     let one = (Complex::from(1.0), 0.0);
     let (product, error) = factors.fold(one, |(product, error), (factor, own)| {
@@ -114,7 +114,7 @@ fn product(factors: impl Iterator<Item = (Complex, f64)>) -> (f64, f64) {
     (product.re, error)
 }
 
-/// The cubic through two places with their directions: Hermite's, from 0 to 1.
+/// Hermite's cubic through two points with their directions, s from 0 to 1.
 pub(super) fn between(a: &Node, b: &Node, units: &[f64], s: f64) -> Vec<f64> {
     let distance = norm(&difference(b.place(), a.place(), units));
     let slope = |node: &Node| {

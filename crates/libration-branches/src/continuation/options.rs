@@ -6,23 +6,23 @@ use super::space::Rotation;
 /// Options of a response.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ResponseOptions {
-    /// The state from which a motion is looked for at each end of the range; rest, where all numbers are zero, if there is none. Where nothing
-    /// drives, the motion from there has to settle to a limit cycle; from a state of rest it is displaced a little.
+    /// The initial guess of a motion at each end of the range; zero in all components if there is none. Without a drive the motion from the
+    /// guess has to settle to a limit cycle; a guess at an equilibrium is displaced a little.
     pub start: Option<Vec<f64>>,
-    /// The value of the parameter at which it is looked for, and followed from both ways; the ends of the range if there is none. Curves that
-    /// close within the range are found from there only.
+    /// The value of the parameter at which a motion is searched and followed in both directions; the
+    /// ends of the range if there is none. Closed branches within the range are found only in this way.
     pub at: Option<f64>,
-    /// Number of drive periods after which a motion repeats itself: 1, or more for subharmonic responses; 1 without a drive.
+    /// Number of drive periods in the period of the motion: 1, or more for subharmonic responses; 1 without a drive.
     pub drive_periods: u32,
-    /// The angle that rotates in these periods of the drive, for rotating solutions; `None` for librating ones.
+    /// The angle that rotates in this number of drive periods, for rotating solutions; `None` for librating ones.
     pub rotation: Option<Rotation>,
-    /// Orders of sub- and superharmonic responses that are looked for besides, from the free oscillations of one coordinate that the drive
-    /// keeps up against the damping to the first order, at sixteen values within the range, by letting both grow to what they are: curves
-    /// that close within the range are found so, where nothing leads to them.
+    /// Orders of sub- and superharmonic responses that are searched in addition. The search begins at free oscillations of one coordinate that,
+    /// to first order, the drive can maintain against the damping. At sixteen values within the range, drive and damping are then increased from
+    /// small values to their actual ones. This finds isolas, which are not connected with other branches.
     pub orders: Vec<ResonanceOrder>,
-    /// Maximum depth of secondary branches (symmetry breaking, period doubling) that are followed.
+    /// Maximum depth of secondary branches (symmetry breaking, period doubling).
     pub generations: usize,
-    /// Points of one branch.
+    /// Maximum number of points of a branch.
     pub most_points: usize,
 }
 

@@ -1,9 +1,9 @@
 //! Order of a sub- or superharmonic response.
 
-/// Most oscillations and most periods of the drive.
+/// Largest number of oscillations and of drive periods.
 const MOST: u32 = 100;
 
-/// Number of oscillations in a number of drive periods, in lowest terms: 1/3 is the subharmonic response with a third of the drive's frequency.
+/// Number of oscillations in a number of drive periods, in lowest terms: 1/3 is the subharmonic response at a third of the drive frequency.
 ///
 /// # Examples
 /// ```

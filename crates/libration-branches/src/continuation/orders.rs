@@ -1,11 +1,11 @@
-//! Sub- and superharmonic responses, found from the free oscillations.
+//! Sub- and superharmonic responses, found from free oscillations.
 //!
 //! # Method
-//! Isolas are found from outside. At each of sixteen values the free oscillations with p/q of the drive frequency are released from rest. The work
-//! that drive and damping do on them over q periods of the drive vanishes at two phases, or the drive is too weak to first order
-//! (`energy_balance.rs`). These zeros do not depend on the strength of both, so that near them there is a response under a tenth of drive and
-//! damping (or a fiftieth, or a 250th), which is followed to full strength (`full_strength.rs`). A response that is on a branch already, in any
-//! period of the drive or mirrored, is left out.
+//! Isolas are found from free oscillations. At each of sixteen values, the free oscillations with p/q of the drive frequency are
+//! released from rest. The work of drive and damping on them over q periods of the drive vanishes at two phases, or the drive is
+//! too weak to first order (`energy_balance.rs`). These zeros do not depend on the common strength of drive and damping. Near
+//! them there is a response under a tenth of drive and damping (or a fiftieth, or a 250th), which is followed to full strength
+//! (`full_strength.rs`). A response that is already on a branch, in any period of the drive or mirrored, is left out.
 
 use super::branch::{Branch, Origin, Walked};
 use super::energy_balance::{EnergyBalance, Frequencies, Work};
@@ -24,32 +24,32 @@ use libration_numbers::expression::Equation;
 pub struct OrderAnswers {
     /// The order.
     pub order: ResonanceOrder,
-    /// Number of branches of the order that were found and not already followed.
+    /// Number of new branches of the order.
     pub branches: usize,
-    /// Stage that the search reached.
+    /// Result of the search.
     pub finding: OrderFinding,
 }
 
-/// Stage that the search for responses of an order reached.
+/// Result of the search for responses of an order.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub enum OrderFinding {
-    /// No free oscillation has the frequency.
+    /// Free oscillations with this frequency do not exist.
     NoOscillation,
-    /// The work of the drive on those that have it does not depend on their phase, to the first order.
+    /// To first order, the work of the drive on the free oscillations does not depend on the phase of the oscillations.
     NoWork,
     /// The largest fraction of the energy lost to damping that the drive supplies at any phase, to first order.
     TooWeak(f64),
-    /// Balanced oscillations lead to no response as drive and damping grow from zero to what they are.
+    /// Balanced oscillations were found, but none leads to a response at full drive and damping.
     NotReached,
     /// Responses were found.
     Found,
 }
 
-/// Values of the parameter at which free oscillations are tried, in the middle of equal parts of the range.
+/// Number of parameter values at which free oscillations are tried, each in the middle of one of as many equal parts of the range.
 const VALUES: u32 = 16;
 
 impl Search<'_> {
-    /// The branches of an order that are not among those followed, each told as it is found.
+    /// The branches of an order that are not yet followed; progress is reported for each.
     pub(super) fn of_order(
         &self,
         order: ResonanceOrder,
@@ -122,9 +122,9 @@ impl Search<'_> {
         Ok(finding)
     }
 
-    /// Returns whether a motion, begun at another period of the drive or mirrored, is on one of the branches.
+    /// Returns `true` if a motion, begun at another period of the drive or mirrored, is on one of the branches.
     pub(super) fn is_followed(&self, branches: &[Branch], value: f64, start: &Start) -> bool {
-        /// Largest difference, in parts of the size of the state.
+        /// Largest difference relative to the size of the state.
         const SAME: f64 = 1e-6;
         let pairs = branches.iter().flat_map(|branch| {
             branch.points.windows(2).map(move |pair| (branch.space, [&pair[0], &pair[1]]))
@@ -148,7 +148,7 @@ impl Search<'_> {
         landings.any(|landing| is_copy(&landing.state))
     }
 
-    /// The states of a motion and of its mirror image whenever the phase of the drive is zero.
+    /// The states of a motion and of its mirror image at each time at which the phase of the drive is zero.
     pub(super) fn copies(&self, start: &Start, value: f64) -> Option<Vec<Vec<f64>>> {
         let mut copies = vec![];
         let mut state = start.unknowns.clone();

@@ -1,4 +1,4 @@
-//! The check that a strongly unstable motion closes over its whole period, piece by piece.
+//! Check, piece by piece, that a strongly unstable motion closes over its whole period.
 
 use super::family::{Family, TOLERANCES};
 use super::space::Space;
@@ -6,7 +6,7 @@ use libration_motion::internals::periodic::{Checked, Frame, Piece, norm};
 use libration_motion::taylor::OwnedStep;
 use std::f64::consts::TAU;
 
-/// A motion of a space that is to be checked.
+/// A motion of a space whose closure is checked.
 #[derive(Clone, Copy)]
 pub(super) struct MotionToCheck<'a> {
     pub(super) space: Space,
@@ -14,15 +14,15 @@ pub(super) struct MotionToCheck<'a> {
     pub(super) place: &'a [f64],
     /// The steps over the time of the space.
     pub(super) steps: &'a [OwnedStep],
-    /// The direction of the branch and the errors across it, in units.
+    /// The direction of the branch and the errors perpendicular to it, in scaled units.
     pub(super) tangent: &'a [f64],
     pub(super) errors: &'a [f64],
     pub(super) units: &'a [f64],
 }
 
 impl Family<'_> {
-    /// `true` if there is an orbit of the whole equation next to a motion, within its errors, integrated piece by piece over the whole period.
-    /// `growth` is that of deviations in the period.
+    /// `true` if there is an orbit of the whole equation near a motion, within its errors, by
+    /// integration piece by piece over the whole period. `growth` is that of deviations over the period.
     pub(super) fn closes_by_pieces(&self, motion: MotionToCheck<'_>, growth: f64) -> bool {
         let MotionToCheck { space, place, steps, tangent, errors, units } = motion;
         let Some((&parameter, unknowns)) = place.split_last() else { return false };
@@ -60,7 +60,7 @@ impl Family<'_> {
         Checked { frame, place, errors, growth }.closes(state_at, piece)
     }
 
-    /// The condition that a motion without a drive begins where its first coordinate turns back, to the first order and in units.
+    /// The linearised condition, in scaled units, that an autonomous motion begins where its first coordinate turns back.
     fn phase_row(&self, unknowns: &[f64], parameter: f64, units: &[f64]) -> Option<Vec<f64>> {
         let numbers = self.layout.numbers();
         let found = self.field()?.at(self.state(unknowns), &[parameter])?;

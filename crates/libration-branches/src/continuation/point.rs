@@ -10,49 +10,49 @@ use std::f64::consts::TAU;
 pub struct BranchPoint {
     /// The value of the parameter.
     pub parameter: f64,
-    /// The state when the phase of the drive is zero: coordinates, then velocities. Without a drive the first coordinate turns back there.
+    /// The state at phase zero of the drive: coordinates, then velocities. Without a drive, the state at which the first coordinate turns back.
     pub state: Vec<f64>,
     /// The period of the motion.
     pub period: f64,
-    /// The angle that rotates in the period, if one does.
+    /// The angle that rotates in the period, for rotating solutions.
     pub rotation: Option<Rotation>,
-    /// The least and the greatest value of each coordinate; of a rotating angle, of its lead over a uniform rotation from t = 0 on.
+    /// The least and the greatest value of each coordinate; for a rotating angle, of its lead over a uniform rotation from t = 0 on.
     pub ranges: Vec<[f64; 2]>,
-    /// The Floquet multipliers of the whole period by descending magnitude. What is below 1e-13 of the largest is rounding. Without a drive
-    /// one of them is exactly 1, that of a deviation along the motion.
+    /// The Floquet multipliers of the whole period by descending magnitude. Values below 1e-13 of the largest
+    /// are rounding errors. Without a drive one of them is exactly 1, for deviations along the motion.
     pub multipliers: Vec<Complex>,
-    /// The error of each multiplier: an estimate from the error of the flow. An estimate: of 47 358 values of random oscillators with
-    /// kinks and without one was off by more, by 2.7 times, where the motion nearly grazes a kink.
+    /// The error of each multiplier, estimated from the error of the flow. Of 47 358 values of random oscillators with and without kinks, one
+    /// was off by more than its error, by 2.7 times, for a motion that nearly grazes a kink.
     pub multiplier_errors: Vec<f64>,
-    /// The stability that the multipliers establish within their errors.
+    /// The stability, as far as the multipliers determine it within their errors.
     pub stability: Stability,
-    /// Error estimate of the state: its change across the branch by another tolerance of the integration and by rounding.
+    /// Error estimate of the state: its change perpendicular to the branch with another integration tolerance, and by rounding.
     pub error: f64,
 }
 
 impl BranchPoint {
-    /// The largest distance of a coordinate from zero; of an angle that swings about another bottom, from there; of one that rotates,
-    /// from the even rotation that it is ahead of as much as behind.
+    /// The largest distance of a coordinate from zero; for an angle that swings about another bottom, from that bottom; for a rotating angle,
+    /// from the uniform rotation for which the largest lead and lag are equal.
     #[must_use]
     pub fn amplitude(&self, coordinate: usize, is_angle: bool) -> f64 {
         let rotates = self.rotation.is_some_and(|it| it.coordinate == coordinate);
         amplitude_of(self.ranges[coordinate], is_angle, rotates)
     }
 
-    /// Returns whether no deviation is known to grow: `true` unless a multiplier is outside the unit circle by more than its error.
+    /// Returns `true` unless a multiplier is outside the unit circle by more than its error.
     #[must_use]
     pub fn is_stable(&self) -> bool {
         self.stability.may_last()
     }
 
-    /// The motion with multipliers and their errors, and the stability that follows.
+    /// The motion with these multipliers and their errors, and the resulting stability.
     pub(super) fn with_multipliers(self, multipliers: Vec<(Complex, f64)>) -> Self {
         let stability = Stability::of(multipliers.iter().map(|(it, error)| (it.abs(), *error)));
         let (multipliers, multiplier_errors) = multipliers.into_iter().unzip();
         Self { multipliers, multiplier_errors, stability, ..self }
     }
 
-    /// Returns whether the two multipliers whose product is nearest to one are complex, rather than a real one and its inverse.
+    /// Returns `true` if the two multipliers whose product is nearest to one are complex, and not a real one and its inverse.
     pub(super) fn is_torus(&self) -> bool {
         let own = &self.multipliers;
         let pairs = (0..own.len()).flat_map(|i| (0..i).map(move |j| [own[i], own[j]]));

@@ -1,6 +1,7 @@
-//! Singular points to as many digits as are wanted.
+//! Singular points to a requested number of digits.
 //!
-//! The iteration is separate from `roots::newton`: its slopes are computed once, in double precision, and it ends where corrections no longer shrink.
+//! The iteration is separate from `roots::newton`: its derivatives are computed
+//! once, in double precision, and it ends when corrections no longer shrink.
 
 use super::error::BranchError;
 use super::family::{Family, TOLERANCES};
@@ -22,30 +23,30 @@ use libration_numbers::progress::Progress;
 pub struct PreciseSpecial {
     /// The value of the parameter.
     pub parameter: BigFloat,
-    /// The state when the phase of the drive is zero: coordinates, then velocities.
+    /// The state at phase zero of the drive: coordinates, then velocities.
     pub state: Vec<BigFloat>,
-    /// Bound on the error of the parameter: its change with series of another order, and rounding.
+    /// Bound on the error of the parameter: its change with series of another order, plus rounding.
     pub error: f64,
 }
 
-/// Bits beyond the wanted digits.
+/// Bits in addition to the requested digits.
 const SPARE: usize = 40;
-/// Corrections; each gains some nine digits.
+/// Maximum number of corrections; each gains about nine digits.
 const MOST_ROUNDS: usize = 200;
 
 impl SpecialPoint {
-    /// The singular point of a branch in a space, found by [`Response::over`](super::Response::over) for the equation and the parameter, to a number
-    /// of digits: Newton's method with residuals in floats of many bits, while the derivatives of the residuals are those of double precision. `None`
-    /// for neutral saddles, for more than two components of the state at Neimark–Sacker points, for branch points of motions that are not at rest at
-    /// zero, where nothing drives, and where the motion cannot be followed.
+    /// The singular point of a branch in a space, found by [`Response::over`](super::Response::over) for the equation and the
+    /// parameter, to a number of digits: Newton's method with residuals in floats of many bits and derivatives in double
+    /// precision. `None` for neutral saddles, for Neimark–Sacker points of states with more than two components, for branch
+    /// points of autonomous motions or of motions other than the equilibrium at zero, and if the motion cannot be integrated.
     ///
     /// A cancelled call returns `None`.
     ///
     /// # Accuracy
-    /// As its error says, below the last of the digits.
+    /// As its error states, below the last digit.
     ///
     /// # Errors
-    /// Equations without a periodic drive, another open parameter.
+    /// Equations without a periodic drive, another symbolic parameter.
     ///
     /// # Examples
     /// ```
@@ -133,7 +134,7 @@ impl Root<'_> {
         None
     }
 
-    /// Newton's correction in units, by series to an order.
+    /// Newton's correction in scaled units, with series to an order.
     fn change(&self, slopes: &[Vec<f64>], place: &[BigFloat], units: &[f64], order: u32) -> Option<Vec<f64>> {
         let zero: Vec<BigFloat> = vec![self.ring.zero(); self.flow_numbers()];
         let (state, parameter) = match self.singular.rest {
@@ -153,7 +154,7 @@ impl Root<'_> {
         self.singular.family.layout.numbers()
     }
 
-    /// The same test as in double precision, to the relative accuracy of what is left of it.
+    /// The test function of double precision, with the relative accuracy of its remaining value.
     fn test(&self, image: &PreciseImage) -> Option<f64> {
         let ring = self.ring;
         let shifted = |by: i64| -> Vec<Vec<BigFloat>> {
@@ -184,7 +185,7 @@ impl Root<'_> {
         units: &[f64],
         order: u32,
     ) -> Option<PreciseSpecial> {
-        /// Another order makes other steps and other rounding.
+        /// Increase of the order for the error estimate: another order has other steps and other rounding errors.
         const MORE: u32 = 9;
         let change = self.change(slopes, &place, units, order + MORE)?;
         let mut state = place;

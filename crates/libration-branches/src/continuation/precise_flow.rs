@@ -1,7 +1,7 @@
-//! The motion with its derivatives by the start in floats of many bits.
+//! Motions with their derivatives with respect to the start, in floats of many bits.
 //!
-//! Series, lengths of steps and sums are those of `periodic`. The loop over the steps is separate from that of `orbit`, which ends at rest, watches the
-//! distance from equilibria and compares each step with double precision.
+//! Series, step sizes and sums are those of `periodic`. The loop over the steps is separate from that of `orbit`, which ends at equilibria,
+//! monitors the distance from them and compares each step with double precision.
 
 use super::drive_law::DriveLaw;
 use super::error::BranchError;
@@ -15,14 +15,14 @@ use libration_numbers::{
     internals::expression::Tape,
 };
 
-/// Steps of one motion.
+/// Maximum number of steps of one motion.
 const MOST_STEPS: usize = 5000;
 
-/// A driven system over one parameter, whose motions are series in the time.
+/// A driven system over one parameter, whose motions are power series in time.
 pub(super) struct PreciseFlow<'w> {
     own: StateLayout,
     all: StateLayout,
-    /// The rates of the motion and of its derivatives, in the state, the time and the parameter.
+    /// The rates of the motion and of its derivatives, as functions of the state, the time and the parameter.
     tape: Tape,
     law: DriveLaw,
     /// The signs that the mirror image gives to the components of a state.
@@ -30,7 +30,7 @@ pub(super) struct PreciseFlow<'w> {
     watch: &'w Watch<'w>,
 }
 
-/// Image of a state after the time of its space; the mirror image where the space has one.
+/// Image of a state after the time of its space; mirrored if the space has a mirror.
 pub(super) struct PreciseImage {
     /// Image minus start.
     pub(super) defect: Vec<BigFloat>,
@@ -54,7 +54,7 @@ impl<'w> PreciseFlow<'w> {
         Ok(Self { own, all, tape, law: DriveLaw::new(equation, &[parameter])?, signs, watch })
     }
 
-    /// The image of a state, by series to an order; `None` where the motion cannot be followed.
+    /// The image of a state, by series to an order; `None` if the motion cannot be integrated.
     pub(super) fn image(
         &self,
         ring: Floats,

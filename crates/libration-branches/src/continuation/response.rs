@@ -1,4 +1,4 @@
-//! The responses of a driven system over a range of a parameter: all branches that are found from its ends, and what branches off.
+//! The responses of a driven system over a parameter range: all branches from its ends, and their secondary branches.
 
 use super::branch::{Branch, Origin, Walked};
 use super::error::BranchError;
@@ -19,42 +19,43 @@ use libration_numbers::progress::{Progress, Stage};
 /// The periodic motions of a driven or self-excited system over a range of a parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Response {
-    /// Branches, those from the ends of the range before the secondary ones.
+    /// The branches; those from the ends of the range come before secondary ones.
     pub branches: Vec<Branch>,
     /// Results of the search for each order.
     pub orders: Vec<OrderAnswers>,
     /// The jumps of slow sweeps, branch by branch.
     pub jumps: Vec<Jump>,
-    /// The values of the parameter at which no motion to begin with is found, with the reasons.
+    /// The parameter values at which a motion to begin with was not found, with the reasons.
     pub missing: Vec<(f64, BranchError)>,
-    /// `true` if a drive sets the periods; else the motions are limit cycles.
+    /// `true` if a drive sets the periods; otherwise the motions are limit cycles.
     pub driven: bool,
     /// `true` if the computation was cancelled before all branches were followed.
     pub interrupted: bool,
 }
 
 impl Response {
-    /// The branches of periodic motions of a driven system over a range of one of its parameters, which is left open in the equations: an
-    /// amplitude, a damping, or the frequency of the drive itself. They begin with the motions that Newton's method finds at the ends of
-    /// the range, and go through folds by pseudo-arclength; motions that lose their symmetry or double their period are followed too.
+    /// The branches of periodic motions of a driven system over a range of one of its parameters, which is symbolic in the equations: an
+    /// amplitude, a damping, or the drive frequency itself. They begin with the motions that Newton's method finds at the ends of the range, and
+    /// pass folds by pseudo-arclength continuation; secondary branches from symmetry breaking and period doubling are followed too.
     ///
-    /// Where the time does not stand in the equations they are limit cycles, from those to which the start settles at the ends of the range; the
-    /// period is one more unknown, and a motion begins where the first coordinate turns back. A branch that shrinks to a state of rest ends there,
-    /// at a Hopf point. Each turn of the first coordinate counts as a period of its own as long as the cycle is not known otherwise.
+    /// If the time does not occur in the equations, the motions are limit cycles, beginning with those to which
+    /// the start settles at the ends of the range. The period is an additional unknown, and a motion begins where
+    /// the first coordinate turns back. A branch that shrinks to an equilibrium ends there, at a Hopf point. Each
+    /// turn of the first coordinate counts as a separate period until the true period of the cycle is known.
     ///
-    /// Motions come from the Taylor integrator with the equations of small deviations, so that no number of harmonics is too large. A symmetric
-    /// motion is followed by its half period and its mirror image: folds, losses of symmetry and doublings are then zeros of different functions.
-    /// They are found along the branch to the last digits.
+    /// Motions are computed by the Taylor integrator with the variational equations, so that their harmonics are not
+    /// truncated. A symmetric motion is followed over half its period with its mirror image: folds, symmetry breakings
+    /// and period doublings are then zeros of different functions. They are located along the branch to the last digits.
     ///
-    /// `progress` has the number of points. A cancelled call returns the branches as far as they were followed.
+    /// `progress` receives the number of points. A cancelled call returns the branches as far as they were followed.
     ///
     /// # Accuracy
-    /// As the errors of points and singular points say, some 1e-14 where no multiplier is large.
+    /// As the errors of points and singular points state, about 1e-14 if no multiplier is large.
     ///
     /// # Errors
-    /// A time that stands elsewhere than in a periodic drive, another open parameter, a range without a width, no motion at either end, free
-    /// motions that come in families at each value, as where energy is conserved.
-    /// [`BranchError::Interrupted`] if the call is cancelled before the first point.
+    /// Equations in which the time occurs outside a periodic drive, another symbolic parameter, a range
+    /// without a width, no motion at either end, or autonomous motions that form families at each value, as
+    /// in conservative systems. [`BranchError::Interrupted`] if the call is cancelled before the first point.
     ///
     /// # Examples
     /// ```
@@ -117,9 +118,9 @@ impl Response {
 struct Found {
     branches: Vec<Branch>,
     leaving: Vec<(usize, Leaving)>,
-    /// Places where a branch has met another one, which then has no second branch to switch to there.
+    /// Points where a branch met another one, which then has no further branch to switch to there.
     met: Vec<(Space, Meeting)>,
-    /// Meetings whose other branch is not looked for yet, with the generation of the branch that ends there.
+    /// Meetings whose other branch has not been searched yet, each with the generation of the branch that ends there.
     open: Vec<(usize, Meeting)>,
 }
 
@@ -168,7 +169,7 @@ impl Search<'_> {
         Ok(Response { branches, orders, jumps, missing, driven, interrupted })
     }
 
-    /// Takes a branch in, with what leaves it and what it ends in.
+    /// Adds a branch, with the branches that leave it and the meetings at its ends.
     fn keep(&self, found: &mut Found, walked: Walked, generation: usize) {
         found.leaving.extend(self.leaving(&walked, generation));
         found.met.extend(walked.meetings.iter().map(|it| (walked.branch.space, it.clone())));
@@ -176,8 +177,8 @@ impl Search<'_> {
         found.branches.push(walked.branch);
     }
 
-    /// Follows a branch that leaves another one, or else one in which another one ends; `false` where none is left. The search ends: each branch that
-    /// leaves another one has a higher generation, and each in which another one ends has the same and a smaller space.
+    /// Follows a branch that leaves another one, or one on which another branch ends; returns `false` if none is left. The search terminates: a
+    /// branch that leaves another one has a higher generation, and one on which another branch ends has the same generation and a smaller space.
     fn follow_next(&self, found: &mut Found) -> bool {
         if let Some((generation, start)) = found.leaving.pop() {
             if !found.met.iter().any(|(space, meeting)| self.is_met(&start, *space, meeting.parameter))
@@ -199,10 +200,10 @@ impl Search<'_> {
         true
     }
 
-    /// The branch through a motion, from a place next to it on: the motion itself is singular, where the other branch ends, and known by
-    /// interpolation only. `None` where the branch is followed already.
+    /// The branch through a motion, from a nearby parameter on: the motion itself is singular, since another
+    /// branch ends there, and known only by interpolation. `None` if the branch is already followed.
     fn beside(&self, branches: &[Branch], parameter: f64, start: &Start) -> Option<Walked> {
-        /// The distance as a part of the range.
+        /// Distance of the nearby parameter, relative to the range.
         const ASIDE: f64 = 1e-3;
         let values = [1.0, -1.0].map(|side| parameter + side * ASIDE * self.width());
         let within = values.into_iter().filter(|value| (self.range[0]..=self.range[1]).contains(value));
@@ -214,7 +215,7 @@ impl Search<'_> {
         starts.iter().find_map(|(value, start)| self.both_ways(*value, start).ok().flatten())
     }
 
-    /// The motion of a value of the parameter to which Newton's method comes.
+    /// The motion to which Newton's method converges at a value of the parameter.
     fn corrected(&self, value: f64, start: &Start) -> Option<Start> {
         let corrector = self.corrector(start.space);
         let place: Vec<f64> = start.unknowns.iter().copied().chain([value]).collect();
@@ -223,21 +224,21 @@ impl Search<'_> {
         Some(Start { unknowns: corrector.unknowns(&node.point), space: start.space })
     }
 
-    /// Returns whether a motion at an end of the range is the end of a branch that is followed already, or a rotating one lies on it.
+    /// Returns `true` if a motion at an end of the range is the end of a branch that is already followed or, for a rotating motion, lies on it.
     fn is_known(&self, branches: &[Branch], value: f64, start: &Start) -> bool {
         if start.space.rotation.is_some() && self.is_followed(branches, value, start) {
             return true;
         }
-        /// Largest difference, in parts of the size of the state.
+        /// Largest difference relative to the size of the state.
         const SAME: f64 = 1e-7;
         let size = start.unknowns.iter().map(|x| x.abs()).fold(1e-6, f64::max);
         let is_near = |a: f64, b: f64| (a - b).abs() <= SAME * size;
-        // An answer that rotates once in several periods of the drive may begin with any of them.
+        // A solution that rotates once in several periods of the drive may begin with any of them.
         let copies = start.space.rotation.and_then(|_| self.copies(start, value));
         let copies = copies.unwrap_or_else(|| vec![start.unknowns.clone()]);
         let is_same = |(branch, point): (&Branch, &BranchPoint)| match self.family.is_driven() {
             true => copies.iter().any(|copy| start.space.is_near(&point.state, copy, SAME * size)),
-            // Which of its turns the cycle begins with is a matter of chance.
+            // The turn with which a cycle begins is arbitrary.
             false => {
                 let turn = point.period / f64::from(branch.space.drive_periods());
                 branch.space.drive_periods() == start.space.drive_periods()

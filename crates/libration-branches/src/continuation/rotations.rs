@@ -1,8 +1,9 @@
-//! Motions in which an angle goes around in step with the drive.
+//! Motions with an angle that rotates in step with the drive.
 //!
 //! # Method
-//! The angle of a rotating solution returns a number of turns later, which its space knows (`Rotation` in `space.rs`); everything else is as for
-//! other motions, and its range is that of its lead over an even rotation. Rotating solutions are searched from sixteen phases of the angle.
+//! The angle of a rotating solution returns increased by a number of turns, which is stored in its space
+//! (`Rotation` in `space.rs`). Everything else is as for other motions; the range of the angle is that of
+//! its lead over a uniform rotation. Rotating solutions are searched from sixteen phases of the angle.
 
 use super::error::BranchError;
 use super::search::{Search, Start};
@@ -10,9 +11,10 @@ use super::space::{Rotation, Space};
 use libration_motion::chaos::angles;
 use std::f64::consts::TAU;
 
-/// Phases of the angle from which motions are looked for, evenly spread.
+/// Number of evenly spaced phases of the angle from which motions are searched.
 const PHASES: u32 = 16;
-/// Periods of the drive between two trials of Newton's method, and how many trials: what attracts is reached, as for the motions of `Orbit::driven`.
+/// Drive periods between two trials of Newton's method, and the number of
+/// trials: attracting motions are reached, as for those of `Orbit::driven`.
 const SETTLING: [u32; 2] = [10, 5];
 
 impl Search<'_> {
@@ -27,8 +29,8 @@ impl Search<'_> {
         }
     }
 
-    /// Motions that rotate at a value of the parameter, each once: what Newton's method finds from all phases of the angle at the even speed, or
-    /// where the motion from there goes.
+    /// The different motions that rotate at a value of the parameter: those that Newton's method finds from all phases of the angle at the
+    /// uniform speed, or from the states to which the motion from there leads.
     pub(super) fn rotating(&self, rotation: Rotation, value: f64) -> Result<Vec<Start>, BranchError> {
         let space = Space { rotation: Some(rotation), ..self.space() };
         let none = || BranchError::NoRotation { turns: rotation.turns, drive_periods: space.drive_periods() };
@@ -40,7 +42,7 @@ impl Search<'_> {
                 continue;
             };
             self.family.watch.go_on()?;
-            /// Largest difference, in parts of the size of the state.
+            /// Largest difference relative to the size of the state.
             const SAME: f64 = 1e-7;
             let size = start.unknowns.iter().map(|x| x.abs()).fold(1.0, f64::max);
             let is_same = |copy: &Vec<f64>| space.is_near(copy, &start.unknowns, SAME * size);
@@ -52,7 +54,7 @@ impl Search<'_> {
         if found.is_empty() { Err(none()) } else { Ok(found.into_iter().map(|(start, _)| start).collect()) }
     }
 
-    /// The state that was given, turned by an angle, at the speed of the even rotation.
+    /// The given state, rotated by an angle, at the speed of the uniform rotation.
     fn even(&self, rotation: Rotation, angle: f64, duration: f64) -> Vec<f64> {
         let layout = &self.family.layout;
         let mut state = self.options.start.clone().unwrap_or_else(|| vec![0.0; layout.numbers()]);

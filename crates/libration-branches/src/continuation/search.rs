@@ -1,4 +1,4 @@
-//! Search for branches: a system over a range of a parameter, with the options of the response.
+//! Search for branches: a system over a parameter range, with the options of the response.
 
 use super::branch::{Ending, Limits, Origin, Walk, Walked};
 use super::corrector::Corrector;
@@ -21,14 +21,14 @@ pub(super) struct Search<'a> {
     pub(super) options: &'a ResponseOptions,
 }
 
-/// A motion from which a branch is followed.
+/// A motion with which a branch begins.
 pub(super) struct Start {
     pub(super) unknowns: Vec<f64>,
     pub(super) space: Space,
 }
 
 impl Search<'_> {
-    /// The equations with a value of the parameter.
+    /// The equations at a value of the parameter.
     pub(super) fn at(&self, value: f64) -> Result<Equation, OrbitError> {
         let exact = BigFloat::from_f64(value, 53).map(|it| Expression::Number(it.to_rational()));
         let put_in = exact.and_then(|exact| self.equation.with(&[(self.parameter, exact)]).ok());
@@ -64,14 +64,15 @@ impl Search<'_> {
         let duration = self.family.duration(self.space(), &[], &[value]).ok_or(OrbitError::NoPeriod)?;
         let unknowns = match Orbit::driven(&equation, &state, duration, self.family.watch) {
             Ok(orbit) => self.about_the_nearest_bottom(&orbit),
-            // The drive has the amplitude zero.
+            // The drive amplitude is zero.
             Err(OrbitError::NotDriven) => state,
             Err(error) => return Err(error),
         };
         Ok(Start { unknowns, space: self.space() })
     }
 
-    /// The start of an orbit, whose angles have gone around on the way to it, as many turns back: its mirror image is one about zero.
+    /// The start of an orbit whose angles made whole turns before it was reached,
+    /// with these turns subtracted: its mirror image is then one about zero.
     fn about_the_nearest_bottom(&self, orbit: &Orbit) -> Vec<f64> {
         let is_angle = angles(self.equation).into_iter().chain(std::iter::repeat(false));
         let moved = |(number, (x, is_angle)): (usize, (f64, bool))| {
@@ -90,7 +91,7 @@ impl Search<'_> {
     }
 
     pub(super) fn limits(&self, start: &Node, space: Space) -> Limits {
-        /// Times the least period: at so low a frequency the motion follows the drive through all its superharmonic resonances.
+        /// Multiple of the least period, at which the motion follows the drive through all its superharmonic resonances.
         const SLOW: f64 = 100.0;
         let periods = self.range.map(|value| self.family.drive_period(&[value]));
         let least = periods.into_iter().flatten().fold(f64::INFINITY, f64::min);
@@ -104,12 +105,12 @@ impl Search<'_> {
     }
 
     pub(super) fn corrector(&self, space: Space) -> Corrector<'_> {
-        /// Multipliers of points need no more digits than that.
+        /// Accuracy of derivatives that suffices for the multipliers of points.
         const STALE: f64 = 1e-12;
         Corrector { family: self.family, space, tolerance: TOLERANCES[0], stale: STALE }
     }
 
-    /// The branch through a motion, in the smallest space that has it: from an end of the range on, or both ways.
+    /// The branch through a motion, in the smallest space that contains it: from an end of the range into it, or in both directions.
     pub(super) fn through(
         &self,
         value: f64,
@@ -128,7 +129,7 @@ impl Search<'_> {
         start: &Start,
         into: f64,
     ) -> Result<Option<Walked>, BranchError> {
-        /// A multiplier of a free motion that is 1 to half the digits, compared with that of a deviation along the motion.
+        /// Largest distance of a second multiplier from 1, half the digits, at which an autonomous motion counts as a member of a family.
         const FAMILY: f64 = 1e-6;
         let corrector = self.corrector(self.smallest(start.space, &start.unknowns, value));
         let place: Vec<f64> = start.unknowns.iter().copied().chain([value]).collect();
@@ -148,12 +149,12 @@ impl Search<'_> {
     }
 
     pub(super) fn smallest(&self, space: Space, state: &[f64], value: f64) -> Space {
-        /// Largest defect relative to the size of the state: a closed motion differs from its mirror image by rounding, or by far more.
+        /// Largest defect relative to the size of the state: a closed motion differs from its mirror image by rounding errors or by far more.
         const SAME: f64 = 1e-9;
         let size = state.iter().map(|x| x.abs()).fold(1e-6, f64::max);
         let belongs = |smaller: &Space| {
             let image = self.family.image(*smaller, state, &[value], TOLERANCES[0]);
-            // Without a drive the last one is that of the phase.
+            // Without a drive the last component of the defect is the phase condition.
             let numbers = self.family.layout.numbers();
             image.is_some_and(|it| it.defect[..numbers].iter().all(|d| d.abs() <= SAME * size))
         };
@@ -163,7 +164,7 @@ impl Search<'_> {
         }
     }
 
-    /// The branch through a motion at a value, both ways.
+    /// The branch through a motion at a value, in both directions.
     pub(super) fn both_ways(&self, value: f64, start: &Start) -> Result<Option<Walked>, BranchError> {
         let Some(onward) = self.primary(value, start, 1.0)? else { return Ok(None) };
         if onward.branch.ending == Ending::Closed {

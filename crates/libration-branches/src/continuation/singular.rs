@@ -5,18 +5,18 @@ use super::node::Tests;
 use super::space::Space;
 use super::special::Test;
 
-/// Motions of a space at which a test vanishes: as many equations as unknowns over one parameter, one fewer over two.
+/// Motions of a space at which a test function vanishes: as many equations as unknowns over one parameter, one fewer over two.
 #[derive(Clone, Debug)]
 pub(super) struct Singular<'a> {
     pub(super) family: &'a Family<'a>,
     pub(super) space: Space,
     pub(super) test: Test,
-    /// The state that is the motion at all parameters; without it the state belongs to the unknowns, before the parameters.
+    /// The equilibrium, if the motion is one for all parameters; otherwise the state belongs to the unknowns, before the parameters.
     pub(super) rest: Option<&'a [f64]>,
 }
 
 impl Singular<'_> {
-    /// The state and the parameters of a place.
+    /// The state and the parameters of a vector of unknowns.
     pub(super) fn parts<'p>(&'p self, place: &'p [f64]) -> (&'p [f64], &'p [f64]) {
         match self.rest {
             Some(state) => (state, place),
@@ -39,9 +39,9 @@ impl Singular<'_> {
         Some(image.defect.iter().zip(units).map(|(d, unit)| d / unit).chain([test]).collect())
     }
 
-    /// Derivatives of the values with respect to the unknowns, in units, by central differences, to about ten digits.
+    /// Derivatives of the values with respect to the unknowns, in scaled units, by central differences, to about ten digits.
     pub(super) fn slopes(&self, place: &[f64], units: &[f64], tolerance: f64) -> Option<Vec<Vec<f64>>> {
-        /// The third power of it and the rounding over it are alike.
+        /// Step of the differences, for which the truncation error and the rounding error are about equal.
         const ASIDE: f64 = 1e-5;
         let column = |j: usize| {
             let beside = |sign: f64| {

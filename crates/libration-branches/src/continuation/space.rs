@@ -1,46 +1,46 @@
-//! Spaces of periodic motions that are followed each for itself.
+//! Spaces of periodic motions, each of which is followed separately.
 
 use std::f64::consts::TAU;
 
-/// Period of a motion, in halves of the drive's period, and the symmetry with which it repeats itself.
+/// Period of a motion, in halves of the drive's period, and its symmetry.
 ///
-/// Motions of one space stay among themselves when a parameter changes. So a fold of symmetric motions is a singular point in their
-/// own space, while a motion that loses its symmetry, or doubles its period, leaves it: the two never meet in one equation.
+/// When a parameter changes, motions of one space remain in it. A fold of symmetric motions is therefore a singular point within their space,
+/// while a motion that loses its symmetry or doubles its period leaves the space: the two never occur in the same equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Space {
     /// Number of halves of the drive's period after which the motion repeats itself.
     pub half_periods: u32,
-    /// `true` if the motion is its mirror image then, in which all coordinates, or some of them, have the opposite sign.
+    /// `true` if the motion is then its mirror image, in which all coordinates, or some of them, have the opposite sign.
     pub mirrored: bool,
-    /// The angle that rotates meanwhile, if one does.
+    /// The angle that rotates during this time, for rotating solutions.
     pub rotation: Option<Rotation>,
 }
 
-/// An angle that comes back after whole turns.
+/// An angle that returns after whole turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rotation {
-    /// The number of the coordinate, from 0.
+    /// The index of the coordinate, from 0.
     pub coordinate: usize,
     /// Number of turns; negative for backward ones.
     pub turns: i32,
 }
 
-/// The shift in time, in halves of the drive's period, with which the mirror image of a motion is a motion too.
+/// The shift in time, in halves of the drive's period, after which the mirror image of a motion is a motion too.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Symmetry {
-    /// No shift: the pendulum whose pivot is shaken up and down.
+    /// No shift: a pendulum whose pivot moves up and down.
     Unshifted,
-    /// Half a period: the pendulum driven by a torque.
+    /// Half a period: a pendulum driven by a torque.
     HalfPeriod,
 }
 
 impl Space {
-    /// Space of motions that repeat themselves after a number of drive periods.
+    /// Space of motions with a period of this number of drive periods.
     pub(super) const fn of_periods(periods: u32) -> Self {
         Self { half_periods: 2 * periods, mirrored: false, rotation: None }
     }
 
-    /// Space of the symmetric motions in this one; `None` if there are none.
+    /// Space of the symmetric motions within this one; `None` if there are none.
     pub(super) fn symmetric(self, symmetry: Option<Symmetry>) -> Option<Self> {
         let half_periods = self.half_periods / 2;
         let fits = match symmetry? {
@@ -51,7 +51,7 @@ impl Space {
         may_be.then_some(Self { half_periods, mirrored: true, rotation: None })
     }
 
-    /// The spaces that are parts of this one: of symmetric motions, and of those with half the period.
+    /// The spaces contained in this one: of symmetric motions, and of motions with half the period.
     pub(super) fn within(self, symmetry: Option<Symmetry>) -> Vec<Self> {
         let turns = self.rotation.map_or(0, |it| it.turns);
         let is_even = !self.mirrored && self.half_periods.is_multiple_of(4) && turns % 2 == 0;
@@ -60,13 +60,13 @@ impl Space {
         self.symmetric(symmetry).into_iter().chain(half).collect()
     }
 
-    /// The space into which motions go that leave this one: twice as long, without a mirror.
+    /// The space of the motions that branch off: twice as long, without a mirror.
     pub(super) fn doubled(self) -> Self {
         let rotation = self.rotation.map(Rotation::doubled);
         Self { half_periods: 2 * self.half_periods, mirrored: false, rotation }
     }
 
-    /// The number of periods of the drive in one of the motion; of a mirrored motion, which takes twice the time to be as it was.
+    /// Number of drive periods in the period of the motion; a mirrored motion needs twice the time to return to its state.
     #[must_use]
     pub const fn drive_periods(self) -> u32 {
         if self.mirrored { self.half_periods } else { self.half_periods / 2 }
@@ -77,7 +77,7 @@ impl Space {
         self.rotation.map_or(0, |it| it.turns_of(number))
     }
 
-    /// Difference between the end, or its mirror image, and the start, less the turns.
+    /// Difference between the end, or its mirror image, and the start, without the turns.
     pub(super) fn missed(self, end: &[f64], start: &[f64], signs: &[f64]) -> Vec<f64> {
         let sign = |component: usize| if self.mirrored { signs[component] } else { 1.0 };
         let pairs = end.iter().zip(start).enumerate();
@@ -86,7 +86,7 @@ impl Space {
             .collect()
     }
 
-    /// Returns `true` if each component of two states differs by at most a distance; rotating angles are compared modulo a turn.
+    /// Returns `true` if every component of two states differs by at most a distance; rotating angles are compared modulo a turn.
     pub(super) fn is_near(self, a: &[f64], b: &[f64], distance: f64) -> bool {
         let apart = |(number, far): (usize, f64)| match self.turns_of(number) {
             0 => far,
@@ -102,7 +102,7 @@ impl Rotation {
         Self { turns: 2 * self.turns, ..self }
     }
 
-    /// Number of turns of a coordinate; 0 for those that do not go around.
+    /// Number of turns of a coordinate; 0 for those that do not rotate.
     #[must_use]
     pub const fn turns_of(self, coordinate: usize) -> i32 {
         if coordinate == self.coordinate { self.turns } else { 0 }

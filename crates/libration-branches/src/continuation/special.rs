@@ -1,4 +1,4 @@
-//! Singular points of a branch, to the last digits.
+//! Singular points of a branch, located to the last digits.
 
 use super::corrector::{Corrected, Corrector};
 use super::description::parameter_error;
@@ -17,25 +17,25 @@ use std::f64::consts::TAU;
 /// Kind of a singular point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SpecialKind {
-    /// The branch turns back: on one side of the value there are two motions, on the other none of them.
+    /// The branch turns back: on one side of the value there are two motions, on the other side none.
     Fold,
-    /// A symmetric motion loses its symmetry: two mirrored ones branch off. In a space that is not mirrored the symmetry is that of some coordinates
-    /// without a shift in time.
+    /// A symmetric motion loses its symmetry: two mirrored motions branch off. In a space that
+    /// is not mirrored, the symmetry is that of some coordinates without a shift in time.
     SymmetryBreaking,
     /// A motion with twice the period branches off.
     PeriodDoubling,
-    /// Two complex multipliers cross the unit circle: a second frequency comes up.
+    /// Two complex multipliers cross the unit circle: a second frequency appears.
     NeimarkSacker,
-    /// The product of two real multipliers is one: no bifurcation, though the determinant looks like one.
+    /// The product of two real multipliers is one: not a bifurcation, although the determinant is the same as at one.
     NeutralSaddle,
     /// Another branch of the same period crosses this one.
     BranchPoint,
-    /// A limit cycle shrinks to a state of rest, where two complex eigenvalues cross the imaginary axis.
+    /// A limit cycle shrinks to an equilibrium, where two complex eigenvalues cross the imaginary axis.
     Hopf,
 }
 
 impl SpecialKind {
-    /// The name that machines read.
+    /// The name in machine-readable output.
     #[must_use]
     pub const fn key(self) -> &'static str {
         match self {
@@ -69,15 +69,15 @@ impl std::fmt::Display for SpecialKind {
 pub struct SpecialPoint {
     /// Kind of the singular point.
     pub kind: SpecialKind,
-    /// The motion there.
+    /// The motion at the singular point.
     pub point: BranchPoint,
-    /// Error estimate of the parameter: its change by another tolerance of the integration, and rounding.
+    /// Error estimate of the parameter: its change with another integration tolerance, plus rounding.
     pub error: f64,
-    /// Number of points of the branch before it.
+    /// Number of points of the branch before the singular one.
     pub before: usize,
 }
 
-/// Test function that changes its sign at a singular point.
+/// Test functions; each changes its sign at one kind of singular point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Test {
     Fold,
@@ -96,7 +96,7 @@ impl Test {
         }
     }
 
-    /// Smallest magnitude of a value that has a sign: in conservative systems products of multipliers are one throughout, to rounding.
+    /// Smallest magnitude at which a value has a sign: in conservative systems products of multipliers are one up to rounding.
     pub(super) fn sure(self) -> f64 {
         match self {
             Self::Fold => 0.0,
@@ -105,7 +105,7 @@ impl Test {
         }
     }
 
-    /// Returns whether a value has a sign, beyond the errors of the multipliers.
+    /// Returns `true` if a value has a sign beyond the errors of the multipliers.
     pub(super) fn has_sign(self, tests: &Tests) -> bool {
         let noise = match self {
             Self::Fold => 0.0,
@@ -122,17 +122,17 @@ impl Test {
     }
 }
 
-/// Largest size of a motion that counts as at rest, in units that are themselves a fiftieth of the largest swing or more.
+/// Largest size of a motion that counts as an equilibrium, in units that are at least a fiftieth of the largest half-range.
 const REST: f64 = 0.05;
 
-/// A stretch of a branch between two places.
+/// A stretch of a branch between two nodes.
 pub(super) struct Stretch<'s> {
     pub(super) corrector: &'s Corrector<'s>,
     pub(super) ends: [&'s Node; 2],
     pub(super) units: &'s [f64],
 }
 
-/// A singular point with the node there.
+/// A singular point with its node.
 pub(super) struct Located {
     pub(super) special: SpecialPoint,
     pub(super) node: Node,
@@ -147,7 +147,7 @@ pub(super) struct Meeting {
 }
 
 impl Stretch<'_> {
-    /// Returns whether the branch turns back on the way, in a space with parts that other branches are in.
+    /// Returns `true` if the branch turns back within the stretch, in a space that contains the spaces of other branches.
     pub(super) fn may_meet_other_branch(&self) -> bool {
         let Corrector { family, space, .. } = self.corrector;
         let turns = Test::Fold.changes(self.ends[0], self.ends[1]);
@@ -158,20 +158,20 @@ impl Stretch<'_> {
         turns && (may_be_rest || !space.within(family.symmetry).is_empty())
     }
 
-    /// Returns whether the branch turns back on the way where no multiplier of its map seems to go through +1, as it does at each fold: at a crossing
-    /// with another branch, or at a fold next to a crossing.
+    /// Returns `true` if the branch turns back within the stretch although no multiplier of its map seems to pass through +1, as it does at each
+    /// fold: at a crossing with another branch, or at a fold next to a crossing.
     pub(super) fn may_cross_other_branch(&self) -> bool {
         let [a, b] = self.ends;
         Test::Fold.changes(a, b) && !Test::Branching.changes(a, b)
     }
 
-    /// The size of a state in units.
+    /// The size of a state in scaled units.
     fn size(&self, place: &[f64]) -> f64 {
         let state = self.corrector.family.state(place).iter().zip(self.units);
         norm(&state.map(|(x, unit)| x / unit).collect::<Vec<_>>())
     }
 
-    /// The size in units of how far a state moves in the time in which a phase goes by one radian, where no drive sets the period.
+    /// The distance in units that a state moves in the time of one radian of phase, if no drive sets the period.
     fn speed(&self, place: &[f64]) -> Option<f64> {
         let (parameter, unknowns) = place.split_last()?;
         let Corrector { family, .. } = self.corrector;
@@ -180,13 +180,13 @@ impl Stretch<'_> {
         Some(norm(&rates.iter().zip(self.units).map(|(x, unit)| radian * x / unit).collect::<Vec<_>>()))
     }
 
-    /// The place where the branch turns, as far as the interpolation shows it.
+    /// The point where the branch turns, according to the interpolation.
     fn turn(&self) -> Vec<f64> {
         let [a, b] = self.ends.map(|node| node.tests.fold);
         between(self.ends[0], self.ends[1], self.units, a / (a - b))
     }
 
-    /// The Hopf point where the branch turns, if its motion is at rest there and no drive sets the period.
+    /// The Hopf point where the branch turns, if its motion is an equilibrium there and no drive sets the period.
     pub(super) fn hopf(&self) -> Option<SpecialPoint> {
         let place = self.turn();
         let [unknowns @ .., parameter] = &place[..] else { return None };
@@ -198,17 +198,17 @@ impl Stretch<'_> {
         Some(SpecialPoint { kind: SpecialKind::Hopf, error: point.error, point, before: 0 })
     }
 
-    /// The turning point of the branch, if its motion belongs to a smaller space there: it meets the branch that it is a side of, and goes back as
-    /// its own mirror image or half a period later.
+    /// The turning point of the branch, if its motion belongs to a smaller space there: the branch meets
+    /// the one of which it is a side, and continues as its own image, mirrored or half a period later.
     pub(super) fn meeting(&self) -> Option<Meeting> {
-        /// Largest defect, in parts of the size of the motion; on a short stretch the error of the interpolation is much smaller.
+        /// Largest defect relative to the size of the motion; on a short stretch the error of the interpolation is much smaller.
         const SAME: f64 = 1e-3;
         let place = self.turn();
         let (parameter, unknowns) = place.split_last()?;
         let Corrector { family, space, tolerance, .. } = self.corrector;
         let meeting = |space: Space, unknowns: Vec<f64>| Meeting { parameter: *parameter, unknowns, space };
         if space.mirrored {
-            // The state at rest.
+            // The equilibrium.
             return (family.mirrors_all() && self.size(&place) < REST)
                 .then(|| meeting(Space::of_periods(1), vec![0.0; unknowns.len()]));
         }
@@ -221,7 +221,7 @@ impl Stretch<'_> {
         Some(meeting(smaller, unknowns.to_vec()))
     }
 
-    /// The singular points on the way, in their order.
+    /// The singular points on the stretch, in order.
     pub(super) fn specials(&self) -> Vec<Located> {
         let [a, b] = self.ends;
         let folds = Test::Fold.changes(a, b);
@@ -244,18 +244,18 @@ impl Stretch<'_> {
         found.or_else(|| self.crossing(test).filter(|_| crosses))
     }
 
-    /// Crossing of branches, as far as motions next to it can be corrected: at the crossing several directions are equivalent, and corrections have
-    /// no bound.
+    /// Crossing of branches, located as closely as nearby motions can be corrected: at the
+    /// crossing itself several directions are equivalent, and corrections are unbounded.
     fn crossing(&self, test: Test) -> Option<(f64, Located)> {
-        /// Nearer to the crossing nothing is distinguished.
+        /// Distance to which the crossing is located.
         const NEAR: f64 = 1e-9;
-        /// The first part of the stretch that is left out on both sides, and how often it is doubled.
+        /// The smallest part of the stretch that is left out on both sides, and the number of its doublings.
         const BESIDE: f64 = 1e-4;
         const DOUBLINGS: i32 = 10;
         let value = |s: f64| self.tests_at(self.corrector, test, s).map_or(0.0, |tests| test.of(&tests));
         let ends = [0.0, 1.0].map(|s| (s, value(s)));
         let s = zero_between(ends, Tolerance::absolute(NEAR), value)?;
-        // Beside the crossing the branch is the same to another tolerance, but for the error that is looked for.
+        // The same computation with another tolerance differs by the error that is sought.
         let other = Corrector { tolerance: TOLERANCES[1], ..self.corrector.clone() };
         let between_nodes = |corrector: &Corrector<'_>, aside: f64| {
             let [a, b] = [s - aside, s + aside].map(|s| self.node_at(corrector, s));
@@ -286,7 +286,7 @@ impl Stretch<'_> {
         let s = self.zero(&precise, test, [0.0, 1.0])?;
         let node = self.node_at(&precise, s)?;
         let other = Corrector { tolerance: TOLERANCES[1], ..precise.clone() };
-        /// A stretch in which the other tolerance must have its zero too, unless it is badly determined.
+        /// Half-width of the stretch in which the zero for the other tolerance is searched first; a badly determined zero may lie outside.
         const NEAR: f64 = 1e-4;
         let near = [(s - NEAR).max(0.0), (s + NEAR).min(1.0)];
         let again = self.zero(&other, test, near).or_else(|| self.zero(&other, test, [0.0, 1.0]));
@@ -299,9 +299,9 @@ impl Stretch<'_> {
         Some((s, Located { special, node }))
     }
 
-    /// The part of the way at which a test vanishes.
+    /// The position on the stretch, from 0 to 1, at which a test function vanishes.
     fn zero(&self, corrector: &Corrector<'_>, test: Test, [from, to]: [f64; 2]) -> Option<f64> {
-        /// The next roundings of the test make no better place.
+        /// Width to which a zero is enclosed; rounding errors of the test function are larger.
         const WIDTH: f64 = 1e-13;
         let value = |s: f64| self.tests_at(corrector, test, s).map_or(f64::NAN, |tests| test.of(&tests));
         zero_between([(from, value(from)), (to, value(to))], Tolerance::absolute(WIDTH), value)
@@ -318,7 +318,7 @@ impl Stretch<'_> {
         Tests::new(&corrected.image, *tangent.last()?)
     }
 
-    /// The node at a part of the way.
+    /// The node at a position on the stretch.
     pub(super) fn node_at(&self, corrector: &Corrector<'_>, s: f64) -> Option<Node> {
         let (corrected, _) = self.corrected_at(corrector, s)?;
         Node::new(corrector, corrected, &self.ends[0].direction, self.units)
@@ -345,8 +345,8 @@ impl Stretch<'_> {
         }
     }
 
-    /// `true` if a motion that is not at rest loses the mirror symmetry of some coordinates without a shift in time. In mirrored spaces the kind would
-    /// not tell this from the loss of the mirror of the space.
+    /// `true` if a motion other than an equilibrium loses the mirror symmetry of some coordinates without a shift in time. In mirrored spaces
+    /// the kind could not distinguish this from the loss of the space's own mirror symmetry.
     fn loses_partial_mirror(&self, node: &Node) -> bool {
         let Corrector { family, space, .. } = self.corrector;
         let moves = node.point.ranges.iter().any(|[low, high]| low < high);
@@ -363,8 +363,8 @@ impl Stretch<'_> {
     }
 }
 
-/// Error of the parameter from the residual of a test function in two integrations and the rounding of a product of multipliers, by the slope between
-/// two nodes. A fold is the extremum of the parameter and moves by less.
+/// Error of the parameter from the residuals of a test function in two integrations and the rounding of a product of multipliers, divided by the
+/// slope between two nodes. A fold is an extremum of the parameter and moves by less.
 fn left_of(test: Test, at: [&Node; 2], [a, b]: [&Node; 2]) -> f64 {
     if test == Test::Fold {
         return 0.0;

@@ -1,7 +1,7 @@
-//! A parameter that is changed slowly, as in an experiment: where the motion settles at one value after the other.
+//! A slow change of a parameter, as in an experiment: the motions to which the system settles at consecutive values.
 //!
 //! # Method
-//! A slow sweep uses integration alone, from one value to the next until the motion repeats itself.
+//! A slow sweep uses only integration, from one value to the next until the motion repeats itself.
 
 use super::description::ranges;
 use super::error::BranchError;
@@ -16,7 +16,7 @@ use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::{Progress, Stage};
 use std::f64::consts::{PI, TAU};
 
-/// The motions through which a slow sweep of the parameter goes.
+/// The consecutive motions of a slow sweep of the parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sweep {
     /// `true` if the parameter rises.
@@ -28,37 +28,37 @@ pub struct Sweep {
 /// Motion to which the system settles at one value of the parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SweepPoint {
-    /// The value.
+    /// The value of the parameter.
     pub parameter: f64,
-    /// The state when the phase of the drive is zero.
+    /// The state at phase zero of the drive.
     pub state: Vec<f64>,
-    /// Number of drive periods after which the motion repeats itself to a millionth; `None` where it does not after a thousand periods.
+    /// Number of drive periods after which the motion repeats itself to a millionth; `None` if it has not done so after a thousand periods.
     pub drive_periods: Option<u32>,
-    /// The angle that rotates in these periods, if one does.
+    /// The angle that rotates in these periods, for rotating solutions.
     pub rotation: Option<Rotation>,
-    /// The least and the greatest value of each coordinate, as of a [`BranchPoint`](super::BranchPoint); where the motion does not repeat itself,
-    /// in sixteen periods of the drive.
+    /// The least and the greatest value of each coordinate, as for a [`BranchPoint`](super::BranchPoint);
+    /// if the motion does not repeat itself, over sixteen periods of the drive.
     pub ranges: Vec<[f64; 2]>,
 }
 
-/// The longest responses that are recognised, in periods of the drive.
+/// The longest period of a response that is recognised, in periods of the drive.
 const LONGEST: usize = 8;
-/// Steps from one value to the next: four values between 0.7 and 1 rad/s then show both responses of the driven pendulum at 0.8, which
-/// without them jumps down from the one at 0.9.
+/// Number of steps from one value to the next. With four values between 0.7 and 1 rad/s, these steps
+/// show both responses of the driven pendulum at 0.8; without them the upper one jumps down after 0.9.
 const RAMP: u32 = 16;
-/// Largest time of settling, in periods of the drive: a transient of quality 300 falls to 3e-5 in it.
+/// Longest time of settling, in periods of the drive, in which a transient with a quality factor of 300 falls to 3e-5.
 const MOST_PERIODS: usize = 1000;
-/// Relative difference after a period below which a motion has settled. Next to a fold, where a thousand periods of a transient may remain,
-/// its error is a thousandth, which no picture shows.
+/// Relative difference after a period below which a motion has settled. Next to a fold, where the decay of a transient may take a thousand
+/// periods, the error is then a thousandth, which is invisible in pictures.
 const SETTLED: f64 = 1e-6;
-/// Smallest distance, in parts of its size, of a motion that takes several periods from itself after fewer; a nearer one may be a transient that
-/// turns to and fro, and is followed further.
+/// Smallest difference, relative to its size, between a motion of several periods and itself after
+/// fewer; if it is smaller, the motion may be an alternating transient and is followed further.
 const DISTINCT: f64 = 1e-3;
-/// Number of periods that are recorded where nothing settles.
+/// Number of recorded periods if the motion does not settle.
 const LOOKED_AT: u32 = 16;
 
 impl SweepPoint {
-    /// Amplitude as [`BranchPoint::amplitude`](super::BranchPoint::amplitude) defines it; `None` for an angle that rotates without an end.
+    /// Amplitude as defined by [`BranchPoint::amplitude`](super::BranchPoint::amplitude); `None` for an angle that rotates without repeating.
     #[must_use]
     pub fn amplitude(&self, coordinate: usize, is_angle: bool) -> Option<f64> {
         let [low, high] = self.ranges[coordinate];
@@ -69,14 +69,14 @@ impl SweepPoint {
 }
 
 impl Response {
-    /// The motions through which slow sweeps go, up from a stable solution at the lower end of the range and down from one at the upper end, by
-    /// integration alone: from value to value in small steps, and at each of a number of evenly spaced values until the motion repeats itself. Where
-    /// an end has no stable solution there is no sweep from there.
+    /// The motions of slow sweeps, upwards from a stable solution at the lower end of the range and downwards from
+    /// one at the upper end, by integration alone: from value to value in small steps, and at each of a number of
+    /// evenly spaced values until the motion repeats itself. There is no sweep from an end without a stable solution.
     ///
-    /// Equation, parameter and range are those of the response. A cancelled call returns the motions until then.
+    /// Equation, parameter and range are those of the response. A cancelled call returns the motions computed so far.
     ///
     /// # Errors
-    /// As [`Response::over`]; equations without a drive.
+    /// As for [`Response::over`]; equations without a drive.
     ///
     /// # Examples
     /// ```
@@ -87,7 +87,7 @@ impl Response {
     /// let (pendulum, range) = ("theta'' = -0.1*theta' - sin(theta) + 0.15*cos(w*t)".parse()?, [0.6, 1.2]);
     /// let response = Response::over(&pendulum, "w", range, &ResponseOptions::default(), &Quiet)?;
     /// let sweeps = response.sweeps(&pendulum, "w", range, 31, &Quiet)?;
-    /// // At 0.82 rad/s, between the jumps, the way decides: 27.5° or 101.7°.
+    /// // At 0.82 rad/s, between the jumps, the amplitude depends on the direction of the sweep: 27.5° or 101.7°.
     /// let at = |rising: bool| sweeps.iter().find(|it| it.rising == rising)?.points.iter().find(|it| (it.parameter - 0.82).abs() < 1e-9);
     /// let degrees = |rising: bool| Some(at(rising)?.amplitude(0, true)?.to_degrees());
     /// assert!(degrees(true).is_some_and(|it| it < 30.0) && degrees(false).is_some_and(|it| it > 90.0));
@@ -132,7 +132,7 @@ impl Response {
 struct Sweeping<'a> {
     family: &'a Family<'a>,
     angles: Vec<bool>,
-    /// Values that were done before.
+    /// Number of values done before this sweep.
     done: usize,
 }
 
@@ -153,8 +153,8 @@ impl Sweeping<'_> {
         points
     }
 
-    /// The state after the parameter has gone from one value to another in small steps, each for a period of the drive: so a motion is not lost
-    /// because the next value is far.
+    /// The state after the parameter has changed from one value to another in small steps of
+    /// one drive period each, so that a motion is not lost because the next value is far away.
     fn ramped(&self, state: Vec<f64>, [from, to]: [f64; 2]) -> Option<Vec<f64>> {
         (1..RAMP).try_fold(state, |state, step| {
             let value = from + (to - from) * f64::from(step) / f64::from(RAMP);
@@ -187,7 +187,7 @@ impl Sweeping<'_> {
         self.seen(value, states.pop()?, None, None)
     }
 
-    /// Description of the motion from a state on.
+    /// Description of the motion that begins at a state.
     fn seen(
         &self,
         value: f64,
@@ -209,7 +209,7 @@ impl Sweeping<'_> {
         apart.all(|(number, far)| (far - self.whole_turns(number, far)).abs() <= part * size)
     }
 
-    /// The whole turns in a value of a component of the state, in radians; zero unless the component is an angle.
+    /// The whole turns in a component of the state, in radians; zero unless the component is an angle.
     fn whole_turns(&self, number: usize, x: f64) -> f64 {
         if self.angles.get(number).is_some_and(|it| *it) { TAU * libm::rint(x / TAU) } else { 0.0 }
     }

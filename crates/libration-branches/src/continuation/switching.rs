@@ -1,4 +1,4 @@
-//! The branches that leave others where a symmetry is lost or a period doubles.
+//! Secondary branches, from symmetry breaking and period doubling.
 
 use super::branch::{Branch, Origin, Walk, Walked};
 use super::description::squared;
@@ -11,7 +11,7 @@ use super::units::largest_swing;
 use libration_numbers::algebra::Doubles;
 use libration_numbers::internals::linear::null_space;
 
-/// A branch that leaves another one.
+/// A secondary branch at its branch point.
 pub(super) struct Leaving {
     origin: Origin,
     space: Space,
@@ -19,15 +19,15 @@ pub(super) struct Leaving {
 }
 
 impl Search<'_> {
-    /// Returns whether a branch that leaves another one was already followed to this place from elsewhere.
+    /// Returns `true` if a secondary branch was already followed from elsewhere to this branch point.
     pub(super) fn is_met(&self, start: &Leaving, space: Space, parameter: f64) -> bool {
-        /// Largest difference, in parts of the range, within the error of the interpolation.
+        /// Largest difference relative to the range, within the error of the interpolation.
         const SAME: f64 = 1e-3;
         let off = (start.node.point.parameter - parameter).abs();
         start.space.drive_periods() == space.drive_periods() && off <= SAME * self.width()
     }
 
-    /// The branches that leave one.
+    /// The secondary branches of a branch.
     pub(super) fn leaving(&self, walked: &Walked, generation: usize) -> Vec<(usize, Leaving)> {
         if generation >= self.options.generations {
             return vec![];
@@ -45,10 +45,10 @@ impl Search<'_> {
         walked.specials.iter().filter_map(leaving).collect()
     }
 
-    /// The branch that leaves another one: along the deviation that the map turns into its opposite.
+    /// The secondary branch, along the deviation that the map turns into its opposite.
     pub(super) fn switched(&self, leaving: &Leaving) -> Option<Walked> {
-        /// The first place, as a part of the units: far enough from the other branch for its side of it to be certain; nearer where no motion is
-        /// found there.
+        /// Initial distances in scaled units, in the order of the trials: far enough from the
+        /// primary branch to determine the side, and nearer if a motion is not found there.
         const ASIDE: [f64; 3] = [1e-2, 3e-3, 1e-3];
         ASIDE.into_iter().find_map(|aside| self.switched_aside(leaving, aside))
     }
@@ -79,7 +79,7 @@ impl Search<'_> {
 }
 
 impl Branch {
-    /// Puts the point before it where the branch leaves another one, as a motion of twice the period: its multipliers are the squares.
+    /// Puts the branch point first, as a motion of twice the period, whose multipliers are the squares.
     fn begin_with(&mut self, point: BranchPoint) {
         let is_doubled = self.origin == Origin::PeriodDoubling;
         let (period, rotation) = (2.0 * point.period, point.rotation.map(Rotation::doubled));

@@ -7,19 +7,20 @@ use libration_motion::taylor::StateLayout;
 use libration_numbers::algebra::Doubles;
 use libration_numbers::internals::expression::{Jet, Operation, Tape};
 
-/// States, times and parameters at which the equation is tried: an equation without the symmetry would have to pass by chance at all of them.
+/// Number of states, times and parameters at which the equation is tested: an
+/// equation without the symmetry would have to pass by chance at all of them.
 const TRIALS: u32 = 12;
-/// Powers of two by which states are scaled where the force has kinks, so that both sides of each kink are tried. A force without kinks is
-/// analytic: what holds near one state holds at all.
+/// Powers of two by which states are scaled if the force has kinks, so that both sides of each
+/// kink are tested. A force without kinks is analytic: a symmetry near one state holds everywhere.
 const SCALES: [i32; 2] = [-60, 60];
 
-/// The symmetry of a system and the signs that its mirror image gives to the components of a state.
+/// The symmetry of a system, and the signs that its mirror image gives to the components of a state.
 ///
-/// F(S·x, t + τ) = S·F(x, t) for all states, with a diagonal S of signs and a shift τ, zero or half a period: a property of the equation, not of some
-/// of its orbits. S changes all signs or some of them, as (x, y, z) → (−x, −y, z) for the Lorenz system; with a drive some only where τ is half a
-/// period. Without a drive the period is counted from one maximum of the first coordinate to the next: where S keeps its sign, the mirror image comes
-/// after whole periods, otherwise after odd numbers of half periods. The values of both sides are compared at states of all sizes; a difference below
-/// the rounding of the largest intermediate value is not seen.
+/// F(S·x, t + τ) = S·F(x, t) for all states, with a diagonal matrix S of signs and a shift τ of zero or half a period. This is a property of the
+/// equation, not of some of its orbits. S changes all signs or some of them, as in (x, y, z) → (−x, −y, z) for the Lorenz system; with a drive,
+/// only some signs may change if τ is half a period. Without a drive the period is counted from one maximum of the first coordinate to the next:
+/// if S keeps its sign, the mirror image comes after whole periods, otherwise after odd numbers of half periods. The values of both sides are
+/// compared at states of all sizes; a difference below the rounding of the largest intermediate value is not detected.
 pub(super) fn symmetry(
     layout: &StateLayout,
     rates: &Tape,
@@ -41,7 +42,7 @@ pub(super) fn symmetry(
     }
 }
 
-/// `true` if there is a mirror image without a shift in time, with these components of a state changed and those kept, that the equation has.
+/// `true` if the equation has a mirror image without a shift in time that changes these components of a state and keeps the others.
 pub(super) fn has_partial_mirror(
     layout: &StateLayout,
     rates: &Tape,
@@ -59,9 +60,9 @@ pub(super) fn has_partial_mirror(
     mirrors(layout.coordinates()).filter(fits).any(|mirror| equation.has(0.0, &mirror))
 }
 
-/// The signs of coordinates, some of them −1: all of them first, and those that keep the first coordinate's last.
+/// The signs of coordinates, some of them −1: first with all −1, last those that keep the sign of the first coordinate.
 fn mirrors(coordinates: usize) -> impl Iterator<Item = Vec<f64>> {
-    /// Coordinates that may keep their signs.
+    /// Largest number of coordinates for which partial mirror images are tried.
     const MOST: usize = 7;
     let kept = move |number: usize, pattern: usize| {
         let from_the_last = coordinates - 1 - number;
@@ -90,12 +91,12 @@ impl Trial<'_> {
         (least..=most).step_by(2).map(|power| libm::ldexp(1.0, power))
     }
 
-    /// The signs of the components of a state: a velocity has that of its coordinate.
+    /// The signs of the components of a state: a velocity has the sign of its coordinate.
     fn of_state(&self, mirror: &[f64]) -> Vec<f64> {
         self.layout.arrange(mirror.iter().copied(), |coordinate| mirror[coordinate])
     }
 
-    /// Returns whether the equation has a symmetry in all trials that have values, of which there is at least one.
+    /// Returns `true` if the equation has a symmetry in all trials with values, of which there must be at least one.
     fn has(&self, shift: f64, mirror: &[f64]) -> bool {
         let trials = (0..TRIALS).flat_map(|trial| self.scales().map(move |scale| (trial, scale)));
         let mut outcomes = trials.map(|(trial, scale)| self.holds(shift, mirror, trial, scale));
@@ -106,17 +107,17 @@ impl Trial<'_> {
         }) && values
     }
 
-    /// `None` where there are no values, as for a negative frequency under a root.
+    /// `None` if the trial has no values, as for a negative frequency under a root.
     fn holds(&self, shift: f64, mirror: &[f64], trial: u32, scale: f64) -> Option<bool> {
-        /// Roundings of the largest value for each operation.
+        /// Rounding errors of the largest value, per operation.
         const ROUNDINGS: f64 = 8.0;
-        // Parts of the golden ratio are spread evenly and hit no symmetric place.
+        // Multiples of the golden ratio are evenly distributed and avoid symmetric positions.
         let drawn = |k: u32| {
             2.0 * ((7.0 * f64::from(trial) + f64::from(k + 1)) * 0.618_033_988_749_894_9).fract() - 1.0
         };
         let within = |(k, [low, high]): (u32, &[f64; 2])| low + 0.5 * (drawn(k) + 1.0) * (high - low);
         let parameters: Vec<f64> = (1..).zip(self.ranges).map(within).collect();
-        // Without a drive all times are alike.
+        // Without a drive all times are equivalent.
         let period = self.law.map_or(Some(1.0), |law| law.period(&parameters).map(|(period, _)| period))?;
         let time = period * 0.5 * (drawn(0) + 1.0);
         let state: Vec<f64> = (10..).map(|k| scale * drawn(k)).take(self.layout.numbers()).collect();
@@ -128,7 +129,7 @@ impl Trial<'_> {
         Some(differences.fold(0.0, f64::max) <= rounding)
     }
 
-    /// The derivatives, and the largest intermediate value; `None` where one is not finite.
+    /// The derivatives, and the largest intermediate value; `None` if a value is not finite.
     fn values(
         &self,
         state: impl Iterator<Item = f64>,

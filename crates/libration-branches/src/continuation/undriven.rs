@@ -2,8 +2,8 @@
 
 use libration_numbers::expression::{Equation, Expression, Function, Order, Symbol};
 
-/// The equation without velocities in the force and with zero for each sine and cosine of the time; `None` unless it has one coordinate and
-/// is of the second order.
+/// The equation without velocities in the force, and with zero for each sine and
+/// cosine of the time; `None` unless it is of second order with one coordinate.
 pub(super) fn undriven(equation: &Equation) -> Option<Equation> {
     let ([variable], [Order::Second]) = (equation.variables(), equation.orders()) else { return None };
     let zero = Expression::from(0);

@@ -4,7 +4,7 @@ use libration_motion::taylor::IntegrationError;
 use libration_numbers::expression::{SecondOrderError, WithoutValue};
 use libration_numbers::progress::Interrupted;
 
-/// Reason why a pendulum has no Melnikov function or no threshold.
+/// Reason why an equation has no Melnikov function or no threshold.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MelnikovError {
@@ -13,7 +13,7 @@ pub enum MelnikovError {
         "the equations are for {0} coordinates: give one, such as \"x'' + sin(x) = -0.1 x' + 0.3 cos(t)\""
     )]
     Coordinates(usize),
-    /// An equation of the first order.
+    /// An equation of first order.
     #[error(transparent)]
     NotSecondOrder(#[from] SecondOrderError),
     /// A parameter without a value.
@@ -29,7 +29,7 @@ pub enum MelnikovError {
         "the acceleration {0} is not a polynomial in the angle's sine and cosine: the unperturbed motion must be that of a pendulum"
     )]
     NoAngle(String),
-    /// The time stands elsewhere than in sines and cosines of commensurate frequencies.
+    /// A time dependence other than sines and cosines of commensurate frequencies.
     #[error(
         "the drive is not periodic: the time may stand only in sines and cosines, whose frequencies are in simple proportions"
     )]
@@ -37,12 +37,12 @@ pub enum MelnikovError {
     /// A formula that cannot be evaluated.
     #[error(transparent)]
     WithoutValue(#[from] WithoutValue),
-    /// A range of a parameter that is none.
+    /// An empty range of a parameter.
     #[error("the range from {from:?} to {to:?} is empty: give two different finite numbers")]
     Range {
-        /// Its beginning.
+        /// The first end.
         from: f64,
-        /// Its end.
+        /// The second end.
         to: f64,
     },
     /// The equation cannot be evaluated at a value of a parameter.
@@ -50,9 +50,9 @@ pub enum MelnikovError {
     At {
         /// The parameter.
         parameter: String,
-        /// Its value.
+        /// The value of the parameter.
         value: f64,
-        /// Reason why the value is refused.
+        /// Reason why the value is rejected.
         reason: String,
     },
     /// Cancelled by the caller.
@@ -64,23 +64,23 @@ pub enum MelnikovError {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TangencyError {
-    /// No Melnikov function to begin with.
+    /// An equation without a Melnikov function.
     #[error(transparent)]
     NoMelnikov(#[from] MelnikovError),
-    /// The upright position is no longer a saddle orbit.
+    /// A perturbation so strong that the upright position is no longer a saddle orbit.
     #[error("no periodic motion stays near the upright position: the perturbation is too strong")]
     NoSaddle,
-    /// A manifold that turns before it comes to the bottom.
+    /// A manifold that turns back before it reaches the bottom.
     #[error(
         "the motions that leave the upright position do not pass the bottom: the perturbation is too strong"
     )]
     NoPassage,
-    /// Nothing near the threshold.
+    /// No tangency near the threshold.
     #[error(
         "no tangency near the threshold: the perturbation is too strong for its first order to lead there"
     )]
     NoConvergence,
-    /// The integration ends.
+    /// A failed integration.
     #[error(transparent)]
     Integration(#[from] IntegrationError),
 }

@@ -1,4 +1,4 @@
-//! The Melnikov function: by how much the perturbation separates the manifolds of the upright position.
+//! The Melnikov function: the distance by which a perturbation separates the manifolds of the upright position.
 
 use super::MelnikovError;
 use super::perturbation::PerturbedPendulum;
@@ -11,13 +11,13 @@ use libration_numbers::progress::{Interrupted, Progress, Stage};
 use libration_numbers::roots::{Tolerance, zero_between};
 use std::f64::consts::TAU;
 
-/// M(t0) = ∫ θ′(t)·g(θ(t), θ′(t), t + t0) dt over the separatrix of the pendulum: to the first order of the perturbation the energy, per m·l²,
-/// by which the stable and the unstable manifold of the upright position are apart. Where it has simple zeros they cross, and there are chaotic
-/// motions between them.
+/// M(t0) = ∫ θ′(t)·g(θ(t), θ′(t), t + t0) dt over the separatrix of the pendulum: to first order of the
+/// perturbation, the energy per m·l² that separates the stable and the unstable manifold of the upright
+/// position. At simple zeros of M the manifolds cross, and there are chaotic motions between them.
 ///
 /// # Accuracy
-/// By residues, with all digits, where the perturbation is a polynomial in θ′, sin θ, cos θ and waves; by quadrature else, with the same
-/// absolute and a lesser relative accuracy where fast drives make it exponentially small.
+/// By residues, with all digits, if the perturbation is a polynomial in θ′, sin θ, cos θ and waves. Otherwise by quadrature, with the same
+/// absolute accuracy and a lower relative accuracy if fast drives make M exponentially small.
 ///
 /// # Examples
 /// ```
@@ -27,7 +27,7 @@ use std::f64::consts::TAU;
 /// use std::f64::consts::{PI, FRAC_PI_2};
 /// let driven = PerturbedPendulum::new(&"x'' + 0.1 x' + sin(x) = 0.3 cos(t)".parse()?)?;
 /// let [upper, _] = Melnikov::both(&driven, &Quiet)?;
-/// // Damping takes 8c; a drive of (4c/π) cosh(πΩ/2) makes up for it.
+/// // Damping removes 8c; a drive of (4c/π) cosh(πΩ/2) compensates it.
 /// assert!((upper.mean + 0.8).abs() < 1e-15);
 /// let threshold = 0.4 / PI * FRAC_PI_2.cosh();
 /// assert!((upper.threshold_factor() * 0.3 / threshold - 1.0).abs() < 1e-14);
@@ -39,25 +39,25 @@ use std::f64::consts::TAU;
 /// Bifurcations of Vector Fields*, Springer 1983, section 4.5.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Melnikov {
-    /// 1 on the separatrix where the angle grows, −1 on the other.
+    /// 1 on the separatrix with growing angle, −1 on the other.
     pub direction: f64,
     /// Ω in rad/s, zero without a drive.
     pub frequency: f64,
     /// Part of M that does not depend on t0.
     pub mean: f64,
-    /// Bound on its error.
+    /// Bound on the error of the mean.
     pub mean_error: f64,
     /// c₁, c₂, … in M(t0) = mean + Σ Re(cₖ·e^{ikΩt0}).
     pub harmonics: Vec<Complex>,
-    /// Bound on the error of each.
+    /// Bound on the error of each harmonic.
     pub harmonic_errors: Vec<f64>,
 }
 
-/// Phases of the drive in a period of the fastest harmonic, at which extremes and zeros are looked for.
+/// Number of phases, per period of the fastest harmonic, at which extremes and zeros are searched.
 const PLACES: usize = 16;
 
 impl Melnikov {
-    /// Returns the functions of the separatrix on which the angle grows and of the other one.
+    /// Returns the functions of the separatrix with growing angle and of the other one.
     ///
     /// # Errors
     /// The call is cancelled.
@@ -89,7 +89,7 @@ impl Melnikov {
         self.mean + self.wave(phase, 0)
     }
 
-    /// The part that depends on the phase, or its derivative by it.
+    /// The part that depends on the phase, or a derivative of it with respect to the phase.
     fn wave(&self, phase: f64, derivatives: u32) -> f64 {
         let term = |(k, value): (u32, &Complex)| {
             let number = f64::from(k);
@@ -110,8 +110,8 @@ impl Melnikov {
         values.fold([0.0, 0.0], |[least, most], value| [least.min(value), most.max(value)])
     }
 
-    /// Factor by which the part that depends on the phase must be multiplied for simple zeros to appear: below 1 they exist already, 0 where nothing
-    /// opposes them, infinite where nothing depends on the phase.
+    /// Factor by which the part that depends on the phase must be multiplied for simple zeros to appear:
+    /// below 1 they exist already, 0 if the mean is zero, infinite if nothing depends on the phase.
     #[must_use]
     pub fn threshold_factor(&self) -> f64 {
         let [least, most] = self.extremes();
@@ -119,14 +119,14 @@ impl Melnikov {
         if reach == 0.0 { f64::INFINITY } else { self.mean.abs() / reach }
     }
 
-    /// Returns whether M has simple zeros, which means that the manifolds cross; `None` where the errors leave it open.
+    /// Returns `true` if M has simple zeros, so that the manifolds cross; `None` if the errors leave it undecided.
     #[must_use]
     pub fn has_simple_zeros(&self) -> Option<bool> {
         let margin = self.margin();
         (margin.abs() > self.error()).then_some(margin > 0.0)
     }
 
-    /// Smaller one of the maxima of M and −M over the phase: positive if M changes its sign.
+    /// The smaller of the maxima of M and −M over the phase: positive if M changes its sign.
     pub(super) fn margin(&self) -> f64 {
         let [least, most] = self.extremes();
         (most + self.mean).min(-(least + self.mean))
@@ -138,7 +138,7 @@ impl Melnikov {
         self.mean_error + self.harmonic_errors.iter().sum::<f64>()
     }
 
-    /// The phases Ωt0 within 0 … 2π at which M vanishes, and its slope there by the phase.
+    /// The phases Ωt0 within 0 … 2π at which M vanishes, each with the derivative of M with respect to the phase.
     #[must_use]
     pub fn zeros(&self) -> Vec<(f64, f64)> {
         let places = self.zeros_of(&|phase| self.at_phase(phase));
@@ -149,7 +149,7 @@ impl Melnikov {
         let places = PLACES * self.harmonics.len();
         let place = |j: usize| TAU * count(j) / count(places);
         let ends: Vec<(f64, f64)> = (0..=places).map(|j| (place(j), f(place(j)))).collect();
-        // A zero at an end is that of the interval it begins.
+        // A zero at an end belongs to the interval that begins there.
         let own = |pair: &[(f64, f64)]| {
             let found = (pair[1].1 != 0.0).then(|| zero_between([pair[0], pair[1]], Tolerance::LAST_BIT, f));
             found.flatten()
@@ -158,27 +158,27 @@ impl Melnikov {
     }
 }
 
-/// Values of a parameter that are looked at in a range.
+/// Number of values at which a parameter range is sampled.
 const LOOKS: u32 = 128;
 
-/// A value of a parameter at which simple zeros appear or vanish.
+/// A value of a parameter at which simple zeros appear or disappear.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Threshold {
-    /// 1 on the separatrix where the angle grows, −1 on the other.
+    /// 1 on the separatrix with growing angle, −1 on the other.
     pub direction: f64,
     /// The value of the parameter.
     pub value: f64,
-    /// Bound on its error, as that of a zero of the Melnikov function: of the first order in the perturbation it knows nothing.
+    /// Bound on the error of the value as a zero of the Melnikov function; the error of the first-order theory is not included.
     pub error: f64,
     /// `true` if there are simple zeros above the value.
     pub above: bool,
 }
 
-/// Values in a range of a parameter at which the manifolds begin or cease to cross, to the first order of the perturbation, on either separatrix.
+/// Values in a parameter range at which the manifolds begin or cease to cross, to first order of the perturbation, on either separatrix.
 ///
 /// # Errors
-/// As [`PerturbedPendulum::new`], an empty range, or a value at which the equation has none.
-/// [`MelnikovError::Interrupted`] if the call is cancelled.
+/// As for [`PerturbedPendulum::new`], an empty range, or a value at which the
+/// equation has no value. [`MelnikovError::Interrupted`] if the call is cancelled.
 ///
 /// # Examples
 /// ```

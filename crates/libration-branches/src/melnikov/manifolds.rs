@@ -1,7 +1,8 @@
-//! The manifolds of the upright position, followed by integration to the bottom, where they are compared.
+//! The manifolds of the upright position, followed by integration to the bottom and compared there.
 //!
-//! A motion that starts next to the saddle orbit is, when it comes to the bottom, as near the unstable manifold as the start was far from it
-//! twice over: what is not along the manifold has decayed as much as the rest has grown. So no direction need be known.
+//! If a motion starts near the saddle orbit, its distance from the unstable manifold at the bottom is of the
+//! order of the square of its initial distance: components off the manifold have decayed by the same factor
+//! by which the component along it has grown. The direction of the manifold therefore need not be known.
 
 use std::f64::consts::PI;
 
@@ -12,10 +13,10 @@ use libration_numbers::expression::{Equation, Expression, Symbol};
 use libration_numbers::internals::progress::Watch;
 
 const TOLERANCE: f64 = 1e-16;
-/// Units 1/ω0 in which a motion that started at 1e-9 of the saddle is at the bottom, several times over.
+/// Longest time to the bottom, in units of 1/ω0: several times that of a motion that started at 1e-9 of the saddle.
 const LONGEST: f64 = 100.0;
 
-/// The motions that leave the upright position on one side and arrive on the other.
+/// The manifolds that leave the upright position on one side and arrive on the other.
 pub(super) struct Manifolds<'a> {
     motion: System,
     /// Saddles from which the manifolds leave and at which they arrive.
@@ -34,7 +35,7 @@ struct Passage {
     velocity: f64,
 }
 
-/// Times between a start and its passage of the bottom, in seconds: positive from the saddle, negative to it.
+/// Times from the starts to their passages of the bottom, in seconds: positive from the saddle, negative to it.
 pub(super) type Delays = [f64; 2];
 
 impl<'a> Manifolds<'a> {
@@ -57,16 +58,16 @@ impl<'a> Manifolds<'a> {
         [delay, -delay]
     }
 
-    /// Energy per m·l² of the unstable manifold minus that of the stable one as they pass the bottom at this time, and the velocity of the unstable
-    /// one.
+    /// Energy per m·l² of the unstable manifold minus that of the stable one, when
+    /// they pass the bottom at this time, and the velocity of the unstable one.
     pub(super) fn separation(&self, time: f64, delays: &mut Delays) -> Result<[f64; 2], TangencyError> {
         let [leaving, arriving] = [0, 1].map(|end| self.velocity_at(time, end, &mut delays[end]));
         let (leaving, arriving) = (leaving?, arriving?);
         Ok([0.5 * (leaving - arriving) * (leaving + arriving), leaving])
     }
 
-    /// The velocity with which a manifold passes the bottom at a time: a later start is a later passage. Rounding of the start, as a part of its
-    /// distance from the saddle, leaves the time of the passage that uncertain, and the last two passages tell what that changes.
+    /// The velocity with which a manifold passes the bottom at a time; a later start gives a later passage. A rounding error of the start,
+    /// relative to its distance from the saddle, makes the time of the passage uncertain, and the last two passages give the resulting error.
     fn velocity_at(&self, time: f64, end: usize, delay: &mut f64) -> Result<f64, TangencyError> {
         const TRIES: usize = 30;
         const NEAR: f64 = 1e-8;

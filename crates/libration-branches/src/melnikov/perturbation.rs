@@ -1,4 +1,4 @@
-//! An equation of motion as that of a pendulum and what perturbs it.
+//! An equation of motion as a pendulum with a perturbation.
 
 use super::MelnikovError;
 use super::trigonometric::{Monomial, Names, Trigonometric};
@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 
 /// Number of phases of the drive at which a function that is not a trigonometric polynomial is evaluated.
 const PHASES: u32 = 64;
-/// Harmonics that are taken from them; those above tell what is left out.
+/// Number of harmonics taken from these phases; the harmonics above measure the truncation error.
 const HARMONICS: usize = 24;
 
 /// θ″ = −ω0²·sin θ + g(θ, θ′, t), where g has the period of the drive.
@@ -37,11 +37,11 @@ pub struct PerturbedPendulum {
 }
 
 impl PerturbedPendulum {
-    /// Everything in the acceleration but −ω0²·sin θ is the perturbation.
+    /// Separates an equation; everything in the acceleration except −ω0²·sin θ is the perturbation.
     ///
     /// # Errors
-    /// Several coordinates, an equation of the first order, open parameters; no restoring force −ω0²·sin θ; a force of the angle alone that
-    /// is not periodic in it; a drive that is not periodic.
+    /// Several coordinates, an equation of first order, symbolic parameters; no restoring force
+    /// −ω0²·sin θ; a force of the angle alone that is not periodic in it; a drive that is not periodic.
     pub fn new(equation: &Equation) -> Result<Self, MelnikovError> {
         equation.refuse_first_order()?;
         let [name] = equation.variables() else {
@@ -78,25 +78,25 @@ impl PerturbedPendulum {
         self.omega0
     }
 
-    /// The angular frequency of the drive in rad/s, that of the period in which all of it comes back.
+    /// The angular frequency of the drive in rad/s, for the period in which the whole drive repeats.
     #[must_use]
     pub fn frequency(&self) -> Option<f64> {
         (self.frequency > 0.0).then_some(self.frequency)
     }
 
-    /// Returns whether the integrals over the separatrix have a closed form, by residues.
+    /// Returns `true` if the integrals over the separatrix have a closed form, by residues.
     #[must_use]
     pub const fn is_closed(&self) -> bool {
         self.rest.is_none()
     }
 
-    /// The highest harmonic of the drive that may be there.
+    /// The highest harmonic of the drive that can occur.
     pub(super) fn harmonics(&self) -> usize {
         let closed = self.closed.terms.keys().map(|it| it.harmonic.unsigned_abs() as usize).max();
         closed.unwrap_or(0).max(if self.rest_depends_on_time { HARMONICS } else { 0 })
     }
 
-    /// The coefficients of e^{ikΩt}, from k = 0 on, of the perturbation at a place and a velocity, and what higher ones there are.
+    /// The coefficients of e^{ikΩt} in the perturbation at an angle and a velocity, from k = 0 on, and the magnitude of the omitted ones.
     pub(super) fn harmonics_at(&self, angle: f64, velocity: f64) -> (Vec<Complex>, f64) {
         let mut found = vec![Complex::default(); self.harmonics() + 1];
         let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
@@ -134,7 +134,7 @@ impl PerturbedPendulum {
     }
 }
 
-/// The acceleration as a trigonometric polynomial, and the terms that are none.
+/// The acceleration as a trigonometric polynomial, and the remaining terms.
 fn separated(acceleration: &Expression, names: &Names) -> (Trigonometric, Vec<Expression>) {
     let mut terms = vec![];
     collect_terms(acceleration, &|term| term, &mut terms);
@@ -149,7 +149,7 @@ fn separated(acceleration: &Expression, names: &Names) -> (Trigonometric, Vec<Ex
     (closed, rest)
 }
 
-/// The terms of a sum, whose constant factors and divisors are given to each.
+/// The terms of a sum, each with the constant factors and divisors of the sum.
 fn collect_terms(
     formula: &Expression,
     within: &dyn Fn(Expression) -> Expression,
@@ -181,7 +181,7 @@ fn collect_terms(
     }
 }
 
-/// ω0 of the term −ω0²·sin θ, which is taken out.
+/// ω0 of the term −ω0²·sin θ, which is removed.
 fn own_frequency(closed: &mut Trigonometric) -> Result<f64, MelnikovError> {
     let sine = Monomial { velocity: 0, sines: 1, cosines: 0, harmonic: 0 };
     let force = closed.terms.remove(&sine).map_or(0.0, |coefficient| coefficient.re);

@@ -1,4 +1,4 @@
-//! Resonances of a pendulum with its drive: where they are, how wide, whether neighbours overlap.
+//! Resonances of a pendulum with its drive: positions, widths, and overlap of neighbours.
 
 use super::perturbation::PerturbedPendulum;
 use libration_kernels::elementary::count;
@@ -9,27 +9,27 @@ use libration_numbers::roots::{Tolerance, zero_between};
 use libration_pendulum::pendulum::{Amplitude, Motion, Pendulum, Regime};
 use std::f64::consts::TAU;
 
-/// A motion of the unperturbed pendulum whose frequency is p/q of that of the drive, and what the drive makes of it.
+/// A motion of the unperturbed pendulum whose frequency is p/q of the drive frequency, and the effect of the drive on it.
 ///
-/// Next to it the phase of the motion against the drive moves as a pendulum of its own does: it is locked within the half-width, to the first
-/// order of the perturbation.
+/// Near this motion the phase relative to the drive moves like a pendulum:
+/// to first order of the perturbation it is locked within the half-width.
 #[derive(Clone, Debug)]
 pub struct DriveResonance {
-    /// p: periods of the motion, or turns,
+    /// The number p of periods, or turns, of the motion.
     pub motion_periods: u32,
-    /// in q periods of the drive.
+    /// The number q of drive periods in the same time.
     pub drive_periods: u32,
     /// 1 or −1 for rotation, 0 for libration.
     pub direction: f64,
-    /// The unperturbed motion, upwards through the bottom at t = 0.
+    /// The unperturbed motion, passing upwards through the bottom at t = 0.
     pub motion: Motion,
-    /// Mean power of the perturbation whatever the phase of the motion, per m·l², in rad²/s³: negative for damping.
+    /// Mean power of the perturbation averaged over the phase of the motion, per m·l², in rad²/s³: negative for damping.
     pub mean_power: f64,
-    /// Amplitude of the power that depends on the phase against the drive, per m·l², in rad²/s³.
+    /// Amplitude of the power that depends on the phase relative to the drive, per m·l², in rad²/s³.
     pub resonant_power: f64,
-    /// Bound on the error of both.
+    /// Bound on the errors of both powers.
     pub error: f64,
-    /// Half the width of the resonance in the action, per m·l², in rad²/s, where nothing damps.
+    /// Half the width of the resonance in the action, per m·l², in rad²/s, without damping.
     pub half_width: f64,
 }
 
@@ -40,21 +40,21 @@ impl DriveResonance {
         self.half_width * self.motion.frequency_slope().abs()
     }
 
-    /// Bound on the error of the half-width, from that of the power; of the first order in the perturbation it knows nothing.
+    /// Bound on the error of the half-width from that of the power; the error of the first-order theory is not included.
     #[must_use]
     pub fn half_width_error(&self) -> f64 {
         0.5 * self.half_width * self.error / self.resonant_power + 8.0 * f64::EPSILON * self.half_width
     }
 
-    /// Factor by which the drive must be multiplied to maintain such a motion against the damping: the threshold of the subharmonic Melnikov
-    /// function.
+    /// Factor by which the drive must be multiplied to maintain such a motion
+    /// against the damping: the threshold of the subharmonic Melnikov function.
     #[must_use]
     pub fn threshold_factor(&self) -> f64 {
         self.mean_power.abs() / self.resonant_power
     }
 
-    /// The sum of the half-widths of two resonances over their distance, in the action: Chirikov's criterion takes motions between them for
-    /// chaotic from 1 on, and experience from about 2/3. `None` between libration and rotation, or rotations of opposite directions.
+    /// The sum of the half-widths of two resonances over their distance, in the action. By Chirikov's criterion motions between them are chaotic
+    /// from 1 on, by experience from about 2/3. `None` between libration and rotation, and between rotations of opposite directions.
     #[must_use]
     pub fn overlap(&self, other: &Self) -> Option<f64> {
         let distance = (self.motion.action() - other.motion.action()).abs();
@@ -64,8 +64,8 @@ impl DriveResonance {
 }
 
 impl PerturbedPendulum {
-    /// The resonances p:q up to a largest q, for the harmonics p of the drive, that the perturbation has to the first order: librations and then
-    /// rotations either way, each by ascending action. None without a drive.
+    /// The resonances p:q of the perturbation to first order, up to a largest q, for the harmonics p of the drive: librations, then rotations in
+    /// either direction, each by ascending action. Empty without a drive.
     ///
     /// # Errors
     /// The call is cancelled.
@@ -75,7 +75,7 @@ impl PerturbedPendulum {
     /// # extern crate libration_branches as libration;
     /// use libration::melnikov::PerturbedPendulum;
     /// use libration::progress::Quiet;
-    /// // A wave that runs along with the angle: the separatrix of its own resonance is 2·√0.01 away in the velocity.
+    /// // A wave that moves with the angle: the half-width of its resonance in the velocity is 2·√0.01.
     /// let driven = PerturbedPendulum::new(&"x'' + 1e-6 sin(x) = -0.01 sin(x - t)".parse()?)?;
     /// let resonances = driven.resonances(1, &Quiet)?;
     /// let rotation = resonances.iter().find(|it| it.direction > 0.0).ok_or("none")?;
@@ -118,7 +118,7 @@ impl PerturbedPendulum {
         Pendulum::from_angular_frequency(self.omega0()).ok()
     }
 
-    /// The libration of this frequency, from the bottom upwards.
+    /// The libration with this frequency, beginning upwards at the bottom.
     fn libration(&self, frequency: f64) -> Option<Motion> {
         let amplitude = Amplitude::from_period_ratio(self.omega0() / frequency).ok()?;
         let sine = libm::sin(0.5 * amplitude.radians());
@@ -132,18 +132,18 @@ impl PerturbedPendulum {
         motion.ok().filter(|motion| motion.regime() == Regime::Libration)
     }
 
-    /// The rotation of this frequency towards growing angles, of which the other is the mirror image.
+    /// The rotation with this frequency towards growing angles; the other one is its mirror image.
     fn rotation(&self, frequency: f64) -> Option<Motion> {
         let pendulum = self.pendulum()?;
         let of = |log: f64| pendulum.with_energy_excess(libm::exp(log));
         let excess = |log: f64| of(log).map_or(f64::NAN, |motion| motion.frequency() - frequency);
-        /// Range of the logarithm of the energy excess: from motions next to the separatrix to those on which gravity has no effect.
+        /// Range of the logarithm of the energy excess: from motions next to the separatrix to those without an effect of gravity.
         const ENDS: [f64; 2] = [-600.0, 60.0];
         let log = zero_between(ENDS.map(|log| (log, excess(log))), Tolerance::LAST_BIT, excess)?;
         of(log).ok().filter(|motion| motion.regime() == Regime::Rotation)
     }
 
-    /// `None` where the perturbation has no such resonance to the first order.
+    /// The resonance; `None` if the perturbation has none of this order to first order.
     fn resonance(
         &self,
         [p, q]: [u32; 2],
@@ -153,7 +153,7 @@ impl PerturbedPendulum {
     ) -> Result<Option<DriveResonance>, Interrupted> {
         let mirror = if direction < 0.0 { -1.0 } else { 1.0 };
         let (powers, error) = self.mean_powers(&motion, p, mirror, watch)?;
-        // The strongest multiple j, whose wave of the phase has the number jq.
+        // The strongest multiple j, whose wave has jq periods of the phase.
         let multiples = (1..).zip(powers.iter().skip(p as usize).step_by(p as usize));
         let strongest = multiples
             .map(|(multiple, power)| (multiple, 2.0 * power.abs()))
@@ -174,8 +174,8 @@ impl PerturbedPendulum {
         }))
     }
 
-    /// Means of θ′·gₖ·e^{ikΩt} over a period of the motion for each harmonic k that is a multiple of p, and a bound on their errors: equal
-    /// steps, halved until nothing changes.
+    /// Means of θ′·gₖ·e^{ikΩt} over a period of the motion for each harmonic k that is a
+    /// multiple of p, and a bound on their errors: by equal steps, halved until nothing changes.
     fn mean_powers(
         &self,
         motion: &Motion,
@@ -183,7 +183,7 @@ impl PerturbedPendulum {
         mirror: f64,
         watch: &Watch<'_>,
     ) -> Result<(Vec<Complex>, f64), Interrupted> {
-        /// Rounding error, in parts of the sum of the sizes.
+        /// Rounding error relative to the sum of the magnitudes.
         const ROUNDING: f64 = 4e-15;
         const FEWEST: u32 = 64;
         const DOUBLINGS: u32 = 9;

@@ -1,4 +1,4 @@
-//! The upright position of a perturbed pendulum: a periodic motion about it, the saddle orbit.
+//! The saddle orbit: the periodic motion about the upright position of a perturbed pendulum.
 
 use std::f64::consts::TAU;
 
@@ -10,13 +10,13 @@ use libration_numbers::{
     internals::expression::{Jet, Tape},
 };
 
-/// Times in a period of the drive, and harmonics of the motion.
+/// Number of times in a period of the drive.
 const PLACES: usize = 96;
 const HARMONICS: usize = 24;
-/// Farther from the upright position the perturbation is not weak.
+/// Largest distance from the upright position, beyond which the perturbation is not weak.
 const FARTHEST: f64 = 1.5;
 
-/// The motion as harmonics of the drive: Re Σ cₖ·e^{ikΩt} about the upright position.
+/// The motion about the upright position as harmonics of the drive: Re Σ cₖ·e^{ikΩt}.
 pub(super) struct Saddle {
     upright: f64,
     frequency: f64,
@@ -24,8 +24,8 @@ pub(super) struct Saddle {
 }
 
 impl Saddle {
-    /// With θ = upright + y it is y″ − ω0²y = θ″ − ω0²y, whose left side is inverted harmonic by harmonic: the right side is small, so that
-    /// this, done again and again, draws together.
+    /// With θ = upright + y, y″ − ω0²y = θ″ − ω0²y; the left side is inverted harmonic
+    /// by harmonic. The right side is small, so that the iteration converges.
     pub(super) fn new(
         equation: &Equation,
         upright: f64,
@@ -68,7 +68,7 @@ impl Saddle {
         Err(TangencyError::NoSaddle)
     }
 
-    /// Angle and velocity.
+    /// Angle and velocity at a time.
     pub(super) fn state_at(&self, time: f64) -> [f64; 2] {
         let term = |(k, harmonic): (usize, &Complex)| {
             let wave = count(k) * self.frequency;

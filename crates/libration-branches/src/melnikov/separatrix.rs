@@ -1,14 +1,14 @@
 //! Integrals over the separatrix of the pendulum.
 //!
-//! In units of 1/ω0 it is sin θ = 2σ·sech t·tanh t, cos θ = 2 sech² t − 1, θ′ = 2σ·sech t, with σ = ±1 the direction. So
-//! every term of a trigonometric polynomial becomes sech and tanh times a wave, whose integrals
+//! In units of 1/ω0, sin θ = 2σ·sech t·tanh t, cos θ = 2 sech² t − 1, θ′ = 2σ·sech t, with σ = ±1 the
+//! direction. Every term of a trigonometric polynomial thus becomes sech and tanh times a wave, whose integrals
 //!
 //! ```text
 //! I(n, w) = ∫ sechⁿ t·cos wt dt,    ∫ sechⁿ t·tanh t·sin wt dt = (w/n)·I(n, w),
 //! I(1, w) = π sech(πw/2),  I(2, w) = πw csch(πw/2),  I(n + 2, w) = I(n, w)·(n² + w²)/(n(n + 1))
 //! ```
 //!
-//! are the residues at t = iπ/2: small as they may be for large w, they have all their digits.
+//! are the residues at t = iπ/2: they have all their digits, however small they are for large w.
 
 use super::perturbation::{PerturbedPendulum, power};
 use super::trigonometric::Monomial;
@@ -17,7 +17,7 @@ use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Interrupted;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Bound on the rounding error of a sum, in parts of the sum of the sizes of its terms: some ten operations each.
+/// Bound on the rounding error of a sum, relative to the sum of the magnitudes of its terms: about ten operations each.
 const ROUNDING: f64 = 2e-15;
 
 /// ∫ θ′(t)·g(θ(t), θ′(t), t + t0) dt as the coefficients of e^{ikΩt0}, from k = 0 on, each with its error.
@@ -41,7 +41,7 @@ pub(super) fn integrals(
     Ok(sums)
 }
 
-/// The integral of θ′ times the term, and the sum of the sizes of what it is a sum of.
+/// The integral of θ′ times the term, and the sum of the magnitudes of its parts.
 fn of_monomial(monomial: &Monomial, omega0: f64, direction: f64, w: f64) -> (Complex, f64) {
     let powers = monomial.velocity + 1;
     let factor = power(2.0 * omega0 * direction, powers) * power(2.0 * direction, monomial.sines) / omega0;
@@ -80,12 +80,12 @@ pub fn sech_power(n: u32, w: f64) -> f64 {
     integral
 }
 
-/// Longest time from the bottom: sech is below 1e-18 there.
+/// Largest time from the bottom; sech is below 1e-18 there.
 const LONGEST: f64 = 42.0;
-/// Steps in a unit of time, doubled so often at most.
+/// Maximum number of doublings of the steps per unit of time.
 const DOUBLINGS: u32 = 7;
 
-/// A sum over times: its value, the sizes of its terms, and the part of the perturbation that is left out.
+/// A sum over times: its value, the magnitudes of its terms, and the omitted part of the perturbation.
 #[derive(Clone, Copy, Debug, Default)]
 struct Sum {
     value: Complex,
@@ -104,8 +104,8 @@ impl Sum {
     }
 }
 
-/// The same by the trapezoidal rule, which for analytic functions misses e^{−2πd/h}, with d the distance of the nearest pole from the real
-/// axis and h the step; halved until nothing changes.
+/// The integrals by the trapezoidal rule, whose error for analytic functions is e^{−2πd/h}, with d the
+/// distance of the nearest pole from the real axis and h the step, which is halved until nothing changes.
 fn by_quadrature(
     pendulum: &PerturbedPendulum,
     direction: f64,
@@ -131,7 +131,7 @@ fn by_quadrature(
     Ok(sums.iter().zip(changes).map(error).collect())
 }
 
-/// Sums over the times that are whole steps from a first one.
+/// Sums over times at whole steps from a first one.
 fn trapezoids(
     pendulum: &PerturbedPendulum,
     direction: f64,

@@ -1,4 +1,4 @@
-//! Tangencies of the manifolds of the upright position, which Melnikov's threshold gives to the first order of the perturbation.
+//! Tangencies of the manifolds of the upright position, to all orders of the perturbation; Melnikov's threshold is the first order.
 
 use std::f64::consts::TAU;
 
@@ -10,8 +10,8 @@ use libration_numbers::expression::Equation;
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Progress;
 
-/// The value of a parameter at which the stable and the unstable manifold of the saddle orbit, which is the upright position as the perturbation
-/// moves it, touch: the manifolds themselves are followed, to all orders of the perturbation.
+/// The value of a parameter at which the stable and the unstable manifold of the saddle orbit touch; the saddle orbit is the upright position as
+/// the perturbation moves it. The manifolds themselves are followed, to all orders of the perturbation.
 ///
 /// # Examples
 /// ```
@@ -28,12 +28,12 @@ use libration_numbers::progress::Progress;
 pub struct Tangency {
     /// The value of the parameter.
     pub value: f64,
-    /// The error of the value: the last corrections of the value and of the separation, the change with starts at twice the distance from
-    /// the saddle, and rounding.
+    /// The error of the value: the last corrections of the value and of the separation,
+    /// the change with starts at twice the distance from the saddle, and rounding.
     pub error: f64,
-    /// The phase Ωt of the drive at which the motion that they share passes the bottom.
+    /// The phase Ωt of the drive at which the common motion of both manifolds passes the bottom.
     pub phase: f64,
-    /// The velocity of that motion there, in rad/s.
+    /// The velocity of the common motion at the bottom, in rad/s.
     pub velocity: f64,
     /// Bound on the errors of phase and velocity: the last correction of the phase, and rounding.
     pub place_error: f64,
@@ -42,15 +42,15 @@ pub struct Tangency {
 /// Distance of the starts from the saddle, in radians: its square times the strength of the perturbation is below the last digit.
 const DISTANCE: f64 = 1e-6;
 
-/// Error of the energy at the bottom from the integration, in parts of it.
+/// Relative error of the energy at the bottom from the integration.
 const ROUNDING: f64 = 2e-15;
 
 impl Threshold {
     /// The tangency of the manifolds next to this threshold.
     ///
     /// # Errors
-    /// No saddle orbit near the upright position, manifolds that do not pass the bottom or do not touch nearby: the perturbation is no longer weak.
-    /// Cancellation.
+    /// No saddle orbit near the upright position, or manifolds that do not pass the
+    /// bottom or do not touch nearby: the perturbation is no longer weak. Cancellation.
     pub fn tangency(
         &self,
         equation: &Equation,
@@ -63,7 +63,7 @@ impl Threshold {
     }
 }
 
-/// The way to a tangency.
+/// The search for a tangency.
 struct Approach<'a> {
     equation: &'a Equation,
     parameter: &'a str,
@@ -83,15 +83,15 @@ struct Nearest {
     time_rounding: f64,
 }
 
-/// Intervals between times that are compared, as parts of the period of the drive: on the way to an extreme, next to a known one, and
-/// for what the interval matters.
+/// Intervals between the times that are compared, relative to the period of the drive: for
+/// the search of an extreme, next to a known one, and to measure the effect of the interval.
 const FAR: &[f64] = &[1.0 / 32.0, 1.0 / 256.0, 1.0 / 1024.0];
 const NEXT: &[f64] = &[1.0 / 1024.0];
 const SHORTER: &[f64] = &[1.0 / 2048.0];
 
 impl Approach<'_> {
-    /// Finds the tangency by the secant method, from the threshold on. Where the step is so short that rounding shows in its slope, the slope before
-    /// it is kept.
+    /// Finds the tangency by the secant method, beginning at the threshold. If a
+    /// step is so short that rounding affects its slope, the previous slope is kept.
     fn tangency(&self, threshold: f64) -> Result<Tangency, TangencyError> {
         const FIRST_STEP: f64 = 1e-3;
         const SHORTEST_OF_SLOPE: f64 = 1e-7;
@@ -124,8 +124,8 @@ impl Approach<'_> {
         Err(TangencyError::NoConvergence)
     }
 
-    /// The tangency with its errors. The part of a start that is not on the manifold grows with the square of its distance from the saddle, so that
-    /// starts at twice the distance change three times what it does.
+    /// The tangency with its errors. The component of a start off the manifold grows with the square of the distance from the saddle, so that
+    /// starts at twice the distance change the result by three times its error.
     fn found(
         &self,
         value: f64,
@@ -166,8 +166,8 @@ impl Approach<'_> {
         Ok(if self.direction > 0.0 { upper } else { lower })
     }
 
-    /// The extreme of the separation near a time, by differences of five times, which leave the fourth power of the interval: interval after
-    /// interval, and the last one until its correction of the separation is rounding.
+    /// The extreme of the separation near a time, from differences of five times, whose error is the fourth power of the interval: interval
+    /// after interval, and with the last one until its correction of the separation is rounding.
     fn nearest(
         &self,
         value: f64,
@@ -196,14 +196,14 @@ impl Approach<'_> {
     }
 }
 
-/// One step to the extreme of the separation, from five times.
+/// One correction towards the extreme of the separation, from five times.
 fn extreme(
     manifolds: &Manifolds<'_>,
     time: f64,
     interval: f64,
     delays: &mut Delays,
 ) -> Result<Nearest, TangencyError> {
-    /// Intervals of one step.
+    /// Largest correction, in intervals.
     const FARTHEST: f64 = 8.0;
     let mut at = |side: f64| manifolds.separation(time + side * interval, delays);
     let [[a, _], [b, _], [middle, velocity], [c, _], [d, _]] =

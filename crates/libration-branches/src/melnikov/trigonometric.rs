@@ -5,14 +5,14 @@ use libration_numbers::expression::{Expression, Function, Symbol};
 use libration_numbers::internals::algebra::ordered_map;
 use std::collections::BTreeMap;
 
-/// More terms than this are no closed form that is worth having.
+/// Maximum number of terms of a useful closed form.
 const MOST_TERMS: usize = 4096;
-/// The largest power that is multiplied out.
+/// The largest power that is expanded.
 const MOST_FACTORS: u64 = 64;
-/// A frequency this near to a multiple of that of the drive, relatively, is one.
+/// Relative difference below which a frequency counts as a multiple of the drive frequency.
 const SAME: f64 = 1e-12;
 
-/// θ′ⁿ·sinˢθ·cosᵐθ·e^{ikΩt} with s of 0 or 1.
+/// θ′ⁿ·sinˢθ·cosᵐθ·e^{ikΩt}, s = 0 or 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Monomial {
     pub(super) velocity: u32,
@@ -21,7 +21,7 @@ pub(super) struct Monomial {
     pub(super) harmonic: i32,
 }
 
-/// A sum of such terms.
+/// A sum of trigonometric terms.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Trigonometric {
     pub(super) terms: BTreeMap<Monomial, Complex>,
@@ -33,14 +33,14 @@ pub(super) struct Names {
     pub(super) angle: Symbol,
     pub(super) velocity: Symbol,
     pub(super) time: Symbol,
-    /// Ω, zero where nothing depends on the time.
+    /// Ω, zero if nothing depends on the time.
     pub(super) frequency: f64,
 }
 
 const ONE: Monomial = Monomial { velocity: 0, sines: 0, cosines: 0, harmonic: 0 };
 
 impl Trigonometric {
-    /// The formula as such a sum; `None` where it is none, or a very long one.
+    /// The formula as such a sum; `None` if it is not one, or has too many terms.
     pub(super) fn from_tree(formula: &Expression, names: &Names) -> Option<Self> {
         let of = |part: &Expression| Self::from_tree(part, names);
         let found = match formula {
@@ -77,7 +77,7 @@ impl Trigonometric {
         Self { terms: BTreeMap::from([(monomial, coefficient)]) }
     }
 
-    /// e^{i·argument}, of an argument aθ + kΩt + c.
+    /// e^{i·argument} for an argument aθ + kΩt + c.
     fn wave(argument: &Expression, names: &Names) -> Option<Self> {
         let slope = |symbol: &Symbol| {
             let slope = argument.derivative(symbol).simplified();
@@ -158,7 +158,7 @@ impl Trigonometric {
     }
 }
 
-/// The integer that a number is but for rounding.
+/// The integer that a number equals up to rounding.
 fn nearest_integer(number: f64) -> Option<i32> {
     let rounded = number.round();
     #[expect(clippy::cast_possible_truncation, reason = "below a thousand")]

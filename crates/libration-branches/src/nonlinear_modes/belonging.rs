@@ -1,37 +1,37 @@
-//! Test whether an orbit that Newton's method has closed belongs to the mode.
+//! Test whether an orbit from Newton's method belongs to the mode.
 //!
-//! A state that rests closes after any time, an orbit closes after twice its period too, and beyond a separatrix there are orbits about other
-//! equilibria. None of them is the mode at that amplitude, however well it closes.
+//! An equilibrium closes after any time, an orbit closes after twice its period too, and beyond a separatrix there are orbits about other
+//! equilibria. None of these is the mode at the requested amplitude, however well it closes.
 
 use super::Reason;
 use libration_motion::orbit::{Orbit, OrbitError};
 
 /// Release of a mode from rest, displaced in one coordinate.
 pub(super) struct Release<'a> {
-    /// The state of rest that the mode is about.
+    /// The equilibrium of the mode.
     pub(super) rest: &'a [f64],
-    /// The coordinate that is displaced.
+    /// The index of the displaced coordinate.
     pub(super) coordinate: usize,
     /// The displacement.
     pub(super) amplitude: f64,
 }
 
-/// All coordinates together move by less than this part of the amplitude: a rest. On the top of a pendulum, at `f64` π, roundings have
-/// become 1e-8 after the period of 17 that Newton's method ends with.
+/// Motion, relative to the amplitude and in all coordinates together, below which the orbit is an equilibrium. At the top of a pendulum, at
+/// `f64` π, rounding errors have grown to 1e-8 after the period of 17 with which Newton's method ends.
 const STILL: f64 = 1e-6;
-/// A period that may be wrong by more than this part of it is none. A pendulum's is known to 3e-13 of it at 179°, to 2e-9 at 179.99° and to
-/// 2e-5 at 179.9999°; what is found at 180° has an error of a fifth of it, or one that is not a number.
+/// Relative error above which a period is not determined. The period of a pendulum has a relative error of 3e-13 at 179°, 2e-9 at 179.99° and
+/// 2e-5 at 179.9999°; the result at 180° has an error of a fifth, or NaN.
 const UNCERTAIN: f64 = 1e-4;
-/// The coordinate may come farther than the amplitude by this part of it: so well the range of an orbit is known.
+/// Relative distance by which the coordinate may exceed the amplitude: the accuracy of the range of an orbit.
 const FARTHER: f64 = 2e-3;
-/// A state is back where it differs from the start by less than this part of the way between: a thousand times what is left of a closed
-/// orbit, and less than a period doubling leaves at a step of a thousandth from where it begins.
+/// Distance from the start, relative to the distance in between, below which a state has returned: a thousand times the residual of a closed
+/// orbit, and less than the distance after a period doubling at a step of a thousandth.
 const BACK: f64 = 1e-7;
-/// Repetitions that are looked for; others are of longer motions, whose periods are far from those before.
+/// Largest number of repetitions that is tested; more repetitions belong to longer motions, whose periods are far from the previous ones.
 const MOST_TURNS: u32 = 6;
 
 impl Release<'_> {
-    /// Reason why this orbit does not belong to the mode; `None` where it does.
+    /// Reason why this orbit does not belong to the mode; `None` if it does.
     pub(super) fn refusal(&self, orbit: &Orbit) -> Option<Reason> {
         let start = orbit.start();
         let swing = |number: usize| {
@@ -39,7 +39,7 @@ impl Release<'_> {
             high - low
         };
         let largest = (0..self.rest.len()).map(swing).fold(0.0, f64::max);
-        // NaN too, which compares with nothing.
+        // Also true for NaN, which cannot be compared.
         if !matches!(largest.partial_cmp(&(STILL * self.amplitude)), Some(std::cmp::Ordering::Greater)) {
             return Some(OrbitError::AtRest(start[..self.rest.len()].to_vec()).into());
         }
@@ -50,7 +50,7 @@ impl Release<'_> {
         self.elsewhere(orbit).or_else(|| turns(orbit, &start).map(Reason::Repetition))
     }
 
-    /// Reason for refusal if the coordinate stays on one side of its place of rest, or comes farther than it was released.
+    /// Reason for rejection if the coordinate stays on one side of its equilibrium, or exceeds its release point.
     fn elsewhere(&self, orbit: &Orbit) -> Option<Reason> {
         let centre = self.rest[self.coordinate];
         let (low, high) = orbit.range(self.coordinate);
@@ -66,7 +66,7 @@ impl Release<'_> {
     }
 }
 
-/// Number of turns of a shorter orbit that the orbit consists of; `None` where there is no shorter one.
+/// Number of repetitions of a shorter orbit of which the orbit consists; `None` if there is no shorter one.
 fn turns(orbit: &Orbit, start: &[f64]) -> Option<u32> {
     let distance = |state: &[f64]| {
         let squares = state.iter().zip(start).map(|(a, b)| (a - b) * (a - b));
@@ -75,7 +75,7 @@ fn turns(orbit: &Orbit, start: &[f64]) -> Option<u32> {
     let after = |part: f64| distance(&orbit.state_at(part * orbit.period()));
     (2..=MOST_TURNS).find(|turns| {
         let turn = 1.0 / f64::from(*turns);
-        // From a turning point half a turn leads to the other one.
+        // From a turning point, half a period leads to the other one.
         after(turn) < BACK * after(0.5 * turn)
     })
 }

@@ -7,15 +7,15 @@ use libration_numbers::progress::Interrupted;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NonlinearModeError {
-    /// A number of a mode that is not there.
+    /// The number of a mode that does not exist.
     #[error("there is no mode {wanted}: give 1 to {modes}")]
     NoMode {
-        /// Its number from 1.
+        /// The requested number, from 1.
         wanted: usize,
         /// The number of modes.
         modes: usize,
     },
-    /// A mode that does not oscillate, or as many with the same frequency.
+    /// A mode that does not oscillate, or that shares its frequency with another one.
     #[error("mode {0} does not oscillate, or shares its frequency with another one: choose another mode")]
     NotOscillating(usize),
     /// A coordinate that stays at rest in the mode.
@@ -23,7 +23,7 @@ pub enum NonlinearModeError {
         "the coordinate `{0}` stays at rest in this mode: its amplitude must be that of another coordinate"
     )]
     AtRest(String),
-    /// Amplitudes that are no ascending positive numbers.
+    /// Amplitudes that are not positive or not ascending.
     #[error("the amplitude {0:?} is not positive or not in order: give positive numbers in ascending order")]
     Amplitudes(f64),
     /// Cancelled by the caller.
@@ -31,7 +31,7 @@ pub enum NonlinearModeError {
     Interrupted(#[from] Interrupted),
 }
 
-/// Loss of a mode on its way to larger amplitudes.
+/// Loss of a mode on the way to larger amplitudes.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("the mode could not be continued beyond the amplitude {reached}: {reason}")]
 pub struct LostMode {
@@ -50,18 +50,18 @@ pub enum Reason {
     /// The orbit found belongs to another family.
     #[error("the orbits found are not close to the previous ones")]
     Jump,
-    /// Rounding errors decide the period.
+    /// The period is not determined because of rounding errors.
     #[error(
         "the period found, {period:.4}, has an error of up to {uncertainty:.1e}, as next to an unstable equilibrium, where it grows without \
          bound: give a smaller amplitude"
     )]
     Unsure {
-        /// The period found.
+        /// The period of the orbit.
         period: f64,
-        /// Its error; not a number where the orbit leaves it open.
+        /// The error of the period; NaN if the orbit does not determine it.
         uncertainty: f64,
     },
-    /// A turning point that is not the farthest one.
+    /// A turning point that is not the farthest position of the coordinate.
     #[error(
         "released from {amplitude} the coordinate comes to {displacement} on the same side, so that this is not its amplitude: give a smaller one"
     )]
@@ -71,13 +71,13 @@ pub enum Reason {
         /// The largest displacement on the same side.
         displacement: f64,
     },
-    /// A shorter orbit, several times over.
+    /// Several repetitions of a shorter orbit.
     #[error("the orbit found consists of {0} turns of a shorter one: give a smaller amplitude")]
     Repetition(u32),
 }
 
 impl Reason {
-    /// Returns whether the reason says more than that nothing was found.
+    /// Returns `true` if the reason is more specific than a failed search.
     pub(super) const fn is_telling(&self) -> bool {
         !matches!(self, Self::Jump | Self::NoOrbit(OrbitError::NoConvergence { .. } | OrbitError::Period(_)))
     }

@@ -1,11 +1,11 @@
-//! Nonlinear normal modes: the modes of small oscillations followed to large ones, as periodic orbits with their stability.
+//! Nonlinear normal modes: modes of small oscillations continued to large amplitudes, as periodic orbits with their stability.
 //!
 //! ```
 //! # extern crate libration_branches as libration;
 //! use libration::nonlinear_modes::NonlinearMode;
 //! use libration::normal_modes::NormalModes;
 //! use libration::progress::Quiet;
-//! // Two equal pendulums, coupled: in phase each swings as one alone.
+//! // Two equal pendulums, coupled: in phase each swings like a single one.
 //! let equation = "x'' = -sin(x) + (y - x)/5; y'' = -sin(y) + (x - y)/5".parse()?;
 //! let modes = NormalModes::new(&equation)?;
 //! let together = NonlinearMode::follow(&equation, &modes, 0, 0, &[0.5, 1.0], &Quiet)?;

@@ -1,4 +1,4 @@
-//! A normal mode followed in amplitude.
+//! A normal mode continued in amplitude.
 
 use super::belonging::Release;
 use super::{LostMode, NonlinearModeError, Reason};
@@ -9,10 +9,10 @@ use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Progress;
 use std::f64::consts::TAU;
 
-/// A family of periodic orbits that begins as a mode of small oscillations.
+/// A family of periodic orbits that begins with a mode of small oscillations.
 #[derive(Clone, Debug)]
 pub struct NonlinearMode {
-    /// Orbits at the requested amplitudes, up to the last that was reached.
+    /// Orbits at the requested amplitudes, up to the last one reached.
     pub points: Vec<ModePoint>,
     /// Changes of stability along the mode.
     pub changes: Vec<StabilityChange>,
@@ -29,7 +29,7 @@ pub struct ModePoint {
     pub start: Vec<f64>,
     /// The orbit, with period, its uncertainty, harmonics and Floquet multipliers.
     pub orbit: Orbit,
-    /// ω + κa² with a the first harmonic of the leading coordinate; `None` where the mode has no such series.
+    /// ω + κa², with a the first harmonic of the leading coordinate; `None` if the mode has no such series.
     pub series_frequency: Option<f64>,
 }
 
@@ -38,31 +38,31 @@ pub struct ModePoint {
 pub struct StabilityChange {
     /// Amplitudes below and above the change.
     pub between: [f64; 2],
-    /// `true` if the mode is stable above.
+    /// `true` if the mode is stable above the change.
     pub stable_above: bool,
 }
 
-/// The first orbit has this part of the least amplitude, or this amplitude where that is less.
+/// Amplitude of the first orbit, or this fraction of the least requested amplitude if that is smaller.
 const FIRST: f64 = 0.02;
-/// Steps to the next amplitude requested grow by this factor.
+/// Factor by which a step exceeds the previous one.
 const GROWTH: f64 = 1.6;
-/// The longest step in parts of the last amplitude.
+/// The maximum step relative to the last amplitude.
 const LONGEST: f64 = 0.25;
-/// Largest distance of an orbit from the expected one, in parts of the step.
+/// Largest distance of an orbit from the predicted one, relative to the step.
 const NEAR: f64 = 0.5;
-/// Largest deviation of its period from the expected one, in parts of it: two turns would be off by one, half a turn by a half.
+/// Largest deviation of the period from the predicted one, relative to it: two repetitions would be off by one, half an orbit by a half.
 const SAME_PERIOD: f64 = 0.3;
-/// Number of times that a step is halved before the mode is given up.
+/// Number of times that a step is halved before the mode counts as lost.
 const HALVINGS: u32 = 8;
-/// Smallest step, in parts of the amplitude, below which the mode is given up too: steps may fail and halve, and succeed, for ever towards a
-/// separatrix. A pendulum is followed to 179.9999° with 5e-6.
+/// Minimum step, relative to the amplitude, below which the mode counts as lost too: towards a separatrix, steps could fail, be halved and
+/// succeed for ever. A pendulum is followed to 179.9999° with steps of 5e-6.
 const LEAST: f64 = 1e-6;
-/// A change of stability is halved down to this part of the amplitude: nearer to it four multipliers are at 1, each right to a fourth root of
-/// the errors.
+/// Width relative to the amplitude to which a change of stability is bisected: closer
+/// to it four multipliers are at 1, each accurate only to a fourth root of the errors.
 const NARROW: f64 = 2e-3;
 
 impl ModePoint {
-    /// Returns whether small deviations do not grow.
+    /// Returns `true` if small deviations do not grow.
     #[must_use]
     pub fn is_stable(&self) -> bool {
         self.orbit.floquet().is_some_and(|floquet| floquet.stability.may_last())
@@ -70,8 +70,8 @@ impl ModePoint {
 }
 
 impl NonlinearMode {
-    /// The largest of its amplitudes up to which ω + κa² is within this part of the frequency; `None` where the first is not, or there is no such
-    /// series.
+    /// The largest computed amplitude up to which ω + κa² agrees with the frequency to within
+    /// this fraction; `None` if the first already disagrees, or there is no such series.
     #[must_use]
     pub fn series_reach(&self, part: f64) -> Option<f64> {
         let fits = |point: &&ModePoint| {
@@ -81,14 +81,14 @@ impl NonlinearMode {
         self.points.iter().take_while(fits).last().map(|point| point.amplitude)
     }
 
-    /// The mode with a number from 0, at ascending amplitudes of a coordinate: the displacement from which the coordinate turns back.
+    /// The mode with an index from 0, at ascending amplitudes of a coordinate: the displacements from which the coordinate turns back.
     ///
     /// # Accuracy
-    /// Each orbit as [`Orbit::period_uncertainty`] says; changes of stability to 2e-3 of the amplitude.
+    /// Each orbit as [`Orbit::period_uncertainty`] states; changes of stability to 2e-3 of the amplitude.
     ///
     /// # Errors
-    /// A mode that is not there, does not oscillate or shares its frequency; a coordinate at rest in it; amplitudes that do not ascend.
-    /// Cancellation.
+    /// A mode that does not exist, does not oscillate or shares its frequency;
+    /// a coordinate at rest in it; amplitudes that do not ascend. Cancellation.
     pub fn follow(
         equation: &Equation,
         modes: &NormalModes,
@@ -127,7 +127,7 @@ impl NonlinearMode {
     }
 }
 
-/// Quantities that stay the same along the mode.
+/// Quantities that are constant along the mode.
 struct Family<'a> {
     equation: &'a Equation,
     mode: &'a Mode,
@@ -149,7 +149,7 @@ impl<'a> Family<'a> {
         if mode.behaviour != Behaviour::Oscillating || mode.multiplicity > 1 {
             return Err(NonlinearModeError::NotOscillating(number + 1));
         }
-        /// Smallest part of a moving coordinate, of the largest part, which is 1.
+        /// Smallest displacement of a moving coordinate, relative to the largest one.
         const STILL: f64 = 1e-6;
         if mode.shape[coordinate].re.abs() < STILL {
             return Err(NonlinearModeError::AtRest(modes.variables[coordinate].clone()));
@@ -157,7 +157,7 @@ impl<'a> Family<'a> {
         Ok(Self { equation, mode, rest: &modes.equilibrium, coordinate, watch })
     }
 
-    /// Orbits up to an amplitude, behind those that are there; why it was not reached.
+    /// Appends orbits up to an amplitude; returns the reason if it was not reached.
     fn extend(&self, path: &mut Vec<ModePoint>, to: f64) -> Result<Option<Reason>, NonlinearModeError> {
         if path.is_empty() {
             let first = (FIRST * to).min(FIRST);
@@ -171,7 +171,7 @@ impl<'a> Family<'a> {
             let before = path.len().checked_sub(2).map_or(0.0, |place| path[place].amplitude);
             let step = (GROWTH * (last - before)).min(LONGEST * last.max(4.0 * FIRST))
                 * libm::exp2(-f64::from(halvings));
-            // No short step at the end.
+            // The last step is not short.
             let next = if last + 1.2 * step >= to { to } else { last + step };
             let expected = self.expected(path, next);
             let reason = match self.orbit(next, expected.clone())? {
@@ -192,7 +192,7 @@ impl<'a> Family<'a> {
         Ok(None)
     }
 
-    /// The small oscillation of this amplitude.
+    /// The linear oscillation with this amplitude.
     fn linear(&self, amplitude: f64) -> OrbitGuess {
         let scale = amplitude / self.mode.shape[self.coordinate].re;
         let places = self.rest.iter().zip(&self.mode.shape).map(|(rest, part)| rest + scale * part.re);
@@ -200,7 +200,7 @@ impl<'a> Family<'a> {
         OrbitGuess { state, period: TAU / self.mode.frequency() }
     }
 
-    /// The next orbit by the parabola, or the line, through the last ones.
+    /// The next orbit, extrapolated by the parabola or the line through the last ones.
     fn expected(&self, path: &[ModePoint], amplitude: f64) -> OrbitGuess {
         let known = &path[path.len().saturating_sub(3)..];
         if known.len() < 2 {
@@ -219,11 +219,11 @@ impl<'a> Family<'a> {
         state[self.coordinate] = self.rest[self.coordinate] + amplitude;
         let last = known[known.len() - 1].orbit.period();
         let period = mean(&|point| point.orbit.period());
-        // A parabola through periods that grow without bound may lead anywhere.
+        // A parabola through periods that grow without bound may extrapolate to any value.
         OrbitGuess { state, period: if (period / last - 1.0).abs() < 1.0 { period } else { last } }
     }
 
-    /// Reason why there is no orbit at an amplitude: for one coordinate from its release, for several the last one found.
+    /// Reason why there is no orbit at an amplitude: for one coordinate from its release, for several the last reason of the search.
     fn reason_at(&self, amplitude: f64, last: Reason) -> Result<Reason, NonlinearModeError> {
         if self.rest.len() > 1 {
             return Ok(last);
@@ -267,7 +267,7 @@ impl<'a> Family<'a> {
         ModePoint { amplitude, start: orbit.start(), orbit, series_frequency }
     }
 
-    /// Changes of stability along a path, from one of its orbits on.
+    /// Changes of stability along a path, beginning at one of its orbits.
     fn changes(&self, path: &[ModePoint], from: usize) -> Result<Vec<StabilityChange>, NonlinearModeError> {
         let mut changes = vec![];
         for (place, pair) in path.windows(2).enumerate().skip(from) {
@@ -288,7 +288,7 @@ impl<'a> Family<'a> {
     }
 }
 
-/// Returns whether an orbit is near the expected one: no farther from it than half a step, in all components together, and with about the period.
+/// Returns `true` if an orbit is near the predicted one: within half a step in all components together, and with about the same period.
 fn is_near(point: &ModePoint, expected: &OrbitGuess, last: f64, path: &[ModePoint]) -> bool {
     let distance =
         |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt() };

@@ -8,10 +8,10 @@ use libration_numbers::progress::Interrupted;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NormalFormError {
-    /// No small oscillations.
+    /// Small oscillations that do not exist.
     #[error(transparent)]
     NoModes(#[from] ModesError),
-    /// A parameter that is left open.
+    /// A symbolic parameter without a value.
     #[error(transparent)]
     WithoutValue(#[from] WithoutValue),
     /// A mode that does not oscillate.
@@ -19,10 +19,10 @@ pub enum NormalFormError {
         "mode {0} does not oscillate: amplitudes change slowly only where all modes oscillate without damping; set the damping to zero, or choose another equilibrium"
     )]
     NotOscillating(usize),
-    /// Fewer or more orders than are computed.
+    /// An order outside the range that is implemented.
     #[error("the order is {0}: give 2 to {most}", most = super::LARGEST_ORDER)]
     Order(usize),
-    /// No power series.
+    /// Accelerations without power series.
     #[error(
         "at the equilibrium the accelerations have no power series: they have a kink or a jump there, or are not finite"
     )]

@@ -1,5 +1,4 @@
-//! Exchange of energy between modes in resonance: from the slow flow, in closed form where it is one of two modes at 2:1, and measured on the whole
-//! motion.
+//! Exchange of energy between modes in resonance: from the slow flow, in closed form for two modes at 2:1, and measured on the full motion.
 
 use super::form::NormalForm;
 use libration_kernels::elementary::count;
@@ -12,25 +11,25 @@ use libration_numbers::progress::Progress;
 use libration_numbers::roots::polynomial_roots;
 use std::f64::consts::TAU;
 
-/// The exchange of energy between modes, from a state on.
+/// The exchange of energy between modes that begins at a state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Exchange {
-    /// Period in seconds after which the amplitudes are as they were.
+    /// Period in seconds after which the amplitudes have returned.
     pub period: f64,
-    /// The error of the period as that of the slow flow, from its change over a tenth of the time.
+    /// The error of the period within the slow flow, estimated by leaving out a tenth of the time.
     pub error: f64,
-    /// The least and the greatest |aⱼ| of each mode on the way.
+    /// The least and the greatest |aⱼ| of each mode during the exchange.
     pub amplitudes: Vec<[f64; 2]>,
-    /// The period in closed form by the terms of the second order alone, of two modes at 2:1 without detuning.
+    /// The period in closed form from second-order terms alone, for two modes at 2:1 without detuning.
     pub closed_form: Option<f64>,
 }
 
-/// The exchange that the whole motion shows.
+/// The exchange of energy in the full motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeasuredExchange {
-    /// 2π over the mean frequency with which the amplitudes go around.
+    /// 2π over the mean frequency with which the amplitudes circulate.
     pub period: f64,
-    /// The error of the period, from its change over a tenth of the time.
+    /// The error of the period, estimated by leaving out a tenth of the time.
     pub error: f64,
 }
 
@@ -38,49 +37,48 @@ pub struct MeasuredExchange {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ExchangeError {
-    /// No resonant term.
+    /// No resonant term to this order.
     #[error("no two modes are in resonance to this order: each keeps its amplitude")]
     NoResonance,
-    /// Too far from rest.
+    /// A state too far from equilibrium.
     #[error("the state is too far from equilibrium for a normal form of this order: give a smaller one")]
     TooFar,
-    /// Amplitudes that stay as they are.
+    /// Amplitudes that are constant.
     #[error(
         "to this order the amplitudes stay as they are from this state, though two modes are in resonance: a higher order may show an exchange"
     )]
     Steady,
-    /// Amplitudes that do not come back.
+    /// Amplitudes that do not return in time.
     #[error(
         "the amplitudes do not return within {0} s: the exchange is slower, or there is none from this state"
     )]
     TooSlow(f64),
-    /// The motion ends.
+    /// A failed integration.
     #[error(transparent)]
     Integration(#[from] IntegrationError),
 }
 
-/// Exchanges over which frequencies are averaged, which leaves 1e-12 of them (48 leave 1e-11), and samples in each: with half as many, harmonics of
-/// the modes pass for slow changes.
+/// Number of exchanges over which frequencies are averaged, with an error of 1e-12 (1e-11 for 48), and
+/// samples in each: with half as many samples, harmonics of the modes would appear as slow changes.
 const EXCHANGES: usize = 96;
 const SAMPLES: usize = 96;
-/// Error of a mean frequency from the tolerance of the integration, in parts of it.
+/// Relative error of a mean frequency from the integration tolerance.
 const ROUNDING: f64 = 1e-12;
-/// Periods of the slowest mode that are waited for an exchange.
+/// Longest wait for an exchange, in periods of the slowest mode.
 const LONGEST: usize = 2000;
-/// Amplitudes whose squares change by less than this part of themselves are steady: 2000 periods at the tolerance of the integration leave
-/// 2e-11 where all errors add up, and 1e-13 was seen.
+/// Relative change of squared amplitudes below which they are steady: over 2000 periods the
+/// integration tolerance causes 2e-11 if all errors add up; the largest observed change was 1e-13.
 const STEADY: f64 = 1e-10;
 
-/// P = |a|² of the first resonant mode and half its rate of change, whose curve closes with the exchange.
+/// P = |a|² of the first resonant mode and half its rate of change, a closed curve during the exchange.
 type Place = [f64; 2];
 
 impl NormalForm {
-    /// The exchange from a state, coordinates and then velocities, by the slow flow.
+    /// The exchange that begins at a state, coordinates and then velocities, by the slow flow.
     ///
     /// # Errors
-    /// No resonance; a state beyond the reach of the form; amplitudes that stay as they are, or do not come back in 2000 periods of the slowest
-    /// mode.
-    /// Cancellation.
+    /// No resonance; a state outside the range of the form; amplitudes that are
+    /// constant, or do not return in 2000 periods of the slowest mode. Cancellation.
     pub fn exchange(&self, state: &[f64], progress: &dyn Progress) -> Result<Exchange, ExchangeError> {
         let watch = &Watch::new(progress);
         let mode = self.exchanging_mode().ok_or(ExchangeError::NoResonance)?;
@@ -105,12 +103,11 @@ impl NormalForm {
         })
     }
 
-    /// The exchange of the whole motion from the same state, by integration: a weighted mean of the frequency with which its amplitudes,
-    /// seen through the normal form, go around. The mean frequency of a motion does not depend on how it is seen.
+    /// The exchange of the full motion from the same state, by integration: a weighted mean of the frequency with which its amplitudes, computed
+    /// through the normal form, circulate. The mean frequency does not depend on the choice of variables.
     ///
     /// # Errors
-    /// As [`Self::exchange`], and where the integration ends.
-    /// Cancellation.
+    /// As for [`Self::exchange`], and a failed integration. Cancellation.
     pub fn measured_exchange(
         &self,
         equation: &Equation,
@@ -127,10 +124,10 @@ impl NormalForm {
         Ok(MeasuredExchange { period, error: error / frequency * period })
     }
 
-    /// The amplitudes by the slow flow at even times from zero on.
+    /// The amplitudes by the slow flow at evenly spaced times from zero on.
     ///
     /// # Errors
-    /// The integration ends.
+    /// A failed integration.
     pub fn slow_path(
         &self,
         amplitudes: &[Complex],
@@ -145,10 +142,10 @@ impl NormalForm {
         Ok(states.iter().map(amplitudes).collect())
     }
 
-    /// The amplitudes of the whole motion from a state, seen through the normal form, at even times from zero on.
+    /// The amplitudes of the full motion from a state, computed through the normal form, at evenly spaced times from zero on.
     ///
     /// # Errors
-    /// A state too far from rest, or the integration ends.
+    /// A state too far from equilibrium, or a failed integration.
     pub fn seen_path(
         &self,
         equation: &Equation,
@@ -161,7 +158,7 @@ impl NormalForm {
         states.iter().map(|state| self.amplitudes_of(state).ok_or(ExchangeError::TooFar)).collect()
     }
 
-    /// The first mode with a term that is not there in every system.
+    /// The first mode with a resonant term that does not occur in every system.
     fn exchanging_mode(&self) -> Option<usize> {
         self.slow_terms.iter().find(|term| !term.is_of_every_system()).map(|term| term.mode)
     }
@@ -196,7 +193,8 @@ impl NormalForm {
         Err(if is_steady { ExchangeError::Steady } else { ExchangeError::TooSlow(slowest * count(LONGEST)) })
     }
 
-    /// Period by aⱼ′ = iα·b², b′ = iβ·a·b̄: u = |b|² is a Jacobi function of the time, between roots of (|a|²u − …) as Re(a·b̄²) is conserved.
+    /// Period from aⱼ′ = iα·b², b′ = iβ·a·b̄: u = |b|² is a Jacobi function of
+    /// the time, between roots of (|a|²u − …), since Re(a·b̄²) is conserved.
     fn closed_form(&self, amplitudes: &[Complex]) -> Option<f64> {
         let second = |mode: usize, powers: &[u8], bars: &[u8]| {
             let fits = |it: &&super::SlowTerm| {
@@ -210,7 +208,7 @@ impl NormalForm {
         if amplitudes.len() != 2 {
             return None;
         }
-        // The faster mode is the second.
+        // The second mode is the faster one.
         let (alpha, beta) = (second(1, &[2, 0], &[0, 0])?, second(0, &[0, 1], &[1, 0])?);
         let [b, a] = [amplitudes[0], amplitudes[1]];
         let bar = Complex::new(b.re, -b.im);
@@ -227,7 +225,7 @@ impl NormalForm {
     }
 }
 
-/// The states at even times from zero on.
+/// The states at evenly spaced times from zero on.
 fn motion(
     equation: &Equation,
     start: &[f64],
@@ -267,9 +265,9 @@ impl Scale {
     }
 }
 
-/// The mean angular frequency around the middle, and its error: the largest change by leaving a tenth of the places out, at either end or half
-/// at each. The mean converges faster than any power of the length, so that nine tenths miss a few times what all miss, and half of them thousands
-/// of times as much. What is left of the tolerance of the integration after all steps is next to it.
+/// The mean angular frequency around the middle, and its error: the largest change when a tenth of the samples is left out, at either end or
+/// half at each. The mean converges faster than any power of the length: the error of nine tenths is a few times that of the whole, that of one
+/// half thousands of times as large. The effect of the integration tolerance is added.
 fn winding(places: &[Place], interval: f64, scale: &Scale) -> [f64; 2] {
     let angles: Vec<f64> = places.iter().map(|place| scale.angle(place)).collect();
     let step = |pair: &[f64]| {
@@ -285,7 +283,7 @@ fn winding(places: &[Place], interval: f64, scale: &Scale) -> [f64; 2] {
     [whole.abs() / interval, error / interval]
 }
 
-/// The mean with the weights e^{−1/t(1−t)}, which converges faster than any power of the length for quasi-periodic values.
+/// The mean with weights e^{−1/t(1−t)}, which converges faster than any power of the length for quasi-periodic values.
 ///
 /// Reference: S. Das, Y. Saiki, E. Sander, J. A. Yorke, Nonlinearity 30 (2017) 4111, doi:10.1088/1361-6544/aa84c2.
 fn weighted_mean(values: &[f64]) -> f64 {

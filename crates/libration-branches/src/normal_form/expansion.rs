@@ -1,8 +1,8 @@
 //! The normal form of coupled oscillators, over any field.
 //!
-//! In complex amplitudes x = Re Σ aⱼφⱼ + …, with aⱼ′ = iωⱼaⱼ + Nⱼ(a, ā): order by order each monomial a^p ā^q of the motion, which goes with
-//! the frequency Λ = Σ ωⱼ(pⱼ − qⱼ), is a forced oscillation. Where the divisor Λ − ωⱼ is not small it is divided by it and becomes part of
-//! the motion, else it stays in Nⱼ and changes the amplitude slowly.
+//! In complex amplitudes x = Re Σ aⱼφⱼ + …, with aⱼ′ = iωⱼaⱼ + Nⱼ(a, ā). Order by order, each monomial a^p ā^q of the
+//! motion, with frequency Λ = Σ ωⱼ(pⱼ − qⱼ), is a forced oscillation. If the divisor Λ − ωⱼ is not small, the monomial
+//! is divided by it and becomes part of the motion; otherwise it stays in Nⱼ and changes the amplitude slowly.
 
 use super::polynomials::{AmplitudePolynomials, Polynomial, Powers};
 use libration_numbers::internals::expression::{Jet, SeriesError, Tape};
@@ -19,7 +19,7 @@ pub(super) type Complexes<N> = QuadraticField<N>;
 pub(super) type ComplexOf<N> = Quadratic<<N as Ring>::Element>;
 type PolynomialOf<N> = Polynomial<ComplexOf<N>>;
 
-/// The linear motion: frequencies and shapes, of which each has the largest part 1.
+/// The linear motion: frequencies and shapes; the largest component of each shape is 1.
 pub(super) struct LinearMotion<N: Ring> {
     pub(super) numbers: Complexes<N>,
     pub(super) frequencies: Vec<N::Element>,
@@ -27,7 +27,7 @@ pub(super) struct LinearMotion<N: Ring> {
     pub(super) rest: Vec<N::Element>,
 }
 
-/// A divisor that is not taken for zero: whose it is, its monomial, Λ − ωⱼ.
+/// A divisor with its mode and its monomial: Λ − ωⱼ.
 #[derive(Clone, Debug)]
 pub(super) struct DivisorOf<E> {
     pub(super) mode: usize,
@@ -35,17 +35,17 @@ pub(super) struct DivisorOf<E> {
     pub(super) divisor: E,
 }
 
-/// Expansion of a normal form: for each mode the slow terms, and the modal coordinates beyond the amplitudes themselves.
+/// Expansion of a normal form: for each mode the slow terms, and the modal coordinates without the linear amplitudes.
 pub(super) struct Expansion<N: Ring> {
     pub(super) slow: Vec<PolynomialOf<N>>,
     pub(super) transform: Vec<PolynomialOf<N>>,
     pub(super) divisors: Vec<DivisorOf<N::Element>>,
 }
 
-/// Reason why the expansion ended.
+/// Reason why the expansion stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Obstacle {
-    /// A value or a coefficient that is not in the field.
+    /// A value or a coefficient outside the field.
     NoSeries,
     Interrupted(Interrupted),
 }
@@ -65,7 +65,7 @@ impl From<Interrupted> for Obstacle {
 /// Rules by which numbers are compared.
 pub(super) struct Judge<'a, E> {
     pub(super) number: &'a dyn Fn(&E) -> f64,
-    /// Divisors up to this size are taken for resonances.
+    /// Largest divisor that counts as a resonance.
     pub(super) smallest: f64,
 }
 
@@ -119,7 +119,7 @@ struct Order<N: Ring> {
     slow: Vec<PolynomialOf<N>>,
 }
 
-/// The conjugate of a polynomial: amplitudes change places with their conjugates.
+/// The conjugate of a polynomial: amplitudes and their conjugates are exchanged.
 fn conjugate<N: Ring>(ring: &AmplitudePolynomials<Complexes<N>>, a: &PolynomialOf<N>) -> PolynomialOf<N> {
     let n = ring.generators / 2;
     let base = &ring.numbers.base;
@@ -130,7 +130,7 @@ fn conjugate<N: Ring>(ring: &AmplitudePolynomials<Complexes<N>>, a: &PolynomialO
     a.iter().map(term).collect()
 }
 
-/// Terms that the slow terms of lower orders carry along: Σ Nₜ·∂Z/∂aₜ.
+/// Terms from the transport by the slow terms of lower orders: Σ Nₜ·∂Z/∂aₜ.
 fn transport<N: Ring>(
     ring: &AmplitudePolynomials<Complexes<N>>,
     orders: &[Order<N>],
@@ -155,7 +155,7 @@ fn transport<N: Ring>(
 
 type Parts<N> = (PolynomialOf<N>, PolynomialOf<N>);
 
-/// (iΛ − iω)·Z + N = R, monomial by monomial.
+/// Solves (iΛ − iω)·Z + N = R, monomial by monomial.
 fn solved<N: Ring>(
     ring: &AmplitudePolynomials<Complexes<N>>,
     linear: &LinearMotion<N>,
@@ -232,7 +232,7 @@ impl<N: Ring + Clone> Basis<N> {
         Ok(Self { columns, projection })
     }
 
-    /// Coordinates, then velocities, of modal coordinates.
+    /// Coordinates, then velocities, from modal coordinates.
     fn state(
         &self,
         ring: &AmplitudePolynomials<Complexes<N>>,

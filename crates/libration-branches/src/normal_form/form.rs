@@ -1,4 +1,4 @@
-//! The normal form of a system about an equilibrium, with its terms, and states as amplitudes.
+//! The normal form of a system about an equilibrium, with its terms, and the conversion of states to amplitudes.
 
 use super::expansion::{Expansion, Judge, LinearMotion, Obstacle, expand};
 use super::linear_motion::{exactly, in_digits};
@@ -16,12 +16,12 @@ use libration_numbers::{
     internals::expression::Tape,
 };
 
-/// Normal form: the slow change of the amplitudes of a system's modes, aⱼ′ = iωⱼaⱼ + Σ c·a^p·ā^q over the resonant monomials, where the coordinates
-/// are xₑ + Re Σ aⱼφⱼ to first order, with the shapes φⱼ of the modes.
+/// Normal form: the slow change of the modal amplitudes of a system, aⱼ′ = iωⱼaⱼ + Σ c·a^p·ā^q over the
+/// resonant monomials. To first order the coordinates are xₑ + Re Σ aⱼφⱼ, with the shapes φⱼ of the modes.
 ///
 /// # Accuracy
-/// Exact to the order, with coefficients in square roots, where frequencies and shapes are; then the form is found in digits too, for what is
-/// computed with. What is left out is of the next order in the amplitudes.
+/// Exact to the order, with coefficients in square roots, if frequencies and shapes are exact; numerical computations use the same form in
+/// floating-point numbers. Omitted terms are of the next order in the amplitudes.
 ///
 /// # References
 /// A. H. Nayfeh, *The Method of Normal Forms*, 2nd edition, Wiley 2011.
@@ -29,48 +29,48 @@ use libration_numbers::{
 pub struct NormalForm {
     /// The equilibrium and the modes.
     pub modes: NormalModes,
-    /// Monomials up to this degree are there.
+    /// Largest degree of the monomials.
     pub order: usize,
-    /// The terms that stay: the frequencies' changes with the amplitudes, and resonances.
+    /// The terms that remain: the changes of the frequencies with the amplitudes, and resonances.
     pub slow_terms: Vec<SlowTerm>,
-    /// The smallest divisors of the removed terms, in their order: where one is small, amplitudes must be smaller.
+    /// The smallest divisors of the removed terms, in ascending order: a small divisor restricts the amplitudes.
     pub small_divisors: Vec<Divisor>,
-    /// The modal coordinate of each mode beyond the amplitude itself, in floating-point numbers.
+    /// The modal coordinate of each mode without the linear amplitude, in floating-point numbers.
     transform: Vec<Polynomial<Complex>>,
 }
 
 /// A term of the slow flow of a mode.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SlowTerm {
-    /// The number of the mode whose amplitude it changes.
+    /// The index of the mode whose amplitude the term changes.
     pub mode: usize,
     /// The powers of all amplitudes.
     pub powers: Vec<u8>,
-    /// The powers of their conjugates.
+    /// The powers of the conjugate amplitudes.
     pub conjugate_powers: Vec<u8>,
     /// The coefficient.
     pub coefficient: Complex,
-    /// The same with square roots, where it is known.
+    /// The coefficient with square roots, if it is known exactly.
     pub exact: Option<String>,
-    /// The frequency of the monomial less that of the mode, in rad/s: zero for an exact resonance.
+    /// The frequency of the monomial minus that of the mode, in rad/s: zero for an exact resonance.
     pub detuning: f64,
 }
 
-/// A monomial that was taken out, with its divisor.
+/// A removed monomial, with its divisor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Divisor {
-    /// The number of the mode it would change.
+    /// The index of the mode that it would change.
     pub mode: usize,
     /// The powers of all amplitudes.
     pub powers: Vec<u8>,
-    /// The powers of their conjugates.
+    /// The powers of the conjugate amplitudes.
     pub conjugate_powers: Vec<u8>,
-    /// The frequency of the monomial less that of the mode, in rad/s.
+    /// The frequency of the monomial minus that of the mode, in rad/s.
     pub divisor: f64,
 }
 
 impl SlowTerm {
-    /// Returns whether the term exists whatever the frequencies: a power of |a|² times the amplitude itself, which changes the frequency.
+    /// Returns `true` if the term exists whatever the frequencies: a power of |a|² times the amplitude itself, which changes the frequency.
     #[must_use]
     pub fn is_of_every_system(&self) -> bool {
         let own = |k: usize| u8::from(k == self.mode);
@@ -82,13 +82,12 @@ impl SlowTerm {
 const TOLD: usize = 5;
 
 impl NormalForm {
-    /// The normal form about the equilibrium near a guess, up to an order in the amplitudes. Divisors smaller than `detuning` times the least
-    /// frequency are taken for resonances.
+    /// The normal form about the equilibrium near a guess, up to an order in the amplitudes.
+    /// Divisors smaller than `detuning` times the lowest frequency count as resonances.
     ///
     /// # Errors
-    /// No equilibrium or modes, as [`NormalModes::about`]; a mode that does not oscillate; an order outside 2 … [`LARGEST_ORDER`]; accelerations
-    /// without power series.
-    /// Cancellation.
+    /// No equilibrium or modes, as for [`NormalModes::about`]; a mode that does not oscillate;
+    /// an order outside 2 … [`LARGEST_ORDER`]; accelerations without power series. Cancellation.
     pub fn about(
         equation: &Equation,
         guess: &[f64],
@@ -122,7 +121,7 @@ impl NormalForm {
             Some(Err(Obstacle::Interrupted(interrupted))) => return Err(interrupted.into()),
             Some(Err(Obstacle::NoSeries)) | None => {
                 let linear: LinearMotion<_> = in_digits(&modes);
-                // Zero but for rounding.
+                // Zero up to rounding.
                 let judge = Judge { number: &|x: &f64| *x, smallest: smallest.max(1e-9 * least) };
                 let found = expand(&linear, &judge, &tape, order, watch).map_err(failure)?;
                 Found::in_digits(found)
@@ -137,8 +136,8 @@ impl NormalForm {
         })
     }
 
-    /// The amplitudes of a state, coordinates and then velocities, which the transform of this order gives back; `None` where the state is too
-    /// far from rest for that.
+    /// The amplitudes of a state, coordinates and then velocities, by inverting the
+    /// transform of this order; `None` if the state is too far from equilibrium for that.
     #[must_use]
     pub fn amplitudes_of(&self, state: &[f64]) -> Option<Vec<Complex>> {
         const STEPS: usize = 200;
@@ -160,7 +159,7 @@ impl NormalForm {
         None
     }
 
-    /// Terms of the modal coordinates beyond the amplitudes themselves.
+    /// The modal coordinates without the linear amplitudes.
     fn beyond(&self, amplitudes: &[Complex]) -> Vec<Complex> {
         self.transform.iter().map(|polynomial| value(polynomial, amplitudes)).collect()
     }
@@ -194,7 +193,7 @@ fn failure(obstacle: Obstacle) -> NormalFormError {
     }
 }
 
-/// A polynomial in amplitudes and their conjugates.
+/// The value of a polynomial in amplitudes and their conjugates.
 fn value(polynomial: &Polynomial<Complex>, amplitudes: &[Complex]) -> Complex {
     let bars = amplitudes.iter().map(|a| Complex::new(a.re, -a.im));
     let all: Vec<Complex> = amplitudes.iter().copied().chain(bars).collect();
@@ -204,7 +203,7 @@ fn value(polynomial: &Polynomial<Complex>, amplitudes: &[Complex]) -> Complex {
     polynomial.iter().map(term).sum()
 }
 
-/// An expansion in digits, with the texts of exact coefficients.
+/// An expansion in floating-point numbers, with the texts of exact coefficients.
 struct Found {
     slow: Vec<SlowTerm>,
     divisors: Vec<Divisor>,
@@ -258,7 +257,7 @@ impl Found {
     }
 }
 
-/// `-1/16*i`, `1/2 + sqrt(3)*i`.
+/// Text such as `-1/16*i` or `1/2 + sqrt(3)*i`.
 fn complex_text(
     tower: &Tower,
     re: &Vec<libration_numbers::algebra::Rational>,

@@ -1,4 +1,4 @@
-//! Frequencies and shapes as numbers: in a tower of square roots where the modes are exact, else in digits.
+//! Frequencies and shapes as numbers: in a tower of square roots if the modes are exact, otherwise in floating point.
 
 use super::expansion::LinearMotion;
 use crate::normal_modes::{Mode, NormalModes};
@@ -7,7 +7,7 @@ use libration_numbers::{
     internals::algebra::{Quadratic, QuadraticField, Tower},
 };
 
-/// The linear motion over a field with the roots of all frequencies and shapes; `None` where one of them is known in floating point only.
+/// The linear motion over a field that contains the roots of all frequencies and shapes; `None` if one of them is known in floating point only.
 pub(super) fn exactly(modes: &NormalModes) -> Option<LinearMotion<Tower>> {
     let rest = modes.exact_equilibrium.as_ref()?;
     let mut tower = Tower::default();
@@ -18,7 +18,7 @@ pub(super) fn exactly(modes: &NormalModes) -> Option<LinearMotion<Tower>> {
         }
         let square = mode.frequency_squared.as_ref()?;
         frequencies.push(match square.to_rational() {
-            // Without a square under the root.
+            // The square root of a positive radicand without square factors.
             Some(square) => {
                 element(&mut tower, &Surd::new(Rational::from(0), Rational::from(1), square.clone()))?
             }
@@ -30,7 +30,7 @@ pub(super) fn exactly(modes: &NormalModes) -> Option<LinearMotion<Tower>> {
     }
     let frequencies = frequencies.iter().map(|frequency| tower.lifted(frequency)).collect();
     let shape = |mode: &Mode| -> Option<Vec<Vec<Rational>>> {
-        // All roots are there.
+        // The tower contains all roots.
         let mut same = tower.clone();
         mode.exact_shape.as_ref()?.iter().map(|surd| element(&mut same, surd)).collect()
     };

@@ -1,4 +1,4 @@
-//! The slow flow of coupled oscillators near rest: normal forms with their resonances, and the exchange of energy.
+//! The slow flow of coupled oscillators near an equilibrium: normal forms with their resonances, and the exchange of energy.
 //!
 //! ```
 //! # extern crate libration_branches as libration;
@@ -11,13 +11,14 @@
 //! ```
 //!
 //! # Method
-//! Coordinates are power series in an order counter whose coefficients are polynomials in the complex amplitudes of the modes and their conjugates,
-//! a ring of its own (`polynomials.rs`), over complex numbers over a tower of square roots (`algebra/tower.rs`), or over digits. The tape therefore
-//! gives the force of an order from the orders below, as in Lindstedt's expansion; each monomial is then divided by its divisor, or stays in the
-//! slow flow (`expansion.rs`). A tower takes a root in only if the root is not there already; otherwise products of non-zero roots would be zero.
+//! Coordinates are power series in an order parameter. Their coefficients are polynomials in the complex modal amplitudes
+//! and their conjugates (`polynomials.rs`), over complex numbers over a tower of square roots (`algebra/tower.rs`), or
+//! over floating-point numbers. The tape therefore gives the force of an order from the lower orders, as in Lindstedt's
+//! expansion; each monomial is then divided by its divisor, or stays in the slow flow (`expansion.rs`). A tower adds a
+//! root only if it does not contain it yet; otherwise products of non-zero elements could be zero.
 //!
-//! The exchange of energy is the mean frequency with which amplitudes circulate (`exchange.rs`), by a weighted mean that converges faster than any
-//! power. The whole motion is analysed through the same normal form, which changes no mean frequency.
+//! The frequency of energy exchange is the mean frequency with which amplitudes circulate (`exchange.rs`), by a weighted mean that converges
+//! faster than any power. The full motion is analysed through the same normal form, which does not change mean frequencies.
 
 mod error;
 
@@ -37,5 +38,5 @@ pub use form::{Divisor, NormalForm, SlowTerm};
 
 /// The largest order in the amplitudes.
 pub const LARGEST_ORDER: usize = 9;
-/// Divisors that are smaller than this part of the least frequency are taken for resonances, where nothing else is wanted.
+/// Default of the largest divisor that counts as a resonance, relative to the lowest frequency.
 pub const DETUNING: f64 = 0.1;

@@ -4,17 +4,17 @@ use libration_numbers::algebra::{Function, Rational, Ring};
 use libration_numbers::internals::algebra::{ordered_map, ordered_map_of_all};
 use std::collections::BTreeMap;
 
-/// Powers of a₁, a₂, …, then of their conjugates.
+/// Powers of a₁, a₂, …, followed by those of their conjugates.
 pub(super) type Powers = Vec<u8>;
 
-/// Coefficients of monomials; none of them is zero.
+/// Nonzero coefficients by monomial.
 pub(super) type Polynomial<E> = BTreeMap<Powers, E>;
 
 /// The ring of such polynomials.
 #[derive(Clone, Debug)]
 pub(super) struct AmplitudePolynomials<F: Ring> {
     pub(super) numbers: F,
-    /// Amplitudes and conjugates.
+    /// Number of amplitudes and conjugates.
     pub(super) generators: usize,
 }
 
@@ -27,7 +27,7 @@ impl<F: Ring> AmplitudePolynomials<F> {
         if self.numbers.is_zero(&value) { BTreeMap::new() } else { BTreeMap::from([(powers, value)]) }
     }
 
-    /// The generator with this number times a constant.
+    /// The generator with this index times a constant.
     pub(super) fn generator(&self, number: usize, value: F::Element) -> Polynomial<F::Element> {
         let mut powers = vec![0; self.generators];
         powers[number] = 1;
@@ -39,7 +39,7 @@ impl<F: Ring> AmplitudePolynomials<F> {
         ordered_map(scaled.filter(|(_, value)| !self.numbers.is_zero(value)))
     }
 
-    /// The derivative by a generator.
+    /// The derivative with respect to a generator.
     pub(super) fn derivative(&self, a: &Polynomial<F::Element>, by: usize) -> Polynomial<F::Element> {
         let terms = a.iter().filter(|(powers, _)| powers[by] > 0);
         let lowered = |(powers, value): (&Powers, &F::Element)| {
@@ -130,7 +130,7 @@ impl<F: Ring> Ring for AmplitudePolynomials<F> {
         ordered_map(terms.filter(|(_, value)| !self.numbers.is_zero(value)))
     }
 
-    /// Divides by constants only.
+    /// Division by constants only.
     fn divide(&self, a: &Self::Element, divisor: &Self::Element) -> Option<Self::Element> {
         let divisor = self.as_constant(divisor)??;
         let terms =

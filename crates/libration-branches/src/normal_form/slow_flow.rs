@@ -1,4 +1,4 @@
-//! The slow flow as equations of the first order in the real and imaginary parts of the amplitudes.
+//! The slow flow as first-order equations for the real and imaginary parts of the amplitudes.
 
 use super::form::{NormalForm, SlowTerm};
 use super::polynomials::{AmplitudePolynomials, Powers};
@@ -9,7 +9,7 @@ use libration_numbers::{
 };
 
 impl NormalForm {
-    /// aⱼ′, of these amplitudes.
+    /// aⱼ′ at these amplitudes.
     #[must_use]
     pub fn rates(&self, amplitudes: &[Complex]) -> Vec<Complex> {
         let turning = self.modes.modes.iter().zip(amplitudes);
@@ -25,8 +25,8 @@ impl NormalForm {
         rates
     }
 
-    /// The slow flow in u1, w1, u2, w2, …, with aⱼ = uⱼ + iwⱼ, to be integrated as any other equations. Of a high order it has more terms than
-    /// a text may have to be read.
+    /// The slow flow in u1, w1, u2, w2, …, with aⱼ = uⱼ + iwⱼ, for integration like other
+    /// equations. For a high order it has more terms than the parser accepts as text.
     #[must_use]
     pub fn slow_flow(&self) -> Equation {
         let modes = || (1..).zip(&self.modes.modes);
@@ -51,7 +51,7 @@ impl NormalForm {
     }
 }
 
-/// Terms in sums of a hundred: a tree of all in a row would have as many levels as there are terms.
+/// Sums of at most a hundred terms: a tree of all terms in a row would be as deep as their number.
 fn sum(terms: &[String]) -> Expression {
     const TOGETHER: usize = 100;
     let parts = terms.chunks(TOGETHER).map(|terms| {
@@ -85,7 +85,7 @@ impl NormalForm {
     }
 }
 
-/// `*u1^2*w2`.
+/// A product such as `*u1^2*w2`.
 fn product(powers: &[u8]) -> String {
     let n = powers.len() / 2;
     let name = |k: usize| if k < n { format!("u{}", k + 1) } else { format!("w{}", k - n + 1) };

@@ -1,4 +1,4 @@
-//! Equilibria of a system: Newton's method of `roots` from a guess, and the fractions at which all forces are proved to vanish.
+//! Equilibria of a system: Newton's method of `roots` from a guess, and rational equilibria at which all forces provably vanish.
 
 use super::error::{ModesError, SearchEnd};
 use libration_numbers::algebra::{BigFloat, Doubles, Rational, Rationals, Ring};
@@ -8,11 +8,11 @@ use libration_numbers::{
     internals::expression::Tape,
 };
 
-/// A place of rest.
+/// An equilibrium.
 #[derive(Clone, Debug)]
 pub(super) struct Equilibrium {
     pub(super) at: Vec<f64>,
-    /// The equilibrium in fractions, where the accelerations are proved to vanish.
+    /// The equilibrium in fractions, if the accelerations provably vanish there.
     pub(super) exact: Option<Vec<Rational>>,
 }
 
@@ -29,7 +29,7 @@ pub(super) fn equilibrium(equation: &Equation, guess: &[f64]) -> Result<Equilibr
     Ok(Equilibrium { at, exact })
 }
 
-/// An acceleration with all velocities zero.
+/// An acceleration at zero velocities.
 fn at_rest(formula: &Expression, equation: &Equation) -> Expression {
     let velocities = equation.variables().iter().map(|name| Symbol::plain(name).with_primes(1));
     let still =
@@ -37,7 +37,7 @@ fn at_rest(formula: &Expression, equation: &Equation) -> Expression {
     still.simplified()
 }
 
-/// Fractions of few digits next to the numbers, if all formulas are zero there.
+/// Simple fractions next to the numbers, if all formulas vanish there.
 fn proved(formulas: &[Expression], names: &[Symbol], at: &[f64]) -> Option<Vec<Rational>> {
     let place: Vec<Rational> = at.iter().map(|&x| simplest(x)).collect::<Option<_>>()?;
     let vanishes = |formula: &Expression| {
@@ -46,13 +46,13 @@ fn proved(formulas: &[Expression], names: &[Symbol], at: &[f64]) -> Option<Vec<R
     formulas.iter().all(vanishes).then_some(place)
 }
 
-/// The formula with fractions in the place of symbols.
+/// The formula after substitution of fractions for symbols.
 pub(super) fn substituted(formula: &Expression, names: &[Symbol], values: &[Rational]) -> Expression {
     let pairs = names.iter().zip(values);
     pairs.fold(formula.clone(), |it, (name, value)| it.substitute(name, &Expression::Number(value.clone())))
 }
 
-/// The fraction of least denominator within 1e-12 of a number.
+/// The fraction with the smallest denominator within 1e-12 of a number.
 pub(super) fn simplest(x: f64) -> Option<Rational> {
     let value = BigFloat::from_f64(x, 64)?.to_rational();
     if value.is_zero() {

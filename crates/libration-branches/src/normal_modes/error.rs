@@ -7,24 +7,24 @@ use libration_numbers::progress::Interrupted;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ModesError {
-    /// A parameter that is left open.
+    /// A symbolic parameter without a value.
     #[error(transparent)]
     WithoutValue(#[from] WithoutValue),
-    /// An equation of the first order.
+    /// An equation of first order.
     #[error(transparent)]
     NotSecondOrder(#[from] SecondOrderError),
-    /// Accelerations that change in time.
+    /// Accelerations that depend on the time.
     #[error("the accelerations depend on the time t: set the strength of the driving to zero")]
     DependsOnTime,
     /// A guess of the wrong length.
     #[error("the guess {guess:?} does not fit: give a finite number for each of {wanted} coordinates")]
     Guess {
-        /// The guess given.
+        /// The given guess.
         guess: Vec<f64>,
         /// The number of coordinates.
         wanted: usize,
     },
-    /// No place where the accelerations at rest vanish.
+    /// A guess from which no equilibrium was reached.
     #[error(
         "no equilibrium was found from {from:?}: the search came to {to:?}, {end}; if there is one, give a guess nearer to it"
     )]
@@ -33,7 +33,7 @@ pub enum ModesError {
         from: Vec<f64>,
         /// The last point of Newton's method.
         to: Vec<f64>,
-        /// The reason why it ended there.
+        /// The reason why the method ended at this point.
         end: SearchEnd,
     },
     /// Accelerations without derivatives.
@@ -45,7 +45,7 @@ pub enum ModesError {
         /// The equilibrium.
         at: Vec<f64>,
     },
-    /// Eigenvalues that are not found.
+    /// Eigenvalues that do not converge.
     #[error("the frequencies are not found: the eigenvalues of the linear equations do not converge")]
     NoEigenvalues,
     /// Cancelled by the caller.
@@ -57,10 +57,10 @@ pub enum ModesError {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SearchEnd {
-    /// No value, or one beyond `f64`.
+    /// The accelerations have no finite value.
     #[error("where the accelerations at rest have no finite value")]
     NoValue,
-    /// Nothing in the slopes that leads to zero.
+    /// The Jacobian matrix does not lead to a zero.
     #[error("where they are not zero and their slopes do not lead to a zero")]
     NoSlope,
     /// The step limit was reached.

@@ -1,15 +1,14 @@
-//! Lindstedt's expansion of a normal mode to the third order, over any field.
+//! Lindstedt's expansion of a normal mode to third order, over any field.
 //!
-//! With τ = Ωt and Ω = ω(1 + wε²), x = xₑ + εx₁ + ε²x₂ + ε³x₃. At order n and for the harmonics c·cos kτ + s·sin kτ
+//! With τ = Ωt and Ω = ω(1 + wε²), x = xₑ + εx₁ + ε²x₂ + ε³x₃. At order n, for the harmonics c·cos kτ + s·sin kτ:
 //!
 //! ```text
 //! (A − k²ω²)·c − kωG·s = Rc,    (A − k²ω²)·s + kωG·c = Rs,
 //! ```
 //!
-//! where R is the coefficient of the accelerations with xₙ left out. For n = 3 and k = 1 the matrix is singular and
-//! w·(2ω² + iωG)·φ is added on the right, φ being the shape of the mode, and −g times the same a quarter of a turn later: w is
-//! the frequency that this fixes, and g, which must vanish, the growth. The first harmonic of the leading coordinate is ε·cos τ
-//! alone.
+//! Here R is the coefficient of the accelerations without xₙ. For n = 3 and k = 1 the matrix is singular; w·(2ω² + iωG)·φ is added on the right,
+//! with the shape φ of the mode, and −g times the same term shifted by a quarter of a turn. The equations then determine w, the change of
+//! frequency, and g, the growth, which must vanish. The first harmonic of the leading coordinate is exactly ε·cos τ.
 //!
 //! Reference: A. H. Nayfeh, D. T. Mook, *Nonlinear Oscillations*, Wiley 1979, chapter 6.
 
@@ -20,7 +19,7 @@ use libration_numbers::{
     internals::algebra::{HarmonicPair, HarmonicSums, PhaseRing},
 };
 
-/// A mode in the numbers of a field: ε·(cosine·cos τ + sine·sin τ), of which the leading coordinate has 1 and 0.
+/// A mode over a field: ε·(cosine·cos τ + sine·sin τ); these are 1 and 0 for the leading coordinate.
 pub(super) struct Fundamental<E> {
     pub(super) frequency: E,
     pub(super) cosine: Vec<E>,
@@ -32,16 +31,16 @@ pub(super) struct Fundamental<E> {
 pub(super) struct Third<E> {
     /// w.
     pub(super) frequency: E,
-    /// g: the amplitude ε grows at the rate gωε³.
+    /// g, with which the amplitude ε grows at the rate gωε³.
     pub(super) growth: E,
 }
 
-/// Reason why there is no expansion.
+/// Reason why the expansion does not exist.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Obstacle {
-    /// A value or a coefficient that is not in the field, or not finite.
+    /// A value or a coefficient that is outside the field or not finite.
     NoSeries,
-    /// The force has this harmonic, with which the system swings freely.
+    /// The force contains this harmonic, which is the frequency of a free oscillation.
     Resonance(usize),
 }
 
@@ -54,16 +53,16 @@ impl From<SeriesError> for Obstacle {
 /// Rules by which numbers of a field are compared.
 pub(super) struct Judge<'a, E> {
     pub(super) size: &'a dyn Fn(&E) -> f64,
-    /// Parts of the largest number that are taken for zero.
+    /// Fraction of the largest number that counts as zero.
     pub(super) rounding: f64,
-    /// Harmonics with which the system swings freely.
+    /// Harmonics that are frequencies of free oscillations.
     pub(super) resonant: Vec<usize>,
 }
 
 /// One harmonic of all coordinates: k, the coefficients of cos kτ and those of sin kτ.
 type Term<E> = (usize, Vec<E>, Vec<E>);
 
-/// Frequency and growth of the mode about a state of rest. The inputs of the tape are coordinates and then velocities.
+/// Frequency change and growth of the mode about an equilibrium. The inputs of the tape are coordinates and then velocities.
 pub(super) fn third_order<N: Ring + Clone>(
     numbers: &N,
     judge: &Judge<'_, N::Element>,
@@ -204,7 +203,7 @@ impl<N: Ring> Expansion<'_, N> {
         Ok(mean.into_iter().chain((0..n).map(|_| numbers.zero())).collect())
     }
 
-    /// The matrix of the harmonic k on cosines and sines.
+    /// The matrix of harmonic k on cosines and sines.
     fn matrix(&self, k: usize) -> Vec<Vec<N::Element>> {
         let (numbers, n) = (self.ring.numbers(), self.coordinates());
         let k = i64::try_from(k).unwrap_or(i64::MAX);
@@ -252,7 +251,7 @@ impl<N: Ring> Expansion<'_, N> {
         Ok(Third { frequency, growth })
     }
 
-    /// Terms that a change of the frequency by its own size adds to the accelerations of c·cos τ + s·sin τ: (2ω² + iωG)·φ.
+    /// Terms that a change of the frequency, by itself, adds to the accelerations of c·cos τ + s·sin τ: (2ω² + iωG)·φ.
     fn detuning(&self, cosine: &[N::Element], sine: &[N::Element]) -> Vec<N::Element> {
         let (numbers, omega) = (self.ring.numbers(), &self.mode.frequency);
         let twice = numbers.times_integer(&numbers.multiply(omega, omega), 2);

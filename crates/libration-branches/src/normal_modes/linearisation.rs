@@ -8,21 +8,21 @@ use libration_numbers::{
     internals::expression::{Jet, Side, Tape},
 };
 
-/// A and G by rows.
+/// The matrices A and G, by rows.
 #[derive(Clone, Debug)]
 pub(super) struct Linearisation<N> {
     pub(super) stiffness: Vec<Vec<N>>,
     pub(super) velocity: Vec<Vec<N>>,
 }
 
-/// The linear equations in floating-point numbers, and in fractions where all entries are fractions.
+/// The linear equations in floating-point numbers, and in fractions if all entries are rational.
 #[derive(Clone, Debug)]
 pub(super) struct Linear {
     pub(super) numbers: Linearisation<f64>,
     pub(super) exact: Option<Linearisation<Rational>>,
 }
 
-/// The symbols of the coordinates, then of the velocities.
+/// The symbols of the coordinates, followed by those of the velocities.
 pub(super) fn symbols(equation: &Equation) -> Vec<Symbol> {
     let plain = equation.variables().iter().map(|name| Symbol::plain(name));
     plain.clone().chain(plain.map(|symbol| symbol.with_primes(1))).collect()
@@ -54,12 +54,12 @@ pub(super) fn linearisation(equation: &Equation, rest: &Equilibrium) -> Result<L
     })
 }
 
-/// A row of derivatives for each formula.
+/// The derivatives of each formula, as a row.
 fn slopes(formulas: &[Expression], symbols: &[Symbol]) -> Vec<Vec<Expression>> {
     formulas.iter().map(|formula| symbols.iter().map(|symbol| formula.derivative(symbol)).collect()).collect()
 }
 
-/// Returns whether formulas and their slopes are the same on both sides of a state.
+/// Returns `true` if formulas and their derivatives are the same on both sides of a state.
 fn is_smooth(sides: [&[Expression]; 2], symbols: &[Symbol], state: &[f64]) -> Result<bool, ModesError> {
     const ROUNDING: f64 = 1e-9;
     let values = |formulas: &[Expression]| {
@@ -74,7 +74,7 @@ fn is_smooth(sides: [&[Expression]; 2], symbols: &[Symbol], state: &[f64]) -> Re
     Ok(above.iter().zip(&below).all(|(a, b)| (a - b).abs() <= ROUNDING * size))
 }
 
-/// The derivatives by coordinates with the other sign, and those by velocities.
+/// The derivatives with respect to coordinates with opposite sign, and those with respect to velocities.
 fn split<N: Clone>(slopes: &[Vec<N>], negative: impl Fn(&N) -> N) -> Linearisation<N> {
     let n = slopes.len();
     let stiffness = slopes.iter().map(|row| row[..n].iter().map(&negative).collect()).collect();

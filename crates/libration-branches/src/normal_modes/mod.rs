@@ -1,14 +1,14 @@
-//! Small oscillations of systems of equations about an equilibrium, and how their frequencies change with the amplitude.
+//! Small oscillations of systems about an equilibrium, and the change of their frequencies with the amplitude.
 //!
-//! About an equilibrium x″ = −A·x + G·x′. Where the entries are fractions the frequencies are roots of an exact
-//! polynomial, written with square roots when its factors allow it. The next terms of the forces change the frequency
-//! of a mode by κa²: Lindstedt's expansion in several coordinates, to the third order.
+//! About an equilibrium, x″ = −A·x + G·x′. If the entries are rational, the frequencies are roots of an
+//! exact polynomial, written with square roots if its factors allow it. The next terms of the forces
+//! change the frequency of a mode by κa²: Lindstedt's expansion in several coordinates, to third order.
 //!
 //! ```
 //! # extern crate libration_branches as libration;
 //! use libration::normal_modes::NormalModes;
 //!
-//! // Two equal masses between walls, on three equal springs: together at 1, against each other at √3.
+//! // Two equal masses between walls, on three equal springs: in phase with frequency 1, in opposite phase with √3.
 //! let modes = NormalModes::new(&"x'' = y - 2*x; y'' = x - 2*y".parse()?)?.modes;
 //! let exact: Vec<String> =
 //!     modes.iter().filter_map(|mode| mode.frequency_squared.as_ref()).map(|square| square.square_root_text()).collect();
@@ -18,10 +18,10 @@
 //! ```
 //!
 //! # Method
-//! The characteristic polynomial of exact entries is exact; the digits of its roots only suggest factors, which must divide it. The third order of
-//! Lindstedt's expansion runs over a tower of at most two square roots, so that κ/ω of the double pendulum is a number with √2, and over `f64`s
-//! where nothing is known exactly. The coordinates at the first harmonic are left singular on purpose: two more unknowns, the frequency and the
-//! growth, and two conditions on the leading coordinate make the system regular.
+//! The characteristic polynomial of exact entries is exact; approximate roots only suggest factors, which must divide it.
+//! Lindstedt's expansion to third order uses a tower of at most two square roots, so that κ/ω of the double pendulum is a
+//! number with √2, or `f64`s if nothing is known exactly. The matrix of the first harmonic is singular: two additional
+//! unknowns, the frequency and the growth, and two conditions on the leading coordinate make the system regular.
 
 mod error;
 mod mode;

@@ -3,23 +3,23 @@
 use super::no_shift::ShiftError;
 use libration_numbers::algebra::{Complex, Surd};
 
-/// A motion in which all coordinates change in time as e^{st}.
+/// A motion in which all coordinates are proportional to e^{st}.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mode {
-    /// s, with an imaginary part that is not negative: the frequency, with the rate of growth.
+    /// s, with a nonnegative imaginary part (the frequency); the real part is the growth rate.
     pub exponent: Complex,
-    /// −s² exactly, where it is known: the square of the frequency.
+    /// −s² exactly, if it is known: the square of the frequency.
     pub frequency_squared: Option<Surd>,
     /// Behaviour of the mode in time.
     pub behaviour: Behaviour,
-    /// The parts of the coordinates, the largest being 1: x(t) = xₑ + a·Re(shape·e^{st}). So a is the amplitude of the
-    /// coordinate with the part 1, which is [`leading`](Self::leading).
+    /// The components of the mode, the largest being 1: x(t) = xₑ + a·Re(shape·e^{st}). Thus a is
+    /// the amplitude of the coordinate with the component 1, the [`leading`](Self::leading) one.
     pub shape: Vec<Complex>,
-    /// The shape exactly, where it is known.
+    /// The shape exactly, if it is known.
     pub exact_shape: Option<Vec<Surd>>,
-    /// Number of modes with this frequency: any mixture of them is a mode as well.
+    /// Number of modes with this frequency: any linear combination of them is a mode as well.
     pub multiplicity: usize,
-    /// Other modes whose frequency is a small multiple of this one's, or of which this one's is.
+    /// Other modes whose frequency is a small multiple or a simple fraction of this one's.
     pub resonances: Vec<Resonance>,
     /// Change of the frequency with the amplitude.
     pub shift: Result<Shift, ShiftError>,
@@ -30,7 +30,7 @@ pub struct Mode {
 pub enum Behaviour {
     /// Oscillation with a constant amplitude.
     Oscillating,
-    /// Nothing drives it back and nothing drives it away: it drifts.
+    /// Motion without a restoring or repelling force: drift.
     Free,
     /// Exponential growth, oscillating or not.
     Unstable,
@@ -43,7 +43,7 @@ pub enum Behaviour {
 pub struct Shift {
     /// κ.
     pub coefficient: f64,
-    /// κ/ω exactly, where it is known: −1/16 for a pendulum.
+    /// κ/ω exactly, if it is known: −1/16 for a pendulum.
     pub relative: Option<Surd>,
 }
 
@@ -54,7 +54,7 @@ impl Mode {
         self.exponent.im
     }
 
-    /// The number of the coordinate whose part is 1.
+    /// The index of the coordinate whose component is 1.
     #[must_use]
     pub fn leading(&self) -> usize {
         let one = Complex::from(1.0);
@@ -65,14 +65,14 @@ impl Mode {
 /// Another mode with which this one can exchange energy at small amplitudes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Resonance {
-    /// The number of the other mode.
+    /// The index of the other mode.
     pub other: usize,
     /// Ratio of the faster frequency to the slower one: 1, 2 or 3.
     pub multiple: u32,
-    /// `true` if the other one is the faster.
+    /// `true` if the other mode is the faster one.
     pub other_is_faster: bool,
-    /// The faster frequency over the multiple of the slower one, less one.
+    /// The faster frequency over the multiple of the slower one, minus one.
     pub detuning: f64,
-    /// `true` if the detuning is zero: proved, or up to rounding errors.
+    /// `true` if the detuning is zero, proved or up to rounding errors.
     pub exact: bool,
 }

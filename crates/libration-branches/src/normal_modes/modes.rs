@@ -17,8 +17,8 @@ use libration_numbers::progress::{Interrupted, Progress, Quiet, Stage};
 /// The normal modes of a system, by ascending frequency.
 ///
 /// # Accuracy
-/// Frequencies and shapes that are not given exactly are the eigenvalues and eigenvectors of the linear equations in `f64`s: right to
-/// some 1e-15 times their condition.
+/// Frequencies and shapes without exact values are the eigenvalues and eigenvectors of the
+/// linear equations in `f64`s, with errors of about 1e-15 times their condition numbers.
 ///
 /// # Examples
 /// ```
@@ -39,7 +39,7 @@ pub struct NormalModes {
     pub variables: Vec<String>,
     /// The equilibrium.
     pub equilibrium: Vec<f64>,
-    /// The equilibrium in fractions, where the accelerations are proved to vanish.
+    /// The equilibrium in fractions, if the accelerations provably vanish there.
     pub exact_equilibrium: Option<Vec<Rational>>,
     /// The modes.
     pub modes: Vec<Mode>,
@@ -49,7 +49,7 @@ impl NormalModes {
     /// The modes about the equilibrium at or near zero.
     ///
     /// # Errors
-    /// Open parameters, the time in the accelerations, and no equilibrium at which they have derivatives.
+    /// Symbolic parameters, accelerations that depend on the time, and no equilibrium with derivatives.
     pub fn new(equation: &Equation) -> Result<Self, ModesError> {
         Self::about(equation, &vec![0.0; equation.variables().len()], &Quiet)
     }
@@ -57,8 +57,7 @@ impl NormalModes {
     /// The modes about the equilibrium that Newton's method finds from a guess.
     ///
     /// # Errors
-    /// As [`new`](Self::new), and a guess that does not fit.
-    /// [`ModesError::Interrupted`] if the call is cancelled.
+    /// As for [`new`](Self::new), and a guess with the wrong number of coordinates. [`ModesError::Interrupted`] if the call is cancelled.
     pub fn about(equation: &Equation, guess: &[f64], progress: &dyn Progress) -> Result<Self, ModesError> {
         let watch = &Watch::new(progress);
         equation.refuse_first_order()?;

@@ -3,12 +3,12 @@
 use super::mode::{Behaviour, Mode, Resonance};
 use libration_numbers::algebra::{Rational, Surd};
 
-/// Detunings that are looked at.
+/// Largest detuning of a resonance.
 const NEAR: f64 = 0.05;
-/// Detunings that rounding makes.
+/// Largest detuning that counts as rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// All resonances of one mode.
+/// All resonances of a mode.
 pub(super) fn resonances(modes: &[Mode], number: usize) -> Vec<Resonance> {
     let oscillates = |mode: &Mode| mode.behaviour == Behaviour::Oscillating;
     if !oscillates(&modes[number]) {
@@ -21,7 +21,7 @@ pub(super) fn resonances(modes: &[Mode], number: usize) -> Vec<Resonance> {
 }
 
 fn between(modes: &[Mode], number: usize, other: usize, multiple: u32) -> Option<Resonance> {
-    // Of two that are equally fast the later one counts as the faster.
+    // Of two equally fast modes the later one counts as the faster.
     let faster =
         |a: usize, b: usize| modes[a].frequency().total_cmp(&modes[b].frequency()).then(a.cmp(&b)).is_gt();
     let other_is_faster = faster(other, number);

@@ -1,4 +1,4 @@
-//! The roots of polynomials with fractions for coefficients, with square roots where that is possible.
+//! The roots of polynomials with rational coefficients, with square roots if possible.
 
 use super::equilibrium::simplest;
 use libration_numbers::algebra::{Complex, Rational, Rationals, Ring, Surd};
@@ -25,10 +25,10 @@ impl Root {
     }
 }
 
-/// All roots, each with its multiplicity; `None` when digits of them are not found. Where these are known, with multiplicities, they are
-/// given: the coefficients of a polynomial of high degree, rounded, do not tell them.
+/// All roots, each with its multiplicity; `None` if their approximate values cannot be computed. Known approximate values with multiplicities
+/// are passed as `digits`, because rounded coefficients of a polynomial of high degree do not determine them.
 ///
-/// Roots in digits suggest factors of the first and second degree, which must then divide the polynomial.
+/// Approximate roots suggest factors of first and second degree, which must then divide the polynomial.
 pub fn roots(polynomial: &[Rational], digits: &[(Complex, usize)]) -> Option<Vec<(Root, usize)>> {
     let mut found = vec![];
     for (factor, multiplicity) in square_free_factors(polynomial) {
@@ -41,7 +41,7 @@ pub fn roots(polynomial: &[Rational], digits: &[(Complex, usize)]) -> Option<Vec
     Some(found)
 }
 
-/// The roots of a square-free polynomial near approximate values: exact where a rational root or a quadratic factor is found.
+/// The roots of a square-free polynomial near approximate values; exact if a rational root or a quadratic factor is found.
 fn simple_roots(polynomial: Vec<Rational>, near: Vec<Complex>) -> Option<Vec<Root>> {
     let (mut exact, mut rest) = (vec![], polynomial);
     let mut left = vec![];
@@ -72,7 +72,7 @@ fn is_real(near: Complex) -> bool {
 /// The quotient after division by a quadratic factor, its two roots, and their indices among the approximate values.
 type Quadratic = (Vec<Rational>, [Surd; 2], [usize; 2]);
 
-/// A factor x² − px + q with real roots, found and divided out.
+/// Finds a factor x² − px + q with real roots and divides by it.
 fn quadratic_factor(polynomial: &[Rational], near: &[Complex]) -> Option<Option<Quadratic>> {
     let real: Vec<(usize, f64)> =
         near.iter().enumerate().filter(|(_, z)| is_real(**z)).map(|(i, z)| (i, z.re)).collect();
@@ -95,8 +95,8 @@ fn quadratic_roots(p: &Rational, q: &Rational) -> Option<[Surd; 2]> {
     Some([-1, 1].map(|sign| Surd::new(half.clone(), Rational::from(sign), square.clone())))
 }
 
-/// Coefficients beyond `f64` are measured in the leading one. `None` where these, rounded, do not tell nine digits of the roots, as with
-/// twelve and more.
+/// Approximate roots; coefficients beyond `f64` are scaled by the leading one. `None` if the rounded
+/// coefficients do not determine nine digits of the roots, as for degrees of twelve and more.
 fn numeric_roots(polynomial: &[Rational]) -> Option<Vec<Complex>> {
     let polynomial = trimmed(polynomial.to_vec());
     let Some(leading) = polynomial.last() else { return Some(vec![]) };
@@ -104,7 +104,7 @@ fn numeric_roots(polynomial: &[Rational]) -> Option<Vec<Complex>> {
     roots_in_digits(&polynomial.iter().map(ratio).collect::<Vec<f64>>(), 1e-9)
 }
 
-/// The roots of c₀ + c₁x + …; `None` where the error of one may exceed this fraction of the largest.
+/// The roots of c₀ + c₁x + …; `None` if the error of one may exceed this fraction of the largest root.
 pub(super) fn roots_in_digits(coefficients: &[f64], part: f64) -> Option<Vec<Complex>> {
     let roots = polynomial_roots(coefficients)?;
     let largest = roots.iter().map(|root| root.value.abs()).fold(0.0, f64::max);

@@ -8,17 +8,17 @@ use libration_numbers::{
     internals::algebra::{Quadratic, QuadraticField},
 };
 
-/// The parts of the coordinates, the largest being 1.
+/// The components of a mode, the largest being 1.
 #[derive(Clone, Debug)]
 pub(super) struct Shape {
     pub(super) parts: Vec<Complex>,
     pub(super) exact: Option<Vec<Surd>>,
 }
 
-/// Largest remainder that counts as zero, as a part of the terms, where exponents are known to half their digits at least.
+/// Largest remainder that counts as zero, relative to the terms, for exponents with at least half of their digits.
 const ROUNDING: f64 = 1e-6;
 
-/// Shapes of the modes with an exponent, as many as its multiplicity.
+/// Shapes of the modes with this exponent, as many as its multiplicity.
 pub(super) fn shapes(linear: &Linear, exponent: &Exponent) -> Vec<Shape> {
     let without_velocities = linear.numbers.velocity.iter().flatten().all(|x| *x == 0.0);
     let exact = linear.exact.as_ref().zip(exponent.exact.as_ref()).filter(|_| without_velocities);
@@ -87,7 +87,7 @@ fn largest(matrix: &[Vec<f64>]) -> f64 {
     matrix.iter().flatten().fold(0.0, |most, x| most.max(x.abs()))
 }
 
-/// The null vectors of s² − s·G + A in complex numbers, as pairs of real ones.
+/// The null vectors of s² − s·G + A as complex vectors, from the real equations for both parts.
 fn complex_vectors(linear: &Linearisation<f64>, exponent: &Exponent) -> Vec<Vec<Complex>> {
     let n = linear.stiffness.len();
     let (s, square) = (exponent.value, exponent.value * exponent.value);
@@ -123,7 +123,7 @@ fn scaled(vector: &[Complex]) -> Vec<Complex> {
         .collect()
 }
 
-/// The first of the largest, but for rounding errors.
+/// The first index whose size is the largest up to rounding errors.
 fn leading(sizes: impl Iterator<Item = f64> + Clone) -> usize {
     let largest = sizes.clone().fold(0.0, f64::max);
     sizes.into_iter().position(|size| size >= (1.0 - 1e-9) * largest).unwrap_or(0)

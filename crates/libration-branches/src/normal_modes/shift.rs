@@ -11,7 +11,7 @@ use libration_numbers::{
 };
 use libration_numbers::{expression::Equation, internals::expression::Tape};
 
-/// The shift of one of the modes: exact where its frequency, its shape and the coefficients of the forces are.
+/// The shift of one of the modes; exact if its frequency, its shape and the coefficients of the forces are.
 pub(super) fn shift(
     equation: &Equation,
     rest: &Equilibrium,
@@ -36,7 +36,7 @@ pub(super) fn shift(
     }
 }
 
-/// The multiples of the mode's frequency with which the system swings freely.
+/// The multiples of the mode's frequency that are frequencies of free oscillations.
 fn resonant(modes: &[Mode], number: usize) -> Vec<usize> {
     let exact = modes[number].resonances.iter().filter(|it| it.exact && it.other_is_faster);
     let multiples = exact.filter_map(|it| usize::try_from(it.multiple).ok());
@@ -74,7 +74,7 @@ struct Exact<'a> {
     shape: &'a [Surd],
     leading: usize,
     rest: &'a [Rational],
-    /// The number under the root of all surds.
+    /// The radicand of all surds.
     radicand: Rational,
 }
 

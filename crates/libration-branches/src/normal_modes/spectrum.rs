@@ -6,20 +6,19 @@ use super::roots::{Root, roots, roots_in_digits};
 use libration_numbers::algebra::{Complex, Doubles, Rational, Rationals, Ring, Surd};
 use libration_numbers::internals::linear::{characteristic_polynomial, eigenvalues};
 
-/// One exponent, or several that are equal.
+/// One exponent, or several equal ones.
 #[derive(Clone, Debug)]
 pub(super) struct Exponent {
     pub(super) value: Complex,
-    /// −s², where it is known exactly.
+    /// −s², if it is known exactly.
     pub(super) exact: Option<Surd>,
     pub(super) multiplicity: usize,
 }
 
-/// Numbers that differ by less than this part of the largest are taken to be equal where all that is known are digits.
+/// Difference, relative to the largest, below which approximate numbers are equal.
 const SAME: f64 = 1e-9;
 
-/// The exponents with imaginary parts that are not negative. Of a conservative system, where −s is an exponent beside s, one of
-/// the two is kept.
+/// The exponents with nonnegative imaginary parts. For a conservative system, where −s is an exponent together with s, one of the two is kept.
 pub(super) fn spectrum(linear: &Linear) -> Result<Vec<Exponent>, ModesError> {
     let found = match &linear.exact {
         Some(exact) => from_fractions(exact, &linear.numbers).or_else(|| from_numbers(&linear.numbers)),
@@ -67,14 +66,14 @@ fn has_velocities(linear: &Linearisation<f64>) -> bool {
     linear.velocity.iter().flatten().any(|x| *x != 0.0)
 }
 
-/// −s² for every pair of exponents ±s; `None` where exponents are in no such pairs.
+/// −s² for every pair of exponents ±s; `None` if the exponents do not form such pairs.
 fn squares_of_gyroscopic(linear: &Linearisation<f64>) -> Option<Vec<Complex>> {
     let polynomial = characteristic_polynomial(&Doubles, &first_order(&Doubles, linear)?)?;
     let largest = polynomial.iter().fold(0.0, |most: f64, c| most.max(c.abs()));
     if polynomial.iter().skip(1).step_by(2).any(|c| c.abs() > 1e-12 * largest) {
         return None;
     }
-    /// Equal ones have half the digits.
+    /// Relative difference of equal exponents, which have half the digits.
     const DIGITS: f64 = 1e-6;
     roots_in_digits(&in_squares(&Doubles, &polynomial), DIGITS)
 }
@@ -90,7 +89,7 @@ fn first_order<R: Ring>(ring: &R, linear: &Linearisation<R::Element>) -> Option<
     Some(upper.chain(lower).collect())
 }
 
-/// Σ c₂ₖs^{2k} as a polynomial of −s².
+/// Σ c₂ₖs^{2k} as a polynomial in −s².
 fn in_squares<R: Ring>(ring: &R, polynomial: &[R::Element]) -> Vec<R::Element> {
     let even = polynomial.iter().step_by(2).enumerate();
     even.map(|(k, c)| if k % 2 == 0 { c.clone() } else { ring.negate(c) }).collect()
@@ -114,7 +113,7 @@ fn upper_square_root(z: Complex) -> Complex {
     Complex::new(re.copysign(z.im), im)
 }
 
-/// Equal numbers together; those that are real or zero but for rounding errors as what they are.
+/// Equal numbers with their multiplicities; rounding errors of real or zero values are removed.
 fn gathered(values: &[Complex]) -> Vec<(Complex, usize)> {
     let clean = cleaned(values);
     in_groups(&values.iter().map(|z| Complex::new(clean(z.re), z.im)).collect::<Vec<_>>())
@@ -126,7 +125,7 @@ fn cleaned(values: &[Complex]) -> impl Fn(f64) -> f64 {
     move |x: f64| if x.abs() <= SAME * largest { 0.0 } else { x }
 }
 
-/// Equal numbers together; those that are real, or conjugate to another, but for rounding errors as what they are.
+/// Equal numbers with their multiplicities; real numbers and conjugates of others are made exactly so.
 fn in_groups(values: &[Complex]) -> Vec<(Complex, usize)> {
     let largest = values.iter().map(|z| z.abs()).fold(0.0, f64::max);
     let clean = cleaned(values);

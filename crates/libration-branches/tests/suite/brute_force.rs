@@ -1,7 +1,7 @@
-//! Branches of random driven oscillators compared with a Runge–Kutta integration that shares nothing with the library: every point closes over its
-//! full period, has the stability that deviations show, and no step between two points passes a change of stability unseen.
+//! Branches of random driven oscillators compared with an independent Runge–Kutta integration: every point closes over its full period and has
+//! the stability of its deviations, and no step between two points skips a change of stability.
 //!
-//! By default ten oscillators of each kind, in the long run two hundred parametrons and a hundred of the others.
+//! By default ten oscillators of each kind; in the full run two hundred parametrons and a hundred of each other kind.
 
 use libration::algebra::Complex;
 use libration::continuation::{Branch, BranchPoint, Ending, Response, ResponseOptions};
@@ -14,15 +14,15 @@ use libration_testing::random::Random;
 use libration_testing::sweep;
 use std::f64::consts::TAU;
 
-/// Steps of a period of the drive.
+/// Number of steps per period of the drive.
 const STEPS: u32 = 600;
 
-/// One oscillator x″ = f(t, x, x′; w) with its period 2π/w times `beat`.
+/// An oscillator x″ = f(t, x, x′; w) whose period is 2π/w times `beat`.
 struct Oscillator {
     text: String,
     force: Box<dyn Fn(f64, [f64; 2], f64) -> f64>,
     range: [f64; 2],
-    /// The drive's frequency over the parameter.
+    /// The drive frequency divided by the parameter.
     beat: f64,
     /// Positions of the kinks of the force.
     kinks: Vec<f64>,
@@ -45,7 +45,8 @@ impl Oscillator {
         (0..steps).fold(state, |state, number| self.step(state, w, step * f64::from(number), step))
     }
 
-    /// One step, or two where a kink of the force lies between its ends: over a kink the method and its differences are off to the first order.
+    /// One step, or two if a kink of the force lies between its ends: across
+    /// a kink the error of the method and of differences is of first order.
     fn step(&self, state: [f64; 2], w: f64, t: f64, step: f64) -> [f64; 2] {
         let end = self.smooth_step(state, w, t, step);
         let crosses = |kink: &&f64| (state[0] - **kink) * (end[0] - **kink) < 0.0;
@@ -72,7 +73,7 @@ impl Oscillator {
         moved(state, [mean(0), mean(1)], step)
     }
 
-    /// The map over a number of drive periods with its derivatives by differences.
+    /// The map over a number of drive periods, with its derivatives by differences.
     fn map(&self, state: [f64; 2], w: f64, periods: u32) -> ([f64; 2], [[f64; 2]; 2]) {
         let aside = 1e-6 * (1.0 + state[0].abs().max(state[1].abs()));
         let ends = [[aside, 0.0], [-aside, 0.0], [0.0, aside], [0.0, -aside]]
@@ -81,7 +82,7 @@ impl Oscillator {
         (self.after(state, w, periods), [[slope(0, 0), slope(0, 1)], [slope(1, 0), slope(1, 1)]])
     }
 
-    /// The periodic motion near a state, by Newton's method, with the size of its largest multiplier.
+    /// The periodic motion near a state, by Newton's method, with the magnitude of its largest multiplier.
     fn periodic(&self, mut state: [f64; 2], w: f64, periods: u32) -> Option<([f64; 2], f64)> {
         for _ in 0..8 {
             let (end, [[a, b], [c, d]]) = self.map(state, w, periods);
@@ -97,7 +98,7 @@ impl Oscillator {
     }
 }
 
-/// The size of the largest eigenvalue.
+/// The magnitude of the largest eigenvalue.
 fn largest([[a, b], [c, d]]: [[f64; 2]; 2]) -> f64 {
     let (half, determinant) = (0.5 * (a + d), a * d - b * c);
     let square = half * half - determinant;
@@ -123,7 +124,7 @@ fn check_points(oscillator: &Oscillator, branch: &Branch) {
     }
 }
 
-/// Between two points without a special point the stability is theirs.
+/// Checks that between two points without a special point the stability does not change.
 fn check_steps(oscillator: &Oscillator, branch: &Branch) {
     let periods = branch.space.drive_periods();
     for (number, pair) in branch.points.windows(2).enumerate() {
@@ -133,9 +134,9 @@ fn check_steps(oscillator: &Oscillator, branch: &Branch) {
             low < range[1] && range[0] < high
         };
         let has_special = branch.special.iter().any(|special| special.before == number + 1);
-        // Where a branch leaves another one a multiplier is on the unit circle.
+        // At a branch point a multiplier is on the unit circle.
         let leaves = number == 0 && branch.beginning == Ending::BranchPoint;
-        // The end of a branch in another one is on the unit circle within its error.
+        // At the end of a branch on another one a multiplier is on the unit circle within its error.
         let is_end = number == 0 || number + 2 == branch.points.len();
         let is_open = is_end && [a, b].iter().any(|it| it.stability == Stability::Undetermined);
         if leaves || is_open || has_special || branch.unresolved.iter().any(is_left_out) {
@@ -160,7 +161,7 @@ fn check_between(oscillator: &Oscillator, [a, b]: [&BranchPoint; 2], part: f64, 
     let guess = [0, 1].map(|i| mean(a.state[i], b.state[i]));
     let w = mean(a.parameter, b.parameter);
     let Some((state, growth)) = oscillator.periodic(guess, w, periods) else { return };
-    // A branch of which no step turns by more than a third of a radian is so near its chord.
+    // A branch whose steps turn by at most a third of a radian is this near to its chord.
     let far = |p: [f64; 2], q: [f64; 2]| (p[0] - q[0]).abs().max((p[1] - q[1]).abs());
     let chord = far([a.state[0], a.state[1]], [b.state[0], b.state[1]]);
     let is_other_motion = far(state, guess) > 1e-6 + 0.1 * chord;
@@ -176,7 +177,7 @@ fn check_between(oscillator: &Oscillator, [a, b]: [&BranchPoint; 2], part: f64, 
     }
 }
 
-/// A stable motion of one or two periods that motions from several starts settle to lies on a followed branch, and is stable there.
+/// Checks that a stable motion of one or two periods to which motions from several starts settle lies on a followed branch and is stable there.
 fn check_settled(oscillator: &Oscillator, response: &Response, w: f64, random: &mut Random) {
     let start = [random.between(-1.5, 1.5), random.between(-1.5, 1.5)];
     let state = oscillator.after(start, w, 400);
@@ -189,7 +190,7 @@ fn check_settled(oscillator: &Oscillator, response: &Response, w: f64, random: &
     };
     let Some(periods) = [1, 2].into_iter().find(|periods| returned(*periods)) else { return };
     let Some((_, growth)) = oscillator.periodic(state, w, periods) else { return };
-    // Another phase of a motion of twice the period, or the mirror image of one without symmetry, is on the same branch.
+    // Another phase of a motion with twice the period, or the mirror image of one without symmetry, is on the same branch.
     let mirrored = |state: [f64; 2]| oscillator.followed(state, w, STEPS / 2).map(|x| -x);
     let other = oscillator.after(state, w, 1);
     let copies = [state, other, mirrored(state), mirrored(other)];
@@ -303,7 +304,7 @@ fn smooth_oscillators_have_the_motions_of_a_sweep_by_brute_force() {
     (0..sweep::number(10, 100)).for_each(|_| check(&smooth(&mut random), &mut random));
 }
 
-/// An oscillator whose force without the drive is given, with the drive 0.3·cos(w·t).
+/// An oscillator with the drive 0.3·cos(w·t) and this force.
 fn driven(text: &str, kinks: Vec<f64>, force: impl Fn(f64, f64) -> f64 + 'static) -> Oscillator {
     Oscillator {
         text: format!("{text} = 0.3*cos(w*t)"),
@@ -314,7 +315,7 @@ fn driven(text: &str, kinks: Vec<f64>, force: impl Fn(f64, f64) -> f64 + 'static
     }
 }
 
-/// Each of them is odd between its kinks, where all states of small size are.
+/// Each of these forces is odd between its kinks, where all states of small size are.
 #[test]
 fn a_force_with_a_kink_on_one_side_is_not_symmetric() {
     let mut random = Random::seeded(35_004);
@@ -340,7 +341,7 @@ fn a_force_with_a_kink_on_one_side_is_not_symmetric() {
         );
         check(&oscillator, &mut random);
     }
-    // Two degrees of freedom with a stop: what a symmetric branch would show is not there.
+    // A pair of oscillators with a stop: the motions of a symmetric branch do not exist.
     let pair = "x'' + 0.1*x' + 2*x - y = 0.3*cos(w*t); y'' + 0.1*y' + 2*y - x + 20*max(y - 0.5, 0) = 0";
     let response =
         Response::over(&pair.parse().unwrap(), "w", [0.5, 2.0], &ResponseOptions::default(), &Quiet).unwrap();
@@ -350,7 +351,7 @@ fn a_force_with_a_kink_on_one_side_is_not_symmetric() {
     }
 }
 
-/// A kink on the other side too makes the force odd again, however far out it is.
+/// A second kink on the other side makes the force odd again, however far out it is.
 #[test]
 fn a_force_with_kinks_on_both_sides_is_symmetric_where_they_match() {
     for (other, mirrored) in [("1000", true), ("1000.0001", false)] {
@@ -361,8 +362,8 @@ fn a_force_with_kinks_on_both_sides_is_symmetric_where_they_match() {
     }
 }
 
-/// A spring that acts from 0.69 to 0.71 alone, where no trial of the symmetry looks: the motions are symmetric until they come there, and each point
-/// that is shown is an orbit of the whole equation.
+/// A spring that acts only from 0.69 to 0.71, where the symmetry is not tested: the motions are
+/// symmetric until they reach it, and each point in the result is an orbit of the whole equation.
 #[test]
 fn a_narrow_force_that_no_trial_of_the_symmetry_meets_invents_no_orbit() {
     let oscillator = Oscillator {
@@ -379,7 +380,7 @@ fn a_narrow_force_that_no_trial_of_the_symmetry_meets_invents_no_orbit() {
     response.branches.iter().for_each(|branch| check_points(&oscillator, branch));
 }
 
-/// The edges of the tongues by Floquet multipliers of other programs, to the digits that stand here.
+/// The edges of the tongues by Floquet multipliers of other programs, to the digits given here.
 #[test]
 fn tongues_narrower_than_a_step_are_found() {
     let mut random = Random::seeded(35_005);
@@ -398,7 +399,7 @@ fn tongues_narrower_than_a_step_are_found() {
         kinks: vec![],
     };
     let edges = [0.99884934, 1.00114063];
-    // In the last range the first step, a fiftieth of the range, begins before the tongue and ends after it.
+    // In the last range the initial step, a fiftieth of the range, begins before the tongue and ends after it.
     let parametrons = [[0.95, 1.05], [0.9985, 1.3]].map(|range| (parametron(range), edges));
     for (oscillator, edges) in [(shaken, [1.98, 2.02])].into_iter().chain(parametrons) {
         let response = oscillator.response();
@@ -431,8 +432,8 @@ fn the_branch_in_which_another_one_ends_is_followed() {
     check(&oscillator, &mut random);
 }
 
-/// Two doublings on one branch, between which the doubled motion goes: each of its ends is known by interpolation only, and was taken for an end in a
-/// branch that is not followed yet, again and again.
+/// Two period doublings on one branch are the ends of the doubled branch. Each end is known by interpolation
+/// only, and could be mistaken, again and again, for an end on a branch that is not followed yet.
 #[test]
 fn a_branch_in_which_others_end_is_followed_once() {
     let equation = "x'' + 0.09982078986811771*x' + x + 3.0515445510566805*max(x - 0.3834842493610043, 0) - 3.0515445510566805*max(-x - 0.09108689179579989, 0) = 0.32494762822662293*cos(w*t)";
@@ -443,12 +444,12 @@ fn a_branch_in_which_others_end_is_followed_once() {
     assert_eq!(periods.len(), 2, "{periods:?}");
 }
 
-/// The multipliers of points, over their stated errors, compared with those of the variational equations over the whole period, integrated without symmetry
-/// and to another tolerance, which have errors of their own. The quantiles stand next to the constants that they justify.
+/// Errors of multipliers relative to their stated errors, by comparison with the variational equations over the whole period, integrated without
+/// symmetry and with another tolerance, which has errors too. The quantiles are quoted at the constants that they justify.
 #[test]
 fn errors_of_multipliers_hold_for_random_oscillators() {
     let mut random = Random::seeded(sweep::seed(35_007));
-    // Its multipliers depend on the start sixty times as strongly as they are large.
+    // The dependence of its multipliers on the start is sixty times as large as the multipliers.
     let steep = "x'' + 0.11141216426232345*x' + x + 2.0132773054851065*max(x - 0.4149787521198229, 0) - 2.0132773054851065*max(-x - 0.2586924018343485, 0) = 0.5210147256379014*cos(w*t)";
     let mut oscillators = vec![(steep.to_owned(), [0.6, 2.0])];
     for kind in [parametron, clearance, smooth] {
@@ -465,11 +466,11 @@ fn errors_of_multipliers_hold_for_random_oscillators() {
         }
     }
     ratios.sort_by(f64::total_cmp);
-    // From the median on, the parts beyond which are each a tenth of those before.
+    // From the median on, quantiles with a tenth of the remaining values beyond each.
     let beyond = [2, 10, 100, 1000].map(|part| ratios[ratios.len() - 1 - ratios.len() / part]);
     eprintln!("{} ratios: quantiles {beyond:?}", ratios.len());
-    // One motion in 47 358 of four seeds, which nearly grazes a kink, was 2.7 times its error off: the change of the map with the start is an
-    // estimate.
+    // One of 47 358 values with four seeds, for a motion that nearly grazes a kink, was
+    // off by 2.7 times its error: the change of the map with the start is an estimate.
     let wrong = ratios.iter().filter(|ratio| **ratio > 1.0).count();
     assert!(10_000 * wrong <= ratios.len(), "{wrong} of {}, the largest {:?}", ratios.len(), ratios.last());
 }
@@ -482,7 +483,7 @@ fn ratios_of_multipliers(flow: &Flow, point: &BranchPoint) -> Vec<f64> {
     };
     let matrix = to_tolerance(3e-16);
     let own = eigenvalues(&matrix).unwrap();
-    // Two integrations differ by what a kink makes of their roundings, which is far above that of a multiplication.
+    // At a kink, two integrations differ by far more than the rounding of a multiplication.
     let other = eigenvalues(&to_tolerance(1e-16)).unwrap();
     let errors = multiplier_errors(&matrix, &[1.0; 2], &own, 1e-15);
     let nearest = |all: &[Complex], z: Complex| {

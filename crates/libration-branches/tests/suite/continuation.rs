@@ -1,5 +1,5 @@
-//! Branches of periodic motions compared with two other methods: Fourier collocation with extended systems, and Taylor shooting with the
-//! variational equations, both in floats of 130 bits, which agree in 30 digits unless stated otherwise.
+//! Branches of periodic motions compared with two other methods, which agree in 30 digits unless stated otherwise: Fourier collocation with
+//! extended systems, and Taylor shooting with the variational equations, both in floats of 130 bits.
 
 use crate::typed::equation_with;
 use libration::algebra::Complex;
@@ -87,7 +87,7 @@ fn losses_of_symmetry_and_doublings_are_exact_and_each_branch_is_followed_once()
     let doubled: Vec<&Branch> =
         response.branches.iter().filter(|it| it.origin == Origin::PeriodDoubling).collect();
     assert_eq!(doubled.len(), 1);
-    // It begins at its doubling, stable, with twice the period.
+    // The doubled branch begins at its period doubling, stable, with twice the period.
     let [first, second] = [&doubled[0].points[0], &doubled[0].points[1]];
     assert!(
         (first.parameter - 1.066372862455207).abs() < 1e-12
@@ -95,7 +95,7 @@ fn losses_of_symmetry_and_doublings_are_exact_and_each_branch_is_followed_once()
             && second.parameter > first.parameter
     );
     assert!((second.period - 6.0 * PI).abs() < 1e-12);
-    // Over the damping, from a published notebook: Q about 1.348.
+    // Continuation in the damping; a published notebook has Q about 1.348.
     let response = over(&equation_with(PENDULUM, &[("A", "1.5"), ("w", "2/3")]), "c", [0.735, 0.78]);
     assert_special(&response, SpecialKind::PeriodDoubling, 0.7411730170883635402983935, None);
 }
@@ -111,7 +111,7 @@ fn curves_of_duffings_oscillator_have_their_folds_and_no_others() {
     assert_eq!(response.branches.len(), 1);
     assert_eq!(response.branches[0].special, []);
     assert!(response.branches[0].points.iter().all(|point| point.is_stable()));
-    // The 1/3-subharmonic answer has a curve of its own, which a start near it finds.
+    // The subharmonic response of order 1/3 is an isola, which a start near it finds.
     let options = ResponseOptions {
         start: Some(vec![3.06, 3.95]),
         drive_periods: 3,
@@ -138,7 +138,7 @@ fn a_curve_that_closes_is_followed_once_around() {
     let branch = &response.branches[0];
     assert_eq!((response.branches.len(), branch.ending), (1, Ending::Closed));
     assert_eq!(branch.points.first(), branch.points.last());
-    // Each of its two folds is met as often as its phases, which differ by periods of the drive, follow each other on the curve.
+    // A fold may be met once, or once for each of the three phases, which differ by periods of the drive and follow each other on the curve.
     let folds = specials(&response, SpecialKind::Fold);
     assert!(
         folds.iter().any(|w| (w - 5.294354133015116).abs() < 1e-5)
@@ -158,7 +158,7 @@ fn a_determinant_of_one_is_a_bifurcation_where_multipliers_are_complex() {
     let response = over(&equation_with(van_der_pol, &[("mu", "1"), ("F", "1")]), "w", [0.5, 1.3]);
     assert_special(&response, SpecialKind::NeimarkSacker, 0.5439378644861768229010272, None);
     assert_special(&response, SpecialKind::Fold, 1.196077164552389013827867, None);
-    // By the same two roads: the determinant is one there, and the trace 2.89.
+    // By the same two methods: the determinant is one there, and the trace 2.89.
     let saddles = specials(&response, SpecialKind::NeutralSaddle);
     assert!(saddles.len() == 1 && (saddles[0] - 1.17072).abs() < 1e-5, "{saddles:?}");
     assert_eq!(specials(&response, SpecialKind::NeimarkSacker).len(), 1);
@@ -175,7 +175,7 @@ fn without_damping_every_determinant_is_one_and_none_is_special() {
 
 #[test]
 fn neighbouring_branches_are_not_mistaken_for_each_other() {
-    // Their amplitudes at w = 0.85 differ by 0.05.
+    // The amplitudes of the two branches at w = 0.85 differ by 0.05.
     let response = over(&equation_with(PENDULUM, &[("c", "0.02"), ("A", "0.03")]), "w", [0.85, 1.4]);
     assert_eq!(response.branches.len(), 2);
     let [low, high] = [0, 1].map(|number| response.branches[number].points.last().unwrap());
@@ -212,7 +212,7 @@ fn the_shaken_pendulum_swings_from_one_edge_of_its_tongue_to_the_other() {
     let swings: Vec<&Branch> =
         response.branches.iter().filter(|it| it.origin == Origin::PeriodDoubling).collect();
     assert_eq!((swings.len(), swings[0].ending), (1, Ending::BranchPoint));
-    // At rest again: the swings of w = 2 and below, of which the two roads tell one each.
+    // Both ends of the swings are at rest, which is unstable only between the edges.
     let at_two: Vec<&BranchPoint> = response.branches[0].points.iter().filter(|it| !it.is_stable()).collect();
     assert!(at_two.iter().all(|point| (edges[0]..=edges[1]).contains(&point.parameter)));
     let swing = over(&shaken, "w", [1.9, 2.0]);
@@ -241,7 +241,7 @@ fn the_shaken_pendulum_swings_from_one_edge_of_its_tongue_to_the_other() {
     }
 }
 
-/// The state after a number of drive periods by the integrator, at the drive frequency w.
+/// The state after a number of drive periods by the integrator, at the drive frequency `frequency`.
 fn followed(equation: &Equation, frequency: f64, mut state: Vec<f64>, periods: u32) -> Vec<f64> {
     let exact = format!("{frequency:?}").parse().unwrap();
     let system = System::new(&equation.with(&[("w", exact)]).unwrap()).unwrap();
@@ -284,7 +284,8 @@ fn sweeps_of_the_integrator_land_on_the_stable_branches() {
     let jumps = &response.jumps;
     assert_eq!(jumps.iter().map(|it| it.rising).collect::<Vec<_>>(), [true, false]);
     assert!(jumps.iter().all(|jump| jump.to.len() == 1), "{jumps:?}");
-    // Where the integrator comes to rest beyond the first fold, and SciPy's with the shooting of another library: 89.1191735153° there.
+    // The state in which the integrator settles beyond the first fold; SciPy's
+    // integrator with the shooting of another library gives 89.1191735153°.
     let landing = &jumps[0].to[0];
     assert!(
         (landing.amplitude(0, true).to_degrees() - 89.119173515280).abs() < 1e-9 && landing.error < 1e-12
@@ -342,11 +343,11 @@ fn what_has_no_branch_says_why() {
     assert_eq!(refused("x'' = -x + cos(w*t)", [1.0, 1.0]), BranchError::Range { from: 1.0, to: 1.0 });
     assert!(matches!(refused("x'' = -x + cos(w*t)", [1.0, f64::NAN]), BranchError::Range { .. }));
     assert!(matches!(refused("x'' = -k*x + cos(w*t)", [1.0, 2.0]), BranchError::WithoutValue(_)));
-    // Without damping the answer at its resonance has no bound, at both ends.
+    // Without damping the response is unbounded at resonance, which lies at either end of the range.
     assert!(matches!(refused("x'' = -x + w*cos(t)", [1.0, 2.0]), BranchError::NoStart(_)));
 }
 
-/// Exact by the elliptic integral: a drive at twice the parameter repeats itself with half of its frequency.
+/// Exact by the elliptic integral; a drive at twice the parameter repeats together with an oscillation at half its frequency.
 #[test]
 fn the_backbone_is_that_of_the_frequency_of_the_drive() {
     let pendulum = libration::pendulum::Pendulum::from_angular_frequency(1.0).unwrap();
@@ -363,7 +364,7 @@ fn the_backbone_is_that_of_the_frequency_of_the_drive() {
             assert!((free.parameter - parameter).abs() <= free.error && free.error < 1e-13, "{free:?}");
         }
     }
-    // An amplitude of the drive, a frequency that the oscillator depends on too.
+    // The backbone curve is empty for an amplitude of the drive, and for a frequency on which the oscillator depends too.
     let empty = |text: &str, parameter: &str, range: [f64; 2]| {
         let driven = equation_with(text, &[]);
         assert_eq!(over(&driven, parameter, range).backbone(&driven, range, true), [], "{text}");

@@ -16,7 +16,7 @@ fn specials(branch: &Branch, kind: SpecialKind) -> Vec<f64> {
 
 #[test]
 fn a_crossing_at_a_rest_that_is_known_to_rounding_only_is_exact() {
-    // The sine of the nearest number to π is 1.2e-16. By Hill's matrix and Taylor series, both in floats of 130 bits.
+    // `f64` π is 1.2e-16 off, so the sine there is not zero. By Hill's matrix and Taylor series, both in floats of 130 bits.
     let upright = "theta'' = -0.1*theta' - (1 - 100*a*cos(10*t))*sin(theta)";
     let options = ResponseOptions { start: Some(vec![PI, 0.0]), ..ResponseOptions::default() };
     let response = over(upright, "a", [0.1, 0.6], options);
@@ -29,7 +29,7 @@ fn a_crossing_at_a_rest_that_is_known_to_rounding_only_is_exact() {
 
 #[test]
 fn two_folds_within_one_step_are_found() {
-    // By shooting with SciPy's DOP853 at 2.3e-14 and the equations of small deviations; a cusp is nearby.
+    // By shooting with SciPy's DOP853 at 2.3e-14 and the variational equations; a cusp is nearby.
     let duffing = "x'' = -0.1*x' - x - 0.1*x^3 + 0.1625*cos(w*t)";
     let response = over(duffing, "w", [0.5, 1.6], ResponseOptions::default());
     let folds = specials(&response.branches[0], SpecialKind::Fold);
@@ -39,7 +39,7 @@ fn two_folds_within_one_step_are_found() {
 
 #[test]
 fn a_second_oscillator_that_comes_back_with_the_drive_adds_no_singular_point() {
-    // Its multipliers are −1 and −1, or 1 and 1, at each frequency.
+    // The multipliers of the second oscillator are −1 and −1, or 1 and 1, at the two frequencies.
     for times in ["12.25", "16"] {
         let pair = format!("x'' = -0.1*x' - sin(x) + 0.2*cos(w*t) + 0.1*sin(w*t)^2; y'' = -{times}*w^2*y");
         let response = over(&pair, "w", [1.05, 2.1], ResponseOptions::default());
@@ -50,8 +50,8 @@ fn a_second_oscillator_that_comes_back_with_the_drive_adds_no_singular_point() {
 
 #[test]
 fn a_branch_that_turns_back_where_it_crosses_another_one_has_no_fold_there() {
-    // y is zero on one branch; with x = 10·F·sin t the other one leaves it where y″ + y′/50 + (1 − 10·F·sin t)·y = 0 has the multiplier 1: by
-    // Taylor series in 30 digits (mpmath).
+    // y is zero on one branch. With x = 10·F·sin t, the other branch leaves it where y″ + y′/50
+    // + (1 − 10·F·sin t)·y = 0 has the multiplier 1: by Taylor series in 30 digits (mpmath).
     let pair = "x'' = -0.1*x' - x + F*cos(t); y'' = -0.02*y' - (1 - x)*y + y^3";
     let options = ResponseOptions { start: Some(vec![0.0, 0.5, 0.0, 0.0]), ..ResponseOptions::default() };
     let response = over(pair, "F", [0.001, 0.3], options);
@@ -65,8 +65,8 @@ fn a_branch_that_turns_back_where_it_crosses_another_one_has_no_fold_there() {
     }
 }
 
-/// y → −y is a symmetry without a shift in time, which the motion in the plane y = 0 loses where y″ + y′/5 + (1/2 − x² − 3x/10)·y = 0 with x = 10·F·sin t
-/// has the multiplier 1: by SciPy's DOP853 at 1e-13. With a constant force on y there is no such symmetry, and no crossing.
+/// y → −y is a symmetry without a shift in time. The motion in the plane y = 0 loses it where y″ + y′/5 + (1/2 − x² − 3x/10)·y = 0, with x =
+/// 10·F·sin t, has the multiplier 1: by SciPy's DOP853 at 1e-13. With a constant force on y there is no such symmetry and no crossing.
 #[test]
 fn a_mirror_image_of_some_coordinates_without_a_shift_is_recognised() {
     for (force, lost) in [("", 1), (" + 1/1000", 0)] {
@@ -96,7 +96,7 @@ fn van_der_pols_cycle_crosses_all_circles_where_nothing_excites_it() {
         assert_eq!(crossing.kind, SpecialKind::BranchPoint);
         let off = crossing.point.parameter.abs();
         assert!(off <= crossing.error && off < off_by, "{off:e} {:e}", crossing.error);
-        // The circle of radius 2 is the one that is left of the cycle.
+        // At the crossing the cycle is the circle of radius 2.
         assert!((crossing.point.amplitude(0, false) - 2.0).abs() < 1e-4, "{:?}", crossing.point);
         assert!(branch.points.iter().all(|it| (2.0 - 1e-4..2.1).contains(&it.amplitude(0, false))));
     }
@@ -105,13 +105,13 @@ fn van_der_pols_cycle_crosses_all_circles_where_nothing_excites_it() {
     assert_eq!(none.unwrap_err(), BranchError::Family);
 }
 
-/// The motion from rest goes seven turns around before it settles on a response that has lost its symmetry: it is the one about the bottom.
+/// The motion from rest rotates seven times before it settles on a response without symmetry: the one about the bottom.
 #[test]
 fn answers_that_are_found_turns_away_are_on_the_branches_about_the_bottom() {
     let pendulum: Equation = "theta'' = -theta'/10 - sin(theta) + A*cos(7*t/10)".parse().unwrap();
     let response = Response::over(&pendulum, "A", [0.0, 0.6], &ResponseOptions::default(), &Quiet).unwrap();
     let all = || response.branches.iter().flat_map(|branch| &branch.special);
-    // By Fourier collocation and Taylor shooting 0.528969001376244; the branch that comes back to it ends there.
+    // By Fourier collocation and Taylor shooting 0.528969001376244; the branch that returns to it ends there.
     let lost: Vec<f64> =
         all().filter(|it| it.kind == SpecialKind::SymmetryBreaking).map(|it| it.point.parameter).collect();
     assert!(lost.iter().any(|it| (it - 0.528969001376244).abs() < 1e-13), "{lost:?}");
@@ -126,7 +126,7 @@ fn answers_that_are_found_turns_away_are_on_the_branches_about_the_bottom() {
     assert!(values.windows(2).all(|pair| pair[1] - pair[0] > 1e-9), "{values:?}");
 }
 
-/// At half its frequency an undamped oscillator has a family of motions with the drive's period, and none that is isolated.
+/// At half its frequency an undamped oscillator has a family of motions with the period of the drive, and none that is isolated.
 #[test]
 fn an_end_of_the_range_without_a_motion_is_named() {
     let response = over("x'' + x = cos(w*t)", "w", [0.5, 0.9], ResponseOptions::default());
@@ -137,8 +137,8 @@ fn an_end_of_the_range_without_a_motion_is_named() {
     assert_eq!(everywhere.missing, vec![]);
 }
 
-/// θ(t + T/2) = −θ(t) with the drive, while z, which θ² drives, has the period T/2. The loss of symmetry is that of the pendulum alone: by Fourier
-/// collocation and Taylor shooting at A = 0.528969001376244.
+/// θ(t + T/2) = −θ(t) with the drive, while z, driven by θ², has the period T/2. The symmetry-breaking bifurcation is that of the pendulum
+/// alone: by Fourier collocation and Taylor shooting at A = 0.528969001376244.
 #[test]
 fn a_drive_whose_mirror_image_keeps_a_coordinate_is_recognised() {
     let [theta, z] = ["theta'' = -theta'/10 - sin(theta) + A*cos(7*t/10)", "z'' = -z'/5 - 2*z + theta^2"];

@@ -1,4 +1,5 @@
-//! Equations of the first order, alone and beside ones of the second, against the thirty digits of `first_order.csv` and closed forms.
+//! Equations of first order, alone and together with second-order ones,
+//! compared with the thirty digits of `first_order.csv` and with closed forms.
 
 use crate::typed::{equation, system};
 use libration::chaos::{
@@ -32,7 +33,7 @@ fn numbers(text: &str) -> Vec<f64> {
     text.split(' ').map(|word| word.parse().unwrap()).collect()
 }
 
-/// Roundings have the size of the numbers, and grow as the motion's sensitivity says.
+/// Rounding errors are relative to the size of the components, and grow with the sensitivity of the motion.
 #[test]
 fn every_motion_is_met_as_well_as_its_condition_allows() {
     let table = Table::read("first_order.csv");
@@ -51,7 +52,7 @@ fn start(row: Row) -> Moment {
     from(&numbers(row.text("start")))
 }
 
-/// x″ = −x as it is and in its first-order form, in which the velocity is a variable: the same numbers to a few roundings.
+/// x″ = −x and its first-order form, in which the velocity is a variable, give the same numbers up to a few rounding errors.
 #[test]
 fn both_forms_of_one_equation_have_one_motion() {
     let as_it_is = system("x'' = -sin(x) - x'/10");
@@ -66,7 +67,7 @@ fn both_forms_of_one_equation_have_one_motion() {
     }
 }
 
-/// Accuracy of a motion does not depend on the origin: x' = v next to an x of a million.
+/// The accuracy of a motion does not depend on the origin: x' = v together with x of a million.
 #[test]
 fn the_error_of_a_variable_is_a_part_of_how_far_it_moves() {
     let far = system("x' = v; v' = -(x - 1000000)");
@@ -105,13 +106,13 @@ fn motions_in_closed_form_are_met_from_a_power_to_a_pole() {
     assert!((solution.end.time - 1.0).abs() < 1e-10);
 }
 
-/// x′ = −sign(x) comes to zero at t = 1 and stays, as dry friction brings a velocity to rest; driven by more it goes on.
+/// x′ = −sign(x) reaches zero at t = 1 and stays there, as a velocity stops under dry friction; a stronger drive moves it on.
 #[test]
 fn a_variable_that_no_way_leads_from_zero_stays_there() {
     let falls = system("x' = -sign(x)");
     assert_eq!(integrate(&falls, &from(&[1.0]), &[3.0], &effort(), &Quiet).unwrap().end.state, [0.0]);
     let released = system("x' = -sign(x) + t/2");
-    // At rest from its zero until t = 2, then x = (t − 2)²/4.
+    // At rest until t = 2, then x = (t − 2)²/4.
     let solution = integrate(&released, &from(&[0.25]), &[1.5, 4.0], &effort(), &Quiet).unwrap();
     assert_eq!(solution.samples[0].state, [0.0]);
     assert!((solution.samples[1].state[0] - 1.0).abs() < 1e-14);
@@ -163,7 +164,7 @@ fn a_section_of_the_lorenz_system_is_where_the_motion_crosses() {
 
 #[test]
 fn a_bifurcation_diagram_follows_the_fixed_points() {
-    // From above zero to √r.
+    // From a positive start to √r.
     let family_equation = equation("x' = r*x - x^3");
     let place = Section::Stroboscope { period: Some(1.0), phase: 0.0 };
     let family = Family {
@@ -180,8 +181,8 @@ fn a_bifurcation_diagram_follows_the_fixed_points() {
     }
 }
 
-/// The exponents 0.9056 of the Lorenz system and 0.0714 of Rössler's: J. C. Sprott, *Chaos and Time-Series Analysis*, Oxford 2003,
-/// appendix A. The stated uncertainty is a standard error, of which four are allowed, with the last digit of the published number.
+/// The exponents 0.9056 of the Lorenz system and 0.0714 of Rössler's: J. C. Sprott, *Chaos and Time-Series Analysis*, Oxford 2003, appendix A.
+/// The stated uncertainty is a standard error; four of these plus the last digit of the published number are allowed.
 #[test]
 fn lyapunov_exponents_of_lorenz_and_roessler_are_the_published_ones() {
     let roessler = "x' = -y - z; y' = x + 0.2*y; z' = 0.2 + z*(x - 5.7)";
@@ -199,20 +200,19 @@ fn lyapunov_exponents_of_lorenz_and_roessler_are_the_published_ones() {
 
 #[test]
 fn a_natural_schedule_has_intervals_of_about_a_period() {
-    // Along the circle, which takes 2π.
+    // Along the circle, with the period 2π.
     let circle = equation("x' = -y*(x^2 + y^2); y' = x*(x^2 + y^2)");
     let schedule = Schedule::natural(&circle, &from(&[1.0, 0.0]), 10, &effort()).unwrap();
     assert!((schedule.interval / TAU - 1.0).abs() < 0.05, "{schedule:?}");
 }
 
-/// Small oscillations of foxes and rabbits about x = y = 1 have the period 2π, large ones are longer; along each
-/// x − ln x + y − ln y stays.
+/// Small oscillations of predators and prey about x = y = 1 have the period 2π, large ones are slower; x − ln x + y − ln y is conserved.
 #[test]
 fn cycles_of_predator_and_prey_close_and_keep_their_integral() {
     let predators = equation("x' = x - x*y; y' = x*y - y");
     let small = OrbitGuess { state: vec![1.001, 1.0], period: 6.3 };
     let small = Orbit::near(&predators, &small, &[0, 1], &Quiet).unwrap();
-    // The first shift with the amplitude is of second order.
+    // The change of the period with the amplitude is of second order.
     assert!((small.period() / TAU - 1.0).abs() < 1e-6, "{}", small.period());
     let large =
         Orbit::near(&predators, &OrbitGuess { state: vec![2.0, 1.0], period: 7.0 }, &[0, 1], &Quiet).unwrap();
@@ -224,7 +224,7 @@ fn cycles_of_predator_and_prey_close_and_keep_their_integral() {
     assert_eq!(large.floquet().unwrap().multipliers.len(), 2);
 }
 
-/// In polar coordinates r' = r(1 − r²), θ' = 1: a circle that is attracted to with the multiplier e^(−4π).
+/// In polar coordinates r' = r(1 − r²), θ' = 1: the unit circle is a limit cycle with the multiplier e^(−4π).
 #[test]
 fn a_limit_cycle_of_the_first_order_is_found_with_its_multipliers() {
     let hopf = equation("x' = x - y - x*(x^2 + y^2); y' = x + y - y*(x^2 + y^2)");

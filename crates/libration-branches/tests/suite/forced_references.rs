@@ -1,5 +1,5 @@
-//! Points of response curves and the singular points that no other file of the suite has, against Fourier collocation with extended systems and
-//! Taylor shooting, both in floats of 130 bits, which agree in 30 digits.
+//! Points of response curves, and singular points that are not in other files of the suite, compared with Fourier collocation with extended
+//! systems and Taylor shooting, both in floats of 130 bits, which agree in 30 digits.
 
 use crate::typed::equation_with;
 use libration::continuation::{BranchPoint, Ending, Response, ResponseOptions, SpecialKind};
@@ -11,7 +11,7 @@ const PIVOT: &str = "theta'' = -c*theta' - (1 - a*w^2*cos(w*t))*sin(theta)";
 const DUFFING: &str = "x'' = -c*x' - x - b*x^3 + F*cos(w*t)";
 const VAN_DER_POL: &str = "x'' = mu*(1 - x^2)*x' - x + F*cos(w*t)";
 
-/// c and A, the frequency, the state at the phase zero, the amplitude, the multipliers.
+/// c and A, the frequency, the state at phase zero, the amplitude, the multipliers.
 type Driven<'a> = ([&'a str; 2], f64, [f64; 2], f64, [f64; 2], [f64; 2]);
 
 const DRIVEN: &[Driven<'_>] = &[
@@ -129,7 +129,7 @@ const DRIVEN: &[Driven<'_>] = &[
     ),
 ];
 
-/// c and a, the frequency, the state at the phase zero, the amplitude, whether it is stable.
+/// c and a, the frequency, the state at phase zero, the amplitude, and the stability.
 type Swing<'a> = ([&'a str; 2], f64, [f64; 2], f64, bool);
 
 const SWINGS: &[Swing<'_>] = &[
@@ -153,7 +153,7 @@ const SWINGS: &[Swing<'_>] = &[
     ),
 ];
 
-/// The motion at a frequency near a state of which three decimals are known.
+/// The motion at a frequency near a state that is known to three decimals.
 fn point_near(equation: &Equation, frequency: f64, state: [f64; 2], drive_periods: u32) -> BranchPoint {
     let rough = state.map(|x| (x * 1e3).round() / 1e3);
     let options = ResponseOptions {
@@ -250,7 +250,7 @@ fn further_folds_and_losses_of_symmetry_are_exact() {
     ] {
         assert_special(&equation_with(VAN_DER_POL, &[("mu", mu), ("F", f)]), "w", start, Fold, expected);
     }
-    // The other end of the same entrainment is beyond its value.
+    // The other end of the entrainment range lies beyond the other value.
     let relaxed = equation_with(VAN_DER_POL, &[("mu", "1"), ("F", "0.2")]);
     let options = ResponseOptions {
         start: Some(vec![-1.974, 0.199]),
@@ -266,7 +266,7 @@ fn further_folds_and_losses_of_symmetry_are_exact() {
 
 #[test]
 fn a_motion_of_two_hundred_harmonics_is_exact() {
-    // Pulses: the drive has the harmonics exp(-500)*I_k(500), the answer these over 1 - k²w² + ikw/2; summed in mpmath to 40 digits.
+    // Pulses: the drive has the harmonics exp(-500)*I_k(500), the response these divided by 1 - k²w² + ikw/2; summed in mpmath to 40 digits.
     let pulses = equation_with("x'' = -x'/2 - x + exp(500*(cos(w*t) - 1))", &[]);
     let point = point_near(&pulses, 0.3, [0.0231, 0.1741], 1);
     for (found, expected) in point.state.iter().zip([0.02309985491357088725345, 0.1741238350746010008378]) {
@@ -277,7 +277,7 @@ fn a_motion_of_two_hundred_harmonics_is_exact() {
 
 #[test]
 fn strong_damping_leaves_multipliers_below_rounding_and_no_special_point() {
-    // Linear, so that amplitude and both multipliers are known: exp((-5 ± √24)·2π/w), the second below 1e-90.
+    // A linear equation, so that amplitude and both multipliers are known: exp((-5 ± √24)·2π/w), the second below 1e-90.
     let damped = equation_with("x'' = -10*x' - x + cos(w*t)", &[]);
     let response = Response::over(&damped, "w", [0.2, 0.3], &ResponseOptions::default(), &Quiet).unwrap();
     let [branch] = &response.branches[..] else { panic!("{} branches", response.branches.len()) };
@@ -293,8 +293,8 @@ fn strong_damping_leaves_multipliers_below_rounding_and_no_special_point() {
     }
 }
 
-/// x″ = 4x + m + 10·cos ωt has the motion −10·cos(ωt)/(4 + ω²) − m/4, about which deviations grow by e^(4π/ω), up to 4e13 in a period: more than
-/// 5e9-fold ones are checked piece by piece, with a mirror and without one.
+/// x″ = 4x + m + 10·cos ωt has the motion −10·cos(ωt)/(4 + ω²) − m/4, about which deviations grow by e^(4π/ω), up to 4e13 in a period. Growth of
+/// more than 5e9 is checked piece by piece, with a mirror and without one.
 #[test]
 fn a_motion_that_no_single_integration_closes_is_followed() {
     for mean in [0.0, 1.0] {

@@ -1,4 +1,4 @@
-//! The Melnikov function, resonances and their widths against closed forms, other quadratures and published thresholds.
+//! The Melnikov function, resonances and their widths, compared with closed forms, other quadratures and published thresholds.
 
 use libm::{acosh, atan, cos, cosh, sin, sinh, tanh};
 use libration::expression::Equation;
@@ -30,7 +30,7 @@ fn the_threshold_of_a_damped_driven_pendulum_is_that_of_the_closed_form() {
     }
 }
 
-/// ∫ θ′·g dt over the separatrix by trapezoids over formulas of its own.
+/// ∫ θ′·g dt over the separatrix by the trapezoidal rule, with separately written formulas.
 fn by_trapezoids(omega0: f64, direction: f64, phase: f64, g: impl Fn(f64, f64, f64) -> f64) -> f64 {
     let step = 1.0 / 64.0;
     let at = |j: i32| {
@@ -83,7 +83,7 @@ fn other_perturbations_are_integrated_by_quadrature_with_their_error() {
 
 #[test]
 fn what_is_exponentially_small_keeps_its_digits() {
-    // 2π sech(πΩ/2), which at Ω = 40 is 13 thousandths of a millionth of a millionth of a millionth of a millionth.
+    // 2π sech(πΩ/2), which is 6.5e-27 at Ω = 40.
     let [upper, _] = Melnikov::both(&perturbed("x'' + sin(x) = cos(40 t)"), &Quiet).unwrap();
     let expected = TAU / cosh(20.0 * PI);
     assert!((upper.harmonics[0].abs() / expected - 1.0).abs() < 1e-13);
@@ -108,7 +108,7 @@ fn zeros_are_where_the_function_vanishes() {
     assert!((least - seen[0]).abs() < 1e-7 && least <= seen[0] && (most - seen[1]).abs() < 1e-7);
 }
 
-/// B. V. Chirikov's resonance of a wave with a free rotation: its separatrix is 2√a from the velocity of the wave.
+/// B. V. Chirikov's resonance of a wave with a free rotation: its separatrix extends 2√a from the velocity of the wave.
 #[test]
 fn a_travelling_wave_locks_the_rotations_that_its_own_separatrix_holds() {
     let driven = perturbed("x'' + 1e-8 sin(x) = -0.04 sin(x - 3t)");
@@ -121,7 +121,7 @@ fn a_travelling_wave_locks_the_rotations_that_its_own_separatrix_holds() {
     assert!((rotation.half_width - 0.4).abs() < 1e-7);
 }
 
-/// The half-width against the action that a locked motion is seen to reach.
+/// The half-width compared with the largest action of a locked motion.
 #[test]
 fn a_resonance_of_librations_is_as_wide_as_motions_show() {
     use libration::taylor::{Effort, Moment, System, integrate};
@@ -129,7 +129,7 @@ fn a_resonance_of_librations_is_as_wide_as_motions_show() {
     let equation: Equation = format!("x'' + sin(x) = {strength} cos(0.9 t)").parse().unwrap();
     let resonances = PerturbedPendulum::new(&equation).unwrap().resonances(1, &Quiet).unwrap();
     let libration = resonances.iter().find(|it| it.direction == 0.0).unwrap();
-    // From the centre of the resonance at the phase of its hyperbolic points a motion reaches the half-width on its way around.
+    // A motion from the hyperbolic point of the resonance reaches the half-width on its way around.
     let system = System::new(&equation).unwrap();
     let action = |state: &[f64]| {
         let pendulum = libration::pendulum::Pendulum::from_angular_frequency(1.0).unwrap();
@@ -157,7 +157,7 @@ fn a_resonance_of_librations_is_as_wide_as_motions_show() {
 fn damping_must_be_made_up_for_within_a_resonance() {
     let driven = perturbed("x'' + 0.01 x' + sin(x) = 0.1 cos(0.8 t)");
     let libration = driven.resonances(1, &Quiet).unwrap().into_iter().find(|it| it.direction == 0.0).unwrap();
-    // The energy taken is c∮θ′dθ = 2πcJ per period.
+    // The dissipated energy per period is c∮θ′dθ = 2πcJ.
     let expected = -0.01 * libration.motion.action() * libration.motion.frequency();
     assert!((libration.mean_power - expected).abs() < 1e-15);
     assert!(libration.threshold_factor() > 0.0 && libration.threshold_factor() < 1.0);
@@ -199,7 +199,7 @@ fn the_frequency_changes_with_the_action_as_elliptic_integrals_tell() {
         (10.0, 1.001_041_079_719_956),
     ] {
         let found = pendulum.with_energy_ratio(energy).unwrap().frequency_slope();
-        // Near the separatrix the energy ratio's own rounding counts 1e4 times.
+        // Near the separatrix the rounding of the energy ratio is amplified up to 1e4 times.
         let tolerance = 4e-16 / (energy - 1.0_f64).abs().min(1.0);
         assert!((found / expected - 1.0).abs() < tolerance, "{energy}: {found}");
     }
@@ -225,8 +225,8 @@ fn the_angle_variable_grows_evenly() {
     assert!(pendulum.on_separatrix().angle_variable_at(1.0).is_nan());
 }
 
-/// Source: two manifolds integrated in 150-bit floats and Newton's method for their contact, which agree with the same in doubles to 15 to 17
-/// digits; θ″ + c·θ′ + sin θ = A·cos Ωt: c, Ω, A.
+/// Source: two manifolds integrated in 150-bit floats and Newton's method for their contact, which agree with this computation in doubles
+/// to 15 to 17 digits. The equation is θ″ + c·θ′ + sin θ = A·cos Ωt; the columns are c, Ω, A.
 const TANGENCIES: [(&str, &str, f64); 4] = [
     ("0.1", "1", 0.319_869_600_087_485_03),
     ("0.1", "(2/3)", 0.203_712_546_072_548_16),
@@ -243,7 +243,7 @@ fn manifolds_touch_where_they_do_in_more_digits_and_by_the_second_order_from_the
         for it in [found, mirrored] {
             assert!((it.value - expected).abs() <= it.error && it.error < 1e-12, "{it:?}");
         }
-        // The equation is the same with the angle turned round half a period later.
+        // The equation is invariant under a reflection of the angle together with a shift by half a period.
         assert!((found.velocity + mirrored.velocity).abs() < 1e-6, "{mirrored:?}");
         assert!(((found.phase - mirrored.phase).abs() - PI).abs() < 1e-5, "{mirrored:?}");
         found.value / upper.value - 1.0
@@ -252,7 +252,7 @@ fn manifolds_touch_where_they_do_in_more_digits_and_by_the_second_order_from_the
     assert!((ratio - 4.0).abs() < 0.1, "of half the strength a quarter: {ratio}");
 }
 
-/// Source: SciPy's DOP853 along the eigenvectors of a saddle orbit that multiple shooting found, which is uncertain by some 2e-11.
+/// Source: SciPy's DOP853 along the eigenvectors of a saddle orbit from multiple shooting, with an uncertainty of about 2e-11.
 #[test]
 fn tangencies_of_uneven_and_parametric_drives_are_those_of_another_program() {
     let cases = [
@@ -274,7 +274,7 @@ fn a_perturbation_that_is_not_weak_has_no_tangency_near_its_threshold() {
     assert!(upper.tangency(&equation, "A", &Quiet).is_err());
 }
 
-/// The place of a tangency, against Taylor series and Newton's method in 200 bits from two distances.
+/// The position of a tangency, compared with Taylor series and Newton's method in 200 bits from two distances.
 #[test]
 fn the_place_of_a_tangency_is_known_to_its_stated_error() {
     use libration::taylor::{Effort, Moment, System, integrate};
@@ -289,6 +289,6 @@ fn the_place_of_a_tangency_is_known_to_its_stated_error() {
     let end = integrate(&system, &start, &[TAU], &Effort::to_tolerance(1e-15), &Quiet).unwrap().end.state;
     let expected = [0.042_517_821_156_603_723, 2.002_152_029_089_374_6];
     let off = (end[0] - expected[0]).abs().max((end[1] - expected[1]).abs());
-    // On the way the angle changes by the velocity times what the phase is off.
+    // An error of the phase changes the angle by the velocity times this error.
     assert!(off < 3.0 * touching.place_error, "{off:e} for {touching:?}");
 }

@@ -1,4 +1,4 @@
-//! Nonlinear normal modes against collocation of Lagrange's equations and shooting in 130-bit floats.
+//! Nonlinear normal modes compared with collocation of Lagrange's equations and shooting in 130-bit floats.
 
 use libration::expression::Equation;
 use libration::nonlinear_modes::{NonlinearMode, NonlinearModeError};
@@ -8,7 +8,7 @@ use libration::progress::Quiet;
 const DOUBLE_PENDULUM: &str = "theta1'' = (-3*sin(theta1) - sin(theta1 - 2*theta2) - 2*sin(theta1 - theta2)*(theta2'^2 + theta1'^2*cos(theta1 - theta2)))/(3 - cos(2*theta1 - 2*theta2));
     theta2'' = 2*sin(theta1 - theta2)*(2*theta1'^2 + 2*cos(theta1) + theta2'^2*cos(theta1 - theta2))/(3 - cos(2*theta1 - 2*theta2))";
 
-/// Mode, degrees of θ1, period, θ2 at the start, whether stable, relative error of the source.
+/// Mode, degrees of θ1, period, θ2 at the start, stability, relative error of the source.
 const DOUBLE: [(usize, f64, f64, f64, bool, f64); 8] = [
     (0, 10.0, 8.230_380_253_079_805, 0.244_980_843_801_163_32, true, 1e-15),
     (0, 30.0, 8.381_208_378_152_85, 0.685_928_697_240_161_5, true, 1e-15),

@@ -1,4 +1,4 @@
-//! Normal forms against Lindstedt's series, the exact pendulum, the shifts of normal modes, and exchanges of energy by other programs.
+//! Normal forms compared with Lindstedt's series, the exact pendulum, the shifts of normal modes, and exchanges of energy by other programs.
 
 use libration::expression::Equation;
 use libration::normal_form::{DETUNING, ExchangeError, NormalForm, NormalFormError};
@@ -7,7 +7,7 @@ use libration::pendulum::Pendulum;
 use libration::progress::Quiet;
 use libration::quantity::Angle;
 
-/// κ = 3 and l = g = 1: rest at 4/3, frequencies √3 and √3/2.
+/// κ = 3 and l = g = 1: equilibrium at 4/3, frequencies √3 and √3/2.
 const SPRING_PENDULUM: &str =
     "r'' = r*theta'^2 + cos(theta) - 3*(r - 1); theta'' = -(2*r'*theta' + sin(theta))/r";
 
@@ -18,7 +18,7 @@ fn form(text: &str, rest: &[f64], order: usize) -> NormalForm {
     NormalForm::about(&text.parse().unwrap(), rest, order, DETUNING, &Quiet).unwrap()
 }
 
-/// Ω of a release from rest, by the amplitude that the form sees in it.
+/// Ω of a release from rest, by its amplitude in the normal form.
 fn frequency(form: &NormalForm, angle: f64) -> f64 {
     let amplitude = form.amplitudes_of(&[angle, 0.0]).unwrap()[0];
     assert!(amplitude.im.abs() < 1e-15, "by symmetry real");
@@ -33,7 +33,7 @@ fn one_coordinate_gives_lindstedts_series_back() {
         let form = form("x'' = -sin(x)", &[0.0], order);
         assert!(form.slow_terms.iter().all(|term| term.is_of_every_system() && term.exact.is_some()));
         let left = |angle| (frequency(&form, angle) - exact(angle)).abs();
-        // What is left out is of the order + 1 in the amplitude.
+        // The error is of order `order` + 1 in the amplitude.
         let gained = left(0.8) / left(0.4);
         let expected = libm::exp2(next);
         assert!(gained > 0.7 * expected, "{order}: {gained}");
@@ -68,18 +68,18 @@ fn modes_without_resonance_have_the_shifts_of_lindstedts_expansion() {
 #[test]
 fn the_resonance_of_the_spring_pendulum_is_kept_with_its_coefficients() {
     let form = form(SPRING_PENDULUM, &[4.0 / 3.0, 0.0], 2);
-    // With k = 3ω/4r0 of the displacements: r″ ∋ ..., a′ = (ik/4)·(r0·b)² and b′ = ikab̄.
+    // With k = 3ω/4r0 in displacements: r″ ∋ ..., a′ = (ik/4)·(r0·b)² and b′ = ikab̄.
     let texts: Vec<_> = form.slow_terms.iter().map(|it| (it.mode, it.exact.as_deref().unwrap())).collect();
     assert_eq!(texts, [(0, "9/32*sqrt(3)*i"), (1, "1/8*sqrt(3)*i")]);
     assert!(form.slow_terms.iter().all(|it| it.detuning == 0.0));
     let exchange = form.exchange(&[4.0 / 3.0 + 0.01, 0.01, 0.0, 0.0], &Quiet).unwrap();
-    // Jacobi's functions against the integrated slow flow, and multiple scales with amplitudes of the first order: 598.954477867174.
+    // Jacobi's functions agree with the integrated slow flow, and with multiple scales for first-order amplitudes: 598.954477867174.
     let closed = exchange.closed_form.unwrap();
     assert!((closed / exchange.period - 1.0).abs() < 1e-9, "{exchange:?}");
     assert!((closed / 598.954_477_867_174 - 1.0).abs() < 4e-3, "{exchange:?}");
 }
 
-/// Return maps of motions in long double, two sections, to the digits given.
+/// Return maps of motions in long double, on two sections, to the digits given.
 const EXCHANGES: [(f64, f64, f64); 3] = [
     (0.01, 0.01, 597.727_754_675_995_24),
     (0.04, 0.04, 148.545_397_098_687_13),
@@ -107,7 +107,7 @@ fn the_exchange_is_that_of_return_maps() {
     }
 }
 
-/// Returns whether a stated error is not below the true one, and at most thirty times as large or within rounding.
+/// Returns `true` if a stated error is not below the true one, and at most thirty times as large or within rounding.
 fn is_near_the_true_one(stated: f64, period: f64, truth: f64) -> bool {
     const ROUNDING: f64 = 4e-12;
     let off = (period - truth).abs();
@@ -171,14 +171,14 @@ fn what_has_no_normal_form_or_exchange_is_told() {
 
 const HENON_HEILES: &str = "x'' = -x - 2*x*y; y'' = -y - x^2 + y^2";
 
-/// To the third order |a1| and |a2| stay as they are from there; their exchange, 0.006 of them in 2800 s, comes with the fifth.
+/// To third order |a1| and |a2| are constant from there; their exchange, 0.006 of them in 2800 s, appears in fifth order.
 #[test]
 fn an_exchange_is_found_where_the_order_has_it() {
     let state = [0.1, 0.05, 0.0, 0.0];
     let of_order = |order| form(HENON_HEILES, &[0.0, 0.0], order).exchange(&state, &Quiet);
     assert_eq!(of_order(3), Err(ExchangeError::Steady));
     let fifth = of_order(5).unwrap();
-    // SciPy's DOP853 at 1e-12 with the fifth order's terms: 2850 s, with |a1| from 0.0972 to 0.1033 and |a2| from 0.0525 to 0.0631.
+    // SciPy's DOP853 at 1e-12 with the fifth-order terms: 2850 s, with |a1| from 0.0972 to 0.1033 and |a2| from 0.0525 to 0.0631.
     assert!((fifth.period / 2850.0 - 1.0).abs() < 0.01 && fifth.error < 1e-3, "{fifth:?}");
     let expected = [[0.0972, 0.1033], [0.0525, 0.0631]];
     for (found, expected) in fifth.amplitudes.as_flattened().iter().zip(expected.as_flattened()) {
@@ -186,12 +186,12 @@ fn an_exchange_is_found_where_the_order_has_it() {
     }
 }
 
-/// Some 400 terms in each equation, more than a text may have.
+/// About 400 terms in each equation, more than the parser accepts as text.
 #[test]
 fn a_slow_flow_of_high_order_is_integrated_too() {
     let form = form(HENON_HEILES, &[0.0, 0.0], 7);
     assert!(form.slow_flow().to_string().parse::<Equation>().is_err());
     let exchange = form.exchange(&[0.1, 0.05, 0.0, 0.0], &Quiet).unwrap();
-    // The whole motion has 2803.77344 s, by zeros of the mean of x′² + x² over many swings (SciPy's DOP853 at 1e-12).
+    // The full motion has 2803.77344 s, from zeros of the mean of x′² + x² over many swings (SciPy's DOP853 at 1e-12).
     assert!((exchange.period / 2803.77344 - 1.0).abs() < 0.01, "{exchange:?}");
 }

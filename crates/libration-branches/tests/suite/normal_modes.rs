@@ -1,4 +1,4 @@
-//! Normal modes beside textbooks, exact numbers, and periodic orbits found by integration.
+//! Normal modes compared with textbooks, exact numbers, and periodic orbits found by integration.
 
 use crate::typed::equation;
 use libration::normal_modes::{Behaviour, Mode, ModesError, NormalModes, SearchEnd, ShiftError};
@@ -10,7 +10,7 @@ fn modes(text: &str) -> Vec<Mode> {
     NormalModes::new(&equation(text)).unwrap().modes
 }
 
-/// The frequency, the shape and κ/ω as they are written.
+/// The frequency, the shape and κ/ω as text.
 fn written(mode: &Mode) -> (String, String, String) {
     let frequency = mode.frequency_squared.as_ref().map(|square| square.square_root_text());
     let shape = mode
@@ -65,12 +65,12 @@ fn the_double_pendulum_is_exact() {
     }
 }
 
-/// (Ω(a) − ω)/a² of orbits, taken to a = 0, is κ. The orbit begins at the largest value of the leading coordinate.
+/// Asserts that (Ω(a) − ω)/a² of orbits, extrapolated to a = 0, is κ. The orbit begins at the largest value of the leading coordinate.
 fn assert_meets_orbits(text: &str, mode: &Mode, number: usize) {
     let shift = mode.shift.as_ref().unwrap().coefficient;
     let slope = |amplitude: f64| {
         let orbit = nonlinear_mode(text, mode, amplitude);
-        // The fundamental harmonic is what the shift is about.
+        // The shift refers to the amplitude of the fundamental harmonic.
         let first = orbit.harmonics(mode.leading()).terms[1].amplitude();
         (orbit.frequency() - mode.frequency()) / (first * first)
     };
@@ -108,7 +108,7 @@ fn chains_have_frequencies_with_square_roots() {
         modes(chain).iter().map(|mode| mode.frequency_squared.as_ref().unwrap().to_string()).collect();
     let expected = ["3/2 - 1/2*sqrt(5)", "5/2 - 1/2*sqrt(5)", "3/2 + 1/2*sqrt(5)", "5/2 + 1/2*sqrt(5)"];
     assert_eq!(squares, expected);
-    // 2 sin(kπ/14) is not the square root of anything simple.
+    // 2 sin(kπ/14) is not the square root of a simple number.
     let six = "a''=b-2*a; b''=a-2*b+c; c''=b-2*c+d; d''=c-2*d+e; e''=d-2*e+f; f''=e-2*f";
     for (k, mode) in (1..).zip(modes(six)) {
         let exact = 2.0 * libm::sin(f64::from(k) * PI / 14.0);
@@ -123,12 +123,12 @@ fn the_spring_pendulum_is_in_resonance_at_two_to_one() {
     assert_eq!(modes[0].shift, Err(ShiftError::Resonance(2)));
     let resonance = modes[0].resonances[0];
     assert!(resonance.exact && resonance.multiple == 2 && resonance.other_is_faster && resonance.other == 1);
-    // The spring alone is linear, though its swings are not stable.
+    // The mode of the spring alone is linear, though its swings are not stable.
     assert_eq!(texts(&modes[1]), ["2", "1 : 0", "0"]);
     assert!(modes[1].resonances[0].exact);
 }
 
-/// Nayfeh and Mook, section 6.2 in other letters; here against orbits on both sides of the resonance.
+/// Nayfeh and Mook, section 6.2, in other symbols; compared with orbits on both sides of the resonance.
 #[test]
 fn away_from_resonance_the_swings_of_the_spring_pendulum_have_their_shift() {
     for square in ["2", "3", "6", "20"] {
@@ -145,13 +145,13 @@ fn away_from_resonance_the_swings_of_the_spring_pendulum_have_their_shift() {
 
 #[test]
 fn resonances_that_nothing_drives_do_no_harm() {
-    // Odd forces make no second harmonic.
+    // Odd forces have no second harmonic.
     let found = modes("x'' = -x - x*y^2; y'' = -4*y - x^2*y");
     assert!(found[0].resonances[0].exact && found[0].shift.as_ref().unwrap().coefficient == 0.0);
     // x³ drives y at its own frequency.
     let found = modes("x'' = -x - x^3; y'' = -9*y - x^3");
     assert_eq!(found[0].shift, Err(ShiftError::Resonance(3)));
-    // Near by it does not, but is said.
+    // Near the resonance it does not do so, but the resonance is reported.
     let found = modes("x'' = -x - x^3; y'' = -9.1*y - x^3");
     let resonance = found[0].resonances[0];
     assert!(!resonance.exact && (resonance.detuning - ((9.1_f64).sqrt() / 3.0 - 1.0)).abs() < 1e-15);
@@ -208,7 +208,7 @@ fn a_pendulum_in_a_turning_frame_moves_in_circles() {
 fn shifts_of_gyroscopic_modes_are_those_of_circles() {
     let found = modes("x'' = -x*(1 + (x^2 + y^2)/3) + y'; y'' = -y*(1 + (x^2 + y^2)/3) - x'");
     for (mode, sign) in found.iter().zip([1.0, -1.0]) {
-        // d(s² + sign·s)/ds·κ = β.
+        // κ from d(s² + sign·s)/ds·κ = β.
         let shift = 1.0 / 3.0 / (2.0 * mode.frequency() + sign);
         assert!((mode.shift.as_ref().unwrap().coefficient - shift).abs() < 1e-13);
     }
@@ -228,7 +228,7 @@ fn equilibria_are_found_from_a_guess() {
     assert_eq!(found.modes[0].frequency_squared.as_ref().unwrap().to_string(), "1");
     let hoop = NormalModes::about(&equation("x'' = -sin(x) + 2*sin(x)*cos(x)"), &[1.0], &Quiet).unwrap();
     assert!((hoop.equilibrium[0] - PI / 3.0).abs() < 1e-15);
-    // ω² = 2 sin²(π/3), and both forces are smooth there.
+    // ω² = 2 sin²(π/3), and both forces are smooth at the equilibrium.
     assert!((hoop.modes[0].frequency() - 1.5_f64.sqrt()).abs() < 1e-15);
     let shift = hoop.modes[0].shift.as_ref().unwrap();
     let orbit =
@@ -257,7 +257,7 @@ fn what_has_no_modes_is_refused_for_a_reason() {
             "{text}: {refused}"
         );
     }
-    // Kinks and dry friction are no linear forces, though both vanish at rest.
+    // Kinks and dry friction are not linear, though both vanish at rest.
     assert!(matches!(refusal("x'' = -x - abs(x)/3", &[0.0]), ModesError::NotSmooth { .. }));
     assert!(matches!(refusal("x'' = -x - sign(x')/3", &[0.0]), ModesError::NotSmooth { .. }));
 }
@@ -269,14 +269,14 @@ fn quadratic_drag_does_not_change_small_oscillations() {
     assert_eq!(mode.shift, Err(ShiftError::NotSmooth));
 }
 
-/// Σ over neighbours on a line with its ends held: ω² = 4 sin²(kπ/(2(n + 1))), k = 1 … n.
+/// Springs between neighbours on a line with fixed ends: ω² = 4 sin²(kπ/(2(n + 1))), k = 1 … n.
 #[test]
 fn chains_of_many_masses_have_all_their_modes() {
     for n in [8_u32, 16, 31, 33] {
         let chain = format!("x[i]'' = x[i+1] - 2*x[i] + x[i-1], i = 1..{n}");
         let modes = modes(&chain);
         assert_eq!(modes.len(), n as usize);
-        // The one in the middle of an odd number has ω² = 2, which is told in fractions of up to 32 masses.
+        // For an odd number of masses the middle mode has ω² = 2, which is given as a fraction for up to 32 masses.
         let exact = modes[(n as usize - 1) / 2].frequency_squared.as_ref().map(ToString::to_string);
         assert_eq!(exact, (n == 31).then(|| "2".to_owned()), "{n}");
         for (k, mode) in (1..).zip(&modes) {
@@ -290,7 +290,7 @@ fn chains_of_many_masses_have_all_their_modes() {
     }
 }
 
-/// A chain of charges in a magnetic field along the line's normal, about each of which they turn: s² + ωₖ² = ±i B s.
+/// A chain of charges in a magnetic field along the normal of the line, on circular orbits: s² + ωₖ² = ±i B s.
 #[test]
 fn chains_in_a_magnetic_field_have_all_their_modes() {
     let n = 12_u32;

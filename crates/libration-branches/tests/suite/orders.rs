@@ -21,7 +21,7 @@ fn folds(branch: &Branch) -> Vec<f64> {
 fn an_isola_that_no_sweep_meets_is_found_and_followed_once_around() {
     let response = sought("x'' = -0.15*x' - x - x^3 + 5*cos(w*t)", [2.5, 6.0], &["1/3"]).unwrap();
     let [primary, isola] = &response.branches[..] else { panic!("{} branches", response.branches.len()) };
-    // Nothing leads from the one to the other.
+    // The isola is not connected with the primary branch.
     assert!(primary.special.is_empty() && primary.points.iter().all(|it| it.is_stable()));
     assert_eq!((isola.origin, isola.ending), (Origin::FreeOscillation, Ending::Closed));
     assert_eq!((isola.space.drive_periods(), isola.points.first()), (3, isola.points.last()));
@@ -53,7 +53,7 @@ fn an_order_without_answers_says_why() {
         assert!(response.branches.iter().all(|it| it.origin == Origin::Primary));
         response.orders[0].finding
     };
-    // A symmetric oscillation has no even harmonic for the drive to work on.
+    // A symmetric oscillation has no even harmonic on which the drive could do work.
     assert_eq!(finding("x'' = -0.1*x' - x - x^3 + cos(w*t)", "1/2"), OrderFinding::NoWork);
     assert_eq!(finding("x'' = -0.1*x' - x + cos(w*t)", "1/3"), OrderFinding::NoOscillation);
     let weak = |c: &str| finding(&format!("x'' = -{c}*x' - x - x^3 + 0.1*cos(w*t)"), "1/3");

@@ -39,7 +39,7 @@ fn its_modes_are_those_of_a_chain_with_free_ends() {
     }
 }
 
-/// An oscillation of a billionth of a radian, in the shape of a mode of forty pendulums.
+/// An oscillation of a billionth of a radian in the shape of a mode of forty pendulums.
 #[test]
 fn a_small_mode_swings_with_its_frequency() {
     let (n, k, time) = (40, 7.0, 30.0);
@@ -61,7 +61,7 @@ fn two_of_it_are_the_coupled_pendulums() {
     assert!(two.iter().zip(&pair).all(|(a, b)| (a - b).abs() < 1e-12), "{two:?} {pair:?}");
 }
 
-/// All by the same angle, the springs do nothing: each is a pendulum alone.
+/// At equal angles the springs exert no force: each pendulum moves alone.
 #[test]
 fn pendulums_side_by_side_swing_as_one() {
     let model = chain(&[("n", "5"), ("kappa", "3")]);

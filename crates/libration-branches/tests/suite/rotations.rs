@@ -1,4 +1,5 @@
-//! Answers that rotate in step with the drive, against an exact one and against Taylor shooting in 40 digits; slow sweeps beside branches.
+//! Solutions that rotate in step with the drive, compared with an exact one
+//! and with Taylor shooting in 40 digits; slow sweeps compared with branches.
 
 use crate::typed::equation_with;
 use libration::algebra::Complex;
@@ -24,14 +25,14 @@ fn apart(a: f64, b: f64) -> f64 {
 
 #[test]
 fn an_even_rotation_is_found_over_all_its_range() {
-    // theta = w t is exact: the constant torque keeps it up against the damping, the other against gravity.
+    // θ = wt is exact: the constant torque balances the damping, the periodic one balances gravity.
     let pendulum = equation_with("theta'' = -theta'/5 - sin(theta) + w/5 + sin(w*t)", &[]);
     for turns in [1, 2] {
         let options = ResponseOptions { at: Some(2.0), ..turning(turns, u32::try_from(turns).unwrap()) };
         let response = Response::over(&pendulum, "w", [1.5, 3.0], &options, &Quiet).unwrap();
         let is_even = |point: &BranchPoint| point.amplitude(0, true) < 1e-12;
         let branch = response.branches.iter().find(|it| it.points.iter().all(is_even)).unwrap();
-        // What makes two turns in two periods makes one in one: it is followed there.
+        // A solution with two turns in two periods has one turn in one period, and is followed as such.
         assert_eq!(branch.space.rotation, Some(Rotation { coordinate: 0, turns: 1 }));
         for point in &branch.points {
             let w = point.parameter;
@@ -136,7 +137,7 @@ fn sweeps_go_along_the_stable_answers_and_jump_where_these_end() {
     for sweep in &sweeps {
         for point in &sweep.points {
             let swing = point.amplitude(0, true).unwrap();
-            // Upwards large swings behind the jump up, at 0.911, downwards before the jump down.
+            // Upwards, large swings follow after the jump up at 0.911; downwards, they exist before the jump down.
             let large = point.parameter > if sweep.rising { up } else { down };
             assert_eq!(
                 (swing > 0.92, point.drive_periods, point.rotation),
@@ -145,7 +146,7 @@ fn sweeps_go_along_the_stable_answers_and_jump_where_these_end() {
             );
         }
     }
-    // Beside the branch: at 0.7 rad/s the state of the reference.
+    // Compared with the branch: at 0.7 rad/s the state of the reference.
     let end = &sweeps[1].points[30];
     assert_eq!(end.parameter, 0.7);
     assert!(
@@ -157,7 +158,7 @@ fn sweeps_go_along_the_stable_answers_and_jump_where_these_end() {
 #[test]
 fn sweeps_tell_doubled_chaotic_and_rotating_motions() {
     // G. L. Baker and J. P. Gollub, Chaotic Dynamics, Cambridge 1990: with c = 1/2 and w = 2/3 there are two periods at 1.07, chaos at 1.15 and
-    // rotations at 1.35; the doubling of the swings is at 1.0663728625 (two documents' references), that of the rotations beyond 1.4.
+    // rotations at 1.35; the period doubling of the swings is at 1.0663728625 (from both reference methods), that of the rotations beyond 1.4.
     let pendulum = equation_with("theta'' = -theta'/2 - sin(theta) + A*cos(2*t/3)", &[]);
     let options = ResponseOptions { generations: 0, ..ResponseOptions::default() };
     let (_, sweeps) = swept(&pendulum, ("A", [0.95, 1.15]), 11, &options);

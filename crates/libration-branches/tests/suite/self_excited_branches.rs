@@ -1,4 +1,4 @@
-//! Limit cycles over a parameter, beside closed forms and shooting by another integrator.
+//! Limit cycles over a parameter, compared with closed forms and with shooting by another integrator.
 
 use libration::continuation::{Branch, BranchError, Ending, Origin, Response, ResponseOptions, SpecialKind};
 use libration::expression::Equation;
@@ -59,7 +59,7 @@ fn cycles_that_are_circles_have_their_radius_multiplier_fold_and_beginning() {
     assert!(
         rest.parameter.abs() < 1e-14 && rest.amplitude(0, false) < 1e-14 && (rest.period - TAU).abs() < 1e-14
     );
-    // Downwards the cycle is left at the fold, for no other cycle.
+    // Downwards the cycle ends at the fold, and there is no other cycle to jump to.
     let [jump] = &response.jumps[..] else { panic!("{:?}", response.jumps) };
     assert!(!jump.rising && jump.to.is_empty());
 }
@@ -73,7 +73,7 @@ fn a_cycle_between_two_hopf_points_is_found_from_a_value_within_the_range() {
     let options = ResponseOptions { at: Some(0.8), ..ResponseOptions::default() };
     let response = over(neuron, "q", [0.2, 1.6], &options);
     let branch = &response.branches[0];
-    // The trace 1 − v² − 0.4 is zero there.
+    // The trace 1 − v² − 0.4 vanishes there.
     let v = 0.6_f64.sqrt();
     let expected = [-v, v].map(|v| (v + 0.7) / 0.8 - (v - v * v * v / 3.0));
     let mut found = special(branch, SpecialKind::Hopf);
@@ -99,7 +99,7 @@ fn roesslers_cycle_doubles_its_period_and_doubles_it_again() {
         .iter()
         .find(|it| it.origin == Origin::PeriodDoubling && it.space.drive_periods() == 2)
         .unwrap();
-    // By shooting with SciPy's DOP853 at 2e-14 and the equations of small deviations.
+    // By shooting with SciPy's DOP853 at 2e-14 and the variational equations.
     for (branch, expected, period) in [
         (&response.branches[0], 2.83244502786254, 5.769820016506563),
         (doubled, 3.83735816841005, 11.572688804465812),
@@ -110,9 +110,9 @@ fn roesslers_cycle_doubles_its_period_and_doubles_it_again() {
         assert!((found[0].point.parameter - expected).abs() < 1e-11, "{:?}", found[0].point.parameter);
         assert!((found[0].point.period - period).abs() < 1e-10, "{:?}", found[0].point.period);
     }
-    // Of a doubled cycle the period is twice that of the cycle it comes from, where they part.
+    // The period of a doubled cycle is twice that of its primary cycle at the bifurcation.
     assert!((doubled.points[0].period - 2.0 * 5.769820016506563).abs() < 1e-10);
-    // The cycle of four turns to which the motion settles at the end belongs to the second doubling, and is followed once.
+    // The cycle of four turns to which the motion settles at the end belongs to the second doubling, and is followed only once.
     let four: Vec<&Branch> = response.branches.iter().filter(|it| it.space.drive_periods() == 4).collect();
     assert!(four.len() == 1 && four[0].ending == Ending::BranchPoint, "{four:?}");
 }
@@ -140,11 +140,12 @@ fn a_branch_of_cycles_that_is_stopped_has_what_was_done() {
     assert!(response.branches[0].points.len() == 5, "{}", response.branches[0].points.len());
 }
 
-/// The symmetric cycle loses its symmetry at 312.973532984 (shooting over half a period with SciPy's DOP853 at 2.3e-14 and the variational equations).
+/// The symmetric cycle loses its symmetry at 312.973532984 (shooting over half
+/// a period with SciPy's DOP853 at 2.3e-14 and the variational equations).
 #[test]
 fn a_mirror_image_of_two_of_three_coordinates_is_recognised() {
     let lorenz = "x' = 10*(y - x); y' = x*(rho - z) - y; z' = x*y - 8/3*z";
-    // The same with the coordinate first that keeps its sign, so that a cycle begins at one of two or more of its turning points in a period.
+    // The same equations with the coordinate first whose sign is kept, so that a cycle has two or more starting points in a period.
     let upright = "z' = x*y - 8/3*z; x' = 10*(y - x); y' = x*(rho - z) - y";
     for (lorenz, range) in [(lorenz, [210.0, 330.0]), (lorenz, [300.0, 330.0]), (upright, [300.0, 330.0])] {
         let start = if lorenz == upright { vec![0.0, 0.1, 0.0] } else { vec![0.1, 0.0, 0.0] };
@@ -161,7 +162,7 @@ fn a_mirror_image_of_two_of_three_coordinates_is_recognised() {
     }
 }
 
-/// The Hopf points are where the trace 1 − v² − 0.064 vanishes, and the cubic makes everything symmetric about I = 7/8.
+/// The Hopf points are where the trace 1 − v² − 0.064 vanishes; by the cubic everything is symmetric about I = 7/8.
 #[test]
 fn canards_are_followed_to_the_hopf_points_on_both_sides() {
     let nerve = "v' = v - v^3/3 - w + I; w' = 0.08*(v + 0.7 - 0.8*w)";

@@ -1,7 +1,7 @@
-//! Edges of stability at rest and curves of singular points over two parameters.
+//! Stability boundaries of equilibria, and curves of singular points over two parameters.
 //!
-//! References: Hill's matrix and the monodromy matrix by Taylor series for states of rest, Fourier collocation and shooting for driven motions,
-//! all in floats of 130 bits; 30 digits of both agree.
+//! References: Hill's matrix and the monodromy matrix by Taylor series for equilibria, Fourier collocation
+//! and shooting for driven motions, all in floats of 130 bits; both methods agree in 30 digits.
 
 use crate::typed::equation_with;
 use libration::continuation::{
@@ -16,7 +16,7 @@ const PIVOT: &str = "theta'' = -c*theta' - (1 - a*w^2*cos(w*t))*sin(theta)";
 const REST_ALONE: ChartOptions =
     ChartOptions { start: None, drive_periods: 1, generations: 1, lines: 0, most_points: 2000 };
 
-/// The point of the curves of a kind at a value of the first parameter, nearest to an expected second one.
+/// Asserts the second parameter of the point on curves of this kind that is at a value of the first parameter and nearest to the expected point.
 fn assert_at(chart: &StabilityChart, kind: SpecialKind, at_rest: bool, [first, second]: [f64; 2]) {
     let curves = chart.curves.iter().filter(|it| it.kind == kind && it.at_rest == at_rest);
     let points =
@@ -32,7 +32,7 @@ fn assert_at(chart: &StabilityChart, kind: SpecialKind, at_rest: bool, [first, s
     );
 }
 
-/// Asserts that an edge of rest along a line of the pivot's amplitude is at its expected value.
+/// Asserts that a stability boundary along a line of the pivot's amplitude is at its expected value.
 fn assert_edge([w, c]: [&str; 2], rest: f64, range: [f64; 2], kind: SpecialKind, edge: f64) {
     let options =
         ResponseOptions { start: Some(vec![rest, 0.0]), generations: 0, ..ResponseOptions::default() };
@@ -99,7 +99,7 @@ fn the_chart_of_the_upright_pendulum_has_both_edges_and_what_is_between_them_sta
 
 #[test]
 fn tongues_narrower_than_the_grid_are_found() {
-    // The second tongue under weak damping, and the first without any down to its tip.
+    // The second tongue under weak damping, and the first tongue without damping down to its tip.
     let hanging = equation_with(PIVOT, &[("c", "0")]);
     let ranges = [[0.5, 4.5], [0.0, 0.05]];
     let chart = StabilityChart::over(&hanging, ["w", "a"], ranges, &REST_ALONE, &Quiet).unwrap();
@@ -111,7 +111,7 @@ fn tongues_narrower_than_the_grid_are_found() {
         ends.into_iter().flatten().any(|it| (it.point.parameter - 2.0).abs() < 0.02 && it.second < 0.01)
     };
     assert!(first.iter().filter(near_tip).count() >= 2);
-    // To first order in a they are at w = 2 ± a·w²/2·… = 2(1 ± a).
+    // To first order in a the boundaries are at w = 2 ± a·w²/2·… = 2(1 ± a).
     for curve in first.iter().filter(near_tip) {
         for point in curve.points.iter().filter(|it| it.second > 1e-3) {
             let slope = (point.point.parameter / 2.0 - 1.0).abs() / point.second;
@@ -130,10 +130,10 @@ fn folds_of_the_driven_pendulum_meet_in_a_cusp() {
     assert_at(&chart, SpecialKind::Fold, false, [0.7, 0.4211893702662230667519522]);
     assert_eq!(chart.curves[0].endings, [Ending::RangeEnd; 2]);
     let [cusp] = &chart.curves[0].cusps[..] else { panic!("{:?}", chart.curves[0].cusps) };
-    // By Fourier collocation on 48 phases of the half period, with the fold's second derivative as the further equation.
+    // By Fourier collocation on 48 phases of the half period, with the second derivative of the fold as additional equation.
     let off = [cusp.point.parameter - 0.91477006171658, cusp.second - 0.10145929793157];
     assert!(off.iter().all(|off| off.abs() < 2e-13), "{cusp:?}");
-    // Below the cusp nothing folds, above it two folds are there.
+    // Below the cusp there is no fold, above it there are two.
     for (part, folds) in [(0.999, 0), (1.001, 2)] {
         let drive = format!("{:?}", part * cusp.second);
         let at = equation_with("theta'' = -0.1*theta' - sin(theta) + A*cos(w*t)", &[("A", &drive)]);
@@ -152,7 +152,7 @@ fn folds_of_swings_begin_at_the_edge_of_rest() {
     assert_at(&chart, SpecialKind::Fold, false, [ends[0], 0.1]);
     let folds: Vec<&SpecialCurve> = chart.curves.iter().filter(|it| it.kind == SpecialKind::Fold).collect();
     assert!(folds.len() == 1 && folds[0].endings.contains(&Ending::BranchPoint), "{:?}", folds[0].endings);
-    // Its motions become rest where it ends, on the edge.
+    // The motions on the curve shrink to the equilibrium where it ends, on the stability boundary.
     let end = if folds[0].endings[0] == Ending::BranchPoint {
         folds[0].points.first()
     } else {
@@ -211,7 +211,7 @@ fn what_has_no_chart_says_why() {
     assert!(matches!(refused("x'' = -k*x + a*cos(w*t)", [[1.0, 2.0]; 2]), BranchError::WithoutValue(_)));
 }
 
-/// Beyond d = 0 the strip between the first two edges of Mathieu's equation is 0.03 wide there, half an interval of the grid.
+/// Beyond d = 0 the strip between the first two boundaries of Mathieu's equation is 0.03 wide, half an interval of the grid.
 #[test]
 fn strips_narrower_than_the_grid_are_told() {
     let mathieu = "x'' + (d + e*cos(t))*x = 0".parse().unwrap();
@@ -219,7 +219,7 @@ fn strips_narrower_than_the_grid_are_told() {
     let chart =
         StabilityChart::over(&mathieu, ["d", "e"], [[-0.5, 2.5], [0.0, 2.0]], &options, &Quiet).unwrap();
     let ranges = chart.rest_is_stable_at(0).unwrap();
-    // By SciPy's monodromy: multipliers of 3.2 at 1.18, of size 1 from 1.195 to 1.22, of 2.6 at 1.23.
+    // By SciPy's monodromy matrix: multipliers of 3.2 at 1.18, of modulus 1 from 1.195 to 1.22, of 2.6 at 1.23.
     assert_eq!(ranges.len(), 1);
     assert!(
         ranges[0][0] > 1.18 && ranges[0][0] < 1.195 && ranges[0][1] > 1.22 && ranges[0][1] < 1.23,

@@ -1,8 +1,8 @@
-//! Bad input gets a message that names the argument, what was got and what would do.
+//! Bad input gets a message with the argument, the value and the remedy.
 
 use crate::command::{json, libration, message};
 
-/// Arguments, exit status, parts of the message.
+/// Arguments, exit status, and parts of the message.
 const CASES: [(&str, i32, &[&str]); 54] = [
     ("period nan", 2, &["AMPLITUDE", "nan"]),
     ("period inf", 2, &["AMPLITUDE", "inf"]),
@@ -61,7 +61,7 @@ const CASES: [(&str, i32, &[&str]); 54] = [
         2,
         &["--events", "turning, crossing"],
     ),
-    // Without a picture nothing has axes.
+    // Axes exist only in a picture.
     ("section pendulum --initial theta=1 --period 1 --points 2 --axes theta,x", 2, &["--figure"]),
     ("bifurcation driven_pendulum --over A=1 --initial theta=1 --points 2 --axis x", 2, &["--figure"]),
     ("systems nothing", 2, &["KEY", "nothing"]),
@@ -142,7 +142,7 @@ fn small_numbers_are_not_written_with_hundreds_of_zeros() {
     assert!(slow.contains("ω0² = 1e-300") && !slow.contains(&"0".repeat(20)), "{slow}");
 }
 
-/// From the double next to π − 1e-20 a pendulum swings in 154.9 s, from π − 1e-20 in 192.5 s.
+/// Released at the double next to π − 1e-20 a pendulum swings in 154.9 s, released at π − 1e-20 in 192.5 s.
 #[test]
 fn starts_that_are_rounded_next_to_the_top_are_told() {
     for (start, told) in [
@@ -157,7 +157,7 @@ fn starts_that_are_rounded_next_to_the_top_are_told() {
             assert_eq!(message(&output).matches(told).count(), 1, "{question}: {}", message(&output));
         }
     }
-    // The upright position itself may be meant as a state of rest.
+    // The upright position itself may be meant as an equilibrium.
     let rest = "stability kapitza --set c=0.1 --map omega=5:6,a=0.1:0.4 --lines 0 --initial theta=180deg";
     assert!(message(&libration(rest)).is_empty(), "{}", message(&libration(rest)));
     for clear in ["3.141592653589793", "179.9deg", "-1"] {

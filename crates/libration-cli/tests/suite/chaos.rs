@@ -62,7 +62,7 @@ fn sweeps_show_hysteresis_and_single_values_are_the_same_bits() {
         points.iter().map(|it| (it["sweep"].as_str().unwrap(), it["value"].as_f64().unwrap())).collect();
     let order = [("up", 0.5), ("up", 1.0), ("up", 1.5), ("down", 1.5), ("down", 1.0), ("down", 0.5)];
     assert_eq!(sweeps, order);
-    // More values than one piece of work has.
+    // More values than one work item has.
     let all = ask(&[&arguments[..], &["--over", "A=0.5:1.5:0.025", "--points", "3", "--skip", "9"]].concat());
     let all = all["points"].as_array().unwrap();
     for value in ["0.5", "1.3", "1.5"] {
@@ -93,7 +93,7 @@ fn what_cannot_be_is_refused_with_what_would_do() {
         (&["section", "pendulum", "--initial", "theta=1"], 2, &["--period", "surface"]),
         (&["section", "driven_pendulum"], 2, &["--initial", "theta=60deg"]),
         (&["section", "pendulum", "--initial", "theta=1", "--at", "z"], 2, &["--at", "z"]),
-        // No parameter that --set would take.
+        // `foo` is not a parameter either, so that `--set` is not suggested.
         (
             &["section", "x''=-x", "--initial", "x=1", "--at", "x-foo"],
             2,

@@ -1,4 +1,4 @@
-//! Running the command.
+//! Helpers that run the command.
 
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -13,7 +13,7 @@ pub(crate) fn run(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_libration")).args(arguments).output().unwrap()
 }
 
-/// The JSON answer to a question that has one.
+/// The JSON result of a query that succeeds.
 pub(crate) fn json(arguments: &str) -> Value {
     let output = libration(&format!("{arguments} --json"));
     assert!(output.status.success(), "{arguments}: {}", message(&output));
@@ -22,21 +22,21 @@ pub(crate) fn json(arguments: &str) -> Value {
     value
 }
 
-/// The answer as text.
+/// The result as text.
 pub(crate) fn text(arguments: &str) -> String {
     let output = libration(arguments);
     assert!(output.status.success(), "{arguments}: {}", message(&output));
     String::from_utf8(output.stdout).unwrap()
 }
 
-/// The message of a command line that is refused as a usage error.
+/// The message of a command line that is rejected as a usage error.
 pub(crate) fn refusal(arguments: &str) -> String {
     let output = libration(arguments);
     assert_eq!(output.status.code(), Some(2), "{arguments}: {}", message(&output));
     message(&output)
 }
 
-/// Text in one line, as it was before it was folded.
+/// Text on one line, as before it was wrapped.
 pub(crate) fn unfolded(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
@@ -45,7 +45,7 @@ pub(crate) fn message(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
-/// A fresh directory of this test's own.
+/// A fresh directory for this test.
 pub(crate) fn directory(name: &str) -> PathBuf {
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     let _ = std::fs::remove_dir_all(&path);

@@ -25,7 +25,8 @@ fn the_three_laws_stand_beside_each_other() {
     assert!(answer["ending"].is_null());
 }
 
-/// A linear spring's law is A₀·e^(−ct/2), to which powers of A add; the phase and the cycles are those of the integration within what is said.
+/// The law of a linear spring is A₀·e^(−ct/2), to which powers of A are added;
+/// the phase and the cycles agree with the integration within the stated errors.
 #[test]
 fn the_slow_flow_stands_beside_the_integration_with_its_errors() {
     let question = "decay 30deg --linear 0.1 --omega0 1 --cycles 3 --order 7 --damping-order 4";

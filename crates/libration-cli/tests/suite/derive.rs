@@ -138,7 +138,7 @@ fn other_oscillators_and_gauges_are_derived() {
     }
 }
 
-/// A page of exercises in every form, with its answers on a page of their own.
+/// Exercises in every format, with the answers on a separate page.
 #[test]
 fn exercises_have_their_answers_at_the_end() {
     let question = "derive --method perturbation --order 3 --exercises --format";
@@ -151,7 +151,7 @@ fn exercises_have_their_answers_at_the_end() {
     }
 }
 
-/// The reader's computer confirms each formula: the cells of a notebook are run in their order.
+/// Runs the cells of a notebook in order: each formula is confirmed again on the reader's computer.
 #[test]
 fn notebooks_check_their_formulas_again() {
     let questions = [
@@ -200,7 +200,7 @@ fn notebooks_check_few_harmonics_and_formulas_of_the_catalogue() {
     assert_all_are_found("notebooks_catalogue", &wrong);
 }
 
-/// A number that is not right stops the cell it is in.
+/// A wrong number stops the cell in which it stands.
 #[test]
 fn notebooks_find_wrong_formulas() {
     let mut all = vec![];
@@ -217,7 +217,7 @@ fn notebooks_find_wrong_formulas() {
     assert_all_are_found("notebooks_wrong", &all);
 }
 
-/// A notebook of which one cell is changed.
+/// A notebook with one changed cell.
 struct WrongNotebook {
     cell: String,
     program: String,
@@ -231,10 +231,10 @@ impl WrongNotebook {
     }
 }
 
-/// The notebooks with a changed fraction, for each cell with one that may be changed.
+/// The notebooks with a changed fraction, one for each cell with a fraction that may be changed.
 fn with_a_wrong_cell(cells: &[String]) -> Vec<WrongNotebook> {
     let wrong = |(place, cell): (usize, &String)| {
-        // The last number: the first ones may be those of given letters.
+        // The last number is changed, since the first ones may belong to given symbols.
         let at = cell.rfind("Q(").filter(|_| !is_for_any_function(cell))?;
         let changed = format!("{}Q(7, 6)*Q({}", &cell[..at], &cell[at + 2..]);
         Some(WrongNotebook::new(cells, place, changed))
@@ -263,7 +263,7 @@ fn code_cells(question: &str) -> Vec<String> {
     code.map(|cell| cell["source"].as_str().unwrap().to_owned()).collect()
 }
 
-/// Runs programs one after the other, each with names of its own.
+/// Runs programs one after the other, each in a separate namespace.
 const RUNNER: &str = r#"
 import contextlib, io, json, sys, traceback
 
@@ -278,7 +278,7 @@ with open(sys.argv[1], encoding="utf-8") as programs:
     print(json.dumps([complaint(program) for program in json.load(programs)]))
 "#;
 
-/// The complaint of Python about each of these programs; none about those that run to their end.
+/// Python's error for each of these programs; `None` for those that run to the end.
 fn complaints(name: &str, programs: &[String]) -> Vec<Option<String>> {
     let path = directory(name).join("programs.json");
     fs::write(&path, serde_json::to_string(programs).unwrap()).unwrap();
@@ -294,7 +294,7 @@ fn is_for_any_function(cell: &str) -> bool {
     cell.contains("r = lambda") || cell.contains("y = lambda")
 }
 
-/// A straight line for dry friction, an exponential for viscous damping, reciprocals beyond.
+/// A straight line for dry friction, an exponential for viscous damping, reciprocals for higher powers.
 #[test]
 fn the_decay_of_every_power_of_the_velocity_is_derived() {
     for (n, rate, law) in [
@@ -308,7 +308,7 @@ fn the_decay_of_every_power_of_the_velocity_is_derived() {
     }
 }
 
-/// The second document leaves the physical pendulum to its centre of mass; the moment of inertia belongs to it.
+/// Côté's document states the period of a physical pendulum with the centre of mass alone; the moment of inertia is needed too.
 #[test]
 fn the_period_of_any_rigid_body_is_derived() {
     let derivation = text("derive --method elliptic");

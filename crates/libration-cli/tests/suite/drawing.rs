@@ -1,11 +1,11 @@
-//! A drawing read back: what stands where on its canvas, and which data its curves and markers show.
+//! A drawing read back: the positions of its shapes and texts, and the data of its curves and markers.
 
 use std::collections::BTreeMap;
 
-/// A place on the canvas or in the coordinates of the data.
+/// A position on the canvas or in the coordinates of the data.
 pub(crate) type Place = (f64, f64);
 
-/// An SVG with the shapes and texts it consists of, all in the units of its canvas.
+/// An SVG with its shapes and texts, all in the units of its canvas.
 #[derive(Debug)]
 pub(crate) struct Drawing {
     pub(crate) width: f64,
@@ -13,13 +13,13 @@ pub(crate) struct Drawing {
     pub(crate) panels: Vec<Panel>,
     pub(crate) texts: Vec<Text>,
     pub(crate) shapes: Vec<Shape>,
-    /// The corners of lines and the middles of dots that move, at one time after the other.
+    /// The corners of lines and the centres of dots that move, at consecutive times.
     pub(crate) moving: Vec<Vec<Vec<Place>>>,
     /// Duration of the movement, in seconds.
     pub(crate) seconds: f64,
 }
 
-/// A pair of axes: its corners on the canvas, and what stands in it.
+/// A pair of axes: its corners on the canvas, and its content.
 #[derive(Debug)]
 pub(crate) struct Panel {
     pub(crate) left: f64,
@@ -28,11 +28,11 @@ pub(crate) struct Panel {
     pub(crate) height: f64,
     pub(crate) x: Scale,
     pub(crate) y: Scale,
-    /// Numbers of the drawing's shapes.
+    /// Indices of the drawing's shapes.
     shapes: Vec<usize>,
 }
 
-/// The value at the beginning of the canvas and its change by a unit of it; of logarithms where `is_logarithmic`.
+/// The value at the beginning of the canvas and its change per unit; of logarithms if `is_logarithmic`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Scale {
     origin: f64,
@@ -61,7 +61,7 @@ pub(crate) struct Shape {
 /// The name of an element of the SVG, its attributes, and the text after it.
 type Element<'a> = (&'a str, BTreeMap<&'a str, &'a str>, &'a str);
 
-/// The elements in order, each with the text behind it; those that end have a name that begins with a slash.
+/// The elements in order, each with the text after it; the names of end tags begin with a slash.
 fn elements(svg: &str) -> impl Iterator<Item = Element<'_>> {
     svg.split('<').skip(1).filter(|part| !part.starts_with('!')).map(|part| {
         let (tag, text) = part.split_once('>').unwrap();
@@ -87,7 +87,7 @@ fn pairs(text: &str) -> Vec<Place> {
     numbers.chunks_exact(2).map(|pair| (pair[0], pair[1])).collect()
 }
 
-/// The pieces of a path: corners after `M` and `L`, and dots `m x y h0`, each by its distance from the one before.
+/// The pieces of a path: corners after `M` and `L`, and dots `m x y h0`, each by its offset from the one before.
 fn pieces(path: &str) -> Vec<Vec<Place>> {
     if path.starts_with('m') {
         let steps = path.split('m').skip(1).map(|step| pairs(step.trim_end_matches("h0"))[0]);
@@ -163,7 +163,7 @@ impl Drawing {
             }
         }
         let mut below: Option<Scale> = None;
-        // Panels without labels below them share those of the next.
+        // Panels without tick labels below share those of the next panel.
         for (shapes, texts) in members.into_iter().rev() {
             let panel = Panel::of(shapes, &texts, &drawing, below);
             below = Some(panel.x);
@@ -172,7 +172,7 @@ impl Drawing {
         drawing
     }
 
-    /// Gives the last moving shape its places.
+    /// Sets the positions of the last moving shape.
     fn animate(&mut self, attributes: &BTreeMap<&str, &str>) {
         assert_eq!(attributes["repeatCount"], "indefinite");
         self.seconds = attributes["dur"].trim_end_matches('s').parse().unwrap();
@@ -189,7 +189,7 @@ impl Drawing {
         }
     }
 
-    /// The texts of a class, line by line.
+    /// The texts of a class, one per line.
     pub(crate) fn of_class(&self, class: &str) -> Vec<&str> {
         self.texts.iter().filter(|text| text.class == class).map(|text| text.content.as_str()).collect()
     }
@@ -200,7 +200,7 @@ impl Drawing {
         shapes.map(|shape| shape.points.iter().map(|&at| self.panels[panel].data_at(at)).collect()).collect()
     }
 
-    /// The middles of the markers of a panel in this colour, in the coordinates of the data.
+    /// The centres of the markers of a panel in this colour, in the coordinates of the data.
     pub(crate) fn markers(&self, panel: usize, colour: &str) -> Vec<Place> {
         let shapes = self.of_colour(panel, colour).filter(|shape| shape.class == "markers");
         shapes.map(|shape| self.panels[panel].data_at(middle(&shape.points))).collect()
@@ -211,7 +211,7 @@ impl Drawing {
         shapes.filter(move |shape| shape.colour.eq_ignore_ascii_case(colour))
     }
 
-    /// The value of a curve of single pieces at an abscissa, between its points a line.
+    /// The value at an abscissa of a curve with single pieces, by linear interpolation.
     pub(crate) fn value_at(&self, panel: usize, colour: &str, x: f64) -> f64 {
         let curves = self.curves(panel, colour);
         let part = curves.iter().flat_map(|curve| curve.windows(2)).find(|pair| {
@@ -245,7 +245,7 @@ impl Text {
         }
     }
 
-    /// Left, top, right and bottom. Letters of `DejaVu Sans` are as high as 0.77 and as deep as 0.24 of its size.
+    /// Left, top, right and bottom. Letters of `DejaVu Sans` rise 0.77 and descend 0.24 of the font size.
     pub(crate) fn extent(&self) -> [f64; 4] {
         let long = libration_report::text_width(&self.content, self.size);
         let before = match self.anchor.as_str() {
@@ -270,7 +270,7 @@ impl Panel {
         let of_class = |class: &'static str| {
             texts.iter().map(|&text| &drawing.texts[text]).filter(move |text| text.class == class)
         };
-        // The base line of a label is so far below its tick.
+        // The base line of a label is this far below its tick.
         let base_line = |text: &Text| 0.365 * text.size;
         let across: Vec<_> = of_class("x-tick").map(|text| (text.at.0, text.content.as_str())).collect();
         let up =
@@ -283,14 +283,14 @@ impl Panel {
         (self.x.value_at(x), self.y.value_at(y))
     }
 
-    /// The size in the data of a hundredth of a unit of the canvas, to which shapes are rounded.
+    /// The size, in the data, of a hundredth of a unit of the canvas, to which shapes are rounded.
     pub(crate) fn resolution(&self) -> Place {
         (0.01 * self.x.slope.abs(), 0.01 * self.y.slope.abs())
     }
 }
 
 impl Scale {
-    /// The scale of ticks with their labels; names stand at 1, 2, 3 and so on, multiples of π count in it.
+    /// The scale of ticks with these labels; names count as 1, 2, 3 and so on, multiples of π by their factor.
     fn of(ticks: Vec<(f64, &str)>) -> Self {
         let is_power = |label: &str| label.starts_with("10") && label.chars().any(|c| raised(c).is_some());
         let is_logarithmic = ticks.iter().all(|(_, label)| is_power(label));
@@ -313,7 +313,7 @@ impl Scale {
     }
 }
 
-/// The number of a tick: `−0.5`, `2×10⁻⁷`, `−3π/2` (in units of π).
+/// The value of a tick label: `−0.5`, `2×10⁻⁷`, `−3π/2` (in units of π).
 fn value(label: &str) -> Option<f64> {
     let label = label.replace('−', "-");
     if let Some((times, over)) = label.split_once('π') {

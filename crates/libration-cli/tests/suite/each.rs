@@ -25,7 +25,7 @@ fn json(output: &Output) -> Value {
     serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{}", message(output)))
 }
 
-/// Holds the motions of a table to what each is alone; a row is what `--set` and `--initial` say.
+/// Asserts that the motions of a table equal those of single runs; a row has the values of `--set` and `--initial`.
 fn are_those_of_single_runs(name: &str, question: &[&str], names: &str, rows: &[[&str; 2]]) {
     let names: Vec<&str> = names.split(',').collect();
     let (mut text, mut expected) = (names.join(",") + "\n", vec![]);
@@ -51,7 +51,7 @@ fn question_of_derivatives(times: &str) -> [&str; 6] {
     ["x'' = -k*x", times, "--columns", "e=k*x^2+x'^2", "--sensitivity", "x',k"]
 }
 
-/// Their energy is that of the motion alone; a picture, which does not draw them, is refused.
+/// The energy is that of the motion alone; a picture, which could not show the sensitivities, is rejected.
 #[test]
 fn derivatives_by_parameters_and_starts_are_columns_of_each_motion() {
     let question = question_of_derivatives("--times=0:50:10");

@@ -1,4 +1,4 @@
-//! Every example in the help and in the README, run in a shell as it is printed, from a copy of the clone.
+//! Every example in the help and in the README, run in a shell as printed, from a copy of the clone.
 
 use crate::command::{directory, run};
 use std::fs;
@@ -8,7 +8,7 @@ use std::process::{Command, Output};
 /// The width of the help.
 const HELP_WIDTH: usize = 80;
 
-/// A fresh copy of what is tracked, of which examples use the data and the texts.
+/// A fresh copy of the tracked files, since examples use data and texts of the project.
 pub(crate) fn clone_of_the_project(name: &str) -> PathBuf {
     let clone = directory(name);
     let root = root();
@@ -49,7 +49,7 @@ fn answer(line: &str, place: &Path) -> String {
     text.into_owned()
 }
 
-/// The commands, each as its words; those that only hold others as well.
+/// The commands, each as its words, including those that only group others.
 pub(crate) fn commands() -> Vec<Vec<String>> {
     let mut found = vec![vec![]];
     let mut next = 0;
@@ -68,7 +68,7 @@ pub(crate) fn help(words: &[String]) -> String {
 }
 
 fn subcommands(help: &str) -> Vec<String> {
-    // The command itself lists them in groups with titles.
+    // The help of the program lists the commands in groups with titles.
     let is_list = |line: &&str| !line.is_empty() || !help.contains("\nCommands:\n");
     let begins = |line: &str| line == "Commands:" || line.starts_with("Usage: libration [OPTIONS] <COMMAND>");
     let list = help.lines().skip_while(|line| !begins(line)).skip(1);
@@ -81,7 +81,7 @@ fn subcommands(help: &str) -> Vec<String> {
         .collect()
 }
 
-/// The examples of a help, lines that end in a backslash with the next.
+/// The examples of a help text; a line that ends in a backslash is joined with the next.
 pub(crate) fn examples(help: &str) -> Vec<String> {
     let list = help.lines().skip_while(|line| !line.starts_with("Example")).skip(1);
     let mut examples: Vec<String> = vec![];
@@ -113,7 +113,7 @@ fn every_command_has_examples_and_its_help_fits_a_terminal() {
     }
 }
 
-/// The examples of the commands whose place in the list is `part` modulo `parts`; the page is only in commands that were built with it.
+/// Runs the examples of the commands whose index is `part` modulo `parts`; `page` exists only in commands built with it.
 fn examples_run(part: usize, parts: usize) {
     let all = commands().into_iter().filter(|words| *words != ["page"]).enumerate();
     for (number, words) in all.filter(|(number, _)| number % parts == part) {
@@ -134,13 +134,13 @@ fn examples_of_the_help_run_as_printed_in_part_two() {
     examples_run(1, 2);
 }
 
-/// A command with what is shown below it.
+/// A command with the output shown below it.
 pub(crate) struct Shown {
     pub(crate) command: String,
     output: Vec<String>,
 }
 
-/// The blocks of a console in a document.
+/// The console blocks of a document.
 pub(crate) fn shown_in(text: &str) -> Vec<Shown> {
     let mut shown: Vec<Shown> = vec![];
     let mut is_inside = false;
@@ -155,7 +155,7 @@ pub(crate) fn shown_in(text: &str) -> Vec<Shown> {
     shown
 }
 
-/// Returns `true` if the lines are those that are shown, of which … stands for any number. Blank lines at the end do not count.
+/// Returns `true` if the lines equal those shown, in which … stands for any number of lines. Blank lines at the end are ignored.
 fn is_shown(lines: &[&str], shown: &[String]) -> bool {
     match shown.split_first() {
         None => lines.iter().all(|line| line.is_empty()),
@@ -181,7 +181,7 @@ fn the_readme_shows_what_comes_out() {
     }
 }
 
-/// The commands that stand in backquotes in a table, and those of indented blocks and of blocks of shell.
+/// The commands in backquotes in tables, in indented blocks and in shell blocks.
 pub(crate) fn commands_in(text: &str) -> Vec<String> {
     let quoted =
         text.lines().filter(|line| line.starts_with('|')).flat_map(|line| line.split('`').skip(1).step_by(2));
@@ -189,7 +189,7 @@ pub(crate) fn commands_in(text: &str) -> Vec<String> {
     let released = text.lines().filter_map(|line| line.strip_prefix("cargo run --release -- "));
     let released = released.map(|line| format!("libration {line}"));
     let found = quoted.chain(indented).filter(|text| text.starts_with("libration ")).map(str::to_owned);
-    // `libration COMMAND` stands for any of them.
+    // `libration COMMAND` stands for any command.
     found.chain(released).filter(|line| !line.contains("COMMAND")).collect()
 }
 
@@ -202,14 +202,14 @@ fn the_commands_of_the_readmes_run_and_do_not_flood_the_screen() {
         assert!(commands.len() >= least, "{name}: {commands:?}");
         for command in commands {
             let answer = answer(&command, &place);
-            // A script of completions and a table requested as CSV are meant to be long.
+            // A completion script and a table requested as CSV may be long.
             let is_long = command.contains("completions") || command.contains("--csv");
             assert!(is_long || answer.lines().count() <= MOST_LINES, "{command}: {}", answer.lines().count());
         }
     }
 }
 
-/// The longest answers to read are the catalogues and the paper with its evidence.
+/// Largest length of a text result: those of the catalogues and of the paper with its evidence.
 const MOST_LINES: usize = 400;
 
 #[test]

@@ -7,7 +7,7 @@ fn list(value: &Value) -> Vec<&str> {
     value.as_array().unwrap().iter().map(|entry| entry.as_str().unwrap()).collect()
 }
 
-/// Every entry is a fraction in lowest terms as text, as `-1/16`.
+/// Asserts that every entry is text of a fraction in lowest terms, such as `-1/16`.
 fn assert_fractions(value: &Value, length: usize, what: &str) {
     let entries = list(value);
     assert_eq!(entries.len(), length, "{what}");
@@ -71,7 +71,7 @@ fn a_force_with_two_sides_has_powers_of_pi() {
         assert!(shown.contains(part), "{part}: {shown}");
     }
     assert!(question(&["--latex"]).contains(r"1 + \frac{4}{3 \pi} \epsilon"));
-    // Functions take no π for an argument.
+    // Functions do not take π as an argument.
     let code = question(&["--format", "python"]);
     assert!(code.contains("def frequency(amplitude):") && code.contains("0.4244131815783876"), "{code}");
     assert!(code.contains("the displacement is not whole"), "{code}");
@@ -117,7 +117,7 @@ fn every_field_of_the_contract_is_there() {
     assert_eq!(answer["variable"], "epsilon");
     assert_eq!(answer["omega0_squared"], "1");
     assert_eq!(answer["certified"], true);
-    // Order N keeps x to ε^N and the frequency to ε^(N−1).
+    // Order N keeps x up to ε^N and the frequency up to ε^(N−1).
     assert_eq!(list(&answer["frequency_ratio"]), ["1", "0", "-1/16", "0", "1/1024", "0", "-1/65536"]);
     assert_fractions(&answer["x_max"], order + 1, "x_max");
     assert_fractions(&answer["x_min"], order + 1, "x_min");
@@ -148,7 +148,7 @@ fn the_half_swing_is_for_asymmetric_wells_and_amplitudes_for_families() {
         assert_eq!(cycle[absent], Value::Null, "{absent}");
     }
     assert_eq!(list(&cycle["frequency_ratio"]), ["1", "0", "-1/16", "0", "17/3072"]);
-    // The phase has no sin τ.
+    // The gauge of the phase excludes sin τ.
     assert!(list(&cycle["harmonics"]["1"]["sin"]).iter().all(|entry| *entry == "0"));
 }
 
@@ -251,7 +251,7 @@ fn a_series_in_numbers_stands_beside_the_exact_value() {
     for step in answer["steps"].as_array().unwrap() {
         let number = |name: &str| step[name].as_f64().unwrap();
         assert_eq!(step["bound_is"], "proven");
-        // Beside the bound there is the rounding of sum and exact value.
+        // The rounding errors of the sum and of the exact value are added to the bound.
         assert!(number("error").abs() <= number("bound") + 5e-16, "{step}");
         assert!(step["coefficient"].is_string() && step["power"].is_u64());
     }
@@ -261,7 +261,7 @@ fn a_series_in_numbers_stands_beside_the_exact_value() {
 
 #[test]
 fn other_oscillators_have_exact_values_too() {
-    // The energy integral of 60 digits; the limit cycle by a Taylor method of order 55.
+    // Sources: the energy integral with 60 digits; for the limit cycle a Taylor method of order 55.
     let cases = [
         ("duffing --evaluate 0.5", 5.768_845_544_751_767),
         ("sinh --evaluate 1", 5.911_611_295_076_775),
@@ -284,7 +284,7 @@ fn other_oscillators_have_exact_values_too() {
     close(&frequency["exact"], std::f64::consts::TAU / 5.768_845_544_751_767, 1e-12);
 }
 
-/// T/T0 by energy integrals in 120 digits, of the decimal and not of the f64 next to it.
+/// T/T0 by energy integrals in 120 digits, for the decimal and not for the nearest `f64`.
 #[test]
 fn exact_values_hold_their_uncertainty_next_to_a_separatrix() {
     let cases = [
@@ -374,7 +374,7 @@ fn an_unknown_name_is_answered_with_the_nearest_ones() {
     let message = refusal(&["expand", "pendulem"], 2);
     assert!(message.contains("`pendulem`; the nearest are pendulum"), "{message}");
     assert!(refusal(&["oscillators", "dufing"], 2).contains("duffing"));
-    // A text that is not a name is read as an equation.
+    // Text that is not a name is parsed as an equation.
     let message = refusal(&["expand", "x'' + x"], 2);
     assert!(message.contains("= 0") && !message.contains("the keys are"), "{message}");
 }
@@ -420,7 +420,7 @@ fn what_cannot_be_expanded_is_refused_with_its_reason() {
             2,
             "--about: cannot read `foo` as a position: give a number or an angle",
         ),
-        // In a formula degrees are numbers, whatever it is of.
+        // In a formula degrees are plain numbers, whatever the coordinate is.
         (&["expand", "duffing", "--about", "360deg"], 1, "there is no equilibrium at 2*pi"),
         (&["expand", "pendulum", "--about", "1/0"], 1, "`1/0` has no value"),
     ];
@@ -491,7 +491,7 @@ fn a_damped_pendulum_has_a_slow_flow() {
     assert_eq!(answer["small_parameter"], "c");
     assert_eq!(answer["gauge"], "x_max");
     assert_eq!(answer["half_swing"], true);
-    // A′ = −(4c/3π)A² + …, the law of small swings.
+    // A′ = −(4c/3π)A² + …, the law for small swings.
     let zero = ["0", "0", "0", "0", "0"];
     assert_eq!(rows(&answer["amplitude_rate"])[0], zero);
     assert_eq!(rows(&answer["amplitude_rate"])[1][..4], ["0", "0", "-4/(3*pi)", "0"]);
@@ -532,7 +532,7 @@ fn slow_flows_tell_their_limit_cycles() {
     assert_eq!(json("expand damped_pendulum --set n=2")["limit_cycles"], serde_json::json!([]));
 }
 
-/// The amplitude is not 2 if the cubic term is not small; the number is that of integrations of the whole equation.
+/// The amplitude differs from 2 if the cubic term is not small; the reference comes from integrations of the full equation.
 #[test]
 fn limit_cycles_over_exact_orbits_stand_below_the_slow_flow() {
     let question = "x''+x+x^3=e*(1-x^2)*x'";
@@ -582,8 +582,8 @@ fn slow_flows_that_cannot_be_are_refused() {
     }
 }
 
-/// Sources: dry friction takes 4cA in a swing, of which the energy is A²/2, so that A′ = −2c/π, and of −c·x′|x′| it is A′ = −4cA²/3π;
-/// for the last see the test of the derivation, A = 2 and Ω = 1 + 3·A²/8·eps/5 of the force x³/5.
+/// Sources: dry friction takes 4cA per swing from the energy A²/2, so that A′ = −2c/π; for −c·x′|x′|, A′ = −4cA²/3π; for the last case see the
+/// test of the derivation, A = 2 and Ω = 1 + 3·A²/8·eps/5 for the force x³/5.
 #[test]
 fn strengths_without_an_expansion_as_a_limit_cycle_have_their_slow_flow_for_an_answer() {
     for (equation, expected) in [
@@ -598,7 +598,8 @@ fn strengths_without_an_expansion_as_a_limit_cycle_have_their_slow_flow_for_an_a
     }
 }
 
-/// The remainder of the period of a force that is an odd polynomial is bounded, not estimated; far outside there is nothing to count.
+/// The remainder of the period is bounded, not estimated, if the force is an
+/// odd polynomial; far outside the range of convergence there is no bound.
 #[test]
 fn remainders_of_odd_polynomials_are_proven() {
     let answer = json("expand x''=-x+x^3 --order 5 --evaluate 0.999");
@@ -623,7 +624,7 @@ fn a_limit_cycle_at_a_strength_is_compared_with_the_orbit_next_to_it() {
     let warning = "no periodic orbit is near the limit cycle that the series gives here";
     assert!(far["note"].as_str().unwrap().contains(warning), "{far}");
     assert!(!near["note"].as_str().is_some_and(|note| note.contains(warning)), "{near}");
-    // Lines are broken.
+    // Long lines are wrapped.
     let sheet = text("expand van_der_pol --order 15 --evaluate 6");
     assert!(sheet.contains("warning") && sheet.contains("no periodic orbit"), "{sheet}");
     assert!(text("expand van_der_pol --order 1 --evaluate 0.5").contains("distance"));

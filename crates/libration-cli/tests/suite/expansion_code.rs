@@ -5,7 +5,7 @@ use serde_json::Value;
 use std::path::Path;
 use std::process::Command;
 
-/// An expansion with letters, the values of its letters in the order of the arguments, and places.
+/// An expansion with symbolic parameters, their values in the order of the arguments, and points of evaluation.
 struct Case {
     name: &'static str,
     arguments: &'static [&'static str],
@@ -30,7 +30,7 @@ const CASES: [Case; 8] = [
         time: 5.1,
     },
     Case {
-        // Words of languages, a sum under the root, and letters that differ in case alone.
+        // Reserved words, a sum under the root, and symbols that differ only in case.
         name: "words",
         arguments: &["x'' + (lambda + k)*x + in*x^2 + K*sqrt(lambda)*x^3 = 0", "--order", "6"],
         letters: &[("K", "0.2"), ("in", "0.4"), ("k", "1.1"), ("lambda", "0.81")],
@@ -74,7 +74,7 @@ const CASES: [Case; 8] = [
     },
 ];
 
-/// The number that a fraction or a decimal as text is.
+/// The value of a fraction or decimal given as text.
 fn number(text: &Value) -> f64 {
     let text = text.as_str().unwrap();
     let (above, below) = text.split_once('/').unwrap_or((text, "1"));
@@ -85,7 +85,7 @@ fn series(coefficients: &Value, at: f64) -> f64 {
     coefficients.as_array().unwrap().iter().rev().fold(0.0, |sum, coefficient| number(coefficient) + at * sum)
 }
 
-/// Frequency, period and displacement by the series that the command gives with numbers for the letters.
+/// Frequency, period and displacement by the series of the command with numbers in place of the symbols.
 fn expected(case: &Case) -> [f64; 3] {
     let mut arguments = vec!["expand"];
     let values: Vec<String> = case.letters.iter().map(|(name, value)| format!("{name}={value}")).collect();
@@ -125,7 +125,7 @@ fn calls(case: &Case, number: impl Fn(&str) -> String) -> [String; 3] {
     ]
 }
 
-/// Runs a program that prints three numbers, and compares them. Both sides round each step, of which there are below a hundred, once: 1e-13.
+/// Runs a program that prints three numbers, and compares them. Both sides round each of fewer than a hundred steps once: 1e-13.
 fn assert_printed(case: &Case, format: &str, program: &mut Command) {
     let output = program.output().unwrap();
     assert!(output.status.success(), "{} in {format}: {}", case.name, message(&output));

@@ -1,4 +1,4 @@
-//! `libration fields` describes every field of every answer, and nothing that no answer has.
+//! `libration fields` describes every field of every result, and no other fields.
 
 use crate::command::{directory, json, libration, message, refusal, text};
 use crate::examples::{
@@ -33,7 +33,7 @@ pub(crate) fn kinds() -> Vec<Kind> {
     json("fields")["commands"].as_array().unwrap().iter().map(kind).collect()
 }
 
-/// The kind of answer to a question.
+/// The kind of result of a query.
 fn kind_of<'a>(kinds: &'a [Kind], words: &[String]) -> &'a Kind {
     let of_command = |kind: &&Kind| words.starts_with(&words_of(&kind.command));
     let asked = |kind: &&Kind| !kind.option.is_empty() && words.contains(&kind.option);
@@ -47,7 +47,7 @@ fn words_of(text: &str) -> Vec<String> {
     text.split_whitespace().map(str::to_owned).collect()
 }
 
-/// The ways to all values of an answer, those to lists and objects included.
+/// The paths to all values of a result, including lists and objects.
 fn paths(value: &Value) -> BTreeSet<String> {
     let mut paths = BTreeSet::new();
     collect(value, "", &mut paths);
@@ -72,7 +72,7 @@ fn collect(value: &Value, place: &str, paths: &mut BTreeSet<String>) {
     }
 }
 
-/// All words of an answer, for which capitals in names may stand.
+/// All strings of a result, which placeholders in field names may represent.
 fn strings(value: &Value) -> BTreeSet<String> {
     match value {
         Value::Object(fields) => fields.values().flat_map(strings).collect(),
@@ -82,10 +82,10 @@ fn strings(value: &Value) -> BTreeSet<String> {
     }
 }
 
-/// Returns `true` for a text that capitals may stand for.
+/// Returns `true` for a text that a placeholder in capitals may represent.
 type Known<'a> = &'a dyn Fn(&str) -> bool;
 
-/// Returns `true` if a name of a result is the one described, whose capitals stand for words of the result or for numbers.
+/// Returns `true` if a name in a result matches a described name, whose capitals represent strings of the result or numbers.
 fn is_name(name: &str, described: &str, words: &BTreeSet<String>) -> bool {
     let stands_for = |placeholder: &str, known: Known<'_>| {
         let (before, after) = described.split_once(placeholder)?;
@@ -105,7 +105,7 @@ fn is_name(name: &str, described: &str, words: &BTreeSet<String>) -> bool {
 
 /// Returns `true` if the path leads to a described field, or to a list or object of such fields.
 fn leads_to(path: &str, described: &str, words: &BTreeSet<String>) -> bool {
-    // The names of parameters are words of the question, those of constants the answer chooses.
+    // The names of parameters are words of the query; the result chooses those of constants.
     let is_parameter = |before: &str| ["parameters", "constants"].contains(&before);
     let (path, described) = (steps(path), steps(described));
     if described == ["note"] {
@@ -130,7 +130,7 @@ fn steps(path: &str) -> Vec<&str> {
         .collect()
 }
 
-/// Fields in results that are described, and others.
+/// Fields of results: described ones, and others.
 #[derive(Default)]
 struct Shown {
     described: BTreeSet<(String, String, &'static str, String)>,
@@ -151,7 +151,7 @@ impl Shown {
         self.undescribed.insert(format!("libration fields {command} {option}: {name}"));
     }
 
-    /// Every path of an answer in JSON must be described.
+    /// Checks that every path in a JSON result is described.
     fn json(&mut self, kind: &Kind, answer: &Value) {
         let words = strings(answer);
         for path in paths(answer) {
@@ -164,7 +164,7 @@ impl Shown {
         }
     }
 
-    /// Every name in the first line of CSV must be described, where capitals stand for words of the answer in JSON.
+    /// Checks that every name in the first line of CSV is described; capitals represent strings of the JSON result.
     fn csv(&mut self, kind: &Kind, table: &str, words: &BTreeSet<String>) {
         for name in table.lines().next().unwrap_or_default().split(',').map(|name| name.trim_matches('"')) {
             let known: Vec<&String> = kind.csv.iter().filter(|it| is_name(name, it, words)).collect();
@@ -184,7 +184,7 @@ impl Shown {
     }
 }
 
-/// The result of a command, also of one that stopped early.
+/// The result of a command, even of one that stopped early.
 fn answer(words: &[String], form: &str) -> String {
     let mut command = Command::new(env!("CARGO_BIN_EXE_libration"));
     let output = command.args(words).arg(form).current_dir(root()).output().unwrap();
@@ -192,14 +192,14 @@ fn answer(words: &[String], form: &str) -> String {
     String::from_utf8(output.stdout).unwrap()
 }
 
-/// Every field of an answer to the command is described.
+/// Asserts that every field of a result of the command is described.
 pub(crate) fn assert_described(command: &str, answer: &Value) {
     let (kinds, mut shown) = (kinds(), Shown::default());
     shown.json(kind_of(&kinds, &words_of(command)), answer);
     assert_eq!(shown.undescribed, BTreeSet::new());
 }
 
-/// Answers that have rare fields, compared with those of other tests.
+/// Queries whose results have rare fields; the results are compared with those of other tests.
 const FURTHER: [&str; 58] = [
     "formulas|molina",
     // A limit cycle has its distance from the orbit.
@@ -215,7 +215,7 @@ const FURTHER: [&str; 58] = [
     "formulas|--amplitude|90deg|--tolerance|1e-3",
     "decay|1|--quadratic|0.1|--omega0|1|--cycles|2",
     "decay|1|--quadratic|0.1|--omega0|1|--cycles|2|--order|3",
-    // Without a key, without a series, without orbits.
+    // Expansions without a key, without a series, without orbits.
     "expand|x''=-x-x^2-x^3|--order|4",
     "expand|m*x''+sqrt(2)*k*x+b*x^3=0|--order|3",
     "expand|x''+x*x'+x=0|--order|3",
@@ -265,7 +265,7 @@ const FURTHER: [&str; 58] = [
     "sweep|status|SWEEP",
 ];
 
-/// Fields that no result of this test shows, with the reasons. The tests named here call [`assert_described`].
+/// Fields that no result of this test has, with the reasons. The tests named here call [`assert_described`].
 const UNSEEN: &[(&str, &str, &str)] = &[
     ("expand", "interrupted", "needs Ctrl-C: interrupts.rs"),
     ("expand", "interrupted", "with --evaluate, needs Ctrl-C: interrupts.rs"),
@@ -279,7 +279,7 @@ const UNSEEN: &[(&str, &str, &str)] = &[
 fn questions() -> Vec<Vec<String>> {
     let directory = directory("fields-questions");
     let file = directory.join("figure.svg").display().to_string();
-    // The later part of the same swing, as another recording.
+    // The later part of the same swing serves as another recording.
     let later = directory.join("later.csv");
     let swing = std::fs::read_to_string(root().join("examples/swing_synthetic.csv")).unwrap();
     let lines: Vec<&str> = swing.lines().collect();
@@ -316,7 +316,7 @@ fn every_field_of_every_answer_is_described_and_none_in_vain() {
     assert_eq!(unseen, expected, "described, and shown by no answer");
 }
 
-/// The examples that ask for a form with fields and show it on the screen.
+/// The examples that request a format with fields and print it.
 fn examples_with_fields() -> Vec<String> {
     let of_help = commands().iter().flat_map(|words| examples(&help(words))).collect::<Vec<_>>();
     let readmes = ["README.md", "examples/README.md"];
@@ -349,7 +349,7 @@ fn the_fields_of_the_examples_are_described() {
     assert_eq!(shown.undescribed, BTreeSet::new(), "not described");
 }
 
-/// The words behind `libration`, as far as they say which answer is requested.
+/// The words after `libration` that determine the kind of result.
 fn question_in(line: &str) -> Vec<String> {
     words_of(line.split("libration ").nth(1).unwrap())
 }
@@ -411,7 +411,7 @@ fn descriptions_are_fragments_with_units_apart() {
     }
 }
 
-/// The endings of names by units.
+/// Endings of field names and their units.
 const ENDINGS: &[(&str, &str)] = &[
     ("s", "_s"),
     ("rad", "_rad"),
@@ -425,7 +425,7 @@ const ENDINGS: &[(&str, &str)] = &[
     ("rad²/s²", "_rad2_per_s2"),
     ("rad²/s³", "_rad2_per_s3"),
 ];
-/// Names that were settled without their unit.
+/// Settled names without a unit.
 const SETTLED: &[&str] = &["exact", "exact_uncertainty"];
 /// A unit that depends on the exponent of the damping.
 const OPEN: &str = "rad¹⁻ⁿ sⁿ⁻²";

@@ -1,4 +1,4 @@
-//! The data that pictures show are the right ones: read back from the drawing and compared with known values.
+//! Pictures show the right data: read back from the drawing and compared with known values.
 
 use crate::command::{directory, json, text};
 use crate::drawing::{Drawing, Place};
@@ -44,7 +44,7 @@ fn close(found: f64, expected: f64, tolerance: f64) {
     assert!((found - expected).abs() <= tolerance, "{found} is not {expected}, by more than {tolerance}");
 }
 
-/// The same points in any order, as far as shapes are rounded.
+/// Asserts that two sets of points are equal in any order, within the rounding of shapes.
 fn same_points(drawing: &Drawing, panel: usize, found: Vec<Place>, expected: Vec<Place>) {
     let sorted = |mut points: Vec<Place>| {
         points.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
@@ -52,7 +52,7 @@ fn same_points(drawing: &Drawing, panel: usize, found: Vec<Place>, expected: Vec
     };
     let (found, expected) = (sorted(found), sorted(expected));
     assert_eq!(found.len(), expected.len(), "{found:?} {expected:?}");
-    // A hundredth of a unit for the point, and as much for each of the ticks the scale is read from.
+    // A hundredth of a unit for the point, and the same for each of the two ticks that give the scale.
     let (x, y) = drawing.panels[panel].resolution();
     let is_near = |a: Place, b: Place| (a.0 - b.0).abs() <= 3.0 * x && (a.1 - b.1).abs() <= 3.0 * y;
     for point in &expected {
@@ -74,7 +74,7 @@ fn errors_of_the_formulas() {
             } else {
                 near(&drawing, 0, colour, degrees)
             };
-            // Two pixels of a hundred are 3e-4 of a decade.
+            // Two pixels in a hundred are 3e-4 of a decade.
             close(shown / error.abs(), 1.0, 2e-3);
         }
     }
@@ -90,7 +90,7 @@ fn near(drawing: &Drawing, panel: usize, colour: &str, x: f64) -> f64 {
     if after.0 <= before.0 {
         return before.1;
     }
-    // Between dashes a straight line on the logarithmic axis.
+    // Between dashes the curve is interpolated linearly on the logarithmic axis.
     let part = (x - before.0) / (after.0 - before.0);
     (before.1.ln() + part * (after.1.ln() - before.1.ln())).exp()
 }
@@ -123,7 +123,7 @@ fn points(series: &serde_json::Value) -> Vec<Place> {
 
 #[test]
 fn orbits_of_the_phase_portrait() {
-    // θ′²/4ω0² + sin²(θ/2) is k² of a libration, 1 on the separatrix, and E/2mgl of a rotation.
+    // θ′²/4ω0² + sin²(θ/2) is k² for a libration, 1 on the separatrix, and E/2mgl for a rotation.
     let invariant = |(x, y): &Place| 0.25 * y * y + (FRAC_PI_2 * x).sin().powi(2);
     let answer =
         json(&format!("figure phase --amplitudes 60deg,120deg --energies 1.3,2 --output {}", file("phase")));
@@ -185,7 +185,7 @@ fn a_motion_beside_its_approximation() {
     for (part, angle) in [(0.0, 90.0), (0.25, 0.0), (0.5, -90.0), (1.0, 90.0)] {
         close(drawing.value_at(0, FIRST, part * period), angle, 0.2);
     }
-    // At the first turning point on the other side the cosine is elsewhere.
+    // At the first turning point on the other side, the cosine of the small-angle motion is elsewhere.
     let error = (90.0 * (TAU * 0.5 * period / t0).cos() + 90.0).abs();
     close(near(&drawing, 1, SECOND, 0.5 * period) / error, 1.0, 0.02);
 }
@@ -211,7 +211,7 @@ fn a_decay_with_its_laws() {
     same_points(&drawing, 1, drawing.markers(1, BLACK), expected);
 }
 
-/// The slow flow's law, and its cycles where the table has them.
+/// The law of the slow flow, and its cycles if the table has them.
 #[test]
 fn a_decay_with_its_slow_flow() {
     let drawing = drawn("decay|30deg|--linear|0.1|--cycles|5|--order|5", "--figure");
@@ -229,7 +229,7 @@ fn a_decay_with_its_slow_flow() {
     }
 }
 
-/// The numbers of a table below its head; of empty cells NaN.
+/// The numbers of a table below its header; NaN for empty cells.
 fn numbers(csv: &str) -> Vec<Vec<f64>> {
     let lines = csv.lines().filter(|line| !line.starts_with('#')).skip(1);
     lines.map(|line| line.split(',').map(|cell| cell.parse().unwrap_or(f64::NAN)).collect()).collect()
@@ -320,7 +320,7 @@ fn each_motion_of_a_table_has_its_curve() {
     }
 }
 
-/// The parameters of the picture; its spaces hold lines together.
+/// The parameters in the picture; no-break spaces become spaces.
 fn parameters(drawing: &Drawing) -> String {
     drawing.of_class("parameters").join(" ").replace('\u{a0}', " ")
 }
@@ -354,7 +354,7 @@ fn a_pendulum_swings_beside_its_curve() {
     assert!(rod.iter().flatten().all(inside));
 }
 
-/// In a column of a journal the axes have the whole width.
+/// In a column of a journal the axes take the whole width.
 #[test]
 fn a_pendulum_swings_above_its_curve_where_there_is_no_room_beside_it() {
     let drawing = drawn("motion|150deg|--times|0:10:5|--animate|--size|column", "--figure");
@@ -365,7 +365,7 @@ fn a_pendulum_swings_above_its_curve_where_there_is_no_room_beside_it() {
     assert!(axes.width > 0.6 * drawing.width, "{} of {}", axes.width, drawing.width);
     let (_, degrees) = axes.data_at(dot[0][0]);
     close(degrees, 150.0, 3.0 * axes.resolution().1);
-    // Nothing moves through words.
+    // Moving parts do not cover text.
     let highest = rod.iter().flatten().map(|place| place.1).fold(f64::INFINITY, f64::min);
     let words = drawing.texts.iter().filter(|text| ["title", "parameters"].contains(&text.class.as_str()));
     assert!(words.map(|text| text.extent()[3]).all(|bottom| bottom < highest));
@@ -437,7 +437,7 @@ fn shapes_of_the_modes() {
 
 #[test]
 fn points_of_a_section() {
-    // y has half the frequency of x, so that it changes its sign from one passage to the next.
+    // y has half the frequency of x, so that its sign alternates from one crossing to the next.
     let question = "section|x''=-x; y''=-y/4|--at|x|--initial|x=0,x'=1,y=0.5|--points|6|--skip|1";
     let drawing = drawn(question, "--figure");
     let markers = drawing.markers(0, FIRST);
@@ -445,7 +445,7 @@ fn points_of_a_section() {
     let (x, _) = drawing.panels[0].resolution();
     for (place, marker) in markers.iter().enumerate() {
         close(marker.0.abs(), 0.5, 3.0 * x);
-        // The velocity vanishes, but for the integration's tolerance.
+        // The velocity vanishes within the integration tolerance.
         close(marker.1, 0.0, 1e-9);
         assert!(place == 0 || marker.0 * markers[place - 1].0 < 0.0);
     }
@@ -453,7 +453,7 @@ fn points_of_a_section() {
 
 #[test]
 fn an_orbit_in_time_and_in_its_plane() {
-    // x = 1.8·cos(2t/3) answers the drive of the oscillator without damping.
+    // x = 1.8·cos(2t/3) is the response of the undamped oscillator.
     let question = "orbit|x'' = -x + cos(2t/3)|--initial|x=1";
     let drawing = drawn(question, "--figure");
     let in_time = drawing.curves(0, FIRST).concat();
@@ -468,7 +468,7 @@ fn an_orbit_in_time_and_in_its_plane() {
 
 #[test]
 fn amplitudes_of_modes_in_time() {
-    // x″ + x = −xy, y″ + 4y = −x²/2: to the second order |a|² + 4|b|² is conserved.
+    // x″ + x = −xy, y″ + 4y = −x²/2: to second order |a|² + 4|b|² is conserved.
     let drawing = drawn("resonance|x''=-x-x*y;y''=-4*y-x^2/2|--order|2|--initial|x=0.05,y=0.01", "--figure");
     let (slow, fast) = (drawing.curves(0, FIRST).concat(), drawing.curves(0, SECOND).concat());
     for ((_, a), (_, b)) in slow.iter().zip(&fast) {
@@ -481,7 +481,7 @@ fn amplitudes_of_modes_in_time() {
 
 #[test]
 fn a_melnikov_function_and_resonances() {
-    // M(φ) = −8c + 2πA sech(πΩ/2)·cos φ, and ω0/2√e·π/K is half the frequency of the drive.
+    // M(φ) = −8c + 2πA sech(πΩ/2)·cos φ, and ω0/2√e·π/K is half the drive frequency.
     let drawing = drawn("melnikov|x'' + 0.01 x' + sin(x) = 0.1 cos(t)", "--figure");
     for (phase, value) in drawing.curves(0, FIRST).concat() {
         close(value, -0.08 + TAU * 0.1 / FRAC_PI_2.cosh() * phase.to_radians().cos(), 0.005);
@@ -502,7 +502,7 @@ fn a_spectrum_of_measured_swings() {
     let answer = json(&format!("inspect {EXAMPLES}/swing_synthetic.csv --spectrum"));
     let trace = &answer["traces"][0];
     let value = |it: &serde_json::Value| it.as_f64().unwrap();
-    // The third harmonic: that of the pendulum, the measured one, and the line between.
+    // The third harmonic: of the pendulum, as measured, and the line between both.
     let third = &trace["harmonics"][3];
     let frequency = 3.0 * value(&trace["frequency_hz"]);
     for (colour, name) in [(SECOND, "theory"), (BLACK, "amplitude")] {
@@ -516,7 +516,7 @@ fn a_spectrum_of_measured_swings() {
     close(line / value(&third["amplitude"]).to_degrees(), 1.0, 0.1);
 }
 
-/// The largest distance of a curve from the chord from each point to the next but one, in parts of its extent.
+/// The largest distance of a curve's points from the chord between their neighbours, relative to the extent of the curve.
 fn farthest_from_chords(curve: &[Place]) -> f64 {
     let extent = |of: fn(&Place) -> f64| {
         let (low, high) = curve
@@ -536,7 +536,7 @@ fn farthest_from_chords(curve: &[Place]) -> f64 {
     curve.windows(3).map(far).fold(0.0, f64::max)
 }
 
-/// It jumps in a fiftieth of its period.
+/// The orbit jumps within a fiftieth of its period.
 #[test]
 fn an_orbit_with_jumps_has_no_corners() {
     let drawing = drawn("orbit|x'' = 8 (1 - x^2) x' - x|--initial|x=0.5", "--figure");
@@ -559,7 +559,7 @@ fn titles_and_legends_name_what_is_drawn() {
 
 #[test]
 fn a_response_of_a_linear_oscillator() {
-    // x″ + x′/2 + x = cos ωt answers with 1/√((1 − ω²)² + ω²/4).
+    // The response of x″ + x′/2 + x = cos ωt has the amplitude 1/√((1 − ω²)² + ω²/4).
     let drawing = drawn("response|x'' = -x - x'/2 + cos(w*t)|--over|w=0.5:2", "--figure");
     let curve = drawing.curves(0, FIRST).concat();
     assert!(curve.len() > 10, "{} points", curve.len());
@@ -567,7 +567,7 @@ fn a_response_of_a_linear_oscillator() {
     for (w, amplitude) in curve {
         close(amplitude, exact(w), 0.02);
     }
-    // Sweeps go along it either way.
+    // Sweeps follow the curve in both directions.
     for colour in [BLACK, ORANGE] {
         let dots = drawing.markers(0, colour);
         assert_eq!(dots.len(), 48);
@@ -588,7 +588,7 @@ fn edges_of_stability_of_mathieus_equation() {
 
 #[test]
 fn points_of_a_bifurcation_diagram() {
-    // x″ + x′ + x = A cos t ends in x = A sin t, whose velocity is A whenever the drive begins anew.
+    // x″ + x′ + x = A cos t tends to x = A sin t, whose velocity is A at each period of the drive.
     let question =
         "bifurcation|x'' + x' + x = A cos(t)|--over|A=1:3:1|--initial|x=0|--axis|x'|--points|2|--skip|20";
     let drawing = drawn(question, "--figure");
@@ -611,7 +611,7 @@ fn convergence_of_an_exponent() {
     }
 }
 
-/// The rows of an example, and the JSON of a fit of it.
+/// The rows of an example, and the JSON of a fit to it.
 fn rows_of(name: &str) -> Vec<Vec<f64>> {
     numbers(&fs::read_to_string(format!("{EXAMPLES}/{name}_synthetic.csv")).unwrap())
 }
@@ -643,7 +643,7 @@ fn measured_lengths_and_their_line() {
     let line = drawing.curves(0, LAW).concat();
     let slope =
         (line[line.len() - 1].1 - line[line.len() / 2].1) / (line[line.len() - 1].0 - line[line.len() / 2].0);
-    // 4π²/g of the pendulums it was made of, with the period of 10° instead of small ones.
+    // 4π²/g of the simulated pendulums, with the period at 10° in place of that of small swings.
     close(slope / (TAU * TAU / 9.81), period_ratio(10_f64.to_radians()).powi(2), 0.01);
 }
 
@@ -666,7 +666,7 @@ fn a_measured_swing_and_its_fit() {
     let drawing = drawn(&format!("fit|trace|{EXAMPLES}/swing_synthetic.csv|--model|linear"), "--figure");
     let measured = rows_of("swing").iter().map(|row| (row[0], row[1])).collect();
     same_points(&drawing, 0, drawing.markers(0, FIRST), measured);
-    // What the example was made of: released at 60° with errors of 0.3°.
+    // The example was simulated with a release at 60° and errors of 0.3°.
     let curve = drawing.curves(0, LAW).concat();
     let first = curve.iter().min_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
     close(first.1, 60.0 + 1.22, 0.3);
@@ -710,7 +710,7 @@ fn the_spectrum_of_a_swing_has_its_harmonics() {
             let near = points.iter().filter(|point| (point.0 - n * frequency).abs() < 0.4 * frequency);
             let peak = near.copied().fold((0.0, 0.0), |a: Place, b| if b.1 > a.1 { b } else { a });
             close(peak.0, n * frequency, 0.02);
-            // Two pixels of five hundred are a fifteenth of a decade of nine; between its points a line loses 0.4 %.
+            // Two pixels in five hundred are a fifteenth of a decade if the axis has nine; linear interpolation loses 0.4 %.
             close(peak.1 / expected, 1.0, 0.02);
         }
     }
@@ -725,7 +725,7 @@ fn motions_from_several_starts_are_those_of_each() {
         let (low, high) = points.iter().fold((0.0_f64, 0.0_f64), |(a, b), p| (a.min(p.1), b.max(p.1)));
         close(low, -amplitude / PI, 3e-3);
         close(high, amplitude / PI, 3e-3);
-        // A quarter of the period after the start it passes the bottom.
+        // A quarter of the period after the start the pendulum passes the bottom.
         let quarter = FRAC_PI_2 * period_ratio(amplitude);
         let after =
             points.iter().filter(|point| point.1 < 0.0).map(|point| point.0).fold(f64::INFINITY, f64::min);
@@ -746,7 +746,7 @@ fn each_value_of_a_parameter_has_its_motion() {
         let points = series["points"].as_array().unwrap();
         let first = points[0][0].as_f64().unwrap();
         close(first, 10.0, 1e-12);
-        // At 0.1 rad the force is linear to 1/600 of itself.
+        // At 0.1 rad the force is linear to within 1/600.
         let (rate, frequency) = (0.5 * damping, (1.0 - 0.25 * damping * damping).sqrt());
         let linear = |t: f64| {
             0.1 * (-rate * t).exp() * ((frequency * t).cos() + rate / frequency * (frequency * t).sin())

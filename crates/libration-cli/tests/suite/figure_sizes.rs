@@ -1,4 +1,4 @@
-//! Any size that is accepted draws a right picture, and the size requested is the size of the file.
+//! Every accepted size gives a correct picture, and the file has the requested size.
 
 use crate::command::{directory, libration, message, text};
 use crate::drawing::Drawing;
@@ -23,7 +23,7 @@ const PICTURES: [&str; 12] = [
     "trajectories pendulum --initial theta=60deg --initial theta=170deg --to 100s --spectrum theta",
 ];
 
-/// The smallest side that is accepted, from the message that refuses a smaller one.
+/// The smallest accepted side, from the message that rejects a smaller one.
 fn smallest(picture: &str, side: &str, file: &str) -> u32 {
     let output = libration(&format!("figure {picture} {side} 1 --output {file}"));
     assert_eq!(output.status.code(), Some(1), "{picture}: {}", message(&output));
@@ -39,7 +39,7 @@ fn the_smallest_size_accepted_holds_the_whole_picture_and_one_less_is_refused_in
     for (number, picture) in sweep::part_and(PICTURES.iter().enumerate(), 6, most_names) {
         let file = directory(&format!("smallest-{number}")).join("figure.svg").display().to_string();
         let width = smallest(picture, "--width", &file);
-        // Text is broken into more lines where it is narrower.
+        // Text is broken into more lines in a narrower picture.
         let height = smallest(picture, &format!("--width {width} --height"), &file);
         text(&format!("figure {picture} --width {width} --height {height} --output {file}"));
         let drawing = Drawing::read(&fs::read_to_string(&file).unwrap());
@@ -56,19 +56,19 @@ fn the_smallest_size_accepted_holds_the_whole_picture_and_one_less_is_refused_in
     }
 }
 
-/// A column of a journal holds every picture, and so do a slide and the largest canvas.
+/// A column of a journal, a slide and the largest canvas hold every picture.
 #[test]
 fn columns_slides_and_posters_hold_every_picture_in_a_sweep() {
     let file = directory("formats").join("figure.svg").display().to_string();
     let sizes = [("--size column", 302.36), ("--size slide", 1280.0), ("--width 4000 --height 4000", 4000.0)];
     let all = PICTURES.iter().flat_map(|picture| sizes.map(|(size, width)| (picture, size, width)));
-    // Thirty names are more than the height of a slide, two ticks of eight digits more than the width of a column.
+    // Thirty names exceed the height of a slide, two tick labels of eight digits the width of a column.
     let is_held = |(picture, size, _): &(&&str, &str, f64)| {
         let is_too_high = size.ends_with("slide") && picture.contains("lima_2008");
         let is_too_wide = size.ends_with("column") && picture.contains("10.00001deg");
         !is_too_high && !is_too_wide
     };
-    // Four cases on are another picture in another size.
+    // Four cases further is another picture in another size.
     for (picture, size, width) in sweep::part(all.filter(is_held), 4) {
         text(&format!("figure {picture} {size} --output {file}"));
         let drawing = Drawing::read(&fs::read_to_string(&file).unwrap());
@@ -77,7 +77,7 @@ fn columns_slides_and_posters_hold_every_picture_in_a_sweep() {
     }
 }
 
-/// Everything lies on the canvas, the axes have a size and run to the right and upwards, labels keep apart.
+/// Asserts that everything lies on the canvas, that the axes have a size and run to the right and upwards, and that labels do not touch.
 fn is_right(name: &str, drawing: &Drawing) {
     let (width, height) = (drawing.width, drawing.height);
     for panel in &drawing.panels {
@@ -102,7 +102,7 @@ fn is_right(name: &str, drawing: &Drawing) {
             let apart = beside || bottom <= y || y + panel.height <= top;
             assert!(apart, "{name}: {text:?} hides data");
         }
-        // What is said is printed at 12 points at least, and at 20 on a slide.
+        // Text is printed at 12 points at least, and at 20 points on a slide.
         assert!(text.size >= 16.0, "{name}: {text:?}");
     }
     for shape in &drawing.shapes {

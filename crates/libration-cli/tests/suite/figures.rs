@@ -51,7 +51,7 @@ fn the_numbers_behind_a_picture_are_in_its_json() {
     assert!((zero - 141.124673660617753).abs() < 0.01, "the one-term formula is exact at {zero}°");
 }
 
-/// The picture of a question.
+/// The picture of a query.
 fn asked(question: &str) -> String {
     let name: String = question.chars().filter(char::is_ascii_alphanumeric).take(60).collect();
     let path = directory(&format!("figure-of-{name}")).join("figure.svg");
@@ -74,7 +74,7 @@ fn pictures_say_what_they_were_made_with() {
         let svg = asked(question);
         let words = Drawing::read(&svg).of_class("parameters").join(" ").replace('\u{a0}', " ");
         assert!(words.contains(expected), "{question}: {words}");
-        // For those who cannot see it too.
+        // The description for those who cannot see the picture.
         let description = svg.split_once("<desc>").unwrap().1.split_once("</desc>").unwrap().0;
         assert!(
             description.contains(expected) && description.contains(" against "),
@@ -93,7 +93,7 @@ fn nothing_hides_the_exact_curve_or_the_data() {
     let svg = asked("motion 150deg --compare small-angle,fourier-3");
     let curves: Vec<&str> = svg.split("<path class=\"curve\" ").skip(1).collect();
     let colour = |curve: &str| curve.split_once("stroke=\"").unwrap().1[..7].to_owned();
-    // Wide beneath the others and thin above them.
+    // Wide beneath the other curves and thin above them.
     assert_eq!([0, 3].map(|place| colour(curves[place])), ["#0072B2", "#0072B2"]);
     assert!(curves[0].contains("stroke-opacity") && !curves[3].contains("stroke-opacity"));
     let examples = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
@@ -134,7 +134,7 @@ fn a_picture_is_as_large_as_it_is_asked_for() {
     assert_eq!((side(16), side(20)), (3000, 1500), "300 pixels in an inch");
 }
 
-/// The titles and the line of parameters of a picture, angles being in the unit of the axes.
+/// The titles and the parameter line of a picture; angles are in the unit of the axes.
 #[test]
 fn pictures_of_typed_equations_are_titled_by_them_and_have_one_unit() {
     let file = directory("titles").join("picture.svg");
@@ -175,7 +175,7 @@ fn pictures_of_typed_equations_are_titled_by_them_and_have_one_unit() {
     assert!(in_time.contains("θ(0) = 60°") && in_time.contains("θ / degrees"), "{in_time}");
 }
 
-/// The spectrum of an angle that turns over is refused, and that of its velocity drawn.
+/// The spectrum of a rotating angle is rejected, that of its velocity is drawn.
 #[test]
 fn what_grows_without_bound_has_no_spectrum() {
     let file = directory("unbounded").join("figure.svg").display().to_string();
@@ -188,7 +188,7 @@ fn what_grows_without_bound_has_no_spectrum() {
     text(&format!("{question} theta' --output {file}"));
 }
 
-/// A parameter that is not there is the fault of the option that names it.
+/// An unknown parameter is reported with the option that names it.
 #[test]
 fn a_parameter_is_refused_in_the_name_of_its_option() {
     let file = directory("varied").join("figure.svg").display().to_string();

@@ -1,4 +1,4 @@
-//! Files are written whole or not at all.
+//! Files are written completely or not at all.
 
 use crate::command::{directory, libration, message};
 use std::fs;
@@ -71,7 +71,7 @@ fn a_place_that_cannot_be_written_is_named() {
     assert!(message(&output).contains("/nonexistent/directory/spectrum.svg"));
 }
 
-/// A device that never ends, a file of a gigabyte without a byte on the disk, and the device as the standard input.
+/// A device that never ends, a sparse file of a gigabyte, and the device as standard input.
 #[cfg(unix)]
 #[test]
 fn no_file_is_read_beyond_the_limit_which_is_named() {
@@ -101,7 +101,7 @@ fn symbolic_links_stay_and_their_target_is_replaced() {
     symlink("real.csv", &link).unwrap();
     symlink(&link, &far).unwrap();
     let question = "simulate pendulum --initial theta=1 --times 0:2:1";
-    // At first the target is not there yet.
+    // At first the target does not exist yet.
     for path in [&link, &far, &link] {
         let output = libration(&format!("{question} --output {}", path.display()));
         assert!(output.status.success(), "{}", message(&output));

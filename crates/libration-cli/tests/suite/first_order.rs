@@ -1,4 +1,4 @@
-//! Equations of the first order, alone and beside ones of the second.
+//! Equations of first order, alone and together with second-order ones.
 
 use crate::command::{message, run};
 use serde_json::Value;
@@ -52,7 +52,7 @@ fn sections_diagrams_and_exponents_take_them() {
     let diagram =
         [&["bifurcation", family, "--over", "r=5:10:5", "--at", "z'", "--points", "2"], &FROM[..]].concat();
     assert!(run(&diagram).status.success());
-    // 0.9056 over long times; over 300 intervals of 0.4 s the exponents of other paths scatter by 0.03.
+    // The value is 0.9056 over long times; over 300 intervals of 0.4 s the exponents of different motions scatter by 0.03.
     let arguments = [&["lyapunov", LORENZ, "--intervals", "300"], &FROM[..]].concat();
     assert!((json(&arguments)["exponent_per_s"].as_f64().unwrap() - 0.9056).abs() < 0.2);
     let square =

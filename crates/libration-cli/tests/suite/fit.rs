@@ -3,7 +3,7 @@
 use crate::command::{close, directory, json, libration, message, run, text, unfolded};
 use std::path::PathBuf;
 
-/// Periods of the exact law with T0 = 2 s, made with mpmath's `ellipk`; amplitudes in degrees.
+/// Periods of the exact law with T0 = 2 s, computed with mpmath's `ellipk`; amplitudes in degrees.
 const EXACT: &str = "angle,time,error\n\
     10,2.00381437629,0.001\n\
     40,2.06268103826,0.001\n\
@@ -109,7 +109,7 @@ fn units_and_quantities_of_the_header_are_heeded() {
     assert!(refused.contains("holds times") && refused.contains("--columns"), "{refused}");
 }
 
-/// Three readings of each period that agree to 5 ms, and no column that says it is an uncertainty.
+/// Three readings of each period that agree to 5 ms, without an uncertainty column.
 #[test]
 fn repeated_readings_are_never_taken_for_uncertainties() {
     const READINGS: &str = "0.25,1.0031,1.0062,1.0009\n0.5,1.4185,1.4201,1.4149\n0.75,1.7373,1.7391,1.7402\n1,2.0061,2.0020,2.0048\n";
@@ -163,7 +163,8 @@ fn a_column_of_names_is_skipped_with_a_note() {
     assert!(answer["told_from_file"].to_string().contains("not used: column 1 (`student`)"), "{answer}");
 }
 
-/// Names between the numbers: skipped with a note, without one where options name the columns, and refused where these choose them.
+/// A column of names between the numbers: skipped with a note, skipped silently
+/// if options name the other columns, and rejected if options choose it.
 #[test]
 fn a_column_of_names_is_skipped_where_options_name_the_others() {
     let rows = "L (m),student,T (s)\n0.25,Ann,1.0031\n0.5,Bob,1.4185\n0.75,Cleo,1.7373\n1,Dan,2.0061\n";

@@ -1,4 +1,4 @@
-//! The uncertainty budget of gravity, in all commands that give one.
+//! The uncertainty budget of gravity, in all commands that compute one.
 
 use crate::command::{close, directory, json, libration, message, text, unfolded};
 use serde_json::Value;
@@ -8,7 +8,7 @@ fn example(name: &str) -> String {
     format!("{}/../../examples/{name}", env!("CARGO_MANIFEST_DIR"))
 }
 
-/// Every command that gives g by a length, without the length: its own uncertainty of g is far below one per cent.
+/// Every command that computes g from a length, without the length; the other uncertainties of g are far below one per cent.
 fn questions() -> [String; 3] {
     [
         format!("fit periods {}", example("period_table_synthetic.csv")),
@@ -46,7 +46,7 @@ fn an_uncertainty_as_large_as_the_length_is_kept() {
     }
 }
 
-/// 29.97 frames a second taken for 30 are 0.1 % of the time and 0.2 % of g.
+/// 29.97 frames per second taken for 30 are 0.1 % of the time and 0.2 % of g.
 #[test]
 fn the_clock_is_a_row_of_the_budget() {
     for question in questions() {
@@ -113,7 +113,7 @@ fn damping_is_a_row_that_can_be_reached() {
         assert_eq!(refused.status.code(), Some(2));
         assert!(message(&refused).contains("0.030(1)/s"), "{}", message(&refused));
     }
-    // The fitted motion is that with damping, and T0 that without.
+    // The fitted motion includes damping; T0 is the period without it.
     let fitted = json(&format!("{trace} --length 0.56m±1mm"));
     let damping = row(&fitted, "damping");
     assert!(number(damping, "correction") > 0.0 && damping["with"].to_string().contains("already in T0"));
@@ -149,7 +149,7 @@ fn correlations_are_read_and_counted() {
     assert!(message(&missing).contains("rod mass"), "{}", message(&missing));
 }
 
-/// T0 by the speeds depends on the length through the width of the bob, 2r/L: a longer pendulum makes it larger.
+/// T0 from the speeds depends on the length through the width of the bob, 2r/L: a longer pendulum increases it.
 #[test]
 fn the_length_counts_once_where_the_speeds_of_a_gate_need_it_too() {
     let gate = example("gate_synthetic.csv");
@@ -161,7 +161,7 @@ fn the_length_counts_once_where_the_speeds_of_a_gate_need_it_too() {
     };
     let answer = json(&format!("fit gates {gate} --length 0.958m±0.01m --bob-radius 12.5mm±0mm"));
     assert!(number(&answer["budget_correlations"][0], "coefficient") > 0.1, "{answer}");
-    // The whole calculation with other lengths, and what the scatter of the times adds.
+    // The whole calculation repeated with other lengths, plus the contribution of the scatter of the times.
     let by_length = 0.01 * (g(0.963) - g(0.953)) / 0.01;
     let period = input(&answer, "period");
     let r = number(&answer["budget_correlations"][0], "coefficient");
@@ -175,7 +175,7 @@ fn the_length_counts_once_where_the_speeds_of_a_gate_need_it_too() {
     assert_eq!(elsewhere["budget_correlations"], serde_json::json!([]));
 }
 
-/// Ten lengths of g = 9.81 m/s² with deviations of 10 ms, stated to be 2 ms.
+/// Ten lengths with g = 9.81 m/s² and deviations of 10 ms, stated as 2 ms.
 fn scattered(name: &str) -> String {
     let deviations = [1.0, -1.0, -1.0, 1.0, 1.0, -1.0, -1.0, 1.0, 1.0, -1.0];
     let line = |(k, sign): (u32, f64)| {
@@ -221,7 +221,7 @@ fn clock_and_bob_count_in_fits_of_lengths() {
     close(&clocked["gravity_uncertainty_m_per_s2"], expected, 1e-9);
 }
 
-/// Periods of the exact law with T0 = 2 s and deviations of 10 ms, stated to be 1 ms.
+/// Periods of the exact law with T0 = 2 s and deviations of 10 ms, stated as 1 ms.
 #[test]
 fn periods_that_scatter_more_than_stated_are_enlarged_and_said_to_be() {
     let rows = "angle,time,sigma_angle,error\n\
@@ -242,7 +242,7 @@ fn periods_that_scatter_more_than_stated_are_enlarged_and_said_to_be() {
     assert!(number(&answer, "beta_uncertainty") > 5.0 * 0.0004);
 }
 
-/// χ²/dof is 1.03 of ten rows, as chance has it.
+/// χ²/dof is 1.03 for ten rows, as expected by chance.
 #[test]
 fn rows_that_scatter_as_stated_are_not_blamed_for_the_birge_ratio() {
     let table = scattered("lengths-as-stated");

@@ -55,12 +55,12 @@ fn the_line_is_drawn() {
 #[test]
 fn the_example_of_a_gate_gives_its_truth_back() {
     let gate = example("gate_synthetic.csv");
-    // One shell word each: the tests split at blanks.
+    // One shell word per option: the tests split at blanks.
     let answer = json(&format!("fit gates {gate} --length 0.958m±0.001m --diameter 25.0(1)mm"));
     assert_eq!((&answer["missed_passages"], &answer["unpaired_edges"]), (&1.into(), &1.into()));
     assert!(pull(&answer, "t0_s", "t0_uncertainty_s", std::f64::consts::TAU / 3.2) < 3.0, "{answer}");
     assert!(pull(&answer, "beta", "beta_uncertainty", 1.0) < 3.0);
-    // The pendulum has neither air nor a rod.
+    // The simulated pendulum has neither air drag nor a rod.
     assert!(pull(&answer, "gravity_m_per_s2", "gravity_uncertainty_m_per_s2", 9.81) < 3.0);
     assert!(answer["budget"].as_array().unwrap().len() >= 9);
     assert_eq!(answer["t0_by"], "the speeds at the gate");
@@ -104,7 +104,7 @@ fn what_tells_nothing_is_refused_with_a_reason() {
     assert!(message(&rod).contains("--bob-mass"));
 }
 
-/// T² = 4π²L/9.81 with lengths in cm and periods in the unit of one second divided by `per_second`.
+/// T² = 4π²L/9.81 with lengths in cm, and periods in units of one second divided by `per_second`.
 fn swings(per_second: f64) -> Vec<(f64, f64)> {
     let period = |length: f64| std::f64::consts::TAU * (0.01 * length / 9.81).sqrt();
     [20.0, 40.0, 70.0, 100.0].map(|length| (length, per_second * period(length))).to_vec()
@@ -198,7 +198,7 @@ fn uncertainties_beside_their_values_are_told_from_the_header() {
     assert!(answer["weighting"] == "uncertainties of periods", "{answer}");
 }
 
-/// T of 10°, 40° and 70° where T0 is 2 s, in these multiples and with these uncertainties of them.
+/// T at 10°, 40° and 70° for T0 = 2 s, multiplied by these factors, with relative uncertainties.
 fn periods(name: &str, header: &str, count: f64) -> String {
     let ratios = [(10.0, 1.001907188), (40.0, 1.031340519), (70.0, 1.102144914)];
     let line = |(angle, ratio)| format!("{angle},{},{}\n", 2.0 * count * ratio, 0.002 * count);

@@ -6,8 +6,8 @@ use serde_json::Value;
 use std::fs;
 use std::path::PathBuf;
 
-/// Made by `reference/synthetic_swing.py` with another integrator: l = 0.56 m, g = 9.81 m/s², linear drag 0.03 1/s, released
-/// at 60°, a zero at 1.2°, errors of 0.3°.
+/// Simulated by `reference/synthetic_swing.py` with another integrator: l = 0.56 m, g =
+/// 9.81 m/s², linear drag 0.03 1/s, released at 60°, a zero offset of 1.2°, errors of 0.3°.
 const SWING: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/swing_synthetic.csv");
 
 fn parameter<'a>(answer: &'a Value, name: &str) -> &'a Value {
@@ -19,7 +19,7 @@ fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| panic!("{value} is not a number"))
 }
 
-/// Checks that a value is within 3.5 standard uncertainties of the true one, and its uncertainty below `most`.
+/// Asserts that a value is within 3.5 standard uncertainties of the true one, and that its uncertainty is below `most`.
 fn agrees(value: &Value, uncertainty: &Value, truth: f64, most: f64) {
     let (value, uncertainty) = (number(value), number(uncertainty));
     assert!((0.0..most).contains(&uncertainty), "{uncertainty}");
@@ -103,7 +103,7 @@ fn rows_with_the_fitted_motion_are_written_as_csv() {
     assert_eq!(count, 301);
 }
 
-/// A part of the swing is enough where only the form counts.
+/// A part of the swing, sufficient if only the form of the output matters.
 fn quick() -> String {
     format!("fit trace {SWING} --model linear --to 6s")
 }
@@ -121,14 +121,14 @@ fn the_report_stands_alone_and_is_written_whole() {
     let outside = ["<img", "<link rel=\"stylesheet\"", "@import", "src=", "href=\"http"];
     assert!(outside.iter().all(|tag| !page.contains(tag)));
     assert!(page.contains("default-src 'none'") && page.matches("<script").count() == 1);
-    // The parts of pictures have names of their own.
+    // The elements of different pictures have different ids.
     let names: Vec<&str> = page.split(" id=\"").skip(1).filter_map(|rest| rest.split('"').next()).collect();
     let different: std::collections::BTreeSet<&&str> = names.iter().collect();
     assert_eq!(names.len(), different.len());
     assert_eq!(fs::read_dir(&directory).unwrap().count(), 1);
 }
 
-/// Between a heading and the next one.
+/// The text between a heading and the next one.
 fn section<'a>(page: &'a str, title: &str) -> &'a str {
     let (_, rest) = page.split_once(&format!("<h2>{title}</h2>")).unwrap_or_else(|| panic!("{title}"));
     rest.split_once("<h2>").map_or(rest, |(section, _)| section)
@@ -137,7 +137,7 @@ fn section<'a>(page: &'a str, title: &str) -> &'a str {
 #[test]
 fn the_report_says_what_is_doubtful_beside_the_result_and_how_it_was_made() {
     let report = directory("fit-trace-doubts").join("report.html");
-    // 0.66 m and not 0.56 m.
+    // The length is stated as 0.66 m instead of 0.56 m.
     text(&format!("{} --length 0.66m±0.002m --clock 0.1% --report {}", quick(), report.display()));
     let page = fs::read_to_string(&report).unwrap();
     let result = section(&page, "Result");
@@ -170,7 +170,7 @@ fn the_report_lists_every_cycle_and_its_tables_can_be_copied() {
     let start = number(&first["time_s"]) - 0.5 * number(&first["period_s"]);
     assert!(cycles.contains(&format!("{start:.6}")), "{start}: {cycles}");
     assert!(cycles.contains("data-latex=\"% Every cycle") && cycles.contains("Copy for Word"));
-    // The pictures are as wide as their place, say what they show, and have a colour for dark screens.
+    // The pictures are as wide as their container, have descriptions, and have colours for dark screens.
     let periods = section(&page, "Period and amplitude");
     assert!(
         periods.contains(">constant period</text>") && periods.contains("prefers-color-scheme:dark"),
@@ -247,8 +247,8 @@ fn angular_velocities_alone_give_the_frequency() {
     assert_described("fit trace", &answer);
 }
 
-/// Two runs of an undamped pendulum with ω0 = 3 rad/s in counts of an encoder, sampled 20 times a second; times cut to
-/// hundredths are off by up to half of one.
+/// Two runs of an undamped pendulum with ω0 = 3 rad/s in counts of an encoder, sampled 20
+/// times a second; times truncated to hundredths have errors of up to half a hundredth.
 fn encoder(name: &str) -> PathBuf {
     let mut text = "run,time_ms,angle\n".to_owned();
     for (run, degrees) in [(1, 100.0_f64), (2, 20.0), (3, 60.0)] {
@@ -284,7 +284,7 @@ fn several_runs_share_their_frequency_and_even_times_undo_rounding() {
     assert!(rounded["advice"].to_string().contains("--even-times"), "{}", rounded["advice"]);
     let even = json(&format!("{question} --even-times"));
     let (before, after) = (number(&rounded["rms_residual_rad"]), number(&even["rms_residual_rad"]));
-    // What is left is the rounding to counts, 0.09° over √12.
+    // The remaining error is the rounding to counts, 0.09° over √12.
     assert!(after < 0.2 * before && after < 0.03_f64.to_radians(), "{before} {after}");
     let missing = libration(&format!("{} --run 1,7", question.replace(" --run 1,3", "")));
     assert_eq!(missing.status.code(), Some(1));
@@ -326,8 +326,8 @@ fn questions_that_are_not_understood_say_what_would_do() {
     }
 }
 
-/// A pendulum with ω0 in rad/s and linear drag in 1/s, released at an angle in degrees, recorded 40 times a second for a number of
-/// seconds; the errors are evenly distributed, up to `error` degrees.
+/// A pendulum with ω0 in rad/s and linear drag in 1/s, released at an angle in degrees, recorded 40
+/// times a second for a number of seconds; the errors are uniformly distributed, up to `error` degrees.
 struct Released {
     omega0: f64,
     /// Dry friction, in rad/s².
@@ -373,7 +373,7 @@ fn steady_amplitudes_leave_beta_open_without_an_alarm() {
     let answer = json(&format!("fit trace {swing} --model undamped"));
     assert!(answer["beta"].is_null(), "{}", answer["beta"]);
     assert!(!answer["warnings"].to_string().contains("standard uncertainties"), "{}", answer["warnings"]);
-    // Both traces are steady, and so are both together.
+    // Both traces are regular, alone and together.
     let other = Released { drag: 0.0, seconds: 18, ..Released::USUAL }.write("fit-trace-steady-too");
     let both = json(&format!("fit trace {swing} {other} --model undamped"));
     assert!(both["beta"].is_null(), "{}", both["beta"]);
@@ -435,7 +435,7 @@ fn a_tail_at_rest_is_left_out_of_the_cycles() {
     assert!(answer["warnings"].to_string().contains("lost in the noise"), "{}", answer["warnings"]);
 }
 
-/// Without errors the cycles are off by their own small bias alone.
+/// Without errors the cycles differ only by their small bias.
 #[test]
 fn nothing_is_said_of_differences_that_do_not_matter() {
     let exact = Released { error: 0.0, ..Released::USUAL }.write("fit-trace-exact");
@@ -443,7 +443,7 @@ fn nothing_is_said_of_differences_that_do_not_matter() {
     assert!(!told.contains("by single cycles") && !told.contains(" 1.0 times"), "{told}");
 }
 
-/// A table of angles in degrees by some rule of time, 40 rows a second, with the noise of a swing as usual.
+/// A table of angles in degrees as a function of time, 40 rows a second, with the usual noise.
 fn swing_by(name: &str, value: impl Fn(f64, f64) -> f64) -> String {
     let path = Released::USUAL.write(name);
     let table = fs::read_to_string(&path).unwrap();
@@ -464,7 +464,7 @@ fn kinds(question: &str) -> Vec<String> {
     kinds.iter().map(|kind| kind.as_str().unwrap().to_owned()).collect()
 }
 
-/// Each doubt with data that raise it; the swing as usual raises none of them.
+/// Each warning with data that cause it; the usual swing causes none.
 #[test]
 fn doubts_are_raised_by_the_data_that_deserve_them() {
     let usual_swing = Released::USUAL.write("fit-trace-no-doubt");
@@ -485,9 +485,9 @@ fn doubts_are_raised_by_the_data_that_deserve_them() {
         ("poor_fit", &noisy, "linear"),
         ("residuals_not_noise", &cosine, "undamped"),
         ("outliers", &stray, "linear"),
-        // 0.507 m is what swings so.
+        // The true length is 0.507 m.
         ("gravity_contradicted", &usual_swing, "linear --length 0.6m±0.001m"),
-        // At 3° no error tells an angle that is read too small from a small one.
+        // At 3° the errors do not reveal whether an angle reads too small or is small.
         ("not_converged", &narrow, "linear --free-scale"),
         ("better_model_not_believed", &slippery, "auto"),
         ("stated_uncertainties", &stated("fit-trace-too-sure", 0.05), "linear"),
@@ -497,7 +497,7 @@ fn doubts_are_raised_by_the_data_that_deserve_them() {
         assert!(found.iter().any(|one| one == kind), "{kind}: {found:?}");
         assert!(!usual.iter().any(|one| one == kind), "{kind}: {usual:?}");
     }
-    // Even errors of ±0.3° are 0.17° as a standard deviation.
+    // Uniform errors of ±0.3° have a standard deviation of 0.17°.
     for (kind, question) in [
         ("stated_uncertainties", format!("fit trace {} --model linear", stated("fit-trace-sure", 0.17))),
         ("gravity_contradicted", format!("fit trace {usual_swing} --model linear --length 0.507m±0.001m")),
@@ -509,7 +509,7 @@ fn doubts_are_raised_by_the_data_that_deserve_them() {
     }
 }
 
-/// The swing as usual with a column that says how uncertain each angle is, in degrees.
+/// The usual swing with a column of the uncertainty of each angle, in degrees.
 fn stated(name: &str, uncertainty: f64) -> String {
     let path = Released::USUAL.write(name);
     let table = fs::read_to_string(&path).unwrap();
@@ -518,8 +518,8 @@ fn stated(name: &str, uncertainty: f64) -> String {
     path
 }
 
-/// Linear damping alone made this swing. With dry friction it is tied, which is zero within its error and moves the linear coefficient by many of the
-/// uncertainties of that: no rival. Dry and quadratic damping without the linear one are another model.
+/// This swing has linear damping alone. With dry friction the fit is as good, but its coefficient is zero within the error and changes the
+/// linear coefficient by many of its uncertainties: it is not a rival model. Dry and quadratic damping without the linear one are another model.
 #[test]
 fn a_larger_model_whose_further_coefficient_is_zero_is_no_rival() {
     let swing = Released { seconds: 10, ..Released::USUAL }.write("fit-trace-moved");
@@ -563,7 +563,7 @@ fn advice_is_given_where_it_would_help() {
         assert!(given.contains(expected), "{expected}: {given}");
         assert!(!usual.contains(expected), "{expected}: {usual}");
     }
-    // The zero of a motion that is not that of the pendulum says nothing of a plumb line.
+    // If the motion is not that of a pendulum, its zero does not define a vertical.
     let noisy = Released { error: 14.0, ..Released::USUAL }.write("fit-trace-noisy-tilted");
     let table = fs::read_to_string(&noisy).unwrap();
     let tilted = table.lines().skip(1).map(|line| {

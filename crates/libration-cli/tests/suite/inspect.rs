@@ -67,7 +67,7 @@ fn what_a_file_leaves_open_is_asked_with_the_options_that_decide_it() {
 
 const SWING: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/swing_synthetic.csv");
 
-/// `reference/synthetic_swing.py`: 60° with linear drag 0.03 1/s, l = 0.56 m, g = 9.81 m/s², 1.2° of zero error.
+/// `reference/synthetic_swing.py`: 60° with linear drag 0.03 1/s, l = 0.56 m, g = 9.81 m/s², a zero offset of 1.2°.
 #[test]
 fn harmonics_of_a_swing_stand_beside_those_of_the_pendulum() {
     let answer = json(&format!("inspect {SWING} --spectrum"));
@@ -85,7 +85,7 @@ fn harmonics_of_a_swing_stand_beside_those_of_the_pendulum() {
     let table = text(&format!("inspect {SWING} --spectrum"));
     assert!(table.contains("diff./σ") && table.contains("degrees of angle"), "{table}");
     let csv = text(&format!("inspect {SWING} --spectrum --harmonics 3 --csv"));
-    // Means and two windows of the constant and three harmonics.
+    // Means and two windows for the constant and three harmonics each.
     assert_eq!(csv.lines().count(), 1 + 3 * 4, "{csv}");
     let thin = text(&format!("inspect {SWING} --spectrum --harmonics 60"));
     assert!(unfolded(&thin).contains("are not determined"), "{thin}");
@@ -192,7 +192,7 @@ fn a_part_of_a_file_is_judged_alone() {
     assert!(nothing["undecided"]["why"].as_str().unwrap().contains("--from"), "{nothing}");
 }
 
-/// Characters that move the cursor of a terminal or turn the direction of its text, in the name of a file, above its header, in it and in a cell.
+/// Characters that move the cursor of a terminal or reverse the direction of text, in the name of a file, above its header, in it and in a cell.
 #[test]
 fn names_headers_and_cells_are_shown_without_control_and_bidirectional_characters() {
     let rows: String =

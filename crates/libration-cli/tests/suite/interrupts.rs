@@ -1,4 +1,4 @@
-//! Results that are left when long work is cancelled.
+//! Results that remain when long work is cancelled.
 
 use crate::command::{directory, message};
 use crate::fields::assert_described;
@@ -7,7 +7,7 @@ use std::io::Read;
 use std::process::{Command, Output, Stdio};
 use std::time::Duration;
 
-/// Sends Ctrl-C when the first bytes of an answer have come.
+/// Sends Ctrl-C when the first bytes of the output have arrived.
 #[cfg(unix)]
 #[test]
 fn ctrl_c_ends_a_long_list_with_a_whole_answer() {
@@ -33,7 +33,7 @@ fn ctrl_c_ends_a_long_list_with_a_whole_answer() {
     }
 }
 
-/// Waits until the command listens for Ctrl-C: until its mask of caught signals has SIGINT, the second bit.
+/// Waits until the command handles Ctrl-C: until its mask of caught signals contains SIGINT, the second bit.
 #[cfg(target_os = "linux")]
 fn wait_until_it_listens(process: u32) {
     let listens = || {
@@ -64,7 +64,7 @@ fn ctrl_c_keeps_the_points_of_a_backbone_that_are_done() {
     assert!(amplitudes.len() < 89_001 && amplitudes.is_sorted());
 }
 
-/// Without being asked at each step of the quadratures this takes minutes.
+/// Without a check at each step of the quadratures this would take minutes.
 #[cfg(target_os = "linux")]
 #[test]
 fn ctrl_c_ends_a_search_for_thresholds() {
@@ -76,7 +76,7 @@ fn ctrl_c_ends_a_search_for_thresholds() {
     assert!(began.elapsed() < Duration::from_secs(10), "{:?}", began.elapsed());
 }
 
-/// The output of a command that gets Ctrl-C this time after it began to listen.
+/// The output of a command that receives Ctrl-C this time after it began to handle it.
 #[cfg(target_os = "linux")]
 fn interrupted(arguments: &[&str], after: Duration) -> Output {
     let running = Command::new(env!("CARGO_BIN_EXE_libration"))
@@ -93,11 +93,11 @@ fn interrupted(arguments: &[&str], after: Duration) -> Output {
     output
 }
 
-/// Its orbits take more than ten seconds each, its series no time.
+/// An equation whose orbits take more than ten seconds each, while its series takes no noticeable time.
 #[cfg(target_os = "linux")]
 const SLOW: &str = "x''=-x*exp(-x^2)+x^101*exp(-x^4)/2^400";
 
-/// Long enough for the series on any machine, and far too short for an orbit.
+/// Time that suffices for the series on any computer, but not for an orbit.
 #[cfg(target_os = "linux")]
 const BETWEEN: Duration = Duration::from_secs(2);
 
@@ -141,7 +141,7 @@ fn ctrl_c_does_not_wait_for_the_orbits_under_way() {
     );
 }
 
-/// The one of several motions that begins in a singularity is done at once; the others never are.
+/// One of several motions begins at a singularity and ends at once; the others never end.
 #[cfg(target_os = "linux")]
 #[test]
 fn ctrl_c_keeps_what_of_many_motions_is_known() {
@@ -206,7 +206,7 @@ fn ctrl_c_keeps_the_orders_with_letters() {
 
 #[test]
 fn ctrl_c_keeps_the_orders_that_are_certain() {
-    // Long enough for the first primes on any machine, and far too short for a thousand orders.
+    // Time that suffices for the first primes on any computer, but not for a thousand orders.
     let output = interrupted(&["expand", "pendulum", "--order", "999", "--json"], Duration::from_secs(1));
     assert!(message(&output).starts_with("error: interrupted"), "{}", message(&output));
     if message(&output).contains("is certain") {

@@ -1,4 +1,4 @@
-//! `libration expand` with letters.
+//! `libration expand` with symbolic parameters.
 
 use crate::command::{json, message, run, text, unfolded};
 use serde_json::Value;
@@ -80,7 +80,7 @@ fn a_root_that_is_no_product_is_said() {
     assert!(square.contains("Ω = sqrt(k)/sqrt(m) + 3*b/(8*sqrt(k)*sqrt(m)) ε²"), "{square}");
 }
 
-/// Every element ends, in the order of nesting.
+/// Asserts that every element is closed, in the order of nesting.
 fn assert_balanced(line: &str) {
     let mut open: Vec<&str> = vec![];
     for tag in line.split('<').skip(1).map(|rest| rest.split('>').next().unwrap()) {
@@ -113,7 +113,7 @@ fn letters_are_written_in_every_form() {
     let bent = words(&["x'' = a*x - b*x^3", "--about", "sqrt(a/b)", "--order", "3", "--gauge", "x_max"]);
     assert!(bent.contains("about x = sqrt(a)/sqrt(b), where ω0² = 2*a"), "{bent}");
     assert!(bent.contains("x_max = ε x_min"), "{bent}");
-    // The values of parameters hold in the place too.
+    // The values of parameters apply to the equilibrium too.
     let place = ["x'' = a*x - b*x^3", "--about", "sqrt(a/b)", "--set", "a=4", "--order", "3"];
     assert_eq!(answer(&place)["equilibrium"], "2/sqrt(b)");
     let place = answer(&[&place[..], &["--set", "b=9"]].concat());
@@ -137,7 +137,7 @@ fn what_letters_cannot_say_is_refused() {
         let message = refusal(arguments, status);
         assert!(message.contains(part), "{arguments:?}: {message}");
     }
-    // Other questions need numbers as before.
+    // Other queries need numbers as before.
     for command in
         [&["backbone", MIXED, "--amplitudes", "1"][..], &["derive", "--method", "perturbation", MIXED]]
     {

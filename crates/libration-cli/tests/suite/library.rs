@@ -1,4 +1,4 @@
-//! Questions that another program asks in its own process.
+//! Queries that another program runs in its own process.
 
 use crate::command::{message, run};
 use libration::progress::Quiet;
@@ -13,13 +13,13 @@ use std::process::{Command, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 
-/// A host that keeps what it is told.
+/// A host that stores the messages it receives.
 #[derive(Default)]
 struct Memory {
     answer: Mutex<Vec<u8>>,
     notes: Mutex<Vec<String>>,
     input: &'static [u8],
-    /// Number of checks after which it cancels, once.
+    /// Number of checks after which the host cancels once.
     patience: Option<usize>,
     looks: AtomicUsize,
     is_full: bool,
@@ -103,7 +103,7 @@ fn failures_have_the_reason_and_the_status_of_the_program() {
         let failure = answered.unwrap_err();
         assert_eq!(Some(i32::from(failure.status())), program.status.code(), "{question}");
         assert_eq!(program.status.code(), Some(status), "{question}");
-        // Before the reason clap has sentences of its own.
+        // clap puts its own sentences before the reason.
         let said = message(&program);
         assert!(said.contains(&failure.message(&CommandWords)), "{question}: {failure}");
         assert!(!failure.to_string().contains("--help"), "{question}: {failure}");
@@ -213,7 +213,7 @@ fn a_plan_and_its_text_answer_chunks_alike() {
     assert_eq!((&read, read.to_json()), (&plan, plan.to_json()));
     for chunk in 0..3 {
         let [one, other] = [&plan, &read].map(|it| it.answers(chunk, Arc::new(Memory::default())).unwrap());
-        // NaN is not itself.
+        // Text is compared, because NaN differs from itself.
         assert_eq!(format!("{one:?}"), format!("{other:?}"));
         assert_eq!(one.status, [0, 2], "an initial angle x is not understood");
         assert!(
@@ -302,7 +302,7 @@ fn what_cannot_go_on_together_is_refused() {
     assert_eq!(other.to_string(), "only libration simulate with --each has an ensemble");
 }
 
-/// The relaxation oscillation takes a minute; it is ended as soon as the second line of progress has more steps than the first.
+/// The relaxation oscillation takes a minute; the run is cancelled when the second progress message has more steps than the first.
 #[test]
 fn a_long_search_for_an_orbit_tells_its_steps_and_can_be_ended() {
     #[derive(Default)]

@@ -1,4 +1,4 @@
-//! The oscillators and systems known by name.
+//! Oscillators and systems in the catalogue.
 
 use crate::command::{json, refusal, text};
 use serde_json::Value;
@@ -17,7 +17,7 @@ fn every_system_is_listed_with_equations_parameters_energy_and_source() {
         for field in ["title", "description", "domain", "source"] {
             assert!(!system[field].as_str().unwrap().is_empty(), "{}: {field}", system["key"]);
         }
-        // A chain's is a sum, and equations of the first order have none.
+        // The energy of a chain is a sum, and equations of first order have none.
         let key = system["key"].as_str().unwrap();
         let has_none =
             ["lorenz", "roessler", "lotka_volterra", "fermi_pasta_ulam", "pendulum_chain"].contains(&key);
@@ -26,7 +26,7 @@ fn every_system_is_listed_with_equations_parameters_energy_and_source() {
             assert!(system[field] != "", "{key}: {field}");
         }
         let coordinates = system["coordinates"].as_array().unwrap();
-        // The others say what lies beyond the ends of a chain.
+        // The further equations state the members beyond the ends of a chain.
         let equations = system["equations"].as_array().unwrap().iter();
         let of_motion = equations.filter(|equation| equation.as_str().unwrap().contains('\''));
         assert_eq!(of_motion.count(), coordinates.len(), "{}", system["key"]);

@@ -1,4 +1,4 @@
-//! The command as its users meet it: run, with its answers read back.
+//! The command as users run it, with its output read back.
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on should stop where it stands")]
 
 mod bad_input;

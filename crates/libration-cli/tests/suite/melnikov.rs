@@ -16,7 +16,7 @@ fn thresholds_are_found_over_a_parameter() {
     let value = |it: &Value| it["value"].as_f64().unwrap();
     assert!(thresholds.iter().all(|it| (value(it) - 0.203_754_851_014_665_07).abs() < 1e-15));
     assert_eq!((&answer["parameter"], value(&answer)), (&"A".into(), value(&thresholds[0])));
-    // Two manifolds in 150-bit floats.
+    // From two manifolds in 150-bit floats.
     let tangency = |name: &str| thresholds[0][name].as_f64().unwrap();
     assert!((tangency("tangency") - 0.203_712_546_072_548).abs() <= tangency("tangency_error"));
     assert!(tangency("tangency_error") < 1e-12 && thresholds[0]["no_tangency"].is_null());

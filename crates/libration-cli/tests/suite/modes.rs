@@ -116,7 +116,7 @@ fn a_force_without_a_linear_part_has_orbits_only() {
         let frequency = std::f64::consts::TAU * amplitude / 7.416_298_709_205_487_7;
         close(&answer["points"][place]["angular_frequency_rad_per_s"], frequency, 1e-14);
     }
-    // Beyond the barrier there is none, and the table goes on.
+    // Beyond the barrier there is no orbit, and the table continues.
     let csv = text("backbone duffing_soft --amplitudes 0.9,1.1 --csv");
     assert!(csv.lines().nth(2).unwrap().starts_with("1.1,,,"), "{csv}");
 }
@@ -228,7 +228,7 @@ fn amplitudes_count_from_an_equilibrium_without_expansion_and_that_is_said() {
     assert!(told.contains("no stable one found: amplitudes are measured from 0"), "{told}");
 }
 
-/// cosh 800 is 10³⁴⁷; in numbers of more bits the motion is followed all the same.
+/// cosh 800 is 10³⁴⁷; numbers with a larger exponent range can follow the motion.
 #[test]
 fn what_is_beyond_the_range_of_numbers_is_called_so() {
     let refusal = |arguments: &[&str]| {
@@ -259,9 +259,9 @@ fn a_mode_is_followed_to_large_amplitudes_with_its_stability() {
     // By collocation and by shooting in 130-bit floats.
     assert!((points[1]["period_s"].as_f64().unwrap() - 6.287_859_494_514_626).abs() < 1e-12, "{points:?}");
     assert!((points[1]["start"][1].as_f64().unwrap() + 1.099_990_501_943_477_8).abs() < 1e-11);
-    // Two pairs of multipliers: energy is conserved.
+    // Two pairs of multipliers, because energy is conserved.
     assert_eq!((&points[0]["stability"], &points[1]["stability"]), (&"neutral".into(), &"unstable".into()));
-    // Of every multiplier an error, and the two at 1, which meet in a family of orbits, are there within it.
+    // Every multiplier has an error, and the two at 1, which belong to a family of orbits, are within it.
     for point in answer["points"].as_array().unwrap() {
         let multipliers = point["multipliers"].as_array().unwrap();
         let errors = point["multiplier_errors"].as_array().unwrap();

@@ -19,8 +19,8 @@ fn every_field_of_the_contract_is_there() {
 
 #[test]
 fn the_state_after_an_eighth_of_a_swing_of_a_right_angle_is_known() {
-    // With k² = 1/2 an eighth of the period is half a quarter period: from the top of the swing sin(θ/2) = k cd(K/2), and
-    // cd²(K/2) = 1/(1 + k′) by the formulas of half the quarter period (DLMF 22.5), so that sin²(θ/2) = 1/(2 + √2).
+    // For k² = 1/2 an eighth of the period is half a quarter period: from the turning point sin(θ/2) = k cd(K/2), and cd²(K/2) = 1/(1 + k′) by
+    // the formulas for half the quarter period (DLMF 22.5), so that sin²(θ/2) = 1/(2 + √2).
     let omega0 = 9.80665_f64.sqrt();
     let period = 4.0 * 1.854_074_677_301_371_9 / omega0;
     let answer = json(&format!("motion 90deg --times {:?},{:?}", period / 8.0, period * 9.0 / 8.0));
@@ -52,7 +52,7 @@ fn the_state_on_the_separatrix_is_known() {
         close(&sample["angle_rad"], angle, 1e-14);
         close(&sample["angle_in_turn_rad"], angle, 1e-14);
         close(&sample["velocity_rad_per_s"], 2.0 / time.cosh(), 1e-14);
-        // π − θ = 4 atan e^(−t) has no cancellation.
+        // π − θ = 4 atan e^(−t) is free of cancellation.
         close(&sample["complement_rad"], 4.0 * (-time).exp().atan(), 1e-14);
     }
 }
@@ -61,7 +61,7 @@ fn the_state_on_the_separatrix_is_known() {
 fn a_rotation_comes_back_after_its_turn_one_turn_further() {
     let period = json("motion 0 --velocity 7rad/s --times 0")["period_s"].as_f64().unwrap();
     let answer = json(&format!("motion 0 --velocity 7rad/s --times {period:?},{:?}", 2.0 * period));
-    // k² = (θ′/2ω0)² is above 1 and the time of a turn is 2K(1/k²)/(k ω0), by the arithmetic-geometric mean.
+    // k² = (θ′/2ω0)² is above 1, and the time of a turn is 2K(1/k²)/(k ω0), by the arithmetic-geometric mean.
     let omega0 = 9.80665_f64.sqrt();
     let energy = (3.5 / omega0).powi(2);
     let (mut a, mut b) = (1.0, (1.0 - 1.0 / energy).sqrt());

@@ -1,9 +1,9 @@
-//! Names of options, of which one name has one meaning and one meaning one name, and types of parameters.
+//! Each option name has one meaning and each meaning one name; parameters have types.
 
 use libration_queries::{ParameterKind, ParameterType, questions};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Options whose help differs between queries, with the meaning that all have in common. Readers of tables have names of their own.
+/// Options whose help differs between queries, with the common meaning. The options of commands that read tables are listed separately.
 const SHARED: &[(&str, &str)] = &[
     ("about", "the equilibrium: a value of one variable, or of the coordinates of a system"),
     ("amplitude", "an amplitude"),
@@ -47,7 +47,7 @@ const SHARED: &[(&str, &str)] = &[
     ("until", "the end of a motion: a time, or a condition"),
 ];
 
-/// The options of all queries with their helps, without defaults and remarks.
+/// The options of all queries with their help texts, without defaults and remarks.
 fn helps() -> BTreeMap<String, BTreeSet<String>> {
     let mut helps = BTreeMap::<String, BTreeSet<String>>::new();
     let options = questions().into_iter().flat_map(|it| it.parameters);
@@ -76,7 +76,7 @@ fn a_meaning_has_one_option() {
     assert!(names.is_empty(), "{names:?}");
 }
 
-/// Parameters that are read as text, with the notation that a type would say.
+/// Parameters that are read as text, with the notation that a type would imply.
 const TEXTS: &[(&str, &str)] = &[
     ("about", "a number or an angle; coordinates with values"),
     ("amplitudes", "a list or range of numbers or of angles, as the variable of the equation has it"),

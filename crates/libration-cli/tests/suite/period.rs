@@ -96,7 +96,7 @@ fn every_row_of_a_range_has_the_right_values_and_every_formula() {
         ];
         for (name, value) in expected {
             let found = cells[column(name)];
-            // Ten steps of the mean in f64, and the cosine next to 180°.
+            // Ten steps of the mean in `f64`, and the cosine next to 180°.
             assert!((found - value).abs() <= 1e-13 * value, "{name} at {degrees}°: {found} is not {value}");
         }
         let error = cells[column("bernoulli_fractional_error")];
@@ -196,7 +196,7 @@ fn amplitudes_follow_from_periods_ratios_and_excesses() {
         assert!(off <= stated && stated < 1e-14, "{option}: {off} {stated}");
     }
     assert!(swing.get("amplitude_uncertainty_rad").is_none());
-    // Next to the top it is the distance from there that has all digits: π − θ0 = 8 exp(−πR/2) to within its square.
+    // Next to the top the complement has all digits: π − θ0 = 8 exp(−πR/2) to within its square.
     let top = &json("period --ratio=100")["results"][0];
     let expected = 8.0 * (-50.0 * std::f64::consts::PI).exp();
     let complement = top["complement_rad"].as_f64().unwrap();
@@ -209,7 +209,7 @@ fn amplitudes_follow_from_periods_ratios_and_excesses() {
     assert_eq!(csv.lines().count(), 3);
 }
 
-/// The amplitudes of 2.09 and 2.11 s are 45.9° and 50.9°; digits are printed to the second of the uncertainty.
+/// The amplitudes for 2.09 and 2.11 s are 45.9° and 50.9°; numbers are printed to the second digit of the uncertainty.
 #[test]
 fn a_period_with_an_uncertainty_gives_digits_to_that_of_the_amplitude() {
     let text = text("period --period=2.10(1)s --formulas=bernoulli");
@@ -230,7 +230,7 @@ fn periods_that_no_amplitude_has_are_refused_with_that_of_small_swings() {
         short.contains("no amplitude has a period of 1.9 s: small swings of this pendulum take 2.0064"),
         "{short}"
     );
-    // That of small swings itself, to its last digit, and within its uncertainty.
+    // The period of small swings is accepted: itself, to its last digit, and within its uncertainty.
     for accepted in [
         "--period=2.0064092925890407s",
         "--period=2.0064092925890402s",
@@ -250,7 +250,7 @@ fn periods_that_no_amplitude_has_are_refused_with_that_of_small_swings() {
     assert!(refused("period --period=3s 60deg").contains("cannot be used with"));
 }
 
-/// A length or a gravity that is uncertain by 1 % counts as a period that is uncertain by half of that.
+/// A length or gravity with an uncertainty of 1 % counts as a period with half of that.
 #[test]
 fn the_uncertainty_of_the_pendulum_goes_into_amplitudes_of_periods_and_elsewhere_is_named() {
     let uncertainty =

@@ -4,7 +4,7 @@ use crate::command::{close, json, libration, message, text};
 
 const USUAL: &str = "plan --g-to 1e-3 --length 1.0000(5)m --angle-noise 0.2deg --rate 60";
 
-/// u(g)/g = 2·√24·σ/(A·√N·ω0·T) of small undamped swings, whose amplitude is not in doubt: Rife and Boorstyn.
+/// u(g)/g = 2·√24·σ/(A·√N·ω0·T) for small undamped swings with a known amplitude: Rife and Boorstyn.
 #[test]
 fn small_swings_are_planned_by_the_bound_for_a_sinusoid() {
     let answer =

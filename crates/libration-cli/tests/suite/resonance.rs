@@ -9,7 +9,7 @@ fn an_exchange_of_energy_is_told_beside_the_whole_motion() {
     let answer = json(question);
     let exchange = &answer["exchange"];
     let number = |name: &str| exchange[name].as_f64().unwrap();
-    // By a return map in long double.
+    // From a return map in long double.
     let expected = 148.545_397_098_687_13;
     assert!((number("measured_period_s") / expected - 1.0).abs() < 1e-9, "{exchange}");
     assert!((number("period_s") / expected - 1.0).abs() < 1e-3);

@@ -61,7 +61,7 @@ fn a_response_is_told_in_words() {
     let csv = text("response driven_pendulum --set A=0.15,c=0.1 --over omega=0.7:1 --csv");
     let rows: Vec<Vec<&str>> = csv.lines().skip(1).map(|line| line.split(',').collect()).collect();
     let fold = rows.iter().position(|row| row[1] == "fold").unwrap();
-    // Beyond both neighbours, of which one is stable.
+    // Beyond both neighbours, one of which is stable.
     let value = |row: usize| rows[row][2].parse::<f64>().unwrap();
     assert!(value(fold) > value(fold - 1) && value(fold) > value(fold + 1));
     assert_eq!((rows[fold - 1][5], rows[fold + 1][5]), ("attracting", "unstable"));
@@ -172,7 +172,7 @@ fn answers_that_go_around_are_followed() {
     let answer = json(question);
     let branches = answer["branches"].as_array().unwrap();
     let turns = |it: &Value| (it["turns"].as_i64().unwrap(), it["drive_periods"].as_i64().unwrap());
-    // Two at the lower end, of which one is unstable throughout, and what branches off.
+    // Two branches at the lower end, one of which is unstable throughout, and the secondary branch.
     assert_eq!(branches.iter().map(turns).collect::<Vec<_>>(), [(1, 1), (1, 1), (2, 2)]);
     // By Taylor shooting in 40 digits.
     let doubling = &branches[0]["special"][0];
@@ -210,7 +210,7 @@ fn slow_sweeps_are_listed_where_they_are_asked_for() {
     let expected = [("up", [0.7, 0.8, 0.9, 1.0]), ("down", [1.0, 0.9, 0.8, 0.7])];
     let expected = expected.iter().flat_map(|(way, all)| all.iter().map(move |it| (*way, *it)));
     assert!(expected.zip(&values).all(|(a, b)| a.0 == b.0 && (a.1 - b.1).abs() < 1e-15), "{values:?}");
-    // At 0.8 both answers are there: below 30° upwards, above 100° downwards.
+    // At 0.8 both responses exist: below 30° in the upward sweep, above 100° in the downward one.
     let at = |place: usize| number(&sweeps[place], "amplitude_max").to_degrees();
     assert!(at(1) < 30.0 && at(6) > 100.0, "{sweeps:?}");
     let csv = text(&format!("{question} --sweeps 4 --csv"));
@@ -246,7 +246,7 @@ fn only_a_drive_sets_the_period_and_digits_end_where_the_error_begins() {
     }
     let driven = text("orbit driven_pendulum --set A=0.15,c=0.1,omega=0.82");
     assert!(driven.contains("set by the drive"), "{driven}");
-    // The error of a small swing's period is that of its place beside rest: 5e-12.
+    // The error of the period of a small swing is that of its position near the equilibrium: 5e-12.
     let small = text("orbit lotka_volterra --initial x=1.0001,y=1");
     assert!(small.contains(" 6.283185312416 s, to 5e-12"), "{small}");
 }

@@ -1,4 +1,4 @@
-//! Answers of `libration simulate` that are gone on from are those of one run, to the last byte.
+//! Continued runs of `libration simulate` equal uninterrupted ones, to the last byte.
 
 use crate::command::{directory, libration, message, text};
 use crate::fields::assert_described;
@@ -6,7 +6,7 @@ use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// A system with its start and what is looked for.
+/// A system with its start and its events.
 const QUESTIONS: [(&str, &str); 4] = [
     ("driven_pendulum --set A=0.5,c=1/2 --tolerance 1e-15", "theta=0.2"),
     ("driven_pendulum --set A=1.2,c=1/2 --events turning,crossing,theta-0.5", "theta=0.2"),
@@ -70,7 +70,7 @@ fn a_file_that_is_cut_short_anywhere_comes_out_whole() {
     let bytes = fs::read(&part).unwrap();
     let known = usize::try_from(state(&part)["known"]["bytes"].as_u64().unwrap()).unwrap();
     assert!(known < bytes.len() && known > bytes.len() / 2, "{known} of {}", bytes.len());
-    // At the end of a line, one byte next to it, within a number, and before what is known.
+    // Cut at the end of a line, one byte next to it, within a number, and before the first complete line.
     for length in
         [bytes.len(), bytes.len() - 1, bytes.len() - 7, known + 20, known + 1, known, known - 1, known / 2]
     {
@@ -89,7 +89,7 @@ fn a_file_that_is_cut_short_anywhere_comes_out_whole() {
         }
     }
     let mut changed = bytes.clone();
-    // Another digit in a number, which nothing else would show.
+    // A changed digit in a number, which only the checksum can detect.
     let place = (known / 2..).find(|&place| changed[place].is_ascii_digit()).unwrap();
     changed[place] = if changed[place] == b'1' { b'2' } else { b'1' };
     fs::write(&cut, &changed).unwrap();
@@ -143,7 +143,7 @@ fn a_file_that_does_not_say_how_it_goes_on_is_refused() {
     let attempt = || libration(&format!("{question} --resume {}", file.display()));
     text(&format!("{question} --initial theta=1 --output {}", file.display()));
     let state = fs::read_to_string(state_of(&file)).unwrap();
-    // Not read to its end, whatever its size.
+    // The state file is not read to its end, whatever its size.
     fs::write(state_of(&file), state + &" ".repeat(1 << 20)).unwrap();
     assert!(message(&attempt()).contains("not a record of an integration"), "{}", message(&attempt()));
     fs::write(state_of(&file), "{}").unwrap();
@@ -243,7 +243,7 @@ fn ctrl_c_leaves_a_complete_file_to_go_on_from() {
     assert!(answer["interrupted"].is_null());
 }
 
-/// Until there is something in the directory of a file.
+/// Waits until the directory of a file contains an entry that `seen` accepts.
 #[cfg(unix)]
 fn wait_for(file: &Path, seen: impl Fn(&fs::DirEntry) -> bool) {
     for _ in 0..600 {

@@ -1,4 +1,4 @@
-//! Output to the screen of commands that write files.
+//! Terminal output of commands that write files.
 
 use crate::command::{directory, json, text};
 use std::fs;

@@ -10,7 +10,7 @@ fn sample(answer: &Value, place: usize) -> Vec<f64> {
     state.iter().map(|value| value.as_f64().unwrap()).collect()
 }
 
-/// The errors of a sample or an event; `None` where they are null.
+/// The errors of a sample or an event; `None` if they are null.
 fn error(row: &Value) -> Option<Vec<f64>> {
     row["error"].as_array().unwrap().iter().map(Value::as_f64).collect()
 }
@@ -42,7 +42,7 @@ fn a_damped_pendulum_is_that_of_the_reference() {
         (&"damped_pendulum".into(), &serde_json::json!(["theta", "theta'"]))
     );
     close(&answer["samples"][0]["time_s"], 0.5, 0.0);
-    // damped.csv of the library.
+    // From `damped.csv` of the library.
     close(&answer["samples"][0]["state"][0], 0.896390819265663239817, 1e-15);
     close(&answer["samples"][1]["state"][0], -0.28686664229216129236, 1e-14);
     assert_eq!(answer["energy_drift"], Value::Null);
@@ -82,7 +82,7 @@ fn every_form_has_the_same_numbers() {
         assert_eq!(numbers[1..5], sample(&answer, place));
         assert_eq!(numbers[5..], error(&answer["samples"][place]).unwrap());
     }
-    // r is not given and begins where the spring carries the weight.
+    // r is not given, and begins where the spring carries the weight.
     assert_eq!(sample(&answer, 0), [1.1, 0.5, 0.0, 0.0]);
     let sheet = text(question);
     let said = unfolded(&sheet);
@@ -125,7 +125,7 @@ fn a_singularity_ends_the_answer_and_says_so() {
     assert!(answer["stopped"].as_str().unwrap().contains("singularity"), "{answer}");
 }
 
-/// Times and kinds of the events of an answer.
+/// Times and kinds of the events in a result.
 fn events(answer: &Value) -> Vec<(f64, String)> {
     let event =
         |event: &Value| (event["time_s"].as_f64().unwrap(), event["kind"].as_str().unwrap().to_owned());
@@ -136,7 +136,7 @@ fn events(answer: &Value) -> Vec<(f64, String)> {
 fn turning_points_passages_and_levels_are_found() {
     let question = "simulate damped_pendulum --set c=0.1 --initial theta=1 --times 0:10:5 --tolerance 1e-15";
     let turnings = events(&json(&format!("{question} --events turning")));
-    // damped.csv of the library.
+    // From `damped.csv` of the library.
     let expected = [3.323972347874400124, 6.594035276141596549, 9.827704016085721970];
     assert_eq!(turnings[0], (0.0, "turning, at the start".to_owned()));
     assert_eq!(turnings.len(), 1 + expected.len());
@@ -163,7 +163,7 @@ fn turning_points_passages_and_levels_are_found() {
 fn rotations_pass_the_lowest_point_in_every_turn() {
     let answer = json("simulate pendulum --initial theta'=3 --times 0,20 --events crossing,turning");
     let end = sample(&answer, 1)[0];
-    // The start is one of them, and no rotation turns back.
+    // The start is one of the events, and a rotation never turns back.
     let turns = (1..100).take_while(|&turn| f64::from(turn) * std::f64::consts::TAU <= end).count();
     assert!(turns > 3);
     assert_eq!(events(&answer).len(), 1 + turns, "{end}");
@@ -250,7 +250,7 @@ fn forces_next_to_poles_get_their_answer() {
         let output = run(&["simulate", equation, "--initial", initial, "--times", times, "--json"]);
         let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
         assert!(output.status.code() == Some(1) && answer["stopped"].is_string(), "{equation}");
-        // What of the work of the forces was not reached is said.
+        // The part of the work of the forces that was not reached is reported.
         let [drift, uncertainty] =
             ["energy_drift", "energy_drift_uncertainty"].map(|name| answer[name].as_f64().unwrap());
         assert!(
@@ -339,7 +339,7 @@ fn a_motion_ends_at_an_event() {
     }
 }
 
-/// Columns of continued runs are those of one run, and the count of events goes on.
+/// Columns of continued runs equal those of one run, and the count of events continues.
 #[test]
 fn columns_and_counted_events_survive_a_stop() {
     let place = directory("columns_and_counts");
@@ -464,7 +464,7 @@ fn derivatives_by_parameters_and_starts_are_columns() {
             let columns = row["columns"].as_array().unwrap().iter().zip(exact);
             for ((found, exact), error) in columns.zip(row["columns_error"].as_array().unwrap()) {
                 let (off, error) = ((found.as_f64().unwrap() - exact).abs(), error.as_f64().unwrap());
-                // What the closed form itself rounds.
+                // The rounding errors of the closed form.
                 assert!(off <= error + 4e-15 && error < 1e-12, "{row}");
             }
         }
@@ -525,7 +525,7 @@ fn chaotic_motions_have_errors_as_far_as_they_are_determined() {
             assert!(off <= error && error < 1e-3, "{place}: {off:e} {error:e}");
         }
     }
-    // What was printed as if it were known is far from the truth, -5.163773181 and -38.317931200.
+    // The values beyond the limit, which are not printed, are far from the truth, -5.163773181 and -38.317931200.
     assert!((sample(&answer, 3)[0] + 5.163773181).abs() > 0.1);
     let sheet = unfolded(&text(question));
     assert!(sheet.contains("not determined in double precision after t = 7"), "{sheet}");
@@ -548,7 +548,7 @@ fn without_errors_the_answer_says_so() {
     assert!(until["until"]["time_s"].is_number() && until["until"]["time_error_s"].is_null(), "{until}");
 }
 
-/// The digits end where the error begins: at t = 50 four are left of thirteen. The state and a formula are in one row.
+/// The digits end where the error begins: at t = 50 four of thirteen remain. The state and a formula are in one row.
 #[test]
 fn no_digits_are_shown_beyond_the_error() {
     let question = "simulate double_pendulum --initial theta1=2,theta2=2 --times 0:60:10 --columns y=sin(theta1)+sin(theta2)";
@@ -568,7 +568,7 @@ fn no_digits_are_shown_beyond_the_error() {
     }
 }
 
-/// Sixty degrees and pi/3 differ in the last digit at most.
+/// Sixty degrees and pi/3 differ at most in the last digit.
 #[test]
 fn a_start_on_an_event_does_not_cross_it() {
     for (question, expected) in [
@@ -614,7 +614,7 @@ fn commas_in_brackets_separate_nothing() {
     run_all(&[&over[..], &["--points", "2", "--skip", "2"]].concat());
 }
 
-/// The same bytes, where forces have jumps and where the motion is not determined any more.
+/// The continued run has the same bytes, for forces with jumps and where the motion is no longer determined.
 #[test]
 fn errors_survive_a_stop() {
     let place = directory("errors_survive");

@@ -25,7 +25,7 @@ fn a_chart_has_its_curves_with_both_parameters() {
         [&answer["rest_stable"], &answer["rest_stable"][0]].map(|it| it.as_array().unwrap().len());
     let [first, second] = [0, 1].map(|it| answer["grid"][it].as_array().unwrap().len());
     assert_eq!((rows, columns), (second, first));
-    // Above the edge rest is stable to the end of the map.
+    // Above the edge the equilibrium is stable up to the end of the map.
     let ends = answer["rest_stable_at"].as_array().unwrap();
     assert_eq!([&ends[0]["value"], &ends[1]["value"]], [5.0, 10.0]);
     for (end, edge) in ends.iter().zip([0.2877861746702333933585712, 0.142045148229182661499441]) {

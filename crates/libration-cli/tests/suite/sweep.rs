@@ -1,4 +1,4 @@
-//! Sweeps: one question at all points of a grid, in chunks that survive what happens to the command.
+//! Sweeps: one query at all points of a grid, in chunks that survive failures of the command.
 
 use crate::command::{directory, json, message, run, text};
 use crate::fields::assert_described;
@@ -9,7 +9,7 @@ use std::path::Path;
 use std::process::{Command, Output, Stdio};
 use std::time::Duration;
 
-/// Three parameters and five initial values, of which the last has no motion.
+/// Three parameters and five initial values, the last of which has no motion.
 const QUESTION: &str = "section|driven_pendulum|--set|c=1/2|--points|1|--skip|2|--over|A=1:1.2:0.1\
                         |--over|theta=0.1,0.2,0.3,0.4,0.5|--keep|omega=points[-1].state[1]|--chunk|2";
 
@@ -22,7 +22,7 @@ fn succeeded(output: &Output) {
     assert!(output.status.success(), "{}", message(output));
 }
 
-/// The joined sweep of some directories.
+/// The joined sweep of several directories.
 fn joined(directories: &[&Path], ending: &str) -> String {
     let file = directories[0].with_extension(ending);
     let words = directories.iter().map(|it| it.to_str().unwrap());
@@ -79,7 +79,7 @@ fn shards_and_chunks_join_to_the_same_bytes() {
         succeeded(&sweep(QUESTION, &together, &["--shard", &format!("{number}/3")]));
     }
     assert_eq!(joined(&[&together], "csv"), joined(&[&whole], "csv"));
-    // Other chunks hold the same lines.
+    // Chunks of another directory contain the same lines.
     let other = place.join("other");
     let seven = QUESTION.replace("--chunk|2", "--chunk|7");
     succeeded(&sweep(&seven, &other, &[]));
@@ -125,7 +125,7 @@ fn where_nothing_stands_alone_it_has_to_be_chosen() {
 
 #[test]
 fn words_that_are_missing_are_no_numbers() {
-    // `system` is null here, and `note` too.
+    // `system` is null here, and so is `note`.
     let place = directory("sweep-words").join("d");
     succeeded(&sweep("lyapunov|x'' = -x - {c} x'|--initial|x=1|--over|c=1,2|--time|5", &place, &[]));
     let status = json(&format!("sweep status {}", place.display()));
@@ -170,7 +170,7 @@ fn all_numbers_that_stand_alone_are_kept_with_their_units() {
         (&"results[0].period_s".into(), &"s".into())
     );
     assert!(!of("nome")["meaning"].as_str().unwrap().is_empty());
-    // The exact period and the formula's have one name, so that both have their way.
+    // The exact period and the formula's have the same name, so that both have their paths.
     assert_eq!(of("results[0].formulas[0].ratio")["path"], "results[0].formulas[0].ratio");
     assert!(fields.iter().all(|it| it["name"] != "schema"));
 }
@@ -248,7 +248,7 @@ fn a_damaged_chunk_is_made_again() {
     }
 }
 
-/// Killed at once, soon, and later, again and again, until it comes to its end.
+/// Killed at once, soon and later, again and again, until the sweep completes.
 #[test]
 fn a_killed_sweep_goes_on_where_it_was() {
     let place = directory("sweep-killed");
@@ -278,14 +278,14 @@ fn a_killed_sweep_goes_on_where_it_was() {
     assert_eq!(joined(&[&killed], "json"), joined(&[&undisturbed], "json"));
 }
 
-/// A limit of the size of files has writes fail as a full disk has.
+/// A limit of the file size makes writes fail like a full disk.
 #[cfg(unix)]
 #[test]
 fn a_full_disk_is_told_and_keeps_whole_chunks() {
     let place = directory("sweep-full-disk").join("d");
     let question = "section|driven_pendulum|--set|c=1/2|--initial|theta=0.2|--points|40|--skip|1|--over|A=1:1.2:0.1\
                     |--keep|omega=points[0:40].state[1]|--chunk|1";
-    // The first chunk is there already.
+    // The first chunk exists already.
     succeeded(&sweep(question, &place, &["--shard", "1/3"]));
     let words: Vec<&str> = question.split('|').collect();
     let output = Command::new("bash")

@@ -1,4 +1,4 @@
-//! The commands and options of the terminal, and the help.
+//! The terminal's commands and options, and the help.
 
 use crate::command::{directory, libration, message, refusal, text};
 use libration_queries::{ParameterKind, questions};
@@ -35,7 +35,7 @@ fn quiet_runs_write_results_and_errors_only() {
     let sweep = libration("sweep period --over amplitude=1,2 -q --csv");
     assert!(!message(&sweep).contains("unexpected argument"), "{}", message(&sweep));
     assert!(message(&libration("-q period 4rad")).starts_with("error: "));
-    // After -- stand values, no options.
+    // After -- come values, not options.
     assert!(refusal("period -- -q").contains("cannot read `-q` as an angle"));
 }
 

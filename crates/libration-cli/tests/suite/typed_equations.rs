@@ -1,4 +1,4 @@
-//! Equations of motion as physicists type them.
+//! Equations of motion in the notation of physicists.
 
 use crate::command::{message, run, unfolded};
 use serde_json::Value;

@@ -1,9 +1,9 @@
-//! Answers to read keep to the width of the screen.
+//! Text output fits into the width of the screen.
 
 use crate::command::directory;
 use std::process::Command;
 
-/// The result on a screen of this number of columns; without a number, in a pipe.
+/// The output on a screen with this number of columns; `None` means a pipe.
 fn answer(arguments: &[&str], screen: Option<usize>) -> String {
     let mut command = Command::new(env!("CARGO_BIN_EXE_libration"));
     command.args(arguments).current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).env_remove("COLUMNS");

@@ -1,4 +1,4 @@
-//! The form the motion is looked for in, how it changes with time, and what the amplitude is.
+//! The ansatz for the motion, its change with time, and the definition of the amplitude.
 
 use std::collections::BTreeMap;
 
@@ -77,7 +77,7 @@ fn backwards(question: &Question) -> Prose {
     )
 }
 
-/// States the number of coefficients, and which of them turn out to be zero.
+/// States the number of coefficients, and which of them vanish.
 fn counted(question: &Question, flow: &Flow, [motions, growths, frequencies]: [&[Place]; 3]) -> Prose {
     let count = |n: usize| number(i64::try_from(n).unwrap_or(i64::MAX));
     let zero = |places: &[Place], is_known: &dyn Fn(&Place) -> bool, name: &dyn Fn(Place) -> Name| {
@@ -105,7 +105,7 @@ fn counted(question: &Question, flow: &Flow, [motions, growths, frequencies]: [&
     listed.and(Prose::text(and)).and(Prose::formula(last.clone())).and(Prose::text("."))
 }
 
-/// The places of the ansatz where something may be.
+/// The powers of the ansatz at which a coefficient may be nonzero.
 fn places(question: &Question, flow: &Flow) -> [Vec<Place>; 3] {
     let shown = |place: &Place| question.asks_for(*place);
     let orders = || flow.orders.iter().filter(|order| shown(&order.place) && can_be(question, order.place));
@@ -118,7 +118,7 @@ fn places(question: &Question, flow: &Flow) -> [Vec<Place>; 3] {
     [motions, growths, frequencies.filter(|place| *place != (0, 0)).collect()]
 }
 
-/// Returns `true` if the symmetries of the equation allow a coefficient there.
+/// Returns `true` if the symmetries of the equation allow a coefficient at these powers.
 fn can_be(question: &Question, (n, j): Place) -> bool {
     match symmetry(question) {
         Some(Symmetry::Amplitude) => n % 2 == 1,
@@ -127,7 +127,7 @@ fn can_be(question: &Question, (n, j): Place) -> bool {
     }
 }
 
-/// A change of signs that leaves the equation of the half swing as it is.
+/// A change of signs that leaves the equation of the half swing invariant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Symmetry {
     /// Symmetry in displacement and velocity.
@@ -163,12 +163,12 @@ fn why_these(question: &Question) -> &'static str {
     }
 }
 
-/// A name with what it is differentiated by.
+/// A partial derivative of a function.
 fn partial(name: Name, by: &[&str]) -> Formula {
     below(name, by).into()
 }
 
-/// The parts of the second derivative by time, as they stand in tables.
+/// The parts of the second time derivative, in the form used in tables.
 pub(super) fn second_derivative(question: &Question) -> [Formula; 5] {
     let x = |by: &[&str]| partial(question.displacement.clone(), by);
     let (growth, turn) = (Name::new("A").prime(), Name::new("ψ").prime());
@@ -209,7 +209,7 @@ pub(super) fn chain_rule(question: &Question) -> Result<DerivationStep, Derivati
         ))
 }
 
-/// Checks the chain rule with some functions.
+/// Checks the chain rule with example functions.
 fn checked_rate(
     question: &Question,
     statement: Statement,
@@ -225,8 +225,7 @@ fn checked_rate(
     }
 }
 
-/// Compares the rates of A and ψ applied this number of times in succession with the sum of the chain rule, for one choice of
-/// functions.
+/// Compares the rates of A and ψ applied `times` times in succession with the sum of the chain rule, for one choice of functions.
 fn example_holds(choice: i64, times: usize) -> bool {
     let number =
         |over: i64, under: i64| PiNumber::from(Rational::new(over, under).unwrap_or_else(|| 1.into()));

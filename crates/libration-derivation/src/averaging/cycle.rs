@@ -1,4 +1,4 @@
-//! Limit cycles: the amplitude at which the slow flow stays, its frequency, and how fast neighbours come nearer.
+//! Limit cycles: the amplitude at which the slow flow is stationary, its frequency, and the rate of approach of neighbours.
 
 use super::super::check::{AveragedClaim, CheckedEquation, CycleQuantity, DerivationError};
 use super::super::document::DerivationStep;
@@ -15,13 +15,13 @@ type Series = Vec<Rational>;
 
 /// The limit cycle of an odd self-excited oscillator with a linear spring, by powers of the parameter.
 struct Cycle {
-    /// A²; one power less than the others.
+    /// A², with one power less than the others.
     square: Series,
     frequency: Series,
     exponent: Series,
 }
 
-/// The step; none where the slow flow has no limit cycle, or one that is not expanded in fractions.
+/// The step; `None` if the slow flow has no limit cycle, or one that is not expanded in fractions.
 pub(super) fn step(
     question: &Question,
     flow: &Flow,
@@ -91,7 +91,7 @@ fn written(question: &Question, cycle: &Cycle, powers: usize) -> DerivationStep 
 }
 
 impl Cycle {
-    /// The cycle, from the laws as polynomials in A², by powers of the parameter.
+    /// Computes the cycle from the laws as polynomials in A², by powers of the parameter.
     fn new(flow: &Flow, powers: usize) -> Option<Self> {
         let rows = |map: &std::collections::BTreeMap<(usize, usize), PiNumber>, shift: usize| {
             let mut rows = vec![Series::new(); powers + 1];
@@ -120,7 +120,7 @@ impl Cycle {
     }
 }
 
-/// The one positive root of a polynomial of the first or second degree, if it is a fraction.
+/// The only positive root of a polynomial of first or second degree, if it is a fraction.
 fn positive_root(row: &[Rational]) -> Option<Rational> {
     let zero = || Rational::from(0);
     match row {
@@ -143,7 +143,7 @@ fn derivative(row: &[Rational]) -> Series {
     row.iter().enumerate().skip(1).map(term).collect()
 }
 
-/// Σ εᵏ pₖ(B(ε)) to a power of ε.
+/// Σ εᵏ pₖ(B(ε)) up to a power of ε.
 fn along(rows: &[Series], square: &[Rational], last: usize) -> Series {
     let mut whole = vec![Rational::from(0); last + 1];
     for (k, row) in rows.iter().enumerate().take(last + 1) {
@@ -154,7 +154,7 @@ fn along(rows: &[Series], square: &[Rational], last: usize) -> Series {
     whole
 }
 
-/// A polynomial of a series.
+/// The value of a polynomial at a series.
 fn value(row: &[Rational], of: &[Rational], length: usize) -> Series {
     let zero = vec![Rational::from(0); length];
     row.iter().rev().fold(zero, |sum, coefficient| {
@@ -172,7 +172,7 @@ fn product(a: &[Rational], b: &[Rational], length: usize) -> Series {
     (0..length).map(term).collect()
 }
 
-/// The square of a series in digits.
+/// The square of a series in floating-point numbers.
 fn squared(a: &[f64]) -> Vec<f64> {
     (0..a.len()).map(|n| (0..=n).map(|i| a[i] * a[n - i]).sum()).collect()
 }

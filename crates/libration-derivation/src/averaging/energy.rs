@@ -1,4 +1,4 @@
-//! The same law from the loss of energy, independent of the conditions.
+//! The same law from the loss of energy, derived independently of the conditions.
 
 use std::collections::BTreeMap;
 
@@ -101,7 +101,7 @@ fn undamped<V: Clone>(all: &BTreeMap<Place, V>) -> BTreeMap<Place, V> {
     undamped
 }
 
-/// The mean of f·v over the undamped motion by powers of the amplitude.
+/// The mean of f·v over the undamped motion, by powers of the amplitude.
 fn loss(question: &Question, flow: &Flow, highest: usize) -> Vec<PiNumber> {
     let (motion, frequency) = (undamped(&flow.motion), undamped(&flow.frequency));
     let growth = BTreeMap::new();

@@ -1,4 +1,4 @@
-//! The equation of motion, how it is while the displacement falls, and the force as a series.
+//! The equation of motion, its form while the displacement falls, and the force as a series.
 
 use super::super::check::{CheckedEquation, DerivationError, Given, same_series_where};
 use super::super::document::DerivationStep;
@@ -75,7 +75,7 @@ fn frequency(question: &Question, step: DerivationStep) -> DerivationStep {
         .show(CheckedEquation::definition(statement))
 }
 
-/// The force without the weak one, as a series.
+/// The force without the weak terms, as a series.
 fn taylor(question: &Question, step: DerivationStep) -> Result<DerivationStep, DerivationError> {
     let mut coefficients = vec![Rational::from(0); question.order + 1];
     if let Some(first) = coefficients.get_mut(1) {

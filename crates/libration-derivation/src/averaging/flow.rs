@@ -1,5 +1,4 @@
-//! The motion, A′ and ψ′, one power of the amplitude and of the small parameter after the other, with the products of lower results that each
-//! comes from.
+//! The motion, A′ and ψ′, by powers of the amplitude and of the small parameter, with the products of lower results from which each comes.
 
 use std::collections::BTreeMap;
 
@@ -12,18 +11,18 @@ use libration::internals::progress::Watch;
 /// The powers of the amplitude and of the small parameter.
 pub(crate) type Place = (usize, usize);
 
-/// The slow flow of an oscillation under a weak force, to some power of amplitude and parameter.
+/// The slow flow of an oscillation under a weak force, up to some power of amplitude and parameter.
 #[derive(Debug)]
 pub struct Flow {
-    /// Nonzero xₙⱼ.
+    /// The nonzero xₙⱼ.
     pub motion: BTreeMap<Place, PhaseFunction>,
-    /// Nonzero vₙⱼ of the velocity.
+    /// The nonzero coefficients vₙⱼ of the velocity.
     pub(crate) velocity: BTreeMap<Place, PhaseFunction>,
-    /// Nonzero aₙⱼ.
+    /// The nonzero aₙⱼ.
     pub growth: BTreeMap<Place, PiNumber>,
-    /// wₙⱼ, those that are not zero; w₀₀ = ω0.
+    /// The nonzero wₙⱼ; w₀₀ = ω0.
     pub frequency: BTreeMap<Place, PiNumber>,
-    /// Derivation of each power, in the order in which the powers were found.
+    /// Derivation of each power, in the order of computation.
     pub(crate) orders: Vec<Order>,
 }
 
@@ -31,9 +30,9 @@ pub struct Flow {
 #[derive(Debug)]
 pub(crate) struct Order {
     pub(crate) place: Place,
-    /// The parts of the equation of motion with what they bring to its right side.
+    /// The parts of the equation of motion with their contributions to the right side.
     pub(crate) parts: Vec<Contribution>,
-    /// The sum of what they bring.
+    /// The sum of the contributions.
     pub(crate) known: PhaseFunction,
     pub(crate) growth: PiNumber,
     pub(crate) frequency: PiNumber,
@@ -44,7 +43,7 @@ pub(crate) struct Order {
 #[derive(Debug)]
 pub(crate) struct Contribution {
     pub(crate) part: Part,
-    /// Contribution as products of known functions.
+    /// The contribution as products of known functions.
     pub(crate) products: Polynomial,
     pub(crate) value: PhaseFunction,
 }
@@ -52,17 +51,17 @@ pub(crate) struct Contribution {
 /// A part of the equation of motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Part {
-    /// The square of ψ′ with the second derivative by the phase.
+    /// The square of ψ′ times the second derivative with respect to the phase.
     Fast,
-    /// Twice A′ψ′ with the mixed derivative.
+    /// Twice A′ψ′ times the mixed derivative.
     Mixed,
-    /// The square of A′ with the second derivative by the amplitude.
+    /// The square of A′ times the second derivative with respect to the amplitude.
     Slow,
-    /// A′ with how ψ′ changes with the amplitude.
+    /// A′ times the derivative of ψ′ with respect to the amplitude.
     Detuning,
-    /// A′ with how it changes with the amplitude.
+    /// A′ times the derivative of A′ with respect to the amplitude.
     Drift,
-    /// The term of this number.
+    /// The term of the force with this index.
     Force(usize),
 }
 
@@ -70,7 +69,7 @@ pub(crate) enum Part {
 type Named = BTreeMap<Place, Polynomial>;
 
 impl Flow {
-    /// Finds all powers up to those that are requested.
+    /// Computes all requested powers.
     pub fn new(question: &Question, watch: &Watch<'_>) -> Result<Self, DerivationError> {
         let mut flow = Self {
             motion: alone((1, 0), PhaseFunction::cosine()),
@@ -124,7 +123,7 @@ impl Flow {
         Ok(())
     }
 
-    /// Returns `true` if nothing is found at the place of an order: no parts, no motion and no rates.
+    /// Returns `true` if the order contributes nothing: no parts, no motion and no rates.
     pub(crate) fn is_trivial(order: &Order) -> bool {
         order.parts.is_empty()
             && order.motion.is_zero()
@@ -149,7 +148,7 @@ impl Flow {
         sum
     }
 
-    /// The known contributions to the right side at a place, part by part.
+    /// The known contributions to the right side at these powers, part by part.
     fn parts(&self, flow: &FlowTerms, place: Place) -> Vec<Contribution> {
         let x = names(&self.motion, "x");
         let [slope, curvature] = ["x'", "x''"].map(|letters| names(&self.motion, letters));
@@ -184,7 +183,7 @@ impl Flow {
         moved.filter(|it| !it.products.is_zero()).collect()
     }
 
-    /// Products of names with what they stand for.
+    /// The value of products of names.
     fn value(&self, products: &Polynomial) -> PhaseFunction {
         let one = PhaseFunction::constant(Rational::from(1).into());
         products.terms().fold(PhaseFunction::default(), |sum, (monomial, factor)| {
@@ -214,7 +213,7 @@ impl Flow {
     }
 }
 
-/// All places, those first that others need.
+/// All pairs of powers, in an order in which each needs only earlier ones.
 fn places(question: &Question) -> Vec<Place> {
     let lift = question.flow.lift;
     let all = (0..=question.order).flat_map(|level| {
@@ -223,8 +222,8 @@ fn places(question: &Question) -> Vec<Place> {
     all.filter(|place| *place != (0, 0)).filter(|(n, j)| *n > 0 || (lift == 1 && *j > 0)).collect()
 }
 
-/// The coefficients of A′ and ψ′ with which a forced motion goes on as it began: the first harmonic of the whole force on the right vanishes,
-/// or, where only a half swing is known, its projections on both waves.
+/// The coefficients of A′ and ψ′ for which the forced motion has no secular part: the first harmonic of the
+/// total force on the right vanishes, or, if only a half swing is known, its projections on both waves.
 fn secular(question: &Question, known: &PhaseFunction) -> Option<(PiNumber, PiNumber)> {
     let half = Rational::from(-1).checked_div(&(Rational::from(2) * question.omega0().clone()))?;
     let part = |wave: Wave| match question.flow.kinked {
@@ -245,14 +244,14 @@ pub(crate) fn secular_wave(omega0: &Rational, growth: &PiNumber, frequency: &PiN
     cosine.plus(&PhaseFunction::sine().scaled(&growth.scaled(&twice)))
 }
 
-/// The y with y″ + y = r that begins with neither value nor slope: sin ψ·∫r·cos ψ − cos ψ·∫r·sin ψ.
+/// The solution of y″ + y = r with zero initial value and slope: sin ψ·∫r·cos ψ − cos ψ·∫r·sin ψ.
 fn begun_at_rest(r: &PhaseFunction) -> PhaseFunction {
     let (cosine, sine) = (PhaseFunction::cosine(), PhaseFunction::sine());
     let of_sine = sine.times(&r.times(&cosine).integral());
     of_sine.minus(&cosine.times(&r.times(&sine).integral()))
 }
 
-/// The variable of a coefficient.
+/// The variable that denotes a coefficient.
 pub(crate) fn variable(letters: &str, (n, j): Place) -> Variable {
     Variable::indexed(letters, u32::try_from(10 * n + j).unwrap_or(u32::MAX))
 }
@@ -272,7 +271,7 @@ fn names<V>(known: &BTreeMap<Place, V>, letters: &str) -> Named {
     names
 }
 
-/// The derivative by the amplitude.
+/// The derivative with respect to the amplitude.
 fn derivative(series: &Named) -> Named {
     let mut lowered = Named::new();
     for ((n, j), it) in series.iter().filter(|((n, _), _)| *n > 0) {
@@ -282,7 +281,7 @@ fn derivative(series: &Named) -> Named {
     lowered
 }
 
-/// The product up to the powers of a place.
+/// The product, up to these powers.
 fn times(a: &Named, b: &Named, place: Place) -> Named {
     let mut product = Named::new();
     for ((n, j), left) in a {

@@ -1,9 +1,10 @@
-//! Derivation of the decay of weakly damped oscillations, and of the growth of self-excited ones: Krylov, Bogoliubov and Mitropolsky's
-//! averaging, power by power.
+//! Derivation of the decay of weakly damped oscillations, and of the growth of
+//! self-excited ones: averaging by Krylov, Bogoliubov and Mitropolsky, power by power.
 //!
 //! # Method
-//! The slow flow is found by undetermined products of lower results, which are shown, and checked by differentiating the whole motion twice along
-//! the flow. Each coefficient is then compared with `perturbation::slow_flow`, whose algorithm is another. Notebooks find it a third time.
+//! The slow flow is found by undetermined coefficients, from products of lower results, which are shown. It
+//! is checked by differentiating the whole motion twice along the flow. Each coefficient is then compared
+//! with `perturbation::slow_flow`, which uses another algorithm. Notebooks compute it a third time.
 
 mod ansatz;
 mod cycle;
@@ -33,16 +34,16 @@ pub(super) use question::Question;
 pub use question::{HIGHEST_AMPLITUDE_ORDER, HIGHEST_DAMPING_ORDER};
 pub(super) use tables::in_terms;
 
-/// The slow flow of amplitude and phase of an oscillator under a weak force that takes or gives energy, as series in the amplitude, up to and
-/// including the power `order`, and in the small parameter, up to and including the power `parameter_order`, derived power by power. The small
-/// parameter is the letter without a value, or the one that is named; the amplitude is the displacement where the motion turns.
+/// The slow flow of amplitude and phase of an oscillator under a weak force that removes or supplies energy. The series in the amplitude, up to
+/// and including the power `order`, and in the small parameter, up to and including the power `parameter_order`, are derived power by power. The
+/// small parameter is the symbol without a value, or the named one; the amplitude is the displacement at which the motion turns.
 ///
-/// A cancelled call returns the steps derived until then.
+/// A cancelled call returns the steps derived so far.
 ///
 /// # Errors
-/// An order that is not between 1 and [`HIGHEST_AMPLITUDE_ORDER`] or [`HIGHEST_DAMPING_ORDER`]; an equation without slow flow, or with
-/// numbers that are not fractions; and a formula that fails its check, which would be an error of this program.
-/// [`DerivationError::Interrupted`] if the call is cancelled before the first step.
+/// An order that is not between 1 and [`HIGHEST_AMPLITUDE_ORDER`] or [`HIGHEST_DAMPING_ORDER`]; an equation
+/// without a slow flow, or with irrational numbers; a formula that fails its check, which would be an error
+/// of this program. [`DerivationError::Interrupted`] if the call is cancelled before the first step.
 ///
 /// # Examples
 /// ```
@@ -80,10 +81,10 @@ pub fn averaging(
     Ok(derivation)
 }
 
-/// Some steps of a derivation.
+/// A function that returns some steps of a derivation.
 type Part = fn(&Question, &Flow, &SlowFlow) -> Result<Vec<DerivationStep>, DerivationError>;
 
-/// All of them, in their order.
+/// All parts, in order.
 const PARTS: [Part; 12] = [
     |question, _, _| Ok(vec![equation::step(question)?]),
     |question, flow, _| Ok(vec![ansatz::step(question, flow)]),

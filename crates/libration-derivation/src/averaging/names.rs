@@ -1,4 +1,4 @@
-//! The names of coefficients, by the powers of the amplitude and of the small parameter, and sums of them as formulas.
+//! The names of coefficients by the powers of the amplitude and of the small parameter, and sums of them as formulas.
 
 use super::super::formula::{Formula, Name, Subscript, letter, scaled, sum};
 use super::super::phase::{PiNumber, term_with};
@@ -7,10 +7,10 @@ use super::question::Question;
 use libration::algebra::{Polynomial, Rational, Variable};
 use std::collections::BTreeMap;
 
-/// A letter with the two powers below it.
+/// A symbol with the two powers as subscript.
 pub(super) fn indexed(name: Name, (n, j): Place) -> Name {
     match n {
-        // A leading zero does not begin a number.
+        // A number would lose its leading zero.
         0 => Name { subscript: Some(Subscript::Word(format!("0{j}"))), ..name },
         _ => name.index(i64::try_from(10 * n + j).unwrap_or(i64::MAX)),
     }
@@ -89,13 +89,13 @@ pub(super) fn law(question: &Question, coefficients: &BTreeMap<Place, PiNumber>)
     if terms.is_empty() { Formula::from(0) } else { sum(terms) }
 }
 
-/// ω0, left out where it is one.
+/// A factor ω0ⁿ, left out if ω0 is one.
 pub(super) fn times_omega0(question: &Question, exponent: isize, formula: Formula) -> Formula {
     let factor = question.omega0().integer_power(exponent).unwrap_or_else(|| Rational::from(1));
     scaled(&factor, formula)
 }
 
-/// A letter with several letters below it, as in aₙⱼ.
+/// A symbol with several symbols as subscript, as in aₙⱼ.
 pub(super) fn below(name: Name, letters: &[&str]) -> Name {
     let index = letters.iter().map(|it| letter(it)).reduce(|product, it| product * it);
     name.index(index.unwrap_or_else(|| Formula::from(0)))

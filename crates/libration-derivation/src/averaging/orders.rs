@@ -1,4 +1,4 @@
-//! One power of the amplitude and of the small parameter after the other.
+//! The derivation by powers of the amplitude and of the small parameter.
 
 use super::super::check::{AveragedClaim, AveragedFormula, Check, CheckedEquation, DerivationError};
 use super::super::document::{Cells, DerivationStep, DerivationTable};
@@ -15,9 +15,9 @@ use super::question::Question;
 use super::tables::in_terms;
 use libration::algebra::Rational;
 
-/// Highest power of the amplitude whose derivation is shown open; those of higher powers are folded.
+/// Highest power of the amplitude whose derivation is shown unfolded; those of higher powers are folded.
 const OPEN_TO_READ: usize = 3;
-/// Terms of what lower powers bring that are shown below an integral.
+/// Largest number of terms from lower powers that is shown under an integral.
 const SHORT: usize = 2;
 
 pub(super) fn steps(question: &Question, flow: &Flow) -> Result<Vec<DerivationStep>, DerivationError> {
@@ -63,7 +63,7 @@ fn one_power(question: &Question, flow: &Flow, order: &Order) -> Result<Derivati
     Ok(with_velocity(question, flow, order, step.show(motion(question, order))))
 }
 
-/// Aⁿcʲ in letters of text.
+/// Aⁿcʲ as plain text.
 fn heading(question: &Question, (n, j): (usize, usize)) -> String {
     let raised = |letter: &str, n: usize| match n {
         0 => String::new(),
@@ -99,7 +99,7 @@ fn table(question: &Question, order: &Order) -> DerivationTable {
     }
 }
 
-/// A part of the equation of motion as it stands there.
+/// A part of the equation of motion as a formula.
 fn part(question: &Question, part: Part) -> Formula {
     let [fast, mixed, slow, detuning, drift] = second_derivative(question);
     match part {
@@ -112,7 +112,7 @@ fn part(question: &Question, part: Part) -> Formula {
     }
 }
 
-/// A term of the force, with the velocity as it is.
+/// A term of the force, with the velocity as a symbol.
 fn force(question: &Question, number: usize) -> Formula {
     let Some(term) = question.flow.terms.get(number) else { return Formula::from(0) };
     let velocity = Formula::from(question.displacement.clone().prime());
@@ -126,7 +126,7 @@ fn force(question: &Question, number: usize) -> Formula {
     }
 }
 
-/// The equation of this power.
+/// The equation at this power.
 fn forcing(question: &Question, order: &Order) -> CheckedEquation {
     let (n, j) = order.place;
     let x = |primes: usize| {
@@ -189,7 +189,7 @@ fn conditions(
     rates_with_integrals(question, order, found).map(|found| step.show_all(found))
 }
 
-/// The coefficients that are not zero.
+/// The nonzero coefficients.
 fn rates(order: &Order) -> Vec<(Name, PiNumber, AveragedClaim, Wave)> {
     let (n, j) = order.place;
     let growth = (!order.growth.is_zero()).then(|| {
@@ -203,7 +203,7 @@ fn rates(order: &Order) -> Vec<(Name, PiNumber, AveragedClaim, Wave)> {
     growth.into_iter().chain(frequency).collect()
 }
 
-/// The coefficients; on half swings and where it is short with the integral that each is.
+/// The coefficients, with the integral for each if the motion is given by half swings or the integral is short.
 fn rates_with_integrals(
     question: &Question,
     order: &Order,
@@ -225,7 +225,7 @@ fn rates_with_integrals(
     found.into_iter().map(with_integral).collect()
 }
 
-/// The motion of this power.
+/// The motion at this power.
 fn motion(question: &Question, order: &Order) -> CheckedEquation {
     let (power, parameter) = order.place;
     let statement = Statement::equal(motion_name(question, order.place), phase::series(&order.motion, "ψ"));

@@ -1,4 +1,4 @@
-//! The whole flow put back into the equation of motion by differentiating along it, and compared with the library's.
+//! Substitution of the whole flow into the equation of motion by differentiation along it, and comparison with the library's flow.
 
 use std::collections::BTreeMap;
 
@@ -13,18 +13,18 @@ use libration::perturbation::{Gauge, PhaseTerm, SlowFlow, slow_flow};
 /// A function of amplitude, parameter and phase.
 pub(crate) type Series = BTreeMap<Place, PhaseFunction>;
 
-/// Amplitude and phase in time, and up to where products count.
+/// Amplitude and phase in time, with the powers at which products are truncated.
 pub(crate) struct Along<'a> {
     pub(crate) growth: &'a BTreeMap<Place, PiNumber>,
     pub(crate) frequency: &'a BTreeMap<Place, PiNumber>,
-    /// The highest power of the amplitude, that of the parameter counted with it where the terms are so.
+    /// The highest power of the amplitude; includes the power of the parameter if `lift` is one.
     pub(crate) level: usize,
     pub(crate) parameter_order: usize,
     pub(crate) lift: usize,
 }
 
 impl Along<'_> {
-    /// The derivative by time: ψ′ ∂/∂ψ + A′ ∂/∂A.
+    /// The time derivative: ψ′ ∂/∂ψ + A′ ∂/∂A.
     pub(crate) fn rate(&self, function: &Series) -> Series {
         let mut rate = Series::new();
         for ((m, i), part) in function {
@@ -74,7 +74,7 @@ impl Along<'_> {
     }
 }
 
-/// Differentiates the motion twice along the flow and compares with the force.
+/// Differentiates the motion twice along the flow and compares the result with the force.
 pub fn check(question: &Question, flow: &Flow) -> Result<(), DerivationError> {
     let along = along(question, flow);
     let velocity = along.rate(&flow.motion);
@@ -117,7 +117,7 @@ pub(crate) fn along<'a>(question: &Question, flow: &'a Flow) -> Along<'a> {
     }
 }
 
-/// Compares every coefficient with the library's, which come of another algorithm.
+/// Compares every coefficient with the library's, which come from another algorithm.
 pub fn agrees_with_library(
     question: &Question,
     flow: &Flow,
@@ -129,7 +129,7 @@ pub fn agrees_with_library(
     let is = |own: &BTreeMap<Place, PiNumber>, place: Place, other: &PiSum| {
         own.get(&place).cloned().unwrap_or_default().is(other)
     };
-    // The coefficient of a phase is found with one more power of the amplitude.
+    // A coefficient of the phase is determined together with the next power of the amplitude.
     let same = |own: &BTreeMap<Place, PiNumber>, series: &Vec<Vec<PiSum>>, found_with: usize| {
         let rows = series.iter().enumerate();
         rows.flat_map(|(j, row)| row.iter().enumerate().map(move |(n, it)| ((n, j), it)))

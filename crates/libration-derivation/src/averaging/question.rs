@@ -1,4 +1,4 @@
-//! Subject of a derivation: an oscillator under a weak force, as powers of displacement, velocity and the small parameter, and their symbols.
+//! Subject of a derivation: an oscillator under a weak force, in powers of displacement, velocity and the small parameter, with its symbols.
 
 use super::super::check::{DerivationError, FlowTerms, ForceTerm};
 use super::super::formula::{Formula, Name, letter};
@@ -19,13 +19,13 @@ pub struct Question {
     pub(crate) force: WeakForce,
     /// The variable of the equation of motion.
     pub(crate) variable: Name,
-    /// The displacement from the equilibrium; the variable itself where that is zero.
+    /// The displacement from the equilibrium; the variable itself if the equilibrium is zero.
     pub(crate) displacement: Name,
     /// The small parameter.
     pub(crate) parameter: Name,
     pub(crate) equilibrium: Rational,
     pub(crate) flow: FlowTerms,
-    /// `true` if the restoring force is a polynomial, so that its series ends.
+    /// `true` if the restoring force is a polynomial, so that its series terminates.
     pub(crate) is_whole: bool,
     /// The highest power of the amplitude.
     pub(crate) order: usize,
@@ -90,19 +90,19 @@ impl Question {
         }
     }
 
-    /// A letter of the equation that the derivation needs for something else.
+    /// A symbol of the equation that has another meaning in the derivation.
     fn clashing(&self) -> Option<String> {
         let own = [&self.variable, &self.parameter].map(|name| name.letter.clone());
         let taken = ["A", "ψ", "v", "π", "τ"];
         own.into_iter().find(|letter| taken.contains(&letter.as_str()))
     }
 
-    /// The acceleration as it was given, a formula of the variable, its velocity and the small parameter.
+    /// The given acceleration, as a formula of the variable, its velocity and the small parameter.
     pub(crate) fn acceleration(&self) -> Formula {
         Formula::from(&self.equation.accelerations()[0])
     }
 
-    /// u.
+    /// The displacement u.
     pub(crate) fn u(&self) -> Formula {
         (&self.displacement).into()
     }
@@ -127,30 +127,30 @@ impl Question {
         self.flow.terms.iter().filter(|term| term.parameter == 0)
     }
 
-    /// The power n of a weak force c·x′|x′|ⁿ⁻¹ and nothing else, with its factor.
+    /// The power n and the factor, if the weak force is c·x′|x′|ⁿ⁻¹ alone.
     pub(crate) fn power_law(&self) -> Option<(usize, Rational)> {
         let mut weak = self.flow.terms.iter().filter(|term| term.parameter > 0);
         let (term, None) = (weak.next()?, weak.next()) else { return None };
         let is_alone = term.position == 0 && term.parameter == 1;
-        // While x falls the force that brakes is −c·(−x′)ⁿ.
+        // While x falls, the damping force is −c·(−x′)ⁿ.
         let sign = if self.flow.kinked && term.velocity.is_multiple_of(2) { -1 } else { 1 };
         let is_damping = term.velocity % 2 == 1 || self.flow.kinked;
         let factor = term.factor.clone() * Rational::from(sign);
         (is_alone && is_damping && !factor.is_negative()).then_some((term.velocity, factor))
     }
 
-    /// Returns `true` if a power is within the orders requested; where the parameter counts as a power of the amplitude, the sum of both is
-    /// compared.
+    /// Returns `true` if a pair of powers is within the requested orders; if the
+    /// parameter counts as a power of the amplitude, the sum of both is compared.
     pub(crate) fn asks_for(&self, (n, j): (usize, usize)) -> bool {
         n + self.flow.lift * j <= self.order && j <= self.parameter_order
     }
 
-    /// Returns `true` if the acceleration is the opposite at the opposite displacement and velocity.
+    /// Returns `true` if the acceleration changes its sign together with displacement and velocity.
     pub(crate) fn is_odd(&self) -> bool {
         self.flow.kinked || self.flow.terms.iter().all(|term| (term.position + term.velocity) % 2 == 1)
     }
 
-    /// Returns `true` if the equation read backwards in time is that with the other sign of the small parameter.
+    /// Returns `true` if time reversal is equivalent to a change of sign of the small parameter.
     pub(crate) fn is_reversed_by_its_parameter(&self) -> bool {
         let reversed = |term: &ForceTerm| (term.velocity + term.parameter).is_multiple_of(2);
         match self.flow.kinked {
@@ -159,7 +159,7 @@ impl Question {
         }
     }
 
-    /// The half turns after which the motion is known: one where it then goes on at the opposite.
+    /// The number of half turns after which the motion is known: one if the next half swing is the opposite of this one.
     pub(crate) fn half_turns(&self) -> usize {
         if self.is_odd() { 1 } else { 2 }
     }
@@ -170,7 +170,7 @@ impl Question {
     }
 }
 
-/// The terms of x″ + … = 0, all but the first.
+/// The terms of x″ + … = 0 except the first.
 fn terms(force: &WeakForce, equilibrium: &Rational, highest: usize) -> Option<Vec<ForceTerm>> {
     let x = Symbol::plain(force.oscillator.variable());
     let (v, c) = (x.with_primes(1), Symbol::plain(&force.parameter));

@@ -1,4 +1,4 @@
-//! The slow flow that was found, as a whole.
+//! The complete slow flow.
 
 use super::super::check::AveragedClaim;
 use super::super::document::DerivationStep;

@@ -1,4 +1,4 @@
-//! Conditions in each power of the equation of motion.
+//! Conditions at each power of the equation of motion.
 
 use super::super::check::{Check, CheckedEquation, DerivationError};
 use super::super::document::DerivationStep;
@@ -66,7 +66,7 @@ fn equation_of_a_power(question: &Question, step: DerivationStep) -> DerivationS
     .show(CheckedEquation::new(Statement::equal(left, forcing() + cosine + sine), Check::Below))
 }
 
-/// The conditions where the motion is periodic: the first harmonic.
+/// The conditions for a periodic motion: the first harmonic vanishes.
 fn whole_swing(step: DerivationStep, trials: &Trials) -> Result<DerivationStep, DerivationError> {
     let mean = |integrand| number(1) / Formula::Pi * integral("ψ", 0, 2 * Formula::Pi, integrand);
     let same = Statement::equal(mean(sin(phase()).squared()), number(1));
@@ -89,7 +89,7 @@ fn whole_swing(step: DerivationStep, trials: &Trials) -> Result<DerivationStep, 
     solution(step, trials)
 }
 
-/// The conditions where the next half swing is the opposite of this one.
+/// The conditions if the next half swing is the opposite of this one.
 fn half_swing(
     question: &Question,
     step: DerivationStep,
@@ -135,7 +135,7 @@ fn half_swing(
     solution(step, trials)
 }
 
-/// Some y with its derivatives.
+/// Examples of y with its derivatives.
 fn example(trials: &Trials) -> Trials {
     let name = |primes: usize| (0..primes).fold(Name::new("y"), |name, _| name.prime());
     let p = phase;
@@ -145,7 +145,7 @@ fn example(trials: &Trials) -> Trials {
         .with_function(&name(2), "ψ", number(2) - 4 * cos(2 * p()) + 2 * cos(p()) - p() * sin(p()))
 }
 
-/// The solution of the equation once the conditions hold.
+/// The solution of the equation under these conditions.
 fn solution(step: DerivationStep, trials: &Trials) -> Result<DerivationStep, DerivationError> {
     let r = |at: &str| apply("r", [letter(at)]);
     let mut trials =

@@ -1,5 +1,5 @@
-//! The amplitude as a function of time where the first term decides: a force of one power of the velocity, or of two as in Van der Pol's
-//! equation.
+//! The amplitude as a function of time from the first term alone: for a force
+//! with one power of the velocity, or with two as in Van der Pol's equation.
 
 use super::super::check::{CheckedEquation, DerivationError};
 use super::super::document::DerivationStep;
@@ -14,7 +14,7 @@ use super::names::growth_name;
 use super::question::Question;
 use libration::algebra::{Function, Rational};
 
-/// The letter of slow time.
+/// The symbol of slow time.
 const SLOW: &str = "τ";
 
 pub(super) fn step(question: &Question, flow: &Flow) -> Result<Option<DerivationStep>, DerivationError> {
@@ -123,7 +123,7 @@ fn mean(question: &Question, n: usize) -> Formula {
     times_strength(question, n, number(1) / Formula::Pi) * integral("ψ", 0, Formula::Pi, raised)
 }
 
-/// Its value, which is the number in the law.
+/// The value of the first harmonic of a power of the sine, which is the number in the law.
 fn coefficient(
     question: &Question,
     n: usize,

@@ -1,4 +1,5 @@
-//! Cases known from elsewhere: the linear spring under viscous damping, and the pendulum under two dampings at any amplitude.
+//! Special cases that are known independently: the linear spring with viscous
+//! damping, and the pendulum with two kinds of damping at any amplitude.
 
 use super::super::check::{DerivationError, Given, same_series, same_series_where};
 use super::super::document::DerivationStep;
@@ -13,7 +14,7 @@ use super::question::Question;
 use libration::algebra::{Function, Rational, Rationals};
 use libration::expression::{Expression, Symbol};
 
-/// Viscous damping: the smallest swings are those of the linear spring.
+/// Viscous damping: the smallest swings are those of a linear spring.
 pub(super) fn linear_spring(
     question: &Question,
     flow: &Flow,
@@ -70,13 +71,13 @@ pub(super) fn linear_spring(
     ))
 }
 
-/// The pendulum at any amplitude, in the first power of the damping, where what a cycle loses is elementary.
+/// The pendulum at any amplitude, to first power of the damping, if the loss per cycle is elementary.
 pub(super) fn pendulum(question: &Question, flow: &Flow) -> Result<Option<DerivationStep>, DerivationError> {
     let is_pendulum = is_sine(question);
     let power = question.power_law().filter(|(_, factor)| is_pendulum && *factor == Rational::from(1));
     let Some((n @ (0 | 2), _)) = power else { return Ok(None) };
     let (a, theta) = (|| question.amplitude(), || question.u());
-    // The part of the rate that no π is in: A′ = −(4c/π)·q for n = 2, and −(2c/π)·q for dry friction.
+    // The rational part of the rate: A′ = −(4c/π)·q for n = 2, and −(2c/π)·q for dry friction.
     let per_unit = Rational::from(if n == 2 { -4 } else { -2 });
     let quotient = |k: usize| {
         let value = flow.growth.get(&(k, 1)).cloned().unwrap_or_default().times_power_of_pi(1);
@@ -136,7 +137,7 @@ pub(super) fn pendulum(question: &Question, flow: &Flow) -> Result<Option<Deriva
     ))
 }
 
-/// Returns `true` if the force without the weak one is the sine.
+/// Returns `true` if the restoring force is the sine.
 fn is_sine(question: &Question) -> bool {
     let x = Symbol::plain(question.force.oscillator.variable());
     let own = question.force.oscillator.acceleration();
@@ -146,7 +147,7 @@ fn is_sine(question: &Question) -> bool {
     series(own).is_some_and(|own| Some(own) == series(&negative))
 }
 
-/// The consequences of the published equation with a power of the velocity itself.
+/// The consequences of the published equation, with the power of the velocity itself instead of |θ′|ⁿ⁻¹θ′.
 pub(super) fn published(question: &Question) -> Result<Option<DerivationStep>, DerivationError> {
     let power_law = question.power_law().filter(|(n, _)| *n > 0 && is_sine(question));
     let Some((n, _)) = power_law else { return Ok(None) };
@@ -186,7 +187,7 @@ pub(super) fn published(question: &Question) -> Result<Option<DerivationStep>, D
     conserved(question, step).map(Some)
 }
 
-/// The quantity that the published form conserves for the square of the velocity.
+/// The quantity that the published equation conserves for the square of the velocity.
 fn conserved(question: &Question, step: DerivationStep) -> Result<DerivationStep, DerivationError> {
     let (c, theta, y) = (|| question.small(), || question.u(), || letter("y"));
     let velocity = Formula::from(question.variable.clone().prime());

@@ -3,7 +3,7 @@
 use super::super::formula::Formula;
 use super::super::prose::Prose;
 
-/// A sum term by term, between which a line may end.
+/// A sum term by term; a line may end between terms.
 pub(crate) fn in_terms(formula: &Formula) -> Prose {
     let Formula::Sum(terms) = formula else { return Prose::formula(formula.clone()) };
     let mut prose = Prose::text("");

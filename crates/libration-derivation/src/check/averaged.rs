@@ -1,4 +1,4 @@
-//! Formulas of the slow flow of a weak force, power by power.
+//! Formulas of the slow flow under a weak force, power by power.
 
 use super::super::formula::{Formula, Name};
 use libration::algebra::Rational;
@@ -21,15 +21,15 @@ pub struct ForceTerm {
 pub struct FlowTerms {
     /// ω0.
     pub omega0: Rational,
-    /// The terms, as they are while x falls.
+    /// The terms as long as x falls.
     pub terms: Vec<ForceTerm>,
-    /// `true` if the coefficients differ while x rises.
+    /// `true` if the coefficients are different while x rises.
     pub kinked: bool,
-    /// One where a term has neither displacement nor velocity, so that its parameter is counted as a power of the amplitude.
+    /// One if a term contains neither displacement nor velocity, so that its parameter counts as a power of the amplitude; otherwise zero.
     pub lift: usize,
 }
 
-/// A formula of a slow flow, and the equation it belongs to.
+/// A formula of a slow flow, and its equation of motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AveragedFormula {
     /// The equation.
@@ -41,9 +41,9 @@ pub struct AveragedFormula {
 /// The statement of a formula of a slow flow.
 #[derive(Clone, Debug, PartialEq)]
 pub enum AveragedClaim {
-    /// The second derivative of x(A, ψ) by time.
+    /// The second time derivative of x(A, ψ).
     ChainRule,
-    /// The contribution of lower powers in a power of A and the parameter, on the right side.
+    /// The contribution of lower powers to the right side, at a power of A and of the parameter.
     Forcing {
         /// The power of A.
         power: usize,
@@ -80,24 +80,24 @@ pub enum AveragedClaim {
         /// The power of the parameter.
         parameter: usize,
     },
-    /// A′ as far as it is known.
+    /// A′ up to the highest known power.
     AmplitudeLaw {
         /// The small parameter.
         parameter: Name,
     },
-    /// ψ′ as far as it is known.
+    /// ψ′ up to the highest known power.
     PhaseLaw {
         /// The small parameter.
         parameter: Name,
     },
-    /// The mean of what the weak force takes, at the first power of the parameter.
+    /// The mean energy loss by the weak force, at first power of the parameter.
     Loss {
         /// The highest power of A.
         highest: usize,
     },
-    /// A′ in the first power of the parameter.
+    /// A′ at first power of the parameter.
     FirstLaw,
-    /// The limit cycle of a slow flow: the square of its amplitude, its frequency or its exponent, in the parameter.
+    /// The limit cycle of a slow flow: the square of its amplitude, its frequency or its exponent, as series in the parameter.
     Cycle {
         /// The small parameter.
         parameter: Name,
@@ -113,6 +113,6 @@ pub enum CycleQuantity {
     SquaredAmplitude,
     /// The angular frequency.
     Frequency,
-    /// The rate at which a distance from it grows.
+    /// The growth rate of a small distance from the cycle.
     Exponent,
 }

@@ -3,7 +3,7 @@
 use super::super::formula::{Formula, Name};
 use super::FlowTerms;
 
-/// A formula of a limit cycle, and the equation it belongs to.
+/// A formula of a limit cycle, and its equation of motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CycleFormula {
     /// The equation.
@@ -17,25 +17,25 @@ pub struct CycleFormula {
 /// The statement of a formula of a limit cycle.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CycleClaim {
-    /// The contribution of lower powers to the right side, with the amplitude one power below open.
+    /// The contribution of lower powers to the right side, as a function of the undetermined amplitude one power below.
     Forcing {
-        /// The amplitude that is open.
+        /// The undetermined amplitude.
         open: Name,
-        /// Its known value.
+        /// The known value of the amplitude.
         known: Formula,
     },
     /// The factor of the sine on the right side, which must vanish.
     Sine {
-        /// The amplitude that is open.
+        /// The undetermined amplitude.
         open: Name,
     },
     /// The amplitude one power below.
     Amplitude,
     /// The correction of the frequency.
     Frequency,
-    /// The motion, its own amplitude open.
+    /// The motion, as a function of its undetermined amplitude.
     Motion {
-        /// The amplitude that is open.
+        /// The undetermined amplitude.
         open: Name,
     },
     /// The amplitude of the first harmonic as a series.

@@ -6,7 +6,7 @@ use libration::pendulum::PendulumError;
 use libration::perturbation::{ExpansionError, OpenGaugeError, SlowFlowError};
 use libration::progress::Interrupted;
 
-/// The reason why a derivation cannot be given.
+/// The reason why a derivation does not exist.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DerivationError {
@@ -60,7 +60,7 @@ pub enum DerivationError {
         /// The order that was requested.
         order: usize,
     },
-    /// No self-excitation.
+    /// An equation without self-excitation.
     #[error(
         "there is no limit cycle that is born with the small terms, as in x'' - mu*(1 - x^2)*x' + x = 0; \
          the derivations for others are those of perturbation and averaging"
@@ -72,55 +72,55 @@ pub enum DerivationError {
          small symbol multiplies them"
     )]
     Velocity,
-    /// A force with two power series.
+    /// A force with different power series on its two sides.
     #[error(
         "the force has one power series above the equilibrium and another below: the derivation is for forces with one"
     )]
     TwoSided,
-    /// Numbers that are no fractions.
+    /// Irrational numbers in the equation.
     #[error(
         "the equilibrium, the frequency or the Taylor coefficients are not fractions: the derivation is exact"
     )]
     NoFractions,
-    /// A frequency that is not a fraction.
+    /// An irrational frequency.
     #[error(
         "the frequency of small swings is not a fraction: choose the unit of time so that it is, as in omega0 = 1"
     )]
     NoFractionalFrequency,
-    /// Small terms that are no polynomial.
+    /// Small terms that are not polynomials.
     #[error(
         "the small terms must be polynomials in displacement, velocity and small parameter, up to abs and sign of the velocity, and all that \
          depends on the velocity must be small"
     )]
     NoPolynomial,
-    /// A letter that the derivation needs.
+    /// A symbol of the equation that has another meaning in the derivation.
     #[error("the symbol {letter} has another meaning in the derivation: rename it")]
     TakenLetter {
-        /// The letter.
+        /// The symbol.
         letter: String,
     },
-    /// No limit cycle that is expanded in fractions.
+    /// A limit cycle that is not expanded in fractions.
     #[error("the amplitude at which the limit cycle begins is not a fraction: the derivation is exact")]
     NoCycle,
-    /// Two methods that should agree: an error of this program.
+    /// Two methods that disagree: an error of this program.
     #[error("{what} do not agree: this is an error of the program")]
     Disagreement {
-        /// The quantity that does not agree.
+        /// The quantity on which the methods disagree.
         what: &'static str,
     },
-    /// No slow flow.
+    /// An equation without a slow flow.
     #[error(transparent)]
     SlowFlow(#[from] SlowFlowError),
-    /// No expansion.
+    /// An oscillator without an expansion.
     #[error(transparent)]
     Expansion(#[from] ExpansionError),
-    /// No equations with the gauge left open.
+    /// An oscillator without equations for the open gauge.
     #[error(transparent)]
     OpenGauge(#[from] OpenGaugeError),
-    /// An amplitude that is none.
+    /// An invalid amplitude.
     #[error("an amplitude of {0:?} is not positive and finite")]
     NotAnAmplitude(f64),
-    /// A pendulum that cannot be.
+    /// An invalid pendulum.
     #[error(transparent)]
     Pendulum(#[from] PendulumError),
     /// Cancelled before the first step.
@@ -129,7 +129,7 @@ pub enum DerivationError {
 }
 
 impl DerivationError {
-    /// The computations that have a result where there is no derivation.
+    /// The commands that compute a result without a derivation.
     #[must_use]
     pub fn remedies(&self) -> Vec<Remedy> {
         match self {

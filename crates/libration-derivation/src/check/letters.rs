@@ -6,27 +6,27 @@ use libration::algebra::Rational;
 /// The meanings of the names in a formula when it was checked.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Letters {
-    /// Names with their values, each of numbers and of names before it.
+    /// Names with their values, in terms of numbers and earlier names.
     pub values: Vec<(Name, Formula)>,
     /// Functions with their parameters.
     pub functions: Vec<(Name, Vec<Name>, Formula)>,
 }
 
-/// The condition that one harmonic asks in one power of the expansion parameter.
+/// The condition from one harmonic at one power of the expansion parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OpenCondition {
-    /// The factors of u, u², … in the restoring force over ω0².
+    /// The factors of u, u², … in the restoring force divided by ω0².
     pub force: Vec<Rational>,
     /// The coefficients of the ansatz: the power of the expansion parameter, the harmonic, and the name.
     pub harmonics: Vec<(usize, usize, Name)>,
     /// The coefficients of the frequency: the power and the name.
     pub frequency: Vec<(usize, Name)>,
-    /// Coefficients that lower powers have determined.
+    /// Coefficients determined at lower powers.
     pub lower: Vec<(Name, Formula)>,
     /// Coefficient that the condition determines, if any.
     pub fixes: Option<Name>,
     /// The power of the condition.
     pub order: usize,
-    /// Its harmonic.
+    /// The harmonic of the condition.
     pub harmonic: usize,
 }

@@ -1,10 +1,10 @@
-//! Equations with the checks they have passed. An equation that fails its check cannot be made.
+//! Equations with the checks that they have passed. An equation that fails its check cannot be constructed.
 //!
 //! # Method
-//! A check evaluates the formula as it stands: as a number of 256 bits at several amplitudes, integrals by the double exponential rule and sums to
-//! their end included, or as a power series with fractions, which carries as many coefficients as are certain. A definition gives its name a value
-//! for the checks that follow. A motion found by perturbation is put back into the equation of motion at enough fractions in the place of cos τ to
-//! decide for all phases.
+//! A check evaluates the formula as it is printed. It is evaluated as a number of 256 bits at several amplitudes, with
+//! integrals by the double exponential rule and sums to convergence, or as a power series with rational coefficients, as
+//! far as they are certain. A definition assigns the value of its name for the following checks. A motion from perturbation
+//! theory is substituted into the equation of motion at enough rational values of cos τ to decide for all phases.
 
 mod averaged;
 mod cycle;
@@ -40,41 +40,40 @@ pub struct CheckedEquation {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Check {
-    /// Nothing to check: a name is given to the right side.
+    /// Nothing to check: a name is defined as the right side.
     Definition,
-    /// Nothing to check: the premise of the derivation.
+    /// Nothing to check: a premise of the derivation.
     Premise,
-    /// A part of the motion that is put into the equation of motion as a whole, below.
+    /// A part of the motion, which is substituted into the equation of motion as a whole further below.
     Below,
-    /// Nothing to check: a number of the reader's.
+    /// Nothing to check: a number given by the reader.
     Given,
     /// All sides are the same power series, computed with exact fractions.
     Series {
         /// The variable of the series.
         variable: Name,
-        /// Number of coefficients compared, the constant one included.
+        /// Number of coefficients compared, including the constant one.
         coefficients: usize,
     },
     /// All sides are the same exact numbers.
     Rationals {
         /// The index.
         index: Name,
-        /// Its first value.
+        /// The first value of the index.
         first: i64,
-        /// Its last value.
+        /// The last value of the index.
         last: i64,
     },
     /// All sides are the same exact number.
     Fraction,
-    /// A name is given to the right side, which is the formula of this key in the catalogue: it has its value at
-    /// several amplitudes.
+    /// A name is defined as the right side, which is the formula of the catalogue with this key: the values agree at several amplitudes.
     Catalogued {
         /// The key.
         key: String,
-        /// The first term of its error at small amplitudes: the coefficient and the power; `None` where it has none.
+        /// The first term of the formula's error at small amplitudes, as coefficient and power; `None` if there is none.
         leading_error: Option<(Rational, u32)>,
     },
-    /// A motion was put into the equation of motion, with exact fractions, at enough phases to decide.
+    /// A motion was substituted into the equation of motion, in exact fractions, at enough phases to decide.
     Phases {
         /// The expansion parameter.
         variable: Name,
@@ -83,12 +82,12 @@ pub enum Check {
         /// Number of phases.
         phases: usize,
     },
-    /// Coefficients with open letters were put into the equation of motion with several choices of fractions for the
-    /// letters, each at enough phases to decide.
+    /// Coefficients with undetermined symbols were substituted into the equation of motion,
+    /// with several choices of fractions for the symbols, each at enough phases to decide.
     Substituted {
         /// Number of choices.
         choices: usize,
-        /// The condition that the coefficients are to satisfy, where it is one of the open gauge.
+        /// The condition on the coefficients, if it is one of the open gauge.
         condition: Option<Box<OpenCondition>>,
     },
     /// A part of a slow flow, which satisfies the equation of motion as a whole.
@@ -101,9 +100,9 @@ pub enum Check {
     RoundedDigits,
     /// All sides have the same value, in many digits.
     Digits {
-        /// Amplitudes or parameters at which they were compared.
+        /// Amplitudes or parameters of the comparison.
         place: ComparedAt,
-        /// The value at the first of these places.
+        /// The value at the first amplitude or parameter.
         value: Decimal,
         /// The largest difference, relative to the size of the sides.
         difference: f64,
@@ -115,22 +114,22 @@ pub enum Check {
 /// The amplitudes or parameters at which the sides of a statement were compared.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ComparedAt {
-    /// No value is chosen.
+    /// The statement contains no variable value.
     Everywhere,
     /// Comparison at several amplitudes.
     Amplitudes {
-        /// The one whose value is shown.
+        /// The amplitude whose value is shown.
         at: Decimal,
-        /// All of them.
+        /// All amplitudes.
         amplitudes: Vec<Decimal>,
     },
     /// Comparison for several values of an index.
     Cases {
         /// The index.
         index: Name,
-        /// Its first value.
+        /// The first value of the index.
         first: i64,
-        /// Its last value.
+        /// The last value of the index.
         last: i64,
     },
 }
@@ -138,7 +137,7 @@ pub enum ComparedAt {
 /// The value with which a formula is compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Against {
-    /// Its other side, in many digits.
+    /// The other side of the statement, in many digits.
     OtherSide,
     /// The library's exact motion or period, in double precision.
     Library,
@@ -151,13 +150,13 @@ impl CheckedEquation {
         &self.statement
     }
 
-    /// The method by which it was checked.
+    /// The method of the check.
     #[must_use]
     pub fn check(&self) -> &Check {
         &self.check
     }
 
-    /// The meanings of its names when it was checked.
+    /// The meanings of the names in the formula when it was checked.
     #[must_use]
     pub fn letters(&self) -> &Letters {
         &self.letters
@@ -167,7 +166,7 @@ impl CheckedEquation {
         Self { statement, check, letters: Letters::default() }
     }
 
-    /// The same with what its names stood for.
+    /// The equation with the meanings of its names.
     pub(super) fn with_letters(self, letters: Letters) -> Self {
         Self { letters, ..self }
     }
@@ -177,13 +176,13 @@ impl CheckedEquation {
         Self::new(statement, Check::Premise)
     }
 
-    /// A name and what it stands for.
+    /// A definition of a name.
     pub(super) fn definition(statement: Statement) -> Self {
         Self::new(statement, Check::Definition)
     }
 }
 
-/// Checks that all formulas of the statement are the same series in this variable, in at least `coefficients` coefficients.
+/// Checks that all formulas of the statement are the same series in this variable, to at least `coefficients` coefficients.
 pub fn same_series(
     variable: &Name,
     coefficients: usize,
@@ -192,16 +191,16 @@ pub fn same_series(
     same_series_where(variable, coefficients, &[], statement)
 }
 
-/// A further letter in a series, with its meaning.
+/// A further symbol in a series, with its meaning.
 #[derive(Clone, Debug)]
 pub enum Given<'a> {
-    /// A name stands for a formula of the variable.
+    /// A name that denotes a formula of the variable.
     Value(Name, Formula),
-    /// A name stands for a function of one parameter.
+    /// A name that denotes a function of one parameter.
     Function(&'a str, &'a str, Formula),
 }
 
-/// Checks the same as [`same_series`], with further letters.
+/// Checks the same as [`same_series`], with further symbols.
 pub fn same_series_where(
     variable: &Name,
     coefficients: usize,
@@ -252,14 +251,14 @@ pub(super) fn series_value(
     side(&statement, formula, &ring, &values)
 }
 
-/// The ring of series in a variable, and what the letters stand for.
+/// The ring of series in a variable, and the values of the symbols.
 fn series_values(
     variable: &Name,
     coefficients: usize,
     given: &[Given],
     statement: &Statement,
 ) -> Result<(PowerSeries<Rationals>, Values<Coefficients>), DerivationError> {
-    // Quotients of series that begin with a power of the variable lose coefficients.
+    // Quotients of series without constant term lose coefficients.
     let ring = PowerSeries::rational(coefficients + 6);
     let mut values = Values::default();
     values.set(variable, ring.variable().expect("fractions have a one"));
@@ -306,7 +305,7 @@ pub(super) fn equal_rationals(
     Ok(CheckedEquation::new(statement, Check::Rationals { index, first, last }))
 }
 
-/// The value of a formula of the statement.
+/// The value of one side of the statement.
 pub(super) fn side<R: Analysis>(
     statement: &Statement,
     formula: &Formula,

@@ -1,17 +1,17 @@
-//! Checks in words.
+//! Descriptions of checks in words.
 
 use super::super::formula::{Decimal, DecimalUnit, Formula, Name, rounded};
 use super::super::prose::Prose;
 use super::{Against, AveragedClaim, Check, ComparedAt, CycleClaim, TruncatedClaim};
 
 impl Check {
-    /// Returns `true` if there was something to check, and it was computed.
+    /// Returns `true` if the statement required a check, and it was computed.
     #[doc(hidden)]
     pub fn is_computed(&self) -> bool {
         !matches!(self, Self::Definition | Self::Premise | Self::Given)
     }
 
-    /// The check in words.
+    /// The description of the check.
     pub(crate) fn to_prose(&self) -> Prose {
         match self {
             Self::Definition => Prose::text("definition"),

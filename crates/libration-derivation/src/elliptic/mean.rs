@@ -11,7 +11,7 @@ use super::super::trials::Trials;
 use super::super::words::{complete_integral, cos_half_amplitude, period, small_swing_period};
 use libration::algebra::Function;
 
-/// Steps of the mean in the table: more than an `f64` can use at any amplitude shown.
+/// Steps of the mean in the table: more than an `f64` can resolve at any amplitude shown.
 const STEPS: i64 = 6;
 
 fn a() -> Formula {
@@ -50,7 +50,7 @@ pub(super) fn invariance(trials: &mut Trials) -> Result<DerivationStep, Derivati
     let definition =
         trials.define_function("J", &["a", "b"], integral("φ", 0, Formula::Pi / 2, integrand(&angle)));
     let here = Statement::equal(complete_integral(letter("m")), gauss(1, cos_half_amplitude()));
-    // Any two numbers and any place would do.
+    // Any two numbers and any angle would serve as an example.
     let examples = trials.with(&Name::new("a"), number(1))?.with(&Name::new("b"), cos_half_amplitude())?;
     let examples = examples.with(&Name::new("x"), number(7) / 10)?;
     let arc = call(Function::Atan, x() / b());
@@ -163,7 +163,7 @@ pub(in super::super) fn theta_series() -> Formula {
     number(1) + 2 * series("j", 1, letter("q").pow(letter("j").squared()))
 }
 
-/// ϑ(q)⁻² to a few powers of the nome.
+/// ϑ(q)⁻² up to a few powers of the nome.
 fn theta_squared() -> Result<CheckedEquation, DerivationError> {
     let q = letter("q");
     let expanded = number(1) - 4 * q.clone() + 12 * q.clone().squared() + order(q.clone().pow(3));

@@ -13,11 +13,10 @@ use super::document::{Block, Derivation};
 use super::prose::Prose;
 use super::trials::{Swing, Trials};
 
-/// The period at any amplitude from the conservation of energy, with the numbers of a swing if one is given.
+/// Derives the period at any amplitude from the conservation of energy, with the numbers of a swing if one is given.
 ///
 /// # Errors
-/// An amplitude below 0.01° or above 179.9°; and a formula that fails its check, which would be an error of this
-/// program.
+/// An amplitude below 0.01° or above 179.9°; a formula that fails its check, which would be an error of this program.
 pub fn elliptic(swing: Option<&Swing>) -> Result<Derivation, DerivationError> {
     let mut trials = Trials::new(swing)?;
     let steps = vec![

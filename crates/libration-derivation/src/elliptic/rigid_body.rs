@@ -1,4 +1,4 @@
-//! The physical pendulum: any rigid body that turns about a horizontal axis.
+//! The physical pendulum: a rigid body that rotates about a horizontal axis.
 
 use super::super::check::{CheckedEquation, DerivationError};
 use super::super::document::DerivationStep;
@@ -27,7 +27,7 @@ fn own_inertia() -> Formula {
     Name::new("I").word("C").into()
 }
 
-/// The length of the simple pendulum of the same period.
+/// The length of the simple pendulum with the same period.
 fn reduced_length(distance: Formula) -> Formula {
     distance.clone() + own_inertia() / (mass() * distance)
 }

@@ -14,9 +14,9 @@ use super::super::words::{
 use libration::algebra::Rational;
 use libration::period_formulas::{period_in_amplitude, period_in_sine_squared};
 
-/// Terms of a series that are compared exactly.
+/// Number of terms of a series that are compared exactly.
 const COMPARED: usize = 20;
-/// Partial sums in the table.
+/// Number of partial sums in the table.
 const TABLE_ROWS: usize = 8;
 
 fn n() -> Formula {
@@ -69,7 +69,7 @@ pub(super) fn binomial(trials: &Trials) -> Result<DerivationStep, DerivationErro
         ))
 }
 
-/// Amplitudes in degrees up to which series in m are summed to all digits.
+/// Amplitude in degrees up to which series in m are summed to all digits.
 const SLOW: i64 = 140;
 
 pub(super) fn powers_of_the_sine(trials: &mut Trials) -> Result<DerivationStep, DerivationError> {

@@ -1,4 +1,4 @@
-//! Writing formulas in Rust as they read in mathematics.
+//! Constructors with which formulas in Rust read like mathematics.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -10,12 +10,12 @@ pub fn number(integer: i64) -> Formula {
     Formula::Number(Rational::from(integer))
 }
 
-/// A number of tenths: a value to try a formula at.
+/// A number of tenths, as a sample value.
 pub fn tenths(numerator: i64) -> Formula {
     Rational::new(numerator, 10).map_or_else(|| number(1), Formula::from)
 }
 
-/// A letter.
+/// A symbol.
 pub fn letter(letter: &str) -> Formula {
     Formula::Name(Name::new(letter))
 }
@@ -43,7 +43,7 @@ pub(crate) fn ln(argument: impl Into<Formula>) -> Formula {
     call(Function::Ln, argument)
 }
 
-/// A function defined on the way.
+/// An application of a function that the derivation has defined.
 pub(crate) fn apply<const N: usize>(name: &str, arguments: [Formula; N]) -> Formula {
     Formula::Apply(Name::new(name), arguments.into())
 }
@@ -69,7 +69,7 @@ pub fn integral(
     Formula::Integral { variable: Name::new(variable), from, to, integrand: Box::new(integrand) }
 }
 
-/// The derivative by a variable.
+/// The derivative with respect to a variable.
 pub(crate) fn derivative(of: impl Into<Formula>, by: &str) -> Formula {
     Formula::Derivative { of: Box::new(of.into()), by: Name::new(by) }
 }
@@ -89,14 +89,14 @@ pub(crate) fn rounded(value: f64, digits: usize, unit: DecimalUnit) -> Formula {
     Formula::Decimal(Decimal::rounded(value, digits, unit))
 }
 
-/// Σ coefficientₙ·xⁿ over the coefficients that are not zero, with O(…) of the next power that may follow.
+/// Σ coefficientₙ·xⁿ over nonzero coefficients, with O(…) of the next possible power.
 pub(crate) fn polynomial(coefficients: &[Rational], variable: &Formula) -> Formula {
     let powers = coefficients.iter().enumerate().filter(|(_, coefficient)| !coefficient.is_zero());
     let terms: Vec<Formula> = powers.map(|(n, coefficient)| monomial(coefficient, variable, n)).collect();
     if terms.is_empty() { number(0) } else { sum(terms) }
 }
 
-/// The sum of the terms, or the term if there is one only.
+/// The sum of the terms, or the term itself if there is only one.
 pub fn sum(mut terms: Vec<Formula>) -> Formula {
     match terms.len() {
         1 => terms.remove(0),
@@ -104,7 +104,7 @@ pub fn sum(mut terms: Vec<Formula>) -> Formula {
     }
 }
 
-/// coefficient·xⁿ, with ones left out.
+/// coefficient·xⁿ, without factors of one.
 pub(crate) fn monomial(coefficient: &Rational, variable: &Formula, n: usize) -> Formula {
     let power = match n {
         0 => return Formula::Number(coefficient.clone()),
@@ -114,7 +114,7 @@ pub(crate) fn monomial(coefficient: &Rational, variable: &Formula, n: usize) -> 
     scaled(coefficient, power)
 }
 
-/// coefficient·formula, with ones left out.
+/// coefficient·formula, without factors of one.
 pub(crate) fn scaled(coefficient: &Rational, formula: Formula) -> Formula {
     if *coefficient == Rational::from(1) {
         formula
@@ -126,13 +126,13 @@ pub(crate) fn scaled(coefficient: &Rational, formula: Formula) -> Formula {
 }
 
 impl Formula {
-    /// The formula to a power.
+    /// The formula raised to a power.
     #[doc(hidden)]
     pub fn pow(self, exponent: impl Into<Self>) -> Self {
         Self::Power(Box::new(self), Box::new(exponent.into()))
     }
 
-    /// Minus this, the sign taken into its summands.
+    /// The negative of the formula, with the sign moved into its summands.
     pub(crate) fn negated(self) -> Self {
         match self {
             Self::Negate(inner) => *inner,

@@ -23,7 +23,7 @@ impl From<&Expression> for Formula {
 }
 
 impl From<&Symbol> for Name {
-    /// Digits at the end become the subscript, the names of Greek letters the letters.
+    /// Converts digits at the end to a subscript, and names of Greek letters to the letters.
     fn from(symbol: &Symbol) -> Self {
         let word = symbol.name.trim_end_matches(|letter: char| letter.is_ascii_digit());
         let letter = greek_letter(word).map_or_else(|| word.to_owned(), String::from);

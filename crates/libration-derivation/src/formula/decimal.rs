@@ -5,9 +5,9 @@ use libration::algebra::Rational;
 /// A number rounded to a few digits, with its unit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Decimal {
-    /// The significant digits with sign and decimal point.
+    /// The significant digits, with sign and decimal point.
     pub mantissa: String,
-    /// The power of ten the mantissa is multiplied by; zero is not printed.
+    /// The power of ten by which the mantissa is multiplied; zero is not printed.
     pub exponent: i32,
     /// The unit.
     pub unit: DecimalUnit,
@@ -33,11 +33,11 @@ pub enum DecimalUnit {
 }
 
 impl Decimal {
-    /// The number rounded to this many significant digits; in powers of ten when very small or very large. What is not
-    /// finite becomes zero: derivations have none.
+    /// The number rounded to this many significant digits; with a power of ten if very small
+    /// or very large. A value that is not finite, which derivations never have, becomes zero.
     #[doc(hidden)]
     pub fn rounded(value: f64, digits: usize, unit: DecimalUnit) -> Self {
-        // Adding zero takes the sign from minus zero.
+        // Adding zero turns minus zero into zero.
         let value = if value.is_finite() { value + 0.0 } else { 0.0 };
         let scientific = format!("{value:.*e}", digits.saturating_sub(1));
         let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
@@ -50,7 +50,7 @@ impl Decimal {
         Self { mantissa: format!("{value:.places$}"), exponent: 0, unit }
     }
 
-    /// Rounds like [`rounded`](Self::rounded), without zeros at the end: a number that was given.
+    /// Rounds like [`rounded`](Self::rounded), without trailing zeros, for a given number.
     #[doc(hidden)]
     pub fn short(value: f64, unit: DecimalUnit) -> Self {
         let rounded = Self::rounded(value, 15, unit);
@@ -61,7 +61,7 @@ impl Decimal {
         Self { mantissa, ..rounded }
     }
 
-    /// The number as it stands, without its unit.
+    /// The number as printed, without its unit.
     #[doc(hidden)]
     pub fn value(&self) -> Option<Rational> {
         let (whole, decimals) = self.mantissa.split_once('.').unwrap_or((&self.mantissa, ""));

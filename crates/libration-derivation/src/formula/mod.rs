@@ -1,10 +1,10 @@
-//! Formulas as they stand in a book: one tree that is printed, and evaluated to check what is printed.
+//! Formulas as printed in books: one tree that is printed, and evaluated to check the printed formula.
 //!
 //! # Method
-//! An `Expression` of the numbers crate is made for computing: elementary operations, which can be differentiated, simplified, expanded and put on
-//! a tape. A formula is made for reading: sums of many terms in the order in which they are written, indices, units, rounded numbers, series,
-//! integrals, O(…). Every `Expression` becomes a formula (`convert.rs`), and no formula becomes an `Expression`. The two share no evaluator: a
-//! formula is evaluated term by term as it stands, which checks the result of the tape.
+//! An `Expression` of the numbers crate serves computation: elementary operations, which can be differentiated, simplified,
+//! expanded and put on a tape. A formula serves readers: sums of many terms in a chosen order, indices, units, rounded
+//! numbers, series, integrals, O(…). Every `Expression` can be converted to a formula (`convert.rs`), but not conversely.
+//! The two share no evaluator: a formula is evaluated term by term as printed, which checks the result of the tape.
 
 pub(crate) mod build;
 mod convert;
@@ -21,7 +21,7 @@ pub(super) use build::*;
 
 use libration::algebra::{Function, Rational};
 
-/// A formula. Nothing is simplified: it prints as it was put together.
+/// A formula. Nothing is simplified: the output corresponds to the tree.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Formula {
     /// An exact number.
@@ -34,7 +34,7 @@ pub enum Formula {
     Name(Name),
     /// −a.
     Negate(Box<Self>),
-    /// a + b + …; a summand that begins with a minus is printed as a difference.
+    /// a + b + …; a summand with a leading minus is printed as a difference.
     Sum(Vec<Self>),
     /// a·b·….
     Product(Vec<Self>),
@@ -44,7 +44,7 @@ pub enum Formula {
     Power(Box<Self>, Box<Self>),
     /// An elementary function of its argument.
     Call(Function, Box<Self>),
-    /// A function that has been defined on the way, of its arguments.
+    /// A function that the derivation has defined, applied to its arguments.
     Apply(Name, Vec<Self>),
     /// The arithmetic–geometric mean of two numbers.
     Agm(Box<Self>, Box<Self>),
@@ -79,6 +79,6 @@ pub enum Formula {
     },
     /// n!!, the product of every second integer down from n.
     DoubleFactorial(Box<Self>),
-    /// Terms of this order and above, left out.
+    /// Omitted terms of this order and above.
     Order(Box<Self>),
 }

@@ -1,8 +1,8 @@
-//! The names of variables: a letter with a subscript and primes.
+//! The names of variables: a symbol with a subscript and primes.
 
 use super::Formula;
 
-/// A letter with its subscript and primes: θ, θ₀, θ′, a₂ₙ₊₁.
+/// A symbol with its subscript and primes: θ, θ₀, θ′, a₂ₙ₊₁.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Name {
     /// The letter itself, in Unicode; several letters are a word and printed upright.
@@ -16,14 +16,14 @@ pub struct Name {
 /// The subscript of a letter.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Subscript {
-    /// A word, such as the first letters of an author.
+    /// A word, such as the first letters of an author's name.
     Word(String),
     /// A number or an index.
     Index(Box<Formula>),
 }
 
 impl Name {
-    /// The letter alone.
+    /// A symbol without subscript and primes.
     #[doc(hidden)]
     pub fn new(letter: &str) -> Self {
         Self { letter: letter.to_owned(), subscript: None, primes: 0 }
@@ -42,7 +42,7 @@ impl Name {
         self
     }
 
-    /// Differentiated once more with respect to time.
+    /// The name of the next time derivative.
     #[doc(hidden)]
     pub fn prime(mut self) -> Self {
         self.primes += 1;

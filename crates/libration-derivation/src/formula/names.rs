@@ -3,7 +3,7 @@
 use super::{Formula, Name};
 
 impl Formula {
-    /// The names that stand for something outside of the formula: not the variables of its sums and integrals.
+    /// The free names of the formula: all except the variables of its sums and integrals.
     pub(crate) fn free_names(&self) -> Vec<Name> {
         let mut names = match self {
             Self::Name(name) => vec![name.clone()],
@@ -20,13 +20,13 @@ impl Formula {
         names
     }
 
-    /// The functions that it applies.
+    /// The functions that the formula applies.
     pub(crate) fn applied(&self) -> Vec<Name> {
         let own = if let Self::Apply(name, _) = self { Some(name.clone()) } else { None };
         own.into_iter().chain(self.parts().into_iter().flat_map(Self::applied)).collect()
     }
 
-    /// The formulas it is put together of.
+    /// The direct parts of the formula.
     fn parts(&self) -> Vec<&Self> {
         match self {
             Self::Number(_) | Self::Decimal(_) | Self::Pi | Self::Name(_) => vec![],

@@ -2,16 +2,16 @@
 
 use super::Formula;
 
-/// The relation of a formula to the one before it.
+/// The relation of a formula to the previous one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Relation {
     /// Equal.
     Equal,
     /// Equal by definition of the left side.
     Defined,
-    /// Equal to the digits printed.
+    /// Equal to the printed digits.
     Rounded,
-    /// Below.
+    /// Less than the next formula.
     Less,
 }
 
@@ -20,7 +20,7 @@ pub enum Relation {
 pub struct Statement {
     /// The first formula.
     pub first: Formula,
-    /// Formulas that follow it, each with its relation.
+    /// The following formulas, each with its relation.
     pub rest: Vec<(Relation, Formula)>,
 }
 
@@ -41,7 +41,7 @@ impl Statement {
         self.and(Relation::Equal, next)
     }
 
-    /// The chain continued.
+    /// The chain continued by a formula with this relation.
     pub(crate) fn and(mut self, relation: Relation, next: impl Into<Formula>) -> Self {
         self.rest.push((relation, next.into()));
         self

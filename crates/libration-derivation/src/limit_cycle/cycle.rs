@@ -1,5 +1,5 @@
-//! The motion and the frequency of a limit cycle, one power of the excitation after the other, with the amplitude of each power left open until the
-//! next one fixes it.
+//! The motion and the frequency of a limit cycle, by powers of the excitation;
+//! the amplitude at each power stays undetermined until the next power fixes it.
 
 use super::super::averaging::Question;
 use super::super::check::DerivationError;
@@ -8,11 +8,11 @@ use super::open::Open;
 use libration::algebra::{Polynomial, Rational, Variable};
 use libration::perturbation::Expansion;
 
-/// The result of one power.
+/// The result at one power.
 pub(super) struct Order {
-    /// The parts of the equation of motion with what they bring to its right side: the number of the term, or none for the acceleration.
+    /// The parts of the equation of motion with their contributions to the right side: the index of the term, or `None` for the acceleration.
     pub(super) parts: Vec<(Option<usize>, Polynomial, Open)>,
-    /// Their sum, with the amplitude one power below open.
+    /// The sum of the contributions, as a function of the undetermined amplitude one power below.
     pub(super) known: Open,
     /// The amplitude one power below.
     pub(super) amplitude_below: Rational,
@@ -22,12 +22,12 @@ pub(super) struct Order {
     pub(super) forced: PhaseFunction,
 }
 
-/// A limit cycle to some power of the excitation.
+/// A limit cycle up to some power of the excitation.
 pub(super) struct Cycle {
     pub(super) orders: Vec<Order>,
 }
 
-/// Functions of the phase by the power of the excitation, one of them with an open amplitude.
+/// Functions of the phase by the power of the excitation, one of them with an undetermined amplitude.
 struct Known {
     motion: Vec<Open>,
     velocity: Vec<Open>,
@@ -35,7 +35,7 @@ struct Known {
 }
 
 impl Cycle {
-    /// Begun with the amplitude that another computation found, which must satisfy the first condition.
+    /// Computes the cycle from an initial amplitude, found by another computation, which must satisfy the first condition.
     pub(super) fn new(question: &Question, order: usize, begin: &Rational) -> Result<Self, DerivationError> {
         let mut orders: Vec<Order> = vec![];
         for n in 1..=order {
@@ -45,7 +45,7 @@ impl Cycle {
         Ok(Self { orders })
     }
 
-    /// The motion of a power with the number for its amplitude; of the last one the amplitude is not known yet.
+    /// The motion at a power, with its amplitude; the amplitude of the last power is not known yet.
     pub(super) fn motion(&self, n: usize) -> Option<PhaseFunction> {
         let amplitude = &self.orders.get(n)?.amplitude_below;
         let wave = PhaseFunction::cosine().scaled(&amplitude.clone().into());
@@ -64,7 +64,7 @@ impl Cycle {
         }
     }
 
-    /// Returns `true` if the whole cycle is also this expansion.
+    /// Returns `true` if the whole cycle equals this expansion.
     pub(super) fn is(&self, question: &Question, known: &Expansion) -> bool {
         let omega0 = question.omega0();
         let frequencies = (0..=self.orders.len()).all(|n| {
@@ -118,7 +118,7 @@ fn next(question: &Question, orders: &[Order], n: usize, begin: &Rational) -> Re
 }
 
 impl Known {
-    /// The quantities known when a power is solved: the amplitude one below is open.
+    /// The quantities known when a power is solved; the amplitude one power below is undetermined.
     fn new(question: &Question, orders: &[Order], n: usize) -> Self {
         let cycle = |m: usize| -> Open {
             let forced = m.checked_sub(1).and_then(|place| orders.get(place)).map(|it| it.forced.clone());
@@ -206,7 +206,7 @@ fn variable(letters: &str, n: usize) -> Variable {
     Variable::indexed(letters, u32::try_from(n).unwrap_or(u32::MAX))
 }
 
-/// The product of two series up to a power.
+/// The product of two series, up to a power.
 fn times(a: &[Polynomial], b: &[Polynomial], last: usize) -> Vec<Polynomial> {
     let term = |n: usize| {
         let pairs = (0..=n).filter_map(|i| Some(a.get(i)?.clone() * b.get(n - i)?.clone()));

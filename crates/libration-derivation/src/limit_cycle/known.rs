@@ -1,4 +1,4 @@
-//! Limit cycle found by other algorithms: in fractions where the library expands it, otherwise in digits from its slow flow.
+//! Limit cycle from other algorithms: in fractions if the library expands it, otherwise numerically from its slow flow.
 
 use super::super::averaging::Question;
 use super::super::check::DerivationError;
@@ -8,7 +8,7 @@ use libration::internals::progress::Watch;
 use libration::oscillator::{Kind, Oscillator};
 use libration::perturbation::{Expansion, Gauge, SlowLimitCycle, expand, slow_flow};
 
-/// Denominators that are tried for an amplitude that is known in digits.
+/// Largest denominator that is tried for a numerical amplitude.
 const DENOMINATORS: i64 = 1000;
 
 pub(super) enum Known {
@@ -41,7 +41,7 @@ impl Known {
         found.ok_or(DerivationError::NoCycle)
     }
 
-    /// Returns `true` if a limit cycle is this one.
+    /// Returns `true` if a limit cycle equals this one.
     pub(super) fn is(&self, question: &Question, cycle: &Cycle) -> bool {
         let known = match self {
             Self::Fractions(known) => return cycle.is(question, known),
@@ -60,7 +60,7 @@ fn is_limit_cycle(oscillator: &Oscillator) -> bool {
     matches!(oscillator.kind(), Kind::LimitCycle { .. })
 }
 
-/// A fraction with a small denominator that is next to a number; whether it is the amplitude is checked exactly.
+/// A fraction with a small denominator next to a number; it is checked exactly elsewhere.
 fn fraction(value: f64) -> Option<Rational> {
     let near = |below: i64| {
         let above = Rational::new(1, below)?.to_f64();

@@ -1,4 +1,4 @@
-//! The derivation of a limit cycle: Lindstedt and Poincaré's method with two conditions in each power, for amplitude and frequency.
+//! The derivation of a limit cycle: Lindstedt and Poincaré's method with two conditions at each power, for amplitude and frequency.
 
 mod cycle;
 mod known;
@@ -20,13 +20,13 @@ pub const HIGHEST_CYCLE_ORDER: usize = 9;
 /// The highest power of displacement and velocity that the force may have.
 const HIGHEST_DEGREE: usize = 9;
 
-/// The limit cycle of a self-excited oscillator as series in the strength of the excitation, derived power by power. The strength is the
-/// letter without a value, or the one that is named.
+/// The limit cycle of a self-excited oscillator as series in the strength of the excitation,
+/// derived power by power. The strength is the symbol without a value, or the named one.
 ///
 /// # Errors
-/// An order that is not between 1 and [`HIGHEST_CYCLE_ORDER`]; an equation without limit cycle, or of which the amplitude or other numbers are no
-/// fractions; and a formula that fails its check, which would be an error of this program.
-/// [`DerivationError::Interrupted`] if the call is cancelled.
+/// An order that is not between 1 and [`HIGHEST_CYCLE_ORDER`]; an equation without a limit cycle, or
+/// with an irrational amplitude or other irrational numbers; a formula that fails its check, which
+/// would be an error of this program. [`DerivationError::Interrupted`] if the call is cancelled.
 ///
 /// # Examples
 /// ```

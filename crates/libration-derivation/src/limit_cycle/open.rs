@@ -1,4 +1,4 @@
-//! Functions of the phase with one amplitude left open: polynomials in it.
+//! Functions of the phase with one undetermined amplitude, as polynomials in it.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +9,7 @@ use libration::algebra::Rational;
 /// Σ Aᵈ·(a function of the phase).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Open {
-    /// No function is zero.
+    /// The nonzero functions by the power d.
     powers: BTreeMap<usize, PhaseFunction>,
 }
 
@@ -67,7 +67,7 @@ impl Open {
         (0..=highest).map(|degree| of(degree).unwrap_or_else(|| Rational::from(0))).collect()
     }
 
-    /// The function with a number for the amplitude.
+    /// The function at a value of the amplitude.
     pub(super) fn at(&self, amplitude: &Rational) -> PhaseFunction {
         self.powers.iter().fold(PhaseFunction::default(), |sum, (degree, part)| {
             let factor = (0..*degree).fold(Rational::from(1), |product, _| product * amplitude.clone());

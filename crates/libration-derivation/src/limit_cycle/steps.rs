@@ -11,7 +11,7 @@ use super::super::prose::Prose;
 use super::cycle::{Cycle, Order};
 use libration::algebra::{Polynomial, Rational, Variable};
 
-/// Highest power whose table is shown open; those of higher powers are folded.
+/// Highest power whose table is shown unfolded; those of higher powers are folded.
 const OPEN_TO_READ: usize = 2;
 
 fn tau() -> Formula {

@@ -17,7 +17,7 @@ use libration::perturbation::{
 use libration::progress::Quiet;
 use libration::quantity::{Displacement, is_angle_name};
 
-/// The order to which what is missing is estimated.
+/// The order up to which the remainder is estimated.
 const LONGER: usize = 31;
 /// The amplitude when none is given.
 const EXAMPLE: f64 = 1.0;
@@ -48,7 +48,7 @@ pub(super) fn step(
         ))
 }
 
-/// An amplitude as it was given: in degrees, radians, or as a plain number.
+/// An amplitude as given: in degrees, radians, or as a plain number.
 pub fn as_given(question: &Question, amplitude: &Displacement) -> Formula {
     let radians = || match is_angle(question) {
         true => Decimal::short(amplitude.to_f64(), DecimalUnit::Radian),
@@ -58,7 +58,7 @@ pub fn as_given(question: &Question, amplitude: &Displacement) -> Formula {
     Formula::Decimal(degrees.map_or_else(radians, |degrees| Decimal::short(degrees, DecimalUnit::Degree)))
 }
 
-/// The amplitude that was given, or the example.
+/// The given amplitude, or the example.
 pub(super) fn amplitude_of(released: Option<&Released>) -> Result<Displacement, DerivationError> {
     let given = released.map(|released| released.amplitude.clone());
     given.or_else(|| Displacement::from_f64(EXAMPLE)).ok_or(DerivationError::NotAnAmplitude(EXAMPLE))
@@ -68,7 +68,7 @@ pub(super) fn is_angle(question: &Question) -> bool {
     is_angle_name(question.oscillator.variable())
 }
 
-/// Returns `true` if the exact period is known: the pendulum below the upright position.
+/// Returns `true` if the exact period is known in closed form: for the pendulum below the upright position.
 fn is_pendulum(question: &Question, amplitude: f64) -> bool {
     let sine: Vec<Rational> = (1..=question.force.len()).map(sine_coefficient).collect();
     is_angle(question) && question.force == sine && amplitude < std::f64::consts::PI
@@ -144,7 +144,7 @@ fn rest(remainder: Remainder) -> Prose {
     Prose::text(word).and(Prose::formula(rounded(remainder.size, 2, DecimalUnit::One)))
 }
 
-/// ε, the frequency, the period and the harmonics at the amplitude, compared with those of the motion in numbers.
+/// ε, the frequency, the period and the harmonics at the amplitude, compared with those of the exact motion.
 pub fn motion(
     question: &Question,
     released: &Released,
@@ -189,7 +189,7 @@ pub fn motion(
     Ok(DerivationTable::numbers(head, rows.into_iter().map(row).collect(), note))
 }
 
-/// The motion without the series: in closed form for the pendulum, for all else by integration in time.
+/// The motion without the series: in closed form for the pendulum, otherwise by integration in time.
 type Exactly = Result<ExactMotion, ExactValueError>;
 
 /// The exact motion at an amplitude.

@@ -14,7 +14,7 @@ use libration::algebra::Rational;
 use libration::period_formulas::period_in_amplitude;
 use libration::perturbation::{AmplitudeSeries, Gauge};
 
-/// Σ cₙAⁿ + O(…), with the powers that are present.
+/// Σ cₙAⁿ + O(…), with the powers that occur.
 fn in_amplitude(question: &Question, coefficients: &[Rational], next: usize) -> Formula {
     let amplitude = Formula::from(question.amplitude());
     let powers = coefficients.iter().enumerate().take(next).filter(|(_, c)| !c.is_zero());
@@ -23,7 +23,7 @@ fn in_amplitude(question: &Question, coefficients: &[Rational], next: usize) -> 
     Formula::Sum(terms.chain([next]).collect())
 }
 
-/// The relations between what can be measured.
+/// The relations between measurable quantities.
 pub(super) fn of_amplitude<'a>(
     question: &Question,
     solution: &'a Solution,
@@ -63,12 +63,12 @@ fn harmonics_in_epsilon<'a>(question: &Question, solution: &Solution) -> Vec<Giv
     question.harmonics().into_iter().map(|k| Given::Value(harmonic_name(k), series(k))).collect()
 }
 
-/// The name of ε after `pass` passes.
+/// The name of ε after `pass` iterations.
 fn answer(pass: usize) -> Name {
     Name::new("ε").index(i64::try_from(pass).unwrap_or(i64::MAX))
 }
 
-/// A = s₁ε + s₂ε² + … solved as ε = A/s₁ + F(ε), by putting each answer in again.
+/// The solution of A = s₁ε + s₂ε² + … by iterating ε = A/s₁ + F(ε).
 fn passes(
     question: &Question,
     step: DerivationStep,

@@ -1,4 +1,4 @@
-//! The form the motion is looked for in, and what it means that a sum of cosines vanishes.
+//! The ansatz for the motion, and the conclusion from a vanishing sum of cosines.
 
 use super::super::check::{CheckedEquation, DerivationError};
 use super::super::document::DerivationStep;

@@ -1,4 +1,4 @@
-//! Origins of the terms of a condition: the parts of the equation of motion, before the results of lower orders are put in.
+//! Origins of the terms of a condition: the parts of the equation of motion, before the results of lower orders are inserted.
 
 use std::collections::BTreeMap;
 
@@ -10,13 +10,13 @@ use super::question::Question;
 use libration::algebra::{Polynomial, Rational, Variable};
 use libration::perturbation::Condition;
 
-/// The letter of the frequency's corrections.
+/// The symbol of the corrections of the frequency.
 const FREQUENCY: &str = "d";
 
-/// The factor of each harmonic in each power of ε.
+/// The factor of each harmonic at each power of ε.
 type Factors = BTreeMap<(u32, u32), Polynomial>;
 
-/// Parts of the equation of motion with their contributions to the conditions; coefficients that vanish are left out.
+/// Parts of the equation of motion with their contributions to the conditions; vanishing coefficients are omitted.
 #[derive(Debug)]
 pub struct Contributions {
     /// Each part with its factors, by the power of ε and the harmonic.
@@ -42,7 +42,7 @@ impl Contributions {
         Self { parts }
     }
 
-    /// The factor of a harmonic in a power, of all parts together.
+    /// The factor of a harmonic at a power, summed over all parts.
     pub fn sum(&self, order: u32, harmonic: u32) -> Polynomial {
         let factors = self.parts.iter().filter_map(|(_, factors)| factors.get(&(order, harmonic)));
         factors.fold(Polynomial::zero(), |sum, factor| sum + factor.clone())
@@ -68,7 +68,7 @@ impl Contributions {
     }
 }
 
-/// A sum in pieces, between which a line may end.
+/// A sum in groups of terms; a line may end between groups.
 fn in_groups(polynomial: &Polynomial) -> Prose {
     const GROUP: usize = 3;
     let terms = match Formula::from(polynomial) {
@@ -130,7 +130,7 @@ fn linear(question: &Question, displacement: &Factors) -> Factors {
     sum
 }
 
-/// The product of two sums of cosines up to a power of ε.
+/// The product of two sums of cosines, up to a power of ε.
 fn product(a: &Factors, b: &Factors, order: usize) -> Factors {
     let half = Rational::new(1, 2).unwrap_or_else(|| Rational::from(0));
     let mut sum = Factors::new();
@@ -149,13 +149,13 @@ fn add(sum: &mut Factors, key: (u32, u32), polynomial: Polynomial) {
     *entry = std::mem::replace(entry, Polynomial::zero()) + polynomial;
 }
 
-/// The place of ε^n cos kτ.
+/// The key of ε^n cos kτ.
 fn key(n: usize, k: usize) -> (u32, u32) {
     let small = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
     (small(n), small(k))
 }
 
-/// Returns `true` if it is a coefficient of a harmonic that is not made at this order.
+/// Returns `true` for the coefficient of a harmonic that does not occur at this order.
 pub(super) fn vanishes(question: &Question, unknown: &Variable) -> bool {
     let value = question.open.solution().get(unknown);
     unknown.letters() != FREQUENCY && value.is_some_and(Polynomial::is_zero)

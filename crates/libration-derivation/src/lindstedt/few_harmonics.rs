@@ -1,4 +1,4 @@
-//! The shortcut: few harmonics, a force cut off, and the equations that are left solved as they stand.
+//! The shortcut: a few harmonics and a truncated force, and a direct solution of the remaining equations.
 
 use super::super::check::DerivationError;
 use super::super::document::{DerivationStep, DerivationTable};
@@ -12,12 +12,12 @@ use libration::algebra::Complex;
 use libration::internals::progress::Watch;
 use libration::perturbation::{SolutionVerdict, TruncatedSolution, TruncatedSystem};
 
-/// cos Ωt and cos 3Ωt, with the cube of the displacement.
+/// Number of harmonics, cos Ωt and cos 3Ωt, with the cube of the displacement.
 pub(super) const HARMONICS: u32 = 2;
 pub(super) const DEGREE: usize = 3;
 
-/// All solutions for two harmonics, with what is to be thought of each; nothing for a force without a cube, or one
-/// that is not odd, or at an amplitude where solutions coincide.
+/// All solutions for two harmonics, each with a verdict; `None` for a force without
+/// a cube, for one that is not odd, and at an amplitude at which solutions coincide.
 pub fn step(
     question: &Question,
     released: Option<&Released>,
@@ -82,12 +82,12 @@ const fn word(verdict: SolutionVerdict) -> &'static str {
     }
 }
 
-/// The largest of the amplitudes.
+/// The largest amplitude.
 fn size(solution: &TruncatedSolution) -> f64 {
     solution.amplitudes.iter().map(|a| a.abs()).fold(0.0, f64::max)
 }
 
-/// A complex number, its parts zero where they are what rounding leaves of numbers of this size.
+/// A complex number, whose parts are zero if they are rounding errors of numbers of this size.
 fn complex(number: Complex, size: f64) -> Prose {
     const DIGITS: usize = 5;
     const ROUNDING: f64 = 1e-9;

@@ -31,24 +31,22 @@ use question::Question;
 pub struct Released {
     /// The largest displacement from the equilibrium, in radians for a pendulum.
     pub amplitude: Displacement,
-    /// ω0 in rad/s, if times are to be given in seconds.
+    /// ω0 in rad/s, if times are to be printed in seconds.
     pub angular_frequency: Option<f64>,
 }
 
 /// The highest order that is derived step by step.
 pub const HIGHEST_ORDER: usize = 9;
 
-/// The motion and the period of a conservative oscillator as series in the amplitude, derived order by order with the
-/// gauge left open, then in the gauge requested and in a second one, with the numbers of an oscillation if one is
-/// given.
+/// The motion and the period of a conservative oscillator as series in the amplitude: derived order by order with an open gauge, then in the
+/// requested gauge and in a second one, with the numbers of an oscillation if one is given.
 ///
-/// A cancelled call returns the steps derived until then.
+/// A cancelled call returns the steps derived so far.
 ///
 /// # Errors
-/// An order that is not between 2 and [`HIGHEST_ORDER`]; an oscillator whose acceleration depends on the velocity or has
-/// numbers that are no fractions; a gauge that the oscillator does not have; an amplitude that is not positive and
-/// finite; and a formula that fails its check, which would be an error of this program.
-/// [`DerivationError::Interrupted`] if the call is cancelled before the first step.
+/// An order that is not between 2 and [`HIGHEST_ORDER`]; an oscillator whose acceleration depends on the velocity or contains irrational
+/// numbers; a gauge that the oscillator does not have; an amplitude that is not positive and finite; a formula that fails its check, which would
+/// be an error of this program. [`DerivationError::Interrupted`] if the call is cancelled before the first step.
 pub fn perturbation(
     oscillator: &Oscillator,
     order: usize,
@@ -78,10 +76,10 @@ pub fn perturbation(
     Ok(derivation)
 }
 
-/// Some steps of a derivation.
+/// A function that returns some steps of a derivation.
 type Part = fn(&Question, Option<&Released>, &Watch<'_>) -> Result<Vec<DerivationStep>, DerivationError>;
 
-/// All of them, in their order.
+/// All parts, in order.
 const PARTS: [Part; 11] = [
     |question, _, _| Ok(vec![small_swings::equation_of_motion(question)?, small_swings::taylor(question)?]),
     |question, _, _| Ok(vec![ansatz::fundamental_and_harmonics(question), ansatz::projection()?]),

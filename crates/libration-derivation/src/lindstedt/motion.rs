@@ -64,7 +64,7 @@ pub(super) fn solution(question: &Question) -> Result<DerivationStep, Derivation
         .show(solves(question, &motion(question, &question.solution))?))
 }
 
-/// The harmonics and the frequency, each with the check that is shown below them.
+/// The harmonics and the frequency, each with the check shown below it.
 pub(super) fn series(question: &Question, solution: &Solution) -> Vec<CheckedEquation> {
     let mut equations = Vec::new();
     for k in question.harmonics() {
@@ -85,7 +85,7 @@ pub fn motion(question: &Question, solution: &Solution) -> Motion {
     }
 }
 
-/// The general solution, with the letters of this gauge put in, is the solution in this gauge.
+/// Checks that the general solution, with the symbols of this gauge inserted, is the solution in this gauge.
 fn agrees_with_open_gauge(question: &Question, solution: &Solution) -> Result<(), DerivationError> {
     let place = |n: u32| usize::try_from(n).unwrap_or(usize::MAX);
     let values = question.open.in_gauge(|n| solution.coefficient(1, place(n)));
@@ -99,7 +99,7 @@ fn agrees_with_open_gauge(question: &Question, solution: &Solution) -> Result<()
     Ok(())
 }
 
-/// The value of a letter that the library's expansion gives.
+/// The value of a symbol from the library's expansion.
 fn coefficient_of(question: &Question, solution: &Solution, variable: &Variable) -> Option<Rational> {
     let n = usize::try_from(variable.index()?).ok()?;
     if variable.letters() == "d" {

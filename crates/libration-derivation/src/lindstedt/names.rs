@@ -1,4 +1,4 @@
-//! The names of the coefficients of the ansatz, and the cosines they belong to.
+//! The names of the coefficients in the ansatz, and their cosines.
 
 use super::super::formula::{Formula, Name, cos, letter, number};
 use libration::algebra::Variable;
@@ -9,7 +9,7 @@ pub(super) fn harmonic_name(k: usize) -> Name {
     Name::new("a").index(i64::try_from(k).unwrap_or(i64::MAX))
 }
 
-/// The letter of the coefficient of εⁿ in aₖ.
+/// The symbol of the coefficient of εⁿ in aₖ.
 pub(super) fn coefficient_name(k: usize, n: usize) -> Variable {
     let small = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
     OpenGauge::coefficient_name(small(k), small(n))

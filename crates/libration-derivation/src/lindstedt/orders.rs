@@ -1,4 +1,4 @@
-//! The conditions order by order, with the gauge open.
+//! The conditions order by order, with an open gauge.
 
 use super::super::check::{Check, CheckedEquation, DerivationError, OpenCondition};
 use super::super::document::DerivationStep;
@@ -11,7 +11,7 @@ use super::substitution::{Motion, has_harmonics};
 use libration::algebra::{Rational, Variable};
 use libration::perturbation::Condition;
 
-/// Choices of fractions for the letters that a condition is checked with.
+/// Number of choices of fractions for the symbols with which a condition is checked.
 pub(super) const CHOICES: usize = 3;
 
 pub(super) fn secular_terms() -> Result<DerivationStep, DerivationError> {
@@ -47,7 +47,7 @@ pub(super) fn secular_terms() -> Result<DerivationStep, DerivationError> {
         ))
 }
 
-/// Highest order whose derivation is shown open; those of higher orders, which grow fast, are folded.
+/// Highest order whose derivation is shown unfolded; those of higher orders, which grow fast, are folded.
 fn open_to_read(question: &Question) -> usize {
     if question.is_odd() { 5 } else { 3 }
 }
@@ -144,7 +144,7 @@ fn fixed_by(condition: &Condition) -> Option<Variable> {
     }
 }
 
-/// The coefficients of harmonics that are not made yet.
+/// The coefficients of harmonics that do not occur yet.
 fn vanishing(question: &Question, order: usize, step: DerivationStep) -> DerivationStep {
     let conditions = question.open.conditions().iter();
     let alone: Vec<&Condition> =
@@ -176,12 +176,12 @@ fn is_of(condition: &Condition, order: usize) -> bool {
     usize::try_from(condition.order) == Ok(order) && !condition.polynomial.is_zero()
 }
 
-/// Returns `true` if the condition is a single coefficient; that of the first harmonic has the factor A₁.
+/// Returns `true` if the condition is a single coefficient; for the first harmonic, times the factor A₁.
 fn is_alone(condition: &Condition) -> bool {
     condition.harmonic != 1 && condition.polynomial.terms().count() == 1
 }
 
-/// Conditions that say more than 0 = 0, or that a harmonic not yet made is not there.
+/// Returns `true` unless the condition reads 0 = 0, or only excludes a harmonic that does not occur yet.
 fn is_shown(condition: &Condition, order: usize) -> bool {
     is_of(condition, order) && !is_alone(condition)
 }
@@ -200,8 +200,8 @@ fn solved(question: &Question, condition: &Condition) -> Option<CheckedEquation>
     Some(substituted(question, condition, Statement::equal(Name::from(&unknown), value)))
 }
 
-/// Puts fractions for all letters into the ansatz, with the orders below as they were found, and compares what the equation
-/// of motion then is with the conditions; then with the solution, when it must be zero.
+/// Substitutes fractions for all symbols in the ansatz, with the results of lower orders, and compares the resulting equation of motion with the
+/// conditions; then substitutes the solution, for which it must be zero.
 fn check_order(question: &Question, order: usize) -> Result<(), DerivationError> {
     for choice in 0..CHOICES {
         let any = |variable: &Variable| fraction_for(variable, choice);
@@ -243,15 +243,15 @@ pub fn check_contributions(
 /// The kind of the coefficients of the highest order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Newest {
-    /// Any fractions, and so are those of lower orders.
+    /// Arbitrary fractions, also for lower orders.
     AllOpen,
-    /// Any fractions.
+    /// Arbitrary fractions.
     Open,
     /// The solution.
     Solved,
 }
 
-/// The ansatz up to an order, the letters that are free replaced by fractions.
+/// The ansatz up to an order, with fractions for the free symbols.
 fn motion(question: &Question, order: usize, any: &dyn Fn(&Variable) -> Rational, newest: Newest) -> Motion {
     let value = |variable: Variable, n: usize| {
         let found = question.open.solution().get(&variable);
@@ -281,7 +281,7 @@ fn motion(question: &Question, order: usize, any: &dyn Fn(&Variable) -> Rational
     }
 }
 
-/// A small fraction that differs from letter to letter, and is not zero.
+/// A small nonzero fraction that differs from symbol to symbol.
 pub(super) fn fraction_for(variable: &Variable, choice: usize) -> Rational {
     let seed = variable.letters().bytes().map(i64::from).sum::<i64>() * 31
         + variable.index().map_or(0, i64::from) * 17;

@@ -1,5 +1,5 @@
-//! Reasons why the ansatz of an odd force has no sines, no even harmonics and no even powers of the expansion parameter: the first two do
-//! not occur, the last are a choice.
+//! Reasons why the ansatz for an odd force has no sines, no even harmonics and no even powers
+//! of the expansion parameter: the first two do not occur, the last are excluded by choice.
 
 use super::super::check::{CheckedEquation, DerivationError, Given, same_series_where};
 use super::super::document::DerivationStep;
@@ -12,7 +12,7 @@ use libration::algebra::{Rational, Variable};
 use libration::internals::progress::Watch;
 use libration::perturbation::Gauge;
 
-/// The step; nothing where the ansatz has all powers anyway.
+/// The step; `None` if the ansatz has all powers anyway.
 pub(super) fn step(
     question: &Question,
     watch: &Watch<'_>,
@@ -20,7 +20,7 @@ pub(super) fn step(
     if question.powers().contains(&2) {
         return Ok(None);
     }
-    // Any gauge with A₂ has the open gauge with all powers next to it.
+    // Every gauge with A₂ leads to the open gauge with all powers.
     let gauge = Gauge::Coefficients(vec![Rational::from(1), Rational::from(1)]);
     let open = Question::new(&question.oscillator, 4, &gauge, watch)?;
     let (epsilon, tau) = (|| letter("ε"), || letter("τ"));
@@ -48,7 +48,7 @@ pub(super) fn step(
     renamed(&open, step).map(Some)
 }
 
-/// Shows that A₂ is another name for ε.
+/// Shows that A₂ only renames ε.
 fn renamed(open: &Question, step: DerivationStep) -> Result<DerivationStep, DerivationError> {
     let epsilon = || letter("ε");
     let [first, second] = [1, 2].map(|n| Formula::from(Name::from(&coefficient_name(1, n))));

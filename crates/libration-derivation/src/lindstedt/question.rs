@@ -1,4 +1,4 @@
-//! Subject of a derivation: an oscillator as a Taylor series, its expansion, and the letters for both.
+//! Subject of a derivation: an oscillator as a Taylor series, its expansion, and the symbols of both.
 
 use super::super::check::DerivationError;
 use super::super::formula::{Formula, Name};
@@ -15,16 +15,16 @@ pub struct Question {
     pub(super) oscillator: Oscillator,
     /// The variable of the equation of motion.
     pub(super) variable: Name,
-    /// The displacement from the equilibrium; the variable itself where that is zero.
+    /// The displacement from the equilibrium; the variable itself if the equilibrium is zero.
     pub(super) displacement: Name,
     pub(super) equilibrium: Rational,
     pub(super) omega0_squared: Rational,
-    /// The factors of u, u², … in the restoring force over ω0².
+    /// The factors of u, u², … in the restoring force divided by ω0².
     pub force: Vec<Rational>,
     pub(super) order: usize,
-    /// The conditions with the gauge left open.
+    /// The conditions with an open gauge.
     pub open: OpenGauge,
-    /// The expansion in the gauge that is requested.
+    /// The expansion in the requested gauge.
     pub solution: Solution,
 }
 
@@ -36,7 +36,7 @@ pub struct Solution {
 }
 
 impl Question {
-    /// Prepares an oscillator, an order and a gauge; refuses values that are not exact.
+    /// Prepares an oscillator, an order and a gauge; rejects values that are not exact.
     pub fn new(
         oscillator: &Oscillator,
         order: usize,
@@ -84,14 +84,14 @@ impl Question {
         self.oscillator.acceleration().into()
     }
 
-    /// The restoring force over ω0², as a formula of the variable.
+    /// The restoring force divided by ω0², as a formula of the variable.
     pub(super) fn restoring_force(&self) -> Formula {
         let force = self.acceleration().negated();
         let unit = self.omega0_squared == Rational::from(1);
         if unit { force } else { force / self.omega0_squared.clone() }
     }
 
-    /// u.
+    /// The displacement u.
     pub(super) fn u(&self) -> Formula {
         (&self.displacement).into()
     }
@@ -104,7 +104,7 @@ impl Question {
         }
     }
 
-    /// Returns `true` if the motion has the harmonics of an odd force only.
+    /// Returns `true` if the motion has only the harmonics of an odd force.
     pub(super) fn is_odd(&self) -> bool {
         self.oscillator.is_odd()
     }
@@ -146,7 +146,7 @@ impl Solution {
     }
 }
 
-/// The Taylor coefficients of −f(xₑ + u)/ω0², from the first to the one of the order requested.
+/// The Taylor coefficients of −f(xₑ + u)/ω0², from the first up to the requested order.
 fn restoring_force(
     oscillator: &Oscillator,
     equilibrium: &Rational,

@@ -1,4 +1,4 @@
-//! The same motion in another gauge: other series in ε, the same in the amplitude.
+//! The same motion in another gauge: different series in ε, equal series in the amplitude.
 
 use super::super::check::{CheckedEquation, DerivationError, failed};
 use super::super::document::DerivationStep;
@@ -13,7 +13,7 @@ use libration::internals::progress::Watch;
 use libration::perturbation::Gauge;
 use libration::progress::Quiet;
 
-/// A₁ = 1, and −1 for the next coefficient there is; the first harmonic itself if that was the gauge.
+/// A₁ = 1, and −1 for the next coefficient; the first harmonic itself if that was the requested gauge.
 fn other(question: &Question) -> Gauge {
     let next = if question.is_odd() { vec![1, 0, -1] } else { vec![1, -1] };
     let other = Gauge::Coefficients(next.into_iter().map(Rational::from).collect());

@@ -1,7 +1,7 @@
-//! Putting a motion back into the equation of motion: the proof that it is a solution.
+//! Substitution of a motion into the equation of motion: the proof that it is a solution.
 //!
-//! At each order the equation is a polynomial in cos τ of a degree not above the order. So as many different values of
-//! cos τ as the order has, and one more, decide; fractions will do.
+//! At each order the equation is a polynomial in cos τ whose degree is at most the order. It
+//! is therefore decided by one more value of cos τ than the order; rational values suffice.
 
 use super::super::check::{
     Check, CheckedEquation, DerivationError, Given, Letters, failed, same_series_where, series_value,
@@ -11,14 +11,14 @@ use super::names::{cosine, harmonic_name};
 use super::question::Question;
 use libration::algebra::Rational;
 
-/// A motion as the harmonics k with their series in ε, and its Ω/ω0.
+/// A motion as the harmonics k with their series in ε, and its frequency ratio Ω/ω0.
 #[derive(Debug)]
 pub struct Motion {
     pub harmonics: Vec<(usize, Vec<Rational>)>,
     pub frequency: Vec<Rational>,
 }
 
-/// Checks that a motion solves Δ²u″ = f/ω0² up to the order requested.
+/// Checks that a motion solves Δ²u″ = f/ω0² up to the requested order.
 pub fn solves(question: &Question, motion: &Motion) -> Result<CheckedEquation, DerivationError> {
     let next = i64::try_from(question.order + 1).unwrap_or(i64::MAX);
     let statement = Statement::equal(left_side(question), order(letter("ε").pow(next)));
@@ -80,12 +80,12 @@ fn second_derivative(question: &Question) -> Name {
     question.displacement.clone().prime().prime()
 }
 
-/// Δ²u″ + g, with the restoring force g over ω0².
+/// Δ²u″ + g, with g the restoring force divided by ω0².
 pub(super) fn left_side(question: &Question) -> Formula {
     letter("Δ").squared() * Formula::Name(second_derivative(question)) + question.restoring_force()
 }
 
-/// 0, 1/n, 2/n, …: as many different values of cos τ.
+/// 0, 1/n, 2/n, …: `count` different values of cos τ.
 fn cosines(count: usize) -> impl Iterator<Item = Rational> {
     let count = i64::try_from(count).unwrap_or(i64::MAX);
     (0..count).filter_map(move |n| Rational::new(n, count))
@@ -128,7 +128,7 @@ fn given<'a>(question: &Question, motion: &Motion, cosine: &Rational) -> Vec<Giv
     given
 }
 
-/// Σ cₙεⁿ + O(…), with the powers that are present.
+/// Σ cₙεⁿ + O(…), with the powers that occur.
 pub(super) fn in_epsilon(coefficients: &[Rational], next: usize) -> Formula {
     let powers = coefficients.iter().enumerate().take(next).filter(|(_, c)| !c.is_zero());
     let mut terms: Vec<Formula> = powers.map(|(n, c)| monomial(c, &letter("ε"), n)).collect();

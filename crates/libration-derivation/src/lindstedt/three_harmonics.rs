@@ -1,4 +1,4 @@
-//! Three harmonics as algebra: the equations, and why the way ends there.
+//! Three harmonics as algebra: the equations, and why the method ends there.
 
 use super::super::check::{
     Check, CheckedEquation, DerivationError, TruncatedClaim, TruncatedFormula, failed,
@@ -13,10 +13,10 @@ use libration::algebra::{Polynomial, Rational, Variable};
 use libration::perturbation::TruncatedSystem;
 
 const HARMONICS: [usize; 3] = [1, 3, 5];
-/// The last power of the force.
+/// The last power of the force that is kept.
 const DEGREE: usize = 5;
 
-/// The equations, below those for two harmonics; nothing more where there are none.
+/// Appends the equations to those for two harmonics; unchanged if these do not exist.
 pub(super) fn after(question: &Question, step: DerivationStep) -> Result<DerivationStep, DerivationError> {
     let count = u32::try_from(HARMONICS.len()).unwrap_or(u32::MAX);
     let Ok(system) = TruncatedSystem::new(&question.force, count, DEGREE) else { return Ok(step) };
@@ -42,7 +42,7 @@ pub(super) fn after(question: &Question, step: DerivationStep) -> Result<Derivat
     }))
 }
 
-/// Puts fractions for the letters into the equation of motion, and compares the factors of its cosines with the conditions.
+/// Substitutes fractions for the symbols in the equation of motion, and compares the factors of its cosines with the conditions.
 pub fn check(question: &Question, conditions: &[Polynomial]) -> Result<(), DerivationError> {
     for choice in 0..CHOICES {
         let value = |name: &Variable| Some(fraction_for(name, choice));
@@ -50,7 +50,7 @@ pub fn check(question: &Question, conditions: &[Polynomial]) -> Result<(), Deriv
         let ratio_value = fraction_for(&ratio(), choice);
         let left = left_in_cosines(question, &amplitudes, &(ratio_value.clone() * ratio_value));
         for (condition, (k, amplitude)) in conditions.iter().zip(HARMONICS.iter().zip(&amplitudes)) {
-            // k²Δ²aₖ tells by what the condition was multiplied.
+            // The term k²Δ²aₖ shows the factor by which the condition was multiplied.
             let inertia = condition.coefficient(&ratio(), 2).value(value);
             let square = Rational::from(i64::try_from(k * k).unwrap_or(i64::MAX)) * amplitude.clone();
             let unit = inertia.and_then(|inertia| inertia.checked_div(&square));
@@ -64,7 +64,7 @@ pub fn check(question: &Question, conditions: &[Polynomial]) -> Result<(), Deriv
     Ok(())
 }
 
-/// Δ²u″ + u + …, to the last power, as the factors of the cosines.
+/// Δ²u″ + u + …, up to the last power, as the factors of the cosines.
 fn left_in_cosines(
     question: &Question,
     amplitudes: &[Rational; 3],

@@ -1,5 +1,5 @@
-//! Two harmonics and the cube of the displacement as algebra: three equations for three unknowns, eliminated by hand, and which of the
-//! solutions is the motion.
+//! Two harmonics and the cube of the displacement as algebra: three equations for three
+//! unknowns, solved by elimination, and the identification of the solution that is the motion.
 
 use super::super::check::{
     Check, CheckedEquation, DerivationError, Given, TruncatedClaim, TruncatedFormula, failed,
@@ -23,13 +23,13 @@ pub struct Elimination {
     cube: Rational,
     /// The factors of cos τ, divided by a₁, and of cos 3τ.
     pub conditions: [Polynomial; 2],
-    /// Δ² by the first.
+    /// Δ² from the first condition.
     pub ratio_squared: Polynomial,
-    /// The second condition with that value of Δ².
+    /// The second condition with Δ² from the first condition.
     pub left: Polynomial,
 }
 
-/// The step; nothing for a force without a cube, or one that is not odd.
+/// The step; `None` for a force without a cube, or one that is not odd.
 pub(super) fn step(question: &Question) -> Result<Option<DerivationStep>, DerivationError> {
     let Some(elimination) = Elimination::new(question) else { return Ok(None) };
     elimination.check()?;
@@ -61,7 +61,7 @@ pub(super) fn step(question: &Question) -> Result<Option<DerivationStep>, Deriva
     Ok(Some(others(&elimination, step)))
 }
 
-/// The solution that begins at the small swing, to the cube of the amplitude.
+/// The solution that begins as the small swing, up to the cube of the amplitude.
 fn small_swing(
     question: &Question,
     elimination: &Elimination,
@@ -107,7 +107,7 @@ fn small_swing(
         ))
 }
 
-/// The solutions that are no small swings: what they are where the amplitude is zero.
+/// The other solutions: their values at zero amplitude.
 fn others(elimination: &Elimination, step: DerivationStep) -> DerivationStep {
     let third = harmonic(3);
     let opposite = Polynomial::variable(third.clone()).scaled(&Rational::from(-1));
@@ -147,7 +147,7 @@ impl Elimination {
         Some(Self { cube, conditions, ratio_squared, left })
     }
 
-    /// Compares the polynomials with the equation of motion after substitution of the cube of the two harmonics as shown.
+    /// Compares the polynomials with the equation of motion after substitution of the printed cube of the two harmonics.
     pub fn check(&self) -> Result<(), DerivationError> {
         let minus = Rational::from(-1);
         let left: Vec<Polynomial> = factors(&self.cube).iter().map(|it| it.scaled(&minus)).collect();
@@ -200,7 +200,7 @@ fn in_cube(factors: [[i64; 2]; 4]) -> Polynomial {
     powers.fold(Polynomial::zero(), |sum, term| sum + term)
 }
 
-/// The factors of the cosines in the cube of two, which is compared with their sum.
+/// The factors of the cosines in the cube of two, checked against their sum.
 fn cube_of_two() -> Result<DerivationTable, DerivationError> {
     let trials = Trials::new(None)?
         .with(&Name::new("τ"), tenths(7))?
@@ -233,12 +233,12 @@ fn factors(cube: &Rational) -> [Polynomial; 2] {
     [factor(1, 1).divide_exactly(&first).unwrap_or_else(Polynomial::zero), factor(3, 9)]
 }
 
-/// A polynomial in Δ² with that put in.
+/// A polynomial in Δ² with this value substituted.
 fn at_ratio(polynomial: &Polynomial, ratio_squared: &Polynomial) -> Polynomial {
     polynomial.coefficient(&ratio(), 0) + polynomial.coefficient(&ratio(), 2) * ratio_squared.clone()
 }
 
-/// A condition as it is shown, with Δ² by itself.
+/// A condition in printed form, with Δ² as a separate factor.
 pub(super) fn in_ratio(condition: &Polynomial) -> Formula {
     let squared = Formula::from(&condition.coefficient(&ratio(), 2)) * letter("Δ").squared();
     let mut terms = match Formula::from(&condition.coefficient(&ratio(), 0)) {

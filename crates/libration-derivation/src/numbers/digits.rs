@@ -5,10 +5,10 @@ use super::quadrature;
 use crate::evaluate::{Analysis, EvaluationError};
 use libration::algebra::{BigFloat, Floats, Ring};
 
-/// The terms after which an infinite sum is given up.
+/// Maximum number of terms of an infinite sum.
 const MOST_TERMS: usize = 4000;
 
-/// The numbers formulas are compared in.
+/// The numbers in which formulas are compared.
 pub const DIGITS: Floats = Floats { precision: PRECISION };
 
 impl Analysis for Floats {
@@ -34,8 +34,8 @@ impl Analysis for Floats {
         quadrature::integral(from, to, integrand)
     }
 
-    /// The central difference, whose error is of the order of the square of its step, 2 to minus a third of the
-    /// digits: two thirds of them are good.
+    /// The central difference, whose error is of the order of the square of the step.
+    /// With a step of 2 to minus a third of the bits, two thirds of the bits are correct.
     fn slope(
         &self,
         function: &mut dyn FnMut(BigFloat) -> Result<BigFloat, EvaluationError>,

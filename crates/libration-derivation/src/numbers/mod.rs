@@ -1,4 +1,4 @@
-//! The numbers in which formulas are evaluated: digits, and power series with rational coefficients.
+//! The numbers in which formulas are evaluated: floats, and power series with rational coefficients.
 
 pub(crate) mod digits;
 mod power_series;

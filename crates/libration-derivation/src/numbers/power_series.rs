@@ -1,4 +1,4 @@
-//! Formulas of power series with rational coefficients.
+//! Formulas evaluated as power series with rational coefficients.
 
 use libration::algebra::{Function, Rational, Rationals, Ring};
 use libration::series::PowerSeries;
@@ -33,7 +33,7 @@ impl Analysis for PowerSeries<Rationals> {
         Err(EvaluationError::NotInRing("a derivative of series"))
     }
 
-    /// Each step doubles the coefficients that agree.
+    /// Each step doubles the number of coefficients that agree.
     fn agm(&self, a: &Coefficients, b: &Coefficients) -> Option<Coefficients> {
         let (mut a, mut b) = (a.clone(), b.clone());
         for _ in 0..=self.terms {
@@ -47,7 +47,7 @@ impl Analysis for PowerSeries<Rationals> {
         None
     }
 
-    /// The part left out; nothing if the order lies beyond those compared.
+    /// The omitted part; zero if its order lies beyond the coefficients that are compared.
     fn left_out(&self, order: &Coefficients) -> Result<Coefficients, EvaluationError> {
         let begins = order.iter().position(|c| !c.is_zero()).unwrap_or(order.len());
         Ok(vec![Rational::from(0); begins])

@@ -1,4 +1,4 @@
 //! Precision of numbers.
 
-/// Bits of every number: 77 decimal digits.
+/// Precision in bits: 77 decimal digits.
 pub(crate) const PRECISION: usize = 256;

@@ -1,5 +1,5 @@
-//! Integrals to many digits, also of integrands that are infinite at an end, by halving the step until nothing changes: what the
-//! quadrature of the library does with a fixed number of places, for `f64`s.
+//! Integrals to many digits, also of integrands that are infinite at an end, with steps that are halved
+//! until nothing changes; the library's quadrature for `f64`s uses a fixed number of nodes instead.
 
 use std::sync::OnceLock;
 
@@ -7,17 +7,17 @@ use super::precision::PRECISION;
 use crate::evaluate::EvaluationError;
 use libration::algebra::BigFloat;
 
-/// Halvings of the step after which an integral is given up.
+/// Maximum number of halvings of the step.
 const LEVELS: usize = 10;
 
-/// Bits of the distance from an end that stay unused.
+/// Bits of the distance from an end that are not used.
 const SPARED: isize = 40;
 
 /// The nodes that each halving adds.
 static NODES: [OnceLock<Vec<Node>>; LEVELS] = [const { OnceLock::new() }; LEVELS];
 
-/// ∫ by the double exponential substitution x = 1/(1 + exp(−π sinh t)), which sends both ends to infinity so fast that
-/// the trapezoidal rule converges exponentially. An integrand like 1/√x at an end costs half of the digits.
+/// ∫ by the double exponential substitution x = 1/(1 + exp(−π sinh t)), which maps the ends to infinity so fast that the trapezoidal rule
+/// converges exponentially. An integrand like 1/√x at an end costs half of the digits.
 ///
 /// Reference: H. Takahasi and M. Mori, Publ. RIMS 9, 721 (1974), doi:10.2977/prims/1195192451.
 pub(super) fn integral(
@@ -50,7 +50,7 @@ fn step(level: usize) -> BigFloat {
     (0..level).fold(number(1).halved(), |step, _| step.halved())
 }
 
-/// The multiples of the step on both sides, after the first level the odd ones only.
+/// The multiples of the step on both sides; after the first level only the odd ones.
 fn nodes(level: usize) -> Vec<Node> {
     let stride = if level == 0 { 1 } else { 2 };
     let on_side = |side: i64| {
@@ -61,7 +61,7 @@ fn nodes(level: usize) -> Vec<Node> {
     middle.into_iter().chain(on_side(1)).chain(on_side(-1)).collect()
 }
 
-/// A place in the unit interval and its weight.
+/// A point in the unit interval and its weight.
 #[derive(Debug)]
 struct Node {
     place: BigFloat,
@@ -80,8 +80,8 @@ impl Node {
         Self { place, weight }
     }
 
-    /// Returns `true` if the place is so close to 0 or 1 that an integrand may lose its last bits there. The part cut off is
-    /// below 2⁻¹⁰⁷ of an integrand like 1/√x.
+    /// Returns `true` if the point is so close to 0 or 1 that an integrand may lose its
+    /// last bits there. The part cut off is below 2⁻¹⁰⁷ for an integrand like 1/√x.
     fn is_at_the_end(&self) -> bool {
         let bits = isize::try_from(PRECISION).unwrap_or(isize::MAX);
         let near = |distance: BigFloat| distance.exponent().is_none_or(|exponent| exponent < SPARED - bits);
@@ -89,8 +89,8 @@ impl Node {
     }
 }
 
-/// Two steps of which the better one has nearly twice the good digits: agreement to three eighths of the digits leaves
-/// the better one as good as a singular end allows.
+/// Returns `true` if two steps agree to three eighths of the digits: the better one has
+/// nearly twice as many correct digits, and is then as accurate as a singular end allows.
 fn agree(a: &BigFloat, b: &BigFloat) -> bool {
     let bits = isize::try_from(PRECISION * 3 / 8).unwrap_or(isize::MAX);
     match ((a.clone() - b.clone()).exponent(), a.exponent()) {

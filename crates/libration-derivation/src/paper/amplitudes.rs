@@ -1,10 +1,10 @@
-//! Amplitudes in degrees, and where a continuous function of the amplitude takes a value.
+//! Amplitudes in degrees, and the amplitude at which a continuous function takes a value.
 
 use libration::quantity::Angle;
 use libration::roots::{Tolerance, bisect};
 
-/// The amplitude between two others (in radians) at which `f` changes its sign, by bisection to the spacing of
-/// `f64`; `None` when it does not, or has no value on the way.
+/// The amplitude between two others (in radians) at which `f` changes its sign, by
+/// bisection to the spacing of `f64`; `None` if it does not, or has no value in between.
 pub(super) fn amplitude_where_zero(low: f64, high: f64, f: &dyn Fn(&Angle) -> Option<f64>) -> Option<f64> {
     let at = |radians: f64| f(&Angle::from_radians(radians).ok()?);
     let sign_at_low = at(low)?.signum();

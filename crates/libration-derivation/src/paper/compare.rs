@@ -1,4 +1,4 @@
-//! Printed formulas compared with computed ones, exactly or at points.
+//! Comparison of printed with computed formulas, exactly or at sample points.
 
 use libration::algebra::{Doubles, Polynomial, Polynomials, Rational, Ring, Variable};
 use libration::expression::Expression;
@@ -7,17 +7,17 @@ use super::evaluate::value;
 use super::finding::StatementFinding;
 use libration::series::PowerSeries;
 
-/// Numerical identities are held to this; what is compared is of the order of 1.
+/// Tolerance of numerical identities; the compared values are of order 1.
 pub(super) const ROUNDING: f64 = 1e-13;
 
-/// The formula as a number, its symbols having these values; `None` when the result is not a number.
+/// The value of the formula for these values of its symbols; `None` if it is not a number.
 pub(super) fn decimal(formula: &Expression, values: &[(&str, f64)]) -> Option<f64> {
     let number =
         value(&Doubles, formula, &|name| values.iter().find(|(known, _)| *known == name).map(|(_, v)| *v));
     number.filter(|number| !number.is_nan())
 }
 
-/// The formula as a power series in `variable`, other symbols being `values`.
+/// The formula as a power series in `variable`; `values` gives the other symbols.
 pub(super) fn series_in(
     variable: &str,
     terms: usize,
@@ -34,7 +34,7 @@ pub(super) fn series_in(
     })
 }
 
-/// The formula as a polynomial in its symbols, some of them replaced.
+/// The formula as a polynomial in its symbols, some of which are replaced.
 pub(super) fn polynomial(formula: &Expression, replaced: &[(&str, Polynomial)]) -> Option<Polynomial> {
     value(&Polynomials, formula, &|name| {
         let by = replaced.iter().find(|(known, _)| *known == name).map(|(_, by)| by.clone());
@@ -42,7 +42,7 @@ pub(super) fn polynomial(formula: &Expression, replaced: &[(&str, Polynomial)]) 
     })
 }
 
-/// A polynomial whose symbols are elements of another ring.
+/// A polynomial evaluated in another ring.
 pub(super) fn inserted<R: Ring>(
     ring: &R,
     sum: &Polynomial,
@@ -60,7 +60,7 @@ pub(super) fn inserted<R: Ring>(
     Some(value)
 }
 
-/// Two polynomials that should be one.
+/// The finding for two polynomials that should be equal.
 pub(super) fn same_polynomial(printed: &Polynomial, computed: &Polynomial, how: &str) -> StatementFinding {
     let difference = printed.clone() - computed.clone();
     if difference.is_zero() {
@@ -69,13 +69,13 @@ pub(super) fn same_polynomial(printed: &Polynomial, computed: &Polynomial, how: 
     StatementFinding::wrong(computed.to_string(), format!("{how}; printed less computed is {difference}"))
 }
 
-/// The first coefficient in which two series differ, with the difference a − b.
+/// The index of the first coefficient in which two series differ, with the difference a − b.
 pub(super) fn first_difference(a: &[Rational], b: &[Rational]) -> Option<(usize, Rational)> {
     let differences = a.iter().zip(b).map(|(a, b)| a.clone() - b.clone());
     differences.enumerate().find(|(_, difference)| !difference.is_zero())
 }
 
-/// The largest |residual| of an equation at points spread over boxes of these sides about the given ranges.
+/// The largest |residual| of an equation at points distributed over boxes with these ranges.
 pub(super) fn largest_residual(residual: &Expression, ranges: &[(&str, f64, f64)]) -> Option<f64> {
     let mut largest = 0.0_f64;
     for index in 1..=POINTS {
@@ -85,10 +85,10 @@ pub(super) fn largest_residual(residual: &Expression, ranges: &[(&str, f64, f64)
     Some(largest)
 }
 
-/// Number of points at which an identity is tried.
+/// Number of points at which an identity is tested.
 pub(super) const POINTS: u32 = 40;
 
-/// A point of an additive recurrence with the roots of primes, which fills the box evenly.
+/// A point of an additive recurrence with the roots of primes, which fills the box uniformly.
 fn point<'a>(index: u32, ranges: &[(&'a str, f64, f64)]) -> Vec<(&'a str, f64)> {
     const PRIMES: [f64; 8] = [2.0, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0, 19.0];
     let place = |(prime, (name, low, high)): (&f64, &(&'a str, f64, f64))| {
@@ -98,7 +98,7 @@ fn point<'a>(index: u32, ranges: &[(&'a str, f64, f64)]) -> Vec<(&'a str, f64)> 
     PRIMES.iter().zip(ranges).map(place).collect()
 }
 
-/// An identity tried at points.
+/// The finding for an identity, tested at points.
 pub(super) fn identity(
     residual: &Expression,
     ranges: &[(&str, f64, f64)],
@@ -115,14 +115,14 @@ pub(super) fn coefficients(sum: &Polynomial, name: &str, terms: usize) -> Option
     (0..u32::try_from(terms).ok()?).map(|power| sum.coefficient(&variable, power).to_constant()).collect()
 }
 
-/// A series as text, without its zeros.
+/// A series as text, without zero terms.
 pub(super) fn written(series: &[Rational], name: &str) -> String {
     let power = |n: usize| Polynomial::variable(name).pow(u32::try_from(n).unwrap_or(u32::MAX));
     let terms = series.iter().enumerate().filter(|(_, c)| !c.is_zero());
     terms.fold(Polynomial::zero(), |sum, (n, c)| sum + power(n).scaled(c)).to_string()
 }
 
-/// A printed series that should agree with a computed one through a power.
+/// The finding for a printed series that should agree with a computed one up to a power.
 pub(super) fn against_series(
     stands: &[Rational],
     computed: &[Rational],

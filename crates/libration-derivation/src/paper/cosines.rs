@@ -29,7 +29,7 @@ pub fn second_derivative(sum: &Polynomial) -> Polynomial {
     second.clone() - second * c.pow(2) - first * c
 }
 
-/// The integral over a period of the sum times cos(n·Ωt), over π: the coefficient of cos(n·Ωt), n ≥ 1.
+/// The integral over a period of the sum times cos(n·Ωt), divided by π: the coefficient of cos(n·Ωt), n ≥ 1.
 pub fn projection(sum: &Polynomial, n: u32) -> Polynomial {
     let c = Variable::from(COSINE);
     let powers = (n..=sum.degree_in(&c)).step_by(2);

@@ -1,5 +1,5 @@
-//! The exact errors of the formulas that are compared with one another: where they cross, where they keep a
-//! tolerance, and which is the best.
+//! The exact errors of the formulas that are compared with each other: their
+//! crossovers, the ranges in which they keep a tolerance, and the best formula.
 
 use std::sync::LazyLock;
 
@@ -14,7 +14,7 @@ pub(super) const PLOTTED: [&str; 8] =
     ["denman", "black_vel_2", "black_vel_3", "bernoulli", "molina", "kidd_fogg", "butikov", "power_series_3"];
 const OTHERS: [&str; 4] = ["small_angle", "power_series_2", "carvalhaes_suppes", "belendez"];
 
-/// Searched once for all claims.
+/// The table of errors, searched once for all claims.
 static TABLE: LazyLock<ErrorTable> = LazyLock::new(|| {
     let keys = PLOTTED.iter().chain(&OTHERS);
     let formulas: Vec<_> = keys.filter_map(|key| PeriodFormula::by_key(key).ok()).collect();
@@ -84,7 +84,7 @@ pub(super) fn exact_at(key: &str) -> Option<Vec<f64>> {
     Some(TABLE.amplitudes_where_exact(place(key)?).iter().map(Angle::radians).collect())
 }
 
-/// The best of some formulas from the smallest amplitude on, each with the amplitude where its lead ends.
+/// The best formulas of a set, from the smallest amplitude on, each with the amplitude up to which it is the best.
 pub(super) fn leaders(keys: &[&str]) -> Option<Vec<(String, f64)>> {
     let pairs = keys.iter().enumerate().flat_map(|(i, a)| keys[i + 1..].iter().map(move |b| (a, b)));
     let mut bounds = vec![std::f64::consts::PI];

@@ -3,10 +3,10 @@
 use libration::algebra::{Rational, Ring};
 use libration::expression::{Expression, Symbol};
 
-/// The values of the symbols of a formula, by their names (`theta0`, `theta''`).
+/// The values of the symbols of a formula, by name (`theta0`, `theta''`).
 pub(super) type Values<'a, E> = &'a dyn Fn(&str) -> Option<E>;
 
-/// The formula's value; `None` when a symbol has none, or an operation does not exist in the ring.
+/// The value of the formula; `None` if a symbol has no value, or an operation does not exist in the ring.
 pub(super) fn value<R: Ring>(
     ring: &R,
     formula: &Expression,
@@ -32,7 +32,7 @@ pub(super) fn written(symbol: &Symbol) -> String {
     format!("{}{}", symbol.name, "'".repeat(usize::from(symbol.primes)))
 }
 
-/// Natural powers by multiplication, so that the base may be anything.
+/// Natural powers by multiplication, so that any base is allowed.
 fn power<R: Ring>(ring: &R, base: &R::Element, exponent: &Rational) -> Option<R::Element> {
     match exponent.to_string().parse::<u32>() {
         Ok(natural) => {

@@ -1,9 +1,9 @@
-//! The exact motion of a pendulum from its harmonics, which equations of motion are held against.
+//! The exact motion of a pendulum from its harmonics, for comparison with equations of motion.
 
 use libration::pendulum::{Amplitude, Pendulum};
 use libration::quantity::Angle;
 
-/// The pendulum of the numerical checks: neither length nor frequency is 1.
+/// The length of the pendulum in numerical checks: neither length nor frequency is 1.
 pub(super) const LENGTH: f64 = 0.8;
 pub(super) const GRAVITY: f64 = 9.81;
 
@@ -41,8 +41,8 @@ pub(super) fn frequency_ratio(amplitude: &Angle) -> Option<f64> {
     Some(1.0 / Amplitude::new(*amplitude).ok()?.period_ratio())
 }
 
-/// States at this many phases, evenly spread over a period from the turning point on, each the sum of the
-/// harmonics and of their derivatives.
+/// States at `count` phases, evenly spaced over a period from the turning point
+/// on, each computed as the sum of the harmonics and of their derivatives.
 pub(super) fn instants(amplitude: &Angle, count: u32) -> Option<Vec<Instant>> {
     let harmonics = harmonics(amplitude)?;
     let frequency = frequency_ratio(amplitude)? * (GRAVITY / LENGTH).sqrt();

@@ -5,18 +5,18 @@ use std::fmt;
 /// The verdict on a statement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StatementVerdict {
-    /// The statement is right.
+    /// The statement is correct.
     Verified,
-    /// The statement has a typing error; its meaning is right.
+    /// The statement has a typing error; its meaning is correct.
     Typo,
     /// The statement is wrong.
     Wrong,
-    /// The statement could not be evaluated here, so that it is not decided.
+    /// The check could not be evaluated, so that the statement is undecided.
     NotDecided,
 }
 
 impl StatementVerdict {
-    /// All of them.
+    /// All verdicts.
     pub const ALL: [Self; 4] = [Self::Verified, Self::Typo, Self::Wrong, Self::NotDecided];
 
     /// `verified`, `typo`, `wrong` or `not decided`.
@@ -44,7 +44,7 @@ pub struct StatementFinding {
     pub verdict: StatementVerdict,
     /// Range in which the verdict holds, if not everywhere; often empty.
     pub restriction: String,
-    /// Correction of the statement; empty where none is needed.
+    /// Correction of the statement; empty if none is needed.
     pub correct: String,
     /// Computed evidence, with its numbers.
     pub evidence: String,
@@ -75,7 +75,7 @@ impl StatementFinding {
         Self { verdict: StatementVerdict::NotDecided, ..Self::verified(evidence) }
     }
 
-    /// Verified if `right`, else wrong with this correction.
+    /// Verified if `right`, otherwise wrong with this correction.
     pub(super) fn verified_if(right: bool, correct: impl Into<String>, evidence: impl Into<String>) -> Self {
         if right { Self::verified(evidence) } else { Self::wrong(correct, evidence) }
     }

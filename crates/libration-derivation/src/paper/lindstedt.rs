@@ -1,15 +1,15 @@
-//! The perturbation series of the pendulum with the gauge left open, by the shortest way: orders in turn, the sine by
-//! its Taylor series, products of polynomials in cos(Ωt) and in the constants A1, A2, … of the fundamental.
+//! The perturbation series of the pendulum with an open gauge, by the shortest method: order by order, with the Taylor series of the sine and
+//! products of polynomials in cos(Ωt) and in the constants A1, A2, … of the fundamental.
 
 use libration::algebra::{Polynomial, Polynomials, Rational};
 use libration::series::{product, square_root_of_unit};
 
 use super::cosines::{cosine, projection, second_derivative};
 
-/// θ = Σ εⁿ Σ b_{n,k} cos(kΩt) and Ω/ω0 = Σ dₙεⁿ, every coefficient a polynomial in the gauge.
+/// θ = Σ εⁿ Σ b_{n,k} cos(kΩt) and Ω/ω0 = Σ dₙεⁿ; every coefficient is a polynomial in the constants of the gauge.
 #[derive(Clone, Debug)]
 pub struct Expansion {
-    /// The motion at each order, as a polynomial in cos(Ωt); the order 0 is zero.
+    /// The motion at each order, as a polynomial in cos(Ωt); order 0 is zero.
     motion: Vec<Polynomial>,
     /// (Ω/ω0)² at each order.
     square: Vec<Polynomial>,
@@ -19,8 +19,8 @@ pub struct Expansion {
 const LETTERS: [(&str, u32); 4] = [("A", 1), ("B", 3), ("C", 5), ("D", 7)];
 
 impl Expansion {
-    /// The solution of (Ω/ω0)²θ″ + sin θ = 0 whose fundamental is Σ Aₙεⁿ, A₁ first; as many orders as gauge
-    /// constants. `None` when A₁ does not divide what it must, as for A₁ = 0.
+    /// The solution of (Ω/ω0)²θ″ + sin θ = 0 whose fundamental is Σ Aₙεⁿ, A₁ first; it has as many
+    /// orders as there are gauge constants. `None` if a division by A₁ is impossible, as for A₁ = 0.
     pub(super) fn of_gauge(gauge: &[Polynomial]) -> Option<Self> {
         let one = Polynomial::constant(Rational::from(1));
         let mut expansion = Self { motion: vec![Polynomial::zero()], square: vec![one] };
@@ -30,12 +30,12 @@ impl Expansion {
         Some(expansion)
     }
 
-    /// The expansion with these numbers as A₁, A₂, ….
+    /// The expansion for these values of A₁, A₂, ….
     pub(super) fn of_numbers(gauge: &[Rational]) -> Option<Self> {
         Self::of_gauge(&gauge.iter().cloned().map(Polynomial::constant).collect::<Vec<_>>())
     }
 
-    /// The expansion to this order with A₁, A₃, A₅, … open and no even coefficients.
+    /// The expansion up to this order, with A₁, A₃, A₅, … undetermined and no even coefficients.
     pub fn odd_gauge(order: u32) -> Option<Self> {
         let constant = |n: u32| {
             if n.is_multiple_of(2) {
@@ -47,7 +47,7 @@ impl Expansion {
         Self::of_gauge(&(1..=order).map(constant).collect::<Vec<_>>())
     }
 
-    /// The expansion to this order with every Aₙ open.
+    /// The expansion up to this order, with every Aₙ undetermined.
     pub(super) fn every_gauge(order: u32) -> Option<Self> {
         let constant = |n: u32| Polynomial::variable(format!("A{n}").as_str());
         Self::of_gauge(&(1..=order).map(constant).collect::<Vec<_>>())
@@ -58,7 +58,7 @@ impl Expansion {
         &self.motion
     }
 
-    /// The equation at an order: the fundamental gives (Ω/ω0)² one order below, the others their own coefficient.
+    /// Solves the equation at an order: the fundamental gives (Ω/ω0)² one order below, every other harmonic its own coefficient.
     fn solve(&mut self, order: usize, fundamental: &Polynomial, first: &Polynomial) -> Option<()> {
         self.motion.push(Polynomial::zero());
         let known = self.residual(order);
@@ -75,7 +75,7 @@ impl Expansion {
         Some(())
     }
 
-    /// (Ω/ω0)²θ″ + sin θ at an order, from what is known of the orders up to it.
+    /// (Ω/ω0)²θ″ + sin θ at an order, from the known part of the orders up to it.
     fn residual(&self, order: usize) -> Polynomial {
         let inertia = (0..order).filter_map(|j| Some((self.square.get(j)?, self.motion.get(order - j)?)));
         let inertia = inertia.fold(Polynomial::zero(), |sum, (square, motion)| {
@@ -126,7 +126,7 @@ impl Expansion {
     }
 }
 
-/// The coefficients as numbers; `None` when a symbol is left.
+/// The coefficients as numbers; `None` if a symbol remains.
 pub(super) fn numbers(coefficients: &[Polynomial]) -> Option<Vec<Rational>> {
     coefficients.iter().map(Polynomial::to_constant).collect()
 }

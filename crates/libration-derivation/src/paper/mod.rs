@@ -1,12 +1,11 @@
-//! Two published derivations checked line by line: every numbered equation, the errors in the running text, and
-//! the quantitative claims with the range in which they hold.
+//! Two published derivations checked line by line: every numbered equation, the errors
+//! in the text, and the quantitative claims with the ranges in which they hold.
 //!
-//! Each statement is kept as the document prints it, as text. A check computes what should stand there (exactly,
-//! in rationals, where that can be done) and compares: the verdict follows from the comparison.
+//! Each statement is kept as text, as the document prints it. A check computes the correct statement
+//! (exactly, in fractions, if possible) and compares: the verdict follows from the comparison.
 //!
-//! The documents are B. Black and V. Vel, *An analysis of the large amplitude simple pendulum using Fourier
-//! series*, Am. J. Phys. 91, 776 (2023), doi:10.1119/5.0130943, and J. Côté, *Period of a Pendulum*, whose
-//! displayed equations are numbered here in their order.
+//! The documents are B. Black and V. Vel, *An analysis of the large amplitude simple pendulum using Fourier series*, Am. J. Phys. 91, 776
+//! (2023), doi:10.1119/5.0130943, and J. Côté, *Period of a Pendulum*, whose displayed equations are numbered here in order.
 //!
 //! ```
 //! use libration_derivation::paper::{StatementVerdict, rows};
@@ -18,10 +17,10 @@
 //! ```
 //!
 //! # Method
-//! A check is a function that reads the text of a statement with `expression`, evaluates it in a suitable ring (numbers, power series, polynomials
-//! with open constants) and compares it with the result of an independent method; where that fails nothing is decided. A formula that the document
-//! gives in words is a paraphrase, and called so. No verdict is written down: the tests change every number and every sign of a verified statement
-//! and see the verdict change, and correct the wrong ones and see them verified.
+//! A check is a function that parses the text of a statement with `expression`, evaluates it in a suitable ring (numbers, power series,
+//! polynomials with undetermined constants) and compares it with the result of an independent method; if that fails, the statement is undecided.
+//! A formula for a statement in words is marked as a paraphrase. Verdicts are not stored: the tests change every number and every sign of a
+//! verified statement and check that the verdict changes, and correct the wrong ones and check that they are verified.
 
 mod finding;
 pub(crate) mod statement;
@@ -29,12 +28,12 @@ pub(crate) mod statement;
 mod black_vel;
 mod cote;
 
-// How printed formulas are read and compared.
+// Interpretation and comparison of printed formulas.
 mod compare;
 mod evaluate;
 mod printed;
 
-// What they are compared with.
+// Exact results for the comparison.
 mod amplitudes;
 pub(crate) mod cosines;
 mod errors;
@@ -56,7 +55,7 @@ pub fn rows() -> Vec<Row> {
     rows_where(|_, _| true)
 }
 
-/// The statements chosen by document and label; only these are checked.
+/// The findings for the statements chosen by document and label; only these are checked.
 #[must_use]
 pub fn rows_where(chosen: impl Fn(Document, &str) -> bool) -> Vec<Row> {
     let asked = statements().into_iter().filter(|(document, statement)| chosen(*document, statement.label));

@@ -1,4 +1,4 @@
-//! Equations of motion and forms of solutions order by order in ε.
+//! Equations of motion, and forms of solutions, order by order in ε.
 
 use crate::paper::compare::polynomial;
 use crate::paper::cosines::second_derivative;
@@ -16,7 +16,7 @@ pub(super) fn in_epsilon(coefficients: &[Polynomial]) -> Polynomial {
     terms.fold(Polynomial::zero(), |sum, term| sum + term)
 }
 
-/// The variable by which the dots of an equation differentiate.
+/// The variable to which the dots of an equation refer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Clock {
     /// The time t, in units of 1/ω0.
@@ -25,7 +25,7 @@ pub(super) enum Clock {
     Phase,
 }
 
-/// An equation of motion at each order in ε, the motion and Ω/ω0 being given so and ω0 = 1.
+/// An equation of motion at each order in ε, for this motion and Ω/ω0, with ω0 = 1.
 pub(super) fn orders_of(
     equation: &Expression,
     motion: &[Polynomial],
@@ -48,8 +48,8 @@ pub(super) fn orders_of(
     })
 }
 
-/// A printed form, some of its symbols replaced, whose constants take their computed values: it must be what is
-/// computed, each constant before the power of ε that its name says.
+/// The finding for a printed form, some of whose symbols are replaced: with the computed values of
+/// its constants it must equal the computed result, each constant with the power of ε in its name.
 pub(super) fn form(
     formula: &Expression,
     replaced: &[(&str, Polynomial)],

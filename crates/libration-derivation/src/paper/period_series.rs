@@ -1,4 +1,4 @@
-//! The period of a formula as an exact power series in the amplitude, against the series of the period.
+//! The period of a formula as an exact power series in the amplitude, compared with the exact series.
 
 use crate::paper::compare::{first_difference, series_in};
 use crate::paper::finding::StatementFinding;
@@ -6,13 +6,13 @@ use libration::algebra::Rational;
 use libration::expression::Expression;
 use libration::period_formulas::{frequency_in_amplitude, period_in_amplitude};
 
-/// The T/T0 of a formula for T as a series in the amplitude, from T0 = 2.
+/// The ratio T/T0 of a formula for T as a series in the amplitude, with T0 = 2.
 pub(super) fn ratio_series(formula: &Expression, terms: usize) -> Option<Vec<Rational>> {
     let period = series_in("theta0", terms, formula, &[("T0", 2)])?;
     Some(period.iter().map(|coefficient| coefficient.divided_by_power_of_two(1)).collect())
 }
 
-/// T/T0 as a series in the amplitude against the exact one.
+/// T/T0 as a series in the amplitude, compared with the exact one.
 pub(super) fn agreement(formula: &Expression, through: usize) -> Option<StatementFinding> {
     const TERMS: usize = 16;
     let printed = ratio_series(formula, TERMS)?;

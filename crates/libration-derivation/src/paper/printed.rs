@@ -1,4 +1,4 @@
-//! Formulas that a document prints, read from text: expressions, and equations with two sides or more.
+//! Printed formulas of a document, parsed from text: expressions, and equations with two or more sides.
 
 use libration::algebra::Rational;
 use libration::expression::Expression;
@@ -17,7 +17,7 @@ impl Printed {
         Some(Self { equations: texts.iter().map(sides).collect::<Option<Vec<_>>>()? })
     }
 
-    /// The last side of an equation: what the quantity on the left is said to be.
+    /// The last side of an equation, the printed value of the quantity on the left.
     pub(super) fn formula(&self, equation: usize) -> Option<&Expression> {
         self.equations.get(equation)?.last()
     }
@@ -32,7 +32,7 @@ impl Printed {
         self.equations.get(equation).map(Vec::as_slice)
     }
 
-    /// The first side less the last: zero where the equation holds.
+    /// The first side minus the last: zero if the equation holds.
     pub(super) fn residual(&self, equation: usize) -> Option<Expression> {
         let (left, right) = (self.left(equation)?.clone(), self.formula(equation)?.clone());
         Some(Expression::Subtract(Box::new(left), Box::new(right)))
@@ -48,13 +48,13 @@ impl Printed {
         self.equations.last()?.last()
     }
 
-    /// Equations read as values of names, such as `B1 = C1 = 0` or `A1 = -A3 = 1`; `None` when one is none.
+    /// Equations interpreted as values of names, such as `B1 = C1 = 0` or `A1 = -A3 = 1`; `None` if an equation has another form.
     pub(super) fn assignments(&self) -> Option<Vec<(String, Rational)>> {
         let values = self.equations.iter().map(|sides| values_of_names(sides));
         Some(values.collect::<Option<Vec<_>>>()?.concat())
     }
 
-    /// The equations that are values of names.
+    /// The equations that state values of names.
     pub(super) fn gauge(&self) -> Vec<(String, Rational)> {
         self.equations.iter().filter_map(|sides| values_of_names(sides)).flatten().collect()
     }

@@ -1,5 +1,5 @@
-//! Integrals over a quarter period of what is smooth and periodic beyond it, where the midpoint rule converges
-//! faster than any power. As the rest of the evidence it has nothing from the quadrature of the library.
+//! Integrals over a quarter period of functions that are smooth and periodic beyond it, for which the midpoint rule converges faster than any
+//! power. Like the rest of the evidence it does not use the library's quadrature.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -12,7 +12,7 @@ pub(super) fn quarter(f: &dyn Fn(f64) -> Option<f64>) -> Option<f64> {
     Some(step * values.sum::<Option<f64>>()?)
 }
 
-/// ∫ f(θ) dθ from 0 to the amplitude, f being infinite at the amplitude as an inverse root: with θ = θ0·sin φ.
+/// ∫ f(θ) dθ from 0 to the amplitude, where f has an inverse-root singularity at the amplitude: with θ = θ0·sin φ.
 pub(super) fn to_amplitude(amplitude: f64, f: &dyn Fn(f64) -> Option<f64>) -> Option<f64> {
     quarter(&|phi| {
         let (sine, cosine) = libm::sincos(phi);

@@ -1,4 +1,4 @@
-//! The sine cut off after a power, against the sine.
+//! The sine truncated after a power, compared with the sine.
 
 use crate::paper::compare::{first_difference, polynomial, series_in};
 use crate::paper::finding::StatementFinding;
@@ -6,7 +6,7 @@ use crate::paper::printed::Printed;
 use libration::algebra::{Polynomial, Rational};
 use libration::expression::Expression;
 
-/// A truncated sine against the sine, exactly; an inertia next to it does not count.
+/// The finding for a truncated sine, compared exactly; an inertia term next to it is ignored.
 pub(super) fn sine(formula: &Expression, through: usize) -> Option<StatementFinding> {
     let terms = through + 8;
     let polynomial = series_in("theta", terms, formula, &[("theta''", 0)])?;
@@ -20,11 +20,11 @@ pub(super) fn sine(formula: &Expression, through: usize) -> Option<StatementFind
     Some(StatementFinding::verified_if(power > through, correct, evidence))
 }
 
-/// An equation of motion θ″ + ω0²·(…) = 0 whose bracket is the sine to a power.
+/// The finding for an equation of motion θ″ + ω0²·(…) = 0 whose bracket is the sine up to a power.
 pub(super) fn equation_with_sine(printed: &Printed, through: usize) -> Option<StatementFinding> {
     let terms = through + 8;
     let equation = printed.residual(0)?;
-    // At rest and with ω0 = 2 the equation is four times the sine.
+    // At zero acceleration and with ω0 = 2 the equation is four times the sine.
     let force = series_in("theta", terms, &equation, &[("theta''", 0), ("omega0", 2)])?;
     let exact = Printed::read(&["4*sin(theta)"])?;
     let exact = series_in("theta", terms, exact.formula(0)?, &[])?;

@@ -1,4 +1,4 @@
-//! A statement of a document: where it stands, what it says, and how it is checked.
+//! A statement of a document: its label, its formulas, and its check.
 
 use super::finding::StatementFinding;
 use super::printed::Printed;
@@ -25,7 +25,7 @@ impl Document {
         }
     }
 
-    /// The source from which it was read.
+    /// The source from which the document was read.
     #[must_use]
     pub const fn read_from(self) -> &'static str {
         match self {
@@ -57,23 +57,23 @@ pub struct Row {
     pub document: Document,
     /// `(25)`, `(C2)`, `Fig. 1`, or `text: …`.
     pub label: String,
-    /// Claim of the document, in words of our own.
+    /// Claim of the document, paraphrased.
     pub claim: String,
-    /// Formulas printed there; integrals and sums by their integrands and terms.
+    /// Formulas printed there; integrals and sums are given by their integrands and terms.
     pub printed: Vec<String>,
-    /// `true` if the document has words, or an inequality, where `printed` has a formula of ours that says the same.
+    /// `true` if the document has words or an inequality for which `printed` has an equivalent formula.
     pub paraphrase: bool,
     /// Result of the check.
     pub finding: StatementFinding,
 }
 
-/// A check: what is printed against what is computed; `None` when a formula cannot be evaluated.
+/// A check that compares the printed formulas with computed ones; `None` if a formula cannot be evaluated.
 pub(super) type Check = fn(&Printed) -> Option<StatementFinding>;
 
 /// A statement of a document with its check.
 #[derive(Clone, Copy, Debug)]
 pub struct Statement {
-    /// The label itself, or that of the equation or figure which a text follows.
+    /// The label itself, or for text that of the preceding equation or figure.
     pub(super) after: &'static str,
     /// The number of an equation, or the subject of a text.
     pub label: &'static str,
@@ -84,11 +84,11 @@ pub struct Statement {
     pub(super) check: Check,
 }
 
-/// The evidence where a check could not be carried out.
+/// The evidence if a check could not be carried out.
 pub const NOT_EVALUATED: &str = "the check could not be carried out, as a formula has no value here where one is needed: that says nothing about the statement";
 
 impl Statement {
-    /// The same, `printed` being ours for words of the document.
+    /// The statement, marked as a paraphrase of words in the document.
     pub(super) const fn paraphrased(self) -> Self {
         Self { paraphrase: true, ..self }
     }
@@ -105,7 +105,7 @@ impl Statement {
         }
     }
 
-    /// The result of the check when this is printed.
+    /// The result of the check for these printed formulas.
     pub fn finding(&self, printed: &[&str]) -> StatementFinding {
         let finding = Printed::read(printed).and_then(|printed| (self.check)(&printed));
         finding.unwrap_or_else(|| StatementFinding::not_decided(NOT_EVALUATED))
@@ -121,7 +121,7 @@ pub(super) const fn statement(
     text_after(label, label, claim, printed, check)
 }
 
-/// Text that stands after an equation.
+/// A text statement after an equation.
 pub(super) const fn text_after(
     after: &'static str,
     label: &'static str,
@@ -132,15 +132,15 @@ pub(super) const fn text_after(
     Statement { after, label, claim, printed, paraphrase: false, check }
 }
 
-/// The statements of a document's groups in the order of the document.
+/// The statements of several groups in the order of the document.
 pub(super) fn in_order(groups: &[&'static [Statement]]) -> Vec<&'static Statement> {
     let mut ordered: Vec<&Statement> = groups.iter().copied().flatten().collect();
-    // A stable sort: what follows an equation comes behind it, in the order of its group.
+    // The sort is stable: text after an equation follows it in the order of its group.
     ordered.sort_by_key(|statement| (place_of(statement.after), statement.after != statement.label));
     ordered
 }
 
-/// The place of `(25)`, `(C2)` or `Fig. 1`, in appendix and number; the figure is referred to after equation (51).
+/// The position of `(25)`, `(C2)` or `Fig. 1` by appendix and number; the figure counts as after equation (51).
 fn place_of(label: &str) -> (Option<char>, u32, u32) {
     if label.starts_with("Fig.") {
         return (None, 51, 1);

@@ -1,4 +1,4 @@
-//! Σ c·ψᵖ·cos kψ and c·ψᵖ·sin kψ, with sums of powers of π for c.
+//! Sums of c·ψᵖ·cos kψ and c·ψᵖ·sin kψ, where c is a sum of powers of π.
 
 use std::collections::BTreeMap;
 
@@ -14,13 +14,13 @@ pub enum Wave {
     Sine,
 }
 
-/// The power of ψ, the harmonic, and which wave.
+/// The power of ψ, the harmonic, and the wave.
 type Key = (usize, usize, Wave);
 
 /// A sum of powers of the phase times harmonics.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PhaseFunction {
-    /// No coefficient is zero, and there is no sine of 0ψ.
+    /// Nonzero coefficients; there is no sine of 0ψ.
     terms: BTreeMap<Key, PiNumber>,
 }
 
@@ -54,12 +54,12 @@ impl PhaseFunction {
         self.terms.get(&(power, k, wave)).cloned().unwrap_or_default()
     }
 
-    /// Tells whether nothing is left.
+    /// Returns `true` if the function is zero.
     pub fn is_zero(&self) -> bool {
         self.terms.is_empty()
     }
 
-    /// Returns `true` if it has the same value after a whole turn.
+    /// Returns `true` if the function has the same value after a whole turn.
     pub(crate) fn is_periodic(&self) -> bool {
         self.terms.keys().all(|(power, _, _)| *power == 0)
     }
@@ -82,7 +82,7 @@ impl PhaseFunction {
         product
     }
 
-    /// cos·cos, sin·sin and sin·cos are halves of sums of two harmonics.
+    /// Multiplies by the rules for cos·cos, sin·sin and sin·cos, which are halves of sums of two harmonics.
     pub fn times(&self, other: &Self) -> Self {
         let half = Rational::new(1, 2).unwrap_or_else(|| Rational::from(0));
         let mut product = Self::default();
@@ -116,7 +116,7 @@ impl PhaseFunction {
         product
     }
 
-    /// The derivative by the phase.
+    /// The derivative with respect to the phase.
     pub fn slope(&self) -> Self {
         let mut slope = Self::default();
         for ((power, k, wave), coefficient) in &self.terms {
@@ -155,7 +155,7 @@ impl PhaseFunction {
         })
     }
 
-    /// The value at `half_turns` half turns, π or 2π.
+    /// The value after `half_turns` half turns, at π or 2π.
     pub fn at_half_turns(&self, half_turns: usize) -> PiNumber {
         let cosines = self.terms.iter().filter(|((_, _, wave), _)| *wave == Wave::Cosine);
         cosines.fold(PiNumber::default(), |sum, ((power, k, _), coefficient)| {
@@ -177,7 +177,7 @@ impl PhaseFunction {
     }
 }
 
-/// An integral of c·ψᵖ·cos kψ or c·ψᵖ·sin kψ.
+/// An antiderivative of c·ψᵖ·cos kψ or c·ψᵖ·sin kψ.
 fn by_parts(power: usize, k: usize, wave: Wave, coefficient: &PiNumber) -> PhaseFunction {
     let over_k = coefficient.scaled(&fraction(1, k));
     let (other, first) = match wave {

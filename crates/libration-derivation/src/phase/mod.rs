@@ -1,4 +1,4 @@
-//! Functions of a phase that are polynomials in it times harmonics, with fractions and powers of π: what weak forces make of an oscillation.
+//! Functions of a phase: polynomials in it times harmonics, with fractions and powers of π, as they arise from weak forces on an oscillation.
 
 pub(crate) mod function;
 pub(crate) mod pi_number;

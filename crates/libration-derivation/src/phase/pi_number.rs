@@ -1,4 +1,4 @@
-//! Sums of powers of π with fractions, such as −4/(3π).
+//! Sums of powers of π with rational coefficients, such as −4/(3π).
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,7 @@ use libration::algebra::{PiSum, Rational};
 /// Σ cₑ·πᵉ.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PiNumber {
-    /// No coefficient is zero.
+    /// Nonzero coefficients by the exponent.
     terms: BTreeMap<i32, Rational>,
 }
 
@@ -25,12 +25,12 @@ impl PiNumber {
         self.terms.iter().map(|(power, coefficient)| (*power, coefficient))
     }
 
-    /// Tells whether nothing is left.
+    /// Returns `true` if the number is zero.
     pub fn is_zero(&self) -> bool {
         self.terms.is_empty()
     }
 
-    /// The fraction that it is; `None` where it has powers of π.
+    /// The value as a fraction; `None` if powers of π occur.
     pub(crate) fn to_rational(&self) -> Option<Rational> {
         match self.terms.len() {
             0 => Some(Rational::from(0)),
@@ -73,7 +73,7 @@ impl PiNumber {
         product
     }
 
-    /// Returns `true` if it is this number of the library.
+    /// Returns `true` if the number equals this one of the library.
     pub(crate) fn is(&self, other: &PiSum) -> bool {
         let mut terms = BTreeMap::new();
         for (power, surd) in other.terms() {

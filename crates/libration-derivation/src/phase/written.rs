@@ -37,7 +37,7 @@ fn factors(phase: &str, power: usize, k: usize, wave: Wave) -> Vec<Formula> {
     powers.into_iter().chain(harmonic).collect()
 }
 
-/// coefficient·πᵉ·factors, with ones left out; with π below the line all stands on one fraction line.
+/// coefficient·πᵉ·factors, without factors of one; with π in the denominator all factors are in one fraction.
 pub(crate) fn term_with(coefficient: &Rational, power_of_pi: i32, factors: Vec<Formula>) -> Formula {
     let pi = |power: i32| match power {
         1 => Formula::Pi,
@@ -61,7 +61,7 @@ pub(crate) fn term_with(coefficient: &Rational, power_of_pi: i32, factors: Vec<F
     if coefficient.is_negative() { negative(term) } else { term }
 }
 
-/// The opposite of a positive term, a leading number taking the sign.
+/// The negative of a positive term; a leading number takes the sign.
 fn negative(term: Formula) -> Formula {
     match term {
         Formula::Number(_) | Formula::Product(_) => match term.clone().negated() {

@@ -1,4 +1,4 @@
-//! Derivations as one HTML page: formulas in MathML, style within, nothing fetched.
+//! Derivations as one HTML page: formulas in MathML, embedded style, no external resources.
 
 use super::super::check::CheckedEquation;
 use super::super::document::{Block, Cells, Derivation, DerivationTable};
@@ -47,7 +47,7 @@ summary { color: var(--soft); font-size: .92rem; cursor: pointer }
 }
 ";
 
-/// The derivation as a page that stands alone.
+/// The derivation as a standalone page.
 #[must_use]
 pub fn to_html(derivation: &Derivation) -> String {
     let title = html(&derivation.title);
@@ -100,7 +100,7 @@ fn equation(place: Place<'_>, number: usize, equation: &CheckedEquation) -> Stri
     format!("{}\n<p class=\"{class}\">{check}</p>", formula(place, number, equation.statement()))
 }
 
-/// A displayed formula with its number, which is a link to it.
+/// A displayed formula with its number, which is a link to the formula.
 fn formula(place: Place<'_>, number: usize, statement: &Statement) -> String {
     let Lines { left, right } = lines::statement(statement);
     let inside = match right.as_slice() {

@@ -1,4 +1,4 @@
-//! Derivations as a LaTeX document that needs amsmath and array alone.
+//! Derivations as a LaTeX document that needs only the packages amsmath and array.
 
 use super::super::document::{Block, Cells, Derivation, DerivationTable};
 use super::super::formula::Statement;
@@ -70,10 +70,10 @@ fn prose(prose: &Prose) -> String {
     sentence(prose, latex_text, |it| format!("${}$", inline_latex(it)))
 }
 
-/// A column for what the rows are about, and the others of equal widths, in which lines are broken.
+/// A column for the subjects of the rows, and further columns of equal width with line breaks.
 fn formula_columns(columns: usize) -> String {
     let others = columns.saturating_sub(1).max(1);
-    // Between two columns LaTeX leaves some two hundredths of the width of the text.
+    // LaTeX leaves about two hundredths of the text width between two columns.
     let percent = 72 / others - if others > 1 { 2 } else { 0 };
     format!("r{}", format!(">{{\\raggedright\\arraybackslash}}p{{0.{percent:02}\\textwidth}}").repeat(others))
 }

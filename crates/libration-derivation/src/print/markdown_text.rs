@@ -1,4 +1,4 @@
-//! Derivations as Markdown with formulas in LaTeX, as GitHub, GitLab, Jupyter and Pandoc read them.
+//! Derivations as Markdown with formulas in LaTeX, for GitHub, GitLab, Jupyter and Pandoc.
 
 use super::super::check::CheckedEquation;
 use super::super::document::{Block, Derivation, DerivationStep, DerivationTable};
@@ -8,7 +8,7 @@ use super::super::typeset::escape::markdown;
 use super::super::typeset::{inline_latex, statement_latex};
 use super::{Place, sentence, write_blocks};
 
-/// The derivation in Markdown: displayed formulas in `math` fences, others between dollars.
+/// The derivation in Markdown: displayed formulas in `math` fences, other formulas between dollar signs.
 #[must_use]
 pub fn to_markdown(derivation: &Derivation) -> String {
     let mut text = format!("# {}\n", markdown(&derivation.title));

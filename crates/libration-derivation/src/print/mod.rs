@@ -17,18 +17,18 @@ use super::prose::{Prose, Span};
 /// The position of a block.
 #[derive(Clone, Copy)]
 struct Place<'a> {
-    /// The id of its step, or of what it answers.
+    /// The id of the step, or of the exercise that the block answers.
     id: &'a str,
-    /// The number of the step; none in the introduction.
+    /// The number of the step; zero in the introduction.
     step: usize,
-    /// `true` if it is an answer, whose formulas are to be found elsewhere.
+    /// `true` for an answer, whose formulas belong to an exercise elsewhere.
     is_answer: bool,
 }
 
 impl<'a> Place<'a> {
     const INTRODUCTION: Self = Self { id: "introduction", step: 0, is_answer: false };
 
-    /// The places of the steps.
+    /// The positions of the steps.
     fn steps(derivation: &'a Derivation) -> impl Iterator<Item = (Self, &'a DerivationStep)> {
         let place = |is_answer| {
             move |(n, step): (usize, &'a DerivationStep)| {
@@ -46,7 +46,7 @@ impl<'a> Place<'a> {
     }
 }
 
-/// A sentence, its texts and its formulas written each in their way.
+/// A sentence, with separate functions for its texts and its formulas.
 fn sentence(prose: &Prose, text: fn(&str) -> String, formula: fn(&Formula) -> String) -> String {
     let span = |span: &Span| match span {
         Span::Text(it) => text(it),
@@ -55,7 +55,7 @@ fn sentence(prose: &Prose, text: fn(&str) -> String, formula: fn(&Formula) -> St
     prose.0.iter().map(span).collect()
 }
 
-/// Each block on lines of its own, behind this separator.
+/// Writes each block on separate lines, after this separator.
 fn write_blocks(
     page: &mut String,
     separator: &str,

@@ -1,4 +1,4 @@
-//! Derivations as a Jupyter notebook, whose cells make the checks again with Python's own fractions and floats.
+//! Derivations as a Jupyter notebook, whose cells repeat the checks with Python's fractions and floats.
 
 use super::super::check::{Check, CheckedEquation, FlowTerms, OpenCondition, TruncatedFormula};
 use super::super::document::{Block, Derivation, DerivationStep};
@@ -29,15 +29,15 @@ pub fn to_notebook(derivation: &Derivation) -> String {
     notebook.written()
 }
 
-/// Cells, and the text that will be the next one.
+/// The cells so far, and the text of the next one.
 #[derive(Default)]
 struct Notebook<'a> {
     cells: Vec<String>,
     text: String,
-    /// The condition whose ansatz the cells are at, and the coefficients that are known in it.
+    /// The condition whose ansatz is defined in the cells, and the coefficients that are known for it.
     ansatz: Option<&'a OpenCondition>,
     known: Vec<&'a Name>,
-    /// The equation whose slow flow the cells are at.
+    /// The equation whose slow flow is defined in the cells.
     flow: Option<&'a FlowTerms>,
     /// The force and the harmonics that are kept.
     few: Option<(&'a [Rational], &'a [usize])>,
@@ -91,7 +91,7 @@ impl<'a> Notebook<'a> {
         self.compute(&name, &lines.join("\n"));
     }
 
-    /// The ansatz of a condition, where it is not the one of the conditions before.
+    /// Defines the ansatz of a condition, unless the previous conditions have the same one.
     fn begin(&mut self, condition: &'a OpenCondition) {
         let is_same = self.ansatz.is_some_and(|it| it.harmonics == condition.harmonics);
         if let (false, Some(code)) = (is_same, python::ansatz(condition)) {
@@ -115,7 +115,7 @@ impl<'a> Notebook<'a> {
         }
     }
 
-    /// The coefficients that a condition takes from lower powers for which there was no cell.
+    /// The coefficients that a condition takes from lower powers and that have no cell yet.
     fn lower(&mut self, condition: &'a OpenCondition) -> Vec<String> {
         let missing: Vec<_> =
             condition.lower.iter().filter(|(name, _)| !self.known.contains(&name)).collect();
@@ -123,7 +123,7 @@ impl<'a> Notebook<'a> {
         missing.into_iter().filter_map(|(name, value)| python::known(name, value)).collect()
     }
 
-    /// A paragraph of text.
+    /// Adds a paragraph of text.
     fn say(&mut self, text: &str) {
         if !self.text.is_empty() {
             self.text.push_str("\n\n");
@@ -158,12 +158,12 @@ impl<'a> Notebook<'a> {
     }
 }
 
-/// A displayed formula with its number, as notebooks read it.
+/// A displayed formula with its number, in notebook syntax.
 fn formula(place: Place<'_>, number: usize, statement: &Statement) -> String {
     format!("$$\n{}\n\\tag{{{}}}\n$$", statement_latex(statement), place.number(number))
 }
 
-/// Text as a string of JSON.
+/// Text as a JSON string.
 fn json(text: &str) -> String {
     let escaped = text.chars().fold(String::with_capacity(text.len() + 2), |mut escaped, letter| {
         match letter {

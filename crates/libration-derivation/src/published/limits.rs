@@ -1,4 +1,4 @@
-//! The exact ratio and the formulas that match its series at small amplitudes.
+//! The exact ratio, and the formulas that match its series at small amplitudes.
 
 use super::super::check::{DerivationError, Given, equal_fractions, same_series, same_series_where};
 use super::super::document::DerivationStep;
@@ -11,7 +11,7 @@ use super::report::{exact_ratio as ratio, leading_error, stated};
 use libration::algebra::Rational;
 use libration::period_formulas::{frequency_in_amplitude, period_in_amplitude};
 
-/// Σ cₙθ0²ⁿ and the order of the first power left out.
+/// Σ cₙθ0²ⁿ and the order of the first omitted power.
 pub(super) fn in_even_powers(coefficients: &[Rational]) -> Formula {
     let terms = coefficients.iter().enumerate().map(|(n, c)| monomial(c, &theta_0(), 2 * n));
     let next = i64::try_from(2 * coefficients.len()).unwrap_or(i64::MAX);
@@ -62,7 +62,7 @@ pub(super) fn molina(trials: &Trials) -> Result<DerivationStep, DerivationError>
     let expanded =
         number(1) + power() / 6 * theta_0().squared() + fourth * theta_0().pow(4) + order(theta_0().pow(6));
     let general = Statement::equal(quotient().pow(power()), expanded);
-    // Each coefficient is of second degree in p at most: three values decide, the fourth is the one wanted.
+    // Each coefficient is of at most second degree in p: three values decide, the fourth one is the formula's.
     let mut checked = None;
     for (numerator, denominator) in [(0, 1), (1, 1), (1, 2), (3, 8)] {
         let given = [Given::Value(Name::new("p"), fraction(numerator, denominator))];

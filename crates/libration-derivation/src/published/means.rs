@@ -101,7 +101,7 @@ pub(super) fn errors_of_means(trials: &mut Trials) -> Result<DerivationStep, Der
         .show(nome_at_small_amplitudes()?))
 }
 
-/// ϑ(q)² is the exact ratio, which fixes q as a series in θ0.
+/// ϑ(q)² is the exact ratio, which determines q as a series in θ0.
 fn nome_at_small_amplitudes() -> Result<CheckedEquation, DerivationError> {
     let q = theta_0().squared() / 64 + theta_0().pow(4) / 1536;
     let statement = Statement::equal(apply("ϑ", [q]).squared(), exact_ratio() + order(theta_0().pow(6)));
@@ -149,7 +149,7 @@ pub(super) fn belendez(trials: &mut Trials) -> Result<DerivationStep, Derivation
         .show(kept_denominator()?))
 }
 
-/// The error when a₂ is kept under the small term.
+/// The error if a₂ is kept as the denominator of the small term.
 fn kept_denominator() -> Result<CheckedEquation, DerivationError> {
     let name = period_of("kept");
     let (a, c) = (((number(1) + root()) / 2).squared(), ((number(1) - root()) / 2).squared());

@@ -12,12 +12,11 @@ use super::prose::Prose;
 use super::trials::{Swing, Trials};
 use super::words::{period, period_ratio, theta_0};
 
-/// Derivations of the published formulas for the period, each with its leading error, and with its error at
-/// the amplitude of a swing if one is given.
+/// Derivations of the published formulas for the period, each with its leading
+/// error, and with its error at the amplitude of a swing if one is given.
 ///
 /// # Errors
-/// An amplitude below 0.01° or above 179.9°; and a formula that fails its check, which would be an error of this
-/// program.
+/// An amplitude below 0.01° or above 179.9°; a formula that fails its check, which would be an error of this program.
 pub fn formulas(swing: Option<&Swing>) -> Result<Derivation, DerivationError> {
     let mut trials = Trials::new(swing)?;
     let steps = vec![

@@ -1,4 +1,4 @@
-//! A formula, its leading error, and the errors of all of them side by side.
+//! A formula with its leading error, and a table of the errors of all formulas.
 
 use super::super::check::{Check, CheckedEquation, DerivationError, Given, failed, same_series_where};
 use super::super::document::{DerivationStep, DerivationTable};
@@ -8,7 +8,7 @@ use super::super::trials::Trials;
 use super::super::words::{amplitude, cos_half_amplitude, period, small_swing_period, theta_0};
 use libration::period_formulas::PeriodFormula;
 
-/// The keys of the formulas derived here, with the mark at their period.
+/// The keys of the formulas derived here, each with the subscript of its period.
 const DERIVED: [(&str, &str); 10] = [
     ("small_angle", "0"),
     ("bernoulli", "Ber"),
@@ -22,7 +22,7 @@ const DERIVED: [(&str, &str); 10] = [
     ("black_vel_3", "BV3"),
 ];
 
-/// T with the mark of a formula.
+/// T with the subscript of a formula.
 pub(super) fn period_of(mark: &str) -> Name {
     Name::new("T").word(mark)
 }
@@ -32,7 +32,7 @@ pub(super) fn exact_ratio() -> Formula {
     number(1) / agm(1, cos_half_amplitude())
 }
 
-/// The formula of this key and mark, which must be the one of the catalogue.
+/// The formula with this key and subscript, checked against the catalogue.
 pub(super) fn stated(
     trials: &Trials,
     key: &str,
@@ -46,7 +46,7 @@ pub(super) fn stated(
     Ok(CheckedEquation::new(statement, Check::Catalogued { key: key.to_owned(), leading_error }))
 }
 
-/// The first power of the amplitude in a formula's error, which must be the one of the catalogue.
+/// The leading term of a formula's error, checked against the catalogue.
 pub(super) fn leading_error(
     key: &str,
     mark: &str,

@@ -1,4 +1,4 @@
-//! The formulas with the amplitude in a denominator.
+//! The formulas with a series in the amplitude as denominator.
 
 use super::super::check::{DerivationError, equal_fractions, same_series};
 use super::super::document::DerivationStep;
@@ -11,7 +11,7 @@ use libration::period_formulas::{ErrorTable, frequency_in_amplitude};
 use libration::progress::Quiet;
 use libration::quantity::Angle;
 
-/// One over the frequency's series with this many corrections.
+/// The inverse of the frequency's series with this many corrections.
 fn formula(corrections: usize) -> Formula {
     let coefficients = frequency_in_amplitude(corrections);
     let terms = coefficients.iter().enumerate().map(|(n, c)| monomial(c, &theta_0(), 2 * n));
@@ -72,14 +72,14 @@ pub(super) fn three_terms(trials: &Trials) -> Result<DerivationStep, DerivationE
     ))
 }
 
-/// The lowest amplitude at which the formula has no error.
+/// The smallest amplitude at which the formula is exact.
 fn exact_at(key: &str) -> Result<Formula, DerivationError> {
     let table = ErrorTable::new(&[catalogued(key)?], &Quiet)?;
     let first = table.amplitudes_where_exact(0).into_iter().next();
     first.map(degrees).ok_or_else(|| missing(key))
 }
 
-/// The last amplitude at which the second formula overtakes the first.
+/// The last amplitude at which the second formula becomes better than the first.
 fn overtaken(first: &str, second: &str) -> Result<Formula, DerivationError> {
     let crossovers = catalogued(first)?.crossovers_with(&catalogued(second)?);
     let last = crossovers.into_iter().rfind(|crossover| crossover.better_above == second);

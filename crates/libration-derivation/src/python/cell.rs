@@ -1,4 +1,4 @@
-//! The check of a formula as lines of Python, which the reader's computer makes again.
+//! The check of a formula as lines of Python, which repeat the check on the reader's computer.
 
 use super::super::check::{
     AveragedClaim, Check, CheckedEquation, ComparedAt, CycleClaim, CycleQuantity, FlowTerms, ForceTerm,
@@ -8,12 +8,12 @@ use super::super::formula::{DecimalUnit, Formula, Name, Relation, Statement};
 use super::{expression, identifier};
 use libration::algebra::Rational;
 
-/// The lines that make the check again; `None` where there is nothing to check, or no way to do it here.
+/// The lines that repeat the check; `None` if there is nothing to check, or the check cannot be written in Python.
 pub(crate) fn check(equation: &CheckedEquation) -> Option<String> {
     let (statement, letters) = (equation.statement(), equation.letters());
     match equation.check() {
         Check::Series { variable, coefficients } => {
-            // Quotients of series that begin with a power lose coefficients.
+            // Quotients of series without constant term lose coefficients.
             let lines = [format!("{} = variable({})", identifier(variable)?, coefficients + 6)];
             let sides = sides(statement)?.join(", ");
             let lines = lines.into_iter().chain(given(letters)?);
@@ -49,7 +49,7 @@ pub(crate) fn check(equation: &CheckedEquation) -> Option<String> {
     }
 }
 
-/// The ansatz that a condition belongs to, with its letters.
+/// The ansatz of a condition, with its symbols.
 pub(crate) fn ansatz(condition: &OpenCondition) -> Option<String> {
     let OpenCondition { force, harmonics, frequency, .. } = condition;
     let force: Vec<String> =
@@ -75,7 +75,7 @@ pub(crate) fn ansatz(condition: &OpenCondition) -> Option<String> {
     ]))
 }
 
-/// The equation that a slow flow belongs to, as it is while the displacement falls.
+/// The equation of a slow flow, as long as the displacement falls.
 pub(crate) fn slow_flow(flow: &FlowTerms) -> Option<String> {
     let number = |it: &Rational| expression(&Formula::Number(it.clone()));
     let term = |term: &ForceTerm| {
@@ -103,7 +103,7 @@ fn catalogued(statement: &Statement, leading_error: Option<&(Rational, u32)>) ->
     })
 }
 
-/// The force and the harmonics that are kept.
+/// The code of a cell with the force and the harmonics that are kept.
 pub(crate) fn few_harmonics(formula: &TruncatedFormula) -> Option<String> {
     let force = formula.force.iter().map(|it| expression(&Formula::Number(it.clone())));
     let harmonics: Vec<String> = formula.harmonics.iter().map(ToString::to_string).collect();
@@ -135,7 +135,7 @@ fn truncated(statement: &Statement, claim: &TruncatedClaim, harmonics: &[usize])
     })
 }
 
-/// The equation whose limit cycle is looked for.
+/// The code of a cell with the equation of a limit cycle.
 pub(crate) fn limit_cycle(flow: &FlowTerms) -> Option<String> {
     slow_flow(flow).map(|code| format!("{code}\ncycle = LimitCycle(flow)"))
 }
@@ -199,7 +199,7 @@ fn averaged(statement: &Statement, claim: &AveragedClaim) -> Option<String> {
     }
 }
 
-/// A coefficient that lower orders have determined.
+/// A coefficient determined at lower orders.
 pub(crate) fn known(name: &Name, value: &Formula) -> Option<String> {
     Some(format!("ansatz.known[\"{}\"] = polynomial({})", identifier(name)?, expression(value)?))
 }
@@ -221,7 +221,7 @@ fn substituted(statement: &Statement, condition: &OpenCondition) -> Option<Strin
     }
 }
 
-/// The values of names, in an order in which each needs only those before it.
+/// The values of names, in an order in which each needs only earlier ones.
 fn given(letters: &Letters) -> Option<Vec<String>> {
     let functions = letters.functions.iter().map(|(name, parameters, body)| {
         let parameters: Option<Vec<String>> = parameters.iter().map(identifier).collect();
@@ -240,11 +240,11 @@ fn sides(statement: &Statement) -> Option<Vec<String>> {
         .collect()
 }
 
-/// Neighbours in the chain.
+/// Comparisons of neighbours in the chain.
 fn compared(statement: &Statement) -> Option<Vec<String>> {
     let sides = sides(statement)?;
     let pairs = sides.windows(2).zip(&statement.rest);
-    // Singular ends of integrals cost half of the digits of a float, differences in the place of a derivative a third.
+    // Singular ends of integrals cost half of the digits of a float, finite differences in place of derivatives a third.
     let whole = sides.concat();
     let digits = if whole.contains("integral(") || whole.contains("slope(") { ", digits=7" } else { "" };
     let line = |(pair, (relation, _)): (&[String], &(Relation, Formula))| match relation {

@@ -1,4 +1,4 @@
-//! Formulas as Python, to be computed with the functions of `prelude.py`.
+//! Formulas as Python, computed with the functions of `prelude.py`.
 
 mod cell;
 
@@ -7,7 +7,7 @@ pub(super) use cell::{ansatz, check, few_harmonics, known, limit_cycle, slow_flo
 use super::evaluate::TIME;
 use super::formula::{DecimalUnit, Formula, Name, Subscript};
 
-/// The functions with which the expressions are computed: Python's fractions and floats.
+/// The functions for computing the expressions, with Python's fractions and floats.
 pub(super) const PRELUDE: &str = include_str!("prelude.py");
 
 /// The precedence of an expression.
@@ -19,7 +19,7 @@ enum Level {
     Atom,
 }
 
-/// A formula as an expression; `None` where it has an index that is not a number.
+/// A formula as an expression; `None` if it contains an index that is not a number.
 pub(super) fn expression(formula: &Formula) -> Option<String> {
     written(formula).map(|(text, _)| text)
 }
@@ -67,7 +67,7 @@ fn written(formula: &Formula) -> Option<(String, Level)> {
             (factors.collect::<Option<Vec<String>>>()?.join("*"), Level::Product)
         }
         Formula::Fraction(over, under) => {
-            // Whole numbers alone would be divided as floats.
+            // A quotient of integers alone would become a float.
             let over = match over.free_names().is_empty() {
                 true => format!("exact({})", expression(over)?),
                 false => at_least(Level::Product, over)?,
@@ -91,7 +91,7 @@ fn written(formula: &Formula) -> Option<(String, Level)> {
     })
 }
 
-/// Sums, integrals and derivatives, which have a variable of their own.
+/// Sums, integrals and derivatives, which bind a variable.
 fn with_own_name(formula: &Formula) -> Option<String> {
     Some(match formula {
         Formula::Series { index, from, to, term } => {
@@ -113,7 +113,7 @@ fn with_own_name(formula: &Formula) -> Option<String> {
     })
 }
 
-/// The derivative with time: the angle moves with its velocity, and that with the acceleration.
+/// The time derivative: the angle changes with the velocity, and the velocity with the acceleration.
 fn along_the_motion(formula: &Formula) -> Option<String> {
     let of = expression(formula)?;
     Some(format!("slope(lambda s: (lambda θ, θ_p: {of})(θ + s*θ_p, θ_p + s*θ_p_p), 0)"))

@@ -1,4 +1,4 @@
-//! Text made harmless: every character stands for itself in the form it is written to.
+//! Escaping: every character represents itself in the output format.
 
 /// Escapes text for HTML and MathML.
 pub(crate) fn html(text: &str) -> String {
@@ -14,7 +14,7 @@ pub(crate) fn html(text: &str) -> String {
     })
 }
 
-/// Escapes text for LaTeX with Unicode by inputenc and T1 fonts; characters that these lack are spelt.
+/// Escapes text for LaTeX with Unicode by inputenc and T1 fonts; characters that these lack are spelt out.
 pub(crate) fn latex_text(text: &str) -> String {
     text.chars().fold(String::with_capacity(text.len()), |mut escaped, letter| {
         match letter {
@@ -40,7 +40,7 @@ pub(crate) fn latex_text(text: &str) -> String {
     })
 }
 
-/// The name that a letter has in LaTeX, where it is not on the keyboard.
+/// The LaTeX name of a letter that is not in ASCII.
 pub(crate) fn letter_name(letter: char) -> Option<&'static str> {
     Some(match letter {
         'α' => "alpha",
@@ -73,12 +73,12 @@ pub(crate) fn letter_name(letter: char) -> Option<&'static str> {
     })
 }
 
-/// The digit of a superscript.
+/// The digit for a superscript.
 fn raised_digit(letter: char) -> Option<usize> {
     "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|it| it == letter)
 }
 
-/// Escapes text for Markdown: nothing becomes emphasis, a link, a heading or HTML.
+/// Escapes text for Markdown, so that nothing becomes emphasis, a link, a heading or HTML.
 pub(crate) fn markdown(text: &str) -> String {
     text.chars().fold(String::with_capacity(text.len()), |mut escaped, letter| {
         match letter {

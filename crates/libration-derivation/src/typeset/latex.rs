@@ -35,7 +35,7 @@ pub(super) fn latex(layout: &Layout) -> String {
     }
 }
 
-/// Commands end in a blank, so that the next letter does not join them.
+/// Commands end with a space, so that the next letter does not join them.
 fn letter_latex(letter: &str) -> String {
     match letter.chars().next().and_then(letter_name).filter(|_| letter.chars().count() == 1) {
         Some(name) => format!("\\{name} "),

@@ -1,4 +1,4 @@
-//! Formulas laid out: brackets, signs and spaces are decided once, for LaTeX and MathML alike.
+//! Layout of formulas: brackets, signs and spaces are decided once, for LaTeX and MathML alike.
 
 use super::super::formula::{Decimal, DecimalUnit, Formula, Name, Subscript};
 use super::place::{Place, place};
@@ -13,21 +13,21 @@ pub(crate) enum Layout {
     /// An upright word: a function, a unit, a subscript.
     Word(String),
     Digits(String),
-    /// A sign with space about it: + = ≈.
+    /// A sign with space around it: + = ≈.
     Sign(char),
-    /// A sign that belongs to what follows it: the minus of −x.
+    /// A sign that belongs to the following part: the minus of −x.
     Prefix(char),
-    /// Follows directly: °, !!.
+    /// A mark directly after the previous part: °, !!.
     Suffix(&'static str),
     Comma,
     ThinSpace,
-    /// Space at the beginning of a line that continues the one above.
+    /// Space at the beginning of a continued line.
     Indent,
     /// Space between a function and its argument.
     Application,
     Fraction(Box<Self>, Box<Self>),
     Root(Box<Self>),
-    /// A letter with this number of primes, which count as part of it.
+    /// A letter with this number of primes.
     Primed(Box<Self>, u8),
     Scripts {
         base: Box<Self>,
@@ -44,7 +44,7 @@ pub(crate) enum Layout {
     Bars(Box<Self>),
 }
 
-/// The setting of a formula.
+/// The style in which a formula is set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Style {
     /// A formula on its own line: fractions are stacked.
@@ -221,7 +221,7 @@ impl Style {
         Layout::Row(vec![sign, self.at_least(Place::Product, term)])
     }
 
-    /// The differential stands above the fraction line where the integrand is one over something.
+    /// The differential stands in the numerator if the integrand is the inverse of a formula.
     fn integral(self, variable: &Name, from: &Formula, to: &Formula, integrand: &Formula) -> Layout {
         let limit = |formula| Box::new(Self::Inline.formula(formula));
         let sign = Layout::Large { sign: '∫', from: limit(from), to: limit(to) };
@@ -250,7 +250,7 @@ impl Style {
     }
 }
 
-/// The sign of a summand and the rest.
+/// The sign of a summand and the summand without it.
 fn unsigned(term: &Formula) -> (bool, Formula) {
     match term {
         Formula::Negate(size) => (true, (**size).clone()),
@@ -297,7 +297,7 @@ fn is_named(function: Function) -> bool {
     !matches!(function, Function::Sqrt | Function::Abs | Function::Exp)
 }
 
-/// Arguments such as 2θ and θ0/2 in a display follow their function without brackets.
+/// Returns `false` for arguments such as 2θ, and θ0/2 in a display, which need no brackets after a function.
 fn needs_brackets(style: Style, argument: &Formula) -> bool {
     match argument {
         Formula::Name(_) | Formula::Pi => false,

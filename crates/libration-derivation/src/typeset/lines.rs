@@ -1,20 +1,20 @@
-//! Statements in as many lines as they need.
+//! Line breaks of statements.
 
 use super::super::formula::{Formula, Relation, Statement};
 use super::layout::{Layout, Style};
 
-/// A statement in lines: what stands left of the first relation, and the lines right of it, each with its sign.
+/// A statement in lines: the part left of the first relation, and the lines right of it, each with its sign.
 pub(crate) struct Lines {
     pub(crate) left: Layout,
     pub(crate) right: Vec<Layout>,
 }
 
-/// Characters that a line has room for, in print and within what folds away: with 60 the widest lines of the longest pages just fit.
+/// Width of a line in characters, in print and inside folded blocks: with 60 the widest lines of the longest pages just fit.
 const ROOM: usize = 60;
 /// Least width of a line next to a long left side.
 const LEAST_ROOM: usize = 36;
 
-/// A chain of more than two formulas has a line for each, a sum that is too long several.
+/// Breaks a statement: a chain of more than two formulas has a line for each, a long sum has several.
 pub(crate) fn statement(statement: &Statement) -> Lines {
     let mut right = Vec::new();
     let first = broken(&statement.first, ROOM);

@@ -1,9 +1,9 @@
-//! Layouts as MathML, which browsers show by themselves.
+//! Layouts as MathML, which browsers render directly.
 
 use super::escape::html;
 use super::layout::Layout;
 
-/// The layout as the inside of a `math` element.
+/// The layout as the content of a `math` element.
 pub(crate) fn mathml(layout: &Layout) -> String {
     match layout {
         Layout::Row(parts) => format!("<mrow>{}</mrow>", row(parts)),
@@ -52,7 +52,7 @@ fn element(tag: &str, text: &str) -> String {
     format!("<{tag}>{}</{tag}>", html(text))
 }
 
-/// Brackets grow with what is tall and keep their size about a line of text.
+/// Brackets stretch around tall content and keep their size around a line of text.
 fn fenced(open: &str, inner: &Layout, close: &str) -> String {
     let stretchy = is_tall(inner);
     let fence = |form: &str, sign: &str| {

@@ -1,4 +1,4 @@
-//! Formulas laid out, and written as LaTeX and MathML.
+//! Layout of formulas, and output as LaTeX and MathML.
 
 pub(super) mod escape;
 pub(super) mod layout;
@@ -20,7 +20,7 @@ pub fn formula_latex(formula: &Formula) -> String {
     latex::latex(&Style::Display.formula(formula)).trim_end().to_owned()
 }
 
-/// The statement in LaTeX, for a display; what needs several lines is aligned.
+/// The statement in LaTeX, for a display; several lines are aligned.
 #[must_use]
 pub fn statement_latex(statement: &Statement) -> String {
     let Lines { left, right } = lines::statement(statement);

@@ -3,12 +3,12 @@
 use super::super::formula::Formula;
 use libration::algebra::Function;
 
-/// Precedences, from those that need brackets nearly everywhere to those that need none.
+/// Precedences, from the weakest binding, which needs brackets nearly everywhere, to the strongest, which needs none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Place {
     /// a + b, −a.
     Sum,
-    /// Σ, which reaches to the end of its summand.
+    /// Σ, which extends to the end of its summand.
     Large,
     /// a·b, and functions without brackets.
     Product,

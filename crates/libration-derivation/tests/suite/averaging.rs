@@ -1,4 +1,4 @@
-//! Slow flows are derived, and are those that are known otherwise.
+//! Slow flows are derived, and agree with independently known ones.
 
 use libration::algebra::Rational;
 use libration::expression::Equation;
@@ -22,7 +22,7 @@ fn solved(equation: &str, orders: [usize; 2]) -> (Question, Flow) {
     (question, flow)
 }
 
-/// Each page compares all coefficients with the library's and puts the motion back before it is given.
+/// Each derivation compares all coefficients with the library's and substitutes the motion into the equation before it is returned.
 #[test]
 fn dampings_of_every_power_are_derived_for_springs_and_pendulums() {
     for force in ["sin(x)", "x", "x + x^3", "4*x - x^5/2"] {
@@ -41,7 +41,7 @@ fn asymmetric_springs_and_a_place_of_rest_elsewhere_are_derived() {
     {
         let refused = page(equation, [3, 2]);
         match equation.contains("- x") {
-            // ω0² = 2 has no root among fractions.
+            // ω0² = 2 has an irrational root.
             true => assert!(matches!(refused, Err(DerivationError::NoFractionalFrequency))),
             false => assert!(refused.unwrap().contains("All powers are there"), "{equation}"),
         }
@@ -50,7 +50,7 @@ fn asymmetric_springs_and_a_place_of_rest_elsewhere_are_derived() {
     assert!(moved.contains("u:=x-1") && moved.contains("=4u+6u^{2}+2u^{3}\n"), "{moved}");
 }
 
-/// Black and Vel's equation (54) as it is printed loses nothing on the average for the square of the velocity.
+/// Black and Vel's equation (54), as printed, loses no energy on average for the square of the velocity.
 #[test]
 fn the_published_square_of_the_velocity_is_no_damping() {
     let equation = "x'' + c*x'^2 + sin(x) = 0".parse().unwrap();
@@ -75,7 +75,7 @@ fn viscous_damping_of_a_linear_spring_is_that_of_the_textbooks() {
     }
 }
 
-/// A change of any coefficient is seen when the motion is put back.
+/// A change of any coefficient is detected when the motion is substituted.
 #[test]
 fn a_coefficient_that_is_changed_is_found() {
     for damping in ["x'", "x'*abs(x')", "sign(x')"] {
@@ -125,7 +125,7 @@ fn what_is_not_derived_is_refused_for_its_reason() {
     assert!(refused("x'' + x = 0", [3, 2]).contains("no parameter is symbolic"));
 }
 
-/// A watch that stops later leaves the steps that are done, one that stops at once leaves nothing.
+/// A cancellation keeps the completed steps; an immediate one leaves none.
 #[test]
 fn a_derivation_that_is_stopped_keeps_its_steps() {
     let equation: Equation = "x'' + c*x' + x = 0".parse().unwrap();

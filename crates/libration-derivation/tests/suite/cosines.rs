@@ -1,4 +1,4 @@
-//! Cosines are projected and differentiated.
+//! Projections and derivatives of cosines.
 
 use libration::algebra::Rational;
 use libration_derivation::internals::paper::{cosine, projection, second_derivative};

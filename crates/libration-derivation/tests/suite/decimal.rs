@@ -1,4 +1,4 @@
-//! Numbers are rounded to what they print.
+//! Numbers are rounded to the printed digits.
 
 use libration::algebra::Rational;
 use libration_derivation::{Decimal, DecimalUnit};

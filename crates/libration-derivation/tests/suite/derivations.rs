@@ -1,4 +1,4 @@
-//! Derivations are made, what is wrong cannot be, and what is printed is what was checked.
+//! Derivations are complete, wrong formulas are rejected, and every printed formula was checked.
 
 use libration::algebra::{Function, Rational};
 use libration::oscillator::{NamedOscillator, Oscillator};
@@ -26,7 +26,7 @@ fn equations(derivation: &Derivation) -> Vec<&CheckedEquation> {
     numbered(&derivation.steps).into_iter().map(|(_, equation)| equation).collect()
 }
 
-/// The formulas of steps with their numbers, those that fold away too.
+/// The formulas of steps with their numbers, including folded ones.
 fn numbered(steps: &[DerivationStep]) -> Vec<(String, &CheckedEquation)> {
     fn in_blocks<'a>(id: &str, blocks: &'a [Block], found: &mut Vec<(String, &'a CheckedEquation)>) {
         for block in blocks {
@@ -99,12 +99,12 @@ fn exercises_leave_out_the_results_and_answer_them_at_the_end() {
         for (id, equation) in &answers {
             let result = equation.statement().rest.last().map(|(_, side)| formula_latex(side)).unwrap();
             let (shown, number) = (statement_latex(equation.statement()), id.rsplit('.').next().unwrap());
-            // What is left over does not count as a result: it is to be shown, and its check is an answer.
+            // A remainder O(…) is not a result: it is to be proved, and its check is an answer.
             let is_to_be_shown = matches!(equation.statement().rest.last(), Some((_, Formula::Order(_))));
             assert_eq!(page.contains(&format!("{shown}\n\\tag{{")), is_to_be_shown, "{shown}");
             assert!(whole.contains(&format!("{shown}\n\\tag{{")), "{shown}");
             assert!(whole.matches(&format!(".{number}}}")).count() >= 2);
-            // A fraction with a large denominator stands nowhere else.
+            // A fraction with a large denominator occurs nowhere else.
             if result.contains("{1835008}") {
                 assert!(!page.contains("1835008"), "{result}");
             }
@@ -148,7 +148,7 @@ fn the_first_correction_takes_two_pages() {
 #[test]
 fn wrong_formulas_fail_their_checks() {
     let trials = Trials::new(None).unwrap();
-    // The document's sum that begins with n = 1 loses its first term.
+    // The document's sum, which begins with n = 1, lacks its first term.
     let sum = |from| {
         series(
             "n",

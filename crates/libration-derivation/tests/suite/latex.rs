@@ -1,4 +1,4 @@
-//! The LaTeX of every derivation: as many cells in a row as its table has columns, and documents that compile where `pdflatex` is present.
+//! The LaTeX of every derivation: rows have as many cells as their table has columns, and documents compile if `pdflatex` is present.
 
 use libration::oscillator::{NamedOscillator, Oscillator};
 use libration::perturbation::Gauge;
@@ -9,7 +9,7 @@ use libration_derivation::{
 };
 use std::process::Command;
 
-/// One of each kind, and each as exercises.
+/// One derivation of each kind, and each as exercises.
 fn derivations() -> Vec<(&'static str, Derivation)> {
     let pendulum = NamedOscillator::by_key("pendulum").unwrap().oscillator(&[]).unwrap();
     let two_sided = Oscillator::new(&"x'' + x + x^2/2 + x^3 = 0".parse().unwrap()).unwrap();
@@ -30,7 +30,7 @@ fn derivations() -> Vec<(&'static str, Derivation)> {
     own.into_iter().chain(exercises).collect()
 }
 
-/// The columns of a specification such as `r>{\raggedright}p{0.35\textwidth}`: letters outside of braces.
+/// The columns of a specification such as `r>{\raggedright}p{0.35\textwidth}`: letters outside braces.
 fn columns(specification: &str) -> usize {
     let mut depth = 0;
     let mut found = 0;
@@ -45,7 +45,7 @@ fn columns(specification: &str) -> usize {
     found
 }
 
-/// The text in braces whose opening brace is before the text, and the rest.
+/// The text up to the closing brace of a group whose opening brace was consumed, and the rest.
 fn in_braces(text: &str) -> (&str, &str) {
     let mut depth = 1;
     for (at, letter) in text.char_indices() {
@@ -99,7 +99,7 @@ fn documents_compile_where_pdflatex_is_present() {
     std::fs::remove_dir_all(&directory).unwrap();
 }
 
-/// A check that stands before the answers would give them away. Formulas of the catalogue are no results, and have theirs.
+/// A check before the answers would reveal them. Formulas of the catalogue are not results, and keep their checks.
 #[test]
 fn notebooks_of_exercises_compute_nothing_before_their_answers() {
     let exercises =

@@ -1,4 +1,4 @@
-//! Limit cycles are derived, with the coefficients that are known.
+//! Limit cycles are derived, with their known coefficients.
 
 use libration::progress::Quiet;
 use libration_derivation::{DerivationError, limit_cycle, to_markdown};
@@ -7,7 +7,7 @@ fn page(equation: &str, order: usize) -> Result<String, DerivationError> {
     limit_cycle(&equation.parse().unwrap(), None, order, &Quiet).map(|page| to_markdown(&page))
 }
 
-/// Van der Pol's frequency to the fourth power, and the first harmonic (A. Dadfar, J. Geer, C. Andersen, SIAM J. Appl. Math. 44, 881 (1984)).
+/// Van der Pol's frequency up to the fourth power, and the first harmonic (A. Dadfar, J. Geer, C. Andersen, SIAM J. Appl. Math. 44, 881 (1984)).
 #[test]
 fn van_der_pols_frequency_has_its_known_coefficients() {
     let page = page("x'' - mu*(1 - x^2)*x' + x = 0", 4).unwrap();

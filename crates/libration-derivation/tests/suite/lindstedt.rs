@@ -48,7 +48,7 @@ fn wrong_harmonics_of_the_residual_are_noticed() {
 
 #[test]
 fn the_exact_motion_beside_the_series_is_the_same_motion() {
-    // At x_max = 0.01 terms of the fifth order, left out, are of the size of 1e-10.
+    // At x_max = 0.01 the omitted terms of fifth order are about 1e-10.
     for (key, harmonics) in [("pendulum", 2), ("quadratic", 5), ("double_well", 5)] {
         let question = question(key, 4);
         let amplitude = Displacement::from_f64(0.01).unwrap();
@@ -68,7 +68,7 @@ fn the_exact_motion_beside_the_series_is_the_same_motion() {
     }
 }
 
-/// With the cubic sine two harmonics have four solutions; the one sought is gone at 170°.
+/// With the sine truncated after its cube, two harmonics have four solutions; the one sought does not exist at 170°.
 #[test]
 fn the_solutions_of_two_harmonics_are_listed_with_their_verdicts() {
     let verdicts = |key: &str, order: usize, amplitude: f64| {
@@ -137,7 +137,7 @@ fn an_amplitude_is_shown_as_it_was_given() {
     assert_eq!(shown(&quadratic, "0.1"), "0.1");
 }
 
-/// The parts of a condition, with what lower orders have found put in, are the condition.
+/// The parts of a condition, with the results of lower orders inserted, add up to the condition.
 #[test]
 fn contributions_become_the_conditions() {
     for (key, order) in [("pendulum", 5), ("quadratic", 3), ("helmholtz_duffing", 3), ("cubic_quintic", 5)] {
@@ -159,7 +159,7 @@ fn contributions_become_the_conditions() {
     }
 }
 
-/// A part that is not what the equation of motion leaves would be refused.
+/// A part that does not follow from the equation of motion is rejected.
 #[test]
 fn every_contribution_is_checked() {
     for (key, order) in [("pendulum", 5), ("quadratic", 3)] {
@@ -179,7 +179,7 @@ fn every_contribution_is_checked() {
     }
 }
 
-/// Equations (22) and (23) of the first document, and what they lead to, are compared with the cube of two harmonics.
+/// Equations (22) and (23) of Black and Vel, and their consequences, are compared with the cube of two harmonics.
 #[test]
 fn the_elimination_of_two_harmonics_is_checked() {
     let question = question("pendulum", 5);

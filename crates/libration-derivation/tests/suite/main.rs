@@ -1,4 +1,4 @@
-//! The derivations and their parts: what they are made of, checked as it is printed.
+//! The derivations and their parts.
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on should stop where it stands")]
 
 mod averaging;

@@ -1,4 +1,4 @@
-//! The verdicts follow from what is printed.
+//! The verdicts follow from the printed formulas.
 
 use libration::progress::Quiet;
 use libration_derivation::internals::paper::{
@@ -24,7 +24,7 @@ fn every_statement_can_be_checked() {
     }
 }
 
-/// Formulas that these checks cannot evaluate: of unknown symbols, without a value, not to be read.
+/// Formulas that these checks cannot evaluate: with unknown symbols, without a value, or not parsable.
 #[test]
 fn what_cannot_be_evaluated_is_not_decided() {
     let cases: [(Document, &str, &[&str]); 6] = [
@@ -50,7 +50,7 @@ fn only_what_is_chosen_is_checked() {
     assert!(rows_where(|_, _| false).is_empty());
 }
 
-/// Words of the documents in which there is no formula, though the statement is about numbers.
+/// Statements about numbers for which the documents have words and no formula.
 #[test]
 fn formulas_of_ours_are_not_called_printed() {
     for row in rows().into_iter().filter(|row| row.paraphrase) {
@@ -105,7 +105,7 @@ fn the_equations_that_are_not_verified_are_these() {
     assert_eq!(found(Document::Cote, StatementVerdict::Typo), ["(22)", "(34)"]);
 }
 
-/// Statements with the printed error mended, which changes the verdict.
+/// Statements with the printed error corrected, which changes the verdict.
 const MENDED: [(Document, &str, &[&str]); 13] = [
     (Document::BlackVel, "text: the Fourier integrals", &["1/pi"]),
     (Document::BlackVel, "text: a1 is not much greater", &["a1 = 4"]),
@@ -170,7 +170,7 @@ fn the_claims_hold_where_an_independent_computation_says() {
     }
 }
 
-/// The engine of the perturbation series is another method for the constants of appendix C.
+/// The perturbation engine of the library is a second method for the constants of appendix C.
 #[test]
 fn the_orders_agree_with_the_perturbation_engine() {
     use libration::algebra::Rational;
@@ -185,7 +185,7 @@ fn the_orders_agree_with_the_perturbation_engine() {
     assert_eq!(named("D7").value(|_| Some(Rational::from(1))).unwrap().to_string(), "-1/1835008");
 }
 
-/// Changes that leave a true statement, and why.
+/// Changes that leave a true statement, with the reasons.
 const STILL_TRUE: [(&str, &str, &str); 24] = [
     ("(2)", "theta = theta0*cos(sqrt(g/l)*t - phi)", "any phase will do"),
     ("(2)", "theta = theta0*sin(sqrt(g/l)*t + phi)", "any phase will do"),
@@ -233,8 +233,8 @@ fn no_number_or_sign_of_a_verified_statement_can_be_changed() {
     assert!(count > 900, "{count}");
 }
 
-/// The texts with one of their numbers larger or smaller by one, or one sign, sine or cosine exchanged: what is
-/// changed, and all texts with it.
+/// Variants of the texts, with one number increased or decreased by one, or
+/// one sign, sine or cosine exchanged: the change, and all texts with it.
 fn changes(printed: &[&str]) -> Vec<(String, Vec<String>)> {
     let mut all = Vec::new();
     for (index, text) in printed.iter().enumerate() {
@@ -256,7 +256,7 @@ fn with_another_number(text: &str) -> Vec<String> {
     numbers_in(text).into_iter().flat_map(both).collect()
 }
 
-/// The ranges of bytes of the numbers that are not part of a name.
+/// The byte ranges of the numbers that are not part of a name.
 fn numbers_in(text: &str) -> Vec<(usize, usize)> {
     let (mut found, mut start, mut before) = (Vec::new(), None, ' ');
     for (place, letter) in text.char_indices().chain([(text.len(), ' ')]) {

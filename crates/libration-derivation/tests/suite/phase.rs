@@ -1,4 +1,4 @@
-//! Integrals undo derivatives, and products are those of the waves.
+//! Integrals invert derivatives, and products agree with those of the waves.
 
 use libration::algebra::Rational;
 use libration_derivation::internals::build::tenths;

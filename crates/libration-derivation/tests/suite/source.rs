@@ -1,9 +1,9 @@
-//! The tests stand here and not in the library, which is so compiled once.
+//! The tests stand in this suite and not in the library, so that the library is compiled once.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The files below a folder.
+/// The files below a folder, at any depth.
 fn files(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     let within = |path: PathBuf| if path.is_dir() { files(&path) } else { vec![path] };

@@ -1,7 +1,7 @@
 //! Inner products of plain numbers, up to eight side by side in a register.
 //!
-//! What they read stands row by row in memory. So that a register can be loaded at once, numbers of several rows are put beside each
-//! other in the scratch when an inner product reads them first; most inner products read, of each row, one more than those before.
+//! The factors stand row by row in memory. So that one load fills a register, numbers of several rows are put next to each other in the scratch
+//! memory when an inner product first reads them. Most inner products read one number more of each row than the inner products before.
 
 use std::collections::BTreeMap;
 
@@ -19,7 +19,7 @@ type Places = [usize; WIDEST];
 /// The content of the scratch memory.
 #[derive(Debug, Default)]
 pub(super) struct Packs {
-    /// The first of the values that came from these slots, by the width of the register.
+    /// Index of the first packed value, by the width of the register and the slots that were packed.
     at: BTreeMap<(usize, Places), usize>,
     numbers: usize,
 }
@@ -40,7 +40,7 @@ impl Packs {
 
 /// The rows that a group reads, and its registers.
 struct Rows {
-    /// The first slots of either factor.
+    /// The first slot of each lane's row, for either factor.
     first: [Places; 2],
     count: usize,
     lanes: usize,
@@ -66,22 +66,22 @@ impl Rows {
         Self { first, count: group.count, lanes, packed, set }
     }
 
-    /// The slots of a factor: first come the factors in the one row of each lane, then those in the other.
+    /// The slots of a factor in all lanes. Factors below `count` are in the first row of each lane, the others in the second.
     fn places(&self, factor: usize) -> Places {
         self.first[factor / self.count].map(|first| first + factor % self.count)
     }
 }
 
-/// The numbers of the upper quarter or half of a register before they are put there.
+/// Values that stand for the upper quarter or half of a register before these are inserted.
 const UPPER: [usize; 2] = [usize::MAX / 2, usize::MAX / 2 - 1];
 
-/// A sum or a factor while a group is written, as a value that no step has.
+/// A number for a sum or factor inside a group, which is the value of no step of the line.
 fn temporary(line: &StraightLine, number: usize) -> usize {
     line.steps().len() + number
 }
 
 impl Assembler<'_> {
-    /// All inner products of a group.
+    /// Writes the code for all inner products of a group.
     pub(super) fn inner_products(&mut self, group: &Group) -> Result<(), NoCode> {
         let rows = Rows::new(self.line, group, self.set.packed.as_ref().ok_or(NoCode::Instruction)?);
         self.now = group.members[0];
@@ -117,16 +117,16 @@ impl Assembler<'_> {
         self.registers.find(value).map(|number| packed.register(number)).ok_or(NoCode::Registers)
     }
 
-    /// The register of a sum, which is renamed: it is needed but once.
+    /// The register of a partial sum, renamed in place, because each partial sum is needed only once.
     fn sum(&mut self, rows: &Rows, sum: usize, new: usize) -> Result<Register, NoCode> {
         let new = temporary(self.line, new);
         self.registers.rename(temporary(self.line, sum), new);
         self.packed_register(rows.packed, new)
     }
 
-    /// A product, alone or added to what the register holds.
+    /// Forms a product, alone or added to the content of the register.
     fn product(&mut self, rows: &Rows, code: Code, [a, b]: [usize; 2], to: Register) -> Result<(), NoCode> {
-        // What is in memory as it is wanted need not be loaded before.
+        // A factor that is packed in memory is read from there and needs no load.
         let [a, b] = if self.packed_home(rows, a).is_some() { [b, a] } else { [a, b] };
         let first = self.factor(rows, a)?;
         let last = match self.packed_home(rows, b) {
@@ -140,7 +140,7 @@ impl Assembler<'_> {
         Ok(())
     }
 
-    /// The location where the numbers of a factor are side by side.
+    /// The location at which the numbers of a factor are packed.
     fn packed_home(&self, rows: &Rows, factor: usize) -> Option<Home> {
         let places = rows.places(factor);
         match rows.lanes {
@@ -149,7 +149,7 @@ impl Assembler<'_> {
         }
     }
 
-    /// A register with the numbers of a factor.
+    /// A register loaded with the packed numbers of a factor.
     fn factor(&mut self, rows: &Rows, factor: usize) -> Result<Register, NoCode> {
         let (home, to, places) =
             (self.packed_home(rows, factor), self.take_packed(rows, factor)?, rows.places(factor));
@@ -184,7 +184,7 @@ impl Assembler<'_> {
         self.encode(Instruction::with2(rows.packed.store, address, to))
     }
 
-    /// Two or four numbers next to each other in the register of a value.
+    /// Puts two or four numbers next to each other in the register of a value.
     fn beside(&mut self, set: &PackedSet, places: &[usize], value: usize) -> Result<(), NoCode> {
         let low = self.packed_register(&set.two, value)?;
         self.pair(set, [places[0], places[1]], low)?;
@@ -214,7 +214,7 @@ impl Assembler<'_> {
         }
     }
 
-    /// A number that may still be in a register.
+    /// A number as an operand: the register that still holds it, or its slot in memory.
     fn at_place(&self, place: usize) -> Result<Operand, NoCode> {
         match self.kept[place].and_then(|value| self.registers.find(value)) {
             Some(register) => Ok(Operand::Register(self.set.register(register))),
@@ -222,7 +222,7 @@ impl Assembler<'_> {
         }
     }
 
-    /// Hands the lanes of a sum to the steps of the group.
+    /// Assigns the lanes of a sum to the steps of the group.
     fn give(&mut self, rows: &Rows, group: &Group, result: usize) -> Result<(), NoCode> {
         let result = temporary(self.line, result);
         if let [only] = group.members[..] {

@@ -2,18 +2,18 @@
 
 use super::DoubleDouble;
 
-/// Number of elements of a block: enough to hide the latency of long chains of dependent operations, few
-/// enough to stay in the first-level cache.
+/// Number of elements of a block: enough to hide the latency of long chains of dependent operations, and few enough to stay in the first-level
+/// cache.
 pub const BLOCK: usize = 64;
 
-/// A block of two-word numbers, word by word for the vector units. Aligned, as all that holds blocks, so that no vector crosses the lines
-/// of the cache, which takes twice the time.
+/// A block of two-word numbers, word by word for the vector units. Every type that holds blocks is aligned, so that no vector crosses two lines
+/// of the cache, which would take twice the time.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub struct Words {
     /// The leading words.
     pub hi: [f64; BLOCK],
-    /// The rests.
+    /// The second words.
     pub lo: [f64; BLOCK],
 }
 

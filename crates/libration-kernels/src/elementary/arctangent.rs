@@ -4,7 +4,7 @@ use super::polynomial;
 use crate::double_double::{DoubleDouble, fast_two_sum, two_sum};
 use crate::fused::FusedMultiplyAdd;
 
-/// (atan t − t)/t³ in t² for |t| ≤ √2 − 1, relative error 1.3e-16 (of a term below 6 % of the arctangent).
+/// (atan t − t)/t³ in t² for |t| ≤ √2 − 1, relative error 1.3e-16 (the term is below 6 % of the arctangent).
 const ARCTANGENT: [f64; 11] = [
     -0.3333333333333333,
     0.1999999999999552,
@@ -37,7 +37,7 @@ pub struct ReducedArctangent {
     pub upper: f64,
     /// t to the nearest word.
     pub t: f64,
-    /// The rest of t.
+    /// The remainder of t.
     pub t_lo: f64,
 }
 
@@ -45,7 +45,7 @@ impl ReducedArctangent {
     /// The reduction of `small/large`, a quotient between 0 and 1.
     #[inline(always)]
     pub fn from_quotient(small: DoubleDouble, large: DoubleDouble) -> Self {
-        // A weight of one or zero in place of a selection, which would become a selection of two divisions.
+        // A weight of one or zero replaces a selection, which the compiler would turn into a selection between two divisions.
         let upper = if small.hi > TAN_PI_8 * large.hi { 1.0 } else { 0.0 };
         // tan(a − π/4) = (small − large)/(small + large); the difference of the first words is exact.
         let numerator = large.hi.fma(-upper, small.hi);
@@ -63,7 +63,7 @@ impl ReducedArctangent {
     pub fn angle(&self) -> DoubleDouble {
         let x = self.t * self.t;
         let tail = (self.t * x).fma(polynomial(x, &ARCTANGENT), self.upper.fma(FRAC_PI_4.lo, self.t_lo));
-        // Above, π/4 is the larger of the two; below, it is absent.
+        // For `upper` = 1, π/4 is the larger term; otherwise it is absent.
         let leading = two_sum(self.upper * FRAC_PI_4.hi, self.t);
         fast_two_sum(leading.hi, leading.lo + tail)
     }

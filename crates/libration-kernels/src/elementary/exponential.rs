@@ -3,7 +3,7 @@
 use super::{nearest_integer, polynomial, power_of_two};
 use crate::double_double::{DoubleDouble, two_prod};
 
-/// 1/n! from n = 0 on: first what counts in the second word.
+/// 1/n! from n = 0, for the terms that need the second word.
 const LEADING: [DoubleDouble; 8] = [
     DoubleDouble::new(1.0, 0.0),
     DoubleDouble::new(1.0, 0.0),
@@ -14,7 +14,7 @@ const LEADING: [DoubleDouble; 8] = [
     DoubleDouble::new(0.001388888888888889, -5.300543954373577e-20),
     DoubleDouble::new(0.0001984126984126984, 1.7209558293420705e-22),
 ];
-/// The others: for |r| ≤ ln 2/2 they are below 1e-8 of the sum, and those after them below 3e-28.
+/// 1/n! for the later terms: for |r| ≤ ln 2/2 they are below 1e-8 of the sum, and the omitted terms below 3e-28.
 const TAIL: [f64; 12] = [
     2.48015873015873e-05,
     2.7557319223985893e-06,

@@ -1,16 +1,16 @@
 //! The natural logarithm in two words, without branches.
 //!
 //! # Method
-//! In a batch the series is summed term by term over the block of 64 elements: a single chain of dependent operations, for four elements at a time,
-//! waits for its own results.
+//! In a batch the series is summed term by term over the block of 64 elements: a single chain of dependent operations, for four elements at a
+//! time, would wait for its own results.
 
 use super::logarithm::exponent_and_scale;
 use super::polynomial;
 use crate::double_double::block::{BLOCK, Words};
 use crate::double_double::{DoubleDouble, two_sum};
 
-/// (2 atanh q − 2q)/q³ in q² for |q| ≤ (√2−1)/(√2+1), relative error 3.4e-31 (of a term below 1 %); first what counts in
-/// the second word.
+/// (2 atanh q − 2q)/q³ in q² for |q| ≤ (√2−1)/(√2+1), relative error 3.4e-31 (of a term below 1 %); first the coefficients that need the second
+/// word.
 const LEADING: [DoubleDouble; 9] = [
     DoubleDouble::new(0.6666666666666666, 3.7007434154171673e-17),
     DoubleDouble::new(0.4, -2.2204460489647083e-17),
@@ -34,7 +34,7 @@ pub struct FineLogarithm {
     pub fraction: DoubleDouble,
 }
 
-/// The parts of ln x for x from 2.3e-308 to 1e307; anything for others.
+/// The parts of ln x for x from 2.3e-308 to 1e307; arbitrary values for other x.
 #[inline(always)]
 pub fn fine_logarithm(x: DoubleDouble) -> FineLogarithm {
     let Reduced { exponent, q } = Reduced::new(x);
@@ -64,20 +64,20 @@ impl Reduced {
     }
 }
 
-/// The end of the series, in one word.
+/// The later terms of the series, in one word.
 #[inline(always)]
 fn tail(square: DoubleDouble) -> DoubleDouble {
     DoubleDouble::from(polynomial(square.hi, &TAIL))
 }
 
-/// 2 atanh q, given the sum of the series.
+/// 2 atanh q from q, its square and the sum of the series.
 #[inline(always)]
 fn fraction(q: DoubleDouble, square: DoubleDouble, sum: DoubleDouble) -> DoubleDouble {
     q.scaled(2.0).plus_smaller(q * square * sum)
 }
 
-/// [`fine_logarithm`] of a block, bit for bit: term by term, as one element's chain of dependent operations is longer than what a processor
-/// looks ahead.
+/// [`fine_logarithm`] of a block, bit for bit. The series is summed term by term over the block, because the chain of dependent operations of
+/// one element is longer than the processor can look ahead.
 #[repr(align(64))]
 #[derive(Debug)]
 pub struct FineLogarithms {

@@ -1,4 +1,4 @@
-//! Sine and cosine of an angle in two words, to more than the last bit of the first.
+//! Sine and cosine of an angle in two words, more accurate than the last bit of the first word.
 
 use super::polynomial;
 use crate::double_double::{DoubleDouble, fast_two_sum};
@@ -26,7 +26,7 @@ const COSINE: [f64; 6] = [
     4.7506609934372764e-14,
 ];
 
-/// sin r and cos r for |r| ≤ π/4 or a hair more, relative error below 2⁻⁵⁹.
+/// sin r and cos r for |r| up to slightly above π/4, relative error below 2⁻⁵⁹.
 #[inline(always)]
 pub fn fine_sin_cos(r: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     let square = r.square();

@@ -27,12 +27,12 @@ const COSH: [f64; 5] = [
 #[inline(always)]
 pub fn sinh_cosh(z: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     let n = nearest_integer(z.hi * std::f64::consts::LOG2_E);
-    // Exact: both words are multiples of 2⁻⁵⁴ whenever n ≠ 0.
+    // Exact, since both words are multiples of 2⁻⁵⁴ whenever n ≠ 0.
     let r = (-n).fma(DoubleDouble::LN_2.hi, z.hi);
     let r_lo = (-n).fma(DoubleDouble::LN_2.lo, z.lo);
     let x = r * r;
     let sinh_tail = (r * x).fma(polynomial(x, &SINH), 0.5f64.fma(x, 1.0) * r_lo);
-    // cosh r − 1; its leading r²/2 with its rounding error.
+    // cosh r − 1, with the rounding error of its leading term r²/2.
     let square_lo = r.fma(r, -x);
     let half = 0.5 * x;
     let cosh_tail = (x * x).fma(polynomial(x, &COSH), r.fma(r_lo, 0.5 * square_lo));
@@ -44,8 +44,8 @@ pub fn sinh_cosh(z: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     )
 }
 
-/// a·(1 + half + `cosh_tail`) + b·(r + `sinh_tail`) in two words; a is zero or above |b·r|, and what is added
-/// last below a fifth of the sum.
+/// a·(1 + half + `cosh_tail`) + b·(r + `sinh_tail`) in two words; a is zero or above |b·r|, and the terms added last are below a fifth of the
+/// sum.
 #[inline(always)]
 fn combination(a: f64, b: f64, half: f64, cosh_tail: f64, r: f64, sinh_tail: f64) -> DoubleDouble {
     let product = two_prod(b, r);

@@ -16,14 +16,14 @@ const ATANH: [f64; 8] = [
     0.13086626147841382,
 ];
 
-/// ln x = exponent·ln 2 + leading + tail, with |leading| ≤ ln 2/2 and |tail| below 1 % of it.
+/// ln x = exponent·ln 2 + leading + tail, with |leading| ≤ ln 2/2 and |tail| below 1 % of |leading|.
 #[derive(Debug)]
 pub struct Logarithm {
     /// An integer.
     pub exponent: f64,
-    /// Exact in its word.
+    /// The leading part of the fraction, an exact `f64`.
     pub leading: f64,
-    /// Good to 2⁻⁵⁸ absolutely.
+    /// The rest of the fraction, with an absolute error of 2⁻⁵⁸.
     pub tail: f64,
 }
 
@@ -34,14 +34,14 @@ pub fn split_logarithm(x: DoubleDouble) -> Logarithm {
     Logarithm { exponent: reduced.exponent, leading: reduced.leading(), tail: reduced.tail() }
 }
 
-/// A number x = 2ᵉf on the way to its logarithm, ln f = 2 artanh q with q = (f − 1)/(f + 1).
+/// A number reduced for its logarithm: x = 2ᵉf, with ln f = 2 artanh q and q = (f − 1)/(f + 1).
 #[derive(Debug)]
 pub struct ReducedLogarithm {
-    /// The power of two that is split off, an integer.
+    /// The exponent e of the power of two, an integer.
     pub exponent: f64,
     /// q to the nearest word.
     pub q: f64,
-    /// The rest of q.
+    /// The remainder of q.
     pub q_lo: f64,
 }
 
@@ -66,7 +66,7 @@ impl ReducedLogarithm {
         2.0 * self.q
     }
 
-    /// The rest of the logarithm.
+    /// The later part of the logarithm.
     #[inline(always)]
     pub fn tail(&self) -> f64 {
         let square = self.q * self.q;
@@ -77,8 +77,8 @@ impl ReducedLogarithm {
 /// 1/x for 1 + √½ ≤ x ≤ 1 + √2, relative error 1.1e-4.
 const RECIPROCAL: [f64; 4] = [1.97034285, -1.44853978, 0.470943465, -0.057135023];
 
-/// 1/x for 1 + √½ ≤ x ≤ 1 + √2 within 1.2·2⁻⁵² of itself, by Newton's method: of the time that eight periods took side by side, a
-/// sixth went into waiting for a division.
+/// 1/x for 1 + √½ ≤ x ≤ 1 + √2 with a relative error below 1.2·2⁻⁵², by Newton's method: a division would make eight periods side by side wait
+/// for a sixth of their time.
 #[inline(always)]
 #[doc(hidden)]
 pub fn reciprocal(x: f64) -> f64 {
@@ -87,12 +87,12 @@ pub fn reciprocal(x: f64) -> f64 {
     better.fma((-x).fma(better, 1.0), better)
 }
 
-/// e and 2⁻ᵉ with x·2⁻ᵉ within [√½, √2), for a normal positive x; anything for others.
+/// e and 2⁻ᵉ with x·2⁻ᵉ within [√½, √2), for a normal positive x; arbitrary values for other x.
 #[inline(always)]
 pub(super) fn exponent_and_scale(x: f64) -> (f64, f64) {
-    /// The bits of √½: subtracting them makes the exponent field change where the mantissa passes √2.
+    /// The bits of √½: after their subtraction the exponent field changes where the mantissa passes √2.
     const SQRT_HALF: u64 = 0x3fe6_a09e_667f_3bcd;
-    /// 2⁵² as bits; an integer below 2⁵² in the low bits makes it 2⁵² + that integer.
+    /// 2⁵² as bits; with an integer below 2⁵² in its low bits it becomes 2⁵² + that integer.
     const BIG: u64 = 0x4330_0000_0000_0000;
     // Biased by 1024 so that it is positive.
     let biased = x.to_bits().wrapping_sub(SQRT_HALF).wrapping_add(1024 << 52) >> 52;

@@ -1,13 +1,13 @@
-//! Sine, hyperbolic sine, arctangent, logarithm and polynomials: branch-free double-precision kernels that
-//! the compiler can vectorise, and two-word versions.
+//! Sine, hyperbolic sine, arctangent, logarithm and polynomials: branch-free double-precision kernels that the compiler can vectorise, and
+//! two-word versions.
 //!
-//! The same bits on every platform: nothing here calls the platform's C library. Tables of coefficients are
-//! printed by `reference/kernel_coefficients.py`.
+//! The results have the same bits on every platform, since no function of the platform's C library is called. Tables of coefficients are printed
+//! by `reference/kernel_coefficients.py`.
 //!
 //! # Method
-//! Kernels take and return two words. Each evaluates a polynomial that was fitted on the interval after an argument reduction, which is exact or
-//! carried in the second word. There are no branches and no table look-ups, so that loops over the kernels become vector code. The largest relative
-//! error is stated at each table of coefficients.
+//! Kernels take and return two words. Each reduces its argument, exactly or with the rounding error in the second word, and evaluates a
+//! polynomial that was fitted on the reduced interval. There are no branches and no table look-ups, so that loops over the kernels become vector
+//! code. Each table of coefficients states its largest relative error.
 
 use crate::fused::FusedMultiplyAdd;
 
@@ -30,14 +30,14 @@ pub use hyperbolic::sinh_cosh;
 pub use logarithm::{Logarithm, ReducedLogarithm, split_logarithm};
 pub use sine::{LARGEST_ANGLE, sin_cos, sin_cos_of_turns};
 
-/// A number of things, an order or a degree as an `f64`.
+/// A number of items, an order or a degree as an `f64`.
 #[inline(always)]
 #[expect(clippy::cast_precision_loss, reason = "nothing in memory has 2⁵³ parts")]
 pub const fn count(things: usize) -> f64 {
     things as f64
 }
 
-/// Σ coefficients\[i\]·xⁱ, even and odd powers summed apart to shorten the chain of dependent operations.
+/// Σ coefficients\[i\]·xⁱ; even and odd powers are summed separately to shorten the chain of dependent operations.
 #[inline(always)]
 pub fn polynomial<const N: usize>(x: f64, coefficients: &[f64; N]) -> f64 {
     let y = x * x;
@@ -54,7 +54,7 @@ pub fn polynomial<const N: usize>(x: f64, coefficients: &[f64; N]) -> f64 {
     x.fma(odd, even)
 }
 
-/// The nearest integer, by pushing the fraction out of the word; |x| < 2⁵¹.
+/// The nearest integer for |x| < 2⁵¹, by adding and subtracting a number that leaves no bits for the fraction.
 #[inline(always)]
 pub fn nearest_integer(x: f64) -> f64 {
     (x + ROUNDER) - ROUNDER

@@ -1,4 +1,4 @@
-//! Powers of two and their logarithms to a few digits, for what only has to be about right.
+//! Powers of two and their logarithms to a few digits, where an approximate value suffices.
 
 use super::{nearest_integer, polynomial, power_of_two};
 
@@ -20,7 +20,7 @@ pub fn log2(x: f64) -> f64 {
     if x == 0.0 { f64::NEG_INFINITY } else { logarithm }
 }
 
-/// 2ˣ within 1e-5 of itself for |x| ≤ 1000, and 2^±1000 beyond.
+/// 2ˣ with a relative error of 1e-5 for |x| ≤ 1000, and 2^±1000 beyond.
 #[inline(always)]
 pub fn exp2(x: f64) -> f64 {
     let x = x.clamp(-1000.0, 1000.0);

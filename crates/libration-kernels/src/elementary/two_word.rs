@@ -1,10 +1,10 @@
-//! Elementary functions in two words, relative error about 2⁻¹⁰⁰. Slow: for what is prepared once.
+//! Elementary functions in two words, relative error about 2⁻¹⁰⁰. They are slow and serve values that are prepared once.
 
 use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::block::{BLOCK, Words};
 use crate::double_double::{DoubleDouble, fast_two_sum};
 
-/// sin x and cos x for |x| ≤ π/2 or a little more, each relatively accurate except next to its far zero.
+/// sin x and cos x for |x| up to slightly above π/2; each is relatively accurate except next to its far zero.
 pub fn sin_cos(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     dispatch(SinCos(x))
 }
@@ -110,7 +110,8 @@ fn next_sum(y: DoubleDouble, sum: DoubleDouble, factor: DoubleDouble) -> DoubleD
     DoubleDouble::ONE.plus_smaller(y * sum * factor)
 }
 
-/// [`sin_cos_series`] of a block, bit for bit. Term by term, as a loop over terms within one over elements is not made into vectors.
+/// [`sin_cos_series`] of a block, bit for bit. The loop over terms is outermost, because a loop over terms inside a loop over elements is not
+/// vectorised.
 #[inline(always)]
 pub fn sin_cos_series_of_block(angles: &Words, sines: &mut Words, cosines: &mut Words) {
     let mut squares = Words::ZERO;
@@ -129,7 +130,7 @@ pub fn sin_cos_series_of_block(angles: &Words, sines: &mut Words, cosines: &mut 
     }
 }
 
-/// eˣ for −745.2 ≤ x ≤ 709; below −700 the second word begins to underflow, which costs nothing once rounded.
+/// eˣ for −745.2 ≤ x ≤ 709; below −700 the second word begins to underflow, which does not affect the value rounded to one word.
 pub fn exp(x: DoubleDouble) -> DoubleDouble {
     let n = (x.hi * std::f64::consts::LOG2_E).round();
     let r = x - DoubleDouble::LN_2 * n;
@@ -137,7 +138,7 @@ pub fn exp(x: DoubleDouble) -> DoubleDouble {
     for of_exponential in OF_EXPONENTIAL.iter().rev() {
         sum = DoubleDouble::ONE.plus_smaller(r * sum * *of_exponential);
     }
-    // Two factors, so that neither overflows nor falls below the normal numbers.
+    // Two factors, so that neither overflows or becomes subnormal.
     let half = (n / 2.0).round();
     sum.scaled(libm::exp2(half)).scaled(libm::exp2(n - half))
 }
@@ -145,7 +146,7 @@ pub fn exp(x: DoubleDouble) -> DoubleDouble {
 /// ln x for a positive x, however small.
 pub fn ln(x: DoubleDouble) -> DoubleDouble {
     let (half_to_one, above) = libm::frexp(x.hi);
-    // Within [√½, √2): near one nothing cancels, and the power below keeps its second word.
+    // Within [√½, √2): nothing cancels near one, and the power computed below keeps its second word.
     let exponent = if half_to_one < std::f64::consts::FRAC_1_SQRT_2 { above - 1 } else { above };
     let fraction = x.times_power_of_two(-exponent);
     let first = DoubleDouble::from(libm::log(fraction.hi));
@@ -173,7 +174,7 @@ pub fn atan2(y: DoubleDouble, x: DoubleDouble) -> DoubleDouble {
 fn atan_unit(y: DoubleDouble, x: DoubleDouble) -> DoubleDouble {
     let first = DoubleDouble::from(libm::atan2(y.hi, x.hi));
     let (s, c) = sin_cos(first);
-    // The tangent of what is missing, so small that it is the angle.
+    // The tangent of the remaining angle, which is so small that it equals the angle.
     let correction = (y * c - x * s) / (x * c + y * s);
     let sum = first + correction;
     fast_two_sum(sum.hi, sum.lo)

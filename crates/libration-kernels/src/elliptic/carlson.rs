@@ -1,14 +1,14 @@
 //! Carlson's symmetric integrals `R_F` and `R_D` in two words, by duplication (DLMF 19.26.18, 19.36.1, 19.36.2).
 //!
-//! The arguments are x ≤ y ≤ z, which each step brings four times as close together, given with their square roots.
+//! The arguments x ≤ y ≤ z are given by their square roots; each step brings them four times as close together.
 
 use crate::double_double::DoubleDouble;
 
-/// More steps than this mean that an argument was not a number: each divides the distances by four, after some ten that
-/// bring arguments of any size together.
+/// Step limit, exceeded only if an argument is NaN: each step divides the distances by four, after some ten steps that bring arguments of any
+/// size together.
 const MOST_STEPS: usize = 100;
 
-/// The closeness of the arguments at which the series of seventh order ends the duplication: its error is a fiftieth of the eighth
+/// The closeness of the arguments at which the series of seventh order ends the duplication; the error of the series is a fiftieth of the eighth
 /// power of the distance.
 #[derive(Clone, Copy)]
 pub(crate) enum Closeness {
@@ -28,12 +28,12 @@ impl Closeness {
     }
 }
 
-/// The arguments on their way together.
+/// The state of the duplication.
 #[derive(Clone, Copy)]
 pub(super) struct Duplication {
     pub(super) roots: [DoubleDouble; 3],
     pub(super) arguments: [DoubleDouble; 3],
-    /// The steps' parts of `R_D(x, z, y)`/3.
+    /// The sum of the steps' contributions to `R_D(x, z, y)`/3.
     pub(super) sum: DoubleDouble,
     /// 4⁻ⁿ after n steps.
     pub(super) power: f64,
@@ -45,7 +45,7 @@ impl Duplication {
         Self { roots, arguments, sum: DoubleDouble::ZERO, power: 1.0 }
     }
 
-    /// Returns `true` if the series may end it; also for a value that is not a number.
+    /// Returns `true` if the series may end the duplication; also if an argument is NaN.
     #[inline(always)]
     pub(super) fn is_close(&self, closeness: Closeness) -> bool {
         let [x, _, z] = self.arguments;
@@ -53,7 +53,7 @@ impl Duplication {
         !apart
     }
 
-    /// The roots of the arguments become the roots of (argument + λ)/4; with the part of `R_D` if it is wanted.
+    /// Replaces each argument by (argument + λ)/4 and its root accordingly; adds the contribution to `R_D` if `SECOND` is set.
     #[inline(always)]
     pub(super) fn step<const SECOND: bool>(&mut self) {
         let [x, y, z] = self.roots;
@@ -67,7 +67,7 @@ impl Duplication {
         self.roots = self.arguments.map(DoubleDouble::sqrt);
     }
 
-    /// Steps until the series may end it.
+    /// Steps until the arguments are close enough for the series.
     #[inline(always)]
     pub(super) fn run<const SECOND: bool>(&mut self, closeness: Closeness) {
         for _ in 0..MOST_STEPS {
@@ -120,7 +120,7 @@ fn first_kind_series([x, y, z]: [DoubleDouble; 3]) -> DoubleDouble {
     DoubleDouble::ONE + (low + (fourth + sixth))
 }
 
-/// DLMF 19.36.2, in one word: the arguments are so close that it is 1 within 1e-5.
+/// DLMF 19.36.2, in one word: the arguments are so close that the series is 1 within 1e-5.
 #[inline(always)]
 fn second_kind_series([x, y, z]: [DoubleDouble; 3]) -> DoubleDouble {
     let (x, y, z) = (x.hi, y.hi, z.hi);

@@ -1,9 +1,9 @@
 //! Complete integrals in two words.
 //!
 //! # Method
-//! K(√p), the nome q and its logarithm come from the series of `descent.rs`. The integral of the second kind on the far side follows by Legendre's
-//! relation (DLMF 19.7.1), the far nome from ln q·ln q′ = π². The sum of the later squared differences of the arithmetic–geometric mean is kept
-//! divided by p, so that E − k′²K = k²·K·(½ − sum), and with it the action of the smallest swings, keeps its digits.
+//! K(√p), the nome q and its logarithm come from the series of `descent.rs`. The integral of the second kind on the far side follows by
+//! Legendre's relation (DLMF 19.7.1), the far nome from ln q·ln q′ = π². The sum of the later squared differences of the arithmetic–geometric
+//! mean is kept divided by p, so that E − k′²K = k²·K·(½ − sum) keeps its digits, and with it the action of the smallest swings.
 
 use super::descent::Descent;
 use super::nearer::Nearer;
@@ -41,7 +41,7 @@ impl Kernel for OfWords {
 }
 
 impl Complete {
-    /// Computes the integrals of a modulus from its ln(1/q).
+    /// Computes the integrals of a modulus, given ln(1/q).
     #[inline(always)]
     pub(crate) fn new(nearer: &Nearer, descent: &Descent, log: DoubleDouble) -> Self {
         let (near, later) = (descent.near_quarter(), descent.later_differences(nearer));
@@ -76,13 +76,13 @@ impl Complete {
     }
 }
 
-/// (E − k′²K)/k² of √p.
+/// (E − k′²K)/k² of the modulus √p.
 #[inline(always)]
 pub(super) fn cosine_part_near(near: DoubleDouble, later: DoubleDouble) -> DoubleDouble {
     near * (DoubleDouble::from(0.5) - later)
 }
 
-/// E − k′²K of c, given K(c).
+/// E − k′²K of the modulus c, given K(c).
 #[inline(always)]
 pub(super) fn second_less_scaled_first_far(
     nearer: &Nearer,
@@ -112,6 +112,6 @@ pub(crate) fn second_far(
     let first = Descent::far_quarter(near, log);
     let small = nearer.plain_smaller() * (later + 0.5) * first;
     let sum = DoubleDouble::FRAC_PI_2.over(near).plus_smaller(small);
-    // 0·∞
+    // Avoids 0·∞.
     if nearer.smaller.hi == 0.0 { DoubleDouble::ONE } else { sum }
 }

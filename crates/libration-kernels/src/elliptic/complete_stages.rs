@@ -1,4 +1,4 @@
-//! Functions of many moduli, stage by stage: the complete integrals and the nome.
+//! Complete integrals and nome of many moduli, stage by stage.
 
 use super::complete::{second_far, second_near};
 use super::descent::Descent;
@@ -13,9 +13,9 @@ use crate::double_double::block::BLOCK;
 use crate::double_double::{DoubleDouble, pick};
 use std::marker::PhantomData;
 
-/// A function of the modulus in two words.
+/// A function of the modulus, computed in two words.
 pub(super) trait OfModulusWords {
-    /// Its value, given ln(1/q) of the nearer side; `#[inline(always)]`.
+    /// The value of the function, given ln(1/q) of the nearer side; `#[inline(always)]`.
     fn words(nearer: &Nearer, descent: &Descent, log: DoubleDouble) -> DoubleDouble;
 }
 

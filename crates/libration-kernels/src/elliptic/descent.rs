@@ -1,11 +1,11 @@
-//! Quarter periods, nome and its logarithm without an iteration: two of Landen's transformations in closed form, and
-//! series in what is left.
+//! Quarter periods, nome and logarithm of the nome without an iteration: two Landen transformations in closed form, then power series in the
+//! small remaining modulus.
 //!
-//! Of the smaller parameter p = min(m, 1 − m), with c = √(1 − p) and r = √c, the arithmetic–geometric mean of 1 and c
-//! comes in two steps to a = ((1 + r)/2)² and the modulus 4ε², ε = (1 − r)/2(1 + r) = p/2(1 + c)(1 + r)² (DLMF 19.8(ii)). At
-//! p = ½ ε is 0.0432 and x = ε⁴ 3.5e-6: K(√p) = (π/2a)·S(x), q = ε·Q(x) and ln q are power series in x, of which the eighth
-//! terms are below 2⁻¹⁰⁴. S is the series of K at the modulus 4ε² (DLMF 19.5.1), Q has integers too (DLMF 19.5(i), OEIS
-//! A002103). The other quarter period is K(c) = K(√p)·ln(1/q)/π (DLMF 22.2.1).
+//! Let p = min(m, 1 − m) be the smaller parameter, c = √(1 − p) and r = √c. Two steps of the arithmetic–geometric mean of 1 and c lead to a =
+//! ((1 + r)/2)² and the modulus 4ε², ε = (1 − r)/2(1 + r) = p/2(1 + c)(1 + r)² (DLMF 19.8(ii)). At p = ½ ε is 0.0432 and x = ε⁴ is 3.5e-6. K(√p)
+//! = (π/2a)·S(x), q = ε·Q(x) and ln q have power series in x, whose eighth terms are below 2⁻¹⁰⁴. S is the series of K at the modulus 4ε² (DLMF
+//! 19.5.1); the coefficients of Q are integers too (DLMF 19.5(i), OEIS A002103). The other quarter period is K(c) = K(√p)·ln(1/q)/π (DLMF
+//! 22.2.1).
 
 use super::nearer::Nearer;
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod};
@@ -14,7 +14,7 @@ use crate::fused::FusedMultiplyAdd;
 
 /// 2K/π of the modulus 4ε².
 const QUARTER: [f64; 8] = [1.0, 4.0, 36.0, 400.0, 4900.0, 63504.0, 853776.0, 11778624.0];
-/// Its inverse.
+/// π/2K of the modulus 4ε², the reciprocal of `QUARTER`.
 const INVERSE_QUARTER: [f64; 8] = [1.0, -4.0, -20.0, -176.0, -1876.0, -22064.0, -275568.0, -3584064.0];
 /// q/ε.
 const NOME: [f64; 8] = [1.0, 2.0, 15.0, 150.0, 1707.0, 20910.0, 268616.0, 3567400.0];
@@ -33,7 +33,7 @@ const FRAC_1_PI: DoubleDouble = DoubleDouble::new(0.3183098861837907, -1.9678676
 pub struct Descent {
     /// (1 + r)², four times the mean.
     mean: DoubleDouble,
-    /// ε, raised as the parameter is.
+    /// ε, raised if the parameter is raised.
     epsilon: DoubleDouble,
     /// x = ε⁴.
     fourth: DoubleDouble,
@@ -49,7 +49,7 @@ impl Descent {
         Self { mean, epsilon, fourth: epsilon.scaled(lowering).scaled(lowering).square().square() }
     }
 
-    /// The words as they are.
+    /// The descent with these values of (1 + r)², ε and x.
     #[inline(always)]
     pub(crate) fn from_parts(mean: DoubleDouble, epsilon: DoubleDouble, fourth: DoubleDouble) -> Self {
         Self { mean, epsilon, fourth }
@@ -67,7 +67,7 @@ impl Descent {
         (series(self.fourth, &QUARTER) * DoubleDouble::PI.scaled(2.0)).over(self.mean)
     }
 
-    /// 1/4K(√p), turns in a unit of the argument.
+    /// 1/4K(√p), the turns per unit of the argument.
     #[inline(always)]
     pub fn near_frequency(&self) -> DoubleDouble {
         self.inverse_of_quarter() * FRAC_1_PI.scaled(0.125)
@@ -89,7 +89,7 @@ impl Descent {
     #[inline(always)]
     pub fn far_quarter(near: DoubleDouble, log: DoubleDouble) -> DoubleDouble {
         let product = near * FRAC_1_PI * log;
-        // The second word of an infinite product is none.
+        // An infinite product has no second word: it would be NaN.
         if log.hi < f64::INFINITY { product } else { log }
     }
 
@@ -99,36 +99,36 @@ impl Descent {
         self.log_from(&fine_logarithm(self.epsilon), raised)
     }
 
-    /// The same, given ln ε.
+    /// ln(1/q) from ln ε, infinite for q = 0.
     #[inline(always)]
     pub(crate) fn log_from(&self, log: &FineLogarithm, raised: bool) -> DoubleDouble {
         let exponent = log.exponent - if raised { 1200.0 } else { 0.0 };
-        // An integer times ln 2 in three words of which the first is short.
+        // An integer times ln 2; the product with the first word of ln 2 is exact in two words.
         let powers = two_prod(-exponent, DoubleDouble::LN_2.hi);
         let powers = fast_two_sum(powers.hi, (-exponent).fma(DoubleDouble::LN_2.lo, powers.lo));
         let sum = powers - log.fraction - series(self.fourth, &LOG_NOME) * self.fourth;
         if self.epsilon.hi == 0.0 { DoubleDouble::from(f64::INFINITY) } else { sum }
     }
 
-    /// q, raised as the parameter is; relative error below 2⁻⁶⁹.
+    /// q, raised if the parameter is raised; relative error below 2⁻⁶⁹.
     #[inline(always)]
     pub fn nome(&self) -> DoubleDouble {
         self.epsilon * short_series(self.fourth, &NOME)
     }
 
-    /// √q, given by what the root of the parameter is to be lowered; relative error below 2⁻⁶⁹.
+    /// √q, given the factor that undoes the raising of the parameter's root; relative error below 2⁻⁶⁹.
     #[inline(always)]
     pub fn root_of_nome(&self, lowering: f64) -> DoubleDouble {
         (self.epsilon.sqrt() * short_series(self.fourth, &ROOT_OF_NOME)).scaled(lowering)
     }
 
-    /// The same to 2⁻¹⁰².
+    /// √q as in `root_of_nome`, with a relative error below 2⁻¹⁰².
     pub fn precise_root_of_nome(&self, lowering: f64) -> DoubleDouble {
         (self.epsilon.sqrt() * series(self.fourth, &ROOT_OF_NOME)).scaled(lowering)
     }
 
-    /// (1 − E(√p)/K(√p))/p − ½, at most 0.063 (DLMF 19.8.6): the squares of the mean's differences after the first,
-    /// of which the second is p/4(1 + c)² and the others are those of the modulus 4ε².
+    /// (1 − E(√p)/K(√p))/p − ½, at most 0.063 (DLMF 19.8.6): the squared differences of the means after the first. The second one is p/4(1 +
+    /// c)², the others are those of the modulus 4ε².
     #[inline(always)]
     pub(crate) fn later_differences(&self, nearer: &Nearer) -> DoubleDouble {
         let inverse = DoubleDouble::ONE.over(DoubleDouble::ONE.plus_smaller(nearer.root));
@@ -140,7 +140,7 @@ impl Descent {
     }
 }
 
-/// Σ coefficientsᵢ·xⁱ for 0 ≤ x ≤ 3.5e-6: from the fourth power on, which is below 2⁻⁵⁹ of the sum, in one word.
+/// Σ coefficientsᵢ·xⁱ for 0 ≤ x ≤ 3.5e-6; from the fourth power on, where the terms are below 2⁻⁵⁹ of the sum, in one word.
 #[inline(always)]
 fn series<const N: usize>(x: DoubleDouble, coefficients: &[f64; N]) -> DoubleDouble {
     let third = fast_two_sum(coefficients[3], x.hi * from_power(4, x.hi, coefficients));
@@ -149,13 +149,13 @@ fn series<const N: usize>(x: DoubleDouble, coefficients: &[f64; N]) -> DoubleDou
     DoubleDouble::from(coefficients[0]).plus_product(x, first)
 }
 
-/// The same from the first power on in one word, which leaves 2⁻⁷⁰ of the sum at x = 3.5e-6.
+/// The same sum, in one word from the first power on, with an error of 2⁻⁷⁰ of the sum at x = 3.5e-6.
 #[inline(always)]
 fn short_series<const N: usize>(x: DoubleDouble, coefficients: &[f64; N]) -> DoubleDouble {
     fast_two_sum(coefficients[0], x.hi * from_power(1, x.hi, coefficients))
 }
 
-/// The terms from a power on, divided by that power.
+/// The terms from `power` on, divided by that power of x.
 #[inline(always)]
 fn from_power<const N: usize>(power: usize, x: f64, coefficients: &[f64; N]) -> f64 {
     let mut sum = 0.0;

@@ -1,12 +1,12 @@
 //! Legendre's incomplete integrals from Carlson's symmetric ones (DLMF 19.25.5, 19.25.10).
 //!
 //! # Method
-//! φ is reduced to the nearest quarter turn, in two words and with π in three, from where sine and cosine are both relatively accurate. Half turns
-//! are counted by the sign of the rest: next to an odd quarter turn the integrand is as large as 1/k′, and a rounded quotient would put φ on the
-//! wrong side. F and E are right to 0.56 ulp at any φ; from 1e18 on they are their mean growth. Both come from one duplication, E as a sum of
-//! positive terms.
+//! φ is reduced by the nearest quarter turn, in two words and with π in three, since sine and cosine of the rest are then both relatively
+//! accurate. Half turns are counted by the sign of the rest: next to an odd quarter turn the integrand is as large as 1/k′, and a rounded
+//! quotient would put φ on the wrong side. F and E have an error of at most 0.56 ulp at any φ; from 1e18 on they equal their mean growth. Both
+//! come from one duplication, E as a sum of positive terms.
 //!
-//! In a batch a block of 64 elements continues until its last element needs no further step; elements that are done stay as they are.
+//! In a batch, a block of 64 elements continues until its last element needs no further step; elements that have converged stay unchanged.
 
 use super::Modulus;
 use super::carlson::{Closeness, Duplication};
@@ -16,7 +16,7 @@ use crate::double_double::{DoubleDouble, pick, two_prod, two_sum};
 use crate::elementary::fine_sin_cos;
 use std::marker::PhantomData;
 
-/// φ = `half_turns`·π + rest, |rest| ≤ π/2, with the sine of the rest and its cosine, which is at least zero.
+/// The reduction φ = `half_turns`·π + rest, |rest| ≤ π/2, as the sine of the rest and its nonnegative cosine.
 #[derive(Clone, Copy)]
 pub(super) struct Reduced {
     pub(super) half_turns: DoubleDouble,
@@ -24,19 +24,19 @@ pub(super) struct Reduced {
     pub(super) cosine: DoubleDouble,
 }
 
-/// Amplitude from which an integral equals its mean growth: the rest, at most its value at π/2, is below a hundredth of an ulp.
+/// Angle from which an integral equals its mean growth: the contribution of the rest, at most the value at π/2, is below a hundredth of an ulp.
 pub(super) const LARGEST_REDUCED: f64 = 1e18;
 
-/// π/2 less its two words.
+/// π/2 minus its first two words.
 const FRAC_PI_2_THIRD: f64 = 0.5 * DoubleDouble::PI_TAIL.lo;
 
 impl Reduced {
-    /// Reduces by the nearest quarter turn, from which sine and cosine are both relatively accurate: on which side of an odd
-    /// quarter φ lies is then the sign of the rest, and not a rounded quotient.
+    /// Reduces φ by the nearest quarter turn, so that sine and cosine of the rest are both relatively accurate. The sign of the rest, and not a
+    /// rounded quotient, decides on which side of an odd quarter φ lies.
     #[inline(always)]
     pub(super) fn new(phi: f64) -> Self {
         let (first, rest) = nearest_quarter(DoubleDouble::from(phi));
-        // The first quotient may be wrong by its last bit, which is many quarters beyond 2⁵³ of them.
+        // The first quotient may be wrong in its last bit, which is many quarters if there are more than 2⁵³ of them.
         let (second, rest) = nearest_quarter(rest);
         let quarters = two_sum(first, second);
         let (sine, cosine) = fine_sin_cos(rest);
@@ -50,7 +50,7 @@ impl Reduced {
     }
 }
 
-/// The nearest number of quarter turns, and what is left of the angle.
+/// The nearest number of quarter turns, and the rest of the angle.
 #[inline(always)]
 fn nearest_quarter(angle: DoubleDouble) -> (f64, DoubleDouble) {
     let quarters = (angle.hi * std::f64::consts::FRAC_2_PI).round_ties_even();
@@ -67,7 +67,7 @@ fn parity(integer: f64) -> f64 {
     (integer - 2.0 * (0.5 * integer).round_ties_even()).abs()
 }
 
-/// F at the point with this sine, cosine ≥ 0 and delta = dn, in two words.
+/// F at the point with this sine, this cosine ≥ 0 and this delta = dn, in two words.
 pub fn first_of_point(sine: DoubleDouble, cosine: DoubleDouble, delta: DoubleDouble) -> DoubleDouble {
     dispatch(FirstOfPoint([sine, cosine, delta]))
 }
@@ -88,7 +88,7 @@ impl Kernel for FirstOfPoint {
 
 /// An integral of an angle and a modulus.
 pub(super) trait OfAngle {
-    /// `true` if Carlson's `R_D` is needed besides `R_F`.
+    /// `true` if Carlson's `R_D` is needed in addition to `R_F`.
     const SECOND: bool;
     /// The integral to the reduced angle; `#[inline(always)]`.
     fn partial(nearer: &Nearer, reduced: &Reduced, duplication: &Duplication) -> DoubleDouble;
@@ -122,7 +122,7 @@ impl OfAngle for Second {
     }
 }
 
-/// 1 − k² sin²φ as cos²φ + k′² sin²φ; the cosine of no `f64` is small enough to underflow.
+/// 1 − k² sin²φ as cos²φ + k′² sin²φ; the cosine of an `f64` is never small enough for its square to underflow.
 #[inline(always)]
 fn delta_square(nearer: &Nearer, reduced: &Reduced) -> DoubleDouble {
     let [_, complementary] = nearer.parameters();
@@ -137,17 +137,17 @@ pub(super) fn duplication(nearer: &Nearer, reduced: &Reduced) -> Duplication {
     Duplication::new(roots, [reduced.cosine.square(), square, DoubleDouble::ONE])
 }
 
-/// The integral to φ, from what it is over a quarter turn and over the reduced angle.
+/// The integral to φ, from its values over a quarter turn and over the reduced angle.
 #[inline(always)]
 pub(super) fn whole(half_turns: DoubleDouble, quarter: DoubleDouble, partial: DoubleDouble) -> f64 {
-    // Infinite quarters would not vanish with no turns, and have no second word.
+    // With zero half turns, 0·∞ would be NaN, and an infinite product has no second word.
     let turns = half_turns.scaled(2.0);
     let sum = (quarter * turns + partial).to_f64();
     let sum = if quarter.hi < f64::INFINITY { sum } else { turns.hi * f64::INFINITY };
     if half_turns.hi == 0.0 { partial.to_f64() } else { sum }
 }
 
-/// φ where the integral is φ itself or not a number, or beyond [`LARGEST_REDUCED`].
+/// The integral for φ = 0, for |φ| above [`LARGEST_REDUCED`], and for a φ that is not finite, where it is NaN.
 #[cold]
 pub(super) fn of_extreme(phi: f64, quarter: DoubleDouble) -> f64 {
     if phi == 0.0 {
@@ -186,12 +186,12 @@ pub(super) fn second(modulus: &Modulus, phi: f64) -> f64 {
     dispatch(One(PhantomData::<Second>, &modulus.nearer, modulus.integrals.second, phi))
 }
 
-/// Returns `true` if an integral to this angle needs none over a quarter turn.
+/// Returns `true` if the integral to this angle needs no integral over a quarter turn.
 pub(super) fn is_in_first_quarter(phi: f64) -> bool {
     phi.abs() <= std::f64::consts::FRAC_PI_2 && !is_extreme(phi)
 }
 
-/// An integral to an angle [in the first quarter](is_in_first_quarter), for which nothing else of the modulus is prepared.
+/// An integral to an angle [in the first quarter](is_in_first_quarter), without further preparation of the modulus.
 pub(super) fn in_first_quarter<F: OfAngle>(nearer: &Nearer, phi: f64) -> f64 {
     dispatch(One(PhantomData::<F>, nearer, DoubleDouble::ZERO, phi))
 }

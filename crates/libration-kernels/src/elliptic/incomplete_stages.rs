@@ -115,7 +115,7 @@ struct IncompleteStages {
     half_turns: Words,
     sine: Words,
     cosine: Words,
-    /// One where the duplication goes on.
+    /// One for elements whose duplication continues.
     going: [f64; BLOCK],
     roots: [Words; 3],
     arguments: [Words; 3],
@@ -206,7 +206,7 @@ impl IncompleteStages {
         }
     }
 
-    /// The integrals over a quarter turn, where some angle is beyond it.
+    /// The integrals over a quarter turn, if some angle is beyond it.
     #[inline(always)]
     fn quarters<F: OfModulusWords>(&mut self) {
         let mut beyond = 0.0;

@@ -28,15 +28,15 @@ pub struct Jacobi {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Quotients {
     clock: PhaseClock,
-    /// z of the theta functions per turn of 4K.
+    /// z of the theta functions for one turn of 4K.
     scale: DoubleDouble,
     series: ThetaSeries,
     factors: Factors,
     degenerate: bool,
 }
 
-/// The factors of the quotients apart from values at a point. With the values a₀ … d₀ at zero of the four series,
-/// less what cancels in the quotients:
+/// The factors of the quotients that do not depend on the point, from the values a₀ … d₀ of the four series at zero, without the common factors
+/// that cancel in the quotients:
 ///
 /// | expansion | third | beside | other | other of an odd quarter |
 /// |---|---|---|---|---|
@@ -124,11 +124,11 @@ impl Kernel for At<'_> {
     }
 }
 
-/// Below it sn u and am u are u, cn u and dn u one, each within a fifth of an ulp: 2⁻²⁷.
+/// 2⁻²⁷: for smaller |u|, sn u and am u are u, cn u and dn u are one, each within a fifth of an ulp.
 const SMALL: f64 = 7.450580596923828e-9;
 
 impl Jacobi {
-    /// The same, but for arguments next to zero their leading terms, with the sign of zero and every digit of subnormal arguments.
+    /// The same functions; next to zero their leading terms, with the sign of zero and every digit of a subnormal argument.
     #[inline(always)]
     pub(crate) fn or_small(self, u: f64) -> Self {
         let small = u.abs() < SMALL;
@@ -146,13 +146,13 @@ pub(crate) struct Copolar {
 }
 
 impl Factors {
-    /// θ₂ and θ₄ in the order in which their quotient stands with θ₁/θ₃.
+    /// θ₂ and θ₄, the numerator of the quotient that belongs to θ₁/θ₃ first.
     #[inline(always)]
     fn in_order(&self, values: &ThetaValues) -> (DoubleDouble, DoubleDouble) {
         (pick(self.above, values.fourth, values.second), pick(self.above, values.second, values.fourth))
     }
 
-    /// The quotients at a phase counted in turns of 4K. With a, b, c, d for θ₁ … θ₄ at the nearest quarter:
+    /// The quotients at a phase in turns of 4K. With a, b, c, d for θ₁ … θ₄ at the nearest quarter:
     ///
     /// | expansion, quarter | sn | cn | dn | tan of am from the quarter |
     /// |---|---|---|---|---|
@@ -174,7 +174,7 @@ impl Factors {
         Copolar { sn: sign * within_one(sn), cn: sign * within_one(cn), dn: within_one(dn) }
     }
 
-    /// The tangent of am from the nearest quarter, as a quotient.
+    /// The tangent of am, counted from the nearest quarter, as a quotient.
     #[inline(always)]
     pub(crate) fn tangent(&self, phase: &Phase, values: &ThetaValues) -> (DoubleDouble, DoubleDouble) {
         let odd = phase.is_odd();
@@ -185,14 +185,14 @@ impl Factors {
     }
 }
 
-/// A value that rounding may have put beyond ±1; NaN stays.
+/// The value, limited to ±1, which rounding may have exceeded; NaN stays NaN.
 #[inline(always)]
 fn within_one(x: f64) -> f64 {
     if x.abs() > 1.0 { 1f64.copysign(x) } else { x }
 }
 
-/// am: the quarters gone and the angle from the nearest, given its tangent as a quotient. Where that is not known, the quarters
-/// alone, which are am to its last bit.
+/// am from the number of quarters and the angle from the nearest quarter, whose tangent is given as a quotient. If that angle is not known, the
+/// quarters alone, which are then am to its last bit.
 #[inline(always)]
 pub(crate) fn amplitude(phase: &Phase, above: DoubleDouble, below: DoubleDouble) -> f64 {
     let size = magnitude(above);
@@ -223,7 +223,7 @@ fn near(u: f64) -> (f64, f64, f64) {
     ((sinh / cosh).to_f64(), cosh.recip().to_f64(), angle.to_f64())
 }
 
-/// The same above: of p = e^−u they are (1 − p²)/(1 + p²), 2p/(1 + p²) and π/2 − 2 atan p.
+/// The same functions for u > ½: with p = e^−u they are (1 − p²)/(1 + p²), 2p/(1 + p²) and π/2 − 2 atan p.
 fn far(u: f64) -> (f64, f64, f64) {
     let one = DoubleDouble::ONE;
     let power = if u < 745.2 { two_word::exp(DoubleDouble::from(-u)) } else { DoubleDouble::ZERO };

@@ -1,9 +1,9 @@
 //! Jacobi's functions of many arguments and moduli, stage by stage.
 //!
 //! # Method
-//! The nome enters the quotients with an error of 2⁻⁶⁹, which is enough for them, and products are added without being normalised first
-//! (`plus_product`). Together with the logarithm by terms (`fine_logarithm.rs`) this reduced the time for sn, cn, dn and am from 104 to 63 ns with
-//! AVX2.
+//! The nome enters the quotients with an error of 2⁻⁶⁹, which the quotients tolerate, and products are added without being normalised first
+//! (`plus_product`). Together with the term-by-term logarithm (`fine_logarithm.rs`) this reduced the time for sn, cn, dn and am from 104 to 63
+//! ns with AVX2.
 
 use super::jacobi::{Copolar, Factors, Quotients, amplitude, hyperbolic_limit};
 use super::moduli::{FEW, LengthMismatch, Moduli};
@@ -30,7 +30,7 @@ pub struct JacobiSlices<'a> {
 /// for bit, many times as fast.
 ///
 /// # Domain
-/// Every finite argument, moduli from 0 to 1; NaN for others. sn, cn and dn are NaN from |u| = 2⁹⁹ K on, as there.
+/// Every finite argument, moduli from 0 to 1; NaN for others. sn, cn and dn are NaN from |u| = 2⁹⁹ K on, as for one argument.
 /// # Accuracy
 /// 2.2 ulp of the value and 2⁻¹⁰⁰·|u| (ledger in `tests/suite/promises.rs`).
 /// # Errors
@@ -95,7 +95,7 @@ impl Kernel for Each<'_> {
 #[repr(align(64))]
 struct JacobiStages {
     is_prepared: bool,
-    /// The moduli, as they were given.
+    /// The moduli as given.
     prepared: [f64; BLOCK],
     frequency: Words,
     modulus: ModulusStages,
@@ -137,7 +137,7 @@ impl JacobiStages {
     #[inline(always)]
     fn block(&mut self, arguments: &[f64], values: &[f64], moduli: &Moduli<'_>) {
         self.argument[..arguments.len()].copy_from_slice(arguments);
-        // One modulus for many arguments is prepared once.
+        // One modulus for many arguments is prepared only once.
         let same = |(value, known): (&f64, &f64)| value.to_bits() == known.to_bits();
         if !self.is_prepared || !values.iter().zip(&self.prepared).all(same) {
             self.is_prepared = true;

@@ -1,9 +1,8 @@
 //! Elliptic integrals and Jacobi's elliptic functions of a modulus and its complement.
 //!
-//! A [`Modulus`] holds k = √m and k′ = √(1 − m) in two words each, because next to k = 1 the complement is
-//! the number that matters: 1 − m is never formed from a rounded m. What depends on the modulus alone (K, E,
-//! K′, the nome) is prepared once; the Jacobi functions are then quotients of theta series that converge in
-//! four terms.
+//! A [`Modulus`] holds k = √m and k′ = √(1 − m) in two words each. Next to k = 1 the results depend on the complement, so 1 − m is never formed
+//! from a rounded m. The quantities of the modulus alone (K, E, K′, the nome) are prepared once; the Jacobi functions are then quotients of
+//! theta series that converge in four terms.
 //!
 //! ```
 //! # extern crate libration_kernels as libration;
@@ -83,7 +82,7 @@ pub enum ModulusError {
     OutOfRange {
         /// Name of the number.
         name: &'static str,
-        /// Its value.
+        /// The value of the number.
         value: f64,
     },
 }
@@ -91,7 +90,7 @@ pub enum ModulusError {
 /// Largest nome below 1: above it k′ is below 1e-300.
 const LARGEST_NOME: f64 = 0.9929;
 
-/// The smaller of the two nomes, which decides the expansion.
+/// The choice of the smaller of the two nomes, which decides the expansion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[doc(hidden)]
 pub enum Expansion {
@@ -154,13 +153,13 @@ impl Modulus {
         Ok(modulus_of_nome(nome))
     }
 
-    /// The modulus from k and k′, where k² + k′² = 1 within the second words.
+    /// The modulus from k and k′ in two words, with k² + k′² = 1 within the second words.
     #[doc(hidden)]
     pub fn from_words(modulus: DoubleDouble, complementary: DoubleDouble) -> Self {
         dispatch(OfWords { modulus, complementary })
     }
 
-    /// The modulus from k, k′ and their nearer side.
+    /// The modulus from k, k′ and the nearer side.
     #[inline(always)]
     fn from_nearer(modulus: DoubleDouble, complementary: DoubleDouble, nearer: &Nearer) -> Self {
         let descent = Descent::new(nearer);
@@ -205,7 +204,7 @@ impl Modulus {
     /// The complete integral of the first kind K, the quarter period; ∞ for k = 1 (DLMF 19.2.8).
     ///
     /// # Accuracy
-    /// 0.56 ulp, as E and K′ (ledger in `tests/suite/promises.rs`).
+    /// 0.56 ulp, as for E and K′ (ledger in `tests/suite/promises.rs`).
     #[must_use]
     pub fn first(&self) -> f64 {
         rounded::first(&self.nearer)
@@ -223,8 +222,7 @@ impl Modulus {
         self.complementary_first.to_f64()
     }
 
-    /// The nome q = exp(−πK′/K); 0 for k = 0, 1 for k = 1. Below k = 6.2e-162 it is less than the smallest `f64`,
-    /// and zero.
+    /// The nome q = exp(−πK′/K); 0 for k = 0, 1 for k = 1. Below k = 6.2e-162 the nome is smaller than the smallest `f64`, and zero is returned.
     ///
     /// # Accuracy
     /// 0.56 ulp (ledger in `tests/suite/promises.rs`).
@@ -307,7 +305,7 @@ impl Modulus {
         Descent::new(&self.nearer).precise_root_of_nome(self.nearer.lowering())
     }
 
-    /// z of the theta functions per turn of 4K.
+    /// z of the theta functions for one turn of 4K.
     #[doc(hidden)]
     pub fn turn_scale(&self) -> DoubleDouble {
         self.quotients.turn_scale()
@@ -392,7 +390,7 @@ impl Kernel for NomeOfWords {
     }
 }
 
-/// The nome of the modulus: that of the nearer side, or from ln q · ln q′ = π².
+/// The nome of the modulus: the nome of the nearer side, or from it by ln q · ln q′ = π².
 #[inline(always)]
 fn nome(nearer: &Nearer, descent: &Descent, log: DoubleDouble) -> f64 {
     let near = descent.nome().to_f64() * nearer.lowering() * nearer.lowering();

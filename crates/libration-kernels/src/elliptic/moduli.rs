@@ -3,8 +3,8 @@
 use super::Modulus;
 use super::nearer::Nearer;
 
-/// The modulus of each element, in one of the ways in which a [`Modulus`](super::Modulus) is made: each is exactly the
-/// `f64` given, from 0 to 1; elements outside give NaN.
+/// The modulus of each element, given in one of the ways in which a [`Modulus`](super::Modulus) is made. Each `f64` is taken as exact, from 0 to
+/// 1; elements outside give NaN.
 #[derive(Clone, Copy, Debug)]
 pub enum Moduli<'a> {
     /// m = k², as [`Modulus::from_parameter`](super::Modulus::from_parameter).
@@ -27,7 +27,7 @@ impl<'a> Moduli<'a> {
         }
     }
 
-    /// Few moduli one by one: a function of the place and its modulus; NaN where there is none.
+    /// Computes few moduli one by one by a function of the index and the modulus; NaN where there is no modulus.
     pub(super) fn one_by_one<const M: usize>(
         &self,
         mut results: [&mut [f64]; M],
@@ -41,7 +41,7 @@ impl<'a> Moduli<'a> {
         }
     }
 
-    /// The nearer side of a modulus given in the way of these; any where there is none.
+    /// The nearer side of a modulus given by the quantity of this variant; an arbitrary side for a value outside [0, 1].
     #[inline(always)]
     pub(super) fn nearer(&self, value: f64) -> Nearer {
         match self {
@@ -52,7 +52,7 @@ impl<'a> Moduli<'a> {
         }
     }
 
-    /// The nearer side of this element where it is a modulus.
+    /// The nearer side of element `i`, if the element is a modulus.
     pub(super) fn inside(&self, i: usize) -> Option<Nearer> {
         let value = self.values()[i];
         (0.0..=1.0).contains(&value).then(|| self.nearer(value))
@@ -70,7 +70,7 @@ impl<'a> Moduli<'a> {
     }
 }
 
-/// Largest number of elements that take less time one after the other than in a block.
+/// Largest number of elements that take less time one by one than in a block.
 pub(super) const FEW: usize = 6;
 
 /// Slices of a batch whose lengths differ.
@@ -79,7 +79,7 @@ pub(super) const FEW: usize = 6;
 pub struct LengthMismatch {
     /// The length of the first slice.
     pub expected: usize,
-    /// The length that differs from it.
+    /// The length that differs from that of the first slice.
     pub found: usize,
 }
 

@@ -1,9 +1,9 @@
-//! A block of moduli on the way to what belongs to them, stage by stage.
+//! A block of moduli on the way to its quarter periods and nomes, stage by stage.
 //!
 //! # Method
-//! No step of the quarter periods and nomes depends on the modulus except by selections. A block of 64 moduli therefore goes through the same
-//! operations, stage by stage, as one modulus does (`modulus_stages.rs`, `jacobi_stages.rs`, `complete_stages.rs`), with the same bits. K is right
-//! to 2⁻¹⁰², and with it the position of any u up to 1e6 K on its period.
+//! The computation of quarter periods and nomes depends on the modulus only through selections. A block of 64 moduli therefore passes through
+//! the same operations, stage by stage, as one modulus does (`modulus_stages.rs`, `jacobi_stages.rs`, `complete_stages.rs`), with the same bits.
+//! K has an error of 2⁻¹⁰², and so has the phase, in periods, of any u up to 1e6 K.
 
 use super::descent::Descent;
 use super::moduli::Moduli;
@@ -15,7 +15,7 @@ use crate::elementary::FineLogarithms;
 #[repr(align(64))]
 #[derive(Debug)]
 pub(super) struct ModulusStages {
-    /// One, or NaN where there is no such modulus.
+    /// One, or NaN if the value is not a modulus.
     pub(super) inside: [f64; BLOCK],
     above: [f64; BLOCK],
     raised: [f64; BLOCK],
@@ -40,7 +40,7 @@ impl ModulusStages {
         log: Words::ZERO,
     };
 
-    /// The nearer sides of the moduli; the values are those of a block of `moduli`.
+    /// Loads the nearer sides of the moduli; the values are one block of `moduli`.
     #[inline(always)]
     pub(super) fn load(&mut self, moduli: &Moduli<'_>, values: &[f64; BLOCK]) {
         match moduli {

@@ -1,32 +1,32 @@
-//! The nearer side of a modulus: the smaller of m and 1 − m, with the root of the larger.
+//! The nearer side of a modulus: the smaller of m and 1 − m, with the square root of the larger.
 //!
-//! All that belongs to a modulus follows from it: on its own side by series that converge in a few terms, on the other
-//! by the logarithm of the nome.
+//! All quantities of a modulus follow from its nearer side: those of the same side by series that converge in a few terms, those of the other
+//! side by the logarithm of the nome.
 
 use super::{Expansion, leg};
 use crate::double_double::{DoubleDouble, fast_two_sum, pick};
 
-/// The smaller of m and 1 − m, and the root of the larger.
+/// The smaller of m and 1 − m, and the square root of the larger.
 #[derive(Clone, Copy, Debug)]
 pub struct Nearer {
     /// `true` if m is the larger, above one half.
     pub above: bool,
-    /// The smaller, times `RAISE`² where it is `raised`.
+    /// The smaller parameter, times `RAISE`² if it is `raised`.
     pub(crate) smaller: DoubleDouble,
-    /// `true` if the smaller is below 1e-200, where its second word and quotients with it would underflow.
+    /// `true` if the smaller parameter is below 1e-200, where its second word and quotients with it would underflow.
     pub raised: bool,
-    /// √(1 − smaller).
+    /// √(1 − smaller), the square root of the larger parameter.
     pub(crate) root: DoubleDouble,
 }
 
 /// 2⁶⁰⁰.
 const RAISE: f64 = 4.149515568880993e180;
-/// Threshold below which a parameter is raised, and the modulus whose square it is.
+/// Threshold below which a parameter is raised, and the modulus whose square is this threshold.
 const SMALL: f64 = 1e-200;
 const SMALL_MODULUS: f64 = 1e-100;
 
 impl Nearer {
-    /// Creates it from the parameter m, 0 ≤ m ≤ 1.
+    /// The nearer side of the parameter m, 0 ≤ m ≤ 1.
     #[inline(always)]
     pub fn from_parameter(m: f64) -> Self {
         let above = m > 0.5;
@@ -34,7 +34,7 @@ impl Nearer {
         Self::from_smaller(above, if above { 1.0 - m } else { m })
     }
 
-    /// Creates it from the complementary parameter 1 − m.
+    /// The nearer side of the complementary parameter 1 − m.
     #[inline(always)]
     pub fn from_complementary_parameter(complementary: f64) -> Self {
         let above = complementary < 0.5;
@@ -61,7 +61,7 @@ impl Nearer {
         Self { above, smaller: DoubleDouble::from(smaller * raise * raise), raised, root }
     }
 
-    /// Creates it from the modulus k and its complement k′.
+    /// The nearer side of the modulus k with its complement k′.
     #[inline(always)]
     pub fn from_words(modulus: DoubleDouble, complementary: DoubleDouble) -> Self {
         let above = modulus.hi > complementary.hi;
@@ -75,7 +75,7 @@ impl Nearer {
         if self.above { Expansion::Hyperbolic } else { Expansion::Circular }
     }
 
-    /// 1/`RAISE` where the smaller is raised.
+    /// 1/`RAISE` if the smaller parameter is raised, otherwise 1.
     #[inline(always)]
     pub fn lowering(&self) -> f64 {
         if self.raised { 1.0 / RAISE } else { 1.0 }
@@ -89,7 +89,7 @@ impl Nearer {
         [pick(self.above, larger, smaller), pick(self.above, smaller, larger)]
     }
 
-    /// The smaller as it is.
+    /// The smaller parameter without raising.
     #[inline(always)]
     pub(crate) fn plain_smaller(&self) -> DoubleDouble {
         self.smaller.scaled(self.lowering()).scaled(self.lowering())

@@ -8,10 +8,10 @@ use crate::elementary::two_word;
 #[derive(Clone, Copy, Debug)]
 pub struct PreciseQuotients {
     expansion: Expansion,
-    /// z of the theta functions per turn of 4K.
+    /// z of the theta functions for one turn of 4K.
     scale: DoubleDouble,
     q: DoubleDouble,
-    /// Factors of sn, cn, dn next to an even quarter, then an odd one.
+    /// Factors of sn, cn, dn: first next to an even quarter, then next to an odd one.
     factors: [[DoubleDouble; 3]; 2],
 }
 
@@ -40,7 +40,7 @@ impl PreciseQuotients {
         Self { expansion, scale: modulus.turn_scale(), q, factors }
     }
 
-    /// The functions at a number of turns of 4K, relatively accurate to about 2⁻⁶⁰; |turns| ≤ 1.
+    /// The functions at a number of turns of 4K, with relative errors of about 2⁻⁶⁰; |turns| ≤ 1.
     pub fn at(&self, turns: f64) -> PreciseJacobi {
         let quarter = (4.0 * turns).round_ties_even();
         let rest = turns - 0.25 * quarter;
@@ -52,7 +52,7 @@ impl PreciseQuotients {
             Expansion::Hyperbolic => (fourth, second),
         };
         let [sn, cn, dn] = self.factors[usize::from(odd)];
-        // The table beside `Quotients::jacobi`, where (b, d) or (d, b) stand for (beside, other).
+        // The table at `Quotients::copolar`, with (beside, other) for (b, d) or (d, b).
         let (above, below) =
             if odd { ([beside, -first, other], third) } else { ([first, beside, third], other) };
         PreciseJacobi {
@@ -62,7 +62,7 @@ impl PreciseQuotients {
         }
     }
 
-    /// θ₁ … θ₄ as `ThetaSeries` has them, one term further.
+    /// θ₁ … θ₄ as in `ThetaSeries`, with one more term.
     fn theta(&self, rest: f64) -> [DoubleDouble; 4] {
         let q = self.q;
         let (sine, cosine, change) = match self.expansion {

@@ -1,11 +1,11 @@
 //! K and E rounded once, by polynomials of the nearer parameter.
 //!
-//! With p = min(m, 1 − m) ≤ ½ and c² = 1 − p, K(√p), ln(16q/p) and E(√p) are power series in p whose radius is one, and on the other side
-//! K(c) = K(√p)·ln(1/q)/π (DLMF 22.2.1) and, by Legendre's relation (DLMF 19.7.1), E(c) = 1 + ¼p(A·ln(16/p) − B) with such series A and B,
-//! the first coefficients of which are those of DLMF 19.12.1 and 2. Leading terms are carried in two words, so that the sum is rounded once.
+//! Let p = min(m, 1 − m) ≤ ½ and c² = 1 − p. K(√p), ln(16q/p) and E(√p) are power series in p with radius one. On the other side K(c) =
+//! K(√p)·ln(1/q)/π (DLMF 22.2.1), and by Legendre's relation (DLMF 19.7.1) E(c) = 1 + ¼p(A·ln(16/p) − B) with series A and B in p, whose first
+//! coefficients are those of DLMF 19.12.1 and 19.12.2. Leading terms are carried in two words, so that the sum is rounded once.
 //!
 //! # Error budget
-//! In units in the last place of the result, where each is largest; a test holds the sum to 0.06.
+//! Errors in units in the last place of the result, at their largest; a test limits the sum to 0.06.
 //!
 //! | what | error | why |
 //! |---|---|---|
@@ -18,7 +18,8 @@
 //! | the one rounding to `f64` | 0.5 | |
 //!
 //! # Method
-//! The polynomials and logarithms take some fifty operations. Values in two words, where others need them, come from `complete.rs`.
+//! The polynomials and logarithms take about fifty operations. Where other functions need the integrals in two words, these come from
+//! `complete.rs`.
 
 use super::incomplete::{First, Second};
 use super::nearer::Nearer;
@@ -144,12 +145,12 @@ const WITHOUT_LOGARITHM: [f64; 20] = [
 
 /// ln 2 with a first word short enough that its product with an integer below 2¹² is exact.
 const LN_2_SHORT: DoubleDouble = DoubleDouble::new(0.6931471805582987, 1.6465949582897082e-12);
-/// The powers of two by which a parameter is raised.
+/// The exponent of the power of two by which a raised parameter is scaled.
 const RAISED: f64 = 1200.0;
 
 /// A complete integral rounded once.
 pub(super) trait Rounded {
-    /// Its value, from whether m is above one half, from p and ln(16/p); `#[inline(always)]`.
+    /// The value of the integral, given whether m is above one half, p, and ln(16/p); `#[inline(always)]`.
     fn value(above: bool, p: DoubleDouble, log: DoubleDouble) -> f64;
 }
 
@@ -210,7 +211,7 @@ fn quarter(p: DoubleDouble) -> DoubleDouble {
     DoubleDouble::new(sum.hi, sum.lo + (leading.lo + rest))
 }
 
-/// The slope of a series, by which the second word of p counts, to some percent: the last term stands for the rest.
+/// The slope of a series, by which the second word of p is multiplied, to some per cent: the last term stands for the remaining ones.
 #[inline(always)]
 fn slope<const N: usize>(p: f64, coefficients: [f64; N]) -> f64 {
     polynomial(p, &coefficients)
@@ -225,7 +226,7 @@ fn second_near(p: DoubleDouble) -> DoubleDouble {
     DoubleDouble::new(leading.hi, leading.lo + rest)
 }
 
-/// ln(16/p), p raised or not; infinite for p = 0.
+/// ln(16/p) for a raised or plain p; infinite for p = 0.
 #[inline(always)]
 pub(super) fn log_of_inverse(smaller: DoubleDouble, raised: bool) -> DoubleDouble {
     let log = split_logarithm(smaller);
@@ -257,7 +258,7 @@ fn second_far(p: DoubleDouble, log: DoubleDouble) -> f64 {
     let difference = DoubleDouble::new(difference.hi, difference.lo + (with.lo - without.lo));
     let term = product(p.scaled(0.25), difference);
     let sum = fast_two_sum(1.0, term.hi);
-    // The logarithm has p in two words; elsewhere its second word is below 2⁻⁵⁶ of the sum.
+    // The logarithm is computed from p in two words; in the other terms the second word of p is below 2⁻⁵⁶ of the sum.
     sum.hi + (sum.lo + term.lo)
 }
 
@@ -270,7 +271,7 @@ fn one_plus(p: DoubleDouble, slope: f64, tail: f64) -> DoubleDouble {
     DoubleDouble::new(sum.hi, sum.lo + rest)
 }
 
-/// The product of two numbers whose second words may overlap the first by some bits.
+/// The product of two numbers whose second words may overlap the first words by some bits.
 #[inline(always)]
 fn product(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
     let product = two_prod(a.hi, b.hi);

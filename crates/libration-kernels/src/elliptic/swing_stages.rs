@@ -1,4 +1,4 @@
-//! Integrals that the periods of a block of swings take from their moduli, stage by stage.
+//! Complete integrals for the periods of a block of swings, stage by stage.
 
 use super::complete::{cosine_part_near, second_less_scaled_first_far};
 use super::descent::Descent;
@@ -8,7 +8,7 @@ use super::nome;
 use crate::double_double::block::{BLOCK, Words};
 use crate::double_double::pick;
 
-/// The integrals that [`complete_and_nome`](super::complete_and_nome) computes, for moduli whose complements are not zero.
+/// The integrals of [`complete_and_nome`](super::complete_and_nome) for a block of moduli with nonzero complements.
 #[derive(Debug)]
 pub struct SwingStages {
     stages: ModulusStages,

@@ -1,23 +1,23 @@
 //! Theta functions of the smaller of the two nomes, from which every Jacobi function is a quotient.
 //!
-//! For q ≤ e^−π four terms reach double precision. With X = 2 cos 2z the series factor as
-//! θ₁ = 2q^¼ sin z·p₁, θ₂ = 2q^¼ cos z·p₂, θ₃ = p₃, θ₄ = p₄, each p a cubic in Y = qX (DLMF 20.2). Where
-//! the modulus is above 1/√2 Jacobi's imaginary transformation (DLMF 20.7(viii)) turns sin, cos into sinh,
-//! cosh and q into the complementary nome, with the same p. Moving by a quarter period exchanges p₁ with
-//! p₂ and p₃ with p₄, so one evaluation, within an eighth of a turn of the nearest quarter, serves all.
+//! For q ≤ e^−π four terms reach double precision. With X = 2 cos 2z the series factor as θ₁ = 2q^¼ sin z·p₁, θ₂ = 2q^¼ cos z·p₂, θ₃ = p₃, θ₄ =
+//! p₄, each p a cubic in Y = qX (DLMF 20.2). For moduli above 1/√2, Jacobi's imaginary transformation (DLMF 20.7(viii)) turns sin, cos into
+//! sinh, cosh and q into the complementary nome, with the same polynomials p. A shift by a quarter period exchanges p₁ with p₂ and p₃ with p₄,
+//! so one evaluation, within an eighth of a turn of the nearest quarter, suffices.
 //!
 //! # Method
-//! The phase clock turns time into turns by a frequency in two words and fused multiply-adds; whole turns are split off exactly before anything is
-//! rounded. A million periods cost no digit beyond what the time, as an `f64`, has lost: angle and velocity are within 2.2 ulp and the complement
-//! within 2.5, plus 2⁻⁵¹ of the time. From 2⁹⁷ periods on an eighth of a period is not determined; states and Jacobi functions are then NaN, except
-//! am and the unwrapped angle of a rotation. Batches of varying amplitude know the period to one word and end at 2⁴⁹ periods.
+//! The phase clock converts time to turns with a frequency in two words and fused multiply-adds; whole turns are split off exactly before any
+//! rounding. Even after a million periods no digits are lost beyond the rounding of the time as an `f64`: angle and velocity are within 2.2 ulp
+//! and the complement within 2.5, plus 2⁻⁵¹ of the time. From 2⁹⁷ periods on an eighth of a period is undetermined; states and Jacobi functions
+//! are then NaN, except am and the unwrapped angle of a rotation. Batches of varying amplitude have the period in one word and end at 2⁴⁹
+//! periods.
 
 use super::first_of_point;
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod, two_sum};
 use crate::elementary::{sin_cos_of_turns, sinh_cosh};
 use crate::fused::FusedMultiplyAdd;
 
-/// The series for one nome q ≤ e^−π, each less its leading 1.
+/// The series for one nome q ≤ e^−π, each without its leading 1.
 #[derive(Clone, Copy, Debug)]
 pub struct ThetaSeries {
     q: f64,
@@ -26,7 +26,7 @@ pub struct ThetaSeries {
     third: [f64; 4],
 }
 
-/// The values at z = 0 to the second word.
+/// The values at z = 0, accurate to the second word.
 #[derive(Clone, Copy, Debug)]
 pub struct ThetaZero {
     /// θ₂(0)/2q^¼.
@@ -38,7 +38,7 @@ pub struct ThetaZero {
 }
 
 impl ThetaZero {
-    /// The values for a nome q ≤ e^−π or a little more.
+    /// The values for a nome q up to slightly above e^−π.
     pub fn in_two_words(q: DoubleDouble) -> Self {
         let one = DoubleDouble::ONE;
         let (mut second, mut third, mut fourth) = (one, one, one);
@@ -59,7 +59,7 @@ impl ThetaZero {
 }
 
 impl ThetaZero {
-    /// The values for a nome q ≤ e^−π or a little more, to 2⁻⁶⁰.
+    /// The values for a nome q up to slightly above e^−π, with errors of 2⁻⁶⁰.
     #[inline(always)]
     pub fn from_nome(q: DoubleDouble) -> Self {
         let q2 = q.hi * q.hi;
@@ -75,7 +75,7 @@ impl ThetaZero {
     }
 }
 
-/// θ₁/2q^¼, θ₂/2q^¼, θ₃, θ₄ at a point counted from the nearest even quarter, in two words good to 2⁻⁵².
+/// θ₁/2q^¼, θ₂/2q^¼, θ₃, θ₄ at a point counted from the nearest even quarter, in two words with errors of 2⁻⁵².
 #[derive(Clone, Copy, Debug)]
 pub struct ThetaValues {
     pub first: DoubleDouble,
@@ -123,7 +123,7 @@ impl ThetaSeries {
         self.at_square(sine, cosine, S::SQUARE)
     }
 
-    /// The same where the side, given by its `SQUARE`, is known only when the code runs.
+    /// The same values for a side known only at run time, given by its `SQUARE`.
     #[inline(always)]
     pub fn at_square(&self, sine: DoubleDouble, cosine: DoubleDouble, square: f64) -> ThetaValues {
         let x = square.fma(sine.hi * sine.hi, 2.0);
@@ -162,23 +162,23 @@ pub(crate) fn ratio(numerator: DoubleDouble, below: DoubleDouble) -> f64 {
     residual.fma(inverse, quotient)
 }
 
-/// factor·x, the words not normalised.
+/// factor·x with words that are not normalised.
 #[inline(always)]
 pub fn scaled_by(factor: DoubleDouble, x: DoubleDouble) -> DoubleDouble {
     let product = two_prod(factor.hi, x.hi);
     DoubleDouble::new(product.hi, factor.hi.fma(x.lo, factor.lo.fma(x.hi, product.lo)))
 }
 
-/// The expansion of the smaller nome, known when the code is compiled.
+/// The expansion by the smaller nome, chosen at compile time.
 pub trait Side: Copy {
     /// X = 2 + SQUARE·sine².
     const SQUARE: f64;
     /// The sine and cosine, or their hyperbolic counterparts, of z = rest·scale: |rest| ≤ 1/8 turn.
     fn sine_cosine(rest: DoubleDouble, scale: DoubleDouble) -> (DoubleDouble, DoubleDouble);
-    /// θ₂ and θ₄ in the order in which their quotient stands with θ₁/θ₃.
+    /// θ₂ and θ₄, the numerator of the quotient that belongs to θ₁/θ₃ first.
     fn beside(values: &ThetaValues) -> (DoubleDouble, DoubleDouble);
 
-    /// The values at the rest of a phase; θ₁ divided by i where z is imaginary.
+    /// The theta values for the rest of a phase; θ₁ is divided by i where z is imaginary.
     #[inline(always)]
     fn values(series: &ThetaSeries, rest: DoubleDouble, scale: DoubleDouble) -> ThetaValues {
         let (sine, cosine) = Self::sine_cosine(rest, scale);
@@ -223,7 +223,7 @@ fn cubic(c: &[f64; 4], y: f64) -> f64 {
     y.fma(y.fma(y.fma(c[3], c[2]), c[1]), c[0])
 }
 
-/// A point of a periodic motion: whole turns, quarter (−2 … 2) and the rest, |rest| ≤ 1/8 turn, or NaN where it is not known.
+/// A point of a periodic motion: whole turns, the nearest quarter (−2 … 2) and the rest, |rest| ≤ 1/8 turn, or NaN if the rest is not known.
 #[derive(Clone, Copy, Debug)]
 pub struct Phase {
     pub turns: f64,
@@ -236,17 +236,15 @@ pub struct Phase {
 pub struct PhaseClock {
     /// Turns per unit of the argument.
     pub frequency: DoubleDouble,
-    /// The quarter nearest at argument zero, −2 … 2.
+    /// The nearest quarter for argument zero, −2 … 2.
     pub quarter: f64,
-    /// Turns at argument zero from that quarter, relatively accurate: a start next to the turning point must
-    /// keep its small velocity.
+    /// Turns from the nearest quarter at argument zero, relatively accurate: a start next to the turning point must keep its small velocity.
     pub offset: DoubleDouble,
 }
 
 impl PhaseClock {
-    /// A clock through the point of an orbit of quarter period K with these sn, cn and dn at argument zero.
-    /// Past the middle of the quarter the distance is that to its end, v = K − u, with sn v = cn u/dn u,
-    /// cn v = k′ sn u/dn u and dn v = k′/dn u (DLMF 22.4.3).
+    /// The clock whose orbit, of quarter period K, has these sn, cn and dn at argument zero. Past the middle of a quarter the distance to its
+    /// end, v = K − u, is computed, with sn v = cn u/dn u, cn v = k′ sn u/dn u and dn v = k′/dn u (DLMF 22.4.3).
     pub fn through(
         [sn, cn, dn]: [DoubleDouble; 3],
         complementary: DoubleDouble,
@@ -279,28 +277,28 @@ impl PhaseClock {
     }
 }
 
-/// 2⁹⁷: from here on the two words of the frequency, good to 2⁻¹⁰⁰, leave an eighth of a turn open or more.
+/// 2⁹⁷: from here on the error of the frequency, 2⁻¹⁰⁰ in two words, amounts to an eighth of a turn or more.
 const MOST_TURNS: f64 = 1.5845632502852868e29;
 
 impl PhaseClock {
-    /// The phase at t, its fraction good to 2⁻¹⁰⁰ of the turns gone; unknown from [`MOST_TURNS`] on.
+    /// The phase at t, whose fraction has an error of 2⁻¹⁰⁰ of the turns passed; unknown from [`MOST_TURNS`] on.
     #[inline(always)]
     pub fn phase(&self, t: f64) -> Phase {
         let product = two_prod(t, self.frequency.hi);
         let sum = two_sum(product.hi, self.offset.hi);
         let lo = t.fma(self.frequency.lo, product.lo) + (sum.lo + self.offset.lo);
-        // Not a number of turns where the time is not finite; a finite time may overflow to infinitely many.
+        // The number of turns is NaN if the time is not finite; for a finite time it may overflow to infinity.
         Phase::from_turns(DoubleDouble::new(0.0f64.fma(t, sum.hi), lo), MOST_TURNS).advanced(self.quarter)
     }
 }
 
 impl Phase {
-    /// The parts of a number of turns, whose words need not be normalised and may have overflowed. From `most` turns on, where
-    /// the fraction is not known, the rest is NaN.
+    /// The parts of a number of turns, whose words need not be normalised and may have overflowed. From `most` turns on the fraction is not
+    /// known, and the rest is NaN.
     #[inline(always)]
     pub fn from_turns(turns: DoubleDouble, most: f64) -> Self {
         let whole = turns.hi.round_ties_even();
-        // The second word may hold turns too, after 2⁵³ of them.
+        // Beyond 2⁵³ turns the second word may contain whole turns too.
         let fraction = two_sum(turns.hi - whole, turns.lo);
         let more = fraction.hi.round_ties_even();
         let fraction_hi = fraction.hi - more;

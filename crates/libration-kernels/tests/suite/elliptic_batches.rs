@@ -8,7 +8,7 @@ use libration_testing::random::Random;
 
 type Scalar = fn(f64) -> Result<Modulus, ModulusError>;
 
-/// The kinds of moduli, with the scalar constructor of each.
+/// The ways of giving moduli, with the scalar constructor of each.
 fn kinds(values: &[f64]) -> [(Moduli<'_>, Scalar); 4] {
     [
         (Moduli::Parameters(values), Modulus::from_parameter as Scalar),
@@ -18,8 +18,8 @@ fn kinds(values: &[f64]) -> [(Moduli<'_>, Scalar); 4] {
     ]
 }
 
-/// Each end of a reduction and its neighbours: one half, where the sides change, as a parameter and as a modulus; where
-/// small numbers are raised; the ends of the interval, and what is outside.
+/// The seams of the reductions and their neighbours: one half, where the sides change, as a parameter and as a modulus; the threshold below
+/// which numbers are raised; the ends of the interval, and values outside.
 fn seams() -> Vec<f64> {
     let ends =
         [0.0, -0.0, 1.0, 0.5, 0.7071067811865475, 0.7071067811865476, 1e-200, 1e-100, 1e-300, 2.3e-308];
@@ -107,7 +107,7 @@ fn batch_of_jacobi_functions_equals_the_scalar_function_bit_for_bit() {
 #[test]
 fn one_modulus_for_many_arguments_then_another_equals_the_scalar_function() {
     let arguments: Vec<f64> = (0..300).map(|i| 0.05 * f64::from(i) - 4.0).collect();
-    // The first is what the rest of a block is filled with.
+    // The unused rest of a block is filled with the first modulus of the pair.
     for pair in [[0.5, 0.5], [0.5, 0.25], [0.3, f64::NAN], [f64::NAN, 0.9], [1.0, 0.0]] {
         let values: Vec<f64> = (0..300).map(|i| pair[usize::from(i >= 200)]).collect();
         let [mut sn, mut cn, mut dn, mut am] = [(); 4].map(|()| vec![7.0; 300]);
@@ -160,7 +160,7 @@ fn short_batches_equal_parts_of_long_ones() {
 
 type BatchOfAngles = fn(&[f64], Moduli<'_>, &mut [f64]) -> Result<(), LengthMismatch>;
 
-/// Angles at and beside quarter turns, where they are no longer reduced, zero and huge ones.
+/// Angles at and next to quarter turns, at the limit of the reduction, zero and huge angles.
 fn angles(random: &mut Random) -> Vec<f64> {
     let mut angles = vec![0.0, -0.0, 5e-324, 1e-300, 1e300, f64::MAX, f64::INFINITY, f64::NAN];
     let quarters = (-5..=5).map(|n| f64::from(n) * core::f64::consts::FRAC_PI_2);

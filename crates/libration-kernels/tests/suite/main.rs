@@ -1,7 +1,7 @@
-//! The evidence for the kernels: golden tables, published numbers and identities.
+//! Evidence for the kernels: golden tables, published numbers and identities.
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its table should stop there")]
 
-// Tests read as users of the crate `libration` write.
+// Tests are written as users of the crate `libration` would write them.
 extern crate libration_kernels as libration;
 
 mod elliptic_batches;

@@ -7,14 +7,14 @@ use libration_numbers::expression::{Equation, EquationError, Expression};
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::{Progress, Stage};
 
-/// Equations with one varied parameter, and the section of their motions.
+/// Equations with one varied parameter, and a section of their motions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Family<'a> {
     /// The equations, with values for all other parameters.
     pub equation: &'a Equation,
     /// The name of the parameter.
     pub parameter: &'a str,
-    /// The surface or the stroboscope by which points are taken.
+    /// The surface or stroboscope that defines the points.
     pub section: &'a Section,
     /// The numbers of points to skip and to record.
     pub points: Points,
@@ -23,7 +23,7 @@ pub struct Family<'a> {
 /// The initial state of the motion for each value of the parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Continuation {
-    /// Always at the same state.
+    /// The same state for every value.
     SameStart,
     /// The last state of the motion for the previous value, so that a motion is followed as long as it is stable.
     LastState,
@@ -32,7 +32,7 @@ pub enum Continuation {
 /// The section for one value of the parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DiagramColumn {
-    /// The value.
+    /// The value of the parameter.
     pub value: f64,
     /// The points.
     pub section: PoincareSection,
@@ -45,7 +45,7 @@ pub enum DiagramError {
     /// A parameter that the equations do not have.
     #[error(transparent)]
     Equation(#[from] EquationError),
-    /// A section that cannot be.
+    /// An invalid section.
     #[error(transparent)]
     Section(#[from] SectionError),
     /// A value that is not finite.
@@ -53,12 +53,12 @@ pub enum DiagramError {
     Value(f64),
 }
 
-/// The section for each value of the parameter, in the order in which they are given.
+/// The section for each value of the parameter, in the given order.
 ///
-/// `progress` has the number of complete columns, and a cancelled call returns these.
+/// `progress` receives the number of complete columns, and a cancelled call returns these.
 ///
 /// # Errors
-/// A parameter or a value that cannot be, or a section that cannot, as [`section`](super::section()) says.
+/// An invalid parameter or value, or an invalid section, as for [`section`](super::section()).
 ///
 /// # Examples
 /// ```
@@ -100,7 +100,7 @@ impl Family<'_> {
         Ok(self.equation.with(&[(self.parameter, exactly(value)?)])?)
     }
 
-    /// One motion after the other.
+    /// Computes one motion after the other.
     fn one_by_one(
         &self,
         cut: &Section,
@@ -130,7 +130,7 @@ impl Family<'_> {
         Ok(columns)
     }
 
-    /// The motions of all values at once.
+    /// Computes the motions of all values in lanes.
     fn side_by_side(
         &self,
         cut: &Section,
@@ -168,7 +168,7 @@ impl Family<'_> {
     }
 }
 
-/// The last state, under a stroboscope at the same phase of the drive, whose period may be another one now.
+/// The last state; with a stroboscope at the same phase of the drive, whose period may have changed.
 fn continued(last: &Moment, section: &Section, equation: &Equation) -> Moment {
     Moment { time: section.first_flash(equation).unwrap_or(last.time), state: last.state.clone() }
 }

@@ -1,4 +1,4 @@
-//! The period of what drives a system.
+//! The period of a system's drive.
 
 use std::f64::consts::TAU;
 
@@ -6,11 +6,11 @@ use super::structure::TIME;
 use libration_numbers::algebra::{Rational, Rationals, Ring};
 use libration_numbers::expression::{Equation, Expression, Function, Symbol};
 
-/// The drive with the longest common period is this many times the first one's at most.
+/// Largest number of periods of the first drive in the common period.
 const LONGEST: i64 = 1000;
 
-/// The period in which the time comes back in the equations, when it stands only in sines and cosines, to the first
-/// power with constant factors, which are in simple proportions to each other. `None` without time, and otherwise.
+/// The common period of all drives, if the time occurs only in sines and cosines, to first power
+/// with constant factors in simple proportions. `None` without a drive, and in all other cases.
 ///
 /// # Examples
 /// ```
@@ -29,8 +29,8 @@ pub fn drive_period(equation: &Equation) -> Option<f64> {
     Some(f64::from(times) * TAU / frequency).filter(|period| period.is_finite())
 }
 
-/// The angular frequency of the first drive, which may contain open parameters, and in how many of its periods all drives come back;
-/// `None` as for [`drive_period`].
+/// The angular frequency of the first drive, which may contain symbolic parameters,
+/// and the number of its periods in the common period; `None` as for [`drive_period`].
 ///
 /// # Examples
 /// ```
@@ -57,7 +57,7 @@ pub fn drive_frequency(equation: &Equation) -> Option<(Expression, i32)> {
     Some((first.clone(), times))
 }
 
-/// The factors of the time in sines and cosines; whether it stands nowhere else.
+/// Collects the factors of the time in sines and cosines; returns `true` if the time occurs nowhere else.
 fn collect_frequencies(
     formula: &Expression,
     time: &Symbol,
@@ -78,7 +78,7 @@ fn collect_frequencies(
     inner.peek().is_some() && inner.all(|part| collect_frequencies(part, time, is_constant, found))
 }
 
-/// The quotient of two frequencies; of letters it must be the same whatever they stand for.
+/// The quotient of two frequencies; with symbols it must be the same for all their values.
 fn ratio(a: &Expression, b: &Expression) -> Option<Rational> {
     if a == b {
         return Some(Rational::from(1));

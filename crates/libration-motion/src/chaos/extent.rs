@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-/// The least and the greatest value of each number of the states seen so far.
+/// The least and the greatest value of each component of the states so far.
 #[derive(Clone, Debug)]
 pub(super) struct Extent {
     ends: Vec<(f64, f64)>,

@@ -1,8 +1,8 @@
-//! Regular or chaotic: Poincaré sections, bifurcation diagrams, the largest Lyapunov exponent.
+//! Regular or chaotic motion: Poincaré sections, bifurcation diagrams, the largest Lyapunov exponent.
 //!
-//! A section shows what a motion is: a point for a periodic one, a curve for one with two periods, a cloud or a fractal for a chaotic
-//! one. A bifurcation diagram shows how that changes with a parameter. The exponent tells how fast neighbouring motions
-//! part, and comes with a verdict that says `Chaotic` only on evidence.
+//! A section shows the kind of a motion: a point for a periodic one, a curve for one with two periods, a cloud
+//! or a fractal for a chaotic one. A bifurcation diagram shows its dependence on a parameter. The exponent is
+//! the rate at which neighbouring motions diverge, and comes with a verdict that is `Chaotic` only on evidence.
 //!
 //! ```
 //! # extern crate libration_motion as libration;
@@ -10,7 +10,7 @@
 //! use libration::progress::Quiet;
 //! use libration::taylor::{Effort, Moment};
 //!
-//! // A driven pendulum, once in each period of its drive: a stronger drive doubles the period of its answer.
+//! // A driven pendulum, once in each period of its drive: a stronger drive doubles the period of the response.
 //! let family = Family {
 //!     equation: &"theta'' + theta'/2 + sin(theta) = A*cos(2t/3)".parse()?,
 //!     parameter: "A",

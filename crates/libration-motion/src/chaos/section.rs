@@ -1,4 +1,4 @@
-//! Poincaré sections: the states of a motion at each period of its drive, or whenever it crosses a surface.
+//! Poincaré sections: the states of a motion once per period of its drive, or whenever it crosses a surface.
 
 use std::f64::consts::{PI, TAU};
 
@@ -16,12 +16,12 @@ use libration_numbers::progress::{Progress, Stage};
 pub enum Section {
     /// One point in each period of the drive.
     Stroboscope {
-        /// The period; that of [`drive_period`] if none is given.
+        /// The period; if there is none, that of [`drive_period`].
         period: Option<f64>,
-        /// The phase of the flash after t = 0, as a part of the period, from 0 to 1.
+        /// The phase of the stroboscope after t = 0, as a fraction of the period, from 0 to 1.
         phase: f64,
     },
-    /// Whenever a formula of coordinates, velocities or rates of change, and time changes its sign.
+    /// A point whenever a formula of coordinates, velocities or rates of change, and time changes its sign.
     Crossing {
         /// The formula, zero on the surface.
         formula: Expression,
@@ -31,7 +31,7 @@ pub enum Section {
 }
 
 impl Section {
-    /// The section with the period of these equations, if it has none and they show one.
+    /// The section with the period of these equations, if it has none and the equations determine one.
     pub(super) fn with_period_of(&self, equation: &Equation) -> Self {
         match self {
             Self::Stroboscope { period: None, phase } => {
@@ -41,7 +41,7 @@ impl Section {
         }
     }
 
-    /// The time of a stroboscope's first flash after t = 0; `None` for a surface, or without a known period.
+    /// The first stroboscopic time after t = 0; `None` for a surface, or without a known period.
     pub(super) fn first_flash(&self, equation: &Equation) -> Option<f64> {
         match self {
             Self::Stroboscope { period, phase } => Some(phase * period.or_else(|| drive_period(equation))?),
@@ -50,16 +50,16 @@ impl Section {
     }
 }
 
-/// The numbers of section points that are skipped first, and recorded after these.
+/// The numbers of section points that are skipped and then recorded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Points {
-    /// The transient.
+    /// Number of skipped points, the transient.
     pub skipped: usize,
-    /// The section.
+    /// Number of recorded points.
     pub recorded: usize,
 }
 
-/// The points of a section, as far as the motion came.
+/// The points of a section, as far as the motion was integrated.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PoincareSection {
     /// Times and states.
@@ -75,30 +75,30 @@ pub enum SectionEnding {
     /// The integration stopped, or was interrupted.
     #[error("{0}")]
     Stopped(Cause),
-    /// The motion crosses the surface no more, as far as it was followed.
+    /// The motion did not cross the surface again within the integration.
     #[error("the motion no longer crosses the surface")]
     NoCrossing,
-    /// The motion has never crossed the surface.
+    /// The motion did not cross the surface at all.
     #[error("the motion does not cross the surface in the time over which it was followed")]
     NeverCrossed,
 }
 
-/// The reason why there is no section.
+/// The reason why a section cannot be computed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SectionError {
     /// A parameter without a value.
     #[error(transparent)]
     WithoutValue(#[from] WithoutValue),
-    /// A start or a tolerance that cannot be.
+    /// An invalid start or tolerance.
     #[error(transparent)]
     Integration(#[from] IntegrationError),
-    /// Equations whose drive has no period that is found.
+    /// Equations whose drive has no recognised period.
     #[error(
         "the equations have no drive with a known period: give the period, or a surface that the motion crosses, such as the velocity"
     )]
     NoPeriod,
-    /// A period or a phase that cannot be.
+    /// An invalid period or phase.
     #[error("period {period:?} and phase {phase:?}: give a finite period above zero and a phase from 0 to 1")]
     Stroboscope {
         /// The period.
@@ -108,15 +108,15 @@ pub enum SectionError {
     },
 }
 
-/// The points of the section of a motion.
+/// Computes the section of a motion.
 ///
-/// A cancelled call returns the points until then, with [`Cause::Interrupted`].
+/// A cancelled call returns the points so far, with [`Cause::Interrupted`].
 ///
 /// # Accuracy
-/// As that of [`integrate`](crate::taylor::integrate()); points of a chaotic motion are those of a motion near by after some ten of its periods.
+/// As for [`integrate`](crate::taylor::integrate()). After about ten periods of a chaotic motion the points are those of a nearby motion.
 ///
 /// # Errors
-/// A parameter without a value; a start that does not fit; no period.
+/// A parameter without a value; a start that does not fit; an unknown period.
 ///
 /// # Examples
 /// ```
@@ -157,7 +157,7 @@ pub fn section(
     }
 }
 
-/// The times from a start on at which the phase of the drive is this one.
+/// The times from a start on at which the drive has this phase.
 pub(super) fn flashes(start: f64, period: f64, phase: f64, points: Points) -> Result<Vec<f64>, SectionError> {
     if !(period > 0.0 && period.is_finite() && (0.0..=1.0).contains(&phase)) {
         return Err(SectionError::Stroboscope { period, phase });
@@ -200,7 +200,7 @@ fn as_far_as_it_came(
     }
 }
 
-/// Goes from one stretch of the motion to the next until there are points enough.
+/// Follows consecutive stretches of the motion until there are enough points.
 fn crossings(
     system: &System,
     start: &Moment,
@@ -236,18 +236,18 @@ fn crossings(
     Ok(PoincareSection { points, stopped })
 }
 
-/// The surface is not met again.
+/// The ending if the surface is not crossed again.
 const fn no_more(found: &[Moment]) -> SectionEnding {
     if found.is_empty() { SectionEnding::NeverCrossed } else { SectionEnding::NoCrossing }
 }
 
-/// The largest duration of the first stretch, the factor from one stretch to the next, and a time that only a motion at rest reaches: a motion
-/// without forces takes a single step to any time, in which a crossing must not be too near the beginning.
+/// The largest duration of the first stretch, the factor from one stretch to the next, and a time that only a motion at rest reaches. A
+/// force-free motion takes a single step to any time, in which a crossing must not be too near the beginning.
 const NEAREST: f64 = 1e-6;
 const FARTHER: f64 = 1e3;
 const NEVER: f64 = 1e200;
 
-/// The place of an event, if the motion goes through the surface there.
+/// The state at an event, if the motion passes through the surface there.
 fn crossing(event: Occurrence) -> Option<Moment> {
     goes_through(&event).then_some(Moment { time: event.time, state: event.state })
 }
@@ -256,7 +256,7 @@ fn goes_through(event: &Occurrence) -> bool {
     matches!(event.contact, Contact::Rising | Contact::Falling)
 }
 
-/// An angle brought into the turn from −π to π.
+/// An angle modulo a turn, between −π and π.
 #[must_use]
 pub fn folded(angle: f64) -> f64 {
     let within = libm::remainder(angle, TAU);

@@ -6,8 +6,8 @@ use libration_numbers::expression::{Equation, Expression, Function, Symbol};
 /// The name of the time in equations.
 pub(super) const TIME: &str = "t";
 
-/// For each coordinate, whether it is an angle: it stands in the equations only inside sines and cosines, multiplied by
-/// whole numbers, so that a turn changes nothing.
+/// Flags, for each coordinate, whether it is an angle: it occurs in the equations only
+/// inside sines and cosines, multiplied by integers, so that a turn changes nothing.
 ///
 /// # Examples
 /// ```
@@ -35,7 +35,7 @@ fn occurs(equation: &Equation, symbol: &Symbol) -> bool {
     equation.derivatives().iter().any(|formula| formula.contains(symbol))
 }
 
-/// Returns whether a formula stays the same when the coordinate is increased by a full turn.
+/// Returns `true` if a formula does not change when the coordinate increases by a full turn.
 fn turns_leave(formula: &Expression, coordinate: &Symbol) -> bool {
     if !formula.contains(coordinate) {
         return true;
@@ -57,7 +57,7 @@ fn turns_leave(formula: &Expression, coordinate: &Symbol) -> bool {
     }
 }
 
-/// Returns whether the equations contain sign(…), at whose jumps the linearised equations fail.
+/// Returns `true` if the equations contain sign(…), at whose jumps the linearised equations fail.
 #[doc(hidden)]
 pub fn has_jumps(equation: &Equation) -> bool {
     fn jumps(formula: &Expression) -> bool {
@@ -66,17 +66,17 @@ pub fn has_jumps(equation: &Equation) -> bool {
     equation.derivatives().iter().any(jumps)
 }
 
-/// The reason why no motion of a system can be chaotic.
+/// The reason why a system cannot have chaotic motions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Theorem {
-    /// One coordinate without the time, or several that know nothing of each other, or two whose equations are of the first order: in a
-    /// plane bounded motions tend to equilibria and periodic motions (Poincaré and Bendixson).
+    /// One coordinate without the time, or several independent ones, or two whose equations are of first
+    /// order: bounded motions in a plane tend to equilibria and periodic motions (Poincaré and Bendixson).
     Plane,
-    /// Accelerations of the first degree in coordinates and velocities: deviations grow alike on all motions.
+    /// Accelerations linear in coordinates and velocities: deviations grow equally on all motions.
     Linear,
 }
 
-/// The theorem that forbids chaos, if one is found.
+/// The theorem that excludes chaos, if one applies.
 #[doc(hidden)]
 pub fn theorem(equation: &Equation) -> Option<Theorem> {
     if planes(equation) {
@@ -87,8 +87,8 @@ pub fn theorem(equation: &Equation) -> Option<Theorem> {
     equation.derivatives().iter().all(linear).then_some(Theorem::Linear)
 }
 
-/// Returns whether a state has at most two components, or each equation depends on its own coordinate and velocity alone; in both cases without the
-/// time.
+/// Returns `true` if a state has at most two components, or each equation depends
+/// on its own coordinate and velocity alone; in both cases without the time.
 fn planes(equation: &Equation) -> bool {
     let time = Symbol::plain(TIME);
     if StateLayout::new(equation).numbers() <= 2 && !occurs(equation, &time) {

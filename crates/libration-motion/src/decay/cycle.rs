@@ -1,7 +1,7 @@
-//! A cycle of the pendulum without damping, and what damping would take from its energy.
+//! A cycle of the undamped pendulum, and the energy that damping would remove in it.
 //!
-//! With sin(θ/2) = k cos φ, θ′ = 2k sin φ and ω0 = 1 the loss is ∮|θ′|ⁿ⁺¹ dt = 4(2k)ⁿ⁺¹ ∫ sinⁿ⁺¹φ/√(k′² + k² sin²φ) dφ over a
-//! right angle, which for whole n is elementary (n even) or elliptic (n odd).
+//! With sin(θ/2) = k cos φ, θ′ = 2k sin φ and ω0 = 1 the loss is ∮|θ′|ⁿ⁺¹ dt = 4(2k)ⁿ⁺¹ ∫ sinⁿ⁺¹φ/√(k′²
+//! + k² sin²φ) dφ over a right angle. For integer n it is elementary (n even) or elliptic (n odd).
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -22,21 +22,20 @@ pub(super) struct Cycle {
     integrals: Complete,
 }
 
-/// ∮|θ′|ⁿ⁺¹ dt over a cycle without damping, ω0 = 1: 4θ0 for n = 0, 16(E − k′²K) for n = 1, 8(sin θ0 − θ0 cos θ0) for
-/// n = 2, and so on.
+/// ∮|θ′|ⁿ⁺¹ dt over an undamped cycle with ω0 = 1: 4θ0 for n = 0, 16(E − k′²K) for n = 1, 8(sin θ0 − θ0 cos θ0) for n = 2, and so on.
 ///
 /// # Domain
 /// n ≥ 0; NaN elsewhere. Amplitudes down to 1e-100.
 ///
 /// # Accuracy
-/// 2e-15 relative; for n other than 0, 1, 2 and 3 it is a quadrature, good to 2e-14 (`tests/data/decay_cycles.csv`).
+/// Relative error 2e-15; for n other than 0, 1, 2 and 3 by quadrature, with a relative error of 2e-14 (`tests/data/decay_cycles.csv`).
 #[must_use]
 pub fn cycle_integral(exponent: f64, amplitude: &Amplitude) -> f64 {
     let modulus = amplitude.modulus();
     Cycle::new(modulus.modulus_words(), modulus.complementary_words()).integral(exponent)
 }
 
-/// Its limit at small amplitudes, 2βAⁿ⁺¹ with β = ∫ sinⁿ⁺¹ over half a turn = √π Γ(n/2 + 1)/Γ((n + 3)/2).
+/// The limit of that integral at small amplitudes, 2βAⁿ⁺¹ with β = ∫ sinⁿ⁺¹ over half a turn = √π Γ(n/2 + 1)/Γ((n + 3)/2).
 #[must_use]
 pub fn small_cycle_integral(exponent: f64, amplitude: f64) -> f64 {
     let beta = match exponent {
@@ -49,7 +48,7 @@ pub fn small_cycle_integral(exponent: f64, amplitude: f64) -> f64 {
     2.0 * beta * amplitude * libm::pow(amplitude, exponent)
 }
 
-/// Below this k the next term but one of a series in k² is beyond the last digit.
+/// Modulus k below which the third term of a series in k² is beyond the last digit.
 const SMALL: f64 = 5e-5;
 
 impl Cycle {
@@ -60,7 +59,7 @@ impl Cycle {
     /// The cycle with this tan(θ0/2).
     pub(super) fn of_tangent(tangent: f64) -> Self {
         let tangent = DoubleDouble::from(tangent);
-        // The smaller of the two is kept relatively accurate, and nothing overflows.
+        // The smaller of the two is relatively accurate, and nothing overflows.
         if tangent.hi <= 1.0 {
             let cosine = (DoubleDouble::ONE + tangent.square()).sqrt().recip();
             return Self::new(tangent * cosine, cosine);
@@ -80,12 +79,12 @@ impl Cycle {
         2.0 * self.modulus.hi * self.complementary.hi
     }
 
-    /// Its time.
+    /// The period of the cycle.
     pub(super) fn period(&self) -> f64 {
         4.0 * self.integrals.first.to_f64()
     }
 
-    /// The energy that a damping dissipates in the cycle.
+    /// The energy that damping dissipates in the cycle.
     pub(super) fn loss(&self, damping: &Damping) -> f64 {
         damping.terms().iter().map(|term| term.coefficient * self.integral(term.exponent)).sum()
     }
@@ -101,7 +100,7 @@ impl Cycle {
         }
     }
 
-    /// sin θ0 − θ0 cos θ0, in two words because the third power of θ0 is left.
+    /// sin θ0 − θ0 cos θ0, in two words because the result is of third order in θ0.
     fn sine_less_product(&self) -> f64 {
         let (k, complementary) = (self.modulus, self.complementary);
         if k.hi < SMALL {
@@ -113,7 +112,7 @@ impl Cycle {
         (sine - angle * cosine).to_f64()
     }
 
-    /// k⁴ ∫ cn⁴ over a quarter period = (2(k² − k′²)(E − k′²K) + k²k′²K)/3, in two words because k⁴ is left.
+    /// k⁴ ∫ cn⁴ over a quarter period = (2(k² − k′²)(E − k′²K) + k²k′²K)/3, in two words because the result is of order k⁴.
     fn fourth_moment(&self) -> f64 {
         let (m, m1) = (self.modulus.square(), self.complementary.square());
         if self.modulus.hi < SMALL {
@@ -123,8 +122,8 @@ impl Cycle {
         ((first + m * m1 * self.integrals.first) / DoubleDouble::from(3.0)).to_f64()
     }
 
-    /// With t = tan φ the integral is ∫ sinⁿ⁺²φ/√(k′² + t²) d ln t over the whole line, analytic in ln t to ±iπ/2 whatever k′ is, so
-    /// that equal steps are as good as any: what they miss is of order exp(−π²/h) = 4e-22, and so are the tails left out.
+    /// With t = tan φ the integral is ∫ sinⁿ⁺²φ/√(k′² + t²) d ln t over the whole line. The integrand is analytic in ln t up to ±iπ/2 for every
+    /// k′, so that equal steps are optimal: their error is of order exp(−π²/h) = 4e-22, and so are the omitted tails.
     fn by_quadrature(&self, exponent: f64) -> f64 {
         const STEPS_PER_UNIT: f64 = 5.0;
         const TAIL: f64 = 45.0;

@@ -5,27 +5,26 @@ use super::DecayError;
 /// The damping c·θ′|θ′|ⁿ⁻¹.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PowerLawTerm {
-    /// n, zero or more: 0 is dry friction, 1 is viscous damping, 2 the drag of a fast flow.
+    /// n, zero or more: 0 is dry friction, 1 is viscous damping, 2 the drag in a fast flow.
     pub exponent: f64,
     /// c in radⁿ⁻¹… per unit of mass and length: rad/s² for n = 0, 1/s for n = 1, 1/rad for n = 2, s/rad² for n = 3.
     pub coefficient: f64,
 }
 
-/// A sum of powers of the velocity, each with a coefficient above zero and a power of its own, the lowest first.
+/// A sum of powers of the velocity with different exponents and positive coefficients, the lowest exponent first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Damping {
     terms: Vec<PowerLawTerm>,
 }
 
 impl Damping {
-    /// More different powers than this are refused.
+    /// Maximum number of different powers.
     pub const MOST_TERMS: usize = super::error::MOST_TERMS;
 
-    /// The sum of these terms; terms of one power become one.
+    /// The sum of these terms; terms with equal powers are added.
     ///
     /// # Errors
-    /// A power below zero, a coefficient below zero, numbers that are not finite, no coefficient above zero, or too many
-    /// powers.
+    /// A negative power, a negative coefficient, numbers that are not finite, no positive coefficient, or too many powers.
     pub fn new(terms: &[PowerLawTerm]) -> Result<Self, DecayError> {
         let mut sums: Vec<PowerLawTerm> = vec![];
         for &PowerLawTerm { exponent, coefficient } in terms {
@@ -48,10 +47,10 @@ impl Damping {
         if sums.is_empty() { Err(DecayError::NoDamping) } else { Ok(Self { terms: sums }) }
     }
 
-    /// One power of the velocity alone.
+    /// A single power of the velocity.
     ///
     /// # Errors
-    /// As [`Damping::new`].
+    /// As for [`Damping::new`].
     pub fn of_degree(exponent: f64, coefficient: f64) -> Result<Self, DecayError> {
         Self::new(&[PowerLawTerm { exponent, coefficient }])
     }
@@ -62,23 +61,23 @@ impl Damping {
         &self.terms
     }
 
-    /// The coefficient of a power; zero where there is none.
+    /// The coefficient of a power; zero if the power does not occur.
     pub(super) fn coefficient_of(&self, exponent: f64) -> f64 {
         let own = self.terms.iter().find(|term| term.exponent.total_cmp(&exponent).is_eq());
         own.map_or(0.0, |term| term.coefficient)
     }
 
-    /// The deceleration at a velocity of zero or more.
+    /// The deceleration at a nonnegative velocity.
     pub(super) fn at(&self, velocity: f64) -> f64 {
         self.terms.iter().map(|term| term.coefficient * libm::pow(velocity, term.exponent)).sum()
     }
 
-    /// Returns whether the damping is analytic in the velocity on each side of zero, that is, whether all powers are whole.
+    /// Returns `true` if the damping is analytic in the velocity on each side of zero, that is, if all powers are integers.
     pub(super) fn is_analytic(&self) -> bool {
         self.terms.iter().all(|term| term.exponent.fract() == 0.0)
     }
 
-    /// The same with 1/ω0 as the unit of time: cₙ ω0ⁿ⁻².
+    /// The damping in units of time 1/ω0: cₙ ω0ⁿ⁻².
     pub(super) fn scaled(&self, angular_frequency: f64) -> Result<Self, DecayError> {
         let scaled = |term: &PowerLawTerm| {
             let exponent = term.exponent;

@@ -1,4 +1,4 @@
-//! The amplitude as a function of time, by a law for how fast it falls.
+//! The amplitude as a function of time, by a law for its rate of decrease.
 
 use std::f64::consts::TAU;
 
@@ -7,19 +7,18 @@ use super::{Decay, LEAST_AMPLITUDE};
 use libration_numbers::quadrature::gauss;
 use libration_pendulum::pendulum::Amplitude;
 
-/// The law by which the amplitude falls.
+/// The law by which the amplitude decreases.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EnvelopeLaw {
-    /// dE/dt is the mean over a cycle without damping, with exact integrals at any amplitude.
+    /// dE/dt is replaced by the mean of dE/dt over an undamped cycle, with exact integrals at any amplitude.
     Averaged,
-    /// The same for small amplitudes: dA/dt = −Σ cₙβₙω0ⁿ⁻¹Aⁿ/π.
+    /// The same law for small amplitudes: dA/dt = −Σ cₙβₙω0ⁿ⁻¹Aⁿ/π.
     SmallAmplitude,
 }
 
-/// An amplitude that falls by an [`EnvelopeLaw`].
+/// An amplitude that decreases by an [`EnvelopeLaw`].
 ///
-/// The law gives the time as an integral over tan(A/2), the logarithm of which is the variable: the integrand is analytic in it
-/// from the bottom to the top.
+/// The law gives the time as an integral in the variable ln tan(A/2), in which the integrand is analytic from the bottom to the top.
 #[derive(Clone, Copy, Debug)]
 pub struct DecayEnvelope<'a> {
     decay: &'a Decay,
@@ -28,7 +27,7 @@ pub struct DecayEnvelope<'a> {
     tangent: f64,
 }
 
-/// The fall of ln tan(A/2) over one panel of the quadrature. Singularities are π/2 away in the imaginary direction.
+/// The decrease of ln tan(A/2) over one panel of the quadrature. Singularities are π/2 away in the imaginary direction.
 const PANEL: f64 = 1.5;
 
 impl<'a> DecayEnvelope<'a> {
@@ -40,7 +39,7 @@ impl<'a> DecayEnvelope<'a> {
     /// The amplitude in radians at a time in seconds after the release; zero below 1e-100 rad.
     ///
     /// # Accuracy
-    /// 1e-13 relative to the law, as long as the amplitude falls by less than nine orders of magnitude.
+    /// Relative error 1e-13 for the given law, as long as the amplitude decreases by less than nine orders of magnitude.
     #[must_use]
     pub fn amplitude_at(&self, time: f64) -> f64 {
         let mut left = time * self.decay.pendulum.angular_frequency();
@@ -60,8 +59,8 @@ impl<'a> DecayEnvelope<'a> {
         if left.is_nan() { f64::NAN } else { 0.0 }
     }
 
-    /// The time in seconds at which the amplitude has fallen to this one; zero where it is not below the start. Amplitudes below 1e-100 rad count as
-    /// 1e-100.
+    /// The time in seconds at which the amplitude has decreased to this one; zero
+    /// if it is not below the start. Amplitudes below 1e-100 rad count as 1e-100.
     #[must_use]
     pub fn time_of(&self, amplitude: &Amplitude) -> f64 {
         let modulus = amplitude.modulus();
@@ -76,9 +75,9 @@ impl<'a> DecayEnvelope<'a> {
         time / self.decay.pendulum.angular_frequency()
     }
 
-    /// The further fall in a panel during `time`, by Newton's method; `whole` is the time of the panel.
+    /// The further decrease in a panel during `time`, by Newton's method; `whole` is the time of the panel.
     fn part(&self, fall: f64, time: f64, whole: f64) -> f64 {
-        /// Four are usual, as the error is squared; more where the step was clamped to the panel.
+        /// Iteration limit; four are usual, as the error is squared, and more if a step was clamped to the panel.
         const MOST: usize = 40;
         if whole.is_infinite() {
             return 0.0;
@@ -88,7 +87,7 @@ impl<'a> DecayEnvelope<'a> {
             let missing = time - self.duration(fall, further);
             let step = missing / self.slowness(fall + further);
             further = (further + step).clamp(0.0, PANEL);
-            // The error is squared at each step.
+            // The error is squared in each iteration.
             if step.abs() <= 1e-9 {
                 break;
             }
@@ -96,12 +95,12 @@ impl<'a> DecayEnvelope<'a> {
         further
     }
 
-    /// The time that a further fall takes, in units of 1/ω0.
+    /// The time for a further decrease, in units of 1/ω0.
     fn duration(&self, fall: f64, further: f64) -> f64 {
         further * gauss(|part| self.slowness(fall + further * part)).value
     }
 
-    /// The time that the logarithm of tan(A/2) takes to fall by one, when dA = sin A d(ln tan(A/2)) and dE = sin A dA.
+    /// The time per unit decrease of ln tan(A/2), with dA = sin A d(ln tan(A/2)) and dE = sin A dA.
     fn slowness(&self, fall: f64) -> f64 {
         let tangent = self.tangent_after(fall);
         let damping = &self.decay.scaled;

@@ -1,16 +1,16 @@
-//! The reasons why there is no decay to describe.
+//! Errors of decays.
 
 use crate::taylor::IntegrationError;
 use libration_pendulum::pendulum::PendulumError;
 
-/// More terms of a damping are refused.
+/// Maximum number of terms of a damping.
 pub(super) const MOST_TERMS: usize = 16;
 
-/// The reason why a damping or a damped motion is impossible.
+/// The reason why a damping or a damped motion is invalid.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DecayError {
-    /// A power of the velocity that is negative or no number.
+    /// A power of the velocity that is negative or NaN.
     #[error("the damping has the velocity to the power {0:?}: give a power of zero or more")]
     Exponent(f64),
     /// A coefficient that is negative or not finite.
@@ -20,7 +20,7 @@ pub enum DecayError {
     Coefficient {
         /// The coefficient.
         coefficient: f64,
-        /// The power of the velocity it stands before.
+        /// The power of the velocity that it multiplies.
         exponent: f64,
     },
     /// More powers than are supported.
@@ -29,7 +29,7 @@ pub enum DecayError {
     /// Coefficients that are all zero.
     #[error("there is no damping: give a coefficient above zero")]
     NoDamping,
-    /// A coefficient too large or too small for numbers.
+    /// A coefficient beyond the range of numbers.
     #[error(
         "the damping with the velocity to the power {exponent:?} is {value:?} in units of the pendulum's own time: give a \
          coefficient nearer to one"
@@ -40,7 +40,7 @@ pub enum DecayError {
         /// The coefficient with 1/ω0 as the unit of time.
         value: f64,
     },
-    /// An amplitude that is none.
+    /// An amplitude that is too small.
     #[error("an amplitude of {0:?} rad is too small: give at least 1e-100")]
     AtRest(f64),
     /// An amplitude at or beyond the top.

@@ -1,7 +1,7 @@
 //! One swing from rest to rest.
 //!
-//! Its velocity has one sign, so that it is one analytic piece: mirrored where it goes down, x″ = −Σ cₙ x′ⁿ − sin x with
-//! x′ > 0. From above a right angle y = x + π is integrated, so that the distance from the top is not lost.
+//! The velocity has one sign, so that the swing is one analytic piece. A downward swing is mirrored to x″ = −Σ cₙ x′ⁿ − sin x with x′ > 0. From
+//! above a right angle y = x + π is integrated, so that the distance from the top is not lost.
 
 use std::f64::consts::FRAC_PI_2;
 use std::ops::ControlFlow;
@@ -16,7 +16,7 @@ use libration_numbers::quantity::Angle;
 use libration_numbers::roots::{Tolerance, bisect};
 use libration_pendulum::pendulum::Amplitude;
 
-/// Swings of a pendulum with some damping, ω0 = 1.
+/// Swings of a pendulum with a given damping, ω0 = 1.
 #[derive(Clone, Debug)]
 pub struct HalfSwing {
     damping: Damping,
@@ -32,12 +32,12 @@ pub struct Frame {
     bottom: DoubleDouble,
 }
 
-/// The duration of a swing and the amplitude at its end, or why it has none.
+/// The duration of a swing and the amplitude at its end, or the reason why it has none.
 pub(super) type Turn = Result<(f64, Amplitude), DecayEnding>;
 
-/// Longest swing, in half periods without damping; a longer one is not a swing.
+/// Longest swing, in undamped half periods; a longer motion does not count as a swing.
 const LONGEST: f64 = 1e3;
-/// Far below the last digit, so that a swing errs by the rounding of its steps alone.
+/// Tolerances far below the last digit, so that the error of a swing is the rounding of its steps.
 pub const EFFORT: Effort = Effort { relative: 1e-17, absolute: 0.0, most_steps: 20_000 };
 
 impl HalfSwing {
@@ -66,7 +66,7 @@ impl HalfSwing {
         let Some((time, coordinate)) = self.turn(frame, &start, longest)? else {
             return Ok(Err(DecayEnding::Creeps));
         };
-        // Only dry friction brings the pendulum to rest on its way down, and there it is more than gravity.
+        // Only dry friction can stop the pendulum on its way down, where it exceeds gravity.
         let is_dry = self.damping.coefficient_of(0.0) > 0.0;
         let before_bottom = if is_dry { DecayEnding::Sticks } else { DecayEnding::Creeps };
         Ok(match frame.angle(coordinate) {
@@ -95,7 +95,7 @@ impl HalfSwing {
         }
     }
 
-    /// A state with which the integration can begin: at rest, or a little later where rest has no Taylor series.
+    /// An initial state for the integration: at rest, or a little later if rest has no Taylor series.
     fn release(&self, coordinate: f64, gravity: f64) -> Moment {
         if self.damping.is_analytic() {
             return Moment { time: 0.0, state: vec![coordinate, 0.0] };
@@ -104,7 +104,7 @@ impl HalfSwing {
         Moment { time: passage.duration, state: vec![coordinate + passage.distance, speed] }
     }
 
-    /// The time and position at which the pendulum comes to rest, if it does so in this step or shortly after.
+    /// The time and position at which the pendulum comes to rest, if it does so in this step or shortly after it.
     fn turn_in(&self, step: &Step, frame: &Frame) -> Option<(f64, f64)> {
         let end = step.state_at(step.end());
         if end[1] <= 0.0 {
@@ -121,7 +121,7 @@ impl HalfSwing {
 }
 
 impl Frame {
-    /// The deceleration by gravity, positive behind the bottom.
+    /// The deceleration by gravity, positive beyond the bottom.
     fn gravity(&self, coordinate: f64) -> f64 {
         libm::sin(self.angle(coordinate))
     }
@@ -130,7 +130,7 @@ impl Frame {
         (two_sum(coordinate, -self.bottom.hi) + DoubleDouble::from(-self.bottom.lo)).to_f64()
     }
 
-    /// The amplitude of a turning point so far behind the bottom.
+    /// The amplitude of a turning point at this angle beyond the bottom.
     fn amplitude(angle: f64) -> Result<Amplitude, DecayEnding> {
         if angle <= LEAST_AMPLITUDE {
             return Err(DecayEnding::Vanishes);
@@ -156,13 +156,13 @@ fn system(gravity: Expression, damping: &Damping) -> System {
     System::new(&equation).expect("no parameter is left")
 }
 
-/// A finite number as it is.
+/// A finite number as an exact formula.
 fn number(value: f64) -> Expression {
     let exact = BigFloat::from_f64(value, 64).map_or_else(|| Rational::from(0), |value| value.to_rational());
     Expression::Number(exact)
 }
 
-/// The time at which the velocity, positive inside the step and not at its end, becomes zero.
+/// The time at which the velocity, positive inside the step but not at its end, vanishes.
 fn zero_of_velocity(step: &Step) -> f64 {
     let moves = |time| step.state_at(time)[1] > 0.0;
     let [_, rest] = bisect([step.start(), step.end()], Tolerance::LAST_BIT, moves);

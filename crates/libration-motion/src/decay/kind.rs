@@ -1,20 +1,20 @@
-//! The kinds of damping that have names.
+//! The named kinds of damping.
 
 use super::PowerLawTerm;
 
-/// A kind of damping that has a name.
+/// A named kind of damping.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum DampingKind {
     /// Dry friction: d·sign θ′, with d in rad/s².
     Dry,
     /// Drag by a viscous fluid: b·θ′, with b in 1/s.
     Linear,
-    /// Drag by a turbulent fluid: c·θ′·|θ′|, with c without a unit.
+    /// Drag by a turbulent fluid: c·θ′·|θ′|, with dimensionless c.
     Quadratic,
 }
 
 impl DampingKind {
-    /// All, in the order of the power of the velocity.
+    /// All kinds, by the power of the velocity.
     pub const ALL: [Self; 3] = [Self::Dry, Self::Linear, Self::Quadratic];
 
     /// `dry`, `linear`, `quadratic`.
@@ -37,7 +37,7 @@ impl DampingKind {
         }
     }
 
-    /// The damping term with a coefficient, in its unit.
+    /// The damping term with a coefficient, in the unit of this kind.
     #[must_use]
     pub fn term(self, coefficient: f64) -> PowerLawTerm {
         PowerLawTerm { exponent: self.exponent(), coefficient }

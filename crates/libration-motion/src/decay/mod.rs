@@ -1,17 +1,17 @@
 //! The decay of the amplitude of a damped pendulum, θ″ + Σ cₙ θ′|θ′|ⁿ⁻¹ + ω0² sin θ = 0: by integration from turning point to turning point, by
-//! averaging with the exact loss of energy in a cycle at any amplitude, and by the law of small amplitudes.
+//! averaging with the exact energy loss per cycle at any amplitude, and by the law of small amplitudes.
 //!
-//! n = 0 is dry friction, n = 1 viscous damping, n = 2 the drag of a fast flow. Averaging takes each cycle for one of the
-//! pendulum without damping, so it holds while a cycle takes a small part of the energy, and of the energy that is missing
-//! to the top, where the period depends on it; its error falls with the square of the damping. Next to the top it
-//! fails however weak the damping is, and so it does at the end of every motion with n < 1.
+//! n = 0 is dry friction, n = 1 viscous damping, n = 2 the drag in a fast flow. Averaging replaces each cycle by
+//! one of the undamped pendulum. It holds as long as a cycle removes a small part of the energy, and also of the
+//! energy difference to the top, on which the period depends; its error falls with the square of the damping.
+//! Next to the top it fails however weak the damping is, and for n < 1 also at the end of every motion.
 //!
 //! ```
 //! # extern crate libration_motion as libration;
 //! use libration::decay::{Damping, Decay, EnvelopeLaw};
 //! use libration::pendulum::Pendulum;
 //!
-//! // A metre of thread, viscous damping, released from 60°: the amplitude after each half swing, and the averaged law next to it.
+//! // A pendulum of one metre with viscous damping, released from 60°: the amplitude after each half swing, and the averaged law.
 //! let pendulum = Pendulum::new(1.0, 9.80665)?;
 //! let decay = Decay::new(pendulum, Damping::of_degree(1.0, 0.02)?, "60deg".parse()?)?;
 //! for turning_point in decay.swings().take(10) {
@@ -50,7 +50,7 @@ pub use error::DecayError;
 pub use kind::DampingKind;
 pub use swings::{Swings, TurningPoint};
 
-/// A damped pendulum that is released from rest.
+/// A damped pendulum released from rest.
 ///
 /// # Examples
 /// ```
@@ -58,7 +58,7 @@ pub use swings::{Swings, TurningPoint};
 /// use libration::decay::{Damping, Decay, EnvelopeLaw};
 /// use libration::pendulum::Pendulum;
 ///
-/// // Drag of a fast flow, ω0 = 1, released from 1 rad.
+/// // Quadratic drag, ω0 = 1, released from 1 rad.
 /// let pendulum = Pendulum::from_angular_frequency(1.0)?;
 /// let decay = Decay::new(pendulum, Damping::of_degree(2.0, 0.1)?, "1rad".parse()?)?;
 /// let fourth_return = decay.swings().nth(8).ok_or("it does not come back")??;
@@ -77,15 +77,14 @@ pub struct Decay {
     start: Amplitude,
 }
 
-/// Smaller amplitudes count as none.
+/// Smallest amplitude; lower ones count as zero.
 const LEAST_AMPLITUDE: f64 = 1e-100;
 
 impl Decay {
-    /// The motion after release from rest at an angle, whose sign does not matter.
+    /// The motion after release from rest at an angle of either sign.
     ///
     /// # Errors
-    /// An angle at or beyond ±π, or below 1e-100 rad; a damping whose coefficients leave the range of numbers in the units of
-    /// the pendulum.
+    /// An angle at or beyond ±π, or below 1e-100 rad; a damping whose coefficients leave the range of numbers in units of the pendulum.
     pub fn new(pendulum: Pendulum, damping: Damping, start: Angle) -> Result<Self, DecayError> {
         let start = Amplitude::new(start)?;
         if start.radians() < LEAST_AMPLITUDE {
@@ -101,7 +100,7 @@ impl Decay {
         self.pendulum
     }
 
-    /// Its damping.
+    /// The damping of the pendulum.
     #[must_use]
     pub fn damping(&self) -> &Damping {
         &self.damping
@@ -113,14 +112,13 @@ impl Decay {
         self.scaled.terms()
     }
 
-    /// The amplitude from which it is released.
+    /// The amplitude of the release.
     #[must_use]
     pub fn start(&self) -> Amplitude {
         self.start
     }
 
-    /// The part of its energy that the pendulum would lose in a cycle that it went through as if without damping. Where
-    /// this is not small, averaging does not hold.
+    /// The fraction of its energy that the pendulum would lose in a cycle of the undamped motion. If it is not small, averaging does not hold.
     #[must_use]
     pub fn loss_in_a_cycle(&self, amplitude: &Amplitude) -> f64 {
         let modulus = amplitude.modulus().modulus();
@@ -128,8 +126,8 @@ impl Decay {
         0.5 * (cycle.loss(&self.scaled) / modulus) / modulus
     }
 
-    /// The amplitude at or below which dry friction holds the pendulum where it turns, as it does from π minus this
-    /// on; zero without dry friction, a right angle where it holds everywhere.
+    /// The amplitude at or below which dry friction holds the pendulum at a turning point; it also holds it from π minus this amplitude on. Zero
+    /// without dry friction, a right angle if friction holds everywhere.
     #[must_use]
     pub fn sticking_amplitude(&self) -> f64 {
         libm::asin(self.scaled.coefficient_of(0.0).min(1.0))
@@ -141,7 +139,7 @@ impl Decay {
         DecayEnvelope::new(self, law)
     }
 
-    /// The turning points, one after the other, by integration of the equation of motion. The first is the start.
+    /// The consecutive turning points, by integration of the equation of motion; the first is the start.
     #[must_use]
     pub fn swings(&self) -> Swings<'_> {
         Swings::new(self)

@@ -1,10 +1,10 @@
 //! Integration of a damped motion from turning point to turning point.
 //!
 //! # Method
-//! Between turning points the velocity has one sign, so that each swing is one analytic piece, mirrored where it goes down; from above a right
-//! angle it is integrated from the top (`half_swing.rs`). Where a power of the velocity is not whole, rest has no Taylor series: next to it gravity
-//! is constant to 1e-10, and time and distance are integrals (`turning.rs`). Averaged laws are autonomous, so that they give the time as an
-//! integral over ln tan(A/2), analytic from the bottom to the top, which is inverted (`envelope.rs`).
+//! Between turning points the velocity has one sign, so that each swing is one analytic piece, mirrored for downward motion; from above a right
+//! angle it is integrated from the top (`half_swing.rs`). If a power of the velocity is not an integer, rest has no Taylor series: next to rest
+//! gravity is constant to 1e-10, and time and distance are integrals (`turning.rs`). Averaged laws are autonomous, so that they give the time as
+//! an integral over ln tan(A/2), analytic from the bottom to the top, which is inverted (`envelope.rs`).
 
 use super::ending::DecayEnding;
 use super::half_swing::{HalfSwing, Turn};
@@ -22,11 +22,11 @@ pub struct TurningPoint {
     pub amplitude: Amplitude,
 }
 
-/// The turning points of a damped pendulum, in the order of time; see [`Decay::swings`]. After an error there are no more.
+/// The turning points of a damped pendulum, in chronological order; see [`Decay::swings`]. The sequence ends after an error.
 ///
 /// # Accuracy
-/// Each swing errs by some 1e-15 of ω0t and of the amplitude it begins with; at powers of the velocity that are not whole by
-/// 1e-13. Above a right angle an amplitude is good to 1e-15 of π.
+/// Each swing has an error of about 1e-15 of ω0t and of its initial amplitude, or 1e-13 for powers of
+/// the velocity that are not integers. Above a right angle an amplitude is accurate to 1e-15 of π.
 #[derive(Clone, Debug)]
 pub struct Swings<'a> {
     decay: &'a Decay,
@@ -44,13 +44,13 @@ impl<'a> Swings<'a> {
         Self { decay, swing, time: DoubleDouble::ZERO, amplitude: None, ended: None }
     }
 
-    /// The reason why there are no more turning points; `None` as long as there may be one, and after an error.
+    /// The reason why the turning points end; `None` as long as there may be another one, and after an error.
     #[must_use]
     pub fn ending(&self) -> Option<DecayEnding> {
         self.ended.and_then(Result::ok)
     }
 
-    /// The turning point after the last one, or why there is none.
+    /// The turning point after the last one, or the reason why there is none.
     fn following(&self) -> Result<Turn, IntegrationError> {
         self.amplitude.map_or(Ok(Ok((0.0, self.decay.start))), |amplitude| self.swing.after(&amplitude))
     }

@@ -1,4 +1,4 @@
-//! Close to a turning point, where powers of the velocity that are not whole have no Taylor series.
+//! Motion close to a turning point, where non-integer powers of the velocity have no Taylor series.
 
 use super::Damping;
 use libration_numbers::quadrature::double_exponential;
@@ -9,8 +9,7 @@ pub(super) struct Passage {
     pub(super) distance: f64,
 }
 
-/// The speed, as a part of the acceleration by gravity, below which gravity does not change: to 1e-10 of itself, on a
-/// distance that is 1e-10 as large.
+/// Speed, relative to the acceleration by gravity, below which gravity is constant: to 1e-10 of itself, over a distance that is 1e-10 as large.
 const SLOW: f64 = 1e-5;
 
 /// The passage from rest to a small speed, which is returned too.
@@ -22,7 +21,7 @@ pub(super) fn departure(gravity: f64, damping: &Damping) -> (Passage, f64) {
     (passage(speed, |velocity| gravity - damping.at(velocity)), speed)
 }
 
-/// Returns whether a speed against gravity is so small that the rest of the motion is an [`arrival`].
+/// Returns `true` if a speed against gravity is so small that the rest of the motion is an [`arrival`].
 pub(super) fn is_close(speed: f64, gravity: f64) -> bool {
     speed <= SLOW * gravity
 }
@@ -32,7 +31,7 @@ pub(super) fn arrival(speed: f64, gravity: f64, damping: &Damping) -> Passage {
     passage(speed, |velocity| gravity + damping.at(velocity))
 }
 
-/// dt = dv/a and dx = v dv/a.
+/// The passage by integration of dt = dv/a and dx = v dv/a.
 fn passage(speed: f64, acceleration: impl Fn(f64) -> f64) -> Passage {
     Passage {
         duration: speed * double_exponential(|part| 1.0 / acceleration(speed * part)).value,

@@ -1,4 +1,4 @@
-//! The acceleration of one coordinate, and what rounding does to it.
+//! The acceleration of one coordinate, and its rounding errors.
 
 use super::path::Path;
 use libration_kernels::double_double::DoubleDouble;
@@ -18,13 +18,13 @@ pub struct Acceleration {
     pub(super) is_reversible: bool,
 }
 
-/// States at which the rounding is measured.
+/// Number of states at which the rounding error is measured.
 const LOOKS: usize = 8;
-/// Bits in which the rounding of double precision shows.
+/// Precision in bits that resolves the rounding of double precision.
 const PRECISION: usize = 128;
 
 impl Acceleration {
-    /// The acceleration of the first coordinate, which is the only one.
+    /// The acceleration of the only coordinate.
     pub fn new(equation: &Equation) -> Result<Self, WithoutValue> {
         let name = equation.variables().first().map_or("", String::as_str);
         let velocity = Symbol::plain(name).with_primes(1);
@@ -35,24 +35,24 @@ impl Acceleration {
         Ok(Self { tape, is_free_of_velocity, is_reversible })
     }
 
-    /// Returns whether the formula contains neither |…| nor sign(…), which have no derivative at zero.
+    /// Returns `true` if the formula contains neither |…| nor sign(…), which have no derivative at zero.
     pub(super) fn is_smooth(&self) -> bool {
         let kink = |operation: &Operation| matches!(operation, Operation::Abs(_) | Operation::Sign(_));
         let operations = self.tape.operations().iter().enumerate();
         !operations.into_iter().any(|(place, operation)| kink(operation) && !self.tape.is_constant(place))
     }
 
-    /// NaN where it has no value.
+    /// The acceleration at a state; NaN if it has no value.
     pub(super) fn at(&self, state: &[f64]) -> f64 {
         Jet::new(&Doubles, &self.tape, state).map_or(f64::NAN, |jet| jet.result(0)[0])
     }
 
-    /// Returns whether the acceleration has a value that double precision cannot represent.
+    /// Returns `true` if the acceleration has a value that double precision cannot represent.
     pub(super) fn is_too_large(&self, state: &[f64]) -> bool {
         self.tape.overflows_at(state)
     }
 
-    /// The largest acceleration on a path, and the largest part of it that rounding the place and the operations makes wrong.
+    /// The largest acceleration on a path, and the largest relative error of it from rounding of the position and of the operations.
     pub(super) fn largest_and_rounding(&self, path: &Path) -> [f64; 2] {
         let states: Vec<Vec<f64>> = path.states().collect();
         let largest = states.iter().map(|state| self.at(state).abs()).fold(0.0, f64::max);
@@ -61,8 +61,9 @@ impl Acceleration {
         [largest, errors.fold(0.0, f64::max) / largest]
     }
 
-    /// The difference between the acceleration in double precision and that at a position which rounds to this one. Zero where a |…| or a sign
-    /// changes its branch between such positions: over so short a distance a jump changes the energy as much as rounding the position does.
+    /// The difference between the acceleration in double precision and that at a position which
+    /// rounds to this one. Zero if a |…| or a sign changes its branch between these positions: over
+    /// so short a distance a jump changes the energy no more than rounding of the position does.
     fn error(&self, state: &[f64]) -> Option<f64> {
         let ring = Floats { precision: PRECISION };
         let exact: Vec<BigFloat> =
@@ -81,7 +82,7 @@ impl Acceleration {
         Some((above.result(0)[0].clone() - own).to_f64().abs())
     }
 
-    /// Returns whether the argument of a |…| or a sign is zero in one of two states, or has opposite signs in them.
+    /// Returns `true` if the argument of a |…| or a sign is zero in one of two states, or has opposite signs in them.
     fn changes_branch(&self, state: &Jet<'_, Floats>, other: &Jet<'_, Floats>) -> bool {
         let values = |jet: &Jet<'_, Floats>| -> Vec<f64> { jet.values().map(BigFloat::to_f64).collect() };
         let states = [values(state), values(other)];
@@ -96,7 +97,7 @@ impl Acceleration {
     }
 }
 
-/// Returns whether a formula is proved to be even in a symbol.
+/// Returns `true` if a formula is proved to be even in a symbol.
 fn is_even(formula: &Expression, symbol: &Symbol) -> bool {
     let opposite = Expression::Negate(Box::new(Expression::Symbol(symbol.clone())));
     let mirrored = formula.substitute(symbol, &opposite);

@@ -1,4 +1,4 @@
-//! One round from a state, and how its end depends on its start.
+//! One round of an orbit from a state, and the dependence of its end on its start.
 
 use super::error::OrbitError;
 use super::near::OrbitGuess;
@@ -28,11 +28,11 @@ pub(super) struct Round {
     pub(super) rate: Vec<f64>,
 }
 
-/// Smallest size of a component, as a part of its distance from zero; a component that moves by less is measured by this size.
+/// Smallest scale of a component relative to its distance from zero; a component that moves by less is measured by this scale.
 const LEAST_SIZE: f64 = 1e-5;
-/// Steps of one round; van der Pol's oscillator with the strength 1000 takes 3e5.
+/// Maximum number of steps of one round; van der Pol's oscillator with the strength 1000 takes 3e5.
 const MOST_STEPS: usize = 1_000_000;
-/// The tolerance to which variations are integrated, and another one that makes other errors.
+/// The tolerance for integrating variations, and another one with different errors.
 const VARIATIONS: [f64; 2] = [1e-15, 1e-14];
 
 impl<'w> Rounds<'w> {
@@ -44,7 +44,7 @@ impl<'w> Rounds<'w> {
         &self.flow.layout
     }
 
-    /// The motion alone.
+    /// The motion without derivatives.
     pub(super) fn path(
         &self,
         state: &[f64],
@@ -55,7 +55,7 @@ impl<'w> Rounds<'w> {
         Path::to_time(self.flow.system(), &start, duration, &self.flow.effort(tolerance), self.watch)
     }
 
-    /// The motion of one coordinate with a velocity from a maximum to the next, which is expected after about the period of the guess.
+    /// The motion of one second-order coordinate from a maximum to the next one, expected after about the period of the guess.
     pub(super) fn turn(&self, start: &OrbitGuess, tolerance: f64) -> Result<Option<Path>, IntegrationError> {
         let horizons = [1.5 * start.period, 2.0 * start.period];
         let start = Moment { time: 0.0, state: start.state.clone() };
@@ -67,7 +67,7 @@ impl<'w> Rounds<'w> {
         })
     }
 
-    /// The motion with its deviations.
+    /// The motion with its derivatives.
     pub(super) fn round(&self, state: &[f64], duration: f64) -> Result<Round, OrbitError> {
         let path = self.path(state, duration, 1e-17)?;
         let end = path.state_at(duration);
@@ -77,8 +77,8 @@ impl<'w> Rounds<'w> {
         Ok(Round { path, defect, monodromy, rate })
     }
 
-    /// The number of the state that keeps its value while a cycle is closed that begins at a maximum of the first coordinate: the
-    /// velocity, and without one what moves fastest there, since the coordinate itself stands still.
+    /// The index of the component that is held fixed when a cycle is closed that begins at a maximum of the first coordinate: the velocity of
+    /// that coordinate or, without one, the component that changes fastest there, since the coordinate itself is stationary.
     pub(super) fn held_at_maximum(&self, guess: &OrbitGuess) -> Result<usize, OrbitError> {
         if let Some(velocity) = self.layout().velocity(0) {
             return Ok(velocity);
@@ -104,7 +104,7 @@ impl<'w> Rounds<'w> {
         self.flow.variations(state, &[], times, VARIATIONS[0], || self.watch.flow())
     }
 
-    /// The derivatives by the start to another tolerance, and the largest size of each derivative on the way.
+    /// The derivatives with respect to the start with another tolerance, and the largest magnitude of each derivative on the way.
     pub(super) fn largest_variations(
         &self,
         state: &[f64],
@@ -115,7 +115,7 @@ impl<'w> Rounds<'w> {
         Ok([end.by_start, largest])
     }
 
-    /// The derivative of the state by the time.
+    /// The time derivative of the state.
     pub(super) fn rate(&self, state: &[f64], time: f64) -> Result<Vec<f64>, OrbitError> {
         let refusal = || OrbitError::Start { state: state.to_vec(), wanted: self.layout().numbers() };
         self.flow.rate(state, time, &[]).ok_or_else(refusal)
@@ -123,8 +123,8 @@ impl<'w> Rounds<'w> {
 }
 
 impl Round {
-    /// The range of each state component on the orbit, in which its errors are measured: at least [`LEAST_SIZE`] of the coordinate, and the range of
-    /// the others of its kind if it hardly moves at all.
+    /// The range of each state component on the orbit, the scale of its errors: at least [`LEAST_SIZE`]
+    /// of the coordinate, and the range of the other components of its kind if it hardly moves at all.
     pub(super) fn sizes(&self, layout: &StateLayout, start: &OrbitGuess) -> Vec<f64> {
         let pace = TAU / start.period;
         let least = |number: usize| {

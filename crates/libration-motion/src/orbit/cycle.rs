@@ -1,4 +1,4 @@
-//! Limit cycles: what a motion settles to.
+//! Limit cycles, to which motions settle.
 
 use super::closing::Rounds;
 use super::drift::{MOST_LEAPS, leap};
@@ -17,31 +17,31 @@ use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Progress;
 use std::ops::ControlFlow;
 
-/// Maxima of the first coordinate that are waited for: deviations that shrink by 0.23 % from one to the next, 0.9977³⁰⁰⁰ = 10⁻³, are
-/// gone by then.
+/// Maximum number of maxima of the first coordinate during settling: deviations that
+/// shrink by 0.23 % from one to the next, 0.9977³⁰⁰⁰ = 10⁻³, have vanished by then.
 const MOST_MAXIMA: usize = 3000;
-/// Steps of the search after a maximum, before it is given up: a turn of van der Pol's oscillator with the strength
-/// 1000 takes 3e5, and their number grows as the square of the strength.
+/// Maximum number of steps after a maximum: a turn of van der Pol's oscillator with
+/// the strength 1000 takes 3e5, and the number grows with the square of the strength.
 const MOST_STEPS: usize = 500_000;
 /// Largest number of maxima between a state and its return: a cycle that has doubled its period three times.
 const LONGEST: usize = 8;
-/// Swings below this part of the whole range are rest: a thousand tolerances of the search.
+/// Swings below this fraction of the whole range count as rest: a thousand tolerances of the search.
 const VANISHED: f64 = 1e-9;
-/// A motion so slow that it would take this many times the time so far to cross its range comes to rest: past a saddle, where rounding drives it
-/// away at 1e-16 of its size, no motion is so slow.
+/// Distance covered in the elapsed time at the current speed, relative to the range, below which the motion comes to rest: past a saddle, from
+/// which rounding drives it away at 1e-16 of its size, a motion is never that slow.
 const FADED: f64 = 1e-30;
-/// A state has returned when it differs by less than this part of the swing; Newton's method does the rest.
+/// Difference from an earlier state, relative to the swing, below which the motion has returned; Newton's method does the rest.
 const RETURNED: f64 = 1e-3;
 
 impl Orbit {
     /// The limit cycle to which the motion from a start settles; it begins at a maximum of the first coordinate.
     ///
     /// # Accuracy
-    /// As [`period_uncertainty`](Self::period_uncertainty) says.
+    /// As stated by [`period_uncertainty`](Self::period_uncertainty).
     ///
     /// # Errors
-    /// The time in the equation; a motion that comes to rest, leads to infinity, or does not repeat itself.
-    /// [`OrbitError::Interrupted`] if the call is cancelled.
+    /// The time in the equation; a motion that comes to rest, diverges, or does
+    /// not repeat itself. [`OrbitError::Interrupted`] if the call is cancelled.
     ///
     /// # Examples
     /// ```
@@ -65,7 +65,7 @@ impl Orbit {
         Ok(cycle_unless(none_asked, equation, start, &Watch::new(progress))?.1)
     }
 
-    /// The limit cycle to which a motion without drive settles, or the orbit through the start itself where it is one of a family.
+    /// The limit cycle to which an autonomous motion settles, or the orbit through the start itself if it is one of a family.
     pub(super) fn undriven(
         equation: &Equation,
         start: &[f64],
@@ -78,7 +78,7 @@ impl Orbit {
     }
 }
 
-/// The cycle to which a motion settles, unless there is an orbit of a family of about its period.
+/// The cycle to which a motion settles, unless there is an orbit of a family with about its period.
 fn cycle_unless(
     family: impl Fn(&Rounds<'_>, f64) -> Result<Option<Orbit>, OrbitError>,
     equation: &Equation,
@@ -96,7 +96,7 @@ fn cycle_unless(
     }
 }
 
-/// The cycle near a guess, or where the drift of a turn leads to.
+/// The cycle near a guess, or near the states to which the drift of a turn leads.
 fn drifted(equation: &Equation, rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<Orbit, OrbitError> {
     let mut outcome = at_maximum(equation, rounds, guess);
     let mut at = guess.clone();
@@ -122,7 +122,7 @@ fn at_maximum(equation: &Equation, rounds: &Rounds<'_>, guess: &OrbitGuess) -> R
 
 /// The motion followed from maximum to maximum until it repeats itself.
 fn settled(system: &System, start: &[f64], watch: &Watch<'_>) -> Result<OrbitGuess, OrbitError> {
-    /// A time that no motion comes to: the maxima or the steps end the search before.
+    /// A time beyond every motion: the limits of maxima or steps end the search before.
     const FAR: f64 = 1e300;
     let mut maxima = Maxima::new(system.layout());
     let mut guess = None;
@@ -165,10 +165,10 @@ fn lost(error: Option<IntegrationError>, maxima: &Maxima) -> OrbitError {
 
 /// The maxima of the first coordinate so far.
 struct Maxima {
-    /// The number of the first coordinate's velocity.
+    /// The index of the first coordinate's velocity.
     velocity: Option<usize>,
     found: Vec<Moment>,
-    /// Steps since the last one.
+    /// Steps since the last maximum.
     steps: usize,
     /// Largest change of each state component since the last maximum.
     moved: Vec<f64>,
@@ -176,11 +176,11 @@ struct Maxima {
     swing: Vec<f64>,
     /// The least and the greatest value of the first coordinate so far.
     range: (f64, f64),
-    /// The time so far.
+    /// The elapsed time.
     time: f64,
     /// Speed of the first coordinate at that time.
     pace: f64,
-    /// Steps one after the other with next to no motion at their ends.
+    /// Number of consecutive steps with almost no motion at their ends.
     faded: usize,
 }
 
@@ -200,7 +200,7 @@ impl Maxima {
         }
     }
 
-    /// Takes a step into account; a guess of the cycle when one shows.
+    /// Processes a step; returns a guess of the cycle as soon as the motion repeats itself.
     fn watch(&mut self, step: &Step<'_>) -> Option<OrbitGuess> {
         self.steps += 1;
         self.time = step.end();
@@ -214,7 +214,7 @@ impl Maxima {
         let time = turn_in(step).filter(|_| rises)?;
         let mut state = step.state_at(time);
         if let Some(velocity) = self.velocity {
-            // Of a maximum only rounding makes something that still moves.
+            // At a maximum a remaining velocity is a rounding error.
             state[velocity] = 0.0;
         }
         self.swing = std::mem::replace(&mut self.moved, vec![0.0; state.len()]);
@@ -239,28 +239,29 @@ impl Maxima {
         differences.into_iter().all(|((now, then), swing)| (now - then).abs() <= RETURNED * swing)
     }
 
-    /// Returns whether the search has reached its limit of maxima or of steps since the last one.
+    /// Returns `true` if the search has reached its limit of maxima, or of steps since the last one.
     fn are_enough(&self) -> bool {
         self.found.len() >= MOST_MAXIMA || self.steps >= MOST_STEPS
     }
 
-    /// Returns whether the motion has faded at the ends of several steps, one of which may be a turning point.
+    /// Returns `true` if the motion has faded at the ends of several steps, one of which may be a turning point.
     fn fade(&self) -> bool {
         self.faded >= 3
     }
 
-    /// Returns whether the first coordinate is at rest: at its speed it would take many times the elapsed time for a significant part of its range.
+    /// Returns `true` if the first coordinate is at rest: at its speed it would
+    /// take many times the elapsed time for a significant part of its range.
     fn is_still(&self) -> bool {
         self.pace * self.time < VANISHED * (self.range.1 - self.range.0)
     }
 
-    /// Returns whether the first coordinate has gone farther than any orbit that is searched for.
+    /// Returns `true` if the first coordinate is farther away than any orbit that is searched.
     fn goes_away(&self) -> bool {
         const FAR: f64 = 1e100;
         self.range.1 - self.range.0 > FAR
     }
 
-    /// Returns whether the last swing is negligible compared with the whole range.
+    /// Returns `true` if the last swing is negligible compared with the whole range.
     fn vanish(&self) -> bool {
         self.found.len() > 1 && self.swing[0] < VANISHED * (self.range.1 - self.range.0)
     }

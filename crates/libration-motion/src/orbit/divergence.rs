@@ -1,4 +1,4 @@
-//! The rate at which deviations of one coordinate shrink or grow together.
+//! The divergence of the flow of one coordinate: the growth rate of volumes of deviations.
 
 use super::path::Path;
 use libration_numbers::algebra::Doubles;
@@ -7,14 +7,14 @@ use libration_numbers::{
     internals::expression::{Jet, Tape},
 };
 
-/// The rate at which deviations of one autonomous coordinate shrink or grow together: ∂F/∂x′.
+/// The divergence ∂F/∂x′ of one autonomous coordinate, the rate at which the volume of deviations grows.
 #[derive(Debug)]
 pub(super) struct Divergence {
     of_state: Tape,
 }
 
 impl Divergence {
-    /// `None` for several coordinates, or a derivative without values.
+    /// The divergence; `None` for several coordinates, or a derivative without values.
     pub(super) fn new(equation: &Equation) -> Option<Self> {
         let [variable] = equation.variables() else { return None };
         equation.refuse_first_order().ok()?;
@@ -24,7 +24,7 @@ impl Divergence {
         Some(Self { of_state: Tape::new(&[&slope], &[x, velocity]).ok()? })
     }
 
-    /// Its integral along a motion.
+    /// The integral of the divergence along a motion.
     pub(super) fn along(&self, path: &Path) -> f64 {
         path.integral(|state| {
             Jet::new(&Doubles, &self.of_state, state).map_or(f64::NAN, |jet| jet.result(0)[0])

@@ -1,21 +1,20 @@
-//! Weak limit cycles, to which a motion drifts by less in a turn than distinguishes it from a cycle: x″ = μ(1 − x²)x′ − x with a small μ.
+//! Weak limit cycles, for which the drift in one turn is too small to distinguish the turn from a cycle: x″ = μ(1 − x²)x′ − x with a small μ.
 //!
-//! Newton's method from such a turn leads to the rest that the motion leaves, where the growth of deviations is still the larger one. The
-//! drift of one turn is the slope of a slow motion, which is followed in leaps of many turns until Newton's method leads to the cycle.
+//! From such a turn Newton's method leads to the equilibrium that the motion leaves, where the growth of deviations still dominates. The drift
+//! in one turn is the slope of a slow motion, which is followed in leaps of many turns until Newton's method leads to the cycle.
 
 use super::closing::Rounds;
 use super::error::OrbitError;
 use super::near::OrbitGuess;
 use crate::periodic::norm;
 
-/// A leap changes the state by this part of its way in half a turn. From a fourth of its amplitude van der Pol's cycle is in reach of
-/// Newton's method, which begins at three fifths, after seven of them.
+/// Change of the state in one leap, relative to its way in half a turn. From a fourth of its amplitude, van der Pol's cycle is reached by
+/// Newton's method, which succeeds from three fifths on, after seven leaps.
 const LEAP: f64 = 0.15;
-/// Largest number of leaps; an amplitude grows by e⁹ = 8000 in this many.
+/// Maximum number of leaps, in which an amplitude grows by e⁹ = 8000.
 pub(super) const MOST_LEAPS: usize = 60;
 
-/// The maximum to which the drift of one turn leads from a maximum in a leap; `None` where the first coordinate has no velocity, or does not
-/// turn.
+/// The maximum after one leap in the direction of the drift in one turn; `None` if the first coordinate has no velocity, or does not turn.
 pub(super) fn leap(rounds: &Rounds<'_>, from: &OrbitGuess) -> Result<Option<OrbitGuess>, OrbitError> {
     let Some(velocity) = rounds.layout().velocity(0) else { return Ok(None) };
     let Some(path) = rounds.turn(from, 1e-16)? else { return Ok(None) };

@@ -1,4 +1,4 @@
-//! Answers to a periodic force.
+//! Periodic responses to a periodic force.
 
 use super::closing::Rounds;
 use super::error::{OrbitError, finished};
@@ -11,23 +11,22 @@ use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Progress;
 
 impl Orbit {
-    /// The periodic motion of a system whose force depends on the time t, near a state at t = 0: a fixed point of the map from
-    /// one period to the next. The period is that of the force, or a multiple of it for subharmonic answers.
+    /// The periodic motion of a system whose force depends on the time t, near a state at t = 0: a fixed point of the map over one period. The
+    /// period is that of the force, or a multiple of it for subharmonic responses.
     ///
-    /// Newton's method is tried at the start, and again after the motion has been followed for 10, 20, … periods, which leads to
-    /// what attracts.
+    /// Newton's method is tried at the start, and again after the motion has
+    /// been followed for 10, 20, … periods, which leads to attracting motions.
     ///
     /// # Errors
-    /// No time in the equation, a period or a start that cannot be, motions that cannot be followed, and
-    /// [`OrbitError::NoConvergence`].
-    /// [`OrbitError::Interrupted`] if the call is cancelled.
+    /// No time in the equation, an invalid period or start, motions that cannot be integrated,
+    /// and [`OrbitError::NoConvergence`]. [`OrbitError::Interrupted`] if the call is cancelled.
     ///
     /// # Examples
     /// ```
     /// # extern crate libration_motion as libration;
     /// use libration::orbit::Orbit;
     /// use libration::progress::Quiet;
-    /// // x = cos(2t/3)/(1 − 4/9) is the answer of the oscillator without damping.
+    /// // x = cos(2t/3)/(1 − 4/9) is the response of the oscillator without damping.
     /// let orbit = Orbit::driven(&"x'' = -x + cos(2t/3)".parse()?, &[1.0, 0.2], 3.0 * std::f64::consts::PI, &Quiet)?;
     /// assert!((orbit.start()[0] - 1.8).abs() < 1e-14);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -39,8 +38,8 @@ impl Orbit {
         progress: &dyn Progress,
     ) -> Result<Self, OrbitError> {
         let watch = &Watch::new(progress);
-        /// A transient that falls to a tenth in ten periods is 1e-4 of itself after the four later starts; what falls more slowly has
-        /// been given to Newton's method, which needs no transient to fall.
+        /// Number of trials. A transient that decreases to a tenth in ten periods is 1e-4 of its size after the four later starts; slower
+        /// transients may remain, since Newton's method does not require their decay.
         const TRIES: u32 = 5;
         if !depends_on_time(equation) {
             return Err(OrbitError::NotDriven);
@@ -50,7 +49,7 @@ impl Orbit {
         let mut guess = OrbitGuess { state: start.to_vec(), period };
         let mut outcome = closed(equation, &rounds, &guess, &unknowns);
         for _ in 1..TRIES {
-            // What ends at rest may come to the orbit that the motion goes to instead.
+            // A trial that ended at rest may still reach the orbit to which the motion settles.
             if !matches!(outcome, Err(OrbitError::NoConvergence { .. } | OrbitError::NoCycle(_))) {
                 break;
             }
@@ -60,7 +59,7 @@ impl Orbit {
         finished(outcome, watch)
     }
 
-    /// The same by Newton's method alone, which leads to what does not attract too.
+    /// The driven orbit, by Newton's method alone, which leads to repelling motions too.
     #[doc(hidden)]
     pub fn driven_near(
         equation: &Equation,

@@ -1,4 +1,4 @@
-//! Reasons why there is no periodic orbit, or why it is not found.
+//! Reasons why a periodic orbit does not exist or was not found.
 
 use crate::taylor::{Cause, IntegrationError};
 use libration_numbers::expression::{SecondOrderError, WithoutValue};
@@ -9,19 +9,19 @@ use libration_numbers::progress::Interrupted;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum OrbitError {
-    /// A parameter that is left open.
+    /// A parameter without a value.
     #[error(transparent)]
     WithoutValue(#[from] WithoutValue),
-    /// A release from rest of what has no velocity.
+    /// A release from rest of a variable without a velocity.
     #[error(transparent)]
     NotSecondOrder(#[from] SecondOrderError),
-    /// A release of more or less than one coordinate.
+    /// A release from rest in several coordinates.
     #[error("a release from rest is for one coordinate, and there are {0}: give a guess of the whole orbit")]
     SeveralCoordinates(usize),
-    /// A release where the force changes in time.
+    /// A release from rest under a time-dependent force.
     #[error("the force depends on the time t: look for the orbit with the period of the drive instead")]
     DependsOnTime,
-    /// A cycle of its own where the force sets the beat.
+    /// A driven orbit under a force that does not depend on the time.
     #[error("the force does not depend on the time t, so there is no drive period")]
     NotDriven,
     /// A state of the wrong length, or with numbers that are not finite.
@@ -34,54 +34,54 @@ pub enum OrbitError {
         /// The number of components that the state should have.
         wanted: usize,
     },
-    /// A period that cannot be.
+    /// An invalid period.
     #[error("the period is {0:?}: give a finite number above zero")]
     Period(f64),
-    /// No period where one is needed.
+    /// A missing period.
     #[error("no period is known: give the period of the drive, or a guess of that of the orbit")]
     NoPeriod,
-    /// A start in equilibrium.
+    /// A start at an equilibrium.
     #[error("the accelerations vanish at {0:?}: a body released there stays there")]
     AtRest(Vec<f64>),
-    /// A release where the acceleration, or a part of its formula, is beyond double precision.
+    /// A release at which the acceleration, or a part of its formula, is beyond double precision.
     #[error(
         "at {0:?} the acceleration, or a part of its formula, is beyond 1.8e308, the range of numbers: give a smaller amplitude, or \
          measure in other units"
     )]
     TooLarge(f64),
-    /// A release where squares of displacements and velocities are at the end of the range of numbers.
+    /// A release for which squares of displacements and velocities are at the limits of the range of numbers.
     #[error(
         "released at {0:?} squares of the displacement and the velocity are below 1e-292, the end of the range of numbers with all \
          digits: give a larger amplitude, or measure in other units"
     )]
     TooSmall(f64),
-    /// A release where there is no acceleration.
+    /// A release at which the acceleration has no value.
     #[error("the acceleration has no value at {0:?}: give another amplitude")]
     NoValue(f64),
-    /// A motion that comes to rest no more.
+    /// A motion that does not come to rest again.
     #[error("released at {start:?}, the motion does not return: {why}")]
     NoReturn {
-        /// The place of the release.
+        /// The position of the release.
         start: f64,
         /// The behaviour of the motion.
         why: Lost,
     },
-    /// A motion that conserves energy and yet comes to rest elsewhere than it began.
+    /// A motion that conserves energy but comes to rest elsewhere than it began.
     #[error(
         "released at {0:?} the motion comes so near an unstable equilibrium that rounding errors decide where it goes from \
          there: the release is on the separatrix to all digits"
     )]
     Separatrix(f64),
-    /// An oscillation about another equilibrium than the one that is meant.
+    /// An oscillation about another equilibrium than the requested one.
     #[error(
         "released at {start:?} the motion goes to {other_side:?} and back, about another equilibrium than the one at {centre:?}"
     )]
     Elsewhere {
-        /// The place of the release.
+        /// The position of the release.
         start: f64,
-        /// The other turning point.
+        /// The turning point on the other side.
         other_side: f64,
-        /// The equilibrium that is meant.
+        /// The requested equilibrium.
         centre: f64,
     },
     /// A motion that comes to rest elsewhere than it began.
@@ -90,7 +90,7 @@ pub enum OrbitError {
          no period"
     )]
     NotClosed {
-        /// The place of the release.
+        /// The position of the release.
         start: f64,
         /// The next maximum or minimum on the same side.
         end: f64,
@@ -101,9 +101,9 @@ pub enum OrbitError {
          {period:.3} or infinite: the release is on the separatrix to all digits"
     )]
     Unsure {
-        /// The place of the release.
+        /// The position of the release.
         start: f64,
-        /// The period that was found.
+        /// The computed period.
         period: f64,
         /// The uncertainty of the period.
         uncertainty: f64,
@@ -111,14 +111,14 @@ pub enum OrbitError {
     /// A motion that does not settle.
     #[error("the motion does not settle on a limit cycle: {0}")]
     NoCycle(Lost),
-    /// Newton's method at its end.
+    /// Newton's method reached its limit.
     #[error(
         "no periodic orbit is found near the start: after {rounds} iterations of Newton's method it fails to close by {defect:.1e} of its size; give a better guess"
     )]
     NoConvergence {
-        /// Rounds of Newton's method.
+        /// Number of iterations of Newton's method.
         rounds: usize,
-        /// The distance between start and end, in sizes of the orbit.
+        /// The distance between start and end, relative to the size of the orbit.
         defect: f64,
     },
     /// An orbit so unstable that rounding errors of its start decide where it ends.
@@ -137,7 +137,7 @@ pub enum OrbitError {
          {0:.0e} of its size only"
     )]
     Undetermined(f64),
-    /// An orbit that cannot be followed to its end.
+    /// An orbit that cannot be integrated to its end.
     #[error(transparent)]
     Integration(IntegrationError),
     /// Cancelled by the caller.
@@ -161,21 +161,21 @@ pub enum Lost {
     /// A singularity, or infinity in a finite time.
     #[error("{0}")]
     Stopped(IntegrationError),
-    /// Rest that is approached for ever, or a way out without end.
+    /// Rest that is approached for ever, or motion without end.
     #[error("it has no turning point before t = {0:?}")]
     OneWay(f64),
-    /// Rest.
+    /// An equilibrium.
     #[error("it comes to rest at an equilibrium")]
     Rest,
-    /// Motion along a jump of the force on both sides of which the force leads back, as of a mass that sticks to a moving belt.
+    /// Motion along a jump of the force, towards which the force points from both sides, such as that of a mass that sticks to a moving belt.
     #[error("it sticks or slides at a jump of the force from t = {0:?} on, which is not computed")]
     Sticks(f64),
-    /// Newton's method that ends at a rest to which the motion does not come.
+    /// An equilibrium found by Newton's method to which the motion does not settle.
     #[error(
         "Newton's method leads from there to an equilibrium that does not attract the motion: give a start nearer to the orbit, or a guess of its period"
     )]
     UnstableRest,
-    /// A motion for which there was not time enough.
+    /// A motion whose settling was not observed in the available time.
     #[error(
         "after {steps} steps of the integration, at t = {time:?}, it still moves: give a start nearer to the orbit, or a guess of its period"
     )]
@@ -185,7 +185,7 @@ pub enum Lost {
         /// The number of integration steps taken.
         steps: usize,
     },
-    /// Neither.
+    /// None of these.
     #[error("it does not repeat itself up to t = {0:?}")]
     Irregular(f64),
 }

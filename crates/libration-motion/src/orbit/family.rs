@@ -1,4 +1,4 @@
-//! Orbits among others that close too, as those of a prey and its predators, or about a sun: the start chooses one of them.
+//! Orbits among other closed orbits, such as those of prey and predators, or about a sun: the start selects one of them.
 
 use super::closing::Rounds;
 use super::error::OrbitError;
@@ -7,23 +7,23 @@ use super::periodic::Orbit;
 use super::shooting::{Unknowns, closed};
 use libration_numbers::expression::Equation;
 
-/// The condition under which an orbit counts as one of a family: a neighbour may have to close as well.
+/// The condition under which an orbit counts as a member of a family.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Family {
-    /// The energy is conserved: it is.
+    /// No condition: since the energy is conserved, every orbit belongs to a family.
     Known,
-    /// An isolated cycle may pass through the start too.
+    /// A neighbouring orbit must close too, since an isolated cycle could pass through the start.
     Asked,
 }
 
-/// The distance at which the neighbour begins from the orbit, as a part of the way to the state half a period later: a cycle that attracts motions
-/// by one part in 1e7 each turn misses its start by the 1e-10 at which an orbit is closed.
+/// Distance of the neighbour's start from the orbit, relative to the distance to the state half a period later. A cycle that attracts motions by
+/// one part in 1e7 per turn then misses its start by the 1e-10 to which orbits are closed.
 const ASIDE: f64 = 1e-3;
 /// Largest change in half a period, relative to its value, of a component that is at rest.
 const STILL: f64 = 1e-9;
 
-/// The orbit of a family through the very state of a guess, of which only the period is improved; `None` where the motion from there does not
-/// close, or is isolated.
+/// The orbit of a family through the very state of a guess, for which only the period
+/// is corrected; `None` if the motion from there does not close, or is isolated.
 pub(super) fn through_start(
     equation: &Equation,
     rounds: &Rounds<'_>,

@@ -1,11 +1,11 @@
-//! The harmonics of an orbit, by sums over even times.
+//! The harmonics of an orbit, by sums over evenly spaced times.
 
 use super::periodic::Orbit;
 use libration_kernels::elementary::count;
 use libration_numbers::algebra::Complex;
 use std::f64::consts::TAU;
 
-/// The coefficients of cos nΩt and sin nΩt, the time being counted from the orbit's start.
+/// The coefficients of cos nΩt and sin nΩt, with the time counted from the orbit's start.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Harmonic {
     /// n.
@@ -24,32 +24,32 @@ impl Harmonic {
     }
 }
 
-/// The harmonics of one number of the state.
+/// The harmonics of one state component.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Harmonics {
     /// The harmonics from n = 0 to the last one that exceeds the rounding errors.
     pub terms: Vec<Harmonic>,
-    /// No harmonic that is left out is larger, as the last quarter of those that the samples distinguish suggests.
+    /// Upper bound on the omitted harmonics, estimated from the last quarter of those that the samples resolve.
     pub remainder: f64,
-    /// The error of each coefficient: twice that of the states, and the rounding of the sums.
+    /// The error of each coefficient: twice that of the states, plus the rounding of the sums.
     pub error: f64,
     /// Number of times in a period at which the orbit was sampled.
     pub samples: usize,
 }
 
-/// Samples at the beginning, and the most.
+/// The initial and the maximum number of samples.
 const SAMPLES: [usize; 2] = [64, 1 << 15];
-/// Harmonics that are smaller than this part of the largest are rounding errors.
+/// Size, relative to the largest harmonic, below which harmonics are rounding errors.
 const NEGLIGIBLE: f64 = 2e-16;
 
 impl Orbit {
-    /// The harmonics of one number of the state, as many as its period shows in double precision.
+    /// The harmonics of one state component, as many as double precision resolves.
     ///
-    /// Samples are doubled until the last quarter of the harmonics they distinguish vanishes compared with the largest: then what the sums
-    /// gather from higher ones is smaller still.
+    /// Samples are doubled until the last quarter of the resolved harmonics vanishes
+    /// compared with the largest one: aliases of higher harmonics are then even smaller.
     ///
     /// # Accuracy
-    /// As [`error`](Harmonics::error) says, and what [`remainder`](Harmonics::remainder) says of higher ones.
+    /// As stated by [`error`](Harmonics::error), and by [`remainder`](Harmonics::remainder) for higher harmonics.
     #[must_use]
     pub fn harmonics(&self, number: usize) -> Harmonics {
         let [mut samples, most] = SAMPLES;
@@ -91,7 +91,7 @@ fn transform(samples: &[Complex]) -> Vec<Harmonic> {
     sums.iter().take(samples.len() / 2).enumerate().map(term).collect()
 }
 
-/// Σ xⱼ·e^{−2πijk/N} for a power of two N, by halves.
+/// Σ xⱼ·e^{−2πijk/N} for a power of two N, by recursive halving.
 fn fourier(samples: &[Complex]) -> Vec<Complex> {
     if samples.len() < 2 {
         return samples.to_vec();

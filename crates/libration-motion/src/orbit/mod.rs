@@ -1,15 +1,15 @@
 //! Periodic orbits of any equations of motion, found by integration in time.
 //!
-//! The motion of one coordinate that is released from rest is followed until it comes to rest again. Limit cycles, answers to a
-//! periodic force, and orbits of several coordinates are closed by Newton's method, whose derivatives come from the
-//! equations of small deviations; these also tell the Floquet multipliers.
+//! The motion of one coordinate released from rest is followed until it comes to rest again. Limit
+//! cycles, responses to a periodic force, and orbits of several coordinates are closed by Newton's
+//! method, with derivatives from the variational equations; these also give the Floquet multipliers.
 //!
 //! ```
 //! # extern crate libration_motion as libration;
 //! use libration::orbit::Orbit;
 //! use libration::progress::Quiet;
 //!
-//! // The pendulum from 60°, which this module only integrates, beside its closed form.
+//! // The pendulum from 60°, integrated by this module and compared with its closed form.
 //! let orbit = Orbit::released(&"theta'' + sin(theta) = 0".parse()?, std::f64::consts::FRAC_PI_3, &Quiet)?;
 //! let exact = libration::pendulum::Pendulum::from_angular_frequency(1.0)?.released_from("60deg".parse()?)?.period();
 //! assert!((orbit.period() - exact).abs() <= orbit.period_uncertainty());

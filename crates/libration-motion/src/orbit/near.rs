@@ -1,10 +1,10 @@
-//! The starting point of Newton's method.
+//! The initial guess of Newton's method.
 
 /// A guess of an orbit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OrbitGuess {
-    /// A state on it: coordinates, then velocities.
+    /// A state on the orbit: coordinates, then velocities.
     pub state: Vec<f64>,
-    /// Its period.
+    /// The period.
     pub period: f64,
 }

@@ -9,12 +9,12 @@ use libration_numbers::quadrature::gauss;
 use libration_numbers::roots::{Tolerance, bisect};
 use std::ops::ControlFlow;
 
-/// Steps one behind the other, from a state to a state.
+/// Consecutive steps from one state to another.
 #[derive(Clone, Debug)]
 pub(super) struct Path {
     steps: DenseSolution,
     end: f64,
-    /// `true` if the steps are the first half only, and the second half is the same backwards.
+    /// `true` if the steps are the first half only, and the second half is the same motion reversed.
     there_and_back: bool,
 }
 
@@ -24,7 +24,7 @@ impl Path {
         Self { steps: steps.into(), end, there_and_back: false }
     }
 
-    /// Steps from the time zero to rest, and then the same way back, to a time.
+    /// Steps from the time zero to rest, followed by the same way back, up to a time.
     pub(super) fn there_and_back(steps: Vec<OwnedStep>, end: f64) -> Self {
         Self { steps: steps.into(), end, there_and_back: true }
     }
@@ -61,11 +61,11 @@ impl Path {
     /// The least and the greatest value of a component.
     pub(super) fn extrema(&self, component: usize) -> Extrema {
         let [low, high] = extrema(self.steps.steps(), component, 0.0, self.end);
-        // On the way back the velocity is the opposite one.
+        // On the way back the velocity has the opposite sign.
         if self.there_and_back && component == 1 { [low.min(-high), high.max(-low)] } else { [low, high] }
     }
 
-    /// The largest rate of change of each component, as the ends of the steps show it.
+    /// The largest rate of change of each component at the ends of the steps.
     pub(super) fn largest_rates(&self, components: usize) -> Vec<f64> {
         let rates = |component: usize| {
             let steps = self.steps.steps().iter();
@@ -74,7 +74,7 @@ impl Path {
         (0..components).map(|component| rates(component).fold(0.0, f64::max)).collect()
     }
 
-    /// The largest difference of each component from another path at the same part of the way.
+    /// The largest difference of each component from another path at the same fraction of the duration.
     pub(super) fn apart(&self, other: &Self) -> Vec<f64> {
         const LOOKS: u32 = 97;
         let at = |path: &Self, part: f64| {
@@ -93,7 +93,7 @@ impl Path {
         largest
     }
 
-    /// The integral of a function of the state over all the time, step by step.
+    /// The integral of a function of the state over the whole time, step by step.
     pub(super) fn integral(&self, f: impl Fn(&[f64]) -> f64) -> f64 {
         let over = |own: &OwnedStep| {
             let step = own.step();
@@ -103,7 +103,7 @@ impl Path {
         self.steps.steps().iter().map(over).sum()
     }
 
-    /// Coordinates, then velocities.
+    /// The state at a time: coordinates, then velocities.
     pub(super) fn state_at(&self, time: f64) -> Vec<f64> {
         if self.there_and_back && time > 0.5 * self.end {
             let [x, velocity] = self.stepped(self.end - time)[..] else { return vec![] };
@@ -116,16 +116,16 @@ impl Path {
         self.steps.step_at(time).map_or_else(Vec::new, |step| step.state_at(time))
     }
 
-    /// The end of this one is the start of the other.
+    /// This path followed by another one that begins at its end.
     pub(super) fn followed_by(self, other: Self) -> Self {
         let steps = [self.steps.steps(), other.steps.steps()].concat();
         Self::of_steps(steps, other.end)
     }
 }
 
-/// The motion from a moment until something happens, which is told of each step with its time; `None` when it does not up to
-/// the last horizon. It is followed to the first horizon, then twice as far, and so on: on a step that seems to be a polynomial
-/// for ever the end of a branch would not be found to more than a part of the horizon.
+/// The motion from a moment until an event, which a function reports for a step with its time; `None` if it does not occur up to the last
+/// horizon. The motion is followed to the first horizon, then twice as far, and so on: in a single step whose series seems to be a polynomial
+/// without limit, the end of a branch of the force would be found only to a fraction of the horizon.
 pub(super) fn until(
     system: &System,
     start: &Moment,
@@ -155,22 +155,22 @@ pub(super) fn until(
     Ok(None)
 }
 
-/// The time at which a state component changes its sign in a step, to the last bit; `None` when it has the same sign at both ends. A step that
-/// begins with zero has the sign that it takes soon after.
+/// The time at which a state component changes its sign in a step, to the last bit; `None` if it
+/// has the same sign at both ends. If the step begins at zero, the sign shortly afterwards counts.
 pub(super) fn sign_change(step: &Step<'_>, number: usize) -> Option<f64> {
     zero_in(step, |time| step.state_at(time)[number])
 }
 
-/// The time at which the rate of change of the first coordinate changes its sign in a step, to the last bit, as that of [`sign_change`].
+/// The time at which the rate of change of the first coordinate changes its sign in a step, to the last bit, as for [`sign_change`].
 pub(super) fn turn_in(step: &Step<'_>) -> Option<f64> {
     zero_in(step, |time| step.speeds_at(time)[0])
 }
 
 fn zero_in(step: &Step<'_>, value: impl Fn(f64) -> f64) -> Option<f64> {
-    /// Part of the step that is skipped after a zero at its beginning, which belongs to the step before.
+    /// Fraction of the step that is skipped after a zero at its beginning, which belongs to the previous step.
     const SOON: f64 = 1e-3;
-    /// A step may be longer than half a wave, as that of an oscillator, whose series converge everywhere, with 4 radians; none of its quarters
-    /// is.
+    /// Number of parts into which a step is divided, since it may be longer than half a wave: for an
+    /// oscillator, whose series converge everywhere, it is 4 radians. A quarter of a step is shorter.
     const PARTS: u32 = 4;
     let (mut before, after) = (step.start(), step.end());
     if value(before) == 0.0 {

@@ -5,7 +5,7 @@ use crate::periodic::Floquet;
 use libration_numbers::expression::Equation;
 use std::f64::consts::TAU;
 
-/// A periodic orbit of a system of equations of motion, which gives the state at every time.
+/// A periodic orbit of a system, with the state at every time.
 #[derive(Clone, Debug)]
 pub struct Orbit {
     variables: Vec<String>,
@@ -20,12 +20,12 @@ pub struct Orbit {
 pub(super) struct StateErrors {
     /// The error of the start.
     pub(super) start: Vec<f64>,
-    /// The largest error on the way, at the same part of the period.
+    /// The largest error on the orbit, at the same fraction of the period.
     pub(super) way: Vec<f64>,
 }
 
 impl StateErrors {
-    /// The errors on a path from an error of its start as it has grown on the way, from another path, and from the error of the period.
+    /// The errors on a path, from the error of its start as it grows, from another path, and from the error of the period.
     pub(super) fn new(path: &Path, start: Vec<f64>, grown: &[f64], apart: &[f64], period: f64) -> Self {
         let rates = path.largest_rates(start.len());
         let error = |component: usize| {
@@ -47,8 +47,8 @@ impl Orbit {
         Self { variables: equation.variables().to_vec(), path, uncertainty, floquet, errors }
     }
 
-    /// The orbit as one of a family, in which the start chooses it. In a plane of states both multipliers are then 1 exactly, by how the
-    /// neighbours close; found as eigenvalues they are right to half the digits, fewer next to a separatrix.
+    /// The orbit as one of a family that the start selects. In a plane of states both multipliers are then exactly 1, because the neighbours
+    /// close; computed as eigenvalues they have half the digits, and fewer next to a separatrix.
     #[doc(hidden)]
     pub fn one_of_a_family(mut self) -> Self {
         if self.start().len() == 2 {
@@ -63,7 +63,7 @@ impl Orbit {
         &self.variables
     }
 
-    /// The time after which it repeats itself.
+    /// The period of the orbit.
     #[must_use]
     pub fn period(&self) -> f64 {
         self.path.end_time() - self.path.start_time()
@@ -95,7 +95,7 @@ impl Orbit {
         end.iter().zip(&start).map(|(end, start)| (end - start).abs()).collect()
     }
 
-    /// Coordinates, then velocities, so long after the start; times beyond the period are those within it.
+    /// The state, coordinates and then velocities, at a time after the start; times beyond the period are reduced modulo the period.
     #[must_use]
     pub fn state_at(&self, time: f64) -> Vec<f64> {
         let (period, start) = (self.period(), self.path.start_time());
@@ -103,27 +103,27 @@ impl Orbit {
         self.path.state_at(start + part)
     }
 
-    /// The error of each component of [`start`](Self::start): the residual of the closing, the error of the flow and rounding, taken through the
-    /// inverse of the bordered monodromy matrix; zero where the start is given.
+    /// The error of each component of [`start`](Self::start): the closing residual, the error of the flow and rounding, propagated through the
+    /// inverse of the bordered monodromy matrix; zero if the start is given.
     #[must_use]
     pub fn start_errors(&self) -> &[f64] {
         &self.errors.start
     }
 
-    /// The largest error of each component of the state on the orbit, at the same part of the period: an estimate from two integrations, the error
-    /// of the start as it grows, and that of the period.
+    /// The largest error of each component of the state on the orbit, at the same fraction of the period:
+    /// an estimate from two integrations, the error of the start as it grows, and that of the period.
     #[must_use]
     pub fn state_errors(&self) -> &[f64] {
         &self.errors.way
     }
 
-    /// The least and the greatest value of one component of the state, with the errors that [`state_errors`](Self::state_errors) says.
+    /// The least and the greatest value of one state component, with the errors of [`state_errors`](Self::state_errors).
     #[must_use]
     pub fn range(&self, component: usize) -> (f64, f64) {
         self.path.extrema(component).into()
     }
 
-    /// Its Floquet multipliers; `None` for a release from rest, which needs none to be found.
+    /// The Floquet multipliers; `None` for a release from rest, which is found without them.
     #[must_use]
     pub fn floquet(&self) -> Option<&Floquet> {
         self.floquet.as_ref()

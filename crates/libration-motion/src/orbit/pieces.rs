@@ -1,11 +1,11 @@
-//! The check of a strongly unstable orbit, piece by piece.
+//! Check of a strongly unstable orbit, piece by piece.
 
 use super::shooting::Newton;
 use crate::periodic::{Checked, Frame, Piece};
 
 impl Newton<'_> {
     /// `true` if there is an orbit of the equation within the errors of this one, integrated piece by piece over its period. The components that
-    /// Newton's method holds keep their values. `growth` is that of deviations in the period.
+    /// Newton's method holds keep their values. `growth` is that of deviations over the period.
     pub(super) fn closes_by_pieces(&self, start: &[f64], period: f64, growth: f64) -> bool {
         let numbers = start.len();
         let is_own = self.unknowns.period;

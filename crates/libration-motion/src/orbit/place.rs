@@ -1,9 +1,9 @@
-//! A place as exactly as it is known.
+//! A position as exactly as it is known.
 
 use libration_numbers::algebra::{BigFloat, Rational};
 use libration_numbers::quantity::Displacement;
 
-/// The starting position of a motion: a displacement from an origin. Both are held as exactly as they were given.
+/// The starting position of a motion: a displacement from an origin, both held exactly as given.
 #[derive(Clone, Debug)]
 pub struct ReleasePlace {
     origin: BigFloat,
@@ -15,7 +15,7 @@ impl ReleasePlace {
         Self { origin, displacement }
     }
 
-    /// Exactly this `f64`; `None` when it is not finite.
+    /// Exactly this `f64`; `None` if it is not finite.
     pub(crate) fn from_f64(place: f64) -> Option<Self> {
         let displacement = Displacement::from_f64(place)?;
         Some(Self { origin: BigFloat::from_integer(0, 1), displacement })
@@ -23,7 +23,7 @@ impl ReleasePlace {
 
     /// The position rounded to `precision` bits.
     pub(super) fn to_bits(&self, precision: usize) -> BigFloat {
-        // An equilibrium may be taken from it again.
+        // An equilibrium may be subtracted from it again.
         let wide = 2 * precision;
         let [multiple, rest] = self.displacement.fractions();
         let [multiple, rest] = [multiple, rest].map(|(n, d)| Rational::from_parts(n, d));
@@ -32,7 +32,7 @@ impl ReleasePlace {
         sum.rounded_to(precision)
     }
 
-    /// The nearest `f64`, but for a double rounding.
+    /// The nearest `f64`, up to a double rounding.
     pub(super) fn to_f64(&self) -> f64 {
         const PRECISION: usize = 128;
         self.to_bits(PRECISION).to_f64()

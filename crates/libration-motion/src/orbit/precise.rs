@@ -1,12 +1,11 @@
-//! The motion of one coordinate from rest to rest in floats of many bits, for what double precision cannot tell.
+//! The motion of one coordinate from rest to rest in floats of many bits, for cases that double precision cannot resolve.
 //!
-//! Next to a separatrix the energy decides how long a motion lingers, and between two saddles of the same height a distance of δ from them is a
-//! difference of δ² in energy. The precision of all numbers is therefore high enough to leave sufficient significant bits.
+//! Next to a separatrix the energy decides how long a motion lingers, and between two saddles of the same height a distance δ from them is a
+//! difference δ² in energy. The precision of all numbers is therefore high enough to leave sufficient significant bits.
 //!
-//! Coefficients do not show everything: of e^(−20000(x − 2)²) none of those at x = 3 is above the last bit of a motion that is about
-//! to pass x = 2. So each step is compared with an integration in double precision, which looks for such forces, and is shortened
-//! until both agree. What does less than [`UNSEEN`] to a step is not found that way, nor what begins where double precision has no
-//! values.
+//! Coefficients do not show everything: at x = 3 all of those of e^(−20000(x − 2)²) are below the last bit of a motion that is about to pass x =
+//! 2. Each step is therefore compared with an integration in double precision, which detects such forces, and is shortened until both agree. An
+//! effect on a step below [`UNSEEN`] is not detected, nor a force that begins where double precision has no values.
 
 use crate::periodic::{precise_series, precise_step, precise_sum};
 use crate::taylor::{Effort, Moment, OwnedStep, StateLayout, System, integrate};
@@ -23,7 +22,7 @@ struct State {
     velocity: BigFloat,
 }
 
-/// Position and velocity as power series in the time.
+/// Position and velocity as power series in time.
 struct Series {
     x: Vec<BigFloat>,
     velocity: Vec<BigFloat>,
@@ -34,18 +33,18 @@ struct Series {
 pub struct HalfPeriod {
     pub(super) steps: Vec<OwnedStep>,
     pub duration: BigFloat,
-    /// The place at the end.
+    /// The position at the end.
     pub end: BigFloat,
 }
 
-/// The reason why there is no such motion.
+/// The reason why the motion to the next rest cannot be computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum HalfPeriodError {
-    /// The motion comes so near an equilibrium that its continuation is not determined with these bits.
+    /// The motion comes so near an equilibrium that these bits do not determine its continuation.
     Undecided,
-    /// Until a time it does not come to rest, and it is far away then, or where the equation has no value.
+    /// The motion does not come to rest up to a time, and is then far away, or at a position where the equation has no value.
     Lost(f64),
-    /// The series end, and say nothing about how far they hold, there are too many steps, or it is cancelled.
+    /// The series terminate without showing their range of convergence, there are too many steps, or the call is cancelled.
     Unable,
 }
 
@@ -59,22 +58,22 @@ pub struct Motion<'a> {
     watch: &'a Watch<'a>,
 }
 
-/// Steps of a half period; more are taken only by motions without end.
+/// Maximum number of steps of a half period; only motions without end take more.
 const MOST_STEPS: usize = 600;
-/// Difference of the positions, relative to their size, at which the same step in double precision may end: roundings of the start, about 1e-16,
-/// grow at most as e^T from an unstable equilibrium. Where steps are so long that this exceeds the limit, they are halved without need.
+/// Difference of positions, relative to their size, up to which the same step in double precision may end: rounding errors of the start, about
+/// 1e-16, grow at most as e^T from an unstable equilibrium. Steps so long that this exceeds the limit are halved without need.
 const UNSEEN: f64 = 1e-12;
-/// Halvings after which two integrations do not agree for another reason than the length of the step.
+/// Number of halvings after which the disagreement of two integrations cannot be due to the length of the step.
 const MOST_HALVINGS: u32 = 60;
 
 impl<'a> Motion<'a> {
     pub fn new(system: &'a System, tape: &'a Tape, precision: usize, watch: &'a Watch<'a>) -> Self {
-        // With p/3 terms a step is an eighth of the radius of convergence, near the best for products of series.
+        // With p/3 terms a step is an eighth of the radius of convergence, close to the optimum for products of series.
         let order = u32::try_from(precision / 3).unwrap_or(u32::MAX);
         Self { system, tape, ring: Floats { precision }, order, watch }
     }
 
-    /// The motion that is released from rest at a place, at a time that its steps begin to count from.
+    /// The motion after release from rest at a position; `start` is the time from which its steps count.
     pub fn half_period(&self, place: &BigFloat, start: f64) -> Result<HalfPeriod, HalfPeriodError> {
         let size = place.exponent().unwrap_or(0);
         let mut state = State { x: place.clone(), velocity: self.ring.zero() };
@@ -86,7 +85,7 @@ impl<'a> Motion<'a> {
             if is_far(&state.x, size) {
                 return Err(lost);
             }
-            // Exponentials of large numbers, which take too long, have values in double precision.
+            // Exponentials of large numbers, which take too long here, have values in double precision.
             let no_series = || if self.has_value_nearby(&state) { HalfPeriodError::Unable } else { lost };
             let series = self.series(&state).ok_or_else(no_series)?;
             nearness.watch(&state.velocity, &series.velocity[1], self.ring.precision)?;
@@ -117,7 +116,7 @@ impl<'a> Motion<'a> {
         Jet::new(&Doubles, self.tape, &state).is_ok_and(|jet| jet.result(0)[0].is_finite())
     }
 
-    /// `None` where the acceleration has no value.
+    /// The series at a state; `None` if the acceleration has no value.
     fn series(&self, state: &State) -> Option<Series> {
         let motion = (&StateLayout::one_coordinate(), self.tape);
         let state = [state.x.clone(), state.velocity.clone()];
@@ -126,7 +125,7 @@ impl<'a> Motion<'a> {
         Some(Series { x, velocity })
     }
 
-    /// The length of a step, or as much of it as double precision agrees with.
+    /// The length of a step, shortened until double precision agrees.
     fn tried(
         &self,
         state: &State,
@@ -143,7 +142,7 @@ impl<'a> Motion<'a> {
         lengths.into_iter().find(agrees).ok_or(HalfPeriodError::Unable)
     }
 
-    /// The difference between the end of the same step in double precision and the sums of the series; `None` where double precision has no values.
+    /// The difference between the end of a step in double precision and the sums of the series; `None` if double precision has no values.
     fn misfit(&self, state: &State, series: &Series, length: f64) -> Option<[f64; 2]> {
         const MOST_STEPS: usize = 10_000;
         let start = Moment { time: 0.0, state: vec![state.x.to_f64(), state.velocity.to_f64()] };
@@ -156,7 +155,7 @@ impl<'a> Motion<'a> {
         misfits.collect::<Vec<_>>().try_into().ok()
     }
 
-    /// The time at which the velocity vanishes in a step, to the last bit; `None` when it does not.
+    /// The time at which the velocity vanishes in a step, to the last bit; `None` if the velocity has no zero.
     fn rest_within(&self, series: &Series, length: f64) -> Option<BigFloat> {
         let near = sign_change(&scaled(&series.velocity, length))? * length;
         let mut time = BigFloat::from_f64(near, self.ring.precision)?;
@@ -170,10 +169,10 @@ impl<'a> Motion<'a> {
     }
 }
 
-/// The distance of a motion from equilibria, where velocity and acceleration are both small.
+/// The proximity of a motion to equilibria, where velocity and acceleration are both small.
 #[derive(Default)]
 struct Nearness {
-    /// The first acceleration, then the largest, and the largest velocity, as powers of two.
+    /// The first acceleration, the largest one, and the largest velocity, as powers of two.
     first: Option<isize>,
     acceleration: Option<isize>,
     velocity: Option<isize>,
@@ -205,21 +204,21 @@ impl Nearness {
     }
 }
 
-/// The exponent below which nothing is decided, 2^(−3p/8): a motion on the separatrix to p bits comes within 2^(−p/2) of the equilibrium, where its
-/// energy is lost in rounding.
+/// The exponent below which the motion is undecided, 2^(−3p/8): a motion on the separatrix
+/// to p bits comes within 2^(−p/2) of the equilibrium, where its energy is lost in rounding.
 fn limit(precision: usize) -> isize {
     isize::try_from(3 * precision / 8).unwrap_or(isize::MAX)
 }
 
-/// Returns whether a position is so far from the first that no motion returns from there after passing an equilibrium slowly.
+/// Returns `true` if a position is so far from the first one that a motion does not return from there after passing an equilibrium slowly.
 fn is_far(place: &BigFloat, size: isize) -> bool {
     const FAR: isize = 40;
     place.exponent().is_some_and(|exponent| exponent > size.max(0) + FAR)
 }
 
-/// The coefficients in powers of the part of a step, which neither overflow nor underflow.
+/// The coefficients in powers of the fraction of a step, which neither overflow nor underflow.
 fn scaled(series: &[BigFloat], length: f64) -> Vec<f64> {
-    /// Bits, of which 53 are left.
+    /// Precision in bits of the intermediate results, which are rounded to 53 bits at the end.
     const ENOUGH: usize = 64;
     let Some(length) = BigFloat::from_f64(length, ENOUGH) else { return vec![] };
     let powers = std::iter::successors(Some(BigFloat::from_integer(1, ENOUGH)), |power| {
@@ -228,7 +227,7 @@ fn scaled(series: &[BigFloat], length: f64) -> Vec<f64> {
     series.iter().zip(powers).map(|(c, power)| (c.rounded_to(ENOUGH) * power).to_f64()).collect()
 }
 
-/// The first sign change of a polynomial on [0, 1]; a polynomial that begins with zero has the sign that it takes soon after.
+/// The first sign change of a polynomial on [0, 1]; for a polynomial that begins at zero, the sign shortly afterwards counts.
 fn sign_change(polynomial: &[f64]) -> Option<f64> {
     const LOOKS: u32 = 16;
     const SOON: f64 = 1e-3;
@@ -241,7 +240,7 @@ fn sign_change(polynomial: &[f64]) -> Option<f64> {
     Some(f64::midpoint(before, after))
 }
 
-/// The step in double precision, of length one in its own unit.
+/// The step in double precision, with length one in a suitable unit.
 fn owned_step(series: &Series, start: f64, end: f64, unit: f64) -> OwnedStep {
     OwnedStep::new(start, end, unit, [scaled(&series.x, unit), scaled(&series.velocity, unit)])
 }

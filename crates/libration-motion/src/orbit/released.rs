@@ -1,17 +1,17 @@
-//! One coordinate released from rest, until it is back.
+//! One coordinate released from rest, until its return.
 //!
-//! It is followed in double precision first. Where that does not suffice, because of a separatrix nearby or a force that cancels, it
-//! is followed again with as many bits as it takes for two precisions to agree.
+//! The motion is first followed in double precision. If that does not suffice, because of a nearby separatrix or a cancelling force, it is
+//! followed again with increasing numbers of bits until two precisions agree.
 //!
 //! # Method
-//! The motion is followed from rest to rest and back to rest. If it does not return to its start there is no period. The uncertainty in double
-//! precision is the change under other steps, plus the effect on the energy of the rounding, which is measured against 128 bits along the orbit.
-//! Where it exceeds a few digits (2⁻⁴⁵ of the period), and wherever a conservative motion does not return, a motion without kinks is followed in
-//! floats of 128, 192 and 256 bits until two agree (`precise.rs`). A motion that comes within 2^(−3p/8) of an equilibrium is undecided in p bits,
-//! and on the separatrix if it is undecided in all of them. Positions of release are therefore exact (`Displacement`, `place.rs`).
+//! The motion is followed from rest to rest and back to rest. If it does not return to its start, it has no period. The uncertainty in double
+//! precision is the change with other steps, plus the effect of rounding on the energy, which is measured against 128 bits along the orbit. If
+//! it exceeds a few digits (2⁻⁴⁵ of the period), and whenever a conservative motion does not return, a motion without kinks is followed in
+//! floats of 128, 192 and 256 bits until two agree (`precise.rs`). A motion that comes within 2^(−3p/8) of an equilibrium is undecided in p
+//! bits, and on the separatrix if it is undecided in all of them. Release positions are therefore exact (`Displacement`, `place.rs`).
 //!
-//! An orbit is accepted where it misses its start by no more than 32 times the change under another tolerance and the rounding of its start; a
-//! release with a damping of 1e-10 is refused.
+//! An orbit is accepted if it misses its start by at most 32 times the change with another
+//! tolerance plus the rounding of its start; a release with a damping of 1e-10 is rejected.
 
 use super::acceleration::Acceleration;
 use super::error::{Lost, OrbitError, finished};
@@ -25,38 +25,36 @@ use libration_numbers::expression::{Equation, Expression, Symbol};
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Progress;
 
-/// Steps of one half of an oscillation; more are taken only by motions without end.
+/// Maximum number of steps of half an oscillation; only motions without end take more.
 const MOST_STEPS: usize = 20_000;
-/// A period that may be wrong by more than this part of it is none: four digits are the least that a comparison needs.
+/// Relative error above which a period is not accepted: four digits are the minimum for a comparison.
 const UNCERTAIN: f64 = 1e-4;
 /// Largest relative error of a period in double precision, 2⁻⁴⁵ or 128 roundings; above it the period is computed with more bits.
 const TRUSTED: f64 = 2.9e-14;
-/// Further off than this part of the swing an oscillation does not end where it began: next to an unstable equilibrium a rounding of
-/// the energy moves a turning point by its root, 1e-8, and a hundred of that are left.
+/// Closing error, relative to the swing, above which an oscillation does not end where it began: next to an unstable equilibrium a rounding
+/// error of the energy moves a turning point by its square root, 1e-8; the limit is a hundred times that.
 const NEARLY_CLOSED: f64 = 1e-6;
 /// Largest closing error of a motion whose force takes or gives energy, in units of its integration error.
 const CLOSED: f64 = 32.0;
-/// Bits in which motions are followed that double precision does not tell; 256 are enough for a distance of 1e-28 from a separatrix.
+/// Precisions in bits for motions that double precision cannot resolve; 256 bits suffice for a distance of 1e-28 from a separatrix.
 const PRECISIONS: [usize; 3] = [128, 192, 256];
-/// Two precisions agree in a period when they differ by less than this part of it; while they differ by more the lower one has lost the
-/// motion.
+/// Relative difference up to which two precisions agree in a period; if they differ by more, the lower one has lost the motion.
 const AGREED: f64 = 1e-3;
-/// While they agree the error is in proportion to the last bit, so that the higher precision is better by 2⁶⁴; half of these bits are
-/// left for what is by chance.
+/// Error of the higher precision relative to the difference of two that agree: as the error is proportional to the last bit, the higher
+/// precision is better by 2⁶⁴; half of these bits are a margin for chance.
 const IMPROVED: f64 = 1.0 / 4_294_967_296.0;
 
 impl Orbit {
-    /// The motion of one coordinate that is released from rest at a place: to the other turning point and back. It is
-    /// periodic where the energy is conserved, or where the force is the same for the opposite velocity.
+    /// The motion of one coordinate released from rest at a position, to the other turning point and back. It is periodic if the energy is
+    /// conserved, or if the force is the same for the opposite velocity.
     ///
     /// # Accuracy
-    /// As [`period_uncertainty`](Self::period_uncertainty) says: some units in the last place of the period, for exactly this `f64` as the
-    /// place. Where a force has no derivative, as |x| at zero, what becomes of rounding errors near an unstable equilibrium is part of it.
+    /// As stated by [`period_uncertainty`](Self::period_uncertainty): a few units in the last place of the period, for exactly this `f64` as the
+    /// position. For a force without a derivative, such as |x| at zero, it includes the growth of rounding errors near an unstable equilibrium.
     ///
     /// # Errors
-    /// Several coordinates or the time in the equation, a release in an equilibrium or on a separatrix, and motions that do not come
-    /// back to where they began.
-    /// [`OrbitError::Interrupted`] if the call is cancelled.
+    /// Several coordinates or the time in the equation, a release at an equilibrium or on a separatrix, and
+    /// motions that do not return to their start. [`OrbitError::Interrupted`] if the call is cancelled.
     ///
     /// # Examples
     /// ```
@@ -64,7 +62,7 @@ impl Orbit {
     /// use libration::orbit::Orbit;
     /// use libration::progress::Quiet;
     /// let orbit = Orbit::released(&"x'' = -x^3".parse()?, 2.0, &Quiet)?;
-    /// // Γ(1/4)²/√π over the amplitude.
+    /// // The period is Γ(1/4)²/√π divided by the amplitude.
     /// assert!((orbit.period() - 7.416298709205487 / 2.0).abs() < 1e-14);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -74,7 +72,7 @@ impl Orbit {
         Self::released_from(equation, &ReleasePlace::from_f64(place).ok_or_else(refusal)?, progress)
     }
 
-    /// The same from a place that is known to more digits than an `f64` has.
+    /// The orbit released from a position that is known to more digits than an `f64` has.
     pub fn released_from(
         equation: &Equation,
         place: &ReleasePlace,
@@ -96,7 +94,7 @@ struct Release<'a> {
     watch: &'a Watch<'a>,
 }
 
-/// An oscillation and the time of the first half of it.
+/// An oscillation, and the time of its first half.
 struct Around {
     full: Path,
     half: f64,
@@ -127,26 +125,25 @@ impl<'a> Release<'a> {
         let found = self.once_around(self.start, 1e-17).and_then(|around| self.judged(around));
         let doubtful = match &found {
             Ok(orbit) => orbit.period_uncertainty() > TRUSTED * orbit.period(),
-            // Next to a separatrix rounding may lead elsewhere; where energy is lost or won nothing more is learnt.
+            // Next to a separatrix rounding may lead elsewhere; if energy is lost or gained, higher precision cannot help.
             Err(_) => self.acceleration.is_free_of_velocity,
         };
         let found = found.and_then(|orbit| self.sure(orbit));
         if doubtful && self.acceleration.is_smooth() { self.precisely(found) } else { found }
     }
 
-    /// Returns whether squares of the displacement and of the velocity are so small that they are rounded to fewer digits than others, or to zero.
+    /// Returns `true` if squares of the displacement and of the velocity are so small that they are rounded to fewer digits, or to zero.
     fn is_too_small(&self) -> bool {
         const LEAST: f64 = f64::MIN_POSITIVE / f64::EPSILON;
         let force = self.acceleration.at(&[self.start, 0.0]).abs();
         force > 0.0 && libm::fmax(force * self.start.abs(), force * force) < LEAST
     }
 
-    /// The orbit with its uncertainty: what other steps make of it, and what rounding does to an acceleration that is as large as
-    /// the largest, e of it, anywhere on the way. That changes energies by e times acceleration and swing, as another amplitude does,
-    /// and the period by e.
+    /// The orbit with its uncertainty, from other steps and from the rounding of the acceleration, relative to the largest one, by e anywhere on
+    /// the way. Rounding changes energies by e times acceleration and swing, as a change of the amplitude does, and the period by e.
     fn judged(&self, around: Around) -> Result<Orbit, OrbitError> {
         let period = around.full.end_time();
-        // Other orders and lengths of the steps make other rounding errors.
+        // Steps of other orders and lengths have other rounding errors.
         let again = self.once_around(self.start, 1e-16)?;
         let other_half = if self.acceleration.is_free_of_velocity { 2.0 * around.half } else { period };
         let spread = (period - again.full.end_time()).abs().max((period - other_half).abs());
@@ -168,12 +165,12 @@ impl<'a> Release<'a> {
         Ok(Orbit::new(self.equation, around.full, uncertainty, None, errors))
     }
 
-    /// The relative change of the period per change of the amplitude as a part of the swing, estimated from a neighbour: infinite where the
-    /// neighbour is a motion of another kind. Next to a kink no better estimate is available, and both sides are used.
+    /// The relative change of the period per change of the amplitude relative to the swing, estimated from a neighbouring motion: infinite if
+    /// the neighbour is a motion of another kind. Next to a kink no better estimate is available, and both sides are used.
     fn condition(&self, period: f64, swing: f64) -> f64 {
-        // Small beside any distance from a separatrix at which double precision is trusted, large beside its errors.
+        // Small compared with any distance from a separatrix at which double precision is used, large compared with its errors.
         const PART: f64 = 1e-8;
-        // A neighbour whose period differs by a per cent at that distance is another motion.
+        // A neighbour whose period differs by one per cent at that distance is a motion of another kind.
         const OTHER: f64 = 1e-2;
         let sides: &[f64] = if self.acceleration.is_smooth() { &[1.0] } else { &[1.0, -1.0] };
         let change = |side: &f64| {
@@ -192,7 +189,7 @@ impl<'a> Release<'a> {
         Err(OrbitError::Unsure { start: self.start, period, uncertainty })
     }
 
-    /// The orbit with the precision that it requires, or the result in double precision where higher precision is not possible.
+    /// The orbit with the required precision, or the result in double precision if higher precision is not possible.
     fn precisely(&self, rough: Result<Orbit, OrbitError>) -> Result<Orbit, OrbitError> {
         let mut before: Option<BigFloat> = None;
         for precision in PRECISIONS {
@@ -255,8 +252,8 @@ impl<'a> Release<'a> {
 
     /// Integrates the motion from rest to the next rest.
     fn to_rest(&self, start: &Moment, place: f64, effort: &Effort) -> Result<Path, OrbitError> {
-        /// Distance beyond which a motion that has not turned moves one way for good: any noticeable force turns a motion within the square root of
-        /// the largest number.
+        /// Distance beyond which a motion that has not turned never does: any noticeable
+        /// force turns a motion within the square root of the largest number.
         const FAR: f64 = 1e100;
         let first = self.acceleration.at(&start.state).abs();
         if first == 0.0 {
@@ -269,7 +266,7 @@ impl<'a> Release<'a> {
             });
         }
         let happens = |step: &Step<'_>| sign_change(step, 1);
-        // Roots before the quotient, which may be less than any number.
+        // Roots are taken before the quotient, which may underflow.
         let size = libm::fmax(start.state[0].abs(), f64::MIN_POSITIVE);
         let horizon = Self::HORIZON * libm::sqrt(size) / libm::sqrt(first);
         let found = until(&self.system, start, [horizon, FAR], effort, self.watch, happens);
@@ -281,12 +278,12 @@ impl<'a> Release<'a> {
         }
     }
 
-    /// First time limit, in units of about the time in which the first acceleration leads to zero: a harmonic oscillator comes to rest after π of
-    /// them, and most motions within this limit.
+    /// First time limit, in units of about the time in which the first acceleration leads to zero:
+    /// a harmonic oscillator comes to rest after π units, and most motions within this limit.
     const HORIZON: f64 = 8.0;
 }
 
-/// The way to rest, and the way back where it is another.
+/// The way to rest, and the way back if it is different.
 struct Halves {
     there: HalfPeriod,
     back: Option<HalfPeriod>,
@@ -298,7 +295,7 @@ impl Halves {
         self.there.duration.clone() + back.duration.clone()
     }
 
-    /// The orbit, if its end is its start.
+    /// The orbit, if the motion ends at its start.
     fn closed(self, start: f64, equation: &Equation, uncertainty: f64) -> Result<Orbit, OrbitError> {
         let (period, other_side) = (self.period().to_f64(), self.there.end.to_f64());
         let Some(back) = self.back else {
@@ -315,7 +312,7 @@ impl Halves {
 }
 
 impl Halves {
-    /// The orbit of steps that were rounded from many bits.
+    /// The orbit from steps that were rounded from many bits.
     fn orbit(equation: &Equation, path: Path, uncertainty: f64) -> Orbit {
         let errors = StateErrors::new(&path, vec![0.0; 2], &[0.0; 2], &[0.0; 2], uncertainty);
         Orbit::new(equation, path, uncertainty, None, errors)
@@ -329,7 +326,7 @@ fn why_lost(error: IntegrationError) -> Lost {
     }
 }
 
-/// Returns whether an equation contains the time.
+/// Returns `true` if an equation contains the time.
 pub fn depends_on_time(equation: &Equation) -> bool {
     let time = Symbol::plain("t");
     equation.derivatives().iter().any(|formula: &Expression| formula.contains(&time))

@@ -1,4 +1,4 @@
-//! An orbit of any kind: which way it is looked for follows from the equations.
+//! Search for an orbit of any kind; the equations determine the method.
 
 use super::closing::Rounds;
 use super::error::{OrbitError, finished};
@@ -11,42 +11,42 @@ use libration_numbers::expression::Equation;
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Progress;
 
-/// The known properties of an orbit that is searched for.
+/// The known properties of an orbit that is searched.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OrbitSearch {
-    /// A state at t = 0 on the orbit, near it, or that leads to it: coordinates, then velocities.
+    /// A state at t = 0 on the orbit, near it, or on a motion that settles to it: coordinates, then velocities.
     pub start: Vec<f64>,
-    /// The period of the drive or a multiple of it, or a guess of the period where nothing drives.
+    /// The period of the drive or a multiple of it, or without a drive a guess of the period.
     pub period: Option<f64>,
-    /// `true` if the motion conserves an energy, so that orbits come in families and the start chooses one of them.
+    /// `true` if the motion conserves an energy, so that orbits form families and the start selects one of them.
     pub conserves_energy: bool,
-    /// The coordinate whose value at the start chooses one of a family near a guess; the one farthest from zero if there is none.
+    /// The coordinate whose initial value selects one of a family near a guess; by default the one farthest from zero.
     pub held: Option<usize>,
 }
 
-/// The way in which an orbit was found.
+/// The method by which an orbit was found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OrbitKind {
     /// One coordinate released from rest.
     Released,
-    /// The limit cycle to which a motion without drive settles.
+    /// The limit cycle to which an autonomous motion settles.
     LimitCycle,
-    /// The answer to a periodic force.
+    /// The response to a periodic force.
     Driven,
-    /// One of a family of orbits, through the start itself.
+    /// An orbit of a family, through the start itself.
     Family,
-    /// Closed by Newton's method near a guess.
+    /// An orbit closed by Newton's method near a guess.
     Near,
 }
 
 impl Orbit {
-    /// The orbit that a search finds: the answer to a force that depends on the time; near a guess of the period where there is one; the
-    /// motion of one coordinate from rest where energy is conserved, or else where it closes; a limit cycle otherwise. Where all motions near
-    /// the start close it is the one through the start.
+    /// The orbit of a search: the response to a force that depends on the time; the orbit near a guess of the
+    /// period if one is given; the motion of one coordinate from rest if energy is conserved or the motion
+    /// closes; otherwise a limit cycle. If all motions near the start close, it is the one through the start.
     ///
     /// # Errors
-    /// As the kind of orbit has them; [`OrbitError::NoPeriod`] where a period is needed and none is given.
-    /// [`OrbitError::Interrupted`] if the call is cancelled.
+    /// The errors of the respective kind of orbit; [`OrbitError::NoPeriod`] if a period
+    /// is needed and none is given. [`OrbitError::Interrupted`] if the call is cancelled.
     ///
     /// # Examples
     /// ```
@@ -88,13 +88,13 @@ impl Orbit {
 }
 
 impl OrbitSearch {
-    /// One coordinate without a velocity.
+    /// Returns `true` for one coordinate that starts without a velocity.
     fn is_at_rest(&self, layout: &StateLayout) -> bool {
         layout.coordinates() == 1 && layout.velocity(0).is_some_and(|velocity| self.start[velocity] == 0.0)
     }
 
-    /// The orbit through the start where that closes and is one of a family, or else near the guess; where its period is left open by the
-    /// equations it is one of a family after all.
+    /// The orbit through the start if it closes and is one of a family, otherwise the orbit near the guess;
+    /// if the equations leave the period of that orbit undetermined, it is one of a family after all.
     fn near(
         &self,
         equation: &Equation,
@@ -102,7 +102,8 @@ impl OrbitSearch {
         period: f64,
         watch: &Watch<'_>,
     ) -> Result<(OrbitKind, Orbit), OrbitError> {
-        /// Largest relative uncertainty of the period of an isolated cycle, which is some roundings; in a family the period is arbitrary.
+        /// Largest relative uncertainty of the period of an isolated cycle, which
+        /// is a few rounding errors; in a family the period is undetermined.
         const OPEN: f64 = 1e-4;
         let guess = OrbitGuess { state: self.start.clone(), period };
         let [start, family] = self.fixed(layout);
@@ -118,7 +119,7 @@ impl OrbitSearch {
             Some(orbit) => Ok((OrbitKind::Family, orbit)),
             None if self.conserves_energy => near(&[start, family]),
             None => match near(&[start]) {
-                // An isolated cycle has a well-determined period; NaN fails the comparison.
+                // The period of an isolated cycle is well determined; NaN fails the comparison.
                 Ok(found) if found.1.period_uncertainty() <= OPEN * found.1.period() => Ok(found),
                 Ok(_) => near(&[start, family]),
                 Err(OrbitError::Undetermined(_)) => near(&[start, family]),
@@ -127,8 +128,8 @@ impl OrbitSearch {
         }
     }
 
-    /// The numbers that keep their values: the velocity of the coordinate that is held, or farthest from zero, chooses the start on the orbit,
-    /// the coordinate itself one of a family. Without a velocity it is the coordinate, and another number.
+    /// The components that are held fixed. The velocity of the held coordinate, by default the one farthest from zero, selects the start on the
+    /// orbit, and the coordinate itself selects one of a family. Without a velocity these are the coordinate and one other component.
     fn fixed(&self, layout: &StateLayout) -> [usize; 2] {
         let size = |coordinate: &usize| self.start[*coordinate].abs();
         let farthest = || (0..layout.coordinates()).max_by(|a, b| size(a).total_cmp(&size(b))).unwrap_or(0);

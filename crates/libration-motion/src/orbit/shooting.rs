@@ -1,15 +1,15 @@
-//! Newton's method for the state that comes back to itself.
+//! Newton's method for a state that a motion reaches again after one period.
 //!
 //! # Method
-//! All orbits that are not released from rest are closed by Newton's method, whose matrix comes from the variational equations (`periodic::Flow`).
-//! Least squares let one condition replace another, as conservation of energy does. The uncertainty of the period is the change by one more step of
-//! Newton's method, for this integration and for one with other steps. Where the start closes with the period as the only unknown, and a neighbour
-//! does too, the orbit is one of a family and stays as it is (`family.rs`). Harmonics are sums over even times, doubled until the last ones vanish
-//! (`harmonics.rs`).
+//! All orbits that are not released from rest are closed by Newton's method, whose matrix comes from the variational equations
+//! (`periodic::Flow`). Least squares let one condition replace another, as conservation of energy does. The uncertainty of the period is the
+//! change by one more step of Newton's method, for this integration and for one with other steps. If the start closes with the period as the
+//! only unknown, and a neighbour closes too, the orbit is one of a family and is not changed (`family.rs`). Harmonics are sums over evenly
+//! spaced times, whose number is doubled until the last harmonics vanish (`harmonics.rs`).
 //!
-//! The error of the start is the residual and the error of the flow, taken through the inverse of the bordered matrix. It grows along the orbit
-//! with the variations; with the error of the period it gives that of states, extrema and harmonics. Where it exceeds a hundredth of the orbit,
-//! neighbouring motions close as well and the orbit is not isolated.
+//! The error of the start is the residual and the error of the flow, multiplied by the inverse of the bordered matrix. Along the orbit this
+//! error grows with the variations; with the error of the period it gives the errors of states, extrema and harmonics. If it exceeds a hundredth
+//! of the orbit, neighbouring motions close as well and the orbit is not isolated.
 
 use super::closing::{Round, Rounds};
 use super::divergence::Divergence;
@@ -23,16 +23,15 @@ use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Progress;
 
 impl Orbit {
-    /// The periodic orbit near a guess, on which some numbers of the state at the start keep the values of the guess: one of
-    /// them chooses the start on an isolated cycle, two choose an orbit of the families of a conservative system, for
-    /// instance a coordinate at its largest value and its velocity of zero.
+    /// The periodic orbit near a guess, on which some components of the state at the start keep the values of
+    /// the guess: one component chooses the start on an isolated cycle, two choose an orbit of the families
+    /// of a conservative system, for instance a coordinate at its largest value and its velocity of zero.
     ///
     /// # Accuracy
-    /// As [`period_uncertainty`](Self::period_uncertainty) says.
+    /// As stated by [`period_uncertainty`](Self::period_uncertainty).
     ///
     /// # Errors
-    /// A guess that does not fit, the time in the equation, a motion that cannot be followed, and
-    /// [`OrbitError::NoConvergence`].
+    /// A guess that does not fit, the time in the equation, a motion that cannot be computed, and [`OrbitError::NoConvergence`].
     /// [`OrbitError::Interrupted`] if the call is cancelled.
     ///
     /// # Examples
@@ -40,7 +39,7 @@ impl Orbit {
     /// # extern crate libration_motion as libration;
     /// use libration::orbit::{OrbitGuess, Orbit};
     /// use libration::progress::Quiet;
-    /// // Two equal masses between three springs, of which the middle one stiffens: in opposite phase x = −y.
+    /// // Two equal masses between three springs, of which the middle one stiffens: an oscillation in opposite phase, x = −y.
     /// let equation = "x'' = y - 2*x - (x - y)^3; y'' = x - 2*y + (x - y)^3".parse()?;
     /// let guess = OrbitGuess { state: vec![0.1, -0.1, 0.0, 0.0], period: 3.6 };
     /// let orbit = Orbit::near(&equation, &guess, &[0, 2], &Quiet)?;
@@ -70,22 +69,22 @@ impl Orbit {
 
 /// The unknowns that Newton's method may change.
 pub(super) struct Unknowns {
-    /// Numbers of the state.
+    /// Numbers of the free state components.
     pub(super) free: Vec<usize>,
     /// `true` if the period is one of the unknowns.
     pub(super) period: bool,
 }
 
-/// Rounds of Newton's method, in which by the next number a size can change by 1.3⁴⁰ = 4·10⁴.
+/// Maximum number of rounds of Newton's method; in 40 rounds of the next constant a size can change by the factor 1.3⁴⁰ = 4·10⁴.
 const MOST_ROUNDS: usize = 40;
-/// No round changes a number of the state by more than this part of its size.
+/// Largest change of a state component in one round, relative to its size.
 const LARGEST_CHANGE: f64 = 0.3;
-/// While an orbit misses its start by less than this part of its size, and rounds no longer halve it, nothing more is to be gained.
+/// Relative distance from the start below which the rounds end as soon as they no longer halve the distance.
 const NEARLY_CLOSED: f64 = 1e-10;
-/// An orbit whose start is known to no more than this part of its size is not distinguished from its neighbours.
+/// Relative error of the start above which an orbit is not distinguished from its neighbours.
 const UNDETERMINED: f64 = 0.01;
 
-/// An orbit that shrinks to this part of the guess is an equilibrium: all rounds have made it as small as they may, 0.7⁴⁰ = 6e-7.
+/// Size relative to the guess below which an orbit is an equilibrium: every round has shrunk it as much as a round may, 0.7⁴⁰ = 6e-7.
 const VANISHED: f64 = 1e-6;
 
 /// The orbit near a guess.
@@ -124,7 +123,7 @@ pub(super) struct Newton<'a> {
     pub(super) at: OrbitGuess,
     pub(super) round: Round,
     pub(super) sizes: Vec<f64>,
-    /// The largest part of its size by which a number of the state misses its start.
+    /// The largest difference between end and start of a state component, relative to its size.
     miss: f64,
 }
 
@@ -136,9 +135,9 @@ impl<'a> Newton<'a> {
         Ok(Self { rounds, unknowns, at: guess.clone(), round, sizes, miss })
     }
 
-    /// The kind of equilibrium at which Newton's method has ended: attracting or not.
+    /// The kind of equilibrium to which Newton's method has shrunk the orbit: attracting or not.
     fn kind_of_rest(&self) -> Lost {
-        /// Variations are integrated to this part of their size.
+        /// Relative tolerance of the integration of variations.
         const VARIATIONS: f64 = 1e-12;
         let floquet = Floquet::new(&self.round.monodromy, &self.sizes, VARIATIONS, false);
         if floquet.map(|it| it.stability) == Some(Stability::Attracting) {
@@ -153,7 +152,7 @@ impl<'a> Newton<'a> {
         self.sizes[..self.rounds.layout().coordinates()].iter().copied().fold(0.0, f64::max)
     }
 
-    /// Rounds until they improve nothing; how many there were.
+    /// Makes rounds until they no longer improve the orbit; returns their number.
     fn converge(&mut self) -> Result<usize, OrbitError> {
         for count in 0..MOST_ROUNDS {
             let before = self.miss;
@@ -167,9 +166,9 @@ impl<'a> Newton<'a> {
         Ok(MOST_ROUNDS)
     }
 
-    /// One step, shortened until it leads nearer; whether one does.
+    /// Makes one step, shortened until it reduces the distance; returns `true` if it does.
     fn improve(&mut self) -> Result<bool, OrbitError> {
-        /// Steps below 2⁻¹² of Newton's own would need more rounds than there are to come anywhere.
+        /// Maximum number of halvings: with steps below 2⁻¹² of Newton's own the allowed rounds would not suffice.
         const HALVINGS: u32 = 12;
         let Some(change) = self.change(&self.round.defect) else { return Ok(false) };
         let mut part = self.largest_part(&change);
@@ -190,7 +189,7 @@ impl<'a> Newton<'a> {
         Ok(false)
     }
 
-    /// The equations of the next step, in the sizes of the orbit.
+    /// The equations of the next step, in units of the sizes of the orbit.
     fn step(&self) -> NewtonStep {
         let Unknowns { free, period } = self.unknowns;
         let period = period.then_some((&self.round.rate[..], self.at.period));
@@ -279,20 +278,20 @@ impl<'a> Newton<'a> {
         end.map(|size| f64::EPSILON * size).collect()
     }
 
-    /// The error of the monodromy matrix relative to its norm: from the difference of another integration, and from the error of the start
-    /// relative to the size of the orbit.
+    /// The error of the monodromy matrix relative to its norm: the difference from
+    /// another integration, and the error of the start relative to the size of the orbit.
     fn change_of_map(&self, other: &[Vec<f64>], start: &[f64]) -> f64 {
         let own = &self.round.monodromy;
         let apart = self.norm(|i, j| own[i][j] - other[i][j]);
         4.0 * (apart / self.norm(|i, j| own[i][j]) + miss(start, &self.sizes))
     }
 
-    /// The norm of a matrix of derivatives by the start, in the sizes of the orbit.
+    /// The norm of a matrix of derivatives with respect to the start, in units of the sizes of the orbit.
     fn norm(&self, matrix: impl Fn(usize, usize) -> f64) -> f64 {
         norm_of_map(self.sizes.len(), &self.sizes, matrix)
     }
 
-    /// The errors of the start that a residual leaves, zero for the components that are held.
+    /// The errors of the start due to a residual; zero for the components that are fixed.
     fn start_errors(&self, residual: &[f64]) -> Vec<f64> {
         let mut errors = vec![0.0; residual.len()];
         let own = self.step().errors(residual);
@@ -302,7 +301,7 @@ impl<'a> Newton<'a> {
         errors
     }
 
-    /// The last change of the period that is not made, for the orbit as it is and as other steps find it.
+    /// The change of the period in the next step, which is not made: for the orbit as it is and as computed with other steps.
     fn period_uncertainty(&self, other: &[f64]) -> f64 {
         if !self.unknowns.period {
             return 0.0;

@@ -1,4 +1,4 @@
-//! The named oscillators: what each is, and where it comes from. Attributions from memory say so.
+//! The named oscillators with their descriptions and sources. Attributions from memory are marked as such.
 
 use super::named::NamedOscillator;
 use libration_numbers::{
@@ -300,7 +300,7 @@ impl NamedOscillator {
     /// The oscillator of this key.
     ///
     /// # Errors
-    /// No oscillator has this key; the error lists the nearest keys and all of them.
+    /// No oscillator has this key; the error lists the nearest keys and all keys.
     pub fn by_key(key: &str) -> Result<&'static Self, UnknownKey> {
         by_key(CATALOGUE.iter(), key)
     }

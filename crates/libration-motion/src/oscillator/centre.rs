@@ -8,8 +8,8 @@ use super::neighbourhood::{Neighbourhood, Tendency};
 use libration_numbers::algebra::Rational;
 use libration_numbers::expression::{Equation, Expression};
 
-/// The equilibrium nearest to zero, or the one next to a place, to which the force at rest drives back from both sides: what
-/// amplitudes count from. There is one of x″ = −(x − 1)³, though no expansion.
+/// The equilibrium nearest to zero, or the one next to a given position, towards which the force at rest points from both sides: the point from
+/// which amplitudes count. x″ = −(x − 1)³ has one, though it has no expansion.
 ///
 /// # Examples
 /// ```
@@ -33,7 +33,7 @@ pub fn centre_of(equation: &Equation, about: Option<&Expression>) -> Option<Cons
     }
 }
 
-/// The positions where the force at rest vanishes, zero before all others.
+/// The positions at which the force at rest vanishes, zero before all others.
 fn places(force: &Force) -> impl Iterator<Item = Constant> {
     let zero = Rational::from(0);
     let at_zero = vanishes_at(force, &zero).then_some(Constant::Exact(zero));

@@ -1,13 +1,13 @@
-//! Constants that are fractions, or are known to some digits.
+//! Constants that are fractions, or are known to a limited number of digits.
 
 use std::fmt;
 
 use libration_numbers::algebra::{BigFloat, Rational};
 use libration_numbers::expression::Expression;
 
-/// Bits in which constants that are no fractions are held.
+/// Precision in bits of constants that are not fractions.
 pub(super) const PRECISION: usize = 512;
-/// Decimal digits of them that are written.
+/// Number of decimal digits with which such constants are printed.
 const DIGITS: usize = 30;
 
 /// A constant of an oscillator.
@@ -15,16 +15,16 @@ const DIGITS: usize = 30;
 pub enum Constant {
     /// The number itself.
     Exact(Rational),
-    /// A number that was not found to be a fraction.
+    /// A number that was not recognised as a fraction.
     Approximate(Approximation),
 }
 
-/// A number in digits.
+/// A number known to a limited number of digits.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Approximation(pub(super) BigFloat);
 
 impl Constant {
-    /// The fraction, when it is known to be one.
+    /// The fraction, if the constant is known to be one.
     #[must_use]
     pub fn exact(&self) -> Option<&Rational> {
         if let Self::Exact(value) = self { Some(value) } else { None }
@@ -39,7 +39,7 @@ impl Constant {
         }
     }
 
-    /// The constant to [`PRECISION`] bits.
+    /// The constant rounded to [`PRECISION`] bits.
     #[doc(hidden)]
     pub fn digits(&self) -> BigFloat {
         match self {
@@ -56,7 +56,7 @@ impl Constant {
     }
 }
 
-/// A fraction as it is written in formulas, other numbers by 30 digits and `…`.
+/// Writes a fraction as in formulas, and other numbers with 30 digits and `…`.
 impl fmt::Display for Constant {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -1,7 +1,7 @@
-//! Equilibria of an oscillator, and whether motions return to them.
+//! Equilibria of an oscillator, and the proof that motions return to them.
 //!
-//! Newton's method is that of `roots`. The search before it and the recognition of fractions after it differ from those of `normal_modes`: here all
-//! zeros of one force are wanted to 512 bits, there one zero of several forces near a guess in double precision.
+//! Newton's method is that of `roots`. The search before it and the recognition of fractions after it differ from those of `normal_modes`: here
+//! all zeros of one force are computed to 512 bits, there one zero of several forces near a guess in double precision.
 
 use super::constant::{Approximation, Constant, PRECISION};
 use super::error::{FrequencySource, OscillatorError, RejectedEquilibrium, RejectionReason};
@@ -15,27 +15,27 @@ use libration_numbers::internals::expression::Tape;
 use libration_numbers::internals::roots::{correction, newton};
 use libration_numbers::roots::polynomial_sign_changes;
 
-/// Largest distance of a zero from the number found for it, relative to it or to one: a double zero is found to half the digits, 1e-8, with a margin
-/// of a factor of a hundred.
+/// Largest distance of a zero from its approximation, relative to the zero or to one: a
+/// double zero is computed to half the digits, 1e-8, with a margin of a factor of a hundred.
 const FOUND_WITHIN: f64 = 1e-6;
 
-/// Bits of the longest fractions that are tried as zeros.
+/// Size in bits of the longest fractions tried as zeros.
 const LONGEST_FRACTION: usize = 128;
 
-/// A place of rest.
+/// An equilibrium.
 #[derive(Clone, Debug)]
 pub(super) struct Equilibrium {
     pub(super) at: Constant,
     pub(super) omega0_squared: Constant,
-    /// The forces on either side, where one power series holds above the equilibrium and another below.
+    /// The forces on either side, if one power series holds above the equilibrium and another below.
     pub(super) sides: Option<Sides>,
 }
 
-/// Numbers next to which the force at rest vanishes.
+/// Approximate positions at which the force at rest vanishes.
 pub(super) struct Candidates {
-    /// The nearest to zero first, of equal distance the positive one.
+    /// Sorted by distance from zero, at equal distance the positive one first.
     pub(super) near: Vec<f64>,
-    /// The error that is returned if none of them is a zero.
+    /// The error that is returned if none of the candidates is a zero.
     pub(super) none: OscillatorError,
 }
 
@@ -57,7 +57,7 @@ pub(super) fn candidates(force: &Force) -> Candidates {
     Candidates { near, none }
 }
 
-/// The coefficients over the last one, rounded.
+/// The coefficients divided by the last one, rounded.
 fn scaled(coefficients: &[Rational]) -> Vec<f64> {
     let last = coefficients.last();
     let over_last = |c: &Rational| last.and_then(|last| c.checked_div(last)).map_or(0.0, |c| c.to_f64());
@@ -69,14 +69,14 @@ pub(super) fn refined(force: &Force, near: f64) -> Option<Constant> {
     zero_or_fraction(force, near, FOUND_WITHIN)
 }
 
-/// The zero of the force next to a number, exactly if it is a fraction.
+/// The zero of the force next to a number, exact if it is a fraction.
 fn zero_or_fraction(force: &Force, near: f64, within: f64) -> Option<Constant> {
     let fraction = |number: &BigFloat, bits| {
         let simplest = simplest_about(number, bits);
         let fits = simplest.bits() <= LONGEST_FRACTION && vanishes_at(force, &simplest);
         fits.then_some(Constant::Exact(simplest))
     };
-    // A multiple zero is not a case for Newton's method, but may be a fraction of few digits.
+    // Newton's method does not converge to all digits of a multiple zero, which may be a fraction of few digits.
     if let Some(simple) = fraction(&BigFloat::from_f64(near, PRECISION)?, 30) {
         return Some(simple);
     }
@@ -84,23 +84,23 @@ fn zero_or_fraction(force: &Force, near: f64, within: f64) -> Option<Constant> {
     Some(fraction(&digits, RECOGNISED_BITS).unwrap_or(Constant::Approximate(Approximation(digits))))
 }
 
-/// Returns whether the force at rest is proved to vanish there.
+/// Returns `true` if the force at rest is proved to vanish at a position.
 pub(super) fn vanishes_at(force: &Force, place: &Rational) -> bool {
     let at_rest = force.at_rest();
     let Some(curve) = Curve::new(&at_rest, &force.x) else { return false };
-    // Exact arithmetic is for what vanishes in digits.
+    // The exact evaluation, which takes longer, is made only if the digits vanish.
     let digits = curve.precisely_at(&BigFloat::from_rational(place, PRECISION));
     let value = digits.filter(is_tiny).and_then(|_| curve.constant_at(place));
     value.is_some_and(|value| value.exact().is_some_and(Rational::is_zero))
 }
 
-/// Returns whether a number of [`PRECISION`] bits may be a rounding error of zero.
+/// Returns `true` if a number of [`PRECISION`] bits may be a rounding error of zero.
 fn is_tiny(number: &BigFloat) -> bool {
     let quarter = isize::try_from(PRECISION / 4).unwrap_or(isize::MAX);
     number.exponent().is_none_or(|size| size < -quarter)
 }
 
-/// The zero next to a constant that is given, at most 5 % away.
+/// The zero next to a given constant, at most 5 % away.
 pub(super) fn given(force: &Force, place: &Expression) -> Option<Constant> {
     const WITHIN: f64 = 0.05;
     if let Some(exact) = place.to_rational().filter(|exact| vanishes_at(force, exact)) {
@@ -120,13 +120,13 @@ fn zero_next_to(force: &Force, near: f64, within: f64) -> Option<BigFloat> {
     found.into_iter().next().filter(|x| (x.to_f64() - near).abs() <= within * near.abs().max(1.0))
 }
 
-/// Returns whether the next step of Newton's method would be below the last bits.
+/// Returns `true` if the next step of Newton's method would be below the last bits.
 fn is_last(step: &BigFloat, x: &BigFloat) -> bool {
     let bits = isize::try_from(x.precision() * 9 / 10).unwrap_or(isize::MAX);
     step.exponent().is_none_or(|size| size < x.exponent().unwrap_or(0).max(0) - bits)
 }
 
-/// The equilibrium at a place where the force vanishes, when it is stable and no energy is lost there.
+/// The equilibrium at a position where the force vanishes, if it is stable and no energy is lost there.
 pub(super) fn assessed(force: &Force, at: Constant) -> Result<Equilibrium, RejectedEquilibrium> {
     let smooth = omega0_squared_at(force, &at).and_then(|omega0_squared| {
         refuse_losses(force, &at)?;
@@ -144,7 +144,7 @@ pub(super) fn assessed(force: &Force, at: Constant) -> Result<Equilibrium, Rejec
     }
 }
 
-/// −k·sign(x) − ω²·x, as it is told.
+/// The force −k·sign(x) − ω²·x as a reason for rejection.
 fn circular_arcs(force: &Force, at: &Constant) -> Option<RejectionReason> {
     let sides = Sides::about(force, at.exact()?)?;
     let lines = [&sides.above, &sides.below].map(|side| side.polynomial_coefficients(&force.x));
@@ -155,13 +155,13 @@ fn circular_arcs(force: &Force, at: &Constant) -> Option<RejectionReason> {
     drives_back.then(|| RejectionReason::CircularArcs { jump: text(jump), omega_squared: text(slope) })
 }
 
-/// The force on both sides of a place to which it drives back, and ω0².
+/// The force on both sides of a position towards which it points, and ω0².
 fn two_sided(force: &Force, at: &Constant) -> Option<(Sides, Constant)> {
     let (sides, slope) = Sides::new(force, at)?;
     (slope.is_negative()).then(|| (sides, Constant::Exact(-slope)))
 }
 
-/// ω0², where the force drives back in proportion to the displacement.
+/// ω0², if the restoring force is proportional to small displacements.
 fn omega0_squared_at(force: &Force, at: &Constant) -> Result<Constant, RejectionReason> {
     let (at_rest, place) = (force.at_rest(), at.digits());
     let about = Neighbourhood::new(&at_rest, &force.x, at);
@@ -189,12 +189,12 @@ fn omega0_squared_at(force: &Force, at: &Constant) -> Result<Constant, Rejection
     Err(RejectionReason::NotRestoring { omega0_squared: omega0_squared.to_string() })
 }
 
-/// Returns whether motions about a place are proved to retrace their paths, as such or mirrored.
+/// Returns `true` if motions about a position are proved to retrace their paths, possibly mirrored.
 fn returns(force: &Force, at: &Constant) -> bool {
     force.is_reversible() || at.exact().is_some_and(|place| force.is_mirrored_about(place))
 }
 
-/// Refuses forces that take or give energy.
+/// Rejects forces that add or remove energy.
 fn refuse_losses(force: &Force, at: &Constant) -> Result<(), RejectionReason> {
     if returns(force, at) {
         return Ok(());
@@ -205,7 +205,7 @@ fn refuse_losses(force: &Force, at: &Constant) -> Result<(), RejectionReason> {
     }))
 }
 
-/// The value of a formula at a constant; one that is zero to its digits is zero.
+/// The value of a formula at a constant; a value whose digits all vanish is zero.
 fn value_at(force: &Force, formula: &Expression, at: &Constant) -> Option<Constant> {
     let curve = Curve::new(formula, &force.x)?;
     match at {

@@ -9,10 +9,10 @@ use libration_numbers::expression::{EquationError, SecondOrderError};
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum OscillatorError {
-    /// An equation or values that are not understood.
+    /// An equation or values that could not be parsed.
     #[error(transparent)]
     Equation(#[from] EquationError),
-    /// An equation of the first order.
+    /// An equation of first order.
     #[error(transparent)]
     NotSecondOrder(#[from] SecondOrderError),
     /// More than one variable.
@@ -22,7 +22,7 @@ pub enum OscillatorError {
         names.join(", ")
     )]
     SeveralVariables {
-        /// Their names.
+        /// The names of the variables.
         names: Vec<String>,
     },
     /// The time itself in the equation.
@@ -36,7 +36,7 @@ pub enum OscillatorError {
         names.first().map_or("mu", String::as_str)
     )]
     WithoutValue {
-        /// Their names.
+        /// The names of the parameters.
         names: Vec<String>,
     },
     /// A self-excitation of an oscillator that is not linear.
@@ -52,7 +52,7 @@ pub enum OscillatorError {
         /// The acceleration at strength zero.
         left: String,
     },
-    /// An open parameter that is more than the strength of a self-excitation.
+    /// An open parameter that occurs otherwise than as the strength of a self-excitation.
     #[error(
         "{parameter} has no value, and is not the strength of a self-excitation, as the acceleration is not the same when both {parameter} and the velocity change sign: give it a value, such as {parameter}=0.1"
     )]
@@ -60,20 +60,20 @@ pub enum OscillatorError {
         /// The open parameter.
         parameter: String,
     },
-    /// A force without values.
+    /// A force that has no value at any tried position.
     #[error("the acceleration at rest has no value at any position tried, from -{SEARCHED} to {SEARCHED}")]
     NoValues,
     /// A force that vanishes nowhere.
     #[error("there is no equilibrium to oscillate about: the acceleration at rest never passes through zero")]
     NoEquilibrium,
-    /// A force that was not seen to vanish.
+    /// A force for which no zero was found.
     #[error(
         "no equilibrium was found: the acceleration at rest does not pass through zero from -{SEARCHED} to {SEARCHED}, the \
          range of the search; if there is one further out, give it, such as {}",
         2.0 * SEARCHED
     )]
     NotFound,
-    /// Equilibria, but none that can be expanded about.
+    /// Equilibria without an expansion.
     #[error("there is no expansion about any equilibrium: {}", list(.0))]
     NoStableEquilibrium(Vec<RejectedEquilibrium>),
     /// An expression, given as the equilibrium, that is not a constant.
@@ -84,10 +84,10 @@ pub enum OscillatorError {
         /// The reason.
         why: String,
     },
-    /// A place given as the equilibrium where the force does not vanish.
+    /// A position given as the equilibrium at which the force does not vanish.
     #[error("there is no equilibrium at {at}: the acceleration does not vanish there or nearby")]
     NotAnEquilibrium {
-        /// The place, shortened.
+        /// The position, shortened.
         at: String,
     },
 }
@@ -112,7 +112,7 @@ impl OscillatorError {
 }
 
 impl RejectionReason {
-    /// The computations that have a result about such an equilibrium.
+    /// The computations that have a result for such an equilibrium.
     fn remedies(&self) -> Vec<Remedy> {
         match self {
             Self::NoLinearPart { force: Some(Tendency::Back), frequency }
@@ -131,7 +131,7 @@ impl RejectionReason {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("at {at} {reason}")]
 pub struct RejectedEquilibrium {
-    /// The place.
+    /// The position.
     pub at: String,
     /// The reason.
     pub reason: RejectionReason,
@@ -141,7 +141,7 @@ pub struct RejectedEquilibrium {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RejectionReason {
-    /// The force drives away.
+    /// The force points away from the equilibrium.
     #[error("the force points away from it: omega0^2 is {omega0_squared} and must be positive")]
     NotRestoring {
         /// −∂F/∂x.
@@ -150,17 +150,17 @@ pub enum RejectionReason {
     /// The force has no linear part.
     #[error("{}", without_linear_part(*.force, *.frequency))]
     NoLinearPart {
-        /// The direction of the force nevertheless, where it is known.
+        /// The direction of the force, if known.
         force: Option<Tendency>,
         /// The method that finds a frequency there.
         frequency: FrequencySource,
     },
-    /// The force has no power series there.
+    /// The force has no power series at the equilibrium.
     #[error("the acceleration has no power series to expand: {roughness}{}", without_series(*.force, *.frequency))]
     NotAnalytic {
         /// The defect of the force.
         roughness: Roughness,
-        /// The direction of the force nevertheless, where it is known.
+        /// The direction of the force, if known.
         force: Option<Tendency>,
         /// The method that finds a frequency there.
         frequency: FrequencySource,
@@ -177,7 +177,7 @@ pub enum RejectionReason {
         /// ω².
         omega_squared: String,
     },
-    /// Energy is lost or won in small oscillations.
+    /// Small oscillations lose or gain energy.
     #[error(
         "small motions {}, because the acceleration contains {damping} times the velocity: for an expansion leave \
              that term out, or leave its strength open, as in c*x'",
@@ -187,7 +187,7 @@ pub enum RejectionReason {
         /// ∂F/∂x′.
         damping: String,
     },
-    /// Energy is lost or won in larger ones, or it cannot be excluded.
+    /// Larger oscillations lose or gain energy, or this cannot be excluded.
     #[error(
         "the acceleration is neither the same for the opposite velocity nor the opposite for the opposite displacement, so that motions \
          may decay or grow"
@@ -195,14 +195,14 @@ pub enum RejectionReason {
     Irreversible,
 }
 
-/// The method that finds the frequency of oscillations that have no expansion.
+/// The method that computes the frequency of oscillations without an expansion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FrequencySource {
-    /// An orbit for each amplitude.
+    /// A periodic orbit for each amplitude.
     Orbits,
     /// The motion in time.
     Motion,
-    /// Neither, as integration does not pass the equilibrium.
+    /// No method, since integration does not pass the equilibrium.
     Nothing,
 }
 

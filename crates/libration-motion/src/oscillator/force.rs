@@ -43,39 +43,39 @@ impl Force {
         slope.substitute(&self.velocity, &Expression::from(0)).simplified()
     }
 
-    /// Returns whether F(x, x′) = F(x, 0) is not proved. The derivative does not decide it: that of sign(x′) is zero on either side.
+    /// Returns `true` unless F(x, x′) = F(x, 0) is proved. The derivative does not decide this: that of sign(x′) is zero on either side.
     pub(super) fn uses_velocity(&self) -> bool {
         self.formula.contains(&self.velocity) && !difference(self.formula.clone(), self.at_rest()).vanishes()
     }
 
-    /// Returns whether F(x, −x′) = F(x, x′) is proved.
+    /// Returns `true` if F(x, −x′) = F(x, x′) is proved.
     pub(super) fn is_reversible(&self) -> bool {
-        // What is too long to be compared term by term may have no velocity in it at all.
+        // A formula too long for a comparison of its terms may still be free of the velocity.
         !self.formula.contains(&self.velocity)
             || difference(reflected(&self.formula, &self.velocity, None), self.formula.clone()).vanishes()
     }
 
-    /// Returns whether F is proved to be the opposite on the other side of a place with the same velocity.
+    /// Returns `true` if F is proved to be the opposite at the mirror image of a position, with the same velocity.
     pub(super) fn is_mirrored_about(&self, place: &Rational) -> bool {
         let other_side = reflected(&self.formula, &self.x, Some(place));
         Expression::Add(Box::new(other_side), Box::new(self.formula.clone())).vanishes()
     }
 
-    /// Returns whether F is proved to be the opposite on the other side of a place with the opposite velocity.
+    /// Returns `true` if F is proved to be the opposite at the mirror image of a position, with the opposite velocity.
     pub(super) fn is_odd_about(&self, place: &Rational) -> bool {
         let other_side = reflected(&self.formula, &self.x, Some(place));
         let other_side = reflected(&other_side, &self.velocity, None);
         Expression::Add(Box::new(other_side), Box::new(self.formula.clone())).vanishes()
     }
 
-    /// Returns whether F is proved to be unchanged by a change of sign of both velocity and parameter.
+    /// Returns `true` if F is proved to be unchanged by a change of sign of both velocity and parameter.
     pub(super) fn is_reversible_with(&self, parameter: &Symbol) -> bool {
         let backwards = reflected(&reflected(&self.formula, &self.velocity, None), parameter, None);
         difference(backwards, self.formula.clone()).vanishes()
     }
 }
 
-/// A formula with 2a − u in the place of u, −u if there is no a.
+/// A formula with the symbol u replaced by 2a − u, or by −u if there is no a.
 fn reflected(formula: &Expression, symbol: &Symbol, about: Option<&Rational>) -> Expression {
     let own = Expression::Symbol(symbol.clone());
     let twice = about.map(|place| Rationals.times_integer(place, 2)).filter(|twice| !twice.is_zero());
@@ -98,7 +98,7 @@ pub(super) struct Curve<'a> {
 }
 
 impl<'a> Curve<'a> {
-    /// `None` when other symbols occur.
+    /// The curve; `None` if other symbols occur.
     pub(super) fn new(formula: &'a Expression, x: &'a Symbol) -> Option<Self> {
         let tape = Tape::new(&[formula], std::slice::from_ref(x)).ok()?;
         Some(Self { formula, x, tape })
@@ -108,12 +108,12 @@ impl<'a> Curve<'a> {
         Some(Jet::new(ring, &self.tape, &[at]).ok()?.result(0)[0].clone())
     }
 
-    /// NaN where there is no value.
+    /// The value; NaN if there is none.
     pub(super) fn at(&self, x: f64) -> f64 {
         self.value(&Doubles, x).unwrap_or(f64::NAN)
     }
 
-    /// Returns whether the function has a first Taylor coefficient there; |x| has none at zero.
+    /// Returns `true` if the function has a first Taylor coefficient at a number; |x| has none at zero.
     pub(super) fn is_smooth_at(&self, x: &BigFloat) -> bool {
         let ring = Floats { precision: x.precision() };
         let Ok(mut jet) = Jet::new(&ring, &self.tape, std::slice::from_ref(x)) else { return false };
@@ -125,7 +125,7 @@ impl<'a> Curve<'a> {
         self.value(&Floats { precision: x.precision() }, x.clone())
     }
 
-    /// The value at a fraction: worked out exactly, or found in digits, recognised and proved; else in digits.
+    /// The value at a fraction: evaluated exactly, or computed in digits, recognised and proved; otherwise in digits.
     pub(super) fn constant_at(&self, x: &Rational) -> Option<Constant> {
         let digits = self.precisely_at(&BigFloat::from_rational(x, PRECISION))?;
         let there = self.formula.substitute(self.x, &Expression::Number(x.clone())).simplified();
@@ -138,7 +138,7 @@ impl<'a> Curve<'a> {
     }
 }
 
-/// The fraction of least denominator that agrees with a number to `bits` bits, or to this many after the point.
+/// The fraction of smallest denominator that agrees with a number to `bits` bits, or to this many bits after the point.
 pub(super) fn simplest_about(number: &BigFloat, bits: usize) -> Rational {
     let value = number.to_rational();
     let scale = value.magnitude().max(Rational::from(1));

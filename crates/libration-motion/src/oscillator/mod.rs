@@ -4,7 +4,7 @@
 //! # extern crate libration_motion as libration;
 //! use libration::oscillator::{NamedOscillator, Oscillator};
 //!
-//! // A charge between two others: the equilibrium is found, exactly where it is a number that can be written.
+//! // A charge between two others: the equilibrium is exact if it is a rational number.
 //! let typed = Oscillator::new(&"x'' = 1/x^2 - 1/(3 - x)^2".parse()?)?;
 //! assert_eq!((typed.equilibrium().to_string(), typed.omega0_squared().to_string()), ("1.5".into(), "32/27".into()));
 //!

@@ -9,7 +9,7 @@ use libration_numbers::algebra::Rational;
 use libration_numbers::expression::{Equation, Expression, Symbol};
 use libration_numbers::quantity::excerpt;
 
-/// Largest number of equilibria, the nearest to zero, that are examined.
+/// Maximum number of equilibria that are examined, those nearest to zero.
 pub(super) const MOST_PLACES: usize = 20;
 
 /// One variable that oscillates about an equilibrium.
@@ -40,16 +40,16 @@ pub struct Oscillator {
 pub enum Kind {
     /// The acceleration depends on the position only: energy is conserved.
     Conservative,
-    /// The acceleration is the same for the opposite velocity: each motion about the equilibrium runs back as it came.
+    /// The acceleration is the same for the opposite velocity: each motion about the equilibrium retraces its path.
     Reversible,
-    /// The acceleration is the opposite at the opposite displacement and the same velocity: each motion about the equilibrium runs
-    /// back as it came, seen in a mirror.
+    /// The acceleration is the opposite at the opposite displacement and the same
+    /// velocity: each motion about the equilibrium retraces its path, mirrored.
     Mirrored,
     /// The acceleration depends on the position only, and has one power series above the equilibrium and another below, with the same
     /// slope, as x + x·|x| has: energy is conserved.
     TwoSided,
-    /// A self-excitation of a strength that is left open settles to a limit cycle. Without it the equation is linear,
-    /// and changing the signs of strength and velocity together changes nothing.
+    /// A self-excitation, whose strength is an open parameter, settles to a limit cycle. Without it
+    /// the equation is linear; changing the signs of strength and velocity together changes nothing.
     LimitCycle {
         /// The name of the strength.
         parameter: String,
@@ -57,9 +57,9 @@ pub enum Kind {
 }
 
 impl Oscillator {
-    /// The oscillator about the stable equilibrium nearest to zero. It is x = 0 if the acceleration vanishes there and
-    /// drives back; else the 20 nearest places of rest are looked at, found everywhere for polynomials up to the 40th degree, from -10 to 10 for
-    /// other accelerations. A parameter may stay open if it is the strength of a self-excitation.
+    /// The oscillator about the stable equilibrium nearest to zero. It is x = 0 if the acceleration vanishes there and is restoring; otherwise
+    /// the 20 equilibria nearest to zero are examined, found everywhere for polynomials up to the 40th degree, from -10 to 10 for other
+    /// accelerations. A parameter may stay open if it is the strength of a self-excitation.
     ///
     /// # Errors
     /// Several variables, the time in the equation, open parameters, or no equilibrium about which there are
@@ -75,7 +75,7 @@ impl Oscillator {
     /// The oscillator about the equilibrium next to a given constant, at most 5 % away or 0.05 about zero.
     ///
     /// # Errors
-    /// As [`new`](Self::new), or there is no equilibrium at this place.
+    /// As [`new`](Self::new), or there is no equilibrium at this position.
     pub fn about(equation: &Equation, place: &Expression) -> Result<Self, OscillatorError> {
         let force = force(equation)?;
         if let Some(parameter) = open_parameter(equation)? {
@@ -117,7 +117,7 @@ impl Oscillator {
             (false, _) if equilibrium.sides.is_some() => Kind::TwoSided,
             (false, _) => Kind::Conservative,
             (true, true) => Kind::Reversible,
-            // Only the mirror is left of what an equilibrium is accepted for.
+            // The equilibrium was accepted for one of the two symmetries; only the mirror symmetry remains.
             (true, false) => Kind::Mirrored,
         };
         if matches!(kind, Kind::Conservative | Kind::TwoSided) {
@@ -127,7 +127,7 @@ impl Oscillator {
         Self { equation: equation.clone(), force, equilibrium, kind, odd }
     }
 
-    /// A self-excitation of the linear oscillator that is left at strength zero.
+    /// The self-excitation of the linear oscillator to which the equation reduces at strength zero.
     fn limit_cycle(equation: &Equation, force: Force, parameter: &str) -> Result<Self, OscillatorError> {
         let symbol = Symbol::plain(parameter);
         if !force.uses_velocity() {
@@ -146,7 +146,7 @@ impl Oscillator {
         Ok(Self { equation: equation.clone(), force, equilibrium, kind, odd })
     }
 
-    /// The equation with its values, as it was understood.
+    /// The equation with its values, as it was parsed.
     #[must_use]
     pub fn equation(&self) -> &Equation {
         &self.equation
@@ -176,27 +176,27 @@ impl Oscillator {
         &self.equilibrium.omega0_squared
     }
 
-    /// The acceleration on both sides of the equilibrium, where these have different power series.
+    /// The acceleration on both sides of the equilibrium, if these have different power series.
     #[doc(hidden)]
     pub fn sides(&self) -> Option<&Sides> {
         self.equilibrium.sides.as_ref()
     }
 
-    /// The property that makes its motions periodic.
+    /// The property that makes the motions periodic.
     #[must_use]
     pub fn kind(&self) -> &Kind {
         &self.kind
     }
 
-    /// Returns whether the acceleration is proved to be the opposite at the opposite displacement and velocity. Then the motion has no even
-    /// harmonics. For an equilibrium that is known in digits only, nothing is proved.
+    /// Returns `true` if the acceleration is proved to be the opposite at the opposite displacement and velocity. Then the motion has no even
+    /// harmonics. For an equilibrium known only to a limited number of digits, nothing is proved.
     #[must_use]
     pub fn is_odd(&self) -> bool {
         self.odd
     }
 }
 
-/// The acceleration of the only variable, when time does not enter it.
+/// The acceleration of the only variable, if it does not contain the time.
 pub(super) fn force(equation: &Equation) -> Result<Force, OscillatorError> {
     let [variable] = equation.variables() else {
         return Err(OscillatorError::SeveralVariables { names: equation.variables().to_vec() });
@@ -209,7 +209,7 @@ pub(super) fn force(equation: &Equation) -> Result<Force, OscillatorError> {
     Ok(Force::new(formula, variable))
 }
 
-/// The one parameter that has no value, if there is one.
+/// The one parameter without a value, if there is one.
 fn open_parameter(equation: &Equation) -> Result<Option<String>, OscillatorError> {
     let mut names: Vec<String> = equation.parameters().into_iter().collect();
     if names.len() > 1 {
@@ -218,7 +218,7 @@ fn open_parameter(equation: &Equation) -> Result<Option<String>, OscillatorError
     Ok(names.pop())
 }
 
-/// Refuses an expression that is not a constant with a value.
+/// Rejects an expression that is not a constant with a value.
 fn refuse_no_place(place: &Expression) -> Result<(), OscillatorError> {
     let why = match (place.symbols().pop_first(), place.without_value()) {
         (Some(inside), _) => format!("{inside} in it has no value; give a number, such as 0.5 or pi/2"),
@@ -233,7 +233,7 @@ fn left_without(force: &Force, parameter: &Symbol) -> Expression {
     force.formula.substitute(parameter, &Expression::from(0)).simplified()
 }
 
-/// The equilibrium of what is left at strength zero, when that is a linear oscillator with fractions.
+/// The equilibrium of the acceleration at strength zero, if this is a linear oscillator with fractions as coefficients.
 fn linear_rest(force: &Force, parameter: &Symbol) -> Option<Equilibrium> {
     let coefficients = left_without(force, parameter).polynomial_coefficients(&force.x)?;
     let [constant, slope] = coefficients.as_slice() else { return None };

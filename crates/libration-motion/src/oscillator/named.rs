@@ -19,13 +19,13 @@ use libration_numbers::{catalogue::NamedParameter, internals::catalogue::Named};
 pub struct NamedOscillator {
     /// The name by which it is requested.
     pub key: &'static str,
-    /// Other names for it.
+    /// Alternative names.
     pub also: &'static [&'static str],
     /// The name used in a sentence.
     pub title: &'static str,
-    /// Its equation of motion.
+    /// The equation of motion.
     pub equation: &'static str,
-    /// The parameters in it.
+    /// The parameters in the equation.
     pub parameters: &'static [NamedParameter],
     /// The parameter in which a limit cycle is expanded; it keeps no value.
     pub expansion_parameter: Option<&'static str>,
@@ -33,8 +33,8 @@ pub struct NamedOscillator {
     pub description: &'static str,
     /// The motions that are oscillations about the equilibrium.
     pub domain: &'static str,
-    /// The source, confirmed in the work itself or in a text that cites it; `attributed to` where that is not read but
-    /// remembered, with `not verified against the original` at the end.
+    /// The source, confirmed in the work itself or in a text that cites it; a source that was not read
+    /// but remembered begins with `attributed to` and ends with `not verified against the original`.
     pub source: &'static str,
 }
 
@@ -48,8 +48,8 @@ impl Named for NamedOscillator {
 }
 
 impl NamedOscillator {
-    /// The equation with these values of parameters, the default values for the others; an expansion parameter that is
-    /// not given stays.
+    /// The equation with these values of parameters, and the default values of
+    /// the others; an expansion parameter without a given value stays open.
     ///
     /// # Errors
     /// A value for a name that is not a parameter, or one that is not constant.
@@ -57,10 +57,10 @@ impl NamedOscillator {
         self.equation_with_letters(values, &[])
     }
 
-    /// The same where parameters of these names stay letters.
+    /// The equation with these values, in which the parameters of the second argument stay symbols.
     ///
     /// # Errors
-    /// The errors of [`equation_with`](Self::equation_with), and a letter that is not a parameter, or has a value.
+    /// The errors of [`equation_with`](Self::equation_with), and a symbol that is not a parameter, or has a value.
     pub fn equation_with_letters(
         &self,
         values: &[(&str, Expression)],

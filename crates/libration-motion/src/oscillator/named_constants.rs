@@ -1,4 +1,4 @@
-//! Constants that no product of letters is, such as √2, π and eᵏ, by names of their own.
+//! Names for constants that are not products of symbolic parameters, such as √2, π and eᵏ.
 //!
 //! # Method
 //! In expansions with symbolic parameters, constants that no product of symbols equals (√2, e^k, long powers of sums) get names and are then
@@ -10,12 +10,12 @@ use libration_numbers::{
     internals::expression::{Jet, Tape},
 };
 
-/// A formula of variables and letters whose constants are products of letters, or names for what is none.
+/// A formula of variables and symbolic parameters, whose constants are products of these, or are replaced by names.
 pub(super) struct NamedConstants<'a> {
     variables: &'a [Symbol],
     ring: LaurentPolynomials,
     taken: Vec<String>,
-    /// The names with what they stand for.
+    /// The names with the constants that they replace.
     pub(super) constants: Vec<(String, Expression)>,
 }
 
@@ -25,7 +25,7 @@ impl<'a> NamedConstants<'a> {
         Self { variables, ring, taken: letters.to_vec(), constants: vec![] }
     }
 
-    /// The formula with names in it. Sums, products and powers of constants are kept, so that few names are needed.
+    /// The formula with names for constants. Sums, products and powers of constants are kept, so that few names are needed.
     pub(super) fn named(&mut self, formula: &Expression) -> Expression {
         let is_constant = !self.variables.iter().any(|variable| formula.contains(variable));
         if is_constant && value_of(&self.ring, formula).is_some() {
@@ -88,7 +88,7 @@ fn is_sum(formula: &Expression) -> bool {
     matches!(formula, Expression::Add(..) | Expression::Subtract(..))
 }
 
-/// A formula of the letters as an element of the ring.
+/// A formula of the symbols as an element of the ring.
 pub(super) fn value_of(ring: &LaurentPolynomials, formula: &Expression) -> Option<LaurentPolynomial> {
     let letters: Vec<Symbol> = ring.letters().iter().map(|name| Symbol::plain(name)).collect();
     let tape = Tape::new(&[formula], &letters).ok()?;
@@ -97,7 +97,7 @@ pub(super) fn value_of(ring: &LaurentPolynomials, formula: &Expression) -> Optio
     (!value.is_beyond_limit()).then_some(value)
 }
 
-/// The name, or one derived from it that is not in use.
+/// The name itself, or one derived from it, that is not in use.
 pub(super) fn free_name(name: &str, others: &[String]) -> String {
     let mut free = name.to_owned();
     while others.contains(&free) {

@@ -1,4 +1,4 @@
-//! The force at rest next to a place where it vanishes, where its derivatives there do not tell.
+//! The force at rest next to a position where it vanishes, if its derivatives there do not decide its direction.
 
 use super::constant::{Approximation, Constant, PRECISION};
 use super::force::{Curve, simplest_about};
@@ -8,27 +8,27 @@ use libration_numbers::{
     internals::expression::Side,
 };
 
-/// The direction of a force next to a place where it vanishes.
+/// The direction of a force next to a position where it vanishes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tendency {
-    /// Force back to the position from both sides.
+    /// Towards the position, on both sides.
     Back,
-    /// Away from it, on both sides.
+    /// Away from the position, on both sides.
     Away,
-    /// The same way on both sides.
+    /// In the same direction on both sides.
     OneWay,
-    /// No way: it vanishes all about the place.
+    /// No direction: the force vanishes on both sides.
     None,
 }
 
-/// The defect of the derivative of a force where it has no power series.
+/// The defect of the derivative of a force that has no power series.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Roughness {
     /// No real values on one side.
     #[error("it has no value {0} this position")]
     Edge(&'static str),
-    /// Values that do not come near zero.
+    /// Values that do not tend to zero.
     #[error("it jumps")]
     Jump,
     /// Two slopes.
@@ -42,7 +42,7 @@ pub enum Roughness {
     /// No finite slope.
     #[error("its slope is infinite")]
     Steep,
-    /// A slope, and so ω0², but no power series.
+    /// A finite slope, and so ω0², but no power series.
     #[error("it has a derivative, omega0^2 being {omega0_squared}, but not all derivatives")]
     Slope {
         /// −∂F/∂x.
@@ -53,14 +53,14 @@ pub enum Roughness {
     Other,
 }
 
-/// The side of a place.
+/// The side of a position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Towards {
     Below,
     Above,
 }
 
-/// The force at rest about a place where it vanishes.
+/// The force at rest about a position where it vanishes.
 pub(super) struct Neighbourhood<'a> {
     curve: Curve<'a>,
     at_rest: &'a Expression,
@@ -68,13 +68,13 @@ pub(super) struct Neighbourhood<'a> {
     at: &'a Constant,
 }
 
-/// Distances, as powers of two, at which the direction of a force is looked at: small, unless a force of a high power is too weak there to
-/// be distinguished from the rounding of [`PRECISION`] bits.
+/// Distances, as powers of two, at which the direction of a force is evaluated: small, unless a force
+/// of a high power is too weak there to be distinguished from the rounding of [`PRECISION`] bits.
 const TRIED: [usize; 3] = [40, 20, 8];
-/// Forces of fewer than two to this power may be rounding.
+/// Binary exponent below which a force may be rounding.
 const NOISE: isize = -460;
-/// Distances at which slopes are measured, as powers of two. Between them a power of the distance like √h changes by
-/// 2²⁰ and more, and what is analytic by 2⁻¹⁰⁰ of itself.
+/// Distances at which slopes are measured, as powers of two. Between them a power of the
+/// distance like √h changes by 2²⁰ and more, and an analytic function by 2⁻¹⁰⁰ of itself.
 const NEAR: [usize; 2] = [100, 140];
 
 impl<'a> Neighbourhood<'a> {
@@ -82,7 +82,7 @@ impl<'a> Neighbourhood<'a> {
         Some(Self { curve: Curve::new(at_rest, x)?, at_rest, x, at })
     }
 
-    /// The direction of the force; `None` where it is unknown.
+    /// The direction of the force; `None` if it is unknown.
     pub(super) fn tendency(&self) -> Option<Tendency> {
         let signs = TRIED.iter().filter_map(|&n| {
             Some((self.sign(Towards::Below, n)?, self.sign(Towards::Above, n)?)).filter(|it| *it != (0, 0))
@@ -95,7 +95,7 @@ impl<'a> Neighbourhood<'a> {
         }
     }
 
-    /// The sign of the force; zero where it is not distinguished from zero.
+    /// The sign of the force; zero if it cannot be distinguished from zero.
     fn sign(&self, side: Towards, n: usize) -> Option<i8> {
         let sign = |positive: bool| if positive { 1 } else { -1 };
         match self.value(side, n)? {
@@ -142,7 +142,7 @@ impl<'a> Neighbourhood<'a> {
         let values: Option<Vec<BigFloat>> =
             NEAR.iter().map(|&n| self.value(side, n).map(|value| value.digits())).collect();
         let Some(values) = values else { return OneSided::NoValue };
-        // What goes to zero like any power of the distance above 1/1000 is smaller by 2 % at least.
+        // A function that tends to zero like any power of the distance above 1/1000 decreases by at least 2 %.
         if size(&values[1]) > 0.99 * size(&values[0]) && size(&values[0]) > 0.0 {
             return OneSided::Jump;
         }
@@ -163,7 +163,7 @@ impl<'a> Neighbourhood<'a> {
         if near > 1.2 * far { OneSided::Infinite } else { OneSided::Unclear }
     }
 
-    /// Returns whether the force has no other singularity than absolute values and signs, so that integration passes the place.
+    /// Returns `true` if the force has no other singularity than absolute values and signs, so that integration passes the position.
     pub(super) fn is_analytic_on_both_sides(&self) -> bool {
         let (symbols, state) = ([self.x.clone()], [self.at.to_f64()]);
         [-1, 1].into_iter().all(|sign| {
@@ -198,7 +198,7 @@ fn agree(a: &BigFloat, b: &BigFloat) -> bool {
     gap <= 1e-9 * size(a).max(size(b)) || size(a).max(size(b)) < 1e-9
 }
 
-/// A slope as a fraction of few digits, or in twelve.
+/// A slope as a fraction of few digits, or with twelve digits.
 fn short(slope: &BigFloat) -> String {
     let simplest = simplest_about(slope, 60);
     if simplest.bits() <= 24 { Expression::Number(simplest).to_string() } else { simplest.to_decimal(12) }

@@ -1,24 +1,24 @@
-//! Oscillators whose parameters have values or stay letters, whichever they are.
+//! Oscillators whose parameters either have values or stay symbols.
 
 use super::{Oscillator, OscillatorError, Remedy, SymbolicOscillator, SymbolicOscillatorError};
 use libration_numbers::expression::{Equation, Expression};
 
-/// An oscillator whose parameters have values, or one with letters.
+/// An oscillator whose parameters have values, or one with symbolic parameters.
 #[derive(Clone, Debug)]
 pub enum NumbersOrLetters {
     /// Every parameter has a value.
     Numbers(Oscillator),
-    /// Some have none.
+    /// Some parameters have no value.
     Letters(SymbolicOscillator),
 }
 
-/// The reason why an equation is not an oscillator, with numbers or with letters.
+/// The reason why an equation is not an oscillator, with numbers or with symbolic parameters.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum NumbersOrLettersError {
     /// The reason with numbers.
     #[error(transparent)]
     Numbers(#[from] OscillatorError),
-    /// The reason with letters.
+    /// The reason with symbolic parameters.
     #[error(transparent)]
     Letters(#[from] SymbolicOscillatorError),
 }
@@ -35,11 +35,11 @@ impl NumbersOrLettersError {
 }
 
 impl NumbersOrLetters {
-    /// The oscillator about a place, or about the stable equilibrium nearest to zero; with letters where parameters have no value, unless the
-    /// parameter is the strength of a self-excitation.
+    /// The oscillator about a position, or about the stable equilibrium nearest to zero; parameters
+    /// without a value stay symbols, unless the parameter is the strength of a self-excitation.
     ///
     /// # Errors
-    /// What an oscillator with numbers lacks; where it lacks only values, what one with letters lacks.
+    /// The errors of an oscillator with numbers; if only values are missing, those of an oscillator with symbols.
     ///
     /// # Examples
     /// ```

@@ -1,4 +1,4 @@
-//! Forces in proportion to one power of the displacement: −k·x³, −k·x|x|, −k·sign(x)·|x|^p.
+//! Forces proportional to one power of the displacement: −k·x³, −k·x|x|, −k·sign(x)·|x|^p.
 
 use super::centre::centre_of;
 use super::force::Curve;
@@ -27,8 +27,8 @@ pub struct PurePower {
 }
 
 impl PurePower {
-    /// The pure-power force of an equation of motion, which may have letters: these stand for positive numbers. The expansion is about a given
-    /// place, or else about the stable equilibrium nearest to zero. `None` for other forces.
+    /// The pure-power force of an equation of motion, which may have symbolic parameters, taken as positive. The displacement counts from a
+    /// given position, or else from the stable equilibrium nearest to zero. `None` for other forces.
     #[must_use]
     pub fn of(equation: &Equation, about: Option<&Expression>) -> Option<Self> {
         let force = force(equation).ok().filter(|force| !force.uses_velocity())?;
@@ -55,19 +55,19 @@ impl PurePower {
         &self.variable
     }
 
-    /// The place to which it drives back.
+    /// The position towards which the force points.
     #[must_use]
     pub fn centre(&self) -> &Rational {
         &self.centre
     }
 
-    /// k, a formula of the letters.
+    /// k, a formula of the symbolic parameters.
     #[must_use]
     pub fn strength(&self) -> &Expression {
         &self.strength
     }
 
-    /// The value of k; `None` where there are letters in it.
+    /// The value of k; `None` if it contains symbols.
     #[must_use]
     pub fn strength_value(&self) -> Option<f64> {
         if self.strength.symbols().is_empty() { self.strength_if_letters_are_one() } else { None }
@@ -133,7 +133,7 @@ impl Monomial {
         Some(Self { factor: Expression::Number(factor), exponent: i64::try_from(power).ok()?.into() })
     }
 
-    /// The sum or the difference with one of the same power.
+    /// The sum or the difference of this monomial and one of the same power.
     fn joined(
         self,
         other: Self,

@@ -1,8 +1,8 @@
-//! Computations that have a result where another has none.
+//! Computations that succeed where another one has failed.
 
-/// A computation that has a result where the one that failed has none.
+/// A computation that has a result for a problem in which another one has failed.
 ///
-/// Messages of errors do not name functions or commands; a front end names what it calls the remedy.
+/// Error messages do not name functions or commands; each front end inserts its own name of the remedy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Remedy {

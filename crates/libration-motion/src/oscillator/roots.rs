@@ -1,12 +1,12 @@
-//! Places where a function of one variable vanishes, to double precision.
+//! Zeros of a function of one variable, to double precision.
 
 use libration_numbers::internals::roots::sign_change;
 
 /// The interval searched for zeros of functions that are not polynomials.
 pub(super) const SEARCHED: f64 = 10.0;
-/// The pieces it is cut into; of two zeros within one piece both are missed.
+/// Number of pieces of this interval; two zeros within one piece are both missed.
 const PIECES: i32 = 2000;
-/// Polynomials up to this degree are searched everywhere.
+/// Largest degree of polynomials for which all zeros are searched.
 pub(super) const LARGEST_DEGREE: usize = 40;
 
 /// The result of a search for the zeros of a function.
@@ -14,11 +14,11 @@ pub(super) const LARGEST_DEGREE: usize = 40;
 pub struct Scan {
     /// The zeros at which the function changes its sign, ascending.
     pub zeros: Vec<f64>,
-    /// `true` if the function has a value anywhere.
+    /// `true` if the function has a value at any of the points.
     pub has_values: bool,
 }
 
-/// The zeros where the function changes sign, and those it has at an end of a piece, within ±`SEARCHED`.
+/// The zeros at which the function changes sign, and those at an end of a piece, within ±`SEARCHED`.
 pub fn zeros(f: impl Fn(f64) -> f64) -> Scan {
     let at = |i: i32| SEARCHED * f64::from(i) / f64::from(PIECES / 2);
     let values: Vec<(f64, f64)> = (-PIECES / 2..=PIECES / 2).map(|i| (at(i), f(at(i)))).collect();
@@ -27,7 +27,7 @@ pub fn zeros(f: impl Fn(f64) -> f64) -> Scan {
         let ((a, fa), (b, fb)) = (pair[0], pair[1]);
         if fa * fb < 0.0 {
             let zero = sign_change(&f, [a, b]);
-            // At a pole the function grows where it changes sign.
+            // At a pole the function grows towards the change of sign.
             found.extend(Some(zero).filter(|&zero| f(zero).abs() <= fa.abs().max(fb.abs())));
         }
     }

@@ -14,12 +14,12 @@ pub struct Sides {
     pub below: Expression,
 }
 
-/// Derivatives looked at for the sign of what vanishes at the equilibrium.
+/// Maximum number of derivatives that are evaluated for the sign of a function that vanishes at the equilibrium.
 const MOST_DERIVATIVES: usize = 12;
 
 impl Sides {
-    /// The sides, and the slope that they share; `None` where the velocity enters, a side has no power series in fractions, or the force
-    /// jumps or has a kink.
+    /// The sides, and their common slope; `None` if the force contains the velocity,
+    /// a side has no power series in fractions, or the force jumps or has a kink.
     pub(super) fn new(force: &Force, at: &Constant) -> Option<(Self, Rational)> {
         let sides = at.exact().and_then(|place| Self::about(force, place))?;
         let (above, below) =
@@ -27,7 +27,7 @@ impl Sides {
         (above == below).then_some((sides, above))
     }
 
-    /// The sides of any place; `None` where the velocity enters.
+    /// The sides of any position; `None` if the force contains the velocity.
     pub(super) fn about(force: &Force, place: &Rational) -> Option<Self> {
         if force.uses_velocity() {
             return None;
@@ -52,7 +52,7 @@ fn slope_from_rest(side: &Expression, x: &Symbol) -> Option<Rational> {
     at_zero(side)?.is_zero().then(|| at_zero(&side.derivative(x).simplified()))?
 }
 
-/// The formula for small x > 0, with ±u for |u| and ±1 for sign(u) where u vanishes at zero.
+/// The formula for small x > 0, with ±u for |u| and ±1 for sign(u) if u vanishes at zero.
 fn without_kinks(formula: &Expression, x: &Symbol) -> Expression {
     let seen = formula.with_parts(|part| without_kinks(part, x));
     let Expression::Call(function @ (Function::Abs | Function::Sign), of) = &seen else { return seen };
@@ -63,7 +63,7 @@ fn without_kinks(formula: &Expression, x: &Symbol) -> Expression {
     }
 }
 
-/// The sign that what vanishes at zero has next to it, by its first derivative that does not vanish.
+/// The sign, next to zero, of a function that vanishes at zero: that of its first derivative that does not vanish.
 fn sign_above_zero(formula: &Expression, x: &Symbol) -> Option<i64> {
     let series = formula.taylor_series(&Rationals, x, &Rational::from(0), MOST_DERIVATIVES)?;
     let first = series.iter().find(|coefficient| !coefficient.is_zero())?;

@@ -1,4 +1,4 @@
-//! Oscillators whose parameters stay letters.
+//! Oscillators with symbolic parameters.
 
 use std::fmt;
 
@@ -13,8 +13,7 @@ use libration_numbers::{
     internals::expression::{Jet, Tape},
 };
 
-/// An oscillator about an equilibrium that is known in letters: parameters without values, which stand for positive
-/// numbers wherever a root is taken.
+/// An oscillator about an equilibrium that is a formula of the symbolic parameters, which are positive wherever a root is taken.
 ///
 /// # Examples
 /// ```
@@ -35,9 +34,9 @@ pub struct SymbolicOscillator {
     letters: Vec<String>,
     constants: Vec<(String, Expression)>,
     ring: LaurentPolynomials,
-    /// The acceleration as a function of x, x′ and the letters.
+    /// The acceleration as a function of x, x′ and the symbols.
     tape: Tape,
-    /// The values of the tape's places at the equilibrium.
+    /// The values of the tape's slots at the equilibrium.
     values: Vec<LaurentPolynomial>,
     equilibrium: LaurentPolynomial,
     omega0_squared: LaurentPolynomial,
@@ -47,12 +46,12 @@ impl SymbolicOscillator {
     /// The oscillator about zero.
     ///
     /// # Errors
-    /// Several variables, the time in the equation, or what allows no expansion in letters.
+    /// Several variables, the time in the equation, or a property that prevents a symbolic expansion.
     pub fn new(equation: &Equation) -> Result<Self, SymbolicOscillatorError> {
         Self::about(equation, &Expression::from(0))
     }
 
-    /// The oscillator about an equilibrium given as a formula of the letters.
+    /// The oscillator about an equilibrium given as a formula of the symbols.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -120,7 +119,7 @@ impl SymbolicOscillator {
         })
     }
 
-    /// The equation, as it was understood.
+    /// The equation, as it was parsed.
     #[must_use]
     pub fn equation(&self) -> &Equation {
         &self.equation
@@ -138,7 +137,7 @@ impl SymbolicOscillator {
         &self.letters
     }
 
-    /// The names that stand for constants which are no products of letters, with these: c1 for √2, pi for π.
+    /// The names, with the constants that they replace because these are no products of symbols: c1 for √2, pi for π.
     #[must_use]
     pub fn constants(&self) -> &[(String, Expression)] {
         &self.constants
@@ -162,7 +161,7 @@ impl SymbolicOscillator {
         &self.kind
     }
 
-    /// Returns whether the acceleration is proved to be the opposite at the opposite displacement.
+    /// Returns `true` if the acceleration is proved to be the opposite at the opposite displacement.
     #[must_use]
     pub fn is_odd(&self) -> bool {
         self.odd
@@ -174,7 +173,7 @@ impl SymbolicOscillator {
         &self.force.formula
     }
 
-    /// The ring of the letters, the named constants and, behind them, ω0.
+    /// The ring of the symbols, the named constants and, after these, ω0.
     #[doc(hidden)]
     pub fn ring(&self) -> &LaurentPolynomials {
         &self.ring
@@ -214,14 +213,14 @@ impl AtRest {
     }
 }
 
-/// The acceleration in x, x′ and the letters.
+/// The acceleration in x, x′ and the symbols.
 fn tape(force: &Force, ring: &LaurentPolynomials) -> Option<Tape> {
     let letters = ring.letters().split_last()?.1.iter().map(|name| Symbol::plain(name));
     let inputs: Vec<Symbol> = [force.x.clone(), force.velocity.clone()].into_iter().chain(letters).collect();
     Tape::new(&[&force.formula], &inputs).ok()
 }
 
-/// ω0², if it is positive for some positive values of the letters.
+/// ω0², if it is positive for some positive values of the symbols.
 fn stiffness(
     ring: &LaurentPolynomials,
     slope: &LaurentPolynomial,
@@ -244,14 +243,14 @@ fn counted_from(formula: &Expression, x: &Symbol, place: &Expression) -> Express
     formula.substitute(x, &shifted)
 }
 
-/// The reason why an oscillator with letters has no expansion.
+/// The reason why an oscillator with symbolic parameters has no expansion.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SymbolicOscillatorError {
-    /// An error that holds with values too.
+    /// An error that occurs with numerical values too.
     #[error(transparent)]
     Oscillator(#[from] OscillatorError),
-    /// A case that values may remedy.
+    /// A case that may have an expansion with numerical values.
     #[error(
         "no value is given for {}: give one, such as {}=0.1; a symbolic expansion about {variable} = {at} does not exist, because {reason}",
         names.join(", "),
@@ -262,20 +261,20 @@ pub enum SymbolicOscillatorError {
         names: Vec<String>,
         /// The variable.
         variable: String,
-        /// The place that was to be the equilibrium.
+        /// The position that was given or tried as the equilibrium.
         at: String,
         /// The reason.
         reason: SymbolicSeriesError,
     },
 }
 
-/// The property that letters do not allow.
+/// The reason why there is no symbolic expansion.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum SymbolicSeriesError {
-    /// A quantity is not a Laurent polynomial in the letters and their roots.
+    /// A quantity is not a Laurent polynomial in the symbols and their roots.
     NoSeries,
-    /// The acceleration does not vanish there.
+    /// The acceleration does not vanish at the position.
     NotAtRest {
         /// The acceleration.
         acceleration: String,
@@ -287,12 +286,12 @@ pub enum SymbolicSeriesError {
         /// The value of ω0².
         omega0_squared: String,
     },
-    /// Energy is lost or won in small oscillations.
+    /// Small oscillations lose or gain energy.
     Damped {
         /// ∂F/∂x′.
         damping: String,
     },
-    /// Energy is lost or won in larger ones.
+    /// Larger oscillations lose or gain energy.
     Irreversible,
 }
 

@@ -6,8 +6,8 @@ use libration_numbers::roots::{Tolerance, bisect};
 /// The least and the greatest value.
 pub type Extrema = [f64; 2];
 
-/// The least and the greatest value of a component on some steps, less an even drift: at the ends of the steps, and where its rate of change goes
-/// through zero within them, to the last digits.
+/// The least and the greatest value of a component on some steps, minus a constant drift: at the
+/// ends of the steps, and at the zeros of its rate of change within them, to the last digits.
 pub fn extrema(steps: &[OwnedStep], component: usize, drift: f64, end: f64) -> Extrema {
     let mut range = [f64::INFINITY, f64::NEG_INFINITY];
     let mut widen = |x: f64| range = [range[0].min(x), range[1].max(x)];
@@ -21,10 +21,10 @@ pub fn extrema(steps: &[OwnedStep], component: usize, drift: f64, end: f64) -> E
     range
 }
 
-/// The times at which the rate of change of a component goes through a drift within a step.
+/// The times within a step at which the rate of change of a component equals a drift.
 pub fn turns_in(own: &OwnedStep, component: usize, drift: f64, end: f64) -> Vec<f64> {
-    /// A step may be longer than from one turning point to the next: of an oscillator, whose series converge everywhere, it is 3 to 5 radians. None
-    /// of its quarters has two of them.
+    /// Number of parts of a step that are searched. A step may be longer than the time between turning points: for an oscillator, whose series
+    /// converge everywhere, it is 3 to 5 radians. None of its quarters contains two turning points.
     const PARTS: u32 = 4;
     let step = own.step();
     let (begin, length) = (step.start(), step.end().min(end) - step.start());
@@ -33,7 +33,7 @@ pub fn turns_in(own: &OwnedStep, component: usize, drift: f64, end: f64) -> Vec<
     let rising: Vec<bool> = (0..=PARTS).map(|number| rises(time(number))).collect();
     let turns = (0..PARTS).zip(rising.windows(2)).filter(|(_, pair)| pair[0] != pair[1]);
     let turn = |(number, pair): (u32, &[bool])| {
-        // A root of the error here is the error of the value.
+        // An error of the zero found here would be an error of the value.
         let ends = [time(number), time(number + 1)];
         bisect(ends, Tolerance::relative(1e-9), |time| rises(time) != pair[1])[0]
     };

@@ -1,4 +1,4 @@
-//! The flow of a system and how its end depends on its start and on open parameters.
+//! The flow of a system, and the derivatives of its end with respect to its start and open parameters.
 
 use crate::taylor::{
     Effort, IntegrationError, Moment, Solution, StateLayout, Step, System, Trajectory, with_sensitivities,
@@ -8,13 +8,13 @@ use libration_numbers::expression::{Equation, Symbol, WithoutValue};
 use libration_numbers::internals::expression::{Jet, Tape};
 use std::ops::ControlFlow;
 
-/// A system over some open parameters, alone and with its variations.
+/// A system with some open parameters, with and without its variations.
 #[derive(Debug)]
 pub struct Flow {
     /// The order of the components of the state.
     pub layout: StateLayout,
     plain: System,
-    /// Followed by the derivatives by each parameter and by each component of the start.
+    /// The system with the derivatives by each parameter and by each component of the start appended.
     with_variations: System,
     rates: Tape,
     parameters: usize,
@@ -48,7 +48,7 @@ impl Flow {
         Ok(Self { layout, plain, with_variations, rates, parameters: parameters.len(), most_steps })
     }
 
-    /// The same flow for thousands of motions, which are worth machine code from the first step on.
+    /// The same flow for thousands of motions, for which machine code is generated at the first step.
     #[must_use]
     pub fn for_many_steps(self) -> Self {
         let (plain, with_variations) = (self.plain.for_many_steps(), self.with_variations.for_many_steps());
@@ -70,10 +70,10 @@ impl Flow {
         Effort { most_steps: self.most_steps, ..Effort::to_tolerance(tolerance) }
     }
 
-    /// The motion between two times; `each` sees its steps and may stop it.
+    /// The motion between two times; `each` is called with each step and may stop the motion.
     ///
     /// # Errors
-    /// A motion that cannot be followed to its end, or that is stopped.
+    /// A motion that cannot be integrated to its end, or that is stopped.
     pub fn motion(
         &self,
         state: &[f64],
@@ -103,8 +103,8 @@ impl Flow {
         Ok(self.taken_apart(&end))
     }
 
-    /// The end of a motion of a system without parameters with its derivatives, and the largest size of each derivative by the start on the way,
-    /// as the ends of the steps show it.
+    /// The end of a motion of a system without parameters with its derivatives, and the largest
+    /// size of each derivative by the start along the motion, at the ends of the steps.
     ///
     /// # Errors
     /// As [`motion`](Self::motion).
@@ -147,7 +147,7 @@ impl Flow {
         Ok(solution.end.state)
     }
 
-    /// The address of a component in the state with its variations: of the motion, copy 0, or of a derivative.
+    /// The index of a component in the state with its variations: of the motion, copy 0, or of a derivative.
     fn address(&self, number: usize, copy: usize) -> usize {
         self.layout.place_in_copy(number, copy, self.parameters + self.layout.numbers())
     }
@@ -165,7 +165,7 @@ impl Flow {
         }
     }
 
-    /// The derivative of a state by the time; `None` where a formula has no value.
+    /// The time derivative of a state; `None` if a formula has no value.
     pub fn rate(&self, state: &[f64], time: f64, parameters: &[f64]) -> Option<Vec<f64>> {
         let inputs: Vec<f64> = state.iter().chain([&time]).chain(parameters).copied().collect();
         let jet = Jet::new(&Doubles, &self.rates, &inputs).ok()?;

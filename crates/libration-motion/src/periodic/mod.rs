@@ -1,15 +1,15 @@
-//! The core of every periodic orbit, whether it is released, settled to, driven or followed over a parameter: the flow with its variations, the
+//! The code common to all periodic orbits, whether released, settled to, driven or continued in a parameter: the flow with its variations, the
 //! linear equations of a step of Newton's method, multiple shooting, the Floquet multipliers with their errors, and extrema.
 //!
 //! # Method
-//! An orbit is a zero of the map from its start to its end after one period, whose derivative comes from the variational equations. Two
-//! integrations to different tolerances tell the error of the flow. The error of an orbit's start is that residual, and the rounding of the start,
-//! taken through the inverse of the bordered matrix M − I; an orbit is accepted where it closes within ‖M‖ times that error and the error of the
-//! flow.
+//! An orbit is a zero of the map from its start to the difference of its end after one period, whose derivative
+//! comes from the variational equations. Two integrations to different tolerances give the error of the flow. The
+//! error of an orbit's start is the residual, and the rounding of the start, multiplied by the inverse of the
+//! bordered matrix M − I; an orbit is accepted if it closes within ‖M‖ times that error and the error of the flow.
 //!
-//! The iterations differ and stand where they are used. Along a branch the next point is near, so that steps are whole and end when they no longer
-//! halve (`continuation`); a guess of an orbit may be far off, so that steps are shortened until they lead nearer, and a family of orbits has more
-//! equations than unknowns (`orbit`). One loop for both would be longer than the two.
+//! Each module has its own iteration. Along a branch the next point is near, so that steps are whole and end when they no longer halve the
+//! distance (`continuation`); a guess of an orbit may be far off, so that steps are shortened until they reduce the distance, and a family of
+//! orbits has more equations than unknowns (`orbit`). One loop for both would be longer than the two.
 //!
 //! # References
 //! R. Seydel, *Practical Bifurcation and Stability Analysis*, Springer 2010, chapter 7, doi:10.1007/978-1-4419-1740-9.

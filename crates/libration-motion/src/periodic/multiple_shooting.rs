@@ -1,4 +1,5 @@
-//! Orbits whose deviations grow too much in a period for one integration to close them: the equation is integrated piece by piece, from node to node.
+//! Orbits whose deviations grow too much in a period for a single integration
+//! to close them: the equation is integrated piece by piece, from node to node.
 //!
 //! # References
 //! J. Stoer and R. Bulirsch, *Introduction to Numerical Analysis*, Springer 2002, section 7.3.5.
@@ -8,7 +9,7 @@ use super::norm::norm_of_map;
 use libration_kernels::elementary::count;
 use libration_numbers::internals::linear::least_squares;
 
-/// The rounding of a start, as it grows in a period, beyond which the end of one integration tells nothing of the start.
+/// Rounding error of a start, grown over a period, above which the end of a single integration no longer determines the start.
 pub const LOST: f64 = 1e-6;
 
 /// The end of a piece with its derivatives.
@@ -31,46 +32,47 @@ pub struct Nodes {
     pub further: Vec<f64>,
 }
 
-/// The units of an orbit, the displacement of its end from its start, and the conditions that select it.
+/// The units of an orbit, the displacement of its end from its start, and the conditions that select the orbit.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<'a> {
     /// The units of the components of a state, then those of the further unknowns.
     pub units: &'a [f64],
-    /// The state at the end of the last piece less the first state.
+    /// The state at the end of the last piece minus the first state.
     pub shift: &'a [f64],
-    /// Rows over the changes of the first state and of the further unknowns, in units, which are to vanish.
+    /// Rows that multiply the changes of the first state and of the further unknowns, in scaled units; the products are to vanish.
     pub conditions: &'a [Vec<f64>],
 }
 
 impl Frame<'_> {
-    /// The norm of the derivatives of a piece by its start, in units.
+    /// The norm of the derivatives of a piece by its start, in scaled units.
     fn norm(&self, piece: &Piece) -> f64 {
         norm_of_map(self.shift.len(), self.units, |i, j| piece.by_start[i][j])
     }
 }
 
-/// An orbit whose deviations grow much, to be checked piece by piece.
+/// An orbit whose deviations grow much, and which is to be checked piece by piece.
 #[derive(Clone, Copy, Debug)]
 pub struct Checked<'a> {
     /// Units and conditions.
     pub frame: Frame<'a>,
     /// The components of the first state, then the further unknowns.
     pub place: &'a [f64],
-    /// The errors of these, in units.
+    /// The errors of these components and unknowns, in scaled units.
     pub errors: &'a [f64],
     /// The growth of deviations in a period.
     pub growth: f64,
 }
 
 impl Checked<'_> {
-    /// `true` if there is an orbit within the errors of this one: integrated from node to node, each piece ends where the next one begins. `state_at`
-    /// has the state at a part of the period, and `piece` integrates from a state between two parts of the period for values of the further unknowns.
+    /// Returns `true` if there is an orbit within the errors of this one: integrated from node to node, each
+    /// piece ends at the beginning of the next one. `state_at` gives the state at a fraction of the period,
+    /// and `piece` integrates a state between two fractions of the period for values of the further unknowns.
     pub fn closes(
         &self,
         state_at: impl Fn(f64) -> Option<Vec<f64>>,
         piece: impl Fn([f64; 2], &[f64], &[f64]) -> Option<Piece>,
     ) -> bool {
-        /// The growth of deviations in a piece that is aimed at, and how often pieces are halved where it is uneven.
+        /// The intended growth of deviations in a piece, and the maximum number of halvings of pieces in which the growth is uneven.
         const GROWTH: f64 = 1e3;
         const HALVINGS: u32 = 4;
         const MOST_PIECES: f64 = 128.0;
@@ -88,7 +90,7 @@ impl Checked<'_> {
         })
     }
 
-    /// `true` if an orbit lies within the errors of this one.
+    /// Returns `true` if the found orbit lies within the errors of this one.
     fn holds(&self, found: &Nodes) -> bool {
         let found = found.states[0].iter().chain(&found.further);
         let off = found.zip(self.place).map(|(a, b)| a - b);
@@ -100,7 +102,8 @@ impl Checked<'_> {
 }
 
 impl Piece {
-    /// The derivative of the end by the duration of an orbit, of which start and end of the piece are parts; `rates` are the rates of change there.
+    /// The derivative of the end of a piece by the duration of an orbit; `parts` are start
+    /// and end of the piece as fractions of the duration, `rates` the rates of change there.
     pub fn by_duration(by_start: &[Vec<f64>], rates: [&[f64]; 2], parts: [f64; 2]) -> Vec<f64> {
         let grown = |row: &Vec<f64>| row.iter().zip(rates[0]).map(|(x, rate)| x * rate).sum::<f64>();
         let rows = by_start.iter().zip(rates[1]);
@@ -109,8 +112,8 @@ impl Piece {
 }
 
 impl Nodes {
-    /// The orbit next to these nodes whose pieces, integrated one by one, all end at the beginning of the next one within the rounding of a state as
-    /// the piece makes it grow; `None` where Newton's method finds none. `piece` integrates the piece of a number from a state.
+    /// The orbit next to these nodes whose pieces, integrated separately, all end at the beginning of the next one within the rounding error of
+    /// a state, grown over the piece; `None` if Newton's method finds none. `piece` integrates the piece with a given number from a state.
     pub fn closed(
         mut self,
         frame: Frame<'_>,
@@ -135,7 +138,7 @@ impl Nodes {
         None
     }
 
-    /// The state with which the piece after a numbered one begins.
+    /// The state at the beginning of the piece after a numbered one.
     fn next(&self, frame: Frame<'_>, number: usize) -> Vec<f64> {
         match self.states.get(number + 1) {
             Some(next) => next.clone(),
@@ -143,13 +146,13 @@ impl Nodes {
         }
     }
 
-    /// The end of a piece less the beginning of the next one, in units.
+    /// The end of a piece minus the beginning of the next one, in scaled units.
     fn missed(&self, frame: Frame<'_>, number: usize, piece: &Piece) -> Vec<f64> {
         let next = self.next(frame, number);
         piece.end.iter().zip(next).zip(frame.units).map(|((end, next), unit)| (end - next) / unit).collect()
     }
 
-    /// The largest component of a state in units.
+    /// The largest component of a state in scaled units.
     fn size(&self, frame: Frame<'_>) -> f64 {
         let parts = self.states.iter().map(|state| {
             largest(&state.iter().zip(frame.units).map(|(x, unit)| x / unit).collect::<Vec<_>>())

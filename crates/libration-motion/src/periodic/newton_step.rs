@@ -3,11 +3,11 @@
 use libration_numbers::algebra::Doubles;
 use libration_numbers::internals::linear::{least_squares, solve};
 
-/// The factor by which an orbit may miss its start more than its stated errors allow. Of 28 105 points on branches of the random oscillators of the
-/// tests the distance was 0.003 times what they allow in the median, 0.14 times at the quantile 0.99, and 0.64 times at most.
+/// Largest allowed distance between end and start of an orbit, relative to the distance that its stated errors allow. At 28 105 points on
+/// branches of the random oscillators of the tests the relative distance was 0.003 in the median, 0.14 at the quantile 0.99, and 0.64 at most.
 pub const CLOSED: f64 = 32.0;
 
-/// The derivatives of the distance by which an orbit misses its start, by its free unknowns, in units.
+/// The derivatives of the distance between end and start of an orbit, by its free unknowns, in scaled units.
 #[derive(Clone, Debug)]
 pub struct NewtonStep {
     /// The derivatives of the components of the distance, then of the conditions that fix the phase, the family or the parameter.
@@ -16,8 +16,8 @@ pub struct NewtonStep {
 }
 
 impl NewtonStep {
-    /// The step from a map of a start to its end, whose components are measured in units and of which some are free, and from the derivatives of the
-    /// end by further unknowns with the units of these.
+    /// The step from a map of a start to its end, whose components are measured in scaled units and some of which
+    /// are free, and from the derivatives of the end by further unknowns with the units of these unknowns.
     pub fn new(map: &[Vec<f64>], units: &[f64], free: &[usize], further: &[(&[f64], f64)]) -> Self {
         let row = |(i, (row, unit)): (usize, (&Vec<f64>, &f64))| {
             let own = |j: usize| if i == j { 1.0 } else { 0.0 };
@@ -28,16 +28,16 @@ impl NewtonStep {
         Self { rows, units: units[..map.len()].to_vec() }
     }
 
-    /// The same step with a further condition, a row in units.
+    /// The same step with a further condition, a row in scaled units.
     #[must_use]
     pub fn bordered(mut self, row: &[f64]) -> Self {
         self.rows.push(row.to_vec());
         self
     }
 
-    /// The change of the unknowns, in units, that makes up for a distance and for what the conditions miss; `None` where the equations are singular.
-    /// With a border, which makes as many equations as unknowns, it is found by elimination, which goes on next to a crossing of branches; without one
-    /// it is the best in the sense of least squares, since an orbit of a family has more equations than unknowns.
+    /// The change of the unknowns, in scaled units, that cancels a distance and the residuals of the conditions; `None` if the equations are
+    /// singular. With a border, which makes as many equations as unknowns, the change is computed by elimination, which works next to a crossing
+    /// of branches too; without one it is the least-squares solution, since an orbit of a family has more equations than unknowns.
     pub fn change(&self, missed: &[f64], conditions: &[f64]) -> Option<Vec<f64>> {
         let distance = missed.iter().zip(&self.units).map(|(x, unit)| -x / unit);
         let right: Vec<f64> = distance.chain(conditions.iter().map(|x| -x)).collect();
@@ -47,8 +47,8 @@ impl NewtonStep {
         }
     }
 
-    /// The errors of the unknowns, in units, when each component of the distance is known to an error: the sizes of the changes that these make
-    /// one by one, so that none of them cancels another.
+    /// The errors of the unknowns, in scaled units, if each component of the distance is known to an error:
+    /// the sum of the sizes of the changes by each error alone, so that no error cancels another.
     pub fn errors(&self, residuals: &[f64]) -> Option<Vec<f64>> {
         let conditions = vec![0.0; self.rows.len() - residuals.len()];
         let mut errors = vec![0.0; self.rows.first()?.len()];

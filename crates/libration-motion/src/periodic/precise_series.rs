@@ -1,12 +1,13 @@
-//! Taylor series of motions in floats of many bits, and the steps for which they hold.
+//! Taylor series of motions in multiple-precision floats, and the steps for which they hold.
 
 use crate::taylor::StateLayout;
 use libration_kernels::elementary::count;
 use libration_numbers::algebra::{BigFloat, Floats, Ring};
 use libration_numbers::internals::expression::{Jet, Tape};
 
-/// The series of each component of a state in the time, up to and including an order; `None` where a formula has no value. The tape holds the
-/// derivatives that the equations give, in the components of the state and then in further inputs, each given with its rate of change.
+/// The time series of each component of a state, up to and including an order; `None` if a
+/// formula has no value. The tape contains the derivatives given by the equations, as functions
+/// of the components of the state and then of further inputs, each given with its rate of change.
 pub fn precise_series(
     ring: Floats,
     (layout, tape): (&StateLayout, &Tape),
@@ -37,10 +38,10 @@ pub fn precise_series(
     Some(series)
 }
 
-/// The length of a step at whose end the last terms of some series are below the last bit of a number whose first bit is 2^size, and fall; `None`
-/// where the series end.
+/// The length of a step at whose end the last terms of the series are below the last bit
+/// of a number whose first bit is 2^size, and decrease; `None` if the series are finite.
 pub fn precise_step(precision: usize, series: &[Vec<BigFloat>], size: isize) -> Option<f64> {
-    /// Coefficients by which the radius of convergence is known, some of which vanish by symmetry.
+    /// Number of coefficients that give the radius of convergence, some of which vanish by symmetry.
     const LAST: usize = 4;
     let bits = count(precision) + 4.0;
     let of_one = |one: &Vec<BigFloat>| {
@@ -56,10 +57,10 @@ pub fn precise_step(precision: usize, series: &[Vec<BigFloat>], size: isize) -> 
     (length.is_finite() && length > 0.0).then_some(length)
 }
 
-/// The number of powers of two by which a step is too long for its terms to fall by [`FALL`] from the third quarter to the last: small terms
-/// may still grow, as those of eˣ do up to the order x, and a sum that ends among them is not near its end.
+/// The number of powers of two by which a step is too long for its terms to decrease by [`FALL`] from the third quarter to the last: small terms
+/// may still grow, as those of eˣ do up to the order x, and a sum that ends among these is not close to its limit.
 fn excess(exponents: &[(f64, f64)], order: f64, log2_length: f64) -> f64 {
-    /// Powers of two a term.
+    /// Powers of two per term.
     const FALL: f64 = 1.5;
     let quarter = 0.25 * order;
     let largest = |from: f64, to: f64| {

@@ -23,7 +23,7 @@ pub fn transform(values: &[Complex]) -> Vec<Complex> {
     sums
 }
 
-/// The numbers in the order of their reversed places.
+/// The numbers in the order of their bit-reversed indices.
 fn bit_reversed(values: &[Complex]) -> Vec<Complex> {
     let bits = values.len().trailing_zeros();
     let place = |k: usize| if bits == 0 { 0 } else { k.reverse_bits() >> (usize::BITS - bits) };

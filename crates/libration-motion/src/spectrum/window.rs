@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-/// The larger, the lower the side lobes, 0.2172 β/sinh β of the line, and the wider the lines. At 20 these are 1.8e-8, and a line
-/// ends 6.4 steps of 2π over the duration from its middle: a swing is separated from its mean value after seven periods.
+/// Shape parameter β: a larger one lowers the side lobes, 0.2172 β/sinh β of the line, and widens the lines. At 20 the side lobes are 1.8e-8,
+/// and a line ends 6.4 steps of 2π over the duration from its middle: an oscillation is separated from its mean value after seven periods.
 const SHAPE: f64 = 20.0;
 
 /// The values times the window, which is scaled to the sum one.

@@ -28,7 +28,7 @@ pub struct Bodies {
     tape: Tape,
 }
 
-/// A body at a time: to the right and upwards, in metres where the system has metres, and else in lengths of the rod.
+/// A body at a time: coordinates to the right and upwards, in metres if the system has metres, and otherwise in lengths of the rod.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Body {
     /// The position of the body.
@@ -38,7 +38,7 @@ pub struct Body {
 }
 
 impl Bodies {
-    /// The bodies with these formulas of all positions, in these names of coordinates.
+    /// The bodies whose positions are given by these formulas, in these names of coordinates.
     pub(super) fn new(places: &[[[Expression; 2]; 2]], names: &[Symbol]) -> Result<Self, WithoutValue> {
         let formulas: Vec<&Expression> = places.iter().flatten().flatten().collect();
         let time = [Symbol::plain("t")];
@@ -46,7 +46,7 @@ impl Bodies {
         Ok(Self { coordinates: names.len(), tape: Tape::new(&formulas, &inputs)? })
     }
 
-    /// The bodies in a state; NaN where a formula has no value.
+    /// The bodies in a state; NaN if a formula has no value.
     #[must_use]
     pub fn at(&self, moment: &Moment) -> Vec<Body> {
         let inputs: Vec<f64> =

@@ -5,11 +5,11 @@ use libration_numbers::quantity::is_angle_name;
 /// A coordinate of a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Coordinate {
-    /// Its name in the equations: `theta`.
+    /// The name in the equations: `theta`.
     pub name: String,
-    /// Its unit: `rad` for an angle, empty where an equation that was typed does not tell.
+    /// The unit: `rad` for an angle, empty if an equation given as text does not determine it.
     pub unit: String,
-    /// The value at rest; zero where none is known.
+    /// The value at rest; zero if none is known.
     pub at_rest: f64,
 }
 
@@ -20,13 +20,13 @@ impl Coordinate {
         Self { name: name.to_owned(), unit: unit.to_owned(), at_rest: 0.0 }
     }
 
-    /// Returns whether the coordinate is an angle, in radians.
+    /// Returns `true` if the coordinate is an angle, in radians.
     #[must_use]
     pub fn is_angle(&self) -> bool {
         self.unit == "rad"
     }
 
-    /// The unit of its velocity, with times in seconds; empty where its own is not known.
+    /// The unit of the velocity, with times in seconds; empty if the unit of the coordinate is not known.
     pub(super) fn velocity_unit(&self) -> String {
         if self.unit.is_empty() { String::new() } else { format!("{}/s", self.unit) }
     }

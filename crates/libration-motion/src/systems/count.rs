@@ -1,4 +1,4 @@
-//! The number of bodies of a system, where that is a parameter.
+//! The number of bodies of a system in which this is a parameter.
 
 use super::{ModelError, NamedSystem};
 use libration_numbers::expression::Expression;
@@ -7,15 +7,15 @@ use libration_numbers::expression::Expression;
 pub(super) struct Counted {
     pub(super) equations: String,
     pub(super) values: Vec<(String, Expression)>,
-    /// The count with its value.
+    /// The name of the count with its value.
     pub(super) count: Option<(String, Expression)>,
 }
 
-/// The most bodies.
+/// Maximum number of bodies.
 const MOST: u32 = 1000;
 
 impl Counted {
-    /// Takes the count out of the values of a system.
+    /// Separates the count from the other values of a system.
     pub(super) fn new(named: &NamedSystem, values: &[(&str, Expression)]) -> Result<Self, ModelError> {
         let is_count = |name: &str| named.count == Some(name.trim());
         let others = values.iter().filter(|(name, _)| !is_count(name));
@@ -37,7 +37,7 @@ impl Counted {
     }
 }
 
-/// Equations with a number in the place of the count, where it ends a range or counts to an end.
+/// The equations with a number in place of the count, wherever this ends a range or is part of an index.
 fn written_out(equations: &str, name: &str, number: f64) -> String {
     let next = number + 1.0;
     let ends = [

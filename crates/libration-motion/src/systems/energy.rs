@@ -1,11 +1,11 @@
-//! Conserved energies, and how well a motion keeps them.
+//! Conserved energies, and their drift along a motion.
 //!
 //! # Method
-//! A named system states its energy as a formula that does not cancel near rest, and its gain per time; where the gain is zero for the given values
+//! A named system states its energy as a formula without cancellation near rest, and its gain per time; if the gain is zero for the given values
 //! the energy is conserved. For other equations the forces must be proved to have a potential, whose change is the work along the polygon of the
-//! step ends, by Gauss–Kronrod rules, summed in two words. Intervals are halved only while that helps: next to a pole the rules differ by the
-//! roundings of the positions, and their difference is the uncertainty of the drift. The drift is the largest change over the largest kinetic
-//! energy, which does not depend on the zero of the potential.
+//! step ends, by Gauss–Kronrod rules, summed in two words. Intervals are halved only while that reduces the difference of the rules: next to a
+//! pole the rules differ by the roundings of the positions, and their difference is the uncertainty of the drift. The drift is the largest
+//! change divided by the largest kinetic energy, which does not depend on the zero of the potential.
 
 use super::EnergyError;
 use super::line_integral::work;
@@ -37,16 +37,16 @@ pub struct Energy {
     coordinates: usize,
     tape: Tape,
     holds: Holds,
-    /// Mass of each coordinate, where the tape holds forces.
+    /// Mass of each coordinate, if the tape computes forces.
     masses: Vec<f64>,
 }
 
-/// The content of the tape of an energy.
+/// The quantity that the tape computes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Holds {
     /// The energy.
     Energy,
-    /// The forces, which are minus the slope of the potential.
+    /// The forces, which are minus the gradient of the potential.
     Forces,
 }
 
@@ -56,9 +56,8 @@ impl Energy {
         Self::on_tape(equation, &[energy], Holds::Energy)
     }
 
-    /// The energy Σ m x′²/2 + V of forces −∂V/∂x that depend on the coordinates only, m being what multiplies x″ in the
-    /// equations if that is a positive constant, and else one. That the forces have a potential is proved by
-    /// ∂Fᵢ/∂xⱼ = ∂Fⱼ/∂xᵢ.
+    /// The energy Σ m x′²/2 + V of forces −∂V/∂x that depend on the coordinates only; m is the factor of x″ in the equations if that is a
+    /// positive constant, and otherwise one. The forces have a potential if ∂Fᵢ/∂xⱼ = ∂Fⱼ/∂xᵢ is proved.
     pub(super) fn of_forces(equation: &Equation) -> Result<Self, EnergyError> {
         equation.refuse_first_order()?;
         let masses =
@@ -92,7 +91,7 @@ impl Energy {
         Ok(Self { coordinates: equation.variables().len(), tape, holds, masses: vec![] })
     }
 
-    /// An account of the energy of a motion that begins here.
+    /// An account of the energy of a motion that begins at `start`.
     #[must_use]
     pub fn balance(&self, start: &Moment) -> EnergyBalance<'_> {
         let mut balance = self.balance_from(&EnergyAccount {
@@ -107,17 +106,17 @@ impl Energy {
         balance
     }
 
-    /// The account of a motion that is gone on from.
+    /// The account of a motion that is continued.
     #[must_use]
     pub fn balance_from(&self, account: &EnergyAccount) -> EnergyBalance<'_> {
         EnergyBalance { energy: self, jet: None, at_start: None, account: account.clone() }
     }
 
-    /// The energy of a motion that begins in one state and has come to another, as [`EnergyBalance::drift`] has it.
+    /// The drift of the energy between two states of a motion, as defined in [`EnergyBalance::drift`].
     ///
     /// # Accuracy
-    /// Without a formula the potential is integrated along the straight line between them, which must not meet a
-    /// singularity: record the states on the way in a [`balance`](Self::balance).
+    /// Without a formula the potential is integrated along the straight line between the states, which
+    /// must not meet a singularity: record the intermediate states in a [`balance`](Self::balance).
     #[must_use]
     pub fn drift(&self, start: &Moment, end: &Moment) -> f64 {
         let mut balance = self.balance(start);
@@ -131,11 +130,11 @@ impl Energy {
 pub struct EnergyAccount {
     /// The first state.
     pub start: Vec<f64>,
-    /// The last one.
+    /// The last state.
     pub last: Vec<f64>,
-    /// The potential energy gained until the last state in two words, where it has no formula.
+    /// The potential energy gained until the last state in two words, if it has no formula.
     pub potential: [f64; 2],
-    /// The uncertainty of the potential energy, beyond roundings.
+    /// The uncertainty of the potential energy, without rounding errors.
     pub quadrature_error: f64,
     /// The largest change of the energy since the start.
     pub largest_change: f64,
@@ -143,19 +142,19 @@ pub struct EnergyAccount {
     pub largest_kinetic: f64,
 }
 
-/// The account of the energy of one motion, which goes on.
+/// The account of the energy of one motion, which is updated step by step.
 #[derive(Debug)]
 pub struct EnergyBalance<'a> {
     energy: &'a Energy,
     jet: Option<Jet<'a, Doubles>>,
-    /// The energy of the first state by its formula, once it was requested.
+    /// The energy of the first state by its formula, once it was computed.
     at_start: Option<f64>,
     account: EnergyAccount,
 }
 
 impl EnergyBalance<'_> {
-    /// Takes down the energy of a state. Where it has no formula, the potential is integrated along the straight line
-    /// from the state before: give the states in their order, not too far apart.
+    /// Records the energy of a state. If it has no formula, the potential is integrated along the
+    /// straight line from the state before: give the states in their order, not too far apart.
     pub fn record(&mut self, moment: &Moment) {
         let (change, kinetic) = match self.energy.holds {
             Holds::Energy => self.by_formula(&moment.state),
@@ -167,7 +166,7 @@ impl EnergyBalance<'_> {
         account.largest_kinetic = larger_or_nan(account.largest_kinetic, kinetic);
     }
 
-    /// Returns the balance to the start, as in a motion that goes both ways.
+    /// Returns the balance to the start, for a motion in both directions of time.
     pub fn return_to_start(&mut self) {
         self.account.last.clone_from(&self.account.start);
         self.account.potential = [0.0; 2];
@@ -179,11 +178,11 @@ impl EnergyBalance<'_> {
         &self.account
     }
 
-    /// The largest change of the energy since the start over the largest kinetic energy, which no choice of the
-    /// potential's zero changes. Zero for a motion that rests as far as a formula of the energy tells, NaN where the energy has no value.
+    /// The largest change of the energy since the start divided by the largest kinetic energy, a ratio independent of the zero of the potential.
+    /// Zero for a motion at rest within the rounding of a formula of the energy, NaN if the energy has no value.
     ///
     /// # Accuracy
-    /// A few roundings of the larger ones of kinetic and potential energy, from 1e-16 on.
+    /// A few rounding errors of the larger one of kinetic and potential energy, from 1e-16 on.
     #[must_use]
     pub fn drift(&self) -> f64 {
         let EnergyAccount { largest_change, largest_kinetic, .. } = self.account;
@@ -191,8 +190,8 @@ impl EnergyBalance<'_> {
         if largest_change == 0.0 || rests { 0.0 } else { largest_change / largest_kinetic }
     }
 
-    /// The uncertainty of the drift beyond roundings, in the same measure: zero where the energy is a formula, and otherwise the part of the work of
-    /// the forces that could not be computed because of their noise, as next to a pole.
+    /// The uncertainty of the drift without rounding errors, in the same unit: zero if the energy is a formula, and otherwise the part of the
+    /// work of the forces that could not be computed because of their noise, as next to a pole.
     #[must_use]
     pub fn drift_uncertainty(&self) -> f64 {
         let EnergyAccount { quadrature_error, largest_kinetic, .. } = self.account;
@@ -201,7 +200,7 @@ impl EnergyBalance<'_> {
 
     /// The rounding error of a formula's values.
     fn rounding(&self) -> f64 {
-        /// Sums and products of some terms.
+        /// Number of sums and products whose roundings are counted.
         const ROUNDINGS: f64 = 16.0;
         ROUNDINGS * f64::EPSILON * self.at_start.map_or(0.0, f64::abs)
     }
@@ -220,7 +219,7 @@ impl EnergyBalance<'_> {
         (now - start, now - potential)
     }
 
-    /// The same by the work that the forces do since the last state.
+    /// The change of the energy and the kinetic energy, from the work of the forces since the last state.
     fn by_work(&mut self, state: &[f64]) -> (f64, f64) {
         let coordinates = self.energy.coordinates;
         let from = self.account.last.clone();

@@ -1,4 +1,4 @@
-//! The reasons why there is no such model, or no energy of it.
+//! The reasons why there is no such model, or why it has no energy.
 
 use libration_numbers::catalogue::UnknownKey;
 use libration_numbers::expression::{EquationError, SecondOrderError, Symbol, WithoutValue};
@@ -7,12 +7,12 @@ use libration_numbers::expression::{EquationError, SecondOrderError, Symbol, Wit
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ModelError {
-    /// A key that neither a system nor an oscillator has.
+    /// A key of neither a system nor an oscillator.
     #[error("{system}; the keys of oscillators are {}", oscillators.join(", "))]
     Unknown {
-        /// The systems there are.
+        /// The unknown key with the keys of the systems.
         system: Box<UnknownKey>,
-        /// The keys of the oscillators there are.
+        /// The keys of all oscillators.
         oscillators: Vec<String>,
     },
     /// A power of the velocity that grows without bound at rest.
@@ -21,7 +21,7 @@ pub enum ModelError {
         /// The power.
         value: String,
     },
-    /// A broken power of a velocity that has either sign.
+    /// A power that is not an integer, of a velocity that has either sign.
     #[error(
         "n = {value} is not a whole number, and a velocity below zero has no such power: give a whole number, or use damped_pendulum, which has \
          powers of the magnitude of the velocity"
@@ -30,17 +30,17 @@ pub enum ModelError {
         /// The power.
         value: String,
     },
-    /// Three and a half masses.
+    /// A number of bodies that is not an integer in the allowed range.
     #[error("{name} = {value} is not a number of bodies: give a whole number from 1 to {most}")]
     NotACount {
         /// The parameter.
         name: &'static str,
-        /// Its value.
+        /// The given value.
         value: String,
-        /// The most.
+        /// The maximum.
         most: u32,
     },
-    /// Equations or values that are not understood.
+    /// Equations or values that could not be parsed.
     #[error(transparent)]
     Equation(#[from] EquationError),
 }
@@ -72,13 +72,13 @@ pub enum EnergyError {
     Curl {
         /// One coordinate.
         first: String,
-        /// The other.
+        /// The other coordinate.
         second: String,
     },
     /// A parameter without a value.
     #[error(transparent)]
     WithoutValue(#[from] WithoutValue),
-    /// An equation of the first order.
+    /// An equation of first order.
     #[error("the equation for {variable}' is of the first order: an energy is found only for equations of the second order", variable = .0.variable)]
     NotSecondOrder(#[from] SecondOrderError),
 }

@@ -1,11 +1,11 @@
-//! A drive whose strength is zero, so that nothing drives.
+//! A drive whose strength is zero.
 
 use super::Model;
 use libration_numbers::expression::{Equation, Expression, Symbol};
 
 impl Model {
-    /// The parameters of a named system that are zero and without which the time t would stand in its equations: the strengths of a drive
-    /// that is off. None where it stands there, and of typed equations.
+    /// The parameters of a named system that are zero and without which the equations would contain the time t: the strengths of a drive that is
+    /// off. None if the equations contain the time, and for equations given as text.
     ///
     /// # Examples
     /// ```

@@ -1,4 +1,4 @@
-//! The state a motion begins in, by names and values as they are written: `theta` and `60deg`.
+//! The initial state of a motion, from names and values as text: `theta` and `60deg`.
 
 use super::Model;
 use super::model::plain;
@@ -10,7 +10,7 @@ use libration_numbers::quantity::{Angle, Dimension, parse};
 pub struct InitialState {
     /// Coordinates, then velocities.
     pub state: Vec<f64>,
-    /// Names and values of the numbers that were not given and are those of rest.
+    /// Names and values of the components that were not given and have their values at rest.
     pub assumed: Vec<(String, f64)>,
 }
 
@@ -18,26 +18,26 @@ pub struct InitialState {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum InitialStateError {
-    /// A name that the state does not have.
+    /// A name that is not a state variable.
     #[error("the system has no state variable `{name}`: it has {}", known.join(", "))]
     Unknown {
         /// The requested name.
         name: String,
-        /// The names there are.
+        /// The names of all state variables.
         known: Vec<String>,
     },
-    /// A name with an index that no number of the state has.
+    /// A name with an index that is not a state variable.
     #[error("the system has no state variables {name}: it has {}", known.join(", "))]
     NoFamily {
         /// The requested name, such as `x[i]`.
         name: String,
-        /// The names there are.
+        /// The names of all state variables.
         known: Vec<String>,
     },
-    /// Two values for one number.
+    /// Two values for one component.
     #[error("{0} is given twice: give it one value")]
     Twice(String),
-    /// A value that cannot be read.
+    /// A value that could not be parsed.
     #[error("{name}: {reason}")]
     Value {
         /// The name of the variable.
@@ -48,11 +48,11 @@ pub enum InitialStateError {
 }
 
 impl Model {
-    /// The state by names and values: numbers, formulas of numbers, quantities in the unit of the number they are of, angles; for all members of a
-    /// chain a formula of the index. What is not given is at rest.
+    /// The state from names and values: numbers, formulas of numbers, quantities in the unit of the component, angles; for all members of a
+    /// chain a formula of the index. Components that are not given are at rest.
     ///
     /// # Errors
-    /// Names that the state does not have, two values for one number, a value that cannot be read.
+    /// Names that are not state variables, two values for one component, a value that could not be parsed.
     ///
     /// # Examples
     /// ```
@@ -90,7 +90,7 @@ impl Model {
         Ok(InitialState { state, assumed })
     }
 
-    /// Returns whether the state variable of this name is an angle.
+    /// Returns `true` if the state variable of this name is an angle.
     #[must_use]
     pub fn is_angle(&self, name: &str) -> bool {
         place_of(name, &self.state_names()).is_ok_and(|place| self.state_units()[place] == "rad")
@@ -103,7 +103,7 @@ fn place_of(name: &str, names: &[String]) -> Result<usize, InitialStateError> {
     names.iter().position(|known| *known == plain).ok_or_else(unknown)
 }
 
-/// Many numbers of a state at once: `x[i]`, or `x[i]'`.
+/// Several components of a state at once: `x[i]`, or `x[i]'`.
 struct Family<'a> {
     name: &'a str,
     letter: &'a str,
@@ -111,7 +111,7 @@ struct Family<'a> {
 }
 
 impl<'a> Family<'a> {
-    /// `None` for one number, as `x[3]` is.
+    /// The family of a name; `None` for a single component such as `x[3]`.
     fn of(name: &'a str) -> Option<Self> {
         let (name, rest) = name.trim().split_once('[')?;
         let (letter, primes) = rest.split_once(']')?;
@@ -119,7 +119,7 @@ impl<'a> Family<'a> {
         is_letter.then_some(Self { name, letter, primes })
     }
 
-    /// The places of all members, and the values of a formula of the index.
+    /// The indices of all members, and the values of a formula of the index.
     fn values(&self, text: &str, names: &[String]) -> Result<Vec<(usize, f64)>, InitialStateError> {
         let index = |known: &str| {
             known.strip_prefix(self.name)?.strip_suffix(self.primes)?.parse::<u32>().ok().map(i64::from)
@@ -147,7 +147,7 @@ impl<'a> Family<'a> {
     }
 }
 
-/// A quantity in the unit of its number, or a formula of numbers.
+/// A quantity in the unit of its component, or a formula of numbers.
 fn number(name: &str, text: &str, unit: &str) -> Result<f64, InitialStateError> {
     let text = text.trim();
     let formula = || text.parse::<Expression>().ok()?.to_f64().filter(|value| value.is_finite());

@@ -2,8 +2,8 @@
 
 use libration_numbers::quadrature::{Integral, gauss_kronrod};
 
-/// The work ∫ F·dx of forces from one state to another, along the straight line between them; of the states the forces have
-/// as many numbers as there are coordinates.
+/// The work ∫ F·dx of forces from one state to another, along the straight line between them;
+/// the number of forces is the number of coordinates, which are the first components of a state.
 pub(super) fn work(from: &[f64], to: &[f64], mut forces: impl FnMut(&[f64]) -> Vec<f64>) -> Integral {
     gauss_kronrod(|s| {
         let place: Vec<f64> = from.iter().zip(to).map(|(a, b)| a + s * (b - a)).collect();

@@ -1,12 +1,12 @@
-//! Systems to be simulated: named ones with their energies, units and sources, oscillators of the other catalogue, and
-//! equations as they are typed.
+//! Systems to be simulated: named systems with their energies, units and
+//! sources, oscillators of the other catalogue, and equations given as text.
 //!
 //! ```
 //! # extern crate libration_motion as libration;
 //! use libration::systems::Model;
 //! use libration::taylor::Moment;
 //!
-//! // Where the bodies of a double pendulum are, and the energy that its motion must keep.
+//! // The positions of the bodies of a double pendulum, and its energy, which the motion conserves.
 //! let model = Model::by_key("double_pendulum", &[], &[])?;
 //! let start = Moment { time: 0.0, state: vec![std::f64::consts::FRAC_PI_2, 0.0, 0.0, 0.0] };
 //! let bodies = model.bodies().ok_or("no places")?.at(&start);

@@ -1,4 +1,4 @@
-//! Equations of motion with their values, and the words for them.
+//! Equations of motion with their values, and the names and units of their coordinates.
 
 use super::count::Counted;
 use super::{Bodies, Coordinate, Energy, EnergyError, ModelError, NamedSystem, VelocityPower};
@@ -35,19 +35,19 @@ struct Known {
     energy: Option<Expression>,
     power: Option<Expression>,
     drive_frequency: Option<Expression>,
-    /// The place of each body, and where it is held.
+    /// The position of each body, and the position of the point that holds it.
     bodies: Vec<[[Expression; 2]; 2]>,
 }
 
-/// Values for parameters, which may be written as in a formula.
+/// Values of parameters, which may be formulas.
 type Values<'a> = &'a [(&'a str, Expression)];
 
 impl Model {
-    /// A named system, or else an oscillator of the other catalogue, with values for some of its parameters, the default
-    /// values for the others, and some left open.
+    /// A named system, or else an oscillator of the other catalogue, with values for
+    /// some of its parameters, the default values for the others, and some left open.
     ///
     /// # Errors
-    /// A key that is not known; a value for a name that is not a parameter, or one that is not constant.
+    /// An unknown key; a value for a name that is not a parameter, or one that is not constant.
     pub fn by_key(key: &str, values: Values, open: &[&str]) -> Result<Self, ModelError> {
         match (NamedSystem::by_key(key), NamedOscillator::by_key(key)) {
             (Ok(named), _) => Self::named(named, values, open),
@@ -109,8 +109,8 @@ impl Model {
         Ok(Self { key: Some(named.key), title: named.title, equation, coordinates, values, known: None })
     }
 
-    /// Equations of motion as text, several with `;` between them. Times count in seconds, and a coordinate is an angle
-    /// when its name is that of one, such as theta.
+    /// Equations of motion as text, several with `;` between them. Times are in seconds,
+    /// and a coordinate is an angle if its name is that of an angle, such as theta.
     ///
     /// # Errors
     /// Text that is not an equation of motion; a value for a name that is not a parameter, or one that is not constant.
@@ -120,7 +120,7 @@ impl Model {
         Ok(Self { key: None, title: "equations of motion", equation, coordinates, values, known: None })
     }
 
-    /// Its key in one of the catalogues.
+    /// The key in one of the catalogues.
     #[must_use]
     pub fn key(&self) -> Option<&'static str> {
         self.key
@@ -144,13 +144,13 @@ impl Model {
         &self.coordinates
     }
 
-    /// The parameters that have a value, and it.
+    /// The parameters that have a value, with their values.
     #[must_use]
     pub fn values(&self) -> &[(String, Expression)] {
         &self.values
     }
 
-    /// The value of a parameter as a number; `None` where it has none.
+    /// The value of a parameter as a number; `None` if it has none.
     #[must_use]
     pub fn value_of(&self, parameter: &str) -> Option<f64> {
         self.values.iter().find(|(name, _)| name == parameter).and_then(|(_, value)| value.to_f64())
@@ -168,30 +168,30 @@ impl Model {
         StateLayout::new(&self.equation)
     }
 
-    /// The names of the numbers of a state: coordinates, then velocities.
+    /// The names of the state components: coordinates, then velocities.
     #[must_use]
     pub fn state_names(&self) -> Vec<String> {
         self.layout().symbols(self.equation.variables()).iter().map(ToString::to_string).collect()
     }
 
-    /// The units of the numbers of a state, empty where they are not known.
+    /// The units of the state components, empty if they are not known.
     #[must_use]
     pub fn state_units(&self) -> Vec<String> {
         let own = self.coordinates.iter().map(|coordinate| coordinate.unit.clone());
         self.layout().arrange(own, |coordinate| self.coordinates[coordinate].velocity_unit())
     }
 
-    /// The state of rest: every coordinate where it is at rest, without velocity.
+    /// The state of rest: the equilibrium value of every coordinate, without velocity.
     #[must_use]
     pub fn state_at_rest(&self) -> Vec<f64> {
         let places = self.coordinates.iter().map(|coordinate| coordinate.at_rest);
         self.layout().arrange(places, |_| 0.0)
     }
 
-    /// A state at the time zero from names and values; numbers that are not named are those of rest.
+    /// A state at the time zero from names and values; components that are not named have their values at rest.
     ///
     /// # Errors
-    /// A name that is none of [`Self::state_names`], or one that is there twice.
+    /// A name that is none of [`Self::state_names`], or one that occurs twice.
     ///
     /// # Examples
     /// ```
@@ -218,13 +218,13 @@ impl Model {
         System::new(&self.equation)
     }
 
-    /// The angular frequency of the drive, where the system is known to have one.
+    /// The angular frequency of the drive, if it is known.
     #[must_use]
     pub fn drive_frequency(&self) -> Option<f64> {
         self.known.as_ref()?.drive_frequency.as_ref().and_then(Expression::to_f64)
     }
 
-    /// The positions of the bodies, if known: as given for named systems; angles of other equations are those of rods on one axle.
+    /// The positions of the bodies, if known: those given for named systems; angles of other equations are those of rods on one axle.
     #[must_use]
     pub fn bodies(&self) -> Option<Bodies> {
         let names: Vec<Symbol> = self.coordinates.iter().map(|it| Symbol::plain(&it.name)).collect();
@@ -241,17 +241,17 @@ impl Model {
         Bodies::new(&places, &names).ok()
     }
 
-    /// The energy of a named system gained per unit of time, a formula of the state and the time t.
+    /// The energy gained per unit of time by a named system, a formula of the state and the time t.
     #[must_use]
     pub fn power(&self) -> Option<&Expression> {
         self.known.as_ref().and_then(|known| known.power.as_ref())
     }
 
-    /// The conserved energy: the known one of a named system whose damping and driving are zero, and for other equations
-    /// that of forces which depend on the coordinates only and have a potential.
+    /// The conserved energy: the known energy of a named system whose damping and driving are zero, and
+    /// for other equations that of forces which depend on the coordinates only and have a potential.
     ///
     /// # Errors
-    /// Why there is none.
+    /// The reason why there is none.
     pub fn energy(&self) -> Result<Energy, EnergyError> {
         match &self.known {
             Some(Known { energy: Some(energy), power: Some(power), .. }) => match power.vanishes() {
@@ -283,7 +283,7 @@ fn filled<'a>(
         values.push((plain(name), value.clone()));
     }
     for name in open {
-        // Refuses a name that is not a parameter, or has a value already.
+        // Rejects a name that is not a parameter, or has a value already.
         equation.with(&[given, &[(*name, Expression::from(1))]].concat())?;
     }
     let open: Vec<String> = open.iter().map(|name| plain(name)).collect();
@@ -297,7 +297,7 @@ fn filled<'a>(
     Ok((equation.with(&borrowed)?, values))
 }
 
-/// The name as equations have it: ω0 is omega0.
+/// The name as it is written in equations: ω0 is omega0.
 pub(super) fn plain(name: &str) -> String {
     name.parse::<Expression>().map_or_else(|_| name.to_owned(), |symbol| symbol.to_string())
 }
@@ -317,7 +317,7 @@ fn with_values(formula: Expression, values: &[(String, Expression)]) -> Expressi
     values.iter().fold(formula, put_in).simplified()
 }
 
-/// The coordinate of each variable of the equations: that of its family, `x[i]` for x1, with its own name.
+/// The coordinate of each variable of the equations: that of its family, `x[i]` for x1, with the name of the variable.
 fn each_like(families: &[Coordinate], equation: &Equation) -> Vec<Coordinate> {
     let of = |name: &String| {
         let family =
@@ -331,7 +331,7 @@ fn by_names(equation: &Equation) -> Vec<Coordinate> {
     equation.variables().iter().map(|name| Coordinate::by_name(name)).collect()
 }
 
-/// Refuses a value of the power n that makes no sense.
+/// Rejects a value of the power n that is not allowed.
 fn check_power(powers: VelocityPower, values: &[(String, Expression)]) -> Result<(), ModelError> {
     let power = values.iter().find(|(name, _)| name == "n").map(|(_, value)| value);
     let Some(power) = power else { return Ok(()) };

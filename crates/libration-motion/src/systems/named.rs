@@ -1,4 +1,4 @@
-//! The catalogue data of a system that has a name.
+//! The catalogue entry of a named system.
 
 use libration_numbers::expression::{Expression, Function};
 use libration_numbers::quantity::STANDARD_GRAVITY;
@@ -19,51 +19,51 @@ use libration_numbers::{catalogue::NamedParameter, internals::catalogue::Named};
 pub struct NamedSystem {
     /// The name by which it is requested.
     pub key: &'static str,
-    /// Other names for it.
+    /// Alternative names.
     pub also: &'static [&'static str],
     /// The name used in a sentence.
     pub title: &'static str,
-    /// Its equations of motion, several with `;` between them. Where it has a count, n, one of them goes with `i = 1..n`, and others may say what
-    /// `x[0]` and `x[n+1]` are.
+    /// The equations of motion, several with `;` between them. If the system has a count,
+    /// n, one of them ends with `i = 1..n`, and others may define `x[0]` and `x[n+1]`.
     pub equations: &'static str,
-    /// Its coordinates, in the order of the equations; `x[i]` for as many as are counted.
+    /// The coordinates, in the order of the equations; `x[i]` stands for as many as the count.
     pub coordinates: &'static [NamedCoordinate],
-    /// The parameters in the equations. Their default values leave out all damping and driving.
+    /// The parameters in the equations. With their default values all damping and driving is zero.
     pub parameters: &'static [NamedParameter],
-    /// Its energy as a formula of coordinates, velocities and parameters; empty where it has none, or a sum over as many as are counted.
+    /// The energy as a formula of coordinates, velocities and parameters; empty if there is none, or if it is a sum over a counted family.
     pub energy: &'static str,
     /// The unit of the energy, with its divisor; empty without a formula of the energy.
     pub energy_unit: &'static str,
-    /// The energy gained per unit of time: `0` where it is conserved, empty without a formula of it.
+    /// The energy gained per unit of time: `0` if it is conserved, empty without a formula.
     pub power: &'static str,
     /// The parameter that is the angular frequency of a periodic drive.
     pub drive_frequency: Option<&'static str>,
-    /// The parameter that counts the bodies, and stands in the equations as the end of a range.
+    /// The parameter that counts the bodies, and occurs in the equations as the end of a range.
     pub count: Option<&'static str>,
-    /// The allowed values of the parameter n where it is a power of a velocity.
+    /// The allowed values of the parameter n if it is a power of a velocity.
     pub velocity_power: Option<VelocityPower>,
     /// The bodies of the system and their supports.
     pub bodies: &'static [NamedBody],
     /// A description of the system, and of how its coordinates are measured.
     pub description: &'static str,
-    /// The motions and parameters for which it holds.
+    /// The motions and parameters for which the equations hold.
     pub domain: &'static str,
-    /// The source, confirmed in the work itself or in a text that cites it; `attributed to` where that is not read but
-    /// remembered, with `not verified against the original` at the end.
+    /// The source, confirmed in the work itself or in a text that cites it; a source that was not read
+    /// but remembered begins with `attributed to` and ends with `not verified against the original`.
     pub source: &'static str,
 }
 
-/// The powers of a velocity that make sense: none below zero, which grow without bound at rest.
+/// The allowed powers of a velocity: none below zero, which grow without bound at rest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum VelocityPower {
-    /// Whole powers, of the velocity with its sign.
+    /// Integer powers, of the velocity with its sign.
     Whole,
     /// Any power, of the magnitude of the velocity.
     Any,
 }
 
-/// A body of a named system, in the vertical plane: lengths in metres where the system has metres, and else in lengths of the
-/// rod. Formulas of the coordinates, the parameters and the time.
+/// A body of a named system, in the vertical plane: lengths in metres if the system has metres,
+/// and otherwise in lengths of the rod. Formulas of the coordinates, the parameters and the time.
 #[derive(Clone, Copy, Debug)]
 pub struct NamedBody {
     /// The position of the body, to the right and upwards.
@@ -75,9 +75,9 @@ pub struct NamedBody {
 /// A coordinate of a named system.
 #[derive(Clone, Copy, Debug)]
 pub struct NamedCoordinate {
-    /// Its name in the equations.
+    /// The name in the equations.
     pub name: &'static str,
-    /// Its unit: `rad` for angles; empty where it has none.
+    /// The unit: `rad` for angles; empty if there is none.
     pub unit: &'static str,
     /// The value at rest, as a formula of the parameters.
     pub at_rest: &'static str,
@@ -93,8 +93,8 @@ impl Named for NamedSystem {
 }
 
 impl NamedSystem {
-    /// The values of its parameters for a pendulum of this length under this gravity: ω0 is the root of their quotient, and all
-    /// rods are as long. Where one is not given it is a metre, or 9.80665 m/s².
+    /// The values of the parameters for a pendulum of this length under this gravity: ω0 is the root of gravity over length, and all rods have
+    /// this length. The default length is one metre, the default gravity 9.80665 m/s².
     ///
     /// # Errors
     /// Parameters that do not determine the length or the gravity, as for a body that is not a mass on a rod.
@@ -153,7 +153,7 @@ pub enum PendulumParametersError {
     /// A length or gravity that is not above zero.
     #[error("the length or gravity is {0:?}: give finite numbers above zero")]
     NotAbove(f64),
-    /// Parameters that do not say it.
+    /// Parameters that do not determine the length or the gravity.
     #[error("{key} has no {what} among its parameters, which are {parameters}: give these")]
     Without {
         /// The system.
@@ -165,7 +165,7 @@ pub enum PendulumParametersError {
     },
 }
 
-/// A number above zero as the decimal that it is written as.
+/// A positive number as the decimal with which it is printed.
 fn decimal(value: f64) -> Option<Expression> {
     let above = Some(value).filter(|value| value.is_finite() && *value > 0.0);
     above.and_then(|value| format!("{value:?}").parse().ok())

@@ -33,7 +33,7 @@ pub struct Observables {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ObservableError {
-    /// A symbol that the system does not have.
+    /// A symbol that is unknown in the system.
     #[error("{name}: the system has no `{symbol}`: it has {}, and the time t", known.join(", "))]
     Unknown {
         /// The formula's name.
@@ -43,7 +43,7 @@ pub enum ObservableError {
         /// State variables and parameters.
         known: Vec<String>,
     },
-    /// Two formulas of one name, or one that is called like a state variable or the time.
+    /// Two formulas of one name, or one whose name is that of a state variable or the time.
     #[error("the name {0} is in use already: give each formula a new name, such as energy = x'^2/2")]
     NameTaken(String),
 }
@@ -52,7 +52,7 @@ impl Observables {
     /// The formulas, compiled for the motions of a system.
     ///
     /// # Errors
-    /// A symbol that is unknown there, or a name that is taken.
+    /// A symbol that is unknown in the system, or a name that is in use.
     pub fn new(model: &Model, formulas: &[(&str, Expression)]) -> Result<Self, ObservableError> {
         let states = model.state_names();
         let mut names: Vec<String> = vec![];
@@ -85,7 +85,7 @@ impl Observables {
         Gradients::new(&self.tape, self.names.len(), self.components)
     }
 
-    /// Their values; NaN where a formula has none.
+    /// The values of the formulas; NaN if a formula has none.
     #[must_use]
     pub fn values_at(&self, moment: &Moment) -> Vec<f64> {
         let inputs = [&moment.state[..], &[moment.time]].concat();
@@ -96,7 +96,7 @@ impl Observables {
     }
 }
 
-/// A formula of the state and the time alone.
+/// The formula with the values of the parameters substituted: a function of the state and the time alone.
 fn in_numbers(model: &Model, name: &str, formula: &Expression) -> Result<Expression, ObservableError> {
     let put_in = |formula: Expression, (name, value): &(String, Expression)| {
         formula.substitute(&Symbol::plain(name), value)

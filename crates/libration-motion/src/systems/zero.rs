@@ -1,4 +1,4 @@
-//! Conditions that are searched for along a motion, as they are written.
+//! Conditions that are searched for along a motion, from text.
 
 use super::Model;
 use libration_numbers::expression::{Expression, ParseError, Symbol};
@@ -10,22 +10,22 @@ pub enum ConditionError {
     /// The text is not a formula.
     #[error(transparent)]
     Formula(#[from] ParseError),
-    /// A name that the system does not have.
+    /// A name that is unknown in the system.
     #[error("the system has no state variable `{name}`: it has {}, and the time t", known.join(", "))]
     Unknown {
         /// The name.
         name: String,
-        /// The names of the state.
+        /// The names of the state variables.
         known: Vec<String>,
     },
 }
 
 impl Model {
-    /// The formula that vanishes where a text says so: a formula of coordinates, velocities, rates, parameters and the time t, or an equation,
-    /// `theta = 0.5`; the parameters with their values.
+    /// The formula that vanishes where a condition holds. The condition is a formula of coordinates, velocities, rates, parameters and the time
+    /// t, or an equation, `theta = 0.5`; the parameters have their values.
     ///
     /// # Errors
-    /// Text that is not a formula; a name that the system does not have.
+    /// Text that is not a formula; a name that is unknown in the system.
     ///
     /// # Examples
     /// ```

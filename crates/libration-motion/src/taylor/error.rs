@@ -22,20 +22,20 @@ pub enum IntegrationError {
         /// The number of values required.
         wanted: usize,
     },
-    /// A state or a time at the beginning that is infinite or no number.
+    /// An initial state or time that is infinite or not a number.
     #[error("the initial state contains {0:?}: give finite numbers")]
     StartNotFinite(f64),
     /// Times that are not finite.
     #[error("the times contain {0:?}: give finite ones")]
     TimeNotFinite(f64),
-    /// Times that go back and forth.
+    /// Times that are neither ascending nor descending.
     #[error(
         "the time {after:?} follows {before:?}: times must lead away from the start, all forward or all backward"
     )]
     TimesNotInOrder {
-        /// The one before, or the start.
+        /// The time before, or the start.
         before: f64,
-        /// The one that turns back.
+        /// The time that breaks the order.
         after: f64,
     },
     /// A tolerance that cannot be met.
@@ -44,38 +44,38 @@ pub enum IntegrationError {
          an absolute one of zero or more"
     )]
     Tolerance {
-        /// The relative one.
+        /// The relative tolerance.
         relative: f64,
-        /// The absolute one.
+        /// The absolute tolerance.
         absolute: f64,
     },
-    /// A checkpoint that cannot be one of the system.
+    /// A checkpoint that cannot belong to the system.
     #[error("the checkpoint belongs to another system or other events: give both as they were")]
     OtherCheckpoint,
     /// An integration that began and stopped.
     #[error("{cause} at t = {:?}: the motion is known up to there", solution.end.time)]
     Stopped {
-        /// The cause for which it stopped.
+        /// The cause of the stop.
         cause: Cause,
-        /// The solution up to there.
+        /// The solution until the stop.
         solution: Box<Solution>,
     },
 }
 
-/// The cause for which an integration stops.
+/// The cause of a stop of an integration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Cause {
     /// A state in which the accelerations or rates of change, or their time derivatives, have no finite value.
     #[error("the accelerations or rates of change have no finite value, or no derivative,")]
     Singularity,
-    /// A formula some part of which is larger than double precision holds, though it has a value.
+    /// A formula some part of which overflows in double precision, though the formula has a value.
     #[error("a part of the equations of motion is beyond 1.8e308, the range of numbers,")]
     Overflow,
-    /// Steps that become shorter than the times can tell, as before a singularity.
+    /// Steps that become shorter than the resolution of times, as before a singularity.
     #[error("the steps become too short, as they do before a singularity,")]
     StepUnderflow,
-    /// A state that no `f64` holds soon, as of a motion that runs away for ever.
+    /// A state that will overflow an `f64` soon, as that of an escaping motion.
     #[error("the motion diverges, beyond the range of numbers,")]
     OutOfRange,
     /// The step limit is reached.
@@ -84,7 +84,7 @@ pub enum Cause {
     /// An absolute value at zero that the motion can leave to neither side, as in dry friction at rest.
     #[error("an absolute value is zero and the motion can leave it to neither side")]
     NoWayOn,
-    /// A number of the state at zero, where a root of it lets the motion stay or leave at any time, as x′ = √|x| does.
+    /// A state component at zero, at which a root allows the motion to stay or to leave at any time, as in x′ = √|x|.
     #[error("the motion can stay where it is or leave at any time, which the equations do not decide,")]
     Undecided,
     /// Cancelled by the caller.

@@ -8,7 +8,7 @@
 //! use libration::progress::Quiet;
 //! use libration::taylor::{Effort, Event, System, integrate, integrate_dense};
 //!
-//! // A damped pendulum from 2 rad: the states at two times, and when it passes the bottom.
+//! // A damped pendulum from 2 rad: the states at two times, and the times at which it passes the bottom.
 //! let bottom = Event::zero_of("theta".parse()?);
 //! let system = System::new(&"theta'' + theta'/10 + sin(theta) = 0".parse()?)?.with_events(&[bottom])?;
 //! let start = system.start(&[("theta", 2.0)])?;
@@ -22,21 +22,22 @@
 //! ```
 //!
 //! # Method
-//! The tape of the accelerations becomes a program: instructions on one block of series, from which everything is taken out that is the same at
-//! every order (`program/program.rs`). The recurrences are those of `series`, over a ring of N independent `f64`s. One motion is the case N = 1; many
-//! motions go in lanes, each with steps of its own (`drivers/batch.rs`), and as every operation goes lane by lane the bits are the same. Sixteen motions go
-//! side by side, two registers of AVX-512, so that neither waits for the other. The conditions on a step (convergence of the series, singularities
-//! and events on the way, agreement of its end with the equations) are evaluated for all lanes at once, or for several state components of one
-//! motion at once.
+//! The tape of the accelerations is translated to a program: instructions on one block of series, from which all computations are removed that
+//! are the same at every order (`program/program.rs`). The recurrences are those of `series`, over a ring of N independent `f64`s. One motion is
+//! the case N = 1; many motions are computed in lanes, each with its own steps (`drivers/batch.rs`), and as every operation is done lane by lane
+//! the bits are the same. Sixteen motions are computed side by side, two registers of AVX-512, so that neither waits for the other. The
+//! conditions on a step (convergence of the series, singularities and events inside it, agreement of its end with the equations) are evaluated
+//! for all lanes at once, or for several state components of one motion at once.
 //!
-//! Sums of products go from the middle to the ends, where the newest coefficients are, so that a processor has done all else before these are
-//! known. Products, quotients and integrals of one order leave the same number of terms in the middle, so that machine code can form these side by
-//! side. From the eighth order on quotients by constants are products with a reciprocal. A step ends at an `f64` time; states are carried in two
-//! words from step to step.
+//! Sums of products are formed from the middle to the ends, which contain the newest coefficients, so that a processor has
+//! computed all other terms before these are known. Products, quotients and integrals of one order have the same number of
+//! terms in the middle, so that machine code can compute these side by side. From the eighth order on quotients by constants
+//! are products with a reciprocal. A step ends at an `f64` time; states are carried in two words from step to step.
 //!
-//! An absolute value |u| is on the tape as s·u and sign(u) as s, with an input s = ±1; a step ends where u changes its sign, found on the Bernstein
-//! form of its polynomial, so that none is missed (`nonsmooth/branches.rs`). u/|u|^p is replaced by |u|^(1−p)·sign(u) (`program/quotients.rs`). A step next to such a
-//! power, or one that no radius of convergence limits, is no longer than the roundings of cancelling terms allow (`drivers/cancellation.rs`).
+//! An absolute value |u| is on the tape as s·u and sign(u) as s, with an input s = ±1; a step ends where u changes its
+//! sign, found on the Bernstein form of its polynomial, so that no change is missed (`nonsmooth/branches.rs`). u/|u|^p
+//! is replaced by |u|^(1−p)·sign(u) (`program/quotients.rs`). A step next to such a power, or one that no radius of
+//! convergence limits, is no longer than the rounding errors of cancelling terms allow (`drivers/cancellation.rs`).
 
 mod error;
 

@@ -7,16 +7,16 @@ use super::Occurrence;
 pub struct Moment {
     /// The time.
     pub time: f64,
-    /// The numbers that [`System::state_names`](super::System::state_names) names.
+    /// The components named by [`System::state_names`](super::System::state_names).
     pub state: Vec<f64>,
 }
 
 /// The result of an integration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
-    /// The states at the times requested, as far as it came.
+    /// The states at the requested times that were reached.
     pub samples: Vec<Moment>,
-    /// The events on the way, in the order in which they happened.
+    /// The events during the motion, in the order in which they happened.
     pub events: Vec<Occurrence>,
     /// The last state: at the end of the last step, or at an event that ended the integration.
     pub end: Moment,

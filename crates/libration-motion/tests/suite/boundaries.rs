@@ -1,4 +1,4 @@
-//! Ends of formulas, at which motions end, and removable singularities, which motions pass.
+//! Boundaries of formulas, at which motions end, and removable singularities, which motions pass.
 
 use libration::progress::Quiet;
 use libration::taylor::{Cause, Effort, IntegrationError, Moment, Solution, System, integrate};
@@ -20,7 +20,7 @@ fn end(equation: &str, state: [f64; 2], time: f64, tolerance: f64) -> Solution {
     }
 }
 
-/// Equations whose right side has a value only on one side of a place, or another formula behind it, a start, and the place.
+/// Equations whose right-hand side has a value only on one side of a position, or another formula after it; a start, and the position.
 const ENDS: [(&str, [f64; 2], f64); 16] = [
     ("x'' = -exp(-1/x)", [1.0, 0.0], 0.0),
     ("x'' = exp(-1/x) - 1/5", [0.1, 0.0], 0.0),
@@ -72,19 +72,19 @@ fn backward_motions_end_as_well() {
 
 #[test]
 fn removable_singularities_are_passed() {
-    // x″ = −(x + 1) in disguise.
+    // x″ = −(x + 1) in another form.
     for tolerance in [1e-9, 1e-12, 1e-15] {
         let solution = attempt("x'' = -(x^2 - 1)/(x - 1)", [2.0, 0.0], 2.0, tolerance).unwrap();
         assert!((solution.end.state[0] - (3.0 * libm::cos(2.0) - 1.0)).abs() < 100.0 * tolerance);
     }
     assert!(attempt("x'' = -sin(x)/x", [1.0, 0.0], 3.0, 1e-12).is_ok());
-    // Flat, and the same formula on both sides.
+    // The force is flat at zero, with the same formula on both sides.
     assert!(attempt("x'' = -1 - exp(-1/x^2)", [1.0, 0.0], 3.0, 1e-12).is_ok());
 }
 
 #[test]
 fn a_bend_that_is_sharper_than_the_tolerance_is_not_cut() {
-    // Next to x″ = −sign(x), which falls through x = 0 at √2 and is at −1 at 2√2.
+    // The motion is close to that of x″ = −sign(x), which passes x = 0 at √2 and is at −1 at 2√2.
     for bend in ["1e-20", "1e-16", "1e-14", "1e-12"] {
         let equation = format!("x'' = -x/sqrt(x^2 + {bend})");
         let solution = attempt(&equation, [1.0, 0.0], 2.0 * SQRT_2, 1e-12).unwrap();
@@ -101,7 +101,7 @@ fn a_kink_is_passed_as_it_is_or_not_at_all() {
         for tolerance in [1e-6, 1e-9, 1e-12] {
             let right = attempt(with_bars, [1.0, 0.0], 4.0, 1e-15).unwrap().end;
             match attempt(equation, [1.0, 0.0], 4.0, tolerance) {
-                // A hundred tolerances at the kink, and the rest of the way.
+                // A hundred tolerances at the kink, and the tolerance for the rest of the motion.
                 Ok(solution) => {
                     let error = (solution.end.state[0] - right.state[0]).abs();
                     assert!(error < 1e3 * tolerance, "{equation} to {tolerance:e}: {error:e}");

@@ -1,4 +1,4 @@
-//! Integrations that are gone on from are those that never stopped, bit for bit.
+//! Continued integrations are the same as uninterrupted ones, bit for bit.
 
 use libration::systems::Model;
 use libration::taylor::{
@@ -6,7 +6,7 @@ use libration::taylor::{
 };
 use std::ops::ControlFlow;
 
-/// Equations with a start: smooth, driven, with kinks, with dry friction that holds, with a pole near by, of two coordinates.
+/// Equations with a start: smooth, driven, with kinks, with sticking by dry friction, next to a pole, with two coordinates.
 const MOTIONS: [(&str, &[f64]); 6] = [
     ("x'' = -sin(x)", &[3.0, 0.0]),
     ("x'' = -sin(x) - x'/2 + 1.2*cos(2*t/3)", &[0.1, 0.0]),
@@ -86,7 +86,7 @@ fn assert_same_from_nearer_goals(equation: &str, start: &[f64]) {
 
 #[test]
 fn steps_that_only_the_goal_ends_are_no_checkpoints() {
-    // A polynomial goes to the goal in one step.
+    // A polynomial reaches the goal in one step.
     let fall = System::new(&"x'' = -1".parse().unwrap()).unwrap();
     let (_, checkpoints, steps) = run(&fall, &at(&[1.0, 0.0]), &[3.0], 1e-12);
     assert_eq!((checkpoints.len(), steps), (0, 1));

@@ -1,4 +1,4 @@
-//! Components that come to zero in a finite time, and stay there.
+//! Components that reach zero in a finite time, and stay there.
 
 use crate::typed::{from, system};
 use libm::{pow, sqrt};
@@ -55,8 +55,8 @@ fn other_powers_come_to_zero_when_they_should() {
     }
 }
 
-/// x = (1 − t/10)¹⁰, a polynomial whose terms are a thousand times as large as it is: from either side of zero, and without |…| from where
-/// the power has a value.
+/// x = (1 − t/10)¹⁰, a polynomial whose terms are a thousand times as large as its value:
+/// from either side of zero, and without |…| from the side on which the power has a value.
 #[test]
 fn powers_next_to_one_lose_nothing_to_cancellation() {
     let times: Vec<f64> = (0..=14).map(f64::from).collect();
@@ -75,7 +75,7 @@ fn powers_next_to_one_lose_nothing_to_cancellation() {
     }
 }
 
-/// The argument of a root without |…| stays at zero too, from which nothing leads below; above it a force may.
+/// The argument of a root without |…| stays at zero too if the force leads below zero; if it leads above zero the argument may leave.
 #[test]
 fn roots_without_bars_come_to_rest_where_they_end() {
     let end = solve("x' = -sqrt(x); y'' = -sqrt(y')", &[1.0, 0.0, 1.0], &[9.0], 1e-15).end.state;
@@ -86,7 +86,7 @@ fn roots_without_bars_come_to_rest_where_they_end() {
     assert_eq!(cause, Cause::Undecided);
 }
 
-/// v/|v|^p is |v|^(1 − p)·sign(v), however it is written: v^p = 1 − pt. With p = 1 it is dry friction.
+/// v/|v|^p is |v|^(1 − p)·sign(v) in all equivalent forms: v^p = 1 − pt. With p = 1 it is dry friction.
 #[test]
 fn quotients_that_vanish_with_their_divisor_come_to_rest() {
     let written = [
@@ -124,7 +124,7 @@ fn even_powers_over_powers_of_a_modulus_keep_no_sign() {
     assert!((state + 0.25).abs() < 1e-15, "{state}");
 }
 
-/// v′ = −1/√v ends at t = 2/3, with a rate that is infinite: nothing says what comes then, and the error tells where.
+/// v′ = −1/√v ends at t = 2/3, with an infinite rate: the equation does not determine the continuation, and the error contains the time.
 #[test]
 fn a_rate_that_is_infinite_at_zero_ends_the_motion() {
     let equation = "x'' = -x'/abs(x')^1.5";
@@ -134,7 +134,7 @@ fn a_rate_that_is_infinite_at_zero_ends_the_motion() {
     assert!((solution.end.time - 2.0 / 3.0).abs() < 1e-12, "{}", solution.end.time);
 }
 
-/// v = (1 − t/2)²: after 2/3 it stands still, and another coordinate does not notice.
+/// v = (1 − t/2)²: after 2/3 it stays at rest, and another coordinate is not affected.
 #[test]
 fn a_velocity_comes_to_rest_while_others_move_on() {
     let equations = "x'' = -sqrt(abs(x'))*sign(x'); y'' = -y";
@@ -147,7 +147,7 @@ fn a_velocity_comes_to_rest_while_others_move_on() {
     }
 }
 
-/// From one tank into the next and out: each runs empty, and nothing is lost.
+/// From one tank into the next and out: each runs empty, and the total volume is conserved.
 #[test]
 fn tanks_run_empty_one_after_the_other() {
     let equations = "x' = -sqrt(abs(x))*sign(x); y' = sqrt(abs(x)) - sqrt(abs(y))*sign(y); z' = sqrt(abs(y))";
@@ -184,7 +184,7 @@ fn events_are_found_before_and_at_the_rest() {
     }
 }
 
-/// Side by side with motions that never rest each is what it is alone.
+/// Among motions that never come to rest each result is that of the motion alone.
 #[test]
 fn motions_side_by_side_rest_by_themselves() {
     let equations = "x' = -sqrt(abs(x))*sign(x) + k*cos(t)";
@@ -202,7 +202,7 @@ fn motions_side_by_side_rest_by_themselves() {
 
 #[test]
 fn a_motion_with_a_rest_is_gone_on_with_from_its_last_checkpoint() {
-    // Of water itself the height is a polynomial in the time, and each step goes to the goal.
+    // For water itself the height is a polynomial in the time, and each step reaches the goal.
     let (water, effort) = (system("x' = -abs(x)^0.3*sign(x); y'' = -y"), Effort::to_tolerance(1e-12));
     let mut last = None;
     let begin = Start::State(from(&[1.0, 1.0, 0.0]));
@@ -231,7 +231,7 @@ fn tolerances_hold_beside_a_rest() {
     assert!(4 * steps(&[("y", 1e-5)]) < 3 * steps(&[]), "{} of {}", steps(&[("y", 1e-5)]), steps(&[]));
 }
 
-/// Below zero −√|x| leads on: at zero the motion may wait, as long as it likes.
+/// Below zero −√|x| leads away: at zero the motion may stay for any time.
 #[test]
 fn where_zero_may_be_left_at_any_time_the_motion_ends() {
     let motion =
@@ -239,7 +239,7 @@ fn where_zero_may_be_left_at_any_time_the_motion_ends() {
     let Err(IntegrationError::Stopped { cause, solution }) = motion else { panic!("{motion:?}") };
     assert_eq!(cause, Cause::Undecided);
     assert!((solution.end.time - 2.0).abs() < 1e-12 && cause.to_string().contains("do not decide"));
-    // Where a root is not all of the force zero is passed.
+    // If the root is not the whole force, zero is passed.
     let passed = solve("x' = -sqrt(abs(x)) - 1/8", &[1.0], &[9.0], 1e-12).end.state[0];
     assert!(passed < -1.0, "{passed}");
 }

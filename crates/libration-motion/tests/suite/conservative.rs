@@ -1,4 +1,4 @@
-//! Named systems that keep their energy: stars, planets and chains, against the thirty digits of `conservative.csv`.
+//! Named systems with conserved energy: stars, planets and chains, against the thirty digits of `conservative.csv`.
 
 use libration::expression::Expression;
 use libration::progress::Quiet;
@@ -16,8 +16,8 @@ fn model(key: &str, set: &str) -> Model {
     Model::by_key(key, &values, &[]).unwrap()
 }
 
-/// Roundings have the size of the numbers, and grow as the motion's sensitivity to one of them says. Those of N numbers know nothing of each
-/// other and come together to √N times as much. The energy does not change.
+/// Rounding errors have the size of the numbers, and grow by the sensitivity of the motion. Those
+/// of N numbers are independent and add up to √N times as much. The energy does not change.
 #[test]
 fn every_motion_is_met_as_well_as_its_condition_allows() {
     let mut growth = Growth::default();
@@ -42,8 +42,8 @@ fn every_motion_is_met_as_well_as_its_condition_allows() {
     }
 }
 
-/// Fermi, Pasta and Ulam's chain, to a tolerance of 1e-15, at the times of `chains.csv` up to one, each with the error there and what is
-/// allowed: as above, and four roundings more of its phase with each period of the lowest mode, so that the error grows like the time.
+/// Fermi, Pasta and Ulam's chain, to a tolerance of 1e-15, at the times of `chains.csv` up to `end`, each with the error there and the allowed
+/// error: as above, and four more rounding errors of the phase for each period of the lowest mode, so that the error grows like the time.
 fn errors_of_chain(set: &str, end: f64) -> Vec<[f64; 3]> {
     let table = Table::read("chains.csv");
     let rows = || table.rows().filter(|row| row.text("set") == set && row.input("time") <= end);
@@ -85,7 +85,7 @@ fn chains_are_where_they_should_be_after_ten_thousand_periods() {
     chains_are_where_they_should_be(f64::INFINITY);
 }
 
-/// The energy of Fermi, Pasta and Ulam's chain, written out.
+/// The energy of Fermi, Pasta and Ulam's chain as an explicit sum.
 fn energy_of_chain(state: &[f64], alpha: f64, beta: f64) -> f64 {
     let (places, velocities) = state.split_at(state.len() / 2);
     let ends = [&[0.0], places, &[0.0]].concat();
@@ -94,7 +94,7 @@ fn energy_of_chain(state: &[f64], alpha: f64, beta: f64) -> f64 {
     springs + velocities.iter().map(|v| 0.5 * v * v).sum::<f64>()
 }
 
-/// The largest relative change of the energy from the lowest mode on, requested at a hundred times.
+/// The largest relative change of the energy at a hundred times, for a motion that begins in the lowest mode.
 fn drift_of_chain(alpha: &str, beta: &str, end: f64) -> f64 {
     let model = model("fermi_pasta_ulam", &format!("alpha={alpha},beta={beta}"));
     let mode = (1..=32).map(|i| libm::sin(PI * f64::from(i) / 33.0)).chain([0.0; 32]);
@@ -108,7 +108,7 @@ fn drift_of_chain(alpha: &str, beta: &str, end: f64) -> f64 {
     changes.fold(0.0, |largest, change| f64::max(largest, change.abs()))
 }
 
-/// Twenty periods of the lowest mode, 66 each; ten thousand of them are requested below.
+/// Twenty periods of the lowest mode, 66 each; the ignored test takes ten thousand.
 #[test]
 fn a_chain_keeps_its_energy() {
     for (alpha, beta) in [("0.25", "0"), ("0", "8")] {

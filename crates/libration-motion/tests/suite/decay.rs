@@ -1,4 +1,4 @@
-//! Damped pendulums: turning points in thirty digits, first integrals, closed forms, and where averaging holds.
+//! Damped pendulums: turning points in thirty digits, first integrals, closed forms, and the range of averaging.
 
 use libration::decay::{
     Damping, Decay, DecayEnding, DecayError, EnvelopeLaw, PowerLawTerm, TurningPoint, cycle_integral,
@@ -13,7 +13,7 @@ fn amplitude(radians: f64) -> Amplitude {
     Amplitude::new(Angle::from_radians(radians).unwrap()).unwrap()
 }
 
-/// ω0 = 1; terms as (power, coefficient).
+/// A damped pendulum with ω0 = 1; terms as (power, coefficient).
 fn decay(terms: &[(f64, f64)], start: f64) -> Decay {
     of(Pendulum::from_angular_frequency(1.0).unwrap(), terms, start)
 }
@@ -44,7 +44,7 @@ fn turning_points_have_the_digits_of_the_table() {
         let number: usize = row.text("number").parse().unwrap();
         let turn = turns(&decay(&terms, row.input("start")), number + 1)[number];
         let whole = terms.iter().all(|(power, _)| power.fract() == 0.0);
-        // A rounding of the angle next to the top is as much of the distance to it, 9e-5, which decides when the pendulum falls.
+        // A rounding error of the angle next to the top is relative to the distance from the top, 9e-5, which determines the time of the fall.
         let bound = if row.input("start") > 3.0 {
             2e-11
         } else if whole {
@@ -75,7 +75,7 @@ fn cycle_integrals_have_the_digits_of_the_table() {
 #[test]
 fn small_cycles_have_the_limit_of_the_exact_ones() {
     for exponent in [0.0, 0.3, 1.0, 1.83, 2.0, 3.0, 5.5] {
-        // What is left out is A² times less than one.
+        // The neglected term is A² times a factor below one.
         let error = small_cycle_integral(exponent, 1e-6) / cycle_integral(exponent, &amplitude(1e-6)) - 1.0;
         assert!(error.abs() < 5e-12, "n = {exponent}: {error:e}");
     }
@@ -83,7 +83,7 @@ fn small_cycles_have_the_limit_of_the_exact_ones() {
 
 #[test]
 fn dry_friction_takes_the_height_from_the_energy() {
-    // cos A′ − cos A = c(A + A′), which is the work done on the way.
+    // cos A′ − cos A = c(A + A′) is the work of the friction.
     for start in [0.4, 1.0, 2.0, 3.1] {
         let turns = turns(&decay(&[(0.0, 0.02)], start), 9);
         for pair in turns.windows(2) {
@@ -118,7 +118,7 @@ fn viscous_damping_of_small_swings_is_the_damped_oscillator() {
             let late = turn.time - time;
             assert!(late.abs() < 1e-13 * time.max(1.0), "c = {c}: {number}: {late:e}");
             let error = turn.amplitude.radians() / left - 1.0;
-            // A swing errs in proportion to the amplitude it begins with.
+            // The error of a swing is proportional to its initial amplitude.
             let begun = libm::exp(0.5 * c * PI / frequency);
             assert!(error.abs() < 1e-14 * begun, "c = {c}: {number}: {error:e}");
         }
@@ -160,7 +160,7 @@ fn the_law_of_small_amplitudes_has_its_closed_forms() {
 
 #[test]
 fn the_averaged_amplitude_falls_as_the_energy_says() {
-    // A difference quotient of the fourth order against −Σ c J/(T sin A).
+    // A difference quotient of fourth order against −Σ c J/(T sin A).
     for (terms, start) in
         [(vec![(1.0, 0.1)], 3.0), (vec![(0.0, 0.05), (2.0, 0.1)], 1.5), (vec![(0.4, 0.1)], 0.2)]
     {
@@ -199,7 +199,7 @@ fn the_error_of_averaging_falls_with_the_square_of_the_damping() {
             let turn = turns(&decay, turn + 1)[turn];
             decay.envelope(EnvelopeLaw::Averaged).amplitude_at(turn.time) - turn.amplitude.radians()
         };
-        // As many turns more as the damping is weaker: the amplitude is nearly the same.
+        // The number of turns is inversely proportional to the damping: the amplitude is nearly the same.
         let ratio = error(0.02, 8) / error(0.01, 16);
         assert!((ratio - 4.0).abs() < 0.2, "n = {exponent}: {ratio}");
     }
@@ -218,7 +218,7 @@ fn dry_friction_holds_the_pendulum_in_the_end() {
 
 #[test]
 fn dry_friction_stops_it_before_the_bottom_too() {
-    // Small swings with dry friction d go from d + s to d − s: on the near side of the bottom where s is below d.
+    // Small swings with dry friction d go from d + s to d − s: they stop before the bottom if s is below d.
     for (start, turning_points) in [(0.06, 1), (0.09, 1), (0.12, 2)] {
         let decay = decay(&[(0.0, 0.05)], start);
         let mut swings = decay.swings();
@@ -246,13 +246,13 @@ fn strong_damping_lets_it_creep() {
         assert_eq!(swings.by_ref().map(Result::unwrap).count(), 1, "n = {exponent}, c = {c}");
         assert_eq!(swings.ending(), Some(DecayEnding::Creeps));
     }
-    // Strong drag of the second power weakens, and the pendulum swings.
+    // Strong quadratic drag weakens, so that the pendulum swings.
     assert_eq!(turns(&decay(&[(2.0, 50.0)], 0.5), 4).len(), 4);
 }
 
 #[test]
 fn an_amplitude_below_all_others_has_vanished() {
-    // Half a cycle leaves e^(−1.8π/√(4 − 1.8²)) = e^−6.49 of the amplitude, 35 of them 3e-99.
+    // Half a cycle leaves e^(−1.8π/√(4 − 1.8²)) = e^−6.49 of the amplitude, 35 half cycles 3e-99.
     let decay = decay(&[(1.0, 1.8)], 0.5);
     let mut swings = decay.swings();
     assert_eq!(swings.by_ref().map(Result::unwrap).count(), 36);
@@ -265,9 +265,9 @@ fn the_top_is_not_lost() {
     let pendulum = Pendulum::from_angular_frequency(1.0).unwrap();
     let weak = Decay::new(pendulum, Damping::of_degree(2.0, 1e-9).unwrap(), start).unwrap();
     let turn = turns(&weak, 2)[1];
-    // ln(8/δ) to the bottom; from there it rises to within some 1e-4 of the top.
+    // The fall to the bottom takes ln(8/δ); then the pendulum rises to within some 1e-4 of the top.
     assert!(turn.time > libm::log(8e100) && turn.time < libm::log(8e100) + 15.0, "{}", turn.time);
-    // Half a cycle from the top takes 4πc.
+    // Half a cycle from the top reduces the energy by 4πc.
     let lost = 1.0 + libm::cos(turn.amplitude.radians());
     assert!((lost / (4.0 * PI * 1e-9) - 1.0).abs() < 1e-6, "{lost:e}");
 }
@@ -318,7 +318,7 @@ fn what_is_no_start_is_refused() {
 
 #[test]
 fn the_loss_in_a_cycle_of_small_swings_is_that_of_the_harmonic_oscillator() {
-    // Of cθ′ the part 2πc/ω0 of the energy, of cθ′|θ′| the part 16cA/3, up to A² of themselves.
+    // Relative loss of energy: 2πc/ω0 by cθ′, 16cA/3 by cθ′|θ′|, with relative corrections of order A².
     let pendulum = || Pendulum::from_angular_frequency(3.0).unwrap();
     let small = amplitude(1e-4);
     for (terms, expected) in [
@@ -329,7 +329,7 @@ fn the_loss_in_a_cycle_of_small_swings_is_that_of_the_harmonic_oscillator() {
         let loss = of(pendulum(), &terms, 1.0).loss_in_a_cycle(&small);
         assert!((loss / expected - 1.0).abs() < 1e-8, "{terms:?}: {loss}");
     }
-    // It is the fall of the amplitude where that is small: from A to A(1 − δ) the energy falls by 2δ.
+    // For a small loss the energy decreases by 2δ when the amplitude decreases from A to A(1 − δ).
     let weak = of(pendulum(), &[(1.0, 1e-5)], 0.01);
     let after = turns(&weak, 3)[2].amplitude.radians();
     let fall = 2.0 * (1.0 - after / 0.01);

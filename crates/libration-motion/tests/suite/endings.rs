@@ -1,4 +1,4 @@
-//! The stated error of the end of a motion, compared with its error. What closed forms lose by rounding is far less.
+//! The stated error of the end of a motion, compared with the actual error. The rounding errors of the closed forms are far smaller.
 
 use libration::pendulum::{Motion, Pendulum};
 use libration::progress::Quiet;
@@ -8,10 +8,10 @@ use std::f64::consts::PI;
 
 pub(crate) const TOLERANCES: [f64; 5] = [1e-6, 1e-9, 1e-12, 1e-15, 1e-16];
 
-/// A number at the end, what it is, and by how much it may be wrong as is stated.
+/// A component at the end, its exact value, and its stated error.
 type Compared = [f64; 3];
 
-/// The end of a motion that an event sets, and its stated error.
+/// The end of a motion at an event, and its stated error.
 fn ended(equation: &str, start: &[(&str, f64)], ending: &Event, tolerance: f64) -> [Moment; 2] {
     const LAST: f64 = 1e7;
     let system = System::new(&equation.parse().unwrap()).unwrap();
@@ -26,7 +26,7 @@ fn first_zero_of(formula: &str) -> Event {
     Event { ends_at: Some(1), ..Event::zero_of(formula.parse().unwrap()) }
 }
 
-/// Comparisons for a pendulum at a given time, and at the last passage of the bottom before.
+/// Comparisons for a pendulum at a given time, and at the last passage of the bottom before that time.
 fn of_pendulum(amplitude: f64, exact: &Motion, last: f64, tolerance: f64) -> [Compared; 4] {
     const EQUATION: &str = "theta'' = -sin(theta)";
     let start = [("theta", amplitude)];
@@ -46,7 +46,7 @@ fn of_pendulum(amplitude: f64, exact: &Motion, last: f64, tolerance: f64) -> [Co
     ]
 }
 
-/// From next to the bottom to next to the top, where roundings grow a thousandfold in each swing.
+/// From next to the bottom to next to the top, where rounding errors grow a thousandfold in each swing.
 #[test]
 fn stated_errors_of_pendulums_hold_and_are_not_far_too_large() {
     let pendulum = Pendulum::from_angular_frequency(1.0).unwrap();
@@ -62,7 +62,8 @@ fn stated_errors_of_pendulums_hold_and_are_not_far_too_large() {
                     largest_stated = f64::max(largest_stated, stated);
                 }
             }
-            // Above the roundings the second integration tells the error; among them a sum of bounds does, 826 times too large at worst.
+            // Above the rounding errors the stated error comes from the second integration;
+            // otherwise from a sum of bounds, which is at most 826 times too large.
             let most = if tolerance > 1e-10 { 1.6 } else { 1000.0 };
             assert!(
                 largest_stated <= most * largest,
@@ -72,7 +73,7 @@ fn stated_errors_of_pendulums_hold_and_are_not_far_too_large() {
     }
 }
 
-/// A ball that is drawn to zero by the same force from both sides, from 1 on.
+/// A ball that is attracted to zero by the same force from both sides, starting at 1.
 fn drawn_to_zero(time: f64) -> Vec<f64> {
     let half = 2.0 * libm::sqrt(2.0);
     let number = libm::round(time / half);
@@ -104,7 +105,7 @@ pub(crate) struct Known {
     pub(crate) state: fn(f64) -> Vec<f64>,
 }
 
-/// Terms that cancel, constants that are no doubles, small motions far from zero, quotients, forces that jump and bend.
+/// Terms that cancel, constants that are not doubles, small motions far from zero, quotients, forces that jump and bend.
 pub(crate) const KNOWN: [Known; 11] = [
     Known { equation: "x' = 0.1", start: &[("x", 1.0)], state: |t| vec![1.0 + t / 10.0] },
     Known { equation: "x' = -x", start: &[("x", 1.0)], state: |t| vec![libm::exp(-t)] },
@@ -159,7 +160,7 @@ fn stated_errors_of_other_motions_hold() {
     }
 }
 
-/// The rate of change of a formula passes through zero where the formula touches it.
+/// Where the formula touches zero its rate of change passes through zero.
 #[test]
 fn the_time_of_a_touch_is_right_to_what_is_stated() {
     let touch = Event { ends_at: Some(2), ..first_zero_of("x + 1") };
@@ -171,7 +172,7 @@ fn the_time_of_a_touch_is_right_to_what_is_stated() {
     }
 }
 
-/// Motions with neighbours that end, as that of sqrt(x) below zero, or with too many steps to follow a neighbour of each.
+/// Motions with neighbours that end, as that of sqrt(x) below zero, or with too many steps to integrate a neighbour of each.
 #[test]
 fn where_roundings_are_not_followed_more_is_stated_of_the_rest() {
     for (equation, last) in [("x' = -sqrt(x); y'' = -y", 10.0), ("x'' = -x/4; y'' = -y", 4e5)] {
@@ -184,7 +185,7 @@ fn where_roundings_are_not_followed_more_is_stated_of_the_rest() {
     }
 }
 
-/// One third of a second has no exact `f64`, and nothing else is rounded.
+/// One third of a second is not an `f64`, and nothing else is rounded.
 #[test]
 fn the_last_rounding_counts() {
     let [end, error] = ended("x' = 3", &[("x", 0.0)], &first_zero_of("x - 1"), 1e-15);
@@ -192,7 +193,7 @@ fn the_last_rounding_counts() {
     assert!(0.0 < off && off <= error.time && error.time < 1e-15, "{off:e} {error:?}");
 }
 
-/// In 900 units of Lorenz's time roundings grow by e⁸¹⁵: what is stated is then as large as the attractor, and a number.
+/// In 900 units of Lorenz's time rounding errors grow by e⁸¹⁵: the stated error is then as large as the attractor, and finite.
 #[test]
 fn what_is_stated_of_chaos_is_as_large_as_the_attractor() {
     const LORENZ: &str = "x' = 10*(y - x); y' = x*(28 - z) - y; z' = x*y - 8/3*z";
@@ -201,7 +202,7 @@ fn what_is_stated_of_chaos_is_as_large_as_the_attractor() {
     assert!(error.state.iter().all(|error| (1.0..1000.0).contains(error)), "{end:?} {error:?}");
 }
 
-/// One third of a million seconds has no exact `f64`; each of 1319 jumps adds to the error.
+/// One third of a million seconds is not an `f64`; each of 1319 jumps adds to the error.
 #[test]
 fn times_of_jumps_are_rounded() {
     for equation in ["x' = sign(3*t - 1000000)", "y' = 3; x' = sign(y - 1000000)"] {
@@ -216,7 +217,7 @@ fn times_of_jumps_are_rounded() {
     }
 }
 
-/// The argument of the sign is known to 1e-10 only, and so is the time.
+/// The argument of the sign is known to 1e-10 only, and so is the time of the jump.
 #[test]
 fn arguments_of_jumps_are_rounded() {
     let [end, error] =
@@ -225,7 +226,7 @@ fn arguments_of_jumps_are_rounded() {
     assert!(1e-13 < off && off <= error.state[0] && error.state[0] < 1e-8, "{off:e} {error:?}");
 }
 
-/// The same of the formula of an event.
+/// The formula of an event is known to 1e-10 only, and so is the time of the event.
 #[test]
 fn formulas_of_events_are_rounded() {
     let event = first_zero_of("(1000000 + t) - (1000000 + 1/3)");

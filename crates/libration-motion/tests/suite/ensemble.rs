@@ -1,4 +1,4 @@
-//! Motions that go on together are those that were followed alone, bit for bit, whatever times are requested.
+//! Motions that are integrated together are the same as single ones, bit for bit, whatever times are requested.
 
 use libration::progress::Quiet;
 use libration::systems::Model;
@@ -8,7 +8,7 @@ use libration::taylor::{
 use std::cell::Cell;
 use std::ops::ControlFlow;
 
-/// Smooth, driven, with kinks, with dry friction that holds, of two coordinates.
+/// Smooth equations, and equations with a drive, with kinks, with sticking by dry friction, and with two coordinates.
 const SYSTEMS: [(&str, &[f64]); 5] = [
     ("x'' = -sin(x)", &[3.0, 0.0]),
     ("x'' = -sin(x) - x'/2 + 1.2*cos(2*t/3)", &[0.1, 0.0]),
@@ -17,13 +17,13 @@ const SYSTEMS: [(&str, &[f64]); 5] = [
     ("x'' = -x - 2*x*y; y'' = -y - x^2 + y^2", &[0.0, 0.3, 0.3, 0.0]),
 ];
 
-/// More than there are lanes, no two alike.
+/// More starts than lanes, all different.
 fn starts(first: &[f64], count: u32) -> Vec<Moment> {
     let beside = |n: u32| first.iter().map(|value| value + 1e-3 * f64::from(n)).collect();
     (0..count).map(|n| Moment { time: 0.0, state: beside(n) }).collect()
 }
 
-/// The states of all motions at each of these times, each motion followed on its way to a time far behind them.
+/// The states of all motions at each of these times, each motion integrated towards a much later time.
 fn alone(system: &System, starts: &[Moment], times: &[f64], effort: &Effort) -> Vec<Vec<f64>> {
     let times: Vec<f64> = times.iter().copied().chain([1e3]).collect();
     let trajectories: Vec<_> = starts
@@ -80,7 +80,7 @@ fn what_was_stopped_goes_on_where_it_was() {
 
 #[test]
 fn motions_that_end_are_told_and_do_not_hold_up_the_others() {
-    // To infinity at t = 1/x(0).
+    // x = 1/(1/x(0) − t) diverges at t = 1/x(0).
     let system = System::new(&"x' = x^2".parse().unwrap()).unwrap();
     let starts: Vec<Moment> = [1.0, 0.1, 0.0].map(|x| Moment { time: 0.0, state: vec![x] }).into();
     let mut ensemble = Ensemble::new(system, &starts, &Effort::to_tolerance(1e-12)).unwrap();

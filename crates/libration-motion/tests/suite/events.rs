@@ -1,4 +1,4 @@
-//! Events on the way of a motion, friction that holds, and many motions side by side.
+//! Events during a motion, sticking by friction, and many motions side by side.
 
 use libration::pendulum::Pendulum;
 use libration::progress::Quiet;
@@ -26,8 +26,8 @@ fn run(system: &System, state: &[f64], times: &[f64], tolerance: f64) -> Solutio
     integrate(system, &start, times, &Effort::to_tolerance(tolerance), &Quiet).unwrap()
 }
 
-/// Thresholds at 0.999 and 0.999999 of the amplitude, from anywhere on the orbit, for random amplitudes, tolerances and
-/// durations: the crossings of each motion, which the exact motion knows, each found once and at its time.
+/// Thresholds at 0.999 and 0.999999 of the amplitude, starting at any point of the orbit, for random
+/// amplitudes, tolerances and durations: every crossing of the exact motion is found once and at its time.
 fn crossings_next_to_the_amplitude(cases: u32) -> usize {
     let mut random = Random::seeded(11);
     let unit = Pendulum::from_angular_frequency(1.0).unwrap();
@@ -38,7 +38,7 @@ fn crossings_next_to_the_amplitude(cases: u32) -> usize {
         let threshold = part * amplitude;
         let exact = unit.released_from(Angle::from_radians(amplitude).unwrap()).unwrap();
         let period = exact.period();
-        // When the pendulum, released at zero, passes the threshold downward.
+        // The time at which the pendulum, released at zero, passes the threshold downward.
         let passes = time_at_angle(|t| exact.state_at(t).angle, threshold, 0.25 * period);
         let phase = random.between(0.0, 1.0) * period;
         let begin = exact.state_at(phase);
@@ -57,7 +57,7 @@ fn crossings_next_to_the_amplitude(cases: u32) -> usize {
             .collect();
         assert_eq!(found.len(), wanted.len(), "{case}: {amplitude} from {phase}: {found:?} {wanted:?}");
         for (found, wanted) in found.iter().zip(&wanted) {
-            // Next to the amplitude a small error of the angle is a larger one of the time.
+            // Next to the amplitude a small error of the angle corresponds to a larger one of the time.
             let bound = 1e4 * tolerance / (1.0 - part).sqrt() + 1e-11 / (1.0 - part).sqrt();
             assert!((found.time - wanted).abs() < bound, "{case}: {} not {wanted}", found.time);
         }
@@ -66,7 +66,8 @@ fn crossings_next_to_the_amplitude(cases: u32) -> usize {
     crossings
 }
 
-/// Formulas of cos t. Where a formula has a pole or ends the motion continues, in as few steps as without it; a pole is not a zero, a jump is one.
+/// Formulas of cos t. At a pole or boundary of a formula the motion continues,
+/// in as few steps as without it; a pole is not a zero, a jump is one.
 #[test]
 fn formulas_that_end_on_the_way_do_not_end_the_motion() {
     let all = |places: &[f64]| {
@@ -118,7 +119,7 @@ fn crossings_in_a_hundred_thousand_cases() {
     assert!(crossings_next_to_the_amplitude(100_000) > 500_000);
 }
 
-/// The time in a falling stretch of a motion at which it is at an angle.
+/// The time at which a motion, in an interval in which it falls, is at an angle.
 fn time_at_angle(angle: impl Fn(f64) -> f64, wanted: f64, end: f64) -> f64 {
     let (mut before, mut behind) = (0.0, end);
     for _ in 0..100 {
@@ -180,7 +181,7 @@ fn touching_is_told_from_crossing() {
     assert!(matches!(touched[..], [(time, Contact::Grazing)] if (time - 1.0).abs() < 1e-5), "{touched:?}");
     let flat = contacts("x'' = 6 (t - 1)", "x", &[-1.0, 3.0], 3.0);
     assert!(matches!(flat[..], [(time, Contact::Rising)] if (time - 1.0).abs() < 1e-3), "{flat:?}");
-    // cos t reaches −1 and 1 at steps that begin and end anywhere.
+    // cos t reaches −1 and 1 at arbitrary positions in the steps.
     let both = contacts("x'' = -x", "x - 1", &[0.0, 1.0], 20.0);
     assert_eq!(both.len(), 3, "{both:?}");
     for (n, (time, contact)) in (0..).zip(&both) {
@@ -189,7 +190,7 @@ fn touching_is_told_from_crossing() {
             "{both:?}"
         );
     }
-    // The end of a sample is not the end of a contact.
+    // The end of a sampled interval is not the end of a contact.
     let split = contacts("x'' = -x", "x - 1", &[0.0, 1.0], 0.5 * PI);
     assert!(split.len() <= 1, "{split:?}");
     assert_eq!(contacts("x'' = -x", "x", &[0.0, 0.0], 5.0), []);
@@ -235,7 +236,7 @@ fn a_driven_block_sticks_and_slips() {
     let t = released + 0.5;
     let velocity = libm::cos(released) - libm::cos(t) - friction * 0.5;
     assert!((solution.samples[2].state[1] - velocity).abs() < 1e-14, "{:?}", solution.samples);
-    // With more friction than force it never moves.
+    // If friction exceeds the force the body never moves.
     let held = System::new(&"x'' = sin(t) - 1.2 sign(x')".parse().unwrap()).unwrap();
     assert_eq!(run(&held, &[0.3, 0.0], &[1000.0], 1e-12).end.state, [0.3, 0.0]);
 }
@@ -253,7 +254,7 @@ fn a_block_that_came_to_rest_goes_on_when_the_force_has_grown() {
     {
         assert!((sample.state[0] - x).abs() < 1e-14 && (sample.state[1] - v).abs() < 1e-14, "{sample:?}");
     }
-    // What rests stays where it is, to the last bit.
+    // A body at rest does not move, to the last bit.
     assert_eq!(solution.samples[0].state, solution.samples[1].state);
 }
 
@@ -331,7 +332,7 @@ fn interrupting_many_motions_keeps_what_is_done() {
         };
         solution.steps > 0
     });
-    // As many as go side by side.
+    // The number of motions side by side.
     assert_eq!(begun.count(), 16);
 }
 
@@ -360,7 +361,7 @@ fn velocities_that_are_almost_zero_do_not_matter() {
     }
 }
 
-/// x = 5 cos t passes x = 2 twice, where most of the formulas are zero on both sides of a peak.
+/// x = 5 cos t passes x = 2 twice, where most of the formulas underflow on both sides of a peak.
 #[test]
 fn formulas_that_are_felt_in_a_small_part_of_a_step_have_their_zeros() {
     let half_width = (libm::log(2.0) / 20_000.0).sqrt();
@@ -391,7 +392,7 @@ fn formulas_that_are_felt_in_a_small_part_of_a_step_have_their_zeros() {
     }
 }
 
-/// The n-th passage of the bottom, rising or falling, and how well its time and state are known.
+/// The n-th passage of the bottom, rising or falling, and the accuracy of its time and state.
 #[test]
 fn a_motion_ends_at_the_event_that_is_counted() {
     let pendulum = Pendulum::from_angular_frequency(1.0).unwrap();
@@ -420,8 +421,8 @@ fn a_motion_ends_at_the_event_that_is_counted() {
     }
 }
 
-/// A formula that is zero at the start, but for its rounding or half a unit in the last place of the start, does not cross zero there, on
-/// whichever side rounding puts it; where it returns, it does.
+/// A formula that is zero at the start, but for its rounding error or half a unit in the last place of the start, does not cross zero there,
+/// whichever sign rounding gives it; a later return to zero is a crossing.
 #[test]
 fn roundings_at_the_start_are_no_crossings() {
     let pendulum = Pendulum::from_angular_frequency(1.0).unwrap();
@@ -448,7 +449,7 @@ fn roundings_at_the_start_are_no_crossings() {
     }
 }
 
-/// A formula that begins next to a zero, but beyond its roundings, crosses it; so does one that leaves zero and returns.
+/// A formula that begins next to a zero, but beyond its rounding error, crosses it; so does one that leaves zero and returns.
 #[test]
 fn crossings_soon_after_the_start_are_found() {
     for before in [1e-3, 1e-6, 1e-9, 1e-12, 1e-14] {

@@ -1,6 +1,6 @@
-//! Forces that are too small for an `f64` where a step begins, and are felt on its way: walls, dents, pulses.
+//! Forces that underflow in `f64` at the start of a step, but act inside it: walls, dents, pulses.
 //!
-//! Each motion is held to its energy, which the integration does not know.
+//! The result is checked by the energy of the motion, which the integration does not use.
 
 use libration::orbit::Orbit;
 use libration::progress::Quiet;
@@ -18,7 +18,7 @@ fn even_times(end: f64) -> Vec<f64> {
 
 const TOLERANCES: [f64; 3] = [1e-9, 1e-12, 1e-15];
 
-/// The energy after 1e5 tolerances in all, of the whole.
+/// Checks that the relative change of the energy is at most 1e5 tolerances.
 fn keeps_its_energy(equation: &str, potential: impl Fn(f64) -> f64, start: f64, time: f64, scale: f64) {
     for tolerance in TOLERANCES {
         let samples = solve(equation, [start, 0.0], &even_times(time), tolerance).samples;
@@ -45,7 +45,7 @@ fn an_exponential_wall_throws_back_whatever_comes_from_however_far() {
     for (start, period) in WALL_PERIODS {
         keeps_its_energy("x'' = 1 - exp(x)", potential, start, 2.3 * period, potential(start));
         let once = solve("x'' = 1 - exp(x)", [start, 0.0], &[period], 1e-15).end.state;
-        // Of the period the end of the rise sees eˣ, so that roundings of the time count.
+        // The end of the rise contains eˣ, so that rounding errors of the time matter.
         let allowed = 1e-9 * libm::exp(start) * period;
         assert!((once[0] - start).abs() < allowed && once[1].abs() < allowed, "{start}: {once:?}");
     }
@@ -110,7 +110,7 @@ fn a_pulse_in_the_time_gives_its_momentum() {
         for tolerance in TOLERANCES {
             let end = solve(&equation, [1.0, 0.0], &[50.0], tolerance).end.state[1];
             let error = (end / momentum - 1.0).abs();
-            // The time at 20 is rounded to 2e-15, where the exponent sees it 1e6·2e-15·1e-3 times.
+            // The time at 20 is rounded to 2e-15, whose effect on the exponent is 1e6·2e-15·1e-3.
             assert!(error < 1e4 * tolerance.max(1e-15), "{equation} to {tolerance:e}: {error:e}");
         }
     }

@@ -1,8 +1,8 @@
-//! The evidence for motion in time: golden tables, published numbers and identities.
+//! Tests of motion in time: golden tables, published numbers and identities.
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its table should stop there")]
 #![expect(clippy::float_cmp, reason = "exact values and equal bits are what some tests claim")]
 
-// Tests read as users of the crate `libration` write.
+// Tests use the paths of the crate `libration`.
 extern crate libration_motion as libration;
 
 mod boundaries;

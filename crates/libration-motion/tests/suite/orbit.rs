@@ -32,7 +32,7 @@ fn periods_of_the_pendulum_are_exact_within_their_uncertainty() {
         let orbit = released(PENDULUM, amplitude);
         let exact = pendulum(amplitude).period();
         assert_within(orbit.period(), exact, orbit.period_uncertainty(), &format!("from {amplitude}"));
-        // Near the top an angle, rounded, is worth less.
+        // Near the top the rounding error of an angle is larger relative to the distance from the top.
         let allowed = 4e-14 * exact * (1.0 + 4e-3 / ((PI - amplitude) * (PI - amplitude)));
         assert!(orbit.period_uncertainty() < allowed, "{amplitude}: {:e}", orbit.period_uncertainty());
     }
@@ -43,7 +43,7 @@ fn harmonics_of_the_pendulum_are_exact() {
     for amplitude in [0.1, 1.0, 2.0, 3.0, 3.14] {
         let exact = pendulum(amplitude).harmonics(1e-17, 2000);
         let found = released(PENDULUM, amplitude).harmonics(0);
-        // The last amplitude is 0.0016 below the top, of which rounding an angle to 4e-16 takes a part of 2e-13 at each turn.
+        // The last amplitude is 0.0016 below the top; rounding to 4e-16 changes this distance by 2e-13 of itself at each turn.
         let off = if amplitude > 3.1 { 1e-10 } else { 1e-14 };
         for term in &exact.terms {
             let own = found.terms.get(term.n).copied().unwrap_or_default();
@@ -129,7 +129,7 @@ fn van_der_pols_cycle_is_found_when_it_is_far_from_a_circle() {
 
 /// Dorodnicyn: T = (3 − 2 ln 2)μ + 3αμ^(−1/3) − (2 ln μ)/(3μ) − 1.3246/μ + O(μ^(−5/3)), where −α is the first zero of Airy's function, and the
 /// largest displacement 2 + αμ^(−4/3)/3 − (16 ln μ)/(27μ²) + O(μ⁻²); attributed to A. A. Dorodnicyn, Prikl. Mat. Mekh. 11, 313 (1947), with the
-/// corrections of later authors (P. Amore, arXiv:2111.12198). The digits are SciPy's: `Radau` with a relative tolerance of 1e-11.
+/// corrections of later authors (P. Amore, arXiv:2111.12198). The digits were computed by SciPy's `Radau` with a relative tolerance of 1e-11.
 #[test]
 fn van_der_pols_cycle_is_found_when_it_relaxes() {
     const ALPHA: f64 = 2.338_107_410_459_767;
@@ -140,7 +140,7 @@ fn van_der_pols_cycle_is_found_when_it_relaxes() {
     ] {
         let mu: f64 = strength.parse().unwrap();
         let orbit = Orbit::limit_cycle(&van_der_pol(strength), &[1.0, 0.0], &Quiet).unwrap();
-        // To the digits that are written, and SciPy's tolerance.
+        // To the printed digits, and SciPy's tolerance.
         assert_within(orbit.period(), period, 5e-9 + 2e-11 * period, strength);
         assert_within(orbit.start()[0], amplitude, 1e-8, strength);
         let (log, root) = (libm::log(mu), libm::cbrt(mu));
@@ -150,7 +150,7 @@ fn van_der_pols_cycle_is_found_when_it_relaxes() {
         let largest = 2.0 + ALPHA / (3.0 * mu * root) - 16.0 * log / (27.0 * mu * mu);
         assert_within(orbit.start()[0], largest, 1.0 / (mu * mu), "amplitude");
         assert!(orbit.period_uncertainty() < 1e-12 * period, "{:e}", orbit.period_uncertainty());
-        // On the slow branches ∮ μ(1 − x²) dt = −(3/2 + 2 ln 2)μ²; the multiplier itself is below all numbers for 20 and more.
+        // On the slow branches ∮ μ(1 − x²) dt = −(3/2 + 2 ln 2)μ²; the multiplier itself underflows for 20 and more.
         let floquet = orbit.floquet().unwrap();
         let part = floquet.logarithm.unwrap() / (mu * mu) / -(1.5 + 2.0 * libm::log(2.0));
         assert!((part - 1.0).abs() < 4.0 / (root * mu), "{strength}: {part}");
@@ -174,7 +174,7 @@ fn rayleighs_cycle_has_van_der_pols_period() {
     }
 }
 
-/// Two ways to a cycle agree where both are certain: Newton's method, and one turn that forgets its start.
+/// Two methods for a cycle agree where both are certain: Newton's method, and a single turn after which the start has no influence.
 #[test]
 fn the_two_ways_to_a_cycle_meet() {
     // The logarithms are −35 and −47 there: on either side of −40.
@@ -247,7 +247,7 @@ fn a_driven_linear_oscillator_answers_as_it_must() {
     assert_eq!(orbit.floquet().unwrap().stability, Stability::Attracting);
 }
 
-/// Deviations grow by e^{aT} in a period, 8e10 and 1.6e12, beyond what one integration closes: x = −cos t/(1 + a²).
+/// Deviations grow by e^{aT} in a period, 8e10 and 1.6e12, too much for a single integration: x = −cos t/(1 + a²).
 #[test]
 fn strongly_unstable_orbits_close_piece_by_piece() {
     for stiffness in [16.0, 20.0] {
@@ -261,7 +261,7 @@ fn strongly_unstable_orbits_close_piece_by_piece() {
     }
 }
 
-/// y loses 2e-5 of its amplitude in a period, which is less than the rounding of x makes the end miss: no orbit.
+/// y loses 2e-5 of its amplitude in a period, which is less than the effect of rounding x on the end: no orbit.
 #[test]
 fn damped_motion_next_to_a_strongly_unstable_one_does_not_close() {
     for (damping, is_orbit) in [("0", true), ("1/200000", false)] {
@@ -284,7 +284,7 @@ fn orbits_too_unstable_for_double_precision_are_refused_for_that_reason() {
     }
 }
 
-/// The inverted pendulum on a pivot that shakes fast enough stands: a²Ω² > 2gl.
+/// The inverted pendulum on a pivot that oscillates fast enough is stable: a²Ω² > 2gl.
 #[test]
 fn a_shaken_pendulum_stands_upside_down() {
     let stability = |amplitude: &str| {
@@ -319,11 +319,11 @@ fn a_search_finds_the_orbit_of_each_kind() {
     let (kind, orbit) = found(pair, &search(&[0.1, -0.1, 0.0, 0.0], Some(3.6), true)).unwrap();
     assert_eq!((kind, orbit.start()), (OrbitKind::Family, vec![0.1, -0.1, 0.0, 0.0]));
     assert!((orbit.period() - released("x'' = -3*x - 8*x^3", 0.1).period()).abs() < 1e-14);
-    // A start next to it is none of an orbit: the largest coordinate stays.
+    // A start close to this one is not on an orbit of the family: the largest coordinate is held.
     let (kind, orbit) = found(pair, &search(&[0.1, -0.097, 0.0, 0.0], Some(3.6), true)).unwrap();
     assert_eq!((kind, orbit.start()[0]), (OrbitKind::Near, 0.1));
     assert!((orbit.start()[1] + 0.1).abs() < 1e-12, "{:?}", orbit.start());
-    // Where no energy is known the orbits of prey and predators are a family all the same: at the start both keep their numbers.
+    // Without a known energy the orbits of prey and predators are a family too: at the start both components are held.
     let (kind, orbit) = found("x' = x - x*y; y' = x*y - y", &search(&[1.0, 2.0], Some(6.5), false)).unwrap();
     assert_eq!((kind, orbit.start()), (OrbitKind::Family, vec![1.0, 2.0]));
     assert!(orbit.period_uncertainty() < 1e-13, "{:e}", orbit.period_uncertainty());
@@ -345,7 +345,7 @@ fn an_orbit_of_a_family_goes_through_the_start_and_has_a_period_of_its_own() {
         assert!(off <= stated && stated < 1e-12, "{text} {start:?}: {off:e} {stated:e}");
         assert_eq!(orbit.floquet().unwrap().stability, Stability::Neutral);
     }
-    // About a sun all orbits with the same energy have the same period, so that two numbers do not tell one from the other.
+    // In the Kepler problem all orbits with the same energy have the same period, so that two components do not distinguish one from another.
     let kepler = "x'' = -x/(x^2 + y^2)^(3/2); y'' = -y/(x^2 + y^2)^(3/2)";
     let start = vec![0.5, 0.0, 0.0, 3_f64.sqrt()];
     let search = OrbitSearch { start: start.clone(), period: Some(6.28), conserves_energy: true, held: None };
@@ -355,7 +355,7 @@ fn an_orbit_of_a_family_goes_through_the_start_and_has_a_period_of_its_own() {
     assert!(off <= stated && stated < 1e-12, "{off:e} {stated:e}");
 }
 
-/// It misses its start by 6e-6 of what a start is next to it, and is isolated all the same.
+/// The end misses the start by 6e-6 of the distance to neighbouring starts, and the cycle is isolated all the same.
 #[test]
 fn a_weak_limit_cycle_is_no_family() {
     let search = OrbitSearch { start: vec![0.0, 2.0], period: None, conserves_energy: false, held: None };
@@ -387,7 +387,7 @@ fn motions_without_a_period_are_refused_for_a_reason() {
     assert!(matches!(refusal("x'' = -x + x^2", 2.0), OrbitError::NoReturn { why: Lost::Stopped(_), .. }));
     assert!(matches!(refusal("x'' = -1", 2.0), OrbitError::NoReturn { why: Lost::OneWay(_), .. }));
     assert!(matches!(refusal("x'' = x", 2.0), OrbitError::NoReturn { .. }));
-    // x = 1/2 is on the separatrix: its motion takes for ever to come to −1.
+    // x = 1/2 is on the separatrix: its motion approaches −1 in infinite time.
     assert_eq!(refusal("x'' = -x - x^2", 0.5), OrbitError::Separatrix(0.5));
     assert_eq!(refusal("x'' = x - x^3", 1.0), OrbitError::AtRest(vec![1.0]));
     assert_eq!(refusal("x'' = -x + cos(t)", 1.0), OrbitError::DependsOnTime);
@@ -422,13 +422,14 @@ fn the_last_amplitude_below_the_top_has_its_period() {
     assert_within(late[1], 2.0, 1e-12, "upwards");
 }
 
-/// On this side of −3 it is x″ = −x − x²; but with an absolute value there are no more bits, and next to the separatrix no answer.
+/// For x > −3 the equation is x″ = −x − x²; but a force with an absolute value is
+/// integrated in double precision only, and next to the separatrix there is no answer.
 #[test]
 fn next_to_a_separatrix_a_force_with_a_kink_has_no_sure_period() {
     let kinked = "x'' = -x - x*(abs(x + 3) - 3)";
     for (place, period) in [(0.49, 9.207_998_623_393_865), (0.4999, 13.775_357_879_043_217)] {
         let orbit = released(kinked, place);
-        // The place is the f64 next to the decimal: at the last half a unit there is 1e-16/(0.5 - 0.4999) of a tenth of the period.
+        // The position is the f64 next to the decimal: there half a unit in the last place is 1e-16/(0.5 - 0.4999) of a tenth of the period.
         let rounded = 1e-12 * period;
         assert_within(orbit.period(), period, orbit.period_uncertainty() + rounded, "beside the closed form");
         assert!(orbit.period_uncertainty() < 1e-9 * period, "{:e}", orbit.period_uncertainty());
@@ -438,7 +439,7 @@ fn next_to_a_separatrix_a_force_with_a_kink_has_no_sure_period() {
     assert!(start == 0.5 - 1e-10 && period > 25.0 && uncertainty > 1e-4 * period, "{period} {uncertainty}");
 }
 
-/// x″ + 3x·x′ + x³ + x = 0 is an isochronous centre, although the force is not the same for the opposite velocity.
+/// x″ + 3x·x′ + x³ + x = 0 is an isochronous centre, although the force differs for the opposite velocity.
 #[test]
 fn a_centre_whose_force_depends_on_the_sign_of_the_velocity_has_its_period() {
     for place in [0.1, 0.5, 1.0, 3.0] {
@@ -448,7 +449,7 @@ fn a_centre_whose_force_depends_on_the_sign_of_the_velocity_has_its_period() {
     }
 }
 
-/// x″ = −sign(x) falls for √(2A) four times.
+/// x″ = −sign(x) falls for √(2A) in each of four quarters.
 #[test]
 fn a_force_of_one_size_has_the_period_of_free_fall() {
     for place in [1e-20, 0.5, 1.0, 2.0, 1e10] {
@@ -460,7 +461,7 @@ fn a_force_of_one_size_has_the_period_of_free_fall() {
     }
 }
 
-/// A jump of the force between two steps makes no acceleration uncertain: −sign(x − c) is the same motion for every c.
+/// A jump of the force between two steps does not make the acceleration uncertain: −sign(x − c) is the same motion for every c.
 #[test]
 fn a_jump_at_the_end_of_a_step_makes_no_period_unsure() {
     let period = 4.0 * 2.0_f64.sqrt() * 0.5_f64.sqrt();
@@ -469,7 +470,7 @@ fn a_jump_at_the_end_of_a_step_makes_no_period_unsure() {
     {
         let orbit = released(&format!("x'' = -sign(x - {centre})"), start);
         assert_within(orbit.period(), period, orbit.period_uncertainty(), centre);
-        // As rounding the place asks, a part of 1000/0.5.
+        // The relative uncertainty due to rounding of the position is proportional to 1000/0.5.
         assert!(orbit.period_uncertainty() < 1e-10, "{centre}: {:e}", orbit.period_uncertainty());
     }
     // −sign(x − 2)·e^|x − 2|: v² = 2·(e^A − e^y), and the quarter period is √2·e^(−A/2)·artanh √(1 − e^(−A)).
@@ -478,7 +479,7 @@ fn a_jump_at_the_end_of_a_step_makes_no_period_unsure() {
     assert_within(orbit.period(), 4.0 * quarter, orbit.period_uncertainty(), "with a force that grows");
 }
 
-/// (1 − c·cos x)·sin x with c = 1 − 2⁻²⁰ loses twenty bits next to the bottom: its own period by the energy integral in 60 digits.
+/// (1 − c·cos x)·sin x with c = 1 − 2⁻²⁰ loses twenty bits next to the bottom: its period by the energy integral in 60 digits.
 #[test]
 fn a_force_that_cancels_has_its_period() {
     let orbit = released("x'' = -(1 - (1 - 2^(-20))*cos(x))*sin(x)", 1e-4);
@@ -487,8 +488,8 @@ fn a_force_that_cancels_has_its_period() {
     assert!(orbit.period_uncertainty() < 1e-12 * period, "{:e}", orbit.period_uncertainty());
 }
 
-/// Reference by mpmath, from the potential −cos x − 5·√(π/20000)/2·erf(√20000·(x − 2)): so near the separatrix many bits are needed, and no
-/// coefficient of a step that goes over x = 2 shows the force there.
+/// Reference by mpmath, from the potential −cos x − 5·√(π/20000)/2·erf(√20000·(x − 2)): so near the
+/// separatrix many bits are necessary, and no coefficient of a step that passes x = 2 shows the force there.
 #[test]
 fn a_narrow_force_on_the_way_from_a_separatrix_is_felt() {
     let equation = "x'' = -sin(x) + 5*exp(-20000*(x - 2)^2)".parse().unwrap();
@@ -500,10 +501,10 @@ fn a_narrow_force_on_the_way_from_a_separatrix_is_felt() {
     assert!((other_side + 2.785_695_567_633_276_6).abs() < 1e-12, "{other_side}");
 }
 
-/// Frequencies of 2:1 couple swing and spring at any amplitude: r is largest or smallest when the angle is.
+/// With frequencies of 2:1 swing and spring are coupled at any amplitude: r and the angle have their extrema at the same times.
 #[test]
 fn coupled_modes_of_a_spring_in_resonance_with_its_swing_are_found_at_an_angle() {
-    // By collocation in cosines and by Taylor shooting in 130-bit floats: 30 digits; the trace of the other pair of multipliers to 9.
+    // Computed by collocation in cosines and by Taylor shooting in 130-bit floats: 30 digits; the trace of the other pair of multipliers to 9.
     let spring =
         equation("r'' = r*theta'^2 + cos(theta) - 3*(r - 1); theta'' = -(2*r'*theta' + sin(theta))/r");
     let modes: [(f64, [f64; 2], f64, f64, f64); 4] = [
@@ -527,13 +528,13 @@ fn coupled_modes_of_a_spring_in_resonance_with_its_swing_are_found_at_an_angle()
         // Two multipliers are 1, of deviations along the motion and along the family.
         let sum: f64 = orbit.floquet().unwrap().multipliers.iter().map(|it| it.re).sum();
         assert!((sum - 2.0 - trace).abs() < 1e-6, "{sum}");
-        // What is farthest from zero is r, which would choose another one of the family.
+        // The component farthest from zero is r; holding it would choose another orbit of the family.
         let other = Orbit::search(&spring, &OrbitSearch { held: None, ..search }, &Quiet).unwrap().1;
         assert!((other.start()[0] - place).abs() < 1e-15 && other.start()[1] != angle);
     }
 }
 
-/// Its period is 2π(1 + μ²/16) to the second order.
+/// The period is 2π(1 + μ²/16) to second order.
 #[test]
 fn weak_limit_cycles_are_found_from_a_start_that_drifts_to_them() {
     for strength in [1e-3, 1e-4, 1e-5] {
@@ -554,13 +555,13 @@ fn rest_is_only_told_of_motions_that_come_to_it() {
         };
     assert!(matches!(lost("x'' = -x - x'/10", &[1.0, 0.0]), Lost::Rest));
     assert!(matches!(lost("x'' = 1 - x - 3*x'", &[0.5, 0.0]), Lost::Rest));
-    // The slow part of a turn takes 1.6e6 times as long as the motion is followed.
+    // The slow part of a turn takes 1.6e6 times as long as the motion is integrated.
     let slow = lost("x'' = 1e6*(1 - x^2)*x' - x", &[0.5, 0.0]);
     assert!(matches!(slow, Lost::Slow { .. }), "{slow}");
     assert!(matches!(lost("x'' = 0", &[0.5, 1.0]), Lost::OneWay(_)));
 }
 
-/// The hanging place of a pendulum whose pivot moves at twice its frequency is unstable.
+/// The hanging equilibrium of a pendulum whose pivot moves at twice its frequency is unstable.
 #[test]
 fn a_driven_orbit_about_an_unstable_rest_is_found_from_afar() {
     let kapitza = equation("theta'' + 0.05*theta' + (1 - 0.4*cos(2*t))*sin(theta) = 0");
@@ -570,7 +571,7 @@ fn a_driven_orbit_about_an_unstable_rest_is_found_from_afar() {
     assert!(sizes[0] > 0.1 && (sizes[0] - sizes[1]).abs() < 1e-3 * sizes[0], "{sizes:?}");
 }
 
-/// Damping that takes little energy in a turn does not make a family of orbits, and a cycle far away is not where the motion is.
+/// A motion whose energy changes little in a turn is neither an orbit of a family nor the limit cycle far away from it.
 #[test]
 fn a_motion_with_weak_damping_is_not_periodic() {
     for text in [
@@ -586,7 +587,7 @@ fn a_motion_with_weak_damping_is_not_periodic() {
             Orbit::search(&equation(text), &search, &Quiet).map(|(kind, orbit)| (kind, orbit.start()));
         assert!(found.is_err(), "{text}: {found:?}");
     }
-    // Closed with a relative error of 3e-16: an orbit within the errors that are stated.
+    // The motion closes with a relative error of 3e-16: an orbit within the stated errors.
     assert!(Orbit::released(&equation("x'' = -x - 1e-17*x'"), 2.0, &Quiet).is_ok());
     // Van der Pol's cycle has the amplitude 2 + μ²/96 for small μ; the start is far inside it.
     let search = OrbitSearch { start: vec![0.5, 0.0], period: None, conserves_energy: false, held: None };
@@ -637,7 +638,7 @@ fn errors_of_a_driven_orbit_hold_and_are_not_absurd() {
 }
 
 /// Reference by harmonic balance to the relative order 1e-24: with a = F/(1 − ν²), x(0) = a − a³ + a³/5. Free oscillations of twice the drive's
-/// frequency hardly decay, so that rounding leaves the start open in the seventh digit, and the orbit says so.
+/// frequency hardly decay, so that because of rounding the start is uncertain in the seventh digit, as the stated error shows.
 #[test]
 fn a_weakly_damped_orbit_of_small_size_has_its_start() {
     let text = "x'' + 1e-9*x' + x + x^3 = 1e-6*cos(0.5*t)";
@@ -649,7 +650,8 @@ fn a_weakly_damped_orbit_of_small_size_has_its_start() {
     }
 }
 
-/// The amplitude of van der Pol's cycle for μ = 1 to 20 digits is that of M. Turbiner and others; it is where the first coordinate turns.
+/// The amplitude of van der Pol's cycle for μ = 1 to 20 digits is that of M. Turbiner
+/// and others; it is the value at the turning point of the first coordinate.
 #[test]
 fn extrema_are_those_of_the_motion() {
     let cycle = Orbit::limit_cycle(&equation("x'' = (1 - x^2)*x' - x"), &[0.5, 0.0], &Quiet).unwrap();
@@ -663,7 +665,8 @@ fn extrema_are_those_of_the_motion() {
     assert_within(-slow, fast, 1e-15, "both ways");
 }
 
-/// A mass on a belt, whose friction falls with the sliding speed so that the equilibrium is unstable, sticks to the belt: no rest.
+/// A mass on a belt, whose friction decreases with the sliding speed so that
+/// the equilibrium is unstable, sticks to the belt without coming to rest.
 #[test]
 fn a_mass_that_sticks_to_a_belt_does_not_come_to_rest() {
     let belt = |start: &[f64]| {
@@ -677,8 +680,8 @@ fn a_mass_that_sticks_to_a_belt_does_not_come_to_rest() {
     }
 }
 
-/// At each boundary: all inside by more than their errors, one on the circle within its error in a contraction and in a map that keeps volumes, one
-/// outside by less and by more than its error.
+/// The cases at each boundary: all multipliers inside the circle by more than their errors, one on it within its error in a contraction and in a
+/// map that conserves volumes, one outside by less and by more than its error.
 #[test]
 fn stability_is_what_multipliers_establish_within_their_errors() {
     let of = |multipliers: &[(f64, f64)]| Stability::of(multipliers.iter().copied());

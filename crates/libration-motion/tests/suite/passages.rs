@@ -1,4 +1,4 @@
-//! Forces without a series at zero, such as |x|^1.5: passed to the tolerance, against closed forms.
+//! Forces without a series at zero, such as |x|^1.5: passed to the tolerance, compared with closed forms.
 
 use crate::typed::system;
 use libm::{atan, log, pow, sqrt, tgamma};
@@ -30,7 +30,7 @@ fn arc(a: f64) -> f64 {
     sqrt(PI) * tgamma(1.0 / a) / (a * tgamma(1.0 / a + 0.5))
 }
 
-/// The errors allowed to all steps of a solution, and a few roundings.
+/// The sum of the allowed errors of all steps of a solution, and a few rounding errors.
 fn allowed(solution: &Solution, tolerance: f64, size: f64) -> f64 {
     let steps = f64::from(u32::try_from(solution.steps).unwrap());
     steps * tolerance.max(2.0 * f64::EPSILON) * size
@@ -67,8 +67,8 @@ fn pure_powers_have_their_half_periods() {
     }
 }
 
-/// Heinrich Hertz's ball: x″ = −max(x, 0)^1.5. It enters with the speed v, comes to (5v²/4)^(2/5) and leaves after 2.9432 times that over v
-/// with the same speed.
+/// Heinrich Hertz's ball: x″ = −max(x, 0)^1.5. It enters with the speed v, penetrates to
+/// (5v²/4)^(2/5) and leaves with the same speed after 2.9432 times this depth over v.
 #[test]
 fn a_ball_leaves_contact_as_it_came() {
     let factor = 2.0 * sqrt(PI) * tgamma(1.4) / tgamma(0.9);
@@ -104,7 +104,7 @@ fn a_ball_leaves_contact_as_it_came() {
     }
 }
 
-/// A ball in free flight after it bounced on a spring of Hertz under gravity comes back to where it was let go.
+/// A ball in free flight that bounced on a spring of Hertz under gravity returns to its initial height.
 #[test]
 fn a_ball_bounces_for_ever() {
     let system = watching("z'' = -1 + 1000*max(-z, 0)^1.5", "z'", Direction::Falling);
@@ -115,18 +115,19 @@ fn a_ball_bounces_for_ever() {
     }
 }
 
-/// x″ = 1 − |x|^p from rest at zero turns at (p + 1)^(1/p), comes back, and touches zero without speed.
+/// x″ = 1 − |x|^p from rest at zero turns at (p + 1)^(1/p), returns, and touches zero with zero velocity.
 #[test]
 fn a_motion_may_touch_where_it_has_no_series() {
     for (text, p) in [("0.5", 0.5), ("2/3", 2.0 / 3.0), ("1.5", 1.5), ("2.5", 2.5)] {
         let system = system(&format!("x'' = 1 - abs(x)^({text})"));
         let highest = pow(p + 1.0, 1.0 / p);
-        // ∫dx/√(2x − 2xᵖ⁺¹/(p + 1)), with x/highest = y² in arc's place.
+        // ∫dx/√(2x − 2xᵖ⁺¹/(p + 1)), substituting x/highest = y² in `arc`.
         let half = sqrt(2.0 * highest) * arc(2.0 * p);
         let times = [half, 2.0 * half, 3.0 * half, 4.0 * half];
         let solution = solve(&system, &from(&[0.0, 0.0]), &times, 1e-13);
         for (sample, place) in solution.samples.iter().zip([highest, 0.0, highest, 0.0]) {
-            // Where it touches, what velocity is left decides on which side it goes on: the error is a root of that before.
+            // Where the motion touches zero, the remaining velocity decides on which
+            // side it continues: the error is the square root of the earlier one.
             let allowed = 100.0 * allowed(&solution, 1e-13, highest * 4.0 * half);
             let [x, v] = sample.state[..] else { panic!() };
             assert!(
@@ -137,14 +138,14 @@ fn a_motion_may_touch_where_it_has_no_series() {
     }
 }
 
-/// Two starts that differ by the least there is, and by a rounding of what is near, have neighbouring motions.
+/// Starts that differ from zero by the smallest number, and by a rounding error of nearby values, have neighbouring motions.
 #[test]
 fn starts_beside_zero_are_like_the_start_at_zero() {
     for formula in
         ["-abs(x)^0.5*sign(x)", "-abs(x)^1.5*sign(x)", "1 - sqrt(abs(x'))*x'", "1 - abs(x')^0.5*sign(x')"]
     {
         let system = system(&format!("x'' = {formula}"));
-        // From rest next to zero |x|^0.5 swings faster the nearer it is: no motion is like rest.
+        // From rest next to zero |x|^0.5 oscillates faster the smaller the distance: no motion is close to rest.
         let speeds: &[f64] =
             if formula.starts_with("-abs(x)^0.5") { &[1.0, -1.0] } else { &[0.0, 1.0, -1.0] };
         for &speed in speeds {
@@ -166,10 +167,10 @@ fn starts_beside_zero_are_like_the_start_at_zero() {
 
 type Law<'a> = &'a dyn Fn(f64) -> f64;
 
-/// Thrown up against a resistance as the power n of the velocity, and falling: v′ = 1 − |v|ⁿ·sign(v).
+/// A body thrown up against a resistance proportional to the power n of the velocity, and falling: v′ = 1 − |v|ⁿ·sign(v).
 #[test]
 fn a_throw_against_a_broken_power_of_the_velocity_is_that_of_closed_forms() {
-    // The times from v = 0, w being the root of the speed: ∫2w dw/(1 ∓ w) and ∫2w dw/(1 ∓ w³).
+    // The times from v = 0, with the root w of the speed: ∫2w dw/(1 ∓ w) and ∫2w dw/(1 ∓ w³).
     let fall_half = |v: f64| -2.0 * sqrt(v) - 2.0 * log(1.0 - sqrt(v));
     let rise_half = |v: f64| 2.0 * sqrt(v) - 2.0 * log(1.0 + sqrt(v));
     let third = sqrt(3.0);
@@ -199,7 +200,7 @@ fn a_throw_against_a_broken_power_of_the_velocity_is_that_of_closed_forms() {
     }
 }
 
-/// The pendulum of `decay`, which has averages and swings of its own.
+/// The pendulum of `decay`, which computes averages and swings by another method.
 #[test]
 fn a_pendulum_damped_by_a_broken_power_turns_where_decay_says() {
     use libration::decay::{Damping, Decay, PowerLawTerm};
@@ -218,7 +219,7 @@ fn a_pendulum_damped_by_a_broken_power_turns_where_decay_says() {
             Decay::new(pendulum, Damping::new(&terms).unwrap(), Angle::from_radians(2.0).unwrap()).unwrap();
         for (event, turn) in solution.events.iter().zip(decay.swings()) {
             let turn = turn.unwrap();
-            // What `decay` promises for broken powers.
+            // The accuracy of `decay` for powers that are not integers.
             assert!((event.time - turn.time).abs() < 2e-13 * 40.0, "{n}: {event:?} {turn:?}");
             assert!(
                 (event.state[0].abs() - turn.amplitude.radians()).abs() < 2e-13,
@@ -229,7 +230,7 @@ fn a_pendulum_damped_by_a_broken_power_turns_where_decay_says() {
     }
 }
 
-/// x = x′ = 0 is a place of rest, and stays one.
+/// x = x′ = 0 is an equilibrium, and stays one.
 #[test]
 fn rest_is_rest() {
     for formula in [
@@ -244,7 +245,7 @@ fn rest_is_rest() {
     }
 }
 
-/// There and back again, through eight zeros each way.
+/// Forward and backward, through eight zeros in each direction.
 #[test]
 fn motions_run_back_to_where_they_began() {
     let system = system("x'' = -abs(x)^0.5*sign(x); y'' = -max(y - x, 0)^1.5 + max(-y - x, 0)^1.5");
@@ -284,7 +285,7 @@ fn motions_in_lanes_and_motions_gone_on_with_have_the_same_bits() {
     }
 }
 
-/// Inside the step over a zero the state is as good as at its ends.
+/// Inside the step over a zero the state is as accurate as at its ends.
 #[test]
 fn the_state_is_known_inside_the_step_over_a_zero() {
     let system = system("x'' = -abs(x)^0.5*sign(x)");
@@ -293,7 +294,7 @@ fn the_state_is_known_inside_the_step_over_a_zero() {
     let speed = -sqrt(2.0 / 1.5);
     for apart in [-1e-7, -1e-10, -1e-13, -1e-15, 0.0, 1e-15, 1e-14, 1e-12, 1e-8] {
         let state = motion.state_at(quarter + apart).unwrap();
-        // Of the next term of x the coefficient is below one.
+        // The coefficient of the next term of x is below one.
         let next = pow(f64::abs(apart), 1.5);
         assert!((state[0] - speed * apart).abs() < 2e-14 + next * f64::abs(apart), "{apart:e}: {state:?}");
         assert!((state[1] - speed).abs() < 2e-14 + next, "{apart:e}: {state:?}");

@@ -48,7 +48,7 @@ fn motions_that_are_not_linear_change_as_their_differences_do() {
         let numbers = |name: &str| row.text(name).split(' ').map(|word| word.parse::<f64>().unwrap());
         let motion = equation(row.text("equation"));
         let mut names: Vec<&str> = vec![];
-        // In the order in which the equations have them.
+        // The parameters in the order in which they occur in the equations.
         for name in ["omega", "c", "sigma", "rho", "beta", "k"] {
             names.extend(motion.parameters().contains(name).then_some(name));
         }
@@ -85,7 +85,7 @@ fn forces_with_kinks_are_differentiated_and_those_that_jump_are_not() {
     ] {
         assert_eq!(new(text, &["x"]).unwrap_err(), SensitivityError::Jump(argument.to_owned()), "{text}");
     }
-    // |x|·x from rest: how it changes with its amplitude is known from the scaling x(t; A) = A·x(√A·t; 1).
+    // For |x|·x from rest the derivative by the amplitude is known from the scaling x(t; A) = A·x(√A·t; 1).
     let by = new("x'' = -x*abs(x)", &["x"]).unwrap();
     let all = end(&by, &[1.0, 0.0], 5.0).state;
     let (state, derivatives) = (by.state_in(&all), by.derivatives_in(&all));

@@ -1,4 +1,4 @@
-//! The errors that are stated of states and events, beside those that they have.
+//! The stated errors of states and events, compared with the actual errors.
 
 use crate::endings::{KNOWN, Known, TOLERANCES};
 use libration::pendulum::Pendulum;
@@ -25,7 +25,7 @@ impl Run<'_> {
         row.text(column).split(' ').map(|number| number.parse().unwrap()).collect()
     }
 
-    /// The samples as far as they are determined, and when that ends.
+    /// The samples as long as they are determined, and the time until which they are.
     fn compared(&self) -> (Vec<Compared>, Option<f64>) {
         let first = self.rows[0];
         let system = System::new(&first.text("equations").parse().unwrap()).unwrap();
@@ -69,7 +69,7 @@ fn median(mut numbers: Vec<f64>) -> f64 {
     numbers[numbers.len() / 2]
 }
 
-/// Chaotic and regular motions, some to their last digit: no sample is off by more than is stated, and that is not far too much.
+/// Chaotic and regular motions, some to their last digit: no sample is off by more than its stated error, which is not far too large.
 #[test]
 fn sweep_every_sample_is_inside_its_error() {
     let table = Table::read("state_errors.csv");
@@ -98,7 +98,7 @@ fn sweep_every_sample_is_inside_its_error() {
     assert!(all < 1000.0, "{all}");
 }
 
-/// The states and errors at the ends of all steps until the last that is determined.
+/// The states and errors at the ends of all steps until the last determined one.
 fn determined(
     system: &System,
     start: &Moment,
@@ -119,7 +119,7 @@ fn determined(
     (found, errors)
 }
 
-/// Terms that cancel, constants that are no doubles, forces that jump and bend; forward and backward.
+/// Terms that cancel, constants that are not doubles, forces that jump and bend; forward and backward.
 #[test]
 fn errors_of_motions_in_closed_form_hold() {
     for Known { equation, start, state } in KNOWN {
@@ -131,7 +131,7 @@ fn errors_of_motions_in_closed_form_hold() {
             assert!(until.is_none() || equation == "x'' = x", "{equation}: {until:?}");
             for (Moment { time, state: found }, stated) in found {
                 for ((found, truth), stated) in found.iter().zip(state(time)).zip(stated) {
-                    // What the closed form itself rounds.
+                    // The rounding errors of the closed form itself.
                     let off = (found - truth).abs() - 1e-15 * found.abs().max(1.0);
                     assert!(off <= stated, "{equation} {time} {tolerance:e}: {off:e} {stated:e}");
                 }
@@ -140,7 +140,7 @@ fn errors_of_motions_in_closed_form_hold() {
     }
 }
 
-/// From next to the top, where the error is soon as large as the angle: as far as it is stated, it holds.
+/// From next to the top, where the error is soon as large as the angle: as long as an error is stated, it holds.
 #[test]
 fn pendulums_from_next_to_the_top_are_determined_as_far_as_is_said() {
     let pendulum = Pendulum::from_angular_frequency(1.0).unwrap();
@@ -209,7 +209,7 @@ fn errors_of_events_hold() {
     }
 }
 
-/// A motion that is the same before and after its start has the same errors there, and the start has none.
+/// A motion that is symmetric in time has the same errors before and after its start, and the start has none.
 #[test]
 fn errors_are_the_same_backward() {
     let system = System::new(&"x'' = -sin(x) - max(x, 0)".parse().unwrap()).unwrap();
@@ -232,7 +232,7 @@ fn errors_are_the_same_backward() {
     }
 }
 
-/// The effect of half a unit in the last place of the start on a motion that grows as the exponential of the time.
+/// The effect of half a unit in the last place of the start on a motion that grows exponentially.
 #[test]
 fn the_effect_of_the_start_is_told() {
     let system = System::new(&"x' = x".parse().unwrap()).unwrap();
@@ -243,14 +243,14 @@ fn the_effect_of_the_start_is_told() {
     assert!((effect.state[0] - expected).abs() < 1e-3 * expected && effect.time == 20.0, "{effect:?}");
 }
 
-/// The formulas of a system, by the names of the values that they have.
+/// The formulas of a system, with names for their values.
 fn observables(model: &Model, formulas: &[&str]) -> Observables {
     let names: Vec<String> = (0..formulas.len()).map(|number| format!("f{number}")).collect();
     let parsed = names.iter().zip(formulas).map(|(name, text)| (name.as_str(), text.parse().unwrap()));
     Observables::new(model, &parsed.collect::<Vec<_>>()).unwrap()
 }
 
-/// The moments and errors of samples and events, as far as they are determined.
+/// The moments and errors of samples and events, as long as they are determined.
 type Rows = Vec<(Moment, MomentErrors)>;
 
 /// The samples of a motion at some times with the errors of state and formulas, and the events.
@@ -271,8 +271,8 @@ fn rows(system: &System, start: &Moment, times: &[f64], tolerance: f64, formulas
     [samples.filter_map(determined).collect(), events.filter_map(determined).collect()]
 }
 
-/// The formulas of all runs of the table have errors that hold, extrema and steep ones included; the truth is the formula of the state to 25
-/// digits.
+/// The errors of the formulas of all runs of the table hold, including extrema
+/// and steep formulas; the exact value is the formula of the state to 25 digits.
 #[test]
 fn sweep_formulas_of_every_sample_are_inside_their_errors() {
     let table = Table::read("state_errors.csv");
@@ -299,7 +299,7 @@ fn sweep_formulas_of_every_sample_are_inside_their_errors() {
         for ((found, errors), row) in samples.iter().zip(&run.rows) {
             let truth = Moment { time: found.time, state: Run::numbers(*row, "state") };
             let values = formulas.values_at(found).into_iter().zip(formulas.values_at(&truth));
-            // The truth is rounded to doubles, and its formulas are.
+            // The exact state is rounded to doubles, and so are its formulas.
             let rounded = 30.0 * f64::EPSILON * truth.state.iter().map(|x| x * x).fold(1.0, f64::max);
             for ((formula, (value, truth)), stated) in texts.iter().zip(values).zip(&errors.formulas) {
                 let off = (value - truth).abs();
@@ -317,7 +317,7 @@ fn sweep_formulas_of_every_sample_are_inside_their_errors() {
 type Conserved<'a> = (&'a str, Vec<f64>, Vec<(&'a str, f64)>);
 
 /// Conserved quantities are known far better than the state, as errors along the motion do not change them: the energy of a double pendulum at a
-/// chaotic amplitude, energy and angular momentum of Kepler's ellipse of eccentricity 1/2, and the energy in the field of Hénon and Heiles.
+/// chaotic amplitude, energy and angular momentum of Kepler's ellipse of eccentricity 1/2, and the energy in the potential of Hénon and Heiles.
 #[test]
 fn conserved_quantities_are_better_known_than_the_state() {
     const HENON: &str = "x'' = -x - 2*x*y; y'' = -y - x^2 + y^2";
@@ -327,7 +327,7 @@ fn conserved_quantities_are_better_known_than_the_state() {
         (
             DOUBLE,
             vec![2.0, 2.0, 0.0, 0.0],
-            // At rest at 2 rad: −3·cos 2.
+            // The energy at rest at 2 rad: −3·cos 2.
             vec![(
                 "theta1'^2 + theta2'^2/2 + theta1'*theta2'*cos(theta1 - theta2) - 2*cos(theta1) - cos(theta2)",
                 -3.0 * libm::cos(2.0),
@@ -335,7 +335,7 @@ fn conserved_quantities_are_better_known_than_the_state() {
         ),
         (
             KEPLER,
-            // From the near end of an ellipse of half axis 1, at √3.
+            // From the pericentre of an ellipse with semi-axis 1, with speed √3.
             vec![0.5, 0.0, 0.0, libm::sqrt(3.0)],
             vec![("(x'^2 + y'^2)/2 - 1/sqrt(x^2 + y^2)", -0.5), ("x*y' - y*x'", libm::sqrt(3.0) / 2.0)],
         ),
@@ -358,7 +358,8 @@ fn conserved_quantities_are_better_known_than_the_state() {
             for ((value, stated), (text, truth)) in values {
                 let off = (value - truth).abs() - 4.0 * f64::EPSILON;
                 assert!(off <= *stated, "{text} {}: {off:e} {stated:e}", sample.time);
-                // Some hundred roundings in each of a thousand steps are 1e-11; the second order is that of the state, squared.
+                // Some hundred rounding errors in each of a thousand steps are 1e-11;
+                // the second-order term is the square of the error of the state.
                 let most = 1e-11 + 1e-3 * state + 100.0 * state * state;
                 assert!(*stated < most, "{text} {}: {stated:e} where the state has {state:e}", sample.time);
             }
@@ -366,7 +367,7 @@ fn conserved_quantities_are_better_known_than_the_state() {
     }
 }
 
-/// At the passages of the bottom and at turning points of a pendulum: its energy, its height, and the other quantity that vanishes with the event.
+/// At the passages of the bottom and at turning points of a pendulum: the energy, the height, and the other quantity that vanishes at the event.
 #[test]
 fn formulas_at_events_are_inside_their_errors() {
     let formulas = ["theta", "theta'"].map(|text| Event::zero_of(text.parse().unwrap()));
@@ -394,13 +395,13 @@ fn formulas_at_events_are_inside_their_errors() {
     }
 }
 
-/// A column that is a function without a value next to the state, and one that jumps within the error of the state.
+/// A column whose function has no value next to the state, and one that jumps within the error of the state.
 #[test]
 fn formulas_at_the_end_of_their_domain_state_no_small_error() {
     let model = Model::typed("x'' = -x", &[], &[]).unwrap();
     let observed = observables(&model, &["sqrt(x)", "sign(x - 1/2)", "log(x + 1)"]);
     let start = Moment { time: 0.0, state: vec![1.0, 0.0] };
-    // x = −1 + 1e-17, −1/2 and 1/2 there, to the last digit.
+    // The state is −1 + 1e-17, −1/2 and 1/2 at these times, to the last digit.
     let times = [std::f64::consts::PI / 3.0, 2.0, std::f64::consts::PI];
     let [samples, _] = rows(&model.system().unwrap(), &start, &times, 1e-12, &observed);
     let errors: Vec<&Vec<f64>> = samples.iter().map(|(_, errors)| &errors.formulas).collect();
@@ -423,7 +424,7 @@ fn errors_of_derivatives_in_closed_form_hold() {
             let truth = [-t * sin / 4.0, -sin / 4.0 - t * cos / 2.0, cos, -2.0 * sin];
             let found = by.derivatives_in(&state).into_iter().zip(by.derivatives_in(&stated)).zip(truth);
             for (number, ((found, stated), truth)) in found.enumerate() {
-                // What the closed form rounds.
+                // The rounding errors of the closed form.
                 let off = (found - truth).abs() - 4.0 * f64::EPSILON * (1.0 + t);
                 assert!(off <= stated, "{number} {t} {tolerance:e}: {off:e} {stated:e}");
                 assert!(stated < 1e6 * tolerance.max(1e-16) * (1.0 + t * t), "{t} {tolerance:e}: {stated:e}");
@@ -432,8 +433,8 @@ fn errors_of_derivatives_in_closed_form_hold() {
     }
 }
 
-/// The pendulum from rest at θ0 by θ0: after whole periods the angle changes as θ0 does, and the velocity as −T′(θ0)·sin θ0 for each period, with
-/// T′ from the complete integrals of both kinds.
+/// The pendulum from rest at θ0, by θ0: after whole periods the derivative of the angle is one, and that
+/// of the velocity −T′(θ0)·sin θ0 for each period, with T′ from the complete integrals of both kinds.
 #[test]
 fn errors_of_derivatives_of_the_pendulum_hold() {
     let by = Sensitivities::new(&"theta'' = -sin(theta)".parse().unwrap(), &[], &["theta"]).unwrap();
@@ -456,7 +457,7 @@ fn errors_of_derivatives_of_the_pendulum_hold() {
                 let found =
                     by.derivatives_in(&end.state).into_iter().zip(by.derivatives_in(stated)).zip(truth);
                 for ((found, stated), truth) in found {
-                    // The time is a double: what half an ulp of it changes, with the second derivatives below 10·slope.
+                    // The time is a double: the effect of half an ulp, with second derivatives below 10·slope.
                     let rounded = f64::EPSILON * (10.0 * slope * time * periods + truth.abs());
                     let off = (found - truth).abs() - rounded;
                     assert!(off <= stated, "{amplitude} {periods} {tolerance:e}: {off:e} {stated:e}");

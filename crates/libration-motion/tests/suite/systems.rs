@@ -1,4 +1,4 @@
-//! The named systems in time, against the forty digits of `damped.csv`.
+//! Motions of the named systems, against the forty digits of `damped.csv`.
 
 use libration::expression::Expression;
 use libration::progress::Quiet;
@@ -40,7 +40,7 @@ fn name(row: Row) -> String {
     format!("{} {} from {}", row.text("system"), row.text("set"), row.text("start"))
 }
 
-/// The state at the time of a row at tolerance 1e-15, and the drift of the energy where it is conserved.
+/// The state at the time of a row at tolerance 1e-15, and the drift of the energy if it is conserved.
 fn end(row: Row) -> (Vec<f64>, Option<f64>) {
     let (model, start) = (model(row), start(row));
     let energy = model.energy().ok();
@@ -56,10 +56,10 @@ fn end(row: Row) -> (Vec<f64>, Option<f64>) {
     (solution.unwrap().end.state, balance.map(|balance| balance.drift()))
 }
 
-/// The error bound: roundings have the size of the numbers, occur at all times, and grow by the sensitivity of the motion, so that the
-/// largest size and sensitivity up to a time determine the bound. A drive adds the rounding of its phase ωt.
+/// The error bound: rounding errors have the size of the numbers, occur at all times, and grow by the sensitivity of the motion, so that the
+/// largest size and sensitivity up to a time determine the bound. A drive adds the rounding error of its phase ωt.
 ///
-/// Run with --nocapture for the error of each.
+/// Run with --nocapture to print the error of each motion.
 #[test]
 fn every_motion_is_met_as_well_as_its_condition_allows() {
     let table = Table::read("damped.csv");
@@ -88,8 +88,7 @@ fn rows<'a>(table: &'a Table, case: Row<'_>, kind: &str) -> Vec<Row<'a>> {
     table.rows().filter(same).collect()
 }
 
-/// The first turning point is found with all that follow, each as exactly as the motion and its acceleration allow, and
-/// none where there is none.
+/// The first turning point is found with all later ones, each as exactly as the motion and its acceleration allow, and none if there is none.
 #[test]
 fn turning_points_are_those_of_the_table() {
     let table = Table::read("damped.csv");
@@ -133,7 +132,7 @@ fn energies_are_the_same_in_all_states_of_a_motion() {
         let Ok(energy) = model(row).energy() else { continue };
         let state = truths(row).iter().map(|truth| truth.hi).collect();
         let drift = energy.drift(&start(row), &Moment { time: row.input("time"), state });
-        // Rounded states have rounded energies; the stiffest spring counts twentyfold.
+        // Rounded states have rounded energies; the stiffest spring has twenty times the weight.
         assert!(drift < 2e-14, "{}: {drift}", name(row));
         conservative += 1;
     }
@@ -151,7 +150,7 @@ fn a_driven_pendulum_comes_to_its_attractor() {
     let solution = integrate(&model.system().unwrap(), &start, &times, &Effort::to_tolerance(1e-15), &Quiet);
     let [angle, velocity] = solution.unwrap().end.state.try_into().unwrap();
     let turns = (angle / TAU).round();
-    // The time of fifty periods is rounded to 3e-14, the angle to its own ulp.
+    // The time of fifty periods is rounded to 3e-14, the angle to its ulp.
     assert!(error(&[angle - turns * TAU, velocity], &truths(row)) < 1e-13, "{angle} {velocity}");
 }
 
@@ -165,7 +164,7 @@ fn the_numbers_of_a_state_have_units_where_they_are_known() {
     assert_eq!(angles, [true, false, false]);
 }
 
-/// The balance of a typed motion to a time, with how often it was recorded.
+/// The drift and its uncertainty for a motion given as text, up to a time.
 fn balanced(equations: &str, state: &[f64], time: f64) -> (f64, f64) {
     let model = Model::typed(equations, &[], &[]).unwrap();
     let start = Moment { time: 0.0, state: state.to_vec() };
@@ -194,8 +193,7 @@ fn the_work_of_forces_next_to_poles_is_known_as_well_as_it_can_be() {
     for (equations, state, before) in towards_poles {
         let (drift, uncertainty) = balanced(equations, state, before);
         assert!(drift < 1e-11 && uncertainty < 1e-14, "{equations}: {drift:e} ± {uncertainty:e}");
-        // The last steps are some 1e-15 from the pole, where places of the size one, rounded to 1e-16, leave a tenth of the
-        // force open.
+        // The last steps are some 1e-15 from the pole, where positions of order one, rounded to 1e-16, leave a tenth of the force uncertain.
         let (drift, uncertainty) = balanced(equations, state, 10.0);
         assert!(drift < 0.1 && uncertainty < 0.1, "{equations}: {drift:e} ± {uncertainty:e}");
     }
@@ -256,7 +254,8 @@ fn an_energy_that_had_no_value_once_has_no_drift() {
     assert!(balance.drift().is_nan());
 }
 
-/// Next to an equilibrium that no `f64` is the kinetic energy is less than the roundings of the energy: neither tells of a change.
+/// Next to an equilibrium that is not an `f64` the kinetic energy is less
+/// than the rounding errors of the energy, which therefore shows no change.
 #[test]
 fn the_energy_of_what_rests_does_not_drift() {
     let starts = [

@@ -1,4 +1,4 @@
-//! Integration in time against the exact pendulum, solutions in closed form, and damped pendulums in forty digits.
+//! Integration in time compared with the exact pendulum, solutions in closed form, and damped pendulums in forty digits.
 
 use crate::typed::{from, system};
 use libration::pendulum::Pendulum;
@@ -38,9 +38,8 @@ fn assert_close(got: &[f64], wanted: &[f64], bound: f64, what: &str) {
     }
 }
 
-/// A rounding of the energy, half of 2ᵐ radians squared, changes the period by its T/(4(1 − m)): that is what an
-/// integration in words of 53 bits can promise, less what the turns take of them. Near the top only the fall is sure, and
-/// what follows grows like eᵗ.
+/// A rounding error of the energy, half of 2ᵐ radians squared, changes the period by its T/(4(1 − m)): this is the accuracy of an integration in
+/// words of 53 bits, without the errors in the turns. Near the top only the fall is accurate, and later errors grow like eᵗ.
 fn condition(row: Row<'_>, time: f64) -> f64 {
     let (start, velocity) = (row.input("start_hex"), row.input("velocity_hex"));
     let from_top = row.text("given") == "complement";
@@ -108,14 +107,14 @@ fn linear_oscillators_keep_their_phase() {
     let time = 1000.0 * TAU;
     let got = state_at("x'' = -x", &[1.0, 0.0], time, 1e-15);
     assert_close(&got, &[libm::cos(time), -libm::sin(time)], 2e-13, "x'' = -x");
-    // In other units, and so small that no absolute tolerance would see it.
+    // In other units, and so small that an absolute tolerance would have no effect.
     let got = state_at("x'' = -1000000 x", &[1e-30, 0.0], time * 1e-3, 1e-15);
     assert_close(&got[..1], &[1e-30 * libm::cos(1e3 * (time * 1e-3))], 2e-43, "at 1000 rad/s");
 }
 
 #[test]
 fn coupled_oscillators_beat() {
-    // x + y goes with frequency 1, x − y with frequency 2.
+    // x + y oscillates with frequency 1, x − y with frequency 2.
     let got = state_at("x'' = -2.5 x + 1.5 y; y'' = -2.5 y + 1.5 x", &[1.0, 0.0, 0.0, 0.0], 100.0, 1e-15);
     let (slow, fast) = (libm::cos(100.0), libm::cos(200.0));
     assert_close(&got[..2], &[0.5 * (slow + fast), 0.5 * (slow - fast)], 2e-14, "beats");
@@ -123,7 +122,7 @@ fn coupled_oscillators_beat() {
 
 #[test]
 fn kepler_ellipses_close() {
-    // Eccentricity 1/2, from the pericentre.
+    // An orbit of eccentricity 1/2, from the pericentre.
     let start = [0.5, 0.0, 0.0, 3_f64.sqrt()];
     let kepler = "x'' = -x/(x^2 + y^2)^(3/2); y'' = -y/(x^2 + y^2)^(3/2)";
     let got = state_at(kepler, &start, 100.0 * TAU, 1e-15);
@@ -170,8 +169,8 @@ fn the_watch_sees_steps_without_gaps_and_may_stop_them() {
 
 #[test]
 fn absolute_values_go_on_with_their_other_branch() {
-    // x'' = −sign(x) by |x|/x: parabolas, from x = 1 the period is 4√2. Each of 200 jumps of the force comes late by up
-    // to half of 2⁻⁴³, which is what an f64 says of times about 500.
+    // x'' = −sign(x) by |x|/x: parabolas, from x = 1 the period is 4√2. Each of 200 jumps
+    // of the force is late by up to half of 2⁻⁴³, the spacing of an f64 at times about 500.
     let got = state_at("x'' = -abs(x)/x", &[1.0, 0.0], 400.0 * 2_f64.sqrt(), 1e-15);
     assert_close(&got, &[1.0, 0.0], 1e-11, "x'' = -|x|/x");
     let got = state_at("x'' = -sign(x)", &[1.0, 0.0], 400.0 * 2_f64.sqrt(), 1e-15);
@@ -179,7 +178,7 @@ fn absolute_values_go_on_with_their_other_branch() {
     // x'' = −x for x > 0, −4x for x < 0: half a turn each.
     let got = state_at("x'' = -2.5 x + 1.5 abs(x)", &[1.0, 0.0], 150.0 * PI, 1e-15);
     assert_close(&got, &[1.0, 0.0], 1e-12, "two springs");
-    // Touching zero without crossing it: x = (t − 1)².
+    // x = (t − 1)² touches zero without crossing it.
     let got = state_at("x'' = 2 + 0 t - x + abs(x)", &[1.0, -2.0], 3.0, 1e-15);
     assert_close(&got, &[4.0, 4.0], 1e-13, "touching");
 }
@@ -199,7 +198,7 @@ fn singularities_stop_with_what_is_known() {
     assert!((solution.end.time - 1.0).abs() < 1e-12, "{}", solution.end.time);
     assert_eq!(stop("x'' = 1/x", &[0.0, 1.0], &[1.0]).0, Cause::Singularity);
     assert_eq!(stop("x'' = -sqrt(x)", &[-1.0, 0.0], &[1.0]).0, Cause::Singularity);
-    // x = t²/2 leaves the range of floats at 1.9e154.
+    // x = t²/2 overflows at 1.9e154.
     let (_, solution) = stop("x'' = 1", &[0.0, 0.0], &[1e200]);
     assert!(solution.end.time > 1e154 && solution.end.state[0].is_finite(), "{:?}", solution.end);
 }
@@ -289,7 +288,7 @@ fn what_friction_holds_it_holds_for_ever() {
 
 #[test]
 fn whole_powers_of_zero_are_as_smooth_as_low_ones() {
-    // From zero to sin(1/2)/2 the power is below 1e-6000, so that what is left is a harmonic motion.
+    // From zero to sin(1/2)/2 the power is below 1e-6000, so that the motion is harmonic.
     for (equation, tolerance) in [("x'' = -x - x^10001", 1e-15), ("x'' = -x - x^4097", 1e-15)] {
         let end = state_at(equation, &[0.0, 0.5], 1.0, tolerance);
         assert_close(&end, &[0.5 * libm::sin(1.0), 0.5 * libm::cos(1.0)], 4e-16, equation);

@@ -1,4 +1,4 @@
-//! A tolerance for each coordinate.
+//! Individual tolerances of coordinates.
 
 use libm::{cos, sin};
 use libration::progress::Quiet;
@@ -16,7 +16,7 @@ fn solve(system: &System, start: &[(&str, f64)], times: &[f64]) -> Solution {
     integrate(system, &system.start(start).unwrap(), times, &EFFORT, &Quiet).unwrap()
 }
 
-/// A slow oscillator and a fast one that it does not feel.
+/// A slow oscillator and a fast one, which are not coupled.
 const TWO: &str = "x'' = -x; y'' = -900*y";
 
 fn errors(solution: &Solution) -> [f64; 4] {
@@ -44,7 +44,7 @@ fn each_coordinate_has_the_error_that_it_is_allowed_and_steps_are_spared() {
     for tolerance in [1e-10, 1e-7, 1e-4] {
         let solution = solve(&system(TWO, &[("y", tolerance)]), &start, &[30.0]);
         let found = errors(&solution);
-        // Each step may err by its tolerance, and in a velocity by a part of the largest, 30.
+        // The allowed error of each step is its tolerance; in a velocity it is relative to the largest velocity, 30.
         let bound = f64::from(u32::try_from(solution.steps).unwrap()) * tolerance;
         assert!(found[0] < 1e-12 && found[2] < 1e-12, "{tolerance}: {found:?}");
         assert!(found[1] < bound && found[3] < 30.0 * bound, "{tolerance}: {found:?}, {bound}");
@@ -55,7 +55,7 @@ fn each_coordinate_has_the_error_that_it_is_allowed_and_steps_are_spared() {
     assert!(3 * steps < 2 * all.steps, "{steps} of {}", all.steps);
 }
 
-/// The tighter of both, wherever it stands.
+/// The smaller of the two tolerances holds, whichever it is.
 #[test]
 fn a_tolerance_below_that_of_the_effort_holds_too() {
     let fine = system(TWO, &[("x", 1e-16), ("y", 1e-16)]);
@@ -79,7 +79,7 @@ fn motions_side_by_side_are_those_alone() {
     assert_eq!(integrate_many(&system, &trajectories, &EFFORT, &Quiet), alone);
 }
 
-/// The value of x decides when the motion ends, and y has its own error there.
+/// The value of x determines the end of the motion, and y has an error of another size there.
 #[test]
 fn the_error_of_an_end_knows_the_tolerances() {
     let passage = Event { ends_at: Some(1), ..Event::zero_of("x - 10".parse().unwrap()) };

@@ -1,4 +1,4 @@
-//! Binary floats of any precision, for what two words cannot decide.
+//! Binary floats of any precision, for cases in which two words do not suffice.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::sync::LazyLock;
@@ -13,9 +13,8 @@ use libration_kernels::double_double::DoubleDouble;
 
 type Float = FBig<HalfEven, 2>;
 
-/// A binary float of a chosen precision, every operation rounded to nearest; the result of an operation has the
-/// larger precision of its operands. Division by zero, and roots and logarithms outside their domain, are the
-/// caller's to avoid.
+/// A binary float of a chosen precision. Every operation rounds to nearest, and its result has the larger precision of its operands. The caller
+/// avoids division by zero, and roots and logarithms outside their domain.
 #[derive(Clone, Debug, PartialEq, PartialOrd)]
 pub struct BigFloat(Float);
 
@@ -41,8 +40,7 @@ impl BigFloat {
             / Self::from_big(IBig::from(denominator.clone()), precision)
     }
 
-    /// `hi + lo`, exactly when `precision` reaches from the first bit of `hi` to the last of `lo`; zero for
-    /// words that are not finite.
+    /// `hi + lo`, exact if `precision` reaches from the first bit of `hi` to the last bit of `lo`; zero if a word is not finite.
     #[doc(hidden)]
     pub fn from_words(words: DoubleDouble, precision: usize) -> Self {
         let word = |x: f64| match Float::try_from(x) {
@@ -52,7 +50,7 @@ impl BigFloat {
         Self(word(words.hi) + word(words.lo))
     }
 
-    /// π; to 1280 bits it is worked out once.
+    /// π; up to 1280 bits it is computed only once.
     #[must_use]
     pub fn pi(precision: usize) -> Self {
         const KEPT: usize = 1280;
@@ -66,13 +64,13 @@ impl BigFloat {
         self.0.precision()
     }
 
-    /// The nearest `f64`, ties to even, subnormal and infinite as they come.
+    /// The nearest `f64`, ties to even; the result may be subnormal or infinite.
     #[must_use]
     pub fn to_f64(&self) -> f64 {
         self.0.to_f64().value()
     }
 
-    /// Returns whether the number is 0.
+    /// Returns `true` if the number is 0.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         self.0.repr().significand().is_zero()
@@ -159,8 +157,8 @@ impl BigFloat {
         }
     }
 
-    /// The arithmetic-geometric mean of two positive numbers, to a few units in the last place
-    /// (DLMF 19.8(i)). Each step doubles the digits that agree, so the last is taken when half of them do.
+    /// The arithmetic-geometric mean of two positive numbers, to a few units in the last place (DLMF 19.8(i)). Each step doubles the digits that
+    /// agree, so one more step suffices once half of the digits agree.
     #[must_use]
     pub fn agm(&self, other: &Self) -> Self {
         let half_the_bits = isize::try_from(self.precision() / 2 + 2).unwrap_or(isize::MAX);
@@ -177,7 +175,7 @@ impl BigFloat {
         }
     }
 
-    /// Half of it, exactly.
+    /// Half of the number, exactly.
     #[must_use]
     pub fn halved(self) -> Self {
         Self(self.0 >> 1)

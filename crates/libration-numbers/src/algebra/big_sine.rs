@@ -1,17 +1,17 @@
-//! Sine and cosine of a float together, where it is small.
+//! Sine and cosine of a small float, computed together.
 //!
-//! Taylor's series in integers, in units of 2^−(precision + guard): for small angles a fraction of the cost of a reduction to a
-//! quadrant for each.
+//! Taylor's series is summed in integers, in units of 2^−(precision + guard). For small angles this costs a fraction of two reductions to a
+//! quadrant.
 
 use dashu_int::IBig;
 
 use super::BigFloat;
 
-/// The roundings of forty terms, and what the conversions lose.
+/// Guard bits for the rounding errors of forty terms and of the conversions.
 const GUARD_BITS: usize = 24;
 
 impl BigFloat {
-    /// sin x and cos x, each relatively accurate to a few units in the last place but next to its far zero.
+    /// sin x and cos x, each relatively accurate to a few units in the last place except next to its far zero.
     #[must_use]
     pub fn sin_cos(&self) -> (Self, Self) {
         if self.exponent().is_some_and(|exponent| exponent > 0) {
@@ -27,7 +27,7 @@ impl BigFloat {
     }
 }
 
-/// 1 − y/(a + 1)(a + 2) + y²/(a + 1)…(a + 4) − … of y in these units.
+/// 1 − y/(a + 1)(a + 2) + y²/(a + 1)…(a + 4) − …, with y and the sum in these units.
 fn alternating(square: &IBig, first: u32, bits: usize) -> IBig {
     let mut term = IBig::ONE << bits;
     let mut sum = term.clone();

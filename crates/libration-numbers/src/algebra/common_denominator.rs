@@ -1,4 +1,4 @@
-//! Power series of fractions over one denominator: one greatest common divisor for a series, not one for each coefficient.
+//! Power series of fractions over a common denominator, so that one greatest common divisor is computed per series and not per coefficient.
 
 use dashu_base::{Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};
@@ -36,10 +36,10 @@ impl OverCommon {
         Self { numerators, denominator: &self.denominator * &other.denominator }
     }
 
-    /// The series without the factors that all numerators share with the denominator.
+    /// The series after cancelling the factors that the denominator shares with all numerators.
     fn reduced(self) -> Self {
         let Self { numerators, denominator } = self;
-        // The last coefficients have the largest denominators, and so tell at once what is left over.
+        // The last coefficients have the largest denominators and therefore show first which factors cancel.
         let excess =
             numerators.iter().rev().filter(|n| !n.is_zero()).try_fold(denominator.clone(), |excess, n| {
                 if excess.is_one() { Err(()) } else { Ok(excess.gcd(n.unsigned_abs())) }
@@ -54,7 +54,7 @@ impl OverCommon {
         }
     }
 
-    /// Σ factorⱼ·seriesⱼ to a number of coefficients.
+    /// Σ factorⱼ·seriesⱼ up to a number of coefficients.
     fn combination(factors: &[Rational], series: &[Self], length: usize) -> Self {
         let under = |(factor, series): (&Rational, &Self)| factor.parts().1 * &series.denominator;
         let denominators: Vec<UBig> = factors.iter().zip(series).map(under).collect();
@@ -120,7 +120,7 @@ pub fn composition(
     let mut sum: Option<OverCommon> = None;
     for (i, factors) in outer.chunks(step).enumerate().rev() {
         go_on().then_some(())?;
-        // What is multiplied by the i-th power of the giant step loses as many coefficients.
+        // The factor of the i-th power of the giant step needs i·step coefficients less.
         let left = length - i * step;
         let block = OverCommon::combination(factors, &powers, left);
         sum = Some(match sum {

@@ -48,7 +48,7 @@ impl Complex {
         (0..exponent).fold(Self::from(1.0), |power, _| power * self)
     }
 
-    /// Returns whether both parts are finite.
+    /// Returns `true` if both parts are finite.
     #[must_use]
     pub const fn is_finite(self) -> bool {
         self.re.is_finite() && self.im.is_finite()
@@ -82,7 +82,7 @@ impl Mul for Complex {
     }
 }
 
-/// Smith's algorithm, which neither over- nor underflows where the quotient does not.
+/// Smith's algorithm, which overflows or underflows only if the quotient does.
 impl Div for Complex {
     type Output = Self;
     fn div(self, by: Self) -> Self {

@@ -1,4 +1,4 @@
-//! Fractions written with some decimal digits.
+//! Fractions as decimals with a given number of digits.
 
 use dashu_base::BitTest;
 use dashu_int::{IBig, UBig};
@@ -6,8 +6,8 @@ use dashu_int::{IBig, UBig};
 use super::Rational;
 
 impl Rational {
-    /// The number rounded to this many significant decimal digits, such as `-1.0833e-7`; in plain digits from 0.0001
-    /// up to the digits requested.
+    /// The number rounded to this many significant decimal digits, such as `-1.0833e-7`; without a power of ten from 0.0001 up to integers that
+    /// have as many digits as requested.
     #[must_use]
     pub fn to_decimal(&self, digits: usize) -> String {
         let digits = digits.max(1);
@@ -47,14 +47,14 @@ impl Rational {
         (figures, exponent)
     }
 
-    /// The power of ten of the first digit, or at most two less: from the numbers of bits, since numbers of a million bits take long
-    /// to be written out.
+    /// The power of ten of the first digit, or at most two less. The estimate uses the numbers of bits, since writing out numbers of a million
+    /// bits is slow.
     fn decimal_exponent(&self) -> isize {
         let (numerator, denominator) = self.parts();
         let bits = |length: usize| i128::try_from(length).unwrap_or(i128::MAX);
         // |a| is larger than 2 to this power.
         let power = bits(numerator.bit_len()) - bits(denominator.bit_len()) - 1;
-        // log₁₀ 2 lies between these.
+        // Bounds of log₁₀ 2.
         let log10_of_two = if power < 0 { 301_029_995_663_982 } else { 301_029_995_663_981 };
         let exponent = (power * log10_of_two).div_euclid(1_000_000_000_000_000);
         isize::try_from(exponent).unwrap_or(isize::MAX)
@@ -74,12 +74,12 @@ impl Rational {
     }
 }
 
-/// Ten to the magnitude of a power.
+/// Ten to the absolute value of a power.
 fn ten_to(power: isize) -> UBig {
     UBig::from(10_u8).pow(power.unsigned_abs())
 }
 
-/// Significant digits, the first at 10^exponent, as a decimal.
+/// Significant digits, the first of which stands at 10^exponent, as a decimal.
 fn placed(figures: &str, exponent: isize) -> String {
     let (first, rest) = figures.split_at(1);
     let whole = usize::try_from(exponent).unwrap_or(0) + 1;

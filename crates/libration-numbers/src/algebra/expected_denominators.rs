@@ -1,4 +1,4 @@
-//! Denominators that grow from order to order, so that few of them have to be found.
+//! Denominators that grow from order to order, so that only a few of their factors have to be reconstructed.
 
 use dashu_base::{BitTest, DivRem, Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};
@@ -7,10 +7,10 @@ use super::Rational;
 use super::mixed_radix::{CONFIRMING_PRIMES, MixedRadix};
 use super::prime_fields::{LANES, Residues};
 
-/// A fraction is believed when its residue fits it with this many bits to spare.
+/// Number of bits by which numerator and denominator must be shorter than the modulus, for a fraction to be accepted.
 const SPARE_BITS: usize = 48;
 
-/// The least common denominators of the last two orders that had numbers.
+/// The least common denominators of the last two orders with nonzero numbers.
 #[derive(Clone, Debug)]
 pub(super) struct Growth {
     before: UBig,
@@ -24,7 +24,7 @@ impl Default for Growth {
 }
 
 impl Growth {
-    /// Expected denominator of the next order, which grows as before.
+    /// Expected denominator of the next order, if it grows as before.
     pub(super) fn expected(&self) -> UBig {
         let common = (&self.last).gcd(&self.before);
         &self.last * (&self.last / common)
@@ -35,7 +35,7 @@ impl Growth {
     }
 }
 
-/// A common denominator of some numbers, found on the way.
+/// A common denominator of some numbers, extended as the numbers are reconstructed.
 pub(super) struct Common<'a> {
     radix: &'a MixedRadix,
     value: UBig,
@@ -49,7 +49,7 @@ impl<'a> Common<'a> {
         Self { radix, residues: radix.residues(&value), value, excess: None }
     }
 
-    /// The fractions of up to eight numbers, from their residues.
+    /// The fractions of up to eight numbers, reconstructed from their residues.
     pub(super) fn fractions(&mut self, lists: &[&[Residues]]) -> Option<Vec<Rational>> {
         let residues = |k: usize| {
             let (group, lane, mut row) = (k / LANES, k % LANES, [0; LANES]);
@@ -58,7 +58,7 @@ impl<'a> Common<'a> {
             }
             row
         };
-        // Each number can have one factor that was not expected.
+        // Each number can add one factor that was not expected.
         for _ in 0..=lists.len() {
             let digits = self.radix.digits(residues, &self.residues);
             let integers: Vec<Option<IBig>> =
@@ -83,7 +83,7 @@ impl<'a> Common<'a> {
         fraction
     }
 
-    /// Takes in the factor that the denominator of a number has besides, if the primes are enough to tell.
+    /// Multiplies the denominator by the factor that a number needs in addition; `None` if the primes do not suffice to determine it.
     fn extend(&mut self, residues: &[u32]) -> Option<()> {
         let used = self.radix.len().checked_sub(CONFIRMING_PRIMES)?;
         let digits = self.radix.digits(|k| [residues[k]; LANES], &self.residues);
@@ -107,8 +107,8 @@ impl<'a> Common<'a> {
     }
 }
 
-/// The denominator of the fraction with this residue modulo a product of primes, if the fraction stands out: the step of
-/// Euclid's algorithm after which numerator and denominator together are much smaller than the product.
+/// The denominator of the fraction with this residue modulo a product of primes, if the fraction is unambiguous: the step of Euclid's algorithm
+/// after which numerator and denominator together are much smaller than the product.
 ///
 /// Reference: M. Monagan, *Maximal quotient rational reconstruction*, ISSAC 2004, doi:10.1145/1005285.1005321.
 fn by_division(product: &UBig, residue: UBig) -> Option<UBig> {

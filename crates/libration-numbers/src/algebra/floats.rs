@@ -1,4 +1,4 @@
-//! Multi-precision floats as a ring: for coefficients that are no fractions.
+//! Multi-precision floats as a ring, for coefficients that are not fractions.
 
 use super::{BigFloat, Function, Growth, Rational, Ring};
 
@@ -15,7 +15,7 @@ impl Floats {
         BigFloat::from_integer(value, self.precision)
     }
 
-    /// Powers with whole exponents by squaring, with the bits to spare that n multiplications may lose; `None` where the result
+    /// Powers with integer exponents, by repeated squaring with guard bits for the rounding errors of n multiplications; `None` if the result
     /// has more binary places than [`MOST_PLACES`].
     fn whole_power(self, a: &BigFloat, exponent: &Rational) -> Option<BigFloat> {
         let n = exponent.magnitude().to_natural()?;
@@ -89,7 +89,7 @@ impl Ring for Floats {
     }
 
     fn value(&self, function: Function, at: &BigFloat) -> Option<BigFloat> {
-        // An exact zero has no precision of its own.
+        // An exact zero has no precision.
         let at = &self.rounded(at);
         let too_large = at.exponent().is_some_and(|exponent| exponent > largest_exponent(function.growth()));
         if too_large { None } else { function.at_float(at, self.precision) }
@@ -112,10 +112,10 @@ impl Ring for Floats {
     }
 }
 
-/// Numbers of more binary places take too long as fractions.
+/// Largest number of binary places: longer numbers are too slow as fractions.
 const MOST_PLACES: usize = 1 << 21;
 
-/// Arguments beyond this power of two take too long: exponentials of a million take a second, of a billion minutes.
+/// Largest binary exponent of an argument: exponentials of a million take a second, of a billion minutes.
 const fn largest_exponent(growth: Growth) -> isize {
     match growth {
         Growth::Exponential | Growth::Hyperbolic => 20,

@@ -2,14 +2,14 @@
 
 use super::{Function, Rational, Ring};
 
-/// The coefficients of cos kτ and sin kτ; of sin 0τ it is zero.
+/// The coefficients of cos kτ and sin kτ; that of sin 0τ is zero.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct HarmonicPair<N> {
     pub cosine: N,
     pub sine: N,
 }
 
-/// A ring of finite sums of harmonics Σ aₖ cos kτ + bₖ sin kτ, whose coefficients are numbers of a field.
+/// A ring of finite sums of harmonics Σ aₖ cos kτ + bₖ sin kτ with coefficients in a field.
 pub trait PhaseRing: Ring {
     /// Ring of the coefficients.
     type Numbers: Ring;
@@ -24,7 +24,7 @@ pub trait PhaseRing: Ring {
         wanted.iter().map(|&k| self.harmonic(a, k)).collect()
     }
 
-    /// The sum of some harmonics, each with its k.
+    /// The sum of these harmonics, each given with its k.
     fn sum_of_harmonics(&self, terms: &[(usize, HarmonicPair<Number<Self>>)]) -> Self::Element;
 
     /// a·c with a number c.
@@ -48,7 +48,7 @@ pub struct HarmonicSum<N> {
 }
 
 impl<N> HarmonicSum<N> {
-    /// No higher harmonic is present.
+    /// The highest harmonic that may be present.
     pub fn highest(&self) -> usize {
         self.cosines.len().max(self.sines.len()).saturating_sub(1)
     }
@@ -59,7 +59,7 @@ impl<F: Ring> HarmonicSums<F> {
         HarmonicSum { cosines: vec![value], sines: vec![] }
     }
 
-    /// The number a sum consists of; `None` when it has harmonics.
+    /// The constant value of a sum; `None` if the sum has harmonics.
     fn as_constant(&self, a: &HarmonicSum<F::Element>) -> Option<F::Element> {
         let zero = |numbers: &[F::Element]| numbers.iter().all(|number| self.numbers.is_zero(number));
         let constant = zero(a.cosines.get(1..).unwrap_or(&[])) && zero(&a.sines);
@@ -89,7 +89,7 @@ impl<F: Ring> HarmonicSums<F> {
         HarmonicSum { cosines: list(&a.cosines, &b.cosines), sines: list(&a.sines, &b.sines) }
     }
 
-    /// Adds the product of two lists of coefficients, each product landing on |k ± l| with the given signs.
+    /// Adds the products of two lists of coefficients: the product of k and l is added at |k ± l| with the given signs.
     fn add_products(
         &self,
         sums: &mut Vec<F::Element>,
@@ -116,7 +116,7 @@ impl<F: Ring> HarmonicSums<F> {
     }
 }
 
-/// The sign with which a product of harmonics k and l is added at |k − l| or k + l.
+/// The sign with which a product of harmonics k and l is added at |k − l| or at k + l.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Placing {
     Plus,

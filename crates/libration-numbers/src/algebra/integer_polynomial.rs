@@ -3,8 +3,8 @@
 use dashu_base::{BitTest, Sign, UnsignedAbs};
 use dashu_int::{IBig, UBig};
 
-/// The product of two polynomials with integer coefficients, constant term first, by Kronecker substitution:
-/// both are evaluated at a power of two so large that the coefficients of the product cannot overlap.
+/// The product of two polynomials with integer coefficients, constant term first, by Kronecker substitution: both polynomials are evaluated at a
+/// power of two that is large enough to keep the coefficients of the product apart.
 ///
 /// Reference: D. Harvey, *Faster polynomial multiplication via multipoint Kronecker substitution*, J. Symbolic
 /// Comput. 44, 1502 (2009), section 2.
@@ -16,7 +16,7 @@ pub fn product(a: &[IBig], b: &[IBig]) -> Vec<IBig> {
     unpack(&(pack(a, slot) * pack(b, slot)), slot, a.len() + b.len() - 1)
 }
 
-/// Bits for the largest coefficient the product can have, and its sign, in whole 64-bit words.
+/// Bits for the largest possible coefficient of the product and its sign, rounded up to whole 64-bit words.
 fn slot_bits(a: &[IBig], b: &[IBig]) -> usize {
     let summands = a.len().min(b.len());
     let carry_bits = (usize::BITS - summands.leading_zeros()) as usize;
@@ -27,7 +27,7 @@ fn largest_bits(coefficients: &[IBig]) -> usize {
     coefficients.iter().map(BitTest::bit_len).max().unwrap_or(0)
 }
 
-/// The polynomial's value at 2^slot, a whole number of bytes.
+/// The value of the polynomial at 2^slot; slot is a whole number of bytes.
 fn pack(coefficients: &[IBig], slot: usize) -> IBig {
     let part = |sign: Sign| {
         let mut bytes = vec![0; coefficients.len() * slot / 8];
@@ -42,7 +42,7 @@ fn pack(coefficients: &[IBig], slot: usize) -> IBig {
     part(Sign::Positive) - part(Sign::Negative)
 }
 
-/// The first `length` coefficients of the polynomial whose value at 2^slot is given: digits in balanced form.
+/// The first `length` coefficients of the polynomial with this value at 2^slot, as digits in balanced form.
 fn unpack(value: &IBig, slot: usize, length: usize) -> Vec<IBig> {
     let (sign, magnitude) = value.clone().into_parts();
     let base = IBig::ONE << slot;

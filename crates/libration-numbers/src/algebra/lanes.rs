@@ -9,13 +9,12 @@ use super::{Doubles, Function, Rational, Ring};
 use libration_kernels::elementary::{LARGEST_ANGLE, sin_cos};
 use libration_kernels::fused::FusedMultiplyAdd;
 
-/// N independent `f64`s; NaN where there is no value. Each lane has the bits that it has alone.
+/// N independent `f64`s; NaN where a value does not exist. Each lane has the same bits as in a computation of that lane alone.
 #[derive(Clone, Copy, Debug)]
 pub struct Lanes<const N: usize>;
 
-/// Divisions by the orders from the first of these on and below the second are made products, which take a fifth of the
-/// time. Their second rounding is the same in every step, so that it does not average out; below, it would be felt, but by powers of
-/// two, of which there is none.
+/// Range of divisors (orders) for which a division is replaced by a product, in a fifth of the time. The second rounding is the same in every
+/// step and so does not average out. For smaller divisors it would matter; for powers of two it does not exist.
 const PREPARED: std::ops::Range<usize> = 8..64;
 
 static RECIPROCALS: [f64; PREPARED.end] = reciprocals();
@@ -31,7 +30,7 @@ const fn reciprocals() -> [f64; PREPARED.end] {
     reciprocals
 }
 
-/// Reciprocal with which a quotient by an integer is computed as a product, if it is prepared.
+/// The reciprocal by which a division by this integer is replaced, if one is prepared.
 #[inline(always)]
 pub fn prepared_reciprocal(divisor: u64) -> Option<f64> {
     let is_prepared = |n: &usize| PREPARED.contains(n) || n.is_power_of_two() && *n < PREPARED.end;

@@ -1,12 +1,12 @@
-//! Numbers that are rounded, lane by lane, and sums of products in an order that many of them can be formed in.
+//! Rounded numbers lane by lane, and sums of products in an order that lets many of them be formed at once.
 //!
-//! The newest coefficients come last, so that all else can be under way before these are known.
+//! The newest coefficients are added last, so that all other products can start before these are known.
 
 use libration_jit::MultiplyAdd;
 
 use super::Ring;
 
-/// One number for each lane. Other than `std::array::from_fn` it is always compiled into its caller, and so for the same
+/// One number for each lane. In contrast to `std::array::from_fn` it is always inlined into its caller, and thus compiled for the same
 /// instruction set.
 #[inline(always)]
 pub fn lanes<const N: usize>(mut number: impl FnMut(usize) -> f64) -> [f64; N] {
@@ -17,7 +17,7 @@ pub fn lanes<const N: usize>(mut number: impl FnMut(usize) -> f64) -> [f64; N] {
     all
 }
 
-/// Returns whether a condition holds in one of the lanes: evaluated in all of them, without a branch for each.
+/// Returns `true` if a condition holds in one of the lanes; it is evaluated in all of them, without branches.
 #[inline(always)]
 pub fn any<const N: usize>(numbers: &[f64; N], is_so: impl Fn(f64) -> bool) -> bool {
     let mut any = false;
@@ -27,13 +27,13 @@ pub fn any<const N: usize>(numbers: &[f64; N], is_so: impl Fn(f64) -> bool) -> b
     any
 }
 
-/// A ring whose operations are those of rounded numbers.
+/// A ring whose operations are rounded.
 pub trait Rounded<E>: Ring<Element = E> + MultiplyAdd<Element = E> {
-    /// Σ aᵢ·b_{n−1−i} over two slices of the same length n, which [`libration_jit::inner_product`] forms.
+    /// Σ aᵢ·b_{n−1−i} over two slices of the same length n, formed by [`libration_jit::inner_product`].
     fn inner_product(&self, a: &[E], b: &[E]) -> E;
 }
 
-/// Σ aᵢ·b_{n−1−i}, where the sum of what lies between the ends is formed as an inner product. The last product is that of the last a.
+/// Σ aᵢ·b_{n−1−i}. The products at the ends are added to the inner product of the others, the product of the last a at the very end.
 #[inline(always)]
 pub fn convolution<E: Copy>(on: &impl Rounded<E>, a: &[E], b: &[E]) -> E {
     let n = a.len().min(b.len());
@@ -48,7 +48,7 @@ pub fn convolution<E: Copy>(on: &impl Rounded<E>, a: &[E], b: &[E]) -> E {
     }
 }
 
-/// The same of coefficients 1 to n − 1, of which the last ones are known when an order begins, but only just.
+/// Σ aᵢ·b_{n−1−i} over slices whose last coefficients have become known only just before the order begins: their products are added last.
 #[inline(always)]
 fn before_the_last<E: Copy>(on: &impl Rounded<E>, a: &[E], b: &[E]) -> E {
     let n = a.len();
@@ -62,7 +62,7 @@ fn before_the_last<E: Copy>(on: &impl Rounded<E>, a: &[E], b: &[E]) -> E {
     }
 }
 
-/// The last coefficient of the square of a₀ … aₙ, for which the newest one enters once.
+/// The last coefficient of the square of a₀ … aₙ, in which the newest coefficient occurs once.
 #[inline(always)]
 pub fn square<E: Copy>(on: &impl Rounded<E>, a: &[E]) -> E {
     match *a {
@@ -82,7 +82,7 @@ pub fn quotient<E: Copy>(on: &impl Rounded<E>, a_n: E, c: &[E], b: &[E]) -> Opti
     on.divide(&on.subtract(&a_n, &known), &b[0])
 }
 
-/// cₙ of the c with c′ = a′·b, from aₙ, the weighted a₁ … aₙ and b₀ … bₙ₋₁: what aₙ contributes is not weighted.
+/// cₙ of the c with c′ = a′·b, from aₙ, the weighted a₁ … aₙ and b₀ … bₙ₋₁; the contribution of aₙ uses its unweighted value.
 #[inline(always)]
 pub fn integral<E: Copy>(on: &impl Rounded<E>, a_n: E, weighted_a: &[E], b: &[E]) -> Option<E> {
     let n = b.len();

@@ -6,11 +6,11 @@ use super::PrimeField;
 use super::prime_fields::{LANES, PRODUCTS, Residues, Sums};
 use libration_kernels::dispatch::{Kernel, dispatch_slices};
 
-/// Primes that an answer must agree with although it could be told without them.
+/// Number of additional primes with which a result must agree.
 pub const CONFIRMING_PRIMES: usize = 5;
 
-/// Numbers modulo the product of some primes, in the form d₀ + d₁p₀ + d₂p₀p₁ + …, found digit by digit in machine
-/// words. A small integer has few digits, and a small negative one ends in digits p − 1.
+/// Numbers modulo the product of some primes, in the form d₀ + d₁p₀ + d₂p₀p₁ + …, whose digits are computed one after the other in machine
+/// words. A small integer has few nonzero digits, and the last digits of a small negative one are p − 1.
 ///
 /// Reference: H. L. Garner, *The residue number system*, IRE Trans. Electron. Comput. EC-8, 140 (1959).
 #[derive(Clone, Debug, Default)]
@@ -18,18 +18,18 @@ pub struct MixedRadix {
     pub places: Vec<Place>,
 }
 
-/// A prime, with the products of those before it.
+/// A prime, with the products of the primes before it.
 #[derive(Clone, Debug)]
 pub struct Place {
     pub field: PrimeField,
     /// p₀⋯pⱼ₋₁ modulo this prime, by j, in Montgomery form.
     products: Vec<u32>,
-    /// The inverse of the product of all before it.
+    /// The inverse of the product of all primes before this one.
     inverse: u32,
 }
 
 impl MixedRadix {
-    /// Takes in another prime.
+    /// Adds another prime.
     pub fn push(&mut self, prime: u32) {
         let field = PrimeField::new(prime);
         let mut product = field.unit();
@@ -56,8 +56,8 @@ impl MixedRadix {
         self.places.iter().zip(a.iter().zip(b)).map(|(place, (&a, &b))| place.field.product(a, b)).collect()
     }
 
-    /// The digits of eight numbers times a factor, by their residues modulo the k-th prime and those of the factor: as many digits as show
-    /// that all are small integers, or all of them.
+    /// The digits of eight numbers times a factor, from their residues modulo the k-th prime and those of the factor. The computation stops as
+    /// soon as the digits show that all numbers are small integers.
     pub fn digits(&self, residues: impl Fn(usize) -> Residues, factor: &[u32]) -> Vec<Residues> {
         let mut digits: Vec<Residues> = Vec::with_capacity(self.places.len());
         let mut ends = Ends::default();
@@ -71,7 +71,7 @@ impl MixedRadix {
         digits
     }
 
-    /// The integer of a lane, if its last digits say that it is small.
+    /// The integer of a lane, if its last digits show that it is small.
     pub fn small_integer(&self, digits: &[Residues], lane: usize) -> Option<IBig> {
         let negative = digits.last()?[lane] != 0;
         let prime = |k: usize| self.places[k].field.prime();
@@ -93,7 +93,7 @@ impl MixedRadix {
         let mut words: Vec<u64> = Vec::with_capacity(digits.len() / 2 + 1);
         let primes = self.places[..digits.len()].iter().map(|place| u64::from(place.field.prime()));
         let mut pairs = digits.map(u64::from).zip(primes).rev();
-        // Two digits at a time make a step of a machine word; an odd one is alone at the end.
+        // Two digits at a time make one step with a machine word; an odd digit remains at the end.
         while let Some((mut digit, mut radix)) = pairs.next() {
             if let Some((lower, prime)) = pairs.next() {
                 (digit, radix) = (digit * prime + lower, radix * prime);
@@ -113,7 +113,7 @@ impl MixedRadix {
     }
 }
 
-/// A number in words, lowest first, becomes its product with `factor` and `summand` more.
+/// Multiplies a number in words, lowest first, by `factor` and adds `summand`.
 #[expect(clippy::cast_possible_truncation, reason = "the low word is meant")]
 fn multiply_add(words: &mut Vec<u64>, factor: u64, summand: u64) {
     let mut carry = u128::from(summand);
@@ -132,7 +132,7 @@ fn from_words(words: &[u64]) -> UBig {
     UBig::from_le_bytes(&bytes)
 }
 
-/// Number of the last digits of each lane that are all zero, or all one less than their prime.
+/// For each lane, the number of last digits that are zero, and the number of those that are one less than their prime.
 #[derive(Default)]
 struct Ends {
     zeros: [u32; LANES],
@@ -140,7 +140,7 @@ struct Ends {
 }
 
 impl Ends {
-    /// Returns whether all lanes have sufficiently many after these digits.
+    /// Counts these digits and returns `true` if every lane has enough of either kind.
     fn suffice(&mut self, digits: &Residues, prime: u32) -> bool {
         let longer = |count: &mut u32, is_end: bool| *count = if is_end { *count + 1 } else { 0 };
         self.zeros.iter_mut().zip(digits).for_each(|(count, &digit)| longer(count, digit == 0));
@@ -156,7 +156,7 @@ impl Place {
     }
 }
 
-/// The digits of one prime from those of the primes before it.
+/// The digits for one prime from the digits for the primes before it.
 struct NextDigits<'a> {
     place: &'a Place,
     digits: &'a [Residues],

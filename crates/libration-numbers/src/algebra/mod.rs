@@ -5,7 +5,7 @@
 //! # extern crate libration_numbers as libration;
 //! use libration::algebra::{BigFloat, Polynomial, Rational};
 //!
-//! // One third is one third, and letters stay letters.
+//! // Fractions are exact, and letters remain symbols.
 //! let third = Rational::new(1, 3).ok_or("zero")?;
 //! assert_eq!((third.clone() + third.clone() + third).to_string(), "1");
 //! let (a, b) = (Polynomial::variable("a"), Polynomial::variable("b"));

@@ -1,17 +1,17 @@
-//! Sums of whole powers of π, also negative ones, as a ring: π is taken as independent of the numbers before it.
+//! Sums of integer powers of π, including negative ones, as a ring in which π is treated as an indeterminate.
 
 use super::ordered_map::{ordered_map, ordered_map_of_all};
 use std::collections::BTreeMap;
 
 use super::{Function, Rational, Ring};
 
-/// All Σ cₚπᵖ over a field of numbers cₚ. Only single terms have an inverse.
+/// All Σ cₚπᵖ with coefficients cₚ in a field. Only single terms have an inverse.
 #[derive(Clone, Debug)]
 pub struct PiPowers<F> {
     pub numbers: F,
 }
 
-/// cₚ by p, none of them zero.
+/// The nonzero coefficients cₚ by p.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PiPolynomial<E> {
     terms: BTreeMap<i32, E>,
@@ -50,7 +50,7 @@ impl<F: Ring> PiPowers<F> {
         Some(PiPolynomial { terms: ordered_map_of_all(terms)? })
     }
 
-    /// The number, when no power of π is left.
+    /// The value, if no power of π occurs.
     fn as_number(&self, a: &PiPolynomial<F::Element>) -> Option<F::Element> {
         if a.terms.is_empty() {
             return Some(self.numbers.zero());

@@ -5,7 +5,7 @@ use std::fmt;
 
 use super::{Rational, Surd};
 
-/// A sum of whole powers of π, also negative ones, times numbers a + b√d.
+/// A sum of integer powers of π, including negative ones, times numbers a + b√d.
 ///
 /// # Examples
 /// ```
@@ -19,7 +19,7 @@ use super::{Rational, Surd};
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PiSum {
-    /// The powers fall.
+    /// The terms, by falling powers.
     terms: Vec<(i32, Surd)>,
 }
 
@@ -38,13 +38,13 @@ impl PiSum {
         &self.terms
     }
 
-    /// Returns whether the sum is 0.
+    /// Returns `true` if the sum is 0.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         self.terms.is_empty()
     }
 
-    /// The fraction that it is; `None` where π or a root is in it.
+    /// The value as a fraction; `None` if π or a root occurs.
     #[must_use]
     pub fn to_rational(&self) -> Option<Rational> {
         match self.terms.as_slice() {

@@ -1,9 +1,9 @@
-//! Arithmetic modulo a prime of 30 bits, for exact answers that are put together from many primes.
+//! Arithmetic modulo a prime of 30 bits, for exact results that are reconstructed from several primes.
 
 use super::Rational;
 use super::primes::is_prime;
 
-/// The integers modulo an odd prime p < 2³⁰, as Montgomery residues: a stands for a·2³² mod p.
+/// The integers modulo an odd prime p < 2³⁰, as Montgomery residues: the word a·2³² mod p represents a.
 ///
 /// Reference: P. L. Montgomery, Math. Comp. 44, 519 (1985), doi:10.1090/S0025-5718-1985-0777282-X.
 #[derive(Clone, Copy, Debug)]
@@ -22,7 +22,7 @@ const LOW_WORD: u64 = u32::MAX as u64;
 impl PrimeField {
     pub fn new(prime: u32) -> Self {
         debug_assert!(prime % 2 == 1 && prime < 1 << 30 && is_prime(prime), "{prime}");
-        // Newton's iteration doubles the bits that are right; p·p ≡ 1 mod 8 gives the first three.
+        // Newton's iteration doubles the number of correct bits; p·p ≡ 1 mod 8 gives the first three.
         let inverse = (0..4).fold(prime, |inverse: u32, _| {
             inverse.wrapping_mul(2_u32.wrapping_sub(prime.wrapping_mul(inverse)))
         });
@@ -37,7 +37,7 @@ impl PrimeField {
         }
     }
 
-    /// The field whose constants were found before.
+    /// The field, from constants that were computed before.
     #[inline(always)]
     pub(super) fn from_constants(prime: u32, negative_inverse: u32, unit: u32, radix_squared: u32) -> Self {
         Self { prime, negative_inverse, unit, radix_squared }
@@ -63,12 +63,12 @@ impl PrimeField {
     /// t/2³² mod p for t < 2³²·p.
     #[inline(always)]
     pub(super) fn reduced(&self, t: u64) -> u32 {
-        // In words of 64 bits, whose products of low words processors have for several at once.
+        // Computed in 64-bit words, since processors multiply the low words of several lanes at once.
         let quotient = ((t & LOW_WORD) * u64::from(self.negative_inverse)) & LOW_WORD;
         self.below(((t + quotient * u64::from(self.prime)) >> 32) as u32)
     }
 
-    /// A number congruent to t, at most (2³² − 1) + (2³² − 1)·(p − 1), which is below 2³²·p and leaves room for twelve products.
+    /// A number congruent to t, at most (2³² − 1) + (2³² − 1)·(p − 1): it is below 2³²·p and leaves room for twelve products.
     #[inline(always)]
     pub(super) fn folded(&self, t: u64) -> u64 {
         (t & LOW_WORD) + (t >> 32) * u64::from(self.unit)
@@ -96,13 +96,13 @@ impl PrimeField {
         difference.min(difference.wrapping_add(self.prime))
     }
 
-    /// Any word as an element: 2³² times what reduces it is allowed.
+    /// Any 32-bit word as an element: it may exceed p, because it is multiplied by a reduced factor.
     #[inline(always)]
     pub fn integer(&self, value: u32) -> u32 {
         self.product(value, self.radix_squared)
     }
 
-    /// The residue of a number that may be longer than a word.
+    /// The residue of a number that may be longer than 32 bits.
     pub fn residue(&self, value: u64) -> u32 {
         self.integer(u32::try_from(value % u64::from(self.prime)).expect("it is below the prime"))
     }
@@ -125,7 +125,7 @@ impl PrimeField {
         result
     }
 
-    /// `None` for zero.
+    /// The inverse; `None` for zero.
     pub fn inverse(&self, a: u32) -> Option<u32> {
         (a != 0).then(|| self.raised(a, self.prime - 2))
     }
@@ -143,7 +143,7 @@ impl PrimeField {
         candidates.into_iter().find(|&root| self.raised(root, order / 2) == minus_one)
     }
 
-    /// `None` when the prime divides the denominator.
+    /// A fraction as an element; `None` if the prime divides the denominator.
     pub fn fraction(&self, value: &Rational) -> Option<u32> {
         let (numerator, denominator) = value.residues(self.prime);
         let whole = self.integer(numerator);
@@ -155,7 +155,7 @@ impl PrimeField {
         }
     }
 
-    /// A square root where there is one (Tonelli and Shanks).
+    /// A square root, if one exists (Tonelli and Shanks).
     pub fn square_root(&self, a: u32) -> Option<u32> {
         if a == 0 {
             return Some(0);
@@ -165,7 +165,7 @@ impl PrimeField {
         let generator = self.root_of_unity(1 << twos)?;
         let mut root = self.raised(a, odd.div_ceil(2));
         let mut rest = self.product(self.product(root, root), self.inverse(a)?);
-        // rest = generator^(2j): take the bits of j off one by one.
+        // rest = generator^(2j): the bits of j are removed one by one.
         for bit in 1..=twos {
             let test = if bit == twos { rest } else { self.raised(rest, 1 << (twos - bit)) };
             if test != self.unit {

@@ -3,20 +3,20 @@
 use super::{Function, PrimeField, Rational, Ring};
 use libration_kernels::dispatch::{Kernel, dispatch_slices};
 
-/// Number of primes: as many products of 32 bits as the widest registers hold.
+/// Number of primes: the number of 32-bit products that the widest registers hold.
 pub const LANES: usize = 8;
 
-/// A number for each prime.
+/// One residue for each prime.
 pub type Residues = [u32; LANES];
 
-/// Sums of products of residues before they are reduced.
+/// Sums of products of residues before reduction.
 pub(super) type Sums = [u64; LANES];
 
 /// Number of products that may be added to a folded sum.
 pub(super) const PRODUCTS: usize = 8;
 
-/// The integers modulo each of eight primes below 2³⁰, as Montgomery residues: a ring in which a number without inverse modulo one of
-/// the primes has none.
+/// The integers modulo each of eight primes below 2³⁰, as Montgomery residues: a ring in which a number has an inverse only if it has one modulo
+/// every prime.
 #[derive(Clone, Debug)]
 pub struct PrimeFields {
     lanes: Lanes,
@@ -24,7 +24,7 @@ pub struct PrimeFields {
     inverses: Vec<Residues>,
 }
 
-/// The fields, constant by constant.
+/// The fields, each constant as an array over the primes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lanes {
     primes: Residues,
@@ -33,10 +33,10 @@ pub(super) struct Lanes {
     radices_squared: Residues,
 }
 
-/// Number of inverses of small integers that are kept.
+/// Number of small integers whose inverses are kept.
 const KEPT_INVERSES: usize = 512;
 
-/// One number for each lane, always compiled into its caller, and so for the same instruction set.
+/// One number for each lane. The function is always inlined, and thus compiled for the instruction set of its caller.
 #[inline(always)]
 fn each<T: Copy + Default>(mut number: impl FnMut(usize) -> T) -> [T; LANES] {
     let mut all = [T::default(); LANES];
@@ -82,13 +82,13 @@ impl Lanes {
         each(|lane| self.field(lane).difference(a[lane], b[lane]))
     }
 
-    /// Room for [`PRODUCTS`] more.
+    /// The sums, reduced far enough that [`PRODUCTS`] more products can be added.
     #[inline(always)]
     pub(super) fn folded(&self, sums: &Sums) -> Sums {
         each(|lane| self.field(lane).folded(sums[lane]))
     }
 
-    /// A sum to which up to [`PRODUCTS`] were added, as residues.
+    /// The residues of sums to which at most [`PRODUCTS`] products were added.
     #[inline(always)]
     pub(super) fn settled(&self, sums: &Sums) -> Residues {
         each(|lane| {
@@ -122,7 +122,7 @@ impl PrimeFields {
         self.lanes.units
     }
 
-    /// A number modulo each prime.
+    /// A number modulo each prime, computed by `number`.
     pub fn in_each(&self, number: impl Fn(&PrimeField) -> Option<u32>) -> Option<Residues> {
         let mut all = [0; LANES];
         for (lane, one) in all.iter_mut().enumerate() {
@@ -135,7 +135,7 @@ impl PrimeFields {
         each(|lane| self.lanes.field(lane).residue(value))
     }
 
-    /// `None` where it is zero modulo one of the primes.
+    /// The inverse; `None` if the number is zero modulo one of the primes.
     pub fn inverse(&self, a: &Residues) -> Option<Residues> {
         inverse(&self.lanes, a)
     }
@@ -154,7 +154,7 @@ fn inverse(lanes: &Lanes, a: &Residues) -> Option<Residues> {
     })
 }
 
-/// 1/0 = 0, 1/1, 1/2, …: all from the inverse of one factorial.
+/// 1/0 = 0, 1/1, 1/2, …, all computed from the inverse of one factorial.
 fn small_inverses(lanes: &Lanes) -> Vec<Residues> {
     let mut integers = vec![[0; LANES]];
     let mut factorials = vec![lanes.units];
@@ -183,7 +183,7 @@ impl Ring for PrimeFields {
         *a == [0; LANES]
     }
 
-    /// `None` when one of the primes divides the denominator.
+    /// A fraction modulo each prime; `None` if one of the primes divides the denominator.
     fn rational(&self, value: &Rational) -> Option<Residues> {
         self.in_each(|field| field.fraction(value))
     }

@@ -1,4 +1,4 @@
-//! Primes of 30 bits whose fields have the roots of unity that values on a circle need.
+//! Primes of 30 bits whose fields have the roots of unity that sampling on a circle requires.
 
 /// Primes between 2²⁹ and 2³⁰ of the form c·2ᵏ + 1, in descending order: they have roots of unity of order 2ᵏ.
 pub fn primes_with_roots(k: u32) -> impl Iterator<Item = u32> {
@@ -9,7 +9,7 @@ pub fn primes_with_roots(k: u32) -> impl Iterator<Item = u32> {
         .filter(|&candidate| is_prime(candidate))
 }
 
-/// Miller and Rabin's test, with the bases that decide below 3.2·10⁹.
+/// Returns `true` for a prime, by Miller and Rabin's test with bases that suffice below 3.2·10⁹.
 ///
 /// Reference: G. Jaeschke, Math. Comp. 61, 915 (1993), doi:10.1090/S0025-5718-1993-1192971-8.
 pub fn is_prime(n: u32) -> bool {

@@ -1,8 +1,8 @@
-//! A field with the square root of one of its elements taken in.
+//! A field extended by the square root of one of its elements.
 
 use super::{Function, Rational, Ring};
 
-/// All a + b·√s over a field that s is taken from. Where s is a square there, some elements have no inverse.
+/// All a + b·√s for a, b and s in a field. If s is a square in that field, some elements have no inverse.
 #[derive(Clone, Debug)]
 pub struct QuadraticField<F: Ring> {
     pub base: F,
@@ -18,7 +18,7 @@ pub struct Quadratic<E> {
 }
 
 impl<F: Ring> QuadraticField<F> {
-    /// An element of the field below.
+    /// An element of the base field as an element of the extension.
     pub fn plain(&self, plain: F::Element) -> Quadratic<F::Element> {
         Quadratic { plain, root: self.base.zero() }
     }
@@ -28,7 +28,7 @@ impl<F: Ring> QuadraticField<F> {
         Some(Quadratic { plain: self.base.zero(), root: self.base.rational(&1.into())? })
     }
 
-    /// The element of the field below; `None` when it has a part in √s.
+    /// The element of the base field; `None` if the coefficient of √s is not zero.
     fn as_plain<'a>(&self, a: &'a Quadratic<F::Element>) -> Option<&'a F::Element> {
         self.base.is_zero(&a.root).then_some(&a.plain)
     }
@@ -76,7 +76,7 @@ impl<F: Ring> Ring for QuadraticField<F> {
         Quadratic { plain: times(&a.plain), root: times(&a.root) }
     }
 
-    /// (a + b√s)/(c + d√s), made rational by c − d√s.
+    /// (a + b√s)/(c + d√s), with the denominator made rational by c − d√s.
     fn divide(&self, a: &Self::Element, divisor: &Self::Element) -> Option<Self::Element> {
         let conjugate = Quadratic { plain: divisor.plain.clone(), root: self.base.negate(&divisor.root) };
         let norm = self.multiply(divisor, &conjugate).plain;

@@ -1,4 +1,4 @@
-//! Exact fractions: the coefficients of series and of leading errors.
+//! Exact fractions, the coefficients of series and of leading errors.
 
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -22,7 +22,7 @@ use dashu_ratio::RBig;
 pub struct Rational(pub(super) RBig);
 
 impl Rational {
-    /// `numerator / denominator` in lowest terms; `None` when the denominator is zero.
+    /// `numerator / denominator` in lowest terms; `None` for a denominator of zero.
     #[must_use]
     pub fn new(numerator: i64, denominator: i64) -> Option<Self> {
         let denominator = IBig::from(denominator);
@@ -32,13 +32,13 @@ impl Rational {
         Some(Self(RBig::from_parts_signed(IBig::from(numerator), denominator)))
     }
 
-    /// The quotient; `None` when the divisor is zero.
+    /// The quotient; `None` for a divisor of zero.
     #[must_use]
     pub fn checked_div(&self, divisor: &Self) -> Option<Self> {
         (!divisor.is_zero()).then(|| Self(&self.0 / &divisor.0))
     }
 
-    /// Returns whether the number is zero.
+    /// Returns `true` if the number is zero.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         self.0.is_zero()
@@ -62,13 +62,13 @@ impl Rational {
         self.0.to_f64().value()
     }
 
-    /// Returns whether double precision represents the number exactly.
+    /// Returns `true` if double precision represents the number exactly.
     #[doc(hidden)]
     pub fn is_double(&self) -> bool {
         matches!(self.0.to_f64(), Approximation::Exact(_))
     }
 
-    /// `numerator / denominator`, the latter not zero.
+    /// `numerator / denominator` for a nonzero denominator.
     #[doc(hidden)]
     pub fn from_parts(numerator: IBig, denominator: UBig) -> Self {
         Self(RBig::from_parts(numerator, denominator))
@@ -80,7 +80,7 @@ impl Rational {
         if self.is_negative() { self.clone().neg() } else { self.clone() }
     }
 
-    /// Returns whether the number is below zero.
+    /// Returns `true` if the number is negative.
     #[must_use]
     pub fn is_negative(&self) -> bool {
         self.parts().0.sign() == Sign::Negative
@@ -92,25 +92,25 @@ impl Rational {
         self.parts().0.bit_len().max(self.parts().1.bit_len())
     }
 
-    /// Returns whether the number is an integer.
+    /// Returns `true` if the number is an integer.
     #[must_use]
     pub fn is_integer(&self) -> bool {
         self.parts().1.is_one()
     }
 
-    /// The number as a natural one, when it is that and fits.
+    /// The number as a `u64`, if it is a natural number in its range.
     #[must_use]
     pub fn to_natural(&self) -> Option<u64> {
         self.is_integer().then(|| u64::try_from(self.parts().0).ok()).flatten()
     }
 
-    /// The root, when it is a fraction.
+    /// The square root, if it is a fraction.
     #[must_use]
     pub fn square_root(&self) -> Option<Self> {
         self.root(2)
     }
 
-    /// The n-th root, when it is a fraction; not negative for even n.
+    /// The n-th root, if it is a fraction; not negative for even n.
     pub(super) fn root(&self, n: usize) -> Option<Self> {
         let exact = |whole: &UBig| Some(whole.nth_root(n)).filter(|root| root.pow(n) == *whole);
         let (numerator, denominator) = self.parts();
@@ -121,20 +121,20 @@ impl Rational {
         Some(Self::from_parts(sign * IBig::from(exact(&magnitude)?), exact(denominator)?))
     }
 
-    /// The fraction of least denominator strictly between two others.
+    /// The fraction with the smallest denominator strictly between two others.
     #[doc(hidden)]
     pub fn simplest_between(low: &Self, high: &Self) -> Self {
         Self(RBig::simplest_in(low.0.clone(), high.0.clone()))
     }
 
-    /// A fraction of few digits, smaller by at most 1/1024 of this positive one.
+    /// A fraction with few digits that is smaller than this positive one by at most 1/1024 of it.
     #[doc(hidden)]
     pub fn coarsened(&self) -> Self {
         let below = Self(&self.0 * RBig::from_parts(1023.into(), 1024_u32.into()));
         Self::simplest_between(&below, self)
     }
 
-    /// aⁿ; `None` for a negative power of zero, or more bits than 2¹⁶.
+    /// aⁿ; `None` for a negative power of zero, and for results of more than 2¹⁶ bits.
     #[must_use]
     pub fn integer_power(&self, n: isize) -> Option<Self> {
         const BITS: usize = 1 << 16;
@@ -147,13 +147,13 @@ impl Rational {
         if n < 0 { Self::from(1).checked_div(&power) } else { Some(power) }
     }
 
-    /// The fraction over 2ⁿ.
+    /// The fraction divided by 2ⁿ.
     #[must_use]
     pub fn divided_by_power_of_two(&self, exponent: usize) -> Self {
         Self(&self.0 / RBig::from(UBig::ONE << exponent))
     }
 
-    /// Numerator and denominator modulo a prime, both between 0 and p − 1.
+    /// Numerator and denominator modulo a prime, each between 0 and p − 1.
     pub(crate) fn residues(&self, prime: u32) -> (u32, u32) {
         let (numerator, denominator) = self.parts();
         let (sign, magnitude) = numerator.clone().into_parts();
@@ -201,14 +201,14 @@ impl Neg for Rational {
     }
 }
 
-/// Writes `-23/737280`, for example, and an integer without its denominator.
+/// Writes the fraction as `-23/737280`, an integer without a denominator.
 impl fmt::Display for Rational {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.fmt(formatter)
     }
 }
 
-/// Reads what [`Display`](fmt::Display) writes: an integer, or two of them about a slash.
+/// Reads the output of [`Display`](fmt::Display): an integer, or two integers separated by a slash.
 impl FromStr for Rational {
     type Err = ParseRationalError;
 

@@ -6,7 +6,7 @@ use dashu_int::{IBig, UBig};
 use super::common_denominator::{OverCommon, composition};
 use super::{Function, Rational, Ring};
 
-/// The field of all fractions.
+/// The field of all rational numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct Rationals;
 
@@ -53,7 +53,7 @@ impl Ring for Rationals {
         (divisor != 0).then(|| Rational(&a.0 / IBig::from(divisor)))
     }
 
-    /// The rational values at rational places: those at zero, ln 1, and the roots of squares.
+    /// Values that are rational: those at zero, ln 1, and the roots of squares.
     fn value(&self, function: Function, at: &Rational) -> Option<Rational> {
         function.at_rational(at)
     }
@@ -68,7 +68,7 @@ impl Ring for Rationals {
         None
     }
 
-    /// The convolution over a common denominator, which is reduced once.
+    /// The convolution over a common denominator, reduced once.
     fn convolution(&self, a: &[Rational], b: &[Rational]) -> Rational {
         let (mut sum, mut denominator) = (IBig::ZERO, UBig::ONE);
         for (a, b) in a.iter().zip(b.iter().rev()).filter(|(a, b)| !a.is_zero() && !b.is_zero()) {
@@ -87,7 +87,7 @@ impl Ring for Rationals {
         Rational::from_parts(sum, denominator)
     }
 
-    /// The product over common denominators, so that one greatest common divisor is taken for each coefficient.
+    /// The product over common denominators, with one greatest common divisor per coefficient.
     fn series_product(&self, a: &[Rational], b: &[Rational], length: usize) -> Vec<Rational> {
         let first = |series: &[Rational]| OverCommon::new(&series[..series.len().min(length)]);
         first(a).product(&first(b), length).into_fractions()

@@ -1,18 +1,18 @@
 //! Fractions from their residues modulo many primes.
 //!
 //! # Method
-//! The same code runs modulo eight primes of 30 bits at once, one in each lane of a vector unit (`prime_fields.rs`); products are added in words of
-//! 64 bits and reduced once. A sum of harmonics is held as its values at roots of unity, so that a product is pointwise (`sampled_harmonics.rs`);
-//! only the part of the circle is sampled that the symmetry of the motion does not repeat.
+//! The same code runs modulo eight primes of 30 bits at once, one in each lane of a vector unit (`prime_fields.rs`); products are added in words
+//! of 64 bits and reduced once. A sum of harmonics is represented by its values at roots of unity, so that products are pointwise
+//! (`sampled_harmonics.rs`). Only the part of the circle that is not repeated by the symmetry of the motion is sampled.
 //!
-//! Numbers are recovered from their residues in mixed radix, eight at once (`mixed_radix.rs`), order by order. The common denominator of an order
-//! is expected to have grown as those of the orders before it did (`expected_denominators.rs`). Multiplied by it, numbers are small integers, whose
-//! last digits vanish; five of these digits belong to primes that had no part in the result. Euclid's algorithm gives the few factors that were not
-//! expected.
+//! Numbers are recovered from their residues in mixed radix, eight at once (`mixed_radix.rs`), order by order. The common denominator of an
+//! order is expected to grow as in the orders before (`expected_denominators.rs`). Multiplied by that denominator, the numbers are small
+//! integers, whose last digits vanish; five of these digits belong to primes that did not contribute to the result. Euclid's algorithm gives the
+//! few factors that were not expected.
 //!
-//! The primes therefore need only as many bits as the numerators have over the common denominator of their order: for the pendulum to order 101
-//! these are 559 of 735, where a single fraction has 1284. The cost is about N³ operations for each prime, and about N/3 primes for series in the
-//! amplitude. Coefficients of low orders need few primes, so that a cancelled expansion keeps those that are certain.
+//! The number of primes therefore depends only on the bits of the numerators over the common denominator of their order. For the pendulum to
+//! order 101 these are 559 of 735 bits, whereas a single fraction needs 1284. The cost is about N³ operations per prime, with about N/3 primes
+//! for series in the amplitude. Coefficients of low orders need few primes, so that a cancelled expansion keeps those that are already certain.
 
 use std::collections::BTreeMap;
 
@@ -20,41 +20,41 @@ use super::expected_denominators::{Common, Growth};
 use super::mixed_radix::MixedRadix;
 use super::{LANES, PrimeFields, Rational, Residues};
 
-/// A computation that can be done modulo any prime but a few bad ones.
+/// A computation that can be done modulo any prime except a few bad ones.
 pub trait Images {
     /// Reason why the computation may end without a result.
     type Error;
 
-    /// The numbers wanted, as residues of `fields`; `None` when one of the primes is bad.
+    /// The results as residues of `fields`; `None` if one of the primes is bad.
     fn image(&mut self, fields: &PrimeFields) -> Result<Option<Vec<Residues>>, Self::Error>;
 
-    /// Places of the numbers; called after the first image.
+    /// Order and family of each number; called after the first image.
     fn places(&self) -> Vec<Place>;
 
-    /// Called while fractions are reconstructed, with the number of primes; an error ends the reconstruction.
+    /// Receives the number of primes while fractions are reconstructed; an error ends the reconstruction.
     fn go_on(&mut self, _primes: usize) -> Result<(), Self::Error> {
         Ok(())
     }
 }
 
-/// Numbers of one order and family have similar denominators, which grow from order to order.
+/// Order and family of a number. Numbers of one order and family have similar denominators, which grow from order to order.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Place {
     pub order: usize,
     pub family: usize,
 }
 
-/// A computation that has come to an early end.
+/// A computation that ended early.
 #[derive(Debug)]
 pub struct Stopped<E> {
     pub error: E,
-    /// The numbers of the lowest orders, those of higher ones being zero, and the highest of these orders, if one was certain.
+    /// The numbers of the lowest orders, with zeros for the higher ones, and the highest of these orders; `None` if no order was certain.
     pub known: Option<(Vec<Rational>, usize)>,
 }
 
-/// The numbers whose images are given: more primes are taken until the fractions found agree with fresh ones.
+/// Reconstructs the numbers from their images: primes are added until the fractions agree with primes that did not contribute to them.
 ///
-/// This is not a proof: a wrong answer would have to agree with five primes of 30 bits that had no part in it.
+/// This is not a proof: a wrong result would have to agree with five additional primes of 30 bits.
 pub fn reconstruct<I: Images>(
     images: &mut I,
     mut primes: impl Iterator<Item = u32>,
@@ -85,17 +85,17 @@ fn next_fields(primes: &mut impl Iterator<Item = u32>) -> Option<PrimeFields> {
     Some(PrimeFields::new(next))
 }
 
-/// The images so far, and the fractions that they suffice to tell, one order after the other.
+/// The images so far, and the fractions that they determine, order by order.
 #[derive(Debug)]
 struct Fractions {
     radix: MixedRadix,
-    /// The residues of each number, or nothing while they are all zero.
+    /// The residues of each number; `None` as long as all are zero.
     residues: Vec<Option<Vec<Residues>>>,
     steps: Vec<(Place, Vec<usize>)>,
-    /// Number of steps that are done.
+    /// Number of completed steps.
     done: usize,
     numbers: Vec<Rational>,
-    /// The denominators of each family.
+    /// The growth of the denominators in each family.
     denominators: BTreeMap<usize, Growth>,
 }
 
@@ -125,7 +125,7 @@ impl Fractions {
         fields.primes().into_iter().for_each(|prime| self.radix.push(prime));
     }
 
-    /// Goes on as far as the primes suffice; whether all is done.
+    /// Continues as far as the primes suffice; returns `true` when all numbers are reconstructed.
     fn advance<I: Images>(&mut self, images: &mut I) -> Result<bool, I::Error> {
         while self.done < self.steps.len() {
             images.go_on(self.radix.len())?;
@@ -137,7 +137,7 @@ impl Fractions {
         Ok(true)
     }
 
-    /// The numbers of the next step; `None` when they need more primes.
+    /// Reconstructs the numbers of the next step; `None` if they need more primes.
     fn solve_next(&mut self) -> Option<()> {
         let (place, wanted) = &self.steps[self.done];
         let present: Vec<usize> = wanted.iter().copied().filter(|&at| self.residues[at].is_some()).collect();
@@ -158,7 +158,7 @@ impl Fractions {
         Some(())
     }
 
-    /// The numbers that are certain, and the highest order of which all are.
+    /// The numbers that are certain, and the highest order that is complete.
     fn of_low_orders(self) -> Option<(Vec<Rational>, usize)> {
         let complete = match self.steps.get(self.done) {
             Some((place, _)) => place.order.checked_sub(1)?,

@@ -1,11 +1,11 @@
-//! Operations that the coefficients of a power series need.
+//! Operations on the coefficients of a power series.
 
 use std::fmt::Debug;
 
 use super::{Function, Rational};
 
-/// A commutative ring that contains the integers. What its elements share, such as a modulus or a precision,
-/// is held by the ring, so that elements are plain data.
+/// A commutative ring that contains the integers. Common data of the elements, such as a modulus or a precision, are held by the ring, so that
+/// elements are plain data.
 ///
 /// ```
 /// # extern crate libration_numbers as libration;
@@ -26,9 +26,9 @@ pub trait Ring {
 
     /// 0.
     fn zero(&self) -> Self::Element;
-    /// Returns whether an element is 0.
+    /// Returns `true` if an element is 0.
     fn is_zero(&self, a: &Self::Element) -> bool;
-    /// The fraction as an element; `None` when it is not in the ring.
+    /// A fraction as an element; `None` if it is not in the ring.
     fn rational(&self, value: &Rational) -> Option<Self::Element>;
     /// a + b.
     fn add(&self, a: &Self::Element, b: &Self::Element) -> Self::Element;
@@ -38,18 +38,18 @@ pub trait Ring {
     fn negate(&self, a: &Self::Element) -> Self::Element;
     /// a·b.
     fn multiply(&self, a: &Self::Element, b: &Self::Element) -> Self::Element;
-    /// The multiple of it.
+    /// The element times an integer.
     fn times_integer(&self, a: &Self::Element, factor: i64) -> Self::Element;
-    /// a/divisor; `None` when there is no quotient in the ring.
+    /// a/divisor; `None` if the quotient is not in the ring.
     fn divide(&self, a: &Self::Element, divisor: &Self::Element) -> Option<Self::Element>;
-    /// a/divisor; `None` when there is no quotient in the ring.
+    /// a/divisor for an integer; `None` if the quotient is not in the ring.
     fn over_integer(&self, a: &Self::Element, divisor: u64) -> Option<Self::Element>;
 
-    /// The value of a function; `None` when it is not in the ring.
+    /// The value of a function; `None` if it is not in the ring.
     fn value(&self, function: Function, at: &Self::Element) -> Option<Self::Element>;
-    /// aᵖ for a fraction p; `None` when it is not in the ring.
+    /// aᵖ for a fraction p; `None` if it is not in the ring.
     fn power(&self, a: &Self::Element, exponent: &Rational) -> Option<Self::Element>;
-    /// π; `None` when it is not in the ring.
+    /// π; `None` if it is not in the ring.
     fn pi(&self) -> Option<Self::Element>;
 
     /// Σ aᵢ·b_{n−1−i} over two slices of the same length n.
@@ -72,8 +72,8 @@ pub trait Ring {
         (0..length).map(coefficient).collect()
     }
 
-    /// The first `length` coefficients of outer(inner(x)) of two power series, the inner one without constant term. `go_on` is checked at
-    /// each step; `None` when it cancels.
+    /// The first `length` coefficients of outer(inner(x)) for two power series, the inner one without constant term. `go_on` is checked at each
+    /// step; `None` if it returns `false`.
     fn series_composition(
         &self,
         outer: &[Self::Element],

@@ -4,17 +4,17 @@ use super::sampled_values::{Harmonic, Pointwise, Scaled, SumOfHarmonics, SumOfPr
 use super::{Function, HarmonicPair, LANES, PhaseRing, PrimeFields, Rational, Residues, Ring};
 use libration_kernels::dispatch::dispatch_slices;
 
-/// Symmetries of all the sums of a ring, by which fewer points determine them.
+/// Symmetries of all the sums of a ring, which reduce the number of points that determine them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Symmetry {
     /// `true` if there are no sines.
     pub even_in_phase: bool,
-    /// The harmonics of one sum are all odd or all even.
+    /// `true` if the harmonics of each sum are all odd or all even.
     pub half_wave: bool,
 }
 
-/// Sums of harmonics up to a degree, as values at zʲ = e^{ijτ₁} of a primitive M-th root z of unity, M > 2·degree.
-/// The empty list of values is zero.
+/// Sums of harmonics up to a degree, represented by their values at zʲ = e^{ijτ₁} for a primitive M-th root of unity z, M > 2·degree. The empty
+/// list of values is zero.
 #[derive(Clone, Debug)]
 pub struct SampledHarmonics {
     fields: PrimeFields,
@@ -22,17 +22,17 @@ pub struct SampledHarmonics {
     /// cos(jτ₁) and sin(jτ₁) for j < M.
     cosines: Vec<Residues>,
     sines: Vec<Residues>,
-    /// 2/M times how many of the M points each sampled point stands for.
+    /// 2/M times the number of points on the circle that each sampled point represents.
     weights: Vec<Residues>,
 }
 
 impl SampledHarmonics {
-    /// M for sums up to `degree`.
+    /// The number M of points on the circle for sums up to `degree`.
     pub fn period(degree: usize) -> usize {
         (2 * degree + 1).next_power_of_two().max(8)
     }
 
-    /// `None` when a prime has no root of unity of order [`Self::period`].
+    /// The ring; `None` if a prime has no root of unity of order [`Self::period`].
     pub fn new(fields: PrimeFields, degree: usize, symmetry: Symmetry) -> Option<Self> {
         let period = Self::period(degree);
         let order = u32::try_from(period).ok()?;
@@ -72,7 +72,7 @@ impl SampledHarmonics {
     }
 }
 
-/// Number of points on the circle for which each sampled one stands: itself and its mirror images, of M points in all.
+/// The number of points on the circle, of M in all, that each sampled point represents: the point itself and its mirror images.
 fn multiplicities(period: usize, symmetry: Symmetry) -> Vec<i64> {
     let with_ends = |last: usize, inner: i64| {
         (0..=last).map(|j| if j == 0 || j == last { inner / 2 } else { inner }).collect()
@@ -184,7 +184,7 @@ impl PhaseRing for SampledHarmonics {
         let half = self.fields.over_integer(&self.fields.unit(), 2).expect("two is not zero");
         let pair = |&k: &usize| {
             let cosine = against(&self.cosines, k);
-            // The mean is half of what the formula for the other harmonics gives.
+            // The formula for the other harmonics gives twice the mean.
             let cosine = if k > 0 { cosine } else { self.fields.multiply(&cosine, &half) };
             let sine = if self.symmetry.even_in_phase || k == 0 { nothing } else { against(&self.sines, k) };
             HarmonicPair { cosine, sine }

@@ -43,7 +43,7 @@ impl Kernel for Scaled<'_> {
     }
 }
 
-/// Σ aⱼ·bⱼ over pairs of sums, four pairs at a time so that a sum is loaded and stored once for them.
+/// Σ aⱼ·bⱼ over pairs of sums, taking four pairs at a time so that each result is loaded and stored once for four.
 pub(super) struct SumOfProducts<'a> {
     pub(super) lanes: &'a Lanes,
     pub(super) pairs: &'a [(&'a [Residues], &'a [Residues])],
@@ -75,7 +75,7 @@ impl Kernel for SumOfProducts<'_> {
     }
 }
 
-/// The part of a weighted sum that a harmonic has.
+/// The contribution of one harmonic to a weighted sum.
 pub(super) struct Harmonic<'a> {
     pub(super) lanes: &'a Lanes,
     pub(super) weighted: &'a [Residues],
@@ -101,10 +101,10 @@ impl Kernel for Harmonic<'_> {
     }
 }
 
-/// A cosine or sine, by its table, with its harmonic and what stands before it.
+/// A term: the table of the cosine or sine, the harmonic, and the coefficient.
 pub(super) type Term<'a> = (&'a [Residues], usize, Residues);
 
-/// The values of some harmonics.
+/// The values of a sum of some harmonics.
 pub(super) struct SumOfHarmonics<'a> {
     pub(super) lanes: &'a Lanes,
     pub(super) terms: &'a [Term<'a>],

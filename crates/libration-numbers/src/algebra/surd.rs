@@ -22,7 +22,7 @@ pub struct Surd {
 }
 
 impl Surd {
-    /// a + b√d in its simplest form, with a whole number under the root that has no small square in it.
+    /// a + b√d in its simplest form: the number under the root is an integer without small square factors.
     #[must_use]
     pub fn new(a: Rational, b: Rational, d: Rational) -> Self {
         let (factor, radicand) = without_squares(&d);
@@ -54,7 +54,7 @@ impl Surd {
         &self.radicand
     }
 
-    /// The fraction that it is; `None` when it has a root.
+    /// The value as a fraction; `None` if the root remains.
     #[must_use]
     pub fn to_rational(&self) -> Option<&Rational> {
         self.root.is_zero().then_some(&self.plain)
@@ -67,7 +67,7 @@ impl Surd {
         Self::new(times(&self.plain), times(&self.root), self.radicand.clone())
     }
 
-    /// The value, accurate to some units in the last place for any signs of the terms.
+    /// The value, accurate to a few units in the last place whatever the signs of the terms.
     #[must_use]
     pub fn to_f64(&self) -> f64 {
         let root = self.root.to_f64() * self.radicand.to_f64().sqrt();
@@ -81,7 +81,7 @@ impl Surd {
         norm.to_f64() / (plain - root)
     }
 
-    /// Its square root as text: `1/2`, `sqrt(3)`, `sqrt(2 - sqrt(2))`.
+    /// The square root of the number as text: `1/2`, `sqrt(3)`, `sqrt(2 - sqrt(2))`.
     #[must_use]
     pub fn square_root_text(&self) -> String {
         let root = self.to_rational().and_then(Rational::square_root);
@@ -95,7 +95,7 @@ impl From<Rational> for Surd {
     }
 }
 
-/// s and d with √x = s√d and a whole d, from which the squares of small primes are taken.
+/// s and d with √x = s√d and an integer d, without the squares of small primes.
 fn without_squares(x: &Rational) -> (Rational, Rational) {
     const LARGEST: i64 = 1000;
     if let Some(root) = x.square_root() {

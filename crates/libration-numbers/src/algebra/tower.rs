@@ -1,19 +1,18 @@
-//! A tower of square roots over the fractions, as high as it has to be.
+//! A tower of square roots over the rational numbers, extended when necessary.
 
 use super::{Function, Rational, Rationals, Ring};
 
-/// All sums of products of square roots, each of which is that of an element of the field below it.
+/// All sums of products of square roots; each root is that of an element of the field below it.
 ///
-/// An element has 2ʰ fractions, where h is the number of roots: first those without the last root, then those with it.
+/// An element consists of 2ʰ fractions, where h is the number of roots: first the part without the last root, then its coefficient.
 #[derive(Clone, Debug, Default)]
 pub struct Tower {
-    /// s₁, s₂, …, each as an element of the field of the roots before it.
+    /// s₁, s₂, …, each as an element of the field of the previous roots.
     squares: Vec<Vec<Rational>>,
 }
 
 impl Tower {
-    /// Takes the square root of an element in, unless it is there already; the root, and the tower may have become higher by one.
-    /// `None` for a negative number.
+    /// The square root of an element; the tower is extended by one root if it does not contain it yet. `None` for a negative number.
     pub fn adjoin_root(&mut self, square: &[Rational]) -> Option<Vec<Rational>> {
         let square = self.lifted(square);
         if let Some(root) = self.root_of(&square) {
@@ -28,14 +27,14 @@ impl Tower {
         Some(root)
     }
 
-    /// An element of a field further down.
+    /// An element of a lower field as an element of the whole tower.
     pub fn lifted(&self, element: &[Rational]) -> Vec<Rational> {
         let mut lifted = element.to_vec();
         lifted.resize(1 << self.squares.len(), Rational::from(0));
         lifted
     }
 
-    /// The element as a number. Terms of both signs cancel as they do in `f64`.
+    /// The value of the element. Terms of opposite signs cancel as they do in `f64`.
     pub fn number(&self, element: &[Rational]) -> f64 {
         let height = element.len().trailing_zeros() as usize;
         match height.checked_sub(1) {
@@ -71,7 +70,7 @@ impl Tower {
         if text.is_empty() { "0".to_owned() } else { text }
     }
 
-    /// An element of the field whose square this one is, positive.
+    /// The positive element of the field whose square is this element, if there is one.
     fn root_of(&self, element: &[Rational]) -> Option<Vec<Rational>> {
         let root = self.any_root_of(element)?;
         Some(if self.number(&root) < 0.0 { self.negate(&root) } else { root })
@@ -134,7 +133,7 @@ impl Tower {
         [plain, self.sum(&self.product(a, d), &self.product(c, b))].concat()
     }
 
-    /// The inverse by the conjugate, whose product with the element lies in the field below.
+    /// The inverse, by means of the conjugate, whose product with the element lies in the field below.
     fn inverse(&self, a: &[Rational]) -> Option<Vec<Rational>> {
         if a.len() == 1 {
             return Rational::from(1).checked_div(&a[0]).map(|it| vec![it]);
@@ -148,7 +147,7 @@ impl Tower {
         Some([self.product(plain, &inverse), self.product(&minus, &inverse)].concat())
     }
 
-    /// The fraction that it is.
+    /// The value, if the element is a fraction.
     fn to_rational<'a>(&self, a: &'a [Rational]) -> Option<&'a Rational> {
         self.is_zero_slice(&a[1..]).then_some(&a[0])
     }

@@ -1,4 +1,4 @@
-//! Polynomials in one variable with fractions for coefficients, constant term first.
+//! Polynomials in one variable with rational coefficients, constant term first.
 
 use super::{Rational, Rationals, Ring};
 
@@ -28,7 +28,7 @@ pub fn divided(polynomial: &[Rational], by: &[Rational]) -> Option<(Vec<Rational
     Some((quotient, trimmed(rest)))
 }
 
-/// The quotient, when there is no remainder.
+/// The quotient, if the remainder is zero.
 pub fn divided_exactly(polynomial: &[Rational], by: &[Rational]) -> Option<Vec<Rational>> {
     divided(polynomial, by).filter(|(_, rest)| rest.is_empty()).map(|(quotient, _)| quotient)
 }
@@ -47,7 +47,7 @@ fn common_divisor(a: &[Rational], b: &[Rational]) -> Vec<Rational> {
     a.iter().filter_map(|c| c.checked_div(&leading)).collect()
 }
 
-/// The factors whose roots are simple, each with how many times it stands in the polynomial (Yun's algorithm).
+/// The square-free factors of the polynomial, each with its multiplicity (Yun's algorithm).
 pub fn square_free_factors(polynomial: &[Rational]) -> Vec<(Vec<Rational>, usize)> {
     let (mut factors, mut multiplicity) = (vec![], 1);
     if polynomial.len() < 2 {

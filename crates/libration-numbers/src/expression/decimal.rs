@@ -1,15 +1,15 @@
-//! Decimal numbers, exactly: text to fraction and back.
+//! Exact decimal numbers: from text to fraction and back.
 
 use dashu_int::{IBig, UBig};
 
 use crate::algebra::Rational;
 
-/// The most digits, and the largest power of ten, that a number in a formula may have.
+/// Limits for a number in a formula: the number of digits, and the power of ten.
 pub(super) const LONGEST: usize = 1000;
-/// Zeros written out before the power of ten is written instead.
+/// Largest number of zeros that are written out instead of a power of ten.
 const ZEROS: usize = 20;
 
-/// digits · 10^exponent, of decimal digits; `None` beyond `LONGEST`.
+/// digits · 10^exponent for a text of decimal digits; `None` beyond `LONGEST`.
 pub fn from_digits(digits: &str, exponent: i64) -> Option<Rational> {
     let significant = digits.trim_start_matches('0').trim_end_matches('0');
     if significant.is_empty() {
@@ -29,7 +29,7 @@ pub fn from_digits(digits: &str, exponent: i64) -> Option<Rational> {
     })
 }
 
-/// A number that is not negative as a decimal such as `12`, `0.125` or `1e-30`; `None` when it does not end.
+/// A nonnegative number as a decimal such as `12`, `0.125` or `1e-30`; `None` if the decimals do not end.
 pub fn to_decimal(value: &Rational) -> Option<String> {
     let (numerator, denominator) = value.parts();
     let places = decimal_places(denominator)?;
@@ -50,7 +50,7 @@ pub fn to_decimal(value: &Rational) -> Option<String> {
     })
 }
 
-/// The smallest n for which the denominator divides 10ⁿ; `None` when there is none.
+/// The smallest n for which the denominator divides 10ⁿ, if there is one.
 fn decimal_places(denominator: &UBig) -> Option<usize> {
     let twos = denominator.trailing_zeros()?;
     let (mut rest, mut fives) = (denominator >> twos, 0);

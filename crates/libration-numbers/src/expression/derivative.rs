@@ -5,9 +5,8 @@ use super::{Expression, Function, Symbol};
 use crate::algebra::{Divisor, Pair, Rule, Slope};
 
 impl Expression {
-    /// The partial derivative with respect to a symbol, in the form of [`simplified`](Self::simplified). A symbol and
-    /// its time derivatives are independent of each other. |u| has the derivative sign(u)·u′ and sign(u) has zero, also where
-    /// u vanishes and neither is differentiable.
+    /// The partial derivative with respect to a symbol, in the form of [`simplified`](Self::simplified). A symbol and its time derivatives count
+    /// as independent. The derivative of |u| is sign(u)·u′ and that of sign(u) is zero, even where u vanishes and neither is differentiable.
     #[must_use]
     pub fn derivative(&self, by: &Symbol) -> Self {
         self.simplified().derivative_of_simplified(by)
@@ -56,7 +55,7 @@ fn of_power(a: &Expression, b: &Expression, by: &Symbol) -> Expression {
     sum(first, product(product(power(a.clone(), b.clone()), logarithm), exponent))
 }
 
-/// f(u)′ for an inner derivative u′ that is not zero.
+/// f(u)′ for a nonzero inner derivative u′.
 fn of_call(function: Function, u: &Expression, inner: Expression) -> Expression {
     let of = |function| call(function, u.clone());
     let square = |a: Expression| power(a, Expression::from(2));

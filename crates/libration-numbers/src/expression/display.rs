@@ -1,4 +1,4 @@
-//! Formulas as text, in the form in which they are read: reading what is written gives the same tree.
+//! Formulas as text that is parsed as the same tree.
 
 use std::fmt;
 
@@ -13,7 +13,7 @@ impl fmt::Display for Symbol {
     }
 }
 
-/// Writes the formula with as few brackets as reading it back allows. A number whose decimals do not end is written as a quotient.
+/// Writes the formula with the fewest brackets from which the same tree is parsed. A number whose decimals do not end is written as a quotient.
 impl fmt::Display for Expression {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -52,7 +52,7 @@ fn binding_of_number(value: &Rational) -> Binding {
     if to_decimal(value).is_some() { Binding::Atom } else { Binding::Product }
 }
 
-/// A part that is bracketed unless it binds at least so tightly.
+/// A part of a formula, in brackets unless it binds at least this tightly.
 struct Part<'a> {
     tree: &'a Expression,
     bracketed: bool,

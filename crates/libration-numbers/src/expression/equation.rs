@@ -1,4 +1,4 @@
-//! Equations of motion from text, solved for the accelerations, or for the rates of change where they are of the first order.
+//! Equations of motion from text, solved for the accelerations, or for the rates of change if they are of first order.
 
 mod error;
 mod indexed;
@@ -18,11 +18,12 @@ use indexed::{Written, expanded};
 pub use order::Order;
 use order::own_derivatives;
 
-/// Equations of motion, one for each variable, solved for its highest derivative: the acceleration, or the rate of change of a
-/// variable whose equation is of the first order.
+/// Equations of motion, one for each variable, solved for its highest derivative: the acceleration, or the rate of change of a variable whose
+/// equation is of first order.
 ///
-/// A variable is what has two primes, or one prime in an equation without two; t is the time; all other names are parameters. With an index
-/// and its range one equation stands for many, whose variables are x1, x2, …; what lies outside the range is zero, or what is said of it.
+/// A variable is a name with two primes, or with one prime in an equation without two; t is the time; all other names are parameters. With an
+/// index and its range, one equation stands for several, whose variables are x1, x2, …; members outside the range are zero, unless another
+/// equation states their values.
 ///
 /// # Examples
 /// ```
@@ -51,14 +52,14 @@ pub struct Equation {
 type Sides = (Expression, Expression);
 
 impl Equation {
-    /// The equations that give each variable its acceleration.
+    /// The equations with these accelerations of the variables.
     #[doc(hidden)]
     pub fn of_accelerations(variables: Vec<String>, accelerations: Vec<Expression>) -> Self {
         let orders = vec![Order::Second; variables.len()];
         Self::of_derivatives(variables, orders, accelerations)
     }
 
-    /// The equations that give each variable its highest derivative.
+    /// The equations with these highest derivatives of the variables.
     #[doc(hidden)]
     pub fn of_derivatives(variables: Vec<String>, orders: Vec<Order>, derivatives: Vec<Expression>) -> Self {
         let own = |(name, order): (&String, &Order)| Expression::Symbol(order.derivative_of(name));
@@ -78,24 +79,23 @@ impl Equation {
         &self.orders
     }
 
-    /// The highest derivative of each variable, as a formula in variables, the first derivatives of those whose equation is of the second
-    /// order, t and parameters.
+    /// The highest derivative of each variable, as a formula in variables, first derivatives of second-order variables, t and parameters.
     #[must_use]
     pub fn derivatives(&self) -> &[Expression] {
         &self.derivatives
     }
 
-    /// The second derivative of each variable, as a formula in variables, first derivatives, t and parameters. Of equations of the first
-    /// order, which [`Self::refuse_first_order`] keeps out, the rates of change.
+    /// The second derivative of each variable, as a formula in variables, first derivatives, t and parameters; for an equation of first order,
+    /// which [`Self::refuse_first_order`] excludes, the rate of change.
     #[must_use]
     pub fn accelerations(&self) -> &[Expression] {
         &self.derivatives
     }
 
-    /// Refuses equations of the first order, for methods that need accelerations.
+    /// Rejects equations of first order, for methods that need accelerations.
     ///
     /// # Errors
-    /// The first variable whose equation is of the first order.
+    /// The first variable whose equation is of first order.
     pub fn refuse_first_order(&self) -> Result<(), SecondOrderError> {
         let mut pairs = self.variables.iter().zip(&self.orders);
         match pairs.find(|(_, order)| **order == Order::First) {
@@ -104,7 +104,7 @@ impl Equation {
         }
     }
 
-    /// Factor of each highest derivative in the equations as they are written: the masses, in `m x'' + k x = 0`.
+    /// Factor of each highest derivative in the equations as written: the mass, in `m x'' + k x = 0`.
     #[doc(hidden)]
     pub fn inertias(&self) -> Vec<Expression> {
         let factor = |((left, right), own): (&Sides, Symbol)| {
@@ -113,14 +113,13 @@ impl Equation {
         self.written.iter().zip(self.own_derivatives()).map(factor).collect()
     }
 
-    /// Derivative for which each equation is solved: `x''`, or `x'` where it is of the first order.
+    /// The derivative for which each equation is solved: `x''`, or `x'` for an equation of first order.
     #[doc(hidden)]
     pub fn own_derivatives(&self) -> impl Iterator<Item = Symbol> {
         self.variables.iter().zip(&self.orders).map(|(name, order)| order.derivative_of(name))
     }
 
-    /// A formula with the equations in the place of rates of change that are no numbers of a state: those of variables whose equation is
-    /// of the first order.
+    /// A formula in which the rates of change of first-order variables, which are not components of the state, are replaced by their equations.
     ///
     /// ```
     /// # extern crate libration_numbers as libration;
@@ -144,7 +143,7 @@ impl Equation {
         }
     }
 
-    /// The names that are neither variables nor the time.
+    /// The names that denote neither variables nor the time.
     #[must_use]
     pub fn parameters(&self) -> BTreeSet<String> {
         let sides = self.written.iter().flat_map(|(left, right)| [left, right]);
@@ -152,20 +151,20 @@ impl Equation {
         names.filter(|name| name != TIME && !self.variables.contains(name)).collect()
     }
 
-    /// Parameters as the equations name them: ω0 is omega0.
+    /// Parameters under the names that the equations use: omega0 for ω0.
     ///
     /// # Errors
-    /// A name that is not a parameter.
+    /// A name that does not denote a parameter.
     pub fn parameters_called(&self, names: &[&str]) -> Result<Vec<String>, EquationError> {
         let known = self.parameters();
         names.iter().map(|name| Ok(parameter(name, &known)?.name)).collect()
     }
 
-    /// The equations with constants in the place of parameters, and numbers worked out where one is put in.
+    /// The equations with constants in place of parameters, and with arithmetic done where a constant was inserted.
     ///
     /// # Errors
-    /// A name that is not a parameter, or is given twice; a value that contains symbols, or has no value, as 1/0; an equation whose highest
-    /// derivative drops out, or that has no value with these.
+    /// A name that does not denote a parameter, or is given twice; a value that contains symbols or is undefined, such as 1/0; an equation that
+    /// is undefined, or loses its highest derivative, for these values.
     pub fn with(&self, values: &[(&str, Expression)]) -> Result<Self, EquationError> {
         let known = self.parameters();
         let mut written = self.written.clone();
@@ -215,8 +214,8 @@ impl Equation {
         Ok(Self { derivatives, ..solved })
     }
 
-    /// Returns how equations are understood that are written more freely than they are written back, as `d²x/dt² + sin 2x = 0` is; `None` for others,
-    /// and for text that is not understood.
+    /// The interpretation of equations in a notation that is not used for output, such as `d²x/dt² + sin 2x = 0`; `None` for other equations,
+    /// and for text that cannot be parsed.
     ///
     /// ```
     /// # extern crate libration_numbers as libration;
@@ -242,7 +241,7 @@ impl Equation {
 /// The name of the time.
 const TIME: &str = "t";
 
-/// The parameter of this name, which may be written as in a formula: ω0 is omega0.
+/// The parameter with this name, which may be in the notation of a formula: omega0 for ω0.
 fn parameter(name: &str, known: &BTreeSet<String>) -> Result<Symbol, EquationError> {
     match name.parse() {
         Ok(Expression::Symbol(symbol)) if symbol.primes == 0 && known.contains(&symbol.name) => Ok(symbol),
@@ -250,13 +249,13 @@ fn parameter(name: &str, known: &BTreeSet<String>) -> Result<Symbol, EquationErr
     }
 }
 
-/// Refuses parts such as 1/0.
+/// Rejects parts such as 1/0.
 fn refuse_without_value(written: &[Sides]) -> Result<(), EquationError> {
     let mut sides = written.iter().flat_map(|(left, right)| [left, right]);
     sides.find_map(Expression::without_value).map_or(Ok(()), |missing| Err(missing.into()))
 }
 
-/// Refuses derivatives of names that are not variables.
+/// Rejects derivatives of names that do not denote variables.
 fn refuse_foreign_derivatives(written: &[Sides], variables: &[String]) -> Result<(), EquationError> {
     let sides = written.iter().flat_map(|(left, right)| [left, right]);
     let mut symbols = sides.flat_map(Expression::symbols);
@@ -266,7 +265,7 @@ fn refuse_foreign_derivatives(written: &[Sides], variables: &[String]) -> Result
     }
 }
 
-/// Solves left = right, of the form a·x″ + b = 0, for x″, or x′ in its place.
+/// Solves left = right, which has the form a·x″ + b = 0, for x″ (or x′).
 fn solve(left: &Expression, right: &Expression, own: &Symbol) -> Result<Expression, EquationError> {
     if *left == Expression::Symbol(own.clone()) && !right.contains(own) {
         return Ok(right.simplified());
@@ -283,7 +282,7 @@ fn solve(left: &Expression, right: &Expression, own: &Symbol) -> Result<Expressi
     Ok(quotient(opposite(rest), factor))
 }
 
-/// −a, with the sign taken into sums.
+/// −a, with the sign moved into sums.
 fn opposite(a: Expression) -> Expression {
     match a {
         Expression::Add(a, b) => difference(opposite(*a), *b),
@@ -295,8 +294,8 @@ fn opposite(a: Expression) -> Expression {
 /// Reads one equation, or several with `;` between them.
 ///
 /// # Errors
-/// Text that is not a formula; no `=`, or two; an equation that is for none or for several derivatives, or not linear in its own; derivatives of the
-/// third order; parts that have no value, as 1/0.
+/// Text that is not a formula; no `=`, or two; an equation that could be for none or several derivatives, or is not linear in its highest
+/// derivative; derivatives of third order; parts that are undefined, such as 1/0.
 impl FromStr for Equation {
     type Err = EquationError;
 
@@ -305,7 +304,7 @@ impl FromStr for Equation {
     }
 }
 
-/// The sides of each equation, and whether they are written more freely than they are written back.
+/// The sides of each equation, and `true` if the text uses a notation that is not used for output.
 fn sides(text: &str) -> Result<(Vec<Sides>, bool), EquationError> {
     let mut parser = Parser::new(text)?;
     let mut written = Vec::new();
@@ -333,7 +332,7 @@ fn one_equation(parser: &mut Parser) -> Result<Sides, EquationError> {
     }
 }
 
-/// Writes the equations as they were understood; several with `;` between them.
+/// Writes the equations as they were interpreted, separated by `;`.
 impl fmt::Display for Equation {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (place, (left, right)) in self.written.iter().enumerate() {

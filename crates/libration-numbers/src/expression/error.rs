@@ -4,18 +4,18 @@ use std::fmt;
 
 /// Reason why a text is not a formula, and the position in it.
 ///
-/// The message has three lines: the error and its remedy, the text about the position, and a caret below it.
+/// The message has three lines: the error with a remedy, the text around the error, and a caret below its position.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ParseError {
     /// The error.
     pub fault: Fault,
-    /// Bytes of the text before the place.
+    /// Bytes of the text before the error.
     pub byte: usize,
-    /// The place counted in characters, the first being 1.
+    /// The position in characters, counted from 1.
     pub column: usize,
-    /// The text about the place.
+    /// The text around the error.
     excerpt: String,
-    /// Columns of the excerpt before the place.
+    /// Columns of the excerpt before the error.
     indent: usize,
 }
 
@@ -23,18 +23,18 @@ pub struct ParseError {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Fault {
-    /// Nothing but spaces.
+    /// Empty text.
     #[error("the formula is empty: write one such as x'' + sin(x) = 0")]
     Empty,
-    /// A text beyond the limit.
+    /// A text longer than the limit.
     #[error("the text has {length} bytes: give at most {limit}")]
     TooLong {
-        /// Bytes of the text.
+        /// Length of the text in bytes.
         length: usize,
-        /// Bytes allowed.
+        /// Largest length in bytes.
         limit: usize,
     },
-    /// Brackets, signs, powers or sums deeper than the limit.
+    /// Brackets, signs, powers or sums nested deeper than the limit.
     #[error(
         "the formula is nested more than {limit} levels deep, each sign, bracket and summand of a sum \
          being a level: split it by brackets, as in (a + b + …) + (c + d + …)"
@@ -43,7 +43,7 @@ pub enum Fault {
         /// Levels allowed.
         limit: usize,
     },
-    /// One argument where there are two.
+    /// One argument where two are required.
     #[error("max and min take two formulas: write max(x, 0)")]
     OneArgument,
     /// A number with too many digits or too large an exponent.
@@ -52,7 +52,7 @@ pub enum Fault {
         /// Digits allowed.
         limit: usize,
     },
-    /// A character that means nothing here.
+    /// A character without a meaning in formulas.
     #[error("`{}` is not understood: {hint}", found.escape_debug())]
     UnknownCharacter {
         /// The character.
@@ -60,13 +60,13 @@ pub enum Fault {
         /// The remedy.
         hint: &'static str,
     },
-    /// Something where a number, a name or a bracket should be.
+    /// Other text where a number, a name or a bracket is expected.
     #[error("expected a number, a name or (, found {found}")]
     MissingOperand {
         /// The text found.
         found: String,
     },
-    /// Something where an operator or the end should be.
+    /// Other text where an operator or the end is expected.
     #[error("{found} cannot follow here: write an operator before it, or leave it out")]
     Unexpected {
         /// The text found.
@@ -88,9 +88,9 @@ pub enum Fault {
     AmbiguousArgument {
         /// The function.
         function: &'static str,
-        /// The part that certainly belongs to its argument.
+        /// The part that certainly belongs to the argument.
         argument: String,
-        /// The part that may belong to it.
+        /// The part that may belong to the argument.
         rest: String,
     },
     /// `\foo`.
@@ -139,10 +139,10 @@ pub enum Fault {
     /// x²^3.
     #[error("a power of a power written with ² is ambiguous: write (x^2)^3 or x^(2^3)")]
     PowerOfPower,
-    /// A number after something it might multiply.
+    /// A number directly after a possible factor.
     #[error("a number cannot follow here without a sign: write a*2 for a product, a^2 for a power")]
     NumberAfterFactor,
-    /// More primes than a derivative has.
+    /// More than three primes.
     #[error("too many primes: write at most x'''")]
     TooManyPrimes,
     /// = or ; in a formula.
@@ -155,7 +155,7 @@ fn functions() -> String {
 }
 
 impl ParseError {
-    /// Characters shown on either side of the place.
+    /// Number of characters shown on either side of the error.
     const SHOWN: usize = 30;
 
     pub(super) fn new(text: &str, byte: usize, fault: Fault) -> Self {
@@ -177,7 +177,7 @@ fn visible(c: char) -> char {
     if c.is_control() { ' ' } else { c }
 }
 
-/// The dots that stand above the letter before them.
+/// Returns `true` for the dots that stand above the preceding letter.
 fn is_combining(c: char) -> bool {
     ('\u{300}'..'\u{370}').contains(&c)
 }

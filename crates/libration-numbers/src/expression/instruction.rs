@@ -1,4 +1,4 @@
-//! Operations of a tape: computation of values, and of further coefficients of series, in any ring and wherever the series are stored.
+//! Operations of a tape: computation of values and of further series coefficients, in any ring and for any storage of the series.
 
 use super::tape::Operation;
 use crate::algebra::{Function, Pair, Rational, Ring, Rule, Slope};
@@ -6,11 +6,12 @@ use crate::series::recurrences::{
     Both, quotient, weighted_integral, weighted_integral_of_quotient, weighted_power,
 };
 
-/// From this order on quotients by what does not depend on the variable are products with its reciprocal, where that is at hand: four hundred
-/// driven pendulums, with θ′/2 among their terms, take 0.95 of the time. Its rounding is the same at all orders; below, it would be felt.
+/// Order from which a quotient by a constant is computed as a product with its reciprocal, if that is available: four hundred driven pendulums,
+/// with θ′/2 among their terms, then take 0.95 of the time. The rounding error of the reciprocal is the same at all orders; at lower orders it
+/// would matter.
 const RECIPROCAL_FROM: usize = 8;
 
-/// Computation of a zeroth coefficient from those in the rows P, with exponents X.
+/// Computation of a zeroth coefficient from those in rows P, with exponents X.
 #[derive(Clone, Copy, Debug)]
 pub enum Value<P, X> {
     Negate(P),
@@ -22,7 +23,7 @@ pub enum Value<P, X> {
     Of(Function, P),
 }
 
-/// Computation of the next coefficient of a row. A weighted row holds n times the coefficients of another.
+/// Computation of the next coefficient of a row. A weighted row holds n times the coefficients of another row.
 #[derive(Clone, Copy, Debug)]
 pub enum Instruction<P, X> {
     Weight {
@@ -43,7 +44,7 @@ pub enum Instruction<P, X> {
         b: P,
         out: P,
     },
-    /// A factor that does not depend on the variable.
+    /// Product with a constant factor.
     Scale {
         factor: P,
         a: P,
@@ -58,7 +59,7 @@ pub enum Instruction<P, X> {
         a: P,
         out: P,
     },
-    /// A divisor that does not depend on the variable, and a row that begins with its reciprocal.
+    /// Quotient by a constant divisor; the reciprocal is the first element of its row.
     Unscale {
         a: P,
         divisor: P,
@@ -79,7 +80,7 @@ pub enum Instruction<P, X> {
         a: Weighted<P>,
         out: P,
     },
-    /// The derivative is `other`, with a sign, times that of a series of this degree.
+    /// The derivative is `other`, with a sign, times the derivative of a series of this degree.
     Paired {
         a: Weighted<P>,
         degree: usize,
@@ -87,7 +88,7 @@ pub enum Instruction<P, X> {
         slope: Slope,
         out: P,
     },
-    /// The derivative is one and the square, with a sign, times that of a series.
+    /// The derivative is one plus or minus the square, times the derivative of a series.
     Tangent {
         slope: Slope,
         a: P,
@@ -128,7 +129,7 @@ pub trait Evaluator<P, X> {
         base: &<Self::Ring as Ring>::Element,
         exponent: &X,
     ) -> Option<<Self::Ring as Ring>::Element>;
-    /// Returns whether a power of a series that begins with zero has no coefficient n yet.
+    /// Returns `true` if this power of a series without constant term has no coefficient n yet.
     fn begins_beyond(&self, exponent: &X, n: usize) -> bool;
     /// The last coefficient of the square of a₀ … aₙ.
     #[inline(always)]
@@ -155,7 +156,7 @@ pub trait Evaluator<P, X> {
     ) -> Option<<Self::Ring as Ring>::Element> {
         over_integer(self.ring(), &weighted_integral(self.ring(), weighted_a, b), b.len())
     }
-    /// A quotient by the base of a power; where that is zero, zero if the power begins later.
+    /// A quotient by the base of a power; if the base is zero, zero for a power that begins at a later order.
     fn over_base(
         &self,
         value: &<Self::Ring as Ring>::Element,
@@ -170,7 +171,7 @@ fn over_integer<R: Ring>(ring: &R, a: &R::Element, n: usize) -> Option<R::Elemen
 }
 
 impl<P: Copy, X> Value<P, X> {
-    /// `None` for what is given.
+    /// The computation for an operation; `None` for inputs and constants.
     pub fn new<'a>(
         operation: &'a Operation,
         at: impl Fn(usize) -> P,
@@ -193,7 +194,7 @@ impl<P: Copy, X> Value<P, X> {
         })
     }
 
-    /// Returns whether the value takes more than arithmetic.
+    /// Returns `true` if the value requires more than arithmetic.
     pub fn is_function(&self) -> bool {
         matches!(self, Self::Power(..) | Self::Of(..))
     }
@@ -208,7 +209,7 @@ impl<P: Copy, X> Value<P, X> {
         }
     }
 
-    /// `None` where there is none in the ring.
+    /// Computes the value; `None` if it is not in the ring.
     #[inline(always)]
     pub fn evaluate<E: Evaluator<P, X>>(&self, on: &E) -> Option<<E::Ring as Ring>::Element> {
         let ring = on.ring();
@@ -226,7 +227,7 @@ impl<P: Copy, X> Value<P, X> {
 }
 
 impl<P: Copy, X> Instruction<P, X> {
-    /// For the operation at a place; `None` for what is given. A degree of zero is that of what does not depend on the variable.
+    /// The instruction for the operation at a position; `None` for inputs and constants. A row of degree zero is constant.
     pub fn new<'a>(
         operation: &'a Operation,
         place: usize,
@@ -271,8 +272,7 @@ impl<P: Copy, X> Instruction<P, X> {
         })
     }
 
-    /// The row and its coefficient n, those before it and those of the operands being known; `None` where there is none in
-    /// the ring.
+    /// The row and its coefficient n, from the earlier coefficients and those of the operands; `None` if it is not in the ring.
     #[inline(always)]
     pub fn evaluate<E: Evaluator<P, X>>(&self, on: &E, n: usize) -> Option<(P, <E::Ring as Ring>::Element)> {
         let ring = on.ring();
@@ -322,7 +322,7 @@ impl<P: Copy, X> Instruction<P, X> {
                 (out.plain, over_n(weighted_integral_of_quotient(ring, at(a), own, before(divisor))?)?)
             }
             Self::Abs { a, out } => (out, ring.multiply(&ring.divide(first(out), first(a))?, at(a))),
-            // Constant on either side of zero, where it has no series.
+            // The sign is constant on either side of zero; at zero it has no series.
             Self::Sign { a, .. } if ring.is_zero(first(a)) => return None,
             Self::Sign { out, .. } => (out, ring.zero()),
         })

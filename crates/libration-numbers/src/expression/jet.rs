@@ -1,11 +1,11 @@
-//! A tape evaluated on power series, one power of the variable after the other.
+//! A tape evaluated on power series, one order after the other.
 //!
 //! # Method
-//! A formula becomes a tape (`tape.rs`): a list of elementary operations without repetitions. A jet holds the power series of every position of the
-//! tape, over any `Ring`, and appends one coefficient after the other by the recurrence of each operation (`series/recurrences.rs`), which is
-//! written once. The last coefficients of all positions are linear in the last ones of the inputs, by factors that are the first coefficients of a
-//! jet of their own (`Jet::gains`). An unknown coefficient can therefore be left out, solved for, and inserted (`Jet::amend`): in this way the same
-//! tape solves for a motion.
+//! A formula becomes a tape (`tape.rs`): a list of elementary operations without repetitions. A jet holds the power series of every position of
+//! the tape, over any `Ring`, and appends one coefficient after the other by the recurrence of each operation (`series/recurrences.rs`), which
+//! is written once. The last coefficients of all positions depend linearly on the last ones of the inputs; the factors are the first
+//! coefficients of another jet (`Jet::gains`). An unknown coefficient can therefore be left out, solved for, and inserted (`Jet::amend`): in
+//! this way the same tape solves for a motion.
 
 use super::instruction::{Evaluator, Instruction, Value, Weighted};
 use super::tape::{Operation, Tape};
@@ -14,7 +14,7 @@ use crate::algebra::{Rational, Ring};
 /// Reason why a formula has no series: an operation has no value in the ring, or is not analytic at the point of evaluation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SeriesError {
-    /// The operation on the tape.
+    /// The index of the operation on the tape.
     pub(crate) place: usize,
 }
 
@@ -26,7 +26,7 @@ pub struct Jet<'a, R: Ring> {
     places: Vec<Series<R::Element>>,
 }
 
-/// The coefficients of one result, and n times them where a later operation needs that.
+/// The coefficients of one position, and n times them if a later operation needs these.
 #[derive(Clone, Debug)]
 struct Series<E> {
     plain: Vec<E>,
@@ -34,14 +34,14 @@ struct Series<E> {
 }
 
 impl<'a, R: Ring> Jet<'a, R> {
-    /// The values at the inputs' zeroth coefficients.
+    /// A jet with the values at these zeroth coefficients of the inputs.
     pub fn new(ring: &'a R, tape: &'a Tape, inputs: &[R::Element]) -> Result<Self, SeriesError> {
         let mut jet = Self::empty(ring, tape);
         jet.restart(inputs)?;
         Ok(jet)
     }
 
-    /// Begins again with other zeroth coefficients, in the memory it has.
+    /// Restarts with other zeroth coefficients, in the same memory.
     pub fn restart(&mut self, inputs: &[R::Element]) -> Result<(), SeriesError> {
         for place in 0..self.places.len() {
             let keep = usize::from(self.tape.is_constant(place));
@@ -55,7 +55,7 @@ impl<'a, R: Ring> Jet<'a, R> {
         Ok(())
     }
 
-    /// The jet whose zeroth coefficients were found elsewhere, one for each place of the tape.
+    /// A jet with zeroth coefficients that were computed elsewhere, one for each position of the tape.
     pub fn with_values(ring: &'a R, tape: &'a Tape, values: Vec<R::Element>) -> Self {
         let mut jet = Self::empty(ring, tape);
         for (place, value) in values.into_iter().enumerate() {
@@ -69,22 +69,22 @@ impl<'a, R: Ring> Jet<'a, R> {
         Self { ring, tape, places: vec![none; tape.operations().len()] }
     }
 
-    /// The coefficients of a formula, by its number.
+    /// The coefficients of a formula, by its index.
     pub fn result(&self, formula: usize) -> &[R::Element] {
         &self.places[self.tape.results()[formula]].plain
     }
 
-    /// The coefficients of a place on the tape.
+    /// The coefficients at a position of the tape.
     pub fn series(&self, place: usize) -> &[R::Element] {
         &self.places[place].plain
     }
 
-    /// The zeroth coefficients of all places.
+    /// The zeroth coefficients at all positions.
     pub fn values(&self) -> impl Iterator<Item = &R::Element> {
         self.places.iter().map(|series| &series.plain[0])
     }
 
-    /// Appends the next coefficient of every place, given those of the inputs.
+    /// Appends the next coefficient at every position, given those of the inputs.
     pub fn extend(&mut self, inputs: &[R::Element]) -> Result<(), SeriesError> {
         for place in 0..self.places.len() {
             let value = self.coefficient(place, inputs).ok_or(SeriesError { place })?;
@@ -93,7 +93,7 @@ impl<'a, R: Ring> Jet<'a, R> {
         Ok(())
     }
 
-    /// Takes the last coefficients back.
+    /// Removes the last coefficients.
     pub fn shorten(&mut self) {
         for series in &mut self.places {
             series.plain.pop();
@@ -101,7 +101,8 @@ impl<'a, R: Ring> Jet<'a, R> {
         }
     }
 
-    /// Derivatives of the coefficients of all places with respect to those of one input, from the first on, where they are linear.
+    /// Derivatives of the last coefficients at all positions with respect to that of one input, from the first order on, where the dependence is
+    /// linear.
     pub fn gains(&self, input: usize) -> Result<Vec<R::Element>, SeriesError> {
         let values = self.values().cloned().collect();
         let mut jet = Self::with_values(self.ring, self.tape, values);
@@ -111,7 +112,7 @@ impl<'a, R: Ring> Jet<'a, R> {
         Ok(jet.places.into_iter().map(|mut series| series.plain.swap_remove(1)).collect())
     }
 
-    /// Adds to the last coefficient of an input, and updates the coefficient of every place.
+    /// Adds to the last coefficient of an input, and updates the coefficient at every position.
     pub fn amend(&mut self, gains: &[R::Element], change: &R::Element) {
         if self.ring.is_zero(change) {
             return;
@@ -142,7 +143,7 @@ impl<'a, R: Ring> Jet<'a, R> {
         }
     }
 
-    /// The next coefficient, those of the operands being known.
+    /// The next coefficient at a position, from those of the operands.
     fn coefficient(&self, place: usize, inputs: &[R::Element]) -> Option<R::Element> {
         if self.tape.is_constant(place) {
             return Some(self.ring.zero());
@@ -159,7 +160,7 @@ impl<'a, R: Ring> Jet<'a, R> {
     }
 }
 
-/// The coefficients of one result, plain or weighted.
+/// The coefficients at one position, plain or weighted.
 #[derive(Clone, Copy, Debug)]
 struct SeriesRow {
     place: usize,
@@ -195,7 +196,7 @@ impl<R: Ring> Evaluator<SeriesRow, &Rational> for Jet<'_, R> {
         begins.is_some_and(|begins| u64::try_from(n).is_ok_and(|n| n < begins))
     }
 
-    /// A whole power of what begins with zero begins beyond that power; other powers have no series there.
+    /// An integer power of a series without constant term begins at the order of that power; other powers have no series there.
     fn over_base(&self, value: &R::Element, base: &R::Element, begins_later: bool) -> Option<R::Element> {
         if self.ring.is_zero(base) {
             return begins_later.then(|| self.ring.zero());

@@ -88,7 +88,7 @@ impl Expression {
         }
     }
 
-    /// Base of an exponent: a derivative, a fraction or an exponential only in brackets.
+    /// Writes the base of a power; a derivative, a fraction or an exponential gets brackets.
     fn write_base(&self, text: &mut String) {
         let bare = match self {
             Self::Symbol(symbol) => symbol.primes < 3,
@@ -113,7 +113,7 @@ fn joined(a: &Expression, sign: &str, b: &Expression, text: &mut String) {
     b.write_latex_at_least(Binding::Product, text);
 }
 
-/// Side by side, with a point before a figure.
+/// Writes the factors side by side, with a dot before a digit.
 fn product(a: &Expression, b: &Expression, text: &mut String) {
     a.write_latex_at_least(Binding::Product, text);
     let point = text.len();

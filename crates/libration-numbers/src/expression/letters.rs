@@ -1,6 +1,6 @@
-//! Letters, marks and digits that formulas are written with beyond ASCII.
+//! Non-ASCII letters, marks and digits of formulas.
 
-/// The Greek letters by the names they have in text and in LaTeX; the first of a letter is the one it is written by.
+/// The Greek letters with their names in text and in LaTeX; the first name of a letter is the one for output.
 const GREEK: &[(char, &str)] = &[
     ('α', "alpha"),
     ('β', "beta"),
@@ -40,7 +40,7 @@ const GREEK: &[(char, &str)] = &[
     ('Ω', "Omega"),
 ];
 
-/// The Greek letter of this name: θ of `theta`.
+/// The Greek letter with this name: θ for `theta`.
 #[must_use]
 pub fn greek_letter(name: &str) -> Option<char> {
     GREEK.iter().find(|(_, greek)| *greek == name).map(|(letter, _)| *letter)
@@ -51,12 +51,12 @@ pub(super) fn greek_name(letter: char) -> Option<&'static str> {
     GREEK.iter().find(|(greek, _)| *greek == letter).map(|(_, name)| *name)
 }
 
-/// Returns whether a Greek letter has this name.
+/// Returns `true` if a Greek letter has this name.
 pub(super) fn is_greek(name: &str) -> bool {
     GREEK.iter().any(|(_, greek)| *greek == name)
 }
 
-/// A letter with dots in one character, as the letter and the number of dots.
+/// A precomposed dotted letter, as the letter and the number of dots.
 pub(super) fn dotted(letter: char) -> Option<(char, u8)> {
     match letter {
         'ẋ' => Some(('x', 1)),
@@ -68,7 +68,7 @@ pub(super) fn dotted(letter: char) -> Option<(char, u8)> {
     }
 }
 
-/// Time derivatives that a mark after or above a letter stands for.
+/// Number of time derivatives that a mark after or above a letter denotes.
 pub(super) fn primes(mark: char) -> Option<u8> {
     match mark {
         '\'' | '′' | '’' | '‘' | 'ʹ' | '´' | '\u{307}' => Some(1),
@@ -78,13 +78,13 @@ pub(super) fn primes(mark: char) -> Option<u8> {
     }
 }
 
-/// The digit of ₀ … ₉.
+/// The digit for ₀ … ₉.
 pub(super) fn subscript(c: char) -> Option<char> {
     let digit = u32::from(c).checked_sub(u32::from('₀'))?;
     char::from_digit(digit, 10)
 }
 
-/// The digit of ⁰ … ⁹.
+/// The digit for ⁰ … ⁹.
 pub(super) fn superscript(c: char) -> Option<char> {
     match c {
         '¹' => Some('1'),

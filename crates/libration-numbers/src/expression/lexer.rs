@@ -1,9 +1,10 @@
-//! Text to lexemes: numbers, names with their primes, signs and brackets, each with its place.
+//! Text to lexemes: numbers, names with their primes, signs and brackets, each with its position.
 //!
 //! # Method
-//! LaTeX and Leibniz's derivatives become the same lexemes as primes and operators, so that there is one grammar (`parser.rs`). A name before a
-//! bracket is a factor only if it is a variable, which has primes somewhere in the text. A function without brackets takes a number and the names
-//! immediately after it, if nothing follows that may belong to it. Other text with two readings is refused, with both of them in the message.
+//! LaTeX and Leibniz's derivatives become the same lexemes as primes and operators, so that one grammar suffices (`parser.rs`). A name before a
+//! bracket is a factor only if it is a variable, that is, has primes somewhere in the text. The argument of a function without brackets is a
+//! number and the names immediately after it, if nothing follows that could belong to the argument. Other ambiguous text is rejected, with both
+//! interpretations in the message.
 
 mod derivative;
 mod index;
@@ -16,9 +17,9 @@ use crate::algebra::Rational;
 use derivative::Fraction;
 pub(super) use index::IndexRange;
 
-/// The longest text of a formula or of equations, in bytes.
+/// Maximum length of a formula or of equations, in bytes.
 pub const LONGEST_TEXT: usize = 10_000;
-/// Largest number of primes after a name; more are taken for a typing error.
+/// Largest number of primes after a name; a larger one is taken for a typing error.
 const MOST_PRIMES: u8 = 3;
 
 #[derive(Clone, Debug, PartialEq)]
@@ -39,7 +40,7 @@ pub(super) enum Token {
     End,
 }
 
-/// A token and where it stands.
+/// A token and its position.
 #[derive(Clone, Debug)]
 pub(super) struct Lexeme {
     pub(super) token: Token,
@@ -48,10 +49,10 @@ pub(super) struct Lexeme {
     pub(super) spaced: bool,
 }
 
-/// The lexemes of a text, the end included.
+/// The lexemes of a text, including the end.
 pub(super) struct Lexemes {
     pub(super) found: Vec<Lexeme>,
-    /// `true` if there are forms among them that formulas are not written back in: commands of LaTeX, derivatives as quotients.
+    /// `true` if the text has notations that are not used for output: commands of LaTeX, derivatives as quotients.
     pub(super) free: bool,
 }
 
@@ -78,9 +79,9 @@ struct Lexer<'a> {
     text: &'a str,
     at: usize,
     free: bool,
-    /// `true` for each open bracket that holds the two arguments of max or min.
+    /// One entry per open bracket: `true` if it holds the two arguments of max or min.
     open: Vec<bool>,
-    /// `true` if max or min was read last.
+    /// `true` if the last lexeme was max or min.
     after_extremum: bool,
 }
 
@@ -93,7 +94,7 @@ impl<'a> Lexer<'a> {
         self.rest().chars().next()
     }
 
-    /// Takes the next character when the test accepts it.
+    /// Consumes the next character if the test accepts it.
     fn take_if(&mut self, accepts: impl FnOnce(char) -> bool) -> Option<char> {
         let next = self.peek().filter(|&c| accepts(c))?;
         self.at += next.len_utf8();
@@ -163,7 +164,7 @@ impl<'a> Lexer<'a> {
             .ok_or(Fault::NumberTooLong { limit: decimal::LONGEST })
     }
 
-    /// The power of ten after a number, zero when there is none.
+    /// The power of ten after a number, zero if there is none.
     fn exponent(&mut self) -> Result<i64, Fault> {
         let rest = &self.text[self.at..];
         let Some(after) = rest.strip_prefix(['e', 'E']) else { return Ok(0) };
@@ -189,8 +190,8 @@ impl<'a> Lexer<'a> {
             .ok_or(Fault::NumberTooLong { limit: decimal::LONGEST })
     }
 
-    /// A name and its primes; `None` when the character begins no name. A Greek letter is a name of its own, with
-    /// the digits after it: ω0t is the product of ω0 and t.
+    /// A name and its primes; `None` if the character does not begin a name. A Greek letter with the digits after it is a separate name: ω0t is
+    /// the product of ω0 and t.
     fn name(&mut self, first: char) -> Option<Result<Token, Fault>> {
         let (mut name, dots) = beginning(first)?;
         self.at += first.len_utf8();
@@ -203,7 +204,7 @@ impl<'a> Lexer<'a> {
         })
     }
 
-    /// Appends the letters and digits that belong to a name; the number of its dots and primes.
+    /// Appends the letters and digits of the rest of a name; returns the number of its dots and primes.
     fn rest_of_name(&mut self, name: &mut String, word: bool) -> u8 {
         let (mut count, mut index) = (0_u8, false);
         loop {
@@ -230,7 +231,7 @@ impl<'a> Lexer<'a> {
     }
 }
 
-/// Functions of two arguments, which are not written back as such.
+/// Returns `true` for functions of two arguments, which are not used for output.
 pub(super) fn is_extremum(name: &str) -> bool {
     matches!(name, "max" | "min")
 }
@@ -246,12 +247,12 @@ fn beginning(first: char) -> Option<(String, u8)> {
     }
 }
 
-/// One or two dots above the letter before.
+/// Returns `true` for one or two dots above the preceding letter.
 fn is_dots(c: char) -> bool {
     ('\u{307}'..='\u{308}').contains(&c)
 }
 
-/// The sign that a character stands for.
+/// The sign that a character denotes.
 fn sign(c: char) -> Option<char> {
     match c {
         '+' | '-' | '*' | '/' | '^' | '(' | ')' | '{' | '}' | '=' | ';' => Some(c),

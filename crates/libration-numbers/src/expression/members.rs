@@ -1,4 +1,4 @@
-//! Members of families of variables or parameters: `x[3]` is written back, and requested, as x3.
+//! Members of families of variables or parameters: `x[3]` has the name x3 in output and in requests.
 
 use super::{Expression, Symbol};
 
@@ -10,20 +10,20 @@ pub(super) struct Member<'a> {
 }
 
 impl<'a> Member<'a> {
-    /// Member with the name of a symbol; `None` for names without an index.
+    /// The member whose name a symbol has; `None` for names without an index.
     pub(super) fn of(name: &'a str) -> Option<Self> {
         let (family, index) = name.strip_suffix(']')?.split_once('[')?;
         Some(Self { family, index })
     }
 }
 
-/// Name of the member of this number: x3, and `w1_3` where the family's own name ends with a digit.
+/// Name of the member with this number: x3, or `w1_3` if the name of the family ends with a digit.
 pub(super) fn member_name(family: &str, number: i64) -> String {
     let between = if family.ends_with(|c: char| c.is_ascii_digit()) { "_" } else { "" };
     format!("{family}{between}{number}")
 }
 
-/// A formula with the names of members whose index is a number.
+/// A formula in which members with a number as index have their plain names.
 pub(super) fn members_named(formula: &Expression) -> Expression {
     with_names(formula, &|name| {
         let member = Member::of(name)?;
@@ -31,7 +31,7 @@ pub(super) fn members_named(formula: &Expression) -> Expression {
     })
 }
 
-/// A formula with other names for some of its symbols.
+/// A formula with some of its symbols renamed.
 pub(super) fn with_names(formula: &Expression, other: &impl Fn(&str) -> Option<String>) -> Expression {
     match formula {
         Expression::Symbol(symbol) => match other(&symbol.name) {

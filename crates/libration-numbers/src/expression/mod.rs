@@ -4,7 +4,7 @@
 //! # extern crate libration_numbers as libration;
 //! use libration::expression::{Equation, Symbol};
 //!
-//! // As it is written on paper; what multiplies the highest derivatives may stand anywhere.
+//! // In the usual notation; the factor of the highest derivative may be on either side.
 //! let equation: Equation = "l θ″ + 2 c θ' + g sin(θ) = 0".parse()?;
 //! assert_eq!(equation.variables(), ["theta"]);
 //! let acceleration = &equation.accelerations()[0];
@@ -59,10 +59,10 @@ pub use parser::{DEEPEST_NESTING, DEEPEST_TREE};
 pub(crate) use tape::Tape;
 pub use tape::WithoutValue;
 
-/// A formula. The tree is what was written: nothing is reordered or simplified unless requested.
+/// A formula. The tree corresponds to the text: nothing is reordered or simplified unless requested.
 ///
-/// From text it is at most [`DEEPEST_TREE`] levels deep, and what is made from it a small multiple of that; its
-/// methods call themselves for each level.
+/// A formula from text is at most [`DEEPEST_TREE`] levels deep, and one derived from it a small multiple of that; the methods call themselves
+/// for each level.
 ///
 /// # Examples
 /// ```
@@ -75,7 +75,7 @@ pub use tape::WithoutValue;
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Expression {
-    /// An exact number; never negative when it comes from text.
+    /// An exact number; never negative if it comes from text.
     Number(Rational),
     /// π.
     Pi,

@@ -1,15 +1,15 @@
-//! Parts of a formula that have no real value, whatever its symbols stand for.
+//! Parts of a formula that have no real value for any values of the symbols.
 
 use super::{Expression, Function, Jet, Tape};
 use crate::algebra::{BigFloat, Domain, Floats};
 use crate::quantity::excerpt;
 
-/// Bits in which constants that are no fractions are evaluated.
+/// Precision, in bits, in which irrational constants are evaluated.
 const PRECISION: usize = 256;
-/// A constant nearer to a limit than two to this power is not distinguished from it.
+/// Distances from a limit below two to this power count as zero.
 const NOISE: isize = -128;
 
-/// A part of a formula without a value, such as 1/0 or ln(-1).
+/// A part of a formula that is undefined, such as 1/0 or ln(-1).
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("`{part}` has no value: {why}")]
 pub struct ValueError {
@@ -20,7 +20,7 @@ pub struct ValueError {
 }
 
 impl Expression {
-    /// The first part that is proved to have no real value, wherever it is evaluated.
+    /// The first part that provably has no real value.
     #[doc(hidden)]
     pub fn without_value(&self) -> Option<ValueError> {
         let inner = self.parts().find_map(Self::without_value);
@@ -30,7 +30,7 @@ impl Expression {
         })
     }
 
-    /// Reason why this operation has no value, its operands having one.
+    /// Reason why this operation is undefined although its operands have values.
     fn why_without_value(&self) -> Option<&'static str> {
         match self {
             Self::Divide(_, divisor) if divisor.vanishes() => Some("division by zero"),

@@ -1,13 +1,13 @@
-//! Formulas as quotients of polynomials, in which equal ones look alike: what proves that a formula vanishes, and
-//! finds degrees and coefficients.
+//! Formulas as quotients of polynomials in which equal formulas look alike; this proves that a formula vanishes, and gives degrees and
+//! coefficients.
 //!
-//! The polynomials are in symbols, π, function values and powers that are no natural ones, all taken as independent;
-//! signs are taken out of even and odd functions. So sin(-x) + sin(x) is found to vanish, sin² + cos² − 1 is not.
+//! The indeterminates are symbols, π, function values and powers with other than natural exponents, all treated as independent; signs are taken
+//! out of even and odd functions. So sin(-x) + sin(x) is recognised as zero, sin² + cos² − 1 is not.
 
 use super::{Expression, Function, Symbol};
 use crate::algebra::{Parity, Polynomial, Rational};
 
-/// Products of two terms, more for long coefficients, that one formula may cost.
+/// Work limit for one formula: products of two terms, with more weight for long coefficients.
 const MOST_WORK: usize = 1 << 16;
 
 /// Indeterminate of the polynomials.
@@ -30,7 +30,7 @@ impl Atom {
     }
 }
 
-/// A quotient of two polynomials, the lower one with a leading coefficient of one. Common factors stay.
+/// A quotient of two polynomials; the leading coefficient of the denominator is one. Common factors are not cancelled.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct NormalForm {
     upper: Polynomial<Atom>,
@@ -38,14 +38,14 @@ struct NormalForm {
 }
 
 impl Expression {
-    /// Returns whether the formula is proved to be zero everywhere.
+    /// Returns `true` if the formula is proved to be zero everywhere.
     #[doc(hidden)]
     pub fn vanishes(&self) -> bool {
         NormalForm::from_tree(self).is_some_and(|form| form.upper.is_zero())
     }
 
-    /// The total degree in the symbols of what is a polynomial in them as it stands: products are expanded, common
-    /// factors of fractions are not looked for. `None` for anything else, or a polynomial of very many terms.
+    /// The total degree in these symbols, if the formula is a polynomial in them as written: products are expanded, but common factors of
+    /// fractions are not cancelled. `None` for other formulas, and for polynomials with too many terms.
     #[must_use]
     pub fn polynomial_degree(&self, symbols: &[Symbol]) -> Option<u32> {
         let form = NormalForm::from_tree(self)?;
@@ -55,7 +55,7 @@ impl Expression {
         polynomial.then(|| form.upper.degree_in_kind(is_symbol))
     }
 
-    /// The coefficients, constant term first, of a polynomial in one symbol with fractions for coefficients.
+    /// The coefficients, constant term first, of a polynomial in one symbol with rational coefficients.
     #[doc(hidden)]
     pub fn polynomial_coefficients(&self, symbol: &Symbol) -> Option<Vec<Rational>> {
         let form = NormalForm::from_tree(self)?;
@@ -81,13 +81,13 @@ impl NormalForm {
         Self { upper: -self.upper.clone(), lower: self.lower.clone() }
     }
 
-    /// The number, when the form is one.
+    /// The value, if the form is a constant.
     fn number(&self) -> Option<Rational> {
         (self.lower == Polynomial::from_number(Rational::from(1))).then(|| self.upper.to_constant()).flatten()
     }
 }
 
-/// The way from tree to normal form, with what is left of the work it may cost.
+/// The conversion of a tree into its normal form, with the remaining work limit.
 struct Expansion {
     work: usize,
 }
@@ -167,13 +167,13 @@ impl Expansion {
     }
 }
 
-/// `None` for zero.
+/// The inverse; `None` for zero.
 fn reciprocal(form: &NormalForm) -> Option<NormalForm> {
     let scale = Rational::from(1).checked_div(form.upper.leading()?)?;
     Some(NormalForm { upper: form.lower.scaled(&scale), lower: form.upper.scaled(&scale) })
 }
 
-/// f(a) as an atom, with the sign of a taken out where f is even or odd.
+/// f(a) as an atom, with the sign of a taken out if f is even or odd.
 fn value_of(function: Function, argument: NormalForm) -> NormalForm {
     let negative = argument.upper.leading().is_some_and(Rational::is_negative);
     let (argument, odd) = match function.parity() {

@@ -10,7 +10,7 @@
 //! argument ::=  number? name+                                 where nothing follows that may belong to it
 //! ```
 //!
-//! A name before a bracket is a factor where it is a variable, which is what has primes somewhere in the text.
+//! A name before a bracket is a factor if it is a variable, that is, has primes somewhere in the text.
 
 mod names;
 
@@ -22,16 +22,16 @@ use super::members::members_named;
 use super::{Expression, Symbol};
 use crate::algebra::Rational;
 
-/// The most levels that brackets, powers and signs may be nested.
+/// Maximum nesting depth of brackets, powers and signs.
 pub const DEEPEST_NESTING: usize = 100;
-/// The most levels of a tree; a sum of n terms has n.
+/// Maximum depth of a tree; a sum of n terms has depth n.
 pub const DEEPEST_TREE: usize = 400;
 
 /// Reads a formula.
 ///
 /// # Errors
-/// Text that does not follow the grammar or may be read in two ways, that is longer than [`LONGEST_TEXT`], or nested
-/// deeper than [`DEEPEST_NESTING`] or [`DEEPEST_TREE`].
+/// Text that does not follow the grammar or is ambiguous, that is longer than [`LONGEST_TEXT`], or nested deeper than [`DEEPEST_NESTING`] or
+/// [`DEEPEST_TREE`].
 ///
 /// [`LONGEST_TEXT`]: super::LONGEST_TEXT
 impl FromStr for Expression {
@@ -67,7 +67,7 @@ pub(super) struct Parser<'a> {
     lexemes: Vec<Lexeme>,
     next: usize,
     nesting: usize,
-    /// `true` if something was read that formulas are not written back in.
+    /// `true` if the text used a notation that is not used for output.
     free: bool,
 }
 
@@ -77,12 +77,12 @@ impl<'a> Parser<'a> {
         Ok(Self { text, lexemes, next: 0, nesting: 0, free })
     }
 
-    /// Returns whether the text read so far is written more freely than formulas are written back.
+    /// Returns `true` if the text read so far uses a notation that is not used for output.
     pub(super) fn is_free(&self) -> bool {
         self.free
     }
 
-    /// A formula, up to what cannot belong to it.
+    /// A formula, up to the first lexeme that cannot belong to it.
     pub(super) fn formula(&mut self) -> Result<Expression, ParseError> {
         if self.lexemes.len() == 1 {
             return Err(self.fault(Fault::Empty));
@@ -94,7 +94,7 @@ impl<'a> Parser<'a> {
         &self.lexemes[self.next].token
     }
 
-    /// Takes the sign if it stands next, and returns whether it does.
+    /// Consumes the sign if it is next, and returns `true` if it was.
     pub(super) fn take(&mut self, sign: char) -> bool {
         let found = *self.peek() == Token::Sign(sign);
         self.next += usize::from(found);
@@ -109,7 +109,7 @@ impl<'a> Parser<'a> {
         ParseError::new(self.text, self.lexemes[lexeme].start, fault)
     }
 
-    /// The range of an index that stands next; then it is taken.
+    /// The range of an index, consumed if it is next.
     pub(super) fn take_range(&mut self) -> Option<IndexRange> {
         let Token::Range(range) = self.peek() else { return None };
         let range = range.clone();
@@ -117,7 +117,7 @@ impl<'a> Parser<'a> {
         Some(range)
     }
 
-    /// Error for a lexeme that cannot follow.
+    /// The error for a lexeme that cannot follow.
     pub(super) fn unexpected(&self) -> ParseError {
         self.fault(Fault::Unexpected { found: self.found() })
     }
@@ -149,7 +149,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Signs, and what they belong to.
+    /// An operand with the signs before it.
     fn signed(&mut self, operand: fn(&mut Self) -> Result<Node, ParseError>) -> Result<Node, ParseError> {
         let mut minuses = 0;
         loop {
@@ -195,7 +195,7 @@ impl<'a> Parser<'a> {
         matches!(self.peek(), Token::Number(_) | Token::Name(_) | Token::Fraction | Token::Sign('(' | '{'))
     }
 
-    /// Refuses a factor that may not stand here without a sign of multiplication.
+    /// Rejects a factor that needs a multiplication sign here.
     fn refuse_ambiguous_product(&self, divided: bool) -> Result<(), ParseError> {
         let last = &self.lexemes[self.next - 1].token;
         let before = self.next.checked_sub(2).map(|i| &self.lexemes[i].token);
@@ -215,7 +215,7 @@ impl<'a> Parser<'a> {
         Ok(())
     }
 
-    /// Returns whether only signs stand between a `^` and this lexeme.
+    /// Returns `true` if only signs stand between a `^` and this lexeme.
     fn in_exponent(&self, lexeme: usize) -> bool {
         let before = self.lexemes[..lexeme].iter().rev();
         let mut before = before.skip_while(|it| matches!(it.token, Token::Sign('+' | '-')));
@@ -274,7 +274,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Takes `deg` if it stands directly after the number that was read, and returns whether it does.
+    /// Consumes `deg` directly after the number that was read, and returns `true` if it was there.
     fn take_degrees(&mut self) -> bool {
         let Lexeme { token, spaced, .. } = &self.lexemes[self.next];
         let found = !spaced && matches!(token, Token::Name(Symbol { name, primes: 0 }) if name == "deg");
@@ -309,7 +309,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// A fraction as LaTeX writes it.
+    /// A fraction in LaTeX notation.
     fn fraction(&mut self) -> Result<Node, ParseError> {
         let start = self.next;
         self.next += 1;
@@ -321,13 +321,13 @@ impl<'a> Parser<'a> {
         self.joined(Expression::Divide, above, below)
     }
 
-    /// The text from a lexeme to before another.
+    /// The text from one lexeme up to another.
     fn between(&self, from: usize, to: usize) -> &'a str {
         let end = self.lexemes.get(to).map_or(self.text.len(), |it| it.start);
         self.text[self.lexemes[from].start..end].trim()
     }
 
-    /// One level further down, if there may be one.
+    /// A part that is one level deeper, if the limit allows it.
     fn nested(&mut self, part: fn(&mut Self) -> Result<Node, ParseError>) -> Result<Node, ParseError> {
         if self.nesting == DEEPEST_NESTING {
             return Err(self.fault(Fault::TooDeep { limit: DEEPEST_NESTING }));
@@ -343,7 +343,7 @@ impl<'a> Parser<'a> {
         self.grown(levels, join(Box::new(left.tree), Box::new(right.tree)))
     }
 
-    /// A tree above others with a number of levels, if it is not too deep.
+    /// A tree with this number of levels below it, if the limit allows it.
     fn grown(&self, levels: usize, tree: Expression) -> Result<Node, ParseError> {
         if levels == DEEPEST_TREE {
             return Err(self.fault(Fault::TooDeep { limit: DEEPEST_TREE }));

@@ -1,4 +1,4 @@
-//! Binding strength of a formula when it is written down.
+//! Binding strength of formulas in output.
 
 use super::Expression;
 
@@ -14,7 +14,7 @@ pub(super) enum Binding {
 }
 
 impl Binding {
-    /// Binding of a formula; `number` returns that of a positive number.
+    /// Binding of a formula; `number` returns the binding of a positive number.
     pub(super) fn from_tree(tree: &Expression, number: impl Fn(&super::Rational) -> Self) -> Self {
         match tree {
             Expression::Number(value) if value.is_negative() => Self::Sign,

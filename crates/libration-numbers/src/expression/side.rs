@@ -1,22 +1,22 @@
-//! Formulas on one side of a state at which absolute values and signs have a kink or jump.
+//! Formulas on one side of a state at which absolute values have a kink and signs a jump.
 
 use super::{Expression, Function, Jet, Symbol, Tape};
 use crate::algebra::Doubles;
 
-/// Largest magnitude that counts as zero at a state that is known in digits.
+/// Largest magnitude that counts as zero at a numerical state.
 const ZERO: f64 = 1e-12;
 
-/// A state, and how formulas look on one side of it.
+/// A state and one side of it.
 #[derive(Debug)]
 pub struct Side<'a> {
     pub symbols: &'a [Symbol],
     pub state: &'a [f64],
-    /// The sign of everything that vanishes there.
+    /// The sign, on this side, of the formulas that vanish at the state.
     pub sign: i64,
 }
 
 impl Side<'_> {
-    /// The formula with s·u and s in the place of |u| and sign(u), where u vanishes.
+    /// The formula on this side: s·u and s in place of |u| and sign(u) if u vanishes at the state.
     pub fn seen(&self, formula: &Expression) -> Expression {
         match formula {
             Expression::Call(Function::Abs, a) if self.vanishes(a) => {

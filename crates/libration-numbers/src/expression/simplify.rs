@@ -1,15 +1,14 @@
-//! Formulas in a shorter form: exact arithmetic of numbers, and what zero, one and double signs leave.
+//! Simplification of formulas: exact arithmetic of numbers, and removal of zeros, ones and double signs.
 
 use super::{Expression, Function, Symbol};
 use crate::algebra::{Rational, Rationals, Ring};
 
-/// Powers of numbers are worked out up to this size.
+/// Largest size of a power of numbers that is computed.
 const LARGEST_POWER_BITS: usize = 1 << 14;
 
 impl Expression {
-    /// The same formula with its numbers worked out exactly and without 0 + a, 1·a, a⁰, −(−a) and the like. Other
-    /// terms are neither collected nor expanded. Where the result has a value the formula need not have one: 0·(1/x)
-    /// becomes 0.
+    /// The same formula with its arithmetic done exactly and without 0 + a, 1·a, a⁰, −(−a) and the like. Other terms are neither collected nor
+    /// expanded. The result may have a value where the formula has none: 0·(1/x) becomes 0.
     #[must_use]
     pub fn simplified(&self) -> Self {
         match self {
@@ -24,7 +23,7 @@ impl Expression {
         }
     }
 
-    /// The formula with a constant in the place of a symbol, worked out there and left as it is elsewhere.
+    /// The formula with a constant in place of a symbol; only the parts that contain the symbol are simplified.
     pub(super) fn with_value(&self, symbol: &Symbol, value: &Self) -> Self {
         if !self.contains(symbol) {
             return self.clone();
@@ -43,7 +42,7 @@ impl Expression {
         }
     }
 
-    /// The value, when the formula is a constant that is worked out to a fraction.
+    /// The value, if the formula is a constant that is rational.
     #[must_use]
     pub fn to_rational(&self) -> Option<Rational> {
         self.simplified().number().cloned()
@@ -61,7 +60,7 @@ impl Expression {
         self.number().is_some_and(|value| *value == Rational::from(1))
     }
 
-    /// The formula without the sign that it begins with; `None` when it has none.
+    /// The formula without its leading sign; `None` if it has none.
     fn without_sign(&self) -> Option<Self> {
         match self {
             Self::Negate(a) => Some((**a).clone()),
@@ -131,7 +130,7 @@ pub(super) fn product(a: Expression, b: Expression) -> Expression {
     }
 }
 
-/// Numbers that multiply each other across two products are joined, and so are |u|ⁿ and sign(u).
+/// Joins numerical factors of two products, and |u|ⁿ with sign(u).
 fn product_of_unsigned(a: Expression, b: Expression) -> Expression {
     if let Some(power) = signed_power(&a, &b) {
         return power;
@@ -144,7 +143,7 @@ fn product_of_unsigned(a: Expression, b: Expression) -> Expression {
     Expression::Multiply(Box::new(a), Box::new(b))
 }
 
-/// |u|ⁿ·sign(u) for a whole n above zero: uⁿ when n is odd, and uⁿ⁻¹·|u| when it is even.
+/// |u|ⁿ·sign(u) for an integer n > 0: uⁿ for odd n, uⁿ⁻¹·|u| for even n.
 fn signed_power(modulus: &Expression, sign: &Expression) -> Option<Expression> {
     let Expression::Call(Function::Sign, u) = sign else { return None };
     let (base, exponent) = match modulus {
@@ -201,7 +200,7 @@ pub(super) fn power(a: Expression, b: Expression) -> Expression {
     Expression::Power(Box::new(a), Box::new(b))
 }
 
-/// The power of a number, when it is a fraction of moderate size.
+/// The power of a number, if it is a fraction of moderate size.
 fn number_power(base: &Rational, exponent: &Rational) -> Option<Rational> {
     let bits = base.bits();
     let times = exponent.parts().0.clone().into_parts().1;

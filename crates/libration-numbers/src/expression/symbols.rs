@@ -1,4 +1,4 @@
-//! The symbols of a formula, and formulas in the place of symbols.
+//! The symbols of a formula, and substitution for them.
 
 use std::collections::BTreeSet;
 
@@ -25,7 +25,7 @@ impl Expression {
         Self::Symbol(Symbol::plain(name))
     }
 
-    /// All symbols that occur.
+    /// All symbols in the formula.
     #[must_use]
     pub fn symbols(&self) -> BTreeSet<Symbol> {
         let mut found = BTreeSet::new();
@@ -42,7 +42,7 @@ impl Expression {
         }
     }
 
-    /// Returns whether a symbol occurs.
+    /// Returns `true` if a symbol occurs.
     #[must_use]
     pub fn contains(&self, symbol: &Symbol) -> bool {
         matches!(self, Self::Symbol(own) if own == symbol) || self.parts().any(|part| part.contains(symbol))
@@ -63,8 +63,7 @@ impl Expression {
         first.into_iter().chain(second).map(|part| &**part)
     }
 
-    /// The formula with another in the place of a symbol, not simplified. The symbol's time derivatives are symbols of
-    /// their own.
+    /// The formula after substitution of another one for a symbol, not simplified. The time derivatives of the symbol are different symbols.
     #[must_use]
     pub fn substitute(&self, symbol: &Symbol, by: &Self) -> Self {
         match self {
@@ -73,7 +72,7 @@ impl Expression {
         }
     }
 
-    /// The formula with others in the places of its operands.
+    /// The formula with its operands replaced.
     #[doc(hidden)]
     pub fn with_parts(&self, mut other: impl FnMut(&Self) -> Self) -> Self {
         let mut part = |a: &Self| Box::new(other(a));

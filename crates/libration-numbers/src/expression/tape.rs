@@ -5,10 +5,10 @@ use std::collections::HashMap;
 use super::{Expression, Function, Symbol};
 use crate::algebra::{Divisor, Pair, Rational, Rationals, Ring, Rule, Slope};
 
-/// One operation; operands are places of earlier operations. A place holds the result of its operation.
+/// One operation; its operands are positions of earlier operations. A position holds the result of its operation.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Operation {
-    /// The input of this number.
+    /// The input with this index.
     Input(usize),
     Number(Rational),
     Pi,
@@ -20,14 +20,14 @@ pub enum Operation {
     /// A power whose exponent is not a natural number.
     Power(usize, Rational),
     Exp(usize),
-    /// One of a pair of functions, `of` the first operand, whose derivative is `slope` times the other.
+    /// One function of a pair: `of` is its argument, and its derivative is `slope` times the other function.
     Paired {
         function: Function,
         of: usize,
         other: usize,
         slope: Slope,
     },
-    /// tan or tanh, the square of which stands in the next place.
+    /// tan or tanh, whose square stands at the next position.
     Tangent {
         function: Function,
         of: usize,
@@ -42,25 +42,25 @@ pub enum Operation {
     Sign(usize),
 }
 
-/// Formulas of the same inputs as one list of operations, without repetitions.
+/// Formulas of the same inputs as one list of operations without repetitions.
 #[derive(Clone, Debug)]
 pub struct Tape {
     operations: Vec<Operation>,
     results: Vec<usize>,
     inputs: usize,
-    /// Places that no input reaches.
+    /// `true` for positions that do not depend on an input.
     constant: Vec<bool>,
-    /// Places whose weighted series is requested.
+    /// `true` for positions whose weighted series is needed.
     weighted: Vec<bool>,
 }
 
-/// A formula that cannot be put on a tape.
+/// A symbol in a formula that has no value.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("`{0}` has no value: give it one, such as {0}=0.1")]
 pub struct WithoutValue(pub String);
 
 impl Tape {
-    /// The tape of some formulas in the given inputs.
+    /// The tape of these formulas in the given inputs.
     pub fn new(formulas: &[&Expression], inputs: &[Symbol]) -> Result<Self, WithoutValue> {
         let mut writer = Writer { inputs, operations: vec![], places: HashMap::new() };
         let results = formulas.iter().map(|formula| writer.write(formula)).collect::<Result<_, _>>()?;
@@ -74,12 +74,12 @@ impl Tape {
         &self.operations
     }
 
-    /// Places of the values of the formulas.
+    /// Positions of the values of the formulas.
     pub fn results(&self) -> &[usize] {
         &self.results
     }
 
-    /// The places that an operation reads.
+    /// The positions that an operation reads.
     pub fn operands(&self, place: usize) -> Vec<usize> {
         self.operations[place].operands().collect()
     }
@@ -98,7 +98,7 @@ impl Tape {
 }
 
 impl Operation {
-    /// The places that it reads.
+    /// The positions that the operation reads.
     pub fn operands(&self) -> impl Iterator<Item = usize> + use<> {
         let operands = match *self {
             Self::Input(_) | Self::Number(_) | Self::Pi => [None; 2],
@@ -171,7 +171,7 @@ impl Writer<'_> {
         if let Operation::Number(value) = &self.operations[place] { Some(value) } else { None }
     }
 
-    /// Arithmetic of numbers done at once, and what multiplies or adds nothing left out.
+    /// The operation after arithmetic of numbers; factors of one and terms of zero are removed.
     fn folded(&self, operation: Operation) -> Operation {
         let two = |a: usize, b: usize| Some((self.known(a)?, self.known(b)?));
         let value = match operation {
@@ -218,7 +218,7 @@ impl Writer<'_> {
         Ok(self.fixed_power(base, number))
     }
 
-    /// Powers up to this come by products, larger ones by the recurrence of powers.
+    /// Largest exponent for which a power is computed by products; larger ones use the recurrence of powers.
     const LARGEST_PRODUCT: u64 = 1 << 12;
 
     fn fixed_power(&mut self, base: usize, exponent: Rational) -> usize {
@@ -271,7 +271,7 @@ impl Writer<'_> {
         }
     }
 
-    /// The first function has the second for its derivative; the second the first, with a sign.
+    /// The derivative of the first function is the second; that of the second is the first, with a sign.
     fn pair(&mut self, Pair { functions: [first, second], slope }: Pair, of: usize) -> (usize, usize) {
         let next = self.operations.len();
         let (function, plus) = (first, Slope::Plus);

@@ -1,11 +1,11 @@
-//! The Taylor series of a formula about a place.
+//! The Taylor series of a formula about a point.
 
 use super::{Expression, Jet, Symbol, Tape};
 use crate::algebra::Ring;
 
 impl Expression {
-    /// The first coefficients of the formula's power series in the distance of a variable from a place, over any ring; `None`
-    /// where the formula holds other letters, is not analytic at the place, or has no coefficients in the ring.
+    /// The first coefficients of the formula's Taylor series in one variable about a point, over any ring; `None` if the formula contains other
+    /// symbols, is not analytic at the point, or has coefficients outside the ring.
     ///
     /// ```
     /// # extern crate libration_numbers as libration;

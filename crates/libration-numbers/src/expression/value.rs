@@ -4,10 +4,10 @@ use super::{Expression, Jet, Tape};
 use crate::algebra::Doubles;
 
 impl Expression {
-    /// The value of a formula without symbols; NaN or infinite where it has none. `None` when there are symbols in it.
+    /// The value of a formula without symbols; NaN or infinite if it is undefined. `None` if the formula contains symbols.
     ///
     /// # Accuracy
-    /// Fractions are worked out exactly and rounded once; each other operation is rounded.
+    /// Rational parts are computed exactly and rounded once; every other operation is rounded.
     #[must_use]
     pub fn to_f64(&self) -> Option<f64> {
         let tape = Tape::new(&[self], &[]).ok()?;

@@ -2,8 +2,8 @@
 
 use crate::algebra::Ring;
 
-/// The coefficients of det(λ − M), constant term first, by Faddeev's and Le Verrier's recurrence; `None` when a whole number
-/// has no inverse in the field.
+/// The coefficients of det(λ − M), constant term first, by Faddeev's and Le Verrier's recurrence; `None` if an integer has no inverse in the
+/// field.
 pub fn characteristic_polynomial<R: Ring>(ring: &R, matrix: &[Vec<R::Element>]) -> Option<Vec<R::Element>> {
     let n = matrix.len();
     let one = ring.rational(&1.into())?;

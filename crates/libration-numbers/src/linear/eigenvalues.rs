@@ -3,13 +3,14 @@
 use crate::algebra::Complex;
 use libration_kernels::elementary::count;
 
-/// All eigenvalues, by the QR algorithm with Wilkinson's shifts on a Hessenberg matrix, by descending magnitude; `None` when
-/// it does not converge or an entry is not finite.
+/// All eigenvalues by descending magnitude, from the QR algorithm with Wilkinson's shifts on a Hessenberg matrix; `None` if it does not converge
+/// or an entry is not finite.
 ///
 /// # Accuracy
-/// Those of a matrix that differs by rounding errors: simple ones to their condition, of a defective pair only half the digits.
+/// The results are eigenvalues of a matrix that differs by rounding errors: simple ones are accurate to their condition number, those of a
+/// defective pair to half the digits.
 pub fn eigenvalues(matrix: &[Vec<f64>]) -> Option<Vec<Complex>> {
-    /// Steps for each eigenvalue; three are usual.
+    /// Step limit for each eigenvalue; three steps are usual.
     const MOST_STEPS: usize = 60;
     let mut h: Vec<Vec<Complex>> =
         hessenberg(matrix).into_iter().map(|row| row.into_iter().map(Complex::from).collect()).collect();
@@ -35,12 +36,12 @@ pub fn eigenvalues(matrix: &[Vec<f64>]) -> Option<Vec<Complex>> {
     found.iter().all(|value| value.is_finite()).then_some(found)
 }
 
-/// Bounds on the change of each eigenvalue when the entries of the matrix change by a matrix of this norm, to the first order.
+/// Bounds for the change of each eigenvalue, to first order, when the matrix changes by a matrix of norm `change`.
 ///
 /// # Method
-/// A changed eigenvalue z solves Π(z − λⱼ) = −tr(adj(z − M)·δM) + …, so that it is within the radius r about λᵢ where
-/// r·Π max(r, |λᵢ − λⱼ|) = ‖adj(λᵢ − M)‖·‖δM‖: of a simple eigenvalue this is the condition number times ‖δM‖, of a k-fold one about the k-th root.
-/// It is never less than ‖δM‖.
+/// A changed eigenvalue z solves Π(z − λⱼ) = −tr(adj(z − M)·δM) + …. It is therefore within the radius r about λᵢ for which r·Π max(r, |λᵢ −
+/// λⱼ|) = ‖adj(λᵢ − M)‖·‖δM‖. For a simple eigenvalue r is the condition number times ‖δM‖, for a k-fold one about the k-th root of that. The
+/// bound is never less than ‖δM‖.
 ///
 /// # References
 /// J. H. Wilkinson, *The Algebraic Eigenvalue Problem*, Oxford 1965, chapter 2.
@@ -53,7 +54,7 @@ pub fn eigenvalue_errors(matrix: &[Vec<f64>], eigenvalues: &[Complex], change: f
             .collect();
         distances.sort_by(f64::total_cmp);
         let right = change * adjugate_norm(&powers, eigenvalues[own]);
-        // The first cluster of nearest neighbours that the radius reaches and none beyond it.
+        // The smallest cluster of nearest neighbours whose radius does not reach the next neighbour.
         let of_cluster = |neighbours: usize| {
             let beyond: f64 = distances[neighbours..].iter().product();
             libm::pow(right / beyond, 1.0 / count(neighbours + 1))
@@ -95,7 +96,7 @@ fn adjugate_norm(powers: &[Vec<Vec<f64>>], at: Complex) -> f64 {
     entries.fold(0.0, |norm, (i, j)| libm::hypot(norm, entry(i, j).abs()))
 }
 
-/// A similar matrix with zeros below the subdiagonal, by elimination with pivots.
+/// A similar matrix with zeros below the subdiagonal, by elimination with pivoting.
 fn hessenberg(matrix: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let (mut a, n) = (matrix.to_vec(), matrix.len());
     for m in 1..n.saturating_sub(1) {
@@ -106,7 +107,7 @@ fn hessenberg(matrix: &[Vec<f64>]) -> Vec<Vec<f64>> {
             continue;
         }
         for i in m + 1..n {
-            // As the step before has left it: its own diagonal entry changes.
+            // The pivot row after the previous step, which changes its diagonal entry.
             let pivot_row = a[m].clone();
             let factor = a[i][m - 1] / pivot_row[m - 1];
             for (entry, of_pivot) in a[i].iter_mut().zip(&pivot_row).skip(m - 1) {
@@ -120,7 +121,7 @@ fn hessenberg(matrix: &[Vec<f64>]) -> Vec<Vec<f64>> {
     a
 }
 
-/// The first row of the last block that does not fall apart.
+/// The first row of the last block that cannot be split further.
 fn start_of_block(h: &[Vec<Complex>], last: usize) -> usize {
     let separate = |&k: &usize| {
         let size = h[k - 1][k - 1].abs() + h[k][k].abs();
@@ -129,7 +130,7 @@ fn start_of_block(h: &[Vec<Complex>], last: usize) -> usize {
     (1..=last).rev().find(separate).unwrap_or(0)
 }
 
-/// The eigenvalue of the last two rows that is nearer to the last entry.
+/// The eigenvalue of the last two rows that is nearer to the last diagonal entry.
 fn wilkinson_shift(h: &[Vec<Complex>], last: usize) -> Complex {
     let (a, b, c, d) = (h[last - 1][last - 1], h[last - 1][last], h[last][last - 1], h[last][last]);
     let half = (a - d).scaled(0.5);
@@ -149,7 +150,7 @@ fn square_root(z: Complex) -> Complex {
     Complex::new(re, im.copysign(z.im))
 }
 
-/// One step on the rows from the first on: H − shift = QR, then RQ + shift, by rotations of neighbouring rows.
+/// One QR step on the rows from `first` on: H − shift = QR, then RQ + shift, by rotations of neighbouring rows.
 fn qr_step(h: &mut [Vec<Complex>], first: usize, shift: Complex) {
     let n = h.len();
     for (i, row) in h.iter_mut().enumerate().skip(first) {
@@ -181,7 +182,7 @@ struct Rotation {
 }
 
 impl Rotation {
-    /// The one that makes the second component vanish.
+    /// The rotation that makes the second component vanish.
     fn clearing(x: Complex, y: Complex) -> Self {
         let size = libm::hypot(x.abs(), y.abs());
         if size == 0.0 {
@@ -194,7 +195,7 @@ impl Rotation {
         (conjugate(self.c) * x + conjugate(self.s) * y, self.c * y - self.s * x)
     }
 
-    /// The same from the right by the adjoint.
+    /// The adjoint rotation, applied from the right.
     fn apply_from_the_right(&self, x: Complex, y: Complex) -> (Complex, Complex) {
         (x * self.c + y * self.s, y * conjugate(self.c) - x * conjugate(self.s))
     }

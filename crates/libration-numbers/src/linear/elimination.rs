@@ -2,8 +2,7 @@
 
 use crate::algebra::{Complex, Doubles, Ring};
 
-/// The solution of linear equations; `None` where the matrix is singular. `size` tells how large an element is: of those that are
-/// not zero the largest is the pivot.
+/// The solution of linear equations; `None` if the matrix is singular. `size` measures an element: the largest nonzero one is the pivot.
 pub fn solve<R: Ring>(
     ring: &R,
     size: impl Fn(&R::Element) -> f64,
@@ -23,7 +22,7 @@ pub fn solve<R: Ring>(
     (0..n).map(|i| ring.divide(&rows[i][n], &rows[i][i])).collect()
 }
 
-/// The solution of complex linear equations; `None` where the matrix is singular: that of the real equations for both parts.
+/// The solution of complex linear equations, by the real equations for both parts; `None` if the matrix is singular.
 pub fn solve_complex(matrix: &[Vec<Complex>], right: &[Complex]) -> Option<Vec<Complex>> {
     let parts = |row: &Vec<Complex>| {
         let (re, im) = (row.iter().map(|z| z.re), row.iter().map(|z| z.im));
@@ -37,7 +36,7 @@ pub fn solve_complex(matrix: &[Vec<Complex>], right: &[Complex]) -> Option<Vec<C
     Some(parts.collect()).filter(|solution: &Vec<Complex>| solution.iter().all(|z| z.is_finite()))
 }
 
-/// The determinant, with pivots chosen as in [`solve`]; `None` where an element has no inverse.
+/// The determinant, with pivots chosen as in [`solve`]; `None` if an element has no inverse.
 pub fn determinant<R: Ring>(
     ring: &R,
     size: impl Fn(&R::Element) -> f64,
@@ -59,8 +58,8 @@ pub fn determinant<R: Ring>(
     Some(product)
 }
 
-/// Independent vectors that a matrix maps to zero, as many as `dimension`, by elimination with the largest pivot of all that is left. The null space
-/// must have at least this dimension; of a matrix of `f64`s the remainder in the end is taken to be rounding errors.
+/// Independent vectors that a matrix maps to zero, `dimension` of them, by elimination with the largest remaining pivot. The null space must
+/// have at least this dimension; for a matrix of `f64`s the remainder at the end is assumed to be rounding errors.
 pub fn null_space<R: Ring>(
     ring: &R,
     size: impl Fn(&R::Element) -> f64,
@@ -85,7 +84,7 @@ pub fn null_space<R: Ring>(
     (rank..n).map(|free| null_vector(ring, &rows, &order[..rank], order[free])).collect()
 }
 
-/// Takes the multiple of one row from all others that makes their entries in its pivot's column vanish.
+/// Subtracts multiples of one row from all others, so that their entries in the pivot's column vanish.
 fn clear<R: Ring>(ring: &R, rows: &mut [Vec<R::Element>], pivot: usize, column: usize) -> Option<()> {
     let pivot_row = rows[pivot].clone();
     for (_, row) in rows.iter_mut().enumerate().filter(|(i, _)| *i != pivot) {
@@ -101,7 +100,7 @@ fn clear<R: Ring>(ring: &R, rows: &mut [Vec<R::Element>], pivot: usize, column: 
     Some(())
 }
 
-/// The vector with one for a free component, zero for the others, and what follows for those with pivots.
+/// The null vector with one for a free component and zero for the other free ones; those with pivots follow.
 fn null_vector<R: Ring>(
     ring: &R,
     rows: &[Vec<R::Element>],

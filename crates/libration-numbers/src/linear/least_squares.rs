@@ -1,7 +1,7 @@
-//! The vector that solves linear equations best.
+//! Least-squares solution of linear equations.
 
-/// The vector that makes the sum of squares of M·x − b least, by Householder's reflections; `None` when the columns depend on
-/// each other to rounding errors.
+/// The vector that minimises the sum of squares of M·x − b, by Householder reflections; `None` if the columns are dependent up to rounding
+/// errors.
 pub fn least_squares(matrix: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
     let columns = matrix.first()?.len();
     let mut rows: Vec<Vec<f64>> =
@@ -12,7 +12,7 @@ pub fn least_squares(matrix: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
     let sizes: Vec<f64> = (0..columns).map(|column| norm(&rows, column, 0)).collect();
     for (step, size) in sizes.iter().enumerate() {
         let length = norm(&rows, step, step);
-        // What is left of a column that the others span is rounding errors.
+        // The remainder of a dependent column consists of rounding errors.
         if length <= 64.0 * f64::EPSILON * size || !length.is_finite() {
             return None;
         }
@@ -26,7 +26,7 @@ pub fn least_squares(matrix: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
     solution.iter().all(|x| x.is_finite()).then_some(solution)
 }
 
-/// The length of a column from a row on.
+/// The norm of a column from row `from` on.
 fn norm(rows: &[Vec<f64>], column: usize, from: usize) -> f64 {
     rows[from..].iter().fold(0.0, |length, row| libm::hypot(length, row[column]))
 }

@@ -1,4 +1,4 @@
-//! Small dense matrices, as rows: linear equations and null spaces over any field, least squares, eigenvalues.
+//! Small dense matrices, stored as rows: linear equations and null spaces over any field, least squares, eigenvalues.
 
 #[doc(hidden)]
 pub(crate) mod characteristic;

@@ -1,6 +1,6 @@
 //! Progress and cancellation of long calls.
 //!
-//! Every call that may take long has a [`Progress`] as its last argument, which it updates at least once in each step of an integration, order of
+//! Every call that may take long has a [`Progress`] as its last argument. It is updated at least once in each step of an integration, order of
 //! an expansion or piece of a catalogue. After the first `Break` there are no further updates, and the call returns its partial result or the
 //! error [`Interrupted`]. [`Quiet`] is for calls that need neither progress nor cancellation.
 
@@ -8,7 +8,7 @@ pub(crate) mod watch;
 
 use std::ops::ControlFlow;
 
-/// The progress and the cancellation of a long call. Any function from a [`Status`] to a [`ControlFlow`] implements it.
+/// Progress and cancellation of a long call. Every function from a [`Status`] to a [`ControlFlow`] implements this trait.
 pub trait Progress {
     /// Receives the progress of the call; `Break` cancels the call.
     fn update(&self, status: Status) -> ControlFlow<()>;
@@ -35,44 +35,44 @@ impl Progress for Quiet {
 pub struct Status {
     /// The current stage.
     pub stage: Stage,
-    /// Number of points, values, orders … of this stage that are done.
+    /// Number of completed points, values, orders … in this stage.
     pub done: usize,
-    /// Total number, where it is known.
+    /// Total number, if it is known.
     pub of: Option<usize>,
 }
 
-/// Stage of a call that does several things.
+/// Stage of a call that consists of several.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Stage {
-    /// The whole of the work.
+    /// The only stage.
     #[default]
     Whole,
-    /// An expansion, order after order, modulo another prime.
+    /// An expansion modulo another prime, order by order.
     Prime {
-        /// The primes that are done.
+        /// The number of completed primes.
         done: usize,
     },
-    /// The fractions of an expansion are put together from their residues.
+    /// Reconstruction of the fractions of an expansion from their residues.
     Fractions {
-        /// The primes that are done.
+        /// The number of completed primes.
         primes: usize,
     },
-    /// An expansion, order after order, in floats.
+    /// An expansion in floats, order by order.
     Floats {
-        /// Their precision in bits.
+        /// The precision of the floats in bits.
         bits: usize,
     },
-    /// An expansion is checked by another method.
+    /// A check of an expansion by another method.
     Check,
-    /// The motion asked for, 0, or another one near it.
+    /// The requested motion (0), or another one near it.
     Motion {
-        /// The number of the motion.
+        /// The index of the motion.
         number: usize,
     },
 }
 
-/// A long call was cancelled.
+/// The error for a cancelled call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the computation was interrupted")]
 pub struct Interrupted;

@@ -1,13 +1,13 @@
-//! Progress inside of a long call.
+//! Progress within a long call.
 
 use super::{Interrupted, Progress, Stage, Status};
 use std::cell::Cell;
 use std::fmt;
 use std::ops::ControlFlow;
 
-/// The progress of the caller, with the present status of the call. Its own cancellation it remembers: after it the caller is not consulted again.
+/// The caller's progress, with the current status of the call. A cancellation is remembered: the caller is not consulted again after it.
 ///
-/// As the progress of another call it reports the status of that call as its own; a [`part`](Self::part) hides it.
+/// Used as the progress of an inner call, it reports the status of that call as its own; a [`part`](Self::part) hides that status.
 pub struct Watch<'w> {
     consulted: Consulted<'w>,
     status: Cell<Status>,

@@ -1,12 +1,12 @@
-//! Sums over equal steps of the whole line, which converge exponentially for what is analytic about it.
+//! Sums over equal steps of the whole line, which converge exponentially for functions that are analytic about it.
 
 use super::Integral;
 
-/// ∫ f(x) dx over the whole line as the sum of f(n/s)/s over the numbers n of steps, `term` being f(n/s): for functions that are
-/// analytic in a strip about the line and small beyond the steps.
+/// ∫ f(x) dx over the whole line as the sum of f(n/s)/s over the step numbers n, where `term` returns f(n/s): for functions that are analytic in
+/// a strip about the line and small beyond the steps.
 ///
-/// Twice and four times as long steps tell how fast that converges: each halving at least squares what is missed as a part of
-/// what it was, so that it leaves no larger part than the halving before.
+/// The error is estimated from sums with twice and four times the step: each halving of the step at least squares the relative error, so it
+/// reduces the error by at least the factor of the halving before.
 ///
 /// Reference: L. N. Trefethen and J. A. C. Weideman, SIAM Review 56, 385 (2014), doi:10.1137/130932132.
 pub fn equal_steps(

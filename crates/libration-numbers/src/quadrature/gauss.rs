@@ -1,8 +1,8 @@
-//! Gauss' rule, for functions that are analytic well beyond the ends.
+//! Gauss's rule, for functions that are analytic well beyond the ends.
 
 use super::Integral;
 
-/// The positive nodes of Gauss' rule of 16 points on (−1, 1) with their weights, computed by mpmath.
+/// The positive nodes of Gauss's rule of 16 points on (−1, 1) with their weights, computed by mpmath.
 pub(super) const NODES: [(f64, f64); 8] = [
     (0.095012509837637440185, 0.18945061045506849629),
     (0.28160355077925891323, 0.18260341504492358887),
@@ -14,12 +14,12 @@ pub(super) const NODES: [(f64, f64); 8] = [
     (0.9894009349916499326, 0.027152459411754094852),
 ];
 
-/// Degrees of Legendre's polynomials whose coefficients tell how fast those of a function fall: several neighbours, because some
-/// vanish by chance or symmetry.
+/// Degrees of the Legendre coefficients that are compared with the last ones to measure how fast the coefficients fall: several neighbouring
+/// degrees, because some coefficients vanish by chance or symmetry.
 const EARLY: [usize; 4] = [4, 5, 6, 7];
 const LATE: [usize; 4] = [12, 13, 14, 15];
 
-/// Largest ratio of the late coefficients to the early ones at which 16 points resolve the function; next to a jump it is larger.
+/// Largest ratio of the late coefficients to the early ones at which 16 points resolve the function; next to a jump the ratio is larger.
 const RESOLVED: f64 = 0.25;
 
 /// Legendre's polynomials up to degree 15 at the nodes.
@@ -45,13 +45,13 @@ const fn legendre(x: f64) -> [f64; 16] {
     values
 }
 
-/// ∫₀¹ f(x) dx of a function that is analytic well beyond the ends, by Gauss' rule of 16 points: exact for polynomials up to
-/// degree 31.
+/// ∫₀¹ f(x) dx of a function that is analytic well beyond the ends, by Gauss's rule of 16 points, which is exact for polynomials up to degree
+/// 31.
 ///
 /// # Accuracy
-/// `error` is estimated from the same values: from the coefficients of degrees 4 to 7 in Legendre's polynomials to those of degrees
-/// 12 to 15 they fall by a factor, and from there to those of degree 32, which the rule does not see, at least so once more.
-/// Where they hardly fall nothing is known, and `error` is ∫|f|. A peak between two points is not seen.
+/// `error` is estimated from the same values. The Legendre coefficients fall by some factor from degrees 4–7 to degrees 12–15; they fall by at
+/// least this factor again up to degree 32, which the rule does not see. If they hardly fall, the error is unknown and `error` is ∫|f|. A peak
+/// between two nodes is not detected.
 ///
 /// # Examples
 /// ```
@@ -77,7 +77,7 @@ pub fn gauss(mut f: impl FnMut(f64) -> f64) -> Integral {
         }
     }
     let [early, late] = coefficients.map(|sums| sums.iter().fold(0.0, |most: f64, sum| most.max(sum.abs())));
-    // Coefficient 15 is 31/2 times its sum. What a kink leaves is up to twice as much, wherever it is.
+    // Coefficient 15 is 31/2 times its sum. The error from a kink is up to twice as large, wherever the kink is.
     let error = if late <= RESOLVED * early { 64.0 * late * (late / early) } else { 0.5 * size };
     Integral { value: 0.5 * sum, error: if late == 0.0 { 0.0 } else { error } }
 }

@@ -1,4 +1,4 @@
-//! The rules of Gauss and Kronrod, adaptively, for functions that may have kinks, roots and jumps.
+//! Adaptive Gauss–Kronrod rules, for functions that may have kinks, roots and jumps.
 
 use super::Integral;
 
@@ -15,27 +15,27 @@ const NODES: [(f64, f64, f64); 8] = [
     (0.991_455_371_120_812_6, 0.022_935_322_010_529_225, 0.0),
 ];
 
-/// The part of the integral of |f| that two rules may differ by.
+/// Difference of the two rules, relative to the integral of |f|, that counts as zero.
 const TOLERANCE: f64 = 4.0 * f64::EPSILON;
-/// Part of the difference of its rules above which the halving of an interval gains nothing: the rest is rounding or a jump. Of smooth functions 2⁻¹⁴
-/// is left, of a kink a quarter, of a square root 2^−1.5.
+/// Ratio of the differences after and before the halving of an interval above which the halving gained nothing, so that the difference is
+/// rounding or a jump. For smooth functions the ratio is 2⁻¹⁴, for a kink a quarter, for a square root 2^−1.5.
 const NO_GAIN: f64 = 0.5;
-/// Number of times that an interval and its parts may be halved without gain: by chance a kink may lie next to the middle. Gain by chance gives none
-/// of it back, or noise would be halved without end.
+/// Number of times that an interval and its parts may be halved without gain, since a kink may lie next to the middle by chance. A later gain
+/// does not restore the number, or noise would be halved without end.
 const PATIENCE: u32 = 3;
 /// Maximum number of intervals, enough to halve one of them down to the last digit, as a jump requires.
 const MOST_INTERVALS: usize = 64;
-/// Part of the integral of |f| above which an uncertainty leaves no value: of a pole a few per cent are uncertain, however small the intervals next
-/// to it; of noise as much only where there is nothing else.
+/// Error, relative to the integral of |f|, above which the value is NaN. Next to a pole a few per cent stay uncertain however small the
+/// intervals are; noise has as large an error only if the integrand is nothing but noise.
 const DOUBTFUL: f64 = 1e-2;
 
-/// ∫₀¹ f(x) dx by Gauss–Kronrod rules of 7 and 15 points on intervals, of which the one whose rules differ most is halved, as long
-/// as that helps: kinks and roots are halved down to, while noise costs little more than a smooth function. Where a few
-/// per cent of ∫|f| stay in doubt, as next to a pole, the value is NaN.
+/// ∫₀¹ f(x) dx by Gauss–Kronrod rules of 7 and 15 points. The interval whose rules differ most is halved, as long as that helps: intervals with
+/// kinks and roots become very short, while noise costs little more than a smooth function. If a few per cent of ∫|f| remain uncertain, as next
+/// to a pole, the value is NaN.
 ///
 /// # Accuracy
-/// `error` is what the rules differ by, zero once it is below 4ε∫|f|. No more than 64 intervals are made, so that the function is
-/// evaluated 1905 times at most.
+/// `error` is the sum of the differences of the rules, or zero if that is below 4ε∫|f|. At most 64 intervals are formed, so that the function is
+/// evaluated at most 1905 times.
 ///
 /// # Examples
 /// ```
@@ -61,7 +61,7 @@ pub fn gauss_kronrod(mut f: impl FnMut(f64) -> f64) -> Integral {
             .filter(|&place| parts[place].patience > 0)
             .max_by(|&a, &b| parts[a].rules.difference().total_cmp(&parts[b].rules.difference()));
         match worst {
-            // A value that is not finite is not smaller than any other.
+            // An integral that is not finite cannot be improved.
             _ if !size.is_finite() => return Integral { value: f64::NAN, error },
             Some(worst) if parts.len() < MOST_INTERVALS => {
                 let halves = parts.swap_remove(worst).halves(f);
@@ -84,7 +84,7 @@ fn total(parts: &[Part]) -> f64 {
 struct Part {
     rules: Rules,
     ends: [f64; 2],
-    /// Number of times that it may still be halved without gain.
+    /// Number of times that the part may still be halved without gain.
     patience: u32,
 }
 
@@ -103,7 +103,7 @@ impl Part {
     }
 }
 
-/// Results of both rules on an interval, and of the first for |f|.
+/// Results of both rules on an interval, and of the Kronrod rule for |f|.
 #[derive(Clone, Copy, Debug)]
 #[doc(hidden)]
 pub struct Rules {

@@ -1,9 +1,9 @@
-//! Quadrature: integrals from zero to one, each with an estimate of what the rule misses.
+//! Quadrature: integrals from zero to one, each with an estimate of the truncation error.
 //!
 //! | rule | for functions that are | evaluations |
 //! |---|---|---|
 //! | [`gauss`] | analytic, well beyond the ends | 16 |
-//! | [`gauss_kronrod`] | unknown; kinks and roots are looked for | 15 to 1905 |
+//! | [`gauss_kronrod`] | unknown; kinks and roots are searched | 15 to 1905 |
 //! | [`double_exponential`] | analytic between the ends, at which they may be powers | 113 |
 //!
 //! ```
@@ -14,7 +14,7 @@
 //! for integral in [gauss(smooth), gauss_kronrod(smooth), double_exponential(smooth)] {
 //!     assert!((integral.value - 2.0_f64.ln()).abs() < 1e-15 && integral.error < 1e-14);
 //! }
-//! // A square root has no Taylor series at zero, and the rule of Gauss tells so.
+//! // A square root has no Taylor series at zero, as the error of Gauss's rule shows.
 //! let root = |x: f64| x.sqrt();
 //! assert!((double_exponential(root).value - 2.0 / 3.0).abs() < 1e-15);
 //! assert!(gauss(root).error > (gauss(root).value - 2.0 / 3.0).abs());
@@ -33,11 +33,11 @@ pub(crate) use equal_steps::equal_steps;
 pub use gauss::gauss;
 pub use kronrod::gauss_kronrod;
 
-/// The integral of a function, as far as it is known.
+/// The integral of a function, with its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Integral {
-    /// NaN where it does not converge.
+    /// The value; NaN if the integral does not converge.
     pub value: f64,
-    /// An estimate of the truncation error; the roundings of a sum come in addition.
+    /// An estimate of the truncation error; the rounding errors of a sum are not included.
     pub error: f64,
 }

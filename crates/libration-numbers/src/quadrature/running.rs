@@ -1,17 +1,17 @@
-//! Integrals up to each of Gauss' points.
+//! Integrals up to each node of Gauss's rule.
 
 use super::gauss::{LEGENDRE, NODES};
 use libration_kernels::elementary::count;
 
-/// Number of points.
+/// Number of nodes.
 pub const POINTS: usize = 2 * NODES.len();
 
-/// Gauss' points on (0, 1), in their order.
+/// The nodes of Gauss's rule on (0, 1), in ascending order.
 pub fn points() -> [f64; POINTS] {
     std::array::from_fn(|point| 0.5 + 0.5 * signed(point).0)
 }
 
-/// A point on (−1, 1), its weight, and Legendre's polynomials there.
+/// A node on (−1, 1), its weight, and Legendre's polynomials at the node.
 fn signed(point: usize) -> (f64, f64, [f64; POINTS]) {
     let half = NODES.len();
     match point.checked_sub(half) {
@@ -25,7 +25,7 @@ fn signed(point: usize) -> (f64, f64, [f64; POINTS]) {
     }
 }
 
-/// The integrals from zero to each of [`points`], and to one, of a function with these values there, taken for the polynomial through them.
+/// The integrals from zero to each of [`points`], and to one, of the polynomial with these values at the nodes.
 pub fn running_integrals(values: &[f64; POINTS]) -> ([f64; POINTS], f64) {
     let mut coefficients = [0.0; POINTS];
     for (point, value) in values.iter().enumerate() {
@@ -34,7 +34,7 @@ pub fn running_integrals(values: &[f64; POINTS]) -> ([f64; POINTS], f64) {
             *coefficient += weight * legendre * value;
         }
     }
-    // The n-th is (2n + 1)/2 times this, and the integral of Pₙ from −1 is (Pₙ₊₁ − Pₙ₋₁)/(2n + 1).
+    // The n-th coefficient is (2n + 1)/2 times this sum, and the integral of Pₙ from −1 is (Pₙ₊₁ − Pₙ₋₁)/(2n + 1).
     let upto = |point: usize| {
         let (x, _, legendre) = signed(point);
         let last = count(POINTS - 1);

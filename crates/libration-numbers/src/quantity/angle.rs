@@ -1,4 +1,4 @@
-//! An angle that is exact where it matters: at the bottom and at the top.
+//! Angles with full relative accuracy at the bottom and at the top.
 
 use std::fmt;
 use std::ops::Neg;
@@ -6,18 +6,17 @@ use std::ops::Neg;
 use super::QuantityError;
 use libration_kernels::double_double::{DoubleDouble, two_sum};
 
-/// Angles above this many radians have no turns that an `f64` could count.
+/// Largest angle in radians: beyond it, turns could not be counted by an `f64`.
 pub(super) const LARGEST_RADIANS: f64 = 9_007_199_254_740_992.0;
 const TWO_PI: DoubleDouble = DoubleDouble::new(2.0 * DoubleDouble::PI.hi, 2.0 * DoubleDouble::PI.lo);
 const DEGREES_PER_RADIAN: DoubleDouble = DoubleDouble::new(57.29577951308232, -1.9878495670576283e-15);
-/// Below this complement an angle is shown as `pi-δ`.
+/// Complement below which an angle is printed as `pi-δ`.
 const SHOWN_AS_COMPLEMENT: f64 = 1e-3;
 
-/// An angle from the downward vertical: whole turns, the angle in the turn within [−π, π], and the complement
-/// π − |angle in the turn|.
+/// An angle from the downward vertical: whole turns, the angle in the turn within [−π, π], and the complement π − |angle in the turn|.
 ///
-/// The angle in the turn and the complement are each good to about 1e-31 of themselves. An odd multiple of π
-/// counts the fewer turns: 180° is π after no turn, 540° is π after one.
+/// The angle in the turn and the complement each have a relative error of about 1e-31. For an odd multiple of π the smaller number of turns
+/// counts: 180° is π after no turn, 540° is π after one.
 ///
 /// # Examples
 /// ```
@@ -38,7 +37,7 @@ pub struct Angle {
 }
 
 impl Angle {
-    /// The angle π − `complement`, exactly this `f64`; `complement` within [0, π] radians.
+    /// The angle π − `complement`, where `complement` is exactly this `f64`, within [0, π] radians.
     ///
     /// # Errors
     /// NaN or outside [0, π].
@@ -49,14 +48,14 @@ impl Angle {
         Err(QuantityError::NotAComplement(complement))
     }
 
-    /// The angle π − `complement`, which the caller keeps within [0, π].
+    /// The angle π − `complement`; the caller ensures that the complement is within [0, π].
     #[doc(hidden)]
     pub fn from_complement_words(complement: DoubleDouble) -> Self {
         let in_turn = two_sum(DoubleDouble::PI.hi, -complement.hi) + (DoubleDouble::PI_TAIL - complement.lo);
         Self { turns: 0, in_turn, complement }
     }
 
-    /// An angle from its parts, which the caller has made consistent.
+    /// An angle from its parts; the caller ensures that they are consistent.
     #[doc(hidden)]
     pub fn from_parts(turns: i64, in_turn: DoubleDouble, complement: DoubleDouble) -> Self {
         Self { turns, in_turn, complement }
@@ -68,7 +67,7 @@ impl Angle {
         self.unwrapped().to_f64()
     }
 
-    /// The angle in degrees, unwrapped, within one rounding of the nearest `f64`.
+    /// The angle in degrees, unwrapped, to within one rounding of the nearest `f64`.
     #[must_use]
     pub fn degrees(&self) -> f64 {
         (self.unwrapped() * DEGREES_PER_RADIAN).to_f64()
@@ -92,13 +91,13 @@ impl Angle {
         self.complement.to_f64()
     }
 
-    /// The angle without its sign.
+    /// The absolute value of the angle.
     #[must_use]
     pub fn abs(self) -> Self {
         if self.radians() < 0.0 { -self } else { self }
     }
 
-    /// The angle in the turn as an unevaluated sum of two numbers, high word first: about 106 bits of it.
+    /// The angle in the turn as an unevaluated sum of two numbers, high word first, with about 106 bits.
     #[must_use]
     pub fn in_turn_in_two_words(&self) -> [f64; 2] {
         [self.in_turn.hi, self.in_turn.lo]
@@ -124,7 +123,7 @@ impl Angle {
     }
 }
 
-/// The same angle on the other side.
+/// The angle with the opposite sign.
 impl Neg for Angle {
     type Output = Self;
     fn neg(self) -> Self {
@@ -132,8 +131,8 @@ impl Neg for Angle {
     }
 }
 
-/// Radians in the shortest form that reads back as the same `f64`; within a thousandth of the top `pi-δ`
-/// (`-pi+δ` on the other side), δ in the same form.
+/// Radians in the shortest form that is read as the same `f64`; within a thousandth of the top `pi-δ` (`-pi+δ` on the other side), with δ in the
+/// same form.
 impl fmt::Display for Angle {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let complement = self.complement();

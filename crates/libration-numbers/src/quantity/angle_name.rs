@@ -3,7 +3,7 @@
 /// Greek letters that are used for angles.
 const LETTERS: [&str; 8] = ["theta", "vartheta", "phi", "varphi", "psi", "alpha", "beta", "gamma"];
 
-/// Returns whether a coordinate of this name is taken as an angle: a Greek letter that is used for angles, with or without a number after it.
+/// Returns `true` if a coordinate with this name counts as an angle: a Greek letter that is used for angles, with or without a number after it.
 ///
 /// # Examples
 /// ```

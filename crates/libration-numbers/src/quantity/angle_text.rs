@@ -1,7 +1,7 @@
 //! Angles from text: `60deg`, `1.2rad`, `1.2`, `pi/3`, and below the top `pi-1e-300`, `180deg-1e-9deg`.
 //!
 //! An angle is one term, or a term in degrees or in π with a second one added or subtracted. A term alone in
-//! radians is the nearest `f64`; every other number is the decimal.
+//! radians is the nearest `f64`; every other number is the exact decimal.
 
 use std::str::FromStr;
 
@@ -20,19 +20,19 @@ const DECIMAL_COMMA: &str = "write the decimals with a point, as in 1.2rad";
 const SAY_THE_UNIT: &str = "write the unit of what is taken from degrees, as in 180deg-1e-9deg";
 const TOO_LARGE: &str = "give an angle of at most 2^53 rad";
 const TOO_SMALL: &str = "give zero or at least 1e-300 rad, and the top exactly or by at least 1e-300 rad";
-/// Below this two words of an angle would be subnormal.
+/// Smallest distance from zero or the top: below it the second word of an angle would be subnormal.
 const SMALLEST: f64 = 1e-300;
 
 /// Reads an angle.
 ///
 /// # Errors
-/// Text that does not follow the grammar, that is longer than 128 bytes, that means more than 2⁵³ rad, or a
-/// decimal angle within 1e-300 rad of zero or of the top without being there.
+/// Text that does not follow the grammar or is longer than 128 bytes; an angle of more than 2⁵³ rad; a decimal angle within 1e-300 rad of zero
+/// or of the top, but not there.
 impl FromStr for Angle {
     type Err = QuantityError;
 
     fn from_str(text: &str) -> Result<Self, QuantityError> {
-        // Most lines of a file of angles.
+        // A fast path for plain numbers, the most frequent lines in files of angles.
         let plain = if text.len() <= LONGEST_TEXT { Decimal::nearest_to(text) } else { None };
         if let Some(angle) = plain.and_then(|radians| Self::from_radians(radians).ok()) {
             return Ok(angle);
@@ -45,7 +45,7 @@ impl FromStr for Angle {
     }
 }
 
-/// The angle that the text means when all its numbers are the decimals, within the range of angles.
+/// The angle of the text with all its numbers as exact decimals, within the range of angles.
 pub(super) fn exact_angle(text: &str) -> Result<PiCombination, QuantityError> {
     let angle = terms(text).and_then(|(first, second)| {
         let angle = second.map_or(Ok(first.exact()), |second| first.followed_by(&second))?;
@@ -54,7 +54,7 @@ pub(super) fn exact_angle(text: &str) -> Result<PiCombination, QuantityError> {
     angle.map_err(|fault| fault.about(text))
 }
 
-/// Error before the text is added to it.
+/// An error to which the text is still to be added.
 enum Fault {
     Unreadable(&'static str),
     OutOfRange(&'static str),
@@ -79,7 +79,7 @@ fn terms(text: &str) -> Result<(Term, Option<Term>), Fault> {
     Ok((Term::parse(first)?, second))
 }
 
-/// The first term, and the second with its sign; the sign of an exponent does not count.
+/// The first term, and the second with its sign; the sign of an exponent is ignored.
 fn split_at_second_sign(text: &str) -> (&str, &str) {
     let is_sign = |b: u8| b == b'+' || b == b'-';
     let bytes = text.as_bytes();
@@ -146,7 +146,7 @@ impl Term {
     }
 }
 
-/// The unit after a number, and what a multiple of π is divided by.
+/// The unit after a number, and the divisor of a multiple of π.
 fn unit_and_divisor(text: &str) -> Result<(Unit, RBig), Fault> {
     let unit = match text {
         "" => Unit::Unsaid,
@@ -169,7 +169,7 @@ fn divisor_of_pi(text: &str) -> Option<RBig> {
     (!divisor.is_zero() && divisor.is_positive()).then_some(divisor)
 }
 
-/// The angle, when its turns can be counted and its words are normal numbers.
+/// The angle, if its turns can be counted and its words are normal numbers.
 fn in_range(angle: &PiCombination) -> Result<Angle, Fault> {
     if angle.value().to_words().hi.abs() > LARGEST_RADIANS {
         return Err(Fault::OutOfRange(TOO_LARGE));

@@ -1,9 +1,9 @@
-//! Angles without a unit, which are radians and may have been meant as degrees.
+//! Angles without a unit: they are radians, but may have been meant as degrees.
 
 use std::f64::consts::{PI, TAU};
 use std::fmt;
 
-/// A number without a unit that is taken as radians and is more than half a turn.
+/// A number without a unit that is interpreted as radians and exceeds half a turn.
 ///
 /// # Examples
 /// ```
@@ -16,13 +16,13 @@ use std::fmt;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct BareRadians {
-    /// The number as it is written.
+    /// The number as written.
     written: String,
     radians: f64,
 }
 
 impl BareRadians {
-    /// The first of the numbers in the text of an angle, of several angles, or of a range.
+    /// The first such number in the text of an angle, of several angles, or of a range.
     #[must_use]
     pub fn in_text(text: &str) -> Option<Self> {
         let parts = text.split([',', ':']).map(str::trim);
@@ -39,7 +39,7 @@ impl fmt::Display for BareRadians {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { written, radians } = self;
         let turns = radians / TAU;
-        // Four digits are enough to be surprised by.
+        // Four digits are enough to draw attention.
         let digits = if turns.abs() < 1000.0 { 3 } else { 0 };
         write!(formatter, "taken as {written} rad = {turns:.digits$} turns; for degrees write {written}deg")
     }

@@ -1,11 +1,11 @@
-//! Decimal numbers from text, exactly; bounded before any arithmetic, so that no text is slow to read.
+//! Exact decimal numbers from text, limited before any arithmetic, so that every text is read quickly.
 
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
-/// Longest text of a number.
+/// Maximum length of a number's text.
 pub(super) const LONGEST_TEXT: usize = 128;
-/// Larger exponents leave the range of `f64` whatever the digits.
+/// Largest exponent; larger ones are beyond the range of `f64` whatever the digits.
 const LARGEST_EXPONENT: i32 = 500;
 
 /// A decimal number: digits · 10^exponent.
@@ -17,15 +17,14 @@ pub struct Decimal {
 }
 
 impl Decimal {
-    /// The whole text as a decimal number such as `-1.25e-3`; nothing when it is none, when it is too long or
-    /// when it is beyond the range of `f64`.
+    /// The whole text as a decimal number such as `-1.25e-3`; `None` if it is not one, is too long, or is beyond the range of `f64`.
     pub fn parse(text: &str) -> Option<Self> {
         let (number, rest) = Self::split_from(text.strip_prefix('-').unwrap_or(text))?;
         let number = if text.starts_with('-') { number.negated() } else { number };
         rest.is_empty().then_some(number)
     }
 
-    /// The `f64` nearest to the whole text, if that is a decimal number that [`Self::parse`] reads.
+    /// The `f64` nearest to the whole text, if that is a decimal number accepted by [`Self::parse`].
     pub fn nearest_to(text: &str) -> Option<f64> {
         let unsigned = text.strip_prefix('-').unwrap_or(text);
         let exponent = unsigned.find(['e', 'E']).map_or("0", |place| &unsigned[place + 1..]);
@@ -34,7 +33,7 @@ impl Decimal {
         text.parse::<f64>().ok().filter(|x| is_number && x.is_finite())
     }
 
-    /// The unsigned decimal number that the text begins with, and the text after it.
+    /// The unsigned decimal number at the beginning of the text, and the rest of the text.
     pub fn split_from(text: &str) -> Option<(Self, &str)> {
         let (number, rest) = text.split_at(number_length(text));
         let (mantissa, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
@@ -46,7 +45,7 @@ impl Decimal {
         Some((Self { digits: digits.into(), exponent, nearest }, rest))
     }
 
-    /// The decimal itself.
+    /// The exact decimal.
     pub fn exact(&self) -> RBig {
         let power = UBig::from(10u8).pow(self.exponent.unsigned_abs() as usize);
         if self.exponent < 0 {
@@ -70,8 +69,7 @@ impl Decimal {
     }
 }
 
-/// The length of the longest unsigned decimal number at the beginning, zero when there is none or when it is
-/// longer than [`LONGEST_TEXT`].
+/// The length of the longest unsigned decimal number at the beginning; zero if there is none or it is longer than [`LONGEST_TEXT`].
 fn number_length(text: &str) -> usize {
     let bytes = text.as_bytes();
     let digits = |from: usize| bytes[from..].iter().take_while(|b| b.is_ascii_digit()).count();
@@ -85,7 +83,7 @@ fn number_length(text: &str) -> usize {
     mantissa + exponent_length(&bytes[mantissa..])
 }
 
-/// The length of the exponent, `e-3` say, that the text begins with; zero when there is none.
+/// The length of an exponent such as `e-3` at the beginning of the text; zero if there is none.
 pub(super) fn exponent_length(bytes: &[u8]) -> usize {
     if !matches!(bytes.first(), Some(b'e' | b'E')) {
         return 0;

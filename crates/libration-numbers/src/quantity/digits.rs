@@ -1,6 +1,6 @@
-//! Numbers with the digits that people read.
+//! Numbers in the notation of printed results.
 
-/// Rounded to this many significant digits; in powers of ten when very small or very large; `nan`, `inf` or `-inf` when not finite.
+/// The number rounded to this many significant digits; with a power of ten if very small or very large; `nan`, `inf` or `-inf` if not finite.
 ///
 /// # Examples
 /// ```
@@ -13,7 +13,7 @@ pub fn rounded(value: f64, digits: usize) -> String {
     if !value.is_finite() {
         return non_finite(value).to_owned();
     }
-    // Adding zero takes the sign from minus zero.
+    // Adding zero turns minus zero into zero.
     let value = value + 0.0;
     let scientific = format!("{value:.*e}", digits.saturating_sub(1));
     let exponent: i32 = scientific.split_once('e').and_then(|(_, text)| text.parse().ok()).unwrap_or(0);
@@ -24,7 +24,7 @@ pub fn rounded(value: f64, digits: usize) -> String {
     format!("{value:.*}", usize::try_from(last_place).unwrap_or(0))
 }
 
-/// Rounded to this many significant digits, without the zeros at the end: `60` rather than `60.0000`.
+/// The number rounded to this many significant digits, without trailing zeros: `60` rather than `60.0000`.
 #[must_use]
 pub fn short(value: f64, digits: usize) -> String {
     let text = rounded(value, digits);
@@ -36,7 +36,7 @@ pub fn short(value: f64, digits: usize) -> String {
     format!("{}{exponent}", mantissa.trim_end_matches('0').trim_end_matches('.'))
 }
 
-/// `1.637 ± 0.002 s`, to two digits of the uncertainty; one that is not finite is said to be so.
+/// `1.637 ± 0.002 s`, to two digits of the uncertainty; an uncertainty that is not finite is reported as such.
 ///
 /// # Examples
 /// ```
@@ -58,7 +58,7 @@ pub fn with_uncertainty(value: f64, uncertainty: f64, unit: &str) -> String {
     text.trim_end().to_owned()
 }
 
-/// Rounded to the place 10ᵏ, and to at most this many significant digits: 0 where the number is less than half of 10ᵏ.
+/// The number rounded to the decimal place 10ᵏ, and to at most this many significant digits; 0 if the number is less than half of 10ᵏ.
 ///
 /// # Examples
 /// ```
@@ -76,7 +76,7 @@ pub fn to_place(value: f64, place: i32, most: usize) -> String {
     let digits = usize::try_from(i64::from(first) - i64::from(place) + 1);
     let nearest = match digits {
         Ok(digits @ 1..) => format!("{value:.*e}", digits.min(most) - 1),
-        // Of one place less the first digit decides.
+        // The first digit is one place below 10ᵏ: from 5 on it rounds up to 10ᵏ.
         Ok(_) if format!("{:e}", value.abs()).as_str() >= "5" => {
             format!("{}1e{place}", if value < 0.0 { "-" } else { "" })
         }
@@ -90,7 +90,8 @@ fn exponent(value: f64) -> i32 {
     format!("{value:.1e}").split_once('e').and_then(|(_, text)| text.parse().ok()).unwrap_or(0)
 }
 
-/// The decimal places of two digits of an uncertainty, if it has not too many of them and none before the decimal point that are rounded.
+/// The decimal places for two digits of an uncertainty; `None` if these would be too many, or if digits before the decimal point would be
+/// rounded.
 fn places(uncertainty: f64) -> Option<usize> {
     const MOST: usize = 10;
     let places = usize::try_from(1 - exponent(uncertainty)).ok()?;

@@ -29,7 +29,7 @@ pub enum Dimension {
 }
 
 impl Dimension {
-    /// Some ways to write a quantity of this dimension.
+    /// Examples of how to write a quantity of this dimension.
     #[must_use]
     pub fn examples(self) -> &'static str {
         match self {

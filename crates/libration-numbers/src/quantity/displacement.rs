@@ -1,4 +1,4 @@
-//! Displacements as they are written: decimals and combinations with π that nothing has rounded.
+//! Exact displacements: decimals and combinations with π, without rounding.
 
 use std::fmt;
 
@@ -10,9 +10,9 @@ use super::excerpt::excerpt;
 use super::pi_combination::PiCombination;
 use super::{Angle, Dimension, QuantityError};
 
-/// A displacement a·π + b with fractions a and b: the decimal that a text says, not the `f64` next to it.
+/// A displacement a·π + b with fractions a and b: the exact decimal of a text, not the nearest `f64`.
 ///
-/// Next to a separatrix the difference between the two decides about digits of the period.
+/// Next to a separatrix, digits of the period depend on the difference between the two.
 ///
 /// # Examples
 /// ```
@@ -27,28 +27,28 @@ use super::{Angle, Dimension, QuantityError};
 pub struct Displacement(pub(super) PiCombination);
 
 impl Displacement {
-    /// Exactly this `f64`; `None` when it is not finite.
+    /// Exactly this `f64`; `None` if it is not finite.
     #[must_use]
     pub fn from_f64(value: f64) -> Option<Self> {
         value.is_finite().then(|| Self(PiCombination::radians(value)))
     }
 
-    /// The decimal number that a text gives.
+    /// The exact decimal number of a text.
     ///
     /// # Errors
-    /// Text that is not a decimal number, or one beyond the range of `f64`.
+    /// Text that is not a decimal number, or a number beyond the range of `f64`.
     pub fn from_number_text(text: &str) -> Result<Self, QuantityError> {
         let unsigned = text.trim();
         let number = Decimal::parse(unsigned.strip_prefix('+').unwrap_or(unsigned));
         let number = number.ok_or_else(|| QuantityError::UnreadableQuantity {
             text: excerpt(text),
-            // A displacement has the unit that the equation of motion is written in.
+            // A displacement has the unit of the equation of motion.
             dimension: Dimension::Length,
         })?;
         Ok(Self(PiCombination { pi_multiple: dashu_ratio::RBig::ZERO, rest: number.exact() }))
     }
 
-    /// The angle that a text says, a bare number being a decimal number of radians.
+    /// The exact angle of a text; a bare number is a decimal number of radians.
     ///
     /// # Errors
     /// As for an [`Angle`].
@@ -62,7 +62,7 @@ impl Displacement {
         self.0.nearest().unwrap_or(f64::INFINITY)
     }
 
-    /// Number of degrees, where the angle is a multiple of π, as text in degrees gives it; `None` for others and for zero.
+    /// Number of degrees if the angle is a rational multiple of π, as from text in degrees; `None` for other angles and for zero.
     ///
     /// # Examples
     /// ```
@@ -80,13 +80,13 @@ impl Displacement {
         is_multiple.then(|| (pi_multiple * dashu_ratio::RBig::from(180)).to_f64().value())
     }
 
-    /// The displacement as an angle with its complement, each in two words; `None` when its turns cannot be counted.
+    /// The displacement as an angle with its complement, each in two words; `None` if its turns cannot be counted.
     #[must_use]
     pub fn to_angle(&self) -> Option<Angle> {
         Angle::from_radians(self.to_f64()).ok().map(|_| self.0.to_angle())
     }
 
-    /// Numerator and denominator, where there is no π in it.
+    /// Numerator and denominator, if the displacement does not contain π.
     #[doc(hidden)]
     pub fn fraction(&self) -> Option<(IBig, UBig)> {
         let [(multiple, _), rest] = self.fractions();
@@ -100,7 +100,7 @@ impl Displacement {
     }
 }
 
-/// The nearest `f64`, in the shortest form that reads back as it.
+/// The nearest `f64`, in the shortest form that is read as the same number.
 impl fmt::Display for Displacement {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(formatter, "{}", self.to_f64())

@@ -2,14 +2,14 @@
 
 use super::Dimension;
 
-/// Reason why a text is not the quantity it should be, or a number not an angle.
+/// Reason why a text is not the required quantity, or a number is not an angle.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum QuantityError {
-    /// Not finite, or too large for its turns to be counted.
+    /// An angle that is not finite, or too large for its turns to be counted.
     #[error("{0:?} is not a usable angle: give a finite angle of at most 2^53 rad")]
     NotAnAngle(f64),
-    /// Not within [0, π].
+    /// A complement outside [0, π].
     #[error("{0:?} is not the complement of an angle: give a number of radians from 0 to pi")]
     NotAComplement(f64),
     /// Text that does not follow the grammar of angles.
@@ -20,7 +20,7 @@ pub enum QuantityError {
         /// The remedy.
         hint: &'static str,
     },
-    /// Text of an angle that is too large, or too near zero or the top without being there.
+    /// Text of an angle that is too large, or too close to zero or the top without being there.
     #[error("the angle `{text}` is out of range: {hint}")]
     AngleOutOfRange {
         /// The text, shortened.
@@ -36,7 +36,7 @@ pub enum QuantityError {
         /// The expected dimension.
         dimension: Dimension,
     },
-    /// A unit that is not known.
+    /// An unknown unit.
     #[error("`{unit}` in `{text}` is not a unit of {dimension}: write {}", .dimension.examples())]
     UnknownUnit {
         /// The text, shortened.
@@ -51,10 +51,10 @@ pub enum QuantityError {
     DecimalComma {
         /// The text, shortened.
         text: String,
-        /// The same with a point.
+        /// The text with a decimal point.
         with_point: String,
     },
-    /// A known unit of something else.
+    /// A known unit of another dimension.
     #[error("`{text}` is {found}, not {dimension}: write {}", .dimension.examples())]
     WrongDimension {
         /// The text, shortened.
@@ -64,7 +64,7 @@ pub enum QuantityError {
         /// The expected dimension.
         dimension: Dimension,
     },
-    /// A value or an uncertainty beyond the range of `f64`, or an uncertainty below zero.
+    /// A value or an uncertainty beyond the range of `f64`, or a negative uncertainty.
     #[error("`{text}` is out of range for {dimension}: write {}", .dimension.examples())]
     QuantityOutOfRange {
         /// The text, shortened.

@@ -1,4 +1,4 @@
-//! Angles from numbers that nothing has rounded, turned into two words in one place.
+//! Angles from exact numbers, rounded once to two words.
 
 use dashu_base::{DivEuclid, Signed};
 use dashu_int::IBig;
@@ -12,13 +12,13 @@ use super::{Angle, QuantityError};
 use libration_kernels::double_double::{DoubleDouble, two_sum};
 
 impl Angle {
-    /// The angle of this many radians, exactly this `f64`.
+    /// The angle with exactly this `f64` in radians.
     ///
     /// # Errors
-    /// NaN, infinite, or so large (above 2⁵³ radians) that its turns cannot be counted.
+    /// A number that is NaN, infinite, or so large (above 2⁵³ radians) that its turns cannot be counted.
     pub fn from_radians(radians: f64) -> Result<Self, QuantityError> {
         if radians.abs() <= DoubleDouble::PI.hi {
-            // π in three words: the first difference is exact, and what is left of it is not cancelled again.
+            // π in three words: the first difference is exact, and its remainder does not cancel again.
             let complement = two_sum(DoubleDouble::PI.hi, -radians.abs()) + DoubleDouble::PI_TAIL;
             return Ok(Self::from_parts(0, radians.into(), complement));
         }
@@ -28,7 +28,7 @@ impl Angle {
         Err(QuantityError::NotAnAngle(radians))
     }
 
-    /// The angle of this many degrees, exactly this `f64`.
+    /// The angle with exactly this `f64` in degrees.
     ///
     /// # Errors
     /// As [`Angle::from_radians`].
@@ -41,7 +41,7 @@ impl Angle {
 }
 
 impl PiCombination {
-    /// The nearest angle in two words; the caller keeps the turns within an `i64`.
+    /// The nearest angle in two words; the caller ensures that the turns are within an `i64`.
     pub fn to_angle(&self) -> Angle {
         if let Some(angle) = self.to_angle_within_half_turn() {
             return angle;
@@ -60,7 +60,7 @@ impl PiCombination {
         )
     }
 
-    /// The angle a·π with 0 ≤ a ≤ 1, which has no turns and whose complement (1 − a)·π is as plain.
+    /// The angle a·π with 0 ≤ a ≤ 1, which has no turns and a complement of the same form, (1 − a)·π.
     fn to_angle_within_half_turn(&self) -> Option<Angle> {
         let Fraction { numerator, denominator } = Fraction::from(&self.pi_multiple);
         let complement = IBig::from(denominator.clone()) - &numerator;
@@ -72,7 +72,7 @@ impl PiCombination {
         within.then(|| Angle::from_parts(0, words(numerator), words(complement)))
     }
 
-    /// The angle that text means: plain radians are the nearest `f64`, everything else is exact.
+    /// The angle of a text: plain radians are the nearest `f64`, every other angle is exact.
     pub(super) fn to_angle_as_text_means(&self) -> Angle {
         if !self.pi_multiple.is_zero() {
             return self.to_angle();
@@ -81,9 +81,9 @@ impl PiCombination {
         Angle::from_radians(radians).unwrap_or_else(|_| self.to_angle())
     }
 
-    /// ⌈(angle/π − 1)/2⌉ of a positive angle: an odd multiple of π counts the fewer turns.
+    /// ⌈(angle/π − 1)/2⌉ for a positive angle: for an odd multiple of π the smaller number of turns counts.
     fn whole_turns(&self, value: &Fraction) -> IBig {
-        // Without a rest the quotient is exact, with one it is irrational: a tie is always seen.
+        // Without a rest the quotient is exact, with a rest it is irrational: a tie is always recognised.
         let half_turns = if self.rest.is_zero() {
             Fraction::from(&self.pi_multiple)
         } else {
@@ -98,7 +98,7 @@ impl PiCombination {
         Self { pi_multiple: &self.pi_multiple - RBig::from(turns * IBig::from(2)), rest: self.rest.clone() }
     }
 
-    /// π − |a·π + b|, given a·π + b.
+    /// π − |a·π + b|, from a·π + b.
     fn complement(&self, value: &Fraction) -> Fraction {
         let Self { pi_multiple, rest } = if value.is_negative() { self.clone() } else { self.negated() };
         Self { pi_multiple: RBig::ONE + pi_multiple, rest }.value()

@@ -1,4 +1,4 @@
-//! Foreign text, as a message may show it.
+//! Foreign text in a form that is safe in messages.
 
 /// At most 40 characters of foreign text, with control characters escaped.
 pub fn excerpt(text: &str) -> String {
@@ -17,14 +17,14 @@ pub fn excerpt(text: &str) -> String {
     shown
 }
 
-/// Returns whether a character changes the direction of the text after it, so that a terminal shows another text (Unicode Standard Annex 9, section
-/// 2).
+/// Returns `true` if a character changes the direction of the text after it, so that a terminal displays it in another order (Unicode Standard
+/// Annex 9, section 2).
 #[must_use]
 pub fn is_bidirectional(c: char) -> bool {
     matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
-/// Text without control characters and without those that change its direction.
+/// Text without control characters and characters that change its direction.
 #[must_use]
 pub fn printable(text: &str) -> String {
     text.chars().filter(|&c| !c.is_control() && !is_bidirectional(c)).collect()

@@ -1,4 +1,4 @@
-//! Fractions that are not reduced, and their rounding to two words.
+//! Unreduced fractions, and their rounding to two words.
 
 use dashu_base::{BitTest, Signed, UnsignedAbs};
 use dashu_int::{IBig, UBig};
@@ -6,10 +6,10 @@ use dashu_ratio::RBig;
 
 use libration_kernels::double_double::{DoubleDouble, fast_two_sum};
 
-/// Bits of a quotient before it is split into two words of 53.
+/// Bits of a quotient that is split into two words of 53 bits.
 const QUOTIENT_BITS: usize = 160;
 
-/// numerator/denominator, the denominator positive.
+/// numerator/denominator with a positive denominator.
 #[derive(Clone, Debug)]
 pub(super) struct Fraction {
     pub(super) numerator: IBig,
@@ -29,7 +29,7 @@ impl Fraction {
         RBig::from_parts(self.numerator.clone(), self.denominator.clone())
     }
 
-    /// The nearest `f64` and the nearest of what it leaves, after a quotient of [`QUOTIENT_BITS`].
+    /// The nearest `f64`, and the one nearest to the remainder, from a quotient of [`QUOTIENT_BITS`].
     pub(super) fn to_words(&self) -> DoubleDouble {
         let magnitude = (&self.numerator).unsigned_abs();
         let shift = (QUOTIENT_BITS + self.denominator.bit_len()).saturating_sub(magnitude.bit_len());
@@ -45,7 +45,7 @@ impl Fraction {
     }
 }
 
-/// x/2^n, rounded once where it is subnormal.
+/// x/2^n, rounded once if it is subnormal.
 fn halved(x: f64, n: usize) -> f64 {
     libm::scalbn(x, i32::try_from(n).map_or(i32::MIN, |n| -n))
 }

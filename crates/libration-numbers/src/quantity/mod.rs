@@ -1,16 +1,16 @@
 //! Angles, and physical quantities from text.
 //!
-//! An [`Angle`] is kept as whole turns, an angle in the turn and its complement to the upright position, each
-//! in two words, because near the top π − θ is the number that matters and θ alone has lost it.
+//! An [`Angle`] consists of whole turns, the angle in the turn and the complement to the upright position, the last two in two words each: near
+//! the top results depend on π − θ, which θ alone has lost.
 //!
-//! What text means: radians are the nearest `f64`; degrees, and the δ of `pi-δ`, are the decimal itself,
-//! converted exactly and rounded to two words.
+//! Interpretation of text: plain radians are the nearest `f64`; degrees, and the δ of `pi-δ`, are exact decimals, converted exactly and rounded
+//! to two words.
 //!
 //! ```
 //! # extern crate libration_numbers as libration;
 //! use libration::quantity::{Angle, Dimension, angles, parse};
 //!
-//! // A nanoradian from the top: the complement is kept, which π − θ in `f64` has lost.
+//! // A nanoradian from the top: the complement is stored, because π − θ in `f64` would lose it.
 //! let angle: Angle = "pi-1e-9".parse()?;
 //! assert_eq!(angle.complement(), 1e-9);
 //! let length = parse("99.4(2) cm", Dimension::Length)?;
@@ -20,8 +20,8 @@
 //! ```
 //!
 //! # Method
-//! A decimal is kept as an exact fraction, with its multiple of π apart, until it is rounded once: to two words for an angle, to one for any other
-//! quantity.
+//! A decimal is kept as an exact fraction, with its multiple of π separate, until it is rounded once: to two words for an angle, to one word for
+//! any other quantity.
 
 mod angle;
 mod angle_name;

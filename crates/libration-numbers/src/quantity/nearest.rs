@@ -1,6 +1,6 @@
-//! Suggestions for a word that is not known.
+//! Suggestions for an unknown word.
 
-/// The three known words nearest to the one requested.
+/// The three known words nearest to the requested one.
 pub(crate) fn nearest<'a>(asked: &str, known: impl Iterator<Item = &'a str>) -> Vec<String> {
     const SHOWN: usize = 3;
     let mut words: Vec<&str> = known.collect();
@@ -8,7 +8,7 @@ pub(crate) fn nearest<'a>(asked: &str, known: impl Iterator<Item = &'a str>) -> 
     words.into_iter().take(SHOWN).map(str::to_owned).collect()
 }
 
-/// The fewest insertions, deletions and replacements of characters (V. I. Levenshtein, 1966).
+/// The smallest number of insertions, deletions and replacements of characters (V. I. Levenshtein, 1966).
 fn edit_distance(from: &str, to: &str) -> usize {
     let mut row: Vec<usize> = (0..=to.chars().count()).collect();
     for (i, a) in from.chars().enumerate() {

@@ -1,6 +1,6 @@
 //! Physical quantities from text: `1.2 m`, `35 in`, `9.81m/s^2`, `1.200(3) m`, `1.200 ± 0.003 m`.
 //!
-//! The decimal times the unit is taken exactly and rounded once.
+//! The product of the decimal and the unit is exact, and rounded once.
 
 use dashu_base::Abs;
 use dashu_ratio::RBig;
@@ -20,10 +20,9 @@ pub struct Quantity {
     pub uncertainty: Option<f64>,
 }
 
-/// The quantity of this dimension that the text means; a bare number is in the SI unit.
+/// Reads a quantity of this dimension; a bare number is in the SI unit.
 ///
-/// The uncertainty may stand in brackets in units of the last digit, after `±`, `+-` or `+/-` with or without
-/// a unit of its own, or as a percentage.
+/// The uncertainty may be in brackets in units of the last digit, after `±`, `+-` or `+/-` with or without a unit, or a percentage.
 ///
 /// # Errors
 /// Text that is not a number with a unit, a unit of another dimension, or a number beyond the range of `f64`.
@@ -50,8 +49,8 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<Quantity, QuantityError
     Ok(Quantity { value, uncertainty })
 }
 
-/// The value of a number with a unit as [`parse`] reads it, written with as few digits as read back as it: in the SI unit of the dimension, rounded
-/// once. A number that is not finite stays so; `None` where no unit of this name measures this, and beyond the range of `f64`.
+/// The value of a number with a unit, as [`parse`] reads the shortest decimal of the number: in the SI unit of the dimension, rounded once. A
+/// number that is not finite is returned unchanged; `None` if the unit is unknown or of another dimension, and beyond the range of `f64`.
 ///
 /// # Examples
 /// ```
@@ -60,7 +59,7 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<Quantity, QuantityError
 ///
 /// let angle = in_si(30.0, "deg", Dimension::Angle).ok_or("degrees measure angles")?;
 /// assert_eq!(angle, "30deg".parse::<Angle>()?.radians());
-/// // The product of two rounded numbers is another number.
+/// // The product of two rounded numbers differs from the correctly rounded value.
 /// assert_ne!(angle, 30.0 * (std::f64::consts::PI / 180.0));
 /// assert_eq!(in_si(1.0, "s", Dimension::Angle), None);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -71,7 +70,7 @@ pub fn in_si(number: f64, unit: &str, dimension: Dimension) -> Option<f64> {
     if number.is_finite() { unit.to_si(number) } else { Some(number) }
 }
 
-/// A quantity before it is rounded, in its SI unit.
+/// A quantity before rounding, in its SI unit.
 pub(super) struct ExactQuantity {
     pub(super) value: PiCombination,
     uncertainty: Option<PiCombination>,
@@ -106,7 +105,7 @@ impl ExactQuantity {
 
 const PERCENT: &str = "%";
 
-/// One spelling of the signs, and no brackets around value and uncertainty.
+/// The text with one spelling of the signs, and without brackets around value and uncertainty.
 fn plain(text: &str) -> String {
     let text = text.trim().replace('−', "-").replace("+/-", "±").replace("+-", "±");
     match text.strip_prefix('(').and_then(|rest| rest.rsplit_once(')')) {
@@ -134,7 +133,7 @@ fn unit_named(name: &str, text: &str, dimension: Dimension) -> Result<&'static U
     Ok(unit)
 }
 
-/// A number, perhaps with an uncertainty of its last digits, and the name of a unit.
+/// A number, possibly with an uncertainty of its last digits, and the name of a unit.
 struct Amount<'a> {
     number: Decimal,
     last_digits: Option<RBig>,
@@ -154,7 +153,7 @@ impl<'a> Amount<'a> {
     }
 }
 
-/// A number such as `1.200(3)` or `1.200(3)e-2`, its uncertainty, and the text after it.
+/// A number such as `1.200(3)` or `1.200(3)e-2`, its uncertainty, and the rest of the text.
 fn concise(text: &str) -> Option<(Decimal, Option<RBig>, &str)> {
     let (mantissa, rest) = text.split_once('(')?;
     let (digits, rest) = rest.split_once(')')?;

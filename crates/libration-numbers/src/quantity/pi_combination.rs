@@ -8,8 +8,8 @@ use dashu_ratio::RBig;
 
 use super::fraction::Fraction;
 
-/// Bits of π after the point held for the conversions. A decimal of the longest text this module reads differs
-/// from a multiple of π by far more than 2⁻⁹⁰⁰, so that the two words of a difference are always there.
+/// Number of binary places of π for the conversions. A decimal of the longest accepted text differs from every multiple of π by far more than
+/// 2⁻⁹⁰⁰, so that both words of a difference are always determined.
 pub(super) const PI_BITS: usize = 1100;
 
 /// ⌊π·2^[`PI_BITS`]⌋.
@@ -21,7 +21,7 @@ pub(super) static PI: LazyLock<UBig> = LazyLock::new(|| {
         .expect("the floor of a positive number is a natural number")
 });
 
-/// Bits of π that give a·π in two words, where nothing is taken from it.
+/// Number of binary places of π that suffice for a·π in two words, if nothing is subtracted from it.
 pub(super) const SHORT_PI_BITS: usize = 320;
 
 /// ⌊π·2^[`SHORT_PI_BITS`]⌋.
@@ -47,12 +47,12 @@ impl PiCombination {
         Some(self.value().to_rational().to_f64().value()).filter(|x| x.is_finite())
     }
 
-    /// Returns whether the angle is an exact multiple of π, which only one without a rest can be.
+    /// Returns `true` if the angle is an exact multiple of π, which requires b = 0.
     pub(super) fn is_multiple_of_pi(&self) -> bool {
         self.rest.is_zero() && self.pi_multiple.is_int()
     }
 
-    /// a·π + b with π to [`PI_BITS`]; exact when there is no π in it.
+    /// a·π + b with π to [`PI_BITS`] places; exact if a = 0.
     pub(super) fn value(&self) -> Fraction {
         let (a, b) = (Fraction::from(&self.pi_multiple), Fraction::from(&self.rest));
         if a.is_zero() {
@@ -68,7 +68,7 @@ impl PiCombination {
     }
 }
 
-/// The value of a finite `f64`.
+/// The exact value of a finite `f64`.
 pub(super) fn exact(x: f64) -> RBig {
     RBig::try_from(x).expect("a finite binary number is a rational")
 }

@@ -7,7 +7,7 @@ use super::excerpt::excerpt;
 use super::pi_combination::PiCombination;
 use super::range_error::{MOST_ELEMENTS, RangeError};
 
-/// An arithmetic progression, exactly.
+/// An exact arithmetic progression.
 #[derive(Clone, Debug)]
 pub(super) struct Progression {
     start: PiCombination,

@@ -1,7 +1,7 @@
 //! Ranges `START:STOP:STEP` and comma-separated lists, of angles and of other numbers.
 //!
-//! The k-th element is START + k·STEP in exact arithmetic, rounded once; STOP belongs to the range when a
-//! whole number of steps reaches it to within 5e-10 of a step.
+//! The k-th element is START + k·STEP in exact arithmetic, rounded once. STOP belongs to the range if a whole number of steps reaches it to
+//! within 5e-10 of a step.
 
 use super::angle_text::exact_angle;
 use super::decimal::Decimal;
@@ -27,11 +27,11 @@ use super::{Angle, Dimension, Displacement};
 pub struct AngleRange(Progression);
 
 impl AngleRange {
-    /// The range that `START:STOP:STEP` means, each part an angle.
+    /// Reads a range `START:STOP:STEP` whose parts are angles.
     ///
     /// # Errors
-    /// Text that is not three angles, bare numbers together with angles with a unit, a step of zero or away from the stop, more
-    /// than ten million elements.
+    /// Text that does not consist of three angles; bare numbers together with angles that have a unit; a step of zero or away from the stop;
+    /// more than ten million elements.
     pub fn parse(text: &str) -> Result<Self, RangeError> {
         let parts = three_parts(text, "1deg:179deg:1deg")?;
         if units_are_mixed(&parts) {
@@ -48,13 +48,13 @@ impl AngleRange {
         self.0.count
     }
 
-    /// Always `false`: a range has at least its start.
+    /// Always `false`: a range contains at least its start.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.0.count == 0
     }
 
-    /// The k-th angle, from zero.
+    /// The k-th angle, counted from zero.
     #[must_use]
     pub fn get(&self, k: usize) -> Option<Angle> {
         self.0.get(k).map(|element| element.to_angle_as_text_means())
@@ -71,10 +71,10 @@ impl AngleRange {
 pub struct NumberRange(Progression);
 
 impl NumberRange {
-    /// The range that `START:STOP:STEP` means, each part a quantity of this dimension.
+    /// Reads a range `START:STOP:STEP` whose parts are quantities of this dimension.
     ///
     /// # Errors
-    /// Text that is not three quantities, a step of zero or away from the stop, more than ten million elements.
+    /// Text that does not consist of three quantities; a step of zero or away from the stop; more than ten million elements.
     pub fn parse(text: &str, dimension: Dimension) -> Result<Self, RangeError> {
         let [start, stop, step] = three_parts(text, "0:10:0.1")?;
         let exact = |part| Ok::<_, RangeError>(ExactQuantity::parse(part, dimension)?.value);
@@ -87,13 +87,13 @@ impl NumberRange {
         self.0.count
     }
 
-    /// Always `false`: a range has at least its start.
+    /// Always `false`: a range contains at least its start.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.0.count == 0
     }
 
-    /// The k-th number, from zero: the nearest `f64` of START + k·STEP.
+    /// The k-th number, counted from zero: the nearest `f64` to START + k·STEP.
     #[must_use]
     pub fn get(&self, k: usize) -> Option<f64> {
         self.0.get(k).and_then(|element| element.nearest())
@@ -105,10 +105,10 @@ impl NumberRange {
     }
 }
 
-/// The angles that a text means: one angle, several between commas, or a range.
+/// Reads one angle, several separated by commas, or a range.
 ///
 /// # Errors
-/// As [`AngleRange::parse`] and the reading of an angle.
+/// As for [`AngleRange::parse`] and for parsing an [`Angle`].
 pub fn angles(text: &str) -> Result<Vec<Angle>, RangeError> {
     if text.contains(':') {
         return Ok(AngleRange::parse(text)?.iter().collect());
@@ -120,10 +120,10 @@ pub fn angles(text: &str) -> Result<Vec<Angle>, RangeError> {
     parts.into_iter().map(|part| Ok(part.parse()?)).collect()
 }
 
-/// The numbers that a text means, in the SI unit of the dimension: one, several between commas, or a range.
+/// Reads one number, several separated by commas, or a range, in the SI unit of the dimension.
 ///
 /// # Errors
-/// As [`NumberRange::parse`] and [`super::parse`].
+/// As for [`NumberRange::parse`] and [`super::parse`].
 pub fn numbers(text: &str, dimension: Dimension) -> Result<Vec<f64>, RangeError> {
     if text.contains(':') {
         return Ok(NumberRange::parse(text, dimension)?.iter().collect());
@@ -131,23 +131,23 @@ pub fn numbers(text: &str, dimension: Dimension) -> Result<Vec<f64>, RangeError>
     text.split(',').map(|part| Ok(super::parse(part, dimension)?.value)).collect()
 }
 
-/// The same, each number being the decimal itself.
+/// Reads numbers as [`numbers`] does, as exact decimals.
 ///
 /// # Errors
-/// As [`numbers`].
+/// As for [`numbers`].
 pub fn exact_numbers(text: &str) -> Result<Vec<Displacement>, RangeError> {
     if text.contains(':') {
-        // Units having no place here, any dimension will do.
+        // Numbers here have no unit, so any dimension serves.
         let range = NumberRange::parse(text, Dimension::Length)?.0;
         return Ok((0..range.count).map(|k| Displacement(range.element(k))).collect());
     }
     text.split(',').map(|part| Ok(Displacement::from_number_text(part)?)).collect()
 }
 
-/// The angles that a text means, as [`angles`], each being what is written.
+/// Reads angles as [`angles`] does, exactly as written.
 ///
 /// # Errors
-/// As [`angles`].
+/// As for [`angles`].
 pub fn exact_angles(text: &str) -> Result<Vec<Displacement>, RangeError> {
     if text.contains(':') {
         let range = AngleRange::parse(text)?.0;
@@ -160,7 +160,7 @@ pub fn exact_angles(text: &str) -> Result<Vec<Displacement>, RangeError> {
     parts.into_iter().map(|part| Ok(Displacement::from_angle_text(part)?)).collect()
 }
 
-/// Returns whether bare numbers (other than zero) are mixed with angles with a unit: `60,5deg` was meant otherwise.
+/// Returns `true` if bare numbers (other than zero) are mixed with angles that have a unit: `60,5deg` was meant otherwise.
 fn units_are_mixed(parts: &[&str]) -> bool {
     let has_unit =
         |part: &&str| ["deg", "°", "rad"].iter().any(|unit| part.to_ascii_lowercase().contains(unit));

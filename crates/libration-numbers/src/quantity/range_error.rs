@@ -2,14 +2,14 @@
 
 use super::QuantityError;
 
-/// Largest number of elements, which memory can hold.
+/// Largest number of elements, which fits into memory.
 pub(super) const MOST_ELEMENTS: u64 = 10_000_000;
 
 /// Reason why a text is not a range.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RangeError {
-    /// Not three parts.
+    /// A text without three parts.
     #[error("cannot read `{0}` as a range: write START:STOP:STEP, as in {1}")]
     NotThreeParts(String, &'static str),
     /// Bare numbers together with those with a unit.
@@ -23,10 +23,10 @@ pub enum RangeError {
     /// A step that leads away from the stop.
     #[error("the step of the range `{0}` leads away from its stop: change its sign")]
     WrongSign(String),
-    /// More elements than are allowed.
+    /// More elements than allowed.
     #[error("the range `{0}` has more than {MOST_ELEMENTS} elements: give a larger step")]
     TooMany(String),
-    /// One of the parts, or an element of a list, is wrong.
+    /// An error in one of the parts, or in an element of a list.
     #[error(transparent)]
     Part(#[from] QuantityError),
 }

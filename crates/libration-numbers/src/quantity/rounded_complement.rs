@@ -1,11 +1,11 @@
-//! Loss of the distance from the upright position when an angle is rounded to a double.
+//! Loss of the complement when an angle is rounded to a double.
 
 use std::fmt;
 
 use super::Angle;
 
-/// An angle so near the upright position that the nearest double has another distance from it, which decides for how long a pendulum stays
-/// there: what is integrated from the double belongs to another start.
+/// An angle so near the upright position that rounding changes its complement noticeably. The complement decides how long a pendulum stays near
+/// the top: an integration from the nearest double belongs to another start.
 ///
 /// ```
 /// # extern crate libration_numbers as libration;
@@ -17,15 +17,15 @@ use super::Angle;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RoundedComplement {
-    /// The distance of the angle from the upright position, in radians.
+    /// The complement of the angle, in radians.
     pub wanted: f64,
-    /// The distance of the nearest double.
+    /// The complement of the nearest double.
     pub rounded: f64,
 }
 
 impl RoundedComplement {
-    /// Effect of rounding on an angle, the upright position itself included; `None` where the distance from it keeps twelve digits, as it does below
-    /// 179.98°. The logarithm of the distance goes into the period, so that its error is smaller still.
+    /// The effect of rounding on an angle, including the upright position; `None` if the complement keeps twelve digits, as it does below
+    /// 179.98°. The period depends on the logarithm of the complement, so that its error is smaller still.
     #[must_use]
     pub fn of(angle: &Angle) -> Option<Self> {
         const KEPT: f64 = 1e-12;

@@ -1,19 +1,19 @@
-//! A number as it is written with fewest digits, which is what was meant by it.
+//! The shortest decimal of a number, which is the number that was meant.
 
 use super::decimal::Decimal;
 use libration_kernels::double_double::DoubleDouble;
 
-/// The shortest decimal that reads back as an `f64`.
+/// The shortest decimal that is read as a given `f64`.
 pub(super) struct Shortest {
     /// Text such as `-1.25e-3`.
     text: String,
 }
 
-/// The powers of ten that an `f64` holds.
+/// Largest power of ten that an `f64` represents exactly.
 const LARGEST_POWER: u32 = 22;
 
 impl Shortest {
-    /// Shortest decimal of a finite number.
+    /// The shortest decimal of a finite number.
     pub(super) fn new(number: f64) -> Self {
         Self { text: format!("{number:e}") }
     }
@@ -22,7 +22,7 @@ impl Shortest {
         Decimal::parse(&self.text)
     }
 
-    /// The number in two words, to 2⁻¹⁰⁰ of itself, where few digits and a small exponent allow that.
+    /// The number in two words with a relative error of 2⁻¹⁰⁰, if the digits are few and the exponent is small.
     pub(super) fn in_two_words(&self) -> Option<DoubleDouble> {
         let (mantissa, exponent) = self.text.split_once('e')?;
         let places = mantissa.split_once('.').map_or(0, |(_, fraction)| fraction.len());
@@ -34,7 +34,7 @@ impl Shortest {
     }
 }
 
-/// A whole number that an `f64` holds.
+/// An integer that an `f64` represents exactly.
 #[expect(clippy::cast_precision_loss, reason = "up to 2^53 nothing is lost")]
 pub(super) fn exactly(whole: i64) -> Option<f64> {
     (whole.unsigned_abs() <= 1 << f64::MANTISSA_DIGITS).then_some(whole as f64)

@@ -1,4 +1,4 @@
-//! The units that quantities are read in, each with its exact value.
+//! The units of quantities, each with its exact value.
 
 use dashu_ratio::RBig;
 
@@ -7,7 +7,7 @@ use super::pi_combination::PiCombination;
 use super::shortest::{Shortest, exactly};
 use libration_kernels::double_double::DoubleDouble;
 
-/// A unit: its value is numerator/denominator of the SI unit, times π where it counts half turns.
+/// A unit: its value is numerator/denominator of the SI unit, times π if it counts half turns.
 pub(super) struct Unit {
     pub(super) dimension: Dimension,
     names: &'static [&'static str],
@@ -22,11 +22,11 @@ enum Factor {
     Pi,
 }
 
-/// The degree, which text of angles and numbers of degrees are read in.
+/// The degree, for text of angles and for numbers of degrees.
 pub(super) const DEGREE: Unit = half_turns(Dimension::Angle, &["deg", "degree", "degrees", "°"], 1, 180);
 
 impl Unit {
-    /// The unit of this name; where several bear it (g), the one of this dimension.
+    /// The unit with this name; if several have it (g), the one of this dimension.
     pub(super) fn named(name: &str, dimension: Dimension) -> Option<&'static Self> {
         let mut bearers = UNITS.iter().filter(|unit| unit.names.contains(&name));
         bearers.clone().find(|unit| unit.dimension == dimension).or_else(|| bearers.next())
@@ -39,7 +39,7 @@ impl Unit {
             .expect("the table begins each dimension with its SI unit")
     }
 
-    /// A number of this unit, in the SI unit.
+    /// A number of this unit, as an exact value in the SI unit.
     pub(super) fn times(&self, number: RBig) -> PiCombination {
         let value = number * RBig::from_parts(self.numerator.into(), self.denominator.into());
         match self.of {
@@ -57,7 +57,7 @@ impl Unit {
         self.to_si_in_two_words(&number).or_else(|| self.times(number.decimal()?.exact()).nearest())
     }
 
-    /// The same where two words tell how it is rounded: each of four operations on them errs by less than 2⁻¹⁰⁰ of its result.
+    /// The number in the SI unit, if two words decide the rounding: each of the four operations on them has a relative error below 2⁻¹⁰⁰.
     fn to_si_in_two_words(&self, number: &Shortest) -> Option<f64> {
         const ERROR: f64 = 4.0 * f64::EPSILON * f64::EPSILON * 16.0;
         let below = exactly(i64::try_from(self.denominator).ok()?)?;
@@ -87,9 +87,8 @@ const fn half_turns(
     Unit { dimension, names, numerator, denominator, of: Factor::Pi }
 }
 
-/// The SI unit of each dimension comes first. The inch is 25.4 mm and the foot twelve of them (international,
-/// 1959); the standard acceleration of gravity is 9.80665 m/s² (CGPM 1901), the pound 0.45359237 kg
-/// (international, 1959).
+/// The SI unit of each dimension comes first. The inch is 25.4 mm and the foot twelve inches (international, 1959); the standard acceleration of
+/// gravity is 9.80665 m/s² (CGPM 1901), the pound 0.45359237 kg (international, 1959).
 static UNITS: [Unit; 41] = [
     unit(Dimension::Length, &["m", "metre", "metres", "meter", "meters"], 1, 1),
     unit(Dimension::Length, &["km"], 1000, 1),

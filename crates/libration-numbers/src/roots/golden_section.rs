@@ -1,14 +1,14 @@
-//! Golden section: the maximum of a function, and a value of the other sign next to its least one.
+//! Golden section: the maximum of a function, and a search for the opposite sign next to a minimum.
 
-/// A place and the value there.
+/// A point and the value there.
 type Point = (f64, f64);
 
-/// The longer part of an interval cut by the golden section, (√5 − 1)/2.
+/// The longer part of a unit interval divided by the golden section, (√5 − 1)/2.
 const LONGER: f64 = 0.618_033_988_749_894_9;
 /// The shorter part, (3 − √5)/2.
 const SHORTER: f64 = 0.381_966_011_250_105_2;
 
-/// The place and value of a maximum of `f` between `a` and `b`, the place to `tolerance`.
+/// Position and value of a maximum of `f` between `a` and `b`; the position is accurate to `tolerance`.
 pub fn maximum_between(f: &mut dyn FnMut(f64) -> f64, a: f64, b: f64, tolerance: f64) -> Point {
     let mut at = |x: f64| (x, f(x));
     let (mut low, mut high) = (a, b);
@@ -28,8 +28,8 @@ pub fn maximum_between(f: &mut dyn FnMut(f64) -> f64, a: f64, b: f64, tolerance:
     if left.1 > right.1 { left } else { right }
 }
 
-/// A point at which a function that has one sign at three places, and is nearest to zero at the middle one, has the other sign; `None` where none is
-/// found between the outer places.
+/// A point at which a function has the opposite sign, given three points at which it has the same sign and is nearest to zero at the middle one;
+/// `None` if no such point is found between the outer ones.
 pub fn other_sign_between(points: [Point; 3], f: impl Fn(f64) -> f64) -> Option<Point> {
     const ROUNDS: u32 = 30;
     let sign = points[1].1.signum();

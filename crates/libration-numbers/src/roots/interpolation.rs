@@ -1,20 +1,20 @@
-//! Interpolation that is never much slower than bisection, for functions that cost much to evaluate.
+//! Interpolation that is never much slower than bisection, for functions that are expensive to evaluate.
 
 use super::Tolerance;
 
-/// A place and the value there.
+/// A point and the value there.
 type Point = (f64, f64);
 
-/// A zero of a function between two places, given with its values there, which must be of opposite sign; `None` where they are not,
-/// and where the function has no value on the way. An end where it vanishes is the zero.
+/// A zero of a function between two points, given with the values there, which must have opposite signs; `None` if they do not, and if the
+/// function has no value at a point in between. An end at which the function vanishes is the zero.
 ///
-/// The method of Oliveira and Takahashi: interpolation, kept within a shrinking window about the middle. Infinite values are values
-/// with a sign. A function that jumps over zero is taken to vanish where it jumps.
+/// The method of Oliveira and Takahashi: interpolation, kept within a shrinking window about the middle. Infinite values are values with a sign.
+/// A jump across zero counts as a zero.
 ///
 /// # Accuracy
-/// Of the two last places, which are as near each other as the tolerance allows, or neighbours among the `f64`s, it is the one
-/// where the function is nearer to zero. The evaluations are ten more than those of bisection at most; for smooth functions
-/// about ten are enough to the last bit.
+/// The zero returned is the one of the last two points with the value nearer to zero; these points are as near each other as the tolerance
+/// allows, or neighbouring `f64`s. The method needs at most ten evaluations more than bisection; for smooth functions about ten suffice to the
+/// last bit.
 ///
 /// # Examples
 /// ```
@@ -51,7 +51,7 @@ pub fn zero_between(ends: [Point; 2], tolerance: Tolerance, mut f: impl FnMut(f6
     Some(if low.1.abs() < high.1.abs() { low.0 } else { high.0 })
 }
 
-/// Next place to evaluate in a bracket that is still too wide: truly inside, or it would not become narrower.
+/// The next point to evaluate in a bracket that is still too wide; strictly inside, so that the bracket becomes narrower.
 fn next(low: Point, high: Point, window: f64, tolerance: Tolerance) -> Option<f64> {
     let ends = [low.0.min(high.0), low.0.max(high.0)];
     let inner = [ends[0].next_up(), ends[1].next_down()];
@@ -62,7 +62,7 @@ fn next(low: Point, high: Point, window: f64, tolerance: Tolerance) -> Option<f6
     Some(truncated(low, high, window, width).clamp(inner[0], inner[1]))
 }
 
-/// Interpolation moved towards the middle, at most as far from it as bisection would still allow.
+/// The interpolated point, moved towards the middle to a distance that bisection would still allow.
 fn truncated(low: Point, high: Point, window: f64, tolerance: f64) -> f64 {
     let middle = f64::midpoint(low.0, high.0);
     let width = high.0 - low.0;

@@ -1,21 +1,20 @@
-//! Root finding between two places that enclose what is looked for, where a condition ends or a function vanishes; and all roots of
-//! a polynomial.
+//! Root finding between two points that enclose a zero of a function or the end of a condition; and all roots of a polynomial.
 //!
-//! The first two methods keep the bracket: what they return lies between the places they were given, however wild the function is. They
-//! end when the bracket is as narrow as the [`Tolerance`] asks for, or when no `f64` is left inside it.
+//! The first two methods keep the bracket: their result lies between the given points, whatever the function is. They end when the bracket is as
+//! narrow as the [`Tolerance`] requires, or when no `f64` is left inside it.
 //!
 //! | method | wants | evaluations |
 //! |---|---|---|
 //! | [`bisect`] | a condition that holds at one end | log2(width/tolerance), at most 2100 |
 //! | [`zero_between`] | the values at both ends, of opposite sign | few for smooth functions, at most ten more than bisection |
-//! | [`polynomial_roots`] | the coefficients | some ten of each root |
-//! | [`polynomial_sign_changes`] | the coefficients | some sixty of each real zero of it and its derivatives |
+//! | [`polynomial_roots`] | the coefficients | some ten per root |
+//! | [`polynomial_sign_changes`] | the coefficients | some sixty per real zero of the polynomial and its derivatives |
 //!
 //! ```
 //! # extern crate libration_numbers as libration;
 //! use libration::roots::{Tolerance, bisect, zero_between};
 //!
-//! // Where the cosine is the angle itself.
+//! // The angle that equals its cosine.
 //! let missing = |x: f64| x.cos() - x;
 //! let [below, above] = bisect([0.0, 1.0], Tolerance::LAST_BIT, |x| missing(x) > 0.0);
 //! assert_eq!(above, below.next_up());
@@ -44,23 +43,23 @@ pub use sign_changes::polynomial_sign_changes;
 /// Largest width of the final bracket: the sum of both parts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
-    /// Width in the units of the places.
+    /// Width in the units of the points.
     pub absolute: f64,
-    /// Width as a part of the end that is farther from zero.
+    /// Width relative to the end that is farther from zero.
     pub relative: f64,
 }
 
 impl Tolerance {
-    /// Until no `f64` is left between the ends.
+    /// Zero width: until no `f64` is left between the ends.
     pub const LAST_BIT: Self = Self { absolute: 0.0, relative: 0.0 };
 
-    /// A width in the units of the places.
+    /// A width in the units of the points.
     #[must_use]
     pub const fn absolute(width: f64) -> Self {
         Self { absolute: width, relative: 0.0 }
     }
 
-    /// A part of the end that is farther from zero.
+    /// A width relative to the end that is farther from zero.
     #[must_use]
     pub const fn relative(part: f64) -> Self {
         Self { absolute: 0.0, relative: part }

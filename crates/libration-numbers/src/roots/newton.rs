@@ -1,31 +1,31 @@
-//! Newton's method for zeros of several functions of as many unknowns, over any field.
+//! Newton's method for zeros of n functions of n unknowns, over any field.
 
 use crate::algebra::Ring;
 use crate::expression::{jet::Jet, tape::Tape};
 use crate::linear::elimination::solve;
 
-/// The reason for which Newton's method comes to no zero.
+/// The reason why Newton's method fails.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NewtonError {
-    /// A function without a finite value.
+    /// A function has no finite value.
     NoValue,
-    /// A matrix of slopes that is singular or has no value.
+    /// The Jacobian matrix is singular or has no value.
     NoSlope,
-    /// The limit of steps.
+    /// The step limit was reached.
     Unsettled,
 }
 
-/// The place where Newton's method ends without a zero, and the reason.
+/// The point at which Newton's method failed, and the reason.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unsolved<T> {
-    /// The last place.
+    /// The last point.
     pub at: Vec<T>,
     /// The reason.
     pub reason: NewtonError,
 }
 
-/// The zero to which Newton's method comes from a guess, or else the last place and the reason. `step` is the correction of a place; `is_last` tells
-/// from a correction and the place after it that no further one is needed.
+/// The zero that Newton's method reaches from a guess, or else the last point and the reason. `step` returns the correction at a point;
+/// `is_last` returns `true` if, after this correction and with this new point, no further one is needed.
 pub fn newton<R: Ring>(
     ring: &R,
     guess: &[R::Element],
@@ -47,7 +47,7 @@ pub fn newton<R: Ring>(
     Err(Unsolved { at, reason: NewtonError::Unsettled })
 }
 
-/// The correction −F′⁻¹·F of a place for formulas on a tape; zero where they all vanish.
+/// The correction −F′⁻¹·F at a point, for formulas on a tape; zero if all of them vanish.
 pub fn correction<R: Ring>(
     ring: &R,
     size: impl Fn(&R::Element) -> f64,

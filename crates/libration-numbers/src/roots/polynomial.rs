@@ -1,4 +1,4 @@
-//! All roots of a polynomial at once, each with a bound of its error.
+//! All roots of a polynomial at once, each with an error bound.
 
 use std::f64::consts::TAU;
 
@@ -12,21 +12,21 @@ pub struct PolynomialRoot {
     pub value: Complex,
     /// Distance from the value within which there are [`multiplicity`](Self::multiplicity) roots.
     pub error: f64,
-    /// Number of roots, itself included, with which it may coincide: more than one where errors overlap.
+    /// Number of roots, itself included, with which the root may coincide: more than one if error discs overlap.
     pub multiplicity: usize,
 }
 
-/// The roots of Σ cₙzⁿ, given by c₀, c₁, …, by ascending magnitude, and as many as its degree: those that coincide, or may, are
-/// listed one by one. There are none of a constant.
+/// The roots of Σ cₙzⁿ, given c₀, c₁, …, by ascending magnitude. There are as many as the degree: roots that coincide, or may coincide, are
+/// listed individually. A constant has none.
 ///
 /// # Domain
-/// Finite coefficients that are not all zero; highest ones that are zero do not count, and lowest ones are roots at zero, exactly. When z
-/// is measured in the mean magnitude of the roots no coefficient between the first and the last may be more than 1e290 times as large as
-/// these. `None` else.
+/// Finite coefficients that are not all zero. Highest coefficients that are zero are ignored; lowest ones are exact roots at zero. With z in
+/// units of the mean magnitude of the roots, no intermediate coefficient may be more than 1e290 times as large as the first or the last one.
+/// `None` otherwise.
 ///
 /// # Accuracy
-/// [`PolynomialRoot::error`] bounds it for exactly these coefficients: some rounding errors times the condition of a simple root, and
-/// of k roots that coincide the k-th root of that. The bound is Smith's, with Horner's rounding errors in the value of the
+/// [`PolynomialRoot::error`] is a bound for exactly these coefficients: a few rounding errors times the condition number of a simple root, and
+/// for k coincident roots the k-th root of that. The bound is Smith's, including the rounding errors of Horner's scheme in the value of the
 /// polynomial.
 ///
 /// # Examples
@@ -42,7 +42,7 @@ pub struct PolynomialRoot {
 /// ```
 ///
 /// # References
-/// O. Aberth, Math. Comp. 27, 339 (1973), doi:10.1090/S0025-5718-1973-0329236-7; first places: D. A. Bini, Numer. Algorithms 13, 179
+/// O. Aberth, Math. Comp. 27, 339 (1973), doi:10.1090/S0025-5718-1973-0329236-7; initial positions: D. A. Bini, Numer. Algorithms 13, 179
 /// (1996), doi:10.1007/BF02207694; bounds: B. T. Smith, J. ACM 17, 661 (1970), doi:10.1145/321607.321615.
 #[must_use]
 pub fn polynomial_roots(coefficients: &[f64]) -> Option<Vec<PolynomialRoot>> {
@@ -61,7 +61,7 @@ pub fn polynomial_roots(coefficients: &[f64]) -> Option<Vec<PolynomialRoot>> {
     Some(roots)
 }
 
-/// A polynomial in units in which the geometric mean of its roots is about one, and its largest coefficient too.
+/// A polynomial in units in which the geometric mean of its roots and its largest coefficient are about one.
 struct Balanced {
     coefficients: Vec<f64>,
     /// The unit of the roots, a power of two.
@@ -69,7 +69,7 @@ struct Balanced {
 }
 
 impl Balanced {
-    /// `None` where the first or the last coefficient vanishes compared with the others.
+    /// The scaled polynomial; `None` if its first or last coefficient is negligible compared with the others.
     fn new(coefficients: &[f64]) -> Option<Self> {
         let degree = coefficients.len() - 1;
         let logs: Vec<f64> = coefficients.iter().map(|c| libm::log2(c.abs())).collect();
@@ -92,7 +92,7 @@ impl Balanced {
         self.coefficients.len() - 1
     }
 
-    /// Initial positions on circles whose radii follow from the upper convex hull of the logarithms of the coefficients, without symmetry.
+    /// Initial positions without symmetry, on circles whose radii follow from the upper convex hull of the logarithms of the coefficients.
     fn first_places(&self) -> Vec<Complex> {
         let logs = self.coefficients.iter().enumerate().map(|(k, c)| (count(k), libm::log2(c.abs())));
         let mut hull: Vec<(f64, f64)> = vec![];
@@ -113,9 +113,9 @@ impl Balanced {
         circles.collect()
     }
 
-    /// Moves all places until the polynomial is zero there within rounding errors, at most for a fixed number of rounds.
+    /// Moves all positions until the polynomial is zero there within rounding errors, for at most a fixed number of rounds.
     fn refine(&self, places: &mut [Complex]) {
-        /// Some ten are usual; of k roots that coincide each round brings the part 1/k of the way.
+        /// About ten rounds are usual; for k coincident roots each round covers 1/k of the remaining distance.
         const ENOUGH: usize = 200;
         let mut settled = vec![false; places.len()];
         for _ in 0..ENOUGH {
@@ -128,7 +128,7 @@ impl Balanced {
         }
     }
 
-    /// One step for a root, Newton's method for the polynomial over the other roots; whether it was the last one.
+    /// One step for a root, Newton's method for the polynomial divided by the other roots' factors; returns `true` if it was the last one.
     fn improve(&self, places: &mut [Complex], k: usize) -> bool {
         let z = places[k];
         let Local { value, rounding, newton } = self.at(z);
@@ -145,9 +145,9 @@ impl Balanced {
         step.abs() < f64::EPSILON * places[k].abs()
     }
 
-    /// Outside the unit circle by way of the reversed polynomial, which does not overflow: p(z) = zⁿ·r(1/z).
+    /// The values at z; outside the unit circle from the reversed polynomial, which does not overflow: p(z) = zⁿ·r(1/z).
     fn at(&self, z: Complex) -> Local {
-        /// Rounding errors of a complex product, √5 of 2⁻⁵³, and a sum, in each of n steps, with as much to spare.
+        /// Rounding errors of a complex product (√5 units of 2⁻⁵³) and a sum, in each of n steps, with a margin as large again.
         const ROUNDINGS: f64 = 4.0;
         let n = count(self.degree());
         let inside = z.abs() <= 1.0;
@@ -161,7 +161,7 @@ impl Balanced {
         Local { value, rounding: ROUNDINGS * (n + 1.0) * f64::EPSILON * size, newton }
     }
 
-    /// Smith's discs with radius n·|p(z)|/|cₙ·Π(z − other)|: as many of them as touch one another have as many roots.
+    /// Smith's discs with radius n·|p(z)|/|cₙ·Π(z − other)|: a group of k touching discs contains k roots.
     fn with_errors(&self, places: &[Complex]) -> Vec<PolynomialRoot> {
         let radii: Vec<f64> = (0..places.len()).map(|k| self.radius(places, k)).collect();
         let clusters = clusters(places, &radii);
@@ -169,7 +169,7 @@ impl Balanced {
             let own: Vec<usize> = (0..places.len()).filter(|j| clusters[*j] == clusters[k]).collect();
             let reach = own.iter().map(|&j| (places[k] - places[j]).abs() + radii[j]).fold(0.0, f64::max);
             let value = if own.len() == 1 { real_if_it_must_be(places, &radii, k) } else { places[k] };
-            // Of two discs about a real place that it was moved to one is larger.
+            // A disc about the real position to which the root was moved must contain the original disc.
             let error = reach + (value - places[k]).abs();
             PolynomialRoot {
                 value: self.in_units(value),
@@ -184,13 +184,13 @@ impl Balanced {
         let (z, n) = (places[k], count(self.degree()));
         let Local { value, rounding, .. } = self.at(z);
         let others = places.iter().enumerate().filter(|(j, _)| *j != k);
-        // Places that coincide are as far apart as their last bits.
+        // Positions that coincide count as being one last bit apart.
         let apart = others.map(|(_, other)| (z - *other).abs().max(f64::EPSILON * z.abs()));
         let product: f64 = apart.map(libm::log2).sum();
         let power = if z.abs() > 1.0 { n * libm::log2(z.abs()) } else { 0.0 };
         let leading = libm::log2(self.coefficients[self.degree()].abs());
         let log = libm::log2(n * (value.abs() + rounding)) + power - leading - product;
-        // The roundings of logarithms up to 1e5 and of the differences.
+        // Rounding errors of logarithms up to 1e5 and of the differences.
         1.0001 * libm::exp2(log) + f64::EPSILON * z.abs()
     }
 
@@ -199,7 +199,7 @@ impl Balanced {
     }
 }
 
-/// Values of a polynomial at a place.
+/// Values of a polynomial at a point.
 struct Local {
     value: Complex,
     /// The rounding error of the value.
@@ -217,7 +217,8 @@ fn scaled_by_power(c: f64, exponent: f64) -> f64 {
     libm::ldexp(c, exponent)
 }
 
-/// The real part of a place alone in three times its disc: else the conjugate of its root would be another root there.
+/// The real part of a position whose disc reaches the real axis and is isolated in three times its radius: otherwise the conjugate would be a
+/// second root there.
 fn real_if_it_must_be(places: &[Complex], radii: &[f64], k: usize) -> Complex {
     let z = places[k];
     let apart = |j: usize| (z - places[j]).abs() > 3.0 * radii[k] + radii[j];
@@ -225,7 +226,7 @@ fn real_if_it_must_be(places: &[Complex], radii: &[f64], k: usize) -> Complex {
     if alone && z.im.abs() <= radii[k] { Complex::from(z.re) } else { z }
 }
 
-/// The cluster of each disc.
+/// The cluster to which each disc belongs.
 fn clusters(places: &[Complex], radii: &[f64]) -> Vec<usize> {
     let mut cluster: Vec<usize> = (0..places.len()).collect();
     for j in 0..places.len() {

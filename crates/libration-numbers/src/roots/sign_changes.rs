@@ -2,15 +2,15 @@
 
 use super::{Tolerance, bisect};
 
-/// The places at which Σ cₙxⁿ, given by c₀, c₁, …, changes its sign, ascending; and places at which it touches zero, where it is zero
-/// in double precision. Between the zeros of its derivative a polynomial is monotonic, so that none is missed.
+/// The points at which Σ cₙxⁿ, given c₀, c₁, …, changes its sign, ascending; and points at which it touches zero, if its value there is zero in
+/// double precision. Between the zeros of its derivative a polynomial is monotonic, so that none is missed.
 ///
 /// # Domain
-/// Finite coefficients; highest ones that are zero do not count. `None` where the quotient of two of them is beyond `f64`.
+/// Finite coefficients; highest ones that are zero are ignored. `None` if the quotient of two coefficients is beyond `f64`.
 ///
 /// # Accuracy
-/// To the last bit of where the value by Horner's scheme changes its sign: a simple zero to some rounding errors times its condition,
-/// as [`polynomial_roots`](super::polynomial_roots) bounds it.
+/// Accurate to the last bit of the point at which the value by Horner's scheme changes its sign: for a simple zero a few rounding errors times
+/// its condition number, as bounded by [`polynomial_roots`](super::polynomial_roots).
 ///
 /// # Examples
 /// ```
@@ -34,11 +34,11 @@ fn derivative(coefficients: &[f64]) -> Vec<f64> {
     coefficients.iter().skip(1).zip(powers).map(|(c, n)| c * n).collect()
 }
 
-/// The zeros of a polynomial that is monotonic between the turns.
+/// The zeros of a polynomial that is monotonic between the given turning points.
 fn between(polynomial: &[f64], turns: &[f64]) -> Option<Vec<f64>> {
     let [.., last] = polynomial else { return Some(vec![]) };
     let value = |x: f64| polynomial.iter().rev().fold(0.0, |sum, c| sum * x + c);
-    // Cauchy: no zero is further out.
+    // Cauchy's bound: no zero is larger.
     let bound = 1.0 + polynomial.iter().fold(0.0, |most: f64, c| most.max((c / last).abs()));
     if polynomial.len() < 2 {
         return Some(vec![]);
@@ -55,7 +55,7 @@ fn between(polynomial: &[f64], turns: &[f64]) -> Option<Vec<f64>> {
     Some(found)
 }
 
-/// The place of the sign change between two places, to the last bit.
+/// The position of the sign change between two points, to the last bit.
 pub fn sign_change(f: impl Fn(f64) -> f64, ends: [f64; 2]) -> f64 {
     let negative = f(ends[0]) < 0.0;
     let [a, b] = bisect(ends, Tolerance::LAST_BIT, |x| (f(x) < 0.0) == negative);

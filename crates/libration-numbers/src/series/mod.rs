@@ -1,7 +1,7 @@
 //! Truncated power series over any ring: product, reciprocal, root, composition, reversion, elementary functions.
 //!
-//! Inside, long series with integer coefficients, integers all the way: they are ordinary ones with integer coefficients, Σ yₙxⁿ, or even
-//! exponential ones, Σ yₙxⁿ/(2n)!, so that no greatest common divisor is taken before the end.
+//! Internally, long series with integer coefficients are kept in integers, as ordinary ones, Σ yₙxⁿ, or as even exponential ones, Σ yₙxⁿ/(2n)!,
+//! so that greatest common divisors are computed only at the end.
 //!
 //! ```
 //! # extern crate libration_numbers as libration;
@@ -32,8 +32,8 @@ pub use truncated::{SeriesPowers, powers, powers_of_inverse, product, reciprocal
 
 use online::{BLOCK, Convolution, Weight};
 
-/// The first `length` coefficients of exp(Σ_{j≥1} hⱼxʲ/j), which are integers whenever they are said to be:
-/// n·eₙ = Σ hⱼe_{n−j}. `derivative` is h₀, h₁, …; h₀ is not used.
+/// The first `length` coefficients of exp(Σ_{j≥1} hⱼxʲ/j), which the caller knows to be integers: n·eₙ = Σ hⱼe_{n−j}. `derivative` is h₀, h₁, …;
+/// h₀ is not used.
 pub fn exponential(derivative: &[IBig], length: usize) -> Vec<IBig> {
     let divided = |n: usize, sum: IBig| sum / IBig::from(n);
     Convolution { known: derivative, weight: Weight::Ordinary, finish: &divided, block: BLOCK }

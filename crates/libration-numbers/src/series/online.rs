@@ -1,11 +1,11 @@
-//! Equations that give each coefficient of a series from those before it, solved with fast products.
+//! Recurrences that give each coefficient of a series from the earlier ones, solved with fast products.
 
 use dashu_int::IBig;
 
 use crate::algebra::product;
 
-/// Below this many coefficients sums of products are faster than Kronecker products: measured for the pendulum's
-/// series, whose coefficients grow like factorials, so that products of small by large ones come cheap.
+/// Number of coefficients below which sums of products are faster than Kronecker products: measured for the pendulum's series, whose
+/// coefficients grow like factorials, so that products of small with large numbers are cheap.
 pub(super) const BLOCK: usize = 1024;
 
 /// Divisor of a coefficient: Σ yₙxⁿ/wₙ.
@@ -17,8 +17,8 @@ pub enum Weight {
     EvenFactorial,
 }
 
-/// An equation y₀ = first, `yₙ = finish(n, Σ wₙ/(w_k w_{n−k})·known_k·y_{n−k})` over 1 ≤ k ≤ n, whose sums need the
-/// answers already found: solved by halves, the first half entering the second by one product.
+/// An equation y₀ = first, `yₙ = finish(n, Σ wₙ/(w_k w_{n−k})·known_k·y_{n−k})` over 1 ≤ k ≤ n. The sums need earlier coefficients; the range is
+/// therefore halved recursively, and one product carries the first half over to the second.
 ///
 /// Reference: J. van der Hoeven, *Relax, but don't be too lazy*, J. Symbolic Comput. 34, 479 (2002), section 4.1.
 #[expect(missing_debug_implementations, reason = "a function has none")]
@@ -26,12 +26,12 @@ pub struct Convolution<'a> {
     pub known: &'a [IBig],
     pub weight: Weight,
     pub finish: &'a dyn Fn(usize, IBig) -> IBig,
-    /// Length of a stretch up to which coefficients are computed one at a time.
+    /// Length of a range up to which coefficients are computed one at a time.
     pub block: usize,
 }
 
 impl Convolution<'_> {
-    /// The first `length` answers; coefficients that `known` does not reach are zero.
+    /// The first `length` coefficients of the solution; coefficients beyond the end of `known` are zero.
     pub fn solve(&self, first: IBig, length: usize) -> Vec<IBig> {
         let mut answers = vec![IBig::ZERO; length];
         if length > 0 {
@@ -40,7 +40,7 @@ impl Convolution<'_> {
         answers
     }
 
-    /// Fills `answers[l..r]`: on entry they hold the sums over the coefficients below `l`, on return the coefficients.
+    /// Fills `answers[l..r]`: on entry this range holds the sums over the coefficients below `l`, on return the coefficients.
     fn fill(&self, answers: &mut [IBig], l: usize, r: usize, first: &IBig) {
         if r - l <= self.block.max(1) {
             return self.fill_one_by_one(answers, l, r, first);
@@ -62,7 +62,7 @@ impl Convolution<'_> {
         }
     }
 
-    /// The part of the n-th sum that the answers directly before it, `recent`, contribute.
+    /// The contribution of `recent`, the coefficients directly before the n-th, to the n-th sum.
     fn recent_sum(&self, recent: &[IBig], n: usize) -> IBig {
         let pairs = recent.iter().rev().zip(self.known.iter().skip(1));
         match self.weight {
@@ -74,7 +74,7 @@ impl Convolution<'_> {
         }
     }
 
-    /// Adds what `answers[l..middle]` contribute to the sums of `answers[middle..r]`.
+    /// Adds the contribution of `answers[l..middle]` to the sums of `answers[middle..r]`.
     fn carry(&self, answers: &mut [IBig], l: usize, middle: usize, r: usize) {
         let reach = (r - l).min(self.known.len());
         let (found, sums) = answers.split_at_mut(middle);
@@ -99,7 +99,7 @@ impl Weight {
         }
     }
 
-    /// The coefficients yⱼ from j = `offset` on, each over its weight, times the last one's weight.
+    /// The coefficients yⱼ from j = `offset` on, each divided by its weight and multiplied by the last one's weight.
     fn cleared(self, coefficients: &[IBig], offset: usize) -> Vec<IBig> {
         let mut factor = IBig::ONE;
         let mut scaled: Vec<IBig> = coefficients.to_vec();

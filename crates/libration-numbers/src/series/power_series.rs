@@ -1,10 +1,10 @@
-//! The ring of power series in one variable, kept to a number of terms, over any ring of coefficients.
+//! The ring of power series in one variable, truncated to a number of terms, over any ring of coefficients.
 
 use super::recurrences::{Both, weighted_integral, weighted_integral_of_quotient, weighted_power};
 use super::truncated::{product, reciprocal};
 use crate::algebra::{Divisor, Function, Pair, Rational, Rationals, Ring, Rule, Slope};
 
-/// Truncated power series as numbers: the slice of their first coefficients, the constant term first. Operations give as many
+/// Truncated power series as elements of a ring: lists of their first coefficients, the constant term first. Operations give as many
 /// coefficients as their operands determine; a quotient in which powers of the variable cancel has fewer.
 ///
 /// ```
@@ -36,7 +36,7 @@ impl PowerSeries<Rationals> {
 }
 
 impl<R: Ring> PowerSeries<R> {
-    /// The variable itself; `None` where the ring has no one.
+    /// The variable itself; `None` if the ring of coefficients has no one.
     #[must_use]
     pub fn variable(&self) -> Option<Vec<R::Element>> {
         let coefficient = |n: usize| self.coefficients.rational(&Rational::from(i64::from(n == 1)));
@@ -55,7 +55,7 @@ impl<R: Ring> PowerSeries<R> {
         a.iter().enumerate().map_while(weight).collect()
     }
 
-    /// The series that begins with a value and whose n·cₙ follow from c₀ … cₙ₋₁ and the weighted c₀ … (n − 1)cₙ₋₁.
+    /// The series with this constant term whose n·cₙ follow from c₀ … cₙ₋₁ and the weighted c₀ … (n − 1)cₙ₋₁.
     fn solve(
         &self,
         first: R::Element,
@@ -72,7 +72,7 @@ impl<R: Ring> PowerSeries<R> {
         Some(plain)
     }
 
-    /// The solution of s′ = a′·c and c′ = sign·a′·s that begins with the values of a pair of functions.
+    /// The solution of s′ = a′·c and c′ = sign·a′·s that begins with the values of the two functions of a pair.
     fn pair(
         &self,
         a: &[R::Element],
@@ -160,7 +160,7 @@ impl<R: Ring> Ring for PowerSeries<R> {
         a.iter().map(|a| self.coefficients.times_integer(a, factor)).collect()
     }
 
-    /// Divides both first by the power of the variable with which the divisor begins, which costs that many coefficients.
+    /// First divides both operands by the lowest power of the variable in the divisor, which costs that many coefficients.
     fn divide(&self, a: &Self::Element, divisor: &Self::Element) -> Option<Self::Element> {
         let ring = &self.coefficients;
         let shift = divisor.iter().position(|coefficient| !ring.is_zero(coefficient))?;
@@ -175,7 +175,7 @@ impl<R: Ring> Ring for PowerSeries<R> {
         a.iter().map(|a| self.coefficients.over_integer(a, divisor)).collect()
     }
 
-    /// The series where the function is analytic and its value at the constant term is in the ring of coefficients.
+    /// The series of a function, if the function is analytic and its value at the constant term is in the ring of coefficients.
     fn value(&self, function: Function, at: &Self::Element) -> Option<Self::Element> {
         let ring = &self.coefficients;
         let first = at.first()?;
@@ -209,7 +209,7 @@ impl<R: Ring> Ring for PowerSeries<R> {
         }
     }
 
-    /// aᵖ, whose constant term must be in the ring of coefficients and not zero.
+    /// aᵖ, if the constant term of the result is in the ring of coefficients and not zero.
     fn power(&self, a: &Self::Element, exponent: &Rational) -> Option<Self::Element> {
         let ring = &self.coefficients;
         let first = a.first()?;

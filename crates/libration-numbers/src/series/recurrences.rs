@@ -1,12 +1,12 @@
-//! The next coefficient of a power series that is a function of others, over any ring.
+//! The next coefficient of a power series that is a function of other series, over any ring.
 //!
-//! A series is the slice of its first coefficients; a *weighted* one has n·aₙ in place of aₙ: the series of the
-//! derivative, shifted by one. Everything below is the equation that the function's derivative obeys, read at one
-//! power of the variable, as in A. Griewank, A. Walther, *Evaluating Derivatives*, 2nd ed., SIAM 2008, section 13.2.
+//! A series is the slice of its first coefficients. A *weighted* series has n·aₙ in place of aₙ: it is the series of the derivative, shifted by
+//! one. Every recurrence below is the differential equation of the function at one power of the variable, as in A. Griewank, A. Walther,
+//! *Evaluating Derivatives*, 2nd ed., SIAM 2008, section 13.2.
 
 use crate::algebra::Ring;
 
-/// cₙ of c = a/b, from aₙ, c₀ … cₙ₋₁ and b₀ … bₙ; `None` when b₀ has no inverse.
+/// cₙ of c = a/b, from aₙ, c₀ … cₙ₋₁ and b₀ … bₙ; `None` if b₀ has no inverse.
 #[inline(always)]
 pub(crate) fn quotient<R: Ring>(
     ring: &R,

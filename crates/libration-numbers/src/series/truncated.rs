@@ -1,11 +1,11 @@
 //! Truncated power series over any ring: product, reciprocal, square root, composition, reversion.
 //!
-//! A series is the slice of its first coefficients; what is beyond counts as unknown, so that an answer has no
-//! more coefficients than the operands determine.
+//! A series is the slice of its first coefficients; later coefficients are unknown, so that a result has no more coefficients than the operands
+//! determine.
 
 use crate::algebra::Ring;
 
-/// Every second coefficient, when the others are all zero: Some(0) for an even series, Some(1) for an odd one.
+/// The parity of a series whose every second coefficient is zero: `Some(0)` for an even series, `Some(1)` for an odd one.
 fn parity<R: Ring>(ring: &R, a: &[R::Element]) -> Option<usize> {
     let vanishes = |start: usize| a.iter().skip(start).step_by(2).all(|a| ring.is_zero(a));
     [0, 1].into_iter().find(|&parity| vanishes(1 - parity))
@@ -25,7 +25,7 @@ pub fn product<R: Ring>(ring: &R, a: &[R::Element], b: &[R::Element], length: us
     spread(ring, halves, p + q, length)
 }
 
-/// Every second coefficient from `first` on, the others being zero.
+/// The given coefficients at every second position from `first` on, with zeros in between.
 fn spread<R: Ring>(ring: &R, halves: Vec<R::Element>, first: usize, length: usize) -> Vec<R::Element> {
     let mut all = vec![ring.zero(); length];
     for (place, coefficient) in all.iter_mut().skip(first).step_by(2).zip(halves) {
@@ -34,8 +34,8 @@ fn spread<R: Ring>(ring: &R, halves: Vec<R::Element>, first: usize, length: usiz
     all
 }
 
-/// The first `length` coefficients of outer(inner(x)), the inner series without constant term. `go_on` is checked at each step; `None` when
-/// it cancels.
+/// The first `length` coefficients of outer(inner(x)), the inner series without constant term. `go_on` is checked at each step; `None` if it
+/// returns `false`.
 pub fn composition<R: Ring>(
     ring: &R,
     outer: &[R::Element],
@@ -50,7 +50,7 @@ pub fn composition<R: Ring>(
     Some(spread(ring, halves, 0, length))
 }
 
-/// Coefficients of 1/a, as many as a has; `None` when a₀ has no inverse.
+/// Coefficients of 1/a, as many as those of a; `None` if a₀ has no inverse.
 pub fn reciprocal<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Vec<R::Element>> {
     let one = ring.rational(&1.into())?;
     let first = ring.divide(&one, a.first()?)?;
@@ -62,7 +62,7 @@ pub fn reciprocal<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Vec<R::Element>
     Some(b)
 }
 
-/// Coefficients of √a, as many as a has, for a₀ = 1 and the root that begins with 1.
+/// Coefficients of √a, as many as those of a, for a₀ = 1 and the root that begins with 1.
 pub fn square_root_of_unit<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Vec<R::Element>> {
     let mut b = vec![ring.rational(&1.into())?];
     for a_n in a.iter().skip(1) {
@@ -77,7 +77,7 @@ pub fn next_square_root<R: Ring>(ring: &R, a_n: &R::Element, b: &[R::Element]) -
     ring.over_integer(&ring.subtract(a_n, &known), 2)
 }
 
-/// The powers 1, a, a², … of a series without constant term, as far as they are not zero.
+/// The powers 1, a, a², … of a series without constant term, up to the last that is not zero in the given coefficients.
 pub fn powers<R: Ring>(ring: &R, a: &[R::Element]) -> Option<SeriesPowers<R::Element>> {
     let one = ring.rational(&1.into())?;
     let length = a.len();
@@ -93,8 +93,8 @@ pub fn powers<R: Ring>(ring: &R, a: &[R::Element]) -> Option<SeriesPowers<R::Ele
     Some(SeriesPowers::new(ring, &powers))
 }
 
-/// The powers 1, y, y², … of y = (a₁x + a₂x² + …)⁻¹, the inverse function of a series, by Lagrange's formula
-/// \[xⁿ\] yʲ = (j/n) \[xⁿ⁻ʲ\] (x/a(x))ⁿ; `None` when a₁ has no inverse.
+/// The powers 1, y, y², … of y = (a₁x + a₂x² + …)⁻¹, the inverse function of a series, by Lagrange's formula \[xⁿ\] yʲ = (j/n) \[xⁿ⁻ʲ\]
+/// (x/a(x))ⁿ; `None` if a₁ has no inverse.
 ///
 /// Reference: P. Henrici, *Applied and Computational Complex Analysis*, vol. 1, Wiley 1974, section 1.9.
 pub fn powers_of_inverse<R: Ring>(ring: &R, a: &[R::Element]) -> Option<SeriesPowers<R::Element>> {
@@ -116,8 +116,8 @@ pub fn powers_of_inverse<R: Ring>(ring: &R, a: &[R::Element]) -> Option<SeriesPo
 /// The powers of a series without constant term, for compositions with it.
 #[derive(Clone, Debug)]
 pub struct SeriesPowers<E> {
-    /// The coefficients of each power of the variable in the powers of the series, from the highest that has one down; in those of one
-    /// parity where the series is odd.
+    /// For each power of the variable, its coefficients in the powers of the series, from the highest power down; if the series is odd, only
+    /// those of one parity.
     columns: Vec<Vec<E>>,
     odd: bool,
     first: Vec<E>,
@@ -138,7 +138,7 @@ impl<E: Clone> SeriesPowers<E> {
         self.first.clone()
     }
 
-    /// outer(inner(x)): as many coefficients as both determine.
+    /// outer(inner(x)), with as many coefficients as both determine.
     pub fn composed<R: Ring<Element = E>>(&self, ring: &R, outer: &[E]) -> Vec<E> {
         let length = outer.len().min(self.columns.len());
         let parts = if self.odd { [0, 1].map(|p| every_second(outer, p)) } else { [outer.to_vec(), vec![]] };

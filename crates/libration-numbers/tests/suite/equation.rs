@@ -1,4 +1,4 @@
-//! Equations of motion: what they are solved to, their parameters, and what is refused.
+//! Equations of motion: the form in which they are solved, their parameters, and the text that is rejected.
 
 use libration::expression::{Equation, Expression, Symbol};
 
@@ -131,16 +131,16 @@ fn an_index_with_a_range_stands_for_many_equations() {
     for (indexed, plain) in [
         ("x[i]'' = k*(x[i+1] - 2*x[i] + x[i-1]), i = 1..2", "x1'' = k*(x2 - 2*x1); x2'' = k*(-2*x2 + x1)"),
         ("x[i]''=x[i + 1]-x[i],i=1…2; x[3] = A*cos(t)", "x1'' = x2 - x1; x2'' = A*cos(t) - x2"),
-        // A ring, and an end that is known with its velocity.
+        // A closed chain, and an end with a given motion and velocity.
         (
             "x[i]'' = x[i-1] + x[i+1], i = 1..3; x[0] = x[3]; x[4] = x[1]",
             "x1'' = x3 + x2; x2'' = x1 + x3; x3'' = x2 + x1",
         ),
         ("x[i]'' = x[i-1]', i = 1..2; x[0] = sin(2t)", "x1'' = 2*cos(2*t); x2'' = x1'"),
         ("x[i]'' = x[i-1]', i = 1..2; x[0] = x[2]", "x1'' = x2'; x2'' = x1'"),
-        // The letter is a number, also where it is a parameter elsewhere; a family of parameters.
+        // The letter of the index is a number in its equations, even if it is a parameter elsewhere; a family of parameters.
         ("x[j]'' = -j*w[j]^2*x[j], j = 1..2; y' = -j*y", "x1'' = -w1^2*x1; x2'' = -2*w2^2*x2; y' = -j*y"),
-        // Of the first order, and with one of the second that names one of them.
+        // A family of first order, together with a second-order variable whose equation contains a member.
         ("q[n]' = q[n-1] - q[n] + x', n = 0..1; x'' = q[1]", "q0' = -q0 + x'; q1' = q0 - q1 + x'; x'' = q1"),
         ("x[i]'' = 0, i = 1..1; x[i]'' = x[1], i = 2..2", "x1'' = 0; x2'' = x1"),
     ] {
@@ -150,7 +150,7 @@ fn an_index_with_a_range_stands_for_many_equations() {
             let symbols = found.symbols().into_iter().chain(expected.symbols());
             let symbols: std::collections::BTreeSet<_> = symbols.collect();
             let [a, b] = [found, expected].map(|formula| {
-                // Square roots of different numbers have no relation by chance.
+                // Square roots of different numbers satisfy no relation by chance.
                 let put_in = |formula: Expression, (symbol, n): (&Symbol, i64)| {
                     formula.substitute(symbol, &format!("sqrt({})", n * n + 1).parse().unwrap())
                 };
@@ -179,7 +179,7 @@ fn degrees_right_behind_a_number_are_an_angle() {
         let [a, b] = [found, expected].map(|it| put_in(&put_in(&it, "x"), "deg").to_f64().unwrap());
         assert!((a / b - 1.0).abs() < 1e-15, "{text}: {a} {b}");
     }
-    // A name of its own, and with a space, deg is a parameter like others.
+    // As a separate name, or after a space, deg is a parameter like others.
     assert_eq!(equation("x'' = -2 deg x").parameters().into_iter().collect::<Vec<_>>(), ["deg"]);
     assert_eq!(Equation::read_as("x'' = -sin(x - 60deg)").as_deref(), Some("x'' = -sin(x - 1/3*pi)"));
 }

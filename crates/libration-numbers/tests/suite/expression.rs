@@ -1,4 +1,4 @@
-//! Formulas as text: what is understood, what is refused and with which hint, what is written back, and derivatives.
+//! Formulas as text: accepted notations, rejected text with its hint, output, and derivatives.
 
 use libration::algebra::Rational;
 use libration::expression::{DEEPEST_TREE, Equation, Expression, Function, LONGEST_TEXT, Symbol};
@@ -9,9 +9,9 @@ fn formula(text: &str) -> Expression {
     text.parse().unwrap_or_else(|error| panic!("{text}\n{error}"))
 }
 
-/// Input with the way it is written back with all brackets.
+/// Accepted input, and its output with all brackets.
 const UNDERSTOOD: &[(&str, &str)] = &[
-    // Precedence of mathematics.
+    // Mathematical precedence.
     ("-x^2", "-(x^2)"),
     ("2^3^2", "2^(3^2)"),
     ("2^-3", "2^(-3)"),
@@ -47,7 +47,7 @@ const UNDERSTOOD: &[(&str, &str)] = &[
     ("2x/3", "(2*x)/3"),
     ("2pi(1+x)", "(2*pi)*(1+x)"),
     ("2 a b", "(2*a)*b"),
-    // What is typed.
+    // Notations of keyboards.
     ("x**2", "x^2"),
     ("x·y×z", "(x*y)*z"),
     ("x − 1", "x-1"),
@@ -80,17 +80,17 @@ const UNDERSTOOD: &[(&str, &str)] = &[
     (r"\frac{d^2 x}{dt^2} + \dfrac{\mathrm{d}\theta}{\mathrm{d}t}", "x'' + theta'"),
     (r"\frac{d^2}{b}", "d^2/b"),
     ("a^{2}{x}", "(a^2)*x"),
-    // Leibniz.
+    // Leibniz's notation.
     ("d2x/dt2 + dx/dt", "x'' + x'"),
     ("d^2x/dt^2 + d^2 θ / dt^2", "x'' + theta''"),
     ("d²x/dt² + d²θ₁/dt²", "x'' + theta1''"),
     ("d^{2}x/dt^{2} + d3y/dt3", "x'' + y'''"),
     ("2 dx_a/dt", "2*x_a'"),
-    // What only looks so.
+    // Text that only resembles a derivative.
     ("d2x/d2t + d2x/dt", "d2x/d2t + d2x/dt"),
     ("dx/dt2 + dx/dtau + dx", "dx/dt2 + dx/dtau + dx"),
     ("d/dt", "d/dt"),
-    // Functions without brackets, before what cannot belong to the argument.
+    // Functions without brackets, before text that cannot belong to the argument.
     ("sin x", "sin(x)"),
     ("2 + sin 2x", "2 + sin(2*x)"),
     ("sin ωt - 1", "sin(omega*t) - 1"),
@@ -99,7 +99,7 @@ const UNDERSTOOD: &[(&str, &str)] = &[
     ("sin x*cos x + (cos 2 x)^2", "sin(x)*cos(x) + cos(2*x)^2"),
     ("sin x'", "sin(x')"),
     (r"\sin \frac{x}{2}", "sin(x/2)"),
-    // Variables, which have primes somewhere, before brackets.
+    // Variables, which have primes somewhere in the text, before brackets.
     ("x''(t) + x'(t) + 2x(t)", "x'' + x' + 2*x"),
     ("x'' + x(1+x^2)", "x'' + x*(1 + x^2)"),
     ("x'' + (1 - x^2)x'(1 + x)", "x'' + (1 - x^2)*x'*(1 + x)"),
@@ -133,7 +133,7 @@ fn trees_are_those_of_the_precedence_of_mathematics() {
     assert_eq!(formula("x''"), Expression::Symbol(Symbol { name: "x".to_owned(), primes: 2 }));
 }
 
-/// Input, the character at which it is refused, and a part of what is said.
+/// Rejected input, the character of the error, and a part of the message.
 const REFUSED: &[(&str, usize, &str)] = &[
     ("", 1, "the formula is empty"),
     ("  ", 3, "the formula is empty"),
@@ -286,7 +286,7 @@ fn the_deepest_trees_fit_the_stack_of_a_thread() {
     std::thread::Builder::new().stack_size(1 << 21).spawn(body).unwrap().join().unwrap();
 }
 
-/// A tree such as text may give.
+/// A random tree that could come from text.
 fn random_tree(random: &mut Random, levels: u32) -> Expression {
     if levels == 0 || random.below(8) == 0 {
         return random_leaf(random);
@@ -394,7 +394,7 @@ fn simplified_formulas_are_short() {
     }
 }
 
-/// A function, its inverse, and a place where both have derivatives that are fractions.
+/// A function, its inverse, and a point at which both have rational derivatives.
 const INVERSES: &[(&str, &str, &str)] = &[
     ("ln(u)", "exp(x)", "0"),
     ("exp(u)", "ln(x)", "1"),

@@ -1,7 +1,7 @@
-//! The evidence for numbers, series and expressions: golden tables, published numbers and identities.
+//! Evidence for numbers, series and expressions: golden tables, published numbers and identities.
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its table should stop there")]
 
-// Tests read as users of the crate `libration` write.
+// Tests are written as users of the crate `libration` would write them.
 extern crate libration_numbers as libration;
 
 mod equation;

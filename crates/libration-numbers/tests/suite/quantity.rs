@@ -1,4 +1,4 @@
-//! Text means the decimal: quantities, ranges and lists.
+//! Text denotes the exact decimal: quantities, ranges and lists.
 
 use libration::quantity::{
     Angle, AngleRange, Dimension, NumberRange, QuantityError, RangeError, angles, in_si, numbers, parse,
@@ -156,7 +156,7 @@ fn lists_are_read_element_by_element() {
     assert!(numbers("1,,2", Dimension::Time).is_err());
 }
 
-/// Texts of pieces that the grammars know, in any order.
+/// Texts of random pieces that the grammars contain.
 fn scrambled(count: usize) -> impl Iterator<Item = String> {
     const PIECES: [&str; 30] = [
         "1", "2.5", "0", "9e9", "1e-300", "e", "-", "+", "±", "(", ")", ":", ",", ".", " ", "deg", "°",
@@ -226,7 +226,7 @@ fn numbers_in_a_unit_are_what_their_text_is() {
         ("cm", Dimension::Length),
         ("in", Dimension::Length),
     ];
-    // Few digits and many, also next to where two words no longer tell the rounding, and to the ends of the range.
+    // Few digits and many, also at the limit beyond which two words no longer decide the rounding, and at the ends of the range.
     let tenths = (-1800..=1800).map(|n| f64::from(n) / 10.0);
     let others = (1..400_i32).map(|n| libm::sin(f64::from(n)) * libm::pow(10.0, f64::from(n % 60 - 30)));
     let ends = [f64::MIN_POSITIVE, 5e-324, 1e-310, 1e300, f64::EPSILON, 9_007_199_254_740_993.0, 1e22, 1e23];

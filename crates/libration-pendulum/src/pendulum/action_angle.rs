@@ -1,7 +1,7 @@
-//! Angle variable, frequency and its derivative by the action, in every regime.
+//! Angle variable, frequency, and derivative of the frequency with respect to the action, in every regime.
 //!
-//! With J the action, ω(J) = dE/dJ. In libration ω = πω0/2K and J = (8ω0/π)(E − k′²K), in rotation ω = πω0/κK and
-//! J = (4ω0/πκ)E, from which dω/dJ follows by dK/dm = (E − m′K)/2mm′ (DLMF 19.4.1). It does not depend on ω0.
+//! With J the action, ω(J) = dE/dJ. In libration ω = πω0/2K and J = (8ω0/π)(E − k′²K), in rotation ω = πω0/κK and J = (4ω0/πκ)E, from which
+//! dω/dJ follows by dK/dm = (E − m′K)/2mm′ (DLMF 19.4.1). The derivative does not depend on ω0.
 
 use super::{Motion, Regime};
 use libration_kernels::double_double::DoubleDouble;
@@ -9,15 +9,15 @@ use libration_kernels::internals::elliptic::PhaseClock;
 use std::f64::consts::TAU;
 
 impl Motion {
-    /// The angular frequency in rad/s: of a libration 2π over its period, of a rotation 2π over the time of a turn, 0 on the separatrix,
+    /// The angular frequency in rad/s: 2π over the period in libration, 2π over the time of a turn in rotation, 0 on the separatrix; at rest
     /// that of the smallest swings at the bottom, NaN upright.
     #[must_use]
     pub fn frequency(&self) -> f64 {
         TAU / self.period()
     }
 
-    /// dω/dJ, the derivative of the frequency by the action per m·l², a pure number: −1/8 for the smallest swings, −∞ on the separatrix,
-    /// towards 1 for fast rotation; NaN upright.
+    /// dω/dJ, the derivative of the frequency with respect to the action per m·l², a pure number: −1/8 for the smallest swings, −∞ on the
+    /// separatrix, towards 1 for fast rotation; NaN upright.
     ///
     /// # Accuracy
     /// 2 ulp; infinite where it is beyond the range of `f64`.
@@ -53,8 +53,8 @@ impl Motion {
         }
     }
 
-    /// The angle variable at a time, within 0 … 2π: it grows evenly by 2π in a libration, or in a turn of a rotation, from the passage
-    /// of the bottom, of librations upwards. NaN at rest and on the separatrix, which have none, and for a time that is not finite.
+    /// The angle variable at a time, within 0 … 2π. It grows uniformly by 2π per period of a libration or turn of a rotation, from a passage of
+    /// the bottom (in libration an upward one). NaN at rest and on the separatrix, where it is undefined, and for a time that is not finite.
     ///
     /// # Examples
     /// ```
@@ -86,7 +86,7 @@ fn over_square(a: DoubleDouble, b: DoubleDouble) -> f64 {
     if (once.hi / b.hi).is_finite() { (once / b).to_f64() } else { f64::INFINITY }
 }
 
-/// Turns of 4K, whole ones left out.
+/// Turns of 4K, without the whole ones.
 fn turns_gone(clock: &PhaseClock, time: f64) -> f64 {
     if !time.is_finite() {
         return f64::NAN;
@@ -97,6 +97,6 @@ fn turns_gone(clock: &PhaseClock, time: f64) -> f64 {
 
 fn fraction_of(turns: f64) -> f64 {
     let fraction = turns - turns.floor();
-    // Next to a whole turn from below the difference rounds to one.
+    // Just below a whole turn the difference rounds to one.
     if fraction >= 1.0 { 0.0 } else { fraction }
 }

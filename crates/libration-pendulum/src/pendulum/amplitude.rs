@@ -1,4 +1,4 @@
-//! The amplitude of a libration and what follows from it alone.
+//! The amplitude of a libration and the quantities that depend on it alone.
 
 use super::{PendulumError, period};
 use libration_kernels::dispatch::{Kernel, dispatch};
@@ -9,7 +9,7 @@ use libration_kernels::internals::elliptic::complete_and_nome;
 use libration_kernels::internals::elliptic::{Complete, complete};
 use libration_numbers::quantity::Angle;
 
-/// Half of a complement below this would be rounded among the subnormal numbers.
+/// Complement below which its half would be subnormal, and rounded.
 pub(super) const SMALLEST_HALVED: f64 = 2.0 * f64::MIN_POSITIVE;
 
 /// The amplitude of a libration: an angle of at least zero and less than π, with its complement.
@@ -79,13 +79,12 @@ impl Amplitude {
         if self.complement() >= SMALLEST_HALVED {
             return elliptic::nome_of_words(k, complementary);
         }
-        // K′ is π/2 there.
+        // K′ is π/2 for such an amplitude.
         two_word::exp(-(DoubleDouble::FRAC_PI_2 * DoubleDouble::PI / self.integrals().first)).to_f64()
     }
 
-    /// The condition number (θ0/T)·dT/dθ0 of the period with respect to the amplitude: how many times larger
-    /// the relative error of the period is than that of the amplitude; ∞ below a complement of 2.5e-311. From
-    /// DLMF 19.4.1.
+    /// The condition number (θ0/T)·dT/dθ0 of the period with respect to the amplitude: the ratio of the relative error of the period to that of
+    /// the amplitude; ∞ below a complement of 2.5e-311. From DLMF 19.4.1.
     #[must_use]
     pub fn condition(&self) -> f64 {
         self.condition_with(self.logarithmic_slope())
@@ -110,7 +109,7 @@ impl Amplitude {
         slope_of(k, integrals.cosine_part, integrals.first, twice)
     }
 
-    /// The period in units of 4/ω0, the nome and the condition number, with one preparation for all.
+    /// The period in units of 4/ω0, the nome and the condition number, with one common preparation.
     pub(super) fn of_modulus(&self) -> OfModulus {
         if self.complement() < SMALLEST_HALVED {
             let first = self.integrals().first;
@@ -122,7 +121,7 @@ impl Amplitude {
         OfModulus { first: integrals.first, nome, condition }
     }
 
-    /// The integrals of the modulus; where k′ would be rounded, from K(k′) = K(2k′) + ln 2.
+    /// The integrals of the modulus; if k′ would be rounded, from K(k′) = K(2k′) + ln 2.
     fn integrals(&self) -> Complete {
         let (k, complementary) = self.half_angle();
         let complement = self.angle.complement_words();
@@ -133,7 +132,7 @@ impl Amplitude {
         Complete { first: doubled.first + DoubleDouble::LN_2, ..doubled }
     }
 
-    /// The modulus k = sin(θ0/2), with k′ = cos(θ0/2), rounded to an `f64` where it is below 2.2e-308.
+    /// The modulus k = sin(θ0/2) with its complement k′ = cos(θ0/2), rounded to an `f64` if it is below 2.2e-308.
     #[must_use]
     pub fn modulus(&self) -> Modulus {
         let (k, complementary) = self.half_angle();
@@ -172,7 +171,7 @@ pub(super) fn slope_of(
 /// The condition number of the period, given its logarithmic slope.
 #[inline(always)]
 pub(super) fn condition_of(amplitude: DoubleDouble, slope: DoubleDouble) -> f64 {
-    // 1/δ is beyond the range of numbers for the smallest complements.
+    // 1/δ overflows for the smallest complements.
     let product = (amplitude * slope).to_f64();
     if slope.is_finite() { product } else { f64::INFINITY }
 }
@@ -191,7 +190,7 @@ pub(super) struct OfModulus {
     pub(super) condition: f64,
 }
 
-/// The sine and cosine of half the angle in the turn, the cosine from the complement where it is small.
+/// The sine and cosine of half the angle in the turn; the cosine is computed from the complement where it is small.
 pub(super) fn half_angle(angle: &Angle) -> (DoubleDouble, DoubleDouble) {
     dispatch(HalfAngle(angle))
 }

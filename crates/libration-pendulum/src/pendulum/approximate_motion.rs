@@ -1,12 +1,12 @@
-//! The approximate motions a first-year course uses: a few harmonics with coefficients in powers of the
-//! amplitude θ0, for a pendulum released from rest.
+//! Approximate motions of a first-year course: a few harmonics, with coefficients in powers of the amplitude θ0, for a pendulum released from
+//! rest.
 //!
 //! ```text
 //! θ(t) ≈ a1·cos(Ωt) + a3·cos(3Ωt) + a5·cos(5Ωt) + a7·cos(7Ωt),   a_n = Σ c_nj·θ0^(2j+1),   Ω = ω0·Σ d_j·θ0^(2j)
 //! ```
 //!
-//! Each motion keeps the powers of θ0 its name says: `fourier-5` has every term up to θ0⁵ in the coefficients
-//! and up to θ0⁴ in the frequency. Equation numbers are those of Black and Vel's Fourier-perturbation method.
+//! Each motion keeps the powers of θ0 in its name: `fourier-5` has every term up to θ0⁵ in the coefficients and up to θ0⁴ in the frequency.
+//! Equation numbers are those of Black and Vel's Fourier-perturbation method.
 
 use libm::cos;
 use libration_numbers::quantity::Angle;
@@ -88,13 +88,13 @@ impl ApproximateMotion {
         catalogue::by_key(Self::CATALOGUE.iter(), key).copied()
     }
 
-    /// Its stable name in commands and files: `small-angle`, `fourier-3`, `fourier-5`, `fourier-7`.
+    /// The stable name in commands and files: `small-angle`, `fourier-3`, `fourier-5`, `fourier-7`.
     #[must_use]
     pub fn key(&self) -> &'static str {
         self.key
     }
 
-    /// Its name in words.
+    /// The publication of the motion.
     #[must_use]
     pub fn name(&self) -> &'static str {
         self.name
@@ -129,22 +129,22 @@ impl ApproximateMotion {
         self.coefficients(amplitude).iter().zip(multiples).map(|(a, n)| a * cos(n * angle)).sum()
     }
 
-    /// Ω/ω0, the frequency of this motion against that of small swings.
+    /// Ω/ω0, the ratio of the frequency of this motion to that of small swings.
     #[must_use]
     pub fn frequency_ratio(&self, amplitude: f64) -> f64 {
         series(&FREQUENCY[..self.harmonics], amplitude * amplitude)
     }
 
-    /// a1, a3, a5 and a7 in radians; zero from the first this motion does not keep.
+    /// a1, a3, a5 and a7 in radians; harmonics that this motion omits are zero.
     #[must_use]
     pub fn coefficients(&self, amplitude: f64) -> [f64; 4] {
         HARMONICS.map(|harmonic| amplitude * series(&harmonic[..self.harmonics], amplitude * amplitude))
     }
 
-    /// The amplitude (rad, signed) these motions need, of a start at this angle with this velocity (rad/s).
+    /// The signed amplitude in radians for a start at this angle with this velocity (rad/s).
     ///
     /// # Errors
-    /// When the start is not a release from rest strictly between −π and π, which all these motions suppose.
+    /// The start is not a release from rest strictly between −π and π, as all these motions assume.
     pub fn amplitude_of(angle: &Angle, velocity: f64) -> Result<f64, ApproximateMotionError> {
         if velocity != 0.0 {
             return Err(ApproximateMotionError::NotFromRest(velocity));
@@ -161,7 +161,7 @@ fn series(coefficients: &[Ratio], x: f64) -> f64 {
     coefficients.iter().rev().fold(0.0, |sum, (numerator, denominator)| sum * x + numerator / denominator)
 }
 
-/// The reason why there is no such approximate motion.
+/// The reason why a start has no approximate motion.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ApproximateMotionError {

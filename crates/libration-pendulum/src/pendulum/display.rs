@@ -1,4 +1,4 @@
-//! Pendulums and motions in a line of text.
+//! Pendulums and motions as a line of text.
 
 use std::fmt;
 
@@ -26,7 +26,7 @@ impl fmt::Display for Pendulum {
     }
 }
 
-/// The regime, with the amplitude in radians and the period to twelve digits where there are such.
+/// Displays the regime, with the amplitude in radians and the period to twelve digits if they exist.
 ///
 /// # Examples
 /// ```

@@ -17,9 +17,8 @@ pub struct FourierSeries {
     pub fundamental: f64,
     /// The mean velocity in rad/s: ±Ω in rotation, else zero.
     pub mean_velocity: f64,
-    /// The time in seconds at which τ = 0: of a positive turning point in libration, of a passage of the
-    /// bottom in rotation; one of them, from which the others are whole periods away. The angle counts from the
-    /// bottom of the turn in which the motion starts.
+    /// The time in seconds at which τ = 0: a passage of a positive turning point in libration, of the bottom in rotation. The other such
+    /// passages are whole periods away. The angle counts from the bottom of the turn in which the motion starts.
     pub epoch: f64,
     /// The harmonics in increasing order.
     pub terms: Vec<FourierTerm>,
@@ -37,8 +36,7 @@ pub struct FourierTerm {
 }
 
 impl Motion {
-    /// The harmonics whose angle coefficient is at least `tolerance` radians, at most `limit` of them. None at
-    /// rest and on the separatrix.
+    /// The harmonics whose angle coefficient is at least `tolerance` radians, at most `limit` of them; none at rest and on the separatrix.
     ///
     /// # Accuracy
     /// Coefficients of the angle to 0.56 ulp down to 2.3e-308 rad (ledger in `tests/suite/promises.rs`).
@@ -68,7 +66,7 @@ fn of_libration(libration: &Libration, tolerance: f64, limit: usize) -> FourierS
 
 fn of_rotation(rotation: &Rotation, tolerance: f64, limit: usize) -> FourierSeries {
     let clock = rotation.clock();
-    // The pendulum turns twice in 4K.
+    // The pendulum makes two turns in 4K.
     let fundamental = DoubleDouble::PI.scaled(4.0) * clock.frequency;
     let step = quarter_ratio(&rotation.modulus()).scaled(2.0);
     let direction = rotation.direction();
@@ -83,7 +81,7 @@ fn of_rotation(rotation: &Rotation, tolerance: f64, limit: usize) -> FourierSeri
     }
 }
 
-/// The terms of the given orders until one falls below the tolerance; they decrease.
+/// The terms of the given orders, which decrease, until one falls below the tolerance.
 fn terms(
     orders: impl Iterator<Item = usize>,
     limit: usize,

@@ -1,13 +1,12 @@
 //! The energy of an initial state, without cancellation next to the separatrix.
 //!
-//! The motion is a libration, a separatrix or a rotation as 4g·cos²(θ/2) − l·θ′² is positive, zero or
-//! negative. With w = θ′/2ω0 the difference divided by 4g is 1 − e = cos²(θ/2) − w², e = E/(2mgl), and it is
-//! needed relatively accurate: next to the separatrix the period is its logarithm.
+//! The motion is a libration, a separatrix or a rotation as 4g·cos²(θ/2) − l·θ′² is positive, zero or negative. With w = θ′/2ω0 the difference
+//! divided by 4g is 1 − e = cos²(θ/2) − w², e = E/(2mgl). Its relative accuracy matters: next to the separatrix the period is a logarithm of it.
 //!
 //! # Method
-//! The smaller of w = |θ′|/2ω0 and cos(θ/2) distinguishes libration from rotation, and |cos²(θ/2) − w²| is k′² next to the separatrix. Both are in
-//! two words, and the difference is formed from their ratio, which neither overflows nor underflows. A relative difference below 1e-6 is computed
-//! again from the given numbers in `BigFloat`s of 640 bits, and in 2600 bits where these cancel too (below 1e-150).
+//! The comparison of w = |θ′|/2ω0 with cos(θ/2) distinguishes libration from rotation, and |cos²(θ/2) − w²| is k′² next to the separatrix. Both
+//! numbers have two words, and the difference is formed from their ratio, which neither overflows nor underflows. A relative difference below
+//! 1e-6 is recomputed from the given numbers in `BigFloat`s of 640 bits, and in 2600 bits if these cancel too (below 1e-150).
 
 use std::cmp::Ordering;
 
@@ -16,7 +15,7 @@ use libration_kernels::double_double::DoubleDouble;
 use libration_numbers::algebra::BigFloat;
 use libration_numbers::quantity::Angle;
 
-/// Comparison of the energy with that of the separatrix, with √|1 − e|.
+/// The energy compared with that of the separatrix, and √|1 − e|.
 pub(super) struct Separation {
     /// Less in libration, greater in rotation.
     pub(super) energy: Ordering,
@@ -24,15 +23,15 @@ pub(super) struct Separation {
     pub(super) root: DoubleDouble,
 }
 
-/// A relative difference below this has lost too many bits: of the two words, then of the first recomputation.
+/// Relative differences below which too many bits have cancelled: in two words, and in the first recomputation.
 const LOST: [f64; 2] = [1e-6, 1e-150];
 
-/// Bits of the first and the second recomputation. The second distinguishes what a complement of 1e-300 allows, a relative difference of
-/// δ²; equality is possible at θ = 0 only and is exact.
+/// Bits of the first and the second recomputation. The second resolves a complement of 1e-300, whose relative difference is δ²; equality is
+/// possible only at θ = 0 and is exact.
 const BITS: [usize; 2] = [640, 2600];
 
-/// The energy of the state against that of the separatrix, `None` where the difference is not zero but below
-/// the range of `f64`; `cosine` is cos(θ/2) ≥ 0, `speed` is |w| > 0.
+/// The energy of the state compared with that of the separatrix; `None` if the difference is not zero but below the range of `f64`. `cosine` is
+/// cos(θ/2) ≥ 0, `speed` is |w| > 0.
 pub(super) fn separation(
     angle: &Angle,
     cosine: DoubleDouble,
@@ -68,7 +67,7 @@ fn relative_difference(angle: &Angle, velocity: f64, size: Size, bits: usize) ->
         Size::LengthAndGravity { length, gravity } => (word(gravity), word(length)),
         Size::AngularFrequency(omega) => (word(omega) * word(omega), word(1.0)),
     };
-    // An angle given in radians is exact, one given by its complement has that exact.
+    // An angle given in radians is exact; an angle given by its complement has an exact complement.
     let in_turn = angle.in_turn_words();
     let cosine = if in_turn.lo != 0.0 && angle.complement() < 1.0 {
         big(angle.complement_words()).halved().sin()

@@ -1,38 +1,37 @@
-//! Inverse questions: the amplitude that has a period; the length or the gravity from a measured period.
+//! Inverse problems: the amplitude for a given period; the length or the gravity from a measured period.
 
 use super::{Amplitude, Pendulum, PendulumError, USABLE, positive};
 use libration_kernels::double_double::{DoubleDouble, two_prod};
 use libration_kernels::elementary::two_word;
 use libration_numbers::quantity::{Angle, Quantity};
 
-/// Newton's iteration doubles the digits; from three digits, four steps and a margin.
+/// Step limit of Newton's iteration, which doubles the digits: from three digits four steps suffice, and the rest is margin.
 const STEPS: usize = 8;
 const LN_8: f64 = 3.0 * std::f64::consts::LN_2;
 
-/// T/T0 − 1 from which on the complement would be below 1e-300.
+/// T/T0 − 1 above which the complement would be below 1e-300.
 const LARGEST_EXCESS: f64 = 440.08;
 
 impl Amplitude {
-    /// The amplitude whose period ratio T/T0 is exactly this `f64`, which must be at least 1; to the last
-    /// bits that the ratio determines.
+    /// The amplitude whose period ratio T/T0 is exactly this `f64`, at least 1; accurate to the last bits that the ratio determines.
     ///
     /// # Errors
     /// A ratio below 1, not finite, or above 441.08, where the complement is below 1e-300.
     pub fn from_period_ratio(ratio: f64) -> Result<Self, PendulumError> {
-        // Exact below 2, and above it the excess is not small.
+        // Exact below 2; above 2 the excess is not small.
         Self::from_excess(ratio - 1.0, ratio)
     }
 
     /// The amplitude whose excess T/T0 − 1 is exactly this `f64`.
     ///
     /// # Errors
-    /// An excess that is negative, not finite, or too large, as [`Self::from_period_ratio`].
+    /// An excess that is negative, not finite, or too large, as for [`Self::from_period_ratio`].
     pub fn from_period_excess(excess: f64) -> Result<Self, PendulumError> {
         Self::from_excess(excess, 1.0 + excess)
     }
 
-    /// Largest change of the amplitude, in radians, when its period changes by this fraction of itself either way; at least an ulp of the
-    /// amplitude. Where the period would be too short, the amplitude is taken to be zero, and where it would be too long, to be π.
+    /// Largest change of the amplitude, in radians, when its period changes by this fraction of itself in either direction; at least an ulp of
+    /// the amplitude. A period below that of small swings counts as amplitude zero, and a period that is too long as amplitude π.
     ///
     /// # Examples
     /// ```
@@ -72,7 +71,7 @@ fn below(excess: f64) -> Amplitude {
     for _ in 0..STEPS {
         let amplitude = of(angle);
         let (found, slope) = (amplitude.period_excess(), amplitude.condition() * amplitude.period_ratio());
-        // Below 1e-150 the excess is θ0²/16 and the first guess stands.
+        // Below 1e-150 the excess is θ0²/16, so that the initial guess is exact.
         if slope < f64::MIN_POSITIVE {
             break;
         }
@@ -83,7 +82,7 @@ fn below(excess: f64) -> Amplitude {
 
 /// Newton's method for T/T0 as a function of the logarithm of the complement, from 8e^(−πR/2).
 fn near_top(excess: f64) -> Amplitude {
-    // In two words: one would not resolve the last bits of a large ratio.
+    // The logarithm has two words: one word would not resolve the last bits of a large ratio.
     let mut log = DoubleDouble::from(LN_8 - std::f64::consts::FRAC_PI_2 * (1.0 + excess));
     let of = |log: DoubleDouble| Amplitude { angle: Angle::from_complement_words(two_word::exp(log)) };
     for _ in 0..STEPS {
@@ -95,10 +94,10 @@ fn near_top(excess: f64) -> Amplitude {
     of(log)
 }
 
-/// Part of itself that a number loses when it is rounded.
+/// Largest relative rounding error of an `f64`.
 const HALF_ULP: f64 = f64::EPSILON / 2.0;
 
-/// An amplitude that follows from a period, with its uncertainty: from that of the period, and at least from its rounding.
+/// An amplitude inferred from a period, with its uncertainty: that of the period propagated, at least its rounding error.
 ///
 /// # Examples
 /// ```
@@ -114,22 +113,22 @@ const HALF_ULP: f64 = f64::EPSILON / 2.0;
 pub struct InferredAmplitude {
     /// The amplitude.
     pub amplitude: Amplitude,
-    /// Its standard uncertainty, in radians.
+    /// Standard uncertainty of the amplitude, in radians.
     pub uncertainty: f64,
 }
 
 impl InferredAmplitude {
-    /// The amplitude with this period, in seconds, of a pendulum whose period of small swings has a relative uncertainty.
+    /// The amplitude with this period, in seconds, of a pendulum; `of_small_swings` is the relative uncertainty of its period of small swings.
     ///
     /// # Errors
-    /// A period shorter than that of small swings by more than the uncertainty, or as [`Amplitude::from_period_ratio`].
+    /// A period shorter than that of small swings by more than the uncertainty, or one rejected by [`Amplitude::from_period_ratio`].
     pub fn from_period(
         period: &Quantity,
         pendulum: &Pendulum,
         of_small_swings: f64,
     ) -> Result<Self, PendulumError> {
         let small = pendulum.small_angle_period();
-        // Two roundings besides that of the text: of the period of small swings, and of the quotient.
+        // Two roundings besides that of the text: one of the period of small swings, one of the quotient.
         let relative = libm::hypot(of_number(period) / period.value, of_small_swings) + 2.0 * HALF_ULP;
         let ratio = period.value / small;
         Self::within(ratio - 1.0, ratio * relative).map_err(|error| match error {
@@ -143,21 +142,21 @@ impl InferredAmplitude {
     /// The amplitude with this ratio T/T0.
     ///
     /// # Errors
-    /// A ratio below 1 by more than its uncertainty, or as [`Amplitude::from_period_ratio`].
+    /// A ratio below 1 by more than its uncertainty, or one rejected by [`Amplitude::from_period_ratio`].
     pub fn from_ratio(ratio: &Quantity) -> Result<Self, PendulumError> {
-        // Exact below 2, and above it the excess is not small.
+        // Exact below 2; above 2 the excess is not small.
         Self::within(ratio.value - 1.0, of_number(ratio))
     }
 
     /// The amplitude with this excess T/T0 − 1.
     ///
     /// # Errors
-    /// An excess below 0 by more than its uncertainty, or as [`Amplitude::from_period_excess`].
+    /// An excess below 0 by more than its uncertainty, or one rejected by [`Amplitude::from_period_excess`].
     pub fn from_excess(excess: &Quantity) -> Result<Self, PendulumError> {
         Self::within(excess.value, of_number(excess))
     }
 
-    /// The amplitude of an excess, which is taken for 0 if it is below by no more than its uncertainty.
+    /// The amplitude of an excess; a negative excess within the uncertainty counts as 0.
     fn within(excess: f64, uncertainty: f64) -> Result<Self, PendulumError> {
         let nearest = if excess < 0.0 && excess >= -uncertainty { 0.0 } else { excess };
         let amplitude = Amplitude::from_period_excess(nearest)?;
@@ -166,14 +165,13 @@ impl InferredAmplitude {
     }
 }
 
-/// The uncertainty of a number as it was written: at least that of its rounding.
+/// The uncertainty of a number as written: the stated one, at least the rounding error.
 fn of_number(number: &Quantity) -> f64 {
     number.uncertainty.unwrap_or(0.0).max(HALF_ULP * number.value.abs())
 }
 
 impl Pendulum {
-    /// The pendulum of this length in metres whose libration with this amplitude has this period in seconds:
-    /// its gravity is 4π²l(T/T0)²/T².
+    /// The pendulum of this length in metres whose libration with this amplitude has this period in seconds; the gravity is 4π²l(T/T0)²/T².
     ///
     /// # Errors
     /// A length or period that is not positive and finite, or whose angular frequency or gravity is outside the
@@ -186,7 +184,7 @@ impl Pendulum {
         positive("length", length)?;
         positive("period", period)?;
         let frequency = frequency_of(period, amplitude)?;
-        // In this order everything on the way lies between the length and the gravity.
+        // In this order every intermediate result lies between the length and the gravity.
         let gravity = (frequency * length * frequency).to_f64();
         if !gravity.is_normal() {
             return Err(PendulumError::Unattainable { name: "gravity", period });
@@ -194,8 +192,7 @@ impl Pendulum {
         Self::new(length, gravity)
     }
 
-    /// The pendulum under this gravity in m/s² whose libration with this amplitude has this period in
-    /// seconds: its length is gT²/(4π²(T/T0)²).
+    /// The pendulum under this gravity in m/s² whose libration with this amplitude has this period in seconds; the length is gT²/(4π²(T/T0)²).
     ///
     /// # Errors
     /// A gravity or period that is not positive and finite, or whose angular frequency or length is outside the

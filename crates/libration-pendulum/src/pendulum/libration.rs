@@ -20,7 +20,7 @@ pub struct Libration {
     orbit: Orbit<SwingQuotients>,
 }
 
-/// Factors of tan(θ/2) and of the velocity next to an even quarter, then an odd one, and the turn.
+/// Factors of tan(θ/2) and of the velocity, first next to an even quarter, then next to an odd one; and the turn.
 #[derive(Clone, Copy, Debug)]
 struct SwingQuotients {
     tangent: [DoubleDouble; 2],
@@ -30,7 +30,7 @@ struct SwingQuotients {
 }
 
 impl Libration {
-    /// The libration through this state, with k′ = √(1 − e) given.
+    /// The libration through this state, given k′ = √(1 − e).
     pub(super) fn through(
         angular_frequency: DoubleDouble,
         start: &Start,
@@ -79,7 +79,7 @@ impl Libration {
     pub(super) fn action(&self) -> f64 {
         let k = self.modulus.modulus_words();
         let part = self.modulus.cosine_part().scaled(8.0) / DoubleDouble::PI;
-        // No square of k, which may be below the range of numbers where the action is not.
+        // The square of k is avoided: it may underflow where the action does not.
         (self.angular_frequency * k * part * k).to_f64()
     }
 
@@ -87,7 +87,7 @@ impl Libration {
         self.angular_frequency
     }
 
-    /// Turns of 4K gone since the passage of the bottom upwards.
+    /// The phase in turns of 4K since an upward passage of the bottom.
     pub(super) fn clock(&self) -> PhaseClock {
         self.orbit.clock
     }
@@ -145,9 +145,8 @@ struct Swing {
 }
 
 impl SwingQuotients {
-    /// With a, b, c, d for θ₁ … θ₄ at the nearest quarter and B for b/d in the circular expansion, d/b in the
-    /// hyperbolic: next to an even quarter tan(θ/2) ∝ a/c and θ′ ∝ B, next to an odd one tan(θ/2) ∝ B and
-    /// θ′ ∝ −a/c.
+    /// The swing from the theta values a, b, c, d for θ₁ … θ₄ at the nearest quarter, with B = b/d in the circular expansion and B = d/b in the
+    /// hyperbolic one: next to an even quarter tan(θ/2) ∝ a/c and θ′ ∝ B, next to an odd quarter tan(θ/2) ∝ B and θ′ ∝ −a/c.
     #[inline(always)]
     fn swing<S: Side>(&self, phase: &Phase, values: &ThetaValues) -> Swing {
         let (above, below) = S::beside(values);

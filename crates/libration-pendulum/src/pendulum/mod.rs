@@ -12,8 +12,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Angles are radians from the downward vertical, times seconds, lengths metres, velocities rad/s. A batch
-//! equals its own scalar function bit for bit.
+//! Angles are in radians from the downward vertical, times in seconds, lengths in metres, velocities in rad/s. A batch equals its scalar
+//! function bit for bit.
 
 pub(crate) mod period;
 mod period_stages;
@@ -96,13 +96,13 @@ pub enum PendulumError {
     NotPositive {
         /// Name of the quantity.
         name: &'static str,
-        /// Its value.
+        /// The value of the quantity.
         value: f64,
     },
     /// An angular frequency whose period or velocities would leave the range of `f64`.
     #[error("an angular frequency of {0:?} rad/s is out of range: give 1e-290 to 1e290")]
     FrequencyOutOfRange(f64),
-    /// The frequency is outside 1e-290 … 1e290 rad/s, or length or gravity subnormal, which has fewer digits.
+    /// An angular frequency outside 1e-290 … 1e290 rad/s, or a length or gravity that is subnormal and thus has fewer digits.
     #[error(
         "length {length:?} m and gravity {gravity:?} m/s^2 are out of range: give both above 2.3e-308, with an angular frequency of 1e-290 to 1e290 rad/s"
     )]
@@ -117,7 +117,7 @@ pub enum PendulumError {
     NotFinite {
         /// Name of the quantity.
         name: &'static str,
-        /// Its value.
+        /// The value of the quantity.
         value: f64,
     },
     /// An amplitude at or beyond the upright position.
@@ -129,22 +129,22 @@ pub enum PendulumError {
     /// An energy below that of the pendulum at rest.
     #[error("the energy ratio is {0:?}: the least energy, at rest at the bottom, is 0")]
     NegativeEnergy(f64),
-    /// A velocity whose motion leaves the range of `f64`.
+    /// A velocity for which the motion leaves the range of `f64`.
     #[error(
         "a velocity of {0:?} rad/s is too fast: its energy is beyond the range of numbers; give at most 2e150 times the angular frequency, and at most 1e307 rad/s"
     )]
     TooFast(f64),
-    /// An energy ratio whose motion leaves the range of `f64`.
+    /// An energy ratio for which the motion leaves the range of `f64`.
     #[error(
         "an energy ratio of {0:?} is too large: its motion is beyond the range of numbers; give at most 1e300, and no velocity above 1e307 rad/s"
     )]
     TooMuchEnergy(f64),
-    /// A start so close to the upright position that half its complement is no longer a full `f64`.
+    /// A start so close to the upright position that half its complement is subnormal.
     #[error(
         "a start {0:?} rad from the upright position is closer to it than floating-point numbers resolve: give at least 4.5e-308 rad, or exactly the upright position"
     )]
     TooCloseToTop(f64),
-    /// The energy differs from the separatrix's by less than the range of `f64`.
+    /// An energy whose difference from that of the separatrix is below the range of `f64`.
     #[error(
         "the motion is closer to the separatrix than floating-point numbers resolve: give another velocity"
     )]
@@ -164,7 +164,7 @@ pub enum PendulumError {
         /// The period of small swings, in seconds.
         small: f64,
     },
-    /// A period ratio whose amplitude is closer to the top than is kept.
+    /// A period ratio whose amplitude is closer to the top than the smallest complement.
     #[error(
         "the amplitude of the period ratio T/T0 = {0} is less than 1e-300 rad below the upright position: give at most 441.08"
     )]
@@ -258,7 +258,7 @@ impl Pendulum {
     }
 }
 
-/// √(a/b), by powers of two apart so that the quotient neither overflows nor underflows.
+/// √(a/b), with separate powers of two so that the quotient neither overflows nor underflows.
 fn root_of_quotient(a: f64, b: f64) -> DoubleDouble {
     let ((a, a_exponent), (b, b_exponent)) = (libm::frexp(a), libm::frexp(b));
     let exponent = a_exponent - b_exponent;

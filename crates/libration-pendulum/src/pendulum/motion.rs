@@ -10,13 +10,13 @@ use super::{Amplitude, LengthMismatch, Libration, Pendulum, PendulumError, Rotat
 use libration_kernels::double_double::DoubleDouble;
 use libration_numbers::quantity::Angle;
 
-/// The largest |θ′|/2ω0, whose square is the energy ratio.
+/// Largest |θ′|/2ω0; its square is the energy ratio.
 const FASTEST: f64 = 1e150;
 
-/// The largest velocity in rad/s, which leaves room for what it is multiplied with on the way.
+/// Largest velocity in rad/s, which leaves room for the factors of intermediate results.
 const LARGEST_VELOCITY: f64 = 1e307;
 
-/// Half of a complement below this would be rounded among the subnormal numbers.
+/// Complement below which its half would be subnormal, and rounded.
 const SMALLEST_COMPLEMENT: f64 = 2.0 * f64::MIN_POSITIVE;
 
 /// A motion of the pendulum.
@@ -69,7 +69,7 @@ impl std::fmt::Display for Regime {
 }
 
 impl Pendulum {
-    /// The motion released at rest from this angle at t = 0; from exactly ±π it stays upright.
+    /// The motion released at rest from this angle at t = 0; released from exactly ±π, the pendulum stays upright.
     ///
     /// # Errors
     /// As [`Self::launched`], with velocity zero.
@@ -77,13 +77,13 @@ impl Pendulum {
         self.launched(angle, 0.0)
     }
 
-    /// The motion that passes this angle with this velocity in rad/s at t = 0. The input is taken as exact, but
-    /// that a velocity below 4.4e-308·ω0 counts as none, and is rest where the angle is below 4.4e-308 too; the
-    /// separatrix is met only where l·θ′² = 4g·cos²(θ/2) exactly, which needs θ = 0 (or whole turns).
+    /// The motion that passes this angle with this velocity in rad/s at t = 0. The input is taken as exact, with one exception: a velocity below
+    /// 4.4e-308·ω0 counts as zero, and the pendulum is at rest if the angle is below 4.4e-308 too. The separatrix is met only if l·θ′² =
+    /// 4g·cos²(θ/2) exactly, which needs θ = 0 (or whole turns).
     ///
     /// # Errors
-    /// A velocity that is not finite, above 2e150·ω0 or above 1e307 rad/s; an energy closer to the separatrix than
-    /// `f64` can tell, which happens only next to the upright position; an angle within 4.4e-308 of it.
+    /// A velocity that is not finite, above 2e150·ω0 or above 1e307 rad/s; an energy closer to the separatrix than `f64` can distinguish, which
+    /// is possible only next to the upright position; an angle within 4.4e-308 of the upright position.
     pub fn launched(&self, angle: Angle, velocity: f64) -> Result<Motion, PendulumError> {
         finite("velocity", velocity)?;
         if angle.complement() > 0.0 && angle.complement() < SMALLEST_COMPLEMENT {
@@ -130,7 +130,7 @@ impl Pendulum {
     /// an excess exactly this `f64`, however close to the separatrix.
     ///
     /// # Errors
-    /// An excess below −1 or not finite, or too large, as [`Self::with_energy_ratio`].
+    /// An excess below −1 or not finite, or too large, as for [`Self::with_energy_ratio`].
     pub fn with_energy_excess(&self, excess: f64) -> Result<Motion, PendulumError> {
         finite("energy excess", excess)?;
         if excess < -1.0 {
@@ -147,7 +147,7 @@ impl Pendulum {
         self.passing_the_bottom(DoubleDouble::ONE, DoubleDouble::ZERO)
     }
 
-    /// θ′/2ω0, scaled by a power of two so that next to no frequency its second word underflows.
+    /// θ′/2ω0, scaled by a power of two so that its second word does not underflow for extreme frequencies.
     fn in_units_of_twice_the_frequency(&self, velocity: f64) -> DoubleDouble {
         let frequency = self.angular_frequency_words();
         let (_, exponent) = libm::frexp(frequency.hi);
@@ -155,7 +155,7 @@ impl Pendulum {
         scaled / frequency.times_power_of_two(-exponent)
     }
 
-    /// Checks that an energy ratio is within the range of numbers.
+    /// Checks that the velocity of an energy ratio is within the range of numbers.
     fn reaches(&self, energy_ratio: f64) -> Result<(), PendulumError> {
         let speed = libm::sqrt(energy_ratio);
         if speed > FASTEST || 2.0 * self.angular_frequency() * speed > LARGEST_VELOCITY {
@@ -251,7 +251,7 @@ impl Motion {
         }
     }
 
-    /// The amplitude, of a libration.
+    /// The amplitude of a libration; `None` in other regimes.
     #[must_use]
     pub fn amplitude(&self) -> Option<Amplitude> {
         match self {
@@ -260,8 +260,8 @@ impl Motion {
         }
     }
 
-    /// The action ∮p dθ/2π per m·l², in rad²/s, 0 where that is below the range of `f64`: over a period of a libration, over a turn of a rotation or
-    /// the separatrix.
+    /// The action ∮p dθ/2π per m·l², in rad²/s: over a period of a libration, over a turn of a rotation or of the separatrix. It is 0 if below
+    /// the range of `f64`.
     #[must_use]
     pub fn action(&self) -> f64 {
         match self {
@@ -274,13 +274,13 @@ impl Motion {
 
     /// The state at this time in seconds; NaN for a time that is not finite.
     ///
-    /// From 2⁹⁷ periods (1.6e29) of a libration or two turns of a rotation on, the two words of the frequency leave an eighth of
-    /// them open, and the state is NaN but for the unwrapped angle and the turns of a rotation, which grow with the time. That
-    /// angle is ∞ where it is beyond the range of `f64`.
+    /// From 2⁹⁷ periods (1.6e29) of a libration, or twice as many turns of a rotation, the two words of the frequency leave an eighth of a
+    /// period undetermined. The state is then NaN, except the unwrapped angle and the turns of a rotation, which grow with the time. That angle
+    /// is ∞ beyond the range of `f64`.
     ///
     /// # Accuracy
-    /// To 1e6 periods 2.2 ulp of the angle and 4·2⁻⁵³·|θ′t|, the initial state taken as exact; likewise the velocity and the
-    /// complement (ledger in `tests/suite/promises.rs`). Beyond, 4 ulp and 2⁻¹⁰⁰·|θ′t|.
+    /// Up to 1e6 periods 2.2 ulp of the angle and 4·2⁻⁵³·|θ′t|, for an exact initial state; likewise the velocity and the complement (ledger in
+    /// `tests/suite/promises.rs`). Beyond, 4 ulp and 2⁻¹⁰⁰·|θ′t|.
     #[must_use]
     pub fn state_at(&self, time: f64) -> State {
         if !time.is_finite() {

@@ -1,12 +1,12 @@
 //! Common parts of the periodic motions: a phase clock, theta series, and quotients of their values.
 //!
 //! # Method
-//! tan(θ/2) and θ′ are quotients of theta functions of the smaller of the two nomes, q ≤ e^−π, for which four terms suffice. For k ≤ k′ these are
-//! series in sines and cosines; for `k > k′` Jacobi's imaginary transformation turns them into the same polynomials with hyperbolic sines and
-//! cosines: one `ThetaSeries`, and two `Side`s that select the pair of functions and the quotients. The argument is first reduced to within an
-//! eighth of a turn of the nearest quarter period. Odd quarters exchange the functions, so that no quotient is evaluated where it cancels.
+//! tan(θ/2) and θ′ are quotients of theta functions of the smaller of the two nomes, q ≤ e^−π, for which four terms suffice. For k ≤ k′ these
+//! are series in sines and cosines; for `k > k′` Jacobi's imaginary transformation gives the same polynomials with hyperbolic sines and cosines:
+//! one `ThetaSeries`, and two `Side`s that select the pair of functions and the quotients. The argument is first reduced to within an eighth of
+//! a turn of the nearest quarter period. Odd quarters exchange the functions, so that no quotient is evaluated where it cancels.
 //!
-//! The angle is twice an arctangent whose smaller side is returned with it as the complement. Phase, theta values, factors and arctangent are in
+//! The angle is twice an arctangent, and the complement is computed from the same arctangent. Phase, theta values, factors and arctangent are in
 //! two words; angle and velocity are each rounded once. On the separatrix the same quotients are hyperbolic functions in closed form.
 
 use std::marker::PhantomData;
@@ -27,12 +27,12 @@ pub(super) trait Quotients: Copy {
     fn state<S: Side>(&self, phase: &Phase, values: &ThetaValues) -> State;
 }
 
-/// A periodic motion, prepared.
+/// A periodic motion, prepared for evaluation.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Orbit<Q> {
     pub(super) expansion: Expansion,
     pub(super) clock: PhaseClock,
-    /// z of the theta functions per turn of 4K.
+    /// z of the theta functions for one turn of 4K.
     pub(super) scale: DoubleDouble,
     pub(super) series: ThetaSeries,
     pub(super) quotients: Q,
@@ -46,7 +46,7 @@ impl<Q: Quotients> Orbit<Q> {
         }
     }
 
-    /// The slices have one length.
+    /// Computes the states at many times; the slices have equal lengths.
     pub(super) fn states_at(&self, times: &[f64], angles: &mut [f64], velocities: &mut [f64]) {
         match self.expansion {
             Expansion::Circular => {
@@ -99,7 +99,7 @@ impl<Q: Quotients, S: Side> Kernel for Each<'_, Q, S> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
-        // A copy, so that the compiler knows that writing the results does not change it.
+        // A copy, so that the compiler knows that writing the results cannot change the orbit.
         let orbit = *self.orbit;
         let (times, rest) = self.times.as_chunks::<BLOCK>();
         let (angles, rest_angles) = self.angles.as_chunks_mut::<BLOCK>();

@@ -1,13 +1,11 @@
 //! The period ratio T/T0 of the libration with amplitude θ0, on both sides of π/2.
 //!
-//! With s the smaller of θ0 and its complement π − θ0, G(s) the period ratio of amplitude s and q(s) its
-//! nome, T/T0 = G(s) where s = θ0, and T/T0 = G(s)·ln(1/q(s))/π where s = π − θ0 (the
-//! complementary nome, DLMF 22.2.1). G − 1 and ln(64 q/s²) are polynomials in u = s² on
-//! 0 ≤ s ≤ π/2, their singularities lying at u = π². Leading terms are carried in two words, so that the sum
-//! is rounded once.
+//! Let s be the smaller of θ0 and its complement π − θ0, G(s) the period ratio of amplitude s, and q(s) its nome. Then T/T0 = G(s) if s = θ0,
+//! and T/T0 = G(s)·ln(1/q(s))/π if s = π − θ0 (the complementary nome, DLMF 22.2.1). G − 1 and ln(64 q/s²) are approximated by polynomials in u
+//! = s² on 0 ≤ s ≤ π/2; their singularities lie at u = π². Leading terms are carried in two words, so that the sum is rounded once.
 //!
 //! # Error budget
-//! In units in the last place of T/T0; in brackets the largest of 20 000 inputs on each side, where it was measured.
+//! Errors in units in the last place of T/T0; in brackets the largest measured on 20 000 inputs on each side.
 //!
 //! | what | error | why |
 //! |---|---|---|
@@ -20,10 +18,10 @@
 //! | T/T0 in two words, in sum | 0.07 [0.038] | a test holds it to 0.06 |
 //! | the one rounding to `f64` | 0.5 | |
 //!
-//! So the result is right to 0.56 ulp [0.53], to which the ledger holds it.
+//! The result is therefore right to 0.56 ulp [0.53], which the ledger enforces.
 //!
 //! # Method
-//! The excess T/T0 − 1 is within 0.9 ulp. The second word of u enters through the slope of the polynomials, because s is in two words on one side
+//! The excess T/T0 − 1 is within 0.9 ulp. The second word of u enters through the slope of the polynomials, because s has two words on one side
 //! of π/2, whether the amplitude or its complement is given.
 
 use libration_kernels::dispatch::{Kernel, dispatch};
@@ -95,27 +93,27 @@ fn complement_of(amplitude: f64) -> DoubleDouble {
     DoubleDouble::new(sum.hi, sum.lo + DoubleDouble::PI_TAIL.lo)
 }
 
-/// G(s) − 1 for u = s²; the second word is below 0.4 % of the first, not below its last bit.
+/// G(s) − 1 for u = s². The words are not normalised: the second is below 0.4 % of the first.
 #[inline(always)]
 #[doc(hidden)]
 pub fn excess_below(u: DoubleDouble) -> DoubleDouble {
     excess_with(u, polynomial(u.hi, &EXCESS))
 }
 
-/// [`excess_below`] from the value of its polynomial.
+/// [`excess_below`] for a given value of its polynomial.
 #[inline(always)]
 pub(super) fn excess_with(u: DoubleDouble, polynomial: f64) -> DoubleDouble {
     let sum = fast_two_sum(0.0625 * u.hi, (u.hi * u.hi) * polynomial);
     DoubleDouble::new(sum.hi, slope(u.hi, 0.0625, &EXCESS).fma(u.lo, sum.lo))
 }
 
-/// The slope of leading·u + u²·Σ tailᵢuⁱ, by which the second word of u counts, to half a percent.
+/// The slope of leading·u + u²·Σ tailᵢuⁱ, by which the second word of u is multiplied, to half a per cent.
 #[inline(always)]
 fn slope<const N: usize>(u: f64, leading: f64, tail: &[f64; N]) -> f64 {
     u.fma(u.fma(u.fma(4.0 * tail[2], 3.0 * tail[1]), 2.0 * tail[0]), leading)
 }
 
-/// ln(1/q) of the amplitude s, u = s²; the second word is below 1 % of the first, not below its last bit.
+/// ln(1/q) of the amplitude s, u = s². The words are not normalised: the second is below 1 % of the first.
 #[inline(always)]
 #[doc(hidden)]
 pub fn log_inverse_nome(s: DoubleDouble, u: DoubleDouble) -> DoubleDouble {
@@ -179,7 +177,7 @@ impl Nearer {
 /// A quantity of the period as a function of one number.
 #[doc(hidden)]
 pub trait PeriodFunction: Copy {
-    /// The nearer side for an argument; anything outside the domain.
+    /// The nearer side for an argument; an arbitrary one outside the domain.
     fn nearer(argument: f64) -> Nearer;
     /// The value, from the period of the nearer side; NaN outside the domain.
     fn value(argument: f64, excess_below: DoubleDouble, ratio_above: DoubleDouble) -> f64;
@@ -202,13 +200,13 @@ pub(super) fn within_pi(amplitude: f64) -> bool {
     amplitude.abs() <= DoubleDouble::PI.hi
 }
 
-/// A function of the amplitude: T/T0 or the excess, as the rounding says.
+/// A function of the amplitude: T/T0 or the excess, depending on the rounding.
 #[derive(Clone, Copy)]
 pub(super) struct OfAmplitude<R>(pub(super) R);
 
 /// Rounding of the two forms of the period to one result.
 pub(super) trait Rounding: Copy {
-    /// Rounds T/T0 − 1 below π/2 and T/T0 above.
+    /// Rounds the result, given T/T0 − 1 below π/2 and T/T0 above.
     fn round(above: bool, excess_below: DoubleDouble, ratio_above: DoubleDouble) -> f64;
 }
 
@@ -283,7 +281,7 @@ impl<P: PeriodFunction> Kernel for One<P> {
 /// The period ratio T/T0 of the libration with this amplitude in radians; even in the amplitude.
 ///
 /// # Domain
-/// |θ0| up to the last `f64` below π, where it is 24.64…; NaN above.
+/// |θ0| up to the largest `f64` below π, where the ratio is 24.64…; NaN above.
 /// # Accuracy
 /// 0.56 ulp (ledger in `tests/suite/promises.rs`).
 /// # Examples
@@ -346,7 +344,7 @@ impl Kernel for OfWords {
     }
 }
 
-/// T/T0 for subnormal complements, where G(s) = 1 and only the logarithm counts.
+/// T/T0 for subnormal complements, where G(s) = 1 and only the logarithm matters.
 #[cold]
 fn ratio_at_the_top(complement: f64) -> f64 {
     if complement == 0.0 {

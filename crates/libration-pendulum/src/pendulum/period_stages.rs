@@ -1,8 +1,7 @@
 //! The period of many amplitudes, stage by stage.
 //!
-//! One amplitude is a long chain of dependent operations. A block of them goes through the chain in short
-//! loops, each of which the compiler vectorises and the processor overlaps; the operations, and so the bits,
-//! are those of one amplitude.
+//! The computation for one amplitude is a long chain of dependent operations. A block of amplitudes passes through the chain in short loops,
+//! which the compiler vectorises and the processor overlaps; the operations, and thus the bits, are those for one amplitude.
 //!
 //! # Method
 //! A block holds 64 amplitudes; `swing_period_stages.rs` adds the period in seconds, the nome and the condition number. A sine in two words is
@@ -69,7 +68,7 @@ pub fn period_ratios_near_top(complements: &[f64], ratios: &mut [f64]) -> Result
     Ok(())
 }
 
-/// Results of each stage for the next, word by word for the vector units.
+/// Results of each stage for the next, word by word, so that they are vectorised.
 #[repr(align(64))]
 pub(super) struct Stages {
     pub(super) s: Words,
@@ -99,7 +98,7 @@ impl Stages {
         }
     }
 
-    /// Excess and logarithm of these amplitudes.
+    /// Computes the excess and the logarithm for these amplitudes.
     #[inline(always)]
     pub(super) fn load(&mut self, amplitudes: &[f64; BLOCK]) {
         self.load_by(amplitudes, nearer_of_amplitude);

@@ -9,8 +9,7 @@ use libration_kernels::dispatch::{Kernel, dispatch, dispatch_slices};
 use libration_kernels::double_double::block::{BLOCK, Words};
 use libration_kernels::double_double::{DoubleDouble, fast_two_sum, pick};
 
-/// The period in seconds of the libration with this amplitude in radians, of a pendulum of this length in metres under this gravity
-/// in m/s².
+/// The period in seconds of the libration with this amplitude in radians, for a pendulum of this length in metres under this gravity in m/s².
 ///
 /// # Domain
 /// Amplitudes as [`period_ratio`](super::period_ratio), length and gravity as [`Pendulum::new`]; NaN outside.
@@ -46,7 +45,7 @@ pub fn periods(
     Ok(())
 }
 
-/// T0 in two words; NaN where there is no such pendulum.
+/// T0 in two words; NaN if such a pendulum does not exist.
 fn small_angle_period(length: f64, gravity: f64) -> DoubleDouble {
     Pendulum::new(length, gravity).map_or(DoubleDouble::from(f64::NAN), |pendulum| {
         DoubleDouble::PI.scaled(2.0) / pendulum.angular_frequency_words()
@@ -108,7 +107,7 @@ impl Kernel for Each<'_> {
     }
 }
 
-/// T0 of a block, found again only where the pendulum is another than before.
+/// T0 of a block, recomputed only where the pendulum changes.
 struct Scale {
     length: f64,
     gravity: f64,

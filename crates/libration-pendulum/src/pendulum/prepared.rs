@@ -1,10 +1,9 @@
-//! A periodic motion prepared for millions of times on one orbit: a table of polynomials, evaluated in four
-//! lanes.
+//! A periodic motion prepared for millions of times on one orbit: a table of polynomials, evaluated in four lanes.
 //!
 //! # Method
-//! `Motion::prepare` cuts the period into 2ᵖ segments, each with a Taylor polynomial of degree 12 in time (`table.rs`). A time costs one look-up
-//! and one polynomial in `f64`; its position on the orbit and the constant term of its segment are in two words. A batch goes in lanes of four.
-//! Motions that would need more than 4096 segments keep the theta quotients.
+//! `Motion::prepare` divides the period into 2ᵖ segments, each with a Taylor polynomial of degree 12 in time (`table.rs`). A state costs one
+//! look-up and one polynomial in `f64`; the position on the orbit and the constant term of the segment are in two words. A batch is evaluated in
+//! lanes of four. Motions that would need more than 4096 segments keep the theta quotients.
 
 use super::LengthMismatch;
 use super::motion::Motion;
@@ -16,10 +15,10 @@ use libration_kernels::double_double::{DoubleDouble, fast_two_sum, two_prod, two
 use libration_kernels::elementary::{nearest_integer, nearest_integer_bits};
 use libration_kernels::fused::FusedMultiplyAdd;
 
-/// Largest number of segments: beyond it the index would lose bits.
+/// Largest number of segments passed, beyond which the index would lose bits.
 const MOST_GONE: f64 = 1125899906842624.0;
 
-/// A motion prepared for very many evaluations.
+/// A motion prepared for a large number of evaluations.
 #[derive(Clone, Debug)]
 pub struct PreparedMotion {
     motion: Motion,
@@ -27,8 +26,8 @@ pub struct PreparedMotion {
 }
 
 impl Motion {
-    /// The motion with a table for many evaluations: worth its making, a fraction of a millisecond, from some
-    /// ten thousand times on.
+    /// The motion with a table for many evaluations. Making the table takes a fraction of a millisecond and is worthwhile from about ten
+    /// thousand times on.
     #[must_use]
     pub fn prepare(&self) -> PreparedMotion {
         let table = match self {
@@ -47,7 +46,7 @@ impl PreparedMotion {
         &self.motion
     }
 
-    /// The state at this time in seconds; NaN where [`Motion::state_at`] is.
+    /// The state at this time in seconds; NaN if the result of [`Motion::state_at`] is NaN.
     ///
     /// # Accuracy
     /// As [`Motion::state_at`], with which it agrees within the sum of the bounds.
@@ -89,11 +88,11 @@ impl PreparedMotion {
     }
 }
 
-/// A polynomial and its derivative at a place in a segment.
+/// A polynomial and its derivative at a position in a segment.
 #[derive(Clone, Copy)]
 struct Evaluated {
     base: DoubleDouble,
-    /// Segments gone to the start of the cycle.
+    /// Segments passed before the start of the cycle.
     start: f64,
     away: f64,
     velocity: f64,
@@ -111,7 +110,7 @@ impl Evaluated {
     }
 }
 
-/// A place on the orbit: segments gone, and the rest in segments.
+/// A position on the orbit: whole segments passed, and the rest in segments.
 #[derive(Clone, Copy)]
 struct Place {
     gone: f64,
@@ -147,7 +146,7 @@ impl Table {
         let far = (DoubleDouble::PI - DoubleDouble::from(size)).to_f64();
         let top = segment.top;
         let upper = top != 0.0;
-        // Past the upright position the turn is the next.
+        // Past the upright position the next turn begins.
         let passed = if at.away * top > 0.0 { top } else { 0.0 };
         let cycles = self.cycle.map_or(0.0, |cycle| cycle.direction * (cycle.inverse * at.start));
         State {
@@ -175,13 +174,13 @@ impl Segment {
     }
 }
 
-/// Computation of the angle from the base of its segment.
+/// Computation of the angle relative to the base of its segment.
 trait Unwrap: Copy {
     /// The unwrapped angle; `#[inline(always)]`.
     fn angle(self, at: &Evaluated) -> f64;
 }
 
-/// A libration, in which earlier turns do not count.
+/// A libration, for which earlier periods do not change the angle.
 #[derive(Clone, Copy)]
 struct Swinging;
 
@@ -262,7 +261,7 @@ impl<U: Unwrap> Kernel for Each<'_, U> {
     }
 }
 
-/// Results of each stage of a block for the next, in memory, for which the compiler makes vector operations of it.
+/// Results of each stage of a block for the next, kept in memory so that the compiler vectorises the loops.
 #[repr(align(64))]
 struct Stages {
     gone: [f64; BLOCK],
@@ -275,7 +274,7 @@ impl Stages {
     const ZERO: Self =
         Self { gone: [0.0; BLOCK], rest: [0.0; BLOCK], sums: [[0.0; 4]; BLOCK], bases: [[0.0; 2]; BLOCK] };
 
-    /// A whole block; false if some time is beyond the table's count.
+    /// Computes a whole block; returns `false` if some time is beyond the range of the table.
     #[inline(always)]
     fn block<U: Unwrap>(
         &mut self,
@@ -308,7 +307,7 @@ impl Stages {
         true
     }
 
-    /// Fewer times than a block has.
+    /// Computes fewer times than a block has.
     fn part<U: Unwrap>(
         &mut self,
         table: &Table,
@@ -326,7 +325,7 @@ impl Stages {
     }
 }
 
-/// A block in which some time is beyond the table's count.
+/// Computes a block in which some time is beyond the range of the table.
 #[cold]
 fn one_by_one<U: Unwrap>(
     table: &Table,

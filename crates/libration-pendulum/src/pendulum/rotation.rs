@@ -23,8 +23,8 @@ pub struct Rotation {
     orbit: Orbit<TurnQuotients>,
 }
 
-/// Factors of tan(θ/2 from the quarter) and of the velocity next to an even quarter, then an odd one, and
-/// the turn at t = 0.
+/// Factors of tan(θ/2), counted from the nearest quarter, and of the velocity, first next to an even quarter, then next to an odd one; and the
+/// turn at t = 0.
 #[derive(Clone, Copy, Debug)]
 struct TurnQuotients {
     tangent: [DoubleDouble; 2],
@@ -35,7 +35,7 @@ struct TurnQuotients {
 }
 
 impl Rotation {
-    /// The rotation through this state, with √(e − 1) given.
+    /// The rotation through this state, given √(e − 1).
     pub(super) fn through(angular_frequency: DoubleDouble, start: &Start, root: DoubleDouble) -> Self {
         let excess = root.square();
         let root_energy = (excess + 1.0).sqrt();
@@ -85,7 +85,7 @@ impl Rotation {
         (self.modulus.second_words() * self.speed.scaled(4.0) / DoubleDouble::PI).to_f64()
     }
 
-    /// Turns of 4K, two turns of the pendulum, gone since the passage of the bottom.
+    /// The phase in turns of 4K, which are two turns of the pendulum, since a passage of the bottom.
     pub(super) fn clock(&self) -> PhaseClock {
         self.orbit.clock
     }
@@ -141,7 +141,7 @@ fn orbit(
     }
 }
 
-/// Half turns to the nearest quarter of 4K, the angle from there as a doubled arctangent with its sign, θ′.
+/// Half turns to the nearest quarter of 4K, the angle from there as a doubled arctangent with its sign, and θ′.
 struct Turn {
     half_turns: f64,
     half: DoubledArctangent,
@@ -150,9 +150,9 @@ struct Turn {
 }
 
 impl TurnQuotients {
-    /// With a, b, c, d for θ₁ … θ₄ at the nearest quarter, the tangent of half the angle from that quarter is
-    /// proportional to a/b in the circular expansion, a/d in the hyperbolic, and θ′ to c/d, c/b next to an
-    /// even quarter, to d/c, b/c next to an odd one.
+    /// The turn from the theta values a, b, c, d for θ₁ … θ₄ at the nearest quarter. The tangent of half the angle from that quarter is
+    /// proportional to a/b in the circular expansion and to a/d in the hyperbolic one; θ′ is proportional to c/d or c/b next to an even quarter,
+    /// to d/c or b/c next to an odd one.
     #[inline(always)]
     fn turn<S: Side>(&self, phase: &Phase, values: &ThetaValues) -> Turn {
         let (beside, other) = S::beside(values);
@@ -173,10 +173,10 @@ impl TurnQuotients {
     fn angle(&self, turn: &Turn) -> f64 {
         let half_turns = turn.half_turns * self.direction;
         let whole = DoubleDouble::PI * half_turns;
-        // Where the place in the turn is not known, the whole turns are the angle to its last bit.
+        // If the position in the turn is not known, the whole turns are the angle to its last bit.
         let in_turn = pick(turn.half.angle.hi.is_nan(), DoubleDouble::ZERO, turn.half.angle);
         let angle = unwrapped(whole + self.base, turn.sign * self.direction, in_turn);
-        // Infinite beyond the range of numbers, where words cancel to NaN.
+        // Infinite beyond the range of numbers, where the words would cancel to NaN.
         let rough = DoubleDouble::PI.hi * half_turns;
         if rough.is_infinite() { rough } else { angle }
     }
@@ -193,7 +193,7 @@ impl Quotients for TurnQuotients {
     fn state<S: Side>(&self, phase: &Phase, values: &ThetaValues) -> State {
         let turn = self.turn::<S>(phase, values);
         let half = turn.half;
-        // Next to the top the turn is the one on whose side of it the pendulum is.
+        // Next to the top, the side on which the pendulum is decides the turn.
         let (turns, in_turn, complement) = if phase.is_odd() {
             (0.5 * (turn.half_turns + turn.sign), -turn.sign * half.complement.to_f64(), half.angle)
         } else {

@@ -23,7 +23,7 @@ const FAR: f64 = 600.0;
 /// The |x| beyond which even 1e290·e^−|x| is below the range of numbers.
 const AT_THE_TOP: f64 = 1480.0;
 
-/// |θ| and its complement, and sech x as the product of these two, which underflow later than it does.
+/// |θ|, its complement, and sech x as the product of two factors, each of which underflows later than sech x.
 struct Point {
     half: DoubledArctangent,
     sech: [DoubleDouble; 2],

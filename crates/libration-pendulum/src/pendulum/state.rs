@@ -4,10 +4,10 @@ use libration_kernels::double_double::{DoubleDouble, pick, two_sum};
 use libration_kernels::elementary::ReducedArctangent;
 use libration_kernels::fused::FusedMultiplyAdd;
 
-/// A state: near the top the angle alone would lose its complement, in rotation it grows.
+/// A state of a pendulum. Next to the top the angle alone would lose the complement; in rotation the angle grows with the turns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct State {
-    /// Whole turns: angle = 2π·turns + angle in the turn. Not exact beyond 2⁵³, and no larger than an `i64`.
+    /// Whole turns: angle = 2π·turns + angle in the turn. The count is not exact beyond 2⁵³, and limited to the range of `i64`.
     pub turns: i64,
     /// The angle in the turn, within [−π, π] radians.
     pub angle_in_turn: f64,
@@ -20,7 +20,7 @@ pub struct State {
 }
 
 impl State {
-    /// Everything NaN, for a time that is not finite.
+    /// A state of NaN, for a time that is not finite.
     pub(super) const NAN: Self =
         Self { turns: 0, angle_in_turn: f64::NAN, complement: f64::NAN, angle: f64::NAN, velocity: f64::NAN };
 }
@@ -32,16 +32,16 @@ pub(super) struct DoubledArctangent {
     pub(super) complement: DoubleDouble,
 }
 
-/// A ratio on the way to its doubled arctangent.
+/// A ratio reduced for its doubled arctangent.
 #[derive(Clone, Copy)]
 pub(super) struct ReducedRatio {
-    /// The arctangent of the ratio, or of its inverse where it is steep.
+    /// The arctangent of the ratio, or of its inverse if the ratio is above one.
     pub(super) arctangent: ReducedArctangent,
     pub(super) steep: bool,
 }
 
 impl ReducedRatio {
-    /// For positive numbers.
+    /// The reduction of a ratio of positive numbers.
     #[inline(always)]
     pub(super) fn from_quotient(numerator: DoubleDouble, denominator: DoubleDouble) -> Self {
         let steep = numerator.hi > denominator.hi;
@@ -73,7 +73,7 @@ pub(super) fn unwrapped(base: DoubleDouble, sign: f64, angle: DoubleDouble) -> f
     sum.hi + (sum.lo + sign.fma(angle.lo, base.lo))
 }
 
-/// A count of turns held in an `f64`, as an integer.
+/// A number of turns in an `f64` as an integer.
 #[expect(
     clippy::cast_possible_truncation,
     reason = "float-to-integer casts saturate, and beyond 2⁵³ turns the count is not known anyway"

@@ -1,9 +1,9 @@
-//! All that an amplitude says of the period, for hardly more than the price of one number.
+//! The period of a swing with related quantities, for little more than the cost of one of them.
 
 use super::amplitude::period_of_quarter;
 use super::{Amplitude, Pendulum};
 
-/// The period of a libration with related quantities; each number is that of the method of its name, bit for bit.
+/// The period of a libration with related quantities; each field equals the result of the method of its name, bit for bit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SwingPeriod {
     /// [`Pendulum::period`] in seconds.

@@ -1,4 +1,4 @@
-//! All that many amplitudes say of the period, stage by stage.
+//! The periods of many swings with related quantities, stage by stage.
 
 use super::amplitude::{SMALLEST_HALVED, condition_of, period_of_quarter, slope_of};
 use super::period::{Excess, Nearer, Ratio, Rounding, amplitude_above, ratio_above};
@@ -95,7 +95,7 @@ impl Block {
         period: Stages::ZERO,
     };
 
-    /// One radian, as good as any, stands where an amplitude is not regular and where there is none.
+    /// Loads the block. One radian stands in for amplitudes that are not regular and for unused elements.
     #[inline(always)]
     fn load(&mut self, amplitudes: &[Amplitude]) {
         for i in 0..BLOCK {

@@ -1,11 +1,10 @@
 //! The table of a prepared motion: Taylor polynomials in time.
 //!
-//! The period is cut into 2ᵖ segments. On each the polynomial of degree 12 about its middle comes from the
-//! equation of motion by the recurrences of sine and cosine; half a segment is at most 1/24 of the distance
-//! to the nearest singularity, K′ away in imaginary time, so the remainder is below 24⁻¹³ < 2⁻⁵⁹ and that of the
-//! velocity below 24⁻¹² < 2⁻⁵⁴ of its scale. The last term is spread over those of lower even powers by Chebyshev's polynomial
-//! of its degree, which changes the sum by less than 2⁻¹¹·24⁻¹² of the scale and saves a row of the table. In
-//! the upper half of the circle the polynomial is that of the angle from the upright position.
+//! The period is divided into 2ᵖ segments. On each the polynomial of degree 12 about the middle follows from the equation of motion by the
+//! recurrences of sine and cosine. Half a segment is at most 1/24 of the distance to the nearest singularity, K′ away in imaginary time, so the
+//! remainder is below 24⁻¹³ < 2⁻⁵⁹, and the remainder of the velocity below 24⁻¹² < 2⁻⁵⁴ of its scale. The last term is spread over the lower
+//! even powers by Chebyshev's polynomial of its degree, which changes the sum by less than 2⁻¹¹·24⁻¹² of the scale and saves a row of the table.
+//! In the upper half of the circle the polynomial gives the angle from the upright position.
 
 use super::{Libration, Rotation};
 use libration_kernels::double_double::DoubleDouble;
@@ -18,7 +17,7 @@ pub const DEGREE: usize = 12;
 /// Powers of y² that are kept.
 pub const ROWS: usize = DEGREE / 2;
 
-/// z¹² as Σ cₖ z²ᵏ within 2⁻¹¹ for |z| ≤ 1: what T₁₂(z)/2¹¹ leaves of it.
+/// z¹² as Σ cₖ z²ᵏ within 2⁻¹¹ for |z| ≤ 1: z¹² − T₁₂(z)/2¹¹.
 const TWELFTH_POWER: [f64; ROWS] =
     [-1.0 / 2048.0, 72.0 / 2048.0, -840.0 / 2048.0, 3584.0 / 2048.0, -6912.0 / 2048.0, 6144.0 / 2048.0];
 
@@ -27,22 +26,21 @@ const CLEARANCE: f64 = 24.0;
 
 const FEWEST_SEGMENTS: f64 = 32.0;
 
-/// A table of more than 2¹² segments would outgrow the caches: next to the separatrix the theta quotients are
-/// faster.
+/// Largest number of segments: a table of more than 2¹² would exceed the caches, and next to the separatrix the theta quotients are faster.
 const MOST_SEGMENTS: f64 = 4096.0;
 
 #[derive(Clone, Debug)]
 pub(super) struct Table {
     /// Segments per second.
     pub(super) rate: DoubleDouble,
-    /// Segments from the nearest quarter at t = 0, and whole segments to that quarter.
+    /// Segments from the nearest quarter at t = 0, and whole segments up to that quarter.
     pub(super) offset: DoubleDouble,
     pub(super) start: f64,
-    /// Gain over one pass through all segments, in rotation.
+    /// The change over one pass through all segments, in rotation.
     pub(super) cycle: Option<Cycle>,
     pub(super) turns: i64,
-    /// One less than the number of segments, a power of two. Taken from a field and not from the length, it
-    /// leaves a check of the index in the loop, without which the compiler would gather across segments.
+    /// One less than the number of segments, a power of two. Reading it from a field and not from the length keeps a bounds check in the loop,
+    /// without which the compiler would gather across segments.
     pub(super) mask: usize,
     pub(super) segments: Vec<Segment>,
 }
@@ -50,23 +48,23 @@ pub(super) struct Table {
 /// A turn of a rotation.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cycle {
-    /// ±2π.
+    /// The change of the angle, ±2π.
     pub(super) advance: DoubleDouble,
     pub(super) direction: f64,
     /// 1/segments, a power of two.
     pub(super) inverse: f64,
 }
 
-/// A polynomial for the angle from `base`, the lowest point or the upright position.
+/// A polynomial for the angle relative to `base`, the lowest point or the upright position.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub(super) struct Segment {
     /// Coefficients of powers of y² of the four polynomials that make angle = a + y·b and velocity = c + y·d.
     pub(super) rows: [[f64; 4]; ROWS],
     pub(super) base: DoubleDouble,
-    /// ±1 where the angle counts from ±π of the turn.
+    /// ±1 if the angle counts from ±π of the turn, otherwise 0.
     pub(super) top: f64,
-    /// Turns gone in the cycle.
+    /// Turns passed in the cycle.
     pub(super) turns: f64,
 }
 
@@ -75,7 +73,7 @@ struct Middle {
     /// sin(θ/2) and cos(θ/2).
     sine: DoubleDouble,
     cosine: DoubleDouble,
-    /// θ′ in segments.
+    /// θ′ per segment.
     velocity: DoubleDouble,
 }
 
@@ -106,7 +104,7 @@ impl Table {
     pub(super) fn of_rotation(rotation: &Rotation) -> Option<Self> {
         let (speed, clock) = (rotation.speed(), rotation.clock());
         let modulus = rotation.modulus();
-        // One turn of the pendulum is half of 4K.
+        // One turn of the pendulum is a half of 4K.
         let count = segments(&modulus, 1.0)?;
         let quotients = PreciseQuotients::new(&modulus);
         let rate = clock.frequency * (2.0 * count);
@@ -136,7 +134,7 @@ impl Table {
     }
 }
 
-/// Number of segments that a cycle of `half_periods`·2K needs, if that is not too many.
+/// Number of segments for a cycle of `half_periods`·2K; `None` if they are too many.
 fn segments(modulus: &Modulus, half_periods: f64) -> Option<f64> {
     let ratio = modulus.first_words() / modulus.complementary_first_words();
     let needed = (CLEARANCE * half_periods * ratio.hi).max(FEWEST_SEGMENTS);
@@ -165,13 +163,13 @@ impl Segment {
         } else {
             two_word::atan2(cosine, size).scaled(-2.0 * top)
         };
-        // Of the angle from the base, which is θ or θ ∓ π.
+        // The sine of the angle from the base, which is θ or θ ∓ π.
         let flip = if top == 0.0 { 1.0 } else { -1.0 };
         let sin = (sine * cosine).scaled(2.0 * flip);
         let cos = (cosine.square() - sine.square()).to_f64() * flip;
         let factor = step.square().scaled(-flip);
         let x = taylor([away.hi, velocity.to_f64()], [sin.to_f64(), cos], factor.to_f64());
-        // The first two decide the last bits of the velocity, the second next to a turning point.
+        // The first two coefficients decide the last bits of the velocity, the second one next to a turning point.
         let slopes = [(velocity * rate).to_f64(), (factor * sin * rate).to_f64()];
         let rows = rows(&x, rate.hi, slopes);
         let base = base + DoubleDouble::PI * top;
@@ -185,8 +183,7 @@ impl Segment {
     }
 }
 
-/// The rows of a segment, highest power first: xₖ for the angle, k·xₖ·rate for the velocity, the first two of
-/// these given.
+/// The rows of a segment, highest power first: xₖ for the angle, k·xₖ·rate for the velocity, whose first two coefficients are given.
 pub fn rows(x: &[f64; DEGREE + 1], rate: f64, leading: [f64; 2]) -> [[f64; 4]; ROWS] {
     let mut slopes = [0.0; DEGREE];
     let mut k = 1.0;

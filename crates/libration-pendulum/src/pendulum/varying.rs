@@ -1,12 +1,12 @@
-//! States released from rest where the amplitude varies from one to the next: the period kernel gives period
-//! and nome of each, the theta quotients of libration the state.
+//! States of pendulums released from rest with an individual amplitude each: the period kernel gives the period and the nome, the theta
+//! quotients of libration give the state.
 //!
-//! Amplitudes up to π/2 take the circular expansion of the nome, those above the hyperbolic one of the
-//! complementary nome; a batch sorts its elements by side, so that each loop does one kind of work.
+//! Amplitudes up to π/2 use the circular expansion in the nome, those above use the hyperbolic one in the complementary nome. A batch sorts its
+//! elements by side, so that each loop does one kind of work.
 //!
 //! # Method
-//! Where each element of a batch has its own amplitude nothing can be prepared. A batch therefore sorts its elements into one queue for each side
-//! of π/2, and empties a full queue stage by stage, 64 elements together (`varying_stages.rs`). The velocity has four roundings, the angle one.
+//! If each element of a batch has its own amplitude, nothing can be prepared. A batch therefore sorts its elements into one queue for each side
+//! of π/2 and empties a full queue stage by stage, 64 elements together (`varying_stages.rs`). The velocity has four roundings, the angle one.
 
 use super::period::{
     FRAC_1_PI, Nearer, amplitude_above, excess_below, log_inverse_nome, nearer_of_amplitude, root_of_nome,
@@ -26,8 +26,8 @@ const FRAC_1_TAU: DoubleDouble = DoubleDouble::new(0.15915494309189535, -9.83933
 /// (rad) at t = 0.
 ///
 /// # Domain
-/// |amplitude| up to the last `f64` below π, ω0·t finite; NaN outside. NaN from 2⁴⁹ periods on, where the error bound is a
-/// quarter of the period or more: [`Motion::state_at`](super::Motion::state_at) knows the phase to 2⁹⁷ periods.
+/// |amplitude| up to the largest `f64` below π, ω0·t finite; NaN outside. NaN from 2⁴⁹ periods on, where the error bound is a quarter of the
+/// period or more: [`Motion::state_at`](super::Motion::state_at) resolves the phase up to 2⁹⁷ periods.
 /// # Accuracy
 /// 2.2 ulp of the angle and 4·2⁻⁵³·|θ′t|; likewise the velocity (ledger in `tests/suite/promises.rs`).
 #[must_use]
@@ -41,9 +41,9 @@ pub(super) trait ReleaseSide: Side {
     const ABOVE: bool;
     /// T/T0 from the period ratio of the nearer side and the log of its inverse nome.
     fn ratio(gauss: DoubleDouble, log: DoubleDouble) -> DoubleDouble;
-    /// The factors of tan(θ/2) above and below the line.
+    /// The factors of the numerator and of the denominator of tan(θ/2).
     fn tangent_factors(odd: bool, factors: &Factors) -> (DoubleDouble, DoubleDouble);
-    /// The factor of θ′/2ω0 with θ₄(0)/θ₃(0)².
+    /// The factor of θ′/2ω0 that multiplies θ₄(0)/θ₃(0)².
     fn speed_factor(odd: bool, factors: &Factors) -> DoubleDouble;
 }
 
@@ -106,10 +106,10 @@ pub(super) fn gauss(excess: DoubleDouble) -> DoubleDouble {
     fast_two_sum(sum.hi, sum.lo + excess.lo)
 }
 
-/// 2⁴⁹: from here on the bound of the error, 2⁻⁵¹ of the time, is a quarter of the period or more.
+/// 2⁴⁹: from here on the error bound, 2⁻⁵¹ of the time, is a quarter of the period or more.
 const MOST_PERIODS: f64 = 562949953421312.0;
 
-/// The phase in its orbit of a pendulum of period ratio R at ω0t: ω0t/2πR turns after the turning point.
+/// The phase at ω0t of a pendulum with period ratio R: ω0t/2πR turns after the turning point.
 #[inline(always)]
 pub(super) fn phase(ratio: DoubleDouble, angular_frequency: f64, time: f64) -> Phase {
     let angle = two_prod(angular_frequency, time);
@@ -168,7 +168,7 @@ pub(super) fn velocity<S: ReleaseSide>(
     phase.sign() * 1f64.copysign(amplitude) * inside * (above / below)
 }
 
-/// One element.
+/// A single element.
 pub(super) struct One {
     pub(super) amplitude: f64,
     pub(super) angular_frequency: f64,
@@ -197,7 +197,7 @@ impl One {
         let gauss = gauss(excess);
         let phase = phase(S::ratio(gauss, log), self.angular_frequency, self.time);
         let root = root_of_nome(s, u.hi);
-        // 2πK/K′ = 2 ln(1/q′) of the complementary nome.
+        // 2πK/K′ = 2 ln(1/q′), q′ the complementary nome.
         let values = S::values(&ThetaSeries::new(root.hi * root.hi), phase.rest, log.scaled(2.0));
         let factors = Factors::from_nome_root(root);
         let Tangent { above, below, sign } = tangent::<S>(self.amplitude, &phase, &factors, &values);

@@ -1,4 +1,4 @@
-//! States of many amplitudes and times, sorted by side and stage by stage, as `period_stages` does it.
+//! States of many amplitudes and times, sorted by side and computed stage by stage, as in `period_stages`.
 
 use super::LengthMismatch;
 use super::period::{Nearer, amplitude_above, nearer_of_amplitude, root_of_nome};
@@ -50,7 +50,7 @@ impl Kernel for Each<'_> {
             for slice in [self.amplitudes, self.times, &*self.angles, &*self.velocities] {
                 fetch_ahead(&slice[place..end]);
             }
-            // As many elements as leave neither queue overflowing, counted outside of memory.
+            // The number of elements for which both queues have room; the counts are kept in registers.
             let room = BLOCK - above.count.max(below.count);
             let (mut above_count, mut below_count) = (above.count, below.count);
             let elements = self.amplitudes[place..].iter().zip(&self.times[place..]).take(room);
@@ -85,7 +85,7 @@ impl Kernel for Each<'_> {
     }
 }
 
-/// Largest number of elements that take less time one after the other than in a block.
+/// Largest number of elements that take less time one by one than in a block.
 const FEW: usize = 6;
 
 /// Elements of one side waiting for a block to fill.
@@ -102,17 +102,17 @@ impl Queue {
         Self { count: 0, place: [0; BLOCK], amplitude: [0.0; BLOCK], time: [0.0; BLOCK] }
     }
 
-    /// Puts an element into a slot below `BLOCK`, where the next one overwrites it unless it is counted.
+    /// Puts an element into a slot below `BLOCK`; the next element overwrites it unless the count is increased.
     #[inline(always)]
     fn put(&mut self, slot: usize, place: usize, amplitude: f64, time: f64) {
-        // The remainder spares the check of the index.
+        // The remainder makes a bounds check unnecessary.
         let slot = slot % BLOCK;
         self.place[slot] = place;
         self.amplitude[slot] = amplitude;
         self.time[slot] = time;
     }
 
-    /// Empties the queue.
+    /// Empties the queue one element at a time.
     #[inline(always)]
     fn one_by_one(&mut self, angular_frequency: f64, angles: &mut [f64], velocities: &mut [f64]) {
         for i in 0..self.count {
@@ -168,7 +168,7 @@ impl ReleaseStages {
         }
     }
 
-    /// Empties the queue; what is behind its count is computed too and dropped.
+    /// Empties the queue; elements after its count are computed too and dropped.
     #[inline(always)]
     fn run<S: ReleaseSide>(&mut self, queue: &mut Queue, angles: &mut [f64], velocities: &mut [f64]) {
         self.places::<S>(queue);
@@ -186,7 +186,7 @@ impl ReleaseStages {
         queue.count = 0;
     }
 
-    /// The angles, over the theta values.
+    /// Computes the angles, which overwrite the theta values.
     #[inline(always)]
     fn angles<S: ReleaseSide>(&mut self, queue: &Queue) {
         for i in 0..BLOCK {

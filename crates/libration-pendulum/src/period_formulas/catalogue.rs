@@ -1,13 +1,13 @@
-//! Data of each closed formula. Where the original text was not read, the source says so: that of the others is the work named with it, or a
-//! derivation.
+//! Data of each closed formula. Where the original text was not read, the source says so; the formula then comes from the work named next to it,
+//! or from a derivation.
 
 use super::formula::Attribution::{self, Attributed, Certain};
 use super::law::Law;
 
-/// A catalogue entry as it is typed here.
+/// A catalogue entry as written in this file.
 pub(super) struct Entry {
     pub(super) key: &'static str,
-    /// Other keys under which it can be requested.
+    /// Other keys of the formula.
     pub(super) also: &'static [&'static str],
     pub(super) name: &'static str,
     pub(super) authors: &'static str,
@@ -20,9 +20,9 @@ pub(super) struct Entry {
     pub(super) derivation: &'static str,
     pub(super) latex: &'static str,
     pub(super) domain: &'static str,
-    /// Elementary functions, roots, arithmetic operations.
+    /// Numbers of elementary functions, roots and arithmetic operations.
     pub(super) effort: (u16, u16, u16),
-    /// Coefficient and power of θ0 of the leading fractional error, where it is known exactly.
+    /// Coefficient and power of θ0 in the leading fractional error, if it is known exactly.
     pub(super) leading_error: Option<(&'static str, u32)>,
     pub(super) law: Law,
 }

@@ -1,5 +1,5 @@
-//! The exact error of a formula: formula and period in two words where these decide the last bit of the difference, else in
-//! as many bits as leave 60 good ones in it.
+//! The exact error of a formula. Formula and period are computed in two words if these decide the last bit of the difference, otherwise with a
+//! precision that leaves 60 good bits in it.
 
 use super::law::Law;
 use super::quick::Quick;
@@ -9,14 +9,14 @@ use libration_numbers::algebra::BigFloat;
 
 /// Bits of the fractional error that are certain before it is rounded.
 const GOOD_BITS: isize = 64;
-/// Bits that rounding may have spoilt in a formula or in the exact ratio.
+/// Bits of a formula or of the exact ratio that rounding may have spoilt.
 const GUARD_BITS: isize = 24;
-/// The first attempt: enough for errors down to 1e-15.
+/// Precision of the first attempt, enough for errors down to 1e-15.
 const FIRST_PRECISION: usize = 144;
-/// Enough for the smallest positive `f64`, 2⁻¹⁰⁷⁴; a smaller error is zero.
+/// Precision that suffices for the smallest positive `f64`, 2⁻¹⁰⁷⁴; a smaller error is zero.
 const LAST_PRECISION: usize = 1216;
 
-/// The exact ratio at one amplitude in as many precisions as the formulas requested so far.
+/// The exact ratio at one amplitude, in each precision that a formula has required so far.
 #[derive(Debug)]
 pub struct Exact {
     amplitude: SwingAmplitude,
@@ -36,7 +36,7 @@ impl Exact {
         Self::from_quick(amplitude, Quick::new(amplitude))
     }
 
-    /// The errors at each amplitude in turn, from a block of ratios in two words at a time; `None` where there is no amplitude.
+    /// The errors at each amplitude in turn, from ratios in two words of a block at a time; `None` for an invalid amplitude.
     pub(super) fn each(amplitudes: &[Option<SwingAmplitude>]) -> impl Iterator<Item = Option<Self>> {
         let found = |(amplitude, quick): (&Option<_>, _)| amplitude.map(|it| Self::from_quick(it, quick));
         amplitudes.chunks(BLOCK).flat_map(move |block| block.iter().zip(Quick::block(block)).map(found))
@@ -86,11 +86,11 @@ impl Exact {
     }
 }
 
-/// The precision that the error's size requires, or twice as much when it is lost in rounding.
+/// The precision that the size of the error requires, or twice the precision if the error is lost in rounding.
 fn next_precision(precision: usize, exponent: isize, spoilt: isize) -> usize {
     let visible = exponent > spoilt;
     let asked = if visible { GOOD_BITS + GUARD_BITS - exponent + 1 } else { 2 * signed(precision) };
-    // In steps, so that formulas of like error share the exact ratio.
+    // Precisions are rounded up to multiples of 64, so that formulas of similar error share the exact ratio.
     let stepped = usize::try_from(asked).unwrap_or(LAST_PRECISION).next_multiple_of(64);
     stepped.clamp(precision + 1, LAST_PRECISION)
 }

@@ -6,10 +6,10 @@ use libration_numbers::algebra::{Rational, Rationals};
 use libration_numbers::internals::linear::solve;
 use libration_numbers::internals::series::{even_reciprocal, exponential};
 
-/// The coefficients `t₀ … t_N` of T/T0 = Σ tₙθ0²ⁿ (the first document's equation (14)): 1, 1/16, 11/3072, ….
+/// The coefficients `t₀ … t_N` of T/T0 = Σ tₙθ0²ⁿ (equation (14) of Black and Vel): 1, 1/16, 11/3072, ….
 ///
-/// 16ⁿ(2n)!·tₙ are the integers of exp(Σ |E₂ⱼ|4ʲxʲ/(2j)) with the Euler numbers E₂ⱼ, which are the integers of
-/// 1/cos; both by fast multiplication, the fractions reduced at the end.
+/// 16ⁿ(2n)!·tₙ are the integer coefficients of exp(Σ |E₂ⱼ|4ʲxʲ/(2j)). The Euler numbers E₂ⱼ are those of 1/cos. Both series use fast
+/// multiplication, and fractions are reduced at the end.
 ///
 /// # References
 /// J. W. Meijer, OEIS A223067 and A223068.
@@ -18,14 +18,13 @@ pub fn period_in_amplitude(corrections: usize) -> Vec<Rational> {
     over_weights(period_integers(corrections + 1))
 }
 
-/// The coefficients `d₀ … d_N` of Ω/ω0 = T0/T = Σ dₙθ0²ⁿ (the first document's equation (51)): 1, −1/16, 1/3072, ….
+/// The coefficients `d₀ … d_N` of Ω/ω0 = T0/T = Σ dₙθ0²ⁿ (equation (51) of Black and Vel): 1, −1/16, 1/3072, ….
 #[must_use]
 pub fn frequency_in_amplitude(corrections: usize) -> Vec<Rational> {
     over_weights(even_reciprocal(&period_integers(corrections + 1), corrections + 1))
 }
 
-/// The coefficients `c₀ … c_N` of T/T0 = Σ cₙ sin²ⁿ(θ0/2) (the second document's series): the squares of the
-/// central binomial coefficients (2n over n)/4ⁿ, which are 1, 1/2, 3/8, ….
+/// The coefficients `c₀ … c_N` of T/T0 = Σ cₙ sin²ⁿ(θ0/2): the squares of (2n over n)/4ⁿ, which are 1, 1/2, 3/8, ….
 #[must_use]
 pub fn period_in_sine_squared(corrections: usize) -> Vec<Rational> {
     let mut binomial = IBig::ONE;

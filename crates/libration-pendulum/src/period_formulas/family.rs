@@ -1,4 +1,4 @@
-//! The formulas with a number of terms: any number can be requested.
+//! Formulas with a selectable number of terms.
 
 use super::expansion::{frequency_in_amplitude, pade, period_in_amplitude, period_in_sine_squared};
 use super::formula::{Attribution, Complexity, LeadingTerm, PeriodFormula};
@@ -6,14 +6,14 @@ use super::law::Law;
 use super::real::Coefficients;
 use libration_numbers::algebra::Rational;
 
-/// The most correction terms a formula can be requested with; their exact coefficients take seconds.
+/// The largest number of correction terms; computing their exact coefficients takes seconds.
 pub const MOST_TERMS: usize = 1000;
 
 /// The largest degree of a Padé approximant. In θ0² that of degree 11 has a pole at an amplitude of 2.89 rad (mpmath, 60 digits), and denominators of
 /// degree 10 cancel so near the top that two words are off 300 times as far as for other formulas.
 pub const LARGEST_PADE: usize = 5;
 
-/// A formula that is known under another name.
+/// A formula that has another name.
 struct Known {
     key: &'static str,
     name: &'static str,
@@ -71,7 +71,7 @@ impl Family {
         matches!(self, Self::SineSquared | Self::PadeSineSquared)
     }
 
-    /// The key without its number.
+    /// The key without its number of corrections.
     pub(super) fn stem(self) -> &'static str {
         match self {
             Self::PowerSeries => "power_series_",
@@ -172,7 +172,7 @@ impl Family {
         }
     }
 
-    /// The older formula that a series with one correction equals, for two of the series.
+    /// The older formula that equals this series with one correction, for two of the series.
     fn known(self, corrections: usize) -> Option<&'static Known> {
         match self {
             Self::PowerSeries if corrections == 1 => Some(&BERNOULLI),

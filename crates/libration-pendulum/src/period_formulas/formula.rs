@@ -1,4 +1,4 @@
-//! A formula with what is known about it, and the catalogue in which it is found by its key.
+//! A formula with its source and properties, and its methods.
 
 use std::fmt;
 
@@ -39,12 +39,12 @@ pub struct PeriodFormula {
     pub(super) law: Law,
 }
 
-/// The certainty of a source: a formula was seen in the source named, or is ascribed to it from memory.
+/// The certainty of a source.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Attribution {
-    /// A text that was read has the formula and names its origin.
+    /// The source was read, or a text was read that states the formula with its origin.
     Certain,
-    /// The formula is verified, its origin is not.
+    /// The formula is verified; its origin is attributed from memory.
     Attributed,
 }
 
@@ -104,9 +104,8 @@ impl PeriodFormula {
         SwingAmplitude::from_radians(amplitude).map_or(f64::NAN, |amplitude| self.ratio(amplitude))
     }
 
-    /// formula/exact − 1 with full relative accuracy however small, from floats of as many digits as it takes:
-    /// zero only below the smallest `f64`; infinite where
-    /// the formula is not defined, NaN where the period is not.
+    /// formula/exact − 1 with full relative accuracy however small, in floats of as many digits as necessary; zero only below the smallest
+    /// `f64`, infinite where the formula is not defined, NaN where the period is not.
     #[must_use]
     pub fn fractional_error(&self, amplitude: &Angle) -> f64 {
         SwingAmplitude::from_angle(amplitude).map_or(f64::NAN, |amplitude| self.error(amplitude))
@@ -131,7 +130,7 @@ impl PeriodFormula {
         self.error_beside(&mut Exact::new(amplitude))
     }
 
-    /// The fractional error, the exact period shared with other formulas; infinite where this is not defined.
+    /// The fractional error for an exact period that other formulas share; infinite where the formula is not defined.
     pub(super) fn error_beside(&self, exact: &mut Exact) -> f64 {
         if self.is_defined(exact.amplitude()) { exact.fractional_error(&self.law) } else { f64::INFINITY }
     }
@@ -140,7 +139,7 @@ impl PeriodFormula {
         !matches!(self.law, Law::CubicForce) || amplitude.radians() < self.defined_below()
     }
 
-    /// The amplitude in radians from which on the formula has no value; π for most.
+    /// The amplitude in radians from which on the formula has no value; π for most formulas.
     #[must_use]
     pub fn defined_below(&self) -> f64 {
         match self.law {
@@ -180,13 +179,13 @@ impl PeriodFormula {
         self.year
     }
 
-    /// The place of publication; a source known from memory alone begins with `attributed to`.
+    /// The place of publication; a source that was not read begins with `attributed to`.
     #[must_use]
     pub fn source(&self) -> &str {
         &self.source
     }
 
-    /// The certainty of the source: read, or from memory.
+    /// The certainty of the source.
     #[must_use]
     pub fn attribution(&self) -> Attribution {
         self.attribution
@@ -235,9 +234,9 @@ impl LeadingTerm {
     }
 }
 
-/// The fractional errors of the formulas at each amplitude in turn, as [`PeriodFormula::fractional_error`] gives them: a row of
-/// `formulas.len()` numbers for the first amplitude, one for the second, and so on. The exact period is worked out once for all formulas, and
-/// for many amplitudes at a time.
+/// The fractional errors of the formulas at each amplitude in turn, as [`PeriodFormula::fractional_error`] gives them: a row of `formulas.len()`
+/// numbers for the first amplitude, one for the second, and so on. The exact period is computed once for all formulas, and for many amplitudes
+/// at a time.
 ///
 /// # Examples
 /// ```

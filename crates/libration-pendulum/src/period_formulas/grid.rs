@@ -1,22 +1,22 @@
-//! Starting points of searches over all amplitudes: points that crowd at neither the bottom nor the top.
+//! Starting points of searches over all amplitudes, not too dense at the bottom or the top.
 
 use super::swing::SwingAmplitude;
 use libration_kernels::double_double::DoubleDouble;
 
-/// The coordinate in which errors are searched: u = ln(θ0/(π − θ0)), so that the bottom and the top, where errors
-/// are powers of θ0 and of 1/u, are both far away.
+/// The coordinate of the search: u = ln(θ0/(π − θ0)). The bottom, where errors are powers of θ0, and the top, where they are powers of 1/u, are
+/// both at infinity.
 pub(super) type Coordinate = f64;
 
 /// θ0 = 3e-150.
 const LOWEST: Coordinate = -345.0;
 /// π − θ0 = 8e-300.
 const HIGHEST: Coordinate = 688.0;
-/// End of the evenly spaced points from 0; beyond it their distances grow by a constant factor.
+/// End of the evenly spaced points, counted from 0; beyond it the spacing grows by a constant factor.
 const EVEN: Coordinate = 8.0;
 const STEPS_PER_UNIT: i16 = 16;
 const GROWTH: f64 = 1.15;
 
-/// The points, increasing, at which every search begins.
+/// The starting points of every search, in increasing order.
 pub(super) fn points() -> Vec<Coordinate> {
     let half = 8 * STEPS_PER_UNIT;
     let even = (-half..=half).map(|i| f64::from(i) / f64::from(STEPS_PER_UNIT));
@@ -37,7 +37,7 @@ pub(super) fn amplitude_at(u: Coordinate) -> SwingAmplitude {
     if u <= 0.0 { SwingAmplitude::FromBottom(words) } else { SwingAmplitude::FromTop(words) }
 }
 
-/// The coordinate of an amplitude, held within the searched range.
+/// The coordinate of an amplitude, limited to the range of the search.
 pub(super) fn coordinate_of(amplitude: SwingAmplitude) -> Coordinate {
     let quotient = amplitude.radians() / amplitude.complement();
     libm::log(quotient).clamp(LOWEST, HIGHEST)

@@ -1,4 +1,4 @@
-//! The formulas that are known, by their keys.
+//! The known formulas, by key.
 
 use std::sync::LazyLock;
 
@@ -25,7 +25,7 @@ static CATALOGUE: LazyLock<Vec<PeriodFormula>> = LazyLock::new(|| {
         .collect()
 });
 
-/// Every formula of the catalogue, each once, the series with few terms; [`PeriodFormula::by_key`] has more.
+/// Every formula of the catalogue, each once, the series with few terms; [`PeriodFormula::by_key`] gives more.
 #[must_use]
 pub fn catalogue() -> &'static [PeriodFormula] {
     &CATALOGUE

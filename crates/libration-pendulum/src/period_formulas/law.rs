@@ -1,5 +1,4 @@
-//! The formulas themselves, each written once for every kind of number. θ is the amplitude, c = cos(θ/2),
-//! k = sin(θ/2), s = √c, as in the texts.
+//! The formulas, each written once for every kind of number. θ is the amplitude, c = cos(θ/2), k = sin(θ/2), s = √c, as in the publications.
 
 use super::real::{Coefficients, Real};
 use super::swing::Swing;
@@ -30,9 +29,9 @@ pub enum Law {
     TwoTermLogarithm,
     Lima2008,
     Chachiyo,
-    /// One over the arithmetic mean after this many steps from 1 and c.
+    /// The inverse of the arithmetic mean after this many steps from 1 and c.
     ArithmeticMean(u8),
-    /// One over the geometric mean after two steps.
+    /// The inverse of the geometric mean after two steps.
     SecondGeometricMean,
     NomeOneRoot,
     DescribingFunction,

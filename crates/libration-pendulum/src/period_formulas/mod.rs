@@ -1,14 +1,14 @@
 //! The published approximations to the period, each with its exact error.
 //!
-//! A formula gives T/T0, the period over that of small swings; its fractional error is formula/exact − 1. Every
-//! formula is written once and evaluated in `f64` or in floats of as many digits as its error needs.
+//! A formula gives T/T0, the ratio of the period to that of small swings; its fractional error is formula/exact − 1. Every formula is written
+//! once and evaluated in `f64`, or in floats of as many digits as its error needs.
 //!
 //! ```
 //! # extern crate libration_pendulum as libration;
 //! use libration::period_formulas::{ErrorTable, catalogue};
 //! use libration::progress::Quiet;
 //!
-//! // Which published formula, the simplest of all, is right to a thousandth at 90°?
+//! // The simplest published formula with an error of at most a thousandth at 90°.
 //! let table = ErrorTable::new(catalogue(), &Quiet)?;
 //! let simplest = table.simplest(&"90deg".parse()?, 1e-3);
 //! let best = simplest.first().ok_or("none is so good")?;
@@ -17,12 +17,12 @@
 //! ```
 //!
 //! # Method
-//! Each formula is written once for any `Real`. Its value is evaluated in `f64`. Its fractional error is evaluated in two words where every number
-//! within the bound of their error rounds to one `f64` (`quick.rs`; for many amplitudes the exact ratios of a block at a time), otherwise in floats
-//! of as many bits as make 60 of them certain, up to errors that are too small for an `f64`.
+//! Each formula is written once for any `Real`. Its value is evaluated in `f64`. Its fractional error is evaluated in two words if every number
+//! within their error bound rounds to the same `f64` (`quick.rs`; for many amplitudes, the exact ratios of a block at a time). Otherwise it is
+//! evaluated in floats with enough bits that 60 of them are certain, up to errors that are too small for an `f64`.
 //!
-//! Tolerances and crossovers are zeros of these errors in ln(θ0/(π − θ0)), searched from the bottom to the top. The coefficients of the series are
-//! exact integers over known weights, from the Euler numbers, to any order.
+//! Tolerances and crossovers are zeros of these errors in ln(θ0/(π − θ0)), searched from the bottom to the top. The coefficients of the series
+//! are exact integers over known denominators, from the Euler numbers, to any order.
 
 mod catalogue;
 #[doc(hidden)]

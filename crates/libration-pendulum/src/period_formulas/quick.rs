@@ -1,4 +1,4 @@
-//! The error of a formula in two words, where these decide its last bit: one amplitude, or a block of them stage by stage.
+//! The error of a formula in two words, if these decide its last bit: for one amplitude, or for a block stage by stage.
 
 use super::law::Law;
 use super::swing::{AGREEING, Swing, SwingAmplitude, inverse_of_agreeing, next_means};
@@ -14,23 +14,25 @@ pub struct Quick {
     pub exact: DoubleDouble,
 }
 
-/// 2⁻⁹⁶: what two words are off, relatively, with all formulas of the catalogue and distances of 2⁻² to 2⁻³⁹ from the top is 2⁻⁹⁹·⁸ at most.
+/// 2⁻⁹⁶: bound for the relative error of two words; the largest error of all formulas of the catalogue, at distances of 2⁻² to 2⁻³⁹ from the
+/// top, is 2⁻⁹⁹·⁸.
 const QUICK_ERROR: f64 = 1.262177448353619e-29;
-/// Towards the bottom differences of what is near one are divided by θ0²: 2⁻¹⁰¹·¹ at 1/4, 2⁻⁹⁵·⁵ at 2⁻⁵, 2⁻⁸⁵·⁸ at 2⁻¹⁰.
+/// Amplitude below which the error bound grows as 1/θ0², since differences of numbers near one are divided by θ0²: the largest errors are
+/// 2⁻¹⁰¹·¹ at 1/4, 2⁻⁹⁵·⁵ at 2⁻⁵ and 2⁻⁸⁵·⁸ at 2⁻¹⁰.
 const FULL_ABOVE: f64 = 0.25;
 
 impl Quick {
-    /// `None` where two words were not tried.
+    /// The input for one amplitude; `None` outside the range in which two words were tested.
     pub fn new(amplitude: SwingAmplitude) -> Option<Self> {
         amplitude.suits_two_words().then(|| dispatch(One(amplitude)))
     }
 
-    /// [`Self::new`] of each amplitude of a block, bit for bit; `None` where there is no amplitude.
+    /// [`Self::new`] of each amplitude of a block, bit for bit; `None` for an invalid amplitude too.
     pub fn block(amplitudes: &[Option<SwingAmplitude>]) -> [Option<Self>; BLOCK] {
         dispatch_slices(Block(amplitudes))
     }
 
-    /// formula/exact − 1, if all that it may be rounds to one number.
+    /// formula/exact − 1, if all values within the error bound round to the same number.
     pub fn fractional_error(&self, law: &Law) -> Option<f64> {
         let error = (law.ratio(&self.swing) - self.exact) / self.exact;
         let off = self.off(&error);
@@ -58,7 +60,7 @@ impl Kernel for One {
 
 struct Block<'a>(&'a [Option<SwingAmplitude>]);
 
-/// One radian, as good as any, stands where two words were not tried and where there is no amplitude.
+/// One radian, which stands in for invalid amplitudes and for those outside the tested range.
 const INSTEAD: SwingAmplitude = SwingAmplitude::FromBottom(DoubleDouble::ONE);
 
 impl Kernel for Block<'_> {
@@ -83,7 +85,7 @@ impl Kernel for Block<'_> {
     }
 }
 
-/// Computes [`Swing::exact_ratio`] of each cos(θ0/2): elements that have converged wait for the others.
+/// Computes [`Swing::exact_ratio`] for each cos(θ0/2); elements that have converged wait for the others.
 #[inline(always)]
 fn exact_ratios(mut smaller: Words) -> Words {
     let mut larger = Words::ONE;

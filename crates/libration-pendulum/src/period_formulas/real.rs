@@ -1,11 +1,10 @@
-//! Operations that a formula needs of a number, for `f64`, for two words and for floats of any precision.
+//! Operations that formulas need, for `f64`, for two words and for floats of any precision.
 
 use libration_kernels::double_double::DoubleDouble;
 use libration_kernels::elementary::two_word;
 use libration_numbers::algebra::{BigFloat, Rational};
 
-/// The numbers a formula is evaluated in: `f64` when speed matters, [`BigFloat`] when its error does, two words when
-/// the error is large enough for them.
+/// The numbers in which a formula is evaluated: `f64` for speed, [`BigFloat`] for the error, two words for errors that are large enough.
 pub trait Real:
     Clone
     + PartialOrd
@@ -22,7 +21,7 @@ pub trait Real:
     /// Σ coefficientₙ·selfⁿ.
     fn polynomial(&self, coefficients: &Coefficients) -> Self;
     fn is_zero(&self) -> bool;
-    /// Smaller in magnitude than one unit in the last place of 1.
+    /// Returns `true` if the magnitude is below one unit in the last place of 1.
     fn is_negligible(&self) -> bool;
     fn sqrt(&self) -> Self;
     fn ln(&self) -> Self;
@@ -34,7 +33,7 @@ pub trait Real:
         self.clone() * self.clone()
     }
 
-    /// self/other, and 1 for 0/0: the quotients here are of quantities that agree at small amplitude.
+    /// self/other, and 1 for 0/0: the quotients in formulas are of quantities that agree at small amplitude.
     fn over(self, other: Self) -> Self {
         if other.is_zero() { other.number(1) } else { self / other }
     }

@@ -1,4 +1,4 @@
-//! Amplitudes up to which a formula keeps a tolerance, and at which one overtakes another: zeros of exact errors.
+//! Amplitudes up to which a formula keeps a tolerance, and at which another formula becomes better: zeros of exact errors.
 
 use super::error::Exact;
 use super::formula::PeriodFormula;
@@ -11,9 +11,9 @@ use libration_numbers::quantity::Angle;
 use libration_numbers::roots::{Tolerance, zero_between};
 use std::convert::Infallible;
 
-/// Tolerance in ln(θ0/(π − θ0)), which moves θ0 by at most π/4 of it.
+/// Tolerance in u = ln(θ0/(π − θ0)); a change of u moves θ0 by at most π/4 of it.
 const COORDINATE_TOLERANCE: Tolerance = Tolerance::absolute(4e-15);
-/// Two errors closer than this, relatively, are the same error.
+/// Relative difference below which two errors are equal.
 const SAME: f64 = 8.0 * f64::EPSILON;
 
 /// The amplitude at which an error is largest on an interval, and that error with its sign.
@@ -21,7 +21,7 @@ const SAME: f64 = 8.0 * f64::EPSILON;
 pub struct ErrorMaximum {
     /// Amplitude of the worst error.
     pub amplitude: Angle,
-    /// formula/exact − 1 there; infinite where the formula stops being defined.
+    /// formula/exact − 1 at the amplitude of the maximum; infinite if the formula is not defined up to the end.
     pub error: f64,
 }
 
@@ -34,12 +34,12 @@ pub struct Crossover {
     pub better_below: String,
     /// The key of the formula with the smaller error directly above.
     pub better_above: String,
-    /// The magnitude that both errors have there.
+    /// The common magnitude of both errors.
     pub error: f64,
 }
 
-/// The exact errors of some formulas at the same amplitudes from 1e-149 rad to 1e-299 rad below π: what the
-/// searches begin with, worked out once.
+/// The exact errors of some formulas at the same amplitudes, from 1e-149 rad to π − 1e-299 rad: the starting point of the searches, computed
+/// once.
 #[derive(Clone, Debug)]
 pub struct ErrorTable {
     points: Vec<Coordinate>,
@@ -53,7 +53,7 @@ struct Curve {
 }
 
 impl ErrorTable {
-    /// The table of these formulas; about 20 ms each.
+    /// The table of these formulas; each takes about 20 ms.
     ///
     /// # Errors
     /// The call is cancelled.
@@ -69,7 +69,7 @@ impl ErrorTable {
         table
     }
 
-    /// Fills the table; after each amplitude `go_on` gets their number and may stop.
+    /// Fills the table; after each amplitude `go_on` receives the number of amplitudes done and may stop.
     fn filled<E>(
         formulas: &[PeriodFormula],
         mut go_on: impl FnMut(usize) -> Result<(), E>,
@@ -92,8 +92,8 @@ impl ErrorTable {
         self.curves.iter().map(|curve| &curve.formula)
     }
 
-    /// The intervals of amplitudes within (0, π), in radians, on which |fractional error| ≤ `tolerance`, for the
-    /// formula at this place of the table; none for a place beyond its end.
+    /// The intervals of amplitudes within (0, π), in radians, on which |fractional error| ≤ `tolerance`, for the formula at this index of the
+    /// table; none for an index beyond its end.
     #[must_use]
     pub fn holds_on(&self, formula: usize, tolerance: f64) -> Vec<(f64, f64)> {
         let Some(curve) = self.curves.get(formula) else { return Vec::new() };
@@ -108,8 +108,8 @@ impl ErrorTable {
         intervals
     }
 
-    /// The amplitude in radians up to which |fractional error| ≤ `tolerance` from the smallest on: 0 when it fails
-    /// there, π when it never fails.
+    /// The amplitude in radians up to which |fractional error| ≤ `tolerance`, beginning at the smallest: 0 if the smallest already exceeds it, π
+    /// if none does.
     #[must_use]
     pub fn holds_to(&self, formula: usize, tolerance: f64) -> f64 {
         self.holds_on(formula, tolerance)
@@ -118,8 +118,7 @@ impl ErrorTable {
             .map_or(0.0, |interval| interval.1)
     }
 
-    /// The formulas that keep the tolerance at this amplitude and all below, the simplest first by
-    /// [`Complexity::rank`](super::Complexity::rank).
+    /// The formulas that keep the tolerance up to this amplitude, the simplest first by [`Complexity::rank`](super::Complexity::rank).
     #[must_use]
     pub fn simplest(&self, amplitude: &Angle, tolerance: f64) -> Vec<&PeriodFormula> {
         let Some(amplitude) = SwingAmplitude::from_angle(amplitude) else { return Vec::new() };
@@ -130,8 +129,7 @@ impl ErrorTable {
         sufficient
     }
 
-    /// Every amplitude within (0, π) at which the better of two formulas changes, increasing; none for places
-    /// beyond the table's end.
+    /// Every amplitude within (0, π) at which the better of two formulas changes, increasing; none for an index beyond the end of the table.
     #[must_use]
     pub fn crossovers(&self, a: usize, b: usize) -> Vec<Crossover> {
         match (self.curves.get(a), self.curves.get(b)) {
@@ -142,7 +140,7 @@ impl ErrorTable {
 
     /// The crossovers of all pairs.
     ///
-    /// A cancelled call returns those found until then.
+    /// A cancelled call returns the crossovers it has computed so far.
     #[must_use]
     pub fn all_crossovers(&self, progress: &dyn Progress) -> Vec<Crossover> {
         let watch = &Watch::new(progress);
@@ -167,7 +165,7 @@ impl ErrorTable {
         places.into_iter().filter_map(|u| amplitude_at(u).to_angle()).collect()
     }
 
-    /// Every amplitude within (0, π) at which the error changes its sign, the formula being exact there.
+    /// Every amplitude within (0, π) at which the error changes sign, so that the formula is exact.
     #[must_use]
     pub fn amplitudes_where_exact(&self, formula: usize) -> Vec<Angle> {
         let Some(curve) = self.curves.get(formula) else { return Vec::new() };
@@ -196,7 +194,7 @@ impl ErrorTable {
         crossovers
     }
 
-    /// One place below the first, one between each two, and one above the last of `places`.
+    /// One position below the first of `places`, one between each two, and one above the last.
     fn midpoints_about(&self, places: &[Coordinate]) -> Vec<Coordinate> {
         let ends = self.ends();
         let first = places.first().map(|&u| f64::max(u - 0.05, f64::midpoint(ends.0, u)));
@@ -213,7 +211,7 @@ impl ErrorTable {
         segments.filter(|&(from, to)| curve.error_at(f64::midpoint(from, to)).abs() <= tolerance).collect()
     }
 
-    /// The places at which |error| equals the other's, with like or with unlike signs.
+    /// The positions at which |error| equals that of the other, with equal or opposite signs.
     fn places_where_equal(&self, curve: &Curve, other: &Other<'_>) -> Vec<Coordinate> {
         let mut places = Vec::new();
         for sign in [1.0, -1.0] {
@@ -232,7 +230,7 @@ impl ErrorTable {
         (end(self.points.first()), end(self.points.last()))
     }
 
-    /// The amplitude in radians, 0 and π for the ends of the table.
+    /// The amplitude in radians, 0 and π at the ends of the table.
     fn radians_or_end(&self, u: Coordinate) -> f64 {
         let ends = self.ends();
         if u <= ends.0 {
@@ -273,7 +271,7 @@ impl Other<'_> {
     }
 }
 
-/// a − b over the larger of them, 0 when they are the same but for rounding.
+/// a − b over the larger of them, 0 if they are equal up to rounding.
 fn imbalance(a: f64, b: f64) -> f64 {
     let larger = a.abs().max(b.abs());
     let difference = a - b;
@@ -283,8 +281,8 @@ fn imbalance(a: f64, b: f64) -> f64 {
     if difference.abs() <= SAME * larger { 0.0 } else { difference / larger }
 }
 
-/// The zeros of `f`, whose values at `points` are `values`: between points of unlike sign, and in dips between
-/// points of like sign that reach the other side.
+/// The zeros of `f`, whose values at `points` are `values`: between points of opposite sign, and in dips between points of the same sign that
+/// reach zero.
 fn zeros(points: &[Coordinate], values: &[f64], f: &mut dyn FnMut(f64) -> f64) -> Vec<Coordinate> {
     let known: Vec<(f64, f64)> =
         points.iter().copied().zip(values.iter().copied()).filter(|(_, value)| *value != 0.0).collect();
@@ -304,7 +302,7 @@ fn zeros_in_dip(triple: &[(f64, f64)], f: &mut dyn FnMut(f64) -> f64) -> Vec<Coo
     let sign = triple[1].1.signum();
     let heights: Vec<f64> = triple.iter().map(|point| sign * point.1).collect();
     let nearest_neighbour = heights[0].min(heights[2]);
-    // A parabola through the three that stays above half the middle's height will not reach zero.
+    // A parabola through the three points that stays above half the middle's height indicates that `f` does not reach zero.
     let sag = (heights[0] - 2.0 * heights[1] + heights[2]) / 2.0;
     let slope = (heights[2] - heights[0]) / 4.0;
     let drop = slope * slope / sag;
@@ -324,8 +322,8 @@ fn zeros_in_dip(triple: &[(f64, f64)], f: &mut dyn FnMut(f64) -> f64) -> Vec<Coo
 }
 
 impl PeriodFormula {
-    /// The largest |fractional error| between two amplitudes, which may be given in either order; amplitudes at
-    /// and beyond the top count as the last ones below it. `None` for amplitudes with whole turns.
+    /// The largest |fractional error| between two amplitudes, in either order; amplitudes at and beyond the top count as the largest below it.
+    /// `None` for amplitudes with whole turns.
     #[must_use]
     pub fn worst_error(&self, from: &Angle, to: &Angle) -> Option<ErrorMaximum> {
         let (from, to) = (end_coordinate(from)?, end_coordinate(to)?);
@@ -339,8 +337,8 @@ impl PeriodFormula {
         Some(ErrorMaximum { amplitude: amplitude.to_angle()?, error: self.error(amplitude) })
     }
 
-    /// The amplitude in radians up to which |fractional error| ≤ `tolerance` from the smallest on: 0 when it fails
-    /// there, π when it never fails. To 1e-13 rad.
+    /// The amplitude in radians up to which |fractional error| ≤ `tolerance`, beginning at the smallest: 0 if the smallest already exceeds it, π
+    /// if none does. Accurate to 1e-13 rad.
     #[must_use]
     pub fn holds_to(&self, tolerance: f64) -> f64 {
         ErrorTable::of_few(std::slice::from_ref(self)).holds_to(0, tolerance)
@@ -352,7 +350,7 @@ impl PeriodFormula {
         ErrorTable::of_few(std::slice::from_ref(self)).holds_on(0, tolerance)
     }
 
-    /// Every amplitude within (0, π) at which the better of this and another formula changes, increasing.
+    /// Every amplitude within (0, π) at which the better one of this and another formula changes, increasing.
     #[must_use]
     pub fn crossovers_with(&self, other: &Self) -> Vec<Crossover> {
         ErrorTable::of_few(&[self.clone(), other.clone()]).crossovers(0, 1)

@@ -1,4 +1,4 @@
-//! The amplitude as the formulas take it, relatively accurate at the bottom and at the top.
+//! The amplitude in the variables of the formulas, relatively accurate at the bottom and at the top.
 
 use super::real::Real;
 use libration_kernels::double_double::DoubleDouble;
@@ -15,7 +15,7 @@ pub enum SwingAmplitude {
 }
 
 impl SwingAmplitude {
-    /// `None` at and beyond π, and for angles with turns.
+    /// The amplitude of an angle; `None` at and beyond π, and for angles with turns.
     pub(super) fn from_angle(angle: &Angle) -> Option<Self> {
         let (amplitude, complement) = (angle.in_turn_words().abs(), angle.complement_words());
         let swings = angle.turns() == 0 && amplitude.is_finite() && complement.hi > 0.0;
@@ -23,7 +23,7 @@ impl SwingAmplitude {
         swings.then_some(if lower { Self::FromBottom(amplitude) } else { Self::FromTop(complement) })
     }
 
-    /// `None` outside [0, π).
+    /// The amplitude in radians; `None` outside [0, π).
     pub(super) fn from_radians(amplitude: f64) -> Option<Self> {
         let swings = (0.0..=std::f64::consts::PI).contains(&amplitude);
         let angle = Angle::from_radians(amplitude).ok().filter(|_| swings)?;
@@ -52,7 +52,7 @@ impl SwingAmplitude {
     }
 }
 
-/// The variables in which the formulas are written: the amplitude and the functions of it that several share.
+/// The variables of the formulas: the amplitude, and functions of it that several formulas share.
 #[derive(Clone, Copy, Debug)]
 pub struct Swing<R> {
     /// θ0.
@@ -87,21 +87,20 @@ impl Swing<f64> {
     }
 }
 
-/// 2⁻¹⁰: there the error of the best formulas with a root or a logarithm is near 10⁻¹⁴ and what two words are off 2⁻⁸⁶.
+/// 2⁻¹⁰: there the error of the best formulas with a root or a logarithm is near 10⁻¹⁴ and the error of two words 2⁻⁸⁶.
 pub const NEAREST_BOTTOM: f64 = 0.0009765625;
 /// 2⁻³⁶.
 pub const NEAREST_TOP: f64 = 1.4551915228366852e-11;
 
 impl SwingAmplitude {
-    /// Half of what is smaller of the amplitude and its complement.
+    /// Half of the smaller of the amplitude and its complement.
     #[inline(always)]
     pub(super) fn half_distance(self) -> DoubleDouble {
         let (Self::FromBottom(distance) | Self::FromTop(distance)) = self;
         distance.scaled(0.5)
     }
 
-    /// False next to the bottom, where errors are so small that two words do not show them, and so near the top that its digits were not
-    /// tried.
+    /// Returns `false` next to the bottom, where errors are too small for two words, and closer to the top than two words were tested.
     #[inline(always)]
     pub(super) fn suits_two_words(self) -> bool {
         match self {
@@ -111,7 +110,7 @@ impl SwingAmplitude {
     }
 }
 
-/// Two means that differ by less agree in all their digits two steps later, of which the second takes only the arithmetic one.
+/// Difference of two means below which all their digits agree after two more steps, the second of which needs only the arithmetic mean.
 pub(super) const AGREEING: f64 = 1e-9;
 
 /// A step of the arithmetic-geometric mean.
@@ -120,7 +119,7 @@ pub(super) fn next_means(a: DoubleDouble, b: DoubleDouble) -> (DoubleDouble, Dou
     ((a + b).scaled(0.5), (a * b).sqrt())
 }
 
-/// One over the arithmetic-geometric mean of two numbers that differ by [`AGREEING`] at most.
+/// The inverse of the arithmetic-geometric mean of two numbers that differ by at most [`AGREEING`].
 #[inline(always)]
 pub(super) fn inverse_of_agreeing(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
     let (a, b) = next_means(a, b);
@@ -177,7 +176,7 @@ impl Swing<BigFloat> {
         }
     }
 
-    /// T/T0 = 1/agm(1, cos(θ0/2)), exactly but for rounding (DLMF 19.8.5).
+    /// T/T0 = 1/agm(1, cos(θ0/2)), exact up to rounding (DLMF 19.8.5).
     pub fn exact_ratio(&self) -> BigFloat {
         self.number(1) / self.number(1).agm(&self.cos_half)
     }

@@ -1,4 +1,4 @@
-//! Every promise of the ledger on every golden vector.
+//! Every bound of the ledger on every golden vector.
 
 use crate::promises::{
     ACTION, COMPLEMENT, COMPLETE, EXCESS, FOUR_ROUNDOFFS, HARMONICS, INCOMPLETE, JACOBI, NOME, OF_NOME,
@@ -130,7 +130,7 @@ fn nomes_keep_their_promise_down_to_the_smallest_numbers() {
             let modulus = Modulus::from_nome(value).unwrap();
             OF_NOME.holds(row.truth("k").error(modulus.modulus()), &("k", value));
             OF_NOME.holds(row.truth("kc").error(modulus.complementary_modulus()), &("k′", value));
-            // The moduli are in two words, so that the way back is rounded once.
+            // The moduli have two words, so that the inverse function rounds only once.
             NOME.holds(row.truth("q").error(modulus.nome()), &("q", value));
         } else {
             NOME.holds(row.truth("q").error(modulus_of(row).nome()), &(given, value));
@@ -177,7 +177,7 @@ fn jacobi_functions_keep_their_promise_at_extreme_arguments_and_next_to_the_smal
 fn jacobi_functions_beyond_modulus_one_follow_by_the_reciprocal_modulus() {
     for row in Table::read("boost/jacobi_near_one.csv").rows() {
         let (u, k) = (row.input("u_hex"), row.input("k_hex").abs());
-        // sn(u, k) = sn(ku, 1/k)/k, cn and dn change places (DLMF 22.17.ii); ku and 1 − 1/k² are rounded.
+        // sn(u, k) = sn(ku, 1/k)/k; cn and dn are exchanged (DLMF 22.17.ii); ku and 1 − 1/k² are rounded.
         let reciprocal = Modulus::from_complementary_parameter((k - 1.0) * (k + 1.0) / (k * k)).unwrap();
         let Jacobi { sn, cn, dn, am } = reciprocal.jacobi(k * u);
         let swapped = Jacobi { sn: sn / k, cn: dn, dn: cn, am };
@@ -195,7 +195,7 @@ fn jacobi_functions_keep_their_promise_next_to_parameter_one() {
     }
 }
 
-/// θ and θ′ at `time` against the truth, within what the promise allows.
+/// Checks θ and θ′ at `time` against the truth, within the bound of the ledger.
 fn check_state(got: State, time: f64, angle: Truth, velocity: Truth, input: &dyn core::fmt::Debug) {
     let scale = FOUR_ROUNDOFFS * time.abs();
     let acceleration = libm::sin(angle.hi).abs();

@@ -1,4 +1,4 @@
-//! Identities of the elliptic functions, which need no oracle.
+//! Identities of the elliptic functions, which need no reference values.
 
 use core::f64::consts::FRAC_PI_2;
 use libration::elliptic::Modulus;
@@ -7,7 +7,7 @@ use libration::quantity::Angle;
 use libration_testing::random::Random;
 use libration_testing::ulp::ulp;
 
-/// Moduli of every kind: middling, near 0, and near 1 down to k′ = 1e-300.
+/// Moduli of every kind: of middle size, near 0, and near 1 down to k′ = 1e-300.
 fn moduli(random: &mut Random) -> [Modulus; 5] {
     [
         Modulus::from_parameter(random.between(0.0, 1.0)).unwrap(),
@@ -35,7 +35,7 @@ fn sweep(seed: u64, mut check: impl FnMut(Modulus, f64)) {
 
 #[test]
 fn squares_of_sn_and_cn_sum_to_one() {
-    // Four ulp in each factor are at most 8·2⁻⁵² of the sum, its own rounding one more.
+    // Four ulp in each factor are at most 8·2⁻⁵² of the sum; the rounding of the sum adds one.
     sweep(1, |modulus, u| {
         let j = modulus.jacobi(u);
         assert!((j.sn * j.sn + j.cn * j.cn - 1.0).abs() <= 9.0 * f64::EPSILON, "{modulus:?} {u}: {j:?}");
@@ -143,7 +143,7 @@ fn am_has_the_sine_sn_and_the_cosine_cn() {
 fn incomplete_first_inverts_am() {
     sweep(6, |modulus, u| {
         let j = modulus.jacobi(u);
-        // An ulp of am is worth 1/dn in u; where dn is below an ulp, a rounded am says nothing of u.
+        // An ulp of am corresponds to 1/dn ulp of u; where dn is below an ulp, a rounded am does not determine u.
         let slack = 4.0 * ulp(u) + 8.0 * ulp(j.am) / j.dn;
         let back = modulus.incomplete_first(j.am);
         assert!(j.dn < 1e-9 || (back - u).abs() <= slack, "{modulus:?} {u}: {back}");
@@ -161,7 +161,7 @@ fn incomplete_integrals_are_odd_bit_for_bit_and_grow_by_two_quarters_in_half_a_t
             }
             let (first, second) = (modulus.incomplete_first(FRAC_PI_2), modulus.incomplete_second(FRAC_PI_2));
             assert!(first <= modulus.first() && second <= modulus.second(), "{modulus:?}");
-            // π/2 is rounded down by 6.2e-17, over which the integrands are at most 1/√(k′² + δ²) and 1.
+            // π/2 is rounded down by 6.2e-17; over this distance the integrands are at most 1/√(k′² + δ²) and 1.
             let missing = libm::asinh(6.2e-17 / modulus.complementary_modulus());
             assert!(modulus.first() - first <= ulp(modulus.first()) + 1.01 * missing, "{modulus:?}");
             assert!(modulus.second() - second <= ulp(second) + 6.2e-17, "{modulus:?}");
@@ -198,7 +198,7 @@ fn incomplete_integrals_of_the_limits_are_elementary() {
         let got = line.incomplete_first(phi);
         assert!(got == expected || (got - expected).abs() <= 8.0 * ulp(expected), "{phi}: {got} {expected}");
     }
-    // Two for every half turn, and the sine of the rest.
+    // Two for every half turn, plus the sine of the rest.
     for (phi, expected) in [(0.5, libm::sin(0.5)), (3.0, 2.0 - libm::sin(3.0)), (-7.0, -4.0 - libm::sin(7.0))]
     {
         assert!((line.incomplete_second(phi) - expected).abs() <= 2.0 * ulp(expected), "{phi}");
@@ -265,7 +265,7 @@ fn nome_survives_the_round_trip() {
     let mut random = Random::seeded(9);
     for _ in 0..5000 {
         for q in [random.between(0.0, 0.9), random.log_between(-323.3, -0.1)] {
-            // The moduli between are in two words.
+            // The moduli in between have two words.
             let back = Modulus::from_nome(q).unwrap().nome();
             assert!((back - q).abs() <= ulp(q), "{q}: {back}");
         }
@@ -318,8 +318,8 @@ fn what_is_no_modulus_is_refused() {
     }
 }
 
-/// Between the middles of neighbouring numbers, where a sum good to 2⁻⁵⁷ alone went to the wrong one: mpmath, 25 digits are
-/// 0.04424913562595738160167671 and 0.1599059317606499746002681.
+/// Nomes close to the middle between two `f64`, where a sum with an error of 2⁻⁵⁷ was rounded to the wrong one. The values by mpmath with 25
+/// digits are 0.04424913562595738160167671 and 0.1599059317606499746002681.
 #[test]
 fn nomes_of_swings_beyond_a_right_angle_are_rounded_from_two_words() {
     let nome = |radians| Amplitude::new(Angle::from_radians(radians).unwrap()).unwrap().nome();

@@ -1,4 +1,4 @@
-//! The harmonics: their sum is the motion, and they obey the laws of the closed form.
+//! The harmonics: their sum is the motion, and they satisfy the laws of the closed form.
 
 use core::f64::consts::PI;
 use libration::pendulum::{FourierSeries, Motion, Pendulum, Regime};
@@ -17,7 +17,7 @@ fn rotation(velocity: f64) -> Motion {
     unit_pendulum().launched(Angle::from_radians(0.0).unwrap(), velocity).unwrap()
 }
 
-/// Σ of the harmonics at `time` counted from the positive turning point (cos) or from the bottom (sin).
+/// The sum of the harmonics at `time`, counted from the positive turning point (cos) or from the bottom (sin).
 fn sum(harmonics: &FourierSeries, time: f64, periodic: fn(f64) -> f64) -> f64 {
     let term = |n: usize| f64::from(u32::try_from(n).unwrap()) * harmonics.fundamental * time;
     let terms = harmonics.terms.iter().map(|it| it.angle * periodic(term(it.n)));
@@ -118,7 +118,7 @@ fn the_fundamental_is_the_frequency_of_the_motion() {
     }
 }
 
-/// The amplitude in (low, high) at which the increasing function of the harmonics passes one.
+/// The amplitude in (low, high) at which an increasing function of the harmonics equals one.
 fn where_one(low: f64, high: f64, of: impl Fn(&FourierSeries) -> f64) -> f64 {
     let (mut low, mut high) = (low, high);
     for _ in 0..60 {
@@ -129,7 +129,7 @@ fn where_one(low: f64, high: f64, of: impl Fn(&FourierSeries) -> f64) -> f64 {
     0.5 * (low + high)
 }
 
-/// From the same 50-digit root finding as the other claims of `tests/data/formulas_claims.csv`.
+/// The reference values come from the same 50-digit root finding as the other claims of `tests/data/formulas_claims.csv`.
 #[test]
 fn the_third_harmonic_is_not_small_next_to_the_top() {
     let tenth = where_one(2.0, 3.0, |it| it.terms[1].angle.abs() / 0.1);
@@ -138,7 +138,7 @@ fn the_third_harmonic_is_not_small_next_to_the_top() {
     assert!((product - 2.89776545350273670491012503848).abs() < 1e-12, "{product}");
 }
 
-/// Terms below 1e-308 go on as e^(−x) does among the subnormal numbers, and end at zero; none comes after.
+/// Terms below 1e-308 continue to fall as e^(−x) among the subnormal numbers down to zero; no term follows after that.
 #[test]
 fn harmonics_end_where_numbers_do() {
     for amplitude in [1.0, 2.5, 3.1, 3.141_592] {

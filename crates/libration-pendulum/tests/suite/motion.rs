@@ -1,4 +1,4 @@
-//! The motion: conservation laws, symmetries, regimes, and the batch against the single call.
+//! The motion: conservation laws, symmetries, regimes, and batches against single calls.
 
 use crate::promises::{FOUR_ROUNDOFFS, STATE};
 use core::f64::consts::{FRAC_PI_2, PI};
@@ -49,7 +49,7 @@ fn energy_is_conserved() {
         let motion = launched(angle, velocity);
         let expected = motion.energy_ratio();
         for time in [0.0, random.between(-20.0, 20.0), random.log_between(0.0, 4.0)] {
-            // The state may be late by 2⁻⁵¹ of the time: dE/dt of either term is at most θ′.
+            // The state may be late by 2⁻⁵¹ of the time; |dE/dt| of either term is at most |θ′|.
             let state = motion.state_at(time);
             let slack = 16.0 * ulp(expected) + FOUR_ROUNDOFFS * (time * state.velocity).abs();
             assert!((energy(&state) - expected).abs() <= slack, "{angle} {velocity} {time}: {state:?}");
@@ -119,7 +119,7 @@ fn a_libration_returns_after_its_period_and_a_rotation_a_turn_further() {
         let (time, period) = (random.between(0.0, 10.0), motion.period());
         let turn = if motion.regime() == Regime::Rotation { (2.0 * PI).copysign(velocity) } else { 0.0 };
         let (now, later) = (motion.state_at(time), motion.state_at(time + period));
-        // The period and the sum are rounded, each by half an ulp of time + period.
+        // The period and the sum of the times are rounded, each by half an ulp of time + period.
         let late = (2.0 * FOUR_ROUNDOFFS + f64::EPSILON) * (time + period);
         let slack = 8.0 * ulp(later.angle) + late * now.velocity.abs();
         assert!((later.angle - turn - now.angle).abs() <= slack + 1e-15, "{angle} {velocity} {time}");
@@ -187,7 +187,7 @@ fn a_prepared_motion_agrees_with_the_motion() {
     }
 }
 
-/// Amplitudes and times of every kind, with what is none among them.
+/// Amplitudes and times of every kind, with invalid ones among them.
 fn varying(count: usize) -> (Vec<f64>, Vec<f64>) {
     let mut random = Random::seeded(10);
     let mut amplitudes: Vec<f64> = (0..count).map(|_| random.between(-PI, PI)).collect();
@@ -393,10 +393,10 @@ fn motions_at_any_frequency_are_those_at_another_scaled() {
     }
 }
 
-/// Asserts that a state with a known phase is on its orbit, and that of any other state only the unwrapped angle of a rotation is a number.
+/// Asserts that a state with a known phase is on its orbit, and that otherwise only the unwrapped angle of a rotation is a number.
 fn assert_on_orbit_or_unknown(motion: &Motion, state: &State, frequency: f64, time: f64) {
     let input = (frequency, motion.regime(), time);
-    // 2⁹⁷ periods of a libration, or of two turns.
+    // 2⁹⁷ periods of a libration; in a rotation two turns count as one period.
     let rotates = motion.regime() == Regime::Rotation;
     let periods = (time / motion.period()).abs() * if rotates { 0.5 } else { 1.0 };
     if periods >= libm::exp2(97.0) {
@@ -407,7 +407,7 @@ fn assert_on_orbit_or_unknown(motion: &Motion, state: &State, frequency: f64, ti
     }
 }
 
-/// Checks the known property of a state whose phase is known: that it is on its orbit.
+/// Asserts the property of a state with a known phase: it is on its orbit.
 fn assert_on_orbit(motion: &Motion, state: &State, frequency: f64, input: &dyn core::fmt::Debug) {
     let relative = state.velocity / frequency / (2.0 * motion.energy_ratio().sqrt());
     assert!(relative.abs() <= 1.0 + 4.0 * f64::EPSILON, "{input:?}: {state:?}");
@@ -539,7 +539,7 @@ fn a_start_closer_to_the_top_than_numbers_can_tell_is_refused() {
 
 #[test]
 fn a_small_velocity_at_a_low_frequency_is_told_from_the_separatrix() {
-    // w = θ′/2ω0 = 1e-18 beside cos(θ/2) = 1.0000001e-18, scaled to where the velocity is 2e-308.
+    // w = θ′/2ω0 = 1e-18 compared with cos(θ/2) = 1.0000001e-18, scaled so that the velocity is 2e-308.
     let frequency = libm::exp2(-960.0);
     let pendulum = Pendulum::from_angular_frequency(frequency).unwrap();
     let (top, velocity) = (Angle::from_complement(2.000_000_2e-18).unwrap(), 2e-18);
@@ -557,7 +557,7 @@ fn the_specific_energy_is_that_of_the_initial_state() {
     for (angle, velocity) in [(0.0, 0.0), (1.0, 0.0), (0.3, -2.0), (3.0, 9.0), (PI, 0.1)] {
         let motion = pendulum.launched(Angle::from_radians(angle).unwrap(), velocity).unwrap();
         let expected = 0.5 * velocity * velocity + square * (1.0 - libm::cos(angle));
-        // Four roundings of terms of one sign.
+        // Four roundings of terms of the same sign.
         assert!(
             (motion.specific_energy() - expected).abs() <= 4.0 * f64::EPSILON * expected,
             "{angle} {velocity}"
@@ -617,7 +617,7 @@ fn a_motion_tells_its_modulus_and_its_direction() {
     }
 }
 
-/// Values by mpmath, 4 arctan e^(−√9.80665·|t|) of exactly this f64; √9.80665 rounded to one word would cost 2e-14 of it.
+/// Values by mpmath, 4 arctan e^(−√9.80665·|t|) for exactly this `f64`; rounding √9.80665 to one word would cause a relative error of 2e-14.
 #[test]
 fn the_separatrix_keeps_its_complement_for_a_frequency_of_two_words() {
     let motion = Pendulum::new(1.0, 9.80665).unwrap().on_separatrix();
@@ -631,7 +631,7 @@ fn the_separatrix_keeps_its_complement_for_a_frequency_of_two_words() {
     }
 }
 
-/// The last velocity that is taken is 1e150 times 2ω0.
+/// The largest accepted velocity is 1e150 times 2ω0.
 #[test]
 fn velocities_end_where_their_squares_would() {
     let fastest = 2e150;

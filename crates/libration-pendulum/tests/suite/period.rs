@@ -1,4 +1,4 @@
-//! The period: published numbers, laws it must obey, and the batch against the single call.
+//! The period: published numbers, laws that it satisfies, and batches against single calls.
 
 use crate::promises::RATIO;
 use core::f64::consts::{FRAC_PI_2, PI};
@@ -49,7 +49,7 @@ fn amplitudes(seed: u64, count: usize) -> Vec<f64> {
     (0..count).map(&mut draw).collect()
 }
 
-/// Amplitudes or complements of every kind, then what is none.
+/// Valid amplitudes or complements of every kind, then invalid ones.
 fn inputs_with_edges() -> Vec<f64> {
     let mut inputs = amplitudes(1, 100_000);
     inputs.extend([
@@ -143,7 +143,7 @@ fn excess_of_a_tiny_swing_is_a_sixteenth_of_its_square() {
 fn an_amplitude_and_its_complement_have_the_same_period() {
     let mut random = Random::seeded(3);
     for _ in 0..20_000 {
-        // π − δ rounds to an f64 by at most 2⁻⁵²; dR/dδ = −(2/π)/δ near the top.
+        // π − δ rounds to an `f64` with an error of at most 2⁻⁵²; dR/dδ = −(2/π)/δ near the top.
         let complement = random.log_between(-3.0, 0.4);
         let (plain, near_top) =
             (pendulum::period_ratio(PI - complement), pendulum::period_ratio_near_top(complement));
@@ -201,7 +201,7 @@ fn a_period_ratio_is_refused_for_its_own_reason_where_its_amplitude_is_too_close
 fn an_excess_gives_its_amplitude_back_however_small() {
     for excess in [5e-324, 1e-310, 1e-300, 1e-200, 1e-20, 1e-3, 0.1799, 0.18, 0.1801, 3.0, 440.0] {
         let amplitude = Amplitude::from_period_excess(excess).unwrap();
-        // The amplitude is rounded, which counts twice in the excess of a small swing; then the promise of the excess.
+        // The rounding of the amplitude counts twice in the excess of a small swing; the bound of the excess is added.
         assert!((amplitude.period_excess() - excess).abs() <= 3.0 * ulp(excess), "{excess}");
     }
     assert_eq!(Amplitude::from_period_excess(0.0).unwrap().radians(), 0.0);
@@ -293,7 +293,7 @@ fn what_belongs_to_a_period_is_what_each_method_says_bit_for_bit() {
             amplitude.condition(),
         ];
         assert_eq!(found.map(f64::to_bits), expected.map(f64::to_bits), "{amplitude:?}");
-        // The modulus has the nome too, where its complement is a normal number.
+        // The nome of the modulus agrees where its complement is a normal number.
         if amplitude.complement() > 1e-300 {
             assert_eq!(swing.nome.to_bits(), amplitude.modulus().nome().to_bits(), "{amplitude:?}");
         }
@@ -305,7 +305,7 @@ fn what_belongs_to_many_periods_is_what_belongs_to_each_bit_for_bit() {
     let bits = |it: &SwingPeriod| [it.period, it.ratio, it.excess, it.nome, it.condition].map(f64::to_bits);
     let amplitudes = seams_and_2000_amplitudes();
     for pendulum in [Pendulum::new(0.7, 9.81), Pendulum::from_angular_frequency(1e-200)].map(Result::unwrap) {
-        // Blocks of every length, with those that are not regular at any place.
+        // Blocks of every length, with amplitudes that are not regular at any position.
         for length in (0..200).chain([amplitudes.len()]) {
             let amplitudes = &amplitudes[..length];
             let mut found = vec![SwingPeriod::default(); length];
@@ -330,8 +330,8 @@ fn seams_and_2000_amplitudes() -> Vec<Amplitude> {
     complements.into_iter().chain(radians).map(|angle| Amplitude::new(angle.unwrap()).unwrap()).collect()
 }
 
-/// Between the ends of the change the period changes by the fraction, and hardly more: at both ends of the branch of the inverse (an excess of
-/// 0.18), at zero and next to the top.
+/// Between the ends of the change the period changes by the fraction, with a margin of 1e-3: at both ends of the branch of the inverse (an
+/// excess of 0.18), at zero and next to the top.
 #[test]
 fn the_change_with_the_period_is_that_of_the_forward_function() {
     let seams =
@@ -351,7 +351,7 @@ fn the_change_with_the_period_is_that_of_the_forward_function() {
         let changed = [change, -change].map(|by| (ratio_at(by) - excess).abs() / (1.0 + excess));
         let largest = changed[0].max(changed[1]);
         assert!(largest >= fraction * (1.0 - 1e-3), "{excess}, {fraction}: {changed:?}");
-        // One of the two sides is as far as stated, the other one nearer.
+        // The larger of the two changes is the stated fraction; the smaller one does not exceed it.
         let least = changed[0].min(changed[1]);
         let reaches_end = excess < fraction || excess + fraction * (1.0 + excess) > 440.08;
         assert!(reaches_end || least <= fraction * (1.0 + 1e-3), "{excess}, {fraction}: {changed:?}");

@@ -63,7 +63,7 @@ fn quotients_of_errors_equal_the_published_ones() {
     }
 }
 
-/// The amplitudes that the search gives for one row of the claims.
+/// The amplitudes of the search for one row of the claims.
 fn searched(row: &[&str]) -> Vec<f64> {
     match row[0] {
         "zero" => TABLE.amplitudes_where_exact(place(row[1])).iter().map(Angle::radians).collect(),
@@ -109,7 +109,7 @@ fn worst_errors_equal_the_published_ones() {
         let formula = formula(row[0]);
         for (bound, printed) in bounds.into_iter().zip(&row[1..]) {
             let Ok(published) = printed.parse::<f64>() else { continue };
-            // The published numbers are maxima over amplitudes i/360 of the bound.
+            // The published numbers are maxima of the bound over amplitudes in steps of 1/360.
             let sampled =
                 (1..=360).map(|i| formula.fractional_error(&degrees(bound * f64::from(i) / 360.0)).abs());
             let sampled = sampled.fold(0.0, f64::max);
@@ -273,7 +273,7 @@ fn errors_are_equal_at_every_crossover_and_the_lead_changes() {
         let gap = |amplitude: &Angle| {
             below.fractional_error(amplitude).abs() - above.fractional_error(amplitude).abs()
         };
-        // What the spacing of f64 amplitudes leaves: matters next to the zero of an error.
+        // The error from the spacing of `f64` amplitudes, which matters next to the zero of an error.
         let slope = gap(&Angle::from_radians(crossover.amplitude.radians() + 1e-9).unwrap()).abs() / 1e-9;
         let allowed = 1e-9 * crossover.error + 4e-15 * slope;
         assert!(gap(&crossover.amplitude).abs() <= allowed || slope.is_nan(), "{crossover:?}");

@@ -1,7 +1,7 @@
-//! The ledger of accuracy: what is promised, where. Enforced on the golden tables by `accuracy.rs`, on random
-//! inputs by `ledger/`.
+//! The accuracy ledger: the error bound of each result and its domain. `accuracy.rs` enforces it on the golden tables, `ledger/` on random
+//! inputs.
 
-/// An error bound in ulp of the true value, after an absolute allowance that `beyond` names.
+/// An error bound in ulp of the true value, in addition to an absolute allowance that `beyond` describes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Promise {
     pub(crate) what: &'static str,
@@ -11,7 +11,7 @@ pub(crate) struct Promise {
 }
 
 impl Promise {
-    /// Fails, naming the input, if `error` (in ulp) breaks the promise.
+    /// Fails, naming the input, if `error` (in ulp) exceeds the bound.
     pub(crate) fn holds(&self, error: f64, input: &dyn core::fmt::Debug) {
         assert!(
             error <= self.ulp,
@@ -44,16 +44,16 @@ pub(crate) const STATE: Promise = promise(
 pub(crate) const COMPLEMENT: Promise =
     promise("π − |θ(t)| in the turn", "any initial state, |t| ≤ 1e6 periods", 2.5, "2⁻⁵¹·|θ′t| + 2e-323");
 pub(crate) const HARMONICS: Promise = promise("harmonics a_n", "|a_n| ≥ 2.3e-308 rad", 0.56, "");
-/// The bound on action and energy, which are rounded from two words.
+/// The bound for action and energy, which are rounded from two words.
 pub(crate) const ACTION: Promise = promise("action, energy", "any motion", 0.56, "2e-323");
 
-/// 2⁻⁵¹, four times the unit roundoff: what a time or a velocity may be off, relatively.
+/// 2⁻⁵¹, four times the unit roundoff: the relative error allowed for a time or a velocity.
 pub(crate) const FOUR_ROUNDOFFS: f64 = 2.0 * f64::EPSILON;
 
-/// Four of the smallest numbers: what results below 2.2e-308 may be off.
+/// Four of the smallest numbers: the absolute error allowed for results below 2.2e-308.
 pub(crate) const SUBNORMAL: f64 = 2e-323;
 
-/// The error that Jacobi functions are allowed from the quarter period in two words.
+/// The allowance of Jacobi functions for the error of the quarter period in two words.
 pub(crate) fn jacobi_allowance(u: f64) -> f64 {
     f64::EPSILON * f64::EPSILON * 16.0 * u.abs() + SUBNORMAL
 }

@@ -1,4 +1,4 @@
-//! Elliptic integrals and functions by the parameter, by its complement, or by the complementary modulus.
+//! Elliptic integrals and functions of the parameter, of its complement, or of the complementary modulus.
 
 use libration::elliptic::{
     JacobiSlices, LengthMismatch, Moduli, Modulus, complete_firsts, complete_seconds, incomplete_firsts,
@@ -42,7 +42,7 @@ fn by_complementary_modulus(module: &Bound<'_, PyModule>) -> PyResult<()> {
     add(module, documented!("ellipnome_kp"), |[kp], [q]| nomes(Moduli::ComplementaryModuli(kp), q))
 }
 
-/// Property of the modulus of each nome; NaN where there is none.
+/// A property of the modulus with each nome; NaN if the modulus does not exist.
 fn of_nome(nomes: &[f64], values: &mut [f64], says: fn(&Modulus) -> f64) -> Result<(), LengthMismatch> {
     for (nome, value) in nomes.iter().zip(values) {
         *value = Modulus::from_nome(*nome).map_or(f64::NAN, |modulus| says(&modulus));

@@ -1,4 +1,4 @@
-//! The library's batches as ufuncs, each with its documentation in `docs`.
+//! The library's batch functions as ufuncs, each with its documentation in `docs`.
 
 mod elliptic;
 mod motion;
@@ -10,7 +10,7 @@ use pyo3::prelude::*;
 
 use crate::ufunc::{Batch, ufunc};
 
-/// The name of a ufunc and its documentation, which is in a file of this name.
+/// The name of a ufunc and its documentation, from the file with this name.
 macro_rules! documented {
     ($name:literal) => {
         $crate::batches::Documented::new(

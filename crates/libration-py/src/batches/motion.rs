@@ -1,4 +1,4 @@
-//! Motions: those released from rest, and those that pass an angle with a velocity.
+//! Motions: those released from rest, and those that start at an angle with a velocity.
 
 use std::f64::consts::PI;
 use std::ops::Range;
@@ -27,7 +27,7 @@ pub(super) fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
                 Start::Released => {
                     released(times, &from[run.clone()], frequency, found)?;
                     for i in run {
-                        // A prepared motion knows its phase for longer.
+                        // A prepared motion resolves the phase up to a later time.
                         if angles[i].is_nan() {
                             let found = (&mut angles[i..=i], &mut velocities[i..=i]);
                             launched(&all[i..=i], frequency, (from[i], 0.0), found)?;
@@ -41,7 +41,7 @@ pub(super) fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     })
 }
 
-/// Start of a motion, which decides by which kernel it is computed, so that one element has the same result as many.
+/// Kind of the start of a motion. It selects the kernel, so that a single element has the same result as in an array.
 enum Start {
     /// A release from rest within a turn.
     Released,
@@ -57,7 +57,7 @@ impl Start {
         if released { Self::Released } else { Self::Launched { angle, velocity } }
     }
 
-    /// Starts of one key are found together.
+    /// Key of the start; elements with equal keys are computed together.
     fn key(&self) -> Option<[u64; 2]> {
         match self {
             Self::Released => None,
@@ -66,7 +66,7 @@ impl Start {
     }
 }
 
-/// Ranges of as many elements next to each other as have the same key.
+/// Maximal ranges of neighbouring elements with the same key.
 fn runs<K: PartialEq>(count: usize, key: impl Fn(usize) -> K) -> impl Iterator<Item = Range<usize>> {
     let mut start = 0;
     std::iter::from_fn(move || {

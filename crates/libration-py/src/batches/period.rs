@@ -21,7 +21,7 @@ pub(super) fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     add(module, documented!("nome"), |[amplitudes], [found]| nomes(amplitudes, found))
 }
 
-/// The nome of each amplitude; NaN where there is no libration.
+/// The nome of each amplitude; NaN if it is not the amplitude of a libration.
 fn nomes(amplitudes: &[f64], nomes: &mut [f64]) -> Result<(), LengthMismatch> {
     let amplitude = |radians: f64| Amplitude::new(Angle::from_radians(radians).ok()?).ok();
     for (radians, nome) in amplitudes.iter().zip(nomes) {

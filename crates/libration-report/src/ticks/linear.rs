@@ -4,12 +4,12 @@ use super::Ticks;
 use crate::chart::{Axis, Units};
 use crate::numbers;
 
-/// The steps of degrees from one up to a turn. Ten is for what is smaller than a right angle's half.
+/// Steps in degrees from one up to a turn; a step of ten degrees serves ranges below half a right angle.
 const DEGREES: [f64; 9] = [1.0, 2.0, 5.0, 15.0, 30.0, 45.0, 90.0, 180.0, 360.0];
-/// More than these at one step are not looked for.
+/// Largest number of ticks at one step.
 const MOST: u32 = 20;
 
-/// The ticks for each step that gives two or more, but not too many.
+/// The ticks for each step that gives at least two of them and at most the largest number.
 pub(super) fn choices(axis: &Axis, units: &Units) -> Vec<Ticks> {
     let range = axis.to - axis.from;
     if !(range.is_finite() && range > 0.0) {
@@ -32,9 +32,9 @@ pub(super) fn choices(axis: &Axis, units: &Units) -> Vec<Ticks> {
         .collect()
 }
 
-/// The multiples of the step that the axis holds, as parts of its length.
+/// The multiples of the step on the axis, as fractions of its length, with their labels.
 fn multiples(axis: &Axis, step: f64, written: &dyn Fn(f64) -> String) -> Vec<(f64, String)> {
-    // Ticks at the ends are drawn whatever the last digit says.
+    // Ticks at the ends are drawn in spite of rounding errors.
     let slack = 1e-6 * step;
     let first = ((axis.from - slack) / step).ceil();
     let values = (0..=MOST).map(|place| (first + f64::from(place)) * step);
@@ -59,11 +59,11 @@ fn steps(units: &Units, range: f64) -> Vec<f64> {
     };
     let mut fitting: Vec<f64> = all.into_iter().filter(|step| range / step < f64::from(MOST)).collect();
     fitting.sort_by(f64::total_cmp);
-    // Of whole numbers an axis may hold fewer than two.
+    // An axis of whole numbers may hold fewer than two ticks.
     if fitting.is_empty() { decimal(range) } else { fitting }
 }
 
-/// 1, 2 and 5 times the powers of ten about a twentieth of the range and more, up to all of it.
+/// 1, 2 and 5 times powers of ten, from about a twentieth of the range up to all of it.
 fn decimal(range: f64) -> Vec<f64> {
     let power = 10f64.powf((range / f64::from(MOST)).log10().floor());
     let factors = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0];

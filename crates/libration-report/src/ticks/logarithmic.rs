@@ -1,10 +1,10 @@
-//! Ticks at powers of ten, with the multiples between them; on short axes at multiples of a step.
+//! Ticks at powers of ten, with minor ticks at their multiples; on short axes at multiples of a step.
 
 use super::{Ticks, linear};
 use crate::chart::{Axis, Units};
 use crate::numbers::power_of_ten;
 
-/// Steps from one labelled power of ten to the next.
+/// Steps between labelled powers of ten.
 const STEPS: [i32; 9] = [1, 2, 3, 4, 5, 10, 20, 50, 100];
 
 pub(super) fn choices(axis: &Axis) -> Vec<Ticks> {
@@ -20,7 +20,7 @@ pub(super) fn choices(axis: &Axis) -> Vec<Ticks> {
 /// The exponents of the powers of ten on the axis.
 fn powers(axis: &Axis) -> Vec<i32> {
     let (from, to) = axis.ends();
-    // Powers at the ends are drawn whatever the last digit says.
+    // Powers at the ends are drawn in spite of rounding errors.
     (-330..=310).filter(|&power| (from - 1e-9..=to + 1e-9).contains(&f64::from(power))).collect()
 }
 
@@ -36,7 +36,7 @@ fn of_powers(axis: &Axis, held: &[i32], step: i32) -> Ticks {
     Ticks { labelled, minor }
 }
 
-/// The ticks at two to nine times the powers, also below the lowest on the axis.
+/// Minor ticks at two to nine times the powers, also below the lowest power on the axis.
 fn between(axis: &Axis, held: &[i32]) -> Vec<f64> {
     let below = held.first().map(|power| power - 1);
     let values = below.into_iter().chain(held.iter().copied());

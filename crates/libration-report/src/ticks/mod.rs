@@ -1,4 +1,4 @@
-//! Positions of the ticks of an axis: as many as have room, at multiples that people expect.
+//! Positions of the ticks of an axis: as many as there is room for, at familiar multiples.
 
 mod linear;
 mod logarithmic;
@@ -8,16 +8,16 @@ use crate::chart::{Axis, Scale, Units};
 /// The ticks of an axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ticks {
-    /// Parts of the length of the axis, with what is written next to them.
+    /// Fractions of the length of the axis, with the labels.
     pub labelled: Vec<(f64, String)>,
-    /// Minor ticks, as parts of the length.
+    /// Minor ticks, as fractions of the length.
     pub minor: Vec<f64>,
 }
 
-/// More are too many for an axis of any length.
+/// Largest number of labelled ticks, for an axis of any length.
 const MOST: usize = 10;
 
-/// The choices for an axis, from the closest ticks to the widest; each has two or more.
+/// The possible sets of ticks, from the closest to the widest spacing; each has at least two ticks.
 pub fn choices(axis: &Axis) -> Vec<Ticks> {
     let found = match (axis.scale, &axis.units) {
         (Scale::Logarithmic, _) => logarithmic::choices(axis),
@@ -29,7 +29,7 @@ pub fn choices(axis: &Axis) -> Vec<Ticks> {
     if few.is_empty() { many.into_iter().last().into_iter().collect() } else { few }
 }
 
-/// The closest ticks whose labels, of this extent along the axis, keep apart on an axis of this length.
+/// The closest ticks whose labels do not touch on an axis of this length; `extent` is the size of a label along the axis.
 pub fn chosen(axis: &Axis, length: f64, extent: impl Fn(&str) -> f64) -> Ticks {
     let mut choices = choices(axis);
     let fits = choices.iter().position(|ticks| ticks.length_needed(&extent) <= length);
@@ -38,12 +38,12 @@ pub fn chosen(axis: &Axis, length: f64, extent: impl Fn(&str) -> f64) -> Ticks {
     if choices.is_empty() { none } else { choices.swap_remove(place) }
 }
 
-/// The least length of an axis that holds the labels of its fewest ticks.
+/// The least length of an axis that holds the labels of its smallest set of ticks.
 pub(crate) fn least_length(axis: &Axis, extent: impl Fn(&str) -> f64) -> f64 {
     choices(axis).iter().map(|ticks| ticks.length_needed(&extent)).fold(f64::INFINITY, f64::min)
 }
 
-/// Every text that may stand at a tick, whatever the length of the axis.
+/// All labels that the ticks may have, for any length of the axis.
 pub(crate) fn labels(axis: &Axis) -> impl Iterator<Item = String> {
     choices(axis).into_iter().flat_map(|ticks| ticks.labelled).map(|(_, label)| label)
 }

@@ -1,15 +1,15 @@
-//! Files and folders next to each other that use each other in a circle. A folder and its own files may: they are one idea.
+//! Circular uses among neighbouring files and folders. A folder and its own files may use each other: they are one idea.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::source::Source;
 
-/// Circles that remain: each has one idea in several files, or an idea in the wrong one.
+/// Circles that remain: each is one idea in several files, or has an item in the wrong file.
 pub(crate) const REMAINING: &[&str] = &[];
 
 type Graph = BTreeMap<String, BTreeSet<String>>;
 
-/// The folder and the members of each circle, in the order of the alphabet.
+/// The folder and the members of each circle, in alphabetical order.
 pub(crate) fn circles(source: &Source) -> Vec<(String, Vec<String>)> {
     let mut folders: BTreeMap<Vec<String>, Graph> = BTreeMap::new();
     for (from, to) in source.edges() {
@@ -25,7 +25,7 @@ pub(crate) fn circles(source: &Source) -> Vec<(String, Vec<String>)> {
     folders.into_iter().flat_map(named).collect()
 }
 
-/// Sets of nodes that reach each other.
+/// Sets of nodes that can reach each other.
 fn of_graph(graph: &Graph) -> BTreeSet<Vec<String>> {
     let reach: BTreeMap<&String, BTreeSet<&String>> =
         graph.keys().map(|node| (node, reached(graph, node))).collect();

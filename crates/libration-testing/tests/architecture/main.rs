@@ -1,4 +1,4 @@
-//! The map of the crates and their modules, which `crates/modules.toml` and ARCHITECTURE.md draw, against the code.
+//! Comparison of the code with the map of crates and modules in `crates/modules.toml` and ARCHITECTURE.md.
 #![expect(clippy::unwrap_used, reason = "a test that cannot read the sources should stop there")]
 
 mod circles;
@@ -12,7 +12,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use map::{Map, described};
 use source::Source;
 
-/// The modules that the files of each top module use, of the same crate and of other crates of the mathematics.
+/// The modules that the files of each top-level module use, of the same crate and of other mathematics crates.
 fn uses(source: &Source) -> BTreeMap<String, BTreeSet<String>> {
     let mut uses: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
     for (from, to) in source.edges() {
@@ -97,7 +97,7 @@ fn every_file_is_compiled() {
     }
 }
 
-/// Dependencies, those of tests left out, lead downwards: the graph of the crates has no circle.
+/// The dependencies, except those of tests, lead downwards: the graph of the crates has no cycle.
 #[test]
 fn crates_depend_on_those_below_them() {
     let map = Map::read();

@@ -1,11 +1,11 @@
-//! The map of the crates: `crates/modules.toml`, which modules may use which, and the tables of ARCHITECTURE.md, which say what each holds.
+//! The map of the crates: `crates/modules.toml` states the uses that are allowed, the tables of ARCHITECTURE.md the content of each module.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 const MODULES: &str = include_str!("../../../modules.toml");
 const ARCHITECTURE: &str = include_str!("../../../../ARCHITECTURE.md");
 
-/// The modules of one crate with those that each may use.
+/// The modules of one crate, each with the modules that it may use.
 #[derive(Debug)]
 pub(crate) struct Section {
     pub(crate) name: String,
@@ -16,11 +16,11 @@ pub(crate) struct Section {
 pub(crate) struct Map {
     /// The crates from the bottom up.
     pub(crate) crates: Vec<Section>,
-    /// The modules that all modules of the mathematics may use.
+    /// The modules that every mathematics module may use.
     pub(crate) common: Vec<String>,
 }
 
-/// The texts in quotation marks.
+/// The texts between pairs of a quotation mark.
 fn quoted(text: &str, mark: char) -> Vec<String> {
     text.split(mark).skip(1).step_by(2).map(str::to_owned).collect()
 }
@@ -42,14 +42,14 @@ impl Map {
         Self { crates, common }
     }
 
-    /// Returns whether the crate belongs to the mathematics, whose modules know each other across crates.
+    /// Returns `true` for a mathematics crate, for which uses of modules of other crates are listed too.
     pub(crate) fn is_mathematics(&self, name: &str) -> bool {
         let place = |name: &str| self.crates.iter().position(|section| section.name == name).unwrap();
         (place("libration-kernels")..=place("libration-branches")).contains(&place(name))
     }
 }
 
-/// The modules that ARCHITECTURE.md describes, by crate: a heading with the crate's name, then rows that begin with the module's.
+/// The modules that ARCHITECTURE.md describes, by crate: a heading with the name of the crate, then rows that begin with a module's name.
 pub(crate) fn described() -> BTreeMap<String, Vec<String>> {
     let names: BTreeSet<String> = Map::read().crates.into_iter().map(|section| section.name).collect();
     let (mut described, mut heading) = (BTreeMap::<String, Vec<String>>::new(), None);

@@ -1,19 +1,19 @@
-//! The paths in a file of Rust, as far as telling files apart needs them.
+//! The paths in a Rust file, as far as they are needed to distinguish files.
 
 /// The names between the `::`.
 pub(crate) type Path = Vec<String>;
 
-/// One name that a `use` brings.
+/// One name that a `use` declaration imports.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Item {
     pub(crate) path: Path,
-    /// Its name here.
+    /// The name in the importing file.
     pub(crate) name: String,
-    /// `true` if others may use it from here.
+    /// `true` if the name is re-exported.
     pub(crate) handed_on: bool,
 }
 
-/// All names that the `use` declarations of a file bring.
+/// All names that the `use` declarations of a file import.
 pub(crate) fn use_items(code: &str) -> Vec<Item> {
     let mut items = vec![];
     for (start, declaration) in declarations(code) {
@@ -25,20 +25,20 @@ pub(crate) fn use_items(code: &str) -> Vec<Item> {
     items
 }
 
-/// Position of each `use`, and the text after it up to its semicolon.
+/// The position of each `use`, and the text after it up to the semicolon.
 fn declarations(code: &str) -> impl Iterator<Item = (usize, &str)> {
     code.match_indices("use ").filter_map(|(start, word)| {
         let alone = code[..start].chars().next_back().is_none_or(char::is_whitespace);
         let rest = &code[start + word.len()..];
         let declaration = &rest[..rest.find(';')?];
-        // A sentence in a text has other characters before its next semicolon.
+        // In a sentence, other characters stand before the next semicolon.
         let is_path =
             |letter: char| letter.is_alphanumeric() || letter.is_whitespace() || "_:{},*".contains(letter);
         Some((start, declaration)).filter(|_| alone && declaration.chars().all(is_path))
     })
 }
 
-/// The paths of a tree such as `a::{b, c::{d, e as f}}`, with the names they have here.
+/// The paths of a tree such as `a::{b, c::{d, e as f}}`, with the names that they get.
 fn tree(prefix: &[String], text: &str) -> Vec<(Path, String)> {
     let (head, list) = match text.split_once('{') {
         Some((head, list)) => (head, Some(list.rsplit_once('}').map_or(list, |(inner, _)| inner))),
@@ -77,7 +77,7 @@ fn items(list: &str) -> Vec<String> {
     items
 }
 
-/// Paths of two names and more outside `use` declarations.
+/// Paths of at least two names outside `use` declarations.
 pub(crate) fn inline_paths(code: &str) -> Vec<Path> {
     let mut rest = code.to_owned();
     for (start, declaration) in declarations(code).collect::<Vec<_>>() {

@@ -1,4 +1,4 @@
-//! The files of a crate as modules, and which uses which.
+//! The files of a crate as modules, and the uses between them.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::paths::{Path as UsePath, inline_paths, use_items};
 
-/// A module, by its names from the root of the crate.
+/// The path of a module from the root of the crate.
 pub(crate) type Module = Vec<String>;
 
 #[derive(Debug)]
@@ -16,11 +16,11 @@ pub(crate) struct Source {
 
 #[derive(Debug)]
 struct File {
-    /// Files that the compiler is told to read.
+    /// Files that `mod` declarations name.
     declared: BTreeSet<String>,
-    /// Origins of the names that stand in a `use`.
+    /// Origins of the names that `use` declarations import.
     imported: BTreeMap<String, UsePath>,
-    /// Paths that are used, except for names that are only re-exported.
+    /// Paths that are used, except names that are only re-exported.
     used: Vec<UsePath>,
 }
 
@@ -42,7 +42,7 @@ fn code(text: &str) -> String {
     text.lines().filter(|line| !line.trim_start().starts_with("//")).collect::<Vec<_>>().join("\n")
 }
 
-/// The names after `mod`, and those of files that are given as a `path`.
+/// The names after `mod`, and the files that a `path` attribute names.
 fn declared(text: &str) -> BTreeSet<String> {
     let words: Vec<&str> = text.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
     let modules = words.windows(2).filter(|pair| pair[0] == "mod").map(|pair| pair[1].to_owned());
@@ -74,7 +74,7 @@ impl Source {
                 continue;
             }
             module.pop_if(|last| ["mod", "lib", "main"].contains(&last.as_str()));
-            // A library and a program of one crate share the root.
+            // The library and the program of one crate share the root.
             *texts.entry(module).or_default() += &code(&fs::read_to_string(&path).unwrap());
         }
         let modules: BTreeSet<Module> = texts.keys().cloned().collect();
@@ -90,7 +90,7 @@ impl Source {
         })
     }
 
-    /// Files that no other file declares, so that the compiler never sees them.
+    /// Files that no other file declares, so that the compiler does not read them.
     pub(crate) fn orphans(&self) -> impl Iterator<Item = &Module> {
         self.files.keys().filter(|module| {
             let declared = |(name, above): (&String, &[String])| {
@@ -100,7 +100,7 @@ impl Source {
         })
     }
 
-    /// Pairs of files, the first of which uses an item of the second.
+    /// Pairs of files in which the first uses an item of the second.
     pub(crate) fn edges(&self) -> BTreeSet<(Module, Module)> {
         let uses =
             self.files.iter().flat_map(|(module, file)| file.used.iter().map(move |path| (module, path)));
@@ -108,13 +108,13 @@ impl Source {
         found.filter(|(from, to)| from != to).collect()
     }
 
-    /// Pairs of a file and a module of another crate of the mathematics of which it uses an item.
+    /// Pairs of a file and a module of another mathematics crate from which the file uses an item.
     pub(crate) fn foreign(&self) -> BTreeSet<(Module, String)> {
         let uses = self.files.iter().flat_map(|(from, file)| file.used.iter().map(move |path| (from, path)));
         uses.filter_map(|(from, path)| Some((from.clone(), foreign_module(path)?.to_owned()))).collect()
     }
 
-    /// The file in which the item stands that a module knows by a path; names that are handed on are followed.
+    /// The file that defines the item at a path in a module; re-exports are followed.
     fn resolve(&self, from: &Module, path: &UsePath, depth: usize) -> Option<Module> {
         const DEEPEST: usize = 20;
         let (mut place, mut rest) = match path.first()?.as_str() {
@@ -152,7 +152,7 @@ impl File {
             let child: Module = module.iter().cloned().chain(path.first().cloned()).collect();
             modules.contains(&child)
         };
-        // What a module hands on of its own folder is not used by it.
+        // A re-export from a module's own folder is not a use.
         let taken =
             items.into_iter().filter(|item| !item.handed_on || !is_child(&item.path)).map(|item| item.path);
         let inline = inline_paths(text).into_iter().filter(|path| {

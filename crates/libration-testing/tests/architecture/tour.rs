@@ -1,11 +1,11 @@
-//! The tours of the crates that users import: the documentation of each `lib.rs`, with a table of its modules.
+//! The tours of the crates that users import: each `lib.rs` documents its modules in a table.
 
 use super::source;
 use std::collections::BTreeSet;
 
 const IMPORTED: [&str; 4] = ["libration", "libration-lab", "libration-derivation", "libration-queries"];
 
-/// Names of the public modules of a `lib.rs`: those that it declares, and those of other crates of the project that it exports.
+/// Names of the public modules of a `lib.rs`: its own modules, and re-exported modules of other crates of the project.
 fn public_modules(lib: &str) -> BTreeSet<&str> {
     let shown = lib.split("#[doc(hidden)]").next().unwrap();
     let declared = shown.lines().filter_map(|line| line.strip_prefix("pub mod ")?.strip_suffix(';'));

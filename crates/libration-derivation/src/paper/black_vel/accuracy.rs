@@ -64,7 +64,7 @@ fn ratios(a: &str, b: &str) -> Option<String> {
 
 fn carvalhaes_suppes(printed: &Printed) -> Option<StatementFinding> {
     let claimed = decimal(printed.formula(0)?, &[])?;
-    // About: within half an order.
+    // "About" is interpreted as within half an order of magnitude.
     let half_an_order = 10.0_f64.sqrt();
     let ratio = |degrees: f64| ratio_at("black_vel_3", "carvalhaes_suppes", degrees);
     let near = |ratio: f64| ratio * half_an_order >= claimed && ratio <= claimed * half_an_order;

@@ -1,4 +1,4 @@
-//! (A1) to (A3): why the frequency has even powers of ε alone.
+//! (A1) to (A3): why the frequency contains only even powers of ε.
 
 use super::{statement, text_after};
 use crate::paper::compare::{polynomial, same_polynomial};

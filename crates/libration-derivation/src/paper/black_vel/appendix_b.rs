@@ -1,4 +1,4 @@
-//! (B1) to (B4): why the harmonics have odd powers of ε alone.
+//! (B1) to (B4): why the harmonics contain only odd powers of ε.
 
 use super::appendix_a::number;
 use super::{statement, text_after};
@@ -46,7 +46,7 @@ pub(super) const STATEMENTS: &[Statement] = &[
     ),
 ];
 
-/// The Taylor coefficient by differentiation against the series in ε, for a motion of the first two orders.
+/// The Taylor coefficient by differentiation, compared with the series in ε, for a motion of the first two orders.
 fn picking_an_order(printed: &Printed) -> Option<StatementFinding> {
     let epsilon = Variable::from("epsilon");
     let at = |n: u32| Polynomial::variable(format!("A{n}").as_str()) * cosine(1);
@@ -80,7 +80,7 @@ fn fundamental_with_even_powers(printed: &Printed) -> Option<StatementFinding> {
     form(printed.formula(0)?, &[], &expansion.harmonic(1), &expansion)
 }
 
-/// The equation at ε² with A2, B2, C2 open and B1 = C1 = d1 = 0.
+/// The equation at ε² with A2, B2, C2 undetermined and B1 = C1 = d1 = 0.
 fn at_second_order() -> Option<Polynomial> {
     let second = ["A2", "B2", "C2"]
         .iter()

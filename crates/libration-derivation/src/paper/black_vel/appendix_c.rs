@@ -59,7 +59,7 @@ pub(super) const STATEMENTS: &[Statement] = &[
     ),
 ];
 
-/// With θ″ = d²θ/d(Ωt)² the solution satisfies it; with θ″ = d²θ/dt² it does not.
+/// The solution satisfies the equation with θ″ = d²θ/d(Ωt)², but not with θ″ = d²θ/dt².
 fn equation_to_seventh(printed: &Printed) -> Option<StatementFinding> {
     let expansion = Expansion::odd_gauge(7)?;
     let frequency = expansion.frequency()?;

@@ -1,4 +1,4 @@
-//! (4) to (7) and (14): the formulas of the introduction against the exact period.
+//! (4) to (7) and (14): the formulas of the introduction, compared with the exact period.
 
 use super::{statement, text_after};
 use crate::paper::compare::{ROUNDING, decimal, series_in};
@@ -75,14 +75,14 @@ fn exponent_of_molina(printed: &Printed) -> Option<StatementFinding> {
     Some(StatementFinding::verified_if(follows && matches, correct, evidence))
 }
 
-/// formula/exact − 1 over δ², which must tend to −(1/16 − 1/(48·ln(8/δ))), where the next term of K is.
+/// formula/exact − 1 over δ², which must tend to −(1/16 − 1/(48·ln(8/δ))), from the next term of K.
 fn asymptotic_at_the_top(printed: &Printed) -> Option<StatementFinding> {
     let complements = [1e-1, 1e-2, 1e-3];
     let mut shown = Vec::new();
     let mut vanishes = true;
     for complement in complements {
         let theta0 = PI - complement;
-        // What the subtraction π − θ0 gives back.
+        // The part that the rounded subtraction π − θ0 lost.
         let complement = PI - theta0;
         let formula = decimal(printed.formula(0)?, &[("T0", 2.0), ("theta0", theta0)])? / 2.0;
         let error = formula / period_ratio_near_top(complement) - 1.0;

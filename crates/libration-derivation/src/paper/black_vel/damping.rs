@@ -87,6 +87,6 @@ fn integral_of_square_damping(printed: &Printed) -> Option<bool> {
         "theta'^2*exp(2*c*theta) + 2*exp(2*c*theta)*(2*c*sin(theta) - cos(theta))/(4*c^2 + 1)",
     ])?;
     let along = with(&angle, integral.formula(0)?, ring.zero())?;
-    // The last coefficient lacks its velocity.
+    // The last coefficient is incomplete, because the velocity has one coefficient less.
     Some(along.iter().skip(1).take(TERMS - 2).all(Rational::is_zero))
 }

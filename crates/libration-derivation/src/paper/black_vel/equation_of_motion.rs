@@ -71,7 +71,7 @@ fn equation_of_motion(printed: &Printed) -> Option<StatementFinding> {
     Some(StatementFinding::verified_if(largest < ROUNDING, "", evidence))
 }
 
-/// theta″ + (g/l)·theta = 0 in exact power series of the time, with g/l = 1 and phi = 0.
+/// theta″ + (g/l)·theta = 0 in exact power series in time, with g/l = 1 and phi = 0.
 fn small_swing(printed: &Printed) -> Option<StatementFinding> {
     const TERMS: usize = 12;
     let values = [("theta0", 3), ("g", 5), ("l", 5), ("phi", 0)];
@@ -91,7 +91,7 @@ fn small_swing(printed: &Printed) -> Option<StatementFinding> {
     Some(StatementFinding::verified_if(solves && frequency < 1e-6, "", evidence))
 }
 
-/// The same by central differences, where g/l and phi are not rational squares.
+/// The largest residual of theta″ + (g/l)·theta = 0 by central differences, for g/l and phi that are not rational squares.
 fn largest_residual_of_the_swing(angle: &Expression) -> Option<f64> {
     const STEP: f64 = 1e-4;
     let mut largest = 0.0_f64;
@@ -116,7 +116,7 @@ fn small_angle_period(printed: &Printed) -> Option<StatementFinding> {
     Some(StatementFinding::verified_if(deviation < 1e-15, "", evidence))
 }
 
-/// 2π over the period of the smallest swings of three pendulums.
+/// 2π divided by the period of the smallest swings of three pendulums.
 fn frequency_of_small_swings(printed: &Printed) -> Option<StatementFinding> {
     let mut largest = 0.0_f64;
     let tiny = Amplitude::new(Angle::from_radians(1e-9).ok()?).ok()?;
@@ -132,7 +132,7 @@ fn frequency_of_small_swings(printed: &Printed) -> Option<StatementFinding> {
     Some(StatementFinding::verified_if(largest < ROUNDING, "", evidence))
 }
 
-/// d/dt along any motion is θ′ times the equation of motion: in exact series of the time.
+/// d/dt along any motion is θ′ times the equation of motion: in exact series in time.
 fn energy_is_conserved(printed: &Printed) -> Option<StatementFinding> {
     let ring = PowerSeries::rational(10);
     let angle = arbitrary_motion();
@@ -155,7 +155,7 @@ fn energy_is_conserved(printed: &Printed) -> Option<StatementFinding> {
     Some(StatementFinding::verified_if(same, "", evidence))
 }
 
-/// θ = t/2 + t²/3 − t³/5 + t⁴/7, which solves no particular equation, to t⁹.
+/// θ = t/2 + t²/3 − t³/5 + t⁴/7 to t⁹, a motion that solves no particular equation.
 fn arbitrary_motion() -> Vec<Rational> {
     let chosen =
         [(0, 1), (1, 2), (1, 3), (-1, 5), (1, 7)].into_iter().filter_map(|(n, d)| Rational::new(n, d));
@@ -171,7 +171,7 @@ fn velocity_at_an_angle(printed: &Printed) -> Option<StatementFinding> {
     let amplitude = at_degrees(120.0)?;
     let mut largest = 0.0_f64;
     for instant in instants(&amplitude, 48)? {
-        // Rounding may make the difference of the cosines negative at the turning points.
+        // At the turning points, rounding errors may make the difference of the cosines negative.
         let turns = (instant.velocity.abs() < 1e-6).then_some(0.0);
         let speed = decimal(printed.formula(0)?, &instant.values(amplitude.radians())).or(turns)?;
         largest = largest.max((speed * speed - instant.velocity * instant.velocity).abs() * LENGTH / GRAVITY);

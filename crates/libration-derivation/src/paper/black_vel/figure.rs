@@ -1,4 +1,4 @@
-//! Fig. 1, (52) and (53): the formulas compared, and two better ones.
+//! Fig. 1, (52) and (53): a comparison of formulas, and two better ones.
 
 use super::statement;
 use crate::paper::amplitudes::in_degrees;
@@ -35,7 +35,7 @@ pub(super) const STATEMENTS: &[Statement] = &[
     ),
 ];
 
-/// Every curve against its exact leading term, and who leads where.
+/// Every curve compared with its exact leading term, and the best formula in each range.
 fn figure(_: &Printed) -> Option<StatementFinding> {
     const SMALL: f64 = 0.01;
     let mut farthest = 0.0_f64;
@@ -55,7 +55,7 @@ fn figure(_: &Printed) -> Option<StatementFinding> {
     Some(StatementFinding::verified_if(farthest < 1e-3, "", evidence))
 }
 
-/// 1/a₂ of the mean from 1 and cos(θ0/2), as a series.
+/// 1/a₂ of the mean of 1 and cos(θ0/2), as a series.
 fn second_mean_series(terms: usize) -> Option<Vec<Rational>> {
     let ring = PowerSeries::rational(terms);
     let cosine = Printed::read(&["cos(theta0/2)"])?;
@@ -82,7 +82,7 @@ fn second_mean(printed: &Printed) -> Option<StatementFinding> {
     Some(StatementFinding::verified_if(same, "T = T0/a2 = 4*T0/(1 + sqrt(cos(theta0/2)))^2", evidence))
 }
 
-/// The possible readings of the radicands.
+/// The possible interpretations of the radicands.
 const READINGS: [&str; 5] = [
     "1 + cos(theta0/2)",
     "1 + cos(theta0)/2",

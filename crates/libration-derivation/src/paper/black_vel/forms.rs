@@ -1,4 +1,4 @@
-//! (32) to (37): three harmonics in powers of ε, and the freedom that their equations leave.
+//! (32) to (37): three harmonics in powers of ε, and the freedom that remains in their equations.
 
 use super::{statement, text_after};
 use crate::paper::compare::polynomial;
@@ -93,7 +93,7 @@ fn equation_to_fifth(printed: &Printed) -> Option<StatementFinding> {
     equation_with_sine(printed, 5)
 }
 
-/// The motion and the frequency of (32) to (36), every constant open, at each order in ε.
+/// The motion and the frequency of (32) to (36) with all constants undetermined, at each order in ε.
 fn open_motion() -> (Vec<Polynomial>, Vec<Polynomial>) {
     let name = |letter: &str, order: u32| Polynomial::variable(format!("{letter}{order}").as_str());
     let at = |order: u32| {
@@ -106,7 +106,7 @@ fn open_motion() -> (Vec<Polynomial>, Vec<Polynomial>) {
     (motion, vec![one, zero(), name("d", 2), zero(), name("d", 4), zero()])
 }
 
-/// The nine equations: orders 1, 3, 5 of the equation of motion on the harmonics 1, 3, 5.
+/// The nine equations: orders 1, 3, 5 of the equation of motion projected on harmonics 1, 3, 5.
 fn nine_equations(equation: &Expression) -> Option<Vec<Polynomial>> {
     let (motion, frequency) = open_motion();
     let at = orders_of(equation, &motion, &frequency, Clock::Time)?;

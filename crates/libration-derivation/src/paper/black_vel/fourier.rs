@@ -64,7 +64,7 @@ fn released_swing(printed: &Printed) -> Option<StatementFinding> {
     Some(StatementFinding::verified_if(start && solves, "", evidence))
 }
 
-/// The series against the motion, which is computed from theta functions without any Fourier series.
+/// The series compared with the motion, which is computed from theta functions without any Fourier series.
 fn fourier_series(printed: &Printed) -> Option<StatementFinding> {
     let amplitude = at_degrees(150.0)?;
     let (coefficients, motion) = (harmonics(&amplitude)?, released_from(&amplitude)?);
@@ -107,7 +107,7 @@ fn centre_of_antisymmetry(printed: &Printed) -> Option<StatementFinding> {
     let claimed = decimal(printed.formula(0)?, &[])?;
     let motion = released_from(&at_degrees(60.0)?)?;
     let half = motion.period() / 2.0;
-    // Antisymmetric about a position: half a period later the pendulum is as far on its other side.
+    // Antisymmetry about a position: half a period later the pendulum is equally far on the other side.
     let centre = |index: u32| {
         let t = motion.period() * f64::from(index) / 40.0;
         f64::midpoint(motion.state_at(t).angle, motion.state_at(t + half).angle)

@@ -1,4 +1,4 @@
-//! (38), (46) and the gauge ε = θ0: the solution when the free constants are chosen.
+//! (38), (46) and the gauge ε = θ0: the solution for chosen values of the free constants.
 
 use super::{statement, text_after};
 use crate::paper::compare::series_in;
@@ -48,7 +48,7 @@ pub(super) const STATEMENTS: &[Statement] = &[
     ),
 ];
 
-/// The gauge that the assignments of A1, A2, … name, the other constants zero, to an order.
+/// The gauge stated by the assignments of A1, A2, …, with zero for the other constants, up to an order.
 pub(super) fn gauge_of(assignments: &[(String, Rational)], order: u32) -> Vec<Rational> {
     let value = |n: u32| {
         let known = assignments.iter().find(|(name, _)| *name == format!("A{n}"));
@@ -57,7 +57,7 @@ pub(super) fn gauge_of(assignments: &[(String, Rational)], order: u32) -> Vec<Ra
     (1..=order).map(value).collect()
 }
 
-/// Printed constants against those of the gauge named among them.
+/// Printed constants compared with those of the gauge that they state.
 pub(super) fn constants(printed: &Printed, order: u32) -> Option<StatementFinding> {
     let assignments = printed.assignments()?;
     let gauge = gauge_of(&assignments, order);
@@ -95,7 +95,7 @@ fn solution_in_the_other_gauge(printed: &Printed) -> Option<StatementFinding> {
     Some(finding)
 }
 
-/// θ0(ε) = ε demands A1 = 1 and Aₙ = −(Bₙ + Cₙ), which are known from the orders below.
+/// θ0(ε) = ε requires A1 = 1 and Aₙ = −(Bₙ + Cₙ), which are known from lower orders.
 fn amplitude_as_parameter(printed: &Printed) -> Option<StatementFinding> {
     let demanded = series_in("epsilon", 6, printed.left(0)?, &[])?;
     let mut gauge = demanded.get(1..)?.to_vec();

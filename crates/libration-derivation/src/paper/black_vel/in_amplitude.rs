@@ -1,4 +1,4 @@
-//! (48) to (51): the harmonics and the period in the amplitude, whatever the gauge.
+//! (48) to (51): the harmonics and the period as series in the amplitude, in every gauge.
 
 use super::statement;
 use crate::paper::compare::{series_in, written};
@@ -28,7 +28,7 @@ pub(super) const STATEMENTS: &[Statement] = &[
     ),
 ];
 
-/// A quantity as printed in θ0 against the same in ε: with θ0(ε) inserted they must agree whatever the gauge.
+/// A printed series in θ0 compared with the series in ε: with θ0(ε) inserted they must agree in every gauge.
 fn in_every_gauge(stands: &[Rational], computed: &[Polynomial], amplitude: &[Polynomial]) -> Option<bool> {
     let stands: Vec<Polynomial> = stands.iter().cloned().map(Polynomial::constant).collect();
     let inserted = powers(&Polynomials, amplitude)?.composed(&Polynomials, &stands);
@@ -60,7 +60,7 @@ fn harmonic_in_amplitude(printed: &Printed, k: u32) -> Option<StatementFinding> 
     Some(StatementFinding::verified_if(right, written(&exact[..6], "theta0"), evidence))
 }
 
-/// The k-th harmonic in θ0 to the seventh power.
+/// The k-th harmonic as a series in θ0 up to the seventh power.
 fn compose_with_inverse(k: u32) -> Option<Vec<Rational>> {
     let mut gauge = vec![Rational::from(0); 7];
     *gauge.first_mut()? = Rational::from(1);

@@ -1,4 +1,4 @@
-//! (13): the exact period as an integral, and what the text says of it.
+//! (13): the exact period as an integral, and the statements about it in the text.
 
 use super::{statement, text_after};
 use crate::paper::amplitudes::at_degrees;
@@ -43,7 +43,7 @@ fn period_by_quadrature(printed: &Printed, amplitude: f64) -> Option<f64> {
     Some(factor * to_amplitude(amplitude, &integrand)?)
 }
 
-/// The largest |quadrature/expected − 1| over some amplitudes.
+/// The largest |quadrature/expected − 1| over several amplitudes.
 fn largest_deviation(printed: &Printed, expected: impl Fn(&Amplitude) -> f64) -> Option<f64> {
     let mut largest = 0.0_f64;
     for degrees in AMPLITUDES {

@@ -1,4 +1,4 @@
-//! (39) to (45) and (47): the amplitude in ε, and ε in the amplitude by iteration.
+//! (39) to (45) and (47): the amplitude as a series in ε, and ε as a series in the amplitude by iteration.
 
 use super::gauges::gauge_of;
 use super::statement;
@@ -49,7 +49,7 @@ pub(super) const STATEMENTS: &[Statement] = &[
     ),
 ];
 
-/// θ0 in ε for A1 = 1 and no other constant, to an order.
+/// θ0 in ε for A1 = 1 and all other constants zero, up to an order.
 pub(super) fn amplitude_of_fundamental(order: usize) -> Option<Vec<Rational>> {
     let mut gauge = vec![Rational::from(0); order];
     *gauge.first_mut()? = Rational::from(1);
@@ -107,7 +107,7 @@ pub(super) fn inverse(series: &[Rational]) -> Option<Vec<Rational>> {
     powers_of_inverse(&Rationals, series).map(|powers| powers.first())
 }
 
-/// θ0 + F(x) with the computed F of x, to θ0⁷.
+/// θ0 + F(x) with the computed F, up to θ0⁷.
 fn improved(x: &[Rational]) -> Option<Vec<Rational>> {
     let ring = PowerSeries::rational(x.len());
     let excess = inserted(&ring, &split(5)?, |name| (name == "epsilon").then(|| x.to_vec()))?;
@@ -131,7 +131,7 @@ fn second_iteration(printed: &Printed) -> Option<StatementFinding> {
     iteration(&stands, &improved(&improved(&ring.variable()?)?)?, 5)
 }
 
-/// A step of the iteration as printed and as computed, and how far it meets the inverse of (39).
+/// A step of the iteration as printed and as computed, and the order up to which it agrees with the inverse of (39).
 fn iteration(stands: &[Rational], computed: &[Rational], through: usize) -> Option<StatementFinding> {
     let mut amplitude = amplitude_of_fundamental(5)?;
     amplitude.resize(stands.len(), Rational::from(0));
@@ -147,7 +147,7 @@ fn iteration(stands: &[Rational], computed: &[Rational], through: usize) -> Opti
     Some(finding.restricted(format!("to theta0^{through}")))
 }
 
-/// ε in θ0 in the gauge that stands first.
+/// ε in θ0, in the gauge that is stated first.
 pub(super) fn parameter_in_amplitude_to(printed: &Printed, order: u32) -> Option<StatementFinding> {
     let assignments: Vec<(String, Rational)> = printed.gauge();
     let expansion = Expansion::of_numbers(&gauge_of(&assignments, order))?;

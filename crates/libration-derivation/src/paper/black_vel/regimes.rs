@@ -66,7 +66,7 @@ pub(super) const STATEMENTS: &[Statement] = &[
     .paraphrased(),
 ];
 
-/// The amplitude that the claim names.
+/// The amplitude stated in the claim.
 pub(super) fn amplitude(printed: &Printed) -> Option<f64> {
     decimal(printed.formula(0)?, &[])
 }

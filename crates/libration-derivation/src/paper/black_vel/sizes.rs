@@ -53,7 +53,7 @@ pub(super) const STATEMENTS: &[Statement] = &[
     .paraphrased(),
 ];
 
-/// The amplitude closest to the top that the library takes for granted.
+/// The amplitude closest to the top that the library accepts.
 fn top() -> Option<Angle> {
     Angle::from_complement(1e-300).ok()
 }
@@ -73,7 +73,7 @@ fn largest_fundamental(printed: &Printed) -> Option<StatementFinding> {
         passed.map_or("no amplitude".to_owned(), in_degrees)
     );
     let correct = "a1 < 4, which it tends to as theta0 -> pi";
-    // A bit: a tenth.
+    // "A bit" is interpreted as a tenth.
     Some(StatementFinding::verified_if(a1 <= 1.1 * bound, correct, evidence))
 }
 

@@ -1,4 +1,4 @@
-//! (25) to (31): the truncated system solved to the third order.
+//! (25) to (31): the truncated system solved to third order.
 
 use super::statement;
 use super::two_harmonics::condition;
@@ -74,7 +74,7 @@ fn solved_for_the_frequency(printed: &Printed) -> Option<StatementFinding> {
     Some(StatementFinding::wrong(format!("Delta^2 = {computed}"), evidence))
 }
 
-/// The lowest power of θ0 where a1 is of the first and a3 of the third.
+/// The lowest power of θ0, with a1 of first and a3 of third order.
 fn order_of(sum: &Polynomial) -> u32 {
     let weight = |name: &Variable| name.index().unwrap_or(0);
     let orders = sum
@@ -101,7 +101,7 @@ fn root_of_the_square(printed: &Printed) -> Option<StatementFinding> {
     ))
 }
 
-/// The second condition with this frequency, solved for the a3 that stands alone: the numerator and the divisor.
+/// The second condition with this frequency, solved for the linear a3: numerator and divisor.
 fn third_alone(frequency: &Polynomial) -> Option<(Polynomial, Rational)> {
     let scaled = condition(3)?.scaled(&Rational::from(-24)).substitute(&"Delta".into(), frequency);
     let alone =
@@ -130,7 +130,7 @@ fn solved_for_the_third(printed: &Printed) -> Option<StatementFinding> {
     Some(StatementFinding::wrong(format!("a3 = ({numerator})/{divisor}"), evidence))
 }
 
-/// a3 of a1 from both conditions, as a series, by iteration.
+/// a3 as a function of a1 from both conditions, as a series, by iteration.
 fn third_of_fundamental_series(terms: usize) -> Option<Vec<Rational>> {
     let delta = Variable::from("Delta");
     let condition = condition(3)?;
@@ -179,7 +179,7 @@ fn third_of_fundamental(printed: &Printed) -> Option<StatementFinding> {
     Some(finding)
 }
 
-/// The exact a3 in a1 = ε to the seventh power.
+/// The exact a3 for a1 = ε, up to the seventh power.
 fn whole_third() -> Option<Vec<Rational>> {
     let mut gauge = vec![Rational::from(0); 7];
     *gauge.first_mut()? = Rational::from(1);
@@ -206,7 +206,7 @@ fn frequency_of_amplitude(printed: &Printed) -> Option<StatementFinding> {
     in_amplitude(printed, 2, 2)
 }
 
-/// One of a1, a3, Δ against the solution of (22) to (24) in the amplitude.
+/// One of a1, a3, Δ compared with the solution of (22) to (24) as a series in the amplitude.
 fn in_amplitude(printed: &Printed, which: usize, through: usize) -> Option<StatementFinding> {
     const TERMS: usize = 6;
     let stands = series_in("theta0", TERMS, printed.formula(0)?, &[])?;

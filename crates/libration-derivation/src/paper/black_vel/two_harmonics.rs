@@ -84,13 +84,13 @@ pub(super) fn motion() -> Polynomial {
     Polynomial::variable("a1") * cosine(1) + Polynomial::variable("a3") * cosine(3)
 }
 
-/// Δ²θ″ + θ − θ³/3! of this motion.
+/// Δ²θ″ + θ − θ³/3! for this motion.
 pub(super) fn equation_of(motion: &Polynomial) -> Option<Polynomial> {
     let inertia = Polynomial::variable("Delta").pow(2) * second_derivative(motion);
     Some(inertia + motion.clone() - motion.pow(3).scaled(&Rational::new(1, 6)?))
 }
 
-/// The equation on the n-th harmonic, up to a factor: the first coefficient is that of the printed one.
+/// The equation projected on the n-th harmonic, scaled so that the first coefficient is that of the printed equation.
 pub(super) fn condition(n: u32) -> Option<Polynomial> {
     Some(projection(&equation_of(&motion())?, n))
 }
@@ -142,7 +142,7 @@ fn projected(printed: &Printed, n: u32) -> Option<StatementFinding> {
     Some(StatementFinding::wrong(format!("0 = {correct}"), format!("{how} is {computed}")))
 }
 
-/// The monomial that divides every term.
+/// The largest monomial that divides every term.
 fn common_factor(sum: &Polynomial) -> Polynomial {
     let smallest =
         |name: &Variable| sum.terms().map(|(monomial, _)| monomial.exponent(name)).min().unwrap_or(0);

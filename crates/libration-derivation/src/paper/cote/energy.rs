@@ -84,7 +84,7 @@ fn amplitude() -> Option<Angle> {
     Angle::from_degrees(120.0).ok()
 }
 
-/// The values of the symbols at an instant, for some mass.
+/// The values of the symbols at an instant, for a given mass.
 fn values(instant: &Instant, amplitude: f64, mass: f64) -> Vec<(&'static str, f64)> {
     let speed = LENGTH * instant.velocity.abs();
     let kinetic = mass * speed * speed / 2.0;
@@ -99,7 +99,7 @@ fn evidence(largest: f64, what: &str) -> String {
     )
 }
 
-/// The formula gives the same energy at all times, which is that of the release.
+/// The formula must give the same energy at all times, that of the release.
 fn energy_of_the_motion(printed: &Printed) -> Option<StatementFinding> {
     let theta0 = amplitude()?;
     let scale = MASS * GRAVITY * LENGTH;
@@ -116,7 +116,7 @@ fn energy_of_the_motion(printed: &Printed) -> Option<StatementFinding> {
     Some(StatementFinding::verified_if(largest < ROUNDING, "", evidence(largest, what)))
 }
 
-/// Two coordinates in the plane of the swing less one for the rod, whose length depends on the place everywhere on the circle.
+/// Two coordinates in the plane of the swing minus one for the rod, whose length depends on the position everywhere on the circle.
 fn degrees_of_freedom(printed: &Printed) -> Option<StatementFinding> {
     let claimed = decimal(printed.formula(0)?, &[])?;
     let slope = |instant: &Instant| {
@@ -149,7 +149,7 @@ fn potential_energy(printed: &Printed) -> Option<StatementFinding> {
     Some(StatementFinding::verified_if(right, "U = m*g*l*(1 - cos(theta))", evidence))
 }
 
-/// The largest difference of the sides over the motion, for some mass.
+/// The largest difference of the sides over the motion, for a given mass.
 fn largest_difference(printed: &Printed, mass: f64) -> Option<f64> {
     let theta0 = amplitude()?;
     let residual = printed.residual(0)?;
@@ -191,7 +191,7 @@ fn rising_quarter(printed: &Printed) -> Option<StatementFinding> {
     let theta0 = amplitude()?;
     let (mut squares, mut rising) = (0.0_f64, true);
     for instant in instants(&theta0, 48)? {
-        // Rounding may make the difference of the cosines negative at the turning points.
+        // At the turning points, rounding errors may make the difference of the cosines negative.
         let turns = (instant.velocity.abs() < 1e-6).then_some(0.0);
         let stands = decimal(printed.formula(0)?, &instant.values(theta0.radians())).or(turns)?;
         squares =
@@ -221,7 +221,7 @@ fn whole_period(printed: &Printed) -> Option<StatementFinding> {
     integral(printed, 1.0)
 }
 
-/// The quadrature against the exact period over a number.
+/// The quadrature compared with the exact period divided by a number.
 fn integral(printed: &Printed, share: f64) -> Option<StatementFinding> {
     let pendulum = Pendulum::new(LENGTH, GRAVITY).ok()?;
     let factor = decimal(printed.formula(0)?, &[("g", GRAVITY), ("l", LENGTH)])?;

@@ -1,4 +1,4 @@
-//! (35) to (37): the series of the period, and what the text says of it.
+//! (35) to (37): the series of the period, and the statements about it in the text.
 
 use super::terms::{complete_integral, constant, in_half_pi, partial_sum, times_half_pi};
 use super::{statement, text_after};
@@ -69,7 +69,7 @@ pub(super) const STATEMENTS: &[Statement] = &[
     .paraphrased(),
 ];
 
-/// A sum that should be K(m).
+/// A sum that should equal K(m).
 pub(super) fn sum_for_the_integral(printed: &Printed, remark: &str) -> Option<StatementFinding> {
     let missing = complete_integral()? - partial_sum(printed)?;
     let at_half = {

@@ -113,7 +113,7 @@ fn split_sine(printed: &Printed) -> Option<StatementFinding> {
     last
 }
 
-/// d/dψ of the boundary term and the integrand must sum to sin²ⁿψ, and the boundary term vanish at both ends.
+/// The boundary term must vanish at both ends, and its derivative plus the integrand must be sin²ⁿψ.
 fn by_parts(printed: &Printed) -> Option<StatementFinding> {
     let power = Printed::read(&["sin(psi)^(2*n)"])?;
     let mut right = true;
@@ -135,7 +135,7 @@ fn by_parts(printed: &Printed) -> Option<StatementFinding> {
     Some(StatementFinding::verified_if(right && at_ends < 1e-15, "", evidence))
 }
 
-/// With v = −cos ψ, the document's own, dv is sin ψ·dψ.
+/// With the document's v = −cos ψ, dv is sin ψ·dψ.
 fn parts(printed: &Printed) -> Option<StatementFinding> {
     let stands = series_in("psi", 12, printed.formula(0)?, &[("dpsi", 1)])?;
     let part = Printed::read(&["-cos(psi)"])?;

@@ -91,7 +91,7 @@ pub(super) const STATEMENTS: &[Statement] = &[
     .paraphrased(),
 ];
 
-/// θ of ψ.
+/// θ as a function of ψ.
 fn theta_of(theta0: f64, psi: f64) -> f64 {
     2.0 * libm::asin(libm::sin(theta0 / 2.0) * libm::sin(psi))
 }
@@ -157,7 +157,7 @@ fn substituted_sides(printed: &Printed) -> Option<StatementFinding> {
     by_half_angles(printed)
 }
 
-/// All sides of an equation against the first.
+/// All sides of an equation compared with the first.
 fn chain(
     printed: &Printed,
     values: &dyn Fn(f64, f64) -> [(&'static str, f64); 3],

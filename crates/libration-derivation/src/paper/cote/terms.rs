@@ -26,7 +26,7 @@ pub(super) fn mean_of_power(n: i64) -> Option<Rational> {
     factors.into_iter().try_fold(Rational::from(1), |product, factor| Some(product * factor?))
 }
 
-/// A term of a sum at n as a polynomial in m and s, the integrals in units of π/2.
+/// A term of a sum at n as a polynomial in m and s, with the integrals in units of π/2.
 pub(super) fn term(formula: &Expression, n: i64) -> Option<Polynomial> {
     let at = at_index(formula, n);
     let integral = |n: i64| Some(Polynomial::constant(mean_of_power(n.max(0))?));
@@ -48,7 +48,7 @@ pub(super) fn at_index(formula: &Expression, n: i64) -> Expression {
     formula.substitute(&Symbol::plain("n"), &Expression::Number(Rational::from(n)))
 }
 
-/// π/2 as a name of its own.
+/// The formula with a separate name for π/2.
 pub(super) fn in_half_pi(formula: &Expression) -> Expression {
     let twice = Expression::Multiply(
         Box::new(Expression::Number(Rational::from(2))),
@@ -68,13 +68,13 @@ pub(super) fn replace_pi(formula: &Expression, by: &Expression) -> Expression {
     }
 }
 
-/// The sum of the terms from the printed n on, to order 8 in m.
+/// The sum of the terms from the printed n on, up to order 8 in m.
 pub(super) fn partial_sum(printed: &Printed) -> Option<Polynomial> {
     let first = i64::try_from(printed.number(0)?.to_natural()?).ok()?;
     (first..TERMS).try_fold(Polynomial::zero(), |sum, n| Some(sum + term(printed.formula(1)?, n)?))
 }
 
-/// K(m)/(π/2) to order 8 in m.
+/// K(m)/(π/2) up to order 8 in m.
 pub(super) fn complete_integral() -> Option<Polynomial> {
     let coefficients = period_in_sine_squared(usize::try_from(TERMS).ok()?.checked_sub(1)?);
     let m = Polynomial::variable("m");

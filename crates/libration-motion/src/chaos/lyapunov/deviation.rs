@@ -1,16 +1,16 @@
-//! A small deviation from a motion, carried along by the linearised equations.
+//! A small deviation from a motion, advanced by the linearised equations.
 
 use crate::taylor::{Cause, Effort, IntegrationError, Moment, StateLayout, System, integrate};
 use libration_numbers::progress::Quiet;
 
-/// A motion with a small deviation from it, whose size is set back to one at the beginning of each interval.
+/// A motion with a small deviation from it, whose size is reset to one at the beginning of each interval.
 ///
 /// Reference: G. Benettin, L. Galgani, A. Giorgilli and J.-M. Strelcyn, Meccanica 15, 9 (1980), doi:10.1007/BF02128236.
 #[derive(Debug)]
 pub(super) struct Deviation<'a> {
     /// The equations of motion and those of one deviation.
     system: &'a System,
-    /// Layout of a state of the motion alone, without the deviation.
+    /// Layout of a state without the deviation.
     layout: &'a StateLayout,
     /// Unit of each state component, in which deviations are measured.
     units: &'a [f64],
@@ -21,7 +21,7 @@ pub(super) struct Deviation<'a> {
 }
 
 impl<'a> Deviation<'a> {
-    /// A deviation in all coordinates and velocities.
+    /// The motion with an initial deviation in all coordinates and velocities.
     pub(super) fn new(
         system: &'a System,
         layout: &'a StateLayout,
@@ -38,7 +38,7 @@ impl<'a> Deviation<'a> {
         &self.moment
     }
 
-    /// Goes on for some time. The logarithm of the factor by which the deviation has grown.
+    /// Advances by some time; returns the logarithm of the factor by which the deviation has grown.
     pub(super) fn go_on(&mut self, time: f64) -> Result<f64, Cause> {
         let before = self.size();
         self.deviation.iter_mut().for_each(|number| *number /= before);
@@ -62,7 +62,7 @@ impl<'a> Deviation<'a> {
     }
 }
 
-/// A number from 1/4 to 5/4 for each place, without any symmetry: from the multiples of the golden ratio.
+/// A number from 1/4 to 5/4 for each index, without any symmetry: from multiples of the golden ratio.
 pub(super) fn unequal_part(place: u32) -> f64 {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     0.25 + (f64::from(place) * GOLDEN).fract()
@@ -72,12 +72,12 @@ pub(super) fn unequal_part(place: u32) -> f64 {
 fn cause(error: IntegrationError) -> Cause {
     match error {
         IntegrationError::Stopped { cause, .. } => cause,
-        // A state that is no longer finite, or times that no longer go on.
+        // A state that is no longer finite, or times that no longer advance.
         _ => Cause::Singularity,
     }
 }
 
-/// The state of the equations together with those of one deviation.
+/// The state of the motion together with that of one deviation.
 fn merged(layout: &StateLayout, motion: &[f64], deviation: &[f64]) -> Vec<f64> {
     let mut both = vec![0.0; 2 * layout.numbers()];
     for (copy, state) in [motion, deviation].into_iter().enumerate() {
@@ -88,7 +88,7 @@ fn merged(layout: &StateLayout, motion: &[f64], deviation: &[f64]) -> Vec<f64> {
     both
 }
 
-/// The motion and the deviation of a merged state.
+/// The motion and the deviation, from their common state.
 fn split(layout: &StateLayout, both: &[f64]) -> [Vec<f64>; 2] {
     let number = |number, copy| both[layout.place_in_copy(number, copy, 1)];
     [0, 1].map(|copy| (0..layout.numbers()).map(|n| number(n, copy)).collect())

@@ -1,4 +1,4 @@
-//! Measuring one motion, and its neighbours.
+//! Measurement of one motion and its neighbours.
 
 use super::super::extent::Extent;
 use super::super::structure::{angles, cyclic, theorem};
@@ -10,7 +10,7 @@ use libration_numbers::expression::Equation;
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Stage;
 
-/// The equations, the schedule and the units that all motions of one measurement share.
+/// The equations, the schedule and the units of all motions in one measurement.
 pub(super) struct Laboratory<'a> {
     plain: System,
     /// The equations of motion with those of one deviation.
@@ -18,9 +18,9 @@ pub(super) struct Laboratory<'a> {
     schedule: &'a Schedule,
     effort: &'a Effort,
     units: Vec<f64>,
-    /// Numbers of the state that may grow without end: angles, and coordinates on which nothing depends.
+    /// Components of the state that may grow without bound: angles, and coordinates on which nothing depends.
     unconfined: Vec<bool>,
-    /// The regularity that is known without a measurement.
+    /// The regularity that follows without a measurement.
     known: Option<Regularity>,
     /// The time and state of the given motion after the transient.
     settled: Moment,
@@ -47,7 +47,7 @@ impl<'a> Laboratory<'a> {
         Ok(Self { plain, extended, schedule, effort, units, unconfined, known, settled })
     }
 
-    /// Measures the motion requested.
+    /// Measures the requested motion.
     pub(super) fn measure(&self, watch: &Watch<'_>) -> Result<Evidence, LyapunovError> {
         watch.begin(Stage::Motion { number: 0 }, Some(self.schedule.intervals));
         self.follow(self.settled.clone(), watch)
@@ -74,7 +74,7 @@ impl<'a> Laboratory<'a> {
         }
     }
 
-    /// The verdict that is known, or that a motion shows and, if it looks chaotic, its neighbours confirm.
+    /// The known verdict, or that of a motion; if the motion looks chaotic, its neighbours must confirm it.
     pub(super) fn verdict(&self, evidence: &Evidence, start: &Moment, watch: &Watch<'_>) -> LyapunovVerdict {
         if let Some(regularity) = self.known {
             return LyapunovVerdict::Regular(regularity);
@@ -87,7 +87,7 @@ impl<'a> Laboratory<'a> {
         doubts.flatten().next().map_or(LyapunovVerdict::Chaotic, LyapunovVerdict::Undecided)
     }
 
-    /// Returns the evidence of a neighbour against the chaos of a motion.
+    /// Returns the evidence of a neighbouring motion against chaos.
     fn doubt_from(
         &self,
         neighbour: usize,
@@ -114,7 +114,7 @@ impl<'a> Laboratory<'a> {
         }
     }
 
-    /// The start moved by about a millionth of the motion's extent, each time in other directions.
+    /// The start, displaced by about a millionth of the motion's extent, in different directions for each neighbour.
     fn displaced(&self, start: &Moment, neighbour: usize) -> Moment {
         const BESIDE: f64 = 1e-6;
         let places = self.units.iter().zip(1..);

@@ -1,14 +1,14 @@
-//! The largest Lyapunov exponent: the rate at which neighbouring motions part.
+//! The largest Lyapunov exponent: the rate at which neighbouring motions diverge.
 //!
 //! # Method
-//! A deviation is carried along by the linearised equations and set back to size one after each interval; its logarithm is the record. Next to a
-//! separatrix, at the distance δ in energy, it grows by 1/δ at each return and shrinks by √δ on the way, so that errors ε come back as ε/δ and look
-//! like chaos in any integration. The depth of the valleys of the record distinguishes the two: where ε·e^(2·depth) is not small the verdict is
-//! undecided.
+//! A deviation is advanced by the linearised equations and reset to size one after each interval; its logarithm
+//! is recorded. Next to a separatrix, at the distance δ in energy, it grows by 1/δ at each return and shrinks
+//! by √δ on the way. Errors ε therefore return as ε/δ and look like chaos in any integration. The depth of the
+//! valleys in the record distinguishes the two: if ε·e^(2·depth) is not small, the verdict is undecided.
 //!
-//! Chaos requires growth by e¹⁰⁰, which no single passage produces, growth in each of ten blocks, a bounded motion, and the same on two neighbours:
-//! next to an unstable periodic motion no neighbour stays. Equations with a plane of states, and linear ones, are regular by theorems, which are
-//! tried first (`verdict.rs`).
+//! Chaos requires growth by e¹⁰⁰, which a single passage cannot produce, growth in each of ten blocks, a bounded
+//! motion, and the same for two neighbours: next to an unstable periodic motion no neighbour stays. Equations
+//! with a plane of states, and linear ones, are regular by theorems, which are tried first (`verdict.rs`).
 
 mod schedule;
 pub(crate) mod verdict;
@@ -34,15 +34,15 @@ pub use verdict::{Doubt, LyapunovVerdict, Regularity};
 pub struct LyapunovExponent {
     /// The mean rate at which the logarithm of a deviation grows, in 1/time.
     pub exponent: f64,
-    /// The standard error of the exponent from ten blocks, or its change in the second half of the time, if larger.
+    /// The standard error of the exponent from ten blocks, or its change in the second half of the time if that is larger.
     pub uncertainty: f64,
     /// Regular, chaotic or undecided.
     pub verdict: LyapunovVerdict,
-    /// The estimates from the beginning of the measurement up to a time after it: `(time, exponent)`.
+    /// The estimates over increasing times: `(time since the beginning of the measurement, exponent)`.
     pub convergence: Vec<(f64, f64)>,
 }
 
-/// The reason why no exponent can be measured.
+/// The reason why an exponent cannot be measured.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum LyapunovError {
@@ -52,12 +52,12 @@ pub enum LyapunovError {
     /// A start, or a transient, that cannot be integrated.
     #[error(transparent)]
     Integration(#[from] IntegrationError),
-    /// Accelerations that jump, or have sign(…) beside something that vanishes with it.
+    /// Accelerations that jump, or contain sign(…) next to a factor that vanishes with it.
     #[error(
         "where sign(…) jumps the linearised equations do not hold: write x'*abs(x') for sign(x')*x'^2, make dry friction smooth, such as tanh(100*x'), and for abs(x')^1.5*sign(x') write x'*(x'^2 + 1e-12)^0.25"
     )]
     Jumps,
-    /// Times that measure nothing.
+    /// A schedule without any measurement.
     #[error("{} intervals of {:?} after {:?} measure nothing: give a finite time above zero", .0.intervals, .0.interval, .0.transient)]
     Schedule(Schedule),
     /// A motion that stopped before one interval was measured.
@@ -67,25 +67,24 @@ pub enum LyapunovError {
 
 /// Measures the largest Lyapunov exponent along the motion from a start.
 ///
-/// A deviation is carried along by the linearised equations. Its size is measured in units of how far the motion goes in each
-/// number of the state, so that units do not matter.
+/// A deviation is advanced by the linearised equations. Its components are relative to the
+/// extent of the motion in each state component, so that the result does not depend on units.
 ///
-/// `progress` has the number of intervals measured of [`Stage::Motion`](libration_numbers::progress::Stage::Motion) 0, the given motion, and of 1
-/// and 2, its neighbours. A cancelled call returns the estimates until then, with the verdict [`Doubt::Stopped`].
+/// `progress` receives the number of intervals measured, as [`Stage::Motion`](libration_numbers::progress::Stage::Motion) 0 for the given
+/// motion, and as 1 and 2 for its neighbours. A cancelled call returns the estimates so far, with the verdict [`Doubt::Stopped`].
 ///
 /// # The verdict
-/// `Chaotic` is said only if the equations leave it open, and if of the motion and of two that begin a millionth of its
-/// extent next to it: the deviation grows by e¹⁰⁰ or more, on the motion itself in each of ten blocks of the time; the
-/// exponents are of the same size; the motion stays bounded, angles and coordinates that no force depends on apart; and the
-/// deviation never shrinks so much in between that errors of the integration take over, as they do next to a separatrix.
-/// Motions are `Regular` by a theorem (one coordinate without time; linear equations), when deviations
-/// shrink, or when in the second half of the time, and in the second quarter, they grow by e^1.5 at most, more than what is
-/// proportional to time does. The latter holds for the time measured: nothing excludes that chaos shows later.
+/// `Chaotic` requires that the equations do not exclude it, and the following for the motion and for two others that begin a millionth of its
+/// extent away: the deviation grows by e¹⁰⁰ or more, and for the motion itself in each of ten blocks of the time; the exponents have the same
+/// size; the motion stays bounded, except for angles and coordinates on which no force depends; and the deviation never shrinks so much in
+/// between that integration errors take over, as they do next to a separatrix. Motions are `Regular` by a theorem (one coordinate without time;
+/// linear equations), if deviations shrink, or if in the second half of the time, and in the second quarter, they grow by at most e^1.5, which
+/// exceeds growth in proportion to the time. The last criterion holds for the measured time only: chaos may appear later.
 ///
 /// # Errors
-/// A parameter without a value, accelerations with sign(…), a start that does not fit, times that measure nothing, or a motion
-/// that stops before one interval is measured.
-/// [`LyapunovError::Nothing`] or [`IntegrationError::Stopped`] if the call is cancelled before an interval is measured.
+/// A parameter without a value, accelerations with sign(…), a start that does not fit, a schedule without
+/// a measurement, or a motion that stops before one interval is measured. [`LyapunovError::Nothing`] or
+/// [`IntegrationError::Stopped`] if the call is cancelled before an interval is measured.
 ///
 /// # Examples
 /// ```

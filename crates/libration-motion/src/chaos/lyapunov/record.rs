@@ -1,4 +1,4 @@
-//! The measured growth of a deviation, and what can be read from it.
+//! The measured growth of a deviation, and its evaluation.
 
 use libration_kernels::elementary::count;
 
@@ -31,12 +31,12 @@ impl Record {
         self.logarithms[self.intervals()]
     }
 
-    /// The mean rate of growth from one interval's end to another's.
+    /// The mean rate of growth between the ends of two intervals.
     fn rate(&self, from: usize, to: usize) -> f64 {
         (self.logarithms[to] - self.logarithms[from]) / (self.interval * count(to - from))
     }
 
-    /// Until here the deviation turns into the direction in which it grows; it is not counted.
+    /// Number of initial intervals that are not counted, in which the deviation turns into the direction of growth.
     fn beginning(&self) -> usize {
         self.intervals() / (BLOCKS + 1)
     }
@@ -46,7 +46,7 @@ impl Record {
         self.rate(self.beginning(), self.intervals())
     }
 
-    /// The estimate after more and more intervals, about a fifth more each time, with the time since the beginning.
+    /// The estimate over increasing numbers of intervals, about a fifth more each time, with the time since the beginning.
     pub fn convergence(&self) -> impl Iterator<Item = (f64, f64)> {
         let all = self.intervals();
         let more =
@@ -54,7 +54,7 @@ impl Record {
         more.chain([all]).map(|n| (self.interval * count(n), self.rate(n / (BLOCKS + 1), n)))
     }
 
-    /// The rate of growth in each block; none before there is an interval for each.
+    /// The rate of growth in each block; empty as long as there are fewer intervals than blocks.
     pub fn blocks(&self) -> Vec<f64> {
         let (all, beginning) = (self.intervals(), self.beginning());
         let edge = |block: usize| beginning + (all - beginning) * block / BLOCKS;
@@ -62,7 +62,7 @@ impl Record {
         (0..blocks).map(|block| self.rate(edge(block), edge(block + 1))).collect()
     }
 
-    /// The larger of the standard error of the blocks' mean and the change in the second half of the record.
+    /// The larger of the standard error of the mean over blocks and the change in the second half of the record.
     pub fn uncertainty(&self) -> f64 {
         let blocks = self.blocks();
         if blocks.is_empty() {

@@ -10,19 +10,19 @@ use super::LyapunovError;
 use crate::taylor::{Cause, Effort, IntegrationError, Moment, System, integrate_stepwise};
 use libration_numbers::expression::Equation;
 
-/// The duration for which a motion is followed, and the intervals at which the growth of a deviation is measured.
+/// The duration of a measurement, and the intervals at which the growth of a deviation is measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Schedule {
     /// The time that passes before the measurement begins.
     pub transient: f64,
-    /// The time after which the deviation is set back to the size one.
+    /// The time after which the size of the deviation is reset to one.
     pub interval: f64,
     /// Number of intervals that are measured.
     pub intervals: usize,
 }
 
 impl Schedule {
-    /// Intervals of about a period of the motion, of which a drive's period is a multiple, and a hundred of them to settle.
+    /// Intervals of about a period of the motion, such that a drive's period is a multiple of them, with a transient of a hundred intervals.
     ///
     /// # Errors
     /// A parameter without a value, a start that does not fit, or a motion that stops at once.
@@ -66,7 +66,7 @@ fn period_of_motion(equation: &Equation, start: &Moment, effort: &Effort) -> Res
     }
 }
 
-/// One where nothing moves.
+/// The shortest period over the coordinates; one if nothing moves.
 fn fastest_period(extent: &Extent, speeds: &Extent, equation: &Equation) -> f64 {
     let (widths, speeds) = (extent.units(&angles(equation)), speeds.sizes());
     let period = |(width, speed): (&f64, &f64)| 0.5 * TAU * width / speed;

@@ -1,4 +1,4 @@
-//! Regular, chaotic, or undecided, and why.
+//! The verdict: regular, chaotic or undecided, with the reason.
 
 use std::fmt;
 
@@ -12,9 +12,9 @@ use crate::taylor::{Cause, Effort};
 pub enum LyapunovVerdict {
     /// Deviations do not grow exponentially, or cannot by a theorem.
     Regular(Regularity),
-    /// Deviations grow exponentially and everywhere on a bounded motion and on its neighbours.
+    /// Deviations grow exponentially throughout a bounded motion and its neighbours.
     Chaotic,
-    /// Neither is shown.
+    /// Neither is established.
     Undecided(Doubt),
 }
 
@@ -22,79 +22,79 @@ pub enum LyapunovVerdict {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Regularity {
-    /// The equations allow no chaos.
+    /// The equations exclude chaos.
     Theorem(Theorem),
-    /// The motion rests in an equilibrium.
+    /// The motion is at an equilibrium.
     AtRest,
-    /// All neighbouring motions come nearer.
+    /// All neighbouring motions converge to the motion.
     Converging,
-    /// Deviations grow no faster than in proportion to the time, as far as it was measured.
+    /// Deviations grow at most in proportion to the time, within the measured time.
     Slow {
-        /// An exponent above this would have shown.
+        /// Exponents above this value would have been detected.
         below: f64,
     },
 }
 
-/// The reason why nothing is decided.
+/// The reason why the verdict is undecided.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Doubt {
     /// The motion stopped, or was interrupted.
     Stopped(Cause),
-    /// The deviation has grown too little to tell exponential growth from one in proportion to the time.
+    /// The deviation has grown too little to distinguish exponential growth from growth in proportion to the time.
     TooShort {
-        /// The logarithm of the factor by which it has grown.
+        /// The logarithm of the factor of growth.
         growth: f64,
     },
-    /// Not every part of the motion shows growth.
+    /// Some part of the motion shows no growth.
     Unsteady,
-    /// The motion goes farther and farther.
+    /// The motion covers an ever larger range.
     Unbounded,
-    /// The deviation becomes so small in between, as it does next to a separatrix, that its digits are lost.
+    /// The deviation becomes so small in between, as next to a separatrix, that its digits are lost.
     DigitsLost {
         /// The logarithm of the factor by which it shrinks before it grows again.
         valley: f64,
     },
-    /// A start next to this one does not show the same, as it is on an unstable motion.
+    /// A neighbouring start gives another result, so that the motion is an unstable one.
     Neighbours {
-        /// The exponent there.
+        /// The exponent of the neighbouring motion.
         exponent: f64,
     },
 }
 
-// What is said of measured motions is of a damped driven pendulum (A from 0.5 to 1.5), an undamped one driven weakly and strongly, the
-// Hénon–Heiles system at E = 1/12, 1/8 and 1/6, driven Duffing oscillators and coupled quartic ones: 48 starts, of which 27 were
-// regular with 100, 300 and 1000 intervals alike (6 converged), and with 1000 18 chaotic and 3, weakly chaotic ones, undecided.
+// The figures for measured motions come from a damped driven pendulum (A from 0.5 to 1.5), an undamped one driven weakly and strongly, the
+// Hénon–Heiles system at E = 1/12, 1/8 and 1/6, driven Duffing oscillators and coupled quartic ones: 48 starts, of which 27 were regular with
+// 100, 300 and 1000 intervals alike (6 converged). With 1000 intervals 18 were chaotic, and 3 weakly chaotic ones undecided.
 
-/// A deviation that grows in proportion to the time doubles, ln 2 = 0.7, in twice the time; next to a resonance it may grow
-/// like the time squared. Of the regular ones that do not converge the larger rise was at most 1.20 (0.56 to 0.91 with 1000
-/// intervals), of the others at least 13.6 with 100 intervals and 69 with 1000.
+/// A deviation that grows in proportion to the time doubles in twice the time, ln 2 = 0.7; next to a resonance
+/// it may grow like the square of the time. For regular motions that do not converge the larger rise was at most
+/// 1.20 (0.56 to 0.91 with 1000 intervals), for the others at least 13.6 with 100 intervals and 69 with 1000.
 const SLOW_RISE: f64 = 1.5;
-/// Passing once as near to an unstable motion as numbers can be makes e³⁷, and growth in proportion to the time adds
-/// little to that. Of the 21 that are not regular 20 had grown by less than e¹⁰⁰ with 100 intervals, 2 with 300, none with 1000; the
-/// regular ones by e^4.1 at most.
+/// A single passage of an unstable motion, at the smallest distance that numbers allow, produces e³⁷; growth
+/// in proportion to the time adds little to that. Of the 21 motions that are not regular, 20 had grown by less
+/// than e¹⁰⁰ with 100 intervals, 2 with 300, none with 1000; the regular ones had grown by at most e^4.1.
 const EXPONENTIAL_GROWTH: f64 = 100.0;
-/// Number of standard errors above zero: for the mean of ten blocks Student's t exceeds it by chance in 4 of 10 000 cases. For the regular motions
+/// Number of standard errors above zero: for the mean of ten blocks, Student's t exceeds it by chance in 4 of 10 000 cases. For regular motions
 /// the exponent was up to 4.9 standard errors above zero, since it falls to zero as (ln t)/t.
 const CERTAIN: f64 = 5.0;
-/// A motion that goes farther than its first half by this factor is not bounded: a steady drift makes two, a motion that has shown all of
-/// itself one. Of the bounded ones it was up to 1.44 with 100 intervals, 1.34 with 300 and 1.05 with 1000.
+/// Factor by which the range of an unbounded motion exceeds that of its first half: a steady drift gives two, a motion that has covered its
+/// whole range gives one. For bounded motions it was up to 1.44 with 100 intervals, 1.34 with 300 and 1.05 with 1000.
 const WIDER: f64 = 1.5;
 
 /// One measured motion.
 #[derive(Clone, Debug)]
 #[doc(hidden)]
 pub struct Evidence {
-    /// The growth of its deviation.
+    /// The growth of the deviation.
     pub record: Record,
-    /// The range of the motion in the first half of the time, and in all of it.
+    /// The range of the motion in the first half of the time, and in the whole time.
     extents: [Extent; 2],
     /// The cause for which the motion ended early.
     pub stopped: Option<Cause>,
 }
 
 impl Evidence {
-    /// The evidence of a motion before its first interval.
+    /// The evidence before the first interval.
     pub fn new(interval: f64, numbers: usize) -> Self {
         let nothing = Extent::new(numbers);
         Self { record: Record::new(interval), extents: [nothing.clone(), nothing], stopped: None }
@@ -115,7 +115,7 @@ impl Evidence {
         confined.map(|((half, whole), _)| if whole > half { whole / half } else { 1.0 }).fold(1.0, f64::max)
     }
 
-    /// The verdict on a single motion, integrated to these tolerances. Unconfined coordinates may grow without bound.
+    /// The verdict on a single motion, integrated to these tolerances. Unconfined components may grow without bound.
     pub fn verdict(&self, effort: &Effort, unconfined: &[bool]) -> LyapunovVerdict {
         let record = &self.record;
         if let Some(cause) = self.stopped {
@@ -158,18 +158,18 @@ impl Evidence {
         (!steady).then_some(Doubt::Unsteady)
     }
 
-    /// Returns whether the exponents of two motions are of the same size, within their errors.
+    /// Returns `true` if the exponents of two motions are of the same size, within their errors.
     pub fn agrees_with(&self, other: &Self) -> bool {
         let [own, others] = [self, other].map(|it| (it.record.exponent(), it.record.uncertainty()));
         (own.0 - others.0).abs() <= 0.5 * own.0.max(others.0) + CERTAIN * libm::hypot(own.1, others.1)
     }
 }
 
-/// The deepest valley of the logarithm in which digits remain.
+/// The deepest valley of the logarithm that leaves significant digits.
 ///
-/// Next to a separatrix a deviation grows as the time lag that it makes, by 1/δ at each return, where δ is the distance
-/// in energy, and shrinks by √δ on the way. What a step errs in, ε of the deviation, is a distance too and comes back as
-/// ε/δ of it. With the valley's depth ln 1/√δ that is ε·e^(2·depth), to which a thousandth is left.
+/// Next to a separatrix a deviation is a time lag. It grows by 1/δ at each return, where δ is the distance in energy,
+/// and shrinks by √δ in between. An error of a step, ε relative to the deviation, is a distance too and returns as
+/// ε/δ of it. With the depth ln 1/√δ of the valley this is ε·e^(2·depth), which may be up to a thousandth.
 fn deepest_harmless_valley(effort: &Effort) -> f64 {
     const THOUSANDTH: f64 = 1e-3;
     0.5 * libm::log(THOUSANDTH / effort.relative.max(f64::EPSILON))

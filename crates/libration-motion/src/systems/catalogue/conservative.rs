@@ -1,4 +1,4 @@
-//! Bodies in a potential that are no pendulums: about a centre, in a galaxy, on a chain.
+//! Bodies in a potential that are not pendulums: about a centre, in a galaxy, on a chain.
 
 use super::{NOTHING_SAID, number, parameter};
 use crate::systems::NamedSystem;

@@ -1,4 +1,4 @@
-//! One pendulum that is driven: by a torque, or by its pivot.
+//! A single pendulum that is driven: by a torque, or by its pivot.
 
 use super::{HANGING, NOTHING_SAID, OMEGA0, SWING_ENERGY, THETA, parameter};
 use crate::systems::{NamedBody, NamedSystem};

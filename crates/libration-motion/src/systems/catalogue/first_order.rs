@@ -1,4 +1,4 @@
-//! Systems whose equations are of the first order.
+//! Systems whose equations are of first order.
 
 use super::{NOTHING_SAID, number, parameter};
 use crate::systems::NamedSystem;

@@ -1,4 +1,4 @@
-//! One pendulum left to itself: with any damping, and as an extended body in a fluid.
+//! A single pendulum without a drive: with any damping, and as an extended body in a fluid.
 
 use super::{GRAVITY, HANGING, NOTHING_SAID, OMEGA0, SWING_ENERGY, THETA, parameter};
 use crate::systems::{NamedSystem, VelocityPower};

@@ -1,4 +1,4 @@
-//! The named systems: what each is, and where it comes from. Attributions from memory say so.
+//! The named systems with their descriptions and sources. Attributions from memory are marked as such.
 
 mod conservative;
 mod coupled;
@@ -51,7 +51,7 @@ const OMEGA0: NamedParameter =
     parameter("omega0", "1", "rad/s", "angular frequency of small swings, sqrt(g/l)");
 const GRAVITY: NamedParameter = parameter("g", "1", "m/s^2", "acceleration of gravity");
 
-/// The angle of one pendulum.
+/// The angle of a single pendulum.
 const THETA: &[NamedCoordinate] = &[angle("theta")];
 
 /// An angle from the downward vertical.
@@ -64,17 +64,17 @@ const fn number(name: &'static str, at_rest: &'static str) -> NamedCoordinate {
     NamedCoordinate { name, unit: "", at_rest }
 }
 
-/// One pendulum on a fixed axle.
+/// A single pendulum on a fixed axle.
 const HANGING: &[NamedBody] = &[NamedBody { place: ["sin(theta)", "-cos(theta)"], pivot: ["0", "0"] }];
 
-/// The energy of one pendulum over its moment of inertia, zero at rest at the bottom.
+/// The energy of a single pendulum divided by its moment of inertia, zero at rest at the bottom.
 const SWING_ENERGY: &str = "theta'^2/2 + 2*omega0^2*sin(theta/2)^2";
 
 impl NamedSystem {
     /// The system of this key.
     ///
     /// # Errors
-    /// No system has this key; the error lists the nearest keys and all of them.
+    /// No system has this key; the error lists the nearest keys and all keys.
     pub fn by_key(key: &str) -> Result<&'static Self, UnknownKey> {
         by_key(catalogue(), key)
     }

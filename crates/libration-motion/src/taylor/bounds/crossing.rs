@@ -1,4 +1,4 @@
-//! The formula of an event where it passes zero.
+//! The formula of an event at its zero.
 
 use crate::taylor::program::linearised::{Linearised, ROUNDING};
 use crate::taylor::{Contact, Moment, Occurrence, System};
@@ -7,7 +7,7 @@ use libration_numbers::{
     internals::expression::Tape,
 };
 
-/// The formula that passes zero at an event, with the accelerations and rates of change there.
+/// The formula whose zero is the event, with the accelerations and rates of change there.
 #[derive(Debug)]
 pub(in crate::taylor) struct Crossing {
     formulas: Linearised,
@@ -24,24 +24,24 @@ enum Speed {
 /// The passage of the formula through zero.
 #[derive(Debug)]
 pub(in crate::taylor) struct Passing {
-    /// Its derivatives by the numbers of the state.
+    /// The derivatives of the formula by the state components.
     pub(in crate::taylor) gradient: Vec<f64>,
-    /// Its derivative with respect to time along the motion.
+    /// The derivative of the formula with respect to time along the motion.
     pub(in crate::taylor) rate: f64,
-    /// Its magnitude there, which should be zero.
+    /// The magnitude of the formula there, which should be zero.
     pub(in crate::taylor) rest: f64,
-    /// Its rounding error.
+    /// The rounding error of the formula.
     pub(in crate::taylor) error: f64,
     /// Rates of change of the state components.
     pub(in crate::taylor) speeds: Vec<f64>,
 }
 
 impl Crossing {
-    /// `None` where the formula has no values without those of open parameters.
+    /// The formula of an event; `None` if it contains open parameters without a value.
     pub(in crate::taylor) fn new(system: &System, event: &Occurrence) -> Option<Self> {
         let (layout, equation) = (system.layout(), system.equation());
         let formula = &system.events()[event.event].formula;
-        // Where a formula touches zero it is its rate of change that passes through it.
+        // If a formula touches zero, its rate of change passes through zero.
         let passes = match event.contact {
             Contact::Grazing => rate_of_change(system, formula),
             _ => equation.with_rates(formula),
@@ -58,7 +58,7 @@ impl Crossing {
         Some(Self { formulas: Linearised::new(&tape, 0..all.len(), inputs.len()), speeds })
     }
 
-    /// The passage of the formula in a state whose components have series with terms of these sizes.
+    /// The passage of the formula in a state, the series of whose components have terms of these sizes.
     pub(in crate::taylor) fn passing(&mut self, at: &Moment, sizes: &[f64]) -> Passing {
         self.formulas.evaluate(&[&at.state[..], &[at.time]].concat());
         let speed = |speed: &Speed| match *speed {

@@ -1,11 +1,11 @@
-//! The uncertainty of the end of an integration that an event ends.
+//! The uncertainty of the end of an integration that is ended by an event.
 //!
 //! # Method
-//! The uncertainty of an end that an event determines has two parts. The truncation error comes from a second integration to a thousandth of the
-//! tolerance. The roundings, which both integrations share, are bounded step by step (`roundings_of_steps.rs`), those of the forces from each
-//! operation (`linearised.rs`), and carried from the last step back to the first (`gathered.rs`) by differences of neighbouring motions
-//! (`growth.rs`), so that forces may jump, at times that are rounded too. Of long motions 4096 steps are kept at a time (`survey.rs`). An event
-//! that ends the motion turns the deviation of the state into one of the time (`crossing.rs`, `outcome.rs`).
+//! The uncertainty of an end that is determined by an event has two parts. The truncation error comes from a second integration to a thousandth
+//! of the tolerance. The rounding errors, which are the same in both integrations, are bounded step by step (`roundings_of_steps.rs`), those of
+//! the forces from each operation (`linearised.rs`), and carried from the last step back to the first (`gathered.rs`) by differences of
+//! neighbouring motions (`growth.rs`), so that forces may jump, at times that are rounded too. Of long motions 4096 steps are stored at a time
+//! (`survey.rs`). An event that ends the motion turns the deviation of the state into one of the time (`crossing.rs`, `outcome.rs`).
 
 use super::gathered::gathered_roundings;
 use crate::taylor::{Effort, IntegrationError, Moment, System, integrate};
@@ -13,16 +13,16 @@ use libration_numbers::progress::Quiet;
 
 /// The uncertainty of time and state at the end of an integration, each component in its unit.
 ///
-/// Where an event ends the motion, its time is as uncertain as the motion is there over how fast its formula changes: this tells both.
+/// If an event ends the motion, the uncertainty of the time of the event is that of the event's
+/// formula divided by the rate of change of the formula; the result contains both uncertainties.
 ///
 /// # Accuracy
-/// Two errors are added up. What the steps leave out of their series is seen by another integration, to a thousandth of the tolerance: what
-/// that has otherwise, and half as much again. What the steps lose by rounding is bounded step by step, from the terms of their series and
-/// from each operation of the forces, and followed to the end by how small deviations of this motion grow, which motions next to it tell. All
-/// these are added as if they had the same sign: where roundings are all there is, a pendulum's error is stated some ten to a hundred times
-/// too large. Where a motion next to it stops, as next to the end of a formula, where deviations grow beyond all numbers, as in long chaotic
-/// motions, or where the steps times the square of how many numbers the state has are above a million, the difference of the two
-/// integrations is taken ten times instead.
+/// Two errors are added up. The truncation error of the steps is the difference from another integration, to a thousandth of the tolerance, and
+/// half as much again. The rounding errors of the steps are bounded step by step, from the terms of their series and from each operation of the
+/// forces, and multiplied by the growth of small deviations until the end, which is computed from neighbouring motions. All these are added as
+/// if they had the same sign: if the error consists of roundings only, a pendulum's error is stated some ten to a hundred times too large. If a
+/// neighbouring motion stops, as next to the end of a formula, if deviations overflow, as in long chaotic motions, or if the number of steps
+/// times the square of the number of state components is above a million, ten times the difference of the two integrations is used instead.
 ///
 /// # Errors
 /// As [`integrate()`].
@@ -47,7 +47,7 @@ pub fn ending_error(
     effort: &Effort,
     end: &Moment,
 ) -> Result<Moment, IntegrationError> {
-    /// Factor for the error of the finer steps, a thousandth, and for changes of order, which are a matter of chance.
+    /// Factor for the error of the finer steps, a thousandth, and for random changes of order.
     const MARGIN: f64 = 1.5;
     const MARGIN_ALONE: f64 = 10.0;
     let other = finer(system, start, last, effort)?;
@@ -68,7 +68,7 @@ pub fn ending_error(
     })
 }
 
-/// The end by steps to a thousandth of all tolerances.
+/// The end, computed by steps to a thousandth of all tolerances.
 fn finer(system: &System, start: &Moment, last: f64, effort: &Effort) -> Result<Moment, IntegrationError> {
     let relative = (effort.relative / 1000.0).max(Effort::TOLERANCES[0]);
     let finer = Effort { relative, absolute: effort.absolute / 1000.0, ..*effort };

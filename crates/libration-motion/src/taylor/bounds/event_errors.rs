@@ -13,7 +13,7 @@ pub struct MomentErrors {
     pub time: f64,
     /// The error of each component of the state.
     pub state: Vec<f64>,
-    /// The errors of the formulas of [`StateErrors::with_formulas`]; NaN where a formula has no value.
+    /// The errors of the formulas of [`StateErrors::with_formulas`]; NaN if a formula has no value.
     pub formulas: Vec<f64>,
 }
 
@@ -21,18 +21,18 @@ pub struct MomentErrors {
 struct Passage {
     spread: Spread,
     passing: Passing,
-    /// The root of the number of steps.
+    /// The square root of the number of steps.
     scale: f64,
     /// The error of the formula besides that of the state.
     error: f64,
     /// The error of the time.
     late: f64,
-    /// `true` where the formula nearly touches zero, or has touched it.
+    /// `true` if the formula nearly touches zero, or has touched it.
     is_bent: bool,
 }
 
 impl StateErrors {
-    /// The errors at the start: those of the formulas are roundings.
+    /// The errors at the start: those of the formulas are rounding errors.
     #[must_use]
     pub fn at_start(&mut self) -> MomentErrors {
         let formulas = self.formulas.as_mut().map(|formulas| formulas.roundings(&self.start));
@@ -43,7 +43,7 @@ impl StateErrors {
         }
     }
 
-    /// The errors of a sample in the last step; `None` where the motion is not determined.
+    /// The errors of a sample in the last step; `None` if the motion is not determined.
     #[must_use]
     pub fn of_sample(&mut self, accepted: &AcceptedStep<'_>, sample: &Moment) -> Option<MomentErrors> {
         if (sample.time - self.start.time).abs() <= 0.0 {
@@ -61,7 +61,7 @@ impl StateErrors {
         Some(MomentErrors { time: 0.0, state: of.state, formulas: errors })
     }
 
-    /// The errors of an event in the last step; `None` where the motion is not determined.
+    /// The errors of an event in the last step; `None` if the motion is not determined.
     #[must_use]
     pub fn of_event(&mut self, accepted: &AcceptedStep<'_>, event: &Occurrence) -> Option<MomentErrors> {
         if self.is_lost {

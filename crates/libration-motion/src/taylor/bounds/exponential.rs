@@ -2,7 +2,7 @@
 
 use super::matrix::Matrix;
 
-/// Room for exponentials of matrices of one size.
+/// Buffers for exponentials of matrices of one size.
 #[derive(Clone, Debug)]
 pub(in crate::taylor) struct Exponential {
     square: Matrix,
@@ -17,19 +17,19 @@ impl Exponential {
         Self { square, cube, sum, product }
     }
 
-    /// The exponential: Taylor's polynomial of degree 8 of a part of the matrix, squared as often as that was halved.
+    /// The exponential: Taylor's polynomial of degree 8 of the matrix divided by a power of two, squared as often as the matrix was halved.
     ///
     /// # Accuracy
-    /// 2e-7, where the rounding of large exponentials is less.
+    /// 2e-7, if the rounding error of large exponentials is smaller.
     pub(in crate::taylor) fn of(&mut self, exponent: &mut Matrix, exponential: &mut Matrix) {
         /// Largest number of squarings; beyond it the exponential overflows.
         const MOST_SQUARINGS: i32 = 60;
-        /// 0.7⁹/9! = 1.1e-7.
+        /// Largest row sum for the polynomial: 0.7⁹/9! = 1.1e-7.
         const LARGEST: f64 = 0.7;
         let Self { square, cube, sum, product } = self;
         square.set_product(exponent, exponent);
         let mut squarings = 0;
-        // The square knows that the entries of an oscillation's matrix have units.
+        // The square does not depend on the units of the entries of an oscillation's matrix.
         let mut size = square.largest_row_sum().sqrt();
         while size > LARGEST && squarings < MOST_SQUARINGS {
             (size, squarings) = (0.5 * size, squarings + 1);

@@ -1,4 +1,4 @@
-//! The effect of the roundings along a motion on its end.
+//! The effect of the rounding errors along a motion on its end.
 
 use super::growth::{distances, growths};
 use super::matrix::Matrix;
@@ -7,12 +7,12 @@ use super::roundings_of_steps::{RoundedStep, add_unseen, rounded_steps};
 use super::survey::Survey;
 use crate::taylor::{Effort, IntegrationError, Moment, StateLayout, System};
 
-/// Largest number of state components of all neighbouring motions. An oscillator's 5306 steps, which have 21 000, take 0.09 s; 179 431 steps, close
-/// to the most that are followed, 4.7 s.
+/// Largest number of state components of all neighbouring motions. An oscillator's 5306
+/// steps, which have 21 000, take 0.09 s; 179 431 steps, close to the allowed number, 4.7 s.
 const MOST_NUMBERS: usize = 1_000_000;
 
-/// A bound of what rounding makes of time and state at the end of an integration; `None` where small deviations cannot be followed, are
-/// too many or grow beyond all numbers.
+/// A bound of the rounding errors of time and state at the end of an integration;
+/// `None` if small deviations cannot be integrated, are too many or overflow.
 pub(in crate::taylor) fn gathered_roundings(
     system: &System,
     start: &Moment,
@@ -30,7 +30,7 @@ pub(in crate::taylor) fn gathered_roundings(
     let mut gathered = Gathered { layout: system.layout(), sums: outcome.own, slopes: outcome.slopes };
     let mut end = Some(&survey.solution.end);
     for stretch in survey.stretches.iter().rev() {
-        // One step more, which the first of the next stretch is, tells where the last one leads.
+        // One more step, the first of the next stretch, so that the derivatives across the last step are known.
         let wanted = stretch.steps + usize::from(end.is_none());
         let steps = rounded_steps(system, &stretch.start, last, effort, wanted);
         if steps.len() < wanted {
@@ -47,7 +47,7 @@ pub(in crate::taylor) fn gathered_roundings(
     Ok(sums.split_last().map(|(time, state)| Moment { time: *time, state: state.to_vec() }))
 }
 
-/// The sums of all errors from the end back to some step.
+/// The sums of all errors from the end back to a step.
 #[derive(Debug)]
 struct Gathered<'a> {
     layout: &'a StateLayout,
@@ -58,8 +58,8 @@ struct Gathered<'a> {
 }
 
 impl Gathered<'_> {
-    /// Steps that end where those begin that were gone through, from the last to the first; they lead from the middle of each to that of the
-    /// next, since in the middle of a step no force jumps.
+    /// Adds the errors of steps that end where the steps so far begin, from the last to the first; the derivatives lead from the middle of each
+    /// step to that of the next, since no force jumps in the middle of a step.
     fn go_back(&mut self, steps: &[RoundedStep], moments: &[&Moment], growths: &[Matrix]) {
         for ((step, growth), ends) in steps.iter().zip(growths).zip(moments.windows(2)).rev() {
             let mut blurred = vec![0.0; growth.size];

@@ -4,8 +4,8 @@ use super::matrix::Matrix;
 use crate::taylor::{Effort, IntegrationError, Moment, Solution, System, Trajectory, integrate_many};
 use libration_numbers::progress::Quiet;
 
-/// The derivatives of the state at a later moment by that at an earlier one, from each moment to the next, by differences of motions that begin a
-/// little apart: whatever a force does on the way, jump, bend or bring to rest, it does to them too. `None` where such a motion does not get there.
+/// The derivatives of the state at each moment by that at the moment before, by differences of motions that begin a small distance apart: if a
+/// force jumps, bends or brings to rest in between, it acts on these motions too. `None` if such a motion does not reach the later moment.
 pub(in crate::taylor) fn growths(system: &System, moments: &[&Moment], apart: &[f64]) -> Option<Vec<Matrix>> {
     let times: Vec<f64> = moments.iter().map(|moment| moment.time).collect();
     let mut trajectories = vec![];
@@ -26,16 +26,17 @@ pub(in crate::taylor) fn growths(system: &System, moments: &[&Moment], apart: &[
     Some(columns.chunks(apart.len().max(1)).map(transposed).collect())
 }
 
-/// Errors of a motion are far below the distances of two.
+/// Tolerances with which the errors of a motion are far below the distance of two motions.
 const EFFORT: Effort = Effort { relative: 1e-13, absolute: 0.0, most_steps: 10_000 };
 
-/// The distance of a neighbouring motion in a component of this size that covers `way`: a small part of the way, and far above the roundings.
+/// The distance of a neighbouring motion in a component of this size that covers
+/// `way`: a small fraction of the distance covered, and far above the rounding errors.
 pub(in crate::taylor) fn distance(way: f64, size: f64) -> f64 {
     let distance = libm::ldexp(way, -24) + libm::ldexp(size, -34);
     if distance > 0.0 { distance } else { libm::ldexp(1.0, -24) }
 }
 
-/// The distance in each component, for a motion that is known at many moments.
+/// The distance in each component, for a motion that is known at several moments.
 pub(in crate::taylor) fn distances(moments: &[&Moment]) -> Vec<f64> {
     let numbers = moments.first().map_or(0, |moment| moment.state.len());
     let of_number = |number: usize| {
@@ -47,7 +48,7 @@ pub(in crate::taylor) fn distances(moments: &[&Moment]) -> Vec<f64> {
     (0..numbers).map(of_number).collect()
 }
 
-/// The derivatives by one number, from two motions on both sides.
+/// The derivatives by one component, from two motions on both sides.
 fn column(
     from: &[Trajectory<'_>],
     to: &[Result<Solution, IntegrationError>],

@@ -1,4 +1,4 @@
-//! The errors of a motion as a list of numbers, by which a run is gone on from.
+//! The errors of a motion as a list of numbers, from which a run is continued.
 
 use super::matrix::Matrix;
 use super::pieces::Middle;
@@ -8,7 +8,7 @@ use super::state_errors::StateErrors;
 use crate::taylor::{Effort, Moment, System};
 
 impl StateErrors {
-    /// All that is carried from step to step; of a motion that is not determined any more, what is known of the last state that is.
+    /// All values that are passed from step to step; for a motion that is no longer determined, the values of the last determined state.
     #[must_use]
     pub fn to_numbers(&self) -> Vec<f64> {
         let mut numbers = vec![self.reached];
@@ -30,7 +30,7 @@ impl StateErrors {
         numbers
     }
 
-    /// The errors of a motion from this start that is continued; `None` where the numbers do not belong to such a motion.
+    /// The errors of a motion from this start that is continued; `None` if the numbers do not belong to such a motion.
     #[must_use]
     pub fn resumed(system: &System, start: &Moment, effort: &Effort, numbers: &[f64]) -> Option<Self> {
         let mut errors = Self::new(system, start, effort);

@@ -32,7 +32,7 @@ impl Matrix {
         self.entries.iter().all(|entry| entry.is_finite())
     }
 
-    /// Becomes the product of two others of its size.
+    /// Sets the matrix to the product of two others of its size.
     pub(in crate::taylor) fn set_product(&mut self, a: &Self, b: &Self) {
         let (a, b, product) = (&a.entries, &b.entries, &mut self.entries);
         match self.size {
@@ -44,7 +44,7 @@ impl Matrix {
         }
     }
 
-    /// Becomes its own transpose.
+    /// Transposes the matrix in place.
     pub(in crate::taylor) fn transpose(&mut self) {
         for row in 0..self.size {
             for column in 0..row {
@@ -78,7 +78,7 @@ fn multiply<const N: usize>(a: &[f64], b: &[f64], product: &mut [f64]) {
     }
 }
 
-/// Large matrices of oscillators next to each other are mostly empty.
+/// The product for large matrices, most of whose entries are zero in chains of oscillators.
 fn multiply_any(a: &[f64], b: &[f64], product: &mut [f64], size: usize) {
     for (a, product) in a.chunks_exact(size).zip(product.chunks_exact_mut(size)) {
         product.fill(0.0);

@@ -1,11 +1,11 @@
-//! Derivatives of time and state at the end of a motion with respect to the state there, where an event or a given time ends it.
+//! Derivatives of time and state at the end of a motion with respect to the state there, for an end at an event or at a given time.
 
 use super::crossing::{Crossing, Passing};
 use super::survey::Survey;
 use crate::taylor::program::linearised::ROUNDING;
 use crate::taylor::{Moment, System};
 
-/// The numbers of the state at the end and its time, the latter last: results of a survey.
+/// The components of the state at the end and then its time, as results of a survey.
 #[derive(Clone, Debug)]
 pub(in crate::taylor) struct Outcome {
     /// Derivatives of each result with respect to the state at that time.
@@ -15,7 +15,7 @@ pub(in crate::taylor) struct Outcome {
 }
 
 impl Outcome {
-    /// `None` where the formula of the event has no derivatives.
+    /// The outcome of a survey; `None` if the formula of the event has no derivatives.
     pub(in crate::taylor) fn new(system: &System, survey: &Survey) -> Option<Self> {
         let end = &survey.solution.end;
         let Some(event) = &survey.ending else { return Some(Self::at_given_time(end)) };
@@ -30,7 +30,7 @@ impl Outcome {
         Self { slopes: (0..=numbers).map(row).collect(), own }
     }
 
-    /// The time moves against the deviation of the formula over its rate, and the state with it.
+    /// The outcome for a passage: the time changes by minus the deviation of the formula divided by its rate, and the state with the time.
     fn of_passing(passing: &Passing, end: &Moment) -> Self {
         let time: Vec<f64> = passing.gradient.iter().map(|slope| -slope / passing.rate).collect();
         let late = (passing.error / passing.rate).abs() + ROUNDING * end.time.abs();

@@ -1,7 +1,7 @@
-//! Errors of a motion where a force jumps or bends.
+//! Errors of a motion at jumps and bends of forces.
 //!
-//! Where a force jumps as a formula g passes zero, deviations before and after differ by 1 + Δf·∇g/ġ, Δf being how much faster the state
-//! changes after it: R. I. Leine, H. Nijmeijer, *Dynamics and Bifurcations of Non-Smooth Mechanical Systems*, Springer 2004, section 7.
+//! If a force jumps when a formula g passes zero, deviations before and after differ by the factor 1 + Δf·∇g/ġ, where Δf is the jump of the rate
+//! of change of the state: R. I. Leine, H. Nijmeijer, *Dynamics and Bifurcations of Non-Smooth Mechanical Systems*, Springer 2004, section 7.
 
 use super::growth::{distance, growths};
 use super::matrix::Matrix;
@@ -11,7 +11,7 @@ use super::spread::Spread;
 use crate::taylor::program::linearised::Linearised;
 use crate::taylor::{AcceptedStep, System};
 
-/// The formulas and the last step, from which errors are carried over jumps and bends of forces.
+/// The formulas and the last step, from which errors are propagated over jumps and bends of forces.
 #[derive(Debug)]
 pub(in crate::taylor) struct Pieces {
     pub(in crate::taylor) formulas: Formulas,
@@ -28,7 +28,7 @@ pub(in crate::taylor) struct Pieces {
 #[derive(Debug)]
 pub(in crate::taylor) struct Middle {
     pub(in crate::taylor) step: RoundedStep,
-    /// The spread in its middle.
+    /// The spread in the middle of the step.
     pub(in crate::taylor) spread: Spread,
     /// Errors that the step has added.
     pub(in crate::taylor) added: Vec<f64>,
@@ -44,11 +44,11 @@ pub(in crate::taylor) struct Middle {
 /// The kind of transition between two steps.
 #[derive(Debug)]
 pub(in crate::taylor) enum Boundary {
-    /// Forces bend at most.
+    /// Forces are continuous, possibly with a bend.
     Smooth,
     /// A force jumps, at a time that is rounded.
     Jump { flow: Matrix, late: Vec<f64> },
-    /// Several do, or one where it hardly passes zero.
+    /// Several forces jump, or one whose argument hardly passes zero.
     Unknown,
 }
 
@@ -70,7 +70,7 @@ impl Middle {
         }
     }
 
-    /// The numbers that friction keeps at zero, whose signs are between those of motions.
+    /// The components that friction keeps at zero: the signs in their forces are between −1 and 1.
     pub(in crate::taylor) fn stuck(system: &System, signs: &[f64]) -> Vec<usize> {
         let stuck =
             |(modulus, sign): (usize, &f64)| system.driven_in_modulus(modulus).filter(|_| sign.abs() < 1.0);
@@ -89,7 +89,7 @@ impl Middle {
 }
 
 impl Pieces {
-    /// `None` where forces are smooth.
+    /// The data for a system; `None` if its forces are smooth.
     pub(in crate::taylor) fn of(system: &System) -> Option<Self> {
         let (coordinates, moduli) = (system.coordinates(), system.moduli());
         if moduli == 0 && system.passage().is_none() && !system.rests() {
@@ -106,7 +106,7 @@ impl Pieces {
         })
     }
 
-    /// The same behind others, the equations of which hold on both sides.
+    /// The same data with the last step of `before`, whose equations hold on both sides of the transition.
     pub(in crate::taylor) fn after(self, before: Option<Self>) -> Self {
         match before {
             Some(Self { plain, last, .. }) => Self { plain, last, ..self },
@@ -157,7 +157,7 @@ impl Pieces {
         Boundary::Jump { flow, late }
     }
 
-    /// The spread in the middle of the next step, from that in the middle of the last by motions next to each other.
+    /// The spread in the middle of the next step, computed from that in the middle of the last step by neighbouring motions.
     pub(in crate::taylor) fn grown(&mut self, next: &Middle) -> Spread {
         let Some(last) = &mut self.last else { return next.spread.clone() };
         let moments = [&last.step.middle, &next.step.middle];
@@ -181,5 +181,5 @@ impl Pieces {
 /// Smallest effect of a jump on a step, relative to the distance that a component covers; a smaller one is rounding.
 const SMALLEST_JUMP: f64 = 1e-10;
 
-/// Largest error of the time of a zero, relative to the adjacent steps, at which it is still passed.
+/// Largest error of the time of a zero, relative to the adjacent steps, at which the zero counts as passed.
 const LARGEST_PART: f64 = 1e-3;

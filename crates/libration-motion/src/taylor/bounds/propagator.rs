@@ -14,10 +14,10 @@ use crate::taylor::{Step, System};
 pub(in crate::taylor) struct Propagator {
     forces: Linearised,
     inputs: Vec<f64>,
-    /// Rounding errors of the accelerations and rates of change where they were evaluated last.
+    /// Rounding errors of the accelerations and rates of change at the last evaluation.
     pub(in crate::taylor) lost: Vec<f64>,
     rates: [Matrix; 3],
-    /// Coefficients of the quadratic polynomial that the rates form, multiplied by the time, and their commutators.
+    /// Coefficients of the quadratic polynomial of the rates of change, multiplied by the time, and their commutators.
     slope: Matrix,
     bend: Matrix,
     commutators: [Matrix; 2],
@@ -44,8 +44,8 @@ impl Propagator {
         }
     }
 
-    /// The derivatives of the state at one time of a step by that at another, to the sixth order in the time between; what the forces lose
-    /// by rounding where they are evaluated is noted.
+    /// The derivatives of the state at one time of a step by that at another, to the sixth order
+    /// in the time between; the rounding errors of the forces at the evaluation are stored.
     pub(in crate::taylor) fn between(
         &mut self,
         stepper: &Stepper<'_, 1>,
@@ -57,7 +57,7 @@ impl Propagator {
         self.go(stepper, step, times, flow, 0);
     }
 
-    /// Long ways, on which forces change much, in halves.
+    /// Propagates over an interval, which is halved if forces change much in it.
     fn go(
         &mut self,
         stepper: &Stepper<'_, 1>,
@@ -145,7 +145,7 @@ impl Propagator {
 
 const SQRT_15: f64 = 3.872983346207417;
 
-/// Returns whether the sum of the changes of all entries exceeds a part of the sum of their sizes.
+/// Returns `true` if the sum of the changes of all entries exceeds a fraction of the sum of their sizes.
 fn changes_much(before: &Matrix, after: &Matrix) -> bool {
     const PART: f64 = 0.25;
     let pairs = || before.entries.iter().zip(&after.entries);
@@ -174,12 +174,12 @@ fn set_inputs(stepper: &Stepper<'_, 1>, step: &Step<'_>, time: f64, inputs: &mut
     inputs.extend((0..stepper.surroundings.signs.len()).map(|modulus| sign_in_step(stepper, modulus)));
 }
 
-/// The sign with which the series of the step came about.
+/// The sign with which the series of the step was computed.
 pub(in crate::taylor) fn sign_in_step(stepper: &Stepper<'_, 1>, modulus: usize) -> f64 {
     stepper.block[stepper.expander.sign(&stepper.block, modulus)][0][0]
 }
 
-/// Returns whether friction keeps the argument of a |…| at zero: its sign is then between −1 and 1.
+/// Returns `true` if friction keeps the argument of a |…| at zero: its sign is then between −1 and 1.
 fn is_stuck(stepper: &Stepper<'_, 1>, modulus: usize) -> bool {
     sign_in_step(stepper, modulus).abs() < 1.0
 }

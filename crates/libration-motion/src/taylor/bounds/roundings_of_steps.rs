@@ -10,11 +10,12 @@ use crate::taylor::{AcceptedStep, Effort, Moment, Start, StateLayout, Step, Syst
 /// A step of a motion.
 #[derive(Clone, Debug)]
 pub(in crate::taylor) struct RoundedStep {
-    /// The state halfway.
+    /// The state in the middle of the step.
     pub(in crate::taylor) middle: Moment,
-    /// Error of each component at the end that was exact before, if the forces saw the whole state at the start; NaN where a formula has no value.
+    /// Error of each component at the end after an exact start, if the forces were
+    /// evaluated with the whole state at the start; NaN if a formula has no value.
     pub(in crate::taylor) errors: Vec<f64>,
-    /// Second words of the state at the start, which the forces do not see.
+    /// Second words of the state at the start, which do not enter the forces.
     pub(in crate::taylor) unseen: Vec<f64>,
     pub(in crate::taylor) length: f64,
     /// Rates of change of the components at the end.
@@ -23,7 +24,7 @@ pub(in crate::taylor) struct RoundedStep {
     pub(in crate::taylor) signs: Vec<f64>,
 }
 
-/// The first `most` steps from a start, or as many as there are.
+/// The first `most` steps from a start, or all if there are fewer.
 pub(in crate::taylor) fn rounded_steps(
     system: &System,
     start: &Start,
@@ -32,7 +33,7 @@ pub(in crate::taylor) fn rounded_steps(
     most: usize,
 ) -> Vec<RoundedStep> {
     let (mut steps, mut formulas): (Vec<RoundedStep>, _) = (vec![], Formulas::new(system));
-    // Broken off or not, these are the steps that were taken before.
+    // If the integration stops with an error, the steps before it are used all the same.
     let _ = integrate_from(system, start, &[last], effort, |accepted| {
         let step = RoundedStep::new(&mut formulas, accepted);
         if let Some(before) = steps.last_mut() {
@@ -58,7 +59,7 @@ impl RoundedStep {
         Self { middle, errors: errors(step, length, &forces), unseen, length, rates, signs }
     }
 
-    /// Adds the error of a change of signs in the next step, where forces jump or bend, and rates of change with them, at a time that is rounded.
+    /// Adds the error due to a change of signs in the next step, at which forces and rates of change jump or bend at a time that is rounded.
     pub(in crate::taylor) fn jump(&mut self, formulas: &mut Formulas, next: &Step<'_>, signs: &[f64]) {
         if self.signs != signs {
             let late = self.late(formulas, next, signs);
@@ -68,8 +69,8 @@ impl RoundedStep {
         }
     }
 
-    /// The error of the time at which the arguments of the signs are zero: it is found to the last bit of the step, and rounded, and a rounding
-    /// error of an argument shifts it by the time in which the argument changes by this error.
+    /// The error of the time at which the arguments of the signs are zero: the time is computed to the last bit of the step, and rounded, and a
+    /// rounding error of an argument shifts it by the time in which the argument changes by this error.
     fn late(&self, formulas: &mut Formulas, next: &Step<'_>, signs: &[f64]) -> f64 {
         const PART: f64 = 1.0 / 64.0;
         let apart = PART * (next.end() - next.start());
@@ -116,7 +117,7 @@ impl Formulas {
         [self.formulas.value(formula), self.formulas.error(formula)]
     }
 
-    /// The signs of what stands in each |…|, which may have others in it.
+    /// The signs of the arguments of each |…|, which may be nested.
     fn signs_at(&mut self, moment: &Moment) -> Vec<f64> {
         let mut signs = vec![1.0; self.moduli];
         for _ in 0..signs.len() {
@@ -136,7 +137,7 @@ impl Formulas {
 
 /// The rounding error of a step in each state component, given those of the forces.
 fn errors(step: &Step<'_>, length: f64, forces: &[f64]) -> Vec<f64> {
-    // The first power is exact but for the force in it, and that of a coordinate is its velocity, which is known in two words.
+    // The first power has no other error than that of the force; for a coordinate it is the velocity, which is known in two words.
     let first = |number: usize| if step.layout.velocity(number).is_some() { 3 } else { 2 };
     let mut errors: Vec<f64> =
         (0..step.numbers()).map(|number| ROUNDING * terms(step, number, first(number), length)).collect();
@@ -144,7 +145,7 @@ fn errors(step: &Step<'_>, length: f64, forces: &[f64]) -> Vec<f64> {
     errors
 }
 
-/// Adds the effect of a rounding of the forces.
+/// Adds the effect of rounding errors of the forces.
 pub(in crate::taylor) fn add_forces(step: &Step<'_>, length: f64, forces: &[f64], errors: &mut [f64]) {
     for (coordinate, force) in forces.iter().enumerate() {
         let driven = step.layout.driven(coordinate);
@@ -155,7 +156,7 @@ pub(in crate::taylor) fn add_forces(step: &Step<'_>, length: f64, forces: &[f64]
     }
 }
 
-/// The sum of the sizes of the terms of a number from a power on, so far from the start of the step.
+/// The sum of the sizes of the terms of a component from a power on, at a distance from the start of the step.
 pub(in crate::taylor) fn terms(step: &Step<'_>, number: usize, first: usize, length: f64) -> f64 {
     let h = (length / step.unit).abs();
     let horner = |sum: f64, n: usize| sum * h + step.coefficient(number, n).abs();
@@ -163,8 +164,8 @@ pub(in crate::taylor) fn terms(step: &Step<'_>, number: usize, first: usize, len
     (0..first).fold(sum, |sum, _| sum * h)
 }
 
-/// Adds the effect of a deviation of each state component that the forces do not see: all that the deviation causes except its own
-/// propagation.
+/// Adds the effect of a deviation of each state component that does not enter
+/// the forces: the whole effect of the deviation except its own propagation.
 pub(in crate::taylor) fn add_unseen(
     layout: &StateLayout,
     unseen: impl Fn(usize) -> f64,

@@ -1,9 +1,9 @@
-//! Errors of all samples and events of a motion that goes forward, backward or both ways.
+//! Errors of all samples and events of a motion that is integrated forward, backward or in both directions.
 
 use crate::taylor::{AcceptedStep, Effort, Gradients, Moment, MomentErrors, Occurrence, StateErrors, System};
 use std::collections::HashMap;
 
-/// The errors of the samples and events of a motion, which is integrated once they are made.
+/// The errors of the samples and events of a motion, created before the motion is integrated.
 ///
 /// # Examples
 /// ```
@@ -30,18 +30,18 @@ pub struct SampledErrors<'a> {
     start: Moment,
     effort: Effort,
     formulas: Option<Gradients>,
-    /// Before the start, and after it.
+    /// The errors before the start, and those after it.
     sides: [Option<StateErrors>; 2],
     /// The times of the samples in ascending order.
     times: Vec<f64>,
-    /// Errors by the bits of the times.
+    /// Errors by the bit patterns of the times.
     samples: HashMap<u64, MomentErrors>,
-    /// Errors by the bits of the times and the numbers of the formulas.
+    /// Errors by the bit patterns of the times and the indices of the formulas.
     events: HashMap<(u64, usize), MomentErrors>,
 }
 
 impl<'a> SampledErrors<'a> {
-    /// The errors at these times, of the state and of formulas of it.
+    /// The errors of the state and of formulas at these times.
     #[must_use]
     pub fn new(
         system: &'a System,
@@ -61,7 +61,7 @@ impl<'a> SampledErrors<'a> {
         new
     }
 
-    /// Takes the next step.
+    /// Updates the errors with the next step.
     pub fn follow(&mut self, accepted: &AcceptedStep<'_>) {
         let step = accepted.step();
         let side = usize::from(step.end() > step.start());
@@ -83,19 +83,19 @@ impl<'a> SampledErrors<'a> {
         self.sides[side] = Some(errors);
     }
 
-    /// The errors of the sample at a time; `None` where the motion is not determined.
+    /// The errors of the sample at a time; `None` if the motion is not determined.
     #[must_use]
     pub fn of_sample(&self, time: f64) -> Option<&MomentErrors> {
         self.samples.get(&time.to_bits())
     }
 
-    /// The errors of an event; `None` where the motion is not determined.
+    /// The errors of an event; `None` if the motion is not determined.
     #[must_use]
     pub fn of_event(&self, event: &Occurrence) -> Option<&MomentErrors> {
         self.events.get(&(event.time.to_bits(), event.event))
     }
 
-    /// The errors of the side that is determined for less time, at its end.
+    /// The errors before or after the start, whichever part of the motion is determined for a shorter time, at the end of this part.
     #[must_use]
     pub fn worse(&self) -> Option<&StateErrors> {
         let reach = |errors: &&StateErrors| errors.determined_until().map_or(f64::INFINITY, f64::abs);

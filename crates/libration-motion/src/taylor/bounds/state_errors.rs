@@ -1,11 +1,11 @@
 //! Errors of each state component, along the steps of its motion.
 //!
 //! # Method
-//! Errors are carried forward with the steps: the roundings of a step, as in `ending.rs`, and the truncation of its series, estimated from the
-//! sizes of its last terms (`sizes_of_terms.rs`). Each is propagated by the linearised equations, whose flow over a step is the exponential of
-//! Magnus's series at three Gauss nodes (`propagator.rs`). The covariance of all errors (`spread.rs`) times the number of steps bounds a sum of
-//! errors of the same sign. Where a force jumps, deviations change by a saltation matrix; where that does not hold, by differences of neighbouring
-//! motions (`pieces.rs`). The cost is two to ten microseconds a step.
+//! Errors are propagated with the steps: the rounding errors of a step, as in `ending.rs`, and the truncation error of its series, estimated
+//! from the sizes of the last terms (`sizes_of_terms.rs`). Each error is propagated by the linearised equations, whose flow over a step is the
+//! exponential of Magnus's series at three Gauss nodes (`propagator.rs`). The covariance of all errors (`spread.rs`) times the number of steps
+//! bounds a sum of errors of the same sign. At a jump of a force, deviations change by a saltation matrix; if that is not valid, by differences
+//! of neighbouring motions (`pieces.rs`). The cost is two to ten microseconds per step.
 
 use std::sync::Arc;
 
@@ -21,18 +21,18 @@ use crate::taylor::program::linearised::{ROUNDING, half_ulp};
 use crate::taylor::step::sizes_of_terms::SizesOfTerms;
 use crate::taylor::{AcceptedStep, Contact, Effort, Moment, StateLayout, Step, System};
 
-/// The errors of a motion, which goes through its steps with it.
+/// The errors of a motion, updated with each of its steps.
 ///
 /// # Accuracy
-/// An estimate, no proven bound. Two errors of each step are added up: what its series leave out, guessed from their last terms, and what
-/// rounding takes, bounded from the terms and from each operation of the forces. Small deviations carry them on, by the linearised equations
-/// of motion, or beside jumps and bends of a force by motions that begin a little apart. The sum is that of errors of the same sign: by the
-/// inequality of Cauchy and Schwarz the root of the number of steps times the sum of squares. Of 60 chaotic and regular motions every
-/// sample is inside its error, which is some hundred times the actual one in the median. Motions that pass next
-/// to a saddle again and again have larger ones, since errors of the same sign are never taken to cancel there.
+/// An estimate, not a proven bound. Two errors of each step are added up: the truncation error of its series, estimated from the last terms, and
+/// the rounding errors, bounded from the terms and from each operation of the forces. They are propagated like small deviations, by the
+/// linearised equations of motion, or next to jumps and bends of a force by motions that begin a small distance apart. The sum is that of errors
+/// of the same sign: by the inequality of Cauchy and Schwarz the square root of the number of steps times the sum of squares. In 60 chaotic and
+/// regular motions the actual error of every sample is below the estimate, which is some hundred times as large in the median. Motions that pass
+/// next to a saddle again and again have larger estimates, since errors of the same sign are never assumed to cancel there.
 ///
-/// Where the error of a number exceeds a tenth of the largest size that it has had, the motion is not determined any more, and no errors
-/// are given from there on.
+/// If the error of a component exceeds a tenth of its largest size so far, the
+/// motion is no longer determined, and no errors are given from that time on.
 ///
 /// # Examples
 /// ```
@@ -54,10 +54,10 @@ use crate::taylor::{AcceptedStep, Contact, Effort, Moment, StateLayout, Step, Sy
 pub struct StateErrors {
     pub(in crate::taylor) start: Moment,
     tolerance: f64,
-    /// Layout of the equations that hold now; a component that comes to rest changes them.
+    /// Layout of the present equations; they change when a component comes to rest.
     layout: Arc<StateLayout>,
     propagator: Propagator,
-    /// `true` if steps may pass places where a force has no series.
+    /// `true` if steps may pass positions at which a force has no series.
     passes: bool,
     /// Forces with jumps and bends.
     pub(in crate::taylor) pieces: Option<Pieces>,
@@ -71,9 +71,9 @@ pub struct StateErrors {
     bounds: [Vec<f64>; 2],
     /// Errors that the last step has added.
     added: Vec<f64>,
-    /// Room for the derivatives of the state.
+    /// Buffer for the derivatives of the state.
     flow: Matrix,
-    /// The largest sizes so far.
+    /// The largest size of each component so far.
     pub(in crate::taylor) scales: Vec<f64>,
     /// The time of the last state that is determined.
     pub(in crate::taylor) reached: f64,
@@ -81,7 +81,7 @@ pub struct StateErrors {
 }
 
 impl StateErrors {
-    /// Most components of a state whose errors are worth their time, which goes with the third power of the number.
+    /// Maximum number of state components for which errors are computed; the time of this computation grows with the third power of the number.
     pub const MOST_COMPONENTS: usize = 64;
 
     /// The errors of a motion that begins exactly in this state.
@@ -116,7 +116,7 @@ impl StateErrors {
         Self { formulas: Some(formulas), ..self }
     }
 
-    /// The error of each number of the state at a time of the last step, or at the start; `None` where the motion is not determined.
+    /// The error of each state component at a time of the last step, or at the start; `None` if the motion is not determined.
     #[must_use]
     pub fn at(&self, moment: &Moment) -> Option<Vec<f64>> {
         if self.is_lost {
@@ -125,13 +125,13 @@ impl StateErrors {
         if (moment.time - self.start.time).abs() <= 0.0 {
             return Some(vec![0.0; self.scales.len()]);
         }
-        // Inside a step errors hardly exceed those at its ends.
+        // Inside a step, errors hardly exceed the errors at its ends.
         let [before, after] = &self.bounds;
         let bounds = before.iter().zip(after).zip(&moment.state);
         Some(bounds.map(|((a, b), value)| a.max(*b) + ROUNDING * value.abs()).collect())
     }
 
-    /// The time of the last state that is determined in double precision; `None` while all are.
+    /// The time of the last state that is determined in double precision; `None` as long as all are.
     #[must_use]
     pub fn determined_until(&self) -> Option<f64> {
         self.is_lost.then_some(self.reached)
@@ -148,7 +148,7 @@ impl StateErrors {
         Moment { time: self.reached, state: (0..flow.size).map(effect).collect() }
     }
 
-    /// Takes the next step.
+    /// Updates the errors with the next step.
     pub fn follow(&mut self, accepted: &AcceptedStep<'_>) {
         let (stepper, step) = (accepted.stepper(), accepted.step());
         let end = accepted.ended_at().unwrap_or(step.end());
@@ -199,7 +199,7 @@ impl StateErrors {
         self.pieces = Pieces::of(system).map(|pieces| pieces.after(before));
     }
 
-    /// A step of smooth forces.
+    /// Propagates the errors over a step of smooth forces.
     fn go(&mut self, stepper: &Stepper<'_, 1>, step: &Step<'_>, end: f64) {
         let length = end - step.start();
         self.propagator.between(stepper, step, [step.start(), end], &mut self.flow);
@@ -210,7 +210,7 @@ impl StateErrors {
         self.spreads[1].blur(&self.added);
     }
 
-    /// A step from its start to its middle, and on to its end, with whatever forces have done where it begins.
+    /// Propagates the errors from the start of a step to its middle, and on to its end, including a jump or bend of forces at its start.
     fn go_by_halves(&mut self, pieces: &mut Pieces, accepted: &AcceptedStep<'_>, end: f64, is_new: bool) {
         let (stepper, step) = (accepted.stepper(), accepted.step());
         let mut middle = Middle::new(&mut pieces.formulas, accepted, end);
@@ -242,17 +242,17 @@ impl StateErrors {
         pieces.last = Some(middle);
     }
 
-    /// Sets the errors that a step adds: the terms that its series leaves out, and this part of its terms.
+    /// Sets the errors that a step adds: the truncation of its series, and a fraction `rounding` of its terms.
     fn set_added(&mut self, step: &Step<'_>, length: f64, rounding: f64) {
         for (number, added) in self.added.iter_mut().enumerate() {
             let sizes = SizesOfTerms::new(step, number, length);
-            // Steps over places without a series have two terms and an error of their own.
+            // Steps that pass a position without a series have two terms and a separate error.
             let own = || if self.passes { self.tolerance * terms(step, number, 1, length) } else { 0.0 };
             *added = rounding * sizes.rounded + sizes.left_out.unwrap_or_else(own);
         }
     }
 
-    /// Adds what forces do not see of the state in a part of a step.
+    /// Adds the effect of the second words of the state, which do not enter the forces, in a part of a step.
     fn add_unseen(&mut self, step: &Step<'_>, length: f64) {
         add_unseen(&self.layout, |number| step.low(number).abs(), &self.flow, length, &mut self.added);
     }
@@ -276,8 +276,8 @@ impl StateErrors {
         }
     }
 
-    /// The largest size of a number so far. One that has hardly left zero is compared with what makes a billionth of its velocity, or of its
-    /// coordinate, in a step of this length.
+    /// The largest size of a component so far. A component that has hardly left zero is compared with a billionth of its velocity times the
+    /// length of the step or, for a velocity, of its coordinate divided by that length.
     fn size_of(&self, number: usize, length: f64) -> f64 {
         const PART: f64 = 1e-9;
         let layout = &self.layout;
@@ -291,7 +291,7 @@ impl StateErrors {
         self.scales[number].max(PART * other)
     }
 
-    /// Keeps the errors at the end of the last step.
+    /// Stores the errors at the end of the last step.
     pub(in crate::taylor) fn keep_bounds(&mut self) {
         let (scale, spread) = (self.steps.sqrt(), &self.spreads[1]);
         self.bounds[1].iter_mut().enumerate().for_each(|(number, bound)| *bound = scale * spread.of(number));

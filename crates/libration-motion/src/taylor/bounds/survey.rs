@@ -1,4 +1,4 @@
-//! A motion gone through once, so that its steps can be gone through again from the last to the first.
+//! A motion integrated once, so that its steps can be visited again from the last to the first.
 
 use std::ops::ControlFlow;
 
@@ -10,16 +10,16 @@ use crate::taylor::{
 /// Starts from which a motion can be resumed, and its end.
 #[derive(Debug)]
 pub(in crate::taylor) struct Survey {
-    /// Stretches of some thousand steps, from whose starts it can be resumed.
+    /// Stretches of some thousand steps, from whose starts the motion can be resumed.
     pub(in crate::taylor) stretches: Vec<Stretch>,
     pub(in crate::taylor) solution: Solution,
-    /// The event that ended it.
+    /// The event that ended the motion.
     pub(in crate::taylor) ending: Option<Occurrence>,
     /// The sum of the magnitudes of all terms of each state component in the last step.
     pub(in crate::taylor) sizes: Vec<f64>,
 }
 
-/// Some steps that follow each other.
+/// Some consecutive steps.
 #[derive(Debug)]
 pub(in crate::taylor) struct Stretch {
     pub(in crate::taylor) start: Start,
@@ -33,7 +33,7 @@ impl Survey {
         last: f64,
         effort: &Effort,
     ) -> Result<Self, IntegrationError> {
-        /// Number of steps that are kept at a time: those of most motions, in a few megabytes.
+        /// Number of steps stored at a time: those of most motions, in a few megabytes.
         const STEPS: usize = 4096;
         let start = Start::State(start.clone());
         let (mut stretches, mut ending, mut sizes) = (vec![], None, vec![]);

@@ -1,4 +1,4 @@
-//! An integration that can be resumed: what each step brings.
+//! An integration that can be resumed, and the results of each of its steps.
 
 use std::ops::ControlFlow;
 
@@ -30,7 +30,7 @@ impl<'a> AcceptedStep<'a> {
         &self.taken.step
     }
 
-    /// The events in it, in their order.
+    /// The events in the step, in the order of the integration.
     #[must_use]
     pub fn events(&self) -> &'a [Occurrence] {
         self.taken.solution.new_events()
@@ -42,13 +42,13 @@ impl<'a> AcceptedStep<'a> {
         self.taken.solution.ended_at()
     }
 
-    /// The motion in its only lane.
+    /// The stepper, whose only lane contains the motion.
     pub(in crate::taylor) fn stepper(&self) -> &'a Stepper<'a, 1> {
         self.taken.stepper
     }
 
-    /// Its end, to be gone on from; `None` when this or an earlier step ended only because the last of the times is so near,
-    /// and on the way to later times would have ended elsewhere, and where an event ended it.
+    /// The checkpoint at the end of the step; `None` if this or an earlier step was shortened only because the last of the times is near, so
+    /// that with later times it would have ended elsewhere, and if an event ended the step.
     #[must_use]
     pub fn checkpoint(&self) -> Option<Checkpoint> {
         if self.ended_at().is_some() {
@@ -60,8 +60,8 @@ impl<'a> AcceptedStep<'a> {
     }
 }
 
-/// Integrates as [`integrate`](crate::taylor::integrate) does, from a state or from a checkpoint; the numbers that follow are the same,
-/// bit for bit. The function `each` receives what each step brings.
+/// Integrates like [`integrate`](crate::taylor::integrate), from a state or from a checkpoint; after a
+/// checkpoint the results are the same, bit for bit. The function `each` is called with each accepted step.
 ///
 /// # Errors
 /// As [`integrate`](crate::taylor::integrate), or a checkpoint of another system.

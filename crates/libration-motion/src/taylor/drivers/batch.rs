@@ -1,4 +1,4 @@
-//! A batch of trajectories, as many at a time as there are lanes.
+//! A batch of trajectories, integrated in lanes.
 
 use std::ops::ControlFlow;
 
@@ -39,7 +39,7 @@ impl<const N: usize> Observer<'_, N> {
     }
 }
 
-/// A step that one motion has taken, in its lane.
+/// A step of one motion, in its lane.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::taylor) struct LaneStep<'s, const N: usize> {
     pub(in crate::taylor) step: Step<'s>,
@@ -55,12 +55,12 @@ impl<'a, const N: usize> Batch<'a, N> {
         Self { system, effort: *effort, stepper, solutions, checkpoint: None }
     }
 
-    /// The same, for motions that go on from a checkpoint.
+    /// The same batch, for motions that continue from a checkpoint.
     pub(in crate::taylor) fn resumed_from(self, checkpoint: Option<&'a Checkpoint>) -> Self {
         Self { checkpoint, ..self }
     }
 
-    /// All motions to their ends.
+    /// Integrates all motions to their ends.
     pub(in crate::taylor) fn integrate(
         &mut self,
         trajectories: &'a [Trajectory<'_>],
@@ -121,7 +121,7 @@ impl<'a, const N: usize> Batch<'a, N> {
             .collect()
     }
 
-    /// Puts a motion into a lane; the outcome when it has no way to go.
+    /// Puts a motion into a lane; returns its outcome if there is nothing to integrate.
     fn start(&mut self, lane: usize, number: usize, trajectory: &'a Trajectory<'_>) -> Result<(), Outcome> {
         let Effort { relative, absolute, .. } = self.effort;
         trajectory.check(self.system).map_err(Err)?;
@@ -147,7 +147,8 @@ impl<'a, const N: usize> Batch<'a, N> {
     }
 }
 
-/// The outcome of a motion that goes no further, unless it has come to rest in a number of its state: then it goes on by itself.
+/// The outcome of a motion that cannot be continued in the lanes; if a state
+/// component has come to rest, the motion is continued outside of them.
 fn conclude<const N: usize>(
     end: End,
     mut solution: PartialSolution<'_>,
@@ -202,7 +203,7 @@ impl End {
 }
 
 impl<const N: usize> Lane<'_, N> {
-    /// Takes the next step of a motion; its end when that is the last one.
+    /// Takes the next step of a motion; returns the end if that is the last step.
     fn advance(
         &self,
         solution: &mut PartialSolution<'_>,

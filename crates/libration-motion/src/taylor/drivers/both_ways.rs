@@ -8,11 +8,11 @@ use crate::taylor::{
 };
 use libration_numbers::expression::WithoutValue;
 
-/// Integrates a system from a state to times on both sides of it, in ascending order: first backward, then forward; the function `each`
-/// receives each step. Samples and events are in the order of time, in which events rise and fall too.
+/// Integrates a system from a state to times on both sides of it, in ascending order: first backward, then forward; the function `each` receives
+/// each step. Samples and events are in the order of time, which also defines rising and falling events.
 ///
 /// # Errors
-/// As [`integrate`](crate::taylor::integrate()), with what was computed until then.
+/// As [`integrate`](crate::taylor::integrate()), with the results until then.
 ///
 /// # Examples
 /// ```
@@ -42,7 +42,7 @@ pub fn integrate_both_ways(
     let beginning = Start::State(start.clone());
     let backward = match seen_backward(system) {
         Ok(backward) => integrate_from(&backward, &beginning, &before, effort, &mut each),
-        // It had values when it was made.
+        // The system had values at its creation.
         Err(_) => integrate_from(system, &beginning, &before, effort, &mut each),
     };
     let before = backward.map(reversed).map_err(|error| with_solution(error, reversed))?;
@@ -53,7 +53,7 @@ pub fn integrate_both_ways(
     }
 }
 
-/// The same system, with events that count as they do in the order of time.
+/// The same system, with events whose directions count in the order of time.
 fn seen_backward(system: &System) -> Result<System, WithoutValue> {
     let turned = |event: &Event| Event {
         direction: match event.direction {
@@ -67,7 +67,7 @@ fn seen_backward(system: &System) -> Result<System, WithoutValue> {
     system.clone().with_events(&events)
 }
 
-/// Puts a backward solution in the order of time; events at the start are found by the forward one.
+/// Puts a backward solution into the order of time; events at the start are found by the forward integration.
 fn reversed(mut solution: Solution) -> Solution {
     solution.samples.reverse();
     solution.events.retain(|event| event.contact != Contact::Start);

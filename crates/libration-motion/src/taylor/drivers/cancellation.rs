@@ -1,7 +1,7 @@
 //! Steps in which large terms cancel.
 //!
-//! Of (1 − t/10)¹⁰ the series ends, and no coefficient tells how far a step may go; but its terms are a thousand times as large as what they
-//! sum up to, and so are their roundings. Where a power comes to its zero motions are of this kind.
+//! The series of (1 − t/10)¹⁰ is finite, and no coefficient limits the step; but the terms are a thousand times as large as their sum, and so
+//! are their rounding errors. Such motions occur where a power tends to zero.
 
 use super::stepper::{Stepper, unit_for};
 use crate::taylor::step::largest_change::largest_change;
@@ -10,7 +10,7 @@ use crate::taylor::step::largest_change::largest_change;
 const MOST: f64 = 32.0;
 
 impl<const N: usize> Stepper<'_, N> {
-    /// The end of a step, or one nearer to its start, so that what is lost by cancellation is little.
+    /// The end of a step, or an earlier time, so that the error by cancellation is small.
     pub(in crate::taylor) fn end_before_cancellation(&mut self, lane: usize, end: f64) -> f64 {
         const HALVINGS: usize = 64;
         let start = self.block.start[lane];
@@ -24,7 +24,7 @@ impl<const N: usize> Stepper<'_, N> {
         nearer
     }
 
-    /// Returns whether cancellation occurs in a step of this length, in units of the block.
+    /// Returns `true` if cancellation occurs in a step of this length, in units of the block.
     fn cancels(&self, lane: usize, length: f64) -> bool {
         const LOOKS: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
         let layout = self.block.layout();

@@ -6,13 +6,13 @@ use crate::taylor::{Effort, IntegrationError, Moment, OwnedStep, Step, System, i
 
 /// A motion as the polynomials of all its steps, from which the state at every time between its ends follows.
 ///
-/// It takes 8 bytes for each coefficient: some 30 of them for each number of the state, in each step, at the tolerance 1e-15.
+/// The solution takes 8 bytes for each coefficient: some 30 coefficients for each state component, in each step, at the tolerance 1e-15.
 #[derive(Clone, Debug, Default)]
 pub struct DenseSolution {
     steps: Vec<OwnedStep>,
 }
 
-/// Integrates as [`integrate`](crate::taylor::integrate()) does, from a state to a time, and keeps all steps.
+/// Integrates like [`integrate`](crate::taylor::integrate()), from a state to a time, and stores all steps.
 ///
 /// # Errors
 /// As [`integrate`](crate::taylor::integrate()).
@@ -49,7 +49,7 @@ impl DenseSolution {
         self.steps.push(step.to_owned_step());
     }
 
-    /// The times of the start and of the end; `None` where there are no steps.
+    /// The times of the start and of the end; `None` if there are no steps.
     #[must_use]
     pub fn span(&self) -> Option<[f64; 2]> {
         Some([self.steps.first()?.step().start(), self.steps.last()?.step().end()])
@@ -75,7 +75,7 @@ impl DenseSolution {
         Some(self.step_at(time)?.state_at(time))
     }
 
-    /// The step in which the time is, or the nearest one.
+    /// The step that contains the time, or the nearest one.
     pub(crate) fn step_at(&self, time: f64) -> Option<Step<'_>> {
         let [start, end] = self.span()?;
         let place = self.steps.partition_point(|step| match end < start {
@@ -87,7 +87,7 @@ impl DenseSolution {
 }
 
 impl From<Vec<OwnedStep>> for DenseSolution {
-    /// Steps that follow each other.
+    /// The solution that consists of consecutive steps.
     fn from(steps: Vec<OwnedStep>) -> Self {
         Self { steps }
     }

@@ -1,6 +1,6 @@
-//! Ensembles: many motions of one system that advance together, and give their states at one time after the other.
+//! Ensembles: many motions of one system that are integrated together, and whose states are requested at one time after another.
 //!
-//! Each motion keeps the step that it is in. Those whose steps end before the time that is requested go on side by side in lanes.
+//! Each motion keeps its present step. Those whose steps end before the requested time are integrated side by side in lanes.
 
 use super::stepper::Stepper;
 use super::trajectory::Trajectory;
@@ -8,10 +8,11 @@ use crate::taylor::{Cause, Checkpoint, Effort, IntegrationError, LANES, Moment, 
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::{Interrupted, Progress, Stage};
 
-/// Many motions of a system, from t = 0 or whenever they start, whose end is open.
+/// Many motions of a system, from t = 0 or other initial times, without a final time.
 ///
 /// # Accuracy
-/// As [`integrate`](crate::taylor::integrate()) with the same effort: where steps do not end for the last of the times, the same bits.
+/// As [`integrate`](crate::taylor::integrate()) with the same effort; the results are
+/// the same bit for bit, except for steps of `integrate` that end at its last time.
 ///
 /// # Examples
 /// ```
@@ -34,7 +35,7 @@ pub struct Ensemble {
     members: Vec<Member>,
 }
 
-/// One motion: where it is known, and how it goes on.
+/// One motion: its present step and the data from which it continues.
 #[derive(Clone, Debug)]
 struct Member {
     known: Known,
@@ -54,14 +55,14 @@ enum Way {
     Ended(Cause),
 }
 
-/// No step ends later.
+/// Goal of all steps, which is never reached.
 const HORIZON: f64 = 1e15;
 
 impl Ensemble {
     /// The motions from these states.
     ///
     /// # Errors
-    /// A system with open parameters; a start or a tolerance that cannot be.
+    /// A system with open parameters; a start or a tolerance that is not allowed.
     pub fn new(system: System, starts: &[Moment], effort: &Effort) -> Result<Self, IntegrationError> {
         let Effort { relative, absolute, .. } = *effort;
         if !effort.is_possible() {
@@ -80,22 +81,23 @@ impl Ensemble {
         self.members.len()
     }
 
-    /// Returns whether there are no motions.
+    /// Returns `true` if there are no motions.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.members.is_empty()
     }
 
-    /// The system whose motions they are.
+    /// The common system of the motions.
     #[must_use]
     pub fn system(&self) -> &System {
         &self.system
     }
 
-    /// The states at a time, one behind the other: of each motion what [`System::state_names`] names; NaN before its start and behind its
-    /// end, and where it has been requested later times before.
+    /// The states at a time, in one array, motion by motion: for each motion the components named by [`System::state_names`]; NaN before its
+    /// start and after its end, and if a later time was requested of it before.
     ///
-    /// `progress` has the number of motions that have reached the time. A cancelled call keeps what was done, and another call continues it.
+    /// `progress` is called with the number of motions that have reached the time. A
+    /// cancelled call keeps the steps so far, and another call continues from them.
     ///
     /// # Errors
     /// The call is cancelled.
@@ -149,7 +151,7 @@ fn step(stepper: &mut Stepper<'_, LANES>, members: &mut [Member], group: &[usize
 }
 
 impl Member {
-    /// Brings the motion into a lane.
+    /// Puts the motion into a lane.
     fn begin(&self, stepper: &mut Stepper<'_, LANES>, lane: usize) {
         match (&self.way, &self.known) {
             (Way::From(checkpoint), _) => {

@@ -1,9 +1,9 @@
-//! Formulas of the state and the time with their gradients, and their errors from those of the state.
+//! Formulas of the state and the time with their gradients, and the errors of their values from those of the state.
 //!
 //! # Method
-//! To first order, the errors of a state change a formula by its gradient; the caller takes it with their covariance, so that errors along a motion
-//! leave its energy as it is. The rest is found where one component is off by its error: what the formula itself changes besides, and half the
-//! change of its other derivatives. Roundings of the formula are bounded operation by operation.
+//! To first order, the errors of a state change a formula by its gradient; the caller multiplies this by the covariance of the errors, so that
+//! errors along a motion do not change its energy. The remaining error is computed with one component displaced by its error: the change of the
+//! formula beyond first order, and half the change of its other derivatives. Rounding errors of the formula are bounded operation by operation.
 
 use crate::taylor::program::linearised::{Linearised, ROUNDING};
 use crate::taylor::{Moment, Sensitivities};
@@ -14,13 +14,13 @@ use libration_numbers::internals::expression::Tape;
 pub struct Gradients {
     linearised: Linearised,
     formulas: usize,
-    /// The index in the integrated state of each component that the formulas know.
+    /// The index in the integrated state of each component that the formulas can contain.
     places: Vec<usize>,
     /// The inputs that occur in the formulas.
     inputs: Vec<usize>,
 }
 
-/// The values of all formulas at one point, with the bounds of their roundings and their derivatives.
+/// The values of all formulas at one point, with the bounds of their rounding errors and their derivatives.
 struct Evaluated {
     values: Vec<f64>,
     roundings: Vec<f64>,
@@ -35,7 +35,7 @@ impl Gradients {
         Self { linearised, formulas, places: (0..components).collect(), inputs }
     }
 
-    /// The same formulas where the state is integrated with its sensitivities.
+    /// The same formulas for a state that is integrated together with its sensitivities.
     #[must_use]
     pub fn among(self, sensitivities: &Sensitivities) -> Self {
         let places = (0..self.places.len()).map(|component| sensitivities.place(0, component)).collect();
@@ -47,14 +47,14 @@ impl Gradients {
         self.formulas
     }
 
-    /// The bounds of the roundings of the formulas at this moment.
+    /// The bounds of the rounding errors of the formulas at this moment.
     pub(in crate::taylor) fn roundings(&mut self, at: &Moment) -> Vec<f64> {
         let inputs = self.inputs_at(at);
         self.evaluated(&inputs).roundings
     }
 
-    /// The errors of the formulas where time and state have these errors; `first_order` has the errors to first order from the derivatives with
-    /// respect to the state and to the time.
+    /// The errors of the formulas for these errors of time and state; `first_order` contains the
+    /// errors to first order from the derivatives with respect to the state and to the time.
     pub(in crate::taylor) fn errors(
         &mut self,
         at: &Moment,
@@ -74,7 +74,7 @@ impl Gradients {
                 rest.iter_mut().enumerate().for_each(|(formula, rest)| {
                     let [above, below] = &sides;
                     let of_side = |side| here.left_by_first_order(side, formula, input, &inputs, &off);
-                    // Next to the end of its domain a formula has values on one side.
+                    // Next to the boundary of its domain a formula has values on one side only.
                     *rest += of_side(above).max(of_side(below));
                 });
             }
@@ -103,7 +103,7 @@ impl Gradients {
         let of = &self.linearised;
         Evaluated {
             values: (0..self.formulas).map(|formula| of.value(formula)).collect(),
-            // Functions of the library and of the series that print the value may differ by a rounding.
+            // The library and the series that compute the printed value may differ by a rounding error.
             roundings: (0..self.formulas).map(|formula| 2.0 * of.error(formula)).collect(),
             slopes: (0..self.formulas).map(|formula| of.slopes(formula).to_vec()).collect(),
         }
@@ -111,7 +111,7 @@ impl Gradients {
 }
 
 impl Evaluated {
-    /// The part of the change of a formula from here to a side, where one input differs by its error, that its derivatives do not explain.
+    /// The part of the change of a formula, with one input displaced to one side by its error, that its derivatives do not explain.
     fn left_by_first_order(
         &self,
         side: &Self,

@@ -9,24 +9,24 @@ use crate::taylor::{Effort, IntegrationError, Step, System};
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Progress;
 
-/// Integrates a system from a state to the states at some times, which are all after the start or all before it, one
-/// behind the other.
+/// Integrates a system from a state to the states at some times, which are all
+/// after the start in ascending order, or all before it in descending order.
 ///
 /// # Accuracy
-/// Each step errs by less than the tolerance of [`Effort`]. What becomes of these errors is a matter of the system: the
-/// pendulum's phase gathers them like the square of the time, near an unstable equilibrium they grow exponentially.
-/// States go in two words from step to step, and times are exact, so that sums of many steps lose nothing; but the
-/// accelerations see each coordinate rounded to one word, of which an angle of a thousand turns loses four digits.
+/// The error of each step is less than the tolerance of [`Effort`]. The propagation of these errors depends on the system: the error of a
+/// pendulum's phase grows like the square of the time, near an unstable equilibrium errors grow exponentially. States are carried in two words
+/// from step to step, and times are exact, so that sums of many steps lose no digits; but the accelerations are evaluated with each coordinate
+/// rounded to one word, by which an angle of a thousand turns loses four digits.
 ///
-/// A step ends where the argument of an absolute value changes its sign, at the nearest `f64`, and the other branch continues. A power of it that is
-/// not whole may have no series there, as |x|^1.5 and √|x′| at zero: one short step, whose end is found by Picard's iteration, passes the zero. A
-/// component that such a force brings to zero and leaves there, as x′ = −√|x|·sign(x) and x″ = −x′/√|x′| do, stays zero. Other formulas that are not
-/// analytic, such as √(x²) at zero, stop the integration, and so does the end of a formula, such as that of e^(−1/x) at zero, however little of it
-/// the motion feels before; √(x² + ε²) with a tiny ε is followed round its bend in small steps. A singularity that is removable, as that of
-/// sin(x)/x, is passed.
+/// A step ends where the argument of an absolute value changes its sign, at the nearest `f64`, and the other branch continues. A
+/// power of it that is not an integer may have no series there, as |x|^1.5 and √|x′| at zero: one short step, whose end is computed
+/// by Picard's iteration, passes the zero. A component that such a force brings to zero and leaves there, as x′ = −√|x|·sign(x) and
+/// x″ = −x′/√|x′| do, stays zero. Other formulas that are not analytic, such as √(x²) at zero, stop the integration, and so does
+/// the boundary of a formula's domain, such as that of e^(−1/x) at zero, however small the effect on the motion before it; √(x² +
+/// ε²) with a tiny ε is integrated around its bend in small steps. A removable singularity, such as that of sin(x)/x, is passed.
 ///
 /// # Errors
-/// A start, times or tolerances that cannot be; a singularity, the step limit or cancellation, with what was computed until then.
+/// A start, times or tolerances that are not allowed; a singularity, the step limit or cancellation, with the results until then.
 ///
 /// # Examples
 /// ```
@@ -49,10 +49,10 @@ pub fn integrate(
     Trajectory { start: start.clone(), parameters: vec![], times }.integrate(system, effort, progress)
 }
 
-/// Integrates as [`integrate`] does; the function `each` receives each step, and may end the integration.
+/// Integrates like [`integrate`]; the function `each` receives each step, and may end the integration.
 ///
 /// # Errors
-/// As [`integrate`]. [`Cause::Interrupted`](crate::taylor::Cause::Interrupted) where `each` ends it.
+/// As [`integrate`]. [`Cause::Interrupted`](crate::taylor::Cause::Interrupted) if `each` ends the integration.
 ///
 /// # Examples
 /// ```
@@ -61,7 +61,7 @@ pub fn integrate(
 /// use std::ops::ControlFlow;
 /// let system = System::new(&"x'' + x = 0".parse()?)?;
 /// let start = system.start(&[("x", 1.0)])?;
-/// // Until x is negative for the first time.
+/// // Stops at the end of the first step after which x is negative.
 /// let stopped = integrate_stepwise(&system, &start, &[100.0], &Effort::to_tolerance(1e-12), |step| {
 ///     if step.state_at(step.end())[0] < 0.0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 /// });
@@ -80,7 +80,7 @@ pub fn integrate_stepwise(
 }
 
 impl Trajectory<'_> {
-    /// The motion from here, as [`integrate`] gives it.
+    /// The motion of this trajectory, as computed by [`integrate`].
     ///
     /// # Errors
     /// As [`integrate`], or parameters that do not fit the system.
@@ -93,7 +93,7 @@ impl Trajectory<'_> {
         one(system, self, effort, Observer::Progress(Watch::new(progress)))
     }
 
-    /// The motion from here, as [`integrate_stepwise`] gives it.
+    /// The motion of this trajectory, as computed by [`integrate_stepwise`].
     ///
     /// # Errors
     /// As [`integrate_stepwise`], or parameters that do not fit the system.
@@ -107,11 +107,11 @@ impl Trajectory<'_> {
     }
 }
 
-/// Integrates many motions of a system, several of them side by side in the lanes of vector registers. Each is bit for bit
-/// the one that [`Trajectory::integrate`] gives. `progress` has the number of finished motions.
+/// Integrates many motions of a system, several of them side by side in the lanes of vector registers. Each result is bit for bit that of
+/// [`Trajectory::integrate`]. `progress` is called with the number of finished motions.
 ///
 /// # Errors
-/// Each motion has its own, as [`integrate`].
+/// Each motion has its own result, as [`integrate`].
 pub fn integrate_many(
     system: &System,
     trajectories: &[Trajectory<'_>],
@@ -124,10 +124,10 @@ pub fn integrate_many(
     }
 }
 
-/// Integrates as [`integrate_many`] does; the function `each` receives the steps of all motions, with their numbers, and may end them all.
+/// Integrates like [`integrate_many`]; the function `each` receives the steps of all motions, with their numbers, and may end all motions.
 ///
 /// # Errors
-/// Each motion has its own, as [`integrate_stepwise`].
+/// Each motion has its own result, as [`integrate_stepwise`].
 pub fn integrate_many_stepwise(
     system: &System,
     trajectories: &[Trajectory<'_>],
@@ -168,6 +168,6 @@ fn many(
     batch.integrate(trajectories, observer)
 }
 
-/// Number of motions integrated side by side: two vector registers of AVX-512, so that neither waits for the other. Driven pendulums at 1e-9 take
-/// 173 µs each with 8, 138 µs with 16 and 168 µs with 24.
+/// Number of motions integrated side by side: two vector registers of AVX-512, so that neither waits
+/// for the other. Driven pendulums at 1e-9 take 173 µs each with 8, 138 µs with 16 and 168 µs with 24.
 pub(in crate::taylor) const LANES: usize = 16;

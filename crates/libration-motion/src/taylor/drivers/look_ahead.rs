@@ -1,4 +1,4 @@
-//! Lengths of the next steps: as far as the series converge, the formulas have values, and the equations of motion confirm the series.
+//! Lengths of the next steps, as far as the series converge, the formulas have values, and the equations of motion agree with the series.
 
 use super::stepper::{SHORTEST, StepEnds, Stepper, unit_for};
 use crate::taylor::Cause;
@@ -10,7 +10,7 @@ use libration_kernels::elementary::rough::exp2;
 use libration_numbers::internals::algebra::{any, lanes};
 
 impl<const N: usize> Stepper<'_, N> {
-    /// The steps from where the motions are towards their goals, at most up to them.
+    /// Computes the next step of each motion, at most up to its goal.
     pub(in crate::taylor) fn look_ahead(&mut self) -> [Result<(), Cause>; N] {
         let mut outcomes = self.expand_in_fitting_units();
         let goal_bound = self.goal_bound;
@@ -38,7 +38,7 @@ impl<const N: usize> Stepper<'_, N> {
         std::array::from_fn(|lane| outcome(lane).map_err(|cause| self.cause_where_it_is(lane, cause)))
     }
 
-    /// The ends of the steps, lane by lane.
+    /// Computes the ends of the steps, lane by lane.
     fn look_for_ends(&mut self, lengths: &[f64; N], outcomes: &mut [Result<(), Cause>; N]) {
         let endless: [bool; N] = std::array::from_fn(|lane| self.is_endless(lane, lengths[lane]));
         let powers = self.expander.system.passage().is_some();
@@ -61,17 +61,18 @@ impl<const N: usize> Stepper<'_, N> {
         }
     }
 
-    /// The cause for which there is no step, given the state. Next to a singularity at a finite time steps end long before.
+    /// The cause of the missing step, corrected by the state. Next to a singularity at a finite time steps end long before this.
     fn cause_where_it_is(&self, lane: usize, cause: Cause) -> Cause {
-        /// Coefficients of order 63 in a unit of 64 steps may be 1e113 times as large.
+        /// Size of the state above which it counts as divergent: coefficients of order 63 in a unit of 64 steps may be 1e113 times as large.
         const FAR: f64 = 1e190;
         let is_far = self.block.state(lane).any(|number| number.abs() > FAR);
         if is_far { Cause::OutOfRange } else { cause }
     }
 
-    /// Expands the steps; at the beginning of a motion once more, if its time scale asks for another unit.
+    /// Expands the steps; at the beginning of a motion a second time, if its time scale requires another unit.
     fn expand_in_fitting_units(&mut self) -> [Result<(), Cause>; N] {
-        /// Largest base-2 logarithm of the change of units: coefficients of order 63 are then larger or smaller by 2⁶³⁰, which an `f64` holds.
+        /// Largest base-2 logarithm of the change of units: it changes coefficients
+        /// of order 63 by a factor of 2⁶³⁰, which an `f64` can represent.
         const FITS: f64 = 10.0;
         let outcomes = self.expand();
         let fresh = std::mem::replace(&mut self.fresh, [false; N]);
@@ -104,7 +105,7 @@ impl<const N: usize> Stepper<'_, N> {
         length == f64::INFINITY && (self.goal[lane] - self.block.start[lane]).abs() > 0.0
     }
 
-    /// Always at an `f64`, so that times are exact.
+    /// The end of a step of this length, rounded to an `f64`, so that times are exact.
     fn end_towards_goal(&self, lane: usize, length: f64) -> Result<f64, Cause> {
         let (start, goal) = (self.block.start[lane], self.goal[lane]);
         let remaining = goal - start;
@@ -118,13 +119,13 @@ impl<const N: usize> Stepper<'_, N> {
         if (end - start).abs() > SHORTEST * start.abs() { Ok(end) } else { Err(Cause::StepUnderflow) }
     }
 
-    /// The end of a step, or one nearer to its start if the formulas end on the way, and what they say behind is not what
-    /// the series do. Where steps come near it, either the series show what happens there or they become too short.
+    /// The end of a step, or an earlier time if a boundary of the formulas lies in the step and the formulas beyond it disagree with the series.
+    /// Steps close to the boundary either resolve it in their series or become too short.
     fn end_before_boundary(&mut self, lane: usize, end: f64, length: f64) -> Result<f64, Cause> {
-        /// The part of the way to the boundary that a step may go; the next begins with an eighth of it left.
+        /// Fraction of the distance to the boundary that a step may cover; the next begins with an eighth of it left.
         const TOWARDS: f64 = 0.875;
-        /// Distance from a boundary, in tolerances of the change in the step, within which it is examined: for √(x² + ε²) the series show ε²/x²
-        /// where it is not below one tolerance.
+        /// Distance from a boundary, in tolerances of the change in the step, within which the boundary
+        /// is examined: the series of √(x² + ε²) resolve ε²/x² if it is not below one tolerance.
         const NEAR: f64 = 1e4;
         const WIDEST: f64 = 1e-2;
         if self.expander.plan.boundaries.is_empty() || self.sticks(lane) {
@@ -145,14 +146,14 @@ impl<const N: usize> Stepper<'_, N> {
         if (nearer - start).abs() <= SHORTEST * start.abs() {
             return Err(Cause::Singularity);
         }
-        // In the unit of the whole step the next series would overflow.
+        // With the length of the whole step as its unit, the next series would overflow.
         self.unit[lane] = unit_for((nearer - start).abs());
         Ok(nearer)
     }
 
-    /// Returns whether the accelerations after a time also agree with the series, as where a singularity is removable.
+    /// Returns `true` if the accelerations after a time also agree with the series, as at a removable singularity.
     ///
-    /// Up to a quarter of a step beyond its end series err by 39·2⁻¹⁴·1.25³⁹ = 14 tolerances at the highest order.
+    /// Up to a quarter of a step beyond its end the error of the series is 39·2⁻¹⁴·1.25³⁹ = 14 tolerances at the highest order.
     fn goes_on_behind(&mut self, lane: usize, time: f64, length: f64) -> bool {
         const PARTS: [f64; 4] = [0.25, 0.125, 0.0625, 0.03125];
         const TOLERANCES: f64 = 100.0;
@@ -160,8 +161,8 @@ impl<const N: usize> Stepper<'_, N> {
         PARTS.iter().all(|part| self.misfit(lane, time + part * length, length) <= bound)
     }
 
-    /// The error that the velocities would have after a time, relative to their size, if accelerations were those of the series; not less than the
-    /// relative error of the accelerations themselves, which a short time does not excuse. Errors count less where more is allowed.
+    /// The error of the velocities after a time, relative to their size, if accelerations were those of the series; not less than the relative
+    /// error of the accelerations themselves, which a short time does not reduce. Errors have a smaller weight if a larger tolerance is allowed.
     fn misfit(&mut self, lane: usize, time: f64, length: f64) -> f64 {
         let step = self.block.step(lane);
         let state = step.state_at(time);
@@ -180,12 +181,12 @@ impl<const N: usize> Stepper<'_, N> {
         parts.fold(0.0, larger_or_nan)
     }
 
-    /// Returns whether the last coefficients are finite, which depend on all earlier ones.
+    /// Returns `true` if the last coefficients are finite, which depend on all earlier ones.
     fn is_regular(&self, lane: usize) -> bool {
         self.block.last_coefficients().all(|c| c[lane].is_finite())
     }
 
-    /// The farthest end in which series that seem to be polynomials do not overflow.
+    /// The latest end at which series that seem to be polynomials do not overflow.
     fn end_of_finite_states(&self, lane: usize) -> Result<f64, Cause> {
         const HALVINGS: usize = 1100;
         let start = self.block.start[lane];
@@ -197,7 +198,8 @@ impl<const N: usize> Stepper<'_, N> {
     }
 }
 
-/// The ends of steps that are shorter than the ways to the goals, with nothing on them; `None` if that does not hold for all.
+/// Computes the ends of steps that are shorter than the distances to the goals
+/// and contain no boundary or turn; `None` if that does not hold for all lanes.
 struct EndsOnOpenWays<'f, 'a, const N: usize> {
     stepper: &'f Stepper<'a, N>,
     lengths: &'f [f64; N],

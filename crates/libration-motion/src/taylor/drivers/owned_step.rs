@@ -1,9 +1,9 @@
-//! A step that outlives the integration.
+//! A step that owns its data.
 
 use crate::taylor::{StateLayout, Step};
 use std::sync::Arc;
 
-/// A step of an integration with numbers of its own.
+/// A step of an integration that owns its numbers.
 #[derive(Clone, Debug)]
 pub struct OwnedStep {
     start: f64,
@@ -16,7 +16,7 @@ pub struct OwnedStep {
 }
 
 impl Step<'_> {
-    /// The step with numbers of its own, which outlives the integration.
+    /// The step with its own copy of the numbers, which outlives the integration.
     #[must_use]
     pub fn to_owned_step(&self) -> OwnedStep {
         let numbers = 0..self.numbers();
@@ -34,14 +34,15 @@ impl Step<'_> {
 }
 
 impl OwnedStep {
-    /// A step that was found elsewhere: coordinate and velocity in powers of the time in a unit, as many terms of each.
+    /// A step that was computed elsewhere: coordinate and velocity as series
+    /// in powers of the time in a unit, both with the same number of terms.
     pub(crate) fn new(start: f64, end: f64, unit: f64, series: [Vec<f64>; 2]) -> Self {
         let terms = series[0].len();
         let layout = Arc::new(StateLayout::one_coordinate());
         Self { start, end, unit, terms, coefficients: series.concat(), low: vec![0.0; 2], layout }
     }
 
-    /// The step as it was.
+    /// The step as a borrowed view.
     #[must_use]
     pub fn step(&self) -> Step<'_> {
         Step {

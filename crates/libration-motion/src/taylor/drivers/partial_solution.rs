@@ -1,4 +1,4 @@
-//! The solution of one trajectory while it is computed.
+//! The solution of one trajectory during its computation.
 
 use crate::taylor::events::contacts::{Contacts, Stretch};
 use crate::taylor::events::sharp::Part;
@@ -8,7 +8,7 @@ use crate::taylor::{
     Step, System, Trajectory,
 };
 
-/// Samples and events of a motion, as far as it came.
+/// Samples and events of a motion so far.
 #[derive(Debug)]
 pub(in crate::taylor) struct PartialSolution<'a> {
     pub(in crate::taylor) number: usize,
@@ -29,7 +29,7 @@ impl<'a> PartialSolution<'a> {
         Self { number, system, trajectory, samples, events: vec![], events_before: 0, contacts, steps: 0 }
     }
 
-    /// Goes on with what was known of the events at a checkpoint.
+    /// Continues with the state of the events at a checkpoint.
     pub(in crate::taylor) fn resume(&mut self, checkpoint: &Checkpoint) {
         self.contacts = checkpoint.events.iter().map(EventCheckpoint::contacts).collect();
         self.steps = checkpoint.steps;
@@ -52,7 +52,7 @@ impl<'a> PartialSolution<'a> {
         (self.system.events()[last.event].ends_at == number).then_some(last.time)
     }
 
-    /// Returns whether numbers are too large for double precision at this moment.
+    /// Returns `true` if numbers are too large for double precision at this moment.
     pub(in crate::taylor) fn overflows(&self, moment: &Moment) -> bool {
         let inputs = [&moment.state[..], &[moment.time], &self.trajectory.parameters].concat();
         self.system.accelerations().is_some_and(|tape| tape.overflows_at(&inputs))
@@ -67,14 +67,14 @@ impl<'a> PartialSolution<'a> {
         self.steps
     }
 
-    /// The samples that need no step.
+    /// Records the samples at the start, which require no step.
     pub(in crate::taylor) fn sample_start(&mut self) {
         let start = &self.trajectory.start;
         let here = self.trajectory.times.iter().take_while(|&&time| (time - start.time).abs() == 0.0);
         self.samples.extend(here.map(|_| start.clone()));
     }
 
-    /// The time of the last sample, while there are samples to come.
+    /// The time of the last sample; `None` once all samples are recorded.
     pub(in crate::taylor) fn goal(&self) -> Option<f64> {
         let times = self.trajectory.times;
         if self.samples.len() < times.len() { times.last().copied() } else { None }
@@ -84,7 +84,7 @@ impl<'a> PartialSolution<'a> {
         if self.steps < effort.most_steps { Ok(()) } else { Err(Cause::StepLimit) }
     }
 
-    /// Takes a step in which nothing is requested, if there is something to come.
+    /// Counts a step that ends before the next sample, if there are no events to search; returns `true` if it did.
     pub(in crate::taylor) fn pass(&mut self, start: f64, end: f64) -> bool {
         let next = self.trajectory.times.get(self.samples.len());
         let is_behind = next.is_some_and(|&next| if end < start { next < end } else { next > end });
@@ -93,7 +93,7 @@ impl<'a> PartialSolution<'a> {
         passes
     }
 
-    /// Samples and events of a step, given the series of the formulas of events; where the motion ends if an event ends it.
+    /// Records the samples and events of a step, given the series of the formulas of events; returns the end of the motion if an event ends it.
     pub(in crate::taylor) fn take(
         &mut self,
         step: &Step<'_>,
@@ -163,7 +163,7 @@ fn event_error_at_start(system: &System, trajectory: &Trajectory<'_>, event: usi
     let Trajectory { start, parameters, .. } = trajectory;
     let formula = system.coordinates() + system.moduli() + event;
     let mut formulas = Linearised::new(system.tape(), [formula].into_iter(), start.state.len());
-    // Either sign in the place of a |…| makes the same of an error.
+    // The effect of a rounding error is the same for either sign of a |…|.
     let signs = vec![1.0; system.moduli()];
     formulas.evaluate(&[&start.state[..], &[start.time], parameters, &signs].concat());
     let typed = start.state.iter().zip(formulas.slopes(formula));

@@ -1,8 +1,8 @@
-//! Steps over places where a force has no series, as |x|^1.5 at zero.
+//! Steps over positions at which a force has no series, as |x|^1.5 at zero.
 //!
-//! On the way there steps become shorter and shorter, in proportion to the distance, and so behind it. What such a force does in the
-//! time τ about its zero is less than τ^(1 + p); where that is below the tolerance, or τ below what times can tell, one step of two terms
-//! goes over the zero, the end of which is found by Picard's iteration.
+//! Before such a position steps become shorter and shorter, in proportion to the distance, and the same after it. The
+//! effect of such a force within the time τ of its zero is less than τ^(1 + p); if that is below the tolerance, or τ
+//! below the resolution of times, one step of two terms passes the zero, whose end is computed by Picard's iteration.
 
 use super::stepper::{SHORTEST, StepEnds, Stepper, unit_for};
 use crate::taylor::Cause;
@@ -16,11 +16,11 @@ enum Zero {
     After(f64),
 }
 
-/// Stretches are tried in lengths that differ by this factor.
+/// Ratio of the lengths of stretches that are tried.
 const FACTOR: f64 = 16.0;
 
 impl<const N: usize> Stepper<'_, N> {
-    /// Takes motions over such places; `goal_bound` is what was known of that before these steps were laid out.
+    /// Takes motions over such positions; `goal_bound` is the value of that field before these steps were computed.
     pub(in crate::taylor) fn pass(&mut self, outcomes: &mut [Result<(), Cause>; N], goal_bound: &[bool; N]) {
         if self.expander.system.passage().is_none() {
             return;
@@ -44,14 +44,14 @@ impl<const N: usize> Stepper<'_, N> {
     /// The resolution of times near the start of a step, with room for some steps.
     fn resolution(&self, lane: usize) -> f64 {
         const STEPS: f64 = 64.0;
-        /// Below it powers of the time are lost.
+        /// Smallest resolution: below it powers of the time underflow.
         const LEAST: f64 = 1e-100;
         (STEPS * SHORTEST * self.block.start[lane].abs()).max(LEAST)
     }
 
     /// The nearest zero, if the step begins or ends near it.
     fn zero_ahead(&self, lane: usize, outcome: Result<(), Cause>) -> Option<Zero> {
-        /// A singularity that far behind a step is one that it ends before.
+        /// Number of step lengths within which a zero is taken as the singularity before which the step ended.
         const STEPS: f64 = 8.0;
         let (start, goal) = (self.block.start[lane], self.goal[lane]);
         if (goal - start).abs() == 0.0 {
@@ -91,9 +91,9 @@ impl<const N: usize> Stepper<'_, N> {
         Some(Beginning { passage, layout, time: self.block.start[lane], state, parameters, held })
     }
 
-    /// The motion over a zero, if it is known well enough.
+    /// The motion over a zero, if its error is within the tolerance.
     fn stretch_over(&self, lane: usize, zero: Zero) -> Option<Stretch> {
-        /// Part of the allowed error that the iteration may have, so that it is negligible.
+        /// Allowed error of the iteration as a fraction of the allowed error of the step: small enough to be negligible.
         const PART: f64 = 0.0625;
         let beginning = self.beginning(lane)?;
         let rates = beginning.first_rates()?;
@@ -134,7 +134,7 @@ impl<const N: usize> Stepper<'_, N> {
         longer.take(MOST).map_while(along).last()
     }
 
-    /// Puts a step along a stretch in the place of that which was laid out.
+    /// Replaces the computed step by one along a stretch.
     fn lay_out(&mut self, lane: usize, stretch: &Stretch) {
         let unit = self.block.unit[lane];
         let start = self.block.start[lane];
@@ -152,7 +152,7 @@ impl<const N: usize> Stepper<'_, N> {
         self.branches.pass(lane);
     }
 
-    /// The signs behind the step, and the formulas of events in it.
+    /// Sets the signs after the step, and the formulas of events in it.
     fn settle_behind(&mut self, lane: usize, length: f64) {
         let Some(beginning) = self.beginning(lane) else { return };
         let (start, end) = (self.block.start[lane], self.block.end[lane]);
@@ -172,7 +172,7 @@ impl<const N: usize> Stepper<'_, N> {
         for (event, ((a, b), c)) in first.events().iter().zip(middle.events()).zip(last.events()).enumerate()
         {
             let row = self.expander.event(event);
-            // What is given has its series already.
+            // The series of the inputs are already set.
             if (0..inputs).any(|number| self.block.row(number) == row) {
                 continue;
             }

@@ -1,8 +1,8 @@
-//! Numbers of the state that come to zero in a finite time and stay there, as x′ = −√|x|·sign(x) does: the height of water over
-//! a hole, by Torricelli's law.
+//! State components that reach zero in a finite time and stay there, as x′ =
+//! −√|x|·sign(x) does: the height of water over a hole, by Torricelli's law.
 //!
-//! On the way steps become shorter and shorter, in proportion to the time that is left. Where that is below what times can tell, the
-//! number is made zero, and the motion goes on by the equations with zero in its place.
+//! Before this time steps become shorter and shorter, in proportion to the remaining time. If that is below the resolution of times, the
+//! component is set to zero, and the motion is continued by the equations with zero in its place.
 
 use super::stepper::SHORTEST;
 use crate::taylor::program::moduli::where_zero;
@@ -13,13 +13,13 @@ use libration_numbers::expression::{Equation, Expression};
 /// The outcome of a motion for which no step is possible.
 #[derive(Debug)]
 pub(in crate::taylor) enum Rest {
-    /// A number of the state has come to zero: the equations that hold from here on, and the state.
+    /// A state component has reached zero: the equations that hold from here on, and the state.
     In(Box<System>, Moment),
-    /// The value is zero, and may leave it at any time or not at all.
+    /// The component is zero, and may leave zero at any time or not at all.
     Undecided,
 }
 
-/// The outcome for a motion that has come to rest in one state component, going forward or backward in time; `None` if it has not.
+/// The outcome for a motion that has come to rest in one state component, forward or backward in time; `None` if it has not.
 pub(in crate::taylor) fn rest(
     system: &System,
     moment: &Moment,
@@ -46,13 +46,13 @@ pub(in crate::taylor) fn rest(
 }
 
 impl Rest {
-    /// Causes that a rest may explain.
+    /// Returns `true` for causes that may be due to a component at rest.
     pub(in crate::taylor) fn may_explain(cause: Cause) -> bool {
         matches!(cause, Cause::StepUnderflow | Cause::Singularity | Cause::NoWayOn)
     }
 }
 
-/// The equations with zero in the place of a number of the state, if its rate of change vanishes with it.
+/// The equations with a state component replaced by zero, if its rate of change vanishes with it.
 fn at_zero(system: &System, number: usize) -> Option<Equation> {
     let equation = system.equation();
     let coordinate = system.layout().driving(number)?;
@@ -65,7 +65,7 @@ fn at_zero(system: &System, number: usize) -> Option<Equation> {
     rests.then(|| Equation::of_derivatives(variables, orders, derivatives))
 }
 
-/// The surroundings of zero in one number of a state.
+/// The vicinity of zero in one state component.
 struct Side<'a> {
     passage: &'a Passage,
     system: &'a System,
@@ -83,9 +83,9 @@ impl Side<'_> {
         Some(passage.at(moment.time, &state, parameters)?.rates(system.layout(), &state)[*number])
     }
 
-    /// Returns whether both sides lead to zero; `None` where zero is farther away than the resolution of times.
+    /// Returns `true` if both sides lead to zero; `None` if zero is farther away than the resolution of times.
     fn leads_to_zero(&self, backward: bool) -> Option<bool> {
-        /// Number of shortest steps that are not distinguished.
+        /// Number of shortest steps within which times are not distinguished.
         const STEPS: f64 = 64.0;
         /// Distance of the test points from zero for a component that is zero.
         const NEAR: f64 = 1e-60;
@@ -95,7 +95,7 @@ impl Side<'_> {
             return None;
         }
         let distance = if here == 0.0 { NEAR } else { here.abs() };
-        // What has no value on a side does not lead there.
+        // A side on which the rate has no value does not lead to zero.
         let sides = [distance, -distance].map(|value| Some(self.rate(value)? * value.signum()));
         let mut rates = sides.into_iter().flatten().peekable();
         rates.peek()?;

@@ -4,18 +4,17 @@ use crate::taylor::program::moduli::Moduli;
 use crate::taylor::{StateLayout, with_sensitivities};
 use libration_numbers::expression::{Equation, EquationError, Expression};
 
-/// Equations of motion followed by those of the derivatives of the motion by some parameters and initial values, with the states of
-/// both in one.
+/// Equations of motion followed by those of the derivatives of the motion by some parameters and initial values, in one combined state.
 ///
 /// # Accuracy
-/// Steps are as short as motion and derivatives need; the derivatives come to the same tolerance as the motion.
+/// Steps are as short as necessary for motion and derivatives; both are computed to the same tolerance.
 ///
 /// # Examples
 /// ```
 /// # extern crate libration_motion as libration;
 /// use libration::progress::Quiet;
 /// use libration::taylor::{Effort, Sensitivities, System, integrate};
-/// // How x = cos(√k·t) changes with k and with x(0).
+/// // The derivatives of x = cos(√k·t) by k and by x(0).
 /// let by = Sensitivities::new(&"x'' = -k*x".parse()?, &[("k", "4".parse()?)], &["k", "x"])?;
 /// assert_eq!(by.names(), ["dx/dk", "dx'/dk", "dx/dx(0)", "dx'/dx(0)"]);
 /// let start = by.start(&[1.0, 0.0]);
@@ -37,14 +36,14 @@ pub struct Sensitivities {
     origins: Vec<Origin>,
 }
 
-/// The quantity with respect to which the motion is differentiated.
+/// A quantity with respect to which the motion is differentiated.
 #[derive(Clone, Debug)]
 struct Origin {
     /// `c`, or `x(0)`.
     name: String,
-    /// The number of the copy of the coordinates that are the derivatives.
+    /// The number of the copy of the coordinates that contains the derivatives.
     copy: usize,
-    /// The number in the state whose initial value it is.
+    /// The state component whose initial value is the quantity.
     initial: Option<usize>,
 }
 
@@ -52,7 +51,7 @@ struct Origin {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SensitivityError {
-    /// Values that the equations cannot have.
+    /// Values that the equations do not allow.
     #[error(transparent)]
     Equation(#[from] EquationError),
     /// A name that is neither a parameter nor a state component.
@@ -66,7 +65,7 @@ pub enum SensitivityError {
     /// A name that is requested twice.
     #[error("{0} is given twice: give it once")]
     Twice(String),
-    /// A force that jumps, where derivatives do as well, by what these equations do not tell.
+    /// A force that jumps: derivatives jump too, by an amount that these equations do not contain.
     #[error(
         "a force jumps where {0} is zero, and so do the derivatives of the motion, which are not computed there"
     )]
@@ -74,11 +73,11 @@ pub enum SensitivityError {
 }
 
 impl Sensitivities {
-    /// The derivatives with respect to parameters, whose values enter only here, and with respect to initial values, which have the names of the
-    /// state components.
+    /// The derivatives with respect to parameters, whose values are given only here, and
+    /// with respect to initial values, which have the names of the state components.
     ///
     /// # Errors
-    /// A name that is neither, or there twice; values that cannot be; a force that jumps, as sign(x) does.
+    /// A name that is neither or occurs twice; values that are not allowed; a force that jumps, as sign(x) does.
     pub fn new(
         equation: &Equation,
         values: &[(&str, Expression)],
@@ -135,7 +134,7 @@ impl Sensitivities {
         self.origins.iter().flat_map(of_origin).collect()
     }
 
-    /// The state of both in which a motion begins at the time zero.
+    /// The combined state at the beginning of a motion, at the time zero.
     #[must_use]
     pub fn start(&self, state: &[f64]) -> crate::taylor::Moment {
         let mut all = vec![0.0; self.all.numbers()];
@@ -150,13 +149,13 @@ impl Sensitivities {
         crate::taylor::Moment { time: 0.0, state: all }
     }
 
-    /// The state of the motion in a state of both.
+    /// The state of the motion, taken from a combined state.
     #[must_use]
     pub fn state_in(&self, all: &[f64]) -> Vec<f64> {
         self.copy_in(all, 0).collect()
     }
 
-    /// The derivatives in a state of both, in the order of [`Self::names`].
+    /// The derivatives in a combined state, in the order of [`Self::names`].
     #[must_use]
     pub fn derivatives_in(&self, all: &[f64]) -> Vec<f64> {
         self.origins.iter().flat_map(|origin| self.copy_in(all, origin.copy)).collect()
@@ -166,7 +165,7 @@ impl Sensitivities {
         (0..self.own.numbers()).map(move |number| all[self.place(copy, number)])
     }
 
-    /// The index of a state component in a copy of it.
+    /// The index of a state component in a copy of the state.
     pub(in crate::taylor) fn place(&self, copy: usize, number: usize) -> usize {
         let first = copy * self.own.coordinates();
         match self.own.driving(number).filter(|_| self.own.is_velocity(number)) {

@@ -1,4 +1,4 @@
-//! Several motions side by side, each with steps of its own.
+//! Several motions side by side, each with its own steps.
 
 use super::checkpoint::{Checkpoint, ModulusCheckpoint};
 use crate::taylor::nonsmooth::branches::Branches;
@@ -10,27 +10,27 @@ use crate::taylor::step::sign_change::scaled;
 use crate::taylor::{Effort, Moment, Step, System};
 use libration_kernels::dispatch::Kernel;
 
-/// N motions under way: where they are, and the steps that lead on.
+/// N motions in progress: their states, and their next steps.
 #[derive(Debug)]
 pub(in crate::taylor) struct Stepper<'a, const N: usize> {
     pub(in crate::taylor) expander: Expander<'a>,
     pub(in crate::taylor) branches: Branches<N>,
     pub(in crate::taylor) surroundings: Surroundings<N>,
     pub(in crate::taylor) block: Block<N>,
-    /// Room for the accelerations in other states.
+    /// Buffer for the accelerations in other states.
     pub(in crate::taylor) scratch: Block<N>,
-    /// `true` if `scratch` has the zeroth coefficients of all formulas at the ends of the steps.
+    /// `true` if `scratch` contains the zeroth coefficients of all formulas at the ends of the steps.
     pub(in crate::taylor) ends_known: bool,
-    /// `true` if `block` has the zeroth coefficients of all formulas at the starts of the steps.
+    /// `true` if `block` contains the zeroth coefficients of all formulas at the starts of the steps.
     pub(in crate::taylor) begun: bool,
     pub(in crate::taylor) next: Vec<Ends<N>>,
     /// Times to which the motions are integrated.
     pub(in crate::taylor) goal: [f64; N],
     /// The units of time for the next steps.
     pub(in crate::taylor) unit: [f64; N],
-    /// Motions whose scale of time is not known yet.
+    /// `true` for motions whose time scale is not known yet.
     pub(in crate::taylor) fresh: [bool; N],
-    /// Motions with a step that would have ended elsewhere on the way to another goal.
+    /// `true` for motions with a step that would have ended elsewhere for a later goal.
     pub(in crate::taylor) goal_bound: [bool; N],
     /// Tolerances and step limit, with the smallest of the tolerances of all coordinates.
     pub(in crate::taylor) effort: Effort,
@@ -39,7 +39,7 @@ pub(in crate::taylor) struct Stepper<'a, const N: usize> {
     pub(in crate::taylor) log2_part_of_radius: f64,
 }
 
-/// Steps that are no longer than this part of the time are lost in its roundings.
+/// Length of the shortest step, relative to the time: shorter steps are lost in the rounding of times.
 pub(in crate::taylor) const SHORTEST: f64 = 8.0 * f64::EPSILON;
 
 impl<'a, const N: usize> Stepper<'a, N> {
@@ -85,7 +85,7 @@ impl<'a, const N: usize> Stepper<'a, N> {
         }
     }
 
-    /// Goes on with a motion in a lane, which has been launched.
+    /// Continues a motion in a lane, which has been started.
     pub(in crate::taylor) fn resume(&mut self, lane: usize, checkpoint: &Checkpoint) {
         for (number, &[high, low]) in checkpoint.state.iter().enumerate() {
             self.block.place(number, lane, high, low);
@@ -98,8 +98,8 @@ impl<'a, const N: usize> Stepper<'a, N> {
         }
     }
 
-    /// The checkpoint at the end of the step; `None` if a step would have ended elsewhere on the way to another goal, and for the equations of a
-    /// rest.
+    /// The checkpoint at the end of the step; `None` if a step would have ended
+    /// elsewhere for a later goal, and for the equations of a component at rest.
     pub(in crate::taylor) fn checkpoint(&self, lane: usize) -> Option<Checkpoint> {
         let is_resumable = !self.goal_bound[lane] && !self.expander.system.rests();
         is_resumable.then(|| self.checkpoint_to_this_goal(lane))
@@ -122,12 +122,12 @@ impl<'a, const N: usize> Stepper<'a, N> {
         }
     }
 
-    /// Lets a lane stay where it is.
+    /// Makes a lane stay at its present time.
     pub(in crate::taylor) fn idle(&mut self, lane: usize) {
         self.goal[lane] = self.block.start[lane];
     }
 
-    /// Goes to the ends of the steps.
+    /// Moves all lanes to the ends of their steps.
     pub(in crate::taylor) fn advance(&mut self) {
         self.block.begin_at_end(&self.next, &self.unit);
         if self.ends_known {
@@ -140,7 +140,7 @@ impl<'a, const N: usize> Stepper<'a, N> {
         self.block.step(lane)
     }
 
-    /// The series of the formula of an event, with the part of the step as variable.
+    /// The series of the formula of an event, in powers of the fraction of the step.
     pub(in crate::taylor) fn event(&self, event: usize, lane: usize) -> Vec<f64> {
         let length = (self.block.end[lane] - self.block.start[lane]) / self.block.unit[lane];
         let series = self.block[self.expander.event(event)].iter();
@@ -181,8 +181,7 @@ impl<const N: usize> Kernel for StepEnds<'_, '_, N> {
     }
 }
 
-/// The unit of time for series with steps of this length: a power of two, large enough that terms that are small in a step do not
-/// underflow.
+/// The unit of time for series with steps of this length: a power of two, large enough that terms that are small in a step do not underflow.
 pub(in crate::taylor) fn unit_for(length: f64) -> f64 {
     const EXPONENT: u64 = 0x7ff << 52;
     const LARGER: f64 = 64.0;

@@ -10,7 +10,7 @@ pub struct Trajectory<'a> {
     pub start: Moment,
     /// The values of [`System::parameters`].
     pub parameters: Vec<f64>,
-    /// All after the start or all before it, one behind the other.
+    /// All after the start in ascending order, or all before it in descending order.
     pub times: &'a [f64],
 }
 

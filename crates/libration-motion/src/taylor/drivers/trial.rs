@@ -1,13 +1,13 @@
-//! Steps tried in the equations of motion.
+//! Comparison of steps with the equations of motion.
 //!
-//! The last coefficients tell how long a step may be if terms fall already. Those of eˣ grow up to the order by which x changes,
-//! and far on the side where eˣ vanishes they begin below the last bit: a step would go through the wall that comes. So
-//! before a step is taken the accelerations at its end are compared with those of its polynomials.
+//! The last coefficients determine the length of a step if the terms already decrease. Those of eˣ grow up to the order by which x changes, and
+//! far on the side where eˣ vanishes they begin below the last bit: a step would pass through the potential wall ahead. So before a step is
+//! taken the accelerations at its end are compared with those of its polynomials.
 //!
 //! # Method
-//! Each step is tried in the equations of motion. Where the accelerations at its end differ from those of its polynomials the step is halved, until
-//! they agree or until the difference is rounding, measured in states a few ulp away. Coefficients hide what begins below the last bit: those of
-//! e^x, or of a power such as x¹⁰¹ next to zero.
+//! Each step is compared with the equations of motion. If the accelerations at its end differ from those of its polynomials the step is halved,
+//! until they agree or until the difference is a rounding error, measured in states a few ulp away. Coefficients do not show terms that begin
+//! below the last bit: those of e^x, or of a power such as x¹⁰¹ next to zero.
 
 use super::stepper::{SHORTEST, StepEnds, Stepper, unit_for};
 use crate::taylor::Cause;
@@ -18,7 +18,7 @@ use libration_kernels::dispatch::{Kernel, dispatch_lanes};
 use libration_kernels::fused::FusedMultiplyAdd;
 use libration_numbers::internals::algebra::{any, lanes};
 
-/// The errors that are left for: terms that are missing, 14 tolerances where a radius was guessed too large by a fourth, and roundings.
+/// Allowed error in tolerances: for missing terms, 14 tolerances if a radius was estimated too large by a fourth, and rounding errors.
 const TOLERANCES: f64 = 100.0;
 
 /// The errors of the accelerations at a time, one per coordinate.
@@ -30,10 +30,10 @@ struct Trial {
 }
 
 impl<const N: usize> Stepper<'_, N> {
-    /// Shortens the steps until the equations of motion confirm them.
+    /// Shortens the steps until they agree with the equations of motion.
     pub(in crate::taylor) fn confirm(&mut self, outcomes: &mut [Result<(), Cause>; N]) {
         let Trials { misfits, is_seen } = dispatch_lanes::<N, _>(StepTrials { stepper: self });
-        // The next steps begin with what was found here, unless another state is tried in the same room.
+        // The next steps begin with these values, unless another state is evaluated in the same buffer.
         self.ends_known = self.expander.system.moduli() == 0;
         if is_seen && !any(&misfits, |misfit| !self.is_confirmed(misfit)) {
             return;
@@ -68,13 +68,13 @@ impl<const N: usize> Stepper<'_, N> {
         TOLERANCES * self.effort.relative.max(ROUNDING)
     }
 
-    /// Returns whether a force may act inside the step that is not felt at its ends.
+    /// Returns `true` if a force may act inside the step without an effect at its ends.
     fn hides(&self, lane: usize, end: f64) -> bool {
         let length = (end - self.block.start[lane]) / self.block.unit[lane];
         self.expander.plan.steep.iter().any(|steep| steep.is_unseen(&self.block, lane, length))
     }
 
-    /// The end itself, or one nearer to the start, up to which the accelerations are those of the polynomials.
+    /// The end itself, or an earlier time, up to which the accelerations are those of the polynomials.
     pub(in crate::taylor) fn confirmed_end(&mut self, lane: usize, end: f64) -> Result<f64, Cause> {
         const HALVINGS: usize = 2200;
         let start = self.block.start[lane];
@@ -96,9 +96,9 @@ impl<const N: usize> Stepper<'_, N> {
         end_in_noise(&trials).ok_or(Cause::StepUnderflow)
     }
 
-    /// The end, or what turns before it unseen.
+    /// The end, or the turn of a steep argument before it.
     fn turn_before(&self, lane: usize, end: f64) -> f64 {
-        /// A step that ends at a turn has it next to its end.
+        /// Fraction of a step beyond which a turn counts as its end.
         const INSIDE: f64 = 0.999;
         let start = self.block.start[lane];
         let length = (end - start) / self.block.unit[lane];
@@ -125,7 +125,7 @@ impl<const N: usize> Stepper<'_, N> {
         trial
     }
 
-    /// The errors at a time in a step to an end, without those that roundings of the state make.
+    /// The errors at a time in a step to an end, without those due to the rounding of the state.
     fn trial_at(&mut self, lane: usize, time: f64, end: f64) -> Trial {
         let step = self.block.step(lane);
         let state = step.state_at(time);
@@ -162,7 +162,7 @@ impl<const N: usize> Stepper<'_, N> {
 
     /// The effect of rounding the state on the accelerations.
     fn noise(&mut self, lane: usize, time: f64, state: &[f64], exact: &[f64]) -> Vec<f64> {
-        /// Roundings in the formulas are alike.
+        /// Factor for the rounding errors of the formulas, which are similar to those measured.
         const MARGIN: f64 = 8.0;
         let mut noise = vec![0.0; exact.len()];
         for ulps in [1.0, -2.0, 3.0, -4.0] {
@@ -185,7 +185,7 @@ impl<const N: usize> Stepper<'_, N> {
     }
 }
 
-/// Parts of a step: evenly, and nearer and nearer to its end, where a force may vanish in the middle of what makes it.
+/// Fractions of a step: evenly spaced, and closer and closer to its end, since a force may vanish where the argument of a steep function turns.
 fn looks() -> impl Iterator<Item = f64> {
     const EVEN: u32 = 16;
     const NEARER: i32 = 40;
@@ -193,11 +193,11 @@ fn looks() -> impl Iterator<Item = f64> {
     even.chain((2..NEARER).map(|halvings| 1.0 - libm::ldexp(1.0, -halvings)))
 }
 
-/// The longest step whose errors no shorter one undercuts, as they are where formulas cancel; `None` if there is none.
+/// The longest step whose errors no shorter step reduces, as in formulas with cancellation; `None` if there is none.
 ///
-/// Errors of a polynomial of order 6 fall at least by 2⁵ when the step is halved.
+/// Errors of a polynomial of order 6 decrease at least by 2⁵ when the step is halved.
 fn end_in_noise(trials: &[Trial]) -> Option<f64> {
-    /// Number of halvings in which the errors fall by 2³⁰, below any noise that is not constant.
+    /// Number of halvings after which the errors have decreased by 2³⁰, below any noise that is not constant.
     const SHORT: usize = 6;
     const MARGIN: f64 = 8.0;
     /// Upper limit for the rounding errors of a meaningful formula.
@@ -214,8 +214,8 @@ fn end_in_noise(trials: &[Trial]) -> Option<f64> {
     (trials.len() - first >= 2 * SHORT).then(|| trials[first].end)
 }
 
-/// The size of a velocity in a step, by its first coefficients and what it would gain as it does at the end; without the zeroth one how
-/// far a coordinate moves.
+/// The size of a velocity in a step, from its first coefficients and its gain if the final
+/// acceleration lasted; with zero as the zeroth coefficient, the distance that a coordinate covers.
 #[inline(always)]
 fn size_of([zeroth, first, second]: [f64; 3], gain: f64, units: f64, floor: f64) -> f64 {
     let change = larger((first + second * units) * units, gain);
@@ -231,11 +231,11 @@ fn part_of(change: f64, size: f64) -> f64 {
 /// The results at the ends of the steps of all lanes.
 struct Trials<const N: usize> {
     misfits: [f64; N],
-    /// `true` if all forces inside the steps are felt at their ends.
+    /// `true` if all forces inside the steps have an effect at their ends.
     is_seen: bool,
 }
 
-/// The states at the ends of the steps, and what is found there.
+/// Computes the states at the ends of the steps, and the errors there.
 struct StepTrials<'f, 'a, const N: usize> {
     stepper: &'f mut Stepper<'a, N>,
 }

@@ -1,13 +1,13 @@
-//! Boundaries of formulas: zeros of divisors, ends of roots and logarithms, poles of the tangent.
+//! Boundaries of formulas: zeros of divisors, of the arguments of roots and logarithms, poles of the tangent.
 //!
-//! Most of these are singularities of the motion, before which steps become short by themselves. But a force that is flat
-//! there, such as e^(−1/x), or nearly so, such as √(x² + ε²), shows nothing of it in the first terms of its series: a step
-//! would go straight on, into what the formula does not say.
+//! Most of these are singularities of the motion, before which steps become short by themselves. But the first
+//! terms of the series of a force that is flat there, such as e^(−1/x), or nearly flat, such as √(x² + ε²), do
+//! not show the boundary: a step would pass it, into a region in which the series does not represent the formula.
 //!
 //! # Method
-//! The zeros of divisors, bases of roots and arguments of logarithms, and the poles of tangents, are searched on the polynomial of the step. After
-//! a zero the accelerations are compared with the series. If they differ the step ends before the zero and the next one comes closer, until steps
-//! are too short or the series show the boundary.
+//! The zeros of divisors, bases of roots and arguments of logarithms, and the poles of tangents, are searched on the
+//! polynomial of the step. After a zero the accelerations are compared with the series. If they differ the step ends
+//! before the zero and the next one ends closer to it, until steps are too short or the series resolve the boundary.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -18,23 +18,23 @@ use crate::taylor::step::sign_change::scaled;
 use libration_numbers::algebra::Function;
 use libration_numbers::internals::expression::{Operation, Tape};
 
-/// The values that a slot of the tape must keep away from.
+/// The values that a slot of the tape must not take.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::taylor) enum Forbidden {
     Zero,
-    /// π/2 and all that differ from it by multiples of π.
+    /// π/2 and all values that differ from it by multiples of π.
     OddQuarterTurns,
 }
 
-/// A value on the tape, by its slot, that must keep away from other values.
+/// A value on the tape, given by its slot, that must not take certain values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::taylor) struct Boundary<P> {
     pub(in crate::taylor) of: P,
     pub(in crate::taylor) forbidden: Forbidden,
 }
 
-/// The boundaries of the first `formulas` formulas on a tape. The signs of |…| are the inputs from `first_sign` on; where these are multiplied by
-/// the argument of the |…|, steps end there anyway.
+/// The boundaries of the first `formulas` formulas on a tape. The signs of |…| are the inputs from
+/// `first_sign` on; steps end at the zeros of a |…| anyway, where the sign is multiplied by the argument.
 pub(in crate::taylor) fn boundaries(tape: &Tape, formulas: usize, first_sign: usize) -> Vec<Boundary<usize>> {
     let mut found = vec![];
     let mut add = |of: usize, forbidden: Forbidden| {
@@ -46,7 +46,7 @@ pub(in crate::taylor) fn boundaries(tape: &Tape, formulas: usize, first_sign: us
     for place in reached(tape, formulas) {
         let divisor = match tape.operations()[place] {
             Operation::Divide(_, divisor) => divisor,
-            // Natural powers are products.
+            // Powers with natural exponents are products.
             Operation::Power(base, _) => base,
             Operation::Inverse { function, divisor, .. } if function.domain().is_some() => divisor,
             Operation::Tangent { function: Function::Tan, of } => {
@@ -68,7 +68,7 @@ pub(in crate::taylor) fn reached(tape: &Tape, formulas: usize) -> Vec<usize> {
     for &result in &tape.results()[..formulas] {
         reached[result] = true;
     }
-    // Operands stand before what reads them.
+    // The operands of an instruction have smaller slots than the instruction.
     for place in (0..reached.len()).rev() {
         if reached[place] {
             tape.operands(place).into_iter().for_each(|operand| reached[operand] = true);
@@ -77,13 +77,13 @@ pub(in crate::taylor) fn reached(tape: &Tape, formulas: usize) -> Vec<usize> {
     (0..reached.len()).filter(|&place| reached[place]).collect()
 }
 
-/// The slots that are zero where this one is, simple zeros as far as the formula shows them.
+/// The slots that are zero where this one is, as simple zeros as far as the formula shows.
 fn zeros(tape: &Tape, place: usize, first_sign: usize) -> Vec<usize> {
     let is_sign = |place: usize| matches!(tape.operations()[place], Operation::Input(n) if n >= first_sign);
     match tape.operations()[place] {
         Operation::Multiply(a, b) if is_sign(a) || is_sign(b) => vec![],
         Operation::Multiply(a, b) => [zeros(tape, a, first_sign), zeros(tape, b, first_sign)].concat(),
-        // Where the divisor or the base of a power vanishes is a boundary of its own.
+        // The zero of a divisor or of the base of a power is a separate boundary.
         Operation::Negate(a) | Operation::Divide(a, _) | Operation::Power(a, _) => zeros(tape, a, first_sign),
         Operation::Exp(_) => vec![],
         Operation::Paired { function, .. } if !function.has_zeros() => vec![],
@@ -92,8 +92,8 @@ fn zeros(tape: &Tape, place: usize, first_sign: usize) -> Vec<usize> {
 }
 
 impl Boundary<Row> {
-    /// Returns whether in steps of these lengths, in units of the block, the values are known to stay far from the forbidden ones: zero is farther
-    /// away than they change, and than the widest blur, a hundredth of all their terms.
+    /// Returns `true` if in steps of these lengths, in units of the block, the values are known to stay far from the forbidden ones: the
+    /// distance exceeds their change, and the largest blur, a hundredth of all their terms.
     #[inline(always)]
     pub(in crate::taylor) fn is_far<const N: usize>(&self, block: &Block<N>, lengths: &[f64; N]) -> bool {
         const WITH_BLUR: f64 = 1.05;
@@ -109,7 +109,7 @@ impl Boundary<Row> {
         is_far
     }
 
-    /// The part of a step of this length, in units of the block, after which its value comes first to what is forbidden.
+    /// The fraction of a step of this length, in units of the block, after which the value first reaches a forbidden value.
     pub(in crate::taylor) fn first_contact<const N: usize>(
         &self,
         block: &Block<N>,

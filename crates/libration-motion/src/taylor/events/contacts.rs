@@ -1,30 +1,30 @@
-//! Zeros of a formula along a motion, found on the polynomial of each step.
+//! Zeros of a formula along a motion, computed on the polynomial of each step.
 //!
-//! Between the zeros of its derivative a polynomial has at most one zero, and sign changes in Bernstein's basis miss none
-//! of these. On which side of zero the formula is goes from step to step, so that a zero at the end of one step, which
-//! rounding may put before or behind it, is neither missed nor found twice.
+//! Between the zeros of its derivative a polynomial has at most one zero, and sign changes in Bernstein's
+//! basis miss none of these. The side of zero on which the formula is, is passed from step to step, so that a
+//! zero at the end of one step, which rounding may shift to the next step, is neither missed nor found twice.
 //!
 //! # Method
-//! An event is a zero of a formula on the tape of the system. Formulas with steep terms have series of their own for parts of a step, compared with
-//! the formula (`sharp.rs`), because the length of a step follows from the accelerations alone. So do formulas that end somewhere, such as 1/x − 2:
-//! parts become shorter towards the pole, the longest first, until they are 2⁻⁴⁰ of the step or number two thousand. A sign change where the values
-//! grow on both sides is a pole and not a zero.
+//! An event is a zero of a formula on the tape of the system. Formulas with steep terms have separate series for parts of a step, which are
+//! compared with the formula (`sharp.rs`), because the length of a step follows from the accelerations alone. The same holds for formulas with a
+//! boundary, such as 1/x − 2: parts become shorter towards the pole, the longest first, until they are 2⁻⁴⁰ of the step or number two thousand.
+//! A sign change with values that grow on both sides is a pole and not a zero.
 
 use crate::taylor::Contact;
 use crate::taylor::step::sign_change::{bernstein, first_sign_change, sign_changes};
 use libration_numbers::roots::{Tolerance, zero_between};
 
-/// One formula on its way.
+/// The state of one formula between steps.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::taylor) struct Contacts {
-    /// The side of zero on which it is; none before the first step, and while it vanishes.
+    /// The side of zero on which the formula is; none before the first step, and while it vanishes.
     pub(in crate::taylor) side: Option<f64>,
     pub(in crate::taylor) begun: bool,
-    /// Time of its last zero.
+    /// Time of the last zero.
     pub(in crate::taylor) last: f64,
     /// `true` if the formula was within the tolerance of zero at the end of the step.
     pub(in crate::taylor) near: bool,
-    /// Number of its zeros that counted, the start excepted.
+    /// Number of zeros that counted, excluding the start.
     pub(in crate::taylor) found: u64,
 }
 
@@ -34,7 +34,7 @@ pub(in crate::taylor) struct Stretch<'a> {
     pub(in crate::taylor) coefficients: &'a [f64],
     pub(in crate::taylor) start: f64,
     pub(in crate::taylor) length: f64,
-    /// The error of the formula as a part of how much it changes.
+    /// The error of the formula relative to its change.
     pub(in crate::taylor) tolerance: f64,
 }
 
@@ -47,7 +47,7 @@ impl Stretch<'_> {
         self.start + tau * self.length
     }
 
-    /// The distance from zero that is not distinguished from zero.
+    /// The distance from zero below which a value counts as zero.
     fn blur(&self) -> f64 {
         self.tolerance.max(4.0 * f64::EPSILON) * self.coefficients.iter().map(|c| c.abs()).sum::<f64>()
     }
@@ -59,13 +59,13 @@ impl Stretch<'_> {
         sign_changes(&slopes)
     }
 
-    /// The sign of the first extremum, or of the end, that is farther from zero than this.
+    /// The sign of the first extremum, or of the end, that is farther from zero than this error.
     fn side_beyond(&self, error: f64) -> Option<f64> {
         let mut values = self.extrema().into_iter().chain([1.0]).map(|tau| self.at(tau));
         values.find(|value| value.abs() > error).map(f64::signum)
     }
 
-    /// The one zero between two places where it has different signs.
+    /// The only zero between two positions at which the formula has different signs.
     fn zero_between(&self, before: f64, behind: f64) -> f64 {
         let negative_behind = self.at(behind) < 0.0;
         let is_before = |tau| (self.at(tau) < 0.0) != negative_behind;
@@ -77,7 +77,7 @@ impl Stretch<'_> {
         }
     }
 
-    /// The first place in the step where it changes its sign or comes within the blur of zero.
+    /// The first position in the step at which the formula changes its sign or comes within the blur of zero.
     pub(in crate::taylor) fn first_contact(&self) -> Option<f64> {
         let blur = self.blur();
         if self.keeps_away(blur) {
@@ -87,7 +87,7 @@ impl Stretch<'_> {
         first_sign_change(self.coefficients).into_iter().chain(touches).reduce(f64::min)
     }
 
-    /// Returns whether the formula is farther from zero than the blur in the whole step.
+    /// Returns `true` if the formula is farther from zero than the blur in the whole step.
     fn keeps_away(&self, blur: f64) -> bool {
         let rest: f64 = self.coefficients[1..].iter().map(|c| c.abs()).sum();
         if self.coefficients[0].abs() > rest + blur {
@@ -102,14 +102,14 @@ impl Contacts {
     pub(in crate::taylor) const NONE: Self =
         Self { side: None, begun: false, last: f64::NEG_INFINITY, near: false, found: 0 };
 
-    /// The zeros in a step, with their times in its order. Where the motion begins the formula has an error: within it, it is zero.
+    /// The zeros in a step, with their times in the order of the step. At the beginning of the motion, a formula below its error counts as zero.
     pub(in crate::taylor) fn zeros_in(
         &mut self,
         stretch: &Stretch<'_>,
         error_at_start: impl Fn() -> f64,
     ) -> Vec<(f64, Contact)> {
         if stretch.coefficients.is_empty() {
-            // Behind a pole either sign is as good.
+            // After a pole the sign is arbitrary.
             (self.side, self.near) = (None, false);
             return vec![];
         }
@@ -130,7 +130,7 @@ impl Contacts {
         found
     }
 
-    /// A formula that vanishes throughout a step: what counts is that it becomes zero.
+    /// Handles a formula that vanishes throughout a step: the event is the transition to zero.
     fn comes_to_rest(&mut self, stretch: &Stretch<'_>) -> Vec<(f64, Contact)> {
         self.begun = true;
         let known = self.just_found(stretch);
@@ -164,7 +164,7 @@ impl Contacts {
         if returns { vec![(stretch.start, Contact::Grazing)] } else { vec![] }
     }
 
-    /// Returns whether the start of a step is within the blur of the last zero.
+    /// Returns `true` if the start of a step is within the blur of the last zero.
     fn just_found(&self, stretch: &Stretch<'_>) -> bool {
         let width = 4.0 * stretch.tolerance.max(f64::EPSILON).sqrt() * stretch.length.abs();
         (stretch.start - self.last).abs() <= width
@@ -193,13 +193,13 @@ impl Contacts {
         self.side = Some(side);
     }
 
-    /// The zero before a place where the formula has this sign; at the beginning rounding may give it this sign already.
+    /// The zero before a position at which the formula has this sign; at the beginning rounding may give the formula this sign already.
     fn zero(&self, stretch: &Stretch<'_>, before: f64, node: f64, side: f64) -> f64 {
         if stretch.at(before) * side >= 0.0 { before } else { stretch.zero_between(before, node) }
     }
 }
 
-/// The zero behind which a formula has this sign.
+/// The kind of zero after which a formula has this sign.
 fn crossing(side: f64) -> Contact {
     if side > 0.0 { Contact::Rising } else { Contact::Falling }
 }

@@ -2,14 +2,14 @@
 
 use libration_numbers::expression::Expression;
 
-/// A formula of coordinates, velocities and time whose zeros are looked for.
+/// A formula of coordinates, velocities and time whose zeros are searched.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Event {
     /// The formula.
     pub formula: Expression,
     /// The kinds of zeros that count.
     pub direction: Direction,
-    /// The number of the counted zero, the start excepted, at which the integration ends; `None` if the event does not end it.
+    /// The number of the counted zero, excluding the start, at which the integration ends; `None` if the event does not end it.
     pub ends_at: Option<u64>,
 }
 
@@ -33,25 +33,25 @@ pub enum Contact {
     Falling,
     /// The formula touches zero within the tolerance and returns.
     Grazing,
-    /// The motion begins there.
+    /// The formula is zero at the start of the motion.
     Start,
 }
 
-/// An event that happened.
+/// A zero that was found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Occurrence {
     /// Index into [`System::events`](crate::taylor::System::events).
     pub event: usize,
     /// The time.
     pub time: f64,
-    /// Coordinates and velocities there.
+    /// Coordinates and velocities at this time.
     pub state: Vec<f64>,
     /// The kind of the zero.
     pub contact: Contact,
 }
 
 impl Event {
-    /// Every zero of a formula; none of them ends the integration.
+    /// An event for every zero of a formula; none of them ends the integration.
     #[must_use]
     pub fn zero_of(formula: Expression) -> Self {
         Self { formula, direction: Direction::Any, ends_at: None }

@@ -1,4 +1,4 @@
-//! Events along a motion, and places in a step where formulas have no series.
+//! Events along a motion, and positions in a step at which formulas have no series.
 
 pub(super) mod boundary;
 pub(super) mod contacts;

@@ -1,8 +1,8 @@
-//! Formulas of events that change by powers of ten within a step.
+//! Formulas of events that change by orders of magnitude within a step.
 //!
 //! Steps are as long as the accelerations allow. The series of e^(−20000(x − 2)²) about x = 3 vanishes to all digits, and that about x = 2
 //! converges in a part of the step only. The series of such a formula are therefore computed again for parts of the step, which end at the
-//! extremes of steep exponents, and are halved until each series agrees with the value of the formula at the state. The same holds for a
+//! extrema of steep exponents, and are halved until each series agrees with the value of the formula at the state. The same is done for a
 //! formula with a pole, such as 1/x, which the motion and its steps pass.
 
 use std::collections::VecDeque;
@@ -19,7 +19,7 @@ use libration_numbers::{
     internals::expression::{Jet, Operation, Tape},
 };
 
-/// A formula in which something is steep, or that ends somewhere.
+/// A formula that contains a steep function, or has a boundary.
 #[derive(Clone, Debug)]
 pub(in crate::taylor) struct SharpFormula {
     tape: Tape,
@@ -32,11 +32,11 @@ pub(in crate::taylor) struct SharpFormula {
 pub(in crate::taylor) struct Part {
     pub(in crate::taylor) start: f64,
     pub(in crate::taylor) length: f64,
-    /// Coefficients of the formula, in powers of the fraction of this part; none where it has a pole.
+    /// Coefficients of the formula, in powers of the fraction of this part; none if it contains a pole.
     pub(in crate::taylor) coefficients: Vec<f64>,
 }
 
-/// A part that waits to be looked at.
+/// A part that is still to be examined.
 #[derive(Clone, Copy)]
 struct Waiting {
     start: f64,
@@ -44,19 +44,20 @@ struct Waiting {
     halvings: u32,
 }
 
-/// Powers beyond the third part of this order are steep.
+/// Order of the series: powers above a third of it are steep.
 const ORDER: usize = 18;
-/// Halvings after which a part is taken as it is: there the formula jumps, has a pole or no value.
+/// Maximum number of halvings, after which a part is accepted: there the formula jumps, has a pole or no value.
 const MOST_HALVINGS: u32 = 40;
-/// Parts that are looked at before the rest is taken as it is. A formula that is felt in a part 2⁻⁴⁰ of a step needs about 80, a pole 900.
+/// Maximum number of parts that are examined; the rest is accepted. A formula
+/// that is non-zero in a part 2⁻⁴⁰ of a step needs about 80, a pole 900.
 const MOST_PARTS: usize = 2000;
 /// Largest difference between the series of a formula and its values, relative to the largest of them, unless the tolerance is smaller.
 const MISFIT: f64 = 1e-9;
-/// A part that ends at a turn has it next to its end.
+/// Fraction of a part beyond which a turn counts as its end.
 const INSIDE: f64 = 0.999;
 
 impl SharpFormula {
-    /// `None` for what the series of whole steps show.
+    /// The formula; `None` if the series of whole steps represent it.
     pub(in crate::taylor) fn new(formula: &Expression, inputs: &[Symbol]) -> Option<Self> {
         let tape = Tape::new(&[formula], inputs).ok()?;
         let mut steep = steep_places(&tape, 1, ORDER);
@@ -69,12 +70,13 @@ impl SharpFormula {
         (ends || !steep.is_empty()).then_some(Self { tape, steep, ends })
     }
 
-    /// The step in parts in which the formula is its series to the tolerance. Where it has no value in double precision there are none.
+    /// The parts of a step in each of which the series of the formula holds to
+    /// the tolerance. None where the formula has no value in double precision.
     pub(in crate::taylor) fn parts(&self, step: &Step<'_>, parameters: &[f64], tolerance: f64) -> Vec<Part> {
         let allowed = tolerance.clamp(ROUNDING, MISFIT);
         let (start, length) = (step.start(), step.end() - step.start());
         let mut parts = vec![];
-        // The longest first, so that places where halving does not help leave nothing undone elsewhere.
+        // The longest part comes first, so that positions at which halving does not help leave no other part unexamined.
         let mut waiting = VecDeque::from([Waiting { start, length, halvings: MOST_HALVINGS }]);
         let mut tried = 0;
         while let Some(part) = waiting.pop_front() {
@@ -100,7 +102,7 @@ impl SharpFormula {
         parts
     }
 
-    /// The position at which a part has to be cut in two; `None` if it need not be.
+    /// The position at which a part has to be cut in two; `None` if no cut is necessary.
     fn cut(
         &self,
         jet: &Jet<'_, Doubles>,
@@ -116,7 +118,7 @@ impl SharpFormula {
         }
     }
 
-    /// Returns whether the series agree with the formula in the states of the step, within rounding errors.
+    /// Returns `true` if the series agree with the formula in the states of the step, within rounding errors.
     fn agrees(
         &self,
         jet: &Jet<'_, Doubles>,
@@ -130,7 +132,7 @@ impl SharpFormula {
         let mut worst = (0.0, part.start);
         for look in looks() {
             let time = part.start + look * part.length;
-            // Times are rounded.
+            // The fraction is computed from the time, which is rounded.
             let look = (time - part.start) / part.length;
             let value = self.value(step, parameters, time);
             let error = (value - series.iter().rev().fold(0.0, |sum, c| sum * look + c)).abs();
@@ -141,7 +143,7 @@ impl SharpFormula {
         largest.is_finite() && (error <= allowed * largest || error <= self.rounding(step, parameters, time))
     }
 
-    /// The effect of the roundings of a state on the formula.
+    /// The effect of the rounding errors of a state on the formula.
     fn rounding(&self, step: &Step<'_>, parameters: &[f64], time: f64) -> f64 {
         let state = step.state_at(time);
         let value = self.value_in(&state, time, parameters);
@@ -160,8 +162,8 @@ impl SharpFormula {
         (0..state.len()).map(moved).sum()
     }
 
-    /// Returns whether the series do not describe the formula, and its values at both ends of a part are much larger than at a distance of a million
-    /// parts from them: at a jump they are not.
+    /// Returns `true` if the series do not represent the formula, and its values at both ends of a
+    /// part are much larger than at a distance of a million parts from them, which excludes a jump.
     fn has_pole(&self, jet: &Jet<'_, Doubles>, step: &Step<'_>, parameters: &[f64], part: Waiting) -> bool {
         const NOTHING: f64 = 0.1;
         const AWAY: f64 = 1e6;
@@ -180,7 +182,7 @@ impl SharpFormula {
         times.any(|time| self.value(step, parameters, time).is_finite())
     }
 
-    /// The formula itself; NaN where it has no value.
+    /// The value of the formula; NaN if it has none.
     fn value(&self, step: &Step<'_>, parameters: &[f64], time: f64) -> f64 {
         self.value_in(&step.state_at(time), time, parameters)
     }
@@ -190,7 +192,7 @@ impl SharpFormula {
         Jet::new(&Doubles, &self.tape, &inputs).map_or(f64::NAN, |jet| jet.result(0)[0])
     }
 
-    /// The series of all places in a part of a step; `None` where one has no value.
+    /// The series of all slots in a part of a step; `None` if one has no value.
     fn jet(
         &self,
         step: &Step<'_>,
@@ -220,13 +222,13 @@ impl Waiting {
     }
 }
 
-/// Places in a part at which its series are compared with the formula.
+/// Positions in a part at which its series are compared with the formula.
 fn looks() -> impl Iterator<Item = f64> {
     const LOOKS: u32 = 8;
     (1..=LOOKS).map(|look| f64::from(look) / f64::from(LOOKS))
 }
 
-/// A number of the state in powers of a part of the step.
+/// A state component as a series in powers of the fraction of a part of the step.
 fn moved(step: &Step<'_>, number: usize, start: f64, length: f64) -> Vec<f64> {
     let mut series: Vec<f64> = (0..step.terms).map(|n| step.coefficient(number, n)).collect();
     let shift = (start - step.start()) / step.unit;
@@ -235,7 +237,7 @@ fn moved(step: &Step<'_>, number: usize, start: f64, length: f64) -> Vec<f64> {
             series[n] += shift * series[n + 1];
         }
     }
-    // Next to a pole the roundings of these sums are felt.
+    // Next to a pole the rounding errors of these sums are not negligible.
     series[0] = step.component_at(number, start).to_f64();
     scaled(series.into_iter(), length / step.unit)
 }

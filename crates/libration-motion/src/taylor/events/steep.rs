@@ -1,12 +1,12 @@
-//! Forces that can hide in a step: an `f64` does not see them from where the step begins, and they are felt only on its way.
+//! Forces that may be hidden in a step: in `f64` they have no effect at its start, but act inside it.
 //!
-//! Of e^(−x²) far out not one coefficient is left, and neither at the end of a step that goes through to the other side. So a
-//! step ends where such a formula is largest or smallest: there the equations of motion show what it does.
+//! Far out, e^(−x²) underflows in every coefficient, and also at the end of a step that passes to the other side. So a step ends where such a
+//! formula is largest or smallest: there the equations of motion show its effect.
 //!
 //! # Method
-//! Terms that are felt only inside a step (e^(−x²), 1/cosh² x, (1 + x²)^(−50), a high power on the way to a turning point and back) are expected
-//! where an exponent, a hyperbolic argument, a divisor or the base of a high power changes by more than the series can follow. The step ends where
-//! that quantity turns, and is tried inside too, closer and closer to its end.
+//! Terms that act only inside a step (e^(−x²), 1/cosh² x, (1 + x²)^(−50), a high power on the way to a turning point and back) are expected if
+//! an exponent, a hyperbolic argument, a divisor or the base of a high power changes by more than the series can represent. The step ends where
+//! that quantity turns, and is compared with the equations inside too, at points closer and closer to its end.
 
 use super::boundary::reached;
 use crate::taylor::step::block::{Block, Row};
@@ -16,7 +16,7 @@ use libration_kernels::elementary::count;
 use libration_numbers::internals::algebra::Growth;
 use libration_numbers::internals::expression::{Operation, Tape};
 
-/// The way in which a value on the tape enters an expression that can change by powers of ten.
+/// The way in which a value on the tape enters an expression that can change by orders of magnitude.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Enters {
     Exponent,
@@ -28,7 +28,7 @@ enum Enters {
     Power(f64),
 }
 
-/// A value on the tape, by its slot, of which something is a steep function.
+/// A value on the tape, given by its slot, that is the argument of a steep function.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::taylor) struct Steep<P> {
     pub(in crate::taylor) of: P,
@@ -45,14 +45,14 @@ impl<P> Steep<P> {
         Self::new(of, Enters::Divisor)
     }
 
-    /// The same with another slot.
+    /// The same argument with another slot.
     pub(in crate::taylor) fn moved<Q>(&self, of: Q) -> Steep<Q> {
         Steep { of, enters: self.enters, followed: self.followed }
     }
 }
 
-/// The arguments of such functions in the first `formulas` formulas on a tape, and the bases of powers beyond a third of the order: from zero series
-/// of this order show little of these powers, or nothing.
+/// The arguments of such functions in the first `formulas` formulas on a tape, and the bases of powers beyond a third of the order: about zero,
+/// series of this order contain hardly any terms of these powers, or none.
 pub(in crate::taylor) fn steep_places(tape: &Tape, formulas: usize, order: usize) -> Vec<Steep<usize>> {
     let high = |&(_, exponent): &(usize, f64)| 3.0 * exponent > count(order);
     let powers = powers(tape, formulas).into_iter().filter(high);
@@ -74,7 +74,7 @@ pub(in crate::taylor) fn steep_places(tape: &Tape, formulas: usize, order: usize
     found
 }
 
-/// The factors that are multiplied by themselves, with the largest number of them.
+/// The factors of products that are powers, each with the largest exponent.
 fn powers(tape: &Tape, formulas: usize) -> Vec<(usize, f64)> {
     let mut of: Vec<(usize, f64)> = (0..tape.operations().len()).map(|place| (place, 1.0)).collect();
     for (place, operation) in tape.operations().iter().enumerate() {
@@ -95,25 +95,25 @@ fn powers(tape: &Tape, formulas: usize) -> Vec<(usize, f64)> {
     largest
 }
 
-/// Changes that the series follow.
+/// The changes that the series can represent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Followed {
-    /// Change of the expression that the value enters, in powers of e.
+    /// Change of the expression that contains the value, in powers of e.
     powers: f64,
-    /// Change of the value below which the expression always changes by less: a number, and a part of its size.
+    /// Change of the value below which the expression always changes by less: a number, and a fraction of its size.
     change: f64,
     part: f64,
 }
 
 impl Enters {
     fn followed(self) -> Followed {
-        /// The terms of eᶻ fall behind the order z, and the least order is 6.
+        /// Change in powers of e: the terms of eᶻ decrease from the order z on, and the smallest order is 6.
         const POWERS: f64 = 6.0;
         let no_change = Followed { powers: POWERS, change: 0.0, part: 0.0 };
         match self {
             Self::Exponent | Self::Hyperbolic => Followed { change: POWERS, ..no_change },
             Self::Power(exponent) => Followed { part: libm::expm1(POWERS / exponent), ..no_change },
-            // So little that its tenth power, or its hundredth, is not lost either.
+            // A change so small that the tenth or hundredth power does not vanish either.
             Self::Divisor => Followed { powers: 1.0, part: -libm::expm1(-1.0), ..no_change },
         }
     }
@@ -126,11 +126,11 @@ impl Followed {
     }
 }
 
-/// A divisor that comes within this part of its size to zero may touch it, which a boundary looks after.
+/// Distance from zero, relative to its size, below which a divisor may touch zero; this is the case of a boundary.
 const BLUR: f64 = 1e-12;
 
 impl Steep<Row> {
-    /// Returns whether the value changes by more than the series follow in a step of this length, in units of the block.
+    /// Returns `true` if the value changes by more than the series can represent in a step of this length, in units of the block.
     pub(in crate::taylor) fn is_unseen<const N: usize>(
         &self,
         block: &Block<N>,
@@ -142,7 +142,7 @@ impl Steep<Row> {
             && (self.enters != Enters::Divisor || self.first_turn(block, lane, length).is_some())
     }
 
-    /// Returns whether the value changes by less in all lanes, in steps of these lengths.
+    /// Returns `true` if the value changes by less in all lanes, in steps of these lengths.
     #[inline(always)]
     pub(in crate::taylor) fn is_seen<const N: usize>(&self, block: &Block<N>, lengths: &[f64; N]) -> bool {
         let series = &block[self.of];
@@ -154,8 +154,8 @@ impl Steep<Row> {
         is_seen
     }
 
-    /// The part of a step of this length after which what it enters has first come to its largest or smallest, if that is far
-    /// from what it is at the start.
+    /// The fraction of a step of this length after which the argument has its
+    /// first maximum or minimum, if that is far from the value at the start.
     pub(in crate::taylor) fn first_turn<const N: usize>(
         &self,
         block: &Block<N>,
@@ -167,7 +167,7 @@ impl Steep<Row> {
 }
 
 impl<P> Steep<P> {
-    /// The same for the series of what it enters, in powers of the part of a step.
+    /// The same fraction, given the series of the argument in powers of the fraction of a step.
     pub(in crate::taylor) fn first_turn_of(&self, series: &[f64]) -> Option<f64> {
         if series.iter().any(|c| !c.is_finite()) {
             return None;
@@ -177,7 +177,7 @@ impl<P> Steep<P> {
         match self.enters {
             Enters::Exponent | Enters::Power(_) => {}
             Enters::Hyperbolic => turns.extend(sign_changes(series)),
-            // Where a divisor vanishes is a boundary.
+            // The zero of a divisor is a boundary.
             Enters::Divisor if sign_changes(series).is_empty() => {}
             Enters::Divisor => return None,
         }
@@ -191,7 +191,7 @@ impl<P> Steep<P> {
         turns.into_iter().filter(is_far).reduce(f64::min)
     }
 
-    /// The change of the expression that it enters between two of its values, in powers of e.
+    /// The change of the expression that contains the value, between two of its values, in powers of e.
     fn change(&self, from: f64, to: f64) -> f64 {
         match self.enters {
             Enters::Exponent => (to - from).abs(),

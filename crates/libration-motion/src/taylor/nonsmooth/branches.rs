@@ -1,4 +1,4 @@
-//! The side of zero on which the argument of each absolute value is, or whether it stays at zero.
+//! The sign of the argument of each absolute value, or the fact that it stays at zero.
 
 use crate::taylor::Cause;
 use crate::taylor::program::expander::{Expander, Surroundings};
@@ -8,7 +8,7 @@ use crate::taylor::step::sign_change::{first_sign_change, scaled};
 /// The arguments of all absolute values in all lanes.
 #[derive(Debug)]
 pub(in crate::taylor) struct Branches<const N: usize> {
-    /// Number of leading coefficients of each argument that are zero where the step begins, and that can differ from zero only by rounding.
+    /// Number of leading coefficients of each argument that are zero at the start of the step, and that can differ from zero only by rounding.
     zeros: Vec<[usize; N]>,
 }
 
@@ -24,7 +24,7 @@ impl<const N: usize> Branches<N> {
         }
     }
 
-    /// Goes on with a motion in a lane.
+    /// Continues a motion in a lane.
     pub(in crate::taylor) fn resume(&mut self, lane: usize, zeros: impl Iterator<Item = usize>) {
         for (own, zeros) in self.zeros.iter_mut().zip(zeros) {
             own[lane] = zeros;
@@ -41,7 +41,7 @@ impl<const N: usize> Branches<N> {
         self.zeros[modulus][lane]
     }
 
-    /// Expands steps that have only their starts, with the signs that the arguments have behind these.
+    /// Expands steps of which only the starts are set, with the signs that the arguments have after these.
     pub(in crate::taylor) fn settle(
         &mut self,
         expander: &Expander<'_>,
@@ -49,7 +49,7 @@ impl<const N: usize> Branches<N> {
         surroundings: &mut Surroundings<N>,
         backward: &[bool; N],
     ) -> [Result<(), Cause>; N] {
-        // Each attempt may show one more sign to be wrong.
+        // Each attempt may reveal one more wrong sign.
         for _ in 0..2 * self.zeros.len() {
             expander.expand(block, surroundings);
             if !self.correct(expander, block, surroundings, backward).iter().flatten().any(|wrong| *wrong) {
@@ -92,7 +92,7 @@ impl<const N: usize> Branches<N> {
         wrong
     }
 
-    /// Keeps at zero the velocities, and others whose rate of change an equation tells, that can leave it to neither side.
+    /// Keeps at zero the velocities, and other arguments whose rate of change is given by an equation, that can leave zero to neither side.
     fn stick(
         &mut self,
         wrong: &[[bool; N]],
@@ -122,7 +122,7 @@ impl<const N: usize> Branches<N> {
         outcomes
     }
 
-    /// Ends the steps where an argument first changes its sign, or what sticks is released.
+    /// Ends the steps where an argument first changes its sign, or where a sticking velocity is released.
     pub(in crate::taylor) fn cut(
         &mut self,
         expander: &Expander<'_>,
@@ -166,26 +166,26 @@ impl<const N: usize> Branches<N> {
                 surroundings.sticks[modulus][lane] = false;
                 let series = block[expander.sign(block, modulus)].iter().map(|c| c[lane]);
                 *sign = scaled(series, first * units).iter().sum::<f64>().signum();
-                // The velocity, say, and the acceleration.
+                // Two coefficients are zero, for example the velocity and the acceleration.
                 *zeros = 2;
             } else if changes_now {
                 *sign = -*sign;
                 *zeros = 1;
             } else if moves {
-                // A step without length leaves what is zero at zero.
+                // A step of length zero keeps zeros unchanged.
                 *zeros = 0;
             }
         }
     }
 }
 
-/// The sign of a series next to its centre; `None` when it vanishes.
+/// The sign of a series next to its centre; `None` if the series vanishes.
 fn sign_behind(mut terms: impl Iterator<Item = (usize, f64)>, backward: bool) -> Option<f64> {
     let (n, c) = terms.find(|(_, c)| *c != 0.0)?;
     Some(if backward && n % 2 == 1 { -c.signum() } else { c.signum() })
 }
 
-/// The part of the step after which a sign leaves the range from −1 to 1.
+/// The fraction of the step after which a sign leaves the range from −1 to 1.
 fn release(sign: impl Iterator<Item = f64>, length: f64) -> Option<f64> {
     let sign = scaled(sign, length);
     let from = |limit: f64| {

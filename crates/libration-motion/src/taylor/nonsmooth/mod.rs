@@ -1,4 +1,4 @@
-//! Motions where a force jumps, bends or has no series.
+//! Motions at points where a force jumps, bends or has no series.
 
 pub(super) mod branches;
 pub(super) mod picard;

@@ -1,8 +1,8 @@
 //! Short stretches of a motion without series: the integral equation solved by iteration.
 //!
-//! x(t) = x₀ + ∫f(x) dt is put into itself until nothing changes: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential
-//! Equations I*, 2nd ed., Springer 1993, section I.8. The integrals go from one zero of what stands in a |…| to the next, with points
-//! that crowd at both, so that forces like |x|^1.5 or a jump there cost nothing: the error is one of a smooth function.
+//! x(t) = x₀ + ∫f(x) dt is iterated until it no longer changes: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations
+//! I*, 2nd ed., Springer 1993, section I.8. The integrals extend from one zero of the argument of a |…| to the next, with nodes that cluster at
+//! both, so that forces like |x|^1.5 or a jump there do not reduce the accuracy: the error is that for a smooth function.
 
 use crate::taylor::StateLayout;
 use crate::taylor::program::passage::{Passage, Values};
@@ -16,16 +16,16 @@ pub(in crate::taylor) struct Beginning<'a> {
     pub(in crate::taylor) time: f64,
     pub(in crate::taylor) state: Vec<f64>,
     pub(in crate::taylor) parameters: Vec<f64>,
-    /// Numbers that friction keeps at zero.
+    /// `true` for components that friction keeps at zero.
     pub(in crate::taylor) held: Vec<bool>,
 }
 
-/// The motion in a stretch: each number of the state as x₀ + c₁t + c₂t², exactly what it is at the end.
+/// The motion in a stretch: each state component as x₀ + c₁t + c₂t², which is exact at the end.
 pub(in crate::taylor) struct Stretch {
     pub(in crate::taylor) length: f64,
-    /// c₁ and c₂ of each number.
+    /// c₁ and c₂ of each component.
     pub(in crate::taylor) coefficients: Vec<[f64; 2]>,
-    /// The largest error in the stretch, as a part of the size of a velocity or of the way of a coordinate.
+    /// The largest error in the stretch, relative to the size of a velocity or to the distance that a coordinate covers.
     pub(in crate::taylor) misfit: f64,
 }
 
@@ -69,7 +69,7 @@ impl Beginning<'_> {
         self.rates(0.0, &self.state)
     }
 
-    /// The state after a while under the accelerations of the start.
+    /// The state after a time under the accelerations of the start.
     pub(in crate::taylor) fn guess(&self, rates: &[f64], elapsed: f64) -> Vec<f64> {
         let bend = |number: usize| self.layout.velocity(number).map_or(0.0, |velocity| 0.5 * rates[velocity]);
         let moved = |number: usize| self.state[number] + (rates[number] + bend(number) * elapsed) * elapsed;
@@ -82,7 +82,7 @@ impl Beginning<'_> {
         Some(there.iter().zip(rates).map(|(there, here)| there - here).collect())
     }
 
-    /// The size to which the accuracy of each component refers: the velocity or its change, and the way of a coordinate.
+    /// The size to which the accuracy of each component refers: the velocity or its change, and the distance that a coordinate covers.
     pub(in crate::taylor) fn sizes(&self, rates: &[f64], length: f64, change: &[f64]) -> Vec<f64> {
         let size = |number: usize| {
             let held = if self.layout.is_velocity(number) { self.state[number].abs() } else { 0.0 };
@@ -91,9 +91,9 @@ impl Beginning<'_> {
         (0..self.state.len()).map(size).collect()
     }
 
-    /// The motion in a stretch of this length; `None` where the iteration does not come so near the solution.
+    /// The motion in a stretch of this length; `None` if the iteration does not reach the tolerance.
     pub(in crate::taylor) fn stretch(&self, rates: &[f64], length: f64, tolerance: f64) -> Option<Stretch> {
-        /// Largest number of sweeps; a stretch whose contraction is so slow that it takes more is too long.
+        /// Maximum number of sweeps; a stretch that requires more is too long.
         const MOST_SWEEPS: usize = 12;
         let panels = self.panels(rates, length)?;
         let nodes: Vec<(f64, f64)> = panels.iter().flat_map(Panel::nodes).collect();
@@ -119,7 +119,7 @@ impl Beginning<'_> {
         None
     }
 
-    /// The panels from zero to zero of the argument of a |…|.
+    /// The panels between the zeros of the arguments of |…|.
     fn panels(&self, rates: &[f64], length: f64) -> Option<Vec<Panel>> {
         const LOOKS: u32 = 8;
         let arguments =

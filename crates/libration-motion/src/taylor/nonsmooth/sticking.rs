@@ -1,8 +1,8 @@
 //! Velocities that friction keeps at zero.
 //!
-//! Where the motion can leave zero velocity to neither side, the sign in the friction takes the value between −1 and 1 that
-//! makes the acceleration vanish: A. F. Filippov, *Differential Equations with Discontinuous Righthand Sides*, Kluwer 1988,
-//! doi:10.1007/978-94-015-7793-9. The acceleration is linear in it, and so are all coefficients in its last one.
+//! If the motion can leave zero velocity to neither side, the sign in the friction takes the value between −1 and 1 at which the acceleration
+//! vanishes: A. F. Filippov, *Differential Equations with Discontinuous Righthand Sides*, Kluwer 1988, doi:10.1007/978-94-015-7793-9. The
+//! acceleration is linear in the sign, and each of its coefficients is linear in the last coefficient of the sign.
 //!
 //! # Method
 //! The sign and the series that keep the acceleration at zero are used until the sign reaches ±1.
@@ -11,18 +11,18 @@ use crate::taylor::program::expander::{Expander, Surroundings};
 use crate::taylor::step::block::{Block, Row};
 use libration_numbers::internals::algebra::lanes;
 
-/// A sign that is to be found, in some lanes.
+/// A sign to be computed, in some lanes.
 struct Unknown<const N: usize> {
     sign: Row,
     velocity: Row,
     acceleration: Row,
     sticks: [bool; N],
-    /// The acceleration with the sign one, less that with the sign zero.
+    /// The acceleration with the sign one, minus that with the sign zero.
     gain: [f64; N],
 }
 
 impl Expander<'_> {
-    /// The series with velocities that stay zero, and of the signs that keep them there.
+    /// Computes the series of velocities that stay zero, and of the signs that keep them there.
     pub(in crate::taylor) fn expand_sticking<const N: usize>(
         &self,
         block: &mut Block<N>,
@@ -47,8 +47,8 @@ impl Expander<'_> {
         }
     }
 
-    // The interpreter is inlined into the kernels that need it. Here, outside of them, it would stand five times in one function, in sixteen
-    // lanes: 273 KiB of machine code that gain nothing.
+    // The interpreter is inlined into the kernels that need it. If it were inlined here too, one function
+    // would contain it five times, in sixteen lanes: 273 KiB of machine code without a gain in speed.
 
     #[inline(never)]
     fn extend_by_call<const N: usize>(&self, block: &mut Block<N>, n: usize) {
@@ -60,7 +60,7 @@ impl Expander<'_> {
         self.begin(block, surroundings);
     }
 
-    /// The unknown signs, whose zeroth coefficients are put in.
+    /// The unknown signs, whose zeroth coefficients are set.
     fn unknown_signs<const N: usize>(
         &self,
         block: &mut Block<N>,
@@ -92,7 +92,7 @@ impl Expander<'_> {
 }
 
 impl<const N: usize> Unknown<N> {
-    /// The sign with which the acceleration vanishes.
+    /// The sign at which the acceleration vanishes.
     fn balance(&self, acceleration: &[f64; N]) -> [f64; N] {
         lanes(|lane| -acceleration[lane] / self.gain[lane])
     }

@@ -18,15 +18,15 @@ use libration_numbers::{algebra::Ring, internals::algebra::prepared_reciprocal};
 /// The inputs of the tape other than the state.
 #[derive(Clone, Debug)]
 pub struct Surroundings<const N: usize> {
-    /// The values of the parameters that were left open.
+    /// The values of the open parameters.
     pub parameters: Vec<[f64; N]>,
     /// The sign of the argument of each |…|.
     pub signs: Vec<[f64; N]>,
-    /// `true` where the argument of a |…| is a velocity that friction keeps at zero.
+    /// `true` if the argument of a |…| is a velocity that friction keeps at zero.
     pub sticks: Vec<[bool; N]>,
 }
 
-/// Makes series about one state after the other, always in the same memory.
+/// Computes series about one state after another, in the same memory.
 #[derive(Debug)]
 pub struct Expander<'a> {
     pub(in crate::taylor) system: &'a System,
@@ -47,7 +47,7 @@ impl<'a> Expander<'a> {
         block
     }
 
-    /// Fills in the coefficients up to the order, of the coordinates and then of the velocities, whose first are given.
+    /// Computes the coefficients up to the order, of the coordinates and then of the velocities, whose first coefficients are given.
     pub fn expand<const N: usize>(&self, block: &mut Block<N>, surroundings: &Surroundings<N>) {
         if surroundings.sticks.iter().flatten().any(|sticks| *sticks) {
             return self.expand_sticking(block, surroundings);
@@ -55,7 +55,7 @@ impl<'a> Expander<'a> {
         self.expand_by(block, surroundings, self.compiled());
     }
 
-    /// The same with or without machine code.
+    /// Computes the same coefficients, with or without machine code.
     pub fn expand_by<const N: usize>(
         &self,
         block: &mut Block<N>,
@@ -66,7 +66,7 @@ impl<'a> Expander<'a> {
         self.go_on(block, compiled);
     }
 
-    /// The same where all zeroth coefficients of the formulas are known.
+    /// Computes the same coefficients, given the zeroth coefficients of all formulas.
     pub(in crate::taylor) fn expand_begun<const N: usize>(
         &self,
         block: &mut Block<N>,
@@ -80,7 +80,7 @@ impl<'a> Expander<'a> {
         self.plan.expansion.compiled(|| self.straight_line())
     }
 
-    /// All but the zeroth coefficients.
+    /// Computes all coefficients but the zeroth.
     fn go_on<const N: usize>(&self, block: &mut Block<N>, compiled: Option<&Compiled>) {
         match compiled {
             Some(compiled) => {
@@ -90,7 +90,7 @@ impl<'a> Expander<'a> {
         }
     }
 
-    /// The sign of what stands in a |…|.
+    /// The sign of the argument of a |…|.
     pub(in crate::taylor) fn sign<const N: usize>(&self, block: &Block<N>, modulus: usize) -> Row {
         block.row(block.numbers() + 1 + self.system.parameters().len() + modulus)
     }
@@ -105,7 +105,7 @@ impl<'a> Expander<'a> {
         self.plan.program.results[self.system.coordinates() + self.system.moduli() + event]
     }
 
-    /// The accelerations in a state, the same in all lanes but for what surrounds them.
+    /// The accelerations in a state, the same in all lanes but for the other inputs.
     pub(in crate::taylor) fn accelerations<'s, const N: usize>(
         &'s self,
         scratch: &'s mut Block<N>,
@@ -122,7 +122,7 @@ impl<'a> Expander<'a> {
         (0..self.system.coordinates()).map(|i| scratch[self.acceleration(i)][0])
     }
 
-    /// The zeroth coefficients.
+    /// Computes the zeroth coefficients.
     #[inline(always)]
     pub(in crate::taylor) fn begin<const N: usize>(
         &self,
@@ -150,7 +150,7 @@ impl<'a> Expander<'a> {
             let row = block.row(number);
             block[row][0] = *value;
         }
-        // The series of signs are something else while a velocity sticks.
+        // While a velocity sticks, the series of its sign is not constant.
         for (number, sign) in (first + surroundings.parameters.len()..).zip(&surroundings.signs) {
             let row = block.row(number);
             block[row].fill([0.0; N]);
@@ -185,7 +185,7 @@ fn plan(system: &System, order: usize, lanes: usize) -> Plan {
     Plan { order, lanes, program, boundaries, steep, beginning, expansion }
 }
 
-/// The inputs, and the zeroth coefficients if they are not known, compiled for each instruction set.
+/// Computes the inputs, and the zeroth coefficients if they are not known; compiled for each instruction set.
 struct Beginning<'e, 'a, const N: usize> {
     expander: &'e Expander<'a>,
     block: &'e mut Block<N>,
@@ -206,7 +206,7 @@ impl<const N: usize> Kernel for Beginning<'_, '_, N> {
     }
 }
 
-/// The coefficients that follow from the zeroth.
+/// Computes the coefficients of higher order.
 struct Expansion<'e, 'a, const N: usize> {
     expander: &'e Expander<'a>,
     block: &'e mut Block<N>,
@@ -227,7 +227,7 @@ impl<const N: usize> Kernel for Expansion<'_, '_, N> {
     }
 }
 
-/// The n-th coefficient of what changes at a rate, whose coefficients before are known.
+/// The n-th coefficient of a quantity with a given rate of change, whose earlier coefficients are known.
 #[inline(always)]
 pub(in crate::taylor) fn rate<X, E: Evaluator<Row, X>>(
     on: &E,
@@ -237,15 +237,15 @@ pub(in crate::taylor) fn rate<X, E: Evaluator<Row, X>>(
 ) -> Option<<E::Ring as Ring>::Element> {
     let (ring, order, before) = (on.ring(), u64::try_from(n).unwrap_or(u64::MAX), &on.row(of)[n - 1]);
     match prepared_reciprocal(order) {
-        // The unit is a power of two, so that this is the same product, but one that waits for nothing else.
+        // The unit is a power of two, so that this is the same product, but without waiting for other results.
         Some(_) => Some(ring.multiply(before, &ring.over_integer(unit, order)?)),
         None => ring.over_integer(&ring.multiply(before, unit), order),
     }
 }
 
 impl Expander<'_> {
-    /// Every rate, with what changes at it: a coordinate at its velocity, and this at the acceleration; of the first order the coordinate
-    /// itself at what the equation says.
+    /// Every rate of change with the quantity that changes: the velocity for a coordinate, and the acceleration
+    /// for the velocity; in equations of first order the right-hand side for the coordinate itself.
     #[inline(always)]
     pub(in crate::taylor) fn rates(&self) -> impl Iterator<Item = (Row, Row)> {
         let (layout, terms) = (self.system.layout(), self.plan.order + 1);
@@ -256,7 +256,7 @@ impl Expander<'_> {
         })
     }
 
-    /// Each xₙ from vₙ₋₁ and each vₙ from aₙ₋₁, where each aₙ needs no more than xₙ and vₙ.
+    /// Computes each xₙ from vₙ₋₁ and each vₙ from aₙ₋₁, where each aₙ depends only on coefficients up to xₙ and vₙ.
     #[inline(always)]
     pub(in crate::taylor) fn extend_state<const N: usize>(&self, block: &mut Block<N>, n: usize) {
         for (of, out) in self.rates() {
@@ -266,7 +266,7 @@ impl Expander<'_> {
         }
     }
 
-    /// The last order that is requested of formulas: events want as many as the state has.
+    /// The highest order that is requested of formulas: events require the same order as the state.
     #[inline(always)]
     pub(in crate::taylor) fn last(&self) -> usize {
         self.plan.order - usize::from(self.system.events().is_empty())

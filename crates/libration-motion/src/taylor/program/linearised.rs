@@ -1,24 +1,24 @@
-//! Formulas in a state with their derivatives, and with what rounding makes of their values in double precision.
+//! Formulas in a state with their derivatives, and with bounds of the rounding errors of their values in double precision.
 
 use libration_numbers::algebra::Function;
 use libration_numbers::internals::algebra::Slope;
 use libration_numbers::internals::expression::{Operation, Tape};
 
-/// The most by which rounding changes a number, as a part of it.
+/// The largest relative rounding error of a number.
 pub(in crate::taylor) const ROUNDING: f64 = f64::EPSILON / 2.0;
 
-/// Half the distance of the next number; none of zero, which is exact.
+/// Half the distance to the next number; zero for zero, which is exact.
 pub(in crate::taylor) fn half_ulp(value: f64) -> f64 {
     if value == 0.0 { 0.0 } else { 0.5 * (value.abs().next_up() - value.abs()) }
 }
 
-/// Some formulas of a tape, evaluated in one state after the other.
+/// Some formulas of a tape, evaluated in one state after another.
 #[derive(Clone, Debug)]
 pub(in crate::taylor) struct Linearised {
     tape: Tape,
-    /// Number of inputs, the first ones, with respect to which the formulas are differentiated.
+    /// Number of inputs, the first ones of the tape, with respect to which the formulas are differentiated.
     numbers: usize,
-    /// The operations that the formulas need and that depend on inputs.
+    /// The operations on which the formulas depend and which depend on inputs.
     varying: Vec<usize>,
     values: Vec<f64>,
     /// Error bounds of the values, in units of [`ROUNDING`], for exact inputs.
@@ -27,7 +27,7 @@ pub(in crate::taylor) struct Linearised {
     slopes: Vec<f64>,
 }
 
-/// The value of an operation, and how it changes with its operands.
+/// The value of an operation, and its derivatives by its operands.
 struct Differential {
     value: f64,
     /// The slots of the operands, and the derivatives with respect to them.
@@ -98,7 +98,7 @@ impl Linearised {
         ROUNDING * self.errors[self.tape.results()[formula]]
     }
 
-    /// Its derivatives.
+    /// The derivatives of a formula.
     pub(in crate::taylor) fn slopes(&self, formula: usize) -> &[f64] {
         let place = self.tape.results()[formula];
         &self.slopes[self.numbers * place..self.numbers * (place + 1)]
@@ -127,7 +127,7 @@ impl Linearised {
             [Some((a, by_a)), None] => {
                 own.iter_mut().zip(of(a)).for_each(|(own, a)| *own = times(by_a, *a));
             }
-            // Those of inputs and numbers stay what they are.
+            // The values of inputs and numbers do not change.
             _ => {}
         }
     }
@@ -183,7 +183,7 @@ impl Linearised {
     }
 }
 
-/// The product of two derivatives; zero for an operand that does not depend on an input, however steep the operation is.
+/// The product of two derivatives; zero for an operand that does not depend on an input, even if the operation has an infinite derivative.
 fn times(slope: f64, inner: f64) -> f64 {
     if inner == 0.0 { 0.0 } else { slope * inner }
 }

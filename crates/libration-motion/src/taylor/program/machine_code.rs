@@ -1,31 +1,32 @@
-//! Machine code for expansions that are done often.
+//! Machine code for expansions that are computed often.
 //!
 //! # Method
-//! An expansion does the same arithmetic in every step. After 500 expansions, which cost as much as compiling, it is recorded once by a ring that
-//! writes down each operation instead of doing it (`straight_line.rs`). The order of all operations is therefore that of the lanes, and a test
-//! compares the bits of both. Systems that announce thousands of steps, as in continuation over a parameter, are compiled at once. `plan.rs` keeps
-//! the record and the rest of what all expansions to an order have in common, so that a short motion of a known system begins without delay.
+//! An expansion does the same arithmetic in every step. After 500 expansions, which cost as much as the compilation,
+//! it is recorded once by a ring that notes each operation instead of computing it (`straight_line.rs`). The order
+//! of all operations is therefore that of the lanes, and a test compares the bits of both. Systems that announce
+//! thousands of steps, as in continuation in a parameter, are compiled at once. `plan.rs` stores the record and the
+//! other data common to all expansions to an order, so that a short motion of a known system begins without delay.
 //!
-//! The zeroth coefficients of a single motion have code of their own, except those of functions and their arguments, which are computed before:
-//! they are needed once when a step is tried, and are the start of the next step. On other processors, on wasm32, and on systems that grant no
-//! memory for code, expansions run through `program.rs` as before.
+//! The zeroth coefficients of a single motion have separate code, except those of functions and their arguments,
+//! which are computed before: they are needed once when a step is tried, and are the start of the next step. On other
+//! processors, on wasm32, and on systems that provide no memory for code, expansions are computed by `program.rs`.
 
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use libration_jit::{Compiled, StraightLine};
 
-/// Machine code for one order and number of lanes, compiled once it pays.
+/// Machine code for one order and number of lanes, compiled once the expected gain in time exceeds its cost.
 #[derive(Debug)]
 pub struct MachineCode {
     lanes: usize,
-    /// Number of expansions that are still done without it.
+    /// Number of further expansions that are computed without machine code.
     without: AtomicUsize,
     compiled: OnceLock<Option<Compiled>>,
 }
 
 impl MachineCode {
-    /// The code for many expansions, where it pays from the first one on, or for an unknown number.
+    /// The code for many expansions, compiled at the first one, or for an unknown number.
     pub(in crate::taylor) fn new(lanes: usize, for_many: bool) -> Self {
         /// Number of expansions before the code is compiled. For chains of 2 to 720 springs at orders 20 and 33, compiling takes as long as 40 to
         /// 750 expansions without code, most often 250; with code they take a tenth to a half of the time.
@@ -34,7 +35,8 @@ impl MachineCode {
         Self { lanes, without, compiled: OnceLock::new() }
     }
 
-    /// The code, with the unit of time as argument, given what it does; the same bits come out without it.
+    /// The compiled code, whose argument is the unit of time, given the operations
+    /// to be compiled; the results without it are the same bit for bit.
     pub fn compiled(&self, line: impl FnOnce() -> Option<StraightLine>) -> Option<&Compiled> {
         if let Some(known) = self.compiled.get() {
             return known.as_ref();

@@ -1,7 +1,7 @@
-//! The tape of a system as a list of instructions that go through a block of series.
+//! The tape of a system as a list of instructions that act on a block of series.
 //!
-//! A `Jet` asks at every order what is constant, weighted or linear in the time. Integrations go through the tape millions
-//! of times, so here that is asked once.
+//! A `Jet` determines at every order which slots are constant, weighted or linear in the
+//! time. Integrations evaluate the tape millions of times, so here this is determined once.
 
 #[doc(hidden)]
 pub(crate) mod expander;
@@ -31,13 +31,13 @@ use libration_numbers::{
 /// Instructions for the coefficients of the formulas on a tape.
 #[derive(Clone, Debug)]
 pub struct Program {
-    /// Rows that are the same in all steps.
+    /// Rows with the same values in all steps.
     pub(in crate::taylor) constants: Vec<(Row, f64)>,
-    /// Instructions for the zeroth coefficients of functions, and of all that these need.
+    /// Instructions for the zeroth coefficients of functions, and of all their operands.
     functions: Vec<Zeroth>,
     /// Instructions for the zeroth coefficients of the other rows: sums, products and quotients.
     pub(in crate::taylor) arithmetic: Vec<Zeroth>,
-    /// Rows with such instructions.
+    /// Rows with instructions for their zeroth coefficients.
     begun: Vec<Row>,
     /// Instructions for the first coefficients of rows that are linear in the time, whose higher coefficients vanish.
     linear: Vec<Instruction<Row, f64>>,
@@ -59,12 +59,12 @@ pub(in crate::taylor) enum Zeroth {
     SineAndCosine { of: Row, sine: Row, cosine: Row },
 }
 
-/// The degree in the time of what is not known to be a polynomial.
+/// The degree in the time of a row that is not known to be a polynomial.
 const ENDLESS: usize = usize::MAX;
 
 impl Program {
-    /// The program of a tape whose inputs have these degrees in the time, for `terms` coefficients. Inputs come first in the block; some of them are
-    /// known last.
+    /// The program of a tape whose inputs have these degrees in the time, for `terms`
+    /// coefficients. Inputs come first in the block; `last` marks those which are known last.
     pub(in crate::taylor) fn new(tape: &Tape, degrees: &[usize], last: &[bool], terms: usize) -> Self {
         let program = Self {
             constants: vec![],
@@ -92,7 +92,7 @@ impl Program {
         writer.program
     }
 
-    /// The zeroth coefficients, those of the inputs being known.
+    /// Computes the zeroth coefficients, given those of the inputs.
     #[inline(always)]
     pub fn begin<const N: usize>(&self, block: &mut Block<N>, arithmetic: Option<&Compiled>) {
         begin_rows(&self.functions, block);
@@ -109,7 +109,7 @@ impl Program {
         }
     }
 
-    /// The n-th coefficients, those of the inputs being known.
+    /// Computes the n-th coefficients, given those of the inputs.
     #[inline(always)]
     pub(in crate::taylor) fn extend<const N: usize>(&self, block: &mut Block<N>, n: usize) {
         for instruction in self.instructions(n) {
@@ -140,7 +140,7 @@ fn begin_rows<const N: usize>(zeroth: &[Zeroth], block: &mut Block<N>) {
     }
 }
 
-/// Functions and what they need, and then the rest, both as they come one after the other.
+/// Splits the instructions into functions with their operands, and the others, each in their order.
 fn with_functions_first(values: &[Zeroth]) -> (Vec<Zeroth>, Vec<Zeroth>) {
     let mut needed = HashSet::new();
     let mut is_first = vec![false; values.len()];
@@ -162,7 +162,7 @@ fn with_functions_first(values: &[Zeroth]) -> (Vec<Zeroth>, Vec<Zeroth>) {
 
 #[inline(always)]
 fn carry_out<const N: usize>(instruction: &Instruction<Row, f64>, block: &mut Block<N>, n: usize) {
-    // In lanes there are values everywhere, though they be NaN.
+    // In lanes every instruction has a value, possibly NaN.
     if let Some((out, value)) = instruction.evaluate(block, n) {
         block[out][n] = value;
     }
@@ -218,7 +218,7 @@ impl<const N: usize> Evaluator<Row, f64> for Block<N> {
     }
 }
 
-/// Returns whether a power of a series that begins with zero has no coefficient n yet.
+/// Returns `true` if a power of a series that begins with zero has no coefficient n yet.
 #[inline(always)]
 pub(in crate::taylor) fn begins_beyond(exponent: f64, n: usize) -> bool {
     exponent.fract() == 0.0 && count(n) < exponent
@@ -239,7 +239,7 @@ struct Writer<'a> {
     values: Vec<Zeroth>,
     /// Rows of the results.
     places: Vec<Weighted<Row>>,
-    /// Their degrees in the time.
+    /// Degrees of the results in the time.
     degrees: Vec<usize>,
     /// Delay after which each result is known at an order, in operations.
     delays: Vec<usize>,
@@ -248,9 +248,9 @@ struct Writer<'a> {
     input_degrees: &'a [usize],
 }
 
-/// The number of operations between the values that are known first at an order and each result, some inputs being known last.
+/// The number of operations between the values that are known first at an order and each result, if the inputs marked `last` are known last.
 fn delays(tape: &Tape, last: &[bool]) -> Vec<usize> {
-    /// More than there are operations between two orders.
+    /// An upper bound on the number of operations between two orders.
     const ORDER: usize = 1000;
     let mut delays: Vec<usize> = vec![];
     for operation in tape.operations() {
@@ -267,7 +267,7 @@ impl Writer<'_> {
         Row::new(self.program.rows - 1, self.terms)
     }
 
-    /// The one that comes next.
+    /// The next row.
     fn next_row(&self) -> Row {
         Row::new(self.program.rows, self.terms)
     }
@@ -337,7 +337,7 @@ impl Writer<'_> {
         }
     }
 
-    /// A cosine comes right behind the sine of the same, and with it.
+    /// The cosine of an argument is computed together with its sine, in the row after it.
     fn push_value(&mut self, out: Row, value: Value<Row, f64>) {
         self.program.begun.push(out);
         let values = &mut self.values;
@@ -354,18 +354,18 @@ impl Writer<'_> {
         values.push(pair.unwrap_or(Zeroth::One { out, value }));
     }
 
-    /// `None` for what is given or constant.
+    /// The instruction for an operation; `None` for inputs and constants.
     fn instruction(&self, operation: &Operation, place: usize) -> Option<Instruction<Row, f64>> {
-        // Absolute values and signs are on the tape as signs among the inputs.
+        // On the tape, absolute values and signs are products with signs, which are inputs.
         if matches!(operation, Operation::Abs(_) | Operation::Sign(_)) {
             return None;
         }
-        // What comes behind a place is requested before it is written.
+        // The rows after a slot's row are reserved before they are written.
         let next = Weighted { plain: self.next_row(), weighted: self.next_row() };
         let rows = |place: usize| self.places.get(place).copied().unwrap_or(next);
         let swapped = match *operation {
-            // The newest coefficient of the first factor enters last. Double pendulums at 1e-12, single or two hundred side by side, take
-            // 0.96 of the time.
+            // The newest coefficient of the first factor enters last. Double pendulums
+            // at 1e-12, single or two hundred side by side, take 0.96 of the time.
             Operation::Multiply(a, b) if self.delays[a] < self.delays[b] => Some(Operation::Multiply(b, a)),
             _ => None,
         };

@@ -1,29 +1,29 @@
-//! Absolute values as products with a sign, which stays what it is during a step; and signs.
+//! Absolute values as products with a sign, which is constant during a step; and signs.
 
 use libration_numbers::algebra::Rational;
 use libration_numbers::expression::{Expression, Function, Symbol};
 
-/// The arguments of the absolute values and signs met so far, each once.
+/// The arguments of the absolute values and signs found so far, each once.
 #[derive(Debug, Default)]
 pub(in crate::taylor) struct Moduli {
     arguments: Vec<Modulus>,
-    /// Bases of powers that are not whole, where the base contains no |…|.
+    /// Bases without |…| of powers that are not integers.
     bases: Vec<Expression>,
 }
 
 /// The argument of a |…| or a sign.
 #[derive(Clone, Debug)]
 pub(in crate::taylor) struct Modulus {
-    /// The argument with signs in the place of all |…| within it.
+    /// The argument with all |…| within it replaced by products with signs.
     pub(in crate::taylor) argument: Expression,
-    /// The argument as it is written.
+    /// The argument in its original form.
     pub(in crate::taylor) written: Expression,
-    /// `true` if an expression that vanishes with the argument has a power that is not whole, and no series there.
+    /// `true` if an expression that vanishes with the argument has a power that is not an integer, and no series there.
     pub(in crate::taylor) in_root: bool,
 }
 
 impl Moduli {
-    /// The formula with s·u in the place of each |u|, and s in the place of sign(u).
+    /// The formula with each |u| replaced by s·u, and sign(u) by s.
     pub(in crate::taylor) fn taken_out(&mut self, formula: &Expression) -> Expression {
         match formula {
             Expression::Call(Function::Abs, a) => {
@@ -47,8 +47,8 @@ impl Moduli {
         }
     }
 
-    /// A power that is not whole. A base that vanishes on one side of a sign, as (x + |x|)/2 does, is replaced by one there, and the power is
-    /// multiplied by zero: so it has a series on either side.
+    /// A power that is not an integer. A base that vanishes for one value of a sign, as (x + |x|)/2 does, is replaced by one there, and the
+    /// power is multiplied by zero: so it has a series for either value.
     fn root(&mut self, base: &Expression, power: impl FnOnce(Expression) -> Expression) -> Expression {
         let base = self.taken_out(base);
         let within: Vec<usize> =
@@ -103,7 +103,7 @@ impl Moduli {
         self.arguments.iter().enumerate().find_map(jumps)
     }
 
-    /// Returns whether such a power is taken of a symbol itself, and has no value on one side of its zero.
+    /// Returns `true` if a power that is not an integer is taken of a symbol itself, and has no value on one side of its zero.
     pub(in crate::taylor) fn has_power_of(&self, symbol: &Symbol) -> bool {
         self.bases.contains(&Expression::Symbol(symbol.clone()))
     }
@@ -113,25 +113,25 @@ impl Moduli {
     }
 }
 
-/// An exponent above zero that is a number, but no whole one.
+/// The exponent, if it is a positive number that is not an integer.
 fn broken(exponent: &Expression) -> Option<Rational> {
-    // The shortest decimal of a number is a formula.
+    // The shortest decimal of a number can be parsed as a formula.
     let nearest = || format!("{:?}", exponent.to_f64()?).parse::<Expression>().ok()?.to_rational();
     let number = exponent.to_rational().or_else(nearest)?;
     (!number.is_integer() && !number.is_negative()).then_some(number)
 }
 
-/// The formula with zero in the place of a part.
+/// The formula with a part replaced by zero.
 fn with_zero(formula: &Expression, part: &Expression) -> Expression {
     if formula == part { Expression::from(0) } else { formula.with_parts(|inner| with_zero(inner, part)) }
 }
 
-/// The formula with zero in place of a symbol, and of roots of it.
+/// The formula with a symbol, and roots of it, replaced by zero.
 pub(in crate::taylor) fn where_zero(formula: &Expression, symbol: &Symbol) -> Expression {
     roots_of_zero(&formula.substitute(symbol, &Expression::from(0)).simplified()).simplified()
 }
 
-/// The formula with zero in the place of roots and powers of it.
+/// The formula with roots and powers of zero replaced by zero.
 fn roots_of_zero(formula: &Expression) -> Expression {
     match formula {
         Expression::Call(Function::Sqrt, base) if roots_of_zero(base).vanishes() => Expression::from(0),
@@ -142,7 +142,7 @@ fn roots_of_zero(formula: &Expression) -> Expression {
     }
 }
 
-/// A name that no text can have.
+/// The symbol of a sign, with a name that cannot occur in a text.
 fn sign(place: usize) -> Symbol {
     Symbol::plain(&format!("sign of |{place}|"))
 }

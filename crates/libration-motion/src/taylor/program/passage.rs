@@ -1,4 +1,4 @@
-//! Equations of motion where they have values but no series: |x|^1.5 and the like at zero.
+//! Equations of motion at points at which they have values but no series: |x|^1.5 and the like at zero.
 
 use super::moduli::Modulus;
 use crate::taylor::StateLayout;
@@ -8,15 +8,15 @@ use libration_numbers::{
     internals::expression::{Jet, Tape},
 };
 
-/// The equations with their |…| as they are written, the arguments of these, and the formulas of events.
+/// The equations with their |…| in the original form, the arguments of these, and the formulas of events.
 #[derive(Clone, Debug)]
 pub(in crate::taylor) struct Passage {
     tape: Tape,
     coordinates: usize,
     moduli: usize,
-    /// The numbers of the |…| of which a power without a series is taken.
+    /// The indices of the |…| of which a power without a series is taken.
     roots: Vec<usize>,
-    /// The numbers of the state of which such a power is taken as they are.
+    /// The state components of which such a power is taken directly.
     bases: Vec<usize>,
 }
 
@@ -28,7 +28,7 @@ pub(in crate::taylor) struct Values {
 }
 
 impl Passage {
-    /// `None` where there is no such power.
+    /// The passage; `None` if there is no such power.
     pub(in crate::taylor) fn new(
         derivatives: &[Expression],
         moduli: &[Modulus],
@@ -54,7 +54,7 @@ impl Passage {
         &self.bases
     }
 
-    /// `None` where something has no value.
+    /// The values of the formulas; `None` if one has no value.
     pub(in crate::taylor) fn at(&self, time: f64, state: &[f64], parameters: &[f64]) -> Option<Values> {
         let inputs = [state, &[time], parameters].concat();
         let jet = Jet::new(&Doubles, &self.tape, &inputs).ok()?;

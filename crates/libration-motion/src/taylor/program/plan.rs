@@ -1,4 +1,4 @@
-//! The parts that all expansions of a system to an order share, made once.
+//! The data common to all expansions of a system to an order, computed once.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -41,7 +41,7 @@ pub struct Plan {
     pub(in crate::taylor) boundaries: Vec<Boundary<Row>>,
     /// Values of which the accelerations are steep functions.
     pub(in crate::taylor) steep: Vec<Steep<Row>>,
-    /// Code for the zeroth coefficients of all but functions, and of all that these need.
+    /// Code for the zeroth coefficients of all rows except functions and their operands.
     pub(in crate::taylor) beginning: MachineCode,
     /// Code for the coefficients of higher order.
     pub expansion: MachineCode,

@@ -1,9 +1,9 @@
-//! Quotients of what vanishes together: x′/√|x′| is √|x′|·sign(x′), which has a value at zero.
+//! Quotients whose numerator and denominator vanish together: x′/√|x′| is √|x′|·sign(x′), which has a value at zero.
 
 use libration_numbers::algebra::{Rational, Rationals, Ring};
 use libration_numbers::expression::{Equation, Expression, Function};
 
-/// The equations with |u|^(k−p)·sign(u) in the place of u^k/|u|^p, for odd k ≥ p, and |u|^(k−p) for even ones.
+/// The equations with u^k/|u|^p replaced by |u|^(k−p)·sign(u) for odd k ≥ p, and by |u|^(k−p) for even k.
 pub(in crate::taylor) fn with_values_at_zero(equation: Equation) -> Equation {
     let derivatives: Vec<Expression> = equation.derivatives().iter().map(with_value_at_zero).collect();
     if derivatives == equation.derivatives() {
@@ -65,7 +65,7 @@ impl<'a> Product<'a> {
         }
     }
 
-    /// u^k/|u|^p as one power, without which the other factors are left.
+    /// u^k/|u|^p as a single power, which is removed from the factors.
     fn joined(&mut self) -> Option<Expression> {
         let divisors = self.factors.iter().filter(|(_, exponent)| exponent.is_negative());
         let (modulus, u, left, is_odd) = divisors.into_iter().find_map(|(base, divided)| {

@@ -1,15 +1,15 @@
-//! States given by the names of their numbers.
+//! States given by the names of their components.
 
-/// A name that is not one of the state.
+/// The reason why names and values do not form a state.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum StateNameError {
-    /// A name that the state does not have.
+    /// A name that is not a state component.
     #[error("the state has no variable `{name}`: it has {}", known.join(", "))]
     Unknown {
         /// The requested name.
         name: String,
-        /// The names there are.
+        /// The names of all components.
         known: Vec<String>,
     },
     /// A name with two values.
@@ -20,7 +20,7 @@ pub enum StateNameError {
     },
 }
 
-/// A state with some numbers in the place of others, by their names.
+/// A state in which some components are replaced by others, given by their names.
 #[doc(hidden)]
 pub fn named_state(
     names: &[String],

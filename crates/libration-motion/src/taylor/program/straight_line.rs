@@ -1,4 +1,4 @@
-//! The expansion of a system to an order as arithmetic without loops: what it does with numbers is written down.
+//! The expansion of a system to an order as arithmetic without loops, obtained by recording its operations.
 
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -15,8 +15,8 @@ use libration_numbers::{
 };
 
 impl Expander<'_> {
-    /// The computation of the zeroth coefficients when those of functions are known; `None` where code gains nothing: a single double pendulum's
-    /// steps take 0.96 of the time with it, those of sixteen side by side 1.02.
+    /// The computation of the zeroth coefficients, given those of functions; `None` if machine code is not faster: the steps of a single double
+    /// pendulum take 0.96 of the time with it, those of sixteen side by side 1.02.
     pub fn beginning(&self) -> Option<StraightLine> {
         const FEWEST: usize = 4;
         const MOST_PLACES: usize = 1 << 20;
@@ -39,11 +39,11 @@ impl Expander<'_> {
         recording.line()
     }
 
-    /// The computation of an expansion when the zeroth coefficients are known; `None` where it depends on the values, or is too long for code.
+    /// The computation of an expansion, given the zeroth coefficients; `None` if it depends on the values, or is too long for machine code.
     pub fn straight_line(&self) -> Option<StraightLine> {
-        /// Instructions times half the square of the number of terms. Springs in a row: code for 0.2 million (64 masses at order 33) takes a
-        /// quarter of the interpreter's time, for 0.7 and 0.8 million (256; 720 at order 20) a fifth to a half; when inner products were not
-        /// packed yet it took 0.7 for 1.2 million (400 at order 33) and 5.4 for 2.1 million.
+        /// Largest number of instructions times half the square of the number of terms. Springs in a row: code for 0.2 million (64 masses at
+        /// order 33) takes a quarter of the interpreter's time, for 0.7 and 0.8 million (256; 720 at order 20) a fifth to a half; before inner
+        /// products were packed it took 0.7 for 1.2 million (400 at order 33) and 5.4 for 2.1 million.
         const MOST: usize = 1 << 20;
         let terms = self.plan.order + 1;
         if self.plan.program.instructions(1).count().saturating_mul(terms * terms / 2) > MOST {
@@ -71,9 +71,9 @@ impl Expander<'_> {
 #[derive(Debug, Default)]
 struct Recorder {
     steps: RefCell<Vec<Arithmetic>>,
-    /// The slot of each step's value, if it is in one.
+    /// The slot of each step's value, if it is stored in one.
     places: RefCell<Vec<Option<usize>>>,
-    /// Quotients by integers, each of which is formed once.
+    /// Quotients by integers, each of which is computed once.
     quotients: RefCell<HashMap<(Recorded, u64), Recorded>>,
 }
 
@@ -209,7 +209,7 @@ impl Rounded<Recorded> for Recorder {
     }
 }
 
-/// A block of values that are not known yet.
+/// A block whose values are not known yet.
 #[derive(Debug)]
 struct Recording {
     recorder: Recorder,
@@ -225,7 +225,7 @@ impl Recording {
         Self { recorder, values, terms }
     }
 
-    /// All that was done; the argument is the unit of time.
+    /// The recorded operations; the argument of the code is the unit of time.
     fn line(self) -> Option<StraightLine> {
         StraightLine::new(self.recorder.steps.into_inner(), self.values.len(), 1).ok()
     }
@@ -272,7 +272,7 @@ impl Evaluator<Row, f64> for Recording {
         begins_beyond(*exponent, n)
     }
 
-    /// The quotient; `None` where a power begins later, since it then depends on whether its base is zero.
+    /// The quotient; `None` if a power may begin at a later order, since it then depends on whether its base is zero.
     fn over_base(&self, value: &Recorded, base: &Recorded, begins_later: bool) -> Option<Recorded> {
         if begins_later { None } else { self.recorder.divide(value, base) }
     }

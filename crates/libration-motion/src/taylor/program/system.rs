@@ -16,8 +16,8 @@ use libration_numbers::{
     internals::expression::Tape,
 };
 
-/// Equations of motion whose state is all coordinates, then the velocities, in the order of the equations. A coordinate whose equation
-/// is of the first order has none.
+/// Equations of motion whose state consists of all coordinates, then the velocities, in the
+/// order of the equations. A coordinate whose equation is of first order has no velocity.
 ///
 /// # Examples
 /// ```
@@ -37,20 +37,20 @@ pub struct System {
     layout: Arc<StateLayout>,
     parameters: Vec<Symbol>,
     events: Vec<Event>,
-    /// The accelerations and rates of change, then what stands between the bars of each |…|, then the formulas of the events; the inputs are
-    /// coordinates, velocities, the time, the open parameters, and the sign of what stands in each |…|.
+    /// The accelerations and rates of change, then the argument of each |…|, then the formulas of the events; the inputs are coordinates,
+    /// velocities, the time, the open parameters, and the sign of the argument of each |…|.
     tape: Tape,
     /// State component that is the argument of each |…|, if its rate of change has an equation, as that of a velocity.
     driven_in_moduli: Vec<Option<usize>>,
-    /// The events whose formulas the series of a whole step do not show.
+    /// The formulas of events that the series of a whole step do not represent.
     sharp: Vec<Option<SharpFormula>>,
-    /// Equations for passing places where a force has no series, if there are any.
+    /// Equations for passing positions at which a force has no series, if there are any.
     passage: Option<Arc<Passage>>,
     plans: Arc<Plans>,
     for_many_steps: bool,
-    /// Tolerances of coordinates that have their own, zero for the others.
+    /// Individual tolerances of coordinates; zero for coordinates without one.
     tolerances: Vec<f64>,
-    /// `true` if a state component has been put to rest, which makes these different equations.
+    /// `true` if a state component has come to rest, by which the equations have changed.
     rests: bool,
 }
 
@@ -63,7 +63,7 @@ impl System {
         Self::with_parameters(equation, &[])
     }
 
-    /// The system of equations some of whose parameters keep open; each [`Trajectory`](crate::taylor::Trajectory) gives them values.
+    /// The system of equations some of whose parameters stay open; each [`Trajectory`](crate::taylor::Trajectory) gives them values.
     ///
     /// # Errors
     /// Another parameter without a value.
@@ -72,7 +72,7 @@ impl System {
         Self::build(equation.clone(), parameters, vec![])
     }
 
-    /// The same system, with these events to be found.
+    /// The same system with events to be found.
     ///
     /// # Errors
     /// A symbol in a formula that is neither coordinate nor velocity, time or open parameter.
@@ -81,20 +81,20 @@ impl System {
         Ok(Self { tolerances, ..Self::build(self.equation, self.parameters, events.to_vec())? })
     }
 
-    /// The same system, some coordinates of which have tolerances of their own instead of [`Effort::relative`]: what a step may err by in
-    /// the coordinate as a part of how far it moves, and in its velocity as a part of its size. Errors go from one coordinate to the
-    /// others as the equations couple them, so that it is a coordinate on which little depends that may have a larger one. The least of all
-    /// decides the order of the series.
+    /// The same system with individual tolerances of some coordinates, which replace [`Effort::relative`]: the allowed error
+    /// of a step in the coordinate relative to its displacement, and in its velocity relative to its size. Errors propagate
+    /// from one coordinate to the others as the equations couple them, so that a larger tolerance is reasonable for a
+    /// coordinate on which the others hardly depend. The smallest of all tolerances determines the order of the series.
     ///
     /// # Errors
-    /// A name that is not a coordinate, or is there twice; a tolerance outside of [`Effort::TOLERANCES`].
+    /// A name that is not a coordinate, or occurs twice; a tolerance outside of [`Effort::TOLERANCES`].
     ///
     /// # Examples
     /// ```
     /// # extern crate libration_motion as libration;
     /// use libration::progress::Quiet;
     /// use libration::taylor::{Effort, System, integrate};
-    /// // What y is matters to nothing else.
+    /// // No other coordinate depends on y.
     /// let system = System::new(&"x'' = -x; y' = x*cos(20*x)".parse()?)?;
     /// let start = system.start(&[("x", 1.0)])?;
     /// let steps = |system: &System| integrate(system, &start, &[20.0], &Effort::to_tolerance(1e-15), &Quiet).map(|it| it.steps);
@@ -107,19 +107,19 @@ impl System {
         Ok(Self { tolerances, ..self })
     }
 
-    /// The same system with a part of these.
+    /// The same system with its individual tolerances multiplied by a factor.
     pub(in crate::taylor) fn with_part_of_tolerances(&self, part: f64) -> Self {
         let least = Effort::TOLERANCES[0];
         let parts = self.tolerances.iter().map(|&own| if own > 0.0 { (part * own).max(least) } else { own });
         Self { tolerances: parts.collect(), ..self.clone() }
     }
 
-    /// The effort to the least of all tolerances, and what each number of a state may err by.
+    /// The effort with the smallest of all tolerances, and the allowed error of each state component.
     pub(in crate::taylor) fn allowances(&self, effort: &Effort) -> (Effort, Vec<Allowance>) {
         allowances(&self.tolerances, &self.layout, effort)
     }
 
-    /// The same system for thousands of steps, which are worth machine code from the first on.
+    /// The same system for thousands of steps, for which machine code is generated at the first step.
     #[doc(hidden)]
     pub fn for_many_steps(self) -> Self {
         Self { plans: Arc::default(), for_many_steps: true, ..self }
@@ -170,16 +170,16 @@ impl System {
         })
     }
 
-    /// The names of the numbers of a state: `theta`, `theta'`.
+    /// The names of the state components: `theta`, `theta'`.
     #[must_use]
     pub fn state_names(&self) -> Vec<String> {
         self.state_symbols().iter().map(ToString::to_string).collect()
     }
 
-    /// A state at the time zero from names and values, as `theta` and `theta'`; numbers that are not named are zero.
+    /// A state at the time zero from names and values, as `theta` and `theta'`; components that are not named are zero.
     ///
     /// # Errors
-    /// A name that is none of [`Self::state_names`], or one that is there twice.
+    /// A name that is none of [`Self::state_names`], or one that occurs twice.
     ///
     /// # Examples
     /// ```
@@ -207,29 +207,29 @@ impl System {
         &self.layout
     }
 
-    /// The same, to be kept.
+    /// The same layout, as a shared pointer.
     pub(in crate::taylor) fn shared_layout(&self) -> &Arc<StateLayout> {
         &self.layout
     }
 
-    /// The names of the parameters that were left open.
+    /// The names of the open parameters.
     #[must_use]
     pub fn parameters(&self) -> Vec<String> {
         self.parameters.iter().map(ToString::to_string).collect()
     }
 
-    /// The events that are looked for.
+    /// The events that are searched.
     #[must_use]
     pub fn events(&self) -> &[Event] {
         &self.events
     }
 
-    /// The formula of an event whose series need looking after.
+    /// The formula of an event whose series has to be computed in parts of a step.
     pub(in crate::taylor) fn sharp(&self, event: usize) -> Option<&SharpFormula> {
         self.sharp[event].as_ref()
     }
 
-    /// The equations with which a motion passes places where a force has no series, if there are any.
+    /// The equations with which a motion passes positions at which a force has no series, if there are any.
     pub(in crate::taylor) fn passage(&self) -> Option<&Passage> {
         self.passage.as_deref()
     }
@@ -239,7 +239,7 @@ impl System {
         &self.equation
     }
 
-    /// The same system where a number of the state stays zero, by these equations; `None` where something has no value then.
+    /// The same system with a state component that stays zero, by these equations; `None` if a formula has no value then.
     pub(in crate::taylor) fn at_rest(&self, equation: Equation, number: usize) -> Option<Self> {
         let symbol = &self.state_symbols()[number];
         let at_rest = |event: &Event| {
@@ -252,7 +252,7 @@ impl System {
         Some(Self { tolerances: self.tolerances.clone(), rests: true, ..system })
     }
 
-    /// Returns whether a state component has been put to rest.
+    /// Returns `true` if a state component has come to rest.
     pub(in crate::taylor) fn rests(&self) -> bool {
         self.rests
     }
@@ -263,7 +263,7 @@ impl System {
         self.driven_in_moduli.len()
     }
 
-    /// The number in a state that stands in a |…|, if it is one whose rate of change an equation tells, as of a velocity.
+    /// The state component that is the argument of a |…|, if its rate of change is given by an equation, as that of a velocity.
     pub(in crate::taylor) fn driven_in_modulus(&self, modulus: usize) -> Option<usize> {
         self.driven_in_moduli[modulus]
     }

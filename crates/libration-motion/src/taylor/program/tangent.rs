@@ -2,12 +2,12 @@
 
 use libration_numbers::expression::{Equation, Expression, Order, Symbol};
 
-/// The equations of motion, followed by `deviations` copies of the equations of an infinitesimal deviation:
-/// δx″ = Σ ∂F/∂xⱼ·δxⱼ + ∂F/∂xⱼ′·δxⱼ′, taken along the motion.
+/// The equations of motion, followed by `deviations` copies of the equations of an
+/// infinitesimal deviation: δx″ = Σ ∂F/∂xⱼ·δxⱼ + ∂F/∂xⱼ′·δxⱼ′, evaluated along the motion.
 ///
-/// The deviations of x are called `delta1 x`, `delta2 x`, …, names that no text can have. The state is, as always, all
-/// coordinates and then all velocities: for one variable and two deviations x, δ₁x, δ₂x, x′, δ₁x′, δ₂x′. The deviations of a variable
-/// whose equation is of the first order have equations of the first order.
+/// The deviations of x are called `delta1 x`, `delta2 x`, …, names that cannot occur in a text. As in every system,
+/// the state contains all coordinates and then all velocities: for one variable and two deviations x, δ₁x, δ₂x, x′,
+/// δ₁x′, δ₂x′. The deviations of a variable whose equation is of first order have equations of first order.
 ///
 /// # Examples
 /// ```
@@ -23,8 +23,9 @@ pub fn with_tangents(equation: &Equation, deviations: usize) -> Equation {
     with_sensitivities(equation, &[], deviations)
 }
 
-/// The same, the first deviations being those by some parameters: δx″ = ∂F/∂p + Σ ∂F/∂xⱼ·δxⱼ + ∂F/∂xⱼ′·δxⱼ′. Starting from δx = δx′ = 0, they are
-/// the derivatives of the motion with respect to p. Then follow `deviations` copies for the start.
+/// The same equations, in which the first deviations are those by some parameters: δx″ = ∂F/∂p + Σ
+/// ∂F/∂xⱼ·δxⱼ + ∂F/∂xⱼ′·δxⱼ′. Starting from δx = δx′ = 0, these deviations are the derivatives of
+/// the motion with respect to p. After these come `deviations` copies for deviations of the start.
 ///
 /// # Examples
 /// ```

@@ -1,9 +1,9 @@
-//! The error that a step may make in one state component.
+//! The allowed error of a step in one state component.
 
-/// Size of an acceleration's error, in units of its size, below which it is only rounding.
+/// Error of an acceleration, relative to its size, that counts as rounding.
 pub(in crate::taylor) const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// The error that one state component may have in a step.
+/// The allowed error of one state component in a step.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::taylor) struct Allowance {
     /// The allowed error relative to the size of the component.

@@ -11,36 +11,35 @@ use crate::taylor::{StateLayout, Step};
 use libration_kernels::double_double::DoubleDouble;
 use libration_numbers::internals::algebra::any;
 
-/// One series of a block, by its first coefficient in memory.
+/// One series of a block, given by the index of its first coefficient in memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(in crate::taylor) struct Row(usize);
 
 impl Row {
-    /// The row of this number where each has `terms` coefficients.
+    /// The row with this number, if each row has `terms` coefficients.
     #[inline(always)]
     pub(in crate::taylor) fn new(number: usize, terms: usize) -> Self {
         Self(number * terms)
     }
 
-    /// The place of its first coefficient.
+    /// The index of the first coefficient of the row.
     pub(in crate::taylor) fn first(self) -> usize {
         self.0
     }
 }
 
-/// The series of one step in N lanes: of all coordinates, then of all velocities, then whatever they come from.
+/// The series of one step in N lanes: of all coordinates, then of all velocities, then of the quantities from which they are computed.
 #[derive(Debug)]
 pub struct Block<const N: usize> {
     pub(in crate::taylor) start: [f64; N],
     pub end: [f64; N],
-    /// The unit of time in which the series are powers, a power of two: whatever the units of the equations, coefficients
-    /// neither overflow nor underflow.
+    /// The unit of time of the series, a power of two: with it coefficients neither overflow nor underflow, whatever the units of the equations.
     pub unit: [f64; N],
-    /// Coefficients in powers of the time since the start, those of one row behind each other, in aligned memory.
+    /// Coefficients in powers of the time since the start, row by row, in aligned memory.
     pub coefficients: Aligned,
     /// Scratch memory for machine code.
     scratch: Aligned,
-    /// The low words of the state, which the first coefficients lack.
+    /// The low words of the state, which are not part of the first coefficients.
     low: Vec<[f64; N]>,
     layout: Arc<StateLayout>,
     /// Number of coefficients in each row.
@@ -109,25 +108,25 @@ impl<const N: usize> Block<N> {
         &mut self.coefficients.numbers_mut().as_chunks_mut().0[row]
     }
 
-    /// The row of this number, numbers of the state first.
+    /// The row with this number; the state components come first.
     #[inline(always)]
     pub(in crate::taylor) fn row(&self, number: usize) -> Row {
         Row::new(number, self.terms)
     }
 
-    /// The series of one number of the state.
+    /// The series of one state component.
     #[inline(always)]
     pub fn series(&self, number: usize) -> &[[f64; N]] {
         &self[self.row(number)]
     }
 
-    /// The last coefficients of all numbers of the state.
+    /// The last coefficients of all state components.
     #[inline(always)]
     pub(in crate::taylor) fn last_coefficients(&self) -> impl Iterator<Item = &[f64; N]> {
         (0..self.numbers()).filter_map(|number| self.series(number).last())
     }
 
-    /// Brings a lane to a time and a state.
+    /// Sets a lane to a time and a state.
     pub fn start(&mut self, lane: usize, time: f64, state: &[f64]) {
         (self.start[lane], self.end[lane], self.unit[lane]) = (time, time, 1.0);
         for (number, &value) in state.iter().enumerate() {
@@ -135,14 +134,14 @@ impl<const N: usize> Block<N> {
         }
     }
 
-    /// Gives a number of the state a value in two words.
+    /// Sets a state component to a value in two words.
     pub(in crate::taylor) fn place(&mut self, number: usize, lane: usize, high: f64, low: f64) {
         let row = self.row(number);
         self[row][0][lane] = high;
         self.low[number][lane] = low;
     }
 
-    /// Makes a number of the state zero.
+    /// Sets a state component to zero.
     pub(in crate::taylor) fn stop(&mut self, number: usize, lane: usize) {
         self.place(number, lane, 0.0, 0.0);
     }
@@ -180,7 +179,7 @@ impl<const N: usize> Block<N> {
         ends
     }
 
-    /// Begins the next steps where these end, in the states there and in these units.
+    /// Sets the starts of the next steps to the ends of these, with the states there and these units.
     pub fn begin_at_end(&mut self, states: &[Ends<N>], unit: &[f64; N]) {
         for (number, ends) in states.iter().enumerate() {
             let row = self.row(number);

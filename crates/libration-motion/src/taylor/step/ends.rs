@@ -1,6 +1,6 @@
 //! States at the ends of steps.
 
-/// One number of the state at the ends of the steps, in two words.
+/// One state component at the ends of the steps, in two words.
 #[derive(Clone, Copy, Debug)]
 pub struct Ends<const N: usize> {
     pub(in crate::taylor) high: [f64; N],

@@ -28,7 +28,7 @@ pub fn largest_change<const N: usize>(series: &[[f64; N]], lane: usize, length: 
     dispatch_lanes::<N, _>(LargestChanges { series, lengths: &[length; N] })[lane]
 }
 
-/// Compiled for each instruction set.
+/// The bounds for all lanes, compiled for each instruction set.
 struct LargestChanges<'s, const N: usize> {
     series: &'s [[f64; N]],
     lengths: &'s [f64; N],

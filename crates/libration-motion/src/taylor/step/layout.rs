@@ -2,8 +2,8 @@
 
 use libration_numbers::expression::{Equation, Order, Symbol};
 
-/// The order of the numbers of a state: all coordinates in the order of their equations, then the velocities of those whose equation is
-/// of the second order. Whatever reads or makes states asks here which number is what.
+/// The order of the components of a state: all coordinates in the order of their equations, then the velocities of those whose equation is of
+/// second order. All code that reads or creates states takes the indices from here.
 ///
 /// # Examples
 /// ```
@@ -60,7 +60,7 @@ impl StateLayout {
         self.velocities.len() + self.accelerated.len()
     }
 
-    /// The number of the velocity of a number; `None` of velocities, and of coordinates whose equation is of the first order.
+    /// The number of the velocity of a component; `None` for velocities, and for coordinates whose equation is of first order.
     #[must_use]
     #[inline(always)]
     pub fn velocity(&self, number: usize) -> Option<usize> {
@@ -83,14 +83,14 @@ impl StateLayout {
         }
     }
 
-    /// Returns whether a component is a velocity.
+    /// Returns `true` if a component is a velocity.
     #[must_use]
     #[inline(always)]
     pub fn is_velocity(&self, number: usize) -> bool {
         number >= self.coordinates()
     }
 
-    /// Returns whether every coordinate has a velocity.
+    /// Returns `true` if every coordinate has a velocity.
     #[must_use]
     pub fn is_of_second_order(&self) -> bool {
         self.accelerated.len() == self.coordinates()
@@ -108,15 +108,15 @@ impl StateLayout {
             .collect()
     }
 
-    /// The symbols of the numbers: the names of the variables, with a prime for velocities.
+    /// The symbols of the components: the names of the variables, with a prime for velocities.
     #[must_use]
     pub fn symbols(&self, variables: &[String]) -> Vec<Symbol> {
         let velocity = |coordinate: usize| Symbol::plain(&variables[coordinate]).with_primes(1);
         self.arrange(variables.iter().map(|name| Symbol::plain(name)), velocity)
     }
 
-    /// The index of a state component in the state of the equations followed by copies of them, such as [`with_tangents`](crate::taylor::with_tangents)
-    /// makes: in the equations themselves, copy 0, or in one of the copies.
+    /// The index of a state component in the state of the equations followed by copies of them, such as those of
+    /// [`with_tangents`](crate::taylor::with_tangents): in the equations themselves, copy 0, or in one of the copies.
     #[must_use]
     pub fn place_in_copy(&self, number: usize, copy: usize, copies: usize) -> usize {
         let coordinates = self.coordinates();

@@ -28,10 +28,9 @@ pub struct Step<'a> {
     pub(in crate::taylor) start: f64,
     pub(in crate::taylor) end: f64,
     pub(in crate::taylor) unit: f64,
-    /// Coefficients in powers of the time since the start in this unit, of the coordinates and then of the velocities, in
-    /// all lanes.
+    /// Coefficients in powers of the time since the start in this unit, of the coordinates and then of the velocities, in all lanes.
     pub(in crate::taylor) coefficients: &'a [f64],
-    /// Low words of the state, which the first coefficients lack.
+    /// Low words of the state, which are not part of the first coefficients.
     pub(in crate::taylor) low: &'a [f64],
     pub(in crate::taylor) layout: &'a Arc<StateLayout>,
     pub(in crate::taylor) terms: usize,
@@ -46,7 +45,7 @@ impl Step<'_> {
         self.start
     }
 
-    /// The time at which the step ends: before the start when the integration goes backward.
+    /// The time at which the step ends: before the start in an integration backward in time.
     #[must_use]
     pub fn end(&self) -> f64 {
         self.end
@@ -55,13 +54,13 @@ impl Step<'_> {
     /// Coordinates, then velocities, at a time between start and end.
     ///
     /// # Accuracy
-    /// As good as the state at the end of the step. Outside the step the error grows with every power up to its order.
+    /// That of the state at the end of the step. Outside the step the error grows like a power of the time, up to the order of the series.
     #[must_use]
     pub fn state_at(&self, time: f64) -> Vec<f64> {
         dispatch(State { step: self, time })
     }
 
-    /// One number of that state.
+    /// One component of the state at a time.
     #[doc(hidden)]
     pub fn number_at(&self, number: usize, time: f64) -> f64 {
         dispatch(Number { step: self, number, time })
@@ -82,7 +81,7 @@ impl Step<'_> {
         self.low.get(number * self.lanes + self.lane).copied().unwrap_or(0.0)
     }
 
-    /// One number of the state in two words.
+    /// One state component in two words.
     #[inline(always)]
     pub(in crate::taylor) fn component_at(&self, number: usize, time: f64) -> DoubleDouble {
         let (elapsed, remainder) = elapsed(self.start, time);
@@ -94,7 +93,7 @@ impl Step<'_> {
         if remainder == 0.0 { value } else { value + self.slope_at(number, time) * remainder }
     }
 
-    /// The rate of change of each coordinate at a time: its velocity, or the slope of its polynomial where the state has none.
+    /// The rate of change of each coordinate at a time: its velocity, or the derivative of its polynomial if the state contains no velocity.
     #[doc(hidden)]
     pub fn speeds_at(&self, time: f64) -> Vec<f64> {
         (0..self.layout.coordinates()).map(|coordinate| self.rate_at(coordinate, time)).collect()
@@ -108,7 +107,7 @@ impl Step<'_> {
         }
     }
 
-    /// The time derivative of one number of the state at a time.
+    /// The time derivative of one state component at a time.
     #[inline(always)]
     pub(in crate::taylor) fn slope_at(&self, number: usize, time: f64) -> f64 {
         let h = (time - self.start) / self.unit;
@@ -134,7 +133,7 @@ impl Kernel for State<'_, '_> {
     }
 }
 
-/// One number of it.
+/// One state component at a time.
 struct Number<'s, 'a> {
     step: &'s Step<'a>,
     number: usize,
@@ -157,7 +156,7 @@ pub(in crate::taylor) fn higher<const N: usize>(
     coefficient: impl Fn(usize) -> [f64; N],
     h: &[f64; N],
 ) -> [f64; N] {
-    /// Its square does not overflow: where terms vanish, steps may be as long as there are times.
+    /// A number whose square does not overflow: if terms vanish, a step may be as long as the range of times.
     const LARGE: f64 = 1e150;
     let mut sum = even_and_odd(terms, &coefficient, h);
     if any(h, |h| h.abs() > LARGE) {
@@ -168,7 +167,7 @@ pub(in crate::taylor) fn higher<const N: usize>(
     sum
 }
 
-/// Even and odd terms summed apart: neither sum waits for the other.
+/// Even and odd terms in two sums, neither of which waits for the other.
 #[inline(always)]
 fn even_and_odd<const N: usize>(
     terms: usize,
@@ -191,16 +190,16 @@ fn even_and_odd<const N: usize>(
     lanes(|lane| odd[lane].fma(h[lane], even[lane]) * h[lane])
 }
 
-/// The time since the start, exactly, in two words if need be.
+/// The exact time since the start, in two words if necessary.
 #[inline(always)]
 pub(in crate::taylor) fn elapsed(start: f64, time: f64) -> (f64, f64) {
     let DoubleDouble { hi, lo } = two_sum(time, -start);
     (hi, lo)
 }
 
-/// c₀ + c₁h + (c₂h + c₃h² + …)h of which the last bracket is given: what is large is added in two words.
+/// c₀ + c₁h + (c₂h + c₃h² + …)h, given the last bracket: the large terms are added in two words.
 ///
-/// `slope_low` is what c₁ lacks where it is known better.
+/// `slope_low` is the low word of c₁, if known.
 #[inline(always)]
 pub(in crate::taylor) fn grown(
     base: DoubleDouble,

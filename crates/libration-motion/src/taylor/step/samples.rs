@@ -1,17 +1,17 @@
-//! One number of the state at many times of a step.
+//! One state component at many times of a step.
 
 use crate::taylor::Step;
 use crate::taylor::step::elapsed;
 use libration_kernels::dispatch::{Kernel, dispatch_slices};
 
 impl Step<'_> {
-    /// One number of the state, counted from zero, at many times between start and end.
+    /// One state component, with its index from zero, at many times between start and end.
     ///
     /// # Accuracy
-    /// That of [`state_at`](Step::state_at) but for the rounding of one word.
+    /// That of [`state_at`](Step::state_at) except for the rounding to one word.
     ///
     /// # Panics
-    /// No such number, or not as many values as times.
+    /// An index that is too large, or different numbers of values and times.
     pub fn values_at(&self, number: usize, times: &[f64], values: &mut [f64]) {
         assert!(number < self.numbers() && times.len() == values.len(), "{number}: a number of the state");
         let series: Vec<f64> = (0..self.terms).map(|n| self.coefficient(number, n)).collect();
@@ -36,7 +36,7 @@ impl Kernel for Values<'_> {
 
     #[inline(always)]
     fn run(self) {
-        /// Times that are done together: all of one power before the next, in four or eight registers.
+        /// Number of times that are evaluated together: all of one power before the next, in four or eight registers.
         const TOGETHER: usize = 32;
         let [low, slope_low] = self.lows;
         for (times, values) in self.times.chunks(TOGETHER).zip(self.values.chunks_mut(TOGETHER)) {

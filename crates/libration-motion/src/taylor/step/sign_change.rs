@@ -1,13 +1,13 @@
-//! Sign changes of a polynomial between zero and one, none missed.
+//! All sign changes of a polynomial between zero and one.
 //!
-//! A polynomial has no more zeros inside an interval than its coefficients in Bernstein's basis change sign: G. Farin,
-//! *Curves and Surfaces for CAGD*, 5th ed., Morgan Kaufmann 2002, section 6.
+//! The number of zeros of a polynomial inside an interval is at most the number of sign changes of its coefficients in Bernstein's basis: G.
+//! Farin, *Curves and Surfaces for CAGD*, 5th ed., Morgan Kaufmann 2002, section 6.
 
 use libration_kernels::elementary::count;
 use libration_numbers::roots::{Tolerance, zero_between};
 use std::ops::ControlFlow;
 
-/// The first place in 0 < x ≤ 1 behind which Σ cₙxⁿ has the other sign; `None` if there is none.
+/// The first position in 0 < x ≤ 1 after which Σ cₙxⁿ has the other sign; `None` if there is none.
 pub fn first_sign_change(coefficients: &[f64]) -> Option<f64> {
     match search(bernstein(coefficients), 0.0, 1.0, &mut ControlFlow::Break) {
         ControlFlow::Break(place) => Some(place),
@@ -15,19 +15,19 @@ pub fn first_sign_change(coefficients: &[f64]) -> Option<f64> {
     }
 }
 
-/// All such places, in their order.
+/// All such positions in ascending order.
 pub fn sign_changes(coefficients: &[f64]) -> Vec<f64> {
     let mut places = Vec::new();
     let mut note = |place| {
         places.push(place);
         ControlFlow::Continue(())
     };
-    // Nothing breaks the search.
+    // The search is never stopped by `note`.
     let _ = search(bernstein(coefficients), 0.0, 1.0, &mut note);
     places
 }
 
-/// The coefficients of a series in the part of a length as variable. A power that overflows makes nothing of no term.
+/// The coefficients of a series in powers of the fraction of a length. A coefficient of zero stays zero even if the power overflows.
 pub fn scaled(series: impl Iterator<Item = f64>, length: f64) -> Vec<f64> {
     let mut power = 1.0;
     let terms = series.map(|c| {
@@ -38,7 +38,7 @@ pub fn scaled(series: impl Iterator<Item = f64>, length: f64) -> Vec<f64> {
     terms.collect()
 }
 
-/// Below this two zeros are one.
+/// Length of an interval below which two zeros count as one.
 const NARROWEST: f64 = f64::EPSILON;
 
 fn search(
@@ -61,7 +61,7 @@ fn search(
     }
     let middle = 0.5 * (from + to);
     let (left, mut right) = halves(form);
-    // A zero in the very middle belongs to the right half.
+    // A zero exactly in the middle belongs to the right half.
     let before = left.iter().rfind(|c| **c != 0.0).copied();
     if right[0] == 0.0 {
         right[0] = before.map_or(0.0, |before| f64::MIN_POSITIVE.copysign(before));
@@ -75,9 +75,9 @@ fn changes_of_sign(form: &[f64]) -> usize {
     signs().zip(signs().skip(1)).filter(|(before, after)| before != after).count()
 }
 
-/// The zero in 0 < x < 1 of a form with one change of sign. Over (1 − x)ᵐ it is a polynomial in u = x/(1 − x) with the coefficients
-/// (m over i)βᵢ, which has by Descartes' rule one positive zero: below one, or its inverse is, where they stand in reverse.
-/// None where they overflow.
+/// The zero in 0 < x < 1 of a form with one change of sign. Divided by (1 − x)ᵐ it is a polynomial in u =
+/// x/(1 − x) with the coefficients (m over i)βᵢ, which has by Descartes' rule one positive zero: this, or
+/// its inverse, the zero of the reversed polynomial, is below one. `None` if the coefficients overflow.
 fn only_zero(form: &[f64]) -> Option<f64> {
     let mut terms = times_binomials(form);
     if !terms.iter().map(|c| c.abs()).sum::<f64>().is_finite() {
@@ -88,7 +88,7 @@ fn only_zero(form: &[f64]) -> Option<f64> {
     if !is_below {
         terms.reverse();
     }
-    // A zero at the end itself is none of these.
+    // A zero at the end itself does not count.
     let first = terms.iter().position(|c| *c != 0.0)?;
     let terms = &terms[first..];
     let value = |u: f64| terms.iter().rev().fold(0.0, |sum, c| sum * u + c);
@@ -106,8 +106,7 @@ fn times_binomials(form: &[f64]) -> Vec<f64> {
     terms.collect()
 }
 
-/// The coefficients βᵢ = Σⱼ (i over j)/(m over j)·cⱼ in Bernstein's basis, between the least and the greatest of which
-/// the polynomial stays.
+/// The coefficients βᵢ = Σⱼ (i over j)/(m over j)·cⱼ in Bernstein's basis, whose minimum and maximum are bounds of the polynomial.
 pub(in crate::taylor) fn bernstein(coefficients: &[f64]) -> Vec<f64> {
     let degree = coefficients.len().saturating_sub(1);
     let mut over_binomial = 1.0;
@@ -117,7 +116,7 @@ pub(in crate::taylor) fn bernstein(coefficients: &[f64]) -> Vec<f64> {
         quotient
     });
     let mut form: Vec<f64> = quotients.collect();
-    // Pascal's triangle.
+    // Additions as in Pascal's triangle.
     for first in 1..form.len() {
         for i in (first..form.len()).rev() {
             form[i] += form[i - 1];
@@ -126,7 +125,7 @@ pub(in crate::taylor) fn bernstein(coefficients: &[f64]) -> Vec<f64> {
     form
 }
 
-/// De Casteljau's division in the middle.
+/// De Casteljau's subdivision at the middle.
 fn halves(mut form: Vec<f64>) -> (Vec<f64>, Vec<f64>) {
     let mut left = Vec::with_capacity(form.len());
     for last in (0..form.len()).rev() {

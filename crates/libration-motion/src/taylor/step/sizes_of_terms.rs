@@ -2,12 +2,12 @@
 
 use crate::taylor::Step;
 
-/// The sizes for one state component, in a part of a step.
+/// The sizes of the terms of one state component, in a part of a step.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::taylor) struct SizesOfTerms {
     /// The sum of the terms that are rounded.
     pub(in crate::taylor) rounded: f64,
-    /// Estimate of the terms that the series leaves out; `None` where its last terms vanish.
+    /// Estimate of the truncation error of the series; `None` if its last terms vanish.
     pub(in crate::taylor) left_out: Option<f64>,
 }
 
@@ -17,10 +17,10 @@ impl SizesOfTerms {
         let (mut power, mut rounded) = (1.0, 0.0);
         let mut term = |n: usize| {
             let coefficient = step.coefficient(number, n).abs();
-            // A power that overflows makes nothing of no term.
+            // A coefficient of zero stays zero even if the power overflows.
             let term = if coefficient == 0.0 { 0.0 } else { coefficient * power };
             power *= h;
-            // What is linear in the time is added in two words.
+            // Terms up to the first power are added in two words.
             if n >= 2 {
                 rounded += term;
             }
@@ -37,8 +37,8 @@ impl SizesOfTerms {
 /// Number of last terms from which the remainder is estimated.
 const LAST: usize = 12;
 
-/// A geometric series that the largest of the last terms leads to: by parity every other may vanish, and next to pairs of singularities they
-/// swing.
+/// The sum of a geometric series that continues the largest of the last terms: by parity
+/// every other term may vanish, and next to pairs of singularities the terms oscillate.
 fn left_out(last: [f64; LAST]) -> Option<f64> {
     const LARGEST_RATIO: f64 = 0.9;
     const MARGIN: f64 = 4.0;

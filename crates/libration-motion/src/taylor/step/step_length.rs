@@ -1,11 +1,11 @@
-//! Order and length of the steps from what is demanded.
+//! Order and length of the steps for a required accuracy.
 //!
 //! Reference: À. Jorba and M. Zou, Experiment. Math. 14, 99 (2005), doi:10.1080/10586458.2005.10128904.
 //!
 //! # Method
 //! Order and length of a step follow from the tolerance and the radius of convergence. The order is 19 at the loosest tolerance and 28 at 1e-12,
-//! because more than half the cost of a step does not depend on its order. The size in which errors are measured comes from the first terms, and
-//! series are in powers of a unit of time that follows the steps, so that the units of the equations do not matter.
+//! because more than half the cost of a step does not depend on its order. The size relative to which errors are measured comes from the first
+//! terms, and series are in powers of a unit of time that is adapted to the steps, so that the units of the equations do not matter.
 
 use super::allowance::Allowance;
 use super::block::{Block, Row};
@@ -18,13 +18,13 @@ use libration_kernels::elementary::rough::{exp2, log2};
 /// Tolerances and step limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effort {
-    /// The error that one step makes in each number of the state: in a velocity as a part of its size, in a coordinate as
-    /// a part of how far it moves, of whatever order its equation is. So it depends neither on units nor on where zero is.
-    /// Coordinates may have tolerances of their own, by [`System::with_tolerances`](crate::taylor::System::with_tolerances).
+    /// The allowed error of one step in each state component: relative to its size in a velocity, relative to its displacement in a coordinate,
+    /// whatever the order of its equation. So the tolerance depends neither on units nor on the position of zero. Coordinates may have
+    /// individual tolerances, by [`System::with_tolerances`](crate::taylor::System::with_tolerances).
     pub relative: f64,
-    /// The error of each number of the state, in its own units, below which no step need come; zero if there is none.
+    /// An error of each state component, in its own unit, that is always allowed; zero if there is none.
     pub absolute: f64,
-    /// The largest number of steps.
+    /// Maximum number of steps.
     pub most_steps: usize,
 }
 
@@ -43,22 +43,22 @@ impl Effort {
         (least..=greatest).contains(&self.relative) && (0.0..f64::INFINITY).contains(&self.absolute)
     }
 
-    /// The order at which a given accuracy costs least: 1 − ln(tolerance)/2 if a step cost the square of its order, as
-    /// products of series do. But what a step costs beside is more than that, so that longer steps of higher order pay, the more the looser
-    /// the tolerance. Pendulums from 179° take 4.3, 4.0 and 3.9 ms with orders 14, 18 and 19 at 0.1, 5.7, 4.9 and 4.8 ms with 14, 20 and
-    /// 21 at 1e-3, 10.9, 9.5 and 8.9 ms with 16, 20 and 24 at 1e-6, 8.9, 8.1 and 8.1 ms with 22, 26 and 28 at 1e-9, and 10.6, 10.3 and
-    /// 10.6 ms with 26, 28 and 30 at 1e-12. At 1e-16 double pendulums take 0.79, 0.82, 0.98 and 1.03 ms with a factor of 0.9, 0.95, 1 and
-    /// 1.05, since the machine code of higher orders is more than the first cache for instructions holds.
+    /// The order at which a given accuracy costs least: it would be 1 − ln(tolerance)/2 if the cost of a step were the square of its order, as
+    /// for products of series. But the other costs of a step are larger than that, so that longer steps of higher order are cheaper, the more so
+    /// the looser the tolerance. Pendulums from 179° take 4.3, 4.0 and 3.9 ms with orders 14, 18 and 19 at 0.1, 5.7, 4.9 and 4.8 ms with 14, 20
+    /// and 21 at 1e-3, 10.9, 9.5 and 8.9 ms with 16, 20 and 24 at 1e-6, 8.9, 8.1 and 8.1 ms with 22, 26 and 28 at 1e-9, and 10.6, 10.3 and 10.6
+    /// ms with 26, 28 and 30 at 1e-12. At 1e-16 double pendulums take 0.79, 0.82, 0.98 and 1.03 ms with a factor of 0.9, 0.95, 1 and 1.05, since
+    /// the machine code of higher orders exceeds the first-level instruction cache.
     pub(in crate::taylor) fn order(&self) -> usize {
         let digits = -libm::log(self.relative);
         let best = f64::max(1.0 + 0.9 * digits, f64::min(18.0 + 0.37 * digits, 28.0));
         (1..HIGHEST_ORDER).find(|&order| count(order) >= best).unwrap_or(HIGHEST_ORDER)
     }
 
-    /// The part of the radius of convergence that a step may take, as a base-2 logarithm: there the first missing terms are far below the tolerance,
-    /// since a radius guessed too large by a fifth makes them a hundred times larger. With 12 the energy of a pendulum from 179° at 1e-12 changes by
-    /// 5.1e-14 in 1000 periods, and by at most 3.5e-13 from five other amplitudes. Orders above 28 are for tolerances next to the roundings: at
-    /// 1e-15 with order 34 the energy changes by more than 4e-15, with 33 and 14 by less.
+    /// The length of a step relative to the radius of convergence, as a base-2 logarithm: the first missing terms are far below the tolerance,
+    /// since a radius estimated too large by a fifth makes them a hundred times larger. With 12 the energy of a pendulum from 179° at 1e-12
+    /// changes by 5.1e-14 in 1000 periods, and by at most 3.5e-13 from five other amplitudes. Orders above 28 are for tolerances close to the
+    /// rounding errors: at 1e-15 with order 34 the energy changes by more than 4e-15, with 33 and 14 by less.
     pub(in crate::taylor) fn log2_part_of_radius(&self) -> f64 {
         let order = count(self.order());
         let reserve = (12.0 + 2.0 / 3.0 * (order - 28.0)).clamp(12.0, 14.0);
@@ -79,7 +79,7 @@ const LAST: usize = 4;
 /// Number of first coefficients that determine the size.
 const FIRST: usize = 3;
 
-/// The lengths of the steps with the series of the state and of some other rows, positive; infinite where the series end.
+/// The lengths of the steps for the series of the state and of some other rows, positive; infinite for finite series.
 #[inline(always)]
 pub(in crate::taylor) fn step_lengths<const N: usize>(
     block: &Block<N>,
@@ -102,8 +102,8 @@ pub(in crate::taylor) fn step_lengths<const N: usize>(
     })
 }
 
-/// The logarithm of the radius of convergence, in units of the block, as the first coefficients guess it; infinite where
-/// they do not tell.
+/// The logarithm of the radius of convergence, in units of the block, as
+/// estimated from the first coefficients; infinite if these do not determine it.
 pub(in crate::taylor) fn log2_time_scale<const N: usize>(
     block: &Block<N>,
     allowances: &[Allowance],
@@ -115,16 +115,16 @@ pub(in crate::taylor) fn log2_time_scale<const N: usize>(
 /// The logarithm of a radius of convergence in each lane.
 #[derive(Clone, Copy, Debug)]
 struct Log2Radius<const N: usize> {
-    /// The logarithm from series whose first coefficients determine their size.
+    /// The logarithm from series whose first coefficients give a size.
     of_sizes: [f64; N],
-    /// The logarithm from other series, whose size is taken to be the smallest positive number.
+    /// The logarithm from other series, whose size is assumed to be the smallest positive number.
     of_nothing: [f64; N],
 }
 
 impl<const N: usize> Log2Radius<N> {
     const ENDLESS: Self = Self { of_sizes: [f64::INFINITY; N], of_nothing: [f64::INFINITY; N] };
 
-    /// The radius of one lane, in all lanes.
+    /// The radius of a single lane, copied to all lanes.
     #[inline(always)]
     fn lane<const M: usize>(&self, lane: usize) -> Log2Radius<M> {
         Log2Radius { of_sizes: [self.of_sizes[lane]; M], of_nothing: [self.of_nothing[lane]; M] }
@@ -156,7 +156,7 @@ impl<const N: usize> Log2Radius<N> {
     }
 }
 
-/// The smallest radius of convergence of the first `terms` terms of a state's series, longer where a larger error is allowed.
+/// The smallest radius of convergence of the first `terms` terms of a state's series, larger for components with a larger allowed error.
 #[inline(always)]
 fn radius_of_state<const N: usize>(
     block: &Block<N>,
@@ -164,7 +164,7 @@ fn radius_of_state<const N: usize>(
     allowances: &[Allowance],
     absolute: f64,
 ) -> Log2Radius<N> {
-    /// Numbers of the state of a single motion fill a register.
+    /// Number of state components of a single motion that fill a register.
     const BESIDE: usize = 4;
     let series = |number: usize| {
         let series = block.series(number);
@@ -173,8 +173,8 @@ fn radius_of_state<const N: usize>(
     let size = |number: usize, allowance: &Allowance| -> [f64; N] {
         let zeroth = &block.series(number)[0];
         let floor = absolute / allowance.relative;
-        // Of a coordinate the zeroth coefficient only says where it is; one of the first order may be a phase or a temperature, which
-        // moves by as little of itself as any other.
+        // The zeroth coefficient of a coordinate is only its position, which is not a size; a
+        // coordinate of first order may be a phase or a temperature, for which the same holds.
         let velocity = block.layout().is_velocity(number);
         lanes(|lane| if velocity { zeroth[lane].abs().max(floor) } else { floor })
     };
@@ -207,7 +207,8 @@ fn smaller<const N: usize>(a: &[f64; N], b: &[f64; N]) -> [f64; N] {
     lanes(|lane| if b[lane] < a[lane] { b[lane] } else { a[lane] })
 }
 
-/// The coefficients of series that determine their radii of convergence. By reference: copies of sixteen lanes took a fifth of a step's time.
+/// The coefficients of series that determine their radii of convergence. They
+/// are references: copies of sixteen lanes took a fifth of a step's time.
 #[derive(Clone, Copy, Debug)]
 struct Sizes<'s, const N: usize> {
     /// The first coefficients, with a size in place of the zeroth.
@@ -228,7 +229,7 @@ impl<'s, const N: usize> Sizes<'s, N> {
     }
 }
 
-/// The first lanes of rows that belong to several series, next to each other.
+/// The first lane of each row of several series, combined to rows with one lane per series.
 #[inline(always)]
 fn first_lanes<const N: usize, const M: usize, const ROWS: usize>(
     rows: [[&[f64; M]; ROWS]; N],
@@ -236,10 +237,9 @@ fn first_lanes<const N: usize, const M: usize, const ROWS: usize>(
     std::array::from_fn(|row| lanes(|i| rows[i][row][0]))
 }
 
-/// The radius of convergence, (|cₙ|/|cₖ|)^{1/(k−n)} with n among the first and k among the last; infinite where the last
-/// vanish.
+/// The radius of convergence, (|cₙ|/|cₖ|)^{1/(k−n)} with n among the first and k among the last; infinite if the last coefficients vanish.
 ///
-/// All of a lane in one closure, which becomes one run of vector instructions: as loops over rows it took five times as long.
+/// All computations of a lane are in one closure, which is compiled to vector instructions: as loops over rows they took five times as long.
 #[inline(always)]
 fn log2_radius<const N: usize>(sizes: &Sizes<N>) -> Log2Radius<N> {
     /// Base-2 logarithm of the smallest positive number.
@@ -275,7 +275,7 @@ fn log2_radius<const N: usize>(sizes: &Sizes<N>) -> Log2Radius<N> {
     }
 }
 
-/// 1/n.
+/// The numbers 1/n.
 static RECIPROCALS: [f64; HIGHEST_ORDER + 1] = {
     let mut reciprocals = [f64::INFINITY; HIGHEST_ORDER + 1];
     let mut n = 1;

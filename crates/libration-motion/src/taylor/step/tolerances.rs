@@ -1,4 +1,4 @@
-//! Tolerances that coordinates have of their own.
+//! Individual tolerances of coordinates.
 
 use super::allowance::{Allowance, ROUNDING};
 use crate::taylor::{Effort, StateLayout};
@@ -7,12 +7,12 @@ use crate::taylor::{Effort, StateLayout};
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ToleranceError {
-    /// A name that is not a coordinate's, such as that of a velocity.
+    /// A name that is not a coordinate, such as that of a velocity.
     #[error("the system has no coordinate `{name}`: it has {}", known.join(", "))]
     NoCoordinate {
         /// The requested name.
         name: String,
-        /// The coordinates there are.
+        /// The names of the coordinates.
         known: Vec<String>,
     },
     /// A coordinate with two tolerances.
@@ -28,7 +28,7 @@ pub enum ToleranceError {
     },
 }
 
-/// The individual tolerances of the coordinates, zero where the common one applies.
+/// The individual tolerances of the coordinates; zero for those with the common tolerance.
 pub(in crate::taylor) fn own_tolerances(
     coordinates: &[String],
     given: &[(&str, f64)],
@@ -51,7 +51,7 @@ pub(in crate::taylor) fn own_tolerances(
     Ok(own)
 }
 
-/// The effort to the least of all tolerances, and what each number of a state may err by.
+/// The effort with the smallest of all tolerances, and the allowed error of each state component.
 pub(in crate::taylor) fn allowances(
     own: &[f64],
     layout: &StateLayout,

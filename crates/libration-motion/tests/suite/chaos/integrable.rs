@@ -10,24 +10,24 @@ fn case(equation: &str, start: &[f64]) -> Case {
     Case { equation: equation.to_owned(), start: start.to_vec() }
 }
 
-/// Distances from a separatrix, and none.
+/// Distances from a separatrix, including zero.
 fn distances() -> impl Iterator<Item = f64> {
     (2..=16).map(|power| libm::exp10(-f64::from(power))).chain([0.0])
 }
 
-/// Numbers that have nothing to do with each other, from 0 to 1.
+/// Pseudo-random numbers from 0 to 1.
 fn spread(count: u32) -> impl Iterator<Item = f64> {
     (1..=count).map(|n| (f64::from(n) * 0.754_877_666_246_692_8).fract())
 }
 
-/// All of them.
+/// All cases.
 pub(crate) fn cases() -> Vec<Case> {
     let all: [Vec<Case>; 6] =
         [next_to_separatrices(), disguised(), central(), lattices(), potentials(), linear()];
     all.into_iter().flatten().collect()
 }
 
-/// One coordinate: a theorem decides.
+/// Motions of one coordinate, which are regular by a theorem.
 fn next_to_separatrices() -> Vec<Case> {
     let pair = |d: f64| {
         let well = case("x'' = x - x^3", &[libm::sqrt(2.0) * (1.0 - d), 0.0]);
@@ -36,7 +36,7 @@ fn next_to_separatrices() -> Vec<Case> {
     distances().flat_map(pair).collect()
 }
 
-/// Systems of independent single coordinates, disguised as coupled or driven ones by rotated axes or a moving frame.
+/// Systems of independent single coordinates, transformed to coupled or driven ones by rotated axes or a moving frame.
 fn disguised() -> Vec<Case> {
     let of_distance = |d: f64| {
         let (top, edge) = (core::f64::consts::PI - d, libm::sqrt(2.0) * (1.0 - d));
@@ -97,7 +97,7 @@ fn lattices() -> Vec<Case> {
     spread(8).flat_map(|part| [toda(part), calogero(part)]).collect()
 }
 
-/// The integrable relatives of Hénon and Heiles's potential, and of the quartic one.
+/// The integrable potentials related to that of Hénon and Heiles, and to the quartic one.
 fn potentials() -> Vec<Case> {
     let of_part = |part: f64| {
         [
@@ -110,7 +110,7 @@ fn potentials() -> Vec<Case> {
             ),
         ]
     };
-    // The edge of u″ = −u − u² with u = x + y, beside v = x − y at 0.1; the unstable axis of the quartic potential.
+    // The separatrix of u″ = −u − u² with u = x + y, next to v = x − y at 0.1; the unstable axis of the quartic potential.
     let of_distance = |d: f64| {
         let edge = 0.5 * (1.0 - d);
         [
@@ -124,7 +124,7 @@ fn potentials() -> Vec<Case> {
     spread(6).flat_map(of_part).chain(distances().flat_map(of_distance)).collect()
 }
 
-/// Linear systems, damped and driven: a theorem decides.
+/// Linear systems, damped and driven, whose motions are regular by a theorem.
 fn linear() -> Vec<Case> {
     let of_part = |part: f64| {
         [

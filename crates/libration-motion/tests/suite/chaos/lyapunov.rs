@@ -1,5 +1,4 @@
-//! The largest Lyapunov exponent: closed forms, an independent computation, and never `Chaotic` where a system is
-//! integrable.
+//! The largest Lyapunov exponent: closed forms, an independent computation, and the requirement that an integrable system is never `Chaotic`.
 
 use super::integrable::{Case, cases};
 use libration::chaos::{
@@ -37,7 +36,7 @@ fn measure(equation: &str, start: &[f64], intervals: usize) -> LyapunovExponent 
     attempt(equation, start, intervals, &Quiet).unwrap()
 }
 
-/// Numbers of motions that are regular, and that are undecided or escape over a barrier; none may be chaotic.
+/// The number of regular motions, and that of motions that are undecided or escape over a barrier; none may be chaotic.
 fn census(cases: &[Case], intervals: usize, tolerance: f64) -> [usize; 2] {
     let mut counts = [0; 2];
     for Case { equation, start } in cases {
@@ -57,7 +56,7 @@ fn no_integrable_motion_is_called_chaotic() {
     let cases = cases();
     assert!(cases.len() >= 200, "{}", cases.len());
     let [regular, undecided] = census(&cases, 200, 1e-13);
-    // Those nearest to a separatrix stay open.
+    // Motions next to a separatrix stay undecided.
     assert!(regular > 2 * undecided, "{regular} regular, {undecided} undecided");
 }
 
@@ -73,7 +72,7 @@ fn no_integrable_motion_is_called_chaotic_in_the_long_run_or_at_any_tolerance() 
     }
 }
 
-/// The first of neighbouring motions that shows what it is: where chaos is weak one in four has a tenth of its time without growth.
+/// The first of neighbouring motions with a verdict: where chaos is weak, one in four is without growth for a tenth of its time.
 fn decided(equation: &str, start: &[f64]) -> LyapunovExponent {
     const NEIGHBOURS: u32 = 8;
     let mut motions = (0..NEIGHBOURS).map(|neighbour| {
@@ -122,7 +121,7 @@ fn a_damped_linear_oscillator_has_minus_half_its_damping() {
 
 #[test]
 fn in_its_regular_windows_the_driven_pendulum_is_regular() {
-    // Locked to the drive: the area in the plane of states shrinks as e^(−t/2), half of it in each direction.
+    // Locked to the drive: the area in the phase plane shrinks as e^(−t/2), half of it in each direction.
     for amplitude in ["0.9", "1.35", "1.47"] {
         let found =
             measure(&format!("theta'' + theta'/2 + sin(theta) = {amplitude} cos(2t/3)"), &[0.2, 0.0], 300);
@@ -133,7 +132,7 @@ fn in_its_regular_windows_the_driven_pendulum_is_regular() {
 
 #[test]
 fn theorems_decide_where_they_hold() {
-    // At the unstable equilibrium deviations grow as eᵗ for ever, and nothing is chaotic.
+    // At the unstable equilibrium deviations grow as eᵗ for ever, but the motion is not chaotic.
     let found = measure("x'' = x - x^3", &[0.0, 0.0], 400);
     assert!((found.exponent - 1.0).abs() < 1e-12);
     assert_eq!(found.verdict, LyapunovVerdict::Regular(Regularity::Theorem(Theorem::Plane)));
@@ -145,7 +144,7 @@ fn theorems_decide_where_they_hold() {
 #[test]
 fn an_unstable_motion_inside_chaos_or_not_is_not_called_chaotic() {
     let wells = "x'' = x - x^3 + (y - x)/10; y'' = y - y^3 + (x - y)/10";
-    // Both at rest on top; both together, a periodic motion with unstable neighbours.
+    // Both at rest at the maximum; both together, a periodic motion with unstable neighbours.
     let rest = measure(wells, &[0.0, 0.0, 0.0, 0.0], 100).verdict;
     assert_eq!(rest, LyapunovVerdict::Regular(Regularity::AtRest));
     let together = measure(wells, &[0.1, 0.1, 0.0, 0.0], 300);

@@ -90,13 +90,13 @@ fn the_driven_pendulum_doubles_its_period_on_the_way_to_chaos() {
     let equation = "theta'' + theta'/2 + sin(theta) = A cos(2t/3)";
     let columns = diagram(equation, &values, &[0.2, 0.0], Continuation::SameStart, points);
     let counts: Vec<usize> = columns.iter().map(|column| different(&column.section)).collect();
-    // At 1.08 a window of three periods is met from this start.
+    // At 1.08 there is a window of period three for this start.
     assert_eq!(counts, [1, 2, 3, 8, 64]);
 }
 
 #[test]
 fn sweeps_up_and_down_differ_where_two_motions_are_stable() {
-    // Between its two jumps Duffing's oscillator keeps the motion it had.
+    // Between its two jumps Duffing's oscillator continues the branch it is on.
     let equation = "x'' + 0.2 x' + x + x^3 = A cos(1.8 t)";
     let points = Points { skipped: 100, recorded: 1 };
     let up: Vec<f64> = (0..=30).map(|n| 0.1 * f64::from(n)).collect();
@@ -186,7 +186,7 @@ fn no_crossing_is_missed_or_doubled() {
 fn a_motion_that_crosses_no_more_says_so() {
     let found = points_of("x'' = 0", &[1.0, -4.0], &surface("x", Direction::Falling), 0, 5);
     assert_eq!((found.points.len(), found.stopped), (1, Some(SectionEnding::NoCrossing)));
-    // One that runs away has never done so.
+    // A motion that escapes never crosses the surface.
     for running in ["x'' = 1", "x'' = x"] {
         let found = points_of(running, &[0.5, 1.0], &surface("x", Direction::Rising), 0, 5);
         assert_eq!((found.points.len(), found.stopped), (0, Some(SectionEnding::NeverCrossed)), "{running}");
@@ -209,7 +209,7 @@ fn interruptions_keep_what_is_done() {
         columns.iter().map(|column| column.value).collect()
     };
     assert_eq!(kept(Continuation::LastState), [1.0, 1.1]);
-    // Side by side others than the first two may be done first.
+    // In lanes, motions other than the first two may finish first.
     assert_eq!(kept(Continuation::SameStart).len(), 2);
     let equation = "theta'' + theta'/2 + sin(theta) = cos(2t/3)".parse().unwrap();
     let found = section(&equation, &start, &FLASH, points, &effort, &stop(7)).unwrap();
@@ -225,7 +225,7 @@ fn the_period_of_a_drive_is_found_where_there_is_one() {
     close(period("x'' = -x + cos(t/2) + sin(t/3)*x"), 6.0 * TAU);
     close(period("x'' = -x - y; y'' = -y + cos(2*pi*t)"), 1.0);
     close(period("x'' = -x + cos(3*t)^2 + sin(-3*t)"), TAU / 3.0);
-    // The first drive may go through a thousand periods until both come back, and no more.
+    // The first drive may make at most a thousand periods until both repeat.
     close(period("x'' = -x + cos(t) + cos(t/1000)"), 1000.0 * TAU);
     assert_eq!(period("x'' = -x + cos(t) + cos(t/1001)"), None);
     for none in [
@@ -287,7 +287,7 @@ fn a_sweep_over_the_frequency_goes_on_at_the_phase_of_the_drive() {
     )
     .unwrap();
     let [before, after] = [0, 1].map(|column: usize| &columns[column].section.points);
-    // The first flash of the new drive is where the last of the old one was.
+    // The first strobe of the new drive is at the state of the last strobe of the old one.
     assert_eq!(after[0].state, before[2].state);
     assert!((after[0].time - 0.25 * TAU / 1.3).abs() < 1e-14, "{}", after[0].time);
 }

@@ -1,4 +1,4 @@
-//! The catalogues say what they have in the same words.
+//! The catalogues use the same words for the same things.
 
 use libration::oscillator::NamedOscillator;
 use libration::pendulum::ApproximateMotion;

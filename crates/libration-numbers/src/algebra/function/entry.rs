@@ -1,4 +1,4 @@
-//! Properties of an elementary function f, u being its argument.
+//! Properties of an elementary function f with argument u.
 
 use super::Function;
 use crate::algebra::{BigFloat, Rational};
@@ -13,7 +13,7 @@ pub(super) struct Entry {
     pub(super) domain: Option<Domain>,
     pub(super) rule: Rule,
     pub(super) double: fn(f64) -> f64,
-    /// Value for a number of this precision.
+    /// Value at a number, to this precision.
     pub(super) float: fn(&BigFloat, usize) -> Option<BigFloat>,
     pub(super) rational: fn(&Rational) -> Option<Rational>,
 }
@@ -24,16 +24,16 @@ pub enum Parity {
     Odd,
 }
 
-/// Growth of a function.
+/// Growth of a function and cost of its large arguments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Growth {
-    /// At most as a power, with digits that cost the same for arguments of any size.
+    /// At most a power of the argument; the cost does not depend on the size of the argument.
     Power,
-    /// The same, but large arguments have to be reduced.
+    /// Bounded, but large arguments have to be reduced.
     Bounded,
-    /// Exponentially to one side.
+    /// Exponential on one side.
     Exponential,
-    /// Exponentially, or to its limit exponentially, to both sides.
+    /// Exponential, or with an exponential approach to a limit, on both sides.
     Hyperbolic,
 }
 
@@ -45,26 +45,26 @@ pub struct Domain {
     pub(crate) why: &'static str,
 }
 
-/// Rule for f′, from which derivatives, operations on tapes and power series follow.
+/// Rule for f′, from which derivatives, tape operations and power series follow.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Rule {
-    /// u′/(2f): the power 1/2.
+    /// u′/(2f), for the square root.
     Root,
     /// f·u′.
     Itself,
-    /// One of a pair.
+    /// f is one function of a pair.
     Paired(Pair),
-    /// Quotient of the first of a pair and the second.
+    /// f is the quotient of the first function of a pair and the second.
     Quotient(Pair),
-    /// u′ over the divisor, with the sign.
+    /// f′ is u′ over the divisor, with the sign.
     Inverse(Slope, Divisor),
-    /// sign(u)·u′.
+    /// f′ = sign(u)·u′.
     Modulus,
-    /// Zero.
+    /// f′ = 0.
     Step,
 }
 
-/// Two functions of which the first has the second for its derivative, and the second the first, with a sign.
+/// Two functions: the derivative of the first is the second; that of the second is the first, with a sign.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pair {
     pub(crate) functions: [Function; 2],
@@ -93,12 +93,12 @@ pub(crate) enum Divisor {
     RootOfOneLessSquare,
 }
 
-/// A fraction at zero, and nowhere else.
+/// An integer at zero; no fraction elsewhere.
 pub(super) fn at_zero(x: &Rational, value: i64) -> Option<Rational> {
     x.is_zero().then(|| Rational::from(value))
 }
 
-/// Zero at one, and no fraction elsewhere.
+/// Zero at one; no fraction elsewhere.
 pub(super) fn zero_at_one(x: &Rational) -> Option<Rational> {
     (*x == Rational::from(1)).then(|| Rational::from(0))
 }

@@ -1,4 +1,4 @@
-//! The elementary functions that equations are written with, each with all there is to know of it in a file of its own.
+//! The elementary functions of equations; each file has all properties of one function.
 
 #[doc(hidden)]
 pub(crate) mod entry;
@@ -52,12 +52,12 @@ pub enum Function {
     Ln,
     /// |x|.
     Abs,
-    /// −1 below zero, 0 at it, 1 above it.
+    /// −1 below zero, 0 at zero, 1 above zero.
     Sign,
 }
 
 impl Function {
-    /// All of them.
+    /// All functions.
     pub const ALL: [Self; 14] = [
         Self::Sqrt,
         Self::Sin,
@@ -94,13 +94,13 @@ impl Function {
         }
     }
 
-    /// The name it has in text: `sqrt`, `asin`, ….
+    /// The name in text: `sqrt`, `asin`, ….
     #[must_use]
     pub const fn name(self) -> &'static str {
         self.entry().name
     }
 
-    /// The word it is printed with, and may be read by: `arcsin` for `asin`, `sgn` for `sign`, else its name.
+    /// The word that is printed, and accepted in text too: `arcsin` for `asin`, `sgn` for `sign`, otherwise the name.
     ///
     /// # Examples
     /// ```
@@ -113,18 +113,18 @@ impl Function {
         self.entry().word
     }
 
-    /// The function of this name.
+    /// The function with this name.
     #[must_use]
     pub fn by_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|function| function.name() == name)
     }
 
-    /// LaTeX before and after the argument.
+    /// The LaTeX text before and after the argument.
     pub(crate) const fn latex(self) -> [&'static str; 2] {
         self.entry().latex
     }
 
-    /// `None` for functions that are neither even nor odd.
+    /// Parity of the function; `None` if it is neither even nor odd.
     pub const fn parity(self) -> Option<Parity> {
         self.entry().parity
     }
@@ -133,12 +133,12 @@ impl Function {
         self.entry().growth
     }
 
-    /// Returns whether the function has a zero.
+    /// Returns `true` if the function has a zero.
     pub const fn has_zeros(self) -> bool {
         self.entry().has_zeros
     }
 
-    /// Domain of the function; `None` where it has values everywhere but at poles.
+    /// Domain of the function; `None` if it is defined everywhere except at poles.
     pub const fn domain(self) -> Option<Domain> {
         self.entry().domain
     }
@@ -147,18 +147,18 @@ impl Function {
         self.entry().rule
     }
 
-    /// The value in double precision; NaN where it has none.
+    /// The value in double precision; NaN outside the domain.
     #[inline]
     pub fn at_double(self, x: f64) -> f64 {
         (self.entry().double)(x)
     }
 
-    /// The value of a number that has this precision, to some ulp; `None` where it has none.
+    /// The value at a number of this precision, to a few ulp; `None` outside the domain.
     pub fn at_float(self, x: &BigFloat, precision: usize) -> Option<BigFloat> {
         (self.entry().float)(x, precision)
     }
 
-    /// The value where it is known to be a fraction.
+    /// The value, if it is known to be a fraction.
     pub fn at_rational(self, x: &Rational) -> Option<Rational> {
         (self.entry().rational)(x)
     }

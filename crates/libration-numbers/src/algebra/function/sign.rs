@@ -1,4 +1,4 @@
-//! −1 below zero, 0 at it, 1 above it.
+//! −1 below zero, 0 at zero, 1 above zero.
 
 use super::entry::{Entry, Growth, Parity, Rule};
 use crate::algebra::{BigFloat, Rational};

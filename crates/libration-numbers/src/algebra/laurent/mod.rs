@@ -1,8 +1,9 @@
-//! Sums of products of powers of letters, negative powers and square roots among them.
+//! Sums of products of powers of symbols, including negative powers and square roots.
 //!
 //! # Method
-//! Coefficients are plain fractions: in units of ω0 a coefficient of order n in the mixed quadratic–cubic oscillator has n/2 terms, since each
-//! force has a weight, and numbers modulo primes would gain nothing. Exponents are halves, so that roots of single symbols are included.
+//! Coefficients are plain fractions. In units of ω0 a coefficient of order n in the mixed quadratic–cubic oscillator has n/2 terms, since each
+//! force has a weight, so that arithmetic modulo primes would save nothing. Exponents are multiples of one half, so that roots of single symbols
+//! are included.
 
 mod ring;
 mod text;
@@ -14,8 +15,8 @@ use super::{Rational, Rationals, Ring};
 
 pub use ring::LaurentPolynomials;
 
-/// A sum of products of powers of letters with fractions before them, exact: `3*b/(8*w^2) - 5*a^2/(12*w^4)`. Exponents
-/// are multiples of one half; where they are odd the letter stands for a positive number.
+/// An exact sum of products of powers of letters with rational factors: `3*b/(8*w^2) - 5*a^2/(12*w^4)`. Exponents are multiples of one half; a
+/// letter with an odd multiple stands for a positive number.
 ///
 /// # Examples
 /// ```
@@ -30,7 +31,7 @@ pub use ring::LaurentPolynomials;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LaurentPolynomial {
     letters: Arc<[String]>,
-    /// No coefficient is zero. `None` for what has grown beyond a limit, and for all that is computed with it.
+    /// Terms with nonzero coefficients. `None` if the sum has grown beyond a limit, and for every result computed from such a sum.
     terms: Option<BTreeMap<HalfPowers, Rational>>,
 }
 
@@ -42,7 +43,7 @@ pub(crate) type HalfPowers = Box<[i64]>;
 pub struct LetterPower<'a> {
     /// The letter.
     pub letter: &'a str,
-    /// Its exponent, a multiple of one half that is not zero.
+    /// The exponent, a nonzero multiple of one half.
     pub exponent: Rational,
 }
 
@@ -53,13 +54,13 @@ impl LaurentPolynomial {
         &self.letters
     }
 
-    /// Returns whether the polynomial has no terms.
+    /// Returns `true` if the polynomial has no terms.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         self.terms.as_ref().is_some_and(BTreeMap::is_empty)
     }
 
-    /// The number it is; `None` when a letter is left.
+    /// The value of a constant polynomial; `None` if a letter occurs.
     #[must_use]
     pub fn to_constant(&self) -> Option<Rational> {
         match self.as_single_term() {
@@ -68,8 +69,8 @@ impl LaurentPolynomial {
         }
     }
 
-    /// The terms: for each the fraction before it and the powers in it, in the order of the letters. Terms of fewer letters above
-    /// the line come first, among these those with larger powers of the first letter.
+    /// The terms: each with its rational factor and its powers, in the order of the letters. Terms with fewer letters in the numerator come
+    /// first, among these the ones with larger powers of the first letter.
     pub fn terms(&self) -> impl Iterator<Item = (&Rational, Vec<LetterPower<'_>>)> {
         let above = |powers: &HalfPowers| powers.iter().filter(|power| **power > 0).sum::<i64>();
         let mut terms: Vec<_> = self.half_powers().collect();
@@ -82,26 +83,26 @@ impl LaurentPolynomial {
         })
     }
 
-    /// The letters that do occur, in their order.
+    /// The letters that occur, in their order.
     #[must_use]
     pub fn letters_present(&self) -> Vec<&str> {
         let present = |place: &usize| self.half_powers().any(|(powers, _)| powers[*place] != 0);
         (0..self.letters.len()).filter(present).map(|place| self.letters[place].as_str()).collect()
     }
 
-    /// Returns whether a letter stands under a root.
+    /// Returns `true` if a letter occurs under a root.
     #[must_use]
     pub fn has_roots(&self) -> bool {
         self.half_powers().any(|(powers, _)| powers.iter().any(|power| power % 2 != 0))
     }
 
-    /// Returns whether the polynomial has grown beyond the limit of the ring, so that its terms are not known.
+    /// Returns `true` if the polynomial has grown beyond the limit of the ring, so that its terms are not known.
     #[must_use]
     pub fn is_beyond_limit(&self) -> bool {
         self.terms.is_none()
     }
 
-    /// The value where powers of letters have these values, told by the number of the letter and twice the exponent.
+    /// The value for these values of powers of letters; `power` receives the index of the letter and twice the exponent.
     #[doc(hidden)]
     pub fn value(&self, power: impl Fn(usize, i64) -> Option<Rational>) -> Option<Rational> {
         self.terms.as_ref()?.iter().try_fold(Rational::from(0), |sum, (powers, factor)| {
@@ -113,7 +114,7 @@ impl LaurentPolynomial {
         })
     }
 
-    /// The largest power of any letter, whatever its sign, doubled.
+    /// Twice the largest absolute value of an exponent.
     #[doc(hidden)]
     pub fn largest_half_power(&self) -> i64 {
         self.half_powers().flat_map(|(powers, _)| powers.iter()).map(|power| power.abs()).max().unwrap_or(0)
@@ -124,7 +125,7 @@ impl LaurentPolynomial {
         self.terms.iter().flatten()
     }
 
-    /// Its term, when it is the only one.
+    /// The term, if it is the only one.
     #[doc(hidden)]
     pub fn as_single_term(&self) -> Option<(&HalfPowers, &Rational)> {
         let mut terms = self.half_powers();

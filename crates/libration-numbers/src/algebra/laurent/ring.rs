@@ -9,33 +9,32 @@ use crate::algebra::{Function, Rational, Rationals, Ring};
 
 /// The ring of all [`LaurentPolynomial`]s in some letters.
 ///
-/// Quotients and powers that are no natural ones exist of single terms only, and of sums where the division leaves no
-/// rest. What has more than ten thousand terms, or exponents beyond a million, is not kept: see
-/// [`LaurentPolynomial::is_beyond_limit`].
+/// Quotients and powers with other than natural exponents exist for single terms, and for sums if the division has no remainder. Results with
+/// more than ten thousand terms, or exponents beyond a million, are not kept: see [`LaurentPolynomial::is_beyond_limit`].
 #[derive(Clone, Debug)]
 pub struct LaurentPolynomials {
     letters: Arc<[String]>,
 }
 
-/// Maximum number of products of terms in one product of sums, which take a tenth of a second; an order has hundreds of such products.
+/// Maximum number of products of terms in one product of sums, which takes a tenth of a second; an order has hundreds of such products.
 const MOST_PRODUCTS: usize = 100_000;
 const MOST_TERMS: usize = 10_000;
 const LARGEST_HALF_POWER: i64 = 2_000_000;
 
 impl LaurentPolynomials {
-    /// The ring in letters of these names.
+    /// The ring in letters with these names.
     #[must_use]
     pub fn new(letters: Vec<String>) -> Self {
         Self { letters: letters.into() }
     }
 
-    /// Their names.
+    /// The names of the letters.
     #[must_use]
     pub fn letters(&self) -> &[String] {
         &self.letters
     }
 
-    /// The letter of this number, counted from zero; zero beyond the last.
+    /// The letter with this index; zero beyond the last.
     #[must_use]
     pub fn letter(&self, number: usize) -> LaurentPolynomial {
         let mut powers = self.no_powers();
@@ -53,7 +52,7 @@ impl LaurentPolynomials {
         self.element((!beyond).then_some(terms))
     }
 
-    /// The part whose terms are such.
+    /// The sum of the terms for which `is_such` holds.
     #[doc(hidden)]
     pub fn part(&self, of: &LaurentPolynomial, is_such: impl Fn(&[i64]) -> bool) -> LaurentPolynomial {
         let such = |terms: &BTreeMap<HalfPowers, Rational>| {
@@ -94,7 +93,7 @@ impl LaurentPolynomials {
         self.element(terms)
     }
 
-    /// A single term to a power that is a multiple of one half, or leads to such.
+    /// A single term raised to a power, if the exponents of the result are multiples of one half.
     fn power_of_term(
         &self,
         (powers, factor): (&HalfPowers, &Rational),
@@ -109,7 +108,7 @@ impl LaurentPolynomials {
         Some(self.term(raised, Rationals.power(factor, exponent)?))
     }
 
-    /// Long division by the last terms, until a rest is smaller than the divisor.
+    /// Long division, beginning at the last terms, until the remainder is smaller than the divisor.
     fn divide_exactly(
         &self,
         a: &LaurentPolynomial,
@@ -117,7 +116,7 @@ impl LaurentPolynomials {
     ) -> Option<LaurentPolynomial> {
         let (leading, factor) = divisor.terms.as_ref()?.last_key_value()?;
         let (mut rest, mut quotient) = (a.clone(), self.zero());
-        // Each step takes the last term away, and what it brings comes before it.
+        // Each step removes the last term and adds only terms that come before it.
         for _ in 0..MOST_TERMS {
             let Some((powers, above)) = rest.terms.as_ref()?.last_key_value() else { return Some(quotient) };
             let powers = powers.iter().zip(leading.iter()).map(|(a, b)| a - b).collect();
@@ -131,7 +130,7 @@ impl LaurentPolynomials {
         None
     }
 
-    /// Returns whether a term of a quotient has no power that numerator and divisor together exclude: in each letter the extreme powers of a product
+    /// Returns `false` if numerator and divisor exclude a power in this term of the quotient: for each letter, the extreme powers of a product
     /// are the sums of those of its factors.
     fn may_divide(
         &self,
@@ -218,7 +217,7 @@ impl Ring for LaurentPolynomials {
         Some(self.map(a, |factor| Rationals.multiply(factor, &inverse)))
     }
 
-    /// Values at numbers only, where the value is a fraction; of single terms the square root.
+    /// Values at constants, if the value is a fraction; for single terms also the square root.
     fn value(&self, function: Function, at: &LaurentPolynomial) -> Option<LaurentPolynomial> {
         if function == Function::Sqrt {
             return self.power(at, &Rational::new(1, 2)?);
@@ -233,7 +232,7 @@ impl Ring for LaurentPolynomials {
         if a.is_zero() {
             return self.rational(&Rationals.power(&Rational::from(0), exponent)?);
         }
-        // The number of terms doubles as a rule until the limit is reached.
+        // As a rule the number of terms doubles until the limit is reached.
         let (one, times) = (self.rational(&Rational::from(1))?, exponent.to_natural()?);
         let product = |power: LaurentPolynomial, _| {
             let next = self.multiply(&power, a);

@@ -5,7 +5,7 @@ use std::fmt;
 use super::{LaurentPolynomial, LetterPower};
 use crate::algebra::Rational;
 
-/// Writes `3*b/(8*w^2) - 5*a^2/(12*w^4)`, for example, readable as a formula.
+/// Writes the polynomial as a formula that can be read back, such as `3*b/(8*w^2) - 5*a^2/(12*w^4)`.
 impl fmt::Display for LaurentPolynomial {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.is_beyond_limit() {
@@ -26,7 +26,7 @@ impl fmt::Display for LaurentPolynomial {
     }
 }
 
-/// A product without its sign.
+/// A term without its sign.
 fn term(factor: &Rational, powers: &[LetterPower<'_>]) -> String {
     let (above, below): (Vec<_>, Vec<_>) = powers.iter().partition(|power| !power.exponent.is_negative());
     let above = product(factor.magnitude().numerator(), &above);

@@ -1,21 +1,21 @@
-//! Operations on polynomials that the expansion of formulas needs besides arithmetic.
+//! Operations on polynomials for the expansion of formulas, in addition to arithmetic.
 
 use super::{Monomial, Polynomial};
 use crate::algebra::{Rational, Rationals, Ring};
 
 impl<V: Ord + Clone> Polynomial<V> {
-    /// Cost of a product or a sum with this polynomial for each term of the other: one, and more for long coefficients.
+    /// Cost of a product or sum with this polynomial, per term of the other operand: one, and more for long coefficients.
     pub(crate) fn cost(&self) -> usize {
         const BITS: usize = 256;
         self.terms.values().map(|coefficient| 1 + coefficient.bits() / BITS).sum()
     }
 
-    /// The coefficient of the monomial that comes last, `None` for zero.
+    /// The coefficient of the last monomial; `None` for zero.
     pub(crate) fn leading(&self) -> Option<&Rational> {
         self.terms.values().next_back()
     }
 
-    /// The sum, without taking either apart.
+    /// The sum, by reference.
     pub(crate) fn plus(&self, other: &Self) -> Self {
         let mut sum = self.clone();
         for (monomial, coefficient) in &other.terms {
@@ -35,8 +35,7 @@ impl<V: Ord + Clone> Polynomial<V> {
         Some(product)
     }
 
-    /// The power of one term with a coefficient of ±1, or of zero; `None` when it is anything else, and in it for
-    /// exponents beyond `u32`.
+    /// The power of zero or of one term with coefficient ±1; `None` for any other polynomial, and `Some(None)` for exponents beyond `u32`.
     pub(crate) fn power_of_one_term(&self, times: u32) -> Option<Option<Self>> {
         if self.is_zero() {
             return Some(Some(Self::from_number(Rational::from(i64::from(times == 0)))));
@@ -49,7 +48,7 @@ impl<V: Ord + Clone> Polynomial<V> {
         Some(monomial.power(times).map(|monomial| Self::term(monomial, sign)))
     }
 
-    /// Returns whether a variable of this kind occurs.
+    /// Returns `true` if a variable of this kind occurs.
     pub(crate) fn has(&self, kind: impl Fn(&V) -> bool) -> bool {
         self.terms.keys().flat_map(Monomial::factors).any(|(variable, _)| kind(variable))
     }
@@ -59,8 +58,7 @@ impl<V: Ord + Clone> Polynomial<V> {
         self.terms.keys().map(|monomial| monomial.degree_in(&kind)).max().unwrap_or(0)
     }
 
-    /// The coefficients, constant term first, of a polynomial in one variable; `None` when others occur or the degree
-    /// is above 1000.
+    /// The coefficients, constant term first, of a polynomial in one variable; `None` if other variables occur or the degree is above 1000.
     pub(crate) fn coefficients_in(&self, variable: &V) -> Option<Vec<Rational>> {
         const LARGEST_DEGREE: u32 = 1000;
         let degree = self.degree();

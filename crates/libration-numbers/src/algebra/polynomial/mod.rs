@@ -19,10 +19,10 @@ pub use variable::Variable;
 
 use super::Rational;
 
-/// A polynomial in named variables, or others that have an order, with rational coefficients, exact.
+/// An exact polynomial with rational coefficients, in named variables or in other ordered ones.
 ///
 /// # Domain
-/// Exponents below 2³²; a product has no terms beyond.
+/// Exponents below 2³²; terms of a product beyond that are dropped.
 ///
 /// # Examples
 /// ```
@@ -35,7 +35,7 @@ use super::Rational;
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Polynomial<V: Ord = Variable> {
-    /// No coefficient is zero.
+    /// The terms, all with nonzero coefficients.
     terms: BTreeMap<Monomial<V>, Rational>,
 }
 
@@ -64,7 +64,7 @@ impl Polynomial {
         Self::from_variable(variable.into())
     }
 
-    /// The multiple whose coefficients are whole numbers without a common divisor, signs kept.
+    /// The multiple whose coefficients are integers without a common divisor; signs are kept.
     #[must_use]
     pub fn primitive(&self) -> Self {
         let parts = || self.terms.values().map(Rational::parts);
@@ -93,19 +93,19 @@ impl<V: Ord + Clone> Polynomial<V> {
         Self::term(Monomial::variable(variable), Rational::from(1))
     }
 
-    /// Returns whether the polynomial has no terms.
+    /// Returns `true` if the polynomial has no terms.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         self.terms.is_empty()
     }
 
-    /// The number it is; `None` when a variable is left.
+    /// The value of a constant polynomial; `None` if a variable occurs.
     #[must_use]
     pub fn to_constant(&self) -> Option<Rational> {
         (self.degree() == 0).then(|| self.constant_term())
     }
 
-    /// The terms, lower degrees first, none with the coefficient zero.
+    /// The terms with nonzero coefficients, lower degrees first.
     pub fn terms(&self) -> impl Iterator<Item = (&Monomial<V>, &Rational)> {
         self.terms.iter()
     }
@@ -129,7 +129,7 @@ impl<V: Ord + Clone> Polynomial<V> {
         self.terms.keys().map(|monomial| monomial.exponent(variable)).max().unwrap_or(0)
     }
 
-    /// The polynomial in the other variables that stands before a power of this one.
+    /// The factor of a power of this variable, a polynomial in the other variables.
     #[must_use]
     pub fn coefficient(&self, variable: &V, power: u32) -> Self {
         let chosen = self.terms.iter().filter(|(monomial, _)| monomial.exponent(variable) == power);
@@ -167,7 +167,7 @@ impl<V: Ord + Clone> Polynomial<V> {
         (0..exponent).fold(one, |power, _| product(&power, self))
     }
 
-    /// The polynomial with another one in place of a variable.
+    /// The polynomial after substitution of another one for a variable.
     #[must_use]
     pub fn substitute(&self, variable: &V, by: &Self) -> Self {
         // Horner's scheme in the variable.
@@ -175,7 +175,7 @@ impl<V: Ord + Clone> Polynomial<V> {
         powers.fold(Self::default(), |value, power| product(&value, by) + self.coefficient(variable, power))
     }
 
-    /// The value where the variables have these values; `None` when one has none.
+    /// The value for these values of the variables; `None` if a variable has no value.
     #[must_use]
     pub fn value(&self, of: impl Fn(&V) -> Option<Rational>) -> Option<Rational> {
         let replace = |polynomial: Self, variable: V| {
@@ -184,7 +184,7 @@ impl<V: Ord + Clone> Polynomial<V> {
         self.variables().into_iter().try_fold(self.clone(), replace)?.to_constant()
     }
 
-    /// The quotient when the division leaves no rest; `None` when it does, or when the divisor is zero.
+    /// The quotient, if the division has no remainder; `None` otherwise, and for the divisor zero.
     #[must_use]
     pub fn divide_exactly(&self, divisor: &Self) -> Option<Self> {
         let (leading, leading_factor) = divisor.terms.last_key_value()?;

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use super::Variable;
 
-/// A product of positive powers of different variables; 1 without any.
+/// A product of positive powers of different variables; the empty product is 1.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Monomial<V = Variable> {
     /// Factors in the order of the variables.
@@ -36,7 +36,7 @@ impl<V: Ord + Clone> Monomial<V> {
         exponents.fold(0, |sum, (_, exponent)| sum.saturating_add(*exponent))
     }
 
-    /// The exponent of a variable, 0 where it is missing.
+    /// The exponent of a variable, 0 if it does not occur.
     #[must_use]
     pub fn exponent(&self, of: &V) -> u32 {
         self.factors.iter().find(|(variable, _)| variable == of).map_or(0, |(_, exponent)| *exponent)
@@ -72,11 +72,11 @@ impl<V: Ord + Clone> Monomial<V> {
         Some(Self { factors: factors.collect::<Option<_>>()? })
     }
 
-    /// The quotient, when the divisor's exponents are nowhere larger.
+    /// The quotient, if no exponent of the divisor is larger.
     pub(super) fn divided_by(&self, divisor: &Self) -> Option<Self> {
         let divides = divisor.factors.iter().all(|(variable, exponent)| self.exponent(variable) >= *exponent);
         let quotient = self.factors.iter().map(|(variable, exponent)| {
-            // Not below zero when `divides` holds; otherwise thrown away.
+            // Not negative if `divides` holds; otherwise the result is discarded.
             (variable.clone(), exponent.saturating_sub(divisor.exponent(variable)))
         });
         divides.then(|| Self { factors: quotient.filter(|(_, exponent)| *exponent > 0).collect() })
@@ -88,8 +88,8 @@ impl<V: Ord + Clone> Monomial<V> {
     }
 }
 
-/// Lower degrees first; among equal degrees the one with the larger power of the first variable. This is an
-/// admissible order: it is kept by multiplication, and 1 comes first.
+/// Lower degrees come first; among equal degrees, the larger power of the first variable. This is an admissible order: multiplication preserves
+/// it, and 1 comes first.
 impl<V: Ord> Ord for Monomial<V> {
     fn cmp(&self, other: &Self) -> Ordering {
         let degree = |it: &Self| it.factors.iter().map(|(_, exponent)| u64::from(*exponent)).sum::<u64>();

@@ -3,7 +3,7 @@
 use super::{Polynomial, product};
 use crate::algebra::{Function, Rational, Rationals, Ring};
 
-/// The ring of all [`Polynomial`]s, for series whose coefficients keep symbols open.
+/// The ring of all [`Polynomial`]s, for series with symbolic coefficients.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Polynomials;
 
@@ -51,12 +51,12 @@ impl Ring for Polynomials {
         Some(a.scaled(&inverse))
     }
 
-    /// Values at numbers only, where the value is a fraction.
+    /// Values at constants, if the value is a fraction.
     fn value(&self, function: Function, at: &Polynomial) -> Option<Polynomial> {
         Rationals.value(function, &at.to_constant()?).map(Polynomial::constant)
     }
 
-    /// Natural exponents, and those that have a value for a number.
+    /// Powers with natural exponents; for constants every power that is a fraction.
     fn power(&self, a: &Polynomial, exponent: &Rational) -> Option<Polynomial> {
         match a.to_constant() {
             Some(number) => Rationals.power(&number, exponent).map(Polynomial::constant),

@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::{Monomial, Polynomial, Rational};
 
-/// Writes `-8 + a1^2 + a1*a3/2`, for example, lower degrees first, readable by every algebra system.
+/// Writes the polynomial, lower degrees first, so that every algebra system can read it: `-8 + a1^2 + a1*a3/2`.
 impl fmt::Display for Polynomial {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(&signed_sum(self, plain_term))
@@ -19,7 +19,7 @@ impl Polynomial {
     }
 }
 
-/// The terms with their signs between them; `write` is given a positive coefficient.
+/// The terms, separated by their signs; `write` receives a positive coefficient.
 fn signed_sum(polynomial: &Polynomial, write: fn(&Monomial, &Rational) -> String) -> String {
     if polynomial.is_zero() {
         return "0".to_owned();
@@ -38,7 +38,7 @@ fn signed_sum(polynomial: &Polynomial, write: fn(&Monomial, &Rational) -> String
     text
 }
 
-/// `3*A1^7/262144`, `a1*a3`, `7/2`.
+/// A term in plain text: `3*A1^7/262144`, `a1*a3`, `7/2`.
 fn plain_term(monomial: &Monomial, factor: &Rational) -> String {
     let powers = monomial.factors().iter().map(|(variable, exponent)| match exponent {
         1 => variable.to_string(),
@@ -52,7 +52,7 @@ fn plain_term(monomial: &Monomial, factor: &Rational) -> String {
     }
 }
 
-/// `\frac{3}{262144} A_1^7`.
+/// A term in LaTeX: `\frac{3}{262144} A_1^7`.
 fn latex_term(monomial: &Monomial, factor: &Rational) -> String {
     let powers = monomial.factors().iter().map(|(variable, exponent)| match exponent {
         1 => variable.to_latex(),

@@ -4,9 +4,8 @@ use std::cmp::Ordering;
 use std::fmt;
 use std::sync::Arc;
 
-/// A variable of a [`Polynomial`](super::Polynomial): letters and perhaps an index, such as `a1`, `B3` or `Delta`.
-/// Variables are ordered as in a book's index: by letter whatever its case, then by number, so that a1, a3,
-/// a11, B3, Delta follow one another.
+/// A variable of a [`Polynomial`](super::Polynomial): letters, possibly with an index, such as `a1`, `B3` or `Delta`. Variables are ordered as
+/// in the index of a book: by letter regardless of case, then by number: a1, a3, a11, B3, Delta.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Variable {
     letters: Arc<str>,
@@ -14,7 +13,7 @@ pub struct Variable {
 }
 
 impl Variable {
-    /// The variable of these letters with this index.
+    /// The variable with these letters and this index.
     #[must_use]
     pub fn indexed(letters: &str, index: u32) -> Self {
         Self { letters: letters.into(), index: Some(index) }
@@ -26,7 +25,7 @@ impl Variable {
         &self.letters
     }
 
-    /// The number at the end of the name.
+    /// The index at the end of the name.
     #[must_use]
     pub const fn index(&self) -> Option<u32> {
         self.index
@@ -48,7 +47,7 @@ impl Variable {
     }
 }
 
-/// The digits at the end become the index, unless they begin with a needless zero.
+/// The digits at the end become the index, unless they begin with a superfluous zero.
 impl From<&str> for Variable {
     fn from(name: &str) -> Self {
         let letters = name.trim_end_matches(|letter: char| letter.is_ascii_digit());

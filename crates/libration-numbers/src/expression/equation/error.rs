@@ -13,12 +13,12 @@ pub enum EquationError {
     /// A side of an equation that is not a formula.
     #[error(transparent)]
     Formula(#[from] ParseError),
-    /// A formula alone.
+    /// A formula without an `=`.
     #[error("`{formula}` has no = sign: write {example}")]
     WithoutEqualsSign {
         /// The formula, shortened.
         formula: String,
-        /// The equation probably meant.
+        /// The equation that was probably meant.
         example: String,
     },
     /// a = b = c.
@@ -33,7 +33,7 @@ pub enum EquationError {
         /// The equation, shortened.
         equation: String,
     },
-    /// An equation of the second order that has lost its second derivative.
+    /// An equation of second order without its second derivative.
     #[error("`{equation}` has no second derivative: mark the acceleration with two primes, as in x'' = -x")]
     WithoutAcceleration {
         /// The equation, shortened.
@@ -54,7 +54,7 @@ pub enum EquationError {
     RateOfAccelerated {
         /// The equation, shortened.
         equation: String,
-        /// Its derivative.
+        /// The derivative in the equation.
         rate: Symbol,
     },
     /// Two second derivatives in one equation, or two rates of change.
@@ -63,9 +63,9 @@ pub enum EquationError {
         primes = "'".repeat(usize::from(.first.primes))
     )]
     Coupled {
-        /// One of them.
+        /// The derivative found first.
         first: Symbol,
-        /// Another.
+        /// The derivative found second.
         second: Symbol,
     },
     /// Two equations for one variable.
@@ -76,19 +76,19 @@ pub enum EquationError {
         "the index {letter} of {name} has no range: write it after the equation, as in x[i]'' = -x[i], i = 1..32"
     )]
     IndexWithoutRange {
-        /// The member.
+        /// The member of the family.
         name: String,
-        /// The letter.
+        /// The letter of the index.
         letter: Symbol,
     },
     /// `x[i/2]`.
     #[error("the index of {name} is {value}{place}: give whole numbers")]
     IndexNotWhole {
-        /// The member.
+        /// The member of the family.
         name: String,
-        /// Its index.
+        /// The value of the index.
         value: String,
-        /// The position.
+        /// Text with the number of the range for which the index has this value, or empty.
         place: String,
     },
     /// `x[-1]''` = 0.
@@ -115,7 +115,7 @@ pub enum EquationError {
     ValueOfVariable {
         /// The equation, shortened.
         equation: String,
-        /// The member.
+        /// The member of the family.
         name: String,
     },
     /// `x[0]` = `x[-1]`, both outside.
@@ -123,9 +123,9 @@ pub enum EquationError {
         "{name} is defined by {other}, which is outside the range too: define it by members inside, t and parameters"
     )]
     EndByEnd {
-        /// The member.
+        /// The member outside the range.
         name: String,
-        /// The other source of the member.
+        /// The other member outside the range.
         other: String,
     },
     /// `x[0]'` where `x[0]` = `2*x[1]`.
@@ -133,22 +133,22 @@ pub enum EquationError {
         "an equation contains {rate}, which cannot be derived for an end defined as {end}: define the end by t and parameters, or as one other member"
     )]
     RateOfEnd {
-        /// The velocity.
+        /// The velocity of the member.
         rate: Symbol,
-        /// The kind of the end.
+        /// The equation of the member outside the range.
         end: String,
     },
-    /// x0 beside `x[i]`.
+    /// x0 next to `x[i]`.
     #[error(
         "`{name}` may be a parameter or {indexed}, which is outside the range: write {indexed}, or call the parameter something else"
     )]
     AmbiguousMember {
-        /// The name.
+        /// The name without brackets.
         name: String,
         /// The name with an index.
         indexed: String,
     },
-    /// A derivative of what has no equation.
+    /// A derivative of a variable without an equation.
     #[error("`{0}` is a derivative, but no equation has {name}'': write one, after a ;", name = .0.name)]
     ForeignDerivative(Symbol),
     /// x''^2, sin(x'') or the like.
@@ -157,21 +157,21 @@ pub enum EquationError {
     /// A highest derivative with a factor of zero.
     #[error("{0} drops out of the equation, because its factor is zero: write an equation that contains it")]
     DropsOut(Symbol),
-    /// A part that has no value, as 1/0.
+    /// A part that is undefined, such as 1/0.
     #[error(transparent)]
     NoValue(#[from] ValueError),
-    /// A value that is none, as 1/0.
+    /// A value that is undefined, such as 1/0.
     #[error("{name} has no value: {why}")]
     ValueWithout {
         /// The parameter.
         name: String,
-        /// The part without a value.
+        /// The undefined part.
         why: ValueError,
     },
-    /// A value for a name that is not a parameter.
+    /// A value for a name that does not denote a parameter.
     #[error("the equation has no parameter `{name}`: {known}")]
     UnknownParameter {
-        /// The name that was given, shortened.
+        /// The given name, shortened.
         name: String,
         /// The known parameters.
         known: String,
@@ -179,12 +179,12 @@ pub enum EquationError {
     /// Two values for one parameter.
     #[error("{0} is given twice: give it one value")]
     SetTwice(String),
-    /// A value with symbols in it.
+    /// A value that contains symbols.
     #[error("the value of {name} contains {inside}: give a constant such as 0.1, 2/3 or sqrt(2)")]
     NotConstant {
         /// The parameter.
         name: String,
-        /// The symbol.
+        /// The first symbol in the value.
         inside: Symbol,
     },
 }
@@ -227,13 +227,13 @@ fn equation_text(left: &Expression, right: &Expression) -> String {
     excerpt(&format!("{left} = {right}"))
 }
 
-/// An equation of the first order where only accelerations have an answer.
+/// An equation of first order where accelerations are required.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
     "the equation for {variable}' is of the first order, and this needs an acceleration: give one of the second order, as in \
      {variable}'' = -{variable}"
 )]
 pub struct SecondOrderError {
-    /// Its variable.
+    /// The variable of the equation.
     pub variable: String,
 }

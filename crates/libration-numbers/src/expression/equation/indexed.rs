@@ -1,10 +1,11 @@
 //! Equations for each number of a range: `x[i]'' = k*(x[i+1] - 2*x[i] + x[i-1]), i = 1..32`.
 //!
-//! What an index leads to outside of all ranges is zero, or what is said of it, as by `x[0] = A*cos(t)` or `x[33] = x[1]`.
+//! A member with an index outside all ranges is zero, or has the value that an equation such as `x[0] = A*cos(t)` or `x[33] = x[1]` states.
 //!
 //! # Method
-//! `x[i]` is a symbol of that name until all equations are read. Each range is then expanded: indices become numbers, members get plain names (x3),
-//! and those without an equation are zero or what is stated for them. A name x0 next to `x[i]` is refused where `x[0]` lies outside the range.
+//! Until all equations are read, `x[i]` is a symbol with that name. Each range is then expanded: indices become numbers, members get plain names
+//! (x3), and members without an equation are zero or have their stated values. A name x0 next to `x[i]` is rejected if `x[0]` lies outside the
+//! range.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -13,10 +14,10 @@ use crate::expression::lexer::IndexRange;
 use crate::expression::members::{Member, member_name, with_names};
 use crate::quantity::excerpt;
 
-/// Maximum number of equations that ranges may stand for: the state of so large a system and its series take some megabytes.
+/// Maximum number of equations that ranges may expand to: the state of such a system and its series take some megabytes.
 const MOST_EQUATIONS: usize = 1000;
 
-/// An equation as it is written, with the range of its index.
+/// An equation as written, with the range of its index.
 pub(super) struct Written {
     pub(super) sides: Sides,
     pub(super) range: Option<IndexRange>,
@@ -45,7 +46,7 @@ fn symbols((left, right): &Sides) -> impl Iterator<Item = Symbol> {
 }
 
 impl Written {
-    /// The equations for every number of the range, with indices that are numbers.
+    /// The equations for every number in the range, with numbers as indices.
     fn equations(self) -> Result<Vec<Sides>, EquationError> {
         let Some(IndexRange { letter, first, last }) = self.range else {
             return Ok(vec![at(&self.sides, None)?]);
@@ -57,7 +58,7 @@ impl Written {
     }
 }
 
-/// The equation in which the letter of the index is this number.
+/// The equation for one value of the index.
 fn at((left, right): &Sides, index: Option<(&str, u32)>) -> Result<Sides, EquationError> {
     let mut names = BTreeMap::new();
     for symbol in symbols(&(left.clone(), right.clone())) {
@@ -99,10 +100,10 @@ fn number_of(member: &Member<'_>, index: Option<(&str, u32)>) -> Result<i64, Equ
     })
 }
 
-/// Equations between members, and what is said of those outside.
+/// Equations between members, and the stated values of members outside the ranges.
 struct Chain {
     equations: Vec<Sides>,
-    /// Members with an equation.
+    /// Members that have an equation of motion.
     inside: BTreeSet<String>,
     families: BTreeSet<String>,
     ends: BTreeMap<String, Expression>,
@@ -131,7 +132,7 @@ impl Chain {
         Ok(chain)
     }
 
-    /// The member that an equation such as `x[0] = 0` gives a value.
+    /// The member whose value an equation such as `x[0] = 0` states.
     fn end_told_by(&self, sides: &Sides) -> Option<String> {
         let Expression::Symbol(Symbol { name, primes: 0 }) = &sides.0 else { return None };
         let is_member = self.families.contains(Member::of(name)?.family);
@@ -143,7 +144,7 @@ impl Chain {
         self.equations.iter().map(|(left, right)| Ok((side(left)?, side(right)?))).collect()
     }
 
-    /// A formula in which members outside the ranges are what is said of them, or zero.
+    /// A formula in which members outside the ranges are replaced by their stated values, or zero.
     fn with_ends(&self, formula: &Expression) -> Result<Expression, EquationError> {
         let mut found = formula.clone();
         for symbol in formula.symbols() {
@@ -160,7 +161,7 @@ impl Chain {
         Ok(found)
     }
 
-    /// Expression that stands for a member outside the ranges, or for its velocity.
+    /// The expression for a member outside the ranges, or for its velocity.
     fn end(&self, symbol: &Symbol) -> Result<Expression, EquationError> {
         let Some(end) = self.ends.get(&symbol.name) else { return Ok(Expression::from(0)) };
         if let Expression::Symbol(other) = end
@@ -182,7 +183,7 @@ impl Chain {
         Ok((0..symbol.primes).fold(end.clone(), rate).simplified())
     }
 
-    /// Refuses x0 where `x[0]` stands outside of the ranges.
+    /// Rejects x0 if `x[0]` lies outside the ranges.
     fn refuse_end_without_brackets(&self, symbol: &Symbol) -> Result<(), EquationError> {
         let digits = symbol.name.trim_start_matches(|c: char| !c.is_ascii_digit());
         let Ok(number) = digits.parse::<u32>() else { return Ok(()) };
@@ -212,7 +213,7 @@ fn own_members(equations: &[Sides]) -> BTreeSet<String> {
     own.chain(accelerated.iter().cloned()).collect()
 }
 
-/// The formula with x3 in the place of `x[3]`; there is no such name for `x[-1]`.
+/// The formula with x3 in place of `x[3]`; `x[-1]` has no such name.
 fn plain_names(formula: &Expression) -> Result<Expression, EquationError> {
     let below = formula.symbols().into_iter().find(|it| it.name.contains("[-"));
     if let Some(Symbol { name, .. }) = below {

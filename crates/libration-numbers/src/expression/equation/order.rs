@@ -2,10 +2,10 @@
 //!
 //! # Method
 //! An equation without a second derivative is solved for the first derivative of the variable that has no second derivative in any equation. A
-//! state holds all coordinates, then the velocities of those with an acceleration; only `StateLayout` knows which component is which. The error of
-//! a first-order variable is a part of how far it moves, like that of every coordinate: its zero may be arbitrary, as that of a phase or a
-//! temperature is, and an amount that decays moves by as much as there is. Whatever only accelerations have (oscillators, normal modes, releases
-//! from rest, energies) begins with `Equation::refuse_first_order`.
+//! state holds all coordinates, then the velocities of the second-order variables; only `StateLayout` knows which component is which. The
+//! tolerance of a first-order variable is relative to the distance that it moves, like that of every coordinate: its zero may be arbitrary, as
+//! for a phase or a temperature, and a decaying amount moves by its own size. Every function that is defined for accelerations only
+//! (oscillators, normal modes, releases from rest, energies) begins with `Equation::refuse_first_order`.
 
 use std::collections::BTreeSet;
 
@@ -21,12 +21,12 @@ pub enum Order {
 }
 
 impl Order {
-    /// Order of an equation that is solved for this derivative.
+    /// The order of an equation that is solved for this derivative.
     pub(super) fn of(derivative: &Symbol) -> Self {
         if derivative.primes == 1 { Self::First } else { Self::Second }
     }
 
-    /// Derivative for which an equation of this order is solved.
+    /// The derivative for which an equation of this order is solved.
     pub(super) fn derivative_of(self, variable: &str) -> Symbol {
         let primes = match self {
             Self::First => 1,
@@ -36,8 +36,8 @@ impl Order {
     }
 }
 
-/// Derivative for which each equation is to be solved: its second derivative if it has one, and else the first derivative of a variable that has no
-/// second one anywhere.
+/// The derivative for which each equation is to be solved: its second derivative if it has one, otherwise the first derivative of a variable
+/// that has no second derivative in any equation.
 pub(super) fn own_derivatives(written: &[Sides]) -> Result<Vec<Symbol>, EquationError> {
     let symbols: Vec<BTreeSet<Symbol>> = written.iter().map(symbols).collect();
     let accelerations = symbols.iter().map(own_acceleration).collect::<Result<Vec<_>, _>>()?;
@@ -58,7 +58,7 @@ fn symbols((left, right): &Sides) -> BTreeSet<Symbol> {
     symbols
 }
 
-/// The one second derivative of an equation, if it has any.
+/// The only second derivative in an equation, if it has any.
 fn own_acceleration(symbols: &BTreeSet<Symbol>) -> Result<Option<Symbol>, EquationError> {
     if let Some(symbol) = symbols.iter().find(|symbol| symbol.primes > 2) {
         return Err(EquationError::ThirdOrder(symbol.clone()));
@@ -66,7 +66,7 @@ fn own_acceleration(symbols: &BTreeSet<Symbol>) -> Result<Option<Symbol>, Equati
     only(symbols.iter().filter(|symbol| symbol.primes == 2))
 }
 
-/// The one rate of change of an equation without second derivatives.
+/// The only rate of change in an equation without second derivatives.
 fn own_rate(
     (left, right): &Sides,
     symbols: &BTreeSet<Symbol>,

@@ -1,4 +1,4 @@
-//! Derivatives as Leibniz writes them: `d2x/dt2`, `d^2x/dt^2`, `d²x/dt²`, `dx/dt`, `\frac{d^2 x}{dt^2}`.
+//! Derivatives in Leibniz's notation: `d2x/dt2`, `d^2x/dt^2`, `d²x/dt²`, `dx/dt`, `\frac{d^2 x}{dt^2}`.
 
 use super::{Fault, Lexer, Symbol, Token};
 use crate::expression::letters::superscript;
@@ -6,12 +6,12 @@ use crate::expression::letters::superscript;
 /// Notation of a fraction.
 pub(super) enum Fraction<'a> {
     Slash,
-    /// `\frac` or one of its like, followed by two groups in braces.
+    /// `\frac` or a similar command, followed by two groups in braces.
     Command(&'a str),
 }
 
 impl Lexer<'_> {
-    /// The derivative with respect to t that begins here; `None`, and nothing taken, where none does.
+    /// The derivative with respect to t that begins here; `None`, with nothing consumed, if there is none.
     pub(super) fn derivative(&mut self, fraction: &Fraction<'_>) -> Option<Result<Token, Fault>> {
         let start = self.at;
         let found = self.quotient_of_differentials(fraction);
@@ -47,7 +47,7 @@ impl Lexer<'_> {
         }
         match after {
             Some(brace) => self.literal(brace)?,
-            // What goes on is a name or a number of its own.
+            // Text that continues here is another name or number.
             None if self.peek().is_some_and(|c| c.is_ascii_alphanumeric() || c == '_') => return None,
             None => {}
         }
@@ -68,7 +68,7 @@ impl Lexer<'_> {
         self.literal("\\mathrm{d}").or_else(|| self.literal("d"))
     }
 
-    /// Order of the derivative, 1 where none is given.
+    /// Order of the derivative, 1 if none is written.
     fn order(&mut self) -> Option<u8> {
         if let Some(digit) = self.take_if(|c| superscript(c).is_some()).and_then(superscript) {
             return order(digit);

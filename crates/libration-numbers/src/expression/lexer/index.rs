@@ -1,9 +1,9 @@
-//! Members of families, `x[i + 1]`, and the range of the index, `, i = 1..32`.
+//! Members of indexed families, `x[i + 1]`, and the range of the index, `, i = 1..32`.
 
 use super::Lexer;
 use crate::expression::Function;
 
-/// The numbers that an index goes through, for each of which an equation is written.
+/// The range of an index; an equation is written for each number in it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(in crate::expression) struct IndexRange {
     pub(in crate::expression) letter: String,
@@ -12,7 +12,7 @@ pub(in crate::expression) struct IndexRange {
 }
 
 impl Lexer<'_> {
-    /// Text in square brackets directly after a name, without spaces and with the brackets; `None` where that is not an index.
+    /// Text in square brackets directly after a name, without spaces and including the brackets; `None` if it is not an index.
     pub(super) fn index_in_brackets(&mut self, name: &str) -> Option<String> {
         let inside = self.rest().strip_prefix('[')?.split_once(']')?.0;
         let belongs = |c: char| c.is_ascii_alphanumeric() || matches!(c, ' ' | '+' | '-' | '*' | '/');
@@ -26,7 +26,7 @@ impl Lexer<'_> {
         Some(format!("[{index}]"))
     }
 
-    /// The range behind a comma; `None` where something else stands there.
+    /// The range after a comma; `None` if something else follows.
     pub(super) fn range(&mut self) -> Option<IndexRange> {
         let rest = self.rest().strip_prefix(',')?;
         let (letter, rest) = rest.split_once('=')?;

@@ -5,7 +5,7 @@ use super::{Fault, Lexer, Symbol, Token};
 use crate::algebra::Function;
 use crate::expression::letters::is_greek;
 
-/// Commands that stand for nothing but a space, or for the size of a bracket.
+/// Commands that denote only a space, or the size of a bracket.
 const SPACES: &[&str] = &[
     "left",
     "right",
@@ -24,7 +24,7 @@ const SPACES: &[&str] = &[
 ];
 
 impl Lexer<'_> {
-    /// Takes a command that means nothing, if one stands next.
+    /// Skips such a command if it is next.
     pub(super) fn skip_command(&mut self) -> bool {
         let Some(rest) = self.rest().strip_prefix('\\') else { return false };
         let word = word(rest);
@@ -40,7 +40,7 @@ impl Lexer<'_> {
         found.is_some()
     }
 
-    /// Token for which the command at this position stands.
+    /// The token of the command at this position.
     pub(super) fn command(&mut self) -> Result<Token, Fault> {
         self.free = true;
         let word = word(&self.rest()[1..]);
@@ -67,7 +67,7 @@ impl Lexer<'_> {
         }
     }
 
-    /// The variable below dots, in braces or not.
+    /// The variable below dots, with or without braces.
     fn dotted(&mut self, dots: u8) -> Result<Token, Fault> {
         self.skip_spaces();
         let braces = self.take_if(|c| c == '{').is_some();
@@ -94,7 +94,7 @@ impl Lexer<'_> {
         self.with_index_and_primes(name, 0)
     }
 
-    /// The letter, Greek letter or command of one at this place.
+    /// The letter, Greek letter or letter command at this position.
     pub(super) fn bare_name(&mut self) -> Option<String> {
         if let Some(rest) = self.rest().strip_prefix('\\') {
             let word = word(rest);
@@ -111,7 +111,7 @@ impl Lexer<'_> {
         (dots == 0).then_some(name)
     }
 
-    /// The name with the index and the primes behind it.
+    /// The name with its index and the primes after it.
     pub(super) fn with_index_and_primes(&mut self, mut name: String, dots: u8) -> Result<Token, Fault> {
         let primes = dots.saturating_add(self.rest_of_name(&mut name, false));
         if primes > super::MOST_PRIMES {
@@ -121,7 +121,7 @@ impl Lexer<'_> {
         }
     }
 
-    /// An index in braces, as `_{1}` or `_{max}`, as it stands without them.
+    /// An index in braces, as in `_{1}` or `_{max}`, without the braces.
     pub(super) fn index_in_braces(&mut self) -> Option<String> {
         let inside = self.rest().strip_prefix("_{")?.split_once('}')?.0;
         let index = inside.bytes().all(|byte| byte.is_ascii_alphanumeric()) && !inside.is_empty();
@@ -132,13 +132,13 @@ impl Lexer<'_> {
     }
 }
 
-/// The letters a text begins with.
+/// The leading letters of a text.
 fn word(text: &str) -> &str {
     let end = text.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(text.len());
     &text[..end]
 }
 
-/// The name of the Greek letter of a command.
+/// The name of the Greek letter for a command.
 fn letter(command: &str) -> Option<String> {
     let name = match command {
         "varepsilon" => "epsilon",

@@ -1,4 +1,4 @@
-//! Meaning of a name: a function, with brackets or without, the larger or the smaller of two formulas, π, or a symbol.
+//! Meaning of a name: a function (with or without brackets), the larger or smaller of two formulas, π, or a symbol.
 
 use super::super::error::{Fault, ParseError};
 use super::super::lexer::{Lexeme, Token, is_extremum};
@@ -8,7 +8,7 @@ use super::{Node, Parser};
 use crate::quantity::excerpt;
 
 impl Parser<'_> {
-    /// A function of what stands in brackets, π, or a symbol.
+    /// A function with its argument in brackets, π, or a symbol.
     pub(super) fn named(&mut self, symbol: Symbol) -> Result<Node, ParseError> {
         let name = self.next;
         self.next += 1;
@@ -49,7 +49,7 @@ impl Parser<'_> {
             return Err(self.fault_at(open, Fault::Unclosed));
         }
         self.free = true;
-        // Zero stands behind, so that |x| is that of x itself.
+        // Zero becomes the second operand, so that the result contains |x| for the formula x itself.
         let [a, b] =
             if one.tree.is_zero() { [&other, &one] } else { [&one, &other] }.map(|it| it.tree.clone());
         let distance = Expression::Call(Function::Abs, Box::new(difference(a.clone(), b.clone())));
@@ -61,7 +61,7 @@ impl Parser<'_> {
         Ok(node)
     }
 
-    /// Takes the `(t)` behind a variable, and leaves what else a variable may be multiplied with.
+    /// Consumes a `(t)` after a variable; other brackets remain as factors.
     fn before_bracket(&mut self, symbol: &Symbol) -> Result<(), Fault> {
         let argument = self.lexemes.get(self.next + 1..self.next + 3);
         let of_time = argument.is_some_and(|it| is_time(&it[0]) && it[1].token == Token::Sign(')'));
@@ -78,14 +78,14 @@ impl Parser<'_> {
         Ok(())
     }
 
-    /// Returns whether a name has primes anywhere in the text.
+    /// Returns `true` if a name has primes anywhere in the text.
     fn is_variable(&self, name: &str) -> bool {
         let primed =
             |it: &Lexeme| matches!(&it.token, Token::Name(other) if other.primes > 0 && other.name == name);
         self.lexemes.iter().any(primed)
     }
 
-    /// Returns whether the bracket that opens next contains t, or nothing but a number or a parameter.
+    /// Returns `true` if the bracket that opens next contains t, or only a number or a parameter.
     fn may_be_another_time(&self) -> bool {
         if let Some([_, inside, close, ..]) = self.lexemes.get(self.next..)
             && close.token == Token::Sign(')')
@@ -108,7 +108,7 @@ impl Parser<'_> {
         false
     }
 
-    /// The argument of a function that stands without brackets: a number and names side by side, before what cannot belong to it.
+    /// The argument of a function without brackets: a number and names side by side, up to the first lexeme that cannot belong to it.
     fn bare_argument(&mut self, function: Function, name: usize) -> Result<Node, ParseError> {
         let start = self.next;
         if function == Function::Sqrt || !self.begins_bare_argument() {
@@ -140,14 +140,14 @@ impl Parser<'_> {
         }
     }
 
-    /// Returns whether the next name is part of the argument: directly after the last, or after the number it begins with.
+    /// Returns `true` if the next name is part of the argument: directly after the last name, or after a number at the beginning.
     fn continues_bare_argument(&self, after_number: bool) -> bool {
         let lexeme = &self.lexemes[self.next];
         let is_name = matches!(&lexeme.token, Token::Name(symbol) if function_of(symbol).is_none());
         is_name && (after_number || !lexeme.spaced)
     }
 
-    /// The last lexeme of what stands next, where that may belong to an argument without brackets.
+    /// The last lexeme of the following part, if that part could belong to an argument without brackets.
     fn may_belong_to_argument(&self) -> Option<usize> {
         let function_at = |place: usize| matches!(&self.lexemes[place].token, Token::Name(symbol) if function_of(symbol).is_some());
         match self.peek() {
@@ -168,15 +168,16 @@ fn is_time(lexeme: &Lexeme) -> bool {
     matches!(&lexeme.token, Token::Name(symbol) if symbol.name == "t" && symbol.primes == 0)
 }
 
-/// The function that a name without primes stands for.
+/// The function that a name without primes denotes.
 fn function_of(symbol: &Symbol) -> Option<Function> {
     function(&symbol.name).filter(|_| symbol.primes == 0)
 }
 
-/// The natural logarithm in most programming languages; how it is read is told, since some write it for the common one.
+/// The name of the natural logarithm in most programming languages. Its interpretation is reported, since some authors use it for the decimal
+/// one.
 const LOGARITHM: &str = "log";
 
-/// The function of a name, or of the word that it is printed with.
+/// The function with this name, or with this word in output.
 fn function(name: &str) -> Option<Function> {
     if name == LOGARITHM {
         return Some(Function::Ln);

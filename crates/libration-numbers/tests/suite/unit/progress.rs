@@ -15,7 +15,7 @@ fn there_are_no_updates_after_a_cancellation() {
     assert_eq!(updates.get(), 3);
 }
 
-/// The last status that a call has reported until it is cancelled at once.
+/// The last status that a call reports before it is cancelled.
 fn reported(call: impl Fn(&Watch<'_>)) -> Option<Status> {
     let last = Cell::new(None);
     let progress = |status: Status| {

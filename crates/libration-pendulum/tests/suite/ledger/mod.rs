@@ -1,7 +1,6 @@
-//! The ledger on random inputs: the largest errors against the quadruple-precision oracle, function by function.
+//! The ledger on random inputs: the largest errors of each function against the quadruple-precision oracle.
 //!
-//! Ignored by default; `scripts/ledger` builds the oracle and runs it. `LIBRATION_LEDGER_COUNT` is the number of
-//! inputs a function.
+//! Ignored by default; `scripts/ledger` builds the oracle and runs these tests. `LIBRATION_LEDGER_COUNT` is the number of inputs per function.
 
 mod oracle;
 mod tally;
@@ -272,7 +271,7 @@ fn harmonics() {
     tally.report();
 }
 
-/// A promise as a line of the report.
+/// A bound of the ledger as a line of the report.
 fn heading(promise: &Promise) -> String {
     let beyond = if promise.beyond.is_empty() { String::new() } else { format!(" + {}", promise.beyond) };
     format!("{}: ≤ {} ulp{beyond} for {}", promise.what, promise.ulp, promise.domain)

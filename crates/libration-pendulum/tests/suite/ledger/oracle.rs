@@ -6,14 +6,14 @@ use std::io::{BufReader, Read};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdout, Command, Stdio};
 
-/// One random input with its true answers.
+/// One random input with its true results.
 pub(super) struct Record {
     pub(super) region: usize,
     pub(super) inputs: Vec<f64>,
     pub(super) truths: Vec<Truth>,
 }
 
-/// The records of one function, as the oracle writes them.
+/// The records of one function, in the order in which the oracle writes them.
 pub(super) struct Records {
     oracle: Child,
     stream: BufReader<ChildStdout>,
@@ -21,7 +21,7 @@ pub(super) struct Records {
     answers: usize,
 }
 
-/// The records of one function of `inputs` inputs and `answers` results.
+/// Reads the records of one function, with this number of inputs and results.
 pub(super) fn records(function: &str, inputs: usize, answers: usize) -> Records {
     let count = env::var("LIBRATION_LEDGER_COUNT").unwrap_or_else(|_| "1000000".to_owned());
     let seed = env::var("LIBRATION_LEDGER_SEED").unwrap_or_else(|_| "1".to_owned());

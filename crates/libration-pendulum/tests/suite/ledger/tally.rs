@@ -1,4 +1,4 @@
-//! The largest and the mean error by answer and region, printed as a Markdown table.
+//! The largest and the mean error by result and region, printed as a Markdown table.
 #![expect(clippy::print_stdout, reason = "the report is what the ledger is run for")]
 
 use super::heading;
@@ -26,7 +26,7 @@ impl<'a> Tally<'a> {
         Self { promise, regions, cells: BTreeMap::new() }
     }
 
-    /// Counts the error of `got` in ulp beyond the absolute allowance.
+    /// Records the error of `got` in ulp beyond the absolute allowance.
     pub(super) fn add(
         &mut self,
         record: &Record,
@@ -45,7 +45,7 @@ impl<'a> Tally<'a> {
         }
     }
 
-    /// Prints the table; fails if the promise is broken or nothing was counted.
+    /// Prints the table; fails if the bound is exceeded or nothing was recorded.
     pub(super) fn report(self) {
         self.print();
         self.enforce();

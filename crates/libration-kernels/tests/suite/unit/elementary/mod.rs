@@ -25,7 +25,7 @@ fn relative(got: DoubleDouble, exact: &BigFloat) -> f64 {
     ((big(got) - exact.clone()) / exact.clone()).to_f64().abs()
 }
 
-/// Numbers in (0, 1) without pattern.
+/// Irregular numbers in (0, 1).
 fn uniform() -> impl Iterator<Item = f64> {
     (1..=2000).map(|i| (f64::from(i) * 0.618_033_988_749_894_8).fract())
 }
@@ -46,7 +46,7 @@ fn sine_and_cosine_of_turns_are_good_to_fifty_four_bits() {
     assert!(error < libm::exp2(-54.0), "{error:e}");
 }
 
-/// The largest error in units of the last place, and how many of the values are not the nearest.
+/// The largest error in units in the last place, and the number of values that are not correctly rounded.
 fn rounding(angles: impl Iterator<Item = f64>) -> (f64, f64) {
     let (mut worst, mut wrong, mut all) = (0.0_f64, 0.0, 0.0);
     for x in angles {
@@ -68,7 +68,7 @@ fn sine_and_cosine_of_angles_are_next_to_the_exact_ones() {
     assert!(worst < 0.8 && wrong < 0.02, "{worst} {wrong}");
 }
 
-/// Next to multiples of π/4, where the sine, the cosine or the choice between them changes.
+/// Angles next to multiples of π/4, where the sine, the cosine or the choice between them changes.
 #[test]
 fn sine_and_cosine_next_to_eighths_of_a_turn_keep_their_relative_accuracy() {
     let eighths =
@@ -113,7 +113,7 @@ fn the_arctangent_of_a_ratio_inverts_the_tangent() {
         let small = DoubleDouble::new(small, small * 1e-17);
         let angle = atan_of_ratio(small, DoubleDouble::ONE);
         let exact = big(angle);
-        // What is missing of the angle, to first order: tan(exact − angle).
+        // The error of the angle, to first order tan(exact − angle).
         let missing = (big(small) * exact.cos() - exact.sin()) / (exact.cos() + big(small) * exact.sin());
         (missing.to_f64() / angle.hi).abs()
     }));
@@ -144,7 +144,7 @@ fn the_split_logarithm_is_good_to_fifty_eight_bits() {
 
 #[test]
 fn the_fine_logarithm_is_good_to_a_hundred_bits() {
-    // Next to one and to √½ and √2, between which the fraction lies, too.
+    // Also next to one, √½ and √2, the ends of the fraction's range.
     let seams = [1.0, 1.0_f64.next_up(), 1.0_f64.next_down(), 0.7071067811865475, 0.7071067811865476];
     let points = uniform().flat_map(|x| [x, 1e-300 * x, 3.0 * x, 1e300 * x, 1.0 + 1e-9 * x]).chain(seams);
     for x in points.flat_map(|x| [x, 2.0 * x]) {
@@ -196,7 +196,7 @@ fn the_two_word_logarithm_keeps_its_digits_among_the_smallest_numbers() {
         [5e-324, 1.5e-323, 1e-310, f64::MIN_POSITIVE, 1e-300, 0.7071067811865475, 0.7071067811865476, 1e308]
     {
         let error = (big(two_word::ln(DoubleDouble::from(x))) - word(x).ln()).to_f64().abs();
-        // A part in 2¹⁰⁰ of the largest of them.
+        // 2⁻¹⁰⁰ of the largest logarithm.
         assert!(error < 745.0 * libm::exp2(-100.0), "{x:e}: {error:e}");
     }
 }
@@ -208,7 +208,7 @@ fn the_two_word_power_is_rounded_once_among_the_smallest_numbers() {
         let smallest = word(f64::from_bits(1));
         let error =
             ((word(two_word::exp(DoubleDouble::from(x)).to_f64()) - exact.clone()) / smallest).to_f64().abs();
-        // Half a unit, and half an ulp where that is more.
+        // Half of the smallest number, or half an ulp if that is larger.
         let ulp = (exact * word(f64::EPSILON) / word(f64::from_bits(1))).to_f64();
         assert!(error <= 0.5 * ulp.max(1.0) + 1e-9, "{x}: {error}");
     }

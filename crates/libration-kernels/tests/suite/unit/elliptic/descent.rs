@@ -16,7 +16,7 @@ fn relative(got: DoubleDouble, exact: &BigFloat) -> f64 {
     ((big(got) - exact.clone()) / exact.clone()).to_f64().abs()
 }
 
-/// Smaller parameters of every size, many next to one half, where the series are longest.
+/// Smaller parameters of every size; many are next to one half, where the series converge most slowly.
 fn parameters() -> impl Iterator<Item = f64> {
     (1..=200)
         .map(|i| (f64::from(i) * 0.618_033_988_749_894_8).fract())
@@ -40,7 +40,7 @@ fn quarter_periods_and_nome_are_good_to_a_hundred_and_two_bits() {
         let nome_raised = nome.clone() / (raise.clone() * raise);
         let [root, precise_root] = [Descent::root_of_nome, Descent::precise_root_of_nome]
             .map(|root| relative(root(&descent, nearer.lowering()), &nome.clone().sqrt()));
-        // The lower half of a second word may be below the smallest number.
+        // The second word may be below the smallest number.
         let short = [relative(descent.nome(), &nome_raised), if m > 1e-200 { root } else { 0.0 }];
         assert!(short.iter().all(|error| *error < libm::exp2(-69.0)), "{m:e}: {short:?}");
         let errors = [

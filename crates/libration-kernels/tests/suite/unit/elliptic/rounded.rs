@@ -26,7 +26,7 @@ fn exact(complementary: &BigFloat) -> [BigFloat; 2] {
     [first.clone(), first * (word(1.0) - sum)]
 }
 
-/// In units in the last place of the truth.
+/// The error in units in the last place of the truth.
 fn error(found: f64, truth: &BigFloat) -> f64 {
     let nearest = truth.to_f64();
     ((word(found) - truth.clone()) / word(nearest.next_up() - nearest)).to_f64().abs()
@@ -39,7 +39,7 @@ fn worst(nearer: &Nearer, p: BigFloat) -> f64 {
     a.max(b)
 }
 
-/// Parameters of every size on both sides, many next to one half, where the series are longest.
+/// Parameters of every size on both sides; many are next to one half, where the series converge most slowly.
 #[test]
 fn k_and_e_are_rounded_from_six_more_hundredths() {
     let sizes = (1..=3000).flat_map(|i| {
@@ -62,7 +62,7 @@ fn k_and_e_are_rounded_from_six_more_hundredths() {
     assert!(largest < 0.56, "{largest}");
 }
 
-/// Parameters in two words, from moduli.
+/// Parameters in two words, computed from moduli.
 #[test]
 fn the_second_word_of_the_parameter_counts() {
     let mut largest = 0.0_f64;
@@ -85,7 +85,7 @@ fn ends_have_their_limits() {
     let found = [first(&bottom), second(&bottom), first(&top), second(&top)].map(f64::to_bits);
     let right = std::f64::consts::FRAC_PI_2;
     assert_eq!(found, [right, right, f64::INFINITY, 1.0].map(f64::to_bits));
-    // Where the parameter is below the smallest number, the modulus is not: ln 4 + 170·ln 10.
+    // The parameter is below the smallest number but the modulus is not: ln 4 + 170·ln 10.
     let small = DoubleDouble::from(1e-170);
     let next_to_top = Nearer::from_words(DoubleDouble::ONE, small);
     assert!((first(&next_to_top) - 392.8257601701077).abs() < 1e-12);

@@ -2,7 +2,7 @@ use libration::double_double::DoubleDouble;
 use libration::elementary::two_word;
 use libration::internals::elliptic::{CircularSide, PhaseClock, ThetaSeries, ThetaZero};
 
-/// Σ (±1)ⁿ q^(n(n+1)) f((2n+1)z), of which `ThetaSeries` has four terms.
+/// Σ (±1)ⁿ q^(n(n+1)) f((2n+1)z); `ThetaSeries` has four terms of it.
 fn sums(q: f64, z: f64) -> [DoubleDouble; 2] {
     let (mut first, mut second) = (DoubleDouble::ZERO, DoubleDouble::ZERO);
     let (mut power, mut ratio) = (DoubleDouble::ONE, DoubleDouble::from(q).square());
@@ -16,7 +16,7 @@ fn sums(q: f64, z: f64) -> [DoubleDouble; 2] {
     [first, second]
 }
 
-/// Each sum is rounded to one word before its first term is added, which leaves a few times 2⁻⁵³ of what is small with one.
+/// The terms after the leading 1 are summed in one word: the error is a few times 2⁻⁵³ of these terms, which are of order q.
 #[test]
 fn the_values_at_zero_are_those_of_more_terms() {
     for q in [1e-3, 0.01, 0.03, libm::exp(-std::f64::consts::PI)] {
@@ -37,7 +37,7 @@ fn four_terms_suffice_at_the_largest_nome() {
         let (sine, cosine) = two_word::sin_cos(DoubleDouble::from(z));
         let values = series.at::<CircularSide>(sine, cosine);
         let [first, second] = sums(q, z);
-        // 2⁻⁵³ from the polynomials, which are below 0.1 of the sum, is a tenth of this.
+        // The polynomials are below 0.1 of the sum, so that their rounding, 2⁻⁵³ of themselves, is about half of this bound.
         for (got, expected) in [(values.first, first), (values.second, second)] {
             let error = ((got - expected) / expected).to_f64().abs();
             assert!(error < 2e-17, "{z}: {error:e}");
@@ -47,7 +47,7 @@ fn four_terms_suffice_at_the_largest_nome() {
 
 #[test]
 fn the_phase_is_known_to_two_to_the_ninety_seven_turns() {
-    // (¼ + 2⁻⁶²)·2⁶² turns and three times as many are whole turns, a quarter off at 2⁶⁰.
+    // The frequency ¼ + 2⁻⁶² gives whole turns at 2⁶² and at three times that time, and a quarter more at 2⁶⁰.
     let frequency = DoubleDouble::new(0.25, libm::exp2(-62.0));
     let clock = PhaseClock { frequency, quarter: 0.0, offset: DoubleDouble::ZERO };
     for (exponent, quarter) in [(60.0, 1.0), (61.0, 2.0), (62.0, 0.0), (80.0, 0.0)] {

@@ -1,20 +1,20 @@
-//! Quantities read from a record, and each of the guards against a false `Chaotic`, on records made by hand.
+//! Quantities computed from a record, and each of the conditions that prevent a false `Chaotic`, on constructed records.
 #![expect(clippy::float_cmp, reason = "sums of small whole numbers are exact")]
 
 use libration::chaos::{Doubt, LyapunovVerdict, Regularity};
 use libration::internals::chaos::{Evidence, Record};
 use libration::taylor::{Cause, Effort};
 
-/// Number of intervals, of which the eleventh part is the beginning.
+/// Number of intervals, of which the first eleventh is the beginning.
 const INTERVALS: usize = 220;
 const EFFORT: Effort = Effort::to_tolerance(1e-13);
 
-/// A motion in [0, 1] whose deviation grows by these logarithms, one an interval.
+/// A motion in [0, 1] whose deviation grows by these logarithms, one per interval.
 fn evidence(growth: impl Fn(usize) -> f64) -> Evidence {
     wandering(growth, |_| 1.0)
 }
 
-/// The same where the motion is at zero and at a place in turns.
+/// The same with a motion that is alternately at zero and at a given position.
 fn wandering(growth: impl Fn(usize) -> f64, place: impl Fn(usize) -> f64) -> Evidence {
     let mut evidence = Evidence::new(1.0, 1);
     for n in 0..INTERVALS {
@@ -38,7 +38,7 @@ fn steady_growth_on_a_bounded_motion_is_chaotic() {
 
 #[test]
 fn growth_below_e_to_the_hundred_is_too_short() {
-    // Behind the beginning, which is not counted, there are 200 intervals.
+    // After the beginning, which is not counted, there are 200 intervals.
     for (total, chaotic) in [(99.9, false), (100.1, true)] {
         let found = verdict(&evidence(|_| total / 200.0));
         match found {
@@ -66,7 +66,7 @@ fn fewer_intervals_than_blocks_are_too_short_however_much_they_grow() {
 
 #[test]
 fn deep_valleys_lose_the_digits() {
-    // Up by four more than down, so that every block grows. ln √(10⁻³/10⁻¹³) is 11.51, ln √(10⁻³/10⁻¹⁵) is 13.8.
+    // The logarithm rises by four more than it falls, so that every block grows. ln √(10⁻³/10⁻¹³) is 11.51, ln √(10⁻³/10⁻¹⁵) is 13.8.
     let with_valleys = |depth: f64| evidence(move |n| if n.is_multiple_of(2) { depth + 4.0 } else { -depth });
     assert_eq!(verdict(&with_valleys(11.5)), LyapunovVerdict::Chaotic);
     let LyapunovVerdict::Undecided(Doubt::DigitsLost { valley }) = verdict(&with_valleys(11.53)) else {
@@ -79,13 +79,13 @@ fn deep_valleys_lose_the_digits() {
         with_valleys(13.9).verdict(&finer, &[false]),
         LyapunovVerdict::Undecided(Doubt::DigitsLost { .. })
     ));
-    // No tolerance makes the roundings smaller.
+    // No tolerance reduces the rounding errors.
     let finest = Effort::to_tolerance(1e-18);
     assert!(matches!(
         with_valleys(14.7).verdict(&finest, &[false]),
         LyapunovVerdict::Undecided(Doubt::DigitsLost { .. })
     ));
-    // One valley is as bad as many.
+    // One valley has the same effect as many.
     let once = evidence(|n| if n == 120 { -12.0 } else { 1.0 });
     assert!(matches!(verdict(&once), LyapunovVerdict::Undecided(Doubt::DigitsLost { .. })));
 }
@@ -95,21 +95,21 @@ fn motions_that_go_farther_and_farther_are_unbounded() {
     let widening = |factor: f64| wandering(steady, move |n| if 2 * n < INTERVALS { 1.0 } else { factor });
     assert_eq!(verdict(&widening(1.49)), LyapunovVerdict::Chaotic);
     assert_eq!(verdict(&widening(1.51)), LyapunovVerdict::Undecided(Doubt::Unbounded));
-    // An angle may turn on and on.
+    // An angle may increase without bound.
     assert_eq!(widening(1.51).verdict(&EFFORT, &[true]), LyapunovVerdict::Chaotic);
     assert_eq!(verdict(&wandering(steady, |n| if n < 10 { 3.0 } else { 1.0 })), LyapunovVerdict::Chaotic);
-    // A motion that begins to move late is not bounded by where it was.
+    // A motion that begins to move late is not bounded by its earlier positions.
     let late = wandering(steady, |n| if 2 * n < INTERVALS { 0.0 } else { 1.0 });
     assert_eq!(verdict(&late), LyapunovVerdict::Undecided(Doubt::Unbounded));
 }
 
 #[test]
 fn growth_that_pauses_is_unsteady() {
-    // For one block of twenty intervals, by more or by less than nothing.
+    // One block of twenty intervals has a growth slightly above or below zero.
     let pausing = |rate: f64| evidence(move |n| if (100..120).contains(&n) { rate } else { 2.0 });
     assert_eq!(verdict(&pausing(-0.1)), LyapunovVerdict::Undecided(Doubt::Unsteady));
     assert_eq!(verdict(&pausing(0.1)), LyapunovVerdict::Chaotic);
-    // All of it in two blocks: the mean is not five errors from zero.
+    // All growth is in two blocks: the mean is not five errors from zero.
     let once = evidence(|n| if n >= 180 { 4.0 } else { 0.01 });
     assert_eq!(verdict(&once), LyapunovVerdict::Undecided(Doubt::Unsteady));
 }
@@ -123,11 +123,11 @@ fn growth_in_proportion_to_the_time_is_slow() {
         })
     };
     let LyapunovVerdict::Regular(Regularity::Slow { below }) = verdict(&power(1.0)) else { panic!() };
-    // 2·1.5 in the time measured.
+    // The logarithm changes by 2·1.5 in the measured time.
     assert!((below - 3.0 / 220.0).abs() < 1e-15, "{below}");
     assert!(matches!(verdict(&power(2.1)), LyapunovVerdict::Regular(_)));
     assert!(matches!(verdict(&power(2.4)), LyapunovVerdict::Undecided(Doubt::TooShort { .. })));
-    // Fast in one half only.
+    // The motion is fast in one half only.
     let late = evidence(|n| if n >= 110 { 1.0 } else { 0.0 });
     assert!(!matches!(verdict(&late), LyapunovVerdict::Regular(_)));
     let early = evidence(|n| if (55..110).contains(&n) { 1.0 } else { 0.0 });
@@ -157,7 +157,7 @@ fn exponents_agree_within_half_of_the_larger_and_five_errors() {
     assert!(noisy.record.uncertainty() > 0.05 && one.agrees_with(&noisy));
 }
 
-/// A record of an interval of two with these logarithms.
+/// A record with intervals of length two and these logarithms.
 fn record(growths: &[f64]) -> Record {
     let mut record = Record::new(2.0);
     growths.iter().for_each(|growth| record.push(*growth));
@@ -177,10 +177,10 @@ fn rates_leave_the_beginning_out() {
 
 #[test]
 fn the_error_of_a_rate_is_that_of_the_blocks_or_what_the_second_half_changes() {
-    // Blocks of two intervals of two: rates 1 and 0 in turns, with the mean 1/2; √(10·(1/4)/90) = 1/6.
+    // Blocks of two intervals of length two: alternating rates 1 and 0, with the mean 1/2; √(10·(1/4)/90) = 1/6.
     let in_turns = record(&(0..22).map(|n| if (n / 2) % 2 == 1 { 2.0 } else { 0.0 }).collect::<Vec<_>>());
     assert!((in_turns.uncertainty() - 1.0 / 6.0).abs() < 1e-15, "{}", in_turns.uncertainty());
-    // Nothing in the first half: nine intervals of 0 to the eleventh, and the other eleven of 2.
+    // No growth in the first half: nine intervals of 0 up to the eleventh, and the other eleven of 2.
     let late = record(&(0..22).map(|n| if n < 11 { 0.0 } else { 2.0 }).collect::<Vec<_>>());
     assert!((late.uncertainty() - late.exponent()).abs() < 1e-15 && (late.exponent() - 0.55).abs() < 1e-15);
     assert_eq!(record(&[1.0; 10]).uncertainty(), f64::INFINITY);

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 const PIECES: u32 = 16;
 
-/// The orbit of an equation with the period 2π that Newton's method finds from the start of each piece.
+/// The orbit of an equation with the period 2π, computed by Newton's method from the starts of the pieces.
 fn closed(equation: &str, start: impl Fn(f64) -> f64) -> Option<Vec<f64>> {
     let equation: Equation = equation.parse().unwrap();
     let flow = Flow::new(&equation, &[], 10_000).unwrap();
@@ -30,18 +30,18 @@ fn an_orbit_is_found_from_node_to_node_however_fast_deviations_grow() {
         let states = closed("x' = 10*x + cos(t)", |t| exact(t) + aside * libm::cos(3.0 * t)).unwrap();
         for (number, x) in (0..PIECES).zip(&states) {
             let t = TAU * f64::from(number) / f64::from(PIECES);
-            // Pieces may be off by 32·(1 + M)·ε·(1 + |x|/0.1)·0.1 where they join, and nodes by that over M − 1.
+            // The allowed error at a joint is 32·(1 + M)·ε·(1 + |x|/0.1)·0.1, and that of a node this divided by M − 1.
             assert!((x - exact(t)).abs() < 2e-15, "{number}: {x:?} from {aside}");
         }
     }
 }
 
-/// The orbit of another equation is none of this one: with the mean 1/1000 of the force the orbit lies lower by a tenth of that.
+/// The orbit of another equation is not one of this equation: with the mean 1/1000 of the force the orbit is lower by a tenth of that.
 #[test]
 fn the_orbit_of_another_equation_moves_to_that_of_this_one() {
     let exact = |t: f64| (libm::sin(t) - 10.0 * libm::cos(t)) / 101.0;
     let states = closed("x' = 10*x + cos(t) + 1/1000", exact).unwrap();
     assert!((states[0] - exact(0.0) + 1e-4).abs() < 2e-15, "{:?}", states[0]);
-    // x′ = 1 + cos t has none.
+    // x′ = 1 + cos t has no periodic orbit.
     assert_eq!(closed("x' = 1 + cos(t)", exact), None);
 }

@@ -1,6 +1,6 @@
 use libration::internals::periodic::NewtonStep;
 
-/// With M − I = ((1, 1), (1, −1)) and both components missed by as much, the change is (1, 0) or (0, 1), but each error is 1.
+/// With M − I = ((1, 1), (1, −1)) and the same distance in both components, the change is (1, 0) or (0, 1), but each error is 1.
 #[test]
 fn errors_of_components_do_not_cancel_each_other() {
     let step = NewtonStep::new(&[vec![2.0, 1.0], vec![1.0, 0.0]], &[1.0, 1.0], &[0, 1], &[]);

@@ -10,7 +10,7 @@ fn sampled(count: u32, interval: f64, value: impl Fn(f64) -> f64) -> Vec<f64> {
     (0..count).map(|n| value(interval * f64::from(n))).collect()
 }
 
-/// A line has the height of its oscillation wherever its frequency lies between the points, and nothing is left beyond its width.
+/// A line has the height of its oscillation wherever its frequency lies between the points, and beyond its width the spectrum vanishes.
 #[test]
 fn a_line_has_its_height_and_its_width() {
     for count in [1000, 1024] {
@@ -76,8 +76,8 @@ fn integrated(equation: &str, start: &[(&str, f64)], end: f64) -> DenseSolution 
     integrate_dense(&system, &start, end, &Effort::to_tolerance(1e-13)).unwrap()
 }
 
-/// Motions that are fast only now and then need many values for each step, or the highest harmonics would be folded onto lower ones: 1e-3 from the
-/// separatrix steps at the top are ten times longer than at the bottom.
+/// Motions that are fast only for short times require many values for each step, or the highest harmonics would be aliased to lower ones: 1e-3
+/// from the separatrix steps at the top are ten times longer than at the bottom.
 #[test]
 fn motions_are_sampled_until_their_fastest_oscillations_show() {
     let amplitude = std::f64::consts::PI - 1e-3;
@@ -93,14 +93,14 @@ fn motions_are_sampled_until_their_fastest_oscillations_show() {
         let error = (spectrum.amplitude_at(frequency) - term.velocity.abs()).abs();
         assert!(error < 1e-7 * all, "{}: {error:e}", term.n);
     }
-    // The kinks of |x| have oscillations of all frequencies, which fall like their fourth power.
+    // The kinks of |x| have oscillations of all frequencies, which decrease like the inverse fourth power of the frequency.
     let kinked = integrated("x'' + x + abs(x)/2 = 0.3*cos(3*t)", &[("x", 1.0)], 60.0);
     assert!(Spectrum::of_motion(&kinked, 0, [0.0, 60.0]).is_ok());
     let fast = integrated("x'' + x = cos(2000*t)", &[("x", 1.0)], 60.0);
     assert!(Spectrum::of_motion(&fast, 1, [0.0, 60.0]).unwrap().highest() > 2000.0);
 }
 
-/// Swings, at any phases of the ends, have a spectrum; what goes from one end to the other has none.
+/// Oscillations, with any phases at the ends, have a spectrum; a motion that drifts from one end to the other has none.
 #[test]
 fn a_trend_is_told_from_a_swing() {
     let swing = integrated("x'' + x = 0", &[("x", 1.0)], 100.0);

@@ -1,4 +1,4 @@
-//! The named systems as masses at places in space, with the numbers that they are tried with.
+//! The named systems as point masses in space, with the numbers for which they are evaluated.
 
 use libration::algebra::Doubles;
 use libration::expression::{Expression, Symbol};
@@ -6,10 +6,10 @@ use libration::systems::{Model, NamedSystem, catalogue};
 use libration_numbers::internals::expression::{Jet, Tape};
 use std::collections::BTreeMap;
 
-/// A mass at a place, each part a formula: inertia, weight (mass times gravity), x, y and the height z.
+/// A point mass, each property a formula: inertia, weight (mass times gravity), x, y and the height z.
 pub(super) type Mass = [&'static str; 5];
 
-/// Masses on their rods, with what acts on them beside weight.
+/// Point masses of a system, with the forces on them besides weight.
 pub(super) struct Mechanism {
     pub(super) key: &'static str,
     pub(super) masses: &'static [Mass],
@@ -17,7 +17,7 @@ pub(super) struct Mechanism {
     pub(super) springs: &'static str,
     /// The generalised force on each coordinate that has no potential.
     pub(super) forces: &'static [&'static str],
-    /// Values that the masses need in addition to the parameters.
+    /// Values that occur in the formulas of the masses besides the parameters.
     pub(super) defined: &'static [(&'static str, &'static str)],
 }
 
@@ -35,7 +35,7 @@ pub(super) const MECHANISMS: &[Mechanism] = &[
     ),
     one_bob("damped_pendulum_54", &["-c*theta'^n"]),
     Mechanism {
-        // Two halves at equal distances from the centre of mass, and the fluid that moves with it and is missing in its place.
+        // Two halves at equal distances from the centre of mass, and the displaced fluid.
         key: "physical_pendulum",
         masses: &[
             ["m/2", "m*g/2", "(d + s)*sin(theta)", "0", "-(d + s)*cos(theta)"],
@@ -103,7 +103,7 @@ pub(super) const MECHANISMS: &[Mechanism] = &[
         defined: &[],
     },
     Mechanism {
-        // Of three pendulums.
+        // The chain of three pendulums.
         key: "pendulum_chain",
         masses: &[
             ["1", "omega0^2", "sin(theta1)", "0", "-cos(theta1)"],
@@ -129,7 +129,7 @@ pub(super) const MECHANISMS: &[Mechanism] = &[
         defined: &[],
     },
     Mechanism {
-        // Of three masses.
+        // The chain of three masses.
         key: "fermi_pasta_ulam",
         masses: &[["1", "0", "x1", "0", "0"], ["1", "0", "x2", "0", "0"], ["1", "0", "x3", "0", "0"]],
         springs: "(x1^2 + (x2 - x1)^2 + (x3 - x2)^2 + x3^2)/2 + alpha*(x1^3 + (x2 - x1)^3 + (x3 - x2)^3 - x3^3)/3 \
@@ -168,7 +168,7 @@ impl Open {
         })
     }
 
-    /// The systems whose equations are all of the second order.
+    /// The systems whose equations are all of second order.
     pub(super) fn mechanical() -> impl Iterator<Item = Self> {
         Self::all().filter(|system| system.model.layout().is_of_second_order())
     }
@@ -193,12 +193,12 @@ impl Open {
         sum([of.derivative(&Symbol::plain("t"))].into_iter().chain(terms))
     }
 
-    /// Numbers inside the domain of each system: masses and lengths about 1, places about 1/2.
+    /// Numbers inside the domain of each system: masses and lengths about 1, positions about 1/2.
     pub(super) fn numbers(&self, trial: u32) -> Numbers {
         let mut random = Weyl(f64::from(trial));
         let mut numbers = BTreeMap::from([(Symbol::plain("t"), random.between(0.0, 3.0))]);
         for place in self.places() {
-            // Powers that are no whole numbers want a positive velocity in (54).
+            // Powers that are not integers require a positive velocity in (54).
             let sign =
                 if self.named.key == "damped_pendulum_54" || trial.is_multiple_of(2) { 1.0 } else { -1.0 };
             numbers.insert(place.with_primes(1), sign * random.between(0.3, 1.5));
@@ -247,7 +247,7 @@ impl Mechanism {
         let half = |a: Expression, b: Expression| product(formula("1/2"), product(a, b));
         let square = |a: Expression| product(a.clone(), a);
         sum(self.masses.iter().map(|[inertia, _, x, y, z]| {
-            // Places do not depend on velocities, so that the accelerations do not enter.
+            // Positions do not depend on velocities, so that the accelerations do not enter.
             let speeds = [x, y, z].map(|place| square(system.rate(&self.part(place))));
             half(formula(inertia), sum(speeds))
         }))

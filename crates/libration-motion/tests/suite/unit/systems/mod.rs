@@ -1,5 +1,4 @@
-//! The equations of the named systems against a derivation of their own: masses at places in space, and Lagrange's
-//! equations.
+//! The equations of the named systems compared with an independent derivation from point masses in space and Lagrange's equations.
 
 mod mechanisms;
 
@@ -45,7 +44,7 @@ fn bodies_are_where_the_masses_are_on_rods_of_one_length() {
             assert!(system.model.bodies().is_none());
             continue;
         }
-        // Its centre of mass stands for the body, at the distance one.
+        // The body is represented by its centre of mass, at the distance one.
         let masses = if system.named.key == "physical_pendulum" { BOB } else { mechanism.masses };
         assert_eq!(system.named.bodies.len(), masses.len(), "{}", system.named.key);
         for (body, [_, _, x, y, z]) in system.named.bodies.iter().zip(masses) {
@@ -85,7 +84,7 @@ fn every_energy_is_that_of_the_masses() {
         let sum = sum([mechanism.kinetic_energy(&system), mechanism.potential_energy()]);
         for trial in 0..TRIALS {
             let numbers = system.numbers(trial);
-            // The zero of the potential is free.
+            // The zero of the potential is arbitrary.
             let mut resting = system.numbers(trial);
             for place in system.places() {
                 resting.0.insert(place.with_primes(1), 0.0);
@@ -131,7 +130,7 @@ fn defaults_leave_out_damping_and_driving_and_rest_is_at_rest() {
         let mut numbers = Numbers(names.zip(model.state_at_rest()).collect());
         numbers.0.insert(Symbol::plain("t"), 0.7);
         for acceleration in model.equation().derivatives() {
-            // The two angles have no place of rest at the lowest point, and a planet has none.
+            // The two angles have no equilibrium at the lowest point, and a planet has none.
             let at_rest = numbers.value(acceleration).abs() < 1e-15 || RESTLESS.contains(&named.key);
             assert!(at_rest, "{}: {acceleration}", named.key);
         }
@@ -164,7 +163,7 @@ fn only_forces_with_a_potential_have_an_energy() {
 
 #[test]
 fn a_mass_that_is_not_positive_counts_as_one() {
-    // −x″ = x³ and x″ = −x³ are one motion; a kinetic energy below zero would be no measure of the drift.
+    // −x″ = x³ and x″ = −x³ are the same motion; a negative kinetic energy would be no measure of the drift.
     for equation in ["-x'' = x^3", "x'' = -x^3", "-2*x'' = 2*x^3"] {
         let energy = Model::typed(equation, &[], &[]).unwrap().energy().unwrap();
         let mut balance = energy.balance(&Moment { time: 0.0, state: vec![1.0, 0.0] });

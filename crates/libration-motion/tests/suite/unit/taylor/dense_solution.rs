@@ -1,7 +1,7 @@
 use libration::pendulum::Pendulum;
 use libration::taylor::{DenseSolution, Effort, System, integrate_dense};
 
-/// The pendulum's own motion, in closed form, at times within and at the ends of steps, forwards and backwards.
+/// The exact motion of the pendulum, at times within and at the ends of steps, forward and backward in time.
 #[test]
 fn the_state_between_the_steps_is_the_exact_one() {
     let system = System::new(&"theta'' + sin(theta) = 0".parse().unwrap()).unwrap();

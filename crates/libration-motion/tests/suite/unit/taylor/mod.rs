@@ -44,7 +44,7 @@ fn the_measured_order_is_the_nominal_one() {
     }
 }
 
-/// x' = x/7, whose coefficients are 7⁻ⁿ/n!, three lanes from different places: divisions below the eighth order, products from there on.
+/// x' = x/7, whose coefficients are 7⁻ⁿ/n!, in three lanes with different starts: divisions below the eighth order, products from the eighth on.
 #[test]
 fn quotients_by_constants_are_right_at_all_orders() {
     let system = System::new(&"x' = x/7".parse().unwrap()).unwrap();

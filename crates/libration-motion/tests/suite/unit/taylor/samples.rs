@@ -1,7 +1,7 @@
 use libration::taylor::{Effort, Moment, System, integrate_stepwise};
 use std::ops::ControlFlow;
 
-/// Fewer and more times than are done together, with those of start and end.
+/// Fewer and more times than are evaluated together, including start and end.
 #[test]
 fn many_values_are_those_of_the_states() {
     let system = System::new(&"theta'' + theta'/10 + sin(theta) = 0".parse().unwrap()).unwrap();

@@ -1,6 +1,6 @@
 use libration::algebra::BigFloat;
 
-/// Arguments for which both the series and the reductions to a quadrant are used.
+/// Arguments for both methods: the series, and the reduction to a quadrant.
 #[test]
 fn sine_and_cosine_are_those_of_the_functions() {
     for (bits, slack) in [(144, 4), (208, 4), (1216, 5)] {

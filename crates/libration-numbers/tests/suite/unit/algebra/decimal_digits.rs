@@ -29,7 +29,7 @@ fn decimals_have_the_digits_asked_for() {
     }
 }
 
-/// Reference values by mpmath, from 3000000·log₁₀ 2.
+/// Reference values by mpmath, computed from 3000000·log₁₀ 2.
 #[test]
 fn a_few_digits_of_numbers_of_millions_of_bits_are_right() {
     let huge = Rational::from_parts(IBig::ONE << 3_000_000, UBig::ONE);

@@ -13,7 +13,7 @@ fn a_function_is_found_by_its_name_and_by_no_other() {
     );
 }
 
-/// Values in all three kinds of numbers, parity, zeros and domain, at fractions on both sides of zero.
+/// Values in all three kinds of numbers, parity, zeros and domain, at rational arguments on both sides of zero.
 #[test]
 fn what_an_entry_says_belongs_together() {
     const PRECISION: usize = 100;

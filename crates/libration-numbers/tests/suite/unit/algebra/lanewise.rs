@@ -38,7 +38,7 @@ fn quotients_of_every_order_times_divisors_are_what_was_divided() {
     }
 }
 
-/// With a₁ … aₙ whole multiples of n! the coefficients are whole too.
+/// If a₁ … aₙ are integer multiples of n!, the coefficients are integers too.
 #[test]
 fn integrals_of_every_order_are_those_of_whole_numbers() {
     for n in 1..10_u32 {

@@ -27,7 +27,7 @@ fn integers_of_either_sign_come_back_until_the_primes_run_out() {
             assert_eq!(digits.len(), needed + CONFIRMING_PRIMES);
         }
     }
-    // Seven primes are left when five confirm.
+    // Seven primes remain if five confirm the result.
     let found = |value: &UBig| {
         let residues = radix.residues(value);
         radix.small_integer(&radix.digits(|k| [residues[k]; LANES], &one), 0)

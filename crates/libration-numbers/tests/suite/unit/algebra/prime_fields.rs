@@ -19,7 +19,7 @@ fn each_lane_is_a_field_of_its_own() {
     assert_eq!(fields.subtract(&a, &b), alone(PrimeField::difference));
     assert_eq!(fields.multiply(&fields.inverse(&a).unwrap(), &a), fields.unit());
     assert_eq!(fields.times_integer(&a, -(1 << 40)), fields.negate(&fields.multiply(&a, &a)));
-    // A number that is zero modulo one of the primes only.
+    // A number that is zero modulo only one of the primes.
     let one_zero = fields.integer(u64::from(fields.primes()[3]));
     assert!(one_zero[3] == 0 && !fields.is_zero(&one_zero));
     assert_eq!(fields.inverse(&one_zero), None);

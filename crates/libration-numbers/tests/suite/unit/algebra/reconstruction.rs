@@ -24,12 +24,12 @@ fn fractions_of_any_size_come_back() {
     let mut known = Known(numbers.clone(), 0);
     let found = reconstruct(&mut known, primes_with_roots(12)).unwrap().unwrap();
     assert_eq!(found, numbers);
-    // 300·(log₂ 22 + log₂ 7) bits are 2180, 48 are spare: 75 primes, five that confirm, in groups of eight. Over the
-    // common denominator 7³⁰⁰ the number 5⁻²¹¹ needs only as much again as 490 bits.
+    // 300·(log₂ 22 + log₂ 7) = 2180 bits plus 48 spare bits require 75 primes and five that confirm, in groups of eight. Over the common
+    // denominator 7³⁰⁰ the number 5⁻²¹¹ adds only another 490 bits.
     assert!(known.1 >= 80 && known.1 <= 104, "{}", known.1);
 }
 
-/// The powers of 22/7 with the exponent for their order, broken off after a number of primes.
+/// The powers of 22/7, with the exponent as order; the computation stops after a number of primes.
 struct BrokenOff(Vec<Rational>, usize);
 
 impl Images for BrokenOff {
@@ -56,7 +56,7 @@ fn low_orders_are_certain_before_high_ones() {
         let (known, complete) = stopped.known.unwrap();
         assert_eq!(known[..=complete], numbers[..=complete]);
         assert!(known[complete + 1..].iter().all(Rational::is_zero));
-        // Over the denominators that are expected a power has 4.5 bits an order, a prime 30 bits, and five primes confirm.
+        // Over the expected denominators a power needs 4.5 bits per order; a prime has 30 bits, and five primes confirm.
         assert!(
             complete > before && 9 * complete > 58 * (primes - 6) && 9 * complete < 60 * (primes - 4),
             "{primes}: {complete}"

@@ -4,7 +4,7 @@ use libration::internals::algebra::{
     HarmonicPair, HarmonicSums, PhaseRing, PrimeFields, Residues, SampledHarmonics, Symmetry,
 };
 
-/// Coefficients that obey the symmetry, different for each seed.
+/// Coefficients with the symmetry, different for each seed.
 fn terms(symmetry: Symmetry, seed: i64) -> Vec<(usize, HarmonicPair<i64>)> {
     let allowed = (0..6_usize)
         .filter(|k| !symmetry.half_wave || (seed.unsigned_abs().is_multiple_of(2)) == k.is_multiple_of(2));

@@ -13,7 +13,7 @@ fn tower_of(squares: &[i64]) -> Tower {
 fn roots_that_are_there_are_found() {
     let mut tower = tower_of(&[2]);
     let two = |sign: i64| vec![Rational::from(2), Rational::from(sign)];
-    // √(2 − √2)·√(2 + √2) = √2, so that one root brings the other.
+    // √(2 − √2)·√(2 + √2) = √2, so that the second root is in the field of the first.
     let lower = tower.adjoin_root(&two(-1)).unwrap();
     let upper = tower.adjoin_root(&tower.lifted(&two(1))).unwrap();
     assert_eq!(tower.zero().len(), 4);

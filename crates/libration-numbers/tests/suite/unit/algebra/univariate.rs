@@ -7,7 +7,7 @@ fn polynomial(coefficients: &[i64]) -> Vec<Rational> {
 
 #[test]
 fn factors_are_found_with_their_multiplicity() {
-    // (x − 1)³(x² + 2)²(x + 5) by its factors.
+    // (x − 1)³(x² + 2)²(x + 5), formed from its factors.
     let factors = [(vec![-1, 1], 3), (vec![2, 0, 1], 2), (vec![5, 1], 1)];
     let product = factors.iter().fold(polynomial(&[1]), |product, (factor, times)| {
         (0..*times).fold(product, |product, _| {

@@ -25,7 +25,7 @@ fn derivatives_have_their_closed_forms() {
     }
 }
 
-/// The value at a place to 300 bits.
+/// The value at a point, in 300 bits.
 fn value(tree: &Expression, at: &BigFloat) -> BigFloat {
     let tape = Tape::new(&[tree], &[Symbol::plain("x")]).unwrap();
     Jet::new(&Floats { precision: 300 }, &tape, std::slice::from_ref(at)).unwrap().result(0)[0].clone()
@@ -42,7 +42,7 @@ fn derivatives_agree_with_differences() {
         let tree = formula(text);
         let slope = value(&tree.derivative(&Symbol::plain("x")), &at);
         let rise = value(&tree, &(at.clone() + step.clone())) - value(&tree, &(at.clone() - step.clone()));
-        // The third derivative times 2⁻¹²⁰/6 is what the central difference is wrong by.
+        // The error of the central difference is the third derivative times 2⁻¹²⁰/6.
         let error = (rise.halved() / step.clone() - slope).exponent();
         assert!(error.is_none_or(|exponent| exponent < -100), "{text}: 2^{error:?}");
     }

@@ -14,7 +14,7 @@ fn number(value: &str) -> Box<Expression> {
     Box::new(Expression::Number(value.parse().unwrap()))
 }
 
-/// The Taylor coefficients of a formula of x at a place.
+/// The Taylor coefficients of a formula in x about a point.
 fn taylor(formula: &Expression, at: i64, length: usize) -> Vec<String> {
     let tape = Tape::new(&[formula], &[Symbol { name: "x".to_owned(), primes: 0 }]).unwrap();
     let mut jet = Jet::new(&Rationals, &tape, &[Rational::from(at)]).unwrap();

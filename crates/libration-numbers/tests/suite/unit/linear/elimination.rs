@@ -16,7 +16,8 @@ fn equations_are_solved_exactly() {
 
 #[test]
 fn null_spaces_of_every_dimension_are_found() {
-    // x ↦ x − a(b·x) with a·b = 1 has the null space of a; its complement has the plane across b.
+    // x ↦ x − a(b·x) with a·b = 1 has the null space spanned by a; the null space of the complementary projection is the plane perpendicular to
+    // b.
     let (a, b) = ([0.5, -1.0, 2.0], [2.0, 2.0, 1.0]);
     let projector: Vec<Vec<f64>> = (0..3).map(|i| (0..3).map(|j| a[i] * b[j]).collect()).collect();
     let complement: Vec<Vec<f64>> =
@@ -35,7 +36,7 @@ fn null_spaces_of_every_dimension_are_found() {
 
 #[test]
 fn determinants_are_exact() {
-    // Hilbert's matrix of order 3: 1/2160. A zero pivot and an exchange of rows. Rows that depend on each other.
+    // Hilbert's matrix of order 3: 1/2160. A zero pivot with an exchange of rows. Linearly dependent rows.
     let hilbert: Vec<Vec<Rational>> =
         (0..3).map(|i| (0..3).map(|j| Rational::new(1, i + j + 1).unwrap()).collect()).collect();
     let of = |matrix: &[Vec<Rational>]| determinant(&Rationals, Rational::to_f64, matrix).unwrap();

@@ -11,7 +11,7 @@ fn the_rules_integrate_the_powers_they_should() {
     }
 }
 
-/// The integral and how often the function was asked.
+/// The integral and the number of evaluations.
 fn counted(f: impl Fn(f64) -> f64) -> (Integral, usize) {
     let mut count = 0;
     let integral = gauss_kronrod(|x| {
@@ -43,17 +43,17 @@ fn kinks_roots_and_jumps_are_halved_down_to() {
 
 #[test]
 fn noise_costs_little_and_is_told() {
-    // The last digits of x behind the tenth.
+    // Noise from the digits of x² after the tenth.
     let noise = |x: f64| 1e-10 * (libm::fmod(1e10 * x * x, 1.0) - 0.5);
     let (noisy, count) = counted(|x| 1.0 + noise(x));
-    // Three halvings of everything without gain, and what by chance gains.
+    // Three halvings of every interval without gain, and those that gain by chance.
     assert!(count <= 15 * 60, "{count}");
     assert!((noisy.value - 1.0).abs() < 1e-10 && noisy.error > 1e-13 && noisy.error < 1e-8, "{noisy:?}");
 }
 
 #[test]
 fn differences_count_against_the_size_of_the_function_not_of_its_integral() {
-    // Of a whole wave about zero the integral is zero, of which no difference is a small part.
+    // The integral of a whole wave about zero is zero, so no difference is small relative to it.
     let (wave, count) = counted(|x| libm::sin(std::f64::consts::TAU * (x + 0.1)));
     assert!(wave.value.abs() < 1e-15 && wave.error == 0.0, "{wave:?}");
     assert!(count <= 15 * 7, "{count}");

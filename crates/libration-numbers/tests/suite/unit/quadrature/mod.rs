@@ -1,4 +1,4 @@
-//! The rules beside integrals that are known.
+//! Quadrature rules compared with known integrals.
 
 mod kronrod;
 mod running;
@@ -40,7 +40,7 @@ fn kinked() -> Vec<Case> {
     cases
 }
 
-/// Asserts that the error is at most the estimate and rounding; of an integral without a value the estimate is a good part.
+/// Asserts that the error is at most the estimate plus rounding; an integral without a value must have a large estimate.
 fn assert_told(integral: Integral, exact: f64, case: usize) {
     if integral.value.is_nan() {
         return assert!(integral.error > 0.01 * exact.abs(), "{case}: {integral:?}");
@@ -70,7 +70,7 @@ fn what_is_smooth_is_known_to_be() {
     }
 }
 
-/// Up to degree 31, by which Gauss' rule of 16 points is defined.
+/// Polynomials up to degree 31, for which Gauss's rule of 16 points is exact.
 #[test]
 fn polynomials_up_to_its_degree_are_exact() {
     for power in 0..=31 {

@@ -25,7 +25,7 @@ fn values_end_where_their_uncertainty_does() {
     assert_eq!(with_uncertainty(0.56, 0.0, "m"), "0.56 m");
     assert_eq!(with_uncertainty(9.8577686, f64::NAN, "m"), "9.85777 ± nan m");
     assert_eq!(with_uncertainty(1.5e-20, 2e-21, "s"), "1.50e-20 ± 2.0e-21 s");
-    // No digit beyond the error, however large that is.
+    // No digit beyond the error is printed, however large the error is.
     assert_eq!(with_uncertainty(309009000.778, 3.3e22, "s"), "0 ± 3.3e+22 s".replace('+', ""));
     assert_eq!(with_uncertainty(123456.0, 1234.0, ""), "123500 ± 1200");
     assert_eq!(with_uncertainty(1.234e12, 5.6e9, ""), "1.2340e12 ± 5.6e9");

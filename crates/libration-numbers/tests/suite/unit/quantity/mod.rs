@@ -1,4 +1,4 @@
-//! Angles against values computed with mpmath at 3000 bits, and against themselves.
+//! Angles compared with values computed by mpmath at 3000 bits, and their internal consistency.
 
 #![expect(clippy::approx_constant, reason = "golden numbers stand as mpmath printed them")]
 
@@ -10,7 +10,7 @@ use libration::internals::quantity::PiCombination;
 use libration::quantity::{Angle, Displacement, QuantityError, RangeError, exact_angles, exact_numbers};
 use libration_kernels::double_double::DoubleDouble;
 
-/// Text, turns, and the two words each of the angle in the turn and of the complement (mpmath 1.4.1).
+/// Text, turns, and two words each for the angle in the turn and for the complement (mpmath 1.4.1).
 const FROM_TEXT: [(&str, i64, f64, f64, f64, f64); 17] = [
     ("60deg", 0, 1.0471975511965979, -1.072081766451091e-16, 2.0943951023931957, -2.144163532902182e-16),
     (
@@ -66,7 +66,7 @@ const FROM_TEXT: [(&str, i64, f64, f64, f64, f64); 17] = [
     ("180deg-1e-9rad", 0, 3.141592652589793, 2.0520505091382568e-16, 1e-09, -6.228159145777985e-26),
 ];
 
-/// The same from the `f64` that the text means.
+/// The same values for the nearest `f64` of the text.
 const FROM_RADIANS: [(&str, i64, f64, f64, f64, f64); 10] = [
     ("3.141592653589793", 0, 3.141592653589793, 0.0, 1.2246467991473532e-16, -2.9947698097183397e-33),
     (
@@ -124,8 +124,8 @@ const FROM_RADIANS: [(&str, i64, f64, f64, f64, f64); 10] = [
 
 const TWO_WORDS: f64 = 1e-31;
 
-/// Two words of a number agree to 1e-31, which leaves the correctly rounded sums of the fast path a little room;
-/// below 1e-290 the low word is subnormal.
+/// Returns `true` if two words agree to 1e-31, which leaves a small margin for the correctly rounded sums of the fast path; below 1e-290 the low
+/// word is subnormal.
 fn same_words(ours: DoubleDouble, hi: f64, lo: f64) -> bool {
     let difference = (ours - DoubleDouble::new(hi, lo)).to_f64().abs();
     difference <= hi.abs() * TWO_WORDS || difference <= f64::MIN_POSITIVE * 1e-12

@@ -17,7 +17,7 @@ fn zeros_of_smooth_functions_are_found_to_the_last_bit_in_few_evaluations() {
     assert!(count <= 15, "{count}");
 }
 
-/// Jumps, poles, high powers and functions flat on one side, in brackets of any size.
+/// Functions with jumps, poles, high powers and flat parts on one side, in brackets of any size.
 #[test]
 fn no_function_takes_ten_evaluations_more_than_bisection() {
     type Wild = fn(f64, f64) -> f64;

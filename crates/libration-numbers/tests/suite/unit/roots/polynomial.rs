@@ -3,7 +3,7 @@ use libration::roots::{PolynomialRoot, polynomial_roots};
 use libration_kernels::elementary::count;
 use std::f64::consts::TAU;
 
-/// Each true root is within the error of the place listed for it.
+/// Asserts that each true root is within the error bound of the root listed for it.
 fn assert_encloses(coefficients: &[f64], truth: &[f64], most: f64) {
     let found = polynomial_roots(coefficients).unwrap();
     assert_eq!(found.len(), truth.len(), "{coefficients:?}");
@@ -35,11 +35,11 @@ fn roots_of_unity_are_found() {
 
 #[test]
 fn errors_hold_for_roots_of_very_different_size() {
-    // In numbers that are exact.
+    // Coefficients that are exact in `f64`.
     for roots in [vec![1.0 / 1024.0, -2.0, 4096.0], vec![1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]] {
         assert_encloses(&from_roots(&roots), &roots, 1e-9);
     }
-    // z² ± 10³⁰⁰z + 1 with roots 10⁻³⁰⁰ and 10³⁰⁰, but for rounding.
+    // z² ± 10³⁰⁰z + 1 has the roots 10⁻³⁰⁰ and 10³⁰⁰, except for rounding.
     assert_encloses(&[1.0, -1e200, 1.0], &[1e-200, 1e200], 1e-13);
     assert_encloses(&[1e-300, -2.0, 1e300], &[1e-300, 1e-300], 1e-5);
     assert_encloses(&[-3e-310, 1e-308], &[0.03], 1e-12);
@@ -58,7 +58,7 @@ fn roots_that_coincide_say_so_and_lie_within_their_error() {
         let off = (root.value - Complex::new(0.0, 1.0_f64.copysign(root.value.im))).abs();
         assert!(off <= root.error && root.error < 1e-5, "{root:?}");
     }
-    // Two roots that differ by 10⁻³ are two.
+    // Two roots that differ by 10⁻³ are resolved.
     assert_encloses(&from_roots(&[1.0, 1.0009765625]), &[1.0, 1.0009765625], 1e-10);
 }
 

@@ -15,7 +15,7 @@ fn sign_changes_are_found_everywhere() {
     for none in [&[1.0, 0.0, 1.0][..], &[1.0], &[], &[0.0], &[3.0, 0.0]] {
         assert_eq!(polynomial_sign_changes(none), Some(vec![]));
     }
-    // (x − 1)³ changes its sign where it is zero, (x − 1)²(x + 2) at −2, and touches.
+    // (x − 1)³ changes its sign at its zero; (x − 1)²(x + 2) changes it at −2 and touches zero at 1.
     assert_near(&[-1.0, 3.0, -3.0, 1.0], &[1.0], 1e-4);
     assert!(polynomial_sign_changes(&[2.0, -3.0, 0.0, 1.0]).unwrap().contains(&-2.0));
 }

@@ -2,7 +2,7 @@ use libm::{cos, fabs, pow, sin};
 use libration::internals::pendulum::{FREQUENCY, HARMONICS};
 use libration::pendulum::{ApproximateMotion, ApproximateMotionError};
 
-/// θ″ + ω0²·sin θ at ω0 = 1, largest over a period.
+/// The largest |θ″ + ω0²·sin θ| over a period, at ω0 = 1.
 fn residual(motion: ApproximateMotion, amplitude: f64) -> f64 {
     let frequency = motion.frequency_ratio(amplitude);
     let coefficients = motion.coefficients(amplitude);
@@ -36,8 +36,8 @@ fn each_motion_starts_at_the_amplitude_to_its_order() {
     }
 }
 
-/// Coefficients of θ0⁷ of the exact harmonics, and of θ0⁶ of the exact frequency, computed with FLINT from
-/// the nome and from the Legendre function.
+/// Coefficients of θ0⁷ in the exact harmonics and of θ0⁶ in the exact frequency, computed with FLINT from the nome and from the Legendre
+/// function.
 #[test]
 fn the_highest_coefficients_are_those_of_the_exact_harmonics() {
     let exact = [(1487.0, 82575360.0), (-133.0, 5898240.0), (1.0, 196608.0), (-1.0, 1835008.0)];

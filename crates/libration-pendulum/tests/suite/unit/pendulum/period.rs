@@ -1,4 +1,4 @@
-//! The error budget: what is known of T/T0 before its one rounding.
+//! The error budget: the error of T/T0 in two words, before its one rounding.
 
 use libration::algebra::BigFloat;
 use libration::internals::pendulum::{
@@ -28,7 +28,7 @@ fn error(words: DoubleDouble, truth: &BigFloat) -> f64 {
     (exactly(words) - truth.clone()).to_f64().abs() / unit
 }
 
-/// Evenly spaced, with the ends.
+/// Evenly spaced numbers, including the ends.
 fn places(from: f64, to: f64) -> impl Iterator<Item = f64> {
     const PIECES: u32 = 500;
     (0..=PIECES).map(move |k| from + (to - from) * f64::from(k) / f64::from(PIECES))

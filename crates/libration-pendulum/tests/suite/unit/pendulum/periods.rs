@@ -1,7 +1,7 @@
 use libration::pendulum::{Amplitude, Pendulum, period, periods};
 use libration::quantity::Angle;
 
-/// Two places around every end of a block, on both sides of π/2 and of the domain.
+/// Amplitudes of both signs over the domain, at its ends and outside: several blocks and a part of one.
 fn amplitudes() -> Vec<f64> {
     let top = std::f64::consts::PI;
     let ends = [0.0, 1e-300, std::f64::consts::FRAC_PI_2, top, top.next_up(), f64::NAN, f64::INFINITY];

@@ -1,12 +1,12 @@
 use libration::internals::pendulum::{DEGREE, ROWS, rows};
 
-/// Sums of powers of y from the rows of a segment: of the angle and of the velocity.
+/// The sums of powers of y for the angle and the velocity, from the rows of a segment.
 fn sums(rows: &[[f64; 4]; ROWS], y: f64) -> [f64; 2] {
     let value = |lane: usize| rows.iter().fold(0.0, |sum, row| sum * (y * y) + row[lane]);
     [value(0) + y * value(1), value(2) + y * value(3)]
 }
 
-/// The twelfth power alone, as large as the others, so that what is wrong with it is not below their rounding.
+/// The twelfth power alone with a coefficient as large as the others, so that an error in it exceeds their rounding.
 #[test]
 fn the_last_term_is_spread_over_lower_ones() {
     let mut x = [0.0; DEGREE + 1];
@@ -17,7 +17,7 @@ fn the_last_term_is_spread_over_lower_ones() {
         let [angle, velocity] = sums(&rows, 0.5 * z);
         let chebyshev = libm::cos(12.0 * libm::acos(z)) / 2048.0;
         assert!((angle - (libm::pow(z, 12.0) - chebyshev)).abs() < 1e-14, "{z}: {angle}");
-        // The velocity has its eleventh power.
+        // The velocity contains the eleventh power.
         assert!((velocity - 12.0 * 2.0 * libm::pow(z, 11.0)).abs() < 1e-13, "{z}: {velocity}");
     }
 }

@@ -5,7 +5,7 @@ use libration::internals::period_formulas::{
 use libration::period_formulas::{PeriodFormula, catalogue};
 use libration_kernels::double_double::{DoubleDouble, block::BLOCK};
 
-/// Distances from the bottom or the top that crowd there, and those that are neither.
+/// Distances from the bottom or the top: dense at both ends, and some in between.
 fn amplitudes() -> impl Iterator<Item = SwingAmplitude> {
     let crowded = |nearest: f64, count: u32| {
         (0..=count).map(move |step| {
@@ -16,7 +16,7 @@ fn amplitudes() -> impl Iterator<Item = SwingAmplitude> {
     near_bottom.chain(crowded(NEAREST_TOP, 250).map(SwingAmplitude::FromTop))
 }
 
-/// The catalogue, and long sums.
+/// The catalogue, and families with many terms.
 fn formulas() -> Vec<PeriodFormula> {
     let sums = Family::ALL
         .into_iter()
@@ -24,7 +24,7 @@ fn formulas() -> Vec<PeriodFormula> {
     catalogue().iter().cloned().chain(sums).collect()
 }
 
-/// With a quarter of what is allowed to spare.
+/// Requires that a quarter of the error bound is unused.
 #[test]
 fn two_words_are_off_no_more_than_is_said() {
     const PRECISION: usize = 300;
@@ -43,7 +43,7 @@ fn two_words_are_off_no_more_than_is_said() {
     }
 }
 
-/// Decisions in two words equal those of floats, for every formula, from the least to the largest amplitude that two words take.
+/// Decisions in two words equal those of floats, for every formula, from the least to the largest amplitude for which two words are used.
 #[test]
 fn two_words_decide_as_floats_do() {
     let formulas = formulas();
@@ -63,8 +63,8 @@ fn two_words_decide_as_floats_do() {
     assert!(3 * decided > 2 * asked, "{decided} of {asked}");
 }
 
-/// One ulp to both sides of where two words begin and end, between amplitudes that take one step of the mean and ten, and beside places
-/// without an amplitude.
+/// One ulp on both sides of the limits of two words, amplitudes that need one step of the mean and ten, and elements without an amplitude next
+/// to them.
 #[test]
 fn a_block_finds_what_one_amplitude_finds() {
     let beside = |x: f64| [x.next_down(), x, x.next_up()].map(DoubleDouble::from);
