@@ -18,6 +18,7 @@ mod series_evaluation;
 mod slow_decay;
 mod slow_flow;
 mod symbolic_expansions;
+mod symbolic_slow_flow;
 mod truncated_system;
 mod two_sided;
 mod typed;

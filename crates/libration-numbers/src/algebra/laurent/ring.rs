@@ -52,6 +52,19 @@ impl LaurentPolynomials {
         self.element((!beyond).then_some(terms))
     }
 
+    /// The sum of terms, several of which may have the same powers.
+    #[doc(hidden)]
+    pub fn sum_of_terms(&self, terms: impl IntoIterator<Item = (HalfPowers, Rational)>) -> LaurentPolynomial {
+        let mut sum = BTreeMap::new();
+        for (powers, factor) in terms.into_iter().filter(|(_, factor)| !factor.is_zero()) {
+            if powers.iter().any(|power| power.abs() > LARGEST_HALF_POWER) {
+                return self.element(None);
+            }
+            add_term(&mut sum, powers, factor);
+        }
+        self.element(Some(sum))
+    }
+
     /// The sum of the terms for which `is_such` holds.
     #[doc(hidden)]
     pub fn part(&self, of: &LaurentPolynomial, is_such: impl Fn(&[i64]) -> bool) -> LaurentPolynomial {

@@ -44,6 +44,7 @@ pub(crate) mod half_swing;
 mod limit_cycle;
 #[doc(hidden)]
 pub(crate) mod phase_functions;
+mod symbolic;
 mod weak_force;
 
 use super::gauge::Gauge;
@@ -64,6 +65,10 @@ pub(super) use phase_functions::{PhaseFunctions, Term};
 
 pub use error::{MAX_PARAMETER_ORDER, MAX_SLOW_ORDER, SlowFlowError};
 pub use limit_cycle::SlowLimitCycle;
+pub use symbolic::{
+    MAX_SYMBOLIC_SLOW_ORDER, SlowFlowAt, SteadySolution, SteadyState, SymbolicSlowFlow,
+    SymbolicSlowFlowError, SymbolicSlowFlowOptions, drive_symbol, slow_flow_symbolically,
+};
 pub(crate) use weak_force::FirstOrder;
 pub use weak_force::WeakForce;
 

@@ -1,0 +1,101 @@
+//! Errors of slow flows with symbolic parameters.
+
+use libration_numbers::expression::SecondOrderError;
+
+/// The reason why there is no slow flow with symbolic parameters.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SymbolicSlowFlowError {
+    /// An order out of range.
+    #[error("order {0} is out of range: give 1 to {MAX_SYMBOLIC_SLOW_ORDER}")]
+    Order(usize),
+    /// Several equations.
+    #[error("there are {0} equations: a slow flow is given for one coordinate")]
+    SeveralEquations(usize),
+    /// An equation of the first order.
+    #[error(transparent)]
+    FirstOrder(#[from] SecondOrderError),
+    /// A resonance that is not a fraction in lowest terms.
+    #[error(
+        "the resonance {0}/{1} is out of range: give two whole numbers from 1 to {LARGEST_RESONANCE} in lowest terms, as 1/3"
+    )]
+    Resonance(u32, u32),
+    /// A small parameter that the equation does not have.
+    #[error("`{name}` is not a symbolic parameter of the equation: these are {}", open.join(", "))]
+    UnknownParameter {
+        /// The name.
+        name: String,
+        /// The symbolic parameters.
+        open: Vec<String>,
+    },
+    /// Nothing is small.
+    #[error(
+        "nothing is small: name the small parameters and their orders, such as mu:1,F:1, or write eps before the small terms"
+    )]
+    NothingSmall,
+    /// The time in the equation without a resonance.
+    #[error(
+        "the acceleration depends on t: name the resonance of the drive, 1/1 where its frequency is near the natural one"
+    )]
+    NoResonance,
+    /// A resonance without drive.
+    #[error("the acceleration does not depend on t: a resonance needs a drive, such as eps*F*cos(W*t)")]
+    NoDrive,
+    /// A time dependence other than sine and cosine.
+    #[error(
+        "`{0}` is not periodic in t as a sine or cosine of a constant rate: write the drive as cos(W*t) or sin(W*t)"
+    )]
+    Time(String),
+    /// Rates that are not multiples of one frequency.
+    #[error("the drive has several frequencies: all must be whole multiples of one symbol or number")]
+    SeveralDrives,
+    /// A formula that is not a polynomial.
+    #[error(
+        "`{0}` is not a polynomial in displacement, velocity and symbols: denominators must be products of symbols, functions those of the \
+         displacement alone that vanish with it or have power series about zero, abs and sign those of displacement or velocity"
+    )]
+    NotPolynomial(String),
+    /// A force at rest.
+    #[error(
+        "the force at rest `{0}` is not zero: shift the displacement so that the equilibrium is at zero, or give the force an order"
+    )]
+    Equilibrium(String),
+    /// No oscillation without the small terms.
+    #[error("without the small terms there is no oscillation: ω0² is `{0}`, and must be positive")]
+    NoOscillation(String),
+    /// Damping that is not small.
+    #[error("the damping `{0}` is not small: give its symbol an order, such as mu:1")]
+    DampingNotSmall(String),
+    /// A parametric drive that is not small.
+    #[error("the parametric drive `{0}` is not small: give its symbol an order, such as h:1")]
+    ParametricNotSmall(String),
+    /// A resonant drive that is not small.
+    #[error(
+        "a drive whose frequency or a harmonic of it is the natural one causes a motion without bound unless it is small: give its symbol an \
+         order, such as F:1, or write eps before it"
+    )]
+    DriveNotSmall,
+    /// Kinks at an order at which their harmonics act back.
+    #[error(
+        "forces with abs or sign are averaged to order {0} here, where their harmonics do not act back: give this order; with numbers for all symbols \
+         but the small one, more orders are known"
+    )]
+    KinkOrder(usize),
+    /// Kinks with a drive that is not small, or as a factor of a drive.
+    #[error(
+        "a force with abs or sign is averaged over sine waves only: the drive must be small, and not a factor of it"
+    )]
+    KinkWithDrive,
+    /// Too many terms.
+    #[error("the terms of order {0} are too many: give numbers for some symbols, or a lower order")]
+    TooLarge(usize),
+    /// The call was cancelled.
+    #[error("interrupted")]
+    Interrupted,
+}
+
+/// The highest order in the small parameters.
+pub const MAX_SYMBOLIC_SLOW_ORDER: usize = 12;
+
+/// The largest number in a resonance p/q.
+pub(super) const LARGEST_RESONANCE: u32 = 12;

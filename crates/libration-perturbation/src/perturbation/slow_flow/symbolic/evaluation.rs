@@ -1,0 +1,206 @@
+//! A slow flow with numbers for its symbols.
+
+use super::force::DriveFrequency;
+use super::letters::{Column, Letters, Sum};
+use super::phase_sums::PhaseSum;
+use super::steady::Steady;
+use libration_numbers::algebra::Rational;
+use libration_numbers::roots::polynomial_sign_changes;
+use std::f64::consts::{PI, TAU};
+
+/// Sums of a slow flow that have values.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Sums {
+    pub(super) symbols: Vec<String>,
+    pub(super) drive: Option<DriveFrequency>,
+    pub(super) resonance: (i64, i64),
+    pub(super) omega0: Sum,
+    /// ω0², where ω0 has a name of its own.
+    pub(super) square: Option<Sum>,
+    /// σ·`unit` is W − (p/q)·ω0.
+    pub(super) unit: Sum,
+    /// A′ and A·φ′.
+    pub(super) rates: [PhaseSum; 2],
+    pub(super) steady: Steady,
+}
+
+/// A steady state of a slow flow with numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct SteadySolution {
+    /// A.
+    pub amplitude: f64,
+    /// φ within −π … π, the smallest of those that differ by periods of the drive; zero without drive.
+    pub phase: f64,
+    /// The trace of the Jacobian.
+    pub trace: f64,
+    /// The determinant of the Jacobian; 0 without drive.
+    pub determinant: f64,
+    /// Small deviations decay.
+    pub is_stable: bool,
+}
+
+/// A slow flow with numbers for all symbols.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SlowFlowAt<'a> {
+    sums: &'a Sums,
+    /// Values by columns; A is changed.
+    values: Vec<f64>,
+}
+
+impl Sums {
+    /// The slow flow with values for all symbols and, with a drive that is a symbol, for W; the names that have no value are the error.
+    pub(super) fn at(
+        &self,
+        value: &dyn Fn(&str) -> Option<f64>,
+        drive_frequency: Option<f64>,
+    ) -> Result<SlowFlowAt<'_>, Vec<String>> {
+        let mut missing = vec![];
+        let mut values: Vec<f64> = self
+            .symbols
+            .iter()
+            .map(|name| {
+                value(name).unwrap_or_else(|| {
+                    missing.push(name.clone());
+                    f64::NAN
+                })
+            })
+            .collect();
+        let given = values.len();
+        values.resize(self.omega0.letters().len(), 1.0);
+        let place = |column: Column| given + column as usize;
+        values[place(Column::Pi)] = PI;
+        if let Some(square) = &self.square {
+            values[place(Column::Natural)] = libm::sqrt(number(square, &values));
+        }
+        let drive = match &self.drive {
+            Some(DriveFrequency::Number(number)) => Some(number.to_f64()),
+            Some(DriveFrequency::Symbol(name)) => drive_frequency.or_else(|| value(name)).or_else(|| {
+                missing.push(name.clone());
+                None
+            }),
+            None => None,
+        };
+        if !missing.is_empty() {
+            return Err(missing);
+        }
+        values[place(Column::Detuning)] = drive.map_or(0.0, |drive| {
+            let [p, q] = [self.resonance.0, self.resonance.1].map(double);
+            (drive - p / q * number(&self.omega0, &values)) / number(&self.unit, &values)
+        });
+        Ok(SlowFlowAt { sums: self, values })
+    }
+}
+
+impl SlowFlowAt<'_> {
+    /// W; `None` without drive.
+    #[must_use]
+    pub fn drive_frequency(&self) -> Option<f64> {
+        let [p, q] = [self.sums.resonance.0, self.sums.resonance.1].map(double);
+        let omega0 = number(&self.sums.omega0, &self.values);
+        let drive = p / q * omega0 + self.detuning() * number(&self.sums.unit, &self.values);
+        self.sums.drive.as_ref().map(|_| drive)
+    }
+
+    /// σ.
+    #[must_use]
+    pub fn detuning(&self) -> f64 {
+        self.values[self.place(Column::Detuning)]
+    }
+
+    /// dA/dt and dφ/dt.
+    #[must_use]
+    pub fn rates(&self, amplitude: f64, phase: f64) -> [f64; 2] {
+        let values = self.with_amplitude(amplitude);
+        let rates = self.sums.rates.each_ref().map(|rate| phase_sum(rate, &values, phase));
+        [rates[0], rates[1] / amplitude]
+    }
+
+    /// The steady states with A above zero, rising; `None` where the relation or the phase is not known. Zeros of the relation at which its
+    /// terms of higher orders are more than half of those of the lowest are left out: the truncation makes them.
+    #[must_use]
+    pub fn steady_states(&self) -> Option<Vec<SteadySolution>> {
+        let steady = &self.sums.steady;
+        let is_known = self.sums.drive.is_none() || steady.phase.is_some();
+        let relation = steady.relation.as_ref().filter(|_| is_known)?;
+        let values = self.with_amplitude(1.0);
+        let place = self.place(Column::Amplitude);
+        let mut coefficients = vec![];
+        for (powers, factor) in relation.half_powers() {
+            let power = usize::try_from(powers[place] / 2).ok()?;
+            if coefficients.len() <= power {
+                coefficients.resize(power + 1, 0.0);
+            }
+            coefficients[power] += term(powers, factor.to_f64(), &values);
+        }
+        let mut amplitudes = polynomial_sign_changes(&coefficients)?;
+        amplitudes.retain(|&amplitude| amplitude > 0.0 && self.is_within_reach(relation, amplitude));
+        Some(amplitudes.into_iter().map(|amplitude| self.steady_state(amplitude)).collect())
+    }
+
+    /// Returns `true` if the terms of higher orders are small against those of the lowest.
+    fn is_within_reach(&self, relation: &Sum, amplitude: f64) -> bool {
+        let values = self.with_amplitude(amplitude);
+        let grade = self.place(Column::Order);
+        let size = |is_higher: bool| {
+            let such = relation.half_powers().filter(|(powers, _)| (powers[grade] > 0) == is_higher);
+            such.map(|(powers, factor)| term(powers, factor.to_f64(), &values).abs()).sum::<f64>()
+        };
+        size(true) <= 0.5 * size(false)
+    }
+
+    fn steady_state(&self, amplitude: f64) -> SteadySolution {
+        let values = self.with_amplitude(amplitude);
+        let steady = &self.sums.steady;
+        let value = |sum: &Option<Sum>| sum.as_ref().map_or(0.0, |sum| number(sum, &values));
+        let (trace, determinant) = (value(&steady.trace), value(&steady.determinant));
+        let phase = steady.phase.as_ref().map_or(0.0, |(m, [cosine, sine])| {
+            let phase = libm::atan2(number(sine, &values), number(cosine, &values)) / double(*m);
+            libm::remainder(phase, TAU)
+        });
+        let is_stable = trace < 0.0 && (steady.determinant.is_none() || determinant > 0.0);
+        SteadySolution { amplitude, phase, trace, determinant, is_stable }
+    }
+
+    fn with_amplitude(&self, amplitude: f64) -> Vec<f64> {
+        let mut values = self.values.clone();
+        values[self.place(Column::Amplitude)] = amplitude;
+        values
+    }
+
+    fn place(&self, column: Column) -> usize {
+        self.sums.symbols.len() + column as usize
+    }
+}
+
+fn phase_sum(sum: &PhaseSum, values: &[f64], phase: f64) -> f64 {
+    let waves = sum.harmonics.iter().map(|(&k, [cosine, sine])| {
+        let angle = double(k) * phase;
+        number(cosine, values) * libm::cos(angle) + number(sine, values) * libm::sin(angle)
+    });
+    waves.sum()
+}
+
+fn number(sum: &Sum, values: &[f64]) -> f64 {
+    sum.half_powers().map(|(powers, factor)| term(powers, factor.to_f64(), values)).sum()
+}
+
+fn term(powers: &[i64], factor: f64, values: &[f64]) -> f64 {
+    let present = powers.iter().zip(values).filter(|(power, _)| **power != 0);
+    present.fold(factor, |product, (power, value)| product * libm::pow(*value, double(*power) / 2.0))
+}
+
+fn double(number: i64) -> f64 {
+    Rational::from(number).to_f64()
+}
+
+impl Letters {
+    /// The unit of σ: the detuning without σ and orders.
+    pub(super) fn unit(&self, detuning: &Sum) -> Sum {
+        self.changed(detuning, |powers, factor| {
+            powers[self.place(Column::Detuning)] = 0;
+            powers[self.place(Column::Order)] = 0;
+            factor.clone()
+        })
+    }
+}

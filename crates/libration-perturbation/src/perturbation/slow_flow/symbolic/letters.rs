@@ -1,0 +1,259 @@
+//! The letters of a slow flow as columns of one ring of Laurent polynomials, with those that the computation needs.
+
+use libration_numbers::algebra::{LaurentPolynomial, LaurentPolynomials, Rational, Ring};
+
+/// A Laurent polynomial in all columns.
+pub(super) type Sum = LaurentPolynomial;
+
+/// Maximum number of products of terms in one product of sums, a second or two.
+const MOST_PRODUCTS: usize = 4_000_000;
+
+/// The columns: the symbols of the equation first, then those of the result, then those of the computation.
+///
+/// Products know that i² = −1 and that the square of a sign is 1, and leave out what is of a higher order than requested.
+#[derive(Debug)]
+pub(super) struct Letters {
+    pub(super) ring: LaurentPolynomials,
+    /// The number of symbols of the equation.
+    pub(super) given: usize,
+}
+
+/// Columns after the symbols of the equation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Column {
+    /// ω0, where it is not a product of symbols.
+    Natural,
+    Pi,
+    /// σ.
+    Detuning,
+    /// A.
+    Amplitude,
+    /// W.
+    Drive,
+    /// The order of a term.
+    Order,
+    /// e^{is}, with s = W·t/p; later e^{iφ}.
+    Wave,
+    /// z = A·e^{iφ}/2.
+    Phasor,
+    /// Complex conjugate of z.
+    Conjugate,
+    Imaginary,
+    /// x.
+    Position,
+    /// x′.
+    Velocity,
+    /// The sign of x.
+    PositionSign,
+    /// The sign of x′.
+    VelocitySign,
+    /// cos mφ.
+    Cosine,
+    /// sin mφ.
+    Sine,
+}
+
+const COLUMNS: usize = 16;
+
+impl Letters {
+    /// The ring in these symbols, with names for ω0, σ, A and the phase that the symbols do not have.
+    pub(super) fn new(symbols: &[String], [natural, detuning, amplitude]: [&str; 3]) -> Self {
+        let own = [natural, "pi", detuning, amplitude].map(str::to_owned);
+        let hidden = vec![String::new(); COLUMNS - own.len()];
+        let given = symbols.len();
+        Self {
+            ring: LaurentPolynomials::new(symbols.iter().cloned().chain(own).chain(hidden).collect()),
+            given,
+        }
+    }
+
+    pub(super) fn place(&self, column: Column) -> usize {
+        self.given + column as usize
+    }
+
+    pub(super) fn zero(&self) -> Sum {
+        self.ring.zero()
+    }
+
+    pub(super) fn number(&self, value: Rational) -> Sum {
+        self.ring.term(vec![0; self.given + COLUMNS].into(), value)
+    }
+
+    /// A column to a power.
+    pub(super) fn power(&self, column: Column, exponent: i64) -> Sum {
+        self.power_at(self.place(column), exponent)
+    }
+
+    /// A symbol of the equation, or another column by its place, to a power.
+    pub(super) fn power_at(&self, place: usize, exponent: i64) -> Sum {
+        let mut powers = vec![0; self.given + COLUMNS];
+        powers[place] = 2 * exponent;
+        self.ring.term(powers.into(), Rational::from(1))
+    }
+
+    pub(super) fn add(&self, a: &Sum, b: &Sum) -> Sum {
+        self.ring.add(a, b)
+    }
+
+    pub(super) fn subtract(&self, a: &Sum, b: &Sum) -> Sum {
+        self.ring.subtract(a, b)
+    }
+
+    /// The product to an order.
+    pub(super) fn product(&self, a: &Sum, b: &Sum, order: i64) -> Sum {
+        let terms = |sum: &Sum| sum.half_powers().count();
+        if a.is_beyond_limit() || b.is_beyond_limit() || terms(a).saturating_mul(terms(b)) > MOST_PRODUCTS {
+            return self.beyond_limit();
+        }
+        let grade = self.place(Column::Order);
+        let pairs = a.half_powers().flat_map(|(x, p)| b.half_powers().map(move |(y, q)| (x, p, y, q)));
+        let kept = pairs.filter(|(x, _, y, _)| x[grade] + y[grade] <= 2 * order);
+        self.ring.sum_of_terms(kept.map(|(x, p, y, q)| {
+            let mut powers: Box<[i64]> = x.iter().zip(y.iter()).map(|(i, j)| i + j).collect();
+            let is_negative = self.reduce(&mut powers);
+            let factor = p.clone() * q.clone();
+            (powers, if is_negative { -factor } else { factor })
+        }))
+    }
+
+    /// The product without limit of order.
+    pub(super) fn times(&self, a: &Sum, b: &Sum) -> Sum {
+        self.product(a, b, i64::from(i16::MAX))
+    }
+
+    pub(super) fn scaled(&self, a: &Sum, factor: &Rational) -> Sum {
+        self.times(a, &self.number(factor.clone()))
+    }
+
+    /// A natural power to an order.
+    pub(super) fn raised(&self, a: &Sum, exponent: usize, order: i64) -> Sum {
+        let one = self.number(Rational::from(1));
+        (0..exponent).fold(one, |power, _| self.product(&power, a, order))
+    }
+
+    /// The inverse of a single term.
+    pub(super) fn inverse(&self, a: &Sum) -> Option<Sum> {
+        a.as_single_term()?;
+        let inverse = self.ring.power(a, &Rational::from(-1))?;
+        Some(self.changed(&inverse, |powers, factor| {
+            let imaginary = &mut powers[self.place(Column::Imaginary)];
+            let is_imaginary = *imaginary != 0;
+            *imaginary = imaginary.abs();
+            if is_imaginary { -factor.clone() } else { factor.clone() }
+        }))
+    }
+
+    /// Each term with other powers and another factor.
+    pub(super) fn changed(&self, a: &Sum, change: impl Fn(&mut [i64], &Rational) -> Rational) -> Sum {
+        if a.is_beyond_limit() {
+            return self.beyond_limit();
+        }
+        self.ring.sum_of_terms(a.half_powers().map(|(powers, factor)| {
+            let mut powers = powers.clone();
+            let factor = change(&mut powers, factor);
+            (powers, factor)
+        }))
+    }
+
+    pub(super) fn part(&self, a: &Sum, is_such: impl Fn(&[i64]) -> bool) -> Sum {
+        self.ring.part(a, is_such)
+    }
+
+    /// The part of one order.
+    pub(super) fn of_order(&self, a: &Sum, order: i64) -> Sum {
+        let grade = self.place(Column::Order);
+        self.part(a, |powers| powers[grade] == 2 * order)
+    }
+
+    /// The part up to an order.
+    pub(super) fn to_order(&self, a: &Sum, order: i64) -> Sum {
+        let grade = self.place(Column::Order);
+        self.part(a, |powers| powers[grade] <= 2 * order)
+    }
+
+    /// The lowest order that is present.
+    pub(super) fn lowest_order(&self, a: &Sum) -> Option<i64> {
+        self.exponents(a, Column::Order).first().copied()
+    }
+
+    /// The exponents with which a column occurs, rising; those that are not whole are rounded down.
+    pub(super) fn exponents(&self, a: &Sum, column: Column) -> Vec<i64> {
+        let place = self.place(column);
+        let mut found: Vec<i64> = a.half_powers().map(|(powers, _)| powers[place].div_euclid(2)).collect();
+        found.sort_unstable();
+        found.dedup();
+        found
+    }
+
+    /// The coefficient of a power of a column.
+    pub(super) fn coefficient(&self, a: &Sum, column: Column, exponent: i64) -> Sum {
+        let place = self.place(column);
+        let such = self.part(a, |powers| powers[place] == 2 * exponent);
+        self.changed(&such, |powers, factor| {
+            powers[place] = 0;
+            factor.clone()
+        })
+    }
+
+    /// The derivative with respect to a column.
+    pub(super) fn derivative(&self, a: &Sum, column: Column) -> Sum {
+        let place = self.place(column);
+        self.changed(a, |powers, factor| {
+            let exponent = Rational::new(powers[place], 2).unwrap_or_else(|| Rational::from(0));
+            powers[place] -= 2;
+            exponent * factor.clone()
+        })
+    }
+
+    /// The column's logarithmic derivative, a·∂/∂a.
+    pub(super) fn scale_derivative(&self, a: &Sum, column: Column) -> Sum {
+        self.times(&self.derivative(a, column), &self.power(column, 1))
+    }
+
+    /// A sum in the place of a column that occurs with natural powers, to an order.
+    pub(super) fn substituted(&self, a: &Sum, column: Column, by: &Sum, order: i64) -> Sum {
+        let mut exponents = self.exponents(a, column);
+        exponents.reverse();
+        let highest = exponents.first().copied().unwrap_or(0);
+        (0..=highest).rev().fold(self.zero(), |value, exponent| {
+            self.add(&self.product(&value, by, order), &self.coefficient(a, column, exponent))
+        })
+    }
+
+    /// The sum as a formula, orders left out.
+    pub(super) fn text(&self, a: &Sum) -> String {
+        let grade = self.place(Column::Order);
+        let plain = self.changed(a, |powers, factor| {
+            powers[grade] = 0;
+            factor.clone()
+        });
+        plain.to_string()
+    }
+
+    /// The complex conjugate.
+    pub(super) fn conjugate(&self, a: &Sum) -> Sum {
+        let [wave, z, conjugate, imaginary] =
+            [Column::Wave, Column::Phasor, Column::Conjugate, Column::Imaginary].map(|it| self.place(it));
+        self.changed(a, |powers, factor| {
+            powers.swap(z, conjugate);
+            powers[wave] = -powers[wave];
+            if powers[imaginary] == 0 { factor.clone() } else { -factor.clone() }
+        })
+    }
+
+    /// A sum whose terms are not known.
+    fn beyond_limit(&self) -> Sum {
+        self.power(Column::Pi, i64::from(i32::MAX))
+    }
+
+    /// Whether i² = −1 changes the sign.
+    fn reduce(&self, powers: &mut [i64]) -> bool {
+        for sign in [Column::PositionSign, Column::VelocitySign] {
+            powers[self.place(sign)] %= 4;
+        }
+        let imaginary = &mut powers[self.place(Column::Imaginary)];
+        let is_square = *imaginary == 4;
+        *imaginary %= 4;
+        is_square
+    }
+}

@@ -1,0 +1,97 @@
+//! Slow flows with symbolic parameters, several small terms and a drive.
+//!
+//! # Method
+//! With the drive's phase W·t = p·s and W = (p/q)·ω0 + εσ the displacement is sought as x = z·e^{iqs} + z̄·e^{−iqs} + Σ εⁿ·xₙ(s, z, z̄) with
+//! z = A·e^{iφ}/2 and z′ = Σ εⁿ·zₙ(z, z̄): multiple scales, with all slow scales in one rate. The time derivative is D = (ω0/q + εσ/p)·∂ₛ + z′·∂_z +
+//! z̄′·∂_z̄, and what D²x + ω0²·x = f leaves over at εⁿ, with xₙ and zₙ left out, determines them: its waves e^{±iqs} are 2iω0·zₙ·e^{iqs} with the
+//! conjugate, the others are divided by ω0²·(1 − k²/q²). No wave e^{iqs} is added to xₙ, so that A is the whole amplitude of the displacement's
+//! component of the frequency (q/p)·W at every order. A drive of order zero is part of x₀. All sums are Laurent polynomials in the symbols, z, z̄,
+//! e^{is}, i and π (`letters.rs`).
+//!
+//! Forces with |x|, |x′| and their signs contribute exact integrals over half waves, to the order at which their harmonics would act back.
+//!
+//! Terms without a small parameter whose degree in x and x′ is d are small with the amplitude, of order d − 1; the degrees of all terms count then.
+
+mod criteria;
+mod elimination;
+mod error;
+mod evaluation;
+mod force;
+mod half_wave;
+mod letters;
+mod phase_sums;
+mod result;
+mod scales;
+mod setting;
+mod steady;
+
+use force::DriveFrequency;
+use libration_numbers::expression::Equation;
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Progress;
+use setting::Setting;
+
+pub use error::{MAX_SYMBOLIC_SLOW_ORDER, SymbolicSlowFlowError};
+pub use evaluation::{SlowFlowAt, SteadySolution};
+pub use result::{SteadyState, SymbolicSlowFlow};
+
+/// Small parameters, resonance and order of a slow flow.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct SymbolicSlowFlowOptions {
+    /// Small parameters with their orders; none stands for `eps`, or for a small amplitude only.
+    pub small: Vec<(String, usize)>,
+    /// p and q of the resonance W = (p/q)·ω0, drive over natural frequency.
+    pub resonance: Option<(u32, u32)>,
+    /// The highest order; where it is not given the largest order of a small parameter, or else 2, as far as forces with abs and sign allow it.
+    pub order: Option<usize>,
+}
+
+/// The symbol of the drive frequency in an equation with a drive cos(W·t) or sin(W·t); `None` where there is none.
+#[must_use]
+pub fn drive_symbol(equation: &Equation) -> Option<String> {
+    match DriveFrequency::of(equation.accelerations().first()?) {
+        Ok(Some(DriveFrequency::Symbol(name))) => Some(name),
+        _ => None,
+    }
+}
+
+/// The slow flow of an oscillator with symbolic parameters, free or driven, and its steady states.
+///
+/// # Errors
+/// An equation that is not one oscillator with small terms, an order out of range, cancellation.
+///
+/// # Examples
+/// ```
+/// # extern crate libration_perturbation as libration;
+/// use libration::perturbation::{SymbolicSlowFlowOptions, slow_flow_symbolically};
+/// use libration::progress::Quiet;
+/// let equation = "x'' + 2*eps*mu*x' + w0^2*x + eps*a*x^3 = eps*F*cos(W*t)".parse()?;
+/// let options = SymbolicSlowFlowOptions { resonance: Some((1, 1)), ..Default::default() };
+/// let flow = slow_flow_symbolically(&equation, &options, &Quiet)?;
+/// assert_eq!(flow.amplitude_rate, "-eps*mu*A - eps*F/(2*w0)*sin(phi)");
+/// assert_eq!(flow.steady_state.peak_amplitude.as_deref(), Some("F/(2*mu*w0)"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn slow_flow_symbolically(
+    equation: &Equation,
+    options: &SymbolicSlowFlowOptions,
+    progress: &dyn Progress,
+) -> Result<SymbolicSlowFlow, SymbolicSlowFlowError> {
+    let watch = Watch::new(progress);
+    let setting = Setting::new(equation, options)?;
+    let order = match options.order {
+        Some(order) => i64::try_from(order).unwrap_or(0),
+        None => setting.highest_order().unwrap_or(2),
+    };
+    let asked = usize::try_from(order).unwrap_or(0);
+    if !(1..=MAX_SYMBOLIC_SLOW_ORDER).contains(&asked) {
+        return Err(SymbolicSlowFlowError::Order(asked));
+    }
+    let (forced, found) = setting.forced(equation, order, &watch)?;
+    let order = match options.order {
+        Some(_) => order,
+        None => forced.highest_order().unwrap_or(order).min(order),
+    };
+    let solved = forced.solve(order, &watch)?;
+    Ok(result::collected(&setting, &forced, &found, &solved, order))
+}

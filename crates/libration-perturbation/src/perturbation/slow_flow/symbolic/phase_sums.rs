@@ -1,0 +1,124 @@
+//! Sums of harmonics of the phase φ with real coefficients.
+
+use super::letters::{Column, Letters, Sum};
+use libration_numbers::algebra::Rational;
+use std::collections::BTreeMap;
+
+/// Σ cₖ·cos kφ + sₖ·sin kφ.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct PhaseSum {
+    pub(super) harmonics: BTreeMap<i64, [Sum; 2]>,
+}
+
+impl PhaseSum {
+    /// The real and the imaginary part of a sum of powers of e^{iφ}, which stand in the column of waves.
+    pub(super) fn parts(letters: &Letters, sum: &Sum) -> [Self; 2] {
+        let mut parts = [BTreeMap::new(), BTreeMap::new()];
+        for k in letters.exponents(sum, Column::Wave) {
+            let of_wave = letters.coefficient(sum, Column::Wave, k);
+            let [real, imaginary] =
+                [0, 1].map(|power| letters.coefficient(&of_wave, Column::Imaginary, power));
+            let sign = Rational::from(k.signum());
+            let turned = |a: &Sum, factor: &Rational| letters.scaled(a, factor);
+            let opposite = Rational::from(-k.signum());
+            let add = |part: &mut BTreeMap<i64, [Sum; 2]>, cosine: Sum, sine: Sum| {
+                let place = part.entry(k.abs()).or_insert_with(|| [letters.zero(), letters.zero()]);
+                place[0] = letters.add(&place[0], &cosine);
+                place[1] = letters.add(&place[1], &sine);
+            };
+            add(&mut parts[0], real.clone(), turned(&imaginary, &opposite));
+            add(&mut parts[1], imaginary, turned(&real, &sign));
+        }
+        parts.map(|mut harmonics| {
+            harmonics.retain(|_, [cosine, sine]| !cosine.is_zero() || !sine.is_zero());
+            Self { harmonics }
+        })
+    }
+
+    /// The first sum with the second as imaginary part, in powers of e^{iφ}.
+    pub(super) fn joined(letters: &Letters, parts: &[Self; 2]) -> Sum {
+        let mut sum = letters.zero();
+        let half = Rational::new(1, 2).unwrap_or_else(|| Rational::from(0));
+        for (power, part) in [0, 1].into_iter().zip(parts) {
+            let unit = letters.scaled(&letters.power(Column::Imaginary, power), &half);
+            for (&k, [cosine, sine]) in &part.harmonics {
+                // c·cos kφ + s·sin kφ is (c − is)/2·e^{ikφ} with its conjugate.
+                let turned = letters.times(sine, &letters.power(Column::Imaginary, 1));
+                let forward =
+                    letters.times(&letters.subtract(cosine, &turned), &letters.power(Column::Wave, k));
+                let backward = letters.times(&letters.add(cosine, &turned), &letters.power(Column::Wave, -k));
+                sum = letters.add(&sum, &letters.times(&letters.add(&forward, &backward), &unit));
+            }
+        }
+        sum
+    }
+
+    /// The sum with each coefficient times the same.
+    pub(super) fn times(&self, letters: &Letters, factor: &Sum) -> Self {
+        let each = self
+            .harmonics
+            .iter()
+            .map(|(&k, parts)| (k, parts.each_ref().map(|it| letters.times(it, factor))));
+        Self { harmonics: each.collect() }
+    }
+
+    /// The formula; `angle` writes the argument of a harmonic.
+    pub(super) fn text(&self, letters: &Letters, angle: impl Fn(i64) -> String) -> String {
+        let mut text = String::new();
+        for (&k, [cosine, sine]) in &self.harmonics {
+            if k == 0 {
+                append(&mut text, &letters.text(cosine), None);
+                continue;
+            }
+            for (name, coefficient) in [("cos", cosine), ("sin", sine)] {
+                append(&mut text, &letters.text(coefficient), Some(format!("{name}({})", angle(k))));
+            }
+        }
+        if text.is_empty() { "0".to_owned() } else { text }
+    }
+
+    /// The sum as a polynomial in cos mφ and sin mφ, where all harmonics are multiples of m.
+    pub(super) fn in_cosine_and_sine(&self, letters: &Letters, m: i64) -> Sum {
+        let imaginary = letters.power(Column::Imaginary, 1);
+        let wave = letters.times(&imaginary, &letters.power(Column::Sine, 1));
+        let wave = letters.add(&letters.power(Column::Cosine, 1), &wave);
+        let mut sum = letters.zero();
+        for (k, [cosine, sine]) in &self.harmonics {
+            let power = letters.raised(&wave, usize::try_from(k / m).unwrap_or(0), 0);
+            for (part, coefficient) in [cosine, sine].into_iter().enumerate() {
+                let part = i64::try_from(part).unwrap_or(0);
+                let part = letters.coefficient(&power, Column::Imaginary, part);
+                sum = letters.add(&sum, &letters.times(&part, coefficient));
+            }
+        }
+        sum
+    }
+}
+
+/// Appends a coefficient and what it multiplies.
+fn append(text: &mut String, coefficient: &str, function: Option<String>) {
+    if coefficient == "0" {
+        return;
+    }
+    let is_single = !coefficient.contains(' ');
+    let term = match function {
+        None => coefficient.to_owned(),
+        Some(function) => match coefficient {
+            "1" => function,
+            "-1" => format!("-{function}"),
+            _ if is_single => format!("{coefficient}*{function}"),
+            _ => format!("({coefficient})*{function}"),
+        },
+    };
+    append_term(text, &term);
+}
+
+/// Appends a term that may have a sign.
+pub(super) fn append_term(text: &mut String, term: &str) {
+    let joined = match (text.is_empty(), term.strip_prefix('-')) {
+        (true, _) => term.to_owned(),
+        (false, Some(size)) => format!(" - {size}"),
+        (false, None) => format!(" + {term}"),
+    };
+    text.push_str(&joined);
+}

@@ -1,0 +1,359 @@
+//! The slow flow as formulas.
+
+use super::criteria::{Peak, ResponseCurve};
+use super::evaluation::{SlowFlowAt, Sums};
+use super::force::DriveFrequency;
+use super::letters::{Column, Letters, Sum};
+use super::phase_sums::{PhaseSum, append_term};
+use super::scales::{Forced, Solved};
+use super::setting::{Found, Names, Setting};
+use super::steady::{Steady, SteadyEquations};
+use libration_numbers::algebra::{Rational, Ring};
+
+/// A slow flow as formulas in plain text, which [`Expression`](libration_numbers::expression::Expression) reads.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct SymbolicSlowFlow {
+    /// Highest order in the small parameters.
+    pub order: usize,
+    /// p and q of the resonance; `None` without drive.
+    pub resonance: Option<(u32, u32)>,
+    /// The natural frequency ω0.
+    pub natural_frequency: String,
+    /// The drive frequency W by ω0 and the detuning.
+    pub drive_frequency: Option<String>,
+    /// The name or the value of W in the equation.
+    pub drive: Option<String>,
+    /// Names in the formulas with their meanings: amplitude, phase, detuning, and ω0 where it has a name of its own.
+    pub letters: Vec<(&'static str, String)>,
+    /// dA/dt.
+    pub amplitude_rate: String,
+    /// dφ/dt.
+    pub phase_rate: String,
+    /// The displacement.
+    pub displacement: String,
+    /// Restrictions of the displacement.
+    pub displacement_note: Option<&'static str>,
+    /// Steady states.
+    pub steady_state: SteadyState,
+    pub(super) sums: Sums,
+}
+
+impl SymbolicSlowFlow {
+    /// The slow flow with numbers for all symbols, and for W where it is not a number in the equation.
+    ///
+    /// # Errors
+    /// The names that have no value.
+    pub fn at(
+        &self,
+        value: &dyn Fn(&str) -> Option<f64>,
+        drive_frequency: Option<f64>,
+    ) -> Result<SlowFlowAt<'_>, Vec<String>> {
+        self.sums.at(value, drive_frequency)
+    }
+}
+
+/// Steady states of a slow flow as formulas in the symbols, A and σ.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct SteadyState {
+    /// A′ and A·φ′, both zero at steady states; without drive A′ only.
+    pub equations: Vec<String>,
+    /// Zero on the response curve, or for limit cycles.
+    pub relation: Option<String>,
+    /// cos mφ and sin mφ at steady states, with m.
+    pub phase: Option<(usize, [String; 2])>,
+    /// σ of the largest amplitude.
+    pub backbone: Option<String>,
+    /// The largest amplitude of the response curve.
+    pub peak_amplitude: Option<String>,
+    /// The detuning of the largest amplitude.
+    pub peak_detuning: Option<String>,
+    /// Zero where the response curve turns back.
+    pub folds: Option<String>,
+    /// The amplitude of the drive from which on there are folds, to lowest order.
+    pub critical_drive: Option<String>,
+    /// The trace of the Jacobian of A′ and φ′; without drive ∂A′/∂A.
+    pub trace: Option<String>,
+    /// The determinant of the Jacobian.
+    pub determinant: Option<String>,
+    /// The reasons why fields are `None`.
+    pub notes: Vec<String>,
+}
+
+/// Maximum number of terms of a relation that is given.
+const MOST_TERMS: usize = 200;
+
+pub(super) fn collected(
+    setting: &Setting,
+    forced: &Forced<'_>,
+    found: &Found,
+    solved: &Solved,
+    order: i64,
+) -> SymbolicSlowFlow {
+    let letters = forced.letters;
+    let names = &setting.names;
+    let rates = rates(letters, &solved.rate);
+    let lowest = lowest_order(letters, &rates).unwrap_or(order);
+    let steady = SteadyEquations { letters, rates: rates.clone(), order, lowest }.solve();
+    let steady_state = steady_state(setting, forced, (&rates, &steady), found, [lowest, order]);
+    let per_amplitude = letters.power(Column::Amplitude, -1);
+    let phase = |k: i64| multiple(k, &names.phase);
+    let is_kinked = forced.terms.iter().any(super::scales::Term::is_kinked);
+    SymbolicSlowFlow {
+        order: usize::try_from(order).unwrap_or(0),
+        resonance: setting
+            .drive
+            .is_some()
+            .then_some(setting.resonance)
+            .and_then(|(p, q)| Some((u32::try_from(p).ok()?, u32::try_from(q).ok()?))),
+        natural_frequency: forced.omega0.to_string(),
+        drive_frequency: setting.drive.is_some().then(|| drive_frequency(forced, setting.resonance)),
+        drive: setting.drive.as_ref().map(drive_name),
+        letters: explained(names, setting, found),
+        amplitude_rate: rates[0].text(letters, phase),
+        phase_rate: rates[1].times(letters, &per_amplitude).text(letters, phase),
+        displacement: displacement(setting, forced, solved),
+        displacement_note: is_kinked.then_some("harmonics of forces with abs or sign are left out"),
+        steady_state,
+        sums: Sums {
+            symbols: letters.ring.letters()[..letters.given].to_vec(),
+            drive: setting.drive.clone(),
+            resonance: setting.resonance,
+            omega0: forced.omega0.clone(),
+            square: found.natural.clone(),
+            unit: letters.unit(&forced.detuning),
+            rates,
+            steady,
+        },
+    }
+}
+
+/// A′ and A·φ′: real and imaginary part of 2z′·e^{−iφ}.
+fn rates(letters: &Letters, rate: &Sum) -> [PhaseSum; 2] {
+    let turned = polar(letters, rate, |in_z, in_conjugate| (in_z - in_conjugate) / 2 - 1);
+    PhaseSum::parts(letters, &letters.scaled(&turned, &Rational::from(2)))
+}
+
+/// A·e^{±iφ}/2 in the place of z and z̄, with a power of e^{iφ} in the column of waves.
+fn polar(letters: &Letters, sum: &Sum, phase: impl Fn(i64, i64) -> i64) -> Sum {
+    let [z, conjugate, amplitude, wave] =
+        [Column::Phasor, Column::Conjugate, Column::Amplitude, Column::Wave]
+            .map(|column| letters.place(column));
+    letters.changed(sum, |powers, factor| {
+        let (in_z, in_conjugate) = (powers[z], powers[conjugate]);
+        (powers[z], powers[conjugate]) = (0, 0);
+        powers[amplitude] += in_z + in_conjugate;
+        powers[wave] = 2 * phase(in_z, in_conjugate);
+        let halvings = (in_z + in_conjugate) / 2;
+        let half = Rational::new(1, 2).unwrap_or_else(|| Rational::from(0));
+        (0..halvings).fold(factor.clone(), |product, _| product * half.clone())
+    })
+}
+
+/// The lowest order at which the slow flow is not zero.
+fn lowest_order(letters: &Letters, rates: &[PhaseSum; 2]) -> Option<i64> {
+    let sums = rates.iter().flat_map(|rate| rate.harmonics.values().flatten());
+    sums.filter_map(|sum| letters.lowest_order(sum)).min()
+}
+
+fn steady_state(
+    setting: &Setting,
+    forced: &Forced<'_>,
+    (rates, steady): (&[PhaseSum; 2], &Steady),
+    found: &Found,
+    [lowest, order]: [i64; 2],
+) -> SteadyState {
+    let letters = &setting.letters;
+    let text = |sum: &Option<Sum>| sum.as_ref().filter(|sum| is_short(sum)).map(|sum| letters.text(sum));
+    let phase = |k: i64| multiple(k, &setting.names.phase);
+    let shown = if setting.drive.is_some() { 2 } else { 1 };
+    let mut state = SteadyState {
+        equations: rates.iter().take(shown).map(|rate| rate.text(letters, phase)).collect(),
+        relation: text(&steady.relation),
+        phase: steady.phase.as_ref().and_then(|(m, parts)| {
+            Some((usize::try_from(*m).ok()?, parts.each_ref().map(|it| letters.text(it))))
+        }),
+        trace: text(&steady.trace),
+        determinant: text(&steady.determinant),
+        ..SteadyState::default()
+    };
+    if let (Some(relation), Some(_)) = (&steady.relation, &steady.phase) {
+        let curve = ResponseCurve { letters, relation, order: order - lowest, omega0: &forced.omega0 };
+        describe(&mut state, &curve, &found.drives, order > lowest);
+    }
+    state.notes = notes(&state, setting.drive.is_some(), &steady.relation);
+    state
+}
+
+/// Backbone, peak, folds and critical drive.
+fn describe(state: &mut SteadyState, curve: &ResponseCurve<'_>, drives: &[usize], is_higher: bool) {
+    let backbone = curve.backbone();
+    if let Some(Peak { power, root, detuning }) = backbone.as_ref().and_then(|backbone| curve.peak(backbone))
+    {
+        state.peak_amplitude = Some(root_text(curve.letters, &power, root)).filter(|_| is_short(&power));
+        state.peak_detuning = detuning.filter(is_short).map(|sum| curve.letters.text(&sum));
+    }
+    state.backbone = backbone.filter(is_short).map(|sum| curve.letters.text(&sum));
+    state.folds = curve.folds().filter(is_short).map(|sum| curve.letters.text(&sum));
+    state.critical_drive = curve.critical_drive(drives);
+    if is_higher && state.critical_drive.is_some() {
+        state.notes.push("critical_drive is to lowest order".to_owned());
+    }
+}
+
+fn is_short(sum: &Sum) -> bool {
+    !sum.is_beyond_limit() && sum.half_powers().count() <= MOST_TERMS
+}
+
+fn notes(state: &SteadyState, is_driven: bool, relation: &Option<Sum>) -> Vec<String> {
+    let mut notes = state.notes.clone();
+    if !is_driven {
+        if state.relation.is_none() {
+            notes.push("relation: the amplitude does not change, every amplitude is steady".to_owned());
+        }
+        notes.push("peak_amplitude, folds, critical_drive, determinant: there is no drive".to_owned());
+        return notes;
+    }
+    match (&state.relation, relation) {
+        (None, Some(_)) => {
+            notes.push(format!("relation: it has more than {MOST_TERMS} terms; use `equations`"));
+        }
+        (None, None) => notes.push(
+            "relation: the lowest order is not linear in one cosine and sine of the phase; use `equations`"
+                .to_owned(),
+        ),
+        (Some(_), _) => {}
+    }
+    if state.relation.is_some() && state.phase.is_none() {
+        notes.push(
+            "trace, determinant, phase: several harmonics of the phase occur; use `equations`".to_owned(),
+        );
+    }
+    if state.peak_amplitude.is_none() {
+        notes.push("peak_amplitude: the curve has no largest amplitude in closed form".to_owned());
+    }
+    if state.critical_drive.is_none() {
+        notes.push("critical_drive: known for linear damping, a cubic backbone and one drive".to_owned());
+    }
+    notes
+}
+
+/// The positive root of a sum.
+fn root_text(letters: &Letters, power: &Sum, root: i64) -> String {
+    let exponent = Rational::new(1, root).unwrap_or_else(|| Rational::from(1));
+    if let Some(value) = letters.ring.power(power, &exponent).filter(|_| power.as_single_term().is_some()) {
+        return letters.text(&value);
+    }
+    match root {
+        1 => letters.text(power),
+        2 => format!("sqrt({})", letters.text(power)),
+        _ => format!("({})^(1/{root})", letters.text(power)),
+    }
+}
+
+fn multiple(k: i64, of: &str) -> String {
+    if k == 1 { of.to_owned() } else { format!("{k}*{of}") }
+}
+
+fn drive_name(drive: &DriveFrequency) -> String {
+    match drive {
+        DriveFrequency::Symbol(name) => name.clone(),
+        DriveFrequency::Number(number) => number.to_string(),
+    }
+}
+
+fn drive_frequency(forced: &Forced<'_>, (p, q): (i64, i64)) -> String {
+    let letters = forced.letters;
+    let resonant = letters.scaled(&forced.omega0, &Rational::new(p, q).unwrap_or_else(|| Rational::from(1)));
+    format!("{resonant} + {}", letters.text(&forced.detuning))
+}
+
+fn explained(names: &Names, setting: &Setting, found: &Found) -> Vec<(&'static str, String)> {
+    let mut list = vec![("amplitude", names.amplitude.clone()), ("phase", names.phase.clone())];
+    if let Some(drive) = &setting.drive {
+        list.push(("detuning", names.detuning.clone()));
+        list.push(("drive_frequency", drive_name(drive)));
+    }
+    if let Some(natural) = &found.natural {
+        list.push(("natural_frequency", names.natural.clone()));
+        list.push(("natural_frequency_value", format!("sqrt({natural})")));
+    }
+    list
+}
+
+/// The displacement as harmonics of W·t/p, or of ω0·t without drive, each with its multiple of φ.
+fn displacement(setting: &Setting, forced: &Forced<'_>, solved: &Solved) -> String {
+    let letters = forced.letters;
+    let kink = forced.terms.iter().filter(|term| term.is_kinked()).map(|term| term.order).min();
+    let known = kink.map_or_else(
+        || solved.displacement.clone(),
+        |order| letters.to_order(&solved.displacement, order - 1),
+    );
+    let [z, conjugate] = [Column::Phasor, Column::Conjugate].map(|column| letters.place(column));
+    let mut turns: Vec<i64> =
+        known.half_powers().map(|(powers, _)| (powers[z] - powers[conjugate]) / 2).collect();
+    turns.sort_by_key(|turn| (turn.abs(), -turn));
+    turns.dedup();
+    let mut harmonics = letters.exponents(&known, Column::Wave);
+    harmonics.retain(|&k| k >= 0);
+    let q = setting.resonance.1;
+    harmonics.sort_by_key(|&k| (k != q, k));
+    let mut text = String::new();
+    for k in harmonics {
+        let of_wave = letters.coefficient(&known, Column::Wave, k);
+        for &turn in turns.iter().filter(|&&turn| k > 0 || turn >= 0) {
+            let own = letters.part(&of_wave, |powers| (powers[z] - powers[conjugate]) / 2 == turn);
+            if own.is_zero() {
+                continue;
+            }
+            append_wave(&mut text, setting, forced, &own, [k, turn]);
+        }
+    }
+    text
+}
+
+/// Appends the real wave of a complex amplitude and its conjugate.
+fn append_wave(text: &mut String, setting: &Setting, forced: &Forced<'_>, own: &Sum, [k, turn]: [i64; 2]) {
+    let letters = forced.letters;
+    let doubled = if k == 0 && turn == 0 { 1 } else { 2 };
+    let amplitude = letters.scaled(&polar(letters, own, |_, _| 1), &Rational::from(doubled));
+    let [real, _] = PhaseSum::parts(letters, &amplitude);
+    let mut wave = real;
+    if k == 0 && turn == 0 {
+        let constant = wave.harmonics.remove(&1);
+        wave.harmonics.extend(constant.map(|parts| (0, parts)));
+    }
+    let angle = angle(setting, forced, [k, turn]);
+    let term = wave.text(letters, |_| angle.clone());
+    if term != "0" {
+        append_term(text, &term);
+    }
+}
+
+fn angle(setting: &Setting, forced: &Forced<'_>, [k, turn]: [i64; 2]) -> String {
+    let frequency = match &setting.drive {
+        Some(DriveFrequency::Number(number)) => forced.letters.number(number.clone()).to_string(),
+        Some(DriveFrequency::Symbol(name)) => name.clone(),
+        None => forced.omega0.to_string(),
+    };
+    let factor = Rational::new(k, setting.resonance.0).unwrap_or_else(|| Rational::from(0));
+    let is_product = frequency.contains(['/', '+', ' ']);
+    let frequency = if is_product { format!("({frequency})") } else { frequency };
+    let fast = match (factor.to_string().as_str(), frequency.as_str()) {
+        ("0", _) => String::new(),
+        ("1", "1") => "t".to_owned(),
+        ("1", frequency) => format!("{frequency}*t"),
+        (factor, "1") => format!("{factor}*t"),
+        (factor, frequency) => format!("{factor}*{frequency}*t"),
+    };
+    let slow = match turn {
+        0 => String::new(),
+        _ => format!("{}{}", if turn < 0 { "- " } else { "+ " }, multiple(turn.abs(), &setting.names.phase)),
+    };
+    match (fast.is_empty(), slow.is_empty()) {
+        (_, true) => fast,
+        (true, false) => slow.trim_start_matches("+ ").to_owned(),
+        (false, false) => format!("{fast} {slow}"),
+    }
+}

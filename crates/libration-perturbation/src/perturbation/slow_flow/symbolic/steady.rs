@@ -1,0 +1,190 @@
+//! Steady states: the elimination of the phase, and what follows from it.
+//!
+//! The lowest order of the two equations in which cos mφ and sin mφ occur is solved for them, and the higher orders are put in. The sum of
+//! their squares is one: that is the relation between amplitude and detuning.
+
+use super::elimination::resultant;
+use super::letters::{Column, Letters, Sum};
+use super::phase_sums::PhaseSum;
+use libration_numbers::algebra::Rational;
+
+/// A′ and A·φ′ as sums in A and the phase, to an order.
+pub(super) struct SteadyEquations<'a> {
+    pub(super) letters: &'a Letters,
+    /// A′ and A·φ′.
+    pub(super) rates: [PhaseSum; 2],
+    pub(super) order: i64,
+    /// The lowest order of the slow flow.
+    pub(super) lowest: i64,
+}
+
+/// What is known of steady states without the phase.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Steady {
+    /// Zero for steady amplitudes.
+    pub(super) relation: Option<Sum>,
+    /// cos mφ and sin mφ, with m.
+    pub(super) phase: Option<(i64, [Sum; 2])>,
+    /// Trace and determinant of the Jacobian of A′ and φ′; without phase that of A′ only.
+    pub(super) trace: Option<Sum>,
+    pub(super) determinant: Option<Sum>,
+}
+
+impl SteadyEquations<'_> {
+    pub(super) fn solve(&self) -> Steady {
+        let ks = self.rates.iter().flat_map(|rate| rate.harmonics.keys().copied());
+        let m = ks.fold(0, greatest_common_divisor);
+        if m == 0 { self.without_phase() } else { self.with_phase(m).unwrap_or_default() }
+    }
+
+    /// A′ = 0 alone.
+    fn without_phase(&self) -> Steady {
+        let letters = self.letters;
+        let rate = self.rates[0].in_cosine_and_sine(letters, 1);
+        let trace = letters.derivative(&rate, Column::Amplitude);
+        Steady {
+            relation: (!rate.is_zero()).then(|| self.normalised(&rate, self.order - self.lowest)),
+            trace: Some(trace),
+            ..Steady::default()
+        }
+    }
+
+    fn with_phase(&self, m: i64) -> Option<Steady> {
+        let letters = self.letters;
+        let rates = self.rates.each_ref().map(|rate| rate.in_cosine_and_sine(letters, m));
+        let Some(phase) = self.phase(&rates) else {
+            return Some(Steady { relation: self.by_resultant(), ..Steady::default() });
+        };
+        let shift = self.lowest - self.coupling(&rates)?;
+        let square = |a: &Sum| letters.times(a, a);
+        let one = letters.number(Rational::from(1));
+        let relation = letters.subtract(&letters.add(&square(&phase[0]), &square(&phase[1])), &one);
+        let relation = letters.to_order(&relation, 2 * shift + self.order - self.lowest);
+        let relation = self.normalised(&relation, self.order - self.lowest);
+        let [trace, determinant] = self.jacobian(m, &rates, &phase)?;
+        Some(Steady {
+            relation: Some(relation),
+            phase: Some((m, phase)),
+            trace: Some(trace),
+            determinant: Some(determinant),
+        })
+    }
+
+    /// The relation where several harmonics of the phase occur at the lowest order, which is the only one.
+    fn by_resultant(&self) -> Option<Sum> {
+        let letters = self.letters;
+        if self.order > self.lowest {
+            return None;
+        }
+        let relation = resultant(letters, &PhaseSum::joined(letters, &self.rates))?;
+        (!relation.is_zero()).then(|| without_common_powers(letters, &relation))
+    }
+
+    /// The lowest order in which the phase occurs.
+    fn coupling(&self, rates: &[Sum; 2]) -> Option<i64> {
+        let letters = self.letters;
+        let places = [Column::Cosine, Column::Sine].map(|column| letters.place(column));
+        let coupled = |rate| letters.part(rate, |powers| places.iter().any(|&place| powers[place] != 0));
+        rates.iter().filter_map(|rate| letters.lowest_order(&coupled(rate))).min()
+    }
+
+    /// cos mφ and sin mφ of steady states; `None` where the lowest order does not determine them.
+    fn phase(&self, rates: &[Sum; 2]) -> Option<[Sum; 2]> {
+        let letters = self.letters;
+        let coupling = self.coupling(rates)?;
+        let places = [Column::Cosine, Column::Sine].map(|column| letters.place(column));
+        let leading = |rate: &Sum, powers: [i64; 2]| {
+            let such = letters.part(&letters.of_order(rate, coupling), |own| {
+                places.iter().zip(powers).all(|(&place, power)| own[place] == 2 * power)
+            });
+            let [cosine, sine] = [Column::Cosine, Column::Sine];
+            let such = letters.coefficient(&such, cosine, powers[0]);
+            letters.coefficient(&such, sine, powers[1])
+        };
+        let matrix = rates.each_ref().map(|rate| [leading(rate, [1, 0]), leading(rate, [0, 1])]);
+        let [[a, b], [c, d]] = &matrix;
+        let rest = [0, 1].map(|row: usize| {
+            let [by_cosine, by_sine] = &matrix[row];
+            let cosine = letters.times(by_cosine, &letters.power(Column::Cosine, 1));
+            let sine = letters.times(by_sine, &letters.power(Column::Sine, 1));
+            letters.subtract(&rates[row], &letters.add(&cosine, &sine))
+        });
+        let determinant = letters.subtract(&letters.times(a, d), &letters.times(b, c));
+        let inverse = letters.inverse(&letters.scaled(&determinant, &Rational::from(-1)))?;
+        let highest = self.order - coupling;
+        let minor =
+            |x: &Sum, u: &Sum, y: &Sum, v: &Sum| letters.subtract(&letters.times(x, u), &letters.times(y, v));
+        let mut phase = [letters.zero(), letters.zero()];
+        for _ in 0..=self.order - self.lowest + 1 {
+            let known = rest.each_ref().map(|rest| self.at_phase(rest, &phase, self.order));
+            let next = [minor(d, &known[0], b, &known[1]), minor(a, &known[1], c, &known[0])];
+            let next = next.map(|it| letters.to_order(&letters.times(&it, &inverse), highest));
+            if next == phase {
+                return Some(phase);
+            }
+            phase = next;
+        }
+        None
+    }
+
+    /// A sum at the phase of steady states.
+    fn at_phase(&self, sum: &Sum, [cosine, sine]: &[Sum; 2], order: i64) -> Sum {
+        let letters = self.letters;
+        // The orders of the phase may be negative: what they lower is kept.
+        let spare = self.order;
+        let sum = letters.substituted(sum, Column::Cosine, cosine, order + spare);
+        letters.to_order(&letters.substituted(&sum, Column::Sine, sine, order + spare), order)
+    }
+
+    /// Trace and determinant of the Jacobian of A′ and φ′ at steady states.
+    fn jacobian(&self, m: i64, rates: &[Sum; 2], phase: &[Sum; 2]) -> Option<[Sum; 2]> {
+        let letters = self.letters;
+        let by_amplitude = |rate: &Sum| letters.derivative(rate, Column::Amplitude);
+        let by_phase = |rate: &Sum| {
+            let down =
+                letters.times(&letters.derivative(rate, Column::Cosine), &letters.power(Column::Sine, 1));
+            let up =
+                letters.times(&letters.derivative(rate, Column::Sine), &letters.power(Column::Cosine, 1));
+            letters.scaled(&letters.subtract(&up, &down), &Rational::from(m))
+        };
+        let at = |sum: &Sum| self.at_phase(sum, phase, self.order);
+        let per_amplitude = letters.power(Column::Amplitude, -1);
+        let upper = [at(&by_amplitude(&rates[0])), at(&by_phase(&rates[0]))];
+        let lower = [by_amplitude(&rates[1]), by_phase(&rates[1])];
+        let lower = lower.map(|it| letters.times(&at(&it), &per_amplitude));
+        let trace = letters.add(&upper[0], &lower[1]);
+        let determinant =
+            letters.subtract(&letters.times(&upper[0], &lower[1]), &letters.times(&upper[1], &lower[0]));
+        Some([trace, letters.to_order(&determinant, self.order + self.lowest)])
+    }
+
+    /// A sum without common powers of symbols, to an order relative to its lowest.
+    fn normalised(&self, sum: &Sum, order: i64) -> Sum {
+        let reduced = without_common_powers(self.letters, sum);
+        self.letters.to_order(&reduced, order)
+    }
+}
+
+/// The sum divided by the powers that all its terms have; only π keeps those that are negative.
+pub(super) fn without_common_powers(letters: &Letters, sum: &Sum) -> Sum {
+    let pi = letters.place(Column::Pi);
+    let mut least: Option<Vec<i64>> = None;
+    for (powers, _) in sum.half_powers() {
+        let least = least.get_or_insert_with(|| powers.to_vec());
+        for (least, power) in least.iter_mut().zip(powers.iter()) {
+            *least = (*least).min(*power);
+        }
+    }
+    let Some(mut least) = least else { return sum.clone() };
+    least[pi] = least[pi].max(0);
+    letters.changed(sum, |powers, factor| {
+        for (power, least) in powers.iter_mut().zip(&least) {
+            *power -= least;
+        }
+        factor.clone()
+    })
+}
+
+fn greatest_common_divisor(a: i64, b: i64) -> i64 {
+    if b == 0 { a.abs() } else { greatest_common_divisor(b, a % b) }
+}

@@ -1,0 +1,328 @@
+//! Slow flows with symbolic parameters against `SymPy`, textbooks, and the integrated motion.
+
+use crate::typed::equation;
+use libration::expression::{Expression, Symbol};
+use libration::orbit::Orbit;
+use libration::perturbation::{
+    SlowFlowAt, SteadySolution, SymbolicSlowFlow, SymbolicSlowFlowError, SymbolicSlowFlowOptions,
+    slow_flow_symbolically,
+};
+use libration::progress::Quiet;
+use libration_testing::golden::Table;
+use std::f64::consts::TAU;
+
+const DUFFING: &str = "x'' + 2*eps*mu*x' + w0^2*x + eps*a*x^3 = eps*F*cos(W*t)";
+
+fn options(resonance: &str, small: &str, order: usize) -> SymbolicSlowFlowOptions {
+    let numbers = resonance.split_once('/').map(|(p, q)| (p.parse().unwrap(), q.parse().unwrap()));
+    let small = small.split(',').filter(|text| !text.is_empty());
+    let small = small.map(|text| text.split_once(':').map(|(name, n)| (name.to_owned(), n.parse().unwrap())));
+    SymbolicSlowFlowOptions {
+        resonance: numbers,
+        small: small.map(Option::unwrap).collect(),
+        order: Some(order),
+    }
+}
+
+fn flow(text: &str, resonance: &str, small: &str, order: usize) -> SymbolicSlowFlow {
+    slow_flow_symbolically(&equation(text), &options(resonance, small, order), &Quiet).unwrap()
+}
+
+fn refusal(text: &str, resonance: &str, small: &str, order: usize) -> SymbolicSlowFlowError {
+    slow_flow_symbolically(&equation(text), &options(resonance, small, order), &Quiet).unwrap_err()
+}
+
+/// A formula where its symbols have values.
+fn value(formula: &str, values: &[(&str, f64)]) -> f64 {
+    let number = |value: f64| -> Expression {
+        let size: Expression = format!("{:e}", value.abs()).parse().unwrap();
+        if value < 0.0 { Expression::Negate(Box::new(size)) } else { size }
+    };
+    let put = |formula: Expression, (name, value): &(&str, f64)| {
+        formula.substitute(&Symbol::plain(name), &number(*value))
+    };
+    values.iter().fold(formula.parse::<Expression>().unwrap(), put).to_f64().unwrap()
+}
+
+fn numbers(list: &str) -> Vec<(String, f64)> {
+    let pairs = list.split(',').map(|pair| pair.split_once('=').unwrap());
+    pairs
+        .map(|(name, text)| (name.to_owned(), text.parse::<Expression>().unwrap().to_f64().unwrap()))
+        .collect()
+}
+
+fn cube(x: f64) -> f64 {
+    x * x * x
+}
+
+fn assert_near(found: f64, expected: f64, scale: f64, what: &str) {
+    assert!((found - expected).abs() <= 1e-13 * scale, "{what}: {found} instead of {expected}");
+}
+
+/// Nayfeh & Mook, Nonlinear Oscillations (1979), section 4.1, with their γ = σT − β as −φ.
+#[test]
+fn primary_resonance_of_the_duffing_oscillator_is_that_of_the_textbooks() {
+    let flow = flow(DUFFING, "1/1", "", 1);
+    assert_eq!(flow.amplitude_rate, "-eps*mu*A - eps*F/(2*w0)*sin(phi)");
+    assert_eq!(flow.phase_rate, "-eps*sigma + 3*eps*a*A^2/(8*w0) - eps*F/(2*w0*A)*cos(phi)");
+    assert_eq!(flow.displacement, "A*cos(W*t + phi) + eps*a*A^3/(32*w0^2)*cos(3*W*t + 3*phi)");
+    assert_eq!(flow.drive_frequency.as_deref(), Some("w0 + eps*sigma"));
+    let steady = &flow.steady_state;
+    assert_eq!(steady.peak_amplitude.as_deref(), Some("F/(2*mu*w0)"));
+    assert_eq!(steady.backbone.as_deref(), Some("3*a*A^2/(8*w0)"));
+    assert_eq!(steady.trace.as_deref(), Some("-2*eps*mu"));
+    let at = [("a", -0.7), ("mu", 0.3), ("w0", 1.2), ("F", 0.4), ("eps", 0.1), ("A", 0.8), ("sigma", 0.15)];
+    let [a, mu, w0, f, eps, amplitude, sigma]: [f64; 7] = at.map(|(_, value)| value);
+    let bend = |factor: f64| sigma - factor * a * amplitude * amplitude / (8.0 * w0);
+    let relation = (mu * mu + bend(3.0) * bend(3.0)) * amplitude * amplitude * 4.0 * w0 * w0 - f * f;
+    assert_near(value(steady.relation.as_ref().unwrap(), &at), relation, 1.0, "relation");
+    let determinant = eps * eps * (mu * mu + bend(3.0) * bend(9.0));
+    assert_near(value(steady.determinant.as_ref().unwrap(), &at), determinant, 1.0, "determinant");
+    let folds = determinant / (eps * eps) * 8.0 * w0 * w0;
+    assert_near(value(steady.folds.as_ref().unwrap(), &at), folds, 10.0, "folds");
+    let critical = (256.0 * cube(w0 * mu) / (9.0 * 3.0_f64.sqrt() * a.abs())).sqrt();
+    assert_near(value(steady.critical_drive.as_ref().unwrap(), &at), critical, 1.0, "critical drive");
+}
+
+/// Nayfeh & Mook (1979), section 4.2: the effective cubic coefficient a3 − 10·a2²/(9·w²).
+#[test]
+fn quadratic_and_cubic_terms_have_an_effective_cubic_coefficient() {
+    let text = "x'' + 2*mu*x' + w^2*x + a2*x^2 + a3*x^3 = F*cos(W*t)";
+    let driven = flow(text, "1/1", "a2:1,a3:2,mu:2,F:2", 2);
+    let at = [("a2", 0.7), ("a3", 0.4), ("w", 1.3), ("A", 0.6), ("mu", 0.1)];
+    let [a2, a3, w, amplitude, mu]: [f64; 5] = at.map(|(_, value)| value);
+    let shift = (9.0 * a3 * w * w - 10.0 * a2 * a2) * amplitude * amplitude / (24.0 * cube(w));
+    assert_near(value(driven.steady_state.backbone.as_ref().unwrap(), &at), shift, 1.0, "backbone");
+    let effective: f64 = a3 - 10.0 * a2 * a2 / (9.0 * w * w);
+    let critical = (256.0 * cube(w * mu) / (9.0 * 3.0_f64.sqrt() * effective.abs())).sqrt();
+    assert_near(value(driven.steady_state.critical_drive.as_ref().unwrap(), &at), critical, 1.0, "drive");
+    // The same of the free motion, where the amplitude is what is small.
+    let free = flow("x'' + w^2*x + a2*x^2 + a3*x^3 = 0", "", "", 2);
+    assert_near(value(&free.phase_rate, &at), shift, 1.0, "frequency");
+}
+
+/// The rows of the golden table with the orders at which the slow flows begin.
+#[test]
+fn textbook_slow_flows_are_those_of_sympy() {
+    let table = Table::read("symbolic_slow_flow.csv");
+    let mut rows = 0;
+    let mut steady_states = 0;
+    for row in table.rows() {
+        let [text, growth, turning] = ["equation", "amplitude_rate", "phase_rate"].map(|name| row.text(name));
+        let flow = flow(text, row.text("resonance"), row.text("small"), row.text("order").parse().unwrap());
+        let values = numbers(row.text("values"));
+        let mut at: Vec<(&str, f64)> = values.iter().map(|(name, value)| (name.as_str(), *value)).collect();
+        at.extend([("eps", 1.0), ("sigma", 0.0), ("A", 0.7), ("phi", 0.4)]);
+        assert_near(value(&flow.amplitude_rate, &at), value(growth, &at), 1.0, text);
+        assert_near(value(&flow.phase_rate, &at), value(turning, &at) / 0.7, 1.0, text);
+        let relation = flow.steady_state.relation.as_deref().unwrap_or_else(|| panic!("{text}"));
+        for state in row.text("steady").split(';').filter(|state| !state.is_empty()) {
+            let numbers: Vec<f64> = state
+                .split(' ')
+                .map(|it| it.parse::<Expression>().map(|it| it.to_f64().unwrap()).unwrap())
+                .collect();
+            let [amplitude, sigma, trace, determinant] = numbers[..] else { panic!("{state}") };
+            let place = at.len() - 3;
+            at[place] = ("sigma", sigma);
+            at[place + 1] = ("A", amplitude);
+            let scale = value(&relation.replace(" - ", " + ").replacen('-', "", 1), &at).abs();
+            assert_near(value(relation, &at), 0.0, scale, text);
+            let found = |formula: &Option<String>| value(formula.as_ref().unwrap(), &at);
+            assert_near(found(&flow.steady_state.trace), trace, 1.0, text);
+            assert_near(found(&flow.steady_state.determinant), determinant, 1.0, text);
+            steady_states += 1;
+        }
+        rows += 1;
+    }
+    assert!(rows >= 20 && steady_states > 60, "{rows} {steady_states}");
+}
+
+/// The stable periodic motion, its fundamental amplitude and phase by the integrated equation.
+fn integrated(text: &str, resonance: (u32, u32), drive: f64, start: &[f64]) -> (f64, f64) {
+    let (p, q) = resonance;
+    let period = f64::from(p) * TAU / drive;
+    let orbit = Orbit::driven(&equation(text), period, start, &Quiet).unwrap();
+    let harmonics = orbit.harmonics(0);
+    let fundamental = harmonics.terms[q as usize];
+    // A·cos(ψ + φ) = A·cos φ·cos ψ − A·sin φ·sin ψ.
+    (fundamental.amplitude(), libm::atan2(-fundamental.sine, fundamental.cosine))
+}
+
+/// The equation with numbers, as text.
+fn with_numbers(text: &str, values: &[(&str, f64)], drive: f64) -> String {
+    let put = |formula: Expression, (name, value): &(&str, f64)| {
+        formula.substitute(&Symbol::plain(name), &format!("{value:e}").parse().unwrap())
+    };
+    let all: Vec<(&str, f64)> = values.iter().copied().chain([("W", drive)]).collect();
+    let acceleration = equation(text).accelerations()[0].clone();
+    format!("x'' = {}", all.iter().fold(acceleration, put))
+}
+
+/// Errors of A and φ of the stable steady state of largest amplitude.
+fn errors(text: &str, resonance: (u32, u32), order: usize, values: &[(&str, f64)], drive: f64) -> [f64; 2] {
+    let flow = flow(text, &format!("{}/{}", resonance.0, resonance.1), "", order);
+    let of_name = |name: &str| values.iter().find(|(other, _)| *other == name).map(|(_, value)| *value);
+    let at = flow.at(&of_name, Some(drive)).unwrap();
+    let stable =
+        |at: &SlowFlowAt<'_>| at.steady_states().unwrap().into_iter().rfind(|it| it.is_stable).unwrap();
+    let SteadySolution { amplitude, phase, .. } = stable(&at);
+    let displacement = |time: f64| {
+        let mut at: Vec<(&str, f64)> = values.to_vec();
+        at.extend([("sigma", 0.0), ("A", amplitude), ("phi", phase), ("W", drive), ("t", time)]);
+        value(&flow.displacement.replace("sigma", &format!("({})", flow_detuning(&flow, values, drive))), &at)
+    };
+    let step = 1e-4;
+    let start = [displacement(0.0), (displacement(step) - displacement(-step)) / (2.0 * step)];
+    let (exact, exact_phase) = integrated(&with_numbers(text, values, drive), resonance, drive, &start);
+    let turn = TAU / f64::from(resonance.0);
+    [(amplitude - exact).abs(), libm::remainder(phase - exact_phase, turn).abs()]
+}
+
+fn flow_detuning(flow: &SymbolicSlowFlow, values: &[(&str, f64)], drive: f64) -> String {
+    let of_name = |name: &str| values.iter().find(|(other, _)| *other == name).map(|(_, value)| *value);
+    format!("{:?}", flow.at(&of_name, Some(drive)).unwrap().detuning())
+}
+
+/// The slow flow of order n leaves out εⁿ⁺¹, which stands against ε: the errors of A and φ are of order εⁿ.
+fn assert_errors_fall(
+    (text, resonance): (&str, (u32, u32)),
+    orders: std::ops::RangeInclusive<usize>,
+    values: &[(&str, f64)],
+    (largest, sigma): (f64, f64),
+) {
+    for order in orders {
+        let sizes = [largest, largest / 2.0, largest / 4.0];
+        let found = sizes.map(|eps| {
+            let mut values = values.to_vec();
+            values.push(("eps", eps));
+            let w0 = values.iter().find(|(name, _)| *name == "w0").unwrap().1;
+            let drive = f64::from(resonance.0) / f64::from(resonance.1) * w0 + eps * sigma;
+            errors(text, resonance, order, &values, drive)
+        });
+        // Zero crossings of one of the two errors do not count.
+        for pair in found.map(|[amplitude, phase]| libm::hypot(amplitude, phase)).windows(2) {
+            let exponent = libm::log2(pair[0] / pair[1]);
+            let is_right = pair[1] < 1e-11 || exponent > f64::from(u32::try_from(order).unwrap()) - 0.35;
+            assert!(is_right, "{text}, order {order}: {found:?} falls with the power {exponent}");
+        }
+    }
+}
+
+#[test]
+fn errors_of_driven_motions_fall_with_the_power_of_eps() {
+    let values = [("mu", 0.3), ("w0", 1.2), ("a", 0.9), ("F", 0.8)];
+    assert_errors_fall((DUFFING, (1, 1)), 1..=4, &values, (0.08, 0.3));
+    let hard = "x'' + 2*eps*mu*x' + w0^2*x + eps*a*x^2 + eps*b*x^3 = eps*F*cos(W*t)";
+    let values = [("mu", 0.3), ("w0", 1.1), ("a", 0.5), ("b", 0.7), ("F", 0.8)];
+    assert_errors_fall((hard, (1, 1)), 1..=3, &values, (0.08, -0.2));
+}
+
+#[test]
+fn errors_of_superharmonic_and_parametric_motions_fall_with_the_power_of_eps() {
+    let cubic = "x'' + 2*eps*mu*x' + w0^2*x + eps*a*x^3 = F*cos(W*t)";
+    let values = [("mu", 0.2), ("w0", 1.0), ("a", 0.6), ("F", 0.9)];
+    assert_errors_fall((cubic, (1, 3)), 1..=3, &values, (0.01, 0.2));
+    let quadratic = "x'' + 2*eps*mu*x' + w0^2*x + eps*a*x^2 = F*cos(W*t)";
+    assert_errors_fall((quadratic, (1, 2)), 1..=3, &values, (0.02, 0.1));
+    let mathieu = "x'' + 2*eps*mu*x' + (w0^2 + eps*h*cos(W*t))*x + eps*a*x^3 = 0";
+    let values = [("mu", 0.1), ("w0", 1.0), ("a", 0.6), ("h", 1.5)];
+    assert_errors_fall((mathieu, (2, 1)), 1..=3, &values, (0.04, 0.3));
+    let locked = "x'' + w0^2*x = eps*(m*(1 - x^2)*x' + F*cos(W*t))";
+    let values = [("w0", 1.0), ("m", 0.8), ("F", 1.5)];
+    assert_errors_fall((locked, (1, 1)), 1..=3, &values, (0.04, 0.2));
+}
+
+#[test]
+fn a_force_at_rest_that_is_not_zero_and_others_that_cannot_be_averaged_are_refused() {
+    let said = |text, resonance, small, order| refusal(text, resonance, small, order).to_string();
+    assert!(said("x'' + w0^2*x = F*cos(W*t)", "1/1", "", 1).contains("unless it is small"));
+    assert!(said(DUFFING, "", "", 1).contains("name the resonance"));
+    assert!(said("x'' + w0^2*x + eps*a*x^3 = 0", "1/1", "", 1).contains("does not depend on t"));
+    assert!(said(DUFFING, "2/2", "", 1).contains("in lowest terms"));
+    assert!(said(DUFFING, "1/1", "G:1", 1).contains("`G` is not a symbolic parameter"));
+    assert!(said(DUFFING, "1/1", "", 13).contains("give 1 to 12"));
+    assert!(said("x'' + w0^2*x + g + eps*x^3 = 0", "", "", 1).contains("`-g`"));
+    assert!(said("x'' + c*x' + w0^2*x + eps*x^3 = 0", "", "", 1).contains("the damping `-c` is not small"));
+    assert!(said("x'' - w0^2*x + eps*x^3 = 0", "", "", 1).contains("no oscillation"));
+    assert!(said("x'' + w0^2*x + eps*x/(1+x^2) = 0", "", "", 1).contains("not a polynomial"));
+    assert!(said("x'' + w0^2*x + eps*sign(x') = 0", "", "", 2).contains("averaged to order 1"));
+    assert!(said("x'' + w0^2*x = 0", "", "", 1).contains("nothing is small"));
+    let two = "x'' + w0^2*x + eps*x^3 = eps*(cos(W*t) + cos(V*t))";
+    assert!(said(two, "1/1", "", 1).contains("several frequencies"));
+    assert!(said("x'' + w0^2*x + eps*x^3 = eps*t", "1/1", "", 1).contains("not periodic in t"));
+}
+
+#[test]
+fn symbols_of_the_equation_keep_their_names() {
+    let flow = flow("x'' + w0^2*x + 2*eps*A*x' + eps*sigma*x^3 = eps*phi*cos(W*t)", "1/1", "", 1);
+    assert_eq!(flow.amplitude_rate, "-eps*A*A_1 - eps*phi/(2*w0)*sin(phi_1)");
+    assert_eq!(flow.drive_frequency.as_deref(), Some("w0 + eps*sigma_1"));
+    let names = [("amplitude", "A_1"), ("phase", "phi_1"), ("detuning", "sigma_1"), ("drive_frequency", "W")];
+    assert_eq!(flow.letters, names.map(|(meaning, name)| (meaning, name.to_owned())));
+}
+
+#[test]
+fn free_flows_have_letters_half_waves_and_natural_frequencies_that_are_roots() {
+    let cycle = flow("x'' + x = eps*(m*(1 - x^2)*x' - b*x^3)", "", "", 1);
+    assert_eq!(cycle.amplitude_rate, "eps*m*A/2 - eps*m*A^3/8");
+    assert_eq!(cycle.phase_rate, "3*eps*b*A^2/8");
+    assert_eq!(cycle.steady_state.relation.as_deref(), Some("1/2 - A^2/8"));
+    // Ω = w + 4cA/(3πw), from the mean of |cos³|.
+    let two_sided = flow("x'' + w^2*x + c*x*abs(x) = 0", "", "", 1);
+    assert_eq!(two_sided.phase_rate, "4*c*A/(3*w*pi)");
+    let spring = flow("x'' + (k + m)*x + eps*b*x^3 = 0", "", "", 1);
+    assert_eq!(spring.phase_rate, "3*eps*b*A^2/(8*w0)");
+    assert!(
+        spring.letters.contains(&("natural_frequency_value", "sqrt(k + m)".to_owned())),
+        "{:?}",
+        spring.letters
+    );
+}
+
+/// A′ = −μA − F/(2ω0)·sin φ + hA/(4ω0)·sin 2φ and the like for φ: steady states by a scan of φ, with both equations linear in σ and F.
+#[test]
+fn drive_and_parametric_drive_together_are_eliminated_by_a_resultant() {
+    let text = "x'' + 2*eps*mu*x' + (w0^2 + eps*h*cos(2*W*t))*x + eps*a*x^3 = eps*F*cos(W*t)";
+    let flow = flow(text, "1/1", "", 1);
+    let relation = flow.steady_state.relation.as_deref().unwrap();
+    assert_eq!(flow.steady_state.phase, None);
+    let points: [(f64, f64); 3] = [(0.7, 0.4), (1.3, 2.1), (0.2, -1.0)];
+    for (amplitude, phi) in points {
+        let [mu, w0, h, a]: [f64; 4] = [0.1, 1.2, 0.6, 0.5];
+        // F from A′ = 0, σ from φ′ = 0.
+        let force = (h * amplitude / 2.0 * libm::sin(2.0 * phi) - 2.0 * w0 * mu * amplitude) / libm::sin(phi);
+        let sigma = 3.0 * a * amplitude * amplitude / (8.0 * w0) + h / (4.0 * w0) * libm::cos(2.0 * phi)
+            - force / (2.0 * w0 * amplitude) * libm::cos(phi);
+        let at =
+            [("mu", mu), ("w0", w0), ("h", h), ("a", a), ("F", force), ("A", amplitude), ("sigma", sigma)];
+        assert_near(value(relation, &at), 0.0, 100.0, "relation");
+        let beside: Vec<_> =
+            at.iter().map(|(name, it)| (*name, if *name == "sigma" { it + 0.1 } else { *it })).collect();
+        assert!(value(relation, &beside).abs() > 1e-6, "{at:?}");
+    }
+}
+
+#[test]
+fn orders_that_are_not_given_are_those_of_the_small_parameters() {
+    let order = |text: &str, small: &str, resonance: &str| {
+        let options = SymbolicSlowFlowOptions { order: None, ..options(resonance, small, 1) };
+        slow_flow_symbolically(&equation(text), &options, &Quiet).unwrap().order
+    };
+    assert_eq!(order(DUFFING, "", "1/1"), 1);
+    assert_eq!(order("x'' + 2*mu*x' + w^2*x + a*x^2 = F*cos(W*t)", "a:1,mu:2,F:2", "1/1"), 2);
+    assert_eq!(order("x'' + w^2*x + c*x*abs(x) = 0", "", ""), 1);
+    assert_eq!(order("x'' + 2*c*abs(x')*x' + w0^2*sin(x) = F*cos(W*t)", "c:1,F:2", "1/1"), 2);
+}
+
+/// The truncated relation of order 3 has zeros at amplitudes where its last terms are the largest.
+#[test]
+fn zeros_that_the_truncation_makes_are_no_steady_states() {
+    let flow = flow("x'' + w0^2*x = eps*(m*(1 - x^2)*x' + F*cos(W*t))", "1/1", "", 3);
+    let value = |name: &str| {
+        [("w0", 1.0), ("m", 0.8), ("F", 1.5), ("eps", 0.04)].iter().find(|it| it.0 == name).map(|it| it.1)
+    };
+    let states = flow.at(&value, Some(1.008)).unwrap().steady_states().unwrap();
+    assert_eq!(states.len(), 1, "{states:?}");
+    assert!((2.0..3.0).contains(&states[0].amplitude) && states[0].is_stable);
+    assert_eq!(flow.at(&|_| None, None).unwrap_err(), ["eps", "F", "m", "w0", "W"]);
+}
