@@ -200,7 +200,10 @@ pub(crate) fn assert_described(command: &str, answer: &Value) {
 }
 
 /// Answers that have rare fields, compared with those of other tests.
-const FURTHER: [&str; 57] = [
+const FURTHER: [&str; 59] = [
+    // Groups have results and a mean.
+    "fit|lengths|examples/class/groups.csv",
+    "fit|periods|examples/class/amplitudes.csv|--group|1",
     // A limit cycle has its distance from the orbit.
     "expand|van_der_pol|--order|3|--evaluate|0.5",
     // A motion that never returns has no period.
