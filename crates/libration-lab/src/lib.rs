@@ -260,6 +260,9 @@ pub mod internals {
         pub mod chi_squared {
             pub use crate::statistics::chi_squared::probability_beyond;
         }
+        pub mod fisher {
+            pub use crate::statistics::fisher::probability_beyond;
+        }
         pub mod least_squares {
             pub use crate::statistics::least_squares::{
                 Design, ROUNDING, Undetermined, least_squares, weighted_least_squares,

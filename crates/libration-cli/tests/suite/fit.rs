@@ -102,16 +102,19 @@ fn units_and_quantities_of_the_header_are_heeded() {
         unfolded(&sheet).contains("is read in deg (--amplitude-unit), not in rad as its header says"),
         "{sheet}"
     );
+    // Names and units in the header count for more than the order of the columns.
     let swapped = table("fit-header-swapped", "T (s),amplitude (rad)\n2.0,0.1\n2.1,0.9\n2.2,1.2\n");
-    let refused = libration(&format!("fit periods {}", swapped.display()));
-    assert_eq!(refused.status.code(), Some(1));
-    let refused = message(&refused);
+    let answer = json(&format!("fit periods {}", swapped.display()));
+    assert!(answer["told_from_file"].to_string().contains("read as period: column 1"), "{answer}");
+    let chosen = libration(&format!("fit periods {} --columns 1,2", swapped.display()));
+    assert_eq!(chosen.status.code(), Some(1));
+    let refused = message(&chosen);
     assert!(refused.contains("holds times") && refused.contains("--columns"), "{refused}");
 }
 
 /// Three readings of each period that agree to 5 ms, without an uncertainty column.
 #[test]
-fn repeated_readings_are_never_taken_for_uncertainties() {
+fn repeated_readings_are_averaged_and_never_taken_for_uncertainties() {
     const READINGS: &str = "0.25,1.0031,1.0062,1.0009\n0.5,1.4185,1.4201,1.4149\n0.75,1.7373,1.7391,1.7402\n1,2.0061,2.0020,2.0048\n";
     for (name, header) in [("runs", "length (m),run A,run B,run C"), ("y", "x,y1,y2,y3")] {
         let rows = format!("{header}\n{READINGS}");
@@ -119,9 +122,9 @@ fn repeated_readings_are_never_taken_for_uncertainties() {
         let answer = json(&format!("fit lengths {}", lengths.display()));
         close(&answer["gravity_m_per_s2"], 9.81, 0.02);
         assert!(answer["gravity_uncertainty_m_per_s2"].as_f64().unwrap() < 0.3, "{answer}");
-        assert_eq!(answer["weighting"], "none: uncertainties from the scatter");
+        assert_eq!(answer["weighting"], "uncertainties of periods");
         let told = answer["told_from_file"].to_string();
-        assert!(told.contains("not used: column 3") && told.contains("column 4"), "{told}");
+        assert!(told.contains("repeated readings: column 2") && told.contains("column 4"), "{told}");
     }
     let readings: String = [10, 20, 30, 40]
         .iter()
@@ -130,7 +133,7 @@ fn repeated_readings_are_never_taken_for_uncertainties() {
         .collect();
     let periods = table("fit-readings-periods", &format!("amplitude (deg),T1,T2,T3\n{readings}"));
     let answer = json(&format!("fit periods {} --amplitude-unit deg", periods.display()));
-    assert_eq!(answer["weighting"], "none: uncertainties from the scatter");
+    assert_eq!(answer["weighting"], "uncertainties of periods");
 }
 
 #[test]

@@ -24,12 +24,15 @@ mod error;
 mod excess_scale;
 pub mod gates;
 mod gravity;
+mod groups;
 pub(crate) mod law;
 mod lengths;
+mod mistake;
 mod outliers;
 mod period_table;
 mod periods;
 pub mod plan;
+mod readings;
 pub mod response;
 pub(crate) mod scatter;
 mod significance;
@@ -52,15 +55,17 @@ pub use damping_model::{DampingModel, DampingModelError, alternatives};
 pub use error::FitError;
 pub use excess_scale::{ExcessScaleFit, excess_scale};
 pub use gravity::{GRAVITY_ON_EARTH, is_nowhere_on_earth};
+pub use groups::{GroupMean, GroupResult};
 pub use law::Law;
 pub use lengths::{
-    CountedAs, LengthColumns, LengthFit, LengthModel, LengthTable, LengthsFit, LengthsOptions,
-    LengthsWarning, lengths,
+    LengthColumns, LengthFit, LengthModel, LengthTable, LengthsFit, LengthsOptions, LengthsWarning, lengths,
 };
 pub use libration::decay::DampingKind;
+pub use mistake::GravityMistake;
 pub use outliers::{DEFAULT_OUTLIER_THRESHOLD, outliers};
 pub use period_table::{PeriodTable, Uncertainties, Weighting};
 pub use periods::{PeriodFit, PeriodsOptions, PeriodsWarning, periods};
+pub use readings::{MeanReading, RepeatedReadings, effective_degrees_of_freedom};
 pub use scatter::{Enlargement, Scatter, ScatterVerdict, ScatterWarning};
 pub use significance::SIGNIFICANT;
 pub use small_angle_period::{LawFit, small_angle_period};

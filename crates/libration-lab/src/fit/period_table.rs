@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::FitError;
+use super::{FitError, RepeatedReadings};
 
 /// The standard deviations of the columns, where there are any.
 #[derive(Clone, Copy, Debug, Default)]
@@ -20,6 +20,8 @@ pub enum Weighting {
     PeriodsAndAmplitudes,
     /// The uncertainties of the periods.
     Periods,
+    /// The rounding of the periods, where the rows scatter less.
+    Rounding,
     /// No uncertainties: all rows count alike, with their uncertainty from the scatter.
     Scatter,
 }
@@ -30,6 +32,7 @@ impl fmt::Display for Weighting {
         f.write_str(match self {
             Self::PeriodsAndAmplitudes => "weighted by the uncertainties of periods and amplitudes",
             Self::Periods => "weighted by the uncertainties of the periods",
+            Self::Rounding => "weighted by the rounding of the periods, as the rows scatter less",
             Self::Scatter => {
                 "without uncertainties of the periods all rows count alike and their scatter is the uncertainty, \
                  so that chi2 per degree of freedom would be 1 by construction and is not given"
@@ -44,6 +47,8 @@ pub struct PeriodTable {
     #[doc(hidden)]
     pub rows: Vec<Row>,
     weighting: Weighting,
+    readings: Option<RepeatedReadings>,
+    rounding: Option<Vec<f64>>,
 }
 
 /// One measurement.
@@ -89,7 +94,23 @@ impl PeriodTable {
         for (i, row) in rows.iter().enumerate() {
             row.check(i + 1, weighting)?;
         }
-        Ok(Self { rows, weighting })
+        Ok(Self { rows, weighting, readings: None, rounding: None })
+    }
+
+    /// The table with the repeated readings that the uncertainties of its periods come from, whose degrees of freedom those of T0 have. They are
+    /// left out where their rows are not those of the table.
+    #[must_use]
+    pub fn with_readings(self, readings: RepeatedReadings) -> Self {
+        let readings = Some(readings).filter(|it| it.rows.len() == self.rows.len());
+        Self { readings, ..self }
+    }
+
+    /// The table with standard uncertainties of the periods by their rounding, in seconds, which count where no others are stated and the rows
+    /// scatter less. They are left out where they are not one positive number for each row.
+    #[must_use]
+    pub fn with_rounding(self, rounding: Vec<f64>) -> Self {
+        let is_usable = rounding.len() == self.rows.len() && rounding.iter().all(|it| *it > 0.0);
+        Self { rounding: Some(rounding).filter(|_| is_usable), ..self }
     }
 
     /// The number of rows.
@@ -118,8 +139,28 @@ impl PeriodTable {
     /// The table without these rows, counted from zero.
     #[must_use]
     pub fn without(&self, left_out: &[usize]) -> Self {
-        let kept = self.rows.iter().enumerate().filter(|(i, _)| !left_out.contains(i));
-        Self { rows: kept.map(|(_, row)| *row).collect(), weighting: self.weighting }
+        let readings = self.readings.clone().map(|readings| RepeatedReadings {
+            rows: kept(&readings.rows, left_out),
+            outliers: vec![],
+            ..readings
+        });
+        let rounding = self.rounding.as_ref().map(|rounding| kept(rounding, left_out));
+        Self { rows: kept(&self.rows, left_out), weighting: self.weighting, readings, rounding }
+    }
+
+    /// The repeated readings of the periods.
+    #[must_use]
+    pub fn readings(&self) -> Option<&RepeatedReadings> {
+        self.readings.as_ref()
+    }
+
+    /// The table with its periods as uncertain as their rounding makes them, where their scatter is less than that and nothing else is known.
+    pub(super) fn weighted_by_rounding(&self, scatter: f64) -> Option<Self> {
+        let rounding = self.rounding.as_ref().filter(|_| self.weighting == Weighting::Scatter)?;
+        let mean = crate::statistics::root_mean_square(rounding.iter().copied());
+        let rows = self.rows.iter().zip(rounding);
+        let rows = rows.map(|(row, rounding)| Row { period_uncertainty: *rounding, ..*row }).collect();
+        (scatter < mean).then_some(Self { rows, weighting: Weighting::Rounding, ..self.clone() })
     }
 }
 
@@ -148,6 +189,10 @@ impl Row {
         }
         Ok(())
     }
+}
+
+fn kept<T: Copy>(rows: &[T], left_out: &[usize]) -> Vec<T> {
+    rows.iter().enumerate().filter(|(i, _)| !left_out.contains(i)).map(|(_, row)| *row).collect()
 }
 
 fn same_length(column: &'static str, values: &[f64], amplitudes: &[f64]) -> Result<(), FitError> {

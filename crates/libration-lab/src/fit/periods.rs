@@ -157,8 +157,13 @@ pub fn periods(
     let exact = Law::exact();
     let outliers = outliers(table, &exact, options.reject_outliers.unwrap_or(DEFAULT_OUTLIER_THRESHOLD))?;
     let table = if options.reject_outliers.is_some() { table.without(&outliers) } else { table.clone() };
-    let beta = excess_scale(&table, &exact);
     let mut of_exact = small_angle_period(&table, &exact)?;
+    let scatter = of_exact.standard_deviations.first().copied().unwrap_or(f64::INFINITY);
+    let table = table.weighted_by_rounding(scatter).unwrap_or(table);
+    if table.weighting() == Weighting::Rounding {
+        of_exact = small_angle_period(&table, &exact)?;
+    }
+    let beta = excess_scale(&table, &exact);
     let uncertainty_of_rows = of_exact.t0.uncertainty;
     let contradiction = beta.as_ref().ok().and_then(|beta| contradiction(of_exact.t0, &beta.beta));
     if let Some(contradiction) = &contradiction {

@@ -2,6 +2,7 @@
 
 use super::effective_weights::{Weighted, settled};
 use super::law::{Law, Point};
+use super::readings::effective_degrees_of_freedom;
 use super::scatter::{self, Scatter};
 use super::{FitError, PeriodTable, Uncertain, Weighting};
 use crate::statistics::{LinearFit, count, root_mean_square, weighted_least_squares};
@@ -26,6 +27,8 @@ pub struct LawFit {
     /// The effective standard deviation of each row, in seconds; without uncertainties the scatter
     /// √(Σ residual²/dof).
     pub standard_deviations: Vec<f64>,
+    /// Degrees of freedom of the uncertainty of T0 by those of repeated readings; infinite without any.
+    pub readings_degrees_of_freedom: f64,
 }
 
 impl LawFit {
@@ -41,10 +44,12 @@ impl LawFit {
         Scatter::new(self.chi2, self.dof)
     }
 
-    /// Degrees of freedom of the uncertainty of T0: infinite where it comes from stated uncertainties.
+    /// Degrees of freedom of the uncertainty of T0: of the scatter of the rows where it comes from that, else of repeated readings, and infinite
+    /// where it comes from stated uncertainties.
     #[must_use]
     pub fn uncertainty_degrees_of_freedom(&self) -> f64 {
-        scatter::degrees_of_freedom(self.chi2, self.dof)
+        let of_rows = scatter::degrees_of_freedom(self.chi2, self.dof);
+        if of_rows.is_finite() { of_rows } else { self.readings_degrees_of_freedom }
     }
 }
 
@@ -68,7 +73,16 @@ pub fn small_angle_period(table: &PeriodTable, law: &Law<'_>) -> Result<LawFit, 
     let unit = if weighted { 1.0 } else { fit.chi2() / count(dof) };
     let chi2 = weighted.then_some(fit.chi2());
     let variances = variances.unwrap_or_else(|| vec![unit; points.len()]);
+    let readings_degrees_of_freedom =
+        table.readings().filter(|_| weighted).map_or(f64::INFINITY, |readings| {
+            // T0 = Σ cᵢTᵢ with these c.
+            let variance = fit.covariance[(0, 0)];
+            let c: Vec<f64> =
+                points.iter().zip(&variances).map(|(point, v)| variance * point.ratio / v).collect();
+            effective_degrees_of_freedom(readings, &c, variance)
+        });
     Ok(LawFit {
+        readings_degrees_of_freedom,
         key: law.key().into(),
         t0: Uncertain {
             value: t0,

@@ -3,6 +3,7 @@
 use super::Unit;
 use super::dialect::Row;
 use super::number::Cell;
+use super::sheet::Channel;
 
 /// The units of the cells of each column, row by row.
 pub(super) struct CellUnits(Vec<Vec<Option<Unit>>>);
@@ -25,8 +26,9 @@ impl CellUnits {
     }
 
     /// Brings all numbers of a column to this unit; or says what is mixed: numbers with and without a unit, or units of different quantities.
-    pub(super) fn bring(&self, column: usize, cells: &mut [Cell], to: Unit) -> Result<(), String> {
-        for (cell, unit) in cells.iter_mut().zip(&self.0[column]) {
+    pub(super) fn bring(&self, column: usize, channel: &mut Channel, to: Unit) -> Result<(), String> {
+        for (row, unit) in self.0[column].iter().enumerate() {
+            let (cell, uncertainty) = (&mut channel.cells[row], &mut channel.uncertainties[row]);
             match (cell, unit) {
                 (Cell::Number(_), None) => return Err(format!("numbers in {to} and numbers without a unit")),
                 (Cell::Number(_), Some(unit)) if unit.measures() != to.measures() => {
@@ -34,6 +36,7 @@ impl CellUnits {
                 }
                 (Cell::Number(number), Some(unit)) if *unit != to => {
                     *number = unit.to_si(*number) / to.to_si(1.0);
+                    *uncertainty = uncertainty.map(|spread| unit.to_si(spread) / to.to_si(1.0));
                 }
                 _ => {}
             }

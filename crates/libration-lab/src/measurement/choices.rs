@@ -109,6 +109,10 @@ pub enum Choice {
     Gate,
     /// Times as they are written, even where they are roundings of even ones.
     TimesAsWritten,
+    /// The columns of a table of results.
+    Columns,
+    /// The role of a column of a table of results.
+    Role,
 }
 
 impl fmt::Display for Choice {
@@ -131,6 +135,8 @@ impl fmt::Display for Choice {
             Self::Uncertainty => "uncertainty",
             Self::Gate => "gate",
             Self::TimesAsWritten => "times-as-written",
+            Self::Columns => "columns",
+            Self::Role => "role",
         })
     }
 }

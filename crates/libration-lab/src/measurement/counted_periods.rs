@@ -38,7 +38,7 @@ impl Table {
 }
 
 /// Words for one period, in the singular and the plural.
-const PERIOD: [&str; 19] = [
+const PERIOD: [&str; 23] = [
     "t",
     "period",
     "periods",
@@ -58,7 +58,13 @@ const PERIOD: [&str; 19] = [
     "schwingungsdauer",
     "schwingungsdauern",
     "cycles",
+    "cycle",
+    "swings",
+    "swing",
+    "osc",
 ];
+/// Words that are a count where a number stands before them, and otherwise as often half a period.
+const SWING: [&str; 2] = ["swings", "swing"];
 const HALF: [&str; 8] = ["half", "halbe", "halben", "demi", "semi", "½", "0.5", "0,5"];
 const HALF_PERIOD: [&str; 4] = ["halfperiod", "semiperiodo", "semiperiod", "halbschwingung"];
 /// Words for a mean: the mean of several periods is one period.
@@ -106,11 +112,16 @@ pub fn counted(heading: &str) -> CountedPeriods {
     if is_divided || words.iter().any(may_count) {
         return CountedPeriods::Unclear(heading.trim().to_owned());
     }
-    if words.iter().any(|word| is(&PERIOD, word)) {
+    if words.iter().any(|word| is(&PERIOD, word) && !is(&SWING, word)) {
         CountedPeriods::Said(1.0)
     } else {
         CountedPeriods::Nothing
     }
+}
+
+/// Returns whether a heading speaks of a mean.
+pub(super) fn is_mean(heading: &str) -> bool {
+    words(&heading.to_lowercase()).iter().any(|word| word != "per" && MEAN.contains(&word.as_str()))
 }
 
 /// Letters, numbers and strokes, each on its own: `10T/s` is `10`, `t`, `/`, `s`.

@@ -5,7 +5,7 @@ use std::fmt;
 use csv::{Position, ReaderBuilder, StringRecord, Trim};
 
 use super::Unit;
-use super::number::{Cell, DecimalMark, without_unit};
+use super::number::{Cell, DecimalMark, SIGNS, Written};
 use super::text::{COMMENT, is_blank_or_comment};
 
 /// Lines looked at to tell the dialect.
@@ -63,7 +63,7 @@ pub struct Dialect {
     pub delimiter: Delimiter,
     /// Decimal mark of the numbers.
     pub mark: DecimalMark,
-    /// `true` if cells have units, as `10cm` has.
+    /// `true` if cells have units or uncertainties, as `10cm` and `1.234(5)` have.
     pub units: bool,
 }
 
@@ -74,6 +74,8 @@ pub(super) struct Row {
     pub(super) cells: StringRecord,
     /// The units of cells that had one, which is taken off; empty where cells have none.
     pub(super) units: Vec<Option<Unit>>,
+    /// The uncertainties of cells that had one, likewise.
+    pub(super) uncertainties: Vec<Option<f64>>,
 }
 
 impl Row {
@@ -119,7 +121,7 @@ impl Dialect {
         for row in plain.rows(sample) {
             balance.resize(balance.len().max(row.cells.len()), (0, 0));
             for (cell, (more, with_unit)) in row.cells.iter().zip(&mut balance) {
-                match without_unit(cell, self.mark) {
+                match Written::parse(cell, self.mark) {
                     Some(_) => (*more, *with_unit) = (*more + 1, *with_unit + 1),
                     None if Cell::parse(cell, self.mark).is_number() => *more -= 1,
                     None => {}
@@ -191,11 +193,19 @@ impl Dialect {
     }
 }
 
-/// The row with plain numbers in the place of those with units.
+/// The row with plain numbers in the place of those with units and uncertainties.
 fn without_units(row: Row, mark: DecimalMark) -> Row {
-    let split = |cell| without_unit(cell, mark).map_or((cell, None), |(number, unit)| (number, Some(unit)));
-    let (cells, units): (Vec<&str>, Vec<Option<Unit>>) = row.cells.iter().map(split).unzip();
-    Row { line: row.line, cells: StringRecord::from(cells), units }
+    let split = |cell| {
+        let plain = Written { number: cell, uncertainty: None, unit: None };
+        Written::parse(cell, mark).unwrap_or(plain)
+    };
+    let cells: Vec<Written<'_>> = row.cells.iter().map(split).collect();
+    Row {
+        line: row.line,
+        cells: cells.iter().map(|cell| cell.number).collect(),
+        units: cells.iter().map(|cell| cell.unit).collect(),
+        uncertainties: cells.iter().map(|cell| cell.uncertainty).collect(),
+    }
 }
 
 /// A row of whole numbers with pairs joined, where commas are decimal commas and delimiters too: `0,5,1,2` is 0.5 and 1.2.
@@ -211,7 +221,7 @@ fn with_pairs_joined(row: Row) -> Row {
         return row;
     }
     let joined = pairs.iter().map(|[whole, fraction]| format!("{whole},{fraction}")).collect();
-    Row { line: row.line, cells: joined, units: vec![] }
+    Row { line: row.line, cells: joined, ..row }
 }
 
 fn delimited_rows(text: &str, delimiter: u8) -> impl Iterator<Item = Row> {
@@ -226,6 +236,7 @@ fn delimited_rows(text: &str, delimiter: u8) -> impl Iterator<Item = Row> {
         line: cells.position().map_or(0, |position| first_line(text, position)),
         cells,
         units: vec![],
+        uncertainties: vec![],
     };
     reader
         .into_records()
@@ -242,7 +253,13 @@ fn first_line(text: &str, position: &Position) -> u64 {
     line
 }
 
+/// Rows with blanks between their cells; a sign of uncertainty joins the numbers before and after it.
 fn spaced_rows(text: &str) -> impl Iterator<Item = Row> {
-    let cells = |line: &str| StringRecord::from_iter(line.split_whitespace());
-    (1..).zip(text.lines()).map(move |(line, text)| Row { line, cells: cells(text), units: vec![] })
+    let row = |(line, text): (u64, &str)| {
+        let signed =
+            SIGNS.iter().fold(text.to_owned(), |text, sign| text.replace(&format!(" {sign} "), sign));
+        let cells = StringRecord::from_iter(signed.split_whitespace());
+        Row { line, cells, units: vec![], uncertainties: vec![] }
+    };
+    (1..).zip(text.lines()).map(row)
 }

@@ -112,6 +112,14 @@ pub enum MeasurementError {
     /// Not one row is complete in the columns requested.
     #[error("none of the {0} rows has a number in every requested column: give other columns")]
     NothingComplete(usize),
+    /// Too few columns of numbers for what is needed.
+    #[error("{names} are needed, and the table has {numbers} column{} of numbers", if *.numbers == 1 { "" } else { "s" })]
+    TooFewColumns {
+        /// The quantities needed.
+        names: String,
+        /// Number of columns of numbers.
+        numbers: usize,
+    },
     /// More than any measurement has.
     #[error("{place} has {count} {what}, the limit is {limit}: give fewer")]
     TooMany {

@@ -45,14 +45,77 @@ impl Cell {
     }
 }
 
-/// A number and the unit behind it, as in `10cm` and `0.68 s`; none where either is missing or the unit is not one of measured quantities.
-pub(super) fn without_unit(cell: &str, mark: DecimalMark) -> Option<(&str, Unit)> {
-    let cell = cell.trim();
+/// Parts of a cell that is more than a plain number, as `10cm`, `1,5 ± 0,1` and `1.234(5) s` are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Written<'a> {
+    /// The number.
+    pub(super) number: &'a str,
+    /// Its uncertainty, in the unit of the number.
+    pub(super) uncertainty: Option<f64>,
+    /// Its unit.
+    pub(super) unit: Option<Unit>,
+}
+
+impl<'a> Written<'a> {
+    /// The parts of a cell; none of a plain number, and of a text that is no number with an uncertainty or a unit of measured quantities.
+    pub(super) fn parse(cell: &'a str, mark: DecimalMark) -> Option<Self> {
+        let cell = cell.trim();
+        match SIGNS.iter().find_map(|sign| cell.split_once(sign)) {
+            Some((number, uncertainty)) => with_sign(number, uncertainty, mark),
+            None => with_brackets(cell, mark).or_else(|| {
+                let (number, unit) = with_unit(cell, mark)?;
+                Some(Self { number, uncertainty: None, unit: Some(unit?) })
+            }),
+        }
+    }
+}
+
+/// Signs between a number and its uncertainty.
+pub(super) const SIGNS: [&str; 3] = ["±", "+/-", "+-"];
+
+/// `1.5 ± 0.1 s`, `1.5 s ± 0.1 s`, `(1.5 ± 0.1) s`.
+fn with_sign<'a>(number: &'a str, uncertainty: &'a str, mark: DecimalMark) -> Option<Written<'a>> {
+    let (number, uncertainty, outside) = match number.strip_prefix('(') {
+        Some(number) => {
+            let (uncertainty, unit) = uncertainty.split_once(')')?;
+            (number, uncertainty, if unit.trim().is_empty() { None } else { Some(known(unit)?) })
+        }
+        None => (number, uncertainty, None),
+    };
+    let [(number, of_number), (uncertainty, of_uncertainty)] =
+        [with_unit(number, mark)?, with_unit(uncertainty, mark)?];
+    let is_of_one = of_number.is_none() || of_uncertainty.is_none() || of_number == of_uncertainty;
+    let Cell::Number(uncertainty) = Cell::parse(uncertainty, mark) else { return None };
+    let unit = outside.or(of_number).or(of_uncertainty);
+    is_of_one.then_some(Written { number, uncertainty: Some(uncertainty), unit })
+}
+
+/// `1.234(5)`, `1.234(5) s`: the digits in brackets stand for the last ones of the number.
+fn with_brackets(cell: &str, mark: DecimalMark) -> Option<Written<'_>> {
+    let (number, rest) = cell.split_once('(')?;
+    let (digits, unit) = rest.split_once(')')?;
+    let is_whole = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
+    if !Cell::parse(number, mark).is_number() || !is_whole || number.contains(['e', 'E']) {
+        return None;
+    }
+    let decimals = number.trim().split_once(['.', ',']).map_or(0, |(_, fraction)| fraction.len());
+    let uncertainty = format!("{digits}e-{decimals}").parse().ok()?;
+    let unit = if unit.trim().is_empty() { None } else { Some(known(unit)?) };
+    Some(Written { number: number.trim_end(), uncertainty: Some(uncertainty), unit })
+}
+
+/// A number, and the unit after it if there is one.
+fn with_unit(text: &str, mark: DecimalMark) -> Option<(&str, Option<Unit>)> {
+    let text = text.trim();
     let is_of_number =
         |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '−' | '.' | ',' | 'e' | 'E' | ' ');
-    let (number, unit) = cell.split_at(cell.find(|c| !is_of_number(c))?);
-    let unit = unit.parse().ok().filter(|unit| !matches!(unit, Unit::Count | Unit::Pixel))?;
+    let (number, unit) = text.split_at(text.find(|c| !is_of_number(c)).unwrap_or(text.len()));
+    let unit = if unit.is_empty() { None } else { Some(known(unit)?) };
     Cell::parse(number, mark).is_number().then_some((number.trim_end(), unit))
+}
+
+fn known(unit: &str) -> Option<Unit> {
+    unit.parse().ok().filter(|unit| !matches!(unit, Unit::Count | Unit::Pixel))
 }
 
 /// A decimal comma stands between digits, once, and there is no point: all else may be a mark of thousands.
@@ -71,4 +134,12 @@ fn plain_number(text: &str) -> Option<f64> {
     let numeric = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | 'e' | 'E');
     let number = text.parse::<f64>().ok().filter(|number| number.is_finite());
     number.filter(|_| text.chars().all(numeric))
+}
+
+/// Number of decimals of a number as it is written.
+pub(super) fn decimals(number: &str) -> u16 {
+    let (digits, power) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
+    let after = digits.split_once(['.', ',']).map_or(0, |(_, fraction)| fraction.trim_end().len());
+    let places = i64::try_from(after).unwrap_or(0) - power.parse::<i64>().unwrap_or(0);
+    u16::try_from(places.clamp(0, 300)).unwrap_or(0)
 }

@@ -4,7 +4,8 @@ use super::ambiguity;
 use super::choices::{Choices, Finding, Suggestion};
 use super::container::{self, Format, Page};
 use super::dialect::Dialect;
-use super::options::ReadOptions;
+use super::glued;
+use super::options::{Header, ReadOptions};
 use super::sheet::Sheet;
 use super::{Choice, Column, MeasurementError};
 use libration::quantity::excerpt;
@@ -62,12 +63,15 @@ impl Recording {
         &self.sheets
     }
 
-    /// The first sheet with two columns of numbers, else the first one, and how many sheets there are.
-    pub(super) fn into_sheet_of_numbers(mut self) -> (Sheet, usize) {
+    /// The chosen sheet, else the first one with two columns of numbers, else the first one; and how many sheets there are.
+    pub(super) fn into_sheet(mut self, asked: Option<&Column>) -> Result<(Sheet, usize), MeasurementError> {
+        let count = self.sheets.len();
+        if let Some(asked) = asked {
+            return Ok((self.sheet_named(asked)?.clone(), count));
+        }
         let of_numbers = |sheet: &Sheet| sheet.channels.iter().filter(|it| it.count() > 1).count() > 1;
         let place = self.sheets.iter().position(of_numbers).unwrap_or(0);
-        let count = self.sheets.len();
-        (self.sheets.swap_remove(place), count)
+        Ok((self.sheets.swap_remove(place), count))
     }
 
     /// Inferences made in reading the file.
@@ -137,9 +141,20 @@ fn read_page(page: &Page<'_>, options: &ReadOptions) -> Result<Sheet, Measuremen
         return Sheet::read(&page.name, &page.text, dialect, options);
     }
     let dialect = Dialect::sniff(&page.text, options.delimiter, options.decimal);
+    if let Some((text, line)) =
+        glued::divided(&page.text, dialect).filter(|_| options.header == Header::Detect)
+    {
+        let sheet = Sheet::read(&page.name, &text, dialect, options)?;
+        return Ok(sheet.with_header_in_first_row(line));
+    }
     let sheet = Sheet::read(&page.name, &page.text, dialect, options)?;
     ambiguity::refuse(&page.text, &sheet, options)?;
     Ok(sheet)
+}
+
+/// The finding that a line is the header and the first row.
+pub(super) fn divided(line: u64) -> String {
+    format!("line {line} is read as the header and the first row, without a line end between them")
 }
 
 impl Sheet {
@@ -158,6 +173,9 @@ impl Sheet {
             None => format!("{of}there is no header"),
         };
         findings.push(Finding::new(header, Choice::Header));
+        if let Some(line) = self.divided_line {
+            findings.push(Finding::new(format!("{of}{}", divided(line)), Choice::Header));
+        }
         if let Some(first) = self.names_without_column.first() {
             let (columns, names) =
                 (self.channels.len(), self.channels.len() + self.names_without_column.len());

@@ -76,16 +76,16 @@ impl Role {
     }
 
     fn contradicted_by_name(self, heading: &Heading) -> Option<&'static str> {
-        let name = heading.name.to_lowercase().replace('_', " ");
-        let named = NAMES.iter().find(|(_, names)| names.contains(&name.as_str())).map(|(role, _)| *role);
-        let measured = match (heading.quantity, named) {
-            (QuantityKind::Time, _) | (_, Some(Self::Times)) => Measures::Time,
-            (QuantityKind::Angle, _) | (_, Some(Self::Angles)) => Measures::Angle,
-            (QuantityKind::AngularVelocity, _) => Measures::AngularVelocity,
-            (_, Some(Self::Lengths)) => Measures::Length,
-            _ => return None,
+        named(heading).and_then(|measured| self.other_than(measured))
+    }
+
+    /// Returns whether the unit of a heading, or without one its name, says that its column holds this.
+    pub(super) fn is_said_by(self, heading: &Heading) -> bool {
+        let measured = match (heading.unit, &heading.unit_text) {
+            (Some(unit), _) => Some(unit.measures()),
+            (None, _) => named(heading),
         };
-        self.other_than(measured)
+        measured.is_some_and(|measured| self.other_than(measured).is_none())
     }
 
     pub(super) fn unit_written_in(self, heading: &Heading) -> WrittenUnit {
@@ -96,5 +96,18 @@ impl Role {
             (Some(unit), _) => WrittenUnit::Known(unit),
             (None, None) => WrittenUnit::Nothing,
         }
+    }
+}
+
+/// The quantity of a name.
+fn named(heading: &Heading) -> Option<Measures> {
+    let name = heading.name.to_lowercase().replace('_', " ");
+    let named = NAMES.iter().find(|(_, names)| names.contains(&name.as_str())).map(|(role, _)| *role);
+    match (heading.quantity, named) {
+        (QuantityKind::Time, _) | (_, Some(Role::Times)) => Some(Measures::Time),
+        (QuantityKind::Angle, _) | (_, Some(Role::Angles)) => Some(Measures::Angle),
+        (QuantityKind::AngularVelocity, _) => Some(Measures::AngularVelocity),
+        (_, Some(Role::Lengths)) => Some(Measures::Length),
+        _ => None,
     }
 }

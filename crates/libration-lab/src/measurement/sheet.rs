@@ -4,7 +4,7 @@ use super::cell_units::CellUnits;
 use super::dialect::{Dialect, Row};
 use super::heading::Heading;
 use super::layout::Layout;
-use super::number::Cell;
+use super::number::{Cell, decimals};
 use super::options::ReadOptions;
 use super::{Column, MeasurementError};
 use libration::quantity::{excerpt, printable};
@@ -17,6 +17,10 @@ pub struct Channel {
     pub(super) cells: Vec<Cell>,
     /// Every cell that is neither a number nor missing, with its row.
     pub(super) words: Vec<(usize, String)>,
+    /// The uncertainty that each cell has of its own.
+    pub(super) uncertainties: Vec<Option<f64>>,
+    /// Largest number of decimals of its numbers.
+    pub(super) decimals: u16,
 }
 
 impl Channel {
@@ -52,6 +56,18 @@ impl Channel {
         !self.words.is_empty() && self.count() == 0
     }
 
+    /// The cell as a label: a word, or a number in short; none where it is missing.
+    pub(super) fn label(&self, row: usize) -> Option<String> {
+        match self.cells[row] {
+            Cell::Number(number) => Some(number.to_string()),
+            Cell::Missing => None,
+            Cell::Text => {
+                let at = self.words.binary_search_by_key(&row, |(row, _)| *row).ok()?;
+                Some(self.words[at].1.clone())
+            }
+        }
+    }
+
     /// The smallest and the largest number.
     #[must_use]
     pub fn range(&self) -> Option<(f64, f64)> {
@@ -77,6 +93,8 @@ pub struct Sheet {
     pub dialect: Dialect,
     /// The line that names the columns, where there is one.
     pub header_line: Option<u64>,
+    /// The line that is both header and first row, where there is one.
+    pub divided_line: Option<u64>,
     /// The lines above the header, which are left out.
     pub preamble: Vec<(u64, String)>,
     /// Names in the header that have no column below them.
@@ -97,11 +115,13 @@ impl Sheet {
     ) -> Result<Self, MeasurementError> {
         let dialect = dialect.with_units_of(text);
         let layout = Layout::read(text, dialect, options.header)?;
-        let channel = |heading| Channel { heading, cells: Vec::new(), words: Vec::new() };
+        let channel =
+            |heading| Channel { heading, cells: vec![], words: vec![], uncertainties: vec![], decimals: 0 };
         let mut sheet = Self {
             name: printable(name),
             dialect,
             header_line: layout.header_line,
+            divided_line: None,
             preamble: layout.preamble.into_iter().map(|(line, text)| (line, printable(&text))).collect(),
             names_without_column: layout.beyond.iter().map(|name| printable(name)).collect(),
             channels: layout.headings.into_iter().map(channel).collect(),
@@ -124,7 +144,7 @@ impl Sheet {
             let channel = &mut self.channels[place];
             let unit = channel.heading.unit.unwrap_or(first);
             units
-                .bring(place, &mut channel.cells, unit)
+                .bring(place, channel, unit)
                 .map_err(|found| MeasurementError::MixedUnits { column, found })?;
             channel.heading.set_unit(unit);
         }
@@ -139,7 +159,7 @@ impl Sheet {
         }
         let place = self.lines.len();
         self.lines.push(row.line);
-        for (channel, text) in self.channels.iter_mut().zip(&row.cells) {
+        for (column, (channel, text)) in self.channels.iter_mut().zip(&row.cells).enumerate() {
             if text.contains('\n') {
                 return Err(MeasurementError::UnclosedQuote { line: row.line });
             }
@@ -147,9 +167,21 @@ impl Sheet {
             if cell == Cell::Text {
                 channel.words.push((place, excerpt(text)));
             }
+            if cell.is_number() {
+                channel.decimals = channel.decimals.max(decimals(text));
+            }
             channel.cells.push(cell);
+            channel.uncertainties.push(row.uncertainties.get(column).copied().flatten());
         }
         Ok(())
+    }
+
+    /// The sheet with the lines of its file, whose header and first row were one.
+    pub(super) fn with_header_in_first_row(mut self, divided: u64) -> Self {
+        let of_file = |line: u64| if line > divided { line - 1 } else { line };
+        self.lines.iter_mut().for_each(|line| *line = of_file(*line));
+        self.divided_line = Some(divided);
+        self
     }
 
     /// Number of rows.

@@ -2,7 +2,7 @@
 
 use super::dialect::{Delimiter, Dialect};
 use super::options::ReadOptions;
-use super::recording::Recording;
+use super::recording::{Recording, divided};
 use super::sheet::Sheet;
 use super::{Column, MeasurementError};
 
@@ -36,14 +36,65 @@ pub struct Selection {
     pub dropped: usize,
 }
 
+/// Readings of quantities, in the rows that have one of each.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Readings {
+    /// The readings of each quantity, row by row.
+    pub quantities: Vec<Vec<Vec<f64>>>,
+    /// The uncertainties that the cells of each quantity have of their own, where all have one.
+    pub uncertainties: Vec<Option<Vec<f64>>>,
+    /// The line each row came from, counted from one.
+    pub lines: Vec<u64>,
+    /// The row of the table, counted from zero.
+    pub rows: Vec<usize>,
+    /// Number of rows that were left out because a quantity has no number.
+    pub dropped: usize,
+}
+
+/// Words of rows that summarise others.
+const SUMMARY: [&str; 20] = [
+    "mean",
+    "average",
+    "avg",
+    "avg.",
+    "median",
+    "std",
+    "std.",
+    "sd",
+    "stdev",
+    "st. dev.",
+    "standard deviation",
+    "sum",
+    "total",
+    "mittelwert",
+    "mittel",
+    "moyenne",
+    "media",
+    "standardabweichung",
+    "uncertainty",
+    "error",
+];
+
 impl Table {
     /// The table in these bytes; of a workbook, the first sheet with two columns of numbers.
     ///
     /// # Errors
     /// Those of [`Recording::read`].
     pub fn read(bytes: &[u8], options: &ReadOptions) -> Result<Self, MeasurementError> {
+        Self::read_sheet(bytes, options, None)
+    }
+
+    /// The same of a sheet that is chosen by its name or its number.
+    ///
+    /// # Errors
+    /// Those of [`Recording::read`]; no such sheet.
+    pub fn read_sheet(
+        bytes: &[u8],
+        options: &ReadOptions,
+        sheet: Option<&Column>,
+    ) -> Result<Self, MeasurementError> {
         let recording = Recording::read(bytes, options)?;
-        let (sheet, sheets) = recording.into_sheet_of_numbers();
+        let (sheet, sheets) = recording.into_sheet(sheet)?;
         let named = sheet.header_line.is_some();
         let names = sheet.channels.iter().filter(|_| named).map(|it| it.heading.text.clone()).collect();
         Ok(Self { sheet, names, sheets })
@@ -87,7 +138,7 @@ impl Table {
             columns.iter().map(|column| self.sheet.place(column)).collect::<Result<_, _>>()?;
         let mut selection =
             Selection { columns: vec![Vec::new(); places.len()], lines: Vec::new(), dropped: 0 };
-        for row in 0..self.sheet.rows() {
+        for row in self.rows() {
             match self.numbers(row, &places)? {
                 Some(numbers) => selection.push(self.sheet.lines[row], &numbers),
                 None => selection.dropped += 1,
@@ -99,11 +150,114 @@ impl Table {
         Ok(selection)
     }
 
+    /// The readings of several quantities, each in one column or more, row by row; rows without a reading of one of them are dropped and
+    /// counted. A quantity without columns has none.
+    ///
+    /// # Errors
+    /// Those of [`select`](Self::select).
+    pub fn readings(&self, quantities: &[Vec<Column>]) -> Result<Readings, MeasurementError> {
+        let places = |columns: &Vec<Column>| columns.iter().map(|it| self.sheet.place(it)).collect();
+        let places: Vec<Vec<usize>> = quantities.iter().map(places).collect::<Result<_, _>>()?;
+        let mut found = Readings {
+            quantities: vec![vec![]; places.len()],
+            uncertainties: vec![Some(vec![]); places.len()],
+            lines: vec![],
+            rows: vec![],
+            dropped: 0,
+        };
+        for row in self.rows() {
+            let of_row: Vec<Vec<f64>> =
+                places.iter().map(|columns| self.present(row, columns)).collect::<Result<_, _>>()?;
+            if of_row.iter().zip(&places).any(|(numbers, columns)| numbers.is_empty() && !columns.is_empty())
+            {
+                found.dropped += 1;
+                continue;
+            }
+            found.push(self.sheet.lines[row], row, of_row);
+            for (uncertainties, columns) in found.uncertainties.iter_mut().zip(&places) {
+                let own = columns.first().and_then(|&place| self.sheet.channels[place].uncertainties[row]);
+                match (uncertainties.as_mut(), own) {
+                    (Some(known), Some(own)) if columns.len() == 1 => known.push(own),
+                    _ => *uncertainties = None,
+                }
+            }
+        }
+        match found.lines.is_empty() {
+            true => Err(MeasurementError::NothingComplete(self.sheet.rows())),
+            false => Ok(found),
+        }
+    }
+
+    /// The labels of these rows in a column, such as names of groups; empty where a cell is.
+    ///
+    /// # Errors
+    /// No such column.
+    pub fn labels(&self, column: &Column, rows: &[usize]) -> Result<Vec<String>, MeasurementError> {
+        let channel = &self.sheet.channels[self.sheet.place(column)?];
+        Ok(rows.iter().map(|&row| channel.label(row).unwrap_or_default()).collect())
+    }
+
+    /// The last digit of the numbers in a column, in the unit of the column; none where it has no numbers.
+    ///
+    /// # Errors
+    /// No such column.
+    pub fn step(&self, column: &Column) -> Result<f64, MeasurementError> {
+        let channel = &self.sheet.channels[self.sheet.place(column)?];
+        Ok(libm::exp10(-f64::from(channel.decimals)))
+    }
+
+    /// Lines of rows that summarise others, as their word `mean` says, with that word; they are left out.
+    #[must_use]
+    pub fn summaries(&self) -> Vec<(u64, &str)> {
+        let summary = |row| Some((self.sheet.lines[row], self.summary(row)?));
+        (0..self.sheet.rows()).filter_map(summary).collect()
+    }
+
+    /// What was done with the lines of the file, as sentences without a full stop: a line that was divided, rows that were left out.
+    #[must_use]
+    pub fn notes(&self) -> Vec<String> {
+        let divided = self.sheet.divided_line.map(divided);
+        let summary = |(line, word): (u64, &str)| {
+            format!("line {line} (`{word}`) is left out: it summarises other rows")
+        };
+        divided.into_iter().chain(self.summaries().into_iter().map(summary)).collect()
+    }
+
+    /// The word by which a row summarises others.
+    fn summary(&self, row: usize) -> Option<&str> {
+        let words = (0..self.width()).filter_map(|place| self.sheet.word(place, row));
+        let is_of_summary =
+            |word: &&str| SUMMARY.contains(&word.trim_end_matches([':', '=']).trim().to_lowercase().as_str());
+        words.filter(is_of_summary).last()
+    }
+
+    /// The rows that summarise no others.
+    fn rows(&self) -> impl Iterator<Item = usize> {
+        (0..self.sheet.rows()).filter(|&row| self.summary(row).is_none())
+    }
+
+    /// The numbers in these columns of a row, without missing ones.
+    fn present(&self, row: usize, places: &[usize]) -> Result<Vec<f64>, MeasurementError> {
+        let numbers: Vec<Option<f64>> =
+            places.iter().map(|&place| self.sheet.number(place, row)).collect::<Result<_, _>>()?;
+        Ok(numbers.into_iter().flatten().collect())
+    }
+
     /// The numbers of a row, or nothing when one of them is missing.
     fn numbers(&self, row: usize, places: &[usize]) -> Result<Option<Vec<f64>>, MeasurementError> {
         let numbers: Vec<Option<f64>> =
             places.iter().map(|&place| self.sheet.number(place, row)).collect::<Result<_, _>>()?;
         Ok(numbers.into_iter().collect())
+    }
+}
+
+impl Readings {
+    fn push(&mut self, line: u64, row: usize, of_row: Vec<Vec<f64>>) {
+        self.lines.push(line);
+        self.rows.push(row);
+        for (quantity, numbers) in self.quantities.iter_mut().zip(of_row) {
+            quantity.push(numbers);
+        }
     }
 }
 

@@ -43,19 +43,6 @@ impl Table {
         }
     }
 
-    /// The unit that is written over a column of uncertainties of such values.
-    ///
-    /// # Errors
-    /// No such column; a heading with a unit or a name of something else.
-    pub fn unit_of_uncertainty(&self, column: &Column, role: Role) -> Result<WrittenUnit, MeasurementError> {
-        let (sheet, place) = (self.sheet(), self.sheet().place(column)?);
-        let heading = &sheet.channels[place].heading;
-        match role.contradicted_by(heading) {
-            Some(other) => Err(holds_other(sheet, place, other, role)),
-            None => Ok(role.unit_written_in(heading)),
-        }
-    }
-
     /// `` column 2 (`Angle`) ``, as messages name it.
     ///
     /// # Errors

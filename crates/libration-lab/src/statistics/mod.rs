@@ -11,6 +11,7 @@ pub(crate) mod triangle;
 
 pub(crate) mod akaike;
 pub(crate) mod chi_squared;
+pub(crate) mod fisher;
 pub(crate) mod levenberg_marquardt;
 pub(crate) mod student;
 

@@ -25,6 +25,14 @@ pub fn probability_beyond(t: f64, dof: usize) -> f64 {
     (1.0 - inside).clamp(0.0, 1.0)
 }
 
+/// The same for any degrees of freedom, cut down to a whole number, of one at least; infinite ones are allowed.
+pub(crate) fn probability_beyond_any(t: f64, dof: f64) -> f64 {
+    match dof.floor().max(1.0) {
+        whole if whole < MANY => probability_beyond(t, to_count(whole)),
+        _ => libm::erfc(t.abs() / std::f64::consts::SQRT_2),
+    }
+}
+
 /// Degrees of freedom from which the quantile is the normal one with its first correction: the next is below 1e-8.
 const MANY: f64 = 1e4;
 

@@ -311,7 +311,8 @@ fn a_gravity_found_nowhere_on_earth_is_blamed_on_the_length() {
     }
     for length in [0.9945, 1.0030] {
         let found = of_length(length).warnings();
-        let [warning @ BudgetWarning::GravityContradicted { length: given, likely_length }] = &found[..]
+        let [warning @ BudgetWarning::GravityContradicted { length: given, likely_length, mistake: None }] =
+            &found[..]
         else {
             panic!("{length}: {found:?}")
         };
@@ -319,5 +320,10 @@ fn a_gravity_found_nowhere_on_earth_is_blamed_on_the_length() {
         assert_eq!(warning.name(), "gravity_contradicted");
         assert!(warning.to_string().contains("the length is about 0.999 m and not"), "{warning}");
     }
+    let halves = of_length(4.0).warnings();
+    assert!(
+        halves[0].to_string().ends_with("what half periods taken for whole ones would give"),
+        "{halves:?}"
+    );
     assert_eq!(BudgetWarning::NotLinear.name(), "budget");
 }

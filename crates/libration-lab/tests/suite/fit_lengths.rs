@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use libration::pendulum::period_ratio;
 use libration::quantity::Quantity;
 use libration_lab::fit::{
-    BudgetInput, CountedAs, FitError, LengthColumns, LengthModel, LengthTable, LengthsFit, LengthsOptions,
-    LengthsWarning, lengths,
+    BudgetInput, FitError, GravityMistake, LengthColumns, LengthModel, LengthTable, LengthsFit,
+    LengthsOptions, LengthsWarning, lengths,
 };
 
 use crate::random::Random;
@@ -32,7 +32,7 @@ fn table(lengths: &[f64], periods: &[f64], sigma: Option<&[f64]>) -> LengthTable
 fn fitted(lengths_given: &[f64], periods: &[f64], radius: Option<f64>) -> LengthsFit {
     let sigma = vec![1e-3; periods.len()];
     let bob_radius = radius.map(|value| Quantity { value, uncertainty: None });
-    let options = LengthsOptions { bob_radius, clock: None };
+    let options = LengthsOptions { bob_radius, ..LengthsOptions::default() };
     lengths(&table(lengths_given, periods, Some(&sigma)), &options).unwrap()
 }
 
@@ -207,6 +207,7 @@ fn clock_and_bob_are_part_of_the_uncertainty() {
     let of_radius = |value: f64| LengthsOptions {
         bob_radius: Some(Quantity { value, uncertainty: Some(0.01) }),
         clock: Some(0.002),
+        ..LengthsOptions::default()
     };
     let found = g(&of_radius(0.06));
     let of = |input| *found.combined.contributions.iter().find(|each| each.input == input).unwrap();
@@ -219,7 +220,7 @@ fn clock_and_bob_are_part_of_the_uncertainty() {
     let together = squares.iter().sum::<f64>().sqrt();
     assert!((found.gravity().uncertainty / together - 1.0).abs() < 1e-4);
     for clock in [-0.1, f64::NAN, f64::INFINITY] {
-        let refused = lengths(&columns, &LengthsOptions { bob_radius: None, clock: Some(clock) });
+        let refused = lengths(&columns, &LengthsOptions { clock: Some(clock), ..LengthsOptions::default() });
         assert!(matches!(refused, Err(FitError::Clock(_))), "{clock}");
     }
 }
@@ -242,10 +243,10 @@ fn a_gravity_found_nowhere_is_explained_by_the_count_of_periods_where_that_can_b
             warnings.into_iter().filter(|warning| matches!(warning, LengthsWarning::NowhereOnEarth { .. }));
         nowhere.collect::<Vec<_>>()
     };
-    let nowhere = |counted| vec![LengthsWarning::NowhereOnEarth { counted }];
+    let nowhere = |mistake| vec![LengthsWarning::NowhereOnEarth { mistake }];
     assert_eq!(counted(1.0), []);
-    assert_eq!(counted(2.0), nowhere(Some(CountedAs::HalfPeriodsAsWhole)));
-    assert_eq!(counted(0.5), nowhere(Some(CountedAs::WholePeriodsAsHalf)));
+    assert_eq!(counted(2.0), nowhere(Some(GravityMistake::HalfPeriodsAsWhole)));
+    assert_eq!(counted(0.5), nowhere(Some(GravityMistake::WholePeriodsAsHalf)));
     assert_eq!(counted(2.9_f64.sqrt()), nowhere(None));
     assert_eq!(counted(0.31_f64.sqrt()), nowhere(None));
     assert_eq!(nowhere(None)[0].name(), "gravity_contradicted");
@@ -321,8 +322,10 @@ fn offsets_of_a_bob_that_nearly_touches_the_pivot_are_not_chosen_from() {
     let given = [0.1, 0.105, 0.11, 0.115, 0.12, 0.125];
     let periods: Vec<f64> = given.iter().map(|&length| period(length, 0.005, 0.1)).collect();
     let bob_radius = Some(Quantity { value: 0.1, uncertainty: None });
-    let refused =
-        lengths(&table(&given, &periods, Some(&[1e-4; 6])), &LengthsOptions { bob_radius, clock: None });
+    let refused = lengths(
+        &table(&given, &periods, Some(&[1e-4; 6])),
+        &LengthsOptions { bob_radius, ..LengthsOptions::default() },
+    );
     assert_eq!(refused, Err(FitError::BobRadius { radius: 0.1 }));
 }
 

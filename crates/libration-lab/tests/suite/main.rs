@@ -8,6 +8,7 @@ mod synthetic_gate;
 mod synthetic_response;
 mod synthetic_trace;
 
+mod class_readings;
 mod continuation;
 mod damping_bias;
 mod fit;

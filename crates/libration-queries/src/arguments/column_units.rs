@@ -1,12 +1,20 @@
 //! The units of chosen columns: said by an option, else written in the header, else those of the SI.
 
 use super::{ChosenColumns, CountedOptions};
-use libration_lab::measurement::{Column, MeasurementError, Role, Table, Unit, WrittenUnit};
+use crate::output::number;
+use libration_lab::fit::RepeatedReadings;
+use libration_lab::measurement::{
+    Column, MeasurementError, Readings, Role, Table, TableQuantity, UncertaintyKind, Unit, WrittenUnit,
+};
 
 /// The quantity expected in a column, and the options given for it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wanted {
+    /// Its name, as roles have it.
+    name: &'static str,
     role: Role,
+    /// Beginnings of headings without which it is not inferred.
+    only_named: Option<&'static [&'static str]>,
     /// The option of the unit, and the unit where it is said.
     option: Option<(&'static str, Option<Unit>)>,
     /// Index of the column of which these are the uncertainties.
@@ -27,14 +35,21 @@ struct ColumnUnits<const N: usize> {
 /// The numbers of chosen columns in units of the SI, in the rows that have them all.
 #[derive(Clone, Debug)]
 pub(crate) struct ColumnsInSi<const N: usize> {
+    /// Values, or means of repeated readings, and standard uncertainties.
     pub(crate) columns: [Option<Vec<f64>>; N],
+    /// Repeated readings of the values.
+    pub(crate) repeated: [Option<RepeatedReadings>; N],
+    /// Standard uncertainties of single values by the rounding to their last digit, row by row.
+    pub(crate) rounding: [Vec<f64>; N],
     /// The line each row came from, counted from one.
     pub(crate) lines: Vec<u64>,
     /// Number of incomplete rows.
     pub(crate) dropped: usize,
-    /// Number of periods that the times of each column lasted.
+    /// Number of periods that the times of each column lasted, where no column numbers them.
     pub(crate) counts: [f64; N],
-    /// Settings inferred from the header.
+    /// Names of the groups of the rows.
+    pub(crate) groups: Option<Vec<String>>,
+    /// Settings inferred from the file.
     pub(crate) inferences: Vec<String>,
     /// Units in which the columns were read.
     pub(crate) units: [Unit; N],
@@ -47,52 +62,290 @@ impl<const N: usize> ColumnsInSi<N> {
         chosen: &ChosenColumns<N>,
         wanted: &[Wanted; N],
     ) -> Result<Self, String> {
-        let ChosenColumns { columns: chosen, note, is_said } = chosen;
-        let asked: Vec<Column> = chosen.iter().flatten().cloned().collect();
-        let selection = table.select(&asked).map_err(|error| error.to_string())?;
-        let units = ColumnUnits::from_headings(table, chosen, wanted, *is_said)?;
-        let columns = units.in_si(selection.columns, chosen);
+        let asked: Vec<Vec<Column>> = chosen
+            .columns
+            .iter()
+            .cloned()
+            .chain([chosen.column_of_swings.clone().into_iter().collect()])
+            .collect();
+        let read = table.readings(&asked).map_err(|error| error.to_string())?;
+        let units = ColumnUnits::from_headings(table, chosen, wanted)?;
+        let swings = read.quantities.last().filter(|_| chosen.column_of_swings.is_some());
+        let swings = swings.map(|swings| swings.iter().map(|it| it[0]).collect());
+        let rows = SiRows { table, chosen, wanted, units: &units, read: &read, swings };
+        let rows = rows.checked()?;
+        let repeated: [Option<RepeatedReadings>; N] = std::array::from_fn(|place| rows.repeated(place));
+        let groups = chosen.column_of_groups.as_ref().map(|column| table.labels(column, &read.rows));
         let sheet = table.chosen_sheet().map(|name| format!("sheet `{name}` is read"));
+        let of_readings = (0..N).flat_map(|place| rows.described(place, repeated[place].as_ref()));
+        let inferences = sheet
+            .into_iter()
+            .chain(table.notes())
+            .chain(chosen.notes.iter().cloned())
+            .chain(units.inferences.iter().cloned())
+            .chain(of_readings)
+            .collect();
         Ok(Self {
-            columns,
-            lines: selection.lines,
-            dropped: selection.dropped,
+            columns: std::array::from_fn(|place| rows.column(place, &repeated)),
+            rounding: std::array::from_fn(|place| rows.rounding(place)),
+            groups: groups.transpose().map_err(|error| error.to_string())?,
+            lines: read.lines.clone(),
+            dropped: read.dropped,
             counts: units.counts,
-            inferences: sheet.into_iter().chain(units.inferences).chain(note.clone()).collect(),
             units: units.units,
+            repeated,
+            inferences,
         })
     }
+}
+
+/// The rows of a table on their way to the SI.
+struct SiRows<'a, const N: usize> {
+    table: &'a Table,
+    chosen: &'a ChosenColumns<N>,
+    wanted: &'a [Wanted; N],
+    units: &'a ColumnUnits<N>,
+    read: &'a Readings,
+    /// The number of swings of each row, by a column.
+    swings: Option<Vec<f64>>,
+}
+
+impl<const N: usize> SiRows<'_, N> {
+    /// The same rows, whose numbers of swings are usable.
+    fn checked(self) -> Result<Self, String> {
+        let bad = self.swings.iter().flatten().position(|swings| *swings <= 0.0);
+        match bad {
+            Some(row) => Err(format!("line {}: a number of swings is not above zero", self.read.lines[row])),
+            None => Ok(self),
+        }
+    }
+
+    /// Number of periods that a time lasts; one for what is not a time.
+    fn swings_of(&self, place: usize, row: usize) -> f64 {
+        match &self.swings {
+            Some(swings) if self.wanted[place].counted.is_some_and(|it| it.said().is_none()) => swings[row],
+            _ => self.units.counts[place],
+        }
+    }
+
+    /// The readings of a row in the SI, not divided by the number of periods.
+    fn readings(&self, place: usize, row: usize) -> Vec<f64> {
+        let in_si = |number: &f64| {
+            let value = self.units.units[place].to_si(*number);
+            // A square of times is as often of seconds as the unit of the times is.
+            if self.chosen.are_squares[place] { number.sqrt() } else { value }
+        };
+        self.read.quantities[place][row].iter().map(in_si).collect()
+    }
+
+    /// The last digit of the readings, in the SI.
+    fn step(&self, place: usize) -> f64 {
+        let steps = self.chosen.columns[place].iter().map(|column| self.table.step(column).unwrap_or(0.0));
+        let step = self.units.units[place].to_si(steps.fold(0.0, f64::max));
+        if self.chosen.are_squares[place] { 0.0 } else { step }
+    }
+
+    /// Repeated readings of values, as those of one period.
+    fn repeated(&self, place: usize) -> Option<RepeatedReadings> {
+        let is_value = self.wanted[place].uncertainties_of.is_none() && self.chosen.columns[place].len() > 1;
+        if !is_value {
+            return None;
+        }
+        let rows = 0..self.read.lines.len();
+        let readings: Vec<Vec<f64>> = rows.map(|row| self.readings(place, row)).collect();
+        let mut found = RepeatedReadings::new(&readings, self.step(place))?;
+        for (row, mean) in found.rows.iter_mut().enumerate() {
+            *mean = mean.times(1.0 / self.swings_of(place, row));
+        }
+        Some(found)
+    }
+
+    /// Standard uncertainties by rounding.
+    fn rounding(&self, place: usize) -> Vec<f64> {
+        let of_reading = UncertaintyKind::Resolution.standard(self.step(place));
+        (0..self.read.lines.len()).map(|row| of_reading / self.swings_of(place, row)).collect()
+    }
+
+    fn column(&self, place: usize, repeated: &[Option<RepeatedReadings>; N]) -> Option<Vec<f64>> {
+        match self.wanted[place].uncertainties_of {
+            None => self.values(place, repeated[place].as_ref()),
+            Some(of) => self.uncertainties(place, of, repeated[of].as_ref()),
+        }
+    }
+
+    fn values(&self, place: usize, repeated: Option<&RepeatedReadings>) -> Option<Vec<f64>> {
+        if self.chosen.columns[place].is_empty() {
+            return None;
+        }
+        if let Some(repeated) = repeated {
+            return Some(repeated.rows.iter().map(|row| row.mean).collect());
+        }
+        let rows = 0..self.read.lines.len();
+        let value = |row: usize| {
+            let readings = self.readings(place, row);
+            let sum: f64 = readings.iter().sum();
+            // One reading is exactly itself.
+            let mean = if readings.len() == 1 { readings[0] } else { sum / count(readings.len()) };
+            mean / self.swings_of(place, row)
+        };
+        Some(rows.map(value).collect())
+    }
+
+    /// Standard uncertainties: of a column, else of repeated readings, else those of the cells.
+    fn uncertainties(
+        &self,
+        place: usize,
+        of: usize,
+        repeated: Option<&RepeatedReadings>,
+    ) -> Option<Vec<f64>> {
+        let (kind, unit) = (self.chosen.kinds[place], self.units.units[place]);
+        let own = self.read.uncertainties[of].as_ref().filter(|_| !self.chosen.columns[of].is_empty());
+        let written: Vec<f64> = match (self.chosen.columns[place].is_empty(), repeated, own) {
+            (false, ..) => {
+                self.read.quantities[place].iter().map(|it| kind.standard(unit.to_si(it[0]))).collect()
+            }
+            (true, Some(repeated), _) => {
+                return Some(repeated.rows.iter().map(|row| row.uncertainty).collect());
+            }
+            (true, None, Some(own)) => own.iter().map(|it| self.units.units[of].to_si(*it)).collect(),
+            (true, None, None) => return None,
+        };
+        // u(T) = u(T²)/2T.
+        let of_root = |row: usize| match self.chosen.are_squares[of] {
+            true => 0.5 / self.readings(of, row)[0],
+            false => 1.0,
+        };
+        let of_one = |(row, spread): (usize, f64)| spread * of_root(row) / self.swings_of(of, row);
+        Some(written.into_iter().enumerate().map(of_one).collect())
+    }
+
+    /// Sentences about repeated readings.
+    fn described(&self, place: usize, repeated: Option<&RepeatedReadings>) -> Vec<String> {
+        let (Some(repeated), Some(quantity)) = (repeated, self.wanted[place].quantity()) else {
+            return vec![];
+        };
+        let unit = self.wanted[place].usual();
+        let scatter = number::rounded(repeated.deviation, 2);
+        let unlike = repeated.rows.iter().zip(&self.read.lines).filter(|(row, _)| row.is_unlike);
+        let unlike: Vec<String> = unlike.map(|(_, line)| line.to_string()).collect();
+        let of_unlike = if unlike.is_empty() {
+            String::new()
+        } else {
+            format!("; those of line {} scatter more, and count by their own scatter", unlike.join(", "))
+        };
+        let mut said = vec![format!(
+            "the readings of the {} scatter by {scatter} {unit} ({} degrees of freedom){of_unlike}",
+            quantity.name, repeated.degrees_of_freedom
+        )];
+        if let Some(rounding) = repeated.rounding {
+            said.push(format!(
+                "the readings of the {} scatter less than their last digit, whose {} {unit} are added",
+                quantity.name,
+                number::rounded(rounding, 2)
+            ));
+        }
+        for &(row, reading) in &repeated.outliers {
+            let value = number::rounded(self.readings(place, row)[reading], 6);
+            said.push(format!(
+                "line {}: {value} {unit} is far from the other readings of the {}; it is not removed",
+                self.read.lines[row], quantity.name
+            ));
+        }
+        said
+    }
+}
+
+#[expect(clippy::cast_precision_loss, reason = "a number of columns")]
+fn count(things: usize) -> f64 {
+    things as f64
 }
 
 impl Wanted {
     /// Periods, from times that may last several of them.
     pub(crate) fn periods(counted: CountedOptions) -> Self {
-        Self { role: Role::Times, option: None, uncertainties_of: None, counted: Some(counted) }
+        Self {
+            name: "period",
+            only_named: None,
+            role: Role::Times,
+            option: None,
+            uncertainties_of: None,
+            counted: Some(counted),
+        }
     }
 
     pub(crate) fn lengths(said: Option<impl Into<Unit>>) -> Self {
         let option = Some(("--length-unit", said.map(Into::into)));
-        Self { role: Role::Lengths, option, uncertainties_of: None, counted: None }
+        Self {
+            name: "length",
+            only_named: None,
+            role: Role::Lengths,
+            option,
+            uncertainties_of: None,
+            counted: None,
+        }
     }
 
     pub(crate) fn amplitudes(said: Option<impl Into<Unit>>) -> Self {
         let option = Some(("--amplitude-unit", said.map(Into::into)));
-        Self { role: Role::Angles, option, uncertainties_of: None, counted: None }
+        Self {
+            name: "amplitude",
+            only_named: None,
+            role: Role::Angles,
+            option,
+            uncertainties_of: None,
+            counted: None,
+        }
     }
 
     pub(crate) fn frequencies(said: Option<impl Into<Unit>>) -> Self {
         let option = Some(("--frequency-unit", said.map(Into::into)));
-        Self { role: Role::Frequencies, option, uncertainties_of: None, counted: None }
+        Self {
+            name: "frequency",
+            only_named: None,
+            role: Role::Frequencies,
+            option,
+            uncertainties_of: None,
+            counted: None,
+        }
     }
 
     pub(crate) fn displacements(said: Option<impl Into<Unit>>) -> Self {
         let option = Some(("--amplitude-unit", said.map(Into::into)));
-        Self { role: Role::Displacements, option, uncertainties_of: None, counted: None }
+        Self {
+            name: "amplitude",
+            only_named: None,
+            role: Role::Displacements,
+            option,
+            uncertainties_of: None,
+            counted: None,
+        }
     }
 
     pub(crate) fn phases(said: Option<impl Into<Unit>>) -> Self {
         let option = Some(("--phase-unit", said.map(Into::into)));
-        Self { role: Role::Angles, option, uncertainties_of: None, counted: None }
+        Self {
+            name: "phase",
+            only_named: None,
+            role: Role::Angles,
+            option,
+            uncertainties_of: None,
+            counted: None,
+        }
+    }
+
+    /// The same, inferred only from a heading that begins like this.
+    pub(crate) fn only_named(self, beginnings: &'static [&'static str]) -> Self {
+        Self { only_named: Some(beginnings), ..self }
+    }
+
+    /// The quantity; none of uncertainties.
+    pub(super) fn quantity(self) -> Option<TableQuantity> {
+        let quantity = TableQuantity { name: self.name, role: self.role, only_named: self.only_named };
+        self.uncertainties_of.is_none().then_some(quantity)
+    }
+
+    pub(super) fn uncertainties_of(self) -> Option<usize> {
+        self.uncertainties_of
     }
 
     /// The uncertainties of what the column at this place holds.
@@ -111,8 +364,8 @@ impl Wanted {
 
     fn written(self, table: &Table, column: &Column, is_said: bool) -> Result<WrittenUnit, MeasurementError> {
         match self.uncertainties_of {
-            _ if is_said => table.unit_of_chosen(column, self.role),
-            Some(_) => table.unit_of_uncertainty(column, self.role),
+            Some(_) => table.unit_of_chosen(column, self.role),
+            None if is_said => table.unit_of_chosen(column, self.role),
             None => table.unit(column, self.role),
         }
     }
@@ -164,37 +417,34 @@ impl Wanted {
 
 impl<const N: usize> ColumnUnits<N> {
     /// The units of the columns that are chosen; uncertainties without a unit have that of their values.
-    fn from_headings(
-        table: &Table,
-        columns: &[Option<Column>; N],
-        wanted: &[Wanted; N],
-        is_said: bool,
-    ) -> Result<Self, String> {
+    fn from_headings(table: &Table, chosen: &ChosenColumns<N>, wanted: &[Wanted; N]) -> Result<Self, String> {
         let (mut units, mut counts, mut inferences) = (wanted.map(Wanted::usual), [1.0; N], Vec::new());
-        for (place, (column, wanted)) in columns.iter().zip(wanted).enumerate() {
-            let Some(column) = column else { continue };
+        for (place, (columns, wanted)) in chosen.columns.iter().zip(wanted).enumerate() {
             let usual = wanted.uncertainties_of.map_or(units[place], |of| units[of]);
-            let (unit, sentence) = wanted.unit(table, column, usual, is_said)?;
-            units[place] = unit;
-            inferences.extend(sentence);
-            if let Some(counted) = wanted.counted {
-                let usual = wanted.uncertainties_of.map_or(1.0, |of| counts[of]);
-                let (count, sentence) = counted.count(table, column, usual)?;
-                counts[place] = count;
-                inferences.extend(sentence);
+            for (number, column) in columns.iter().enumerate() {
+                if chosen.are_squares[place] {
+                    continue;
+                }
+                let (unit, of_unit) = wanted.unit(table, column, usual, chosen.is_said)?;
+                let by_quotient = chosen.swings[place].unwrap_or(1.0);
+                let usual = wanted.uncertainties_of.map_or(by_quotient, |of| counts[of]);
+                let counted =
+                    wanted.counted.map(|counted| counted.count(table, column, usual)).transpose()?;
+                let (count, of_count) = counted.unwrap_or((1.0, None));
+                let is_as_before = unit == units[place] && count.total_cmp(&counts[place]).is_eq();
+                if number > 0 && !is_as_before {
+                    let column = table.describe(column).map_err(refusal)?;
+                    return Err(format!(
+                        "{column} has another unit or number of swings than the other readings: use <--columns> or <--role>"
+                    ));
+                }
+                (units[place], counts[place]) = (unit, count);
+                if number == 0 {
+                    inferences.extend(of_unit.into_iter().chain(of_count));
+                }
             }
         }
         Ok(Self { units, counts, inferences })
-    }
-
-    /// The numbers of the columns in units of the SI, times as those of one period.
-    fn in_si(&self, columns: Vec<Vec<f64>>, chosen: &[Option<Column>; N]) -> [Option<Vec<f64>>; N] {
-        let mut columns = columns.into_iter();
-        std::array::from_fn(|place| {
-            let numbers = chosen[place].as_ref().and_then(|_| columns.next())?;
-            let (unit, count) = (self.units[place], self.counts[place]);
-            Some(numbers.into_iter().map(|number| unit.to_si(number) / count).collect())
-        })
     }
 }
 

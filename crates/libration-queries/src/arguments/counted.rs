@@ -6,19 +6,19 @@ use libration_lab::measurement::{Column, CountedPeriods, Table};
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub(crate) struct CountedOptions {
     /// The times are half periods, from one side to the other
-    #[arg(long, conflicts_with = "periods_per_row")]
+    #[arg(long, conflicts_with = "swings_per_reading")]
     half_periods: bool,
-    /// Each time spans this many periods [default: as the header says, such as 10T or half period, else 1]
-    #[arg(long, value_name = "N", value_parser = super::positive)]
-    periods_per_row: Option<f64>,
+    /// Each time lasts this many swings, full periods [default: as the header says, such as 10T or time for 10 swings, else 1]
+    #[arg(long, alias = "periods-per-row", value_name = "N", value_parser = super::positive)]
+    swings_per_reading: Option<f64>,
 }
 
 impl CountedOptions {
     /// The number that was given, with its option.
-    fn said(self) -> Option<(&'static str, f64)> {
-        match (self.half_periods, self.periods_per_row) {
+    pub(super) fn said(self) -> Option<(&'static str, f64)> {
+        match (self.half_periods, self.swings_per_reading) {
             (true, _) => Some(("--half-periods", 0.5)),
-            (false, count) => Some(("--periods-per-row", count?)),
+            (false, count) => Some(("--swings-per-reading", count?)),
         }
     }
 
@@ -49,7 +49,7 @@ impl CountedOptions {
             (None, CountedPeriods::Nothing) => (usual, sentence(usual)),
             (None, CountedPeriods::Unclear(_)) => {
                 return Err(format!(
-                    "{place} may hold times of several periods or of parts of one: give the number by <--periods-per-row>, or \
+                    "{place} may hold times of several periods or of parts of one: give the number by <--swings-per-reading>, or \
                      <--half-periods>"
                 ));
             }

@@ -1,10 +1,10 @@
 //! A recording: the options that override what is inferred from a file, and its reading.
 
 use super::read_bytes;
+use super::table::{DialectOptions, column};
 use crate::query_error::QueryError;
 use libration_lab::measurement::{
-    Choices, Column, DecimalMark, Delimiter, Finding, Gates, Header, MeasurementError, ReadOptions,
-    Recording, TimeStamps, Traces, Unit,
+    Choices, Column, Finding, Gates, MeasurementError, Recording, TimeStamps, Traces, Unit,
 };
 use std::path::Path;
 
@@ -60,32 +60,8 @@ pub(crate) struct RecordingOptions {
     /// The run: its name, or its number as in `Run #3`; several as 1,2,6
     #[arg(long, value_name = "RUN,…")]
     run: Option<String>,
-    /// Sheet of a workbook or file of an archive, by number or name
-    #[arg(long, value_parser = column)]
-    sheet: Option<Column>,
-    /// Separator of the cells
-    #[arg(long, value_enum)]
-    delimiter: Option<Separator>,
-    /// Decimal point or decimal comma
-    #[arg(long, value_enum)]
-    decimal: Option<Mark>,
-    /// Line that names the columns: detect, present, absent, or its number
-    #[arg(long, value_parser = header, default_value = "detect", hide_default_value = true)]
-    header: Header,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Separator {
-    Comma,
-    Semicolon,
-    Tab,
-    Space,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Mark {
-    Point,
-    Comma,
+    #[command(flatten)]
+    dialect: DialectOptions,
 }
 
 impl RecordingOptions {
@@ -96,7 +72,7 @@ impl RecordingOptions {
 
     /// The same of a file whose bytes are known.
     pub(crate) fn recording_in(&self, path: &Path, bytes: &[u8]) -> Result<Recording, QueryError> {
-        Recording::read(bytes, &self.options()).map_err(|error| failure(path, &error))
+        Recording::read(bytes, &self.dialect.options()).map_err(|error| failure(path, &error))
     }
 
     /// The traces of a file with all that was inferred from it.
@@ -117,7 +93,7 @@ impl RecordingOptions {
 
     pub(crate) fn choices(&self) -> Choices {
         Choices {
-            sheet: self.sheet.clone(),
+            sheet: self.dialect.sheet.clone(),
             run: self.run.clone(),
             time: self.time.clone(),
             time_unit: self.time_unit,
@@ -138,20 +114,6 @@ impl RecordingOptions {
                 (false, false) => None,
             },
         }
-    }
-
-    fn options(&self) -> ReadOptions {
-        let delimiter = self.delimiter.map(|separator| match separator {
-            Separator::Comma => Delimiter::Comma,
-            Separator::Semicolon => Delimiter::Semicolon,
-            Separator::Tab => Delimiter::Tab,
-            Separator::Space => Delimiter::Whitespace,
-        });
-        let decimal = self.decimal.map(|mark| match mark {
-            Mark::Point => DecimalMark::Point,
-            Mark::Comma => DecimalMark::Comma,
-        });
-        ReadOptions { delimiter, decimal, header: self.header, ..ReadOptions::default() }
     }
 }
 
@@ -185,10 +147,6 @@ pub(crate) fn what_would_decide(error: &MeasurementError) -> String {
     }
 }
 
-fn column(text: &str) -> Result<Column, String> {
-    Ok(text.parse().unwrap_or_else(|never| match never {}))
-}
-
 fn unit(text: &str) -> Result<Unit, String> {
     text.parse::<Unit>().map_err(|error| error.to_string())
 }
@@ -197,17 +155,4 @@ fn pivot(text: &str) -> Result<(f64, f64), String> {
     let number = |text: &str| text.trim().parse::<f64>().ok().filter(|number| number.is_finite());
     let pair = text.split_once(',').and_then(|(x, y)| Some((number(x)?, number(y)?)));
     pair.ok_or_else(|| "give two numbers, such as 0.1,1.5".to_owned())
-}
-
-fn header(text: &str) -> Result<Header, String> {
-    match text.trim() {
-        "detect" => Ok(Header::Detect),
-        "present" => Ok(Header::Present),
-        "absent" => Ok(Header::Absent),
-        number => {
-            let line = number.parse().ok().filter(|&line| line > 0);
-            line.map(Header::Line)
-                .ok_or_else(|| "give detect, present, absent or the number of a line".to_owned())
-        }
-    }
 }

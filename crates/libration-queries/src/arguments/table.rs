@@ -1,19 +1,26 @@
 //! A table of measurements: how its file is written, which columns are meant, in which units.
 
 use super::read_bytes;
+use super::recording::what_would_decide;
 use crate::query_error::QueryError;
-use libration_lab::measurement::{Column, Delimiter, Header, ReadOptions, Table, Unit};
+use libration_lab::measurement::{Column, DecimalMark, Delimiter, Header, ReadOptions, Table, Unit};
 use std::path::Path;
 
-/// Options for the layout of a table, in place of inferred settings.
-#[derive(Clone, Copy, Debug, clap::Args)]
+/// Options for the layout of a file, in place of inferred settings.
+#[derive(Clone, Debug, clap::Args)]
 pub(crate) struct DialectOptions {
-    /// Separator of the columns [default: detected]
+    /// Sheet of a workbook or file of an archive, by number or name
+    #[arg(long, value_parser = column)]
+    pub(super) sheet: Option<Column>,
+    /// Separator of the cells
     #[arg(long, value_enum)]
     delimiter: Option<Separator>,
-    /// Row of column names: detected, present or absent
-    #[arg(long, value_enum, default_value = "detect")]
-    header: FirstRow,
+    /// Decimal point or decimal comma
+    #[arg(long, value_enum)]
+    decimal: Option<Mark>,
+    /// Line that names the columns: detect, present, absent, or its number
+    #[arg(long, value_parser = header, default_value = "detect", hide_default_value = true)]
+    header: Header,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -25,33 +32,48 @@ enum Separator {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum FirstRow {
-    Detect,
-    Present,
-    Absent,
+enum Mark {
+    Point,
+    Comma,
 }
 
 impl DialectOptions {
     /// The table in a file.
-    pub(crate) fn read(self, path: &Path) -> Result<Table, QueryError> {
+    pub(crate) fn read(&self, path: &Path) -> Result<Table, QueryError> {
         let bytes = read_bytes(path)?;
-        Table::read(&bytes, &self.options())
-            .map_err(|error| QueryError::no_result(&path.display().to_string(), error))
+        Table::read_sheet(&bytes, &self.options(), self.sheet.as_ref())
+            .map_err(|error| QueryError::no_result(&path.display().to_string(), what_would_decide(&error)))
     }
 
-    fn options(self) -> ReadOptions {
+    pub(super) fn options(&self) -> ReadOptions {
         let delimiter = self.delimiter.map(|separator| match separator {
             Separator::Comma => Delimiter::Comma,
             Separator::Semicolon => Delimiter::Semicolon,
             Separator::Tab => Delimiter::Tab,
             Separator::Space => Delimiter::Whitespace,
         });
-        let header = match self.header {
-            FirstRow::Detect => Header::Detect,
-            FirstRow::Present => Header::Present,
-            FirstRow::Absent => Header::Absent,
-        };
-        ReadOptions { delimiter, header, ..ReadOptions::default() }
+        let decimal = self.decimal.map(|mark| match mark {
+            Mark::Point => DecimalMark::Point,
+            Mark::Comma => DecimalMark::Comma,
+        });
+        ReadOptions { delimiter, decimal, header: self.header, ..ReadOptions::default() }
+    }
+}
+
+pub(super) fn column(text: &str) -> Result<Column, String> {
+    Ok(text.parse().unwrap_or_else(|never| match never {}))
+}
+
+fn header(text: &str) -> Result<Header, String> {
+    match text.trim() {
+        "detect" => Ok(Header::Detect),
+        "present" => Ok(Header::Present),
+        "absent" => Ok(Header::Absent),
+        number => {
+            let line = number.parse().ok().filter(|&line| line > 0);
+            line.map(Header::Line)
+                .ok_or_else(|| "give detect, present, absent or the number of a line".to_owned())
+        }
     }
 }
 

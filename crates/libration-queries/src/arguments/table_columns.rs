@@ -1,101 +1,193 @@
-//! Choice of the columns of a table: given by `--columns`, else inferred from the header, else the first ones.
+//! Roles of the columns of a table: given by `--columns` and `--role`, else inferred from headings, units, values and neighbours.
 
-use super::optional_column;
+use super::recording::what_would_decide;
+use super::{Wanted, optional_column};
 use crate::query_error::{QueryError, option};
-use libration_lab::measurement::{Column, Table};
+use libration_lab::measurement::{
+    Column, ColumnRole, GivenRoles, MeasurementError, QuantityColumns, Table, TableQuantity, TableRoles,
+    UncertaintyKind,
+};
 
-/// The columns of two quantities, of the uncertainties of both, and of what else there may be.
+/// Options for the columns of two quantities, of the uncertainties of both, and of what else there may be.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct ColumnsOption {
-    /// Columns of both quantities, of the uncertainties of both, and of further ones, by number or name; - for none [default: the first two of values, with the uncertainties that the header names]
+    /// Columns of both quantities, of the uncertainties of both, and of further ones, by number or name; - for none [default: as headings, units and values say]
     #[arg(long, value_name = "COLUMN,…", value_delimiter = ',')]
     columns: Vec<String>,
+    /// Role of a column: a quantity, as in 2=period (several columns are repeated readings); its uncertainty, as in 3=period-uncertainty, period-half-width or period-resolution; swings, group, ignore
+    #[arg(long, value_name = "COLUMN=ROLE", conflicts_with = "columns")]
+    role: Vec<String>,
+}
+
+/// The option for a column of groups.
+#[derive(Clone, Debug, clap::Args)]
+pub(crate) struct GroupOption {
+    /// Column of the names of groups, whose results are compared and averaged [default: a column whose header says so]
+    #[arg(long, value_name = "COLUMN", value_parser = super::table::column)]
+    pub(crate) group: Option<Column>,
 }
 
 /// Chosen columns, in the order of what is wanted.
 #[derive(Clone, Debug)]
 pub(crate) struct ChosenColumns<const N: usize> {
-    pub(super) columns: [Option<Column>; N],
-    /// Columns that are not used, where they were not chosen by an option.
-    pub(super) note: Option<String>,
-    /// `true` if an option names them, which wins over the names in the header.
+    /// Columns of each quantity, or the one of its uncertainties.
+    pub(super) columns: [Vec<Column>; N],
+    /// Kinds of the uncertainties.
+    pub(super) kinds: [UncertaintyKind; N],
+    /// Quantities of which the columns hold squares.
+    pub(super) are_squares: [bool; N],
+    /// Numbers of swings of a reading by a column of quotients.
+    pub(super) swings: [Option<f64>; N],
+    pub(super) column_of_swings: Option<Column>,
+    pub(super) column_of_groups: Option<Column>,
+    /// Inferences, and columns that are not used.
+    pub(super) notes: Vec<String>,
+    /// `true` if an option names all, which wins over the names in the header.
     pub(super) is_said: bool,
 }
 
 impl ColumnsOption {
-    /// The columns, in this order: two quantities, their uncertainties, others. `needed` names the first two.
+    /// The columns, in the order of what is wanted; values of two quantities first.
     pub(crate) fn choose<const N: usize>(
         &self,
         file: &str,
         table: &Table,
-        needed: &str,
+        wanted: &[Wanted; N],
+        group: Option<&Column>,
     ) -> Result<ChosenColumns<N>, QueryError> {
-        match self.columns.len() {
-            0 if table.names().is_empty() && table.width() > 2 => {
-                let width = table.width();
-                let reason =
-                    format!("the table has {width} columns and no header: choose them by <--columns>");
-                Err(QueryError::no_result(file, reason))
-            }
-            0 => inferred(table).ok_or_else(|| {
-                let width = table.width();
-                let reason = format!("{needed} are needed, and the table has {width} column of numbers");
-                QueryError::no_result(file, reason)
-            }),
-            given if (2..=N).contains(&given) => self.said(needed),
-            given => {
-                let reason = format!("{given} columns given: name 2 to {N}, as in 1,2,-,3");
-                Err(QueryError::usage(option("columns"), reason))
-            }
+        let no_result = |reason: String| QueryError::no_result(file, reason);
+        let quantities: Vec<TableQuantity> = wanted.iter().filter_map(|it| it.quantity()).collect();
+        if self.columns.is_empty() && self.role.is_empty() && table.names().is_empty() && table.width() > 2 {
+            let width = table.width();
+            return Err(no_result(format!(
+                "the table has {width} columns and no header: choose them by <--columns>, or give each a <--role>"
+            )));
         }
+        let mut given = match self.columns.len() {
+            0 => self.given(&quantities)?,
+            found if (2..=N).contains(&found) => self.said(wanted, &quantities)?,
+            found => {
+                let reason = format!("{found} columns given: name 2 to {N}, as in 1,2,-,3");
+                return Err(QueryError::usage(option("columns"), reason));
+            }
+        };
+        given.roles.extend(group.map(|column| (column.clone(), ColumnRole::Group)));
+        let roles = table.roles(&quantities, &given).map_err(|error| no_result(refusal(&error)))?;
+        Ok(chosen(table, wanted, &roles, !self.columns.is_empty()))
     }
 
-    fn said<const N: usize>(&self, needed: &str) -> Result<ChosenColumns<N>, QueryError> {
+    /// The roles by `--role`.
+    fn given(&self, quantities: &[TableQuantity]) -> Result<GivenRoles, QueryError> {
+        let usage = |reason: String| QueryError::usage(option("role"), reason);
+        let pair = |text: &String| {
+            let parts = text.rsplit_once('=').filter(|(column, _)| !column.trim().is_empty());
+            let (column, role) = parts.ok_or_else(|| {
+                usage(format!("`{text}` is not a role: give COLUMN=ROLE, such as 3=period"))
+            })?;
+            let role = ColumnRole::parse(role, quantities).map_err(|error| usage(error.to_string()))?;
+            Ok((column.parse().unwrap_or_else(|never| match never {}), role))
+        };
+        let roles = self.role.iter().map(pair).collect::<Result<_, QueryError>>()?;
+        Ok(GivenRoles { roles, are_all: false })
+    }
+
+    /// The roles by `--columns`.
+    fn said<const N: usize>(
+        &self,
+        wanted: &[Wanted; N],
+        quantities: &[TableQuantity],
+    ) -> Result<GivenRoles, QueryError> {
         let columns: Vec<Option<Column>> = self.columns.iter().map(|text| optional_column(text)).collect();
         if columns[0].is_none() || columns[1].is_none() {
-            let reason = format!("{needed} are needed: - stands only for an uncertainty");
+            let names = quantities.iter().take(2).map(|it| it.name).collect::<Vec<_>>().join(" and ");
+            let reason = format!("{names} are needed: - stands only for an uncertainty");
             return Err(QueryError::usage(option("columns"), reason));
         }
-        let columns = std::array::from_fn(|index| columns.get(index).cloned().flatten());
-        Ok(ChosenColumns { columns, note: None, is_said: true })
+        let role = |place: usize| match wanted[place].uncertainties_of() {
+            Some(of) => ColumnRole::Uncertainty(index_of(wanted, of), UncertaintyKind::Standard),
+            None => ColumnRole::Reading(index_of(wanted, place)),
+        };
+        let roles =
+            columns.into_iter().enumerate().filter_map(|(place, column)| Some((column?, role(place))));
+        Ok(GivenRoles { roles: roles.collect(), are_all: true })
     }
 }
 
-/// Number of columns of three quantities and their uncertainties.
-const WITH_THIRD: usize = 6;
-
-fn holds_phases(table: &Table, column: &Column) -> bool {
-    let Column::Number(number) = column else { return false };
-    let name = table.names().get(number - 1).map_or_else(String::new, |name| name.to_lowercase());
-    ["phase", "lag", "phi", "φ"].iter().any(|word| name.starts_with(word))
+/// Index of the quantity at a place of what is wanted.
+fn index_of<const N: usize>(wanted: &[Wanted; N], place: usize) -> usize {
+    wanted[..place].iter().filter(|it| it.uncertainties_of().is_none()).count()
 }
 
-/// The first two columns of values, with what the header says are their uncertainties; a third one of phases where that is wanted. No other
-/// column is used, as it may as well hold repeated readings.
-fn inferred<const N: usize>(table: &Table) -> Option<ChosenColumns<N>> {
-    let values = table.value_columns();
-    let [first, second, others @ ..] = &values[..] else { return None };
-    let third = others.first().filter(|it| N >= WITH_THIRD && holds_phases(table, &it.values));
-    let found = [
-        Some(&first.values),
-        Some(&second.values),
-        first.uncertainties.as_ref(),
-        second.uncertainties.as_ref(),
-        third.map(|it| &it.values),
-        third.and_then(|it| it.uncertainties.as_ref()),
-    ];
-    let columns: [Option<Column>; N] = std::array::from_fn(|index| found.get(index)?.cloned());
-    let is_used = |column: &Column| columns.iter().flatten().any(|used| used == column);
-    let unused: Vec<String> = (1..=table.width())
-        .map(Column::Number)
-        .filter(|column| !is_used(column))
-        .filter_map(|column| table.describe(&column).ok())
-        .collect();
-    let note = (!unused.is_empty()).then(|| {
-        format!(
-            "not used: {}; a column is an uncertainty where its header or --columns says so",
-            unused.join(", ")
-        )
+/// The columns at the places of what is wanted.
+fn chosen<const N: usize>(
+    table: &Table,
+    wanted: &[Wanted; N],
+    roles: &TableRoles,
+    is_said: bool,
+) -> ChosenColumns<N> {
+    let of = |place: usize| -> &QuantityColumns {
+        &roles.quantities[index_of(wanted, wanted[place].uncertainties_of().unwrap_or(place))]
+    };
+    let columns = |place: usize| match wanted[place].uncertainties_of() {
+        None => of(place).readings.clone(),
+        Some(_) => of(place).uncertainties.iter().map(|(column, _)| column.clone()).collect(),
+    };
+    let kind = |place: usize| of(place).uncertainties.as_ref().map_or(UncertaintyKind::Standard, |it| it.1);
+    let is_inferred = !is_said;
+    ChosenColumns {
+        columns: std::array::from_fn(columns),
+        kinds: std::array::from_fn(kind),
+        are_squares: std::array::from_fn(|place| of(place).are_squares),
+        swings: std::array::from_fn(|place| of(place).swings),
+        column_of_swings: roles.swings.clone(),
+        column_of_groups: roles.group.clone(),
+        notes: if is_inferred { notes(table, wanted, roles) } else { vec![] },
+        is_said,
+    }
+}
+
+/// The roles that were inferred, as sentences.
+fn notes<const N: usize>(table: &Table, wanted: &[Wanted; N], roles: &TableRoles) -> Vec<String> {
+    let describe = |columns: &[Column]| {
+        columns.iter().filter_map(|column| table.describe(column).ok()).collect::<Vec<_>>().join(", ")
+    };
+    let quantities = wanted.iter().filter_map(|it| it.quantity()).zip(&roles.quantities);
+    let read = quantities.flat_map(|(quantity, it)| {
+        let squares = if it.are_squares { "squares of the " } else { "" };
+        let repeated = if it.readings.len() > 1 { " as repeated readings" } else { "" };
+        let values = format!("read as {squares}{}{repeated}: {}", quantity.name, describe(&it.readings));
+        let of_kind = |(column, kind): &(Column, UncertaintyKind)| {
+            let column = describe(std::slice::from_ref(column));
+            format!("read as {} of the {}: {column}", described(*kind), quantity.name)
+        };
+        let values = (!it.readings.is_empty()).then_some(values);
+        values.into_iter().chain(it.uncertainties.as_ref().map(of_kind)).collect::<Vec<_>>()
     });
-    Some(ChosenColumns { columns, note, is_said: false })
+    let other = |name: &str, column: &Option<Column>| {
+        column.as_ref().map(|column| format!("read as {name}: {}", describe(std::slice::from_ref(column))))
+    };
+    let unused = (!roles.unused.is_empty())
+        .then(|| format!("not used: {} (<--role> gives a column another role)", describe(&roles.unused)));
+    read.chain(other("numbers of swings", &roles.swings))
+        .chain(other("groups", &roles.group))
+        .chain(roles.notes.iter().cloned())
+        .chain(unused)
+        .map(|note| note.replace(['<', '>'], ""))
+        .collect()
+}
+
+fn described(kind: UncertaintyKind) -> &'static str {
+    match kind {
+        UncertaintyKind::Standard => "standard uncertainty",
+        UncertaintyKind::HalfWidth => "half-width",
+        UncertaintyKind::Resolution => "resolution",
+    }
+}
+
+/// The reason of a refusal, with marks of the options.
+fn refusal(error: &MeasurementError) -> String {
+    match error {
+        MeasurementError::TooFewColumns { .. } => error.to_string(),
+        _ => what_would_decide(error),
+    }
 }

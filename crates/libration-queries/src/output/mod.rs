@@ -13,6 +13,7 @@ pub(crate) mod description;
 pub(crate) mod destination;
 pub(crate) mod field;
 pub(crate) mod file;
+pub(crate) mod groups;
 pub(crate) mod json;
 pub(crate) mod leftover;
 pub(crate) mod mathml;

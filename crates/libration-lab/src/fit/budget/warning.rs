@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::{Budget, BudgetInput};
 use crate::fit::gravity::{GRAVITY_ON_EARTH, is_nowhere_on_earth};
+use crate::fit::mistake::GravityMistake;
 use libration::quantity::{rounded, short};
 
 /// A warning about g and its uncertainty.
@@ -17,6 +18,8 @@ pub enum BudgetWarning {
         length: f64,
         /// The length that gives the middle of [`GRAVITY_ON_EARTH`], in m.
         likely_length: f64,
+        /// The mistake that explains g, in place of the length.
+        mistake: Option<GravityMistake>,
     },
     /// Inputs without an uncertainty, which count as exact.
     WithoutUncertainty {
@@ -41,7 +44,14 @@ impl BudgetWarning {
 impl fmt::Display for BudgetWarning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::GravityContradicted { length, likely_length } => {
+            Self::GravityContradicted { mistake: Some(mistake), .. } => {
+                let [least, greatest] = GRAVITY_ON_EARTH.map(|bound| rounded(bound, 3));
+                write!(
+                    f,
+                    "gravity is {least} to {greatest} m/s² on Earth: this value is what {mistake} would give"
+                )
+            }
+            Self::GravityContradicted { length, likely_length, mistake: None } => {
                 let [least, greatest] = GRAVITY_ON_EARTH.map(|bound| rounded(bound, 3));
                 write!(
                     f,
@@ -73,6 +83,7 @@ impl Budget {
         let contradicted = is_suspect.then(|| BudgetWarning::GravityContradicted {
             length: self.length,
             likely_length: self.length * likely / self.g,
+            mistake: GravityMistake::explaining(self.gravity(), GravityMistake::anywhere_on_earth()),
         });
         let inputs: Vec<BudgetInput> = self.combined.without_uncertainty().collect();
         let missing = (!inputs.is_empty()).then_some(BudgetWarning::WithoutUncertainty { inputs });

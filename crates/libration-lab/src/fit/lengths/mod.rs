@@ -12,7 +12,7 @@ mod warning;
 
 pub use model::{LengthFit, LengthModel};
 pub use table::{LengthColumns, LengthTable};
-pub use warning::{CountedAs, LengthsWarning};
+pub use warning::LengthsWarning;
 
 use super::budget::{self, BudgetInput, CombinedUncertainty, Contribution, Evaluation};
 use super::{FitError, Uncertain};
@@ -25,6 +25,8 @@ pub struct LengthsOptions {
     pub bob_radius: Option<Quantity>,
     /// The relative standard uncertainty of the clock, which multiplies all periods.
     pub clock: Option<f64>,
+    /// Degrees of freedom of the uncertainties of the periods where they come from repeated readings; stated ones are taken as known.
+    pub readings_degrees_of_freedom: Option<f64>,
 }
 
 /// The results of a fit to a table of periods against lengths.
@@ -111,7 +113,10 @@ impl LengthsOptions {
         let g = best.g.value;
         let slope = Contribution {
             evaluation: Evaluation::Statistics,
-            degrees_of_freedom: best.uncertainty_degrees_of_freedom(),
+            degrees_of_freedom: Some(best.uncertainty_degrees_of_freedom())
+                .filter(|of_rows| of_rows.is_finite())
+                .or(self.readings_degrees_of_freedom)
+                .unwrap_or(f64::INFINITY),
             ..Contribution::judged(BudgetInput::Slope, 1.0 / g, Some(best.g.uncertainty / (g * g)), -g * g)
         };
         let radius = self.bob_radius.map(|radius| {

@@ -60,6 +60,32 @@ impl LengthTable {
         Ok(Self { rows, weighted })
     }
 
+    /// The table with these standard uncertainties of the periods, in seconds.
+    ///
+    /// # Errors
+    /// Fails for another number of them than there are rows, and one that is not above zero.
+    pub fn with_period_uncertainties(&self, uncertainties: &[f64]) -> Result<Self, FitError> {
+        let (expected, found) = (self.rows.len(), uncertainties.len());
+        if found != expected {
+            return Err(FitError::LengthMismatch { column: "uncertainties of the periods", found, expected });
+        }
+        let mut rows = self.rows.clone();
+        for (index, (row, &uncertainty)) in rows.iter_mut().zip(uncertainties).enumerate() {
+            if !(uncertainty > 0.0 && uncertainty.is_finite()) {
+                let hint = "give a positive number of seconds in every row";
+                return Err(FitError::Uncertainty { row: index + 1, of: "period", uncertainty, hint });
+            }
+            row.period_uncertainty = uncertainty;
+        }
+        Ok(Self { rows, weighted: true })
+    }
+
+    /// The table of these rows only, counted from zero.
+    #[must_use]
+    pub fn only(&self, rows: &[usize]) -> Self {
+        Self { rows: rows.iter().filter_map(|&row| self.rows.get(row).copied()).collect(), ..*self }
+    }
+
     /// The number of rows.
     #[must_use]
     pub fn len(&self) -> usize {

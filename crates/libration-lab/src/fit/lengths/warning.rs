@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::{LengthFit, LengthModel, LengthsFit};
 use crate::fit::gravity::{GRAVITY_ON_EARTH, is_nowhere_on_earth};
+use crate::fit::mistake::GravityMistake;
 use crate::fit::scatter::{Scatter, ScatterWarning};
 use libration::quantity::rounded;
 
@@ -12,19 +13,6 @@ use libration::quantity::rounded;
 const NEEDED: f64 = 0.01;
 /// Number of radii beyond the bob from which on an offset is not that of a mark on its surface.
 const RADII_OF_OFFSET: f64 = 10.0;
-/// T² goes as the square of the duration that counts as a period: half periods taken for whole ones make g four times as large, whole ones
-/// taken for half ones a quarter. A quarter more or less leaves room for the errors of a first measurement.
-const FOUR_TIMES: std::ops::Range<f64> = 3.0..5.0;
-const A_QUARTER: std::ops::Range<f64> = 0.2..0.3;
-
-/// Possible mistakes in counting the periods of a table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum CountedAs {
-    /// Half periods that were taken for whole ones.
-    HalfPeriodsAsWhole,
-    /// Whole periods that were taken for half ones.
-    WholePeriodsAsHalf,
-}
 
 /// A warning about periods against lengths.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,8 +31,8 @@ pub enum LengthsWarning {
     OffsetLargerThanBob,
     /// g is found nowhere on Earth, by [more than three](crate::fit::is_nowhere_on_earth) of its uncertainties.
     NowhereOnEarth {
-        /// Mistake that would explain it, where g is about four times as large as on Earth, or a quarter of that.
-        counted: Option<CountedAs>,
+        /// The mistake that explains it.
+        mistake: Option<GravityMistake>,
     },
 }
 
@@ -81,18 +69,13 @@ impl fmt::Display for LengthsWarning {
             Self::OffsetLargerThanBob => {
                 f.write_str("the offset is much larger than the bob: check the unit of the lengths")
             }
-            Self::NowhereOnEarth { counted } => {
+            Self::NowhereOnEarth { mistake } => {
                 let [least, greatest] = GRAVITY_ON_EARTH.map(|bound| rounded(bound, 3));
-                let explanation = match counted {
-                    Some(CountedAs::HalfPeriodsAsWhole) => {
-                        "it is about four times as large here, as if half periods had been taken for whole ones"
-                    }
-                    Some(CountedAs::WholePeriodsAsHalf) => {
-                        "it is about a quarter of that here, as if whole periods had been taken for half ones"
-                    }
-                    None => "check the units of lengths and periods, and that periods are whole ones",
-                };
-                write!(f, "gravity is {least} to {greatest} m/s² on Earth: {explanation}")
+                write!(f, "gravity is {least} to {greatest} m/s² on Earth: ")?;
+                match mistake {
+                    Some(mistake) => write!(f, "this value is what {mistake} would give"),
+                    None => f.write_str("check the units of lengths and periods, and that periods are whole ones"),
+                }
             }
         }
     }
@@ -135,10 +118,6 @@ fn offset_larger_than_bob(fit: &LengthsFit) -> Option<LengthsWarning> {
 
 fn nowhere_on_earth(fit: &LengthsFit) -> Option<LengthsWarning> {
     let gravity = fit.gravity();
-    let counted = match gravity.value / GRAVITY_ON_EARTH[0] {
-        times if FOUR_TIMES.contains(&times) => Some(CountedAs::HalfPeriodsAsWhole),
-        times if A_QUARTER.contains(&times) => Some(CountedAs::WholePeriodsAsHalf),
-        _ => None,
-    };
-    is_nowhere_on_earth(gravity).then_some(LengthsWarning::NowhereOnEarth { counted })
+    let mistake = GravityMistake::explaining(gravity, GravityMistake::anywhere_on_earth());
+    is_nowhere_on_earth(gravity).then_some(LengthsWarning::NowhereOnEarth { mistake })
 }

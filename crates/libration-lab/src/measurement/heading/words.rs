@@ -130,7 +130,7 @@ const UNCERTAINTY: [&str; 23] = [
 ];
 
 /// The words of a name in lower case, and whether they speak of an uncertainty.
-pub(super) fn without_uncertainty(name: &str) -> (String, bool) {
+pub(in crate::measurement) fn without_uncertainty(name: &str) -> (String, bool) {
     let lower = name.to_lowercase().replace(['\\', '$'], "").replace('σ', "σ ").replace('±', "± ");
     if let Some(of) = difference(&lower) {
         return (of, true);

@@ -20,6 +20,8 @@ fn headings_say_how_many_periods_a_time_lasts() {
         ("10T", 10.0),
         ("20 T (s)", 20.0),
         ("5×T", 5.0),
+        ("time for 10 swings", 10.0),
+        ("10 swings (s)", 10.0),
         ("10 Schwingungen in s", 10.0),
         ("T", 1.0),
         ("T (s)", 1.0),
@@ -33,12 +35,10 @@ fn headings_say_how_many_periods_a_time_lasts() {
 
 #[test]
 fn what_may_be_a_number_of_periods_is_not_guessed() {
-    for heading in
-        ["T10 (s)", "time of 10 swings", "t_{20}", "half", "mean of 10 periods (s)", "10T/10", "T/10"]
-    {
+    for heading in ["T10 (s)", "swing 10", "t_{20}", "half", "mean of 10 periods (s)", "10T/10", "T/10"] {
         assert_eq!(counted(heading), CountedPeriods::Unclear(heading.into()));
     }
-    for heading in ["", "time (s)", "trial 3", "u(x)"] {
+    for heading in ["", "swing (s)", "time (s)", "trial 3", "u(x)"] {
         assert_eq!(counted(heading), CountedPeriods::Nothing, "{heading}");
     }
 }

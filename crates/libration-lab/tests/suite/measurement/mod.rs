@@ -7,8 +7,8 @@ mod faults;
 mod fitted_pivot;
 mod heading;
 mod number;
+mod roles;
 mod traces;
-mod value_columns;
 
 use libration_lab::measurement::{
     Column, CountedPeriods, Delimiter, Header, MeasurementError, ReadOptions, Role, Selection, Table, Unit,
@@ -165,9 +165,9 @@ fn columns_are_described_with_what_their_headings_say() {
     assert!(table.describe(&column(5)).is_err());
     assert_eq!(table.counted_periods(&column(2)), Ok(CountedPeriods::Said(0.5)));
     assert_eq!(table.counted_periods(&column(1)), Ok(CountedPeriods::Nothing));
-    let of_lengths = table.unit_of_uncertainty(&column(3), Role::Lengths);
+    let of_lengths = table.unit_of_chosen(&column(3), Role::Lengths);
     assert_eq!(of_lengths, Ok(WrittenUnit::Known(Unit::Millimetre)));
-    assert_eq!(table.unit_of_uncertainty(&column(4), Role::Times), Ok(WrittenUnit::Nothing));
-    assert!(table.unit_of_uncertainty(&column(3), Role::Times).is_err());
+    assert_eq!(table.unit_of_chosen(&column(4), Role::Times), Ok(WrittenUnit::Nothing));
+    assert!(table.unit_of_chosen(&column(3), Role::Times).is_err());
     assert!(table.unit(&column(3), Role::Lengths).is_err(), "uncertainties are no lengths");
 }

@@ -3,6 +3,7 @@
 mod akaike;
 mod certified;
 mod chi_squared;
+mod fisher;
 mod least_squares;
 mod levenberg_marquardt;
 mod robust;

@@ -3,14 +3,16 @@
 use super::input::LengthFile;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
+use crate::output::groups::{self, Groups};
 use crate::output::warnings::{self, Named};
 use crate::output::{combined, json, number, scatter};
-use libration_lab::fit::{CountedAs, LengthFit, LengthsFit, LengthsWarning, Uncertain};
+use libration_lab::fit::{GravityMistake, LengthFit, LengthsFit, LengthsWarning, Uncertain};
 
 /// The result for the measurements.
 pub(super) struct Answer<'a> {
     pub(super) table: &'a LengthFile,
     pub(super) fit: &'a LengthsFit,
+    pub(super) groups: Option<&'a Groups>,
 }
 
 impl Answer<'_> {
@@ -18,11 +20,17 @@ impl Answer<'_> {
     pub(super) fn warnings(&self) -> Vec<Named> {
         let half = self.table.half_periods;
         let text = |warning: &LengthsWarning| match warning {
-            LengthsWarning::NowhereOnEarth { counted: Some(CountedAs::HalfPeriodsAsWhole) } if !half => {
+            LengthsWarning::NowhereOnEarth { mistake: Some(GravityMistake::HalfPeriodsAsWhole) } if !half => {
                 format!("{warning} (--half-periods)")
             }
-            LengthsWarning::NowhereOnEarth { counted: Some(CountedAs::WholePeriodsAsHalf) } if half => {
+            LengthsWarning::NowhereOnEarth { mistake: Some(GravityMistake::WholePeriodsAsHalf) } if half => {
                 format!("{warning} (leave out --half-periods)")
+            }
+            LengthsWarning::NowhereOnEarth { mistake: Some(GravityMistake::CentimetresAsMetres) } => {
+                format!("{warning} (--length-unit)")
+            }
+            LengthsWarning::NowhereOnEarth { mistake: Some(GravityMistake::TenSwingsAsOne) } => {
+                format!("{warning} (--swings-per-reading 10, --length-unit)")
             }
             LengthsWarning::Bent { radius: Some(_) } => format!("{warning} (--bob-radius)"),
             LengthsWarning::OffsetLargerThanBob => format!("{warning} (--length-unit)"),
@@ -151,6 +159,11 @@ fn or_dash(value: Option<f64>, digits: usize) -> String {
 }
 
 pub(crate) fn answers() -> Vec<Answers> {
-    let json = [of_answer().described(""), combined::of_independent().described("")].concat();
+    let json = [
+        of_answer().described(""),
+        combined::of_independent().described(""),
+        groups::fields(&groups::GRAVITY).described(""),
+    ]
+    .concat();
     vec![Answers { command: "fit lengths", option: "", json, csv: of_law().described_in_csv() }]
 }

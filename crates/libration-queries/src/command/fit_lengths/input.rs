@@ -1,13 +1,13 @@
 //! The file of a length table: its columns and their units.
 
 use crate::arguments::{
-    AmplitudeUnit, ColumnsInSi, ColumnsOption, CountedOptions, DialectOptions, LengthUnit, Wanted,
-    one_amplitude,
+    AmplitudeUnit, ColumnsInSi, ColumnsOption, CountedOptions, DialectOptions, GroupOption, LengthUnit,
+    Wanted, one_amplitude,
 };
 use crate::figure::lengths::Measured;
 use crate::query_error::{QueryError, option};
 use libration::quantity::{Angle, Quantity};
-use libration_lab::fit::{LengthColumns, LengthTable};
+use libration_lab::fit::{LengthColumns, LengthTable, RepeatedReadings};
 use std::path::PathBuf;
 
 /// The file, and options for reading it.
@@ -17,6 +17,8 @@ pub(super) struct Input {
     file: PathBuf,
     #[command(flatten)]
     columns: ColumnsOption,
+    #[command(flatten)]
+    group: GroupOption,
     /// Unit of the lengths and of their uncertainties [default: that of the header, else m]
     #[arg(long, value_enum)]
     length_unit: Option<LengthUnit>,
@@ -40,6 +42,28 @@ pub(super) struct LengthFile {
     /// The units that the header says.
     pub(super) inferences: Vec<String>,
     pub(super) half_periods: bool,
+    /// Degrees of freedom of the uncertainties of the periods, where they come from repeated readings.
+    pub(super) readings_degrees_of_freedom: Option<f64>,
+    /// Standard uncertainties of the periods by their rounding.
+    rounding: Vec<f64>,
+    /// Names of the groups of the rows.
+    pub(super) groups: Option<Vec<String>>,
+}
+
+impl LengthFile {
+    /// The measurements with periods as uncertain as their rounding makes them, where they scatter less about a law and nothing else is known.
+    pub(super) fn weighted_by_rounding(&self, scatter: f64) -> Option<Self> {
+        let mean = self.rounding.iter().sum::<f64>() / f64::from(u32::try_from(self.rounding.len()).ok()?);
+        if self.measured.table.is_weighted() || scatter >= mean {
+            return None;
+        }
+        let mut read = self.clone();
+        read.measured.table = read.measured.table.with_period_uncertainties(&self.rounding).ok()?;
+        read.measured.period_uncertainties = Some(self.rounding.clone());
+        let text = "the rows scatter less than the last digit of their periods, which is their uncertainty";
+        read.inferences.push(text.to_owned());
+        Some(read)
+    }
 }
 
 impl Input {
@@ -49,7 +73,7 @@ impl Input {
 
     pub(super) fn read(&self) -> Result<LengthFile, QueryError> {
         let table = self.dialect.read(&self.file)?;
-        let columns = self.columns.choose(&self.name(), &table, "length and period")?;
+        let columns = self.columns.choose(&self.name(), &table, &self.wanted(), self.group.group.as_ref())?;
         let read = ColumnsInSi::from_table(&table, &columns, &self.wanted())
             .map_err(|error| self.no_answer(error))?;
         let [lengths, periods, length_uncertainties, of_periods, amplitudes] = read.columns;
@@ -69,13 +93,18 @@ impl Input {
             dropped: read.dropped,
             inferences: read.inferences,
             half_periods: read.counts[1].total_cmp(&0.5).is_eq(),
+            readings_degrees_of_freedom: read.repeated[1].as_ref().map(RepeatedReadings::pooled),
+            rounding: read.rounding[1].clone(),
+            groups: read.groups,
         })
     }
 
     fn wanted(&self) -> [Wanted; 5] {
         let (lengths, periods) = (Wanted::lengths(self.length_unit), Wanted::periods(self.counted));
         let of_both = [lengths.uncertainties(0), periods.uncertainties(1)];
-        [lengths, periods, of_both[0], of_both[1], Wanted::amplitudes(self.amplitude_unit)]
+        let amplitudes =
+            Wanted::amplitudes(self.amplitude_unit).only_named(&["amplitude", "angle", "theta", "θ"]);
+        [lengths, periods, of_both[0], of_both[1], amplitudes]
     }
 
     /// The column of amplitudes, or the one of all rows, or none.

@@ -5,12 +5,13 @@ mod input;
 mod write;
 
 use crate::figure;
+use crate::output::groups::{self, Groups};
 use crate::output::{FormOptions, announce};
 use crate::query_error::QueryError;
 use fields::Answer;
-use input::Input;
+use input::{Input, LengthFile};
 use libration::quantity::Quantity;
-use libration_lab::fit::{self, LengthsOptions};
+use libration_lab::fit::{self, BudgetInput, Contribution, LengthTable, LengthsFit, LengthsOptions};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -51,9 +52,22 @@ impl FitLengths {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let table = self.input.read()?;
         let radius = self.bob_radius.map(|radius| radius.value);
-        let options = LengthsOptions { bob_radius: self.bob_radius, clock: self.clock };
-        let fit =
-            fit::lengths(&table.measured.table, &options).map_err(|error| self.input.no_answer(error))?;
+        let options = LengthsOptions {
+            bob_radius: self.bob_radius,
+            clock: self.clock,
+            readings_degrees_of_freedom: table.readings_degrees_of_freedom,
+        };
+        let fitted =
+            |table: &LengthTable| fit::lengths(table, &options).map_err(|error| self.input.no_answer(error));
+        let fit = fitted(&table.measured.table)?;
+        let scatter = fit.best().standard_deviations.first().copied().unwrap_or(f64::INFINITY);
+        let (table, fit) = match table.weighted_by_rounding(scatter) {
+            Some(table) => {
+                let fit = fitted(&table.measured.table)?;
+                (table, fit)
+            }
+            None => (table, fit),
+        };
         let drawn = match &self.figure {
             Some(path) => {
                 let picture = figure::lengths::fitted(&table.measured, fit.best(), radius);
@@ -61,7 +75,21 @@ impl FitLengths {
             }
             None => vec![],
         };
-        Answer { table: &table, fit: &fit }.write(out, self.form.form())?;
+        let groups = groups_of(&table, &fit, &options);
+        Answer { table: &table, fit: &fit, groups: groups.as_ref() }.write(out, self.form.form())?;
         Ok(announce(out, self.form.form(), &drawn)?)
     }
+}
+
+/// Gravity of each group, where the rows have groups; clock and bob are shared.
+fn groups_of(read: &LengthFile, fit: &LengthsFit, options: &LengthsOptions) -> Option<Groups> {
+    let is_shared = |it: &&Contribution| matches!(it.input, BudgetInput::Clock | BudgetInput::BobRadius);
+    let shared = fit.combined.contributions.iter().filter(is_shared).map(|it| it.change() * it.change());
+    let radius = options.bob_radius.map(|radius| Quantity { uncertainty: None, ..radius });
+    let own = LengthsOptions { bob_radius: radius, clock: None, ..*options };
+    let of_rows = |rows: &[usize]| {
+        let fit = fit::lengths(&read.measured.table.only(rows), &own).map_err(|error| error.to_string())?;
+        Ok((fit.gravity(), fit.combined.degrees_of_freedom))
+    };
+    Groups::fitted(read.groups.as_ref()?, &groups::GRAVITY, shared.sum::<f64>().sqrt(), of_rows)
 }

@@ -1,6 +1,7 @@
 //! The fit as a sheet with a table of laws, as JSON and as CSV.
 
 use super::fields::{self, Answer};
+use crate::output::groups::{self, Groups};
 use crate::output::json;
 use crate::output::table::{sheet, write_text};
 use crate::output::{self, Form, number};
@@ -15,6 +16,7 @@ impl Answer<'_> {
         match form {
             Form::Json => {
                 let record = fields::of_answer().record(self);
+                let record = Groups::added_to(self.groups, &groups::GRAVITY, record);
                 json::document(out, output::combined::of_independent().added_to(record, &self.fit.combined))?;
             }
             Form::Csv => fields::of_law().write_csv(out, &self.fit.fits)?,
@@ -27,6 +29,10 @@ impl Answer<'_> {
         sheet(out, &self.lines())?;
         writeln!(out)?;
         fields::of_law().write_table(out, &self.fit.fits)?;
+        if let Some(groups) = self.groups {
+            writeln!(out)?;
+            groups.write_table(out)?;
+        }
         writeln!(out)?;
         output::combined::write_table(out, &self.fit.combined)?;
         for (_, warning) in self.warnings().iter().filter(|(name, _)| *name != CONTRADICTED) {
@@ -51,7 +57,7 @@ impl Answer<'_> {
             ("expanded", output::combined::expanded(&self.fit.combined)),
         ];
         if !self.table.inferences.is_empty() {
-            lines.insert(1, ("units", self.table.inferences.join("; ")));
+            lines.insert(1, ("read as", self.table.inferences.join("; ")));
         }
         let contradicted = self.warnings().into_iter().filter(|(name, _)| *name == CONTRADICTED);
         lines.extend(contradicted.map(|(_, doubt)| ("warning", doubt)));
@@ -62,6 +68,9 @@ impl Answer<'_> {
         }
         if let Some(correlation) = best.correlation {
             lines.push(("correlation", format!("{} between g and δ", number::rounded(correlation, 3))));
+        }
+        if let Some(groups) = self.groups {
+            lines.push(("g, groups", groups.line()));
         }
         if let Some(known) = self.fit.known_gyration {
             lines.push(("bob", format!("2r²/5 = {} m² is part of every law", number::rounded(known, 4))));

@@ -3,6 +3,7 @@
 use super::input::Measured;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
+use crate::output::groups::{self, Groups};
 use crate::output::warnings::{self, Named};
 use crate::output::{budget, json, scatter};
 use libration::quantity::Quantity;
@@ -12,6 +13,7 @@ use libration_lab::fit::{Budget, FitError, LawFit, PeriodFit, Weighting};
 pub(super) struct Answer<'a> {
     pub(super) measured: &'a Measured,
     pub(super) fit: &'a PeriodFit,
+    pub(super) groups: Option<&'a Groups>,
     pub(super) budget: Option<&'a Budget>,
     pub(super) length: Option<Quantity>,
 }
@@ -44,6 +46,7 @@ impl Answer<'_> {
         match self.fit.weighting {
             Weighting::PeriodsAndAmplitudes => "uncertainties of periods and amplitudes",
             Weighting::Periods => "uncertainties of periods",
+            Weighting::Rounding => "rounding of the periods: the rows scatter less",
             Weighting::Scatter => "none: uncertainties from the scatter",
         }
     }
@@ -136,7 +139,9 @@ pub(super) fn of_law<'a>() -> Fields<KeyedLaw<'a>> {
 }
 
 pub(crate) fn answers() -> Vec<Answers> {
-    let (json, csv) =
-        ([of_answer().described(""), budget::described()].concat(), of_law().described_in_csv());
+    let (json, csv) = (
+        [of_answer().described(""), groups::fields(&groups::T0).described(""), budget::described()].concat(),
+        of_law().described_in_csv(),
+    );
     vec![Answers { command: "fit periods", option: "", json, csv }]
 }

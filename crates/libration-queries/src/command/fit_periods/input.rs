@@ -1,6 +1,8 @@
 //! The file of a period table: its columns, its unit, its dialect.
 
-use crate::arguments::{AmplitudeUnit, ColumnsInSi, ColumnsOption, CountedOptions, DialectOptions, Wanted};
+use crate::arguments::{
+    AmplitudeUnit, ColumnsInSi, ColumnsOption, CountedOptions, DialectOptions, GroupOption, Wanted,
+};
 use crate::figure::periods::Measurement;
 use crate::query_error::QueryError;
 use libration_lab::fit::{PeriodTable, Uncertainties};
@@ -13,6 +15,8 @@ pub(super) struct Input {
     file: PathBuf,
     #[command(flatten)]
     columns: ColumnsOption,
+    #[command(flatten)]
+    group: GroupOption,
     /// Unit of the amplitudes and of their uncertainties [default: that of the header, else rad]
     #[arg(long, value_enum)]
     amplitude_unit: Option<AmplitudeUnit>,
@@ -31,6 +35,8 @@ pub(super) struct Measured {
     pub(super) dropped: usize,
     /// The units that the header says.
     pub(super) inferences: Vec<String>,
+    /// Names of the groups of the rows.
+    pub(super) groups: Option<Vec<String>>,
 }
 
 impl Measured {
@@ -48,7 +54,7 @@ impl Input {
 
     pub(super) fn read(&self) -> Result<Measured, QueryError> {
         let table = self.dialect.read(&self.file)?;
-        let columns = self.columns.choose(&self.name(), &table, "amplitude and period")?;
+        let columns = self.columns.choose(&self.name(), &table, &self.wanted(), self.group.group.as_ref())?;
         let read = ColumnsInSi::from_table(&table, &columns, &self.wanted())
             .map_err(|error| self.no_answer(error))?;
         self.measured(read)
@@ -64,8 +70,14 @@ impl Input {
         let (amplitudes, periods) = (amplitudes.unwrap_or_default(), periods.unwrap_or_default());
         let uncertainties =
             Uncertainties { amplitudes: of_amplitudes.as_deref(), periods: of_periods.as_deref() };
-        let table =
-            PeriodTable::new(&amplitudes, &periods, uncertainties).map_err(|error| self.no_answer(error))?;
+        let table = PeriodTable::new(&amplitudes, &periods, uncertainties);
+        let [_, rounding, ..] = read.rounding;
+        let table = table.map_err(|error| self.no_answer(error))?.with_rounding(rounding);
+        let [_, repeated, ..] = read.repeated;
+        let table = match repeated {
+            Some(readings) => table.with_readings(readings),
+            None => table,
+        };
         let row = |index: usize| Measurement {
             amplitude: amplitudes[index].abs(),
             period: periods[index],
@@ -73,7 +85,14 @@ impl Input {
             period_uncertainty: of_periods.as_ref().map(|column| column[index]),
         };
         let rows = (0..periods.len()).map(row).collect();
-        Ok(Measured { rows, table, lines: read.lines, dropped: read.dropped, inferences: read.inferences })
+        Ok(Measured {
+            rows,
+            table,
+            lines: read.lines,
+            dropped: read.dropped,
+            inferences: read.inferences,
+            groups: read.groups,
+        })
     }
 
     fn no_answer(&self, reason: impl std::fmt::Display) -> QueryError {

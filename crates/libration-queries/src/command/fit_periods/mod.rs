@@ -6,11 +6,12 @@ mod write;
 
 use crate::arguments::{ApparatusOptions, DampingOptions, FormulaChoice, positive};
 use crate::figure;
+use crate::output::groups::{self, Groups};
 use crate::output::{FormOptions, announce};
 use crate::query_error::QueryError;
 use fields::Answer;
-use input::Input;
-use libration_lab::fit::{self, Law};
+use input::{Input, Measured};
+use libration_lab::fit::{self, Law, PeriodFit};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -77,13 +78,28 @@ impl FitPeriods {
                 &self.sizes,
             )?);
         }
+        let groups = self.groups(&measured, &fit);
         let answer = Answer {
             measured: &measured,
+            groups: groups.as_ref(),
             fit: &fit,
             budget: budget.as_ref(),
             length: self.apparatus.length(),
         };
         answer.write(out, self.form.form())?;
         Ok(announce(out, self.form.form(), &drawn)?)
+    }
+
+    /// T0 of each group, where the rows have groups; the clock is shared.
+    fn groups(&self, measured: &Measured, fit: &PeriodFit) -> Option<Groups> {
+        let shared = self.apparatus.clock().unwrap_or(0.0) * fit.exact.t0.value;
+        let of_rows = |rows: &[usize]| {
+            let others: Vec<usize> = (0..measured.table.len()).filter(|row| !rows.contains(row)).collect();
+            let options = fit::PeriodsOptions { reject_outliers: self.reject_outliers };
+            let fit = fit::periods(&measured.table.without(&others), &[], &options);
+            let exact = fit.map_err(|error| error.to_string())?.exact;
+            Ok((exact.t0, exact.uncertainty_degrees_of_freedom()))
+        };
+        Groups::fitted(measured.groups.as_ref()?, &groups::T0, shared, of_rows)
     }
 }

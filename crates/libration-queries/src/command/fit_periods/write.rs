@@ -1,6 +1,7 @@
 //! The fit as a sheet with a table of laws, as JSON and as CSV.
 
 use super::fields::{self, Answer};
+use crate::output::groups::{self, Groups};
 use crate::output::json::{self, Record};
 use crate::output::table::sheet;
 use crate::output::{self, Form, number};
@@ -20,6 +21,7 @@ impl Answer<'_> {
 
     fn record(&self) -> Record {
         let record = fields::of_answer().record(self);
+        let record = Groups::added_to(self.groups, &groups::T0, record);
         match self.budget {
             Some(budget) => output::budget::added_to(record, budget),
             None => record,
@@ -30,6 +32,10 @@ impl Answer<'_> {
         sheet(out, &self.lines())?;
         writeln!(out)?;
         fields::of_law().write_table(out, &self.laws())?;
+        if let Some(groups) = self.groups {
+            writeln!(out)?;
+            groups.write_table(out)?;
+        }
         let Some(budget) = self.budget else { return Ok(()) };
         writeln!(out)?;
         output::budget::write_table(out, budget)
@@ -55,7 +61,10 @@ impl Answer<'_> {
         ]);
         lines.extend(others.iter().map(said));
         if !self.measured.inferences.is_empty() {
-            lines.insert(first + 1, ("units", self.measured.inferences.join("; ")));
+            lines.insert(first + 1, ("read as", self.measured.inferences.join("; ")));
+        }
+        if let Some(groups) = self.groups {
+            lines.push(("T₀, groups", groups.line()));
         }
         if let (Some(budget), Some(length)) = (self.budget, self.length) {
             lines.extend(output::budget::lines(budget, length));

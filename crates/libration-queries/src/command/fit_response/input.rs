@@ -57,7 +57,7 @@ impl ResponseFile {
 impl Input {
     pub(super) fn read(&self) -> Result<ResponseFile, QueryError> {
         let table = self.dialect.read(&self.file)?;
-        let columns = self.columns.choose(&self.name(), &table, "frequency and amplitude")?;
+        let columns = self.columns.choose(&self.name(), &table, &self.wanted(), None)?;
         let read = ColumnsInSi::from_table(&table, &columns, &self.wanted())
             .map_err(|error| self.no_answer(error))?;
         let unit = match read.units[1] {
@@ -97,7 +97,7 @@ impl Input {
     fn wanted(&self) -> [Wanted; 6] {
         let frequencies = Wanted::frequencies(self.frequency_unit);
         let amplitudes = Wanted::displacements(self.amplitude_unit);
-        let phases = Wanted::phases(self.phase_unit);
+        let phases = Wanted::phases(self.phase_unit).only_named(&["phase", "lag", "phi", "φ"]);
         let of_values = [frequencies.uncertainties(0), amplitudes.uncertainties(1), phases.uncertainties(4)];
         [frequencies, amplitudes, of_values[0], of_values[1], phases, of_values[2]]
     }

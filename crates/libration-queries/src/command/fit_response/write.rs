@@ -38,7 +38,7 @@ impl Answer<'_> {
             if dropped > 0 { format!(", {dropped} incomplete rows left out") } else { String::new() };
         let mut lines = vec![("rows", format!("{}{incomplete}", self.file.measured.table.len()))];
         if !self.file.inferences.is_empty() {
-            lines.push(("units", self.file.inferences.join("; ")));
+            lines.push(("read as", self.file.inferences.join("; ")));
         }
         if self.file.measured.table.leads() {
             lines.push((

@@ -1,0 +1,165 @@
+//! Tables as students write them, `examples/class/` (made by `reference/class_tables.py`, g = 9.81 m/s²).
+
+use crate::command::{directory, json, libration, message, text, unfolded};
+
+fn example(name: &str) -> String {
+    format!("{}/../../examples/class/{name}", env!("CARGO_MANIFEST_DIR"))
+}
+
+/// Checks that g is within three uncertainties of the truth, and returns the settings as one text.
+fn lengths(arguments: &str) -> (serde_json::Value, String) {
+    let answer = json(&format!("fit lengths {arguments}"));
+    let number = |name: &str| answer[name].as_f64().unwrap();
+    let pull = (number("gravity_m_per_s2") - 9.81) / number("gravity_uncertainty_m_per_s2");
+    assert!(pull.abs() < 3.0, "{arguments}: {pull} {answer}");
+    assert!(number("gravity_uncertainty_m_per_s2") < 0.4, "{answer}");
+    let told = answer["told_from_file"].to_string();
+    (answer, told)
+}
+
+#[test]
+fn tables_of_lengths_are_read_as_they_are_written() {
+    for (name, said) in [
+        ("cells_with_units.csv", "column 1 is in cm"),
+        ("plus_minus.csv", "read as length: column 1 (`L (m)`)"),
+        ("brackets.csv", "read as period: column 2 (`T (s)`)"),
+        ("header_in_first_row.csv", "line 1 is read as the header and the first row"),
+        ("squares.csv", "read as squares of the period: column 2 (`T^2 (s^2)`)"),
+        ("names_and_mean.csv", "line 8 (`mean`) is left out"),
+        ("units_below.csv", "column 1 (`L`) is in cm"),
+        ("ten_swings.csv", "holds times of 10 periods"),
+    ] {
+        let (answer, told) = lengths(&example(name));
+        assert_eq!(answer["rows"], 6, "{name}");
+        assert!(told.contains(said), "{name}: {told}");
+    }
+}
+
+#[test]
+fn uncertainties_in_cells_are_weights() {
+    for name in ["plus_minus.csv", "brackets.csv"] {
+        let (answer, _) = lengths(&example(name));
+        assert_eq!(answer["weighting"], "uncertainties of periods and lengths", "{name}");
+    }
+}
+
+#[test]
+fn repeated_readings_are_averaged_with_their_scatter() {
+    let (answer, told) = lengths(&example("ten_swings.csv"));
+    assert!(told.contains("read as period as repeated readings: column 2"), "{told}");
+    assert!(told.contains("scatter by 0.") && told.contains("(12 degrees of freedom)"), "{told}");
+    assert!(told.contains("not used: column 5 (`mean (s)`), column 6 (`T (s)`)"), "{told}");
+    assert_eq!(answer["weighting"], "uncertainties of periods");
+    // Twelve degrees of freedom of the readings, by Student's distribution: 2.179.
+    let factor = answer["coverage_factor"].as_f64().unwrap();
+    assert!((factor - 2.1788).abs() < 1e-3 || factor > 2.3, "{factor}");
+    let periods = json(&format!("fit periods {}", example("amplitudes.csv")));
+    let t0 = 2.0 * std::f64::consts::PI * (0.5_f64 / 9.81).sqrt();
+    let law = &periods["laws"][0];
+    let pull = (law["t0_s"].as_f64().unwrap() - t0) / law["t0_uncertainty_s"].as_f64().unwrap();
+    assert!(pull.abs() < 3.0, "{periods}");
+}
+
+/// The option is the one that the refusal names.
+#[test]
+fn two_tables_side_by_side_are_read_one_after_the_other() {
+    let table = example("side_by_side.csv");
+    let refused = libration(&format!("fit lengths {table}"));
+    assert_eq!(refused.status.code(), Some(1));
+    assert!(message(&refused).contains("--columns 1,2 or 4,5"), "{}", message(&refused));
+    for columns in ["1,2", "4,5"] {
+        lengths(&format!("{table} --columns {columns}"));
+    }
+}
+
+#[test]
+fn uncertainties_named_by_initials_go_with_their_columns() {
+    let answer = json(&format!("fit periods {}", example("initials.csv")));
+    let told = answer["told_from_file"].to_string();
+    assert!(told.contains("standard uncertainty of the amplitude: column 3"), "{told}");
+    assert!(told.contains("standard uncertainty of the period: column 4"), "{told}");
+    assert_eq!(answer["weighting"], "uncertainties of periods and amplitudes");
+}
+
+#[test]
+fn roles_are_given_by_an_option() {
+    let table = example("ten_swings.csv");
+    let (answer, told) =
+        lengths(&format!("{table} --role 2=ignore --role 3=ignore --role 4=ignore --role 5=ignore"));
+    assert_eq!(answer["weighting"], "none: uncertainties from the scatter");
+    assert!(told.contains("read as period: column 6"), "{told}");
+    let wrong = libration(&format!("fit lengths {table} --role 2=mass"));
+    assert_eq!(wrong.status.code(), Some(2));
+    assert!(message(&wrong).contains("period-half-width"), "{}", message(&wrong));
+    let bare = libration(&format!("fit lengths {table} --role mass"));
+    assert_eq!(bare.status.code(), Some(2));
+}
+
+#[test]
+fn half_widths_and_steps_are_divided_by_roots() {
+    let [standard, half_width, resolution] = ["uncertainty", "half-width", "resolution"].map(|kind| {
+        let table = example("initials.csv");
+        let roles = format!("--role 3=ignore --role 4=period-{kind}");
+        json(&format!("fit periods {table} {roles}"))["laws"][0]["t0_uncertainty_s"].as_f64().unwrap()
+    });
+    // The Birge ratio enlarges small ones, so that only the order is the same for all.
+    assert!(standard >= half_width && half_width >= resolution, "{standard} {half_width} {resolution}");
+}
+
+#[test]
+fn the_sheet_says_how_the_table_was_read() {
+    let sheet = unfolded(&text(&format!("fit lengths {}", example("ten_swings.csv"))));
+    assert!(sheet.contains("read as") && sheet.contains("as repeated readings"), "{sheet}");
+}
+
+#[test]
+fn groups_are_compared_and_averaged() {
+    let answer = json(&format!("fit lengths {}", example("groups.csv")));
+    let names: Vec<&str> =
+        answer["groups"].as_array().unwrap().iter().map(|it| it["group"].as_str().unwrap()).collect();
+    assert_eq!(names, ["A", "B", "C"]);
+    let mean = &answer["group_mean"];
+    let pull = (mean["gravity_m_per_s2"].as_f64().unwrap() - 9.81)
+        / mean["gravity_uncertainty_m_per_s2"].as_f64().unwrap();
+    assert!(pull.abs() < 3.0, "{mean}");
+    // Twenty swings are timed as well as ten: group B is about twice as certain.
+    let uncertainty =
+        |index: usize| answer["groups"][index]["gravity_uncertainty_m_per_s2"].as_f64().unwrap();
+    assert!(uncertainty(1) < uncertainty(0) && uncertainty(1) < uncertainty(2), "{answer}");
+    let sheet = unfolded(&text(&format!("fit lengths {}", example("groups.csv"))));
+    assert!(sheet.contains("g, groups") && sheet.contains("Birge ratio"), "{sheet}");
+    let clock = json(&format!("fit lengths {} --clock 1%", example("groups.csv")));
+    let shared = clock["group_mean"]["gravity_shared_uncertainty_m_per_s2"].as_f64().unwrap();
+    assert!((shared / (0.02 * 9.81) - 1.0).abs() < 0.02, "{shared}");
+    assert_eq!(clock["groups"], answer["groups"], "the clock belongs to no group");
+}
+
+/// The lengths of group D are a tenth too large.
+#[test]
+fn a_group_that_stands_out_is_named() {
+    let rows = std::fs::read_to_string(example("groups.csv")).unwrap();
+    let wrong = rows.lines().filter(|line| line.starts_with("C,")).map(|line| {
+        let cells: Vec<&str> = line.split(',').collect();
+        let length: f64 = cells[1].parse().unwrap();
+        format!("D,{},{}\n", 1.1 * length, cells[2..].join(","))
+    });
+    let path = directory("class-standing-out").join("file.csv");
+    std::fs::write(&path, format!("{rows}{}", wrong.collect::<String>())).unwrap();
+    let answer = json(&format!("fit lengths {}", path.display()));
+    let out: Vec<bool> =
+        answer["groups"].as_array().unwrap().iter().map(|it| it["stands_out"].as_bool().unwrap()).collect();
+    assert_eq!(out, [false, false, false, true], "{answer}");
+    let sheet = unfolded(&text(&format!("fit lengths {}", path.display())));
+    assert!(sheet.contains("D stands out"), "{sheet}");
+}
+
+#[test]
+fn a_column_of_groups_is_given_by_an_option() {
+    let table = example("names_and_mean.csv");
+    assert!(json(&format!("fit lengths {table}"))["groups"].is_null());
+    // Each name is a group of one row, which has no g.
+    let answer = json(&format!("fit lengths {table} --group name"));
+    assert_eq!(answer["groups"].as_array().unwrap().len(), 6);
+    assert!(answer["groups"][0]["gravity_m_per_s2"].is_null() && answer["group_mean"].is_null(), "{answer}");
+    assert!(answer["groups"][0]["note"].as_str().is_some());
+}

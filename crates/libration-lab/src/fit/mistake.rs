@@ -1,0 +1,99 @@
+//! Mistakes that multiply g by an exact factor: units of lengths, counted periods, frame rates.
+
+use std::fmt;
+
+use super::gravity::GRAVITY_ON_EARTH;
+use super::uncertain::Uncertain;
+
+/// A mistake that multiplies g by an exact factor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum GravityMistake {
+    /// Centimetres that were read as metres: 100.
+    CentimetresAsMetres,
+    /// Ten swings that were counted as one, or metres that were read as centimetres: 1/100.
+    TenSwingsAsOne,
+    /// Half periods that were taken for whole ones: 4.
+    HalfPeriodsAsWhole,
+    /// Whole periods that were taken for half ones: 1/4.
+    WholePeriodsAsHalf,
+    /// 25 frames a second that were taken for 30: (30/25)².
+    FramesOf25As30,
+    /// 30 frames a second that were taken for 25: (25/30)².
+    FramesOf30As25,
+    /// 29.97 frames a second that were taken for 30: (30/29.97)².
+    FramesOf29As30,
+}
+
+impl GravityMistake {
+    /// All of them.
+    pub const ALL: [Self; 7] = [
+        Self::CentimetresAsMetres,
+        Self::TenSwingsAsOne,
+        Self::HalfPeriodsAsWhole,
+        Self::WholePeriodsAsHalf,
+        Self::FramesOf25As30,
+        Self::FramesOf30As25,
+        Self::FramesOf29As30,
+    ];
+
+    /// The factor of g.
+    #[must_use]
+    pub fn factor(self) -> f64 {
+        match self {
+            Self::CentimetresAsMetres => 100.0,
+            Self::TenSwingsAsOne => 0.01,
+            Self::HalfPeriodsAsWhole => 4.0,
+            Self::WholePeriodsAsHalf => 0.25,
+            Self::FramesOf25As30 => 1.44,
+            Self::FramesOf30As25 => 25.0 / 36.0,
+            Self::FramesOf29As30 => (30.0 / 29.97) * (30.0 / 29.97),
+        }
+    }
+
+    /// The only mistake that explains g: its factor is within two standard uncertainties, no other one is, and the relative uncertainty is below a
+    /// third of the logarithm of the factor, so that g itself is excluded. `local` is the gravity of the place.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration_lab::fit::{GravityMistake, Uncertain};
+    ///
+    /// let found = Uncertain { value: 39.1, uncertainty: 0.4 };
+    /// let mistake = GravityMistake::explaining(found, GravityMistake::anywhere_on_earth());
+    /// assert_eq!(mistake, Some(GravityMistake::HalfPeriodsAsWhole));
+    /// ```
+    #[must_use]
+    pub fn explaining(found: Uncertain, local: Uncertain) -> Option<Self> {
+        let relative = libm::hypot(found.relative(), local.relative());
+        let explains = |mistake: &Self| {
+            let expected = mistake.factor() * local.value;
+            let uncertainty = libm::hypot(found.uncertainty, mistake.factor() * local.uncertainty);
+            (found.value - expected).abs() <= 2.0 * uncertainty
+        };
+        let mut explaining = Self::ALL.into_iter().filter(explains);
+        let only = explaining.next().filter(|_| explaining.next().is_none())?;
+        (relative < libm::log(only.factor()).abs() / 3.0).then_some(only)
+    }
+
+    /// Gravity where the place is not known: the middle of [`GRAVITY_ON_EARTH`], each value in that range as probable as any other.
+    #[must_use]
+    pub fn anywhere_on_earth() -> Uncertain {
+        let [least, greatest] = GRAVITY_ON_EARTH;
+        Uncertain { value: f64::midpoint(least, greatest), uncertainty: (greatest - least) / 12.0_f64.sqrt() }
+    }
+}
+
+/// The mistake as a clause: `half periods taken for whole ones`.
+impl fmt::Display for GravityMistake {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::CentimetresAsMetres => "lengths in centimetres read as metres",
+            Self::TenSwingsAsOne => "ten swings counted as one, or lengths in metres read as centimetres",
+            Self::HalfPeriodsAsWhole => "half periods taken for whole ones",
+            Self::WholePeriodsAsHalf => "whole periods taken for half ones",
+            Self::FramesOf25As30 => "25 frames a second taken for 30",
+            Self::FramesOf30As25 => "30 frames a second taken for 25",
+            Self::FramesOf29As30 => "29.97 frames a second taken for 30",
+        })
+    }
+}

@@ -1,0 +1,212 @@
+//! Repeated readings: means, their standard uncertainties with degrees of freedom, outliers.
+//!
+//! The mean of k readings that scatter by s has u = s/√k with k − 1 degrees of freedom. Rows that scatter alike share one s, pooled over all
+//! of them, with Σ(k − 1) degrees of freedom. u is not enlarged for few readings: the degrees of freedom enter the coverage factor. Rounding
+//! to the step of the display is part of the scatter, and is added, undivided, only where the readings scatter less (GUM 4.3.10).
+//!
+//! Reference: JCGM 100:2008, 4.2, 4.3.10 and H.3.6; W. G. Cochran, Ann. Eugen. 11, 47 (1941), doi:10.1111/j.1469-1809.1941.tb02271.x, for
+//! the largest of several variances.
+
+use crate::statistics::{count, fisher, mean, student};
+
+/// A row scatters unlike the others, or a reading is an outlier, where chance does that in fewer than one table in a hundred.
+const BY_CHANCE: f64 = 0.01;
+
+/// The mean of the readings of a row.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeanReading {
+    /// The mean.
+    pub mean: f64,
+    /// Its standard uncertainty, with rounding where that counts.
+    pub uncertainty: f64,
+    /// The part of the uncertainty that comes from the scatter.
+    pub by_scatter: f64,
+    /// Number of readings.
+    pub count: usize,
+    /// `true` if the row scatters more than the others, so that its uncertainty is its own.
+    pub is_unlike: bool,
+}
+
+impl MeanReading {
+    /// The same of a quantity that is this part of the reading, as a period is a tenth of ten.
+    #[must_use]
+    pub fn times(self, factor: f64) -> Self {
+        let [mean, uncertainty, by_scatter] =
+            [self.mean, self.uncertainty, self.by_scatter].map(|it| it * factor);
+        Self { mean, uncertainty, by_scatter, ..self }
+    }
+}
+
+/// Repeated readings of several rows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RepeatedReadings {
+    /// The means, row by row.
+    pub rows: Vec<MeanReading>,
+    /// The standard deviation of a reading, pooled over the rows that scatter alike.
+    pub deviation: f64,
+    /// Its degrees of freedom.
+    pub degrees_of_freedom: usize,
+    /// The standard uncertainty by rounding, where it is added.
+    pub rounding: Option<f64>,
+    /// Readings far from the others of their row: row and reading, counted from zero. They are not removed.
+    pub outliers: Vec<(usize, usize)>,
+}
+
+impl RepeatedReadings {
+    /// Evaluates readings, row by row, that are written in steps of this size; `None` where no row has two.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration_lab::fit::RepeatedReadings;
+    ///
+    /// let readings = RepeatedReadings::new(&[vec![1.0, 1.2], vec![3.1, 2.9]], 0.01).unwrap();
+    /// // s² is (0.02 + 0.02)/2 with two degrees of freedom.
+    /// assert!((readings.deviation - 0.02_f64.sqrt()).abs() < 1e-12);
+    /// assert!((readings.rows[0].uncertainty - 0.1).abs() < 1e-12);
+    /// ```
+    #[must_use]
+    pub fn new(rows: &[Vec<f64>], step: f64) -> Option<Self> {
+        let groups: Vec<Group> = rows.iter().map(|row| Group::new(row)).collect();
+        if groups.iter().all(|group| group.dof == 0) {
+            return None;
+        }
+        let unlike = unlike(&groups);
+        let alike =
+            Pool::of(groups.iter().enumerate().filter(|(row, _)| !unlike.contains(row)).map(|it| it.1));
+        let deviation = alike.variance().sqrt();
+        let rounding = Some(step / 12.0_f64.sqrt()).filter(|rounding| *rounding > deviation);
+        let row = |(row, group): (usize, &Group)| {
+            let is_unlike = unlike.contains(&row);
+            let own = if is_unlike { group.variance().sqrt() } else { deviation };
+            let by_scatter = own / count(group.count).sqrt();
+            let uncertainty = libm::hypot(by_scatter, rounding.unwrap_or(0.0));
+            MeanReading { mean: group.mean, uncertainty, by_scatter, count: group.count, is_unlike }
+        };
+        Some(Self {
+            rows: groups.iter().enumerate().map(row).collect(),
+            deviation,
+            degrees_of_freedom: alike.dof,
+            rounding,
+            outliers: outliers(rows, &groups, step),
+        })
+    }
+
+    /// The degrees of freedom of the pooled deviation; infinite where rounding makes more than half of the uncertainty.
+    #[must_use]
+    pub fn pooled(&self) -> f64 {
+        if self.rounding.is_some() { f64::INFINITY } else { count(self.degrees_of_freedom) }
+    }
+
+    /// The degrees of freedom of the scatter of a row.
+    #[must_use]
+    pub fn degrees_of_freedom_of(&self, row: usize) -> usize {
+        if self.rows[row].is_unlike { self.rows[row].count - 1 } else { self.degrees_of_freedom }
+    }
+}
+
+/// Effective degrees of freedom, after Welch and Satterthwaite, of Σ cᵢxᵢ with the variance `total`, where xᵢ are these means with these c; rows that
+/// scatter alike share one s. Infinite where nothing of the variance comes from scatter.
+#[must_use]
+pub fn effective_degrees_of_freedom(readings: &RepeatedReadings, coefficients: &[f64], total: f64) -> f64 {
+    let part = |(row, c): (usize, &f64)| {
+        (row, (c * readings.rows[row].by_scatter) * (c * readings.rows[row].by_scatter))
+    };
+    let parts: Vec<(usize, f64)> = coefficients.iter().enumerate().map(part).collect();
+    let is_unlike = |row: usize| readings.rows[row].is_unlike;
+    let pooled: f64 = parts.iter().filter(|(row, _)| !is_unlike(*row)).map(|(_, part)| part).sum();
+    let own = parts.iter().filter(|(row, _)| is_unlike(*row));
+    let own: f64 = own.map(|(row, part)| part * part / count(readings.degrees_of_freedom_of(*row))).sum();
+    let spread = own + pooled * pooled / count(readings.degrees_of_freedom.max(1));
+    if spread > 0.0 { total * total / spread } else { f64::INFINITY }
+}
+
+/// The readings of a row.
+struct Group {
+    mean: f64,
+    count: usize,
+    dof: usize,
+    squares: f64,
+}
+
+impl Group {
+    fn new(readings: &[f64]) -> Self {
+        let mean = mean(readings.iter().copied());
+        let squares = readings.iter().map(|reading| (reading - mean) * (reading - mean)).sum();
+        Self { mean, count: readings.len(), dof: readings.len().saturating_sub(1), squares }
+    }
+
+    fn variance(&self) -> f64 {
+        self.squares / count(self.dof.max(1))
+    }
+}
+
+/// Sum of squares of several rows.
+#[derive(Clone, Copy, Default)]
+struct Pool {
+    squares: f64,
+    dof: usize,
+}
+
+impl Pool {
+    fn of<'a>(groups: impl Iterator<Item = &'a Group>) -> Self {
+        groups.fold(Self::default(), |sum, it| Self {
+            squares: sum.squares + it.squares,
+            dof: sum.dof + it.dof,
+        })
+    }
+
+    fn variance(self) -> f64 {
+        self.squares / count(self.dof.max(1))
+    }
+}
+
+/// The rows whose variance is larger than that of the others by more than chance makes the largest: an F test of the largest, with the level
+/// divided by the number of rows, again and again while it finds one, and for fewer than half of the rows.
+fn unlike(groups: &[Group]) -> Vec<usize> {
+    let mut found: Vec<usize> = vec![];
+    let tested = groups.iter().filter(|group| group.dof > 0).count();
+    while 2 * (found.len() + 1) < tested {
+        let rest = |left_out: usize| {
+            let others =
+                groups.iter().enumerate().filter(|(row, _)| *row != left_out && !found.contains(row));
+            Pool::of(others.map(|it| it.1))
+        };
+        let candidates = (0..groups.len()).filter(|row| groups[*row].dof > 0 && !found.contains(row));
+        let probability = |row: usize| {
+            let others = rest(row);
+            let ratio = groups[row].variance() / others.variance();
+            if others.squares > 0.0 {
+                fisher::probability_beyond(ratio, groups[row].dof, others.dof)
+            } else {
+                1.0
+            }
+        };
+        let least = candidates.map(|row| (row, probability(row))).min_by(|a, b| a.1.total_cmp(&b.1));
+        match least {
+            Some((row, probability)) if probability * count(tested - found.len()) < BY_CHANCE => {
+                found.push(row)
+            }
+            _ => break,
+        }
+    }
+    found
+}
+
+/// The readings whose distance from the others of their row is more than chance makes the largest: Student's t with the scatter of all other
+/// readings, which is not taken below that of rounding.
+fn outliers(rows: &[Vec<f64>], groups: &[Group], step: f64) -> Vec<(usize, usize)> {
+    let all = Pool::of(groups.iter());
+    let tested: usize = groups.iter().filter(|group| group.dof > 0).map(|group| group.count).sum();
+    let is_outlier = |row: usize, reading: usize| {
+        let group = &groups[row];
+        if group.dof == 0 || all.dof < 2 {
+            return false;
+        }
+        let (left, deviation) = (1.0 - 1.0 / count(group.count), rows[row][reading] - group.mean);
+        let others = (all.squares - deviation * deviation / left).max(0.0) / count(all.dof - 1);
+        let t = deviation / (left * others.max(step * step / 12.0)).sqrt();
+        student::probability_beyond(t, all.dof - 1) * count(tested) < BY_CHANCE
+    };
+    let places = (0..rows.len()).flat_map(|row| (0..rows[row].len()).map(move |reading| (row, reading)));
+    places.filter(|&(row, reading)| is_outlier(row, reading)).collect()
+}

@@ -1,0 +1,122 @@
+//! What each column can hold, by its own heading and cells.
+
+use crate::measurement::QuantityKind;
+use crate::measurement::counted_periods::is_mean;
+use crate::measurement::heading::Heading;
+use crate::measurement::sheet::Channel;
+use crate::measurement::table::Table;
+
+/// What a column can hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// Values of a quantity.
+    Values,
+    /// Squares of a quantity.
+    Squares,
+    /// Means of other columns.
+    Means,
+    /// Uncertainties.
+    Uncertainties,
+    /// Steps of a display.
+    Resolutions,
+    /// Half-widths of intervals.
+    HalfWidths,
+    /// Numbers of swings.
+    Swings,
+    /// Names of groups, one of which at least several rows have.
+    Group,
+    /// Words, numbers of rows, functions of other columns.
+    Other,
+}
+
+/// Kinds of all columns.
+pub(super) fn of(table: &Table) -> Vec<Kind> {
+    table.sheet().channels.iter().map(kind).collect()
+}
+
+const RESOLUTION: [&str; 5] = ["resolution", "least count", "smallest division", "auflösung", "résolution"];
+const HALF_WIDTH: [&str; 6] =
+    ["half width", "half-width", "tolerance", "max error", "max. error", "maximum error"];
+const GROUP: [&str; 16] = [
+    "group", "groups", "team", "student", "students", "name", "names", "class", "pair", "person", "gruppe",
+    "schüler", "groupe", "gruppo", "grupo", "table",
+];
+const SWINGS: [&str; 14] = [
+    "n",
+    "swings",
+    "oscillations",
+    "cycles",
+    "periods counted",
+    "number of swings",
+    "number of oscillations",
+    "number of periods",
+    "number of cycles",
+    "no of swings",
+    "no. of swings",
+    "no. of oscillations",
+    "schwingungen",
+    "anzahl schwingungen",
+];
+const NUMBER: [&str; 9] = ["no", "no.", "#", "nr", "nr.", "index", "row", "i", "n"];
+/// Beginnings of functions of a quantity.
+const FUNCTIONS: [&str; 8] = ["sqrt", "√", "1/", "log", "ln", "sin", "lg", "g_"];
+
+fn kind(channel: &Channel) -> Kind {
+    let heading = &channel.heading;
+    let name = heading.name.to_lowercase();
+    let name = name.trim_start_matches("number of ").trim();
+    let is = |words: &[&str]| words.iter().any(|word| heading.text.to_lowercase().contains(word));
+    let is_group = GROUP.contains(&name) && has_repeated_labels(channel);
+    match () {
+        () if is_group => Kind::Group,
+        () if channel.is_of_words() || channel.count() == 0 => Kind::Other,
+        () if is(&RESOLUTION) => Kind::Resolutions,
+        () if is(&HALF_WIDTH) => Kind::HalfWidths,
+        () if heading.is_uncertainty => Kind::Uncertainties,
+        () if is_squared(heading) => Kind::Squares,
+        () if heading.unit.is_none() && is_number_of_row(heading, channel, name) => Kind::Other,
+        () if heading.unit.is_none() && SWINGS.contains(&name) && is_of_counts(channel) => Kind::Swings,
+        () if GROUP.contains(&name) || FUNCTIONS.iter().any(|it| name.starts_with(it)) => Kind::Other,
+        () if is_other_power(heading) => Kind::Other,
+        () if is_mean(&heading.text) => Kind::Means,
+        () => Kind::Values,
+    }
+}
+
+/// `T^2`, `T² (s²)`, `T2 (s2)`.
+fn is_squared(heading: &Heading) -> bool {
+    let unit = heading.unit_text.as_deref().unwrap_or_default().to_lowercase();
+    let of_unit = ["s^2", "s²", "s2", "sec^2", "sec²", "s**2"].contains(&unit.as_str());
+    let of_name =
+        ["^2", "²", "**2", "squared"].iter().any(|power| heading.name.to_lowercase().contains(power));
+    of_unit || of_name && heading.unit.is_none() && unit.is_empty()
+}
+
+/// A unit with a power or a quotient that is none of the known ones.
+fn is_other_power(heading: &Heading) -> bool {
+    let unit = heading.unit_text.as_deref().unwrap_or_default();
+    heading.unit.is_none() && unit.contains(['^', '²', '³'])
+}
+
+fn is_of_counts(channel: &Channel) -> bool {
+    channel.numbers().flatten().all(|number| number >= 1.0 && number.fract() == 0.0)
+}
+
+/// Whole numbers from one on, one more in each row; or the number of the trial.
+fn is_number_of_row(heading: &Heading, channel: &Channel, name: &str) -> bool {
+    let numbers: Vec<f64> = channel.numbers().flatten().collect();
+    let counts_rows = numbers.len() > 1
+        && numbers.windows(2).all(|pair| (pair[1] - pair[0] - 1.0).abs() < 1e-9)
+        && numbers[0].abs() <= 1.0;
+    let is_run = heading.quantity == QuantityKind::Run && heading.index.is_none();
+    is_run && is_of_counts(channel) || NUMBER.contains(&name) && counts_rows
+}
+
+/// Two labels or more, of which one is in several rows.
+fn has_repeated_labels(channel: &Channel) -> bool {
+    let mut labels: Vec<String> = (0..channel.cells.len()).filter_map(|row| channel.label(row)).collect();
+    let all = labels.len();
+    labels.sort();
+    labels.dedup();
+    (2..all).contains(&labels.len())
+}

@@ -1,0 +1,245 @@
+//! The roles of the columns of a table: readings of a quantity, their uncertainties, numbers of swings, groups.
+//!
+//! # Method
+//! Roles that are given stay. A quantity takes the columns whose names or units say it; of several the largest set of repeated readings
+//! (`readings`), which have one name but for a number and agree within half of each other. A quantity that no heading names takes the
+//! first column of values that is left. Columns of uncertainties go with the quantity that their headings name (`uncertainties`); where two
+//! assignments are as good, the table is refused. Means, squares and other functions of the readings are left out, as are columns of words.
+
+mod given;
+mod kinds;
+mod readings;
+mod uncertainties;
+
+pub use given::GivenRoles;
+use kinds::Kind;
+
+use super::heading::Heading;
+use super::role::Role;
+use super::table::Table;
+use super::{Choice, Column, MeasurementError, Suggestion};
+
+/// A quantity that is needed from a table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TableQuantity {
+    /// Its name, as options have it: `length`, `period`.
+    pub name: &'static str,
+    /// What its columns hold.
+    pub role: Role,
+    /// `false` if it is only taken from a column whose heading names it, by one of these beginnings in lower case.
+    pub only_named: Option<&'static [&'static str]>,
+}
+
+/// Kind of a written uncertainty.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum UncertaintyKind {
+    /// A standard uncertainty.
+    Standard,
+    /// The half-width of an interval in which all values are equally probable.
+    HalfWidth,
+    /// The step of a display, to which values are rounded.
+    Resolution,
+}
+
+impl UncertaintyKind {
+    /// The standard uncertainty: a half-width over √3, half a step over √3 (Guide to the Expression of Uncertainty in Measurement, 4.3.7).
+    ///
+    /// # Examples
+    /// ```
+    /// use libration_lab::measurement::UncertaintyKind;
+    /// assert!((UncertaintyKind::Resolution.standard(0.01) - 0.002887).abs() < 1e-6);
+    /// ```
+    #[must_use]
+    pub fn standard(self, written: f64) -> f64 {
+        match self {
+            Self::Standard => written,
+            Self::HalfWidth => written / 3.0_f64.sqrt(),
+            Self::Resolution => written / 12.0_f64.sqrt(),
+        }
+    }
+
+    /// The end of its word in options: `uncertainty`, `half-width`, `resolution`.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Standard => "uncertainty",
+            Self::HalfWidth => "half-width",
+            Self::Resolution => "resolution",
+        }
+    }
+}
+
+/// Role of a column; a quantity is given by its index among those that are needed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ColumnRole {
+    /// A reading of a quantity; several columns of one quantity are repeated readings.
+    Reading(usize),
+    /// The uncertainties of a quantity.
+    Uncertainty(usize, UncertaintyKind),
+    /// The number of swings that each time of the row lasts.
+    Swings,
+    /// Names of groups, one for each row.
+    Group,
+    /// Nothing that is used.
+    Ignored,
+}
+
+/// The columns of a quantity.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct QuantityColumns {
+    /// Its readings, one or more; none where the table does not have the quantity.
+    pub readings: Vec<Column>,
+    /// Its uncertainties.
+    pub uncertainties: Option<(Column, UncertaintyKind)>,
+    /// `true` if the readings are squares of the quantity.
+    pub are_squares: bool,
+    /// The number of swings of each reading by a column of their means over that number.
+    pub swings: Option<f64>,
+}
+
+/// The roles of all columns of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TableRoles {
+    /// Columns of each quantity, in the order in which they are needed.
+    pub quantities: Vec<QuantityColumns>,
+    /// The column of numbers of swings.
+    pub swings: Option<Column>,
+    /// The column of names of groups.
+    pub group: Option<Column>,
+    /// Columns that are not used and that no option names.
+    pub unused: Vec<Column>,
+    /// Inferences, as sentences without a full stop.
+    pub notes: Vec<String>,
+}
+
+impl Table {
+    /// Infers the roles of the columns from headings, units and values, where they are not given.
+    ///
+    /// # Errors
+    /// Columns whose roles the table leaves open, with the choices that would decide; too few columns of numbers; no such column.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration_lab::measurement::{Column, GivenRoles, ReadOptions, Role, Table, TableQuantity};
+    ///
+    /// let length = TableQuantity { name: "length", role: Role::Lengths, only_named: None };
+    /// let period = TableQuantity { name: "period", role: Role::Times, only_named: None };
+    /// let text = b"L (m),t1 (s),t2 (s),T^2 (s^2)\n0.25,1.00,1.01,1.01\n0.50,1.42,1.41,2.0\n";
+    /// let roles = Table::read(text, &ReadOptions::default())?.roles(&[length, period], &GivenRoles::default())?;
+    /// assert_eq!(roles.quantities[1].readings, [Column::Number(2), Column::Number(3)]);
+    /// assert_eq!(roles.unused, [Column::Number(4)]);
+    /// # Ok::<(), libration_lab::measurement::MeasurementError>(())
+    /// ```
+    pub fn roles(
+        &self,
+        needed: &[TableQuantity],
+        given: &GivenRoles,
+    ) -> Result<TableRoles, MeasurementError> {
+        let roles = given.places(self, needed)?;
+        let mut search = Search { table: self, needed, kinds: kinds::of(self), roles, notes: vec![] };
+        search.refuse_tables_side_by_side()?;
+        search.assign_readings()?;
+        search.assign_uncertainties()?;
+        search.assign_rest();
+        Ok(search.found())
+    }
+}
+
+/// The search for roles, by places of columns.
+struct Search<'a> {
+    table: &'a Table,
+    needed: &'a [TableQuantity],
+    kinds: Vec<Kind>,
+    roles: Vec<Option<ColumnRole>>,
+    notes: Vec<String>,
+}
+
+impl Search<'_> {
+    fn heading(&self, place: usize) -> &Heading {
+        &self.table.sheet().channels[place].heading
+    }
+
+    fn describe(&self, place: usize) -> String {
+        self.table.sheet().describe(place)
+    }
+
+    /// Places of the columns with this role.
+    fn with_role(&self, role: ColumnRole) -> Vec<usize> {
+        (0..self.roles.len()).filter(|&place| self.roles[place] == Some(role)).collect()
+    }
+
+    /// Returns whether a column of values is free.
+    fn is_free(&self, place: usize) -> bool {
+        self.roles[place].is_none() && self.kinds[place] == Kind::Values
+    }
+
+    /// Two tables side by side have the same names again, in the same order.
+    fn refuse_tables_side_by_side(&self) -> Result<(), MeasurementError> {
+        let values: Vec<usize> = (0..self.kinds.len()).filter(|&place| self.is_free(place)).collect();
+        let name = |place: &usize| self.heading(*place).name.to_lowercase();
+        let Some((first, rest)) = values.split_first() else { return Ok(()) };
+        let Some(again) = rest.iter().position(|place| !name(first).is_empty() && name(place) == name(first))
+        else {
+            return Ok(());
+        };
+        let (left, right) = values.split_at(again + 1);
+        let is_other = left.len() > 1 && left.len() == right.len();
+        if !is_other || !left.iter().zip(right).all(|(left, right)| name(left) == name(right)) {
+            return Ok(());
+        }
+        let columns = |places: &[usize]| {
+            let numbers: Vec<String> = places.iter().map(|place| (place + 1).to_string()).collect();
+            Suggestion::new(Choice::Columns, numbers.join(","))
+        };
+        Err(MeasurementError::Undecided {
+            question: format!(
+                "two tables stand side by side, the second from {} on",
+                self.describe(right[0])
+            ),
+            choices: vec![columns(left), columns(right)],
+        })
+    }
+
+    fn assign_rest(&mut self) {
+        for (kind, role) in [(Kind::Swings, ColumnRole::Swings), (Kind::Group, ColumnRole::Group)] {
+            if self.with_role(role).is_empty() {
+                let place =
+                    (0..self.kinds.len()).find(|&it| self.kinds[it] == kind && self.roles[it].is_none());
+                if let Some(place) = place {
+                    self.roles[place] = Some(role);
+                }
+            }
+        }
+    }
+
+    fn found(self) -> TableRoles {
+        let column = |place: usize| Column::Number(place + 1);
+        let columns = |role| self.with_role(role).into_iter().map(column).collect::<Vec<_>>();
+        let of_quantity = |quantity: usize| {
+            let readings = self.with_role(ColumnRole::Reading(quantity));
+            let uncertainties =
+                [UncertaintyKind::Standard, UncertaintyKind::HalfWidth, UncertaintyKind::Resolution]
+                    .into_iter()
+                    .find_map(|kind| {
+                        Some((
+                            column(*self.with_role(ColumnRole::Uncertainty(quantity, kind)).first()?),
+                            kind,
+                        ))
+                    });
+            QuantityColumns {
+                are_squares: !readings.is_empty()
+                    && readings.iter().all(|&place| self.kinds[place] == Kind::Squares),
+                swings: self.swings_by_a_quotient(&readings),
+                readings: readings.into_iter().map(column).collect(),
+                uncertainties,
+            }
+        };
+        TableRoles {
+            quantities: (0..self.needed.len()).map(of_quantity).collect(),
+            swings: columns(ColumnRole::Swings).first().cloned(),
+            group: columns(ColumnRole::Group).first().cloned(),
+            unused: (0..self.roles.len()).filter(|&it| self.roles[it].is_none()).map(column).collect(),
+            notes: self.notes,
+        }
+    }
+}

@@ -1,0 +1,193 @@
+//! The columns of readings of each quantity.
+
+use super::kinds::Kind;
+use super::{ColumnRole, Search, TableQuantity};
+use crate::measurement::counted_periods::counted;
+use crate::measurement::heading::Heading;
+use crate::measurement::{CountedPeriods, MeasurementError, Role};
+use crate::statistics::{count, mean, median};
+
+/// Repeated readings of a row are within this factor of each other, in most rows.
+const ALIKE: f64 = 1.5;
+
+impl Search<'_> {
+    pub(super) fn assign_readings(&mut self) -> Result<(), MeasurementError> {
+        let mut order: Vec<usize> = (0..self.needed.len()).collect();
+        order.sort_by_key(|&quantity| self.needed[quantity].only_named.is_none());
+        for quantity in order {
+            if self.with_role(ColumnRole::Reading(quantity)).is_empty() {
+                let columns = self.named(quantity);
+                self.take(quantity, &columns);
+            }
+        }
+        for quantity in 0..self.needed.len() {
+            if self.needed[quantity].only_named.is_none()
+                && self.with_role(ColumnRole::Reading(quantity)).is_empty()
+            {
+                let columns = self.first_free(quantity);
+                self.take(quantity, &columns);
+            }
+        }
+        let is_missing = |quantity: &usize| {
+            self.needed[*quantity].only_named.is_none()
+                && self.with_role(ColumnRole::Reading(*quantity)).is_empty()
+        };
+        match (0..self.needed.len()).any(|quantity| is_missing(&quantity)) {
+            true => Err(MeasurementError::TooFewColumns { names: self.names(), numbers: self.numbers() }),
+            false => Ok(()),
+        }
+    }
+
+    fn names(&self) -> String {
+        let needed = self.needed.iter().filter(|it| it.only_named.is_none());
+        needed.map(|it| it.name).collect::<Vec<_>>().join(" and ")
+    }
+
+    /// Number of columns of numbers.
+    fn numbers(&self) -> usize {
+        self.table.sheet().channels.iter().filter(|channel| channel.count() > 0).count()
+    }
+
+    fn take(&mut self, quantity: usize, columns: &[usize]) {
+        for &place in columns {
+            self.roles[place] = Some(ColumnRole::Reading(quantity));
+        }
+    }
+
+    /// The columns whose headings say this quantity: the largest set of repeated readings, else means, else squares.
+    fn named(&self, quantity: usize) -> Vec<usize> {
+        let needed = self.needed[quantity];
+        let of_kind = |kind: Kind| -> Vec<usize> {
+            let is = |place: &usize| self.roles[*place].is_none() && self.kinds[*place] == kind;
+            (0..self.kinds.len()).filter(is).filter(|&it| says(self.heading(it), needed, kind)).collect()
+        };
+        let sets = self.repeated(&of_kind(Kind::Values));
+        let largest = sets.iter().map(Vec::len).max().unwrap_or(0);
+        let values = sets.into_iter().find(|set| set.len() == largest);
+        let other = || {
+            let single = |kind| of_kind(kind).first().map(|&place| vec![place]);
+            single(Kind::Means).or_else(|| single(Kind::Squares).filter(|_| needed.role == Role::Times))
+        };
+        values.or_else(other).unwrap_or_default()
+    }
+
+    /// The first free column of values, with those that repeat it; one that says another quantity only where there is no other.
+    fn first_free(&self, quantity: usize) -> Vec<usize> {
+        let free: Vec<usize> = (0..self.kinds.len()).filter(|&place| self.is_free(place)).collect();
+        let says_other = |place: &usize| {
+            let heading = self.heading(*place);
+            heading.unit.is_some() && self.needed[quantity].role.contradicted_by(heading).is_some()
+        };
+        let fitting: Vec<usize> = free.iter().copied().filter(|place| !says_other(place)).collect();
+        let sets = self.repeated(if fitting.is_empty() { &free } else { &fitting });
+        sets.into_iter().next().unwrap_or_default()
+    }
+
+    /// These columns as sets of repeated readings, in the order of their first columns.
+    fn repeated(&self, columns: &[usize]) -> Vec<Vec<usize>> {
+        let mut sets: Vec<Vec<usize>> = vec![];
+        for &place in columns {
+            let is_of = |set: &&mut Vec<usize>| {
+                let (first, heading) = (self.heading(set[0]), self.heading(place));
+                stem(first) == stem(heading) && first.unit == heading.unit && self.agree(set[0], place)
+            };
+            match sets.iter_mut().find(is_of) {
+                Some(set) => set.push(place),
+                None => sets.push(vec![place]),
+            }
+        }
+        sets
+    }
+
+    /// Returns whether two columns have values within a factor of each other.
+    fn agree(&self, one: usize, other: usize) -> bool {
+        self.ratio(&[one], other).is_some_and(|ratio| (1.0 / ALIKE..ALIKE).contains(&ratio))
+    }
+
+    /// The middle ratio of the mean of these columns to another one.
+    fn ratio(&self, columns: &[usize], other: usize) -> Option<f64> {
+        median(self.ratios(columns, other))
+    }
+
+    fn ratios(&self, columns: &[usize], other: usize) -> Vec<f64> {
+        let sheet = self.table.sheet();
+        let number = |place: usize, row: usize| sheet.number(place, row).ok().flatten();
+        let ratio = |row: usize| {
+            let values: Vec<f64> = columns.iter().filter_map(|&place| number(place, row)).collect();
+            let quotient = mean(values.iter().copied()) / number(other, row)?;
+            Some(quotient).filter(|it| it.is_finite())
+        };
+        (0..sheet.rows()).filter_map(ratio).collect()
+    }
+
+    /// The number of swings of each reading, where another column is their mean over a whole number from two on, within a hundredth in each row.
+    pub(super) fn swings_by_a_quotient(&self, readings: &[usize]) -> Option<f64> {
+        const WITHIN: f64 = 0.01;
+        let first = self.heading(*readings.first()?);
+        let is_open = |place: &usize| self.roles[*place].is_none() && self.kinds[*place] != Kind::Other;
+        let is_time = |place: &usize| {
+            Role::Times.is_said_by(self.heading(*place)) && self.heading(*place).unit == first.unit
+        };
+        if !Role::Times.is_said_by(first) {
+            return None;
+        }
+        (0..self.kinds.len()).filter(is_open).filter(is_time).find_map(|place| {
+            let ratios = self.ratios(readings, place);
+            let whole = median(ratios.clone())?.round();
+            let is_near = |ratio: &f64| (ratio / whole - 1.0).abs() < WITHIN;
+            (whole >= 2.0 && ratios.len() > 1 && ratios.iter().all(is_near)).then_some(whole)
+        })
+    }
+
+    /// Number of readings in each row, at most.
+    pub(super) fn readings_of(&self, quantity: usize) -> f64 {
+        count(self.with_role(ColumnRole::Reading(quantity)).len())
+    }
+}
+
+/// Returns whether a heading says that its column holds this quantity, or its squares.
+fn says(heading: &Heading, needed: TableQuantity, kind: Kind) -> bool {
+    let name = heading.name.to_lowercase();
+    if let Some(beginnings) = needed.only_named {
+        return beginnings.iter().any(|beginning| name.starts_with(beginning));
+    }
+    match kind {
+        Kind::Squares => ["t", "period", "time"].iter().any(|symbol| name.starts_with(symbol)),
+        _ => {
+            needed.role.is_said_by(heading)
+                || needed.role == Role::Times
+                    && heading.unit.is_none()
+                    && heading.unit_text.is_none()
+                    && matches!(counted(&heading.text), CountedPeriods::Said(_))
+        }
+    }
+}
+
+/// Words before the letter or the number of a reading.
+const READING: [&str; 10] =
+    ["run", "trial", "reading", "measurement", "attempt", "try", "versuch", "messung", "essai", "prova"];
+
+/// The name of a column without the number of the reading: `t 1`, `t_2`, `3rd trial`, `run B`.
+fn stem(heading: &Heading) -> String {
+    let subscript = |letter: char| match letter {
+        '₀'..='₉' => '0',
+        other => other,
+    };
+    let plain: String =
+        heading.name.to_lowercase().chars().filter(|it| !"{}#".contains(*it)).map(subscript).collect();
+    let mut words: Vec<&str> = plain.split([' ', '_']).filter(|word| !word.is_empty()).collect();
+    let is_ordinal = |word: &str| {
+        let digits = word.trim_end_matches(char::is_alphabetic);
+        !digits.is_empty()
+            && digits.bytes().all(|it| it.is_ascii_digit())
+            && ["st", "nd", "rd", "th"].contains(&&word[digits.len()..])
+    };
+    words.retain(|word| !is_ordinal(word));
+    if let [.., before, last] = words[..]
+        && last.chars().count() == 1
+        && READING.contains(&before)
+    {
+        words.pop();
+    }
+    words.join(" ").trim_end_matches(|it: char| it.is_ascii_digit() || it == ' ' || it == '.').to_owned()
+}

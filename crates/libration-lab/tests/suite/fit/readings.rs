@@ -1,0 +1,109 @@
+//! Repeated readings. Values by NumPy and `scipy.stats` 1.17.1.
+
+use libration_lab::fit::{
+    PeriodTable, PeriodsOptions, RepeatedReadings, Uncertainties, Weighting, effective_degrees_of_freedom,
+    periods,
+};
+
+fn readings(rows: &[&[f64]], step: f64) -> RepeatedReadings {
+    let rows: Vec<Vec<f64>> = rows.iter().map(|row| row.to_vec()).collect();
+    RepeatedReadings::new(&rows, step).unwrap()
+}
+
+fn close(found: f64, expected: f64) {
+    assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
+}
+
+const ALIKE: [&[f64]; 4] =
+    [&[20.1, 20.4, 20.2], &[22.3, 22.0, 22.4], &[24.9, 24.6, 25.0], &[27.1, 27.2, 26.8]];
+
+#[test]
+fn rows_that_scatter_alike_share_one_deviation() {
+    let found = readings(&ALIKE, 0.1);
+    close(found.deviation, 0.1957890020745114);
+    assert_eq!((found.degrees_of_freedom, found.rounding), (8, None));
+    for (row, mean) in found.rows.iter().zip([20.233333333333334, 22.23333333333333, 24.833333333333332]) {
+        close(row.mean, mean);
+        close(row.uncertainty, 0.1957890020745114 / 3.0_f64.sqrt());
+    }
+    let unequal = readings(&[&[2.01, 2.03, 1.99, 2.02], &[2.00, 2.04], &[1.98, 2.01, 2.03], &[2.1]], 0.01);
+    for (row, u) in
+        unequal.rows.iter().zip([0.011071108546321994, 0.015656911856713245, 0.012783814998893141])
+    {
+        close(row.uncertainty, u);
+    }
+    close(unequal.rows[3].uncertainty, 0.02214221709264399);
+    assert!(RepeatedReadings::new(&[vec![1.0], vec![2.0]], 0.01).is_none());
+}
+
+/// A reading of 2.30 among those of 1.735: t has p = 9e-8 (of twelve readings), and the row's variance p = 1e-6 (of four rows).
+#[test]
+fn a_blunder_is_named_and_its_row_counts_by_its_own_scatter() {
+    let rows: [&[f64]; 4] =
+        [&[1.00, 1.02, 0.99], &[1.41, 1.43, 1.40], &[1.73, 1.74, 2.30], &[2.00, 2.01, 1.98]];
+    let found = readings(&rows, 0.01);
+    assert_eq!(found.outliers, [(2, 2)]);
+    let unlike: Vec<bool> = found.rows.iter().map(|row| row.is_unlike).collect();
+    assert_eq!(unlike, [false, false, true, false]);
+    assert_eq!((found.degrees_of_freedom, found.degrees_of_freedom_of(2)), (6, 2));
+    close(found.rows[2].mean, 5.77 / 3.0);
+    assert!(found.rows[2].uncertainty > 10.0 * found.rows[0].uncertainty);
+}
+
+#[test]
+fn rounding_counts_where_the_readings_scatter_less_and_is_not_divided() {
+    let same = readings(&[&[1.0, 1.0, 1.0], &[1.4, 1.4, 1.4]], 0.1);
+    assert!(same.deviation < 1e-15);
+    close(same.rows[0].uncertainty, 0.1 / 12.0_f64.sqrt());
+    assert!(same.outliers.is_empty());
+    let seam = 0.1957890020745114 * 12.0_f64.sqrt();
+    assert_eq!(readings(&ALIKE, 0.999999 * seam).rounding, None);
+    assert!(readings(&ALIKE, 1.000001 * seam).rounding.is_some());
+}
+
+/// All rows share one s: whatever the weights are, u² is s² times a number that is known.
+#[test]
+fn a_sum_of_means_with_one_pooled_deviation_has_its_degrees_of_freedom() {
+    let found = readings(&ALIKE, 0.1);
+    let c = [0.1, 0.5, 0.2, 0.7];
+    let total = c.iter().map(|c| c * c).sum::<f64>() * found.rows[0].uncertainty * found.rows[0].uncertainty;
+    close(effective_degrees_of_freedom(&found, &c, total), 8.0);
+    close(effective_degrees_of_freedom(&found, &c, 2.0 * total), 32.0);
+}
+
+fn table(periods: &RepeatedReadings) -> PeriodTable {
+    let values: Vec<f64> = periods.rows.iter().map(|row| row.mean).collect();
+    let of_periods: Vec<f64> = periods.rows.iter().map(|row| row.uncertainty).collect();
+    let uncertainties = Uncertainties { amplitudes: None, periods: Some(&of_periods) };
+    let amplitudes = vec![0.01; values.len()];
+    PeriodTable::new(&amplitudes, &values, uncertainties).unwrap().with_readings(periods.clone())
+}
+
+#[test]
+fn the_degrees_of_freedom_of_readings_are_those_of_t0() {
+    let found = readings(&[&[2.01, 2.03, 1.99], &[2.00, 2.04], &[1.98, 2.01, 2.03]], 0.01);
+    let fit = periods(&table(&found), &[], &PeriodsOptions::default()).unwrap();
+    let degrees = fit.exact.uncertainty_degrees_of_freedom();
+    assert!((degrees - 5.0).abs() < 1e-9, "{degrees}");
+    let stated = PeriodTable::new(
+        &[0.1; 2],
+        &[2.0, 2.001],
+        Uncertainties { amplitudes: None, periods: Some(&[0.01; 2]) },
+    );
+    let fit = periods(&stated.unwrap(), &[], &PeriodsOptions::default()).unwrap();
+    assert_eq!(fit.exact.uncertainty_degrees_of_freedom(), f64::INFINITY);
+}
+
+/// Four equal periods: without their rounding to 0.01 s the uncertainty would be zero.
+#[test]
+fn rows_that_scatter_less_than_their_rounding_are_as_uncertain_as_that() {
+    let plain = PeriodTable::new(&[0.01; 4], &[2.0; 4], Uncertainties::default()).unwrap();
+    let rounding = 0.01 / 12.0_f64.sqrt();
+    let fit =
+        periods(&plain.clone().with_rounding(vec![rounding; 4]), &[], &PeriodsOptions::default()).unwrap();
+    assert_eq!(fit.weighting, Weighting::Rounding);
+    close(fit.exact.t0.uncertainty, rounding / 2.0 / 1.00000625003581);
+    let scattered = PeriodTable::new(&[0.01; 4], &[2.0, 2.1, 1.9, 2.0], Uncertainties::default()).unwrap();
+    let fit = periods(&scattered.with_rounding(vec![rounding; 4]), &[], &PeriodsOptions::default()).unwrap();
+    assert_eq!(fit.weighting, Weighting::Scatter);
+}
