@@ -11,6 +11,7 @@ mod synthetic_trace;
 mod continuation;
 mod damping_bias;
 mod fit;
+mod fit_amplitudes;
 mod fit_budget;
 mod fit_cycles;
 mod fit_gates;

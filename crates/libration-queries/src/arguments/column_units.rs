@@ -70,6 +70,11 @@ impl Wanted {
         Self { role: Role::Times, option: None, uncertainties_of: None, counted: Some(counted) }
     }
 
+    /// Times, or numbers without a unit.
+    pub(crate) fn times() -> Self {
+        Self { role: Role::Times, option: None, uncertainties_of: None, counted: None }
+    }
+
     pub(crate) fn lengths(said: Option<impl Into<Unit>>) -> Self {
         let option = Some(("--length-unit", said.map(Into::into)));
         Self { role: Role::Lengths, option, uncertainties_of: None, counted: None }

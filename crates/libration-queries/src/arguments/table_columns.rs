@@ -22,7 +22,24 @@ pub(crate) struct ChosenColumns<const N: usize> {
     pub(super) is_said: bool,
 }
 
+impl<const N: usize> ChosenColumns<N> {
+    /// The column of the first quantity.
+    pub(crate) fn first(&self) -> Option<&Column> {
+        self.columns[0].as_ref()
+    }
+}
+
 impl ColumnsOption {
+    /// The option with these columns.
+    pub(crate) fn of(columns: Vec<String>) -> Self {
+        Self { columns }
+    }
+
+    /// Returns whether the option names columns.
+    pub(crate) fn are_given(&self) -> bool {
+        !self.columns.is_empty()
+    }
+
     /// The columns, in this order: two quantities, their uncertainties, others. `needed` names the first two.
     pub(crate) fn choose<const N: usize>(
         &self,
