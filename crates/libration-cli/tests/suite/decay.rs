@@ -25,6 +25,25 @@ fn the_three_laws_stand_beside_each_other() {
     assert!(answer["ending"].is_null());
 }
 
+/// ω0/c of linear damping; for small swings 3π/(8cA) of quadratic and πω0²A/(4d) of dry damping, to which powers of A² add.
+#[test]
+fn the_quality_factor_is_that_of_the_damping() {
+    let linear = json("decay 120deg --linear 0.1 --omega0 3 --cycles 1");
+    close(&linear["quality"], 30.0, 1e-14);
+    let pi = std::f64::consts::PI;
+    let quadratic = json("decay 0.01 --quadratic 0.1 --omega0 3 --cycles 1");
+    close(&quadratic["quality"], 3.0 * pi / (8.0 * 0.1 * 0.01), 0.01);
+    let dry = json("decay 0.01 --dry 0.001 --omega0 3 --cycles 2");
+    close(&dry["quality"], pi * 9.0 * 0.01 / (4.0 * 0.001), 0.001);
+    // A fall of the amplitude with that of the energy: ∝ A.
+    let turns = dry["turning_points"].as_array().unwrap();
+    let [first, last] = [&turns[0], &turns[4]]
+        .map(|it| it["quality"].as_f64().unwrap() / it["amplitude_rad"].as_f64().unwrap());
+    assert!((last / first - 1.0).abs() < 1e-4, "{first} {last}");
+    let sheet = text("decay 60deg --quadratic 0.1");
+    assert!(sheet.contains("2πE/ΔE at the first amplitude"), "{sheet}");
+}
+
 /// The law of a linear spring is A₀·e^(−ct/2), to which powers of A are added;
 /// the phase and the cycles agree with the integration within the stated errors.
 #[test]

@@ -257,6 +257,8 @@ const FURTHER: &[&str] = &[
     "fit|periods|examples/period_table_synthetic.csv",
     "fit|periods|examples/period_table_synthetic.csv|--length|1m±0.01m|--bob-radius|50mm±10mm|--correlation|length,bob-radius=1",
     "fit|gates|examples/gate_synthetic.csv",
+    "fit|amplitudes|examples/amplitudes_synthetic.csv",
+    "fit|amplitudes|examples/amplitudes_synthetic.csv|--columns|time,2|--model|linear",
     "fit|lengths|examples/lengths_synthetic.csv|--amplitude|10deg|--half-periods",
     "fit|response|examples/response_synthetic.csv|--model|duffing|--amplitude-unit|counts|--columns|1,2",
     "fit|response|examples/response_synthetic.csv|--columns|1,2,-,3",

@@ -19,6 +19,7 @@ mod figures;
 mod files;
 mod first_order;
 mod fit;
+mod fit_amplitudes;
 mod fit_budget;
 mod fit_lengths_and_gates;
 mod fit_trace;

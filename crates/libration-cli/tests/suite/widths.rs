@@ -77,6 +77,8 @@ pub(crate) const QUESTIONS: &[&str] = &[
     "inspect|examples/gate_synthetic.csv",
     "inspect|examples/phone/swing.txt|--angle-unit|rad|--spectrum",
     "fit|periods|examples/period_table_synthetic.csv|--length|0.994m±0.001m|--bob-radius|20mm|--bob-mass|42g",
+    "fit|amplitudes|examples/amplitudes_synthetic.csv",
+    "fit|amplitudes|examples/amplitudes_synthetic.csv|--columns|time,2|--model|linear",
     "fit|lengths|examples/lengths_synthetic.csv|--amplitude|10deg",
     "fit|response|examples/response_synthetic.csv",
     "fit|gates|examples/gate_synthetic.csv|--length|0.958m±0.001m|--diameter|25.0(1)mm",

@@ -12,6 +12,7 @@
 //! Reference: J. Orear, *Least squares when both variables have uncertainties*, Am. J. Phys. 50 (1982) 912,
 //! doi:10.1119/1.12972; M. Lybanon, Am. J. Phys. 52 (1984) 22, doi:10.1119/1.13822.
 
+pub mod amplitudes;
 mod angle_unit;
 mod beta;
 pub(crate) mod budget;
@@ -22,6 +23,7 @@ mod damping_model;
 pub(crate) mod effective_weights;
 mod error;
 mod excess_scale;
+mod falling;
 pub mod gates;
 mod gravity;
 mod groups;
@@ -32,6 +34,7 @@ mod outliers;
 mod period_table;
 mod periods;
 pub mod plan;
+mod quality;
 mod readings;
 pub mod response;
 pub(crate) mod scatter;
@@ -66,6 +69,7 @@ pub use outliers::{DEFAULT_OUTLIER_THRESHOLD, outliers};
 pub use period_table::{PeriodTable, Uncertainties, Weighting};
 pub use periods::{PeriodFit, PeriodsOptions, PeriodsWarning, periods};
 pub use readings::{MeanReading, RepeatedReadings, effective_degrees_of_freedom};
+pub use quality::Quality;
 pub use scatter::{Enlargement, Scatter, ScatterVerdict, ScatterWarning};
 pub use significance::SIGNIFICANT;
 pub use small_angle_period::{LawFit, small_angle_period};

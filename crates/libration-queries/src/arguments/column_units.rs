@@ -273,6 +273,11 @@ impl Wanted {
         }
     }
 
+    /// Times, or numbers without a unit.
+    pub(crate) fn times() -> Self {
+        Self { role: Role::Times, option: None, uncertainties_of: None, counted: None }
+    }
+
     pub(crate) fn lengths(said: Option<impl Into<Unit>>) -> Self {
         let option = Some(("--length-unit", said.map(Into::into)));
         Self {

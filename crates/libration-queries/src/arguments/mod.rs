@@ -69,8 +69,8 @@ pub(crate) use table::{
 };
 pub(crate) use table_columns::{ChosenColumns, ColumnsOption, GroupOption};
 pub(crate) use text::{
-    angle, angular_velocity, count, displacement, finite_time, fractional_error, gravity,
-    length_with_uncertainty, not_negative, part, positive, rate_with_uncertainty,
+    angle, angular_velocity, count, displacement, finite_time, fractional_error, gravity, length,
+    length_with_uncertainty, not_negative, part, period_with_uncertainty, positive, rate_with_uncertainty,
 };
 pub(crate) use times::{TimeOptions, Times, times};
 pub(crate) use tolerances::{Tolerances, tolerances};

@@ -46,7 +46,24 @@ pub(crate) struct ChosenColumns<const N: usize> {
     pub(super) is_said: bool,
 }
 
+impl<const N: usize> ChosenColumns<N> {
+    /// The column of the first quantity.
+    pub(crate) fn first(&self) -> Option<&Column> {
+        self.columns[0].first()
+    }
+}
+
 impl ColumnsOption {
+    /// The option with these columns.
+    pub(crate) fn of(columns: Vec<String>) -> Self {
+        Self { columns, role: vec![] }
+    }
+
+    /// Returns whether an option names columns or roles.
+    pub(crate) fn are_given(&self) -> bool {
+        !self.columns.is_empty() || !self.role.is_empty()
+    }
+
     /// The columns, in the order of what is wanted; values of two quantities first.
     pub(crate) fn choose<const N: usize>(
         &self,

@@ -33,7 +33,7 @@ pub(crate) fn length_with_uncertainty(text: &str) -> Result<Quantity, String> {
 }
 
 /// A period above zero with the uncertainty it was given.
-pub(super) fn period_with_uncertainty(text: &str) -> Result<Quantity, String> {
+pub(crate) fn period_with_uncertainty(text: &str) -> Result<Quantity, String> {
     quantity_above_zero(text, Dimension::Time)
 }
 

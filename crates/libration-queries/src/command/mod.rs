@@ -7,6 +7,7 @@ mod derive;
 pub(crate) mod expand;
 mod fields;
 pub(crate) mod figure;
+mod fit_amplitudes;
 mod fit_gates;
 mod fit_lengths;
 mod fit_periods;

@@ -3,10 +3,10 @@
 //! A query is registered here and nowhere else: the help, the parameters as data, the fields and the run follow from its line.
 
 use super::{
-    backbone, bifurcation, decay, derive, expand, fields, figure, fit_gates, fit_lengths, fit_periods,
-    fit_response, fit_trace, formulas, fourier, inspect, list, lyapunov, melnikov, modes, motion, orbit,
-    oscillators, page, paper, period, plan, resonance, response, section, simulate, stability, sweep,
-    systems,
+    backbone, bifurcation, decay, derive, expand, fields, figure, fit_amplitudes, fit_gates, fit_lengths,
+    fit_periods, fit_response, fit_trace, formulas, fourier, inspect, list, lyapunov, melnikov, modes,
+    motion, orbit, oscillators, page, paper, period, plan, resonance, response, section, simulate, stability,
+    sweep, systems,
 };
 use crate::output::description::Answers;
 use crate::query_error::QueryError;
@@ -165,6 +165,12 @@ pub(crate) fn groups() -> [(&'static str, Vec<Query>); 6] {
                 ),
                 query("fit periods", HIDDEN, fit_periods::FitPeriods::answer, fit_periods::answers),
                 query("fit lengths", HIDDEN, fit_lengths::FitLengths::answer, fit_lengths::answers),
+                query(
+                    "fit amplitudes",
+                    HIDDEN,
+                    fit_amplitudes::FitAmplitudes::answer,
+                    fit_amplitudes::answers,
+                ),
                 query("fit gates", HIDDEN, fit_gates::FitGates::answer, fit_gates::answers),
                 query("fit trace", HIDDEN, fit_trace::FitTrace::answer, fit_trace::answers),
                 query("fit response", HIDDEN, fit_response::FitResponse::answer, fit_response::answers),
@@ -203,11 +209,12 @@ pub(crate) fn groups() -> [(&'static str, Vec<Query>); 6] {
 /// Queries that share their first word: the word, its line in the help, what they do, examples.
 pub(crate) static FAMILIES: [[&str; 4]; 1] = [[
     "fit",
-    "fit of periods, lengths, gate times, swings, responses",
-    "Fit the exact law to measured data: periods, lengths, gate times, whole swings or the response to a drive",
+    "fit of periods, lengths, amplitudes, gate times, swings, responses",
+    "Fit the exact law to measured data: periods, lengths, amplitudes, gate times, whole swings or the response to a drive",
     "Examples:
   libration fit periods examples/period_table_synthetic.csv
   libration fit lengths examples/lengths_synthetic.csv --amplitude 10deg
+  libration fit amplitudes examples/amplitudes_synthetic.csv
   libration fit gates examples/gate_synthetic.csv --amplitude 0.9
   libration fit trace examples/swing_synthetic.csv --length 0.56m±0.002m
   libration fit response examples/response_synthetic.csv

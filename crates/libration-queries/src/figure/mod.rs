@@ -4,6 +4,7 @@
 //! Pictures are data of `libration-report`, drawn as SVG there and as PNG by tiny-skia (`png.rs`); in a page, which draws pictures by itself,
 //! `no_png.rs` replaces it.
 
+pub(crate) mod amplitudes;
 pub(crate) mod animation;
 pub(crate) mod backbone;
 pub(crate) mod decay;

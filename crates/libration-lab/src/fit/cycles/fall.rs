@@ -6,6 +6,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::HalfSwing;
 use super::decay_rates::DecayRates;
+use crate::fit::falling::falling;
 use crate::fit::trace::{DampingKind, DampingModel};
 use crate::statistics::levenberg_marquardt::{Effort, Linearised, ResidualsError, minimum};
 use crate::statistics::{Design, median, robust_deviation, weighted_least_squares};
@@ -124,28 +125,12 @@ impl Fall<'_> {
         0.5 * first.amplitude.value / (self.rates.at(term, first.amplitude.value) * (last.time - first.time))
     }
 
-    /// The amplitudes at the half swings, by the classical Runge–Kutta method.
+    /// The amplitudes at the half swings.
     fn amplitudes(&self, terms: DampingModel, parameters: &[f64]) -> Vec<f64> {
         let rate = |amplitude: f64| -> f64 {
-            terms.iter().zip(&parameters[1..]).map(|(term, c)| -c * self.rates.at(term, amplitude)).sum()
+            terms.iter().zip(&parameters[1..]).map(|(term, c)| c * self.rates.at(term, amplitude)).sum()
         };
-        let mut amplitude = parameters[0];
-        let mut amplitudes = vec![amplitude];
-        for pair in self.half_swings.windows(2) {
-            let duration = pair[1].time - pair[0].time;
-            let steps = (duration / self.substep).ceil().clamp(1.0, 1000.0);
-            let step = duration / steps;
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 1 to 1000")]
-            for _ in 0..steps as usize {
-                let a = rate(amplitude);
-                let b = rate(amplitude + 0.5 * step * a);
-                let c = rate(amplitude + 0.5 * step * b);
-                let d = rate(amplitude + step * c);
-                amplitude = (amplitude + step / 6.0 * (a + 2.0 * b + 2.0 * c + d)).max(0.0);
-            }
-            amplitudes.push(amplitude);
-        }
-        amplitudes
+        falling(parameters[0], self.half_swings.iter().map(|half| half.time), self.substep, rate)
     }
 
     pub(super) fn residuals(&self, fitted: &[f64]) -> Vec<f64> {

@@ -4,7 +4,7 @@ use super::{Advice, FittedPendulum, Warning};
 use crate::fit::contradiction::{Contradiction, Estimate};
 use crate::fit::cycles::{Cycle, Cycles, CyclesError};
 use crate::fit::trace::{Comparison, TraceFit};
-use crate::fit::{Beta, DampingModel, SIGNIFICANT, Uncertain};
+use crate::fit::{Beta, DampingModel, Quality, SIGNIFICANT, Uncertain};
 use crate::measurement::Trace;
 use crate::statistics::count;
 
@@ -37,6 +37,19 @@ impl SwingsFit {
     pub fn small_angle_period(&self) -> Uncertain {
         let model = self.contradiction.as_ref().map_or(0.0, Contradiction::uncertainty);
         self.period_of_runs().with_error(model)
+    }
+
+    /// Q of the fitted model: ω0/c for linear damping, 2πE/ΔE at the largest amplitude of a cycle for any other. Its uncertainty includes the
+    /// difference to models that are not ruled out. `None` without damping, and without a cycle where the amplitude matters.
+    #[must_use]
+    pub fn quality(&self) -> Option<Quality> {
+        let amplitude = self.amplitudes().map(|[largest, _]| largest);
+        let quality = self.fit.quality(amplitude.unwrap_or(f64::NAN))?;
+        let spread = self.comparison.as_ref().zip(amplitude);
+        let spread =
+            spread.map_or(0.0, |(comparison, amplitude)| comparison.spread_of_quality(&self.fit, amplitude));
+        let is_known = quality.factor.value.is_finite();
+        is_known.then(|| Quality { factor: quality.factor.with_error(spread), ..quality })
     }
 
     /// T0, in s, of which the uncertainty is enlarged where runs scatter by more than theirs: by √(χ²/ν) of the T0 by their cycles.

@@ -4,7 +4,7 @@ use crate::statistics::count;
 use std::f64::consts::PI;
 
 use super::{Autocorrelation, DampingKind, DampingModel};
-use crate::fit::Uncertain;
+use crate::fit::{Quality, Uncertain, quality};
 
 /// A fitted number with its uncertainty.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -96,6 +96,39 @@ impl TraceFit {
         Uncertain { value: period, uncertainty: period * omega0.estimate.uncertainty / omega0.estimate.value }
     }
 
+    /// Q: ω0/c for linear damping, 2πE/ΔE of the undamped cycle at this amplitude, in radians, for any other; `None` where the damping takes no
+    /// energy.
+    #[must_use]
+    pub fn quality(&self, amplitude: f64) -> Option<Quality> {
+        let is_linear = self.damping == DampingModel::only(DampingKind::Linear);
+        let omega0 = self.parameters[0].estimate.value;
+        // ΔE/(2πE) by each coefficient, and its derivatives with respect to the parameters.
+        let (mut loss, mut slopes) = (0.0, vec![0.0; self.parameters.len()]);
+        for (place, term) in (1..).zip(self.damping.iter()) {
+            let (of_one, coefficient) = (
+                if is_linear { 1.0 } else { quality::loss(term, amplitude) },
+                self.parameters[place].estimate.value,
+            );
+            slopes[place] = of_one * libm::pow(omega0, term.exponent() - 2.0);
+            loss += coefficient * slopes[place];
+            slopes[0] += (term.exponent() - 2.0) * coefficient * slopes[place] / omega0;
+        }
+        let value = 1.0 / loss;
+        let factor = Uncertain { value, uncertainty: value * value * self.deviation_of(&slopes) };
+        (loss > 0.0).then_some(Quality { factor, amplitude: (!is_linear).then_some(amplitude) })
+    }
+
+    /// Standard uncertainty of a sum of the parameters with these factors.
+    fn deviation_of(&self, factors: &[f64]) -> f64 {
+        let parts = self.parameters.iter().zip(factors);
+        let parts: Vec<f64> =
+            parts.map(|(parameter, factor)| parameter.estimate.uncertainty * factor).collect();
+        let rows = self.correlations.iter().zip(&parts);
+        let sum =
+            |row: &[f64]| row.iter().zip(&parts).map(|(correlation, part)| correlation * part).sum::<f64>();
+        rows.map(|(row, part)| part * sum(row)).sum::<f64>().max(0.0).sqrt()
+    }
+
     /// Returns whether the damping takes energy at all speeds that the pendulum had, within two standard uncertainties. A single
     /// coefficient may be negative: the friction of a bearing can become less at higher speed.
     #[must_use]
@@ -140,17 +173,7 @@ impl TraceFit {
             .zip(&powers)
             .map(|(parameter, power)| parameter.estimate.value * power)
             .sum();
-        let parts = self
-            .parameters
-            .iter()
-            .zip(&powers)
-            .map(|(parameter, power)| parameter.estimate.uncertainty * power);
-        let parts: Vec<f64> = parts.collect();
-        let rows = self.correlations.iter().zip(&parts);
-        let variance =
-            |row: &[f64]| row.iter().zip(&parts).map(|(correlation, part)| correlation * part).sum::<f64>();
-        let variance: f64 = rows.map(|(row, part)| part * variance(row)).sum();
-        (force, variance.max(0.0).sqrt())
+        (force, self.deviation_of(&powers))
     }
 
     /// The speed at the bottom by the energy at the beginning of a trace.

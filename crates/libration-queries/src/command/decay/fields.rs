@@ -6,7 +6,9 @@ use crate::arguments::PendulumOptions;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use libration::decay::{Decay, DecayEnding, PowerLawTerm};
+use libration::pendulum::Amplitude;
 use serde_json::Value;
+use std::f64::consts::TAU;
 
 /// A turning point of a decay.
 pub(super) struct Turning<'a> {
@@ -18,6 +20,25 @@ pub(super) struct Turning<'a> {
 pub(super) struct Found<'a> {
     pub(super) decay: &'a Decay,
     pub(super) report: &'a Report,
+}
+
+const QUALITY: &str = "ω0/c of linear damping alone, 2πE/ΔE at the release of any other";
+
+impl Found<'_> {
+    /// Q: ω0/c of linear damping alone, 2πE/ΔE at the release of any other.
+    pub(super) fn quality(&self) -> f64 {
+        match self.decay.damping().terms() {
+            [only] if only.exponent.total_cmp(&1.0).is_eq() => {
+                self.decay.pendulum().angular_frequency() / only.coefficient
+            }
+            _ => quality_at(self.decay, &self.decay.start()),
+        }
+    }
+}
+
+/// 2πE/ΔE of the undamped cycle.
+fn quality_at(decay: &Decay, amplitude: &Amplitude) -> f64 {
+    TAU / decay.loss_in_a_cycle(amplitude)
 }
 
 /// The fields before the terms of the damping.
@@ -56,6 +77,7 @@ pub(super) fn of_decay<'a>() -> Fields<Found<'a>> {
             "largest amplitude at which dry friction holds the pendulum",
             |it| it.decay.sticking_amplitude(),
         ),
+        Of::number("quality", "1", QUALITY, |it| it.quality()),
         Of::value(
             "ending",
             "",
@@ -110,6 +132,9 @@ pub(super) fn of_turning<'a>() -> Fields<Turning<'a>> {
             "fraction of its energy that a cycle of the undamped motion at that amplitude would lose",
             |it| it.decay.loss_in_a_cycle(&it.row.turn.point.amplitude),
         ),
+        Of::number("quality", "1", "2πE/ΔE of the undamped cycle at that amplitude", |it| {
+            quality_at(it.decay, &it.row.turn.point.amplitude)
+        }),
     ])
 }
 

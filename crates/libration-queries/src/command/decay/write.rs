@@ -123,6 +123,7 @@ impl Answer<'_> {
         lines.extend(fields::of_pendulum().lines(self.decay));
         lines.push(("equation", self.equation()));
         lines.push(("energy lost", self.losses()));
+        lines.push(("Q", self.quality()));
         let errors = [
             ("averaging", self.report.largest_error(|turn| turn.averaged)),
             ("small amplitudes", self.report.largest_error(|turn| turn.small)),
@@ -145,6 +146,21 @@ impl Answer<'_> {
             }
         });
         format!("θ″{} + ω0² sin θ = 0", terms.collect::<String>())
+    }
+
+    /// Q of linear damping, or at the first and the last amplitude.
+    fn quality(&self) -> String {
+        let found = Found { decay: self.decay, report: self.report };
+        let first = short(found.quality(), 4);
+        if let [only] = self.decay.damping().terms()
+            && only.exponent.total_cmp(&1.0).is_eq()
+        {
+            return format!("{first}  (ω0/c, at every amplitude)");
+        }
+        let last = self.report.turns.last().map_or(f64::NAN, |turn| {
+            std::f64::consts::TAU / self.decay.loss_in_a_cycle(&turn.point.amplitude)
+        });
+        format!("{first}  (2πE/ΔE at the first amplitude; {} at the last)", short(last, 4))
     }
 
     fn losses(&self) -> String {

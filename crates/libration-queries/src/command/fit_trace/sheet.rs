@@ -7,9 +7,9 @@ use crate::output;
 use crate::output::number::{self, rounded};
 use crate::output::table::{paragraph, sheet};
 use libration::quantity::STANDARD_GRAVITY;
-use libration_lab::fit::alternatives;
 use libration_lab::fit::swings::{FittedPendulum, Warning};
 use libration_lab::fit::trace::Comparison;
+use libration_lab::fit::{Quality, alternatives};
 use std::io::{self, Write};
 
 /// Letters in a line.
@@ -50,8 +50,17 @@ fn lines(answer: &Answer<'_>) -> Vec<(&'static str, String)> {
         gravity_or_length(answer),
     ]);
     lines.extend(expanded(answer).map(|text| ("expanded", text)));
+    lines.extend(answer.swings.quality().map(|it| ("Q", quality(it))));
     lines.extend([("rms residual", residual(answer)), ("cycles", cycles(answer)), ("β", beta(answer))]);
     lines
+}
+
+/// Q, and the amplitude at which it holds.
+pub(super) fn quality(quality: Quality) -> String {
+    let at = quality.amplitude.map_or("ω0/c, at every amplitude".to_owned(), |amplitude| {
+        format!("2πE/ΔE at {}°", rounded(amplitude.to_degrees(), 3))
+    });
+    format!("{}  ({at})", number::quantity(quality.factor, ""))
 }
 
 /// The expanded uncertainty of gravity, where there is one.

@@ -43,6 +43,18 @@ impl Comparison {
         self.fits.iter().any(|fit| estimate(fit).is_some()).then(|| self.averaged(estimate))
     }
 
+    /// The difference of Q at an amplitude, in radians, between a model and the others with their weights, as a standard deviation.
+    pub(crate) fn spread_of_quality(&self, of: &TraceFit, amplitude: f64) -> f64 {
+        let Some(own) = of.quality(amplitude) else { return 0.0 };
+        let known = self.fits.iter().zip(self.weights());
+        let known = known.filter_map(|(fit, weight)| Some((fit.quality(amplitude)?.factor.value, weight)));
+        let (sum, weights) = known.fold((0.0, 0.0), |(sum, weights), (value, weight)| {
+            let difference = value - own.factor.value;
+            (sum + weight * difference * difference, weights + weight)
+        });
+        (sum / weights).sqrt()
+    }
+
     /// Averages with the unconditional variance of Burnham and Anderson's equation 4.9, as variances.
     fn averaged(&self, estimate: impl Fn(&TraceFit) -> Option<Uncertain>) -> ModelAverage {
         let weights = self.weights();

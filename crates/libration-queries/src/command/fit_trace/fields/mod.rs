@@ -13,7 +13,7 @@ use crate::output::json::{self, Record};
 use crate::output::{budget, warnings};
 use libration::quantity::Quantity;
 use libration_lab::fit::swings::{Advice, FittedPendulum, Warning};
-use libration_lab::fit::{Budget, Uncertain};
+use libration_lab::fit::{Budget, Quality, Uncertain};
 use libration_lab::measurement::Observable;
 use serde_json::Value;
 
@@ -73,6 +73,14 @@ fn of_fit<'a>() -> Fields<Answer<'a>> {
         Of::number("small_angle_period_uncertainty_s", "s", "standard uncertainty of T₀", |it| {
             it.swings.small_angle_period().uncertainty
         }),
+        Of::known("quality", "1", QUALITY, |it| quality(it).map(|quality| quality.factor.value)),
+        Of::known("quality_uncertainty", "1", "standard uncertainty of Q, or null", |it| {
+            quality(it).map(|quality| quality.factor.uncertainty)
+        }),
+        Of::known("quality_amplitude_rad", "rad", "amplitude of the cycle that Q describes, or null", |it| {
+            let reason = || "Q of linear damping is the same at every amplitude".to_owned();
+            quality(it)?.amplitude.ok_or_else(reason)
+        }),
         Of::nested("cycles[].", &of_cycle(), |it| of_cycle().records(&cycles(it))),
         Of::known(
             "beta",
@@ -84,6 +92,12 @@ fn of_fit<'a>() -> Fields<Answer<'a>> {
             it.swings.beta.as_ref().map(|beta| beta.factor.uncertainty).map_err(ToString::to_string)
         }),
     ])
+}
+
+const QUALITY: &str = "ω0/c of linear damping, 2πE/ΔE at the largest cycle of any other, or null";
+
+fn quality(answer: &Answer<'_>) -> Result<Quality, String> {
+    answer.swings.quality().ok_or_else(|| "there is no damping, or no cycle".to_owned())
 }
 
 fn rms(answer: &Answer<'_>, observable: Observable) -> Option<f64> {

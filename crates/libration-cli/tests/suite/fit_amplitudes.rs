@@ -1,0 +1,115 @@
+//! `libration fit amplitudes`.
+
+use crate::command::{directory, json, libration, message, text};
+use serde_json::Value;
+
+fn example() -> String {
+    format!("{}/../../examples/amplitudes_synthetic.csv", env!("CARGO_MANIFEST_DIR"))
+}
+
+fn file(name: &str, text: &str) -> String {
+    let path = directory(name).join("file.csv");
+    std::fs::write(&path, text).unwrap();
+    path.display().to_string()
+}
+
+/// The distance of a value from the true one, in units of its uncertainty.
+fn pull(answer: &Value, name: &str, truth: f64) -> f64 {
+    let uncertainty = format!("{name}_uncertainty");
+    (answer[name].as_f64().unwrap() - truth).abs() / answer[&uncertainty].as_f64().unwrap()
+}
+
+#[test]
+fn the_example_of_amplitudes_gives_its_truth_back() {
+    let answer = json(&format!("fit amplitudes {}", example()));
+    assert_eq!(
+        (&answer["rows"], &answer["sides"], &answer["against"]),
+        (&30.into(), &"both".into(), &"time".into())
+    );
+    assert_eq!(answer["law"], "linear+quadratic");
+    let [linear, quadratic] = [0, 1].map(|place| &answer["coefficients"][place]);
+    assert!(pull(linear, "coefficient", 0.012) < 3.0 && linear["unit"] == "1/s", "{linear}");
+    assert!(pull(quadratic, "coefficient", 0.015) < 3.0 && quadratic["unit"] == "1/rad", "{quadratic}");
+    assert!(pull(&answer, "zero", 0.8_f64.to_radians()) < 3.0);
+    let omega0 =
+        [&answer["omega0_rad_per_s"], &answer["omega0_uncertainty_rad_per_s"]].map(|it| it.as_f64().unwrap());
+    assert!((omega0[0] - 4.43).abs() < 3.0 * omega0[1], "{omega0:?}");
+    assert!(answer["log_decrement"].is_null() && answer["quality_amplitude"].as_f64().unwrap() > 0.6);
+    let sheet = text(&format!("fit amplitudes {}", example()));
+    assert!(sheet.contains("2πE/ΔE at 4") && sheet.contains("reading at the equilibrium"), "{sheet}");
+    assert!(sheet.contains("turning points of both sides (--sides one"), "{sheet}");
+}
+
+/// A = 12 cm·exp(−0.02 t), read every five swings of 1.25 s.
+fn exponential(header: &str, position: impl Fn(f64) -> f64) -> String {
+    let row = |k: u32| {
+        let swings = 5.0 * f64::from(k);
+        format!("{},{:.6}\n", position(swings), 12.0 * (-0.02 * 1.25 * swings).exp())
+    };
+    format!("{header}\n{}", (0..9).map(row).collect::<String>())
+}
+
+#[test]
+fn what_is_missing_for_q_is_named() {
+    let times = file("amplitudes-times", &exponential("t (s),A (cm)", |swings| 1.25 * swings));
+    let answer = json(&format!("fit amplitudes {times}"));
+    assert!(answer["quality"].is_null() && answer["note"].as_str().unwrap().contains("--period"), "{answer}");
+    assert!((answer["decay_time_s"].as_f64().unwrap() - 50.0).abs() < 1e-3);
+    assert!((answer["coefficients"][0]["coefficient"].as_f64().unwrap() - 0.04).abs() < 1e-6);
+    // ω0² = (2π/T)² + γ².
+    let truth = (std::f64::consts::TAU / 1.25).hypot(0.02) / 0.04;
+    let known = json(&format!("fit amplitudes {times} --period 1.25s"));
+    assert!((known["quality"].as_f64().unwrap() - truth).abs() < 1e-3, "{known}");
+    assert!((known["log_decrement"].as_f64().unwrap() - 0.025).abs() < 1e-6);
+    let swings = file("amplitudes-swings", &exponential("n,A (cm)", |swings| swings));
+    let counted = json(&format!("fit amplitudes {swings}"));
+    assert!((counted["quality"].as_f64().unwrap() - truth).abs() < 1e-3, "{counted}");
+    assert!(
+        (counted["decay_swings"].as_f64().unwrap() - 40.0).abs() < 1e-3 && counted["decay_time_s"].is_null()
+    );
+    let sheet = text(&format!("fit amplitudes {times}"));
+    assert!(sheet.contains("not known: the period is not known"), "{sheet}");
+}
+
+#[test]
+fn a_table_without_a_header_asks_for_the_quantity_of_its_first_column() {
+    let rows = exponential("", |swings| swings);
+    let bare = file("amplitudes-bare", rows.trim_start());
+    let refused = message(&libration(&format!("fit amplitudes {bare}")));
+    assert!(refused.contains("--against"), "{refused}");
+    let read = json(&format!("fit amplitudes {bare} --against swings --amplitude-unit cm"));
+    assert!((read["first_amplitude"].as_f64().unwrap() - 0.12).abs() < 1e-6, "{read}");
+    let angles = message(&libration(&format!("fit amplitudes {bare} --against swings")));
+    assert!(angles.contains("check the unit"), "{angles}");
+}
+
+#[test]
+fn columns_are_found_by_their_names_in_any_order() {
+    let rows: String = (0..10)
+        .map(|k| format!("{k},{:.4},1.6,{:.3}\n", 20.0 * (-0.05 * f64::from(k)).exp(), 1.6 * f64::from(k)))
+        .collect();
+    let table = file("amplitudes-names", &format!("n,Amplitude (deg),T (s),t (s)\n{rows}"));
+    let answer = json(&format!("fit amplitudes {table}"));
+    let told = answer["told_from_file"].to_string();
+    assert!(
+        told.contains(
+            "times in column 4, amplitudes in column 2, numbers of swings in column 1, periods in column 3"
+        ),
+        "{told}"
+    );
+    assert!((answer["first_amplitude"].as_f64().unwrap() - 20.0_f64.to_radians()).abs() < 1e-3);
+}
+
+#[test]
+fn a_refuted_law_is_the_first_line() {
+    let sheet = text(&format!("fit amplitudes {} --model dry", example()));
+    assert!(sheet.starts_with("warning: the rows refute dry damping"), "{sheet}");
+}
+
+#[test]
+fn the_amplitudes_are_drawn() {
+    let picture = directory("amplitudes-drawn").join("amplitudes.svg");
+    text(&format!("fit amplitudes {} --figure {}", example(), picture.display()));
+    let svg = std::fs::read_to_string(picture).unwrap();
+    assert!(svg.contains("amplitude A / degrees") && svg.contains("residual / degrees"));
+}

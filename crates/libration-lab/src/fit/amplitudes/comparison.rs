@@ -1,0 +1,128 @@
+//! Comparison of the laws by Akaike's criterion.
+
+use super::law::Law;
+use super::search::{Found, first_zero, fit, parameters};
+use super::{AmplitudeTable, AmplitudesError};
+use crate::fit::DampingModel;
+use crate::fit::cycles::SEPARATED;
+use crate::statistics::student::probability_beyond;
+use crate::statistics::{akaike, count};
+
+/// All laws that could be fitted, and the choice among them.
+pub(super) struct Comparison<'a> {
+    pub(super) law: Law<'a>,
+    /// Laws with one kind of damping or more, simpler ones first, and by their misfit among those of one number.
+    pub(super) laws: Vec<Compared>,
+    /// Place of the law that is reported.
+    pub(super) chosen: usize,
+    /// `true` if the reported law was given.
+    pub(super) is_given: bool,
+    /// Place of the simplest law that the rows do not separate from the best one.
+    pub(super) preferred: usize,
+}
+
+/// A law with its standing.
+pub(super) struct Compared {
+    pub(super) found: Found,
+    /// `None` where the rows are too few for the criterion.
+    pub(super) aicc: Option<f64>,
+    /// Excess of the criterion, or of the misfit where there is none, over the least one.
+    pub(super) excess: f64,
+    /// The probability that chance makes the improvement over the best simpler law as large.
+    pub(super) chance: Option<f64>,
+}
+
+impl<'a> Comparison<'a> {
+    /// Fits all laws, and chooses the given one, or the simplest one that is not separated from the best.
+    pub(super) fn new(
+        table: &'a AmplitudeTable,
+        given: Option<DampingModel>,
+    ) -> Result<Self, AmplitudesError> {
+        let needed = parameters(table, DampingModel::UNDAMPED) + 1 + usize::from(!table.weighted);
+        if table.len() < needed {
+            return Err(AmplitudesError::TooFewRows { found: table.len(), needed });
+        }
+        let zero = first_zero(table);
+        let readings = table.rows.iter().map(|row| (row.value - zero).abs());
+        let law = Law::new(table, 1.2 * table.reading.amplitude(readings.fold(0.0, f64::max)));
+        let mut found: Vec<Found> =
+            DampingModel::all().into_iter().filter_map(|terms| fit(&law, terms)).collect();
+        let is_physical = |it: &Found| it.parameters[1..=it.terms.count()].iter().all(|&rate| rate >= 0.0);
+        if let Some(terms) = given
+            && !found.iter().any(|it| it.terms == terms && is_physical(it))
+        {
+            return Err(AmplitudesError::Law(terms));
+        }
+        found.retain(is_physical);
+        let laws = compared(table, &found);
+        let preferred =
+            laws.iter().position(|it| it.excess <= SEPARATED).ok_or(AmplitudesError::NotFalling)?;
+        let chosen = given.and_then(|terms| laws.iter().position(|it| it.found.terms == terms));
+        if let (Some(terms), None) = (given, chosen) {
+            return Err(AmplitudesError::Law(terms));
+        }
+        Ok(Self { law, laws, chosen: chosen.unwrap_or(preferred), is_given: given.is_some(), preferred })
+    }
+
+    /// Other laws that the rows do not separate from the preferred one; none where a law is given.
+    pub(super) fn not_separated(&self) -> impl Iterator<Item = &Compared> {
+        let others =
+            self.laws.iter().enumerate().filter(|(place, _)| !self.is_given && *place != self.chosen);
+        others.map(|(_, law)| law).filter(|law| law.excess <= SEPARATED)
+    }
+
+    /// The law that the rows prefer to a given one, which they refute.
+    pub(super) fn preferred_to_given(&self) -> Option<&Compared> {
+        (self.laws[self.chosen].excess > SEPARATED).then(|| &self.laws[self.preferred])
+    }
+}
+
+fn compared(table: &AmplitudeTable, found: &[Found]) -> Vec<Compared> {
+    let rows = count(table.len());
+    let dof = |it: &Found| table.len() - parameters(table, it.terms);
+    // Stated uncertainties that are too small by one factor would separate laws that they do not.
+    let birge = found.iter().filter(|it| dof(it) > 0).map(|it| it.chi2 / count(dof(it)));
+    let scale = if table.weighted { birge.fold(f64::INFINITY, f64::min).clamp(1.0, f64::MAX) } else { 1.0 };
+    let misfit = |it: &Found| {
+        let spread: f64 = it.deviations.iter().map(|deviation| 2.0 * libm::log(*deviation)).sum();
+        match table.weighted {
+            true => it.chi2 / scale + spread,
+            false => akaike::misfit_of_scatter(it.chi2 / rows, rows) + spread,
+        }
+    };
+    let aicc = |it: &Found| {
+        let parameters = parameters(table, it.terms) + usize::from(!table.weighted);
+        Some(misfit(it) + akaike::cost(rows, count(parameters))?)
+    };
+    let damped = || found.iter().filter(|it| it.terms != DampingModel::UNDAMPED);
+    let has_criterion = damped().any(|it| aicc(it).is_some());
+    // Where the rows are too few for the criterion laws of one kind of damping compare by their misfit.
+    let score = |it: &Found| match has_criterion {
+        true => aicc(it),
+        false => (it.terms.count() == 1).then(|| misfit(it)),
+    };
+    let least = damped().filter_map(score).fold(f64::INFINITY, f64::min);
+    let mut laws: Vec<Compared> = damped()
+        .map(|it| Compared {
+            aicc: aicc(it),
+            excess: score(it).map_or(f64::INFINITY, |score| score - least),
+            chance: chance(it, found, dof(it)),
+            found: it.clone(),
+        })
+        .collect();
+    laws.sort_by(|a, b| {
+        a.found.terms.count().cmp(&b.found.terms.count()).then(a.excess.total_cmp(&b.excess))
+    });
+    laws
+}
+
+/// The F test of the last term, by the scatter, so that uncertainties that are all wrong by one factor do not matter.
+fn chance(law: &Found, all: &[Found], dof: usize) -> Option<f64> {
+    let simpler = all.iter().filter(|it| it.terms.count() + 1 == law.terms.count());
+    let simpler = simpler.filter(|it| it.terms.is_part_of(law.terms)).map(|it| it.chi2);
+    let simpler = simpler.fold(f64::INFINITY, f64::min);
+    (dof > 0 && simpler.is_finite()).then(|| {
+        let square = (simpler - law.chi2).max(0.0) / (law.chi2 / count(dof));
+        if square.is_nan() { 1.0 } else { probability_beyond(square.sqrt(), dof) }
+    })
+}

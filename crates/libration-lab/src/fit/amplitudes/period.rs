@@ -1,0 +1,107 @@
+//! The period of small swings, given or by times and numbers of swings.
+
+use std::f64::consts::{PI, TAU};
+
+use nalgebra::{DMatrix, DVector};
+
+use super::law::Law;
+use super::search::Found;
+use super::{AmplitudeTable, Position};
+use crate::fit::{DampingKind, Uncertain};
+use crate::statistics::{count, least_squares, mean};
+use libration::quantity::Quantity;
+
+/// Points of the curve at which T/T0 is summed: the sum is exact to 1e-6 of its excess over one.
+const POINTS: usize = 1000;
+
+/// The period of small swings; `None` where neither it nor both columns are given, or the rows do not determine it.
+pub(super) fn period(law: &Law<'_>, found: &Found, given: Option<Quantity>) -> Option<Uncertain> {
+    match given {
+        Some(Quantity { value, uncertainty }) => {
+            Some(Uncertain { value, uncertainty: uncertainty.unwrap_or(0.0) })
+        }
+        None => by_periods(law, found).or_else(|| by_numbers(law, found)),
+    }
+}
+
+/// The mean of T·T0/T over the rows with a period, three or more.
+fn by_periods(law: &Law<'_>, found: &Found) -> Option<Uncertain> {
+    let rows = law.table.rows.iter().zip(&found.curve.amplitudes);
+    let periods: Vec<f64> =
+        rows.filter_map(|(row, &amplitude)| Some(row.period? / law.period_ratio(amplitude))).collect();
+    if periods.len() < 3 {
+        return None;
+    }
+    let (number, value) = (count(periods.len()), mean(periods.iter().copied()));
+    let square: f64 = periods.iter().map(|period| (period - value) * (period - value)).sum();
+    Some(Uncertain { value, uncertainty: (square / (number * (number - 1.0))).sqrt() })
+}
+
+/// T0 by the line of ∫dt T0/T against the number of swings; a table of three rows or more has a scatter.
+fn by_numbers(law: &Law<'_>, found: &Found) -> Option<Uncertain> {
+    let table = law.table;
+    if table.against == Position::Swings {
+        return None;
+    }
+    let points = law.amplitudes_between(found.terms, &found.parameters, POINTS);
+    let mut sums = vec![0.0];
+    for pair in points.windows(2) {
+        let mean = 0.5 * (1.0 / law.period_ratio(pair[0].1) + 1.0 / law.period_ratio(pair[1].1));
+        sums.push(sums[sums.len() - 1] + mean * (pair[1].0 - pair[0].0));
+    }
+    let rows: Vec<(f64, f64)> = table
+        .rows
+        .iter()
+        .filter_map(|row| Some((row.swing?, small_swing_time(&points, &sums, row.position))))
+        .collect();
+    if rows.len() < 3 {
+        return None;
+    }
+    let matrix = DMatrix::from_fn(rows.len(), 2, |i, k| if k == 0 { 1.0 } else { rows[i].0 });
+    let line =
+        least_squares(&matrix, &DVector::from_iterator(rows.len(), rows.iter().map(|row| row.1))).ok()?;
+    let variance = line.chi2() / count(rows.len() - 2) * line.covariance[(1, 1)];
+    let period = Uncertain { value: line.coefficients[1], uncertainty: variance.sqrt() };
+    Some(period).filter(|period| period.value > 0.0)
+}
+
+/// ∫dt T0/T from the first row to a time.
+fn small_swing_time(points: &[(f64, f64)], sums: &[f64], time: f64) -> f64 {
+    let place = points.partition_point(|point| point.0 < time).clamp(1, points.len() - 1);
+    let (from, to) = (points[place - 1].0, points[place].0);
+    sums[place - 1] + (sums[place] - sums[place - 1]) * (time - from) / (to - from)
+}
+
+/// ω0 without damping: the observed angular frequency 2π/T0, and half of the linear damping.
+pub(super) fn natural_frequency(table: &AmplitudeTable, found: &Found, period: Uncertain) -> Uncertain {
+    let linear = found.rate(DampingKind::Linear);
+    let per_second = match table.against {
+        Position::Time => linear,
+        Position::Swings => linear / period.value,
+    };
+    let value = libm::hypot(TAU / period.value, 0.5 * per_second);
+    Uncertain { value, uncertainty: value * period.relative() }
+}
+
+/// The phase ω0 times the unit of the positions, which is known for swings without a period.
+pub(super) fn phase_per_position(
+    table: &AmplitudeTable,
+    found: &Found,
+    natural_frequency: Option<Uncertain>,
+) -> Option<Uncertain> {
+    match table.against {
+        Position::Time => natural_frequency,
+        Position::Swings => {
+            let value = 2.0 * libm::hypot(PI, 0.25 * found.rate(DampingKind::Linear));
+            Some(Uncertain { value, uncertainty: 0.0 })
+        }
+    }
+}
+
+impl Found {
+    /// κₙ of a kind of damping; zero where the law does not have it.
+    pub(super) fn rate(&self, term: DampingKind) -> f64 {
+        let place = self.terms.iter().position(|other| other == term);
+        place.map_or(0.0, |place| self.parameters[place + 1])
+    }
+}

@@ -1,0 +1,55 @@
+//! The quality factor of a damping law.
+
+use std::f64::consts::PI;
+
+use super::law::Law;
+use super::search::Found;
+use crate::fit::{DampingKind, DampingModel, Quality, Uncertain, quality};
+use libration::decay::small_cycle_integral;
+
+/// Q of a law at an amplitude; of linear damping alone at every one. `None` without damping. `scale` is the factor of the covariance.
+pub(super) fn quality(
+    law: &Law<'_>,
+    found: &Found,
+    phase: Uncertain,
+    amplitude: f64,
+    scale: f64,
+) -> Option<Quality> {
+    if found.terms == DampingModel::only(DampingKind::Linear) {
+        return Some(Quality { factor: of_losses(found, phase, &[1.0], scale)?, amplitude: None });
+    }
+    let factor = at_amplitude(law, found, phase, amplitude, scale)?;
+    Some(Quality { factor, amplitude: Some(amplitude) })
+}
+
+/// 2πE/ΔE of the undamped cycle at this amplitude.
+pub(super) fn at_amplitude(
+    law: &Law<'_>,
+    found: &Found,
+    phase: Uncertain,
+    amplitude: f64,
+    scale: f64,
+) -> Option<Uncertain> {
+    let losses: Vec<f64> = found.terms.iter().map(|term| loss(law, term, amplitude)).collect();
+    of_losses(found, phase, &losses, scale)
+}
+
+/// 1/Q = Σ κₙgₙ over the phase.
+fn of_losses(found: &Found, phase: Uncertain, losses: &[f64], scale: f64) -> Option<Uncertain> {
+    let sum: f64 = losses.iter().zip(&found.parameters[1..]).map(|(loss, rate)| loss * rate).sum();
+    let pairs = losses.iter().enumerate().flat_map(|(i, one)| {
+        losses.iter().enumerate().map(move |(j, other)| one * other * found.covariance[(i + 1, j + 1)])
+    });
+    let variance: f64 = pairs.sum();
+    let value = phase.value / sum;
+    let relative = libm::hypot((scale * variance).sqrt() / sum, phase.relative());
+    (sum > 0.0 && value.is_finite()).then_some(Uncertain { value, uncertainty: value * relative })
+}
+
+/// gₙ = ΔE/(2πE) for a coefficient of one at ω0 = 1.
+fn loss(law: &Law<'_>, term: DampingKind, amplitude: f64) -> f64 {
+    if !law.table.reading.is_of_angles() {
+        return small_cycle_integral(term.exponent(), amplitude) / (PI * amplitude * amplitude);
+    }
+    quality::loss(term, amplitude)
+}

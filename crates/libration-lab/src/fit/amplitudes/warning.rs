@@ -1,0 +1,160 @@
+//! Warnings about a fit of amplitudes.
+
+use std::fmt;
+
+use super::comparison::Comparison;
+use super::{AmplitudeTable, AmplitudesFit};
+use crate::fit::cycles::SEPARATED;
+use crate::fit::scatter::{Scatter, ScatterWarning};
+use crate::fit::{DampingModel, alternatives};
+use libration::quantity::rounded;
+
+/// Damping counts as resolved where chance would make the fall as large less often than this.
+const RESOLVED: f64 = 0.05;
+/// Below this Q averaging over a cycle errs by a hundredth or more: coefficients of integrated motions from Q = 11 on are off by less than 0.2/Q².
+const WEAK: f64 = 4.0;
+/// Residuals below this part of the largest value are rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// A warning about a fit of amplitudes.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum AmplitudesWarning {
+    /// The rows prefer another law to the given one.
+    LawRefuted {
+        /// The given law.
+        given: DampingModel,
+        /// The law that the rows prefer.
+        preferred: DampingModel,
+        /// Difference of the criterion.
+        difference: f64,
+    },
+    /// The errors of neighbouring rows are alike.
+    ResidualsNotWhite {
+        /// Number of neighbouring rows that share one error.
+        rows_per_error: f64,
+    },
+    /// The rows scatter more or less than stated, or not at all.
+    Scatter(ScatterWarning),
+    /// Other laws that the rows do not exclude.
+    LawsNotSeparated(Vec<DampingModel>),
+    /// Too few rows for laws with several kinds of damping.
+    TooFewRowsToCompare,
+    /// The amplitude falls no more than chance allows.
+    DampingNotResolved {
+        /// The probability that chance makes the fall as large.
+        chance: f64,
+    },
+    /// The damping is too strong for an average over a cycle.
+    StrongDamping {
+        /// The smallest Q of the table.
+        quality: f64,
+    },
+}
+
+impl AmplitudesWarning {
+    /// A stable name.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::LawRefuted { .. } => "law_refuted",
+            Self::ResidualsNotWhite { .. } => "residuals_not_white",
+            Self::Scatter(warning) => warning.name(),
+            Self::LawsNotSeparated(_) => "laws_not_separated",
+            Self::TooFewRowsToCompare => "too_few_rows_to_compare",
+            Self::DampingNotResolved { .. } => "damping_not_resolved",
+            Self::StrongDamping { .. } => "strong_damping",
+        }
+    }
+}
+
+impl fmt::Display for AmplitudesWarning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::LawRefuted { given, preferred, difference } => write!(
+                f,
+                "the rows refute {given} damping: {preferred} damping fits them better (AICc lower by {}); the difference is in \
+                 the uncertainty of Q",
+                rounded(*difference, 2)
+            ),
+            Self::ResidualsNotWhite { rows_per_error } => write!(
+                f,
+                "the residuals are not white noise: {} neighbouring rows share one error, and all uncertainties include that; \
+                 look at the residuals for another law, a wrong zero of the scale or a misread row",
+                rounded(*rows_per_error, 2)
+            ),
+            Self::Scatter(warning) => warning.fmt(f),
+            Self::LawsNotSeparated(laws) => write!(
+                f,
+                "the rows do not exclude {} damping (AICc within {SEPARATED}): the difference is in the uncertainty of Q, and not in \
+                 that of the coefficients",
+                alternatives(laws)
+            ),
+            Self::TooFewRowsToCompare => f.write_str(
+                "the rows are too few to compare damping of several kinds: give more amplitudes, or the law",
+            ),
+            Self::DampingNotResolved { chance } => write!(
+                f,
+                "the fall of the amplitude is not significant: chance makes it as large with a probability of {}; measure for a \
+                 longer time",
+                rounded(*chance, 2)
+            ),
+            Self::StrongDamping { quality } => write!(
+                f,
+                "Q is as low as {}: the fall is averaged over a cycle, and the coefficients may err by 0.2/Q² of \
+                 themselves; fit the motion itself",
+                rounded(*quality, 2)
+            ),
+        }
+    }
+}
+
+/// Warnings, refuted laws first.
+pub(super) fn warnings(
+    table: &AmplitudeTable,
+    comparison: &Comparison<'_>,
+    fit: &AmplitudesFit,
+) -> Vec<AmplitudesWarning> {
+    let law = fit.law();
+    let largest = table.rows.iter().map(|row| row.value.abs()).fold(0.0, f64::max);
+    let is_rounding = law.residuals.iter().all(|residual| residual.abs() <= ROUNDING * largest);
+    let scatter = match table.weighted {
+        true => {
+            law.scatter().and_then(|scatter: Scatter| scatter.warning("the zero or the factor of the scale"))
+        }
+        false => is_rounding.then_some(ScatterWarning::Without),
+    };
+    let chance = law.chance.filter(|chance| *chance > RESOLVED && law.damping.count() == 1);
+    let qualities = [fit.quality, fit.last_quality].into_iter().flatten().map(|it| it.factor.value);
+    let lowest = qualities.fold(f64::INFINITY, f64::min);
+    [
+        refuted(comparison),
+        (law.rows_per_error > 1.0)
+            .then_some(AmplitudesWarning::ResidualsNotWhite { rows_per_error: law.rows_per_error }),
+        scatter.map(AmplitudesWarning::Scatter),
+        not_separated(comparison),
+        law.aicc.is_none().then_some(AmplitudesWarning::TooFewRowsToCompare),
+        chance.map(|chance| AmplitudesWarning::DampingNotResolved { chance }),
+        (lowest < WEAK).then_some(AmplitudesWarning::StrongDamping { quality: lowest }),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+fn refuted(comparison: &Comparison<'_>) -> Option<AmplitudesWarning> {
+    let (given, preferred) = (&comparison.laws[comparison.chosen], comparison.preferred_to_given()?);
+    Some(AmplitudesWarning::LawRefuted {
+        given: given.found.terms,
+        preferred: preferred.found.terms,
+        difference: given.excess - preferred.excess,
+    })
+}
+
+fn not_separated(comparison: &Comparison<'_>) -> Option<AmplitudesWarning> {
+    let chosen = comparison.laws[comparison.chosen].found.terms;
+    // A law with one kind of damping more is not another one: its further coefficient is not resolved.
+    let others = comparison.not_separated().filter(|law| !chosen.is_part_of(law.found.terms));
+    let laws: Vec<DampingModel> = others.map(|law| law.found.terms).collect();
+    (!laws.is_empty()).then_some(AmplitudesWarning::LawsNotSeparated(laws))
+}

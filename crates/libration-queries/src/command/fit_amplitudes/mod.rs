@@ -1,0 +1,71 @@
+//! `libration fit amplitudes`: falling amplitudes or turning points, with the damping law and the quality factor.
+
+mod columns;
+mod fields;
+mod input;
+mod write;
+
+use crate::command::fit_trace::DampingChoice;
+use crate::figure;
+use crate::output::{FormOptions, announce};
+use crate::query_error::QueryError;
+use fields::Answer;
+use input::Input;
+use libration::quantity::Quantity;
+use libration_lab::fit::amplitudes::{AmplitudesOptions, amplitudes};
+use std::io::Write;
+use std::path::PathBuf;
+
+pub(crate) use fields::answers;
+
+/// Amplitudes or turning points against time or number of swings: damping law, its coefficients, quality factor
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration fit amplitudes examples/amplitudes_synthetic.csv
+  libration fit amplitudes examples/amplitudes_synthetic.csv --model linear \\
+    --figure amplitudes.svg
+  libration fit amplitudes examples/amplitudes_synthetic.csv --against time \\
+    --columns time,amplitude --period 1.42s --json
+
+The energy falls at its mean rate over an undamped cycle, exact at any amplitude.
+Q is ω0/c for linear damping, where A falls as exp(-ct/2); for other laws
+2πE/ΔE of a cycle at the amplitude that is named. Numbers of swings give Q without
+a period; times need --period, a column of periods T, or one of numbers n.")]
+pub(crate) struct FitAmplitudes {
+    #[command(flatten)]
+    input: Input,
+    /// Period of small swings, such as 1.42s±0.01s [default: by columns of periods T, or of times t and numbers of swings n]
+    #[arg(long, value_name = "PERIOD", value_parser = crate::arguments::period_with_uncertainty)]
+    period: Option<Quantity>,
+    /// The damping: dry, linear, quadratic, a sum such as dry+linear, or auto for the simplest law that the rows do not exclude
+    #[arg(long, value_name = "DAMPING", default_value = "auto")]
+    model: DampingChoice,
+    /// Draw the data, the law and the residuals to FILE.svg or FILE.png
+    #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
+    figure: Option<PathBuf>,
+    #[command(flatten)]
+    sizes: figure::Sizes,
+    #[command(flatten)]
+    form: FormOptions,
+}
+
+impl FitAmplitudes {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
+        let file = self.input.read()?;
+        let damping = match self.model {
+            DampingChoice::Auto => None,
+            DampingChoice::Given(damping) => Some(damping),
+        };
+        let options = AmplitudesOptions { damping, period: self.period };
+        let fit = amplitudes(&file.measured.table, &options).map_err(|error| self.input.no_answer(error))?;
+        let drawn = match &self.figure {
+            Some(path) => {
+                let picture = figure::amplitudes::fitted(&file.measured, &fit);
+                vec![figure::file::write(path, &picture, &self.sizes)?]
+            }
+            None => vec![],
+        };
+        Answer { file: &file, fit: &fit }.write(out, self.form.form())?;
+        Ok(announce(out, self.form.form(), &drawn)?)
+    }
+}
