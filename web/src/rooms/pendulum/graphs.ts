@@ -23,6 +23,8 @@ export interface Scene {
   readonly window: Range;
   /** `deg` or `rad`. */
   readonly unit: string;
+  /** `true` if the period must not be said. */
+  readonly isHidden: boolean;
 }
 
 export class Graphs {
@@ -88,12 +90,12 @@ export class Graphs {
     for (const plot of this.#all) plot.close();
   }
 
-  #showAngle({ ghosts, motion, isExact, unit, window }: Scene, times: Float64Array, { angles }: Samples, step: number): void {
+  #showAngle({ ghosts, motion, isExact, unit, window, isHidden }: Scene, times: Float64Array, { angles }: Samples, step: number): void {
     const curves = ghosts.map((ghost) => ({ ghost, angles: ghost.angles(window[0], step, POINTS) }));
     const range = padded(extent([angles, ...curves.map((curve) => curve.angles)], Math.PI * 4));
     const axes = { x: window, y: range, xLabel: words.time, yLabel: words.angle.axis(unit), ...angleTicks("y", range, unit) };
     const said = angleExtent(isExact, motion, angles).map((it) => angleInWords(it, unit, 4)) as [string, string];
-    this.#angle.show(axes, words.angle.words(isExact ? seconds(motion.period) : words.none, ...said), (pen) => {
+    this.#angle.show(axes, words.angle.words(isExact && !isHidden ? seconds(motion.period) : words.none, ...said), (pen) => {
       for (const curve of curves) pen.line(times, curve.angles, curve.ghost.colour, 1.25, [5, 3]);
       pen.line(times, angles, "curve-1", 2);
     });
@@ -172,7 +174,7 @@ function drawEpicycles(pen: Pen, { fundamental, meanVelocity, epoch, terms }: Ha
 }
 
 /** Kinetic and potential energy over 2mgl. */
-function energies(angle: number, velocity: number, twiceFrequency: number): [number, number] {
+export function energies(angle: number, velocity: number, twiceFrequency: number): [number, number] {
   return [(velocity / twiceFrequency) ** 2, Math.sin(angle / 2) ** 2];
 }
 

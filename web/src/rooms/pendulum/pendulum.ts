@@ -13,7 +13,7 @@ export const pendulum: Room = {
   open(place, address, engine) {
     let close: (() => void) | undefined;
     let isLeft = false;
-    place.append(element("h1", {}, text.titles["pendulum"] ?? ""), element("p", { class: "lead" }, text.pendulum.lead));
+    place.append(element("h1", { class: "unseen" }, text.titles["pendulum"] ?? ""));
     const waiting = element("p", { class: "quiet", role: "status" }, text.pendulum.loading);
     place.append(waiting);
     begun(place, address, engine)
