@@ -64,6 +64,21 @@ export class Pen {
     context.lineWidth = 1;
     context.stroke();
   }
+
+  /** Names of curves, along the upper edge. */
+  legend(entries: readonly (readonly [Colour, string])[]): void {
+    const { context, unit } = this;
+    context.textAlign = "left";
+    context.textBaseline = "middle";
+    let x = 66 * unit;
+    for (const [colour, name] of entries) {
+      context.fillStyle = this.colours[colour];
+      context.fillRect(x, 14 * unit, 14 * unit, 4 * unit);
+      context.fillStyle = this.colours.ink;
+      context.fillText(name, x + 18 * unit, 16 * unit);
+      x += 28 * unit + context.measureText(name).width;
+    }
+  }
 }
 
 const FONT = "system-ui, 'DejaVu Sans', sans-serif";

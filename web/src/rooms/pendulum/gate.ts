@@ -1,6 +1,6 @@
 // A photogate at the lowest point: the times at which the bob passes it, and the time of whole swings.
 
-import { element } from "../../parts/element.ts";
+import { button, element } from "../../parts/element.ts";
 import { choiceField, textField } from "../../parts/field.ts";
 import { text } from "../../texts/en.ts";
 import type { Course } from "./course.ts";
@@ -44,14 +44,14 @@ export class Gate {
   readonly #count = element("span", { class: "quiet" });
   readonly #swings = textField({ key: "swings", words: { label: words.swings }, initial: "1" });
   readonly #resolution = choiceField({ key: "resolution", words: { label: words.resolution }, initial: "3" }, words.resolutions.map(([value = "", name = ""]) => [value, name] as const));
-  readonly #measured: (swings: number, seconds: string) => void;
+  readonly #into: HTMLButtonElement;
   #times: number[] = [];
   #last = 0;
 
-  /** `measured` is called with the time of this number of swings, as displayed. */
-  constructor(measured: (swings: number, seconds: string) => void) {
-    this.#measured = measured;
-    this.element = element("div", { class: "card", role: "group", "aria-label": words.title }, element("h2", {}, words.title), this.#reading, this.#count, this.#swings.element, this.#resolution.element);
+  /** `into` is called with the time of a number of swings, as displayed, for the table. */
+  constructor(into: (swings: number, seconds: string) => void) {
+    this.#into = button(words.into, () => into(this.#wanted, this.#reading.textContent.replace(" s", "")), { disabled: true });
+    this.element = element("div", { class: "card", role: "group", "aria-label": words.title }, element("h2", {}, words.title), this.#reading, this.#count, this.#swings.element, this.#resolution.element, this.#into);
     for (const field of [this.#swings, this.#resolution]) field.onChange(() => this.clear());
   }
 
@@ -62,6 +62,8 @@ export class Gate {
 
   clear(): void {
     this.#times = [];
+    this.#reading.textContent = "–";
+    this.#into.disabled = true;
     this.#show();
   }
 
@@ -91,7 +93,7 @@ export class Gate {
     this.#times.push(time);
     if (this.#times.length !== 2 * this.#wanted + 1) return;
     this.#reading.textContent = `${(time - (this.#times[0] ?? time)).toFixed(Number(this.#resolution.value))} s`;
-    this.#measured(this.#wanted, this.#reading.textContent.replace(" s", ""));
+    this.#into.disabled = false;
     // The passage that ends a measurement begins the next one.
     this.#times = [time];
   }

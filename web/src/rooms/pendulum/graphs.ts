@@ -132,7 +132,7 @@ export class Graphs {
       pen.line(times, both.map(([kinetic]) => kinetic), "curve-2");
       pen.line(times, both.map(([, potential]) => potential), "curve-3");
       pen.line(times, all, "curve-1", 2);
-      legend(pen, [["curve-2", words.energy.kinetic], ["curve-3", words.energy.potential], ["curve-1", words.energy.total]]);
+      pen.legend([["curve-2", words.energy.kinetic], ["curve-3", words.energy.potential], ["curve-1", words.energy.total]]);
     });
   }
 
@@ -145,7 +145,7 @@ export class Graphs {
     const said = terms.slice(0, 4).map(({ n, angle }) => `${n}: ${digits(angle, 4)} rad`).join(", ");
     this.#spectrum.show(axes, words.spectrum.words(said), (pen) => {
       for (const { n, angle } of terms) pen.line([n, n], [low, Math.log10(Math.abs(angle))], angle > 0 ? "curve-1" : "curve-2", 4);
-      if (terms.some(({ angle }) => angle < 0)) legend(pen, [["curve-1", words.spectrum.positive], ["curve-2", words.spectrum.negative]]);
+      if (terms.some(({ angle }) => angle < 0)) pen.legend([["curve-1", words.spectrum.positive], ["curve-2", words.spectrum.negative]]);
     });
   }
 
@@ -251,20 +251,6 @@ function angleTicks(axis: "x" | "y", [low, high]: Range, unit: string, most = 5)
     made.push([(n * step) / degrees, `${Number((n * step).toPrecision(6))}°`.replace("-", "−")]);
   }
   return axis === "x" ? { xTicks: made } : { yTicks: made };
-}
-
-function legend(pen: Pen, entries: readonly (readonly [Parameters<Pen["line"]>[2], string])[]): void {
-  const { context, unit } = pen;
-  context.textAlign = "left";
-  context.textBaseline = "middle";
-  let x = 60 * unit;
-  for (const [colour, name] of entries) {
-    context.fillStyle = pen.colours[colour];
-    context.fillRect(x, 14 * unit, 14 * unit, 4 * unit);
-    context.fillStyle = pen.colours.ink;
-    context.fillText(name, x + 18 * unit, 16 * unit);
-    x += 28 * unit + context.measureText(name).width;
-  }
 }
 
 function tenTo(power: number): string {

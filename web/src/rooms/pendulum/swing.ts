@@ -26,6 +26,8 @@ import { Ruler } from "./ruler.ts";
 import { Second } from "./second.ts";
 import { Stage } from "./stage.ts";
 import { Stopwatch } from "./stopwatch.ts";
+import { TrialsTable } from "./trials_table.ts";
+import type { Laws } from "./trials_plots.ts";
 import { Tone } from "./tone.ts";
 import { Transport } from "./transport.ts";
 
@@ -50,8 +52,9 @@ export class Swing {
   readonly #facts = new Facts();
   readonly #readouts = new Readouts();
   readonly #bars = new Bars();
-  readonly #gate = new Gate(() => {});
-  readonly #stopwatch = new Stopwatch();
+  readonly #gate = new Gate((swings, seconds) => this.#record(swings, seconds));
+  readonly #stopwatch = new Stopwatch((swings, seconds) => this.#record(swings, seconds));
+  readonly #trials: TrialsTable;
   readonly #ruler = new Ruler();
   readonly #second = new Second();
   readonly #tone = new Tone();
@@ -79,6 +82,7 @@ export class Swing {
     this.#transport = new Transport(this.#clock, address.get("speed") ?? "1", () => this.#moved());
     this.#listen = button(words.listen, () => this.#sound(), { title: words.listenHint, "aria-pressed": "false" });
     this.#keep = new Keep(engine);
+    this.#trials = new TrialsTable(address, engine, () => this.#laws());
     this.#lay(place);
     this.#clock.time = Math.max(0, Number(address.get("t") ?? "0") || 0);
     this.#start(false);
@@ -90,6 +94,7 @@ export class Swing {
     this.#clock.stop();
     this.#abort.abort();
     this.#graphs.close();
+    this.#trials.close();
     this.#stage.close();
     this.#tone.close();
     for (const close of this.#closing) close();
@@ -104,11 +109,11 @@ export class Swing {
     const graphs = element("div", { class: "swing-graphs" }, ...this.#graphs.elements);
     const further = element("div", { class: "swing-controls controls" }, ...this.#controls.further);
     const below = element("div", { class: "swing-below" }, element("div", {}, this.#facts.element, element("p", { class: "buttons screen-only" }, this.#listen)), this.#keep.element);
-    place.append(bench, element("div", { class: "swing" }, this.#how, this.#said, graphs, further, below));
+    place.append(bench, element("div", { class: "swing" }, this.#how, this.#said, this.#trials.element, graphs, further, below));
     bench.addEventListener("keydown", (event) => {
       if (!event.defaultPrevented && stage.contains(event.target as Node) && this.#transport.key(event)) event.preventDefault();
     });
-    this.#closing.push(onColours(() => [this.#stage, this.#graphs, this.#ruler].forEach((it) => it.redraw())));
+    this.#closing.push(onColours(() => [this.#stage, this.#graphs, this.#ruler, this.#trials].forEach((it) => it.redraw())));
   }
 
   /** Starts the motion that the fields describe, from its beginning unless the time is kept. */
@@ -137,7 +142,20 @@ export class Swing {
     if (forces === undefined && wanted && this.#mathematics.approximation(0, 0, 0, 1) === undefined) this.#how.textContent += ` ${words.ghostsNeedRest}`;
     void this.#addFormula(motion);
     this.#describe(motion, forces);
+    this.#trials.update();
     this.#picture();
+  }
+
+  /** Puts a measured time into the table, with the amplitude in degrees and the length, unless it is hidden. */
+  #record(swings: number, seconds: string): void {
+    const degrees = (180 / Math.PI) * (this.#motion?.amplitude ?? 0);
+    const length = this.#controls.isHidden("length") ? "" : String(Number(this.#length.toPrecision(6)));
+    this.#trials.add(String(Number(degrees.toPrecision(6))), length, swings, seconds);
+  }
+
+  #laws(): Laws {
+    const amplitude = (180 / Math.PI) * (this.#motion?.amplitude || 0);
+    return { gravity: this.#gravity, length: this.#length, amplitude: Math.min(179, amplitude), isHidden: this.#controls.isHidden("period"), formula: this.#value("formula") };
   }
 
   #launched(): Motion | undefined {
