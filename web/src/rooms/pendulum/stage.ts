@@ -28,7 +28,7 @@ export class Stage {
   #shown: Shown = { pendulums: [], ghosts: [], arrows: false, gate: undefined, protractor: false, unit: "deg" };
 
   constructor(label: string, hands: Hands) {
-    this.canvas = element("canvas", { class: "stage", tabindex: "0", role: "slider", "aria-label": label, "aria-valuemin": "-180", "aria-valuemax": "180", "aria-valuenow": "0" });
+    this.canvas = element("canvas", { class: "stage", "data-state": "stage", tabindex: "0", role: "slider", "aria-label": label, "aria-valuemin": "-180", "aria-valuemax": "180", "aria-valuenow": "0" });
     this.element = this.canvas;
     this.#context = this.canvas.getContext("2d");
     this.#observer = new ResizeObserver(() => this.redraw());

@@ -25,6 +25,7 @@ import { Readouts } from "./readouts.ts";
 import { Ruler } from "./ruler.ts";
 import { Second } from "./second.ts";
 import { Stage } from "./stage.ts";
+import { StateButtons } from "./state_buttons.ts";
 import { Stopwatch } from "./stopwatch.ts";
 import { TrialsTable } from "./trials_table.ts";
 import type { Laws } from "./trials_plots.ts";
@@ -55,6 +56,7 @@ export class Swing {
   readonly #gate = new Gate((swings, seconds) => this.#record(swings, seconds));
   readonly #stopwatch = new Stopwatch((swings, seconds) => this.#record(swings, seconds));
   readonly #trials: TrialsTable;
+  readonly #state: StateButtons;
   readonly #ruler = new Ruler();
   readonly #second = new Second();
   readonly #tone = new Tone();
@@ -82,6 +84,7 @@ export class Swing {
     this.#transport = new Transport(this.#clock, address.get("speed") ?? "1", () => this.#moved());
     this.#listen = button(words.listen, () => this.#sound(), { title: words.listenHint, "aria-pressed": "false" });
     this.#keep = new Keep(engine);
+    this.#state = new StateButtons(address);
     this.#trials = new TrialsTable(address, engine, () => this.#laws());
     this.#lay(place);
     this.#clock.time = Math.max(0, Number(address.get("t") ?? "0") || 0);
@@ -95,6 +98,7 @@ export class Swing {
     this.#abort.abort();
     this.#graphs.close();
     this.#trials.close();
+    this.#state.close();
     this.#stage.close();
     this.#tone.close();
     for (const close of this.#closing) close();
@@ -104,16 +108,27 @@ export class Swing {
     const hint = element("p", { class: "try" }, words.lead);
     const cards = element("div", { class: "cards" }, this.#gate.element, this.#stopwatch.element);
     const stage = element("div", { class: "bench-stage" }, this.#stage.element, this.#readouts.element, this.#ruler.element, this.#bars.element, hint);
-    const panel = element("div", { class: "bench-panel controls" }, ...this.#controls.panel);
+    const panel = element("div", { class: "bench-panel controls" }, ...this.#controls.panel, this.#state.element);
     const bench = element("div", { class: "bench" }, stage, cards, this.#transport.element, panel);
     const graphs = element("div", { class: "swing-graphs" }, ...this.#graphs.elements);
     const further = element("div", { class: "swing-controls controls" }, ...this.#controls.further);
     const below = element("div", { class: "swing-below" }, element("div", {}, this.#facts.element, element("p", { class: "buttons screen-only" }, this.#listen)), this.#keep.element);
     place.append(bench, element("div", { class: "swing" }, this.#how, this.#said, this.#trials.element, graphs, further, below));
     bench.addEventListener("keydown", (event) => {
-      if (!event.defaultPrevented && stage.contains(event.target as Node) && this.#transport.key(event)) event.preventDefault();
+      if (event.defaultPrevented || !stage.contains(event.target as Node)) return;
+      if (this.#transport.key(event) || this.#undoKey(event)) event.preventDefault();
     });
     this.#closing.push(onColours(() => [this.#stage, this.#graphs, this.#ruler, this.#trials].forEach((it) => it.redraw())));
+  }
+
+  /** Undoes and redoes by the usual keys; returns `true` for such a key. */
+  #undoKey(event: KeyboardEvent): boolean {
+    if (!(event.ctrlKey || event.metaKey) || event.altKey) return false;
+    const isRedo = event.key === "y" || event.key === "Z";
+    if (!isRedo && event.key !== "z") return false;
+    if (isRedo) this.#address.redo();
+    else this.#address.undo();
+    return true;
   }
 
   /** Starts the motion that the fields describe, from its beginning unless the time is kept. */
@@ -377,7 +392,7 @@ export class Swing {
   #letGo(angle: number, velocity: number): void {
     const degrees = (180 / Math.PI) * angle;
     const top = Math.abs(Math.abs(degrees) - 180) < 0.5 && velocity === 0;
-    this.#controls.form.put("angle", top ? "180deg" : `${degrees.toFixed(1)}deg`);
+    this.#controls.form.put("angle", top ? "180deg" : `${Number(degrees.toFixed(1))}deg`);
     this.#controls.form.put("velocity", velocity === 0 ? "0" : `${velocity.toFixed(2)}rad/s`);
     this.#start();
     this.#resume();

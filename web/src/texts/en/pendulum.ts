@@ -120,6 +120,15 @@ export const pendulum = {
     spectrum: { title: "Harmonics", x: "harmonic n", axis: "|aₙ| in rad", positive: "aₙ > 0", negative: "aₙ < 0", words: (terms: string) => `Sizes of the harmonics of the angle on a logarithmic axis. ${terms}` },
     epicycles: { title: "Epicycles", x: (unit: string) => (unit === "rad" ? "θ in rad" : "θ"), words: (count: string) => `${count} arms, one for each harmonic, each turning about the end of the one before; the last end marks the angle` },
   },
+  state: {
+    undo: "Undo",
+    redo: "Redo",
+    reset: "Reset",
+    link: "Link to this state",
+    local: "The state only, to put after the address of the page on any machine.",
+    hosted: "The address of this page with its state.",
+    embed: "without header, for a learning platform",
+  },
   trials: {
     title: "Table of trials",
     lead: "Measure with the photogate or the stopwatch, type, or paste from a spreadsheet. Decimal commas are read.",
