@@ -141,10 +141,12 @@ test("the graphs show the measured times, and hide the laws with the exact value
         for (let at = 0; at < data.length; at += 4) if (data[at + 2] - data[at] > 80) count += 1;
         return count;
       });
+    await graph.scrollIntoViewIfNeeded();
     await room.waitForTimeout(300);
     assert.ok((await coloured()) > 200);
     await room.getByLabel("Hide the exact values").check();
     await settled(room);
+    await graph.scrollIntoViewIfNeeded();
     await room.waitForTimeout(200);
     assert.ok((await coloured()) < 40, `${await coloured()}`);
   }));

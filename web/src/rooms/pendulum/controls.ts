@@ -8,6 +8,7 @@ import { UNIT, unitSwitch } from "../../parts/unit_switch.ts";
 import { converted } from "../../parts/units.ts";
 import { text } from "../../texts/en.ts";
 import { APPROXIMATIONS } from "./ghosts.ts";
+import { QUANTITIES } from "./graphs.ts";
 import { newSecret, type Secret, secretOf } from "./secret.ts";
 
 const words = text.pendulum.fields;
@@ -27,6 +28,8 @@ export class Controls {
   readonly panel: readonly HTMLElement[];
   /** What is needed rarely. */
   readonly further: readonly HTMLElement[];
+  /** The axes of the free graph. */
+  readonly axes: readonly HTMLElement[];
   readonly form: Form;
   readonly #slider = element("input", { type: "range", min: "0", max: "180", step: "0.1", "aria-label": words.slider });
   readonly #lengthSlider = element("input", { type: "range", min: "0.1", max: "2", step: "0.01", "aria-label": words.lengthSlider });
@@ -43,6 +46,7 @@ export class Controls {
   constructor(address: Address, changed: () => void, formulasWanted: () => void) {
     this.#changed = changed;
     const line = (key: keyof typeof START, option: string, unit?: string) => textField({ key, option, words: words[key], initial: START[key], isShort: true, ...(unit !== undefined && { unit }) });
+    const axis = (key: "across" | "up", initial: string) => choiceField({ key, words: { label: words[key] }, initial }, QUANTITIES.map((it) => [it, text.pendulum.graphs.free.quantities[it]] as const));
     const chosen = address.get("formula") ?? "";
     this.#formula = choiceField({ key: "formula", words: words.formula }, [["", words.noFormula], ...(chosen === "" ? [] : [[chosen, chosen] as const])]);
     const fields = [
@@ -64,6 +68,8 @@ export class Controls {
       ...TICKS.map((key, place) => tickField({ key, words: { label: words[key] }, initial: place < 2 ? "yes" : "" })),
       ...APPROXIMATIONS.map((key) => tickField({ key, words: { label: text.pendulum.ghosts[key] ?? key } })),
       this.#formula,
+      axis("across", "angle"),
+      axis("up", "potential"),
       unitSwitch(),
     ];
     for (const field of fields) this.#fields.set(field.key, field);
@@ -74,6 +80,7 @@ export class Controls {
     const second = this.form.part(words.secondPendulum, ["second", "angle2", "length2", "gravity2", "mass2"], { folded: true });
     const friction = this.form.part(words.frictionAndMass, ["mass"], { folded: true });
     friction.append(this.#friction.element, this.#frictionSlider);
+    this.axes = [this.#field("across").element, this.#field("up").element];
     this.panel = [
       withSlider("angle", this.#slider),
       withSlider("length", this.#lengthSlider),

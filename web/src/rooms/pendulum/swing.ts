@@ -16,7 +16,7 @@ import type { Drawn, Shown } from "./drawing.ts";
 import { Bars } from "./bars.ts";
 import { Facts } from "./facts.ts";
 import { APPROXIMATIONS, approximate, type Ghost, withPeriod } from "./ghosts.ts";
-import { energies, Graphs } from "./graphs.ts";
+import { energies, Graphs, type Quantity } from "./graphs.ts";
 import { command as forced, FORCE_OF, type Forces, integrated, isNone } from "./integration.ts";
 import { Gate } from "./gate.ts";
 import { Keep } from "./keep.ts";
@@ -49,7 +49,7 @@ export class Swing {
   readonly #controls: Controls;
   readonly #transport: Transport;
   readonly #stage: Stage;
-  readonly #graphs = new Graphs();
+  readonly #graphs: Graphs;
   readonly #facts = new Facts();
   readonly #readouts = new Readouts();
   readonly #bars = new Bars();
@@ -80,6 +80,7 @@ export class Swing {
   constructor(place: HTMLElement, address: Address, engine: Engine, mathematics: Mathematics) {
     [this.#address, this.#engine, this.#mathematics] = [address, engine, mathematics];
     this.#controls = new Controls(address, () => this.#start(this.#physics() !== this.#started), () => void this.#offerFormulas());
+    this.#graphs = new Graphs((angle, velocity) => this.#letGo(angle, velocity), ...this.#controls.axes);
     this.#stage = new Stage(words.stage, { held: (angle) => this.#held(angle), letGo: (angle, velocity) => this.#letGo(angle, velocity), taken: () => this.#taken(), turned: (by) => this.#turned(by) });
     this.#transport = new Transport(this.#clock, address.get("speed") ?? "1", () => this.#moved());
     this.#listen = button(words.listen, () => this.#sound(), { title: words.listenHint, "aria-pressed": "false" });
@@ -282,7 +283,7 @@ export class Swing {
     }
     if (place === undefined) return;
     const { time } = this.#clock;
-    if (this.#window === undefined || time < this.#window[0] || time > this.#window[1]) this.#turnPage(motion, course);
+    this.#showWindow(motion, course);
     const angles = this.#ghosts.map((ghost) => ghost.angles(time, 0, 1)[0] ?? NaN);
     const frame = this.#stage.show(this.#scene(place, this.#traced(course, time), this.#ghosts.map(({ colour }, n) => ({ colour, angle: angles[n] ?? NaN }))));
     this.#ruler.fit(frame);
@@ -362,15 +363,19 @@ export class Swing {
     void this.#integrate(ahead.forces, 2 * ahead.until);
   }
 
-  /** Lets the graphs show the next interval of time. */
-  #turnPage(motion: Motion, course: Course): void {
+  /** Lets the graphs show the present time: from four fifths of the interval on, the interval moves with it. */
+  #showWindow(motion: Motion, course: Course): void {
     const length = shownTimes(motion);
-    const first = Math.floor(this.#clock.time / length) * length;
-    this.#window = [first, first + length];
+    const first = Math.max(0, this.#clock.time - 0.8 * length);
+    const window: Range = [first, first + length];
+    const shown = this.#window;
+    if (shown?.[0] === first) return;
+    this.#window = window;
+    if (shown !== undefined) return this.#graphs.slide(window);
     const isExact = course instanceof ExactCourse;
     const isHidden = this.#controls.isHidden("period");
     const harmonics = isExact && ["libration", "rotation"].includes(motion.regime) ? this.#mathematics.harmonics(1e-12, 60) : undefined;
-    this.#graphs.show({ course, motion, isExact, harmonics, ghosts: this.#ghosts, window: this.#window, unit: this.#value("unit"), isHidden });
+    this.#graphs.show({ course, motion, isExact, harmonics, ghosts: this.#ghosts, window: this.#window, unit: this.#value("unit"), free: [this.#value("across") as Quantity, this.#value("up") as Quantity], isHidden });
   }
 
   /** Writes the time to the address after it was changed by hand, or has begun or ceased to run. */
