@@ -150,3 +150,22 @@ test("the graphs show the measured times, and hide the laws with the exact value
     await room.waitForTimeout(200);
     assert.ok((await coloured()) < 40, `${await coloured()}`);
   }));
+
+test("a chosen formula is drawn with the exact law", () =>
+  visit("pendulum?angle=60deg&t=0&formula=bernoulli", async (room) => {
+    const graph = room.locator(".trials figure").first().locator("canvas");
+    await graph.scrollIntoViewIfNeeded();
+    const purple = () =>
+      graph.evaluate((canvas) => {
+        const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+        let count = 0;
+        for (let at = 0; at < data.length; at += 4) if (data[at] - data[at + 1] > 60 && data[at + 2] - data[at + 1] > 40) count += 1;
+        return count;
+      });
+    for (let tries = 0; tries < 60 && (await purple()) < 100; tries++) await room.waitForTimeout(250);
+    assert.ok((await purple()) >= 100, `${await purple()}`);
+    await room.getByLabel("Approximate period", { exact: true }).selectOption("none");
+    await settled(room);
+    await room.waitForTimeout(200);
+    assert.ok((await purple()) < 40);
+  }));

@@ -124,6 +124,7 @@ export class Plot {
       if (this.#isSeen && this.#isStale) this.redraw();
     });
     this.#sight.observe(this.canvas);
+    addEventListener("beforeprint", this.#print);
   }
 
   /** Calls back with the values of a point that is clicked. */
@@ -140,6 +141,11 @@ export class Plot {
     if (this.canvas.getAttribute("aria-label") !== words) this.canvas.setAttribute("aria-label", words);
     this.redraw();
   }
+
+  readonly #print = () => {
+    this.#isSeen = true;
+    this.redraw();
+  };
 
   /** Draws the moving part. */
   move(moving: (pen: Pen) => void): void {
@@ -181,6 +187,7 @@ export class Plot {
   close(): void {
     this.#observer.disconnect();
     this.#sight.disconnect();
+    removeEventListener("beforeprint", this.#print);
   }
 
   #picture(): void {

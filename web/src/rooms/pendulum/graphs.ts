@@ -6,9 +6,10 @@ import { angle as angleInWords, digits, short } from "../../parts/numbers.ts";
 import { text } from "../../texts/en.ts";
 import type { Course, Place, Samples } from "./course.ts";
 import type { Ghost } from "./ghosts.ts";
-import { type Axes, type Pen, Plot, type Range } from "../../parts/plot.ts";
+import type { Axes, Pen, Plot, Range } from "../../parts/plot.ts";
+import { lookedAt } from "./look.ts";
 
-const words = text.pendulum.graphs;
+const { graphs: words, look } = text.pendulum;
 const POINTS = 900;
 /** Energies over 2mgl of the orbits that are drawn in the background of the phase plane. */
 const FAMILY = [0.07, 0.25, 0.5, 0.75, 0.93, 1.2, 1.5];
@@ -44,12 +45,12 @@ export interface Scene {
 
 export class Graphs {
   readonly elements: readonly HTMLElement[];
-  readonly #angle = new Plot(words.angle.title);
-  readonly #velocity = new Plot(words.velocity.title);
-  readonly #phase = new Plot(words.phase.title);
-  readonly #energy = new Plot(words.energy.title);
-  readonly #spectrum = new Plot(words.spectrum.title);
-  readonly #epicycles = new Plot(words.epicycles.title);
+  readonly #angle = lookedAt(words.angle.title, look.angle);
+  readonly #velocity = lookedAt(words.velocity.title, look.velocity);
+  readonly #phase = lookedAt(words.phase.title, look.phase);
+  readonly #energy = lookedAt(words.energy.title, look.energy);
+  readonly #spectrum = lookedAt(words.spectrum.title, look.spectrum);
+  readonly #epicycles = lookedAt(words.epicycles.title, look.epicycles);
   readonly #free: Plot;
   #scene: Scene | undefined;
   /** The ranges of values that have been shown of this motion: they only grow. */
@@ -57,7 +58,7 @@ export class Graphs {
 
   /** `started` is called with the angle in rad and the velocity in rad/s that are clicked in the phase plane; `axes` are the fields of the free graph. */
   constructor(started: (angle: number, velocity: number) => void, ...axes: Node[]) {
-    this.#free = new Plot(words.free.title, element("div", { class: "axes" }, ...axes));
+    this.#free = lookedAt(words.free.title, look.free, element("div", { class: "axes" }, ...axes));
     this.elements = this.#all.map((plot) => plot.element);
     this.#phase.canvas.classList.add("clicked");
     this.#phase.onPoint((angle, velocity) => Math.abs(angle) <= Math.PI && started(angle, velocity));

@@ -22,6 +22,7 @@ import { Gate } from "./gate.ts";
 import { Keep } from "./keep.ts";
 import type { Range } from "../../parts/plot.ts";
 import { Readouts } from "./readouts.ts";
+import { Learn } from "./learn.ts";
 import { Ruler } from "./ruler.ts";
 import { Second } from "./second.ts";
 import { Stage } from "./stage.ts";
@@ -53,6 +54,7 @@ export class Swing {
   readonly #facts = new Facts();
   readonly #readouts = new Readouts();
   readonly #bars = new Bars();
+  readonly #learn = new Learn();
   readonly #gate = new Gate((swings, seconds) => this.#record(swings, seconds));
   readonly #stopwatch = new Stopwatch((swings, seconds) => this.#record(swings, seconds));
   readonly #trials: TrialsTable;
@@ -97,6 +99,7 @@ export class Swing {
   close(): void {
     this.#clock.stop();
     this.#abort.abort();
+    document.documentElement.classList.remove("lecture");
     this.#graphs.close();
     this.#trials.close();
     this.#state.close();
@@ -107,7 +110,7 @@ export class Swing {
 
   #lay(place: HTMLElement): void {
     const hint = element("p", { class: "try" }, words.lead);
-    const cards = element("div", { class: "cards" }, this.#gate.element, this.#stopwatch.element);
+    const cards = element("div", { class: "cards" }, this.#learn.element, this.#gate.element, this.#stopwatch.element);
     const stage = element("div", { class: "bench-stage" }, this.#stage.element, this.#readouts.element, this.#ruler.element, this.#bars.element, hint);
     const panel = element("div", { class: "bench-panel controls" }, ...this.#controls.panel, this.#state.element);
     const bench = element("div", { class: "bench" }, stage, cards, this.#transport.element, panel);
@@ -323,6 +326,9 @@ export class Swing {
   #showInstruments(): void {
     const instruments = { gate: this.#gate, stopwatch: this.#stopwatch, ruler: this.#ruler };
     for (const [key, { element: its }] of Object.entries(instruments)) its.hidden = this.#value(key) !== "yes";
+    const view = this.#value("view");
+    this.#learn.element.hidden = view !== "learn";
+    document.documentElement.classList.toggle("lecture", view === "lecture");
     const isHidden = this.#controls.isHidden("period");
     this.#facts.element.hidden = this.#keep.element.hidden = isHidden;
     for (const key of ["mass", "mass2"]) if (this.#value(key) !== "" && massOf(this.#value(key)) === undefined) this.#controls.refuse(key, words.fields.wrongMass);

@@ -6,11 +6,12 @@ import { read } from "../../parts/answers.ts";
 import { given } from "../../parts/command.ts";
 import { element } from "../../parts/element.ts";
 import { short } from "../../parts/numbers.ts";
-import { type Axes, type Pen, Plot } from "../../parts/plot.ts";
+import type { Axes, Pen } from "../../parts/plot.ts";
+import { lookedAt } from "./look.ts";
 import { text } from "../../texts/en.ts";
 import { mean, type Trial } from "./trials.ts";
 
-const words = text.pendulum.trials;
+const { trials: words, look } = text.pendulum;
 const POINTS = 61;
 
 /** The laws that are drawn: none of them if the exact values are hidden. */
@@ -25,8 +26,8 @@ export interface Laws {
 
 export class TrialsPlots {
   readonly element: HTMLElement;
-  readonly #amplitudes = new Plot(words.overAmplitude);
-  readonly #lengths = new Plot(words.overLength);
+  readonly #amplitudes = lookedAt(words.overAmplitude, look.overAmplitude);
+  readonly #lengths = lookedAt(words.overLength, look.overLength);
   readonly #engine: Engine;
   #mathematics: Mathematics | undefined;
   #abort = new AbortController();
