@@ -15,6 +15,8 @@ function show(): void {
   if (room === undefined) return;
   leave();
   leave = () => {};
+  document.documentElement.classList.toggle("embed", address.room === "embed");
+  const focused = (document.activeElement as HTMLElement | null)?.dataset["state"];
   const place = document.createElement("main");
   place.id = "room";
   place.tabIndex = -1;
@@ -22,7 +24,7 @@ function show(): void {
   showLinks(room);
   document.title = `${text.titles[room.name]} – ${text.title}`;
   try {
-    leave = room.open(place, address, engine);
+    leave = room.open(place, address, engine, focused);
   } catch (error) {
     place.textContent = `${text.failed}: ${error instanceof Error ? error.message : error}`;
   }

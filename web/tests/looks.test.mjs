@@ -9,7 +9,7 @@ import { close, DESK, page, PHONE, PROJECTOR, visit } from "./harness.mjs";
 after(close);
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const SOON = "points=300&intervals=20&until=10";
-const ROOMS = ["pendulum?angle=150deg&small-angle=yes", "about", "formulas", "perturbation", "derivations?steps=all&amplitude=40deg", "derivations?road=paper", "laboratory?example=yes&length=0.56m", `chaos?over=A%3D1:1.5:0.05&each=10&motions=200&${SOON}`, `chaos?system=kapitza&set=c%3D0.1&initial=theta%3D170deg&over=&value=&map=omega%3D5:30,a%3D0.02:0.6&rest=theta%3D180deg&lines=0&thresholds=a%3D0.01:0.6&${SOON}`, `chaos?system=spring_pendulum&set=kappa%3D3&initial=r%3D1.3733,theta%3D0.04&over=&value=&at=theta&order=3&${SOON}`];
+const ROOMS = ["pendulum?angle=150deg&small-angle=yes", "pendulum?view=learn&arrows=yes&gate=yes&stopwatch=yes&ruler=yes&protractor=yes&second=yes&secret=planet-1&trials=10:1:10:20.1", "pendulum?view=lecture&hide=yes", "embed?t=0", "about", "formulas", "perturbation", "derivations?steps=all&amplitude=40deg", "derivations?road=paper", "laboratory?example=yes&length=0.56m", `chaos?over=A%3D1:1.5:0.05&each=10&motions=200&${SOON}`, `chaos?system=kapitza&set=c%3D0.1&initial=theta%3D170deg&over=&value=&map=omega%3D5:30,a%3D0.02:0.6&rest=theta%3D180deg&lines=0&thresholds=a%3D0.01:0.6&${SOON}`, `chaos?system=spring_pendulum&set=kappa%3D3&initial=r%3D1.3733,theta%3D0.04&over=&value=&at=theta&order=3&${SOON}`];
 
 /** Nothing sticks out, and axe finds nothing. */
 async function check(room, what) {

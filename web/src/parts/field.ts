@@ -1,7 +1,7 @@
 // One value that the reader enters: its label, its input, a hint, and an error message.
 
 import { element, identifier } from "./element.ts";
-import { isBare, unitName, withUnit } from "./units.ts";
+import { isBare, unitName, withoutUnit, withUnit } from "./units.ts";
 
 /** A field of a form. */
 export interface Field {
@@ -14,7 +14,7 @@ export interface Field {
   readonly initial: string;
   /** `true` if numbers are angles, in the unit that the reader has chosen. */
   readonly isAngle: boolean;
-  /** The value as entered. */
+  /** The value as it stands in the field. */
   value: string;
   /** The value, with the unit shown in the field if it was entered without one. */
   readonly measured: string;
@@ -30,6 +30,8 @@ export interface FieldWords {
   readonly label: string;
   /** The values that are allowed, with an example. */
   readonly hint?: string;
+  /** The same, shown when the pointer rests on the field. */
+  readonly title?: string;
 }
 
 interface Description {
@@ -39,6 +41,8 @@ interface Description {
   readonly initial?: string;
   /** The unit of bare numbers: `angle` is the unit that the reader has chosen for angles. */
   readonly unit?: string;
+  /** `true` to leave out the unit of a number that is in the unit of the field. */
+  readonly isShort?: boolean;
 }
 
 type Control = HTMLInputElement | HTMLSelectElement | HTMLTextAreaElement;
@@ -55,10 +59,11 @@ export function textField(description: Description, suggestions: readonly string
 class ShownUnit {
   readonly element = element("span", { class: "unit", id: identifier() });
   readonly #control: Control;
+  readonly #isShort: boolean;
   #unit = "";
 
-  constructor(control: Control) {
-    this.#control = control;
+  constructor(control: Control, isShort: boolean) {
+    [this.#control, this.#isShort] = [control, isShort];
     control.addEventListener("input", () => this.show());
   }
 
@@ -69,6 +74,12 @@ class ShownUnit {
   set(unit: string): void {
     if (unit !== this.#unit && unit !== "") this.#control.value = this.measured;
     this.#unit = unit;
+    this.put(this.#control.value);
+  }
+
+  /** Shows an entry; in fields of short numbers, one in the unit of the field is bare. */
+  put(entry: string): void {
+    this.#control.value = this.#isShort ? withoutUnit(entry, this.#unit) : entry;
     this.show();
   }
 
@@ -115,10 +126,11 @@ function controlled(description: Description, control: Control, event: string, b
   const { key, option, words, initial = "" } = description;
   control.id = identifier();
   control.name = key;
+  if (words.title !== undefined) control.title = words.title;
   control.value = initial;
   const described = identifier();
   const error = element("p", { class: "error", id: identifier(), hidden: true });
-  const unit = new ShownUnit(control);
+  const unit = new ShownUnit(control, description.isShort === true);
   control.setAttribute("aria-describedby", `${unit.element.id} ${described} ${error.id}`);
   const isAngle = description.unit === "angle";
   if (!isAngle) unit.set(description.unit ?? "");
@@ -134,8 +146,7 @@ function controlled(description: Description, control: Control, event: string, b
       return control.value.trim();
     },
     set value(value) {
-      control.value = value;
-      unit.show();
+      unit.put(value);
     },
     get measured() {
       return unit.measured;

@@ -44,7 +44,7 @@ export class Form {
   /** The same, but `undefined` if it is the initial value. */
   chosen(key: string): string | undefined {
     const field = this.#field(key);
-    return field.value === field.initial ? undefined : field.measured;
+    return field.measured === field.initial ? undefined : field.measured;
   }
 
   /** Sets the fields of angles that hold plain numbers, because the variable is not an angle. */
@@ -57,21 +57,21 @@ export class Form {
   put(key: string, value: string): void {
     const field = this.#field(key);
     field.value = value;
-    if (field.value !== field.initial) field.element.closest("details.folded")?.setAttribute("open", "");
+    if (field.measured !== field.initial) field.element.closest("details.folded")?.setAttribute("open", "");
     this.keep();
   }
 
   /** Puts the values into the address. */
   keep(): void {
     const all = [...this.#fields.values()];
-    this.#address.put(Object.fromEntries(all.map(({ key, value, initial }) => [key, value === initial ? undefined : value])));
+    this.#address.put(Object.fromEntries(all.map(({ key, measured, initial }) => [key, measured === initial ? undefined : measured])));
   }
 
   /** The fields of these keys, one below the other. They are folded if they are rarely needed or the page is narrow, so that results are visible
       without scrolling past all fields. */
   part(title: string, keys: readonly string[], attributes: { open?: boolean; folded?: boolean } = {}): HTMLElement {
     const fields = keys.map((key) => this.#field(key).element);
-    const isWanted = attributes.folded === true ? keys.some((key) => this.#field(key).value !== this.#field(key).initial) : matchMedia(BESIDE).matches;
+    const isWanted = attributes.folded === true ? keys.some((key) => this.#field(key).measured !== this.#field(key).initial) : matchMedia(BESIDE).matches;
     const open = attributes.open === true || isWanted;
     return element("details", { class: attributes.folded === true ? "fields folded" : "fields", open }, element("summary", {}, title), ...fields);
   }

@@ -64,6 +64,21 @@ export class Pen {
     context.lineWidth = 1;
     context.stroke();
   }
+
+  /** Names of curves, along the upper edge. */
+  legend(entries: readonly (readonly [Colour, string])[]): void {
+    const { context, unit } = this;
+    context.textAlign = "left";
+    context.textBaseline = "middle";
+    let x = 66 * unit;
+    for (const [colour, name] of entries) {
+      context.fillStyle = this.colours[colour];
+      context.fillRect(x, 14 * unit, 14 * unit, 4 * unit);
+      context.fillStyle = this.colours.ink;
+      context.fillText(name, x + 18 * unit, 16 * unit);
+      x += 28 * unit + context.measureText(name).width;
+    }
+  }
 }
 
 const FONT = "system-ui, 'DejaVu Sans', sans-serif";
@@ -90,6 +105,10 @@ export class Plot {
   readonly #still = document.createElement("canvas");
   readonly #context = this.canvas.getContext("2d");
   readonly #observer: ResizeObserver;
+  readonly #sight: IntersectionObserver;
+  #isSeen = false;
+  #isStale = false;
+  #frame: Frame | undefined;
   #axes: Axes | undefined;
   #curves: (pen: Pen) => void = () => {};
   #moving: (pen: Pen) => void = () => {};
@@ -99,14 +118,34 @@ export class Plot {
     this.element = element("figure", { class: "plot" }, element("figcaption", {}, title), this.canvas, ...below);
     this.#observer = new ResizeObserver(() => this.redraw());
     this.#observer.observe(this.canvas);
+    // Out of sight nothing is drawn.
+    this.#sight = new IntersectionObserver((entries) => {
+      this.#isSeen = entries.at(-1)?.isIntersecting ?? false;
+      if (this.#isSeen && this.#isStale) this.redraw();
+    });
+    this.#sight.observe(this.canvas);
+    addEventListener("beforeprint", this.#print);
+  }
+
+  /** Calls back with the values of a point that is clicked. */
+  onPoint(clicked: (x: number, y: number) => void): void {
+    this.canvas.addEventListener("click", (event) => {
+      const { left, top } = this.canvas.getBoundingClientRect();
+      if (this.#frame !== undefined) clicked(...this.#frame.at(event.clientX - left, event.clientY - top));
+    });
   }
 
   /** Draws the static part, described by `words`. */
   show(axes: Axes, words: string, curves: (pen: Pen) => void): void {
     [this.#axes, this.#curves] = [axes, curves];
-    this.canvas.setAttribute("aria-label", words);
+    if (this.canvas.getAttribute("aria-label") !== words) this.canvas.setAttribute("aria-label", words);
     this.redraw();
   }
+
+  readonly #print = () => {
+    this.#isSeen = true;
+    this.redraw();
+  };
 
   /** Draws the moving part. */
   move(moving: (pen: Pen) => void): void {
@@ -117,7 +156,8 @@ export class Plot {
   redraw(): void {
     const [width, height] = [this.canvas.clientWidth, this.canvas.clientHeight];
     const axes = this.#axes;
-    if (axes === undefined || width === 0 || height === 0) return;
+    this.#isStale = !this.#isSeen;
+    if (axes === undefined || width === 0 || height === 0 || this.#isStale) return;
     const scale = Math.min(devicePixelRatio, 2);
     for (const canvas of [this.canvas, this.#still]) {
       [canvas.width, canvas.height] = [Math.round(width * scale), Math.round(height * scale)];
@@ -127,7 +167,7 @@ export class Plot {
     context.scale(scale, scale);
     const unit = letterUnit();
     const margin = margins(unit);
-    const frame = framed(axes, width, height, margin);
+    const frame = (this.#frame = framed(axes, width, height, margin));
     const all = colours();
     const pen = new Pen(context, frame.x, frame.y, all, unit);
     drawAxes(pen, frame.axes, width, height, margin);
@@ -146,11 +186,16 @@ export class Plot {
 
   close(): void {
     this.#observer.disconnect();
+    this.#sight.disconnect();
+    removeEventListener("beforeprint", this.#print);
   }
 
   #picture(): void {
     const pen = this.#pen;
-    if (pen === undefined) return;
+    if (pen === undefined || !this.#isSeen) {
+      this.#isStale = true;
+      return;
+    }
     const { context } = pen;
     context.clearRect(0, 0, this.canvas.width, this.canvas.height);
     context.drawImage(this.#still, 0, 0, this.canvas.clientWidth, this.canvas.clientHeight);
@@ -162,6 +207,8 @@ interface Frame {
   readonly axes: Axes;
   readonly x: (value: number) => number;
   readonly y: (value: number) => number;
+  /** The values at a point in px. */
+  readonly at: (x: number, y: number) => [x: number, y: number];
 }
 
 function framed(axes: Axes, width: number, height: number, margin: Margin): Frame {
@@ -179,6 +226,7 @@ function framed(axes: Axes, width: number, height: number, margin: Margin): Fram
     axes: { ...axes, x, y },
     x: (value) => margin.left + (value - x0) * perX,
     y: (value) => height - margin.bottom - (value - y0) * perY,
+    at: (across, down) => [x0 + (across - margin.left) / perX, y0 + (height - margin.bottom - down) / perY],
   };
 }
 

@@ -13,6 +13,20 @@ export function withUnit(entry: string, unit: string): string {
   return unit !== "" && isBare(entry) ? entry.replace(/[^:,]+/g, (number) => `${number.trim()}${unit}`) : entry;
 }
 
+/** The entry without the unit of its field, if it is a number in this unit. */
+export function withoutUnit(entry: string, unit: string): string {
+  const number = unit !== "" && entry.endsWith(unit) ? entry.slice(0, -unit.length) : entry;
+  return NUMBER.test(number) ? number : entry;
+}
+
+/** A decimal angle in another unit, to all digits; other entries are kept. */
+export function converted(entry: string, unit: string): string {
+  const number = entry.replace(/(deg|rad)$/, "");
+  if (number === entry || entry.endsWith(unit) || !NUMBER.test(number)) return entry;
+  const value = Number(number.replace("\u2212", "-"));
+  return unit === "rad" ? `${(value * Math.PI) / 180}rad` : `${Number(((value * 180) / Math.PI).toPrecision(15))}deg`;
+}
+
 /** The unit as readers write it. */
 export function unitName(unit: string): string {
   return unit === "deg" ? "°" : unit.replace("^2", "²");

@@ -19,6 +19,7 @@ import { text } from "../../texts/en.ts";
 import { example } from "./example.ts";
 import { fields, type Kind, optionOf, PARTS, taken } from "./fields.ts";
 import { Files } from "./files.ts";
+import { received } from "./handed.ts";
 import { MotionSensor } from "./motion_sensor.ts";
 import { type Inspection, kindOf, reading } from "./reading.ts";
 import { report } from "./report.ts";
@@ -80,7 +81,9 @@ class LaboratoryRoom {
   }
 
   begin(): void {
-    if (this.#address.get("example") !== undefined) void this.#try();
+    const file = received();
+    if (file !== undefined) this.#files.add(file.name, file.bytes);
+    else if (this.#address.get("example") !== undefined) void this.#try();
     else this.#update();
   }
 

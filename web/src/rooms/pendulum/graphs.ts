@@ -1,14 +1,28 @@
-// The linked graphs: angle, velocity, phase plane, energy, harmonics, epicycles.
+// The linked graphs: angle, velocity, phase plane, energy, any quantity against any other, harmonics, epicycles.
 
+import { element } from "../../parts/element.ts";
 import type { Harmonics, Motion } from "../../engine/mathematics.ts";
 import { angle as angleInWords, digits, short } from "../../parts/numbers.ts";
 import { text } from "../../texts/en.ts";
 import type { Course, Place, Samples } from "./course.ts";
 import type { Ghost } from "./ghosts.ts";
-import { type Axes, type Pen, Plot, type Range } from "../../parts/plot.ts";
+import type { Axes, Pen, Plot, Range } from "../../parts/plot.ts";
+import { lookedAt } from "./look.ts";
 
-const words = text.pendulum.graphs;
-const POINTS = 1200;
+const { graphs: words, look } = text.pendulum;
+const POINTS = 900;
+/** Energies over 2mgl of the orbits that are drawn in the background of the phase plane. */
+const FAMILY = [0.07, 0.25, 0.5, 0.75, 0.93, 1.2, 1.5];
+
+/** Quantities that can be drawn against each other. */
+export const QUANTITIES = ["time", "angle", "velocity", "acceleration", "kinetic", "potential", "total"] as const;
+export type Quantity = (typeof QUANTITIES)[number];
+
+/** All quantities of a state; the acceleration is that by gravity. */
+function quantities(time: number, angle: number, velocity: number, frequency: number): Record<Quantity, number> {
+  const [kinetic, potential] = energies(angle, velocity, 2 * frequency);
+  return { time, angle, velocity, acceleration: -(frequency ** 2) * Math.sin(angle), kinetic, potential, total: kinetic + potential };
+}
 
 /** The data to draw. */
 export interface Scene {
@@ -23,35 +37,67 @@ export interface Scene {
   readonly window: Range;
   /** `deg` or `rad`. */
   readonly unit: string;
+  /** The quantities of the free graph, across and up. */
+  readonly free: readonly [Quantity, Quantity];
+  /** `true` if the period must not be said. */
+  readonly isHidden: boolean;
 }
 
 export class Graphs {
   readonly elements: readonly HTMLElement[];
-  readonly #angle = new Plot(words.angle.title);
-  readonly #velocity = new Plot(words.velocity.title);
-  readonly #phase = new Plot(words.phase.title);
-  readonly #energy = new Plot(words.energy.title);
-  readonly #spectrum = new Plot(words.spectrum.title);
-  readonly #epicycles = new Plot(words.epicycles.title);
+  readonly #angle = lookedAt(words.angle.title, look.angle);
+  readonly #velocity = lookedAt(words.velocity.title, look.velocity);
+  readonly #phase = lookedAt(words.phase.title, look.phase);
+  readonly #energy = lookedAt(words.energy.title, look.energy);
+  readonly #spectrum = lookedAt(words.spectrum.title, look.spectrum);
+  readonly #epicycles = lookedAt(words.epicycles.title, look.epicycles);
+  readonly #free: Plot;
   #scene: Scene | undefined;
+  /** The ranges of values that have been shown of this motion: they only grow. */
+  #ranges = new Map<Plot | string, Range>();
 
-  constructor() {
+  /** `started` is called with the angle in rad and the velocity in rad/s that are clicked in the phase plane; `axes` are the fields of the free graph. */
+  constructor(started: (angle: number, velocity: number) => void, ...axes: Node[]) {
+    this.#free = lookedAt(words.free.title, look.free, element("div", { class: "axes" }, ...axes));
     this.elements = this.#all.map((plot) => plot.element);
+    this.#phase.canvas.classList.add("clicked");
+    this.#phase.onPoint((angle, velocity) => Math.abs(angle) <= Math.PI && started(angle, velocity));
   }
 
   get #all(): Plot[] {
-    return [this.#angle, this.#velocity, this.#phase, this.#energy, this.#spectrum, this.#epicycles];
+    return [this.#phase, this.#angle, this.#velocity, this.#energy, this.#free, this.#spectrum, this.#epicycles];
   }
 
-  show(scene: Scene): void {
-    this.#scene = scene;
+  /** Moves the interval of time that is shown. */
+  slide(window: Range): void {
+    if (this.#scene === undefined) return;
+    this.#scene = { ...this.#scene, window };
+    this.#showInterval(this.#scene);
+  }
+
+  #showInterval(scene: Scene): void {
     const step = (scene.window[1] - scene.window[0]) / (POINTS - 1);
     const samples = scene.course.samples(scene.window[0], step, POINTS);
     const times = Float64Array.from(samples.angles, (_, n) => scene.window[0] + n * step);
     this.#showAngle(scene, times, samples, step);
     this.#showVelocity(scene, times, samples);
-    this.#showPhase(scene, samples);
     this.#showEnergy(scene, times, samples);
+    this.#showFree(scene, times, samples);
+    if (!scene.isExact || this.#ranges.get(this.#phase) === undefined) this.#showPhase(scene, samples);
+  }
+
+  /** The range of this interval together with those before it. */
+  #grown(plot: Plot | string, [low, high]: Range): Range {
+    const [before, after] = this.#ranges.get(plot) ?? [low, high];
+    const range: Range = [Math.min(low, before), Math.max(high, after)];
+    this.#ranges.set(plot, range);
+    return range;
+  }
+
+  show(scene: Scene): void {
+    this.#scene = scene;
+    this.#ranges = new Map();
+    this.#showInterval(scene);
     this.#spectrum.element.hidden = this.#epicycles.element.hidden = scene.harmonics === undefined;
     if (scene.harmonics !== undefined) {
       this.#showSpectrum(scene, scene.harmonics);
@@ -76,6 +122,8 @@ export class Graphs {
       pen.dot(time, potential, "curve-3", 4);
       pen.dot(time, kinetic + potential, "curve-1", 4);
     });
+    const now = quantities(time, place.angle, place.velocity, scene.motion.angularFrequency);
+    this.#free.move((pen) => pen.dot(now[scene.free[0]], now[scene.free[1]], "curve-1"));
     const { harmonics } = scene;
     if (harmonics !== undefined) this.#epicycles.move((pen) => drawEpicycles(pen, harmonics, time));
   }
@@ -88,19 +136,19 @@ export class Graphs {
     for (const plot of this.#all) plot.close();
   }
 
-  #showAngle({ ghosts, motion, isExact, unit, window }: Scene, times: Float64Array, { angles }: Samples, step: number): void {
+  #showAngle({ ghosts, motion, isExact, unit, window, isHidden }: Scene, times: Float64Array, { angles }: Samples, step: number): void {
     const curves = ghosts.map((ghost) => ({ ghost, angles: ghost.angles(window[0], step, POINTS) }));
-    const range = padded(extent([angles, ...curves.map((curve) => curve.angles)], Math.PI * 4));
+    const range = this.#grown(this.#angle, padded(extent([angles, ...curves.map((curve) => curve.angles)], Math.PI * 4)));
     const axes = { x: window, y: range, xLabel: words.time, yLabel: words.angle.axis(unit), ...angleTicks("y", range, unit) };
     const said = angleExtent(isExact, motion, angles).map((it) => angleInWords(it, unit, 4)) as [string, string];
-    this.#angle.show(axes, words.angle.words(isExact ? seconds(motion.period) : words.none, ...said), (pen) => {
+    this.#angle.show(axes, words.angle.words(isExact && !isHidden ? seconds(motion.period) : words.none, ...said), (pen) => {
       for (const curve of curves) pen.line(times, curve.angles, curve.ghost.colour, 1.25, [5, 3]);
       pen.line(times, angles, "curve-1", 2);
     });
   }
 
   #showVelocity({ window, motion, isExact }: Scene, times: Float64Array, { velocities }: Samples): void {
-    const range = padded(extent([velocities]));
+    const range = this.#grown(this.#velocity, padded(extent([velocities])));
     const said = velocityExtent(isExact, motion, velocities).map((it) => short(it, 4)) as [string, string];
     const axes = { x: window, y: range, xLabel: words.time, yLabel: words.velocity.axis };
     this.#velocity.show(axes, words.velocity.words(...said), (pen) => pen.line(times, velocities, "curve-1", 2));
@@ -108,11 +156,12 @@ export class Graphs {
 
   #showPhase({ motion, isExact, unit, harmonics }: Scene, samples: Samples): void {
     const frequency = 2 * motion.angularFrequency;
-    const fastest = Math.max(frequency, ...samples.velocities.map(Math.abs).filter(Number.isFinite));
+    const fastest = this.#grown(this.#phase, [0, Math.max(frequency, ...samples.velocities.map(Math.abs).filter(Number.isFinite))])[1];
     const x: Range = [-Math.PI, Math.PI];
     const axes: Axes = { x, y: [-1.12 * fastest, 1.12 * fastest], xLabel: words.phase.x(unit), yLabel: words.velocity.axis, ...angleTicks("x", x, unit) };
     this.#phase.show(axes, words.phase.words(isExact ? text.pendulum.regimes[motion.regime] : text.pendulum.forced), (pen) => {
       const angles = Array.from({ length: 201 }, (_, n) => ((n - 100) * Math.PI) / 100);
+      for (const energy of FAMILY) for (const side of [1, -1]) pen.line(angles, angles.map((it) => side * frequency * Math.sqrt(energy - Math.sin(it / 2) ** 2)), "line", 1);
       for (const side of [1, -1]) pen.line(angles, angles.map((it) => side * frequency * Math.cos(it / 2)), "quiet", 1.25, [5, 3]);
       const [xs, ys] = harmonics === undefined ? segments(samples) : orbit(motion, samples);
       pen.line(xs, ys, "curve-1", 2);
@@ -123,15 +172,24 @@ export class Graphs {
     const frequency = 2 * motion.angularFrequency;
     const both = Array.from(angles, (angle, n) => energies(angle, velocities[n] ?? NaN, frequency));
     const all = both.map(([kinetic, potential]) => kinetic + potential);
-    const top = 1.22 * Math.max(...all.filter(Number.isFinite), 1e-300);
+    const top = this.#grown(this.#energy, [0, 1.22 * Math.max(...all.filter(Number.isFinite), 1e-300)])[1];
     const axes = { x: window, y: [0, top] as const, xLabel: words.time, yLabel: words.energy.axis };
     this.#energy.show(axes, words.energy.words(digits(motion.energyRatio, 6), isExact), (pen) => {
       pen.line(window, [1, 1], "quiet", 1.25, [5, 3]);
       pen.line(times, both.map(([kinetic]) => kinetic), "curve-2");
       pen.line(times, both.map(([, potential]) => potential), "curve-3");
       pen.line(times, all, "curve-1", 2);
-      legend(pen, [["curve-2", words.energy.kinetic], ["curve-3", words.energy.potential], ["curve-1", words.energy.total]]);
+      pen.legend([["curve-2", words.energy.kinetic], ["curve-3", words.energy.potential], ["curve-1", words.energy.total]]);
     });
+  }
+
+  #showFree({ motion, unit, window, free: [across, up] }: Scene, times: Float64Array, { angles, velocities }: Samples): void {
+    const all = Array.from(times, (time, n) => quantities(time, angles[n] ?? NaN, velocities[n] ?? NaN, motion.angularFrequency));
+    const [xs, ys] = [Float64Array.from(all, (it) => it[across]), Float64Array.from(all, (it) => it[up])];
+    const [x, y] = [across === "time" ? window : this.#grown(across, padded(extent([xs]))), up === "time" ? window : this.#grown(up, padded(extent([ys])))];
+    const ticksOf = (axis: "x" | "y", quantity: Quantity, range: Range) => (quantity === "angle" ? angleTicks(axis, range, unit) : {});
+    const axes: Axes = { x, y, xLabel: words.free.quantities[across], yLabel: words.free.quantities[up], ...ticksOf("x", across, x), ...ticksOf("y", up, y) };
+    this.#free.show(axes, words.free.words(words.free.quantities[up], words.free.quantities[across]), (pen) => pen.line(xs, ys, "curve-1", 2));
   }
 
   #showSpectrum(_: Scene, { terms }: Harmonics): void {
@@ -143,7 +201,7 @@ export class Graphs {
     const said = terms.slice(0, 4).map(({ n, angle }) => `${n}: ${digits(angle, 4)} rad`).join(", ");
     this.#spectrum.show(axes, words.spectrum.words(said), (pen) => {
       for (const { n, angle } of terms) pen.line([n, n], [low, Math.log10(Math.abs(angle))], angle > 0 ? "curve-1" : "curve-2", 4);
-      if (terms.some(({ angle }) => angle < 0)) legend(pen, [["curve-1", words.spectrum.positive], ["curve-2", words.spectrum.negative]]);
+      if (terms.some(({ angle }) => angle < 0)) pen.legend([["curve-1", words.spectrum.positive], ["curve-2", words.spectrum.negative]]);
     });
   }
 
@@ -172,7 +230,7 @@ function drawEpicycles(pen: Pen, { fundamental, meanVelocity, epoch, terms }: Ha
 }
 
 /** Kinetic and potential energy over 2mgl. */
-function energies(angle: number, velocity: number, twiceFrequency: number): [number, number] {
+export function energies(angle: number, velocity: number, twiceFrequency: number): [number, number] {
   return [(velocity / twiceFrequency) ** 2, Math.sin(angle / 2) ** 2];
 }
 
@@ -249,20 +307,6 @@ function angleTicks(axis: "x" | "y", [low, high]: Range, unit: string, most = 5)
     made.push([(n * step) / degrees, `${Number((n * step).toPrecision(6))}°`.replace("-", "−")]);
   }
   return axis === "x" ? { xTicks: made } : { yTicks: made };
-}
-
-function legend(pen: Pen, entries: readonly (readonly [Parameters<Pen["line"]>[2], string])[]): void {
-  const { context, unit } = pen;
-  context.textAlign = "left";
-  context.textBaseline = "middle";
-  let x = 60 * unit;
-  for (const [colour, name] of entries) {
-    context.fillStyle = pen.colours[colour];
-    context.fillRect(x, 14 * unit, 14 * unit, 4 * unit);
-    context.fillStyle = pen.colours.ink;
-    context.fillText(name, x + 18 * unit, 16 * unit);
-    x += 28 * unit + context.measureText(name).width;
-  }
 }
 
 function tenTo(power: number): string {

@@ -13,18 +13,30 @@ export interface Forces {
   readonly velocity: number;
   readonly angularFrequency: number;
   readonly damping: string;
+  /** Coefficients of quadratic drag and of dry friction. */
+  readonly drag: string;
+  readonly dry: string;
   readonly drive: string;
   readonly driveFrequency: string;
 }
 
 /** The field of each parameter of the equation. */
-export const FORCE_OF: Readonly<Record<string, "damping" | "drive" | "driveFrequency">> = { c: "damping", A: "drive", omega: "driveFrequency" };
+export const FORCE_OF: Readonly<Record<string, "damping" | "drag" | "dry" | "drive" | "driveFrequency">> = { c: "damping", q: "drag", f: "dry", A: "drive", omega: "driveFrequency" };
 
-export function command({ angle, velocity, angularFrequency, damping, drive, driveFrequency }: Forces, until: number): Command {
-  const set = [`omega0=${angularFrequency}`, `c=${damping || "0"}`, `A=${drive || "0"}`, `omega=${driveFrequency || "2/3"}`];
+/** The equation with quadratic drag and dry friction; without them the system has a name. */
+const EQUATION = "theta'' = -c*theta' - q*abs(theta')*theta' - f*sign(theta') - omega0^2*sin(theta) + A*cos(omega*t)";
+
+export function isNone(entry: string): boolean {
+  return entry === "" || Number(entry) === 0;
+}
+
+export function command({ angle, velocity, angularFrequency, damping, drag, dry, drive, driveFrequency }: Forces, until: number): Command {
+  const isNamed = isNone(drag) && isNone(dry);
+  const friction = isNamed ? [] : [`q=${drag || "0"}`, `f=${dry || "0"}`];
+  const set = [`omega0=${angularFrequency}`, `c=${damping || "0"}`, ...friction, `A=${drive || "0"}`, `omega=${driveFrequency || "2/3"}`];
   return {
     question: "simulate",
-    arguments: ["driven_pendulum"],
+    arguments: [isNamed ? "driven_pendulum" : EQUATION],
     options: [
       ["set", set.join(",")],
       ["initial", `theta=${angle},theta'=${velocity}`],

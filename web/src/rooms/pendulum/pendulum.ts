@@ -10,10 +10,10 @@ import { Swing } from "./swing.ts";
 
 export const pendulum: Room = {
   name: "pendulum",
-  open(place, address, engine) {
+  open(place, address, engine, focused) {
     let close: (() => void) | undefined;
     let isLeft = false;
-    place.append(element("h1", {}, text.titles["pendulum"] ?? ""), element("p", { class: "lead" }, text.pendulum.lead));
+    place.append(element("h1", { class: "unseen" }, text.titles["pendulum"] ?? ""));
     const waiting = element("p", { class: "quiet", role: "status" }, text.pendulum.loading);
     place.append(waiting);
     begun(place, address, engine)
@@ -21,6 +21,7 @@ export const pendulum: Room = {
         waiting.remove();
         close = () => swing.close();
         if (isLeft) close();
+        else if (focused !== undefined) place.querySelector<HTMLElement>(`[data-state="${focused}"]`)?.focus();
       })
       .catch((error: unknown) => {
         waiting.textContent = `${text.failed}: ${error instanceof Error ? error.message : String(error)}`;

@@ -1,12 +1,8 @@
-// The pendulum itself: drawn, dragged, thrown, and turned by keys.
+// The pendulum itself: dragged, thrown, and turned by keys.
 
 import { element } from "../../parts/element.ts";
-import { type Colour, type Colours, colours } from "../../parts/colours.ts";
-
-export interface Shown {
-  readonly angle: number;
-  readonly ghosts: readonly { readonly angle: number; readonly colour: Colour }[];
-}
+import { type Colours, colours } from "../../parts/colours.ts";
+import { draw, framed, type Frame, type Shown } from "./drawing.ts";
 
 export interface Hands {
   /** Called while the bob is held at this angle in rad, within (−π, π]. */
@@ -28,10 +24,11 @@ export class Stage {
   readonly #context: CanvasRenderingContext2D | null;
   readonly #observer: ResizeObserver;
   #colours: Colours = colours();
-  #shown: Shown = { angle: 0, ghosts: [] };
+  #letters = "";
+  #shown: Shown = { pendulums: [], ghosts: [], arrows: false, gate: undefined, protractor: false, unit: "deg" };
 
   constructor(label: string, hands: Hands) {
-    this.canvas = element("canvas", { class: "stage", tabindex: "0", role: "slider", "aria-label": label, "aria-valuemin": "-180", "aria-valuemax": "180", "aria-valuenow": "0" });
+    this.canvas = element("canvas", { class: "stage", "data-state": "stage", tabindex: "0", role: "slider", "aria-label": label, "aria-valuemin": "-180", "aria-valuemax": "180", "aria-valuenow": "0" });
     this.element = this.canvas;
     this.#context = this.canvas.getContext("2d");
     this.#observer = new ResizeObserver(() => this.redraw());
@@ -45,13 +42,18 @@ export class Stage {
     this.canvas.setAttribute("aria-valuetext", words);
   }
 
-  show(shown: Shown): void {
+  /** Draws, and returns the scale of the drawing, relative to what holds the canvas. */
+  show(shown: Shown): Frame {
     this.#shown = shown;
     this.#draw();
+    const frame = framed(this.canvas.clientWidth, this.canvas.clientHeight, shown.pendulums);
+    return { ...frame, y: frame.y + this.canvas.offsetTop };
   }
 
   redraw(): void {
     this.#colours = colours();
+    const { fontSize, fontFamily } = getComputedStyle(this.canvas);
+    this.#letters = `${fontSize} ${fontFamily}`;
     const scale = Math.min(devicePixelRatio, 2);
     const { clientWidth, clientHeight } = this.canvas;
     [this.canvas.width, this.canvas.height] = [Math.round(clientWidth * scale), Math.round(clientHeight * scale)];
@@ -67,41 +69,7 @@ export class Stage {
     const context = this.#context;
     if (context === null) return;
     const { clientWidth: width, clientHeight: height } = this.canvas;
-    const [x, y, length] = [width / 2, height / 2, 0.42 * Math.min(width, height)];
-    context.clearRect(0, 0, width, height);
-    context.strokeStyle = this.#colours.line;
-    context.lineWidth = 1;
-    context.beginPath();
-    context.arc(x, y, length, 0, 2 * Math.PI);
-    context.moveTo(x, y - 1.12 * length);
-    context.lineTo(x, y + 1.12 * length);
-    context.stroke();
-    for (const ghost of this.#shown.ghosts) this.#rod(context, x, y, length, ghost.angle, ghost.colour, false);
-    this.#rod(context, x, y, length, this.#shown.angle, "curve-1", true);
-    context.fillStyle = this.#colours.ink;
-    context.beginPath();
-    context.arc(x, y, 4, 0, 2 * Math.PI);
-    context.fill();
-  }
-
-  #rod(context: CanvasRenderingContext2D, x: number, y: number, length: number, angle: number, colour: Colour, solid: boolean): void {
-    const [bobX, bobY] = [x + length * Math.sin(angle), y + length * Math.cos(angle)];
-    context.strokeStyle = this.#colours[solid ? "ink" : colour];
-    context.lineWidth = solid ? 3 : 1.5;
-    context.beginPath();
-    context.moveTo(x, y);
-    context.lineTo(bobX, bobY);
-    context.stroke();
-    context.beginPath();
-    context.arc(bobX, bobY, Math.max(8, length * (solid ? 0.09 : 0.065)), 0, 2 * Math.PI);
-    if (solid) {
-      context.fillStyle = this.#colours[colour];
-      context.fill();
-    } else {
-      context.strokeStyle = this.#colours[colour];
-      context.lineWidth = 2;
-      context.stroke();
-    }
+    draw(context, width, height, this.#shown, this.#colours, this.#letters);
   }
 
   #angleOf(event: PointerEvent): number {

@@ -11,14 +11,25 @@ import { text } from "../../texts/en.ts";
 import { Clock } from "../../parts/clock.ts";
 import { onColours } from "../../parts/colours.ts";
 import { Controls } from "./controls.ts";
-import { type Course, ExactCourse, type IntegratedCourse } from "./course.ts";
+import { type Course, ExactCourse, type IntegratedCourse, type Place } from "./course.ts";
+import type { Drawn, Shown } from "./drawing.ts";
+import { Bars } from "./bars.ts";
 import { Facts } from "./facts.ts";
 import { APPROXIMATIONS, approximate, type Ghost, withPeriod } from "./ghosts.ts";
-import { Graphs } from "./graphs.ts";
-import { command as forced, FORCE_OF, type Forces, integrated } from "./integration.ts";
+import { energies, Graphs, type Quantity } from "./graphs.ts";
+import { command as forced, FORCE_OF, type Forces, integrated, isNone } from "./integration.ts";
+import { Gate } from "./gate.ts";
 import { Keep } from "./keep.ts";
 import type { Range } from "../../parts/plot.ts";
+import { Readouts } from "./readouts.ts";
+import { Learn } from "./learn.ts";
+import { Ruler } from "./ruler.ts";
+import { Second } from "./second.ts";
 import { Stage } from "./stage.ts";
+import { StateButtons } from "./state_buttons.ts";
+import { Stopwatch } from "./stopwatch.ts";
+import { TrialsTable } from "./trials_table.ts";
+import type { Laws } from "./trials_plots.ts";
 import { Tone } from "./tone.ts";
 import { Transport } from "./transport.ts";
 
@@ -26,6 +37,8 @@ const words = text.pendulum;
 
 /** Length of the first and of the longest integration, in seconds. */
 const [AHEAD, FARTHEST] = [60, 3840];
+/** Length of the trace, in seconds. */
+const TRACED = 1;
 /** Time between two changes of displayed numbers, in milliseconds. */
 const READABLE = 100;
 
@@ -37,8 +50,17 @@ export class Swing {
   readonly #controls: Controls;
   readonly #transport: Transport;
   readonly #stage: Stage;
-  readonly #graphs = new Graphs();
+  readonly #graphs: Graphs;
   readonly #facts = new Facts();
+  readonly #readouts = new Readouts();
+  readonly #bars = new Bars();
+  readonly #learn = new Learn();
+  readonly #gate = new Gate((swings, seconds) => this.#record(swings, seconds));
+  readonly #stopwatch = new Stopwatch((swings, seconds) => this.#record(swings, seconds));
+  readonly #trials: TrialsTable;
+  readonly #state: StateButtons;
+  readonly #ruler = new Ruler();
+  readonly #second = new Second();
   readonly #tone = new Tone();
   readonly #keep: Keep;
   readonly #how = element("p", { class: "quiet how" });
@@ -47,6 +69,10 @@ export class Swing {
   readonly #closing: (() => void)[] = [];
   #motion: Motion | undefined;
   #course: Course | undefined;
+  #length = 1;
+  #gravity = 1;
+  /** The settings of the motion that was started last. */
+  #started = "";
   #ghosts: readonly Ghost[] = [];
   #window: Range | undefined;
   #wasRunning = false;
@@ -55,11 +81,14 @@ export class Swing {
 
   constructor(place: HTMLElement, address: Address, engine: Engine, mathematics: Mathematics) {
     [this.#address, this.#engine, this.#mathematics] = [address, engine, mathematics];
-    this.#controls = new Controls(address, () => this.#start(), () => void this.#offerFormulas());
+    this.#controls = new Controls(address, () => this.#start(this.#physics() !== this.#started), () => void this.#offerFormulas());
+    this.#graphs = new Graphs((angle, velocity) => this.#letGo(angle, velocity), ...this.#controls.axes);
     this.#stage = new Stage(words.stage, { held: (angle) => this.#held(angle), letGo: (angle, velocity) => this.#letGo(angle, velocity), taken: () => this.#taken(), turned: (by) => this.#turned(by) });
     this.#transport = new Transport(this.#clock, address.get("speed") ?? "1", () => this.#moved());
     this.#listen = button(words.listen, () => this.#sound(), { title: words.listenHint, "aria-pressed": "false" });
     this.#keep = new Keep(engine);
+    this.#state = new StateButtons(address);
+    this.#trials = new TrialsTable(address, engine, () => this.#laws());
     this.#lay(place);
     this.#clock.time = Math.max(0, Number(address.get("t") ?? "0") || 0);
     this.#start(false);
@@ -70,25 +99,40 @@ export class Swing {
   close(): void {
     this.#clock.stop();
     this.#abort.abort();
+    document.documentElement.classList.remove("lecture");
     this.#graphs.close();
+    this.#trials.close();
+    this.#state.close();
     this.#stage.close();
     this.#tone.close();
     for (const close of this.#closing) close();
   }
 
   #lay(place: HTMLElement): void {
-    const controls = element("div", { class: "swing-controls controls" }, ...this.#controls.elements);
-    const slider = element("label", { class: "swing-slider" }, element("span", {}, words.fields.slider), this.#controls.slider);
-    const stage = element("div", { class: "swing-stage" }, this.#stage.element, slider, this.#transport.element, this.#how, this.#said);
+    const hint = element("p", { class: "try" }, words.lead);
+    const cards = element("div", { class: "cards" }, this.#learn.element, this.#gate.element, this.#stopwatch.element);
+    const stage = element("div", { class: "bench-stage" }, this.#stage.element, this.#readouts.element, this.#ruler.element, this.#bars.element, hint);
+    const panel = element("div", { class: "bench-panel controls" }, ...this.#controls.panel, this.#state.element);
+    const bench = element("div", { class: "bench" }, stage, cards, this.#transport.element, panel);
     const graphs = element("div", { class: "swing-graphs" }, ...this.#graphs.elements);
+    const further = element("div", { class: "swing-controls controls" }, ...this.#controls.further);
     const below = element("div", { class: "swing-below" }, element("div", {}, this.#facts.element, element("p", { class: "buttons screen-only" }, this.#listen)), this.#keep.element);
-    place.append(element("div", { class: "swing" }, stage, controls, graphs, below));
-    const key = (event: KeyboardEvent) => {
-      if (!event.defaultPrevented && this.#transport.key(event)) event.preventDefault();
-    };
-    document.addEventListener("keydown", key);
-    this.#closing.push(() => document.removeEventListener("keydown", key));
-    this.#closing.push(onColours(() => [this.#stage, this.#graphs].forEach((it) => it.redraw())));
+    place.append(bench, element("div", { class: "swing" }, this.#how, this.#said, this.#trials.element, graphs, further, below));
+    bench.addEventListener("keydown", (event) => {
+      if (event.defaultPrevented || !stage.contains(event.target as Node)) return;
+      if (this.#transport.key(event) || this.#undoKey(event)) event.preventDefault();
+    });
+    this.#closing.push(onColours(() => [this.#stage, this.#graphs, this.#ruler, this.#trials].forEach((it) => it.redraw())));
+  }
+
+  /** Undoes and redoes by the usual keys; returns `true` for such a key. */
+  #undoKey(event: KeyboardEvent): boolean {
+    if (!(event.ctrlKey || event.metaKey) || event.altKey) return false;
+    const isRedo = event.key === "y" || event.key === "Z";
+    if (!isRedo && event.key !== "z") return false;
+    if (isRedo) this.#address.redo();
+    else this.#address.undo();
+    return true;
   }
 
   /** Starts the motion that the fields describe, from its beginning unless the time is kept. */
@@ -96,8 +140,10 @@ export class Swing {
     this.#abort.abort();
     this.#abort = new AbortController();
     this.#controls.form.clear();
+    this.#showInstruments();
     const motion = this.#launched();
     if (motion === undefined) return;
+    this.#started = this.#physics();
     if (isFromStart) {
       this.#clock.time = 0;
       this.#address.put({ t: undefined });
@@ -108,12 +154,27 @@ export class Swing {
     this.#course = forces === undefined ? new ExactCourse(this.#mathematics) : undefined;
     this.#how.textContent = forces === undefined ? words.byFormula : words.byIntegration;
     if (forces !== undefined) void this.#integrate(forces, AHEAD);
+    this.#gate.begin(this.#clock.time);
+    void this.#startSecond(forces);
     this.#ghosts = forces === undefined ? APPROXIMATIONS.filter((key) => this.#value(key) === "yes").flatMap((key) => approximate(this.#mathematics, key) ?? []) : [];
     const wanted = APPROXIMATIONS.some((key) => this.#value(key) === "yes") || this.#value("formula") !== "";
     if (forces === undefined && wanted && this.#mathematics.approximation(0, 0, 0, 1) === undefined) this.#how.textContent += ` ${words.ghostsNeedRest}`;
     void this.#addFormula(motion);
     this.#describe(motion, forces);
+    this.#trials.update();
     this.#picture();
+  }
+
+  /** Puts a measured time into the table, with the amplitude in degrees and the length, unless it is hidden. */
+  #record(swings: number, seconds: string): void {
+    const degrees = (180 / Math.PI) * (this.#motion?.amplitude ?? 0);
+    const length = this.#controls.isHidden("length") ? "" : String(Number(this.#length.toPrecision(6)));
+    this.#trials.add(String(Number(degrees.toPrecision(6))), length, swings, seconds);
+  }
+
+  #laws(): Laws {
+    const amplitude = (180 / Math.PI) * (this.#motion?.amplitude || 0);
+    return { gravity: this.#gravity, length: this.#length, amplitude: Math.min(179, amplitude), isHidden: this.#controls.isHidden("period"), formula: this.#value("formula") };
   }
 
   #launched(): Motion | undefined {
@@ -126,12 +187,19 @@ export class Swing {
     if ("error" in angle) this.#controls.refuse("angle", angle.error);
     else this.#controls.slide((180 / Math.PI) * angle.inTurn, angleInWords(angle.inTurn, form.value("unit")));
     const velocity = quantity("velocity", this.#mathematics.angularVelocity(form.value("velocity") || "0"));
-    const length = quantity("length", this.#mathematics.length(form.value("length")));
-    const gravity = quantity("gravity", this.#mathematics.acceleration(form.value("gravity")));
-    this.#controls.name(gravity, (entry) => valueOf(this.#mathematics.acceleration(entry)));
+    const { secret } = this.#controls;
+    const length = secret.length ?? quantity("length", this.#mathematics.length(form.value("length")));
+    const gravity = secret.gravity ?? quantity("gravity", this.#mathematics.acceleration(form.value("gravity")));
+    this.#controls.show();
+    if (secret.gravity === undefined) this.#controls.name(gravity, (entry) => valueOf(this.#mathematics.acceleration(entry)));
     if ("error" in angle || velocity === undefined || length === undefined || gravity === undefined) return undefined;
     const motion = this.#mathematics.launch(form.value("angle"), velocity, length, gravity);
-    if (!("error" in motion)) return motion;
+    if (!("error" in motion)) {
+      [this.#length, this.#gravity] = [length, gravity];
+      if (secret.length === undefined) this.#controls.slideLength(length);
+      this.#readouts.show(motion, length, gravity, this.#forces(motion) === undefined, form.value("unit"), (key) => this.#controls.isHidden(key));
+      return motion;
+    }
     this.#controls.refuse(motion.quantity, motion.error);
     return undefined;
   }
@@ -142,11 +210,10 @@ export class Swing {
 
   /** Damping and driving, if there are any. */
   #forces({ angularFrequency }: Motion): Forces | undefined {
-    const [damping, drive, driveFrequency] = [this.#value("damping"), this.#value("drive"), this.#value("driveFrequency")];
-    const isNone = (written: string) => written === "" || Number(written) === 0;
-    if (isNone(damping) && isNone(drive)) return undefined;
+    const [damping = "", drag = "", dry = "", drive = "", driveFrequency = ""] = ["damping", "drag", "dry", "drive", "driveFrequency"].map((key) => this.#value(key));
+    if ([damping, drag, dry, drive].every(isNone)) return undefined;
     const velocity = this.#mathematics.angularVelocity(this.#value("velocity") || "0");
-    return { angle: this.#value("angle"), velocity: "value" in velocity ? velocity.value : 0, angularFrequency, damping, drive, driveFrequency };
+    return { angle: this.#value("angle"), velocity: "value" in velocity ? velocity.value : 0, angularFrequency, damping, drag, dry, drive, driveFrequency };
   }
 
   async #integrate(forces: Forces, until: number): Promise<void> {
@@ -161,6 +228,7 @@ export class Swing {
     this.#course = course;
     this.#window = undefined;
     this.#picture();
+    if (this.#value("second") === "yes") await this.#second.integrate(this.#engine, forces, this.#value("angle2"), until, signal);
     if (until < FARTHEST) this.#ahead = { forces, course, until };
   }
 
@@ -194,7 +262,8 @@ export class Swing {
     const degrees = "error" in start ? 0 : (180 / Math.PI) * start.inTurn;
     this.#facts.show(motion, forces === undefined, unit);
     this.#stage.describe(Number(degrees.toFixed(4)), `${this.#value("angle").replaceAll("deg", "°")}: ${regime}`);
-    if (forces === undefined) this.#said.textContent = words.announce(regime, period);
+    const isHidden = this.#controls.isHidden("period");
+    if (forces === undefined) this.#said.textContent = isHidden ? `${regime}.` : words.announce(regime, period);
     const { form } = this.#controls;
     const chosen = { velocity: form.chosen("velocity"), length: form.chosen("length"), gravity: form.chosen("gravity") };
     const exact: Command = { question: "motion", arguments: [this.#value("angle")], options: given(chosen) };
@@ -217,14 +286,80 @@ export class Swing {
     }
     if (place === undefined) return;
     const { time } = this.#clock;
-    if (this.#window === undefined || time < this.#window[0] || time > this.#window[1]) this.#turnPage(motion, course);
+    this.#showWindow(motion, course);
     const angles = this.#ghosts.map((ghost) => ghost.angles(time, 0, 1)[0] ?? NaN);
-    this.#stage.show({ angle: place.angle, ghosts: this.#ghosts.map(({ colour }, n) => ({ colour, angle: angles[n] ?? NaN })) });
+    const frame = this.#stage.show(this.#scene(place, this.#traced(course, time), this.#ghosts.map(({ colour }, n) => ({ colour, angle: angles[n] ?? NaN }))));
+    this.#ruler.fit(frame);
     this.#graphs.mark(time, place, angles);
+    this.#readouts.now(time);
+    this.#stopwatch.follow(time);
+    this.#gate.follow(course, time, motion.smallAnglePeriod);
+    this.#energy(motion, place);
     if (performance.now() - this.#read > READABLE || !this.#clock.isRunning) {
       this.#read = performance.now();
       this.#facts.now(time, place);
     }
+  }
+
+  /** What the stage shows of a state. */
+  #scene({ angle, velocity }: Pick<Place, "angle" | "velocity">, trace: ArrayLike<number>, ghosts: Shown["ghosts"]): Shown {
+    const fastest = 2 * (this.#motion?.angularFrequency ?? 1);
+    const first: Drawn = { angle, velocity, length: this.#length, colour: "curve-1", bob: this.#bob("mass"), fastest, trace };
+    const second = this.#second.drawn(this.#clock.time, this.#bob("mass2"), (course) => this.#traced(course, this.#clock.time));
+    const isOn = (key: string) => this.#value(key) === "yes";
+    const pendulums = second === undefined ? [first] : [first, second];
+    return { pendulums, ghosts, arrows: isOn("arrows"), gate: isOn("gate") ? this.#gate.isBroken(angle) : undefined, protractor: isOn("protractor"), unit: this.#value("unit") };
+  }
+
+  /** The radius of a bob of the usual density, relative to that of 1 kg. */
+  #bob(key: string): number {
+    const mass = massOf(this.#value(key));
+    return mass === undefined || !(mass > 0) ? 1 : Math.min(2, Math.max(0.5, Math.cbrt(mass)));
+  }
+
+  /** 2mgl in joules, if the mass is known and gives nothing away. */
+  #joules(): number | undefined {
+    const mass = massOf(this.#value("mass"));
+    return mass === undefined || this.#controls.isHidden("period") ? undefined : 2 * mass * this.#gravity * this.#length;
+  }
+
+  #showInstruments(): void {
+    const instruments = { gate: this.#gate, stopwatch: this.#stopwatch, ruler: this.#ruler };
+    for (const [key, { element: its }] of Object.entries(instruments)) its.hidden = this.#value(key) !== "yes";
+    const view = this.#value("view");
+    this.#learn.element.hidden = view !== "learn";
+    document.documentElement.classList.toggle("lecture", view === "lecture");
+    const isHidden = this.#controls.isHidden("period");
+    this.#facts.element.hidden = this.#keep.element.hidden = isHidden;
+    for (const key of ["mass", "mass2"]) if (this.#value(key) !== "" && massOf(this.#value(key)) === undefined) this.#controls.refuse(key, words.fields.wrongMass);
+  }
+
+  async #startSecond(forces: Forces | undefined): Promise<void> {
+    const { signal } = this.#abort;
+    if (this.#value("second") !== "yes") return this.#second.clear();
+    const launched = await this.#second.launch({ angle: this.#value("angle2"), length: this.#value("length2"), gravity: this.#value("gravity2") });
+    if (signal.aborted) return;
+    if ("error" in launched) return this.#controls.refuse(`${launched.quantity}2`, launched.error);
+    if (forces === undefined) this.#second.follow();
+    this.#picture();
+  }
+
+  /** What decides the motion: after other changes the time goes on. */
+  #physics(): string {
+    return ["angle", "velocity", "length", "gravity", "damping", "drag", "dry", "drive", "driveFrequency", "secret", "second", "angle2", "length2", "gravity2"].map((key) => this.#value(key)).join("\n");
+  }
+
+  /** The angles of the last moments, if a trace is shown. */
+  #traced(course: Course, time: number): ArrayLike<number> {
+    if (this.#value("trace") !== "yes") return [];
+    const from = Math.max(0, time - TRACED);
+    return course.samples(from, (time - from) / 39, 40).angles;
+  }
+
+  #energy(motion: Motion, { angle, velocity }: Place): void {
+    const isShown = this.#value("bars") === "yes";
+    this.#bars.element.hidden = !isShown;
+    if (isShown) this.#bars.show(...energies(angle, velocity, 2 * motion.angularFrequency), Math.max(1, motion.energyRatio), this.#joules());
   }
 
   #lookAhead(): void {
@@ -234,14 +369,19 @@ export class Swing {
     void this.#integrate(ahead.forces, 2 * ahead.until);
   }
 
-  /** Lets the graphs show the next interval of time. */
-  #turnPage(motion: Motion, course: Course): void {
+  /** Lets the graphs show the present time: from four fifths of the interval on, the interval moves with it. */
+  #showWindow(motion: Motion, course: Course): void {
     const length = shownTimes(motion);
-    const first = Math.floor(this.#clock.time / length) * length;
-    this.#window = [first, first + length];
+    const first = Math.max(0, this.#clock.time - 0.8 * length);
+    const window: Range = [first, first + length];
+    const shown = this.#window;
+    if (shown?.[0] === first) return;
+    this.#window = window;
+    if (shown !== undefined) return this.#graphs.slide(window);
     const isExact = course instanceof ExactCourse;
+    const isHidden = this.#controls.isHidden("period");
     const harmonics = isExact && ["libration", "rotation"].includes(motion.regime) ? this.#mathematics.harmonics(1e-12, 60) : undefined;
-    this.#graphs.show({ course, motion, isExact, harmonics, ghosts: this.#ghosts, window: this.#window, unit: this.#value("unit") });
+    this.#graphs.show({ course, motion, isExact, harmonics, ghosts: this.#ghosts, window: this.#window, unit: this.#value("unit"), free: [this.#value("across") as Quantity, this.#value("up") as Quantity], isHidden });
   }
 
   /** Writes the time to the address after it was changed by hand, or has begun or ceased to run. */
@@ -256,14 +396,14 @@ export class Swing {
       this.#wasRunning = true;
       this.#clock.stop();
     }
-    this.#stage.show({ angle, ghosts: [] });
+    this.#stage.show(this.#scene({ angle, velocity: 0 }, [], []));
   }
 
   /** Releases the bob; within half a degree of the top it is released exactly there. */
   #letGo(angle: number, velocity: number): void {
     const degrees = (180 / Math.PI) * angle;
     const top = Math.abs(Math.abs(degrees) - 180) < 0.5 && velocity === 0;
-    this.#controls.form.put("angle", top ? "180deg" : `${degrees.toFixed(1)}deg`);
+    this.#controls.form.put("angle", top ? "180deg" : `${Number(degrees.toFixed(1))}deg`);
     this.#controls.form.put("velocity", velocity === 0 ? "0" : `${velocity.toFixed(2)}rad/s`);
     this.#start();
     this.#resume();
@@ -296,6 +436,13 @@ export class Swing {
     this.#listen.textContent = this.#tone.sounds ? words.silent : words.listen;
     this.#listen.setAttribute("aria-pressed", String(this.#tone.sounds));
   }
+}
+
+/** A mass in kilograms, entered in kg or g. */
+function massOf(entry: string): number | undefined {
+  const [, number, unit] = /^\s*([\d.]+)\s*(kg|g)\s*$/.exec(entry.replace(",", ".")) ?? [];
+  const value = Number(number) / (unit === "g" ? 1000 : 1);
+  return number !== undefined && value > 0 ? value : undefined;
 }
 
 function valueOf(reading: Reading): number | undefined {

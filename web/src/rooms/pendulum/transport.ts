@@ -2,6 +2,7 @@
 
 import { button, element } from "../../parts/element.ts";
 import { choiceField } from "../../parts/field.ts";
+import { type Icon, icon } from "../../parts/icon.ts";
 import { text } from "../../texts/en.ts";
 import type { Clock } from "../../parts/clock.ts";
 
@@ -21,22 +22,25 @@ export class Transport {
   /** `changed` is called when the time was changed by hand, or has begun or ceased to run. */
   constructor(clock: Clock, speed: string, changed: () => void) {
     [this.#clock, this.#changed] = [clock, changed];
-    this.#run = button(words.play, () => this.toggle(), { class: "main run" });
-    this.#reverse = button(words.reverse, () => this.#turn(), { "aria-pressed": "false" });
+    const picture = (name: Icon, label: string, pressed: () => void, attributes = {}) => {
+      const made = button("", pressed, { class: "icon", "aria-label": label, title: label, ...attributes });
+      made.append(icon(name));
+      return made;
+    };
+    this.#run = picture("play", words.play, () => this.toggle(), { class: "main run icon" });
+    this.#reverse = picture("reverse", words.reverse, () => this.#turn(), { "aria-pressed": "false" });
     this.#speed.value = speed;
     this.#clock.speed = Number(speed) || 1;
     this.#speed.onChange(() => this.#set());
-    const step = (label: string, sign: number) => button(label, () => this.step(sign));
     this.element = element(
       "div",
       { class: "transport", role: "group", "aria-label": words.group },
+      picture("restart", words.restart, () => this.restart()),
+      picture("back", words.back, () => this.step(-1)),
       this.#run,
-      button(words.restart, () => this.restart()),
-      step(words.back, -1),
-      step(words.forth, 1),
+      picture("forth", words.forth, () => this.step(1)),
       this.#reverse,
       this.#speed.element,
-      element("p", { class: "hint" }, words.keys),
     );
   }
 
@@ -66,10 +70,13 @@ export class Transport {
   /** Shows whether the time runs. */
   show(): void {
     const label = this.#clock.isRunning ? words.pause : words.play;
-    if (this.#run.textContent !== label) this.#run.textContent = label;
+    if (this.#run.title === label) return;
+    this.#run.title = label;
+    this.#run.setAttribute("aria-label", label);
+    this.#run.replaceChildren(icon(this.#clock.isRunning ? "pause" : "play"));
   }
 
-  /** Handles the keys of the page, except where text is entered; returns `true` for such a key. */
+  /** Handles the keys of the stage, except where text is entered; returns `true` for such a key. */
   key(event: KeyboardEvent): boolean {
     const target = event.target as HTMLElement;
     const isBusy = target.closest("input:not([type=range]), select, textarea, summary, a") !== null || (event.key === " " && target.closest("button, input") !== null);

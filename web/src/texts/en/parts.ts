@@ -13,5 +13,12 @@ export const parts = {
   savePicture: (kind: string) => `Save the picture as ${kind}`,
   saveData: "Save the numbers as CSV",
   nothingToSave: "Nothing to save.",
+  more: "more",
+  terms: {
+    equilibrium: "The place where the pendulum can stay at rest: hanging straight down, or, balanced, straight up.",
+    "restoring force": "The part of gravity along the arc. It pulls the bob back towards the lowest point, and grows with the sine of the angle.",
+    "small-angle approximation": "For small angles the sine is nearly the angle itself. The period is then the same for all amplitudes: T₀ = 2π√(l/g).",
+    separatrix: "The curve between swinging and going over the top. On it the bob approaches the top and never reaches it.",
+  } as Readonly<Record<string, string>>,
   unit: { label: "Angles in", degrees: "degrees", radians: "radians" },
 } as const;
