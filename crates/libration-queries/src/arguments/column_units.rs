@@ -273,9 +273,16 @@ impl Wanted {
         }
     }
 
-    /// Times, or numbers without a unit.
-    pub(crate) fn times() -> Self {
-        Self { role: Role::Times, option: None, uncertainties_of: None, counted: None }
+    /// Times, or numbers without a unit, of a name for roles.
+    pub(crate) fn times(name: &'static str) -> Self {
+        Self {
+            name,
+            only_named: None,
+            role: Role::Times,
+            option: None,
+            uncertainties_of: None,
+            counted: None,
+        }
     }
 
     pub(crate) fn lengths(said: Option<impl Into<Unit>>) -> Self {

@@ -54,9 +54,9 @@ impl<const N: usize> ChosenColumns<N> {
 }
 
 impl ColumnsOption {
-    /// The option with these columns.
-    pub(crate) fn of(columns: Vec<String>) -> Self {
-        Self { columns, role: vec![] }
+    /// The option with these roles.
+    pub(crate) fn of_roles(role: Vec<String>) -> Self {
+        Self { columns: vec![], role }
     }
 
     /// Returns whether an option names columns or roles.

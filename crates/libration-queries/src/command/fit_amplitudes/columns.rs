@@ -2,7 +2,6 @@
 
 use super::input::Against;
 use libration_lab::measurement::{Column, Table};
-use std::fmt;
 
 /// Names of numbers of swings, in lower case.
 const NUMBERS: [&str; 18] = [
@@ -36,38 +35,33 @@ enum Named {
     Other,
 }
 
-/// The columns by their names: positions, amplitudes, both uncertainties, numbers of swings, periods.
+/// The columns of positions, numbers of swings and periods by their names; amplitudes and uncertainties are left to the reader of tables.
 #[derive(Clone, Debug)]
 pub(super) struct Roles {
-    columns: [Option<usize>; 6],
+    roles: Vec<String>,
     against: Against,
 }
 
 impl Roles {
-    /// Finds the columns; `None` where no name of a position is known, or no column is left for the amplitudes.
+    /// Finds the columns; `None` where no name of a position is known.
     pub(super) fn of(table: &Table) -> Option<Self> {
-        let values = table.value_columns();
-        let find = |kind: Named| values.iter().find(|it| named(table, &it.values) == kind);
+        let columns: Vec<Column> = (1..=table.width()).map(Column::Number).collect();
+        let find =
+            |kind: Named| columns.iter().position(|it| named(table, it) == kind).map(|place| place + 1);
         let [time, swings] = [Against::Time, Against::Swings].map(|kind| find(Named::Position(kind)));
-        let (position, amplitude) = (time.or(swings)?, find(Named::Other)?);
-        let [of_position, of_amplitude] =
-            [position, amplitude].map(|it| it.uncertainties.as_ref().and_then(number));
+        let roles =
+            [(time.or(swings), POSITION), (time.and(swings), SWING_NUMBER), (find(Named::Period), PERIOD)];
+        let given = |(column, role): (Option<usize>, &str)| Some(format!("{}={role}", column?));
+        time.or(swings)?;
         Some(Self {
-            columns: [
-                number(&position.values),
-                number(&amplitude.values),
-                of_position,
-                of_amplitude,
-                time.and(swings).and_then(|it| number(&it.values)),
-                find(Named::Period).and_then(|it| number(&it.values)),
-            ],
+            roles: roles.into_iter().filter_map(given).collect(),
             against: if time.is_some() { Against::Time } else { Against::Swings },
         })
     }
 
-    /// The columns as an option names them.
+    /// The columns as the option for roles names them.
     pub(super) fn texts(&self) -> Vec<String> {
-        self.columns.iter().map(|it| it.map_or("-".to_owned(), |number| number.to_string())).collect()
+        self.roles.clone()
     }
 
     pub(super) fn against(&self) -> Against {
@@ -75,31 +69,10 @@ impl Roles {
     }
 }
 
-fn number(column: &Column) -> Option<usize> {
-    match column {
-        Column::Number(number) => Some(*number),
-        Column::Name(_) => None,
-    }
-}
-
-/// The columns in a sentence.
-impl fmt::Display for Roles {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let position = if self.against == Against::Time { "times" } else { "numbers of swings" };
-        let of_position = format!("uncertainties of the {position}");
-        let names = [
-            position,
-            "amplitudes",
-            &of_position,
-            "uncertainties of the amplitudes",
-            "numbers of swings",
-            "periods",
-        ];
-        let found = self.columns.iter().zip(names);
-        let found = found.filter_map(|(column, name)| Some(format!("{name} in column {}", (*column)?)));
-        f.write_str(&found.collect::<Vec<_>>().join(", "))
-    }
-}
+/// Names of the quantities in roles.
+pub(super) const POSITION: &str = "position";
+pub(super) const SWING_NUMBER: &str = "swing-number";
+pub(super) const PERIOD: &str = "period";
 
 /// The position that the name of a column says; `None` where it says another quantity or nothing.
 pub(super) fn against(table: &Table, column: &Column) -> Option<Against> {

@@ -73,14 +73,14 @@ impl Input {
             true => None,
             false => Roles::of(&table),
         };
-        let given =
-            roles.as_ref().map_or_else(|| self.columns.clone(), |roles| ColumnsOption::of(roles.texts()));
+        let given = roles
+            .as_ref()
+            .map_or_else(|| self.columns.clone(), |roles| ColumnsOption::of_roles(roles.texts()));
         let chosen = given.choose(&self.name(), &table, &self.wanted(), None)?;
         let against = self.against(roles.as_ref(), &table, &chosen)?;
         let read = ColumnsInSi::from_table(&table, &chosen, &self.wanted())
             .map_err(|error| self.no_answer(error))?;
-        let inferences = roles.iter().map(|roles| roles.to_string()).chain(read.inferences).collect();
-        self.checked(against, read.units[1], read.columns, read.dropped, inferences)
+        self.checked(against, read.units[1], read.columns, read.dropped, read.inferences)
     }
 
     /// The measurements of these columns, as the options and units say.
@@ -130,10 +130,12 @@ impl Input {
     }
 
     fn wanted(&self) -> [Wanted; 6] {
-        let positions = Wanted::times();
+        let positions = Wanted::times(columns::POSITION);
         let amplitudes = Wanted::displacements(self.amplitude_unit);
         let of_both = [positions.uncertainties(0), amplitudes.uncertainties(1)];
-        [positions, amplitudes, of_both[0], of_both[1], Wanted::times(), Wanted::times()]
+        let further =
+            [columns::SWING_NUMBER, columns::PERIOD].map(|name| Wanted::times(name).only_named(&[]));
+        [positions, amplitudes, of_both[0], of_both[1], further[0], further[1]]
     }
 
     /// The quantity of the first column: as the option says, else its header.
