@@ -1,6 +1,6 @@
-"""Make crates/libration-testing/data/class_readings.csv: 800 tables of a class's readings, whose truth is known.
+"""Make crates/libration-lab/tests/data/class_readings.csv: 800 tables of a class's readings, whose truth is known.
 
-    python reference/class_readings.py > crates/libration-testing/data/class_readings.csv
+    python reference/class_readings.py > crates/libration-lab/tests/data/class_readings.csv
 
 Half of the tables have periods against amplitudes of one pendulum, T = T0 / AGM(1, cos(A/2)), half small swings of strings of different lengths,
 T = 2 pi sqrt((L + d)/g) with an unknown d. Each row is timed several times over a number of swings, by one of these designs:
@@ -18,8 +18,8 @@ libration; needs NumPy; the seed is fixed.
 
 import numpy as np
 
-rng = np.random.default_rng(20261126)
-DESIGNS = {"readings": 120, "outlier": 80, "coarse": 80, "single": 60, "groups": 60}
+rng = np.random.default_rng(400)
+DESIGNS = {"readings": 120, "outlier": 60, "coarse": 80, "single": 80, "groups": 60}
 
 
 def ratio(amplitude):
@@ -70,6 +70,8 @@ def table(quantity, design):
 
 
 def main():
+    print("# Readings of a class by reference/class_readings.py: tables with quantity, design, truth, step/s, clock, swings; rows with group, x, readings/s.")
+    print("# Synthetic; MIT or Apache-2.0.")
     for quantity in ("t0", "gravity"):
         for design, number in DESIGNS.items():
             for _ in range(number):

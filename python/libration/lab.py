@@ -24,7 +24,7 @@ from ._ask import Columns, Given, Path, Table
 from ._numbers import floats
 from .answer import Answer, answer
 from .fit import Fit, Measured
-from .questions import fit_gates, fit_lengths, fit_periods, fit_response, fit_trace
+from .questions import fit_amplitudes, fit_gates, fit_lengths, fit_periods, fit_response, fit_trace
 from .questions import inspect as _inspect
 from .questions import plan
 
@@ -33,6 +33,7 @@ __all__ = [
     "Measured",
     "Recording",
     "fit_gates",
+    "fit_amplitudes",
     "fit_lengths",
     "fit_periods",
     "fit_response",

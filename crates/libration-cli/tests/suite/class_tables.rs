@@ -163,3 +163,42 @@ fn a_column_of_groups_is_given_by_an_option() {
     assert!(answer["groups"][0]["gravity_m_per_s2"].is_null() && answer["group_mean"].is_null(), "{answer}");
     assert!(answer["groups"][0]["note"].as_str().is_some());
 }
+
+/// One timing of a row of ten swings: 0.1 s of reaction time are 0.01 s of each period.
+#[test]
+fn reaction_time_weighs_single_readings_and_not_repeated_ones() {
+    let rows = "L (m),10 T (s)\n0.25,10.03\n0.5,14.19\n0.75,17.37\n1,20.06\n";
+    let path = directory("class-reaction").join("file.csv");
+    std::fs::write(&path, rows).unwrap();
+    let of = |time: &str| json(&format!("fit lengths {} --reaction-time {time}", path.display()));
+    let uncertainty =
+        |answer: &serde_json::Value| answer["laws"][0]["g_uncertainty_m_per_s2"].as_f64().unwrap();
+    let (one, ten) = (of("0.1s"), of("1s"));
+    assert_eq!(one["weighting"], "uncertainties of periods");
+    let ratio = uncertainty(&ten) / uncertainty(&one);
+    assert!((ratio / 10.0 - 1.0).abs() < 1e-3, "{ratio}");
+    let repeated = example("ten_swings.csv");
+    let without = json(&format!("fit lengths {repeated}"));
+    let with = json(&format!("fit lengths {repeated} --reaction-time 1s"));
+    assert_eq!(with["laws"], without["laws"]);
+    assert!(with["told_from_file"].to_string().contains("is not added"), "{with}");
+}
+
+/// All periods are off by b/10 alike: T0 by the same, and g by 2 g b/(10 T0). More readings do not help.
+#[test]
+fn what_all_timings_share_is_a_row_of_the_budget() {
+    let table = example("amplitudes.csv");
+    let answer = json(&format!("fit periods {table} --length 0.500m±0.001m --shared-timing 0.2s"));
+    let of = |answer: &serde_json::Value| {
+        let inputs = answer["budget_inputs"].as_array().unwrap().clone();
+        let input = inputs.into_iter().find(|it| it["input"] == "shared timing").unwrap();
+        input["contribution_m_per_s2"].as_f64().unwrap().abs()
+    };
+    // 0.2 s of twenty swings are 0.01 s of each period; T/T0 is 1 to 1.07.
+    let expected = 2.0 * 9.81 * 0.01 / 1.4185;
+    assert!((of(&answer) / expected - 1.0).abs() < 0.05, "{} {expected}", of(&answer));
+    let lengths = json(&format!("fit lengths {} --shared-timing 0.2s", example("ten_swings.csv")));
+    assert!(of(&lengths) > 0.0, "{lengths}");
+    let none = json(&format!("fit lengths {}", example("ten_swings.csv")));
+    assert_eq!(lengths["laws"], none["laws"]);
+}

@@ -69,7 +69,7 @@ pub use outliers::{DEFAULT_OUTLIER_THRESHOLD, outliers};
 pub use period_table::{PeriodTable, Uncertainties, Weighting};
 pub use periods::{PeriodFit, PeriodsOptions, PeriodsWarning, periods};
 pub use quality::Quality;
-pub use readings::{MeanReading, RepeatedReadings, effective_degrees_of_freedom};
+pub use readings::{MeanReading, RepeatedReadings, effective_degrees_of_freedom, shared_rounding};
 pub use scatter::{Enlargement, Scatter, ScatterVerdict, ScatterWarning};
 pub use significance::SIGNIFICANT;
 pub use small_angle_period::{LawFit, small_angle_period};

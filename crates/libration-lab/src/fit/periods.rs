@@ -123,6 +123,21 @@ impl PeriodFit {
         Some(PeriodsWarning::ModelRefuted { beta, contradiction })
     }
 
+    /// The change of T0 relative to itself where each period is longer by this, in seconds, row by row; `None` for another number of rows.
+    #[must_use]
+    pub fn relative_shift(&self, shifts: &[f64]) -> Option<f64> {
+        if shifts.len() != self.table.len() {
+            return None;
+        }
+        let rows = self.table.amplitudes().zip(&self.exact.standard_deviations).zip(shifts);
+        let sums = rows.fold([0.0, 0.0], |[shift, whole], ((amplitude, deviation), own)| {
+            let ratio = Law::exact().ratio_at(amplitude);
+            let weight = ratio / (deviation * deviation);
+            [shift + weight * own, whole + weight * ratio]
+        });
+        Some(sums[0] / sums[1] / self.exact.t0.value)
+    }
+
     /// T0 under the exact law for a budget of g, with the amplitude whose T/T0 is the mean of those measured; the relative
     /// uncertainties are those of all angles and of the clock.
     #[must_use]
@@ -139,6 +154,7 @@ impl PeriodFit {
             amplitude: typical_amplitude(ratios),
             angle_scale,
             clock,
+            shared_timing: None,
             degrees_of_freedom: self.exact.uncertainty_degrees_of_freedom(),
             damping,
         }

@@ -21,6 +21,10 @@ pub struct MeanReading {
     pub uncertainty: f64,
     /// The part of the uncertainty that comes from the scatter.
     pub by_scatter: f64,
+    /// The part that comes from rounding; zero where that is part of the scatter.
+    pub by_rounding: f64,
+    /// The mean in steps of the display, to the nearest whole one.
+    pub steps: f64,
     /// Number of readings.
     pub count: usize,
     /// `true` if the row scatters more than the others, so that its uncertainty is its own.
@@ -31,9 +35,13 @@ impl MeanReading {
     /// The same of a quantity that is this part of the reading, as a period is a tenth of ten.
     #[must_use]
     pub fn times(self, factor: f64) -> Self {
-        let [mean, uncertainty, by_scatter] =
-            [self.mean, self.uncertainty, self.by_scatter].map(|it| it * factor);
-        Self { mean, uncertainty, by_scatter, ..self }
+        Self {
+            mean: self.mean * factor,
+            uncertainty: self.uncertainty * factor,
+            by_scatter: self.by_scatter * factor,
+            by_rounding: self.by_rounding * factor,
+            ..self
+        }
     }
 }
 
@@ -79,8 +87,11 @@ impl RepeatedReadings {
             let is_unlike = unlike.contains(&row);
             let own = if is_unlike { group.variance().sqrt() } else { deviation };
             let by_scatter = own / count(group.count).sqrt();
-            let uncertainty = libm::hypot(by_scatter, rounding.unwrap_or(0.0));
-            MeanReading { mean: group.mean, uncertainty, by_scatter, count: group.count, is_unlike }
+            let by_rounding = rounding.unwrap_or(0.0);
+            let uncertainty = libm::hypot(by_scatter, by_rounding);
+            let (mean, count) = (group.mean, group.count);
+            let steps = if step > 0.0 { (mean / step).round() } else { 0.0 };
+            MeanReading { mean, uncertainty, by_scatter, by_rounding, steps, count, is_unlike }
         };
         Some(Self {
             rows: groups.iter().enumerate().map(row).collect(),
@@ -118,6 +129,21 @@ pub fn effective_degrees_of_freedom(readings: &RepeatedReadings, coefficients: &
     let own: f64 = own.map(|(row, part)| part * part / count(readings.degrees_of_freedom_of(*row))).sum();
     let spread = own + pooled * pooled / count(readings.degrees_of_freedom.max(1));
     if spread > 0.0 { total * total / spread } else { f64::INFINITY }
+}
+
+/// The part of the variance of Σ cᵢxᵢ, where xᵢ are these means with these c, that comes from rows rounded to the same step: they have one error of
+/// rounding, and not each its own.
+#[must_use]
+pub fn shared_rounding(readings: &RepeatedReadings, coefficients: &[f64]) -> f64 {
+    let error = |(row, c): (&MeanReading, &f64)| (row.steps, c * row.by_rounding);
+    let mut errors: Vec<(f64, f64)> = readings.rows.iter().zip(coefficients).map(error).collect();
+    errors.sort_by(|one, other| one.0.total_cmp(&other.0));
+    let of_step = |rows: &[(f64, f64)]| {
+        let [sum, squares] =
+            rows.iter().fold([0.0, 0.0], |[sum, squares], (_, it)| [sum + it, squares + it * it]);
+        sum * sum - squares
+    };
+    errors.chunk_by(|one, other| one.0.total_cmp(&other.0).is_eq()).map(of_step).sum()
 }
 
 /// The readings of a row.

@@ -10,7 +10,7 @@
 use std::fmt;
 
 use crate::statistics::chi_squared::probability_beyond;
-use crate::statistics::count;
+use crate::statistics::{count, fisher};
 use libration::quantity::rounded;
 
 /// A scatter counts as different from the stated one when chance makes it so large, or so small, less often than this: in one
@@ -114,13 +114,26 @@ impl fmt::Display for ScatterWarning {
 pub struct Scatter {
     chi2: f64,
     dof: usize,
+    /// Degrees of freedom of the uncertainties, where repeated readings give them.
+    readings: Option<usize>,
 }
 
 impl Scatter {
     /// Returns the scatter of rows with uncertainties; `None` without them, or without a degree of freedom.
     #[must_use]
     pub fn new(chi2: Option<f64>, dof: usize) -> Option<Self> {
-        chi2.filter(|chi2| dof > 0 && chi2.is_finite()).map(|chi2| Self { chi2, dof })
+        chi2.filter(|chi2| dof > 0 && chi2.is_finite()).map(|chi2| Self { chi2, dof, readings: None })
+    }
+
+    /// The same of rows whose uncertainties come from repeated readings with these degrees of freedom, if they are finite: they are measured and not
+    /// judged, so that they are enlarged only where chance does not explain the scatter, by an F test.
+    #[must_use]
+    pub fn of_readings(self, degrees_of_freedom: f64) -> Self {
+        /// Degrees of freedom from which the F test is that of χ².
+        const MOST: f64 = 1e4;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a number from 1 to 1e4")]
+        let readings = (degrees_of_freedom.is_finite()).then(|| degrees_of_freedom.clamp(1.0, MOST) as usize);
+        Self { readings, ..self }
     }
 
     /// √(χ²/dof).
@@ -129,16 +142,23 @@ impl Scatter {
         self.chi2_per_dof().sqrt()
     }
 
-    /// Factor of the uncertainties of the fit: the Birge ratio where it is above one, otherwise one.
+    /// Factor of the uncertainties of the fit: the Birge ratio where it is above one, otherwise one; with repeated readings one where chance explains
+    /// the scatter.
     #[must_use]
     pub fn enlargement(self) -> f64 {
-        self.birge_ratio().max(1.0)
+        match self.readings {
+            Some(_) if self.verdict() != ScatterVerdict::More => 1.0,
+            _ => self.birge_ratio().max(1.0),
+        }
     }
 
     /// Returns whether chance explains the scatter.
     #[must_use]
     pub fn verdict(self) -> ScatterVerdict {
-        let as_large = probability_beyond(self.chi2, self.dof);
+        let as_large = match self.readings {
+            Some(readings) => fisher::probability_beyond(self.chi2_per_dof(), self.dof, readings),
+            None => probability_beyond(self.chi2, self.dof),
+        };
         match () {
             () if as_large < BY_CHANCE => ScatterVerdict::More,
             () if 1.0 - as_large < BY_CHANCE => ScatterVerdict::Less,
@@ -162,7 +182,7 @@ impl Scatter {
     /// The enlargement with its reason; `None` where nothing is enlarged.
     #[must_use]
     pub fn enlarged(self) -> Option<Enlargement> {
-        let ratio = Some(self.birge_ratio()).filter(|ratio| *ratio > 1.0)?;
+        let ratio = Some(self.enlargement()).filter(|ratio| *ratio > 1.0)?;
         Some(match self.verdict() {
             ScatterVerdict::More => Enlargement::ByScatter(ratio),
             ScatterVerdict::AsStated | ScatterVerdict::Less => Enlargement::WithinChance(ratio),

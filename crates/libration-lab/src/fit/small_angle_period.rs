@@ -2,7 +2,7 @@
 
 use super::effective_weights::{Weighted, settled};
 use super::law::{Law, Point};
-use super::readings::effective_degrees_of_freedom;
+use super::readings::{effective_degrees_of_freedom, shared_rounding};
 use super::scatter::{self, Scatter};
 use super::{FitError, PeriodTable, Uncertain, Weighting};
 use crate::statistics::{LinearFit, count, root_mean_square, weighted_least_squares};
@@ -41,14 +41,17 @@ impl LawFit {
     /// Scatter of the rows compared with their uncertainties; `None` without uncertainties or without a degree of freedom.
     #[must_use]
     pub fn scatter(&self) -> Option<Scatter> {
-        Scatter::new(self.chi2, self.dof)
+        Scatter::new(self.chi2, self.dof).map(|scatter| scatter.of_readings(self.readings_degrees_of_freedom))
     }
 
     /// Degrees of freedom of the uncertainty of T0: of the scatter of the rows where it comes from that, else of repeated readings, and infinite
     /// where it comes from stated uncertainties.
     #[must_use]
     pub fn uncertainty_degrees_of_freedom(&self) -> f64 {
-        let of_rows = scatter::degrees_of_freedom(self.chi2, self.dof);
+        let of_rows = match self.scatter() {
+            Some(scatter) => scatter.degrees_of_freedom(),
+            None => scatter::degrees_of_freedom(self.chi2, self.dof),
+        };
         if of_rows.is_finite() { of_rows } else { self.readings_degrees_of_freedom }
     }
 }
@@ -73,20 +76,21 @@ pub fn small_angle_period(table: &PeriodTable, law: &Law<'_>) -> Result<LawFit, 
     let unit = if weighted { 1.0 } else { fit.chi2() / count(dof) };
     let chi2 = weighted.then_some(fit.chi2());
     let variances = variances.unwrap_or_else(|| vec![unit; points.len()]);
+    let variance = unit * fit.covariance[(0, 0)];
+    // T0 = Σ cᵢTᵢ with these c.
+    let c: Vec<f64> = points.iter().zip(&variances).map(|(point, v)| variance * point.ratio / v).collect();
+    let readings = table.readings().filter(|_| weighted);
     let readings_degrees_of_freedom =
-        table.readings().filter(|_| weighted).map_or(f64::INFINITY, |readings| {
-            // T0 = Σ cᵢTᵢ with these c.
-            let variance = fit.covariance[(0, 0)];
-            let c: Vec<f64> =
-                points.iter().zip(&variances).map(|(point, v)| variance * point.ratio / v).collect();
-            effective_degrees_of_freedom(readings, &c, variance)
-        });
+        readings.map_or(f64::INFINITY, |it| effective_degrees_of_freedom(it, &c, variance));
+    let scatter = Scatter::new(chi2, dof).map(|scatter| scatter.of_readings(readings_degrees_of_freedom));
+    let enlargement = scatter.map_or(1.0, Scatter::enlargement);
+    let of_rounding = readings.map_or(0.0, |it| shared_rounding(it, &c));
     Ok(LawFit {
         readings_degrees_of_freedom,
         key: law.key().into(),
         t0: Uncertain {
             value: t0,
-            uncertainty: scatter::enlargement(chi2, dof) * (unit * fit.covariance[(0, 0)]).sqrt(),
+            uncertainty: libm::hypot(enlargement * variance.sqrt(), of_rounding.max(0.0).sqrt()),
         },
         chi2,
         dof,

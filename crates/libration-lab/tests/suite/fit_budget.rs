@@ -34,6 +34,7 @@ fn whole_period() -> MeasuredPeriod {
         amplitude: Some(0.7),
         angle_scale: Some(0.02),
         clock: Some(0.001),
+        shared_timing: None,
         degrees_of_freedom: 9.0,
         damping: PeriodDamping::Contained(about(0.05, 0.01)),
     }

@@ -45,6 +45,8 @@ pub(crate) struct ColumnsInSi<const N: usize> {
     pub(crate) lines: Vec<u64>,
     /// Number of incomplete rows.
     pub(crate) dropped: usize,
+    /// Standard uncertainties of periods by what all timings share, row by row.
+    pub(crate) shared_timing: Option<Vec<f64>>,
     /// Number of periods that the times of each column lasted, where no column numbers them.
     pub(crate) counts: [f64; N],
     /// Names of the groups of the rows.
@@ -88,6 +90,7 @@ impl<const N: usize> ColumnsInSi<N> {
         Ok(Self {
             columns: std::array::from_fn(|place| rows.column(place, &repeated)),
             rounding: std::array::from_fn(|place| rows.rounding(place)),
+            shared_timing: (0..N).find_map(|place| rows.shared_timing(place)),
             groups: groups.transpose().map_err(|error| error.to_string())?,
             lines: read.lines.clone(),
             dropped: read.dropped,
@@ -166,6 +169,23 @@ impl<const N: usize> SiRows<'_, N> {
         (0..self.read.lines.len()).map(|row| of_reading / self.swings_of(place, row)).collect()
     }
 
+    /// Standard uncertainties of periods by what all timings share.
+    fn shared_timing(&self, place: usize) -> Option<Vec<f64>> {
+        let of_reading = self.wanted[place].counted.filter(|_| self.wanted[place].uncertainties_of.is_none());
+        let of_reading = of_reading?.shared_timing()?;
+        Some((0..self.read.lines.len()).map(|row| of_reading / self.swings_of(place, row)).collect())
+    }
+
+    /// Standard uncertainties of single timings by reaction time and rounding.
+    fn by_reaction(&self, place: usize) -> Option<Vec<f64>> {
+        let reaction = self.wanted[place].counted?.reaction_time()?;
+        let one = |(row, rounding): (usize, f64)| {
+            let reaction = reaction / self.swings_of(place, row);
+            (reaction * reaction + rounding * rounding).sqrt()
+        };
+        Some(self.rounding(place).into_iter().enumerate().map(one).collect())
+    }
+
     fn column(&self, place: usize, repeated: &[Option<RepeatedReadings>; N]) -> Option<Vec<f64>> {
         match self.wanted[place].uncertainties_of {
             None => self.values(place, repeated[place].as_ref()),
@@ -208,7 +228,7 @@ impl<const N: usize> SiRows<'_, N> {
                 return Some(repeated.rows.iter().map(|row| row.uncertainty).collect());
             }
             (true, None, Some(own)) => own.iter().map(|it| self.units.units[of].to_si(*it)).collect(),
-            (true, None, None) => return None,
+            (true, None, None) => return self.by_reaction(of),
         };
         // u(T) = u(T²)/2T.
         let of_root = |row: usize| match self.chosen.are_squares[of] {
@@ -233,10 +253,15 @@ impl<const N: usize> SiRows<'_, N> {
         } else {
             format!("; those of line {} scatter more, and count by their own scatter", unlike.join(", "))
         };
+        let with_reaction = self.wanted[place].counted.is_some_and(|it| it.reaction_time().is_some());
+        let reaction = with_reaction.then(|| {
+            "the reaction time (--reaction-time) is part of the scatter of repeated readings, and is not added".to_owned()
+        });
         let mut said = vec![format!(
             "the readings of the {} scatter by {scatter} {unit} ({} degrees of freedom){of_unlike}",
             quantity.name, repeated.degrees_of_freedom
         )];
+        said.extend(reaction);
         if let Some(rounding) = repeated.rounding {
             said.push(format!(
                 "the readings of the {} scatter less than their last digit, whose {} {unit} are added",

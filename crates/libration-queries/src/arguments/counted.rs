@@ -11,9 +11,25 @@ pub(crate) struct CountedOptions {
     /// Each time lasts this many swings, full periods [default: as the header says, such as 10T or time for 10 swings, else 1]
     #[arg(long, alias = "periods-per-row", value_name = "N", value_parser = super::positive)]
     swings_per_reading: Option<f64>,
+    /// Standard uncertainty of a single timing by hand, such as 0.1s; repeated readings have it in their scatter
+    #[arg(long, value_name = "TIME", value_parser = super::text::time)]
+    reaction_time: Option<f64>,
+    /// Standard uncertainty of what all timings share, such as 0.05s for an observer who stops late
+    #[arg(long, value_name = "TIME", value_parser = super::text::time)]
+    shared_timing: Option<f64>,
 }
 
 impl CountedOptions {
+    /// The standard uncertainty of a single timing.
+    pub(super) fn reaction_time(self) -> Option<f64> {
+        self.reaction_time
+    }
+
+    /// The standard uncertainty of what all timings share.
+    pub(super) fn shared_timing(self) -> Option<f64> {
+        self.shared_timing
+    }
+
     /// The number that was given, with its option.
     pub(super) fn said(self) -> Option<(&'static str, f64)> {
         match (self.half_periods, self.swings_per_reading) {

@@ -22,6 +22,11 @@ pub(crate) fn length(text: &str) -> Result<f64, String> {
     above_zero(text, Dimension::Length)
 }
 
+/// A time above zero.
+pub(crate) fn time(text: &str) -> Result<f64, String> {
+    above_zero(text, Dimension::Time)
+}
+
 /// An acceleration above zero.
 pub(crate) fn gravity(text: &str) -> Result<f64, String> {
     above_zero(text, Dimension::Acceleration)

@@ -12,9 +12,9 @@ const APPARATUS: readonly Key[] = ["length", "bob-radius", "bob-mass", "bob-dens
 const READING: readonly Key[] = [
   "time", "time-unit", "angle", "angular-velocity", "unit", "counts-per-turn", "x", "y", "pivot", "uncertainty", "gate", "from", "to", "even-times", "times-as-written", "run", "sheet", "delimiter", "decimal", "header",
 ];
-const TABLE: readonly Key[] = ["columns", "half-periods", "periods-per-row", "delimiter", "header"];
+const TABLE: readonly Key[] = ["columns", "half-periods", "swings-per-reading", "delimiter", "header"];
 const RESPONSE: readonly Key[] = ["oscillator", "measured", "frequency-unit", "response-unit", "phase-unit"];
-const CHOICES: readonly Key[] = ["model", "robust", "free-scale", "signals", "diameter", "gate-distance", "amplitude", "columns", "amplitude-unit", "length-unit", "half-periods", "periods-per-row", "reject-outliers", "linear-damping", ...RESPONSE];
+const CHOICES: readonly Key[] = ["model", "robust", "free-scale", "signals", "diameter", "gate-distance", "amplitude", "columns", "amplitude-unit", "length-unit", "half-periods", "swings-per-reading", "reject-outliers", "linear-damping", ...RESPONSE];
 
 /** The fields in the order in which they are shown: options of the fit, the apparatus, reading of the files. */
 export const PARTS = { choices: CHOICES, apparatus: APPARATUS, reading: READING } as const;

@@ -56,7 +56,7 @@ export const laboratory = {
     "amplitude-unit": { label: "Unit of the amplitudes" },
     "length-unit": { label: "Unit of the lengths" },
     "half-periods": { label: "Times are half periods" },
-    "periods-per-row": { label: "Number of periods per measured time", hint: "such as 10" },
+    "swings-per-reading": { label: "Number of periods per measured time", hint: "such as 10" },
     "reject-outliers": { label: "Exclude outliers", hint: "threshold in robust standard deviations from the exact law" },
     oscillator: { label: "Oscillator", auto: "the simplest one consistent with the data", linear: "linear", pendulum: "pendulum", duffing: "Duffing" },
     measured: { label: "Quantity measured as the amplitude", auto: "the largest displacement", fundamental: "the harmonic at the drive frequency" },

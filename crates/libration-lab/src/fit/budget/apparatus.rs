@@ -54,6 +54,8 @@ pub struct MeasuredPeriod {
     pub angle_scale: Option<f64>,
     /// The relative standard uncertainty of the clock or frame rate: 0.001 where 29.97 frames a second were taken for 30.
     pub clock: Option<f64>,
+    /// The relative standard uncertainty of T0 by what all readings by hand share, such as an observer who stops late.
+    pub shared_timing: Option<f64>,
     /// The relative standard uncertainty of T0 by fits that contradict each other.
     pub model: Option<f64>,
     /// The degrees of freedom of the uncertainty of T0; infinite where that is taken as known.
@@ -82,6 +84,7 @@ impl MeasuredPeriod {
             amplitude: None,
             angle_scale: None,
             clock: None,
+            shared_timing: None,
             model: None,
             degrees_of_freedom: f64::INFINITY,
             damping: PeriodDamping::Unknown,

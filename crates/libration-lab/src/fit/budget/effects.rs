@@ -31,6 +31,8 @@ pub(super) struct Values {
     pub(super) t0: f64,
     /// Factor by which all times are to be multiplied.
     pub(super) clock: f64,
+    /// Factor by which the times are to be multiplied because all readings begin or end late alike.
+    pub(super) shared_timing: f64,
     /// Factor by which T0 is to be multiplied where the model is another.
     pub(super) model: f64,
     pub(super) amplitude: f64,
@@ -76,7 +78,7 @@ impl Values {
 
     /// T0 in true seconds.
     fn period(&self) -> f64 {
-        self.t0 * self.clock * self.model
+        self.t0 * self.clock * self.shared_timing * self.model
     }
 
     /// Divisor of g: T0 was corrected for the amplitude as it was read, and the true one is `angle_scale` times that.

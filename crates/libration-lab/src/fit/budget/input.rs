@@ -14,6 +14,8 @@ pub enum BudgetInput {
     Slope,
     /// Factor by which all times are to be multiplied.
     Clock,
+    /// Factor by which the times are to be multiplied because all readings by hand begin or end late alike.
+    SharedTiming,
     /// Factor by which T0 is to be multiplied where the model is another.
     Model,
     /// Factor by which all angles are to be multiplied.
@@ -40,11 +42,12 @@ pub enum BudgetInput {
 
 impl BudgetInput {
     /// All inputs.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Length,
         Self::Period,
         Self::Slope,
         Self::Clock,
+        Self::SharedTiming,
         Self::Model,
         Self::AngleScale,
         Self::BobRadius,
@@ -66,6 +69,7 @@ impl BudgetInput {
             Self::Period => "period",
             Self::Slope => "slope",
             Self::Clock => "clock",
+            Self::SharedTiming => "shared timing",
             Self::Model => "model",
             Self::AngleScale => "angle scale",
             Self::BobRadius => "bob radius",
@@ -87,7 +91,7 @@ impl BudgetInput {
             Self::Length | Self::BobRadius | Self::RodLength | Self::Stretch => "m",
             Self::Period => "s",
             Self::Slope => "s^2/m",
-            Self::Clock | Self::Model | Self::AngleScale | Self::AddedMass => "1",
+            Self::Clock | Self::SharedTiming | Self::Model | Self::AngleScale | Self::AddedMass => "1",
             Self::BobMass | Self::RodMass => "kg",
             Self::BobDensity | Self::AirDensity => "kg/m^3",
             Self::Damping => "1/s",
@@ -101,7 +105,7 @@ impl BudgetInput {
             Self::Length | Self::BobRadius | Self::RodLength | Self::Stretch => "1/s^2",
             Self::Period => "m/s^3",
             Self::Slope => "m^2/s^4",
-            Self::Clock | Self::Model | Self::AngleScale | Self::AddedMass => "m/s^2",
+            Self::Clock | Self::SharedTiming | Self::Model | Self::AngleScale | Self::AddedMass => "m/s^2",
             Self::BobMass | Self::RodMass => "m/(s^2 kg)",
             Self::BobDensity | Self::AirDensity => "m^4/(s^2 kg)",
             Self::Damping => "m/s",
@@ -115,6 +119,7 @@ impl BudgetInput {
             Self::Period => Some(&mut values.t0),
             Self::Slope => None,
             Self::Clock => Some(&mut values.clock),
+            Self::SharedTiming => Some(&mut values.shared_timing),
             Self::Model => Some(&mut values.model),
             Self::AngleScale => Some(&mut values.angle_scale),
             Self::BobRadius => Some(&mut values.radius),

@@ -43,6 +43,8 @@ impl Inputs {
             length: given("length", BudgetInput::Length, Some(apparatus.length))?,
             t0: given("period", BudgetInput::Period, Some(period.t0))?,
             clock: given("clock", BudgetInput::Clock, factor(period.clock))?.max(1.0),
+            shared_timing: given("shared timing", BudgetInput::SharedTiming, factor(period.shared_timing))?
+                .max(1.0),
             model: given("model", BudgetInput::Model, factor(period.model))?.max(1.0),
             amplitude,
             angle_scale: given("angle scale", BudgetInput::AngleScale, factor(period.angle_scale))?.max(1.0),

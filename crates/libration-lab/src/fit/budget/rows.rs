@@ -11,6 +11,7 @@ impl Inputs {
         let rows = [
             vec![self.length(), self.timing()],
             self.is_given(BudgetInput::Model).then(|| self.model()).into_iter().collect(),
+            self.is_given(BudgetInput::SharedTiming).then(|| self.shared_timing()).into_iter().collect(),
             vec![self.clock(), self.amplitude(), self.angle_scale()],
             vec![self.buoyancy(), self.added_mass(), self.finite_bob(), self.rod(), self.stretch()],
             vec![self.damping()],
@@ -32,7 +33,11 @@ impl Inputs {
         let own = |input| {
             !matches!(
                 input,
-                BudgetInput::Length | BudgetInput::Period | BudgetInput::Clock | BudgetInput::Model
+                BudgetInput::Length
+                    | BudgetInput::Period
+                    | BudgetInput::Clock
+                    | BudgetInput::SharedTiming
+                    | BudgetInput::Model
             )
         };
         BudgetRow {
@@ -79,6 +84,13 @@ impl Inputs {
             note,
             ..self.input("model", "2 a/(sqrt(3) T0)", BudgetInput::Model, Evaluation::Judgement)
         }
+    }
+
+    fn shared_timing(&self) -> BudgetRow {
+        let note = "what all readings by hand share, as an observer who stops late".into();
+        let row =
+            self.input("shared timing", "2 u(t)/(n T0)", BudgetInput::SharedTiming, Evaluation::Judgement);
+        BudgetRow { note, ..row }
     }
 
     fn clock(&self) -> BudgetRow {

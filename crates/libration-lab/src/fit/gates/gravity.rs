@@ -195,6 +195,7 @@ impl GatesFit {
             amplitude: self.amplitude,
             angle_scale,
             clock,
+            shared_timing: None,
             degrees_of_freedom: self.t0_degrees_of_freedom,
             damping,
         };

@@ -19,14 +19,14 @@ use super::{FitError, Uncertain};
 use libration::quantity::Quantity;
 
 /// Known quantities besides the table.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct LengthsOptions {
     /// Radius of the bob, a ball, in metres: its moment of inertia is then taken into account.
     pub bob_radius: Option<Quantity>,
     /// The relative standard uncertainty of the clock, which multiplies all periods.
     pub clock: Option<f64>,
-    /// Degrees of freedom of the uncertainties of the periods where they come from repeated readings; stated ones are taken as known.
-    pub readings_degrees_of_freedom: Option<f64>,
+    /// Standard uncertainties of the periods, in seconds, by what all readings share, such as an observer who stops late: all are off alike.
+    pub shared_timing: Option<Vec<f64>>,
 }
 
 /// The results of a fit to a table of periods against lengths.
@@ -113,10 +113,7 @@ impl LengthsOptions {
         let g = best.g.value;
         let slope = Contribution {
             evaluation: Evaluation::Statistics,
-            degrees_of_freedom: Some(best.uncertainty_degrees_of_freedom())
-                .filter(|of_rows| of_rows.is_finite())
-                .or(self.readings_degrees_of_freedom)
-                .unwrap_or(f64::INFINITY),
+            degrees_of_freedom: best.uncertainty_degrees_of_freedom(),
             ..Contribution::judged(BudgetInput::Slope, 1.0 / g, Some(best.g.uncertainty / (g * g)), -g * g)
         };
         let radius = self.bob_radius.map(|radius| {
@@ -129,7 +126,17 @@ impl LengthsOptions {
         });
         let clock =
             self.clock.map(|clock| Contribution::judged(BudgetInput::Clock, 1.0, Some(clock), -2.0 * g));
-        let contributions = [Some(slope), radius, clock].into_iter().flatten().collect();
+        let shared_timing = self.shared_timing.as_ref().map(|shifts| {
+            let mean: f64 = shifts.iter().sum::<f64>() / table.rows.iter().map(|row| row.period).sum::<f64>();
+            let refitted = |factor: f64| {
+                let shifts = shifts.iter().map(|shift| (factor - 1.0) / mean * shift);
+                let fit = model::fit(&table.shifted(shifts), best.model, self.bob_radius.map(|it| it.value));
+                fit.ok().flatten().map_or(f64::NAN, |fit| fit.g.value)
+            };
+            let sensitivity = budget::derivative(1.0, 1.0, refitted);
+            Contribution::judged(BudgetInput::SharedTiming, 1.0, Some(mean), sensitivity)
+        });
+        let contributions = [Some(slope), radius, clock, shared_timing].into_iter().flatten().collect();
         CombinedUncertainty::new(contributions, &[]).map_err(|_| FitError::NoConvergence("the bob"))
     }
 }

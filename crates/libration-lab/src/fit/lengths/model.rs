@@ -78,6 +78,8 @@ pub struct LengthFit {
     pub residuals: Vec<f64>,
     /// The standard deviations of these, in seconds, as stated; without uncertainties their scatter.
     pub standard_deviations: Vec<f64>,
+    /// Degrees of freedom of the uncertainties of the periods by repeated readings; infinite without any.
+    pub readings_degrees_of_freedom: f64,
 }
 
 impl LengthFit {
@@ -90,13 +92,18 @@ impl LengthFit {
     /// Scatter of the rows compared with their uncertainties; `None` without uncertainties or without a degree of freedom.
     #[must_use]
     pub fn scatter(&self) -> Option<Scatter> {
-        Scatter::new(self.chi2, self.dof)
+        Scatter::new(self.chi2, self.dof).map(|scatter| scatter.of_readings(self.readings_degrees_of_freedom))
     }
 
-    /// Degrees of freedom of the uncertainties: infinite where they come from stated ones.
+    /// Degrees of freedom of the uncertainties: of the scatter of the rows where they come from that, else of repeated readings, and infinite where
+    /// they come from stated ones.
     #[must_use]
     pub fn uncertainty_degrees_of_freedom(&self) -> f64 {
-        scatter::degrees_of_freedom(self.chi2, self.dof)
+        let of_rows = match self.scatter() {
+            Some(scatter) => scatter.degrees_of_freedom(),
+            None => scatter::degrees_of_freedom(self.chi2, self.dof),
+        };
+        if of_rows.is_finite() { of_rows } else { self.readings_degrees_of_freedom }
     }
 }
 
@@ -235,7 +242,9 @@ impl Solution {
         let dof = rows.len() - width;
         let per_dof = (dof > 0).then(|| chi2 / count(dof));
         let stated = table.weighted.then_some(chi2);
-        let enlargement = scatter::enlargement(stated, dof);
+        let scatter = Scatter::new(stated, dof);
+        let scatter = scatter.map(|scatter| scatter.of_readings(table.readings_degrees_of_freedom));
+        let enlargement = scatter.map_or(1.0, Scatter::enlargement);
         // Unit weights: the variance of a row is the scatter about the law.
         let of_row = if table.weighted { 1.0 } else { per_dof? };
         let unit = of_row * enlargement * enlargement;
@@ -255,6 +264,7 @@ impl Solution {
             p_value: per_dof.filter(|_| width > 1).map(|per_dof| self.p_value(per_dof, dof)),
             residuals: left.iter().zip(rows).map(|(r, row)| r * to_seconds(row)).collect(),
             standard_deviations: deviations.collect(),
+            readings_degrees_of_freedom: table.readings_degrees_of_freedom,
         })
     }
 

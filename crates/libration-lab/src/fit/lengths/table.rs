@@ -23,6 +23,8 @@ pub struct LengthColumns<'a> {
 pub struct LengthTable {
     pub(super) rows: Vec<Row>,
     pub(super) weighted: bool,
+    /// Degrees of freedom of the uncertainties of the periods; infinite where these are stated.
+    pub(super) readings_degrees_of_freedom: f64,
 }
 
 /// One measurement: y = (T/2πR)² is (L + δ)/g.
@@ -57,7 +59,7 @@ impl LengthTable {
         }
         let weighted = columns.period_uncertainties.is_some();
         let rows = (0..expected).map(|row| Row::new(columns, row, weighted)).collect::<Result<_, _>>()?;
-        Ok(Self { rows, weighted })
+        Ok(Self { rows, weighted, readings_degrees_of_freedom: f64::INFINITY })
     }
 
     /// The table with these standard uncertainties of the periods, in seconds.
@@ -77,7 +79,23 @@ impl LengthTable {
             }
             row.period_uncertainty = uncertainty;
         }
-        Ok(Self { rows, weighted: true })
+        Ok(Self { rows, weighted: true, ..*self })
+    }
+
+    /// The table whose uncertainties of the periods come from repeated readings with these degrees of freedom.
+    #[must_use]
+    pub fn with_readings_degrees_of_freedom(self, degrees_of_freedom: f64) -> Self {
+        Self { readings_degrees_of_freedom: degrees_of_freedom, ..self }
+    }
+
+    /// The table with periods that are longer by this, in seconds, row by row; unchanged rows beyond the last one.
+    #[must_use]
+    pub fn shifted(&self, shifts: impl Iterator<Item = f64>) -> Self {
+        let mut rows = self.rows.clone();
+        for (row, shift) in rows.iter_mut().zip(shifts) {
+            row.period += shift;
+        }
+        Self { rows, ..*self }
     }
 
     /// The table of these rows only, counted from zero.

@@ -45,6 +45,7 @@ pub(super) fn pendulum_of(
         // The uncertainty of a fitted scale is part of T0's already.
         angle_scale: fit.parameter("scale").map_or(options.angle_scale, |_| Some(0.0)),
         clock: options.clock,
+        shared_timing: None,
         degrees_of_freedom: fit.parameters[0].degrees_of_freedom,
         damping: damping(fit),
     };

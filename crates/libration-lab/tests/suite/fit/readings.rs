@@ -2,7 +2,7 @@
 
 use libration_lab::fit::{
     PeriodTable, PeriodsOptions, RepeatedReadings, Uncertainties, Weighting, effective_degrees_of_freedom,
-    periods,
+    periods, shared_rounding,
 };
 
 fn readings(rows: &[&[f64]], step: f64) -> RepeatedReadings {
@@ -106,4 +106,15 @@ fn rows_that_scatter_less_than_their_rounding_are_as_uncertain_as_that() {
     let scattered = PeriodTable::new(&[0.01; 4], &[2.0, 2.1, 1.9, 2.0], Uncertainties::default()).unwrap();
     let fit = periods(&scattered.with_rounding(vec![rounding; 4]), &[], &PeriodsOptions::default()).unwrap();
     assert_eq!(fit.weighting, Weighting::Scatter);
+}
+
+/// Four rows at nearly one amplitude are all rounded from 20.04 to 20.0: their mean is as uncertain as one of them.
+#[test]
+fn rows_that_are_rounded_to_one_step_share_their_error() {
+    let same = [vec![20.0, 20.0], vec![20.0, 20.0], vec![20.0, 20.0], vec![20.0, 20.0]];
+    let found = RepeatedReadings::new(&same, 0.1).unwrap();
+    let fit = periods(&table(&found), &[], &PeriodsOptions::default()).unwrap();
+    close(fit.exact.t0.uncertainty, 0.1 / 12.0_f64.sqrt() / 1.00000625003581);
+    let others = [vec![20.0, 20.0], vec![20.1, 20.1], vec![19.9, 19.9], vec![20.2, 20.2]];
+    close(shared_rounding(&RepeatedReadings::new(&others, 0.1).unwrap(), &[0.25; 4]) + 1.0, 1.0);
 }

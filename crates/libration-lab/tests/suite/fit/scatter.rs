@@ -55,3 +55,18 @@ fn an_enlargement_is_not_blamed_on_rows_that_scatter_as_stated() {
     );
     assert_eq!([10.0, 1.0].map(enlarged), [None, None]);
 }
+
+/// Measured uncertainties are not enlarged within chance: F = 2.25 with 4 and 10 degrees of freedom has p = 0.14, 16 has 2e-4 (`scipy.stats.f`).
+#[test]
+fn uncertainties_of_repeated_readings_are_enlarged_only_beyond_chance() {
+    let scatter = |per_dof: f64| Scatter::new(Some(4.0 * per_dof), 4).unwrap();
+    assert_eq!(scatter(2.25).enlargement(), 1.5);
+    let readings = scatter(2.25).of_readings(10.0);
+    assert_eq!((readings.enlargement(), readings.enlarged()), (1.0, None));
+    assert_eq!(readings.degrees_of_freedom(), f64::INFINITY);
+    assert_eq!(scatter(16.0).of_readings(10.0).enlargement(), 4.0);
+    // χ² = 16 with four degrees of freedom has p = 0.003, F = 4 with two below 0.21.
+    assert_eq!(scatter(4.0).verdict(), ScatterVerdict::More);
+    assert_eq!(scatter(4.0).of_readings(2.0).verdict(), ScatterVerdict::AsStated);
+    assert_eq!(scatter(4.0).of_readings(f64::INFINITY).verdict(), ScatterVerdict::More);
+}

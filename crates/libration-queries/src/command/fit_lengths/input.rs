@@ -7,7 +7,7 @@ use crate::arguments::{
 use crate::figure::lengths::Measured;
 use crate::query_error::{QueryError, option};
 use libration::quantity::{Angle, Quantity};
-use libration_lab::fit::{LengthColumns, LengthTable, RepeatedReadings};
+use libration_lab::fit::{LengthColumns, LengthTable};
 use std::path::PathBuf;
 
 /// The file, and options for reading it.
@@ -42,10 +42,10 @@ pub(super) struct LengthFile {
     /// The units that the header says.
     pub(super) inferences: Vec<String>,
     pub(super) half_periods: bool,
-    /// Degrees of freedom of the uncertainties of the periods, where they come from repeated readings.
-    pub(super) readings_degrees_of_freedom: Option<f64>,
     /// Standard uncertainties of the periods by their rounding.
     rounding: Vec<f64>,
+    /// Standard uncertainties of the periods by what all timings share.
+    pub(super) shared_timing: Option<Vec<f64>>,
     /// Names of the groups of the rows.
     pub(super) groups: Option<Vec<String>>,
 }
@@ -87,14 +87,18 @@ impl Input {
             amplitudes: &self.amplitudes(amplitudes)?,
         };
         let table = LengthTable::new(&columns).map_err(|error| self.no_answer(error))?;
+        let table = match &read.repeated[1] {
+            Some(readings) => table.with_readings_degrees_of_freedom(readings.pooled()),
+            None => table,
+        };
         let period_uncertainties = of_periods;
         Ok(LengthFile {
             measured: Measured { lengths, periods, length_uncertainties, period_uncertainties, table },
             dropped: read.dropped,
             inferences: read.inferences,
             half_periods: read.counts[1].total_cmp(&0.5).is_eq(),
-            readings_degrees_of_freedom: read.repeated[1].as_ref().map(RepeatedReadings::pooled),
             rounding: read.rounding[1].clone(),
+            shared_timing: read.shared_timing,
             groups: read.groups,
         })
     }

@@ -25,7 +25,9 @@ pub(crate) use fields::answers;
     --figure lengths.svg
   libration fit lengths examples/lengths_synthetic.csv \\
     --columns length,period,-,sigma_period --length-unit m
+  libration fit lengths examples/class/groups.csv --clock 0.1%
   libration fit lengths examples/lengths_synthetic.csv --bob-radius 25mm --json
+  libration fit lengths examples/class/ten_swings.csv --role 4=ignore
 
 T² = 4π²R²(L + δ)/g is fitted by weighted least squares, where R = T/T0 at the
 amplitude. A string measured without its bob gives an offset δ and leaves g
@@ -55,7 +57,7 @@ impl FitLengths {
         let options = LengthsOptions {
             bob_radius: self.bob_radius,
             clock: self.clock,
-            readings_degrees_of_freedom: table.readings_degrees_of_freedom,
+            shared_timing: table.shared_timing.clone(),
         };
         let fitted =
             |table: &LengthTable| fit::lengths(table, &options).map_err(|error| self.input.no_answer(error));
@@ -81,12 +83,14 @@ impl FitLengths {
     }
 }
 
-/// Gravity of each group, where the rows have groups; clock and bob are shared.
+/// Gravity of each group, where the rows have groups; clock, observer and bob are shared.
 fn groups_of(read: &LengthFile, fit: &LengthsFit, options: &LengthsOptions) -> Option<Groups> {
-    let is_shared = |it: &&Contribution| matches!(it.input, BudgetInput::Clock | BudgetInput::BobRadius);
+    let is_shared = |it: &&Contribution| {
+        matches!(it.input, BudgetInput::Clock | BudgetInput::BobRadius | BudgetInput::SharedTiming)
+    };
     let shared = fit.combined.contributions.iter().filter(is_shared).map(|it| it.change() * it.change());
     let radius = options.bob_radius.map(|radius| Quantity { uncertainty: None, ..radius });
-    let own = LengthsOptions { bob_radius: radius, clock: None, ..*options };
+    let own = LengthsOptions { bob_radius: radius, clock: None, shared_timing: None, ..options.clone() };
     let of_rows = |rows: &[usize]| {
         let fit = fit::lengths(&read.measured.table.only(rows), &own).map_err(|error| error.to_string())?;
         Ok((fit.gravity(), fit.combined.degrees_of_freedom))

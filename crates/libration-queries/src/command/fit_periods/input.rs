@@ -5,7 +5,7 @@ use crate::arguments::{
 };
 use crate::figure::periods::Measurement;
 use crate::query_error::QueryError;
-use libration_lab::fit::{PeriodTable, Uncertainties};
+use libration_lab::fit::{PeriodFit, PeriodTable, Uncertainties};
 use std::path::PathBuf;
 
 /// The file, and options for reading it.
@@ -35,11 +35,21 @@ pub(super) struct Measured {
     pub(super) dropped: usize,
     /// The units that the header says.
     pub(super) inferences: Vec<String>,
+    /// Standard uncertainties of the periods by what all timings share.
+    pub(super) shared_timing: Option<Vec<f64>>,
     /// Names of the groups of the rows.
     pub(super) groups: Option<Vec<String>>,
 }
 
 impl Measured {
+    /// The standard uncertainty of T0 relative to itself by what all timings share.
+    pub(super) fn shared_of(&self, fit: &PeriodFit) -> Option<f64> {
+        let shared = self.shared_timing.as_ref()?;
+        let kept =
+            (0..shared.len()).filter(|row| fit.table.len() == shared.len() || !fit.outliers.contains(row));
+        fit.relative_shift(&kept.map(|row| shared[row]).collect::<Vec<_>>())
+    }
+
     /// The rows without these.
     pub(super) fn without(&self, left_out: &[usize]) -> Vec<Measurement> {
         let kept = self.rows.iter().enumerate().filter(|(index, _)| !left_out.contains(index));
@@ -91,6 +101,7 @@ impl Input {
             lines: read.lines,
             dropped: read.dropped,
             inferences: read.inferences,
+            shared_timing: read.shared_timing,
             groups: read.groups,
         })
     }

@@ -11,7 +11,7 @@ use crate::output::{FormOptions, announce};
 use crate::query_error::QueryError;
 use fields::Answer;
 use input::{Input, Measured};
-use libration_lab::fit::{self, Law, PeriodFit};
+use libration_lab::fit::{self, Law, MeasuredPeriod, PeriodFit};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -27,6 +27,8 @@ pub(crate) use fields::answers;
     --columns amplitude,period,-,sigma_period --amplitude-unit rad
   libration fit periods examples/period_table_synthetic.csv \\
     --reject-outliers 5 --json
+  libration fit periods examples/class/amplitudes.csv --length 0.5m±1mm \\
+    --shared-timing 0.05s
 
 Every law is fitted by weighted least squares in T0 alone. The test of the exact
 law fits T = T0·[1 + β(R − 1)], where R = T/T0 by the exact law: β = 1 is the
@@ -66,6 +68,8 @@ impl FitPeriods {
         let correlations = self.apparatus.correlations();
         let period =
             fit.measured_period(self.apparatus.angle_scale(), self.apparatus.clock(), self.damping.damping());
+        let shared_timing = measured.shared_of(&fit);
+        let period = MeasuredPeriod { shared_timing, ..period };
         let apparatus = self.apparatus.apparatus();
         let budget = apparatus.map(|apparatus| fit::budget(&apparatus, &period, correlations));
         let budget = budget.transpose().map_err(|error| QueryError::no_result("gravity", error))?;
@@ -90,9 +94,11 @@ impl FitPeriods {
         Ok(announce(out, self.form.form(), &drawn)?)
     }
 
-    /// T0 of each group, where the rows have groups; the clock is shared.
+    /// T0 of each group, where the rows have groups; the clock and the observer are shared.
     fn groups(&self, measured: &Measured, fit: &PeriodFit) -> Option<Groups> {
-        let shared = self.apparatus.clock().unwrap_or(0.0) * fit.exact.t0.value;
+        let both = [self.apparatus.clock(), measured.shared_of(fit)]
+            .map(|it| it.unwrap_or(0.0) * fit.exact.t0.value);
+        let shared = both.iter().map(|it| it * it).sum::<f64>().sqrt();
         let of_rows = |rows: &[usize]| {
             let others: Vec<usize> = (0..measured.table.len()).filter(|row| !rows.contains(row)).collect();
             let options = fit::PeriodsOptions { reject_outliers: self.reject_outliers };
