@@ -16,7 +16,7 @@ for (const viewport of SIZES) {
     visit("pendulum?t=0", async (room) => {
       const inside = ({ x, y, width, height }) => x >= 0 && y >= 0 && x + width <= viewport.width && y + height <= viewport.height;
       const boxes = (places) => places.evaluateAll((all) => all.map((it) => ({ name: it.textContent || it.name || it.title, ...it.getBoundingClientRect().toJSON() })));
-      const shown = await boxes(room.locator("canvas.stage, .readout strong, .transport button, .transport select, .quantity input, .quantity select"));
+      const shown = await boxes(room.locator("canvas.stage, .readout strong, .bench-time button, .bench-time select, .quantity input, .quantity select"));
       assert.ok(shown.length >= 16, `${shown.length}`);
       for (const box of shown) assert.ok(inside(box), JSON.stringify(box));
       assert.equal(await room.evaluate(() => scrollY), 0);
@@ -25,7 +25,7 @@ for (const viewport of SIZES) {
       const [header] = await boxes(room.locator("header"));
       if (viewport.width < 768) assert.ok(header.height <= 56, `${header.height} px`);
       // A finger needs 24 px (WCAG 2.5.8); the buttons of time have 44 px.
-      for (const { name, width, height } of await boxes(room.locator(".transport button"))) assert.ok(width >= 43 && height >= 43, name);
+      for (const { name, width, height } of await boxes(room.locator(".bench-time button"))) assert.ok(width >= 43 && height >= 43, name);
     }, { viewport }));
 }
 

@@ -55,7 +55,7 @@ test("a lecture has larger letters and few settings, and ends with the room", ()
     await settled(room);
     assert.ok((await size()) > 1.5 * before);
     for (const hidden of [".trials", ".facts", ".shown", ".look"]) assert.equal(await room.locator(hidden).first().isVisible(), false, hidden);
-    const box = await room.locator(".transport").boundingBox();
+    const box = await room.locator(".bench-time").boundingBox();
     assert.ok(box.y + box.height <= DESK.height);
     await room.getByRole("link", { name: "About" }).click();
     assert.equal(await room.evaluate(() => document.documentElement.className), "");

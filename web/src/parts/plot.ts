@@ -106,6 +106,8 @@ export class Plot {
   readonly #context = this.canvas.getContext("2d");
   readonly #observer: ResizeObserver;
   readonly #sight: IntersectionObserver;
+  #colours: Colours | undefined;
+  #unit: number | undefined;
   #isSeen = false;
   #isStale = false;
   #frame: Frame | undefined;
@@ -139,7 +141,7 @@ export class Plot {
   show(axes: Axes, words: string, curves: (pen: Pen) => void): void {
     [this.#axes, this.#curves] = [axes, curves];
     if (this.canvas.getAttribute("aria-label") !== words) this.canvas.setAttribute("aria-label", words);
-    this.redraw();
+    this.#draw();
   }
 
   readonly #print = () => {
@@ -153,7 +155,13 @@ export class Plot {
     this.#picture();
   }
 
+  /** Draws with the present colours and size of letters. */
   redraw(): void {
+    [this.#colours, this.#unit] = [colours(), letterUnit()];
+    this.#draw();
+  }
+
+  #draw(): void {
     const [width, height] = [this.canvas.clientWidth, this.canvas.clientHeight];
     const axes = this.#axes;
     this.#isStale = !this.#isSeen;
@@ -165,10 +173,10 @@ export class Plot {
     const context = this.#still.getContext("2d");
     if (context === null) return;
     context.scale(scale, scale);
-    const unit = letterUnit();
+    const unit = (this.#unit ??= letterUnit());
     const margin = margins(unit);
     const frame = (this.#frame = framed(axes, width, height, margin));
-    const all = colours();
+    const all = (this.#colours ??= colours());
     const pen = new Pen(context, frame.x, frame.y, all, unit);
     drawAxes(pen, frame.axes, width, height, margin);
     context.save();

@@ -10,7 +10,8 @@ import type { Axes, Pen, Plot, Range } from "../../parts/plot.ts";
 import { lookedAt } from "./look.ts";
 
 const { graphs: words, look } = text.pendulum;
-const POINTS = 900;
+/** Fewest and most samples of a curve, and those of one small-angle period between. */
+const [FEWEST, MOST, PER_PERIOD] = [300, 900, 40];
 /** Energies over 2mgl of the orbits that are drawn in the background of the phase plane. */
 const FAMILY = [0.07, 0.25, 0.5, 0.75, 0.93, 1.2, 1.5];
 
@@ -76,8 +77,10 @@ export class Graphs {
   }
 
   #showInterval(scene: Scene): void {
-    const step = (scene.window[1] - scene.window[0]) / (POINTS - 1);
-    const samples = scene.course.samples(scene.window[0], step, POINTS);
+    const length = scene.window[1] - scene.window[0];
+    const points = scene.isExact ? Math.round(Math.min(MOST, Math.max(FEWEST, (PER_PERIOD * length) / scene.motion.smallAnglePeriod))) : MOST;
+    const step = length / (points - 1);
+    const samples = scene.course.samples(scene.window[0], step, points);
     const times = Float64Array.from(samples.angles, (_, n) => scene.window[0] + n * step);
     this.#showAngle(scene, times, samples, step);
     this.#showVelocity(scene, times, samples);
@@ -137,7 +140,7 @@ export class Graphs {
   }
 
   #showAngle({ ghosts, motion, isExact, unit, window, isHidden }: Scene, times: Float64Array, { angles }: Samples, step: number): void {
-    const curves = ghosts.map((ghost) => ({ ghost, angles: ghost.angles(window[0], step, POINTS) }));
+    const curves = ghosts.map((ghost) => ({ ghost, angles: ghost.angles(window[0], step, angles.length) }));
     const range = this.#grown(this.#angle, padded(extent([angles, ...curves.map((curve) => curve.angles)], Math.PI * 4)));
     const axes = { x: window, y: range, xLabel: words.time, yLabel: words.angle.axis(unit), ...angleTicks("y", range, unit) };
     const said = angleExtent(isExact, motion, angles).map((it) => angleInWords(it, unit, 4)) as [string, string];

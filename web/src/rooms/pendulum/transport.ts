@@ -34,7 +34,7 @@ export class Transport {
     this.#speed.onChange(() => this.#set());
     this.element = element(
       "div",
-      { class: "transport", role: "group", "aria-label": words.group },
+      { class: "bench-time", role: "group", "aria-label": words.group },
       picture("restart", words.restart, () => this.restart()),
       picture("back", words.back, () => this.step(-1)),
       this.#run,
