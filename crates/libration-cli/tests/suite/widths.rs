@@ -19,7 +19,7 @@ fn widest(text: &str) -> (usize, &str) {
     text.lines().map(|line| (line.chars().count(), line)).max().unwrap_or((0, ""))
 }
 
-pub(crate) const QUESTIONS: [&str; 61] = [
+pub(crate) const QUESTIONS: [&str; 65] = [
     "period|60deg",
     "period|10deg,60deg,150deg",
     "period|10deg,60deg|--formulas|bernoulli,kidd_fogg,denman,black_vel_2,black_vel_3",
@@ -78,6 +78,8 @@ pub(crate) const QUESTIONS: [&str; 61] = [
     "fit|periods|examples/period_table_synthetic.csv|--length|0.994m±0.001m|--bob-radius|20mm|--bob-mass|42g",
     "fit|amplitudes|examples/amplitudes_synthetic.csv",
     "fit|amplitudes|examples/amplitudes_synthetic.csv|--columns|time,2|--model|linear",
+    "fit|lengths|examples/bar_synthetic.csv",
+    "fit|lengths|examples/reversible_synthetic.csv|--model|reversible|--edges|0.9935m±0.0001m",
     "fit|lengths|examples/lengths_synthetic.csv|--amplitude|10deg",
     "fit|response|examples/response_synthetic.csv",
     "fit|gates|examples/gate_synthetic.csv|--length|0.958m±0.001m|--diameter|25.0(1)mm",

@@ -58,7 +58,7 @@ pub use gravity::{GRAVITY_ON_EARTH, is_nowhere_on_earth};
 pub use law::Law;
 pub use lengths::{
     CountedAs, LengthColumns, LengthFit, LengthModel, LengthTable, LengthsFit, LengthsOptions,
-    LengthsWarning, lengths,
+    LengthsPendulum, LengthsWarning, PowerLaw, lengths,
 };
 pub use libration::decay::DampingKind;
 pub use outliers::{DEFAULT_OUTLIER_THRESHOLD, outliers};

@@ -6,7 +6,7 @@ use libration::pendulum::period_ratio;
 use libration::quantity::Quantity;
 use libration_lab::fit::{
     BudgetInput, CountedAs, FitError, LengthColumns, LengthModel, LengthTable, LengthsFit, LengthsOptions,
-    LengthsWarning, lengths,
+    LengthsPendulum, LengthsWarning, lengths,
 };
 
 use crate::random::Random;
@@ -32,7 +32,7 @@ fn table(lengths: &[f64], periods: &[f64], sigma: Option<&[f64]>) -> LengthTable
 fn fitted(lengths_given: &[f64], periods: &[f64], radius: Option<f64>) -> LengthsFit {
     let sigma = vec![1e-3; periods.len()];
     let bob_radius = radius.map(|value| Quantity { value, uncertainty: None });
-    let options = LengthsOptions { bob_radius, clock: None };
+    let options = LengthsOptions { bob_radius, ..LengthsOptions::default() };
     lengths(&table(lengths_given, periods, Some(&sigma)), &options).unwrap()
 }
 
@@ -207,6 +207,7 @@ fn clock_and_bob_are_part_of_the_uncertainty() {
     let of_radius = |value: f64| LengthsOptions {
         bob_radius: Some(Quantity { value, uncertainty: Some(0.01) }),
         clock: Some(0.002),
+        ..LengthsOptions::default()
     };
     let found = g(&of_radius(0.06));
     let of = |input| *found.combined.contributions.iter().find(|each| each.input == input).unwrap();
@@ -219,7 +220,7 @@ fn clock_and_bob_are_part_of_the_uncertainty() {
     let together = squares.iter().sum::<f64>().sqrt();
     assert!((found.gravity().uncertainty / together - 1.0).abs() < 1e-4);
     for clock in [-0.1, f64::NAN, f64::INFINITY] {
-        let refused = lengths(&columns, &LengthsOptions { bob_radius: None, clock: Some(clock) });
+        let refused = lengths(&columns, &LengthsOptions { clock: Some(clock), ..LengthsOptions::default() });
         assert!(matches!(refused, Err(FitError::Clock(_))), "{clock}");
     }
 }
@@ -321,8 +322,10 @@ fn offsets_of_a_bob_that_nearly_touches_the_pivot_are_not_chosen_from() {
     let given = [0.1, 0.105, 0.11, 0.115, 0.12, 0.125];
     let periods: Vec<f64> = given.iter().map(|&length| period(length, 0.005, 0.1)).collect();
     let bob_radius = Some(Quantity { value: 0.1, uncertainty: None });
-    let refused =
-        lengths(&table(&given, &periods, Some(&[1e-4; 6])), &LengthsOptions { bob_radius, clock: None });
+    let refused = lengths(
+        &table(&given, &periods, Some(&[1e-4; 6])),
+        &LengthsOptions { bob_radius, ..LengthsOptions::default() },
+    );
     assert_eq!(refused, Err(FitError::BobRadius { radius: 0.1 }));
 }
 
@@ -333,7 +336,10 @@ fn different_lengths_are_not_said_to_be_the_same() {
     let period = |l: &f64| TAU * ((1.0 / 12.0 + l * l) / (9.81 * l)).sqrt();
     let periods: Vec<f64> = lengths.iter().map(period).collect();
     let columns = LengthColumns { lengths: &lengths, periods: &periods, ..Default::default() };
-    let refused =
-        libration_lab::fit::lengths(&LengthTable::new(&columns).unwrap(), &LengthsOptions::default());
+    let table = LengthTable::new(&columns).unwrap();
+    let simple = LengthsOptions { pendulum: Some(LengthsPendulum::Simple), ..LengthsOptions::default() };
+    let refused = libration_lab::fit::lengths(&table, &simple);
     assert_eq!(refused.unwrap_err(), FitError::PeriodsWithoutLength);
+    let bar = libration_lab::fit::lengths(&table, &LengthsOptions::default()).unwrap();
+    assert_eq!(bar.best().model, LengthModel::Bar);
 }

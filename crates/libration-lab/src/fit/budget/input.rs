@@ -36,11 +36,13 @@ pub enum BudgetInput {
     Stretch,
     /// The coefficient of linear damping.
     Damping,
+    /// Difference of the distances of two knife edges from the centre of mass.
+    CentreOfMass,
 }
 
 impl BudgetInput {
     /// All inputs.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Length,
         Self::Period,
         Self::Slope,
@@ -56,6 +58,7 @@ impl BudgetInput {
         Self::AddedMass,
         Self::Stretch,
         Self::Damping,
+        Self::CentreOfMass,
     ];
 
     /// Name of the input: `length`, `bob radius` and so on.
@@ -77,6 +80,7 @@ impl BudgetInput {
             Self::AddedMass => "added mass",
             Self::Stretch => "stretch",
             Self::Damping => "damping",
+            Self::CentreOfMass => "centre of mass",
         }
     }
 
@@ -84,7 +88,7 @@ impl BudgetInput {
     #[must_use]
     pub fn unit(self) -> &'static str {
         match self {
-            Self::Length | Self::BobRadius | Self::RodLength | Self::Stretch => "m",
+            Self::Length | Self::BobRadius | Self::RodLength | Self::Stretch | Self::CentreOfMass => "m",
             Self::Period => "s",
             Self::Slope => "s^2/m",
             Self::Clock | Self::Model | Self::AngleScale | Self::AddedMass => "1",
@@ -98,7 +102,7 @@ impl BudgetInput {
     #[must_use]
     pub fn unit_of_sensitivity(self) -> &'static str {
         match self {
-            Self::Length | Self::BobRadius | Self::RodLength | Self::Stretch => "1/s^2",
+            Self::Length | Self::BobRadius | Self::RodLength | Self::Stretch | Self::CentreOfMass => "1/s^2",
             Self::Period => "m/s^3",
             Self::Slope => "m^2/s^4",
             Self::Clock | Self::Model | Self::AngleScale | Self::AddedMass => "m/s^2",
@@ -108,12 +112,12 @@ impl BudgetInput {
         }
     }
 
-    /// Slot of the input among the values; `None` for the slope of a line, which replaces all of them.
+    /// Slot of the input among the values; `None` for inputs of tables of lengths.
     pub(super) fn place(self, values: &mut Values) -> Option<&mut f64> {
         match self {
             Self::Length => Some(&mut values.length),
             Self::Period => Some(&mut values.t0),
-            Self::Slope => None,
+            Self::Slope | Self::CentreOfMass => None,
             Self::Clock => Some(&mut values.clock),
             Self::Model => Some(&mut values.model),
             Self::AngleScale => Some(&mut values.angle_scale),
