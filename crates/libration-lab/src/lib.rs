@@ -13,6 +13,7 @@
 //! | [`measurement`] | columns, traces, photogate times and faults of a file | [`Recording`](measurement::Recording), [`Trace`](measurement::Trace) |
 //! | [`fit`] | measured swings: ω0, damping, g, warnings and advice | [`swings`](fit::swings::swings) |
 //! | | periods against amplitude; periods against length | [`periods`](fit::periods()), [`lengths`](fit::lengths()) |
+//! | | falling amplitudes: damping law, quality factor | [`amplitudes`](fit::amplitudes) |
 //! | | photogate times; responses of a driven oscillator; harmonics of swings | [`gates`](fit::gates), [`response`](fit::response), [`spectrum`](fit::spectrum) |
 //! | | budget of the uncertainty of g; plan of a measurement | [`budget`](fit::budget()), [`plan`](fit::plan) |
 //!

@@ -259,6 +259,8 @@ const FURTHER: &[&str] = &[
     "fit|gates|examples/gate_synthetic.csv",
     "fit|amplitudes|examples/amplitudes_synthetic.csv",
     "fit|amplitudes|examples/amplitudes_synthetic.csv|--columns|time,2|--model|linear",
+    "fit|lengths|examples/bar_synthetic.csv",
+    "fit|lengths|examples/reversible_synthetic.csv|--model|reversible|--edges|0.9935m±0.0001m",
     "fit|lengths|examples/lengths_synthetic.csv|--amplitude|10deg|--half-periods",
     "fit|response|examples/response_synthetic.csv|--model|duffing|--amplitude-unit|counts|--columns|1,2",
     "fit|response|examples/response_synthetic.csv|--columns|1,2,-,3",
@@ -394,7 +396,7 @@ fn a_field_without_a_description_would_be_seen() {
 #[test]
 fn a_command_is_named_by_its_words_and_an_unknown_one_refused() {
     let all = json("fields fit")["commands"].as_array().unwrap().len();
-    assert_eq!(all, 5);
+    assert_eq!(all, 6);
     assert!(text("fields fit trace").starts_with("libration fit trace --json\n"));
     let refused = refusal("fields derive");
     assert!(refused.contains("`derive` has no result with fields"), "{refused}");

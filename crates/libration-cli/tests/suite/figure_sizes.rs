@@ -147,6 +147,7 @@ fn pictures_of_other_commands_hold_what_they_show_in_a_sweep() {
         format!("inspect {examples}/swing_synthetic.csv --spectrum"),
         format!("fit periods {examples}/period_table_synthetic.csv"),
         format!("fit amplitudes {examples}/amplitudes_synthetic.csv"),
+        format!("fit lengths {examples}/bar_synthetic.csv"),
         format!("fit lengths {examples}/lengths_synthetic.csv"),
         format!("fit response {examples}/response_synthetic.csv --model pendulum"),
         format!("fit gates {examples}/gate_synthetic.csv --length 0.958m --diameter 25mm"),

@@ -31,6 +31,54 @@ fn the_example_of_lengths_gives_its_truth_back() {
     assert!(sheet.contains("offset+gyration") && sheet.contains("gravity"));
 }
 
+#[test]
+fn the_example_of_a_bar_gives_its_truth_back() {
+    let bar = example("bar_synthetic.csv");
+    let answer = json(&format!("fit lengths {bar}"));
+    assert_eq!(
+        (&answer["law"], &answer["warning_kinds"][0]),
+        (&"bar+offset".into(), &"physical_pendulum".into())
+    );
+    assert!(pull(&answer, "gravity_m_per_s2", "gravity_uncertainty_m_per_s2", 9.81) < 3.0, "{answer}");
+    assert!(pull(&answer, "offset_m", "offset_uncertainty_m", -0.5012) < 3.0);
+    let k = 1.0 / 12.0_f64.sqrt();
+    assert!(pull(&answer, "radius_of_gyration_m", "radius_of_gyration_uncertainty_m", k) < 3.0);
+    assert!(answer["exponent"].is_null());
+    let sheet = text(&format!("fit lengths {bar}"));
+    assert!(sheet.contains("centre of mass") && sheet.contains("k, gyration"), "{sheet}");
+    let picture = directory("bar-drawn").join("bar.svg");
+    text(&format!("fit lengths {bar} --figure {}", picture.display()));
+    assert!(std::fs::read_to_string(picture).unwrap().contains("T₀²h / (m s²)"));
+}
+
+#[test]
+fn the_example_of_a_reversible_pendulum_gives_its_truth_back() {
+    let table = example("reversible_synthetic.csv");
+    let command = format!("fit lengths {table} --model reversible");
+    let answer = json(&format!("{command} --edges 0.9935m±0.0001m"));
+    assert!(pull(&answer, "gravity_m_per_s2", "gravity_uncertainty_m_per_s2", 9.81) < 3.0, "{answer}");
+    let uncertainty = |answer: &serde_json::Value| answer["gravity_uncertainty_m_per_s2"].as_f64().unwrap();
+    // Without the distance of the edges that of the centre of mass is in both terms.
+    assert!(uncertainty(&json(&command)) > 5.0 * uncertainty(&answer));
+    assert_eq!(answer["budget_inputs"][2]["input"], "centre of mass");
+    let refused = message(&libration(&format!("fit lengths {table} --edges 0.9935m")));
+    assert!(refused.contains("--model"), "{refused}");
+    let lengths = example("lengths_synthetic.csv");
+    let refused = message(&libration(&format!("fit lengths {lengths} --model reversible")));
+    assert!(refused.contains("two distances"), "{refused}");
+}
+
+#[test]
+fn the_exponent_of_the_length_is_fitted() {
+    let answer = json(&format!("fit lengths {} --amplitude 10deg", example("lengths_synthetic.csv")));
+    let exponent = answer["exponent"].as_f64().unwrap();
+    // Lengths that are too short by 25 mm make it less than one half.
+    assert!(
+        0.4 < exponent && exponent + 3.0 * answer["exponent_uncertainty"].as_f64().unwrap() < 0.5,
+        "{answer}"
+    );
+}
+
 /// T² = 4π²(L + 0.01)/9.81, to twelve digits.
 const EXACT: &str = "L,half\n25,0.511448657526\n50,0.716309081159\n75,0.874424193522\n100,1.008036031441\n";
 

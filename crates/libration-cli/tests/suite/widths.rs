@@ -79,6 +79,8 @@ pub(crate) const QUESTIONS: &[&str] = &[
     "fit|periods|examples/period_table_synthetic.csv|--length|0.994m±0.001m|--bob-radius|20mm|--bob-mass|42g",
     "fit|amplitudes|examples/amplitudes_synthetic.csv",
     "fit|amplitudes|examples/amplitudes_synthetic.csv|--columns|time,2|--model|linear",
+    "fit|lengths|examples/bar_synthetic.csv",
+    "fit|lengths|examples/reversible_synthetic.csv|--model|reversible|--edges|0.9935m±0.0001m",
     "fit|lengths|examples/lengths_synthetic.csv|--amplitude|10deg",
     "fit|response|examples/response_synthetic.csv",
     "fit|gates|examples/gate_synthetic.csv|--length|0.958m±0.001m|--diameter|25.0(1)mm",

@@ -79,7 +79,9 @@ pub enum FitError {
         uncertainty: f64,
     },
     /// A length in a table that is not a positive finite number.
-    #[error("row {row}: the length {length:?} m is not a positive number: remove the row")]
+    #[error(
+        "row {row}: the length {length:?} m is not a positive number: remove the row, or fit a bar turned about both sides"
+    )]
     LengthOfRow {
         /// Row, counted from one.
         row: usize,
@@ -94,6 +96,32 @@ pub enum FitError {
         "the lengths are all the same, which does not determine their offset: measure with different lengths"
     )]
     EqualLengths,
+    /// A reversible pendulum with other than two knife edges.
+    #[error(
+        "a reversible pendulum has two distances from the centre of mass to the knife edges, and the table has {found}: give each          row one of two"
+    )]
+    KnifeEdges {
+        /// Number of different distances.
+        found: usize,
+    },
+    /// A reversible pendulum whose periods have no uncertainties.
+    #[error("the periods of a reversible pendulum have no scatter about a law: give their uncertainties")]
+    KnifeEdgePeriods,
+    /// Distances of both knife edges that are too nearly equal.
+    #[error(
+        "the distances from the centre of mass to the knife edges differ by {difference:.4} ± {uncertainty:.4} m, and Bessel's formula          divides by that: measure the centre of mass better, or move the edges further from equal distances"
+    )]
+    CentreOfMass {
+        /// Difference of the distances, in metres.
+        difference: f64,
+        /// Its standard uncertainty, in metres.
+        uncertainty: f64,
+    },
+    /// A bar whose positions do not determine the law.
+    #[error(
+        "the periods do not follow T²h = 4π²(k² + h²)/g at distances h from a centre of mass: check the positions, and give more of them"
+    )]
+    NoBar,
     /// Periods that do not rise with the lengths as those of one kind of pendulum do.
     #[error(
         "the periods do not follow the lengths as T² = 4π²(L + δ)/g: a rod that is turned about points on both sides of its centre is not a simple \

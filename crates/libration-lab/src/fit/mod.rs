@@ -61,7 +61,8 @@ pub use gravity::{GRAVITY_ON_EARTH, is_nowhere_on_earth};
 pub use groups::{GroupMean, GroupResult};
 pub use law::Law;
 pub use lengths::{
-    LengthColumns, LengthFit, LengthModel, LengthTable, LengthsFit, LengthsOptions, LengthsWarning, lengths,
+    LengthColumns, LengthFit, LengthModel, LengthTable, LengthsFit, LengthsOptions, LengthsPendulum,
+    LengthsWarning, PowerLaw, lengths,
 };
 pub use libration::decay::DampingKind;
 pub use mistake::GravityMistake;

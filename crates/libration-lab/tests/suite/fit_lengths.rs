@@ -6,7 +6,7 @@ use libration::pendulum::period_ratio;
 use libration::quantity::Quantity;
 use libration_lab::fit::{
     BudgetInput, FitError, GravityMistake, LengthColumns, LengthModel, LengthTable, LengthsFit,
-    LengthsOptions, LengthsWarning, lengths,
+    LengthsOptions, LengthsPendulum, LengthsWarning, lengths,
 };
 
 use crate::random::Random;
@@ -336,7 +336,10 @@ fn different_lengths_are_not_said_to_be_the_same() {
     let period = |l: &f64| TAU * ((1.0 / 12.0 + l * l) / (9.81 * l)).sqrt();
     let periods: Vec<f64> = lengths.iter().map(period).collect();
     let columns = LengthColumns { lengths: &lengths, periods: &periods, ..Default::default() };
-    let refused =
-        libration_lab::fit::lengths(&LengthTable::new(&columns).unwrap(), &LengthsOptions::default());
+    let table = LengthTable::new(&columns).unwrap();
+    let simple = LengthsOptions { pendulum: Some(LengthsPendulum::Simple), ..LengthsOptions::default() };
+    let refused = libration_lab::fit::lengths(&table, &simple);
     assert_eq!(refused.unwrap_err(), FitError::PeriodsWithoutLength);
+    let bar = libration_lab::fit::lengths(&table, &LengthsOptions::default()).unwrap();
+    assert_eq!(bar.best().model, LengthModel::Bar);
 }

@@ -13,6 +13,7 @@ mod continuation;
 mod damping_bias;
 mod fit;
 mod fit_amplitudes;
+mod fit_bars;
 mod fit_budget;
 mod fit_cycles;
 mod fit_gates;

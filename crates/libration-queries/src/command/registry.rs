@@ -209,7 +209,7 @@ pub(crate) fn groups() -> [(&'static str, Vec<Query>); 6] {
 /// Queries that share their first word: the word, its line in the help, what they do, examples.
 pub(crate) static FAMILIES: [[&str; 4]; 1] = [[
     "fit",
-    "fit of periods, lengths, amplitudes, gate times, swings, responses",
+    "fit of periods, lengths, amplitudes, gates, swings, responses",
     "Fit the exact law to measured data: periods, lengths, amplitudes, gate times, whole swings or the response to a drive",
     "Examples:
   libration fit periods examples/period_table_synthetic.csv

@@ -4,7 +4,7 @@ use super::chart::{Axis, Panel, Picture, Point, Series};
 use super::parameters::found;
 use super::range::around;
 use super::style;
-use libration_lab::fit::{LengthFit, LengthTable};
+use libration_lab::fit::{LengthFit, LengthTable, Uncertain};
 
 const SAMPLES: u32 = 400;
 
@@ -20,6 +20,9 @@ pub(crate) struct Measured {
 
 /// The measurements with a law through them; the radius of the bob where it is known.
 pub(crate) fn fitted(measured: &Measured, fit: &LengthFit, radius: Option<f64>) -> Picture {
+    if fit.model.is_of_bars() {
+        return bar(measured, fit);
+    }
     let offset = fit.offset.map_or(0.0, |offset| offset.value);
     let (from, to) = around(measured.lengths.iter().copied().chain([0.0, -offset]));
     // Margins below zero would show lengths that nothing has.
@@ -35,21 +38,68 @@ pub(crate) fn fitted(measured: &Measured, fit: &LengthFit, radius: Option<f64>) 
         series: vec![line(fit, radius, from, to), markers("measured", data)],
         share: 0.62,
     };
+    let offset = fit.offset.map(|offset| found("δ", offset, "m"));
+    let picture = Picture::new("Period against length", vec![above, below(x, residuals)]);
+    picture.with_parameters([found("g", fit.g, "m/s²")].into_iter().chain(offset))
+}
+
+/// The measurements on a bar: T²h against h², on the line of slope 4π²/g through k².
+fn bar(measured: &Measured, fit: &LengthFit) -> Picture {
+    let offset = fit.offset.map_or(0.0, |offset| offset.value);
+    let height = |row: usize| (measured.lengths[row] + offset).abs();
+    let point = |(row, t0): (usize, f64)| {
+        let h = height(row);
+        Point {
+            x: h * h,
+            y: t0 * t0 * h,
+            x_uncertainty: measured.length_uncertainties.as_ref().map(|column| 2.0 * h * column[row]),
+            y_uncertainty: Some(2.0 * t0 * h * fit.standard_deviations[row] * t0 / measured.periods[row]),
+        }
+    };
+    let data: Vec<Point> = measured.table.small_angle_periods().enumerate().map(point).collect();
+    let (from, to) = around(data.iter().map(|point| point.x).chain([0.0]));
+    let from = from.max(0.0);
+    let turn = std::f64::consts::TAU;
+    let line = fit.gyration.map(|gyration| {
+        let at = |square: f64| (square, turn * turn * (square + gyration.value) / fit.g.value);
+        Series::line("4π²(k² + h²)/g", style::exact_law(), [at(from), at(to)])
+    });
+    let heights = data.iter().map(|point| point.y);
+    let squares = around(heights.chain(line.iter().flat_map(|line| &line.points).map(|point| point.y)));
+    let residuals = (0..measured.lengths.len()).map(|row| {
+        let of_length = residual(measured, row, fit);
+        Point { x: height(row) * height(row), ..of_length }
+    });
+    let residuals: Vec<Point> = residuals.collect();
+    let x = Axis::linear("square of the distance from the centre of mass h² / m²", from, to);
+    let above = Panel {
+        x: x.unlabelled(),
+        y: Axis::linear("T₀²h / (m s²)", squares.0.max(0.0), squares.1),
+        series: line.into_iter().chain([markers("measured", data)]).collect(),
+        share: 0.62,
+    };
+    let k = fit.gyration.map(|gyration| {
+        let k = gyration.value.sqrt();
+        found("k", Uncertain { value: k, uncertainty: 0.5 * gyration.uncertainty / k }, "m")
+    });
+    let picture = Picture::new("Period of a bar", vec![above, below(x, residuals)]);
+    picture.with_parameters([found("g", fit.g, "m/s²")].into_iter().chain(k))
+}
+
+/// The panel of residuals.
+fn below(x: Axis, residuals: Vec<Point>) -> Panel {
     let arms = residuals.iter().flat_map(|point| {
         let arm = point.y_uncertainty.unwrap_or(0.0);
         [point.y - arm, point.y + arm]
     });
     let (low, high) = around(arms);
-    let zero = Series::line("", style::exact_law(), [(from, 0.0), (to, 0.0)]);
-    let below = Panel {
+    let zero = Series::line("", style::exact_law(), [(x.ends().0, 0.0), (x.ends().1, 0.0)]);
+    Panel {
         x,
         y: Axis::linear("residual / s", low, high),
         series: vec![zero, markers("", residuals)],
         share: 0.38,
-    };
-    let offset = fit.offset.map(|offset| found("δ", offset, "m"));
-    let picture = Picture::new("Period against length", vec![above, below]);
-    picture.with_parameters([found("g", fit.g, "m/s²")].into_iter().chain(offset))
+    }
 }
 
 /// T² of small swings, from where it is zero.

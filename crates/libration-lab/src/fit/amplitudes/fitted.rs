@@ -228,7 +228,7 @@ fn decay(law: &Law<'_>, found: &Found, scale: f64) -> Uncertain {
 /// Factors of variances by the scatter of the rows about a law.
 struct Scale {
     dof: usize,
-    /// Of the rows, without enlargement.
+    /// Factor of the variances of the rows, without enlargement.
     of_row: f64,
     of_covariance: f64,
     rows_per_error: f64,

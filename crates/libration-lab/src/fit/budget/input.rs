@@ -38,6 +38,8 @@ pub enum BudgetInput {
     Stretch,
     /// The coefficient of linear damping.
     Damping,
+    /// Difference of the distances of two knife edges from the centre of mass.
+    CentreOfMass,
 }
 
 impl BudgetInput {
@@ -59,6 +61,7 @@ impl BudgetInput {
         Self::AddedMass,
         Self::Stretch,
         Self::Damping,
+        Self::CentreOfMass,
     ];
 
     /// Name of the input: `length`, `bob radius` and so on.
@@ -81,6 +84,7 @@ impl BudgetInput {
             Self::AddedMass => "added mass",
             Self::Stretch => "stretch",
             Self::Damping => "damping",
+            Self::CentreOfMass => "centre of mass",
         }
     }
 
@@ -88,7 +92,7 @@ impl BudgetInput {
     #[must_use]
     pub fn unit(self) -> &'static str {
         match self {
-            Self::Length | Self::BobRadius | Self::RodLength | Self::Stretch => "m",
+            Self::Length | Self::BobRadius | Self::RodLength | Self::Stretch | Self::CentreOfMass => "m",
             Self::Period => "s",
             Self::Slope => "s^2/m",
             Self::Clock | Self::SharedTiming | Self::Model | Self::AngleScale | Self::AddedMass => "1",
@@ -102,7 +106,7 @@ impl BudgetInput {
     #[must_use]
     pub fn unit_of_sensitivity(self) -> &'static str {
         match self {
-            Self::Length | Self::BobRadius | Self::RodLength | Self::Stretch => "1/s^2",
+            Self::Length | Self::BobRadius | Self::RodLength | Self::Stretch | Self::CentreOfMass => "1/s^2",
             Self::Period => "m/s^3",
             Self::Slope => "m^2/s^4",
             Self::Clock | Self::SharedTiming | Self::Model | Self::AngleScale | Self::AddedMass => "m/s^2",
@@ -112,12 +116,12 @@ impl BudgetInput {
         }
     }
 
-    /// Slot of the input among the values; `None` for the slope of a line, which replaces all of them.
+    /// Slot of the input among the values; `None` for inputs of tables of lengths.
     pub(super) fn place(self, values: &mut Values) -> Option<&mut f64> {
         match self {
             Self::Length => Some(&mut values.length),
             Self::Period => Some(&mut values.t0),
-            Self::Slope => None,
+            Self::Slope | Self::CentreOfMass => None,
             Self::Clock => Some(&mut values.clock),
             Self::SharedTiming => Some(&mut values.shared_timing),
             Self::Model => Some(&mut values.model),

@@ -4,19 +4,38 @@
 //! centre of the bob, moves the line and leaves its slope, and so g, as it is. A bob that is not small bends it: κ/(L + δ) is
 //! added, κ being 2r²/5 for a ball.
 //!
+//! A bar that is turned about several points has T²h = 4π²R²(k² + h²)/g at a distance h from its centre of mass: the period falls up to h = k. Two knife edges
+//! give g by Bessel's formula.
+//!
 //! Weights are *effective variances*, as for [periods against amplitudes](super::periods).
 
+mod bar;
 mod model;
+mod power_law;
+mod reversible;
 mod table;
 mod warning;
 
 pub use model::{LengthFit, LengthModel};
+pub use power_law::PowerLaw;
 pub use table::{LengthColumns, LengthTable};
 pub use warning::LengthsWarning;
 
 use super::budget::{self, BudgetInput, CombinedUncertainty, Contribution, Evaluation};
+use super::cycles::SEPARATED;
 use super::{FitError, Uncertain};
 use libration::quantity::Quantity;
+
+/// Pendulum whose periods a table holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LengthsPendulum {
+    /// A bob on a string or light rod.
+    Simple,
+    /// A bar that is turned about several points.
+    Bar,
+    /// A bar with two knife edges, at distances from the centre of mass between them.
+    Reversible,
+}
 
 /// Known quantities besides the table.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -27,6 +46,10 @@ pub struct LengthsOptions {
     pub clock: Option<f64>,
     /// Standard uncertainties of the periods, in seconds, by what all readings share, such as an observer who stops late: all are off alike.
     pub shared_timing: Option<Vec<f64>>,
+    /// The pendulum; a bar where the periods show it, otherwise a simple one, if `None`.
+    pub pendulum: Option<LengthsPendulum>,
+    /// Distance of the knife edges of a reversible pendulum, in metres; the sum of their distances from the centre of mass if `None`.
+    pub edges: Option<Quantity>,
 }
 
 /// The results of a fit to a table of periods against lengths.
@@ -34,6 +57,10 @@ pub struct LengthsOptions {
 pub struct LengthsFit {
     /// The laws that the rows can determine, simpler ones first.
     pub fits: Vec<LengthFit>,
+    /// The law that g is from.
+    pub preferred: LengthModel,
+    /// T = a·Lⁿ, where the lengths are those of a simple pendulum.
+    pub power_law: Option<PowerLaw>,
     /// κ = 2r²/5 of the bob, in m², where it was given and so is part of every law.
     pub known_gyration: Option<f64>,
     /// The uncertainty of the best g, with the effects that all rows share: clock and bob.
@@ -43,10 +70,11 @@ pub struct LengthsFit {
 }
 
 impl LengthsFit {
-    /// The law with an offset, or without one where the rows do not determine it.
+    /// The preferred law: of a simple pendulum with an offset, or without one where the rows do not determine it; of a bar with the centre of mass
+    /// that is given, unless the rows need another.
     #[must_use]
     pub fn best(&self) -> &LengthFit {
-        self.law(LengthModel::Offset).unwrap_or(&self.fits[0])
+        self.law(self.preferred).unwrap_or(&self.fits[0])
     }
 
     /// The best g with all of its uncertainty, in m/s².
@@ -69,9 +97,32 @@ impl LengthsFit {
 /// uncertainty.
 pub fn lengths(table: &LengthTable, options: &LengthsOptions) -> Result<LengthsFit, FitError> {
     options.check()?;
+    if options.pendulum == Some(LengthsPendulum::Reversible) {
+        return of_reversible(table, options);
+    }
+    let bars = bars(table, options);
+    if let Some((row, length)) = table.negative().filter(|_| bars.is_empty()) {
+        return Err(FitError::LengthOfRow { row, length });
+    }
+    if options.pendulum == Some(LengthsPendulum::Bar) || table.negative().is_some() {
+        return of_bars(table, options, &bars);
+    }
+    let fits = of_strings(table, options);
+    match fits {
+        Ok(fits) if !is_bar(&bars, &fits, table) || options.pendulum.is_some() => {
+            of_simple(table, options, fits)
+        }
+        Ok(_) => of_bars(table, options, &bars),
+        Err(FitError::PeriodsWithoutLength) if !bars.is_empty() => of_bars(table, options, &bars),
+        Err(error) => Err(error),
+    }
+}
+
+/// The laws of a bob on a string.
+fn of_strings(table: &LengthTable, options: &LengthsOptions) -> Result<Vec<LengthFit>, FitError> {
     let radius = options.bob_radius.map(|radius| radius.value);
     let known = radius.map(model::gyration);
-    let free = LengthModel::ALL.into_iter();
+    let free = LengthModel::OF_STRINGS.into_iter();
     // A κ that is known is not free.
     let free = free.filter(|model| known.is_none() || *model != LengthModel::OffsetAndGyration);
     let fits = free.map(|model| model::fit(table, model, radius)).collect::<Result<Vec<_>, _>>()?;
@@ -88,12 +139,83 @@ pub fn lengths(table: &LengthTable, options: &LengthsOptions) -> Result<LengthsF
             None => FitError::EqualLengths,
         });
     }
-    // The same fit as `best` returns.
+    Ok(fits)
+}
+
+fn of_simple(
+    table: &LengthTable,
+    options: &LengthsOptions,
+    fits: Vec<LengthFit>,
+) -> Result<LengthsFit, FitError> {
     let best = fits.iter().find(|fit| fit.model == LengthModel::Offset).unwrap_or(&fits[0]);
-    let combined = options.combined(table, best)?;
-    let mut fit = LengthsFit { fits, known_gyration: known, combined, warnings: vec![] };
+    let (preferred, combined) = (best.model, options.combined(table, best)?);
+    let known_gyration = options.bob_radius.map(|radius| model::gyration(radius.value));
+    let mut fit = LengthsFit {
+        fits,
+        preferred,
+        power_law: power_law::power_law(table),
+        known_gyration,
+        combined,
+        warnings: vec![],
+    };
     fit.warnings = warning::warnings(&fit);
     Ok(fit)
+}
+
+/// The laws of a bar that the rows determine; none where a bob is given.
+fn bars(table: &LengthTable, options: &LengthsOptions) -> Vec<LengthFit> {
+    let is_possible = options.bob_radius.is_none() && options.pendulum != Some(LengthsPendulum::Simple);
+    let laws = LengthModel::OF_BARS.into_iter().filter(|_| is_possible);
+    laws.filter_map(|model| bar::fit(table, model)).collect()
+}
+
+/// The law of a bar: with the centre of mass at zero, unless chance would make as large an improvement by another centre in fewer than one table in a
+/// hundred.
+fn preferred_bar(bars: &[LengthFit]) -> Option<&LengthFit> {
+    let [at_zero, free] = LengthModel::OF_BARS.map(|model| bars.iter().find(|fit| fit.model == model));
+    free.filter(|fit| at_zero.is_none() || fit.p_value.is_some_and(|chance| chance < CHANCE)).or(at_zero)
+}
+
+const CHANCE: f64 = 0.01;
+
+/// Returns whether the rows are those of a bar: the periods fall with the distance at the shortest ones, and Akaike's criterion separates the law from
+/// that of a simple pendulum.
+fn is_bar(bars: &[LengthFit], strings: &[LengthFit], table: &LengthTable) -> bool {
+    let Some(bar) = preferred_bar(bars) else { return false };
+    let offset = bar.offset.map_or(0.0, |offset| offset.value);
+    let shortest = table.rows.iter().map(|row| (row.length + offset).abs()).fold(f64::INFINITY, f64::min);
+    let falls = bar.gyration.is_some_and(|gyration| gyration.value > shortest * shortest);
+    let simple = strings.iter().filter(|fit| fit.model != LengthModel::OffsetAndGyration);
+    let simple = simple.filter_map(|fit| fit.aicc).fold(f64::INFINITY, f64::min);
+    falls && bar.aicc.is_some_and(|aicc| aicc + SEPARATED < simple)
+}
+
+fn of_bars(
+    table: &LengthTable,
+    options: &LengthsOptions,
+    bars: &[LengthFit],
+) -> Result<LengthsFit, FitError> {
+    let best = preferred_bar(bars).ok_or(FitError::NoBar)?;
+    let (preferred, combined) = (best.model, options.combined(table, best)?);
+    let warnings = warning::of_bars(best, combined.standard, options.pendulum.is_none());
+    Ok(LengthsFit {
+        fits: bars.to_vec(),
+        preferred,
+        power_law: None,
+        known_gyration: None,
+        combined,
+        warnings,
+    })
+}
+
+fn of_reversible(table: &LengthTable, options: &LengthsOptions) -> Result<LengthsFit, FitError> {
+    let (fit, mut contributions) = reversible::reversible(table, options.edges)?;
+    contributions.extend(options.of_clock(fit.g.value));
+    let combined =
+        CombinedUncertainty::new(contributions, &[]).map_err(|_| FitError::NoConvergence("the edges"))?;
+    let warnings = warning::of_bars(&fit, combined.standard, false);
+    let preferred = fit.model;
+    Ok(LengthsFit { fits: vec![fit], preferred, power_law: None, known_gyration: None, combined, warnings })
 }
 
 impl LengthsOptions {
@@ -106,6 +228,10 @@ impl LengthsOptions {
             }
         }
         self.clock.filter(|clock| !usable(*clock)).map_or(Ok(()), |clock| Err(FitError::Clock(clock)))
+    }
+
+    fn of_clock(&self, g: f64) -> Option<Contribution> {
+        self.clock.map(|clock| Contribution::judged(BudgetInput::Clock, 1.0, Some(clock), -2.0 * g))
     }
 
     /// The uncertainty of g by the slope of the line, the bob and the clock.
@@ -124,8 +250,6 @@ impl LengthsOptions {
             let sensitivity = budget::derivative(radius.value, radius.value, refitted);
             Contribution::judged(BudgetInput::BobRadius, radius.value, radius.uncertainty, sensitivity)
         });
-        let clock =
-            self.clock.map(|clock| Contribution::judged(BudgetInput::Clock, 1.0, Some(clock), -2.0 * g));
         let shared_timing = self.shared_timing.as_ref().map(|shifts| {
             let mean: f64 = shifts.iter().sum::<f64>() / table.rows.iter().map(|row| row.period).sum::<f64>();
             let refitted = |factor: f64| {
@@ -136,7 +260,8 @@ impl LengthsOptions {
             let sensitivity = budget::derivative(1.0, 1.0, refitted);
             Contribution::judged(BudgetInput::SharedTiming, 1.0, Some(mean), sensitivity)
         });
-        let contributions = [Some(slope), radius, clock, shared_timing].into_iter().flatten().collect();
+        let contributions =
+            [Some(slope), radius, self.of_clock(g), shared_timing].into_iter().flatten().collect();
         CombinedUncertainty::new(contributions, &[]).map_err(|_| FitError::NoConvergence("the bob"))
     }
 }

@@ -27,28 +27,45 @@ pub enum LengthModel {
     Offset,
     /// T² = 4π²R²(L + δ + κ/(L + δ))/g: κ is the moment of inertia of the bob about its centre over its mass.
     OffsetAndGyration,
+    /// T² = 4π²R²(L + κ/L)/g: a bar turned about points at these distances from its centre of mass, κ being the square of its radius of gyration.
+    Bar,
+    /// The same with |L + δ| in place of L: the positions are measured from a mark, and the centre of mass is at −δ.
+    BarOffset,
+    /// The reversible pendulum, by Bessel's formula.
+    Reversible,
 }
 
 impl LengthModel {
-    /// All models, simpler ones first.
-    pub const ALL: [Self; 3] = [Self::Plain, Self::Offset, Self::OffsetAndGyration];
+    /// Laws of a bob on a string, simpler ones first.
+    pub const OF_STRINGS: [Self; 3] = [Self::Plain, Self::Offset, Self::OffsetAndGyration];
+    /// Laws of a bar turned about several points.
+    pub const OF_BARS: [Self; 2] = [Self::Bar, Self::BarOffset];
 
-    /// Name of the model: `plain`, `offset`, `offset+gyration`.
+    /// Returns whether the law is that of a physical pendulum, with κ as large as the squares of the distances.
+    #[must_use]
+    pub fn is_of_bars(self) -> bool {
+        matches!(self, Self::Bar | Self::BarOffset | Self::Reversible)
+    }
+
+    /// Name of the model: `plain`, `offset`, `offset+gyration`, `bar`, `bar+offset`, `reversible`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Plain => "plain",
             Self::Offset => "offset",
             Self::OffsetAndGyration => "offset+gyration",
+            Self::Bar => "bar",
+            Self::BarOffset => "bar+offset",
+            Self::Reversible => "reversible",
         }
     }
 
     /// Number of free parameters.
-    fn parameters(self) -> usize {
+    pub(super) fn parameters(self) -> usize {
         match self {
             Self::Plain => 1,
-            Self::Offset => 2,
-            Self::OffsetAndGyration => 3,
+            Self::Offset | Self::Bar | Self::Reversible => 2,
+            Self::OffsetAndGyration | Self::BarOffset => 3,
         }
     }
 }
@@ -62,7 +79,7 @@ pub struct LengthFit {
     pub g: Uncertain,
     /// δ, in metres, to be added to the lengths given.
     pub offset: Option<Uncertain>,
-    /// κ, in m²; 2r²/5 for a ball.
+    /// κ, in m²; 2r²/5 for a ball, and k² of a bar.
     pub gyration: Option<Uncertain>,
     /// Correlation coefficient of g and δ.
     pub correlation: Option<f64>,
@@ -108,10 +125,17 @@ impl LengthFit {
 }
 
 /// An unfinished solution: coefficients of L (with the known term of the bob), 1 and 1/L.
-struct Solution {
-    coefficients: Vec<f64>,
-    covariance: DMatrix<f64>,
-    variances: Vec<f64>,
+pub(super) struct Solution {
+    pub(super) coefficients: Vec<f64>,
+    pub(super) covariance: DMatrix<f64>,
+    pub(super) variances: Vec<f64>,
+}
+
+/// Free parameters besides g, and the correlation of g and δ.
+struct Estimates {
+    offset: Option<Uncertain>,
+    gyration: Option<Uncertain>,
+    correlation: Option<f64>,
 }
 
 /// Fits a law to the table, with the bob where its radius is known; `None` where there are too few rows, or the rows do not determine it.
@@ -233,11 +257,47 @@ impl Solution {
         known: f64,
         offset: f64,
     ) -> Option<LengthFit> {
-        let (rows, width) = (&table.rows, self.coefficients.len());
+        let width = self.coefficients.len();
         let fitted = |row: &Row| -> f64 {
             columns(row, width, known, offset).iter().zip(&self.coefficients).map(|(x, c)| x * c).sum()
         };
-        let left: Vec<f64> = rows.iter().map(|row| row.square() - fitted(row)).collect();
+        let fitted: Vec<f64> = table.rows.iter().map(fitted).collect();
+        self.with_estimates(table, model, &fitted, |unit| Estimates {
+            offset: (width > 1).then(|| self.quotient(Some(1), unit)),
+            gyration: (width > 2).then(|| self.quotient(Some(2), unit)),
+            correlation: (width > 1).then(|| self.correlation()),
+        })
+    }
+
+    /// The fit of a bar, whose coefficients are 1/g, κ/g and δ itself, with (T/2πR)² by the law.
+    pub(super) fn described_bar(
+        &self,
+        table: &LengthTable,
+        model: LengthModel,
+        fitted: &[f64],
+    ) -> Option<LengthFit> {
+        let offset = |unit: f64| Uncertain {
+            value: self.coefficients[2],
+            uncertainty: (unit * self.covariance[(2, 2)]).sqrt(),
+        };
+        let correlation =
+            || -self.covariance[(0, 2)] / (self.covariance[(0, 0)] * self.covariance[(2, 2)]).sqrt();
+        self.with_estimates(table, model, fitted, |unit| Estimates {
+            offset: (model == LengthModel::BarOffset).then(|| offset(unit)),
+            gyration: Some(self.quotient(Some(1), unit)),
+            correlation: (model == LengthModel::BarOffset).then(correlation),
+        })
+    }
+
+    fn with_estimates(
+        &self,
+        table: &LengthTable,
+        model: LengthModel,
+        fitted: &[f64],
+        estimates: impl FnOnce(f64) -> Estimates,
+    ) -> Option<LengthFit> {
+        let (rows, width) = (&table.rows, self.coefficients.len());
+        let left: Vec<f64> = rows.iter().zip(fitted).map(|(row, fitted)| row.square() - fitted).collect();
         let chi2: f64 = left.iter().zip(&self.variances).map(|(r, v)| r * r / v).sum();
         let dof = rows.len() - width;
         let per_dof = (dof > 0).then(|| chi2 / count(dof));
@@ -252,12 +312,13 @@ impl Solution {
         let to_seconds = |row: &Row| 2.0 * PI * PI * row.ratio * row.ratio / row.period;
         let deviations =
             self.variances.iter().zip(rows).map(|(v, row)| (v * of_row).sqrt() * to_seconds(row));
+        let estimates = estimates(unit);
         Some(LengthFit {
             model,
             g: self.quotient(None, unit),
-            offset: (width > 1).then(|| self.quotient(Some(1), unit)),
-            gyration: (width > 2).then(|| self.quotient(Some(2), unit)),
-            correlation: (width > 1).then(|| self.correlation()),
+            offset: estimates.offset,
+            gyration: estimates.gyration,
+            correlation: estimates.correlation,
             chi2: stated,
             dof,
             aicc: aicc(chi2, rows.len(), width, table.weighted),

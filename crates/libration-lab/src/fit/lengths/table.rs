@@ -6,7 +6,7 @@ use libration::quantity::Quantity;
 /// Periods against lengths. Lengths are metres, periods seconds, amplitudes radians.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct LengthColumns<'a> {
-    /// Distances from the pivot to some mark that is fixed to the bob.
+    /// Distances from the pivot to some mark that is fixed to the bob; of a bar positions of the pivots, which may be negative.
     pub lengths: &'a [f64],
     /// Full periods.
     pub periods: &'a [f64],
@@ -43,7 +43,7 @@ impl LengthTable {
     /// Checks these columns, and returns them as a table.
     ///
     /// # Errors
-    /// Fails for columns of different lengths, a length or a period that is not positive, an unusable uncertainty, and an amplitude
+    /// Fails for columns of different lengths, a length that is zero or a period that is not positive, an unusable uncertainty, and an amplitude
     /// of π or more.
     pub fn new(columns: &LengthColumns<'_>) -> Result<Self, FitError> {
         let expected = columns.lengths.len();
@@ -116,6 +116,12 @@ impl LengthTable {
         self.rows.is_empty()
     }
 
+    /// The first row whose length is negative, counted from one, with that length.
+    pub(super) fn negative(&self) -> Option<(usize, f64)> {
+        let negative = self.rows.iter().position(|row| row.length < 0.0)?;
+        Some((negative + 1, self.rows[negative].length))
+    }
+
     /// The periods of small swings at these lengths, T/R, in seconds.
     pub fn small_angle_periods(&self) -> impl Iterator<Item = f64> {
         self.rows.iter().map(|row| row.period / row.ratio)
@@ -133,7 +139,7 @@ impl Row {
         let row = index + 1;
         let usable = |x: f64| x > 0.0 && x.is_finite();
         let (length, period) = (columns.lengths[index], columns.periods[index]);
-        if !usable(length) {
+        if !usable(length.abs()) {
             return Err(FitError::LengthOfRow { row, length });
         }
         if !usable(period) {

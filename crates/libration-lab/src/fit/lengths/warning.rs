@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::{LengthFit, LengthModel, LengthsFit};
+use crate::fit::Uncertain;
 use crate::fit::gravity::{GRAVITY_ON_EARTH, is_nowhere_on_earth};
 use crate::fit::mistake::GravityMistake;
 use crate::fit::scatter::{Scatter, ScatterWarning};
@@ -29,6 +30,11 @@ pub enum LengthsWarning {
     Scatter(ScatterWarning),
     /// The offset is more than ten radii of the bob.
     OffsetLargerThanBob,
+    /// The periods are those of a bar turned about several points: they fall with the distance from the centre of mass up to this one, in m.
+    PhysicalPendulum {
+        /// Radius of gyration.
+        gyration: f64,
+    },
     /// g is found nowhere on Earth, by [more than three](crate::fit::is_nowhere_on_earth) of its uncertainties.
     NowhereOnEarth {
         /// The mistake that explains it.
@@ -45,6 +51,7 @@ impl LengthsWarning {
             Self::Bent { .. } => "bent",
             Self::Scatter(warning) => warning.name(),
             Self::OffsetLargerThanBob => "offset_larger_than_bob",
+            Self::PhysicalPendulum { .. } => "physical_pendulum",
             Self::NowhereOnEarth { .. } => "gravity_contradicted",
         }
     }
@@ -69,6 +76,12 @@ impl fmt::Display for LengthsWarning {
             Self::OffsetLargerThanBob => {
                 f.write_str("the offset is much larger than the bob: check the unit of the lengths")
             }
+            Self::PhysicalPendulum { gyration } => write!(
+                f,
+                "the periods fall with the distance from the centre of mass up to {:.1} mm and rise beyond: they are those of a bar turned \
+                 about several points, T²h = 4π²(k² + h²)/g, and not of a simple pendulum",
+                1e3 * gyration
+            ),
             Self::NowhereOnEarth { mistake } => {
                 let [least, greatest] = GRAVITY_ON_EARTH.map(|bound| rounded(bound, 3));
                 write!(f, "gravity is {least} to {greatest} m/s² on Earth: ")?;
@@ -93,7 +106,22 @@ pub(super) fn warnings(fit: &LengthsFit) -> Vec<LengthsWarning> {
         bent.filter(|fit| by_chance(Some(fit)) < NEEDED).map(bend),
         scatter.and_then(|scatter: Scatter| scatter.warning("the offset")).map(LengthsWarning::Scatter),
         offset_larger_than_bob(fit),
-        nowhere_on_earth(fit),
+        nowhere_on_earth(fit.gravity()),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+/// Warnings about a bar whose g has this uncertainty, gravity last.
+pub(super) fn of_bars(fit: &LengthFit, uncertainty: f64, is_inferred: bool) -> Vec<LengthsWarning> {
+    let gyration = fit.gyration.map_or(0.0, |gyration| gyration.value.sqrt());
+    let scatter = fit.scatter().and_then(|scatter: Scatter| scatter.warning("the centre of mass"));
+    let gravity = Uncertain { value: fit.g.value, uncertainty };
+    [
+        is_inferred.then_some(LengthsWarning::PhysicalPendulum { gyration }),
+        scatter.map(LengthsWarning::Scatter),
+        nowhere_on_earth(gravity),
     ]
     .into_iter()
     .flatten()
@@ -116,8 +144,7 @@ fn offset_larger_than_bob(fit: &LengthsFit) -> Option<LengthsWarning> {
     (offset.abs() > RADII_OF_OFFSET * radius).then_some(LengthsWarning::OffsetLargerThanBob)
 }
 
-fn nowhere_on_earth(fit: &LengthsFit) -> Option<LengthsWarning> {
-    let gravity = fit.gravity();
+fn nowhere_on_earth(gravity: Uncertain) -> Option<LengthsWarning> {
     let mistake = GravityMistake::explaining(gravity, GravityMistake::anywhere_on_earth());
     is_nowhere_on_earth(gravity).then_some(LengthsWarning::NowhereOnEarth { mistake })
 }

@@ -134,7 +134,8 @@ pub(super) fn of_turning<'a>() -> Fields<Turning<'a>> {
         ),
         Of::number("quality", "1", "2πE/ΔE of the undamped cycle at that amplitude", |it| {
             quality_at(it.decay, &it.row.turn.point.amplitude)
-        }),
+        })
+        .only_json(),
     ])
 }
 

@@ -24,8 +24,8 @@ pub(crate) use fields::answers;
   libration fit amplitudes examples/amplitudes_synthetic.csv
   libration fit amplitudes examples/amplitudes_synthetic.csv --model linear \\
     --figure amplitudes.svg
-  libration fit amplitudes examples/amplitudes_synthetic.csv --against time \\
-    --columns time,amplitude --period 1.42s --json
+  libration fit amplitudes examples/amplitudes_synthetic.csv --columns 1,2 \\
+    --period 1.42s --json
 
 The energy falls at its mean rate over an undamped cycle, exact at any amplitude.
 Q is ω0/c for linear damping, where A falls as exp(-ct/2); for other laws

@@ -32,6 +32,7 @@ impl Answer<'_> {
             LengthsWarning::NowhereOnEarth { mistake: Some(GravityMistake::TenSwingsAsOne) } => {
                 format!("{warning} (--swings-per-reading 10, --length-unit)")
             }
+            LengthsWarning::PhysicalPendulum { .. } => format!("{warning} (--model simple to fit that)"),
             LengthsWarning::Bent { radius: Some(_) } => format!("{warning} (--bob-radius)"),
             LengthsWarning::OffsetLargerThanBob => format!("{warning} (--length-unit)"),
             _ => warning.to_string(),
@@ -52,7 +53,21 @@ impl Answer<'_> {
 
     /// The offset of the law that is preferred, or what keeps it open.
     fn offset(&self) -> Result<Uncertain, String> {
-        self.fit.best().offset.ok_or_else(|| "the rows do not determine an offset".to_owned())
+        self.fit.best().offset.ok_or_else(|| match self.fit.best().model.is_of_bars() {
+            true => "the positions are measured from the centre of mass".to_owned(),
+            false => "the rows do not determine an offset".to_owned(),
+        })
+    }
+
+    /// k of a bar.
+    pub(super) fn radius_of_gyration(&self) -> Result<Uncertain, String> {
+        let best = self.fit.best();
+        let square = best.gyration.filter(|_| best.model.is_of_bars());
+        let radius = |square: Uncertain| {
+            let value = square.value.sqrt();
+            Uncertain { value, uncertainty: 0.5 * square.uncertainty / value }
+        };
+        square.map(radius).ok_or_else(|| "not fitted by this law".to_owned())
     }
 }
 
@@ -78,6 +93,18 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
         Of::known("offset_uncertainty_m", "m", "standard uncertainty of that length, or null", |it| {
             it.offset().map(|offset| offset.uncertainty)
         }),
+        Of::known("radius_of_gyration_m", "m", "k of a bar about its centre of mass, or null", |it| {
+            it.radius_of_gyration().map(|radius| radius.value)
+        }),
+        Of::known("radius_of_gyration_uncertainty_m", "m", "standard uncertainty of k, or null", |it| {
+            it.radius_of_gyration().map(|radius| radius.uncertainty)
+        }),
+        Of::known("exponent", "1", "n of T = a·Lⁿ, 1/2 of a simple pendulum, or null", |it| {
+            it.fit.power_law.map(|law| law.exponent.value).ok_or_else(|| NO_POWER.to_owned())
+        }),
+        Of::known("exponent_uncertainty", "1", "standard uncertainty of n, or null", |it| {
+            it.fit.power_law.map(|law| law.exponent.uncertainty).ok_or_else(|| NO_POWER.to_owned())
+        }),
         Of::nested("laws[].", &of_law(), |it| of_law().records(&it.fit.fits)),
     ]);
     let warnings = warnings::fields(
@@ -89,6 +116,8 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
         scatter::enlargement_field(|it: &Answer<'a>| Some(scatter::enlargement(it.fit.best().scatter()))),
     ])
 }
+
+const NO_POWER: &str = "a bar does not follow a power law, or there are fewer than three rows";
 
 const OFFSET: &str = "length to be added to all measured ones, or null";
 const COLUMNS: [&str; 8] = ["law", "g / m/s²", "± / m/s²", "δ / mm", "± / mm", "χ²/dof", "AICc", "by chance"];

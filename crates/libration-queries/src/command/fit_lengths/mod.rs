@@ -7,11 +7,13 @@ mod write;
 use crate::figure;
 use crate::output::groups::{self, Groups};
 use crate::output::{FormOptions, announce};
-use crate::query_error::QueryError;
+use crate::query_error::{QueryError, option};
 use fields::Answer;
 use input::{Input, LengthFile};
 use libration::quantity::Quantity;
-use libration_lab::fit::{self, BudgetInput, Contribution, LengthTable, LengthsFit, LengthsOptions};
+use libration_lab::fit::{
+    self, BudgetInput, Contribution, LengthTable, LengthsFit, LengthsOptions, LengthsPendulum,
+};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -28,16 +30,27 @@ pub(crate) use fields::answers;
   libration fit lengths examples/class/groups.csv --clock 0.1%
   libration fit lengths examples/lengths_synthetic.csv --bob-radius 25mm --json
   libration fit lengths examples/class/ten_swings.csv --role 4=ignore
+  libration fit lengths examples/bar_synthetic.csv --figure bar.svg
+  libration fit lengths examples/reversible_synthetic.csv --model reversible \\
+    --edges 0.9935m±0.0001m
 
 T² = 4π²R²(L + δ)/g is fitted by weighted least squares, where R = T/T0 at the
 amplitude. A string measured without its bob gives an offset δ and leaves g
-unbiased.")]
+unbiased. A bar has T²h = 4π²R²(k² + h²)/g at a distance h = |L + δ| from its
+centre of mass, and a reversible pendulum 8π²/g = (T1² + T2²)/(h1 + h2) +
+(T1² − T2²)/(h1 − h2) (Bessel), h1 + h2 being the distance of the edges.")]
 pub(crate) struct FitLengths {
     #[command(flatten)]
     input: Input,
     /// Radius of the bob, a sphere, whose moment of inertia is then part of every law; without it a radius of gyration is fitted
     #[arg(long, value_name = "LENGTH", value_parser = crate::arguments::length_with_uncertainty)]
     bob_radius: Option<Quantity>,
+    /// The pendulum: simple, a bar turned about points at these distances from its centre of mass or positions on a scale along it, or reversible with two knife edges [default: a bar where the periods show it, else simple]
+    #[arg(long, value_enum)]
+    model: Option<Model>,
+    /// Distance of the knife edges of a reversible pendulum [default: the sum of their distances from the centre of mass]
+    #[arg(long, value_name = "LENGTH", value_parser = crate::arguments::length_with_uncertainty)]
+    edges: Option<Quantity>,
     /// Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have been taken for 30
     #[arg(long, value_name = "PART", value_parser = crate::arguments::part)]
     clock: Option<f64>,
@@ -50,7 +63,36 @@ pub(crate) struct FitLengths {
     form: FormOptions,
 }
 
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Model {
+    Simple,
+    Bar,
+    Reversible,
+}
+
+impl Model {
+    fn pendulum(self) -> LengthsPendulum {
+        match self {
+            Self::Simple => LengthsPendulum::Simple,
+            Self::Bar => LengthsPendulum::Bar,
+            Self::Reversible => LengthsPendulum::Reversible,
+        }
+    }
+}
+
 impl FitLengths {
+    /// Refuses options that the model does not use.
+    fn check(&self) -> Result<(), QueryError> {
+        let is_reversible = self.model == Some(Model::Reversible);
+        if self.edges.is_some() && !is_reversible {
+            return Err(QueryError::usage(option("edges"), "it belongs to <--model=reversible>"));
+        }
+        if self.bob_radius.is_some() && !matches!(self.model, None | Some(Model::Simple)) {
+            return Err(QueryError::usage(option("bob-radius"), "a bar has no bob: leave it out"));
+        }
+        Ok(())
+    }
+
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let table = self.input.read()?;
         let radius = self.bob_radius.map(|radius| radius.value);
@@ -58,7 +100,10 @@ impl FitLengths {
             bob_radius: self.bob_radius,
             clock: self.clock,
             shared_timing: table.shared_timing.clone(),
+            pendulum: self.model.map(Model::pendulum),
+            edges: self.edges,
         };
+        self.check()?;
         let fitted =
             |table: &LengthTable| fit::lengths(table, &options).map_err(|error| self.input.no_answer(error));
         let fit = fitted(&table.measured.table)?;

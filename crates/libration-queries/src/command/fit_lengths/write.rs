@@ -6,6 +6,7 @@ use crate::output::json;
 use crate::output::table::{sheet, write_text};
 use crate::output::{self, Form, number};
 use crate::query_error::QueryError;
+use libration_lab::fit::Uncertain;
 use std::io::{self, Write};
 
 /// The name of the warning that belongs beside gravity.
@@ -41,6 +42,19 @@ impl Answer<'_> {
         Ok(())
     }
 
+    /// The centre of mass and the radius of gyration of a bar.
+    fn of_bar(&self) -> Vec<(&'static str, String)> {
+        let metres = |it: Uncertain| number::with_uncertainty(it.value, it.uncertainty, "m");
+        let centre = self.fit.best().offset.map(|offset| Uncertain { value: -offset.value, ..offset });
+        let text = |centre| format!("{}  (of the scale of the positions)", metres(centre));
+        let centre = centre.map(|centre| ("centre of mass", text(centre)));
+        let radius = self.radius_of_gyration().ok();
+        let radius = radius.map(|radius| {
+            ("k, gyration", format!("{}  (the period is least at this distance)", metres(radius)))
+        });
+        centre.into_iter().chain(radius).collect()
+    }
+
     fn lines(&self) -> Vec<(&'static str, String)> {
         let best = self.fit.best();
         let dropped = self.table.dropped;
@@ -61,10 +75,17 @@ impl Answer<'_> {
         }
         let contradicted = self.warnings().into_iter().filter(|(name, _)| *name == CONTRADICTED);
         lines.extend(contradicted.map(|(_, doubt)| ("warning", doubt)));
-        if let Some(offset) = best.offset {
+        if best.model.is_of_bars() {
+            lines.extend(self.of_bar());
+        } else if let Some(offset) = best.offset {
             let millimetres = [offset.value, offset.uncertainty].map(|metres| 1e3 * metres);
             let text = number::with_uncertainty(millimetres[0], millimetres[1], "mm");
             lines.push(("δ, offset", format!("{text}  (to be added to the lengths)")));
+        }
+        if let Some(law) = self.fit.power_law {
+            let seconds = number::with_uncertainty(law.factor.value, law.factor.uncertainty, "s");
+            let text = format!("{}  (T = a·Lⁿ with a = {seconds}; 1/2 of a simple pendulum)", law.exponent);
+            lines.push(("exponent n", text));
         }
         if let Some(correlation) = best.correlation {
             lines.push(("correlation", format!("{} between g and δ", number::rounded(correlation, 3))));

@@ -1,0 +1,139 @@
+//! The reversible pendulum by Bessel's formula.
+//!
+//! 8π²/g = (T1² + T2²)/(h1 + h2) + (T1² − T2²)/(h1 − h2), where h1 and h2 are the distances of both knife edges from the centre of mass between them. The sum
+//! is the distance of the edges, which is measured directly; the difference needs the centre of mass, and enters with a small factor only where the
+//! periods are nearly equal.
+//!
+//! Reference: F. W. Bessel, *Untersuchungen über die Länge des einfachen Secundenpendels*, Abh. Akad. Wiss. Berlin 1826.
+
+use std::f64::consts::PI;
+
+use super::model::{LengthFit, LengthModel};
+use super::table::{LengthTable, Row};
+use crate::fit::budget::{BudgetInput, Contribution, Evaluation};
+use crate::fit::{FitError, Uncertain};
+use libration::quantity::Quantity;
+
+/// The difference of the distances counts as known where its uncertainty is below this part of it: the second term is then linear in it to a few per
+/// cent.
+const KNOWN: f64 = 0.2;
+
+/// Computes g by the two distances of the table from the centre of mass, each with one or more periods, and the distance of the edges, for which the sum
+/// of both is taken if it is not given.
+///
+/// # Errors
+/// Fails for other than two distances, for periods without uncertainties, and for distances whose difference is not known.
+pub(super) fn reversible(
+    table: &LengthTable,
+    edges: Option<Quantity>,
+) -> Result<(LengthFit, Vec<Contribution>), FitError> {
+    let mut lengths: Vec<f64> = table.rows.iter().map(|row| row.length.abs()).collect();
+    lengths.sort_by(f64::total_cmp);
+    lengths.dedup();
+    let &[near, far] = &lengths[..] else { return Err(FitError::KnifeEdges { found: lengths.len() }) };
+    if !table.is_weighted() {
+        return Err(FitError::KnifeEdgePeriods);
+    }
+    let sides = [far, near].map(|length| Side::of(table, length));
+    let [first, second] = &sides;
+    let (difference, of_difference) =
+        (far - near, libm::hypot(first.length_uncertainty, second.length_uncertainty));
+    if of_difference > KNOWN * difference {
+        return Err(FitError::CentreOfMass { difference, uncertainty: of_difference });
+    }
+    let (sum, of_sum) = match edges {
+        Some(Quantity { value, uncertainty }) => (value, uncertainty.unwrap_or(0.0)),
+        None => (far + near, of_difference),
+    };
+    if !(sum > 0.0 && sum.is_finite() && (0.0..f64::INFINITY).contains(&of_sum)) {
+        return Err(FitError::Length { value: sum, uncertainty: of_sum });
+    }
+    let terms = [(first.square + second.square) / sum, (first.square - second.square) / difference];
+    let gravity = 8.0 * PI * PI / (terms[0] + terms[1]);
+    // dg = −g²/8π² d(terms), 1/g being y/h of a simple pendulum.
+    let factor = gravity * gravity / (8.0 * PI * PI);
+    let of_periods = libm::hypot(
+        (1.0 / sum + 1.0 / difference) * first.square_uncertainty,
+        (1.0 / sum - 1.0 / difference) * second.square_uncertainty,
+    );
+    let change = |input, value, uncertainty: f64, part: f64| {
+        let sensitivity = if uncertainty > 0.0 { factor * part / uncertainty } else { 0.0 };
+        Contribution::judged(input, value, Some(uncertainty), sensitivity)
+    };
+    let of_periods = Contribution {
+        evaluation: Evaluation::Statistics,
+        ..change(BudgetInput::Slope, 1.0 / gravity, of_periods / (8.0 * PI * PI), -of_periods)
+    };
+    let of_distances = match edges {
+        Some(_) => vec![
+            change(BudgetInput::Length, sum, of_sum, terms[0] * of_sum / sum),
+            change(
+                BudgetInput::CentreOfMass,
+                difference,
+                of_difference,
+                terms[1] * of_difference / difference,
+            ),
+        ],
+        // Sum and difference are of the same two distances, and one input together.
+        None => {
+            let [first, second] = [
+                (terms[0] / sum + terms[1] / difference) * first.length_uncertainty,
+                (terms[0] / sum - terms[1] / difference) * second.length_uncertainty,
+            ];
+            vec![change(BudgetInput::Length, sum, of_sum, libm::hypot(first, second))]
+        }
+    };
+    let contributions: Vec<Contribution> = [vec![of_periods], of_distances].concat();
+    let square: f64 = contributions.iter().map(|it| it.change() * it.change()).sum();
+    let gravity = Uncertain { value: gravity, uncertainty: square.sqrt() };
+    Ok((described(table, gravity), contributions))
+}
+
+/// The fit with the radius of gyration that the periods about the far edge give, and the residuals of single periods.
+fn described(table: &LengthTable, gravity: Uncertain) -> LengthFit {
+    let rows = &table.rows;
+    let far = rows.iter().map(|row| row.length.abs()).fold(0.0, f64::max);
+    let square = Side::of(table, far).square / (4.0 * PI * PI);
+    let gyration = gravity.value * square * far - far * far;
+    let residual = |row: &Row| {
+        let height = row.length.abs();
+        row.period - 2.0 * PI * row.ratio * ((height + gyration / height) / gravity.value).sqrt()
+    };
+    LengthFit {
+        model: LengthModel::Reversible,
+        g: gravity,
+        offset: None,
+        gyration: None,
+        correlation: None,
+        chi2: None,
+        dof: 0,
+        aicc: None,
+        p_value: None,
+        residuals: rows.iter().map(residual).collect(),
+        standard_deviations: rows.iter().map(|row| row.period_uncertainty).collect(),
+    }
+}
+
+/// The weighted mean of T² of small swings about one edge.
+struct Side {
+    square: f64,
+    square_uncertainty: f64,
+    length_uncertainty: f64,
+}
+
+impl Side {
+    fn of(table: &LengthTable, length: f64) -> Self {
+        let rows = || table.rows.iter().filter(|row| row.length.abs().total_cmp(&length).is_eq());
+        let square = |row: &Row| row.period * row.period / (row.ratio * row.ratio);
+        let weight = |row: &Row| {
+            let uncertainty = 2.0 * square(row) * row.period_uncertainty / row.period;
+            1.0 / (uncertainty * uncertainty)
+        };
+        let weights: f64 = rows().map(weight).sum();
+        Self {
+            square: rows().map(|row| weight(row) * square(row)).sum::<f64>() / weights,
+            square_uncertainty: 1.0 / weights.sqrt(),
+            length_uncertainty: rows().map(|row| row.length_uncertainty).fold(0.0, f64::max),
+        }
+    }
+}
