@@ -38,6 +38,17 @@ test("the photogate times several swings of a damped pendulum as the crossings o
     assert.equal(await gated(room), `${(events[4].time_s - events[0].time_s).toFixed(2)} s`);
   }));
 
+test("a wrong number of swings is refused, and nothing is timed", () =>
+  visit("pendulum?angle=60deg&length=30cm&gate=yes&speed=4&t=0", async (room) => {
+    await gate(room).getByLabel("Swings").fill("1.5");
+    assert.match(await gate(room).textContent(), /a whole number of swings/);
+    await run(room);
+    await room.waitForTimeout(1500);
+    assert.equal(await display(gate(room)), "–");
+    await gate(room).getByLabel("Swings").fill("1");
+    assert.match(await gated(room), /^1\.179 s$/);
+  }));
+
 test("dry friction stops the pendulum where the command stops it", () =>
   visit("pendulum?angle=20deg&t=30", async (room) => {
     await room.getByText("Friction and mass").click();
@@ -83,6 +94,7 @@ async function lies(room) {
 test("the ruler has the scale of the pendulum, and moves by mouse and keys", () =>
   visit("pendulum?angle=0&length=0.8m&ruler=yes&t=0", async (room) => {
     const start = await lies(room);
+    assert.match(await room.locator(".ruler").getAttribute("aria-label"), /^Ruler: it reads 0.8 m /);
     const bench = await room.locator("canvas.stage").boundingBox();
     // Its zero, 12 px below its upper edge, lies at the pivot.
     assert.ok(Math.abs(start.y + 12 - (bench.y + bench.height / 2)) <= 1.5, `${start.y}`);
@@ -91,6 +103,10 @@ test("the ruler has the scale of the pendulum, and moves by mouse and keys", () 
     await room.mouse.move(start.x - 80, start.y + 90, { steps: 3 });
     await room.mouse.up();
     assert.deepEqual(await lies(room), { x: start.x - 100, y: start.y + 30 });
+    // 1 m is the radius of the circle of marks, so that the ruler reads less by the px that it was lowered.
+    const radius = (await room.locator(".ruler").boundingBox()).height - 2 - 24;
+    const said = /reads (\S+) m where/.exec(await room.locator(".ruler").getAttribute("aria-label"))[1];
+    assert.ok(Math.abs(Number(said) - (0.8 - 30 / radius)) <= 0.0051, `${said} for ${radius} px`);
     await room.locator(".ruler").focus();
     for (const key of ["ArrowRight", "ArrowUp", "Shift+ArrowUp"]) await room.keyboard.press(key);
     assert.deepEqual(await lies(room), { x: start.x - 90, y: start.y + 19 });

@@ -90,7 +90,6 @@ function drawMarks(context: CanvasRenderingContext2D, { x, y, radius }: Frame, {
   context.stroke();
   context.setLineDash([]);
   context.font = letters;
-  context.textAlign = "center";
   context.textBaseline = "middle";
   for (let degrees = -175; degrees <= 180; degrees += 5) {
     const [sin, cos] = [Math.sin((degrees * Math.PI) / 180), Math.cos((degrees * Math.PI) / 180)];
@@ -103,8 +102,12 @@ function drawMarks(context: CanvasRenderingContext2D, { x, y, radius }: Frame, {
     context.stroke();
     context.fillStyle = all.quiet;
     // The photogate stands where the lowest mark has its name.
-    if (isNamed && (degrees !== 0 || gate === undefined)) context.fillText(markName(degrees, unit), x + (radius + 17) * sin, y + (radius + 15) * cos);
+    if (isNamed && (degrees !== 0 || gate === undefined)) {
+      context.textAlign = Math.abs(sin) < 0.1 ? "center" : sin > 0 ? "left" : "right";
+      context.fillText(markName(degrees, unit), x + (radius + 6) * sin, y + (radius + 4 + 0.8 * parseFloat(letters)) * cos);
+    }
   }
+  context.textAlign = "center";
 }
 
 const FRACTIONS: Readonly<Record<number, string>> = { 0: "0", 30: "π/6", 60: "π/3", 90: "π/2", 120: "2π/3", 150: "5π/6", 180: "π" };

@@ -53,6 +53,7 @@ export class Gate {
     this.#into = button(words.into, () => into(this.#wanted, this.#reading.textContent.replace(" s", "")), { disabled: true });
     this.element = element("div", { class: "card", role: "group", "aria-label": words.title }, element("h2", {}, words.title), this.#reading, this.#count, this.#swings.element, this.#resolution.element, this.#into);
     for (const field of [this.#swings, this.#resolution]) field.onChange(() => this.clear());
+    this.#swings.onChange(() => this.#swings.refuse(this.#wanted > 0 ? "" : text.pendulum.instruments.stopwatch.wrongSwings));
   }
 
   /** `true` if the beam is interrupted now. */
@@ -84,12 +85,14 @@ export class Gate {
     this.clear();
   }
 
+  /** The number of swings to be timed; zero if the entry is wrong. */
   get #wanted(): number {
     const wanted = Number(this.#swings.value);
-    return Number.isInteger(wanted) && wanted > 0 && wanted < 1000 ? wanted : 1;
+    return Number.isInteger(wanted) && wanted > 0 && wanted < 1000 ? wanted : 0;
   }
 
   #pass(time: number): void {
+    if (this.#wanted === 0) return;
     this.#times.push(time);
     if (this.#times.length !== 2 * this.#wanted + 1) return;
     this.#reading.textContent = `${(time - (this.#times[0] ?? time)).toFixed(Number(this.#resolution.value))} s`;
@@ -99,6 +102,6 @@ export class Gate {
   }
 
   #show(): void {
-    this.#count.textContent = words.passages(this.#times.length, 2 * this.#wanted + 1);
+    this.#count.textContent = this.#wanted === 0 ? "" : words.passages(this.#times.length, 2 * this.#wanted + 1);
   }
 }

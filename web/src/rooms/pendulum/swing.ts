@@ -289,7 +289,7 @@ export class Swing {
     this.#showWindow(motion, course);
     const angles = this.#ghosts.map((ghost) => ghost.angles(time, 0, 1)[0] ?? NaN);
     const frame = this.#stage.show(this.#scene(place, this.#traced(course, time), this.#ghosts.map(({ colour }, n) => ({ colour, angle: angles[n] ?? NaN }))));
-    this.#ruler.fit(frame);
+    this.#ruler.fit(frame, this.#length);
     this.#graphs.mark(time, place, angles);
     this.#readouts.now(time);
     this.#stopwatch.follow(time);

@@ -75,7 +75,7 @@ export const pendulum = {
       passages: (count: number, wanted: number) => `${count} of ${wanted} passages`,
     },
     stopwatch: { title: "Stopwatch", start: "Start", stop: "Stop", zero: "Zero", wrongSwings: "a whole number of swings" },
-    ruler: { name: "Ruler with its zero at the pivot: arrow keys move it by 10 px, with Shift by 1 px" },
+    ruler: { name: "Arrow keys move the ruler by 10 px, with Shift by 1 px.", reads: (metres: string) => `Ruler: it reads ${metres} m where the bob hangs at rest.` },
   },
   presets: [
     { name: "Small: 5°", angle: "5deg" },
@@ -186,6 +186,8 @@ export const pendulum = {
     share: (input: string, share: string) => `${share} of the variance comes from the ${input}.`,
     beta: (value: string, error: string) => `The growth of the period with the amplitude is ${value} ± ${error} times that of the exact law.`,
     noTrials: "No trial has an amplitude, a length and a time.",
+    leftOut: (count: number) => `${count === 1 ? "1 trial" : `${count} trials`} without amplitude or length left out.`,
+    tooLong: (rows: number, readings: number) => `The table holds ${rows} trials with ${readings} readings each: the rest is left out.`,
     oneLength: "Use one length for all trials, or three or more.",
     noGravity: "These trials do not determine g.",
     laboratory: "Open the table in the laboratory",
