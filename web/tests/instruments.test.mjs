@@ -28,6 +28,18 @@ for (const [speed, digits] of [["1", 4], ["20", 4]]) {
     }));
 }
 
+test("the photogate reads the period of a rotation, and nothing where it cannot follow", () =>
+  visit("pendulum?angle=0&velocity=9rad/s&gate=yes&t=0", async (room) => {
+    const { period_s: period } = answer("motion", "0", "--velocity", "9rad/s", "--times", "0");
+    await run(room);
+    assert.equal(await gated(room), `${period.toFixed(3)} s`);
+    await visit("pendulum?angle=60deg&length=1e-13m&gate=yes&t=0", async (fast) => {
+      await run(fast);
+      await fast.waitForTimeout(500);
+      assert.equal(await display(gate(fast)), "–");
+    });
+  }));
+
 test("the photogate times several swings of a damped pendulum as the crossings of the command have them, to its resolution", () =>
   visit("pendulum?angle=60deg&length=30cm&damping=0.4&drag=0.3&gate=yes&t=0", async (room) => {
     await gate(room).getByLabel("Swings").fill("2");
