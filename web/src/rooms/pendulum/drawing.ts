@@ -44,10 +44,13 @@ function roundAbove(length: number): number {
   return [1, 2, 5, 10].map((factor) => factor * power).find((it) => it >= length * (1 - 1e-9)) ?? 10 * power;
 }
 
+/** The space for the names of marks next to the circle, in px. */
+const BESIDE = 48;
+
 export function framed(width: number, height: number, pendulums: readonly Drawn[]): Frame {
   const margin = 12 + 0.055 * Math.min(width, height);
   const longest = Math.max(...pendulums.map(({ length }) => length).filter((it) => it > 0 && Number.isFinite(it)), 1e-12);
-  return { x: width / 2, y: height / 2, radius: Math.max(20, 0.5 * Math.min(width, height) - margin), metres: roundAbove(longest) };
+  return { x: width / 2, y: height / 2, radius: Math.max(20, Math.min(0.5 * height - margin, 0.5 * width - Math.max(margin, BESIDE))), metres: roundAbove(longest) };
 }
 
 export function draw(context: CanvasRenderingContext2D, width: number, height: number, shown: Shown, all: Colours, letters: string): void {

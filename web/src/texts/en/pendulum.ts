@@ -72,7 +72,7 @@ export const pendulum = {
       swings: "Swings",
       resolution: "Resolution",
       resolutions: [["1", "0.1 s"], ["2", "0.01 s"], ["3", "0.001 s"], ["4", "0.0001 s"]],
-      counted: (count: number, wanted: number) => (wanted === 1 ? "from passage to passage" : `${count} of ${wanted} swings`),
+      counted: (count: number, wanted: number) => (wanted === 1 ? "" : `${count} of ${wanted} swings`),
     },
     stopwatch: { title: "Stopwatch", start: "Start", stop: "Stop", zero: "Zero", wrongSwings: "a whole number of swings" },
     ruler: { name: "Arrow keys move the ruler by 10 px, with Shift by 1 px.", reads: (metres: string) => `Ruler: it reads ${metres} m where the bob hangs at rest.` },
