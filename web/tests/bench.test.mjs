@@ -52,6 +52,9 @@ test("fields hold bare numbers with their units, which follow the switch of angl
       assert.equal(await field(label).inputValue(), value);
       assert.equal(await unit(label), name);
     }
+    await enter(room, "Length", "0,25");
+    assert.equal(await readout(room, "Length"), "0.25 m");
+    assert.match(room.url(), /length=0\.25m/);
     await enter(room, "Angle", "45");
     await room.getByLabel("Angles in").selectOption("rad");
     await settled(room);

@@ -28,6 +28,18 @@ for (const [speed, digits] of [["1", 4], ["20", 4]]) {
     }));
 }
 
+test("the photogate reads the period of a rotation, and nothing where it cannot follow", () =>
+  visit("pendulum?angle=0&velocity=9rad/s&gate=yes&t=0", async (room) => {
+    const { period_s: period } = answer("motion", "0", "--velocity", "9rad/s", "--times", "0");
+    await run(room);
+    assert.equal(await gated(room), `${period.toFixed(3)} s`);
+    await visit("pendulum?angle=60deg&length=1e-13m&gate=yes&t=0", async (fast) => {
+      await run(fast);
+      await fast.waitForTimeout(500);
+      assert.equal(await display(gate(fast)), "–");
+    });
+  }));
+
 test("the photogate times several swings of a damped pendulum as the crossings of the command have them, to its resolution", () =>
   visit("pendulum?angle=60deg&length=30cm&damping=0.4&drag=0.3&gate=yes&t=0", async (room) => {
     await gate(room).getByLabel("Swings").fill("2");
@@ -36,6 +48,17 @@ test("the photogate times several swings of a damped pendulum as the crossings o
     const equation = "theta'' = -0.4*theta' - 0.3*abs(theta')*theta' - 9.80665/0.3*sin(theta)";
     const { events } = answer("simulate", equation, "--initial", "theta=60deg,theta'=0", "--times", "0:5:5", "--events", "theta");
     assert.equal(await gated(room), `${(events[4].time_s - events[0].time_s).toFixed(2)} s`);
+  }));
+
+test("a wrong number of swings is refused, and nothing is timed", () =>
+  visit("pendulum?angle=60deg&length=30cm&gate=yes&speed=4&t=0", async (room) => {
+    await gate(room).getByLabel("Swings").fill("1.5");
+    assert.match(await gate(room).textContent(), /a whole number of swings/);
+    await run(room);
+    await room.waitForTimeout(1500);
+    assert.equal(await display(gate(room)), "–");
+    await gate(room).getByLabel("Swings").fill("1");
+    assert.match(await gated(room), /^1\.179 s$/);
   }));
 
 test("dry friction stops the pendulum where the command stops it", () =>
@@ -83,6 +106,7 @@ async function lies(room) {
 test("the ruler has the scale of the pendulum, and moves by mouse and keys", () =>
   visit("pendulum?angle=0&length=0.8m&ruler=yes&t=0", async (room) => {
     const start = await lies(room);
+    assert.match(await room.locator(".ruler").getAttribute("aria-label"), /^Ruler: it reads 0.8 m /);
     const bench = await room.locator("canvas.stage").boundingBox();
     // Its zero, 12 px below its upper edge, lies at the pivot.
     assert.ok(Math.abs(start.y + 12 - (bench.y + bench.height / 2)) <= 1.5, `${start.y}`);
@@ -91,6 +115,10 @@ test("the ruler has the scale of the pendulum, and moves by mouse and keys", () 
     await room.mouse.move(start.x - 80, start.y + 90, { steps: 3 });
     await room.mouse.up();
     assert.deepEqual(await lies(room), { x: start.x - 100, y: start.y + 30 });
+    // 1 m is the radius of the circle of marks, so that the ruler reads less by the px that it was lowered.
+    const radius = (await room.locator(".ruler").boundingBox()).height - 2 - 24;
+    const said = /reads (\S+) m where/.exec(await room.locator(".ruler").getAttribute("aria-label"))[1];
+    assert.ok(Math.abs(Number(said) - (0.8 - 30 / radius)) <= 0.0051, `${said} for ${radius} px`);
     await room.locator(".ruler").focus();
     for (const key of ["ArrowRight", "ArrowUp", "Shift+ArrowUp"]) await room.keyboard.press(key);
     assert.deepEqual(await lies(room), { x: start.x - 90, y: start.y + 19 });

@@ -126,6 +126,11 @@ test("three lengths are fitted over the lengths, two are refused", () =>
     const table = `length (m),period (s),u(length) (m),amplitude (deg)\n${rows.map(([length, time]) => `${length},${time},0.001,10`).join("\n")}\n`;
     const expected = gravityOf("lengths", table, "--columns", "1,2,3,-,4");
     assert.match(await found(room), new RegExp(`^g = ${expected.replace(".", "\\.")} m/s²`));
+    await cell(room, "amplitude / °", 1).fill("");
+    assert.match(await found(room), /1 trial without amplitude or length left out/);
+    await paste(room, cell(room, "amplitude / °", 1), `1\t2\n`.repeat(600));
+    assert.match(await room.locator(".result").innerText(), /The table holds 500 trials/);
+    await room.getByRole("button", { name: "Undo" }).click();
     for (const row of [5, 6]) await cell(room, "time 1 / s", row).fill("");
     assert.match(await found(room), /Use one length for all trials, or three or more/);
   }));

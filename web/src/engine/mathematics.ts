@@ -82,8 +82,11 @@ export class Mathematics {
     this.#module = exports;
   }
 
+  static #compiled: Promise<WebAssembly.Module> | undefined;
+
+  /** An instance of its own; the module is decompressed once. */
   static async load(): Promise<Mathematics> {
-    return Mathematics.from(await compiled(await text("pendulum")));
+    return Mathematics.from(await (Mathematics.#compiled ??= text("pendulum").then(compiled)));
   }
 
   static async from(compiled: WebAssembly.Module): Promise<Mathematics> {

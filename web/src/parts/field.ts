@@ -68,7 +68,9 @@ class ShownUnit {
   }
 
   get measured(): string {
-    return withUnit(this.#control.value.trim(), this.#unit);
+    const entry = this.#control.value.trim();
+    // A short number may have a decimal comma; elsewhere commas separate.
+    return withUnit(this.#isShort ? entry.replace(/^([+\u2212-]?\d+),(\d+)/, "$1.$2") : entry, this.#unit);
   }
 
   set(unit: string): void {

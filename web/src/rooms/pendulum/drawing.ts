@@ -44,10 +44,13 @@ function roundAbove(length: number): number {
   return [1, 2, 5, 10].map((factor) => factor * power).find((it) => it >= length * (1 - 1e-9)) ?? 10 * power;
 }
 
+/** The space for the names of marks next to the circle, in px. */
+const BESIDE = 48;
+
 export function framed(width: number, height: number, pendulums: readonly Drawn[]): Frame {
   const margin = 12 + 0.055 * Math.min(width, height);
   const longest = Math.max(...pendulums.map(({ length }) => length).filter((it) => it > 0 && Number.isFinite(it)), 1e-12);
-  return { x: width / 2, y: height / 2, radius: Math.max(20, 0.5 * Math.min(width, height) - margin), metres: roundAbove(longest) };
+  return { x: width / 2, y: height / 2, radius: Math.max(20, Math.min(0.5 * height - margin, 0.5 * width - Math.max(margin, BESIDE))), metres: roundAbove(longest) };
 }
 
 export function draw(context: CanvasRenderingContext2D, width: number, height: number, shown: Shown, all: Colours, letters: string): void {
@@ -90,7 +93,6 @@ function drawMarks(context: CanvasRenderingContext2D, { x, y, radius }: Frame, {
   context.stroke();
   context.setLineDash([]);
   context.font = letters;
-  context.textAlign = "center";
   context.textBaseline = "middle";
   for (let degrees = -175; degrees <= 180; degrees += 5) {
     const [sin, cos] = [Math.sin((degrees * Math.PI) / 180), Math.cos((degrees * Math.PI) / 180)];
@@ -103,8 +105,12 @@ function drawMarks(context: CanvasRenderingContext2D, { x, y, radius }: Frame, {
     context.stroke();
     context.fillStyle = all.quiet;
     // The photogate stands where the lowest mark has its name.
-    if (isNamed && (degrees !== 0 || gate === undefined)) context.fillText(markName(degrees, unit), x + (radius + 17) * sin, y + (radius + 15) * cos);
+    if (isNamed && (degrees !== 0 || gate === undefined)) {
+      context.textAlign = Math.abs(sin) < 0.1 ? "center" : sin > 0 ? "left" : "right";
+      context.fillText(markName(degrees, unit), x + (radius + 6) * sin, y + (radius + 4 + 0.8 * parseFloat(letters)) * cos);
+    }
   }
+  context.textAlign = "center";
 }
 
 const FRACTIONS: Readonly<Record<number, string>> = { 0: "0", 30: "π/6", 60: "π/3", 90: "π/2", 120: "2π/3", 150: "5π/6", 180: "π" };

@@ -10,15 +10,24 @@ const words = text.pendulum.instruments.gate;
 /** Largest number of samples in one search; between two frames there are few passages. */
 const SAMPLES = 4000;
 
-/** Times within an interval at which the bob passes the lowest point, each from the motion itself by bisection. */
-export function passages(course: Course, from: number, to: number, smallAnglePeriod: number): number[] {
-  const count = Math.min(SAMPLES, 2 + Math.ceil((16 * (to - from)) / smallAnglePeriod));
+/** A passage of the lowest point: its time, and 1 for growing angles or −1. */
+interface Passage {
+  readonly time: number;
+  readonly direction: number;
+}
+
+/** The passages within an interval, each from the motion itself by bisection; `undefined` if the motion is too fast to be followed. */
+function passages(course: Course, from: number, to: number, fastestPeriod: number): Passage[] | undefined {
+  const count = 2 + Math.ceil((16 * (to - from)) / fastestPeriod);
+  if (!(count <= SAMPLES)) return undefined;
   const step = (to - from) / (count - 1);
   const turns = Array.from(course.samples(from, step, count).angles, turnOf);
-  const found: number[] = [];
+  const found: Passage[] = [];
   for (let n = 1; n < count; n++) {
     const [before, after] = [turns[n - 1] ?? NaN, turns[n] ?? NaN];
-    if (Number.isFinite(before + after) && before !== after) found.push(passage(course, from + (n - 1) * step, from + n * step, before));
+    if (Number.isFinite(before + after) && before !== after) {
+      found.push({ time: passage(course, from + (n - 1) * step, from + n * step, before), direction: Math.sign(after - before) });
+    }
   }
   return found;
 }
@@ -45,7 +54,8 @@ export class Gate {
   readonly #swings = textField({ key: "swings", words: { label: words.swings }, initial: "1" });
   readonly #resolution = choiceField({ key: "resolution", words: { label: words.resolution }, initial: "3" }, words.resolutions.map(([value = "", name = ""]) => [value, name] as const));
   readonly #into: HTMLButtonElement;
-  #times: number[] = [];
+  /** The passages in the direction of the first one: one for each period, in swings and in rotations. */
+  #passed: Passage[] = [];
   #last = 0;
 
   /** `into` is called with the time of a number of swings, as displayed, for the table. */
@@ -53,6 +63,7 @@ export class Gate {
     this.#into = button(words.into, () => into(this.#wanted, this.#reading.textContent.replace(" s", "")), { disabled: true });
     this.element = element("div", { class: "card", role: "group", "aria-label": words.title }, element("h2", {}, words.title), this.#reading, this.#count, this.#swings.element, this.#resolution.element, this.#into);
     for (const field of [this.#swings, this.#resolution]) field.onChange(() => this.clear());
+    this.#swings.onChange(() => this.#swings.refuse(this.#wanted > 0 ? "" : text.pendulum.instruments.stopwatch.wrongSwings));
   }
 
   /** `true` if the beam is interrupted now. */
@@ -61,19 +72,20 @@ export class Gate {
   }
 
   clear(): void {
-    this.#times = [];
+    this.#passed = [];
     this.#reading.textContent = "–";
     this.#into.disabled = true;
     this.#show();
   }
 
-  /** Follows the motion to a time; going back starts afresh. */
-  follow(course: Course, time: number, smallAnglePeriod: number): void {
+  /** Follows the motion to a time; going back starts afresh. No period is shorter than the fastest one. */
+  follow(course: Course, time: number, fastestPeriod: number): void {
     if (time < this.#last) this.clear();
     else if (time > this.#last) {
-      const found = passages(course, this.#last, time, smallAnglePeriod);
-      for (const it of found) this.#pass(it);
-      if (found.length > 0) this.#show();
+      const found = passages(course, this.#last, time, fastestPeriod);
+      if (found === undefined) this.clear();
+      for (const it of found ?? []) this.#pass(it);
+      if (found?.length !== 0) this.#show();
     }
     this.#last = time;
   }
@@ -84,21 +96,24 @@ export class Gate {
     this.clear();
   }
 
+  /** The number of swings to be timed; zero if the entry is wrong. */
   get #wanted(): number {
     const wanted = Number(this.#swings.value);
-    return Number.isInteger(wanted) && wanted > 0 && wanted < 1000 ? wanted : 1;
+    return Number.isInteger(wanted) && wanted > 0 && wanted < 1000 ? wanted : 0;
   }
 
-  #pass(time: number): void {
-    this.#times.push(time);
-    if (this.#times.length !== 2 * this.#wanted + 1) return;
-    this.#reading.textContent = `${(time - (this.#times[0] ?? time)).toFixed(Number(this.#resolution.value))} s`;
+  #pass(passage: Passage): void {
+    const first = this.#passed[0] ?? passage;
+    if (this.#wanted === 0 || passage.direction !== first.direction) return;
+    this.#passed.push(passage);
+    if (this.#passed.length !== this.#wanted + 1) return;
+    this.#reading.textContent = `${(passage.time - first.time).toFixed(Number(this.#resolution.value))} s`;
     this.#into.disabled = false;
     // The passage that ends a measurement begins the next one.
-    this.#times = [time];
+    this.#passed = [passage];
   }
 
   #show(): void {
-    this.#count.textContent = words.passages(this.#times.length, 2 * this.#wanted + 1);
+    this.#count.textContent = this.#wanted === 0 ? "" : words.counted(Math.max(0, this.#passed.length - 1), this.#wanted);
   }
 }

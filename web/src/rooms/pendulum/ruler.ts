@@ -13,16 +13,18 @@ export class Ruler {
   readonly element: HTMLElement;
   readonly #canvas = element("canvas");
   #frame: Frame | undefined;
+  #length = NaN;
   /** The place of the zero relative to the pivot, in px. */
   #at: readonly [x: number, y: number] = [14, 0];
 
   constructor() {
-    this.element = element("div", { class: "ruler", tabindex: "0", role: "group", "aria-label": text.pendulum.instruments.ruler.name }, this.#canvas);
+    this.element = element("div", { class: "ruler", tabindex: "0", role: "group" }, this.#canvas);
     this.#listen();
   }
 
   /** Follows the scale of the stage. */
-  fit(frame: Frame): void {
+  fit(frame: Frame, length: number): void {
+    if (length !== this.#length) [this.#length, this.#frame] = [length, undefined];
     const old = this.#frame;
     if (old !== undefined && old.radius === frame.radius && old.metres === frame.metres && old.x === frame.x && old.y === frame.y) return;
     this.#frame = frame;
@@ -61,6 +63,10 @@ export class Ruler {
     if (this.#frame === undefined) return;
     const { style } = this.element;
     style.left = `${this.#frame.x + this.#at[0]}px`;
+    // Read to a mark, as an eye does.
+    const reading = (this.#length / this.#frame.metres - this.#at[1] / this.#frame.radius) * 100;
+    const { name, reads } = text.pendulum.instruments.ruler;
+    this.element.setAttribute("aria-label", `${reads(short((Math.round(reading) * this.#frame.metres) / 100, 3))} ${name}`);
     style.top = `${this.#frame.y + this.#at[1] - 12}px`;
   }
 

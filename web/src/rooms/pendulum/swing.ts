@@ -289,11 +289,11 @@ export class Swing {
     this.#showWindow(motion, course);
     const angles = this.#ghosts.map((ghost) => ghost.angles(time, 0, 1)[0] ?? NaN);
     const frame = this.#stage.show(this.#scene(place, this.#traced(course, time), this.#ghosts.map(({ colour }, n) => ({ colour, angle: angles[n] ?? NaN }))));
-    this.#ruler.fit(frame);
+    this.#ruler.fit(frame, this.#length);
     this.#graphs.mark(time, place, angles);
     this.#readouts.now(time);
     this.#stopwatch.follow(time);
-    this.#gate.follow(course, time, motion.smallAnglePeriod);
+    this.#gate.follow(course, time, fastestPeriod(motion, course instanceof ExactCourse));
     this.#energy(motion, place);
     if (performance.now() - this.#read > READABLE || !this.#clock.isRunning) {
       this.#read = performance.now();
@@ -452,6 +452,12 @@ function valueOf(reading: Reading): number | undefined {
 /** `undefined` for the usual value, which is omitted. */
 function unless(value: string, usual: string): string | undefined {
   return value === usual ? undefined : value;
+}
+
+/** The shortest time between passages that the photogate has to follow; forces may drive a pendulum over the top. */
+function fastestPeriod({ regime, period, smallAnglePeriod }: Motion, isExact: boolean): number {
+  if (!isExact) return smallAnglePeriod / 4;
+  return regime === "rotation" ? Math.min(period, smallAnglePeriod) : smallAnglePeriod;
 }
 
 /** Length of the graphs' time axis, in seconds: three periods, or a time that can be watched if the period is infinite or very long. */

@@ -13,6 +13,8 @@ export interface Fit {
   readonly name: string;
   readonly bytes: Uint8Array;
   readonly command: Command;
+  /** Number of trials that lack what the fit needs. */
+  readonly leftOut: number;
 }
 
 /** The result of a fit, as far as it is shown here. */
@@ -41,7 +43,7 @@ export function fitOf(trials: readonly Trial[], lengthError: number, timeError: 
   const columns = [...head, ...(withErrors ? ["u(period) (s)"] : []), ...(isOverLengths ? ["amplitude (deg)"] : [])];
   const bytes = new TextEncoder().encode(`${[columns.join(","), ...lines].join("\n")}\n`);
   const options = isOverLengths ? given({ columns: withErrors ? "1,2,3,4,5" : "1,2,3,-,4" }) : given({ length: `${lengths[0]} ± ${lengthError} m` });
-  return { name, bytes, command: { question: isOverLengths ? "fit lengths" : "fit periods", arguments: [name], options } };
+  return { name, bytes, leftOut: trials.length - complete.length, command: { question: isOverLengths ? "fit lengths" : "fit periods", arguments: [name], options } };
 }
 
 /** The headline and its reasons. */

@@ -7,7 +7,7 @@ import { type Field, textField } from "../../parts/field.ts";
 import { digits } from "../../parts/numbers.ts";
 import { hand } from "../laboratory/handed.ts";
 import { text } from "../../texts/en.ts";
-import { FIXED, numberOf, Trials } from "./trials.ts";
+import { FIXED, MOST_READINGS, MOST_TRIALS, numberOf, Trials } from "./trials.ts";
 import { type Fit, fitOf, fitted } from "./trials_fit.ts";
 import { type Laws, meanPeriod, TrialsPlots } from "./trials_plots.ts";
 
@@ -130,7 +130,9 @@ export class TrialsTable {
     const [down, across] = (target.dataset["cell"] ?? "").split(",").map(Number);
     if (!/[\t\n]/.test(pasted.trim()) || down === undefined || across === undefined) return;
     event.preventDefault();
-    this.#change(() => this.#trials.paste(pasted, down, across));
+    let isWhole = true;
+    this.#change(() => (isWhole = this.#trials.paste(pasted, down, across)));
+    if (!isWhole) this.#fail(words.tooLong(MOST_TRIALS, MOST_READINGS));
     this.#table.querySelector<HTMLElement>(`[data-cell="${down},${across}"]`)?.focus();
   }
 
@@ -149,7 +151,7 @@ export class TrialsTable {
     const found = await fitted(this.#engine, fit, signal);
     if (signal.aborted) return;
     if (typeof found === "string") return this.#fail(found);
-    const reasons = element("ul", {}, ...found.reasons.map((reason) => element("li", {}, reason)));
+    const reasons = element("ul", {}, ...(fit.leftOut === 0 ? [] : [words.leftOut(fit.leftOut)]).concat(found.reasons).map((reason) => element("li", {}, reason)));
     this.#result.replaceChildren(element("p", { class: "headline" }, found.headline), reasons, this.#toLaboratory(fit));
   }
 
