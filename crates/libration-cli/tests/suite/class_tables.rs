@@ -202,3 +202,16 @@ fn what_all_timings_share_is_a_row_of_the_budget() {
     let none = json(&format!("fit lengths {}", example("ten_swings.csv")));
     assert_eq!(lengths["laws"], none["laws"]);
 }
+
+#[test]
+fn a_table_of_periods_is_inspected_with_the_fit_that_it_is_for() {
+    for (name, command) in
+        [("ten_swings.csv", "fit lengths"), ("amplitudes.csv", "fit periods"), ("squares.csv", "fit lengths")]
+    {
+        let answer = json(&format!("inspect {}", example(name)));
+        assert_eq!(answer["table_fit"], command, "{name}");
+        assert!(answer["table_read_as"][1].as_str().unwrap().contains("period"), "{answer}");
+        let sheet = unfolded(&text(&format!("inspect {}", example(name))));
+        assert!(sheet.contains(&format!("`libration {command}` would fit the table")), "{sheet}");
+    }
+}

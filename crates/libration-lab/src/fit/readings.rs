@@ -210,7 +210,7 @@ fn unlike(groups: &[Group]) -> Vec<usize> {
         let least = candidates.map(|row| (row, probability(row))).min_by(|a, b| a.1.total_cmp(&b.1));
         match least {
             Some((row, probability)) if probability * count(tested - found.len()) < BY_CHANCE => {
-                found.push(row)
+                found.push(row);
             }
             _ => break,
         }

@@ -57,7 +57,7 @@ pub(super) struct Written<'a> {
 }
 
 impl<'a> Written<'a> {
-    /// The parts of a cell; none of a plain number, and of a text that is no number with an uncertainty or a unit of measured quantities.
+    /// The parts of a cell; none of a plain number and of other texts.
     pub(super) fn parse(cell: &'a str, mark: DecimalMark) -> Option<Self> {
         let cell = cell.trim();
         match SIGNS.iter().find_map(|sign| cell.split_once(sign)) {

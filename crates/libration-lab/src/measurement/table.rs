@@ -213,7 +213,7 @@ impl Table {
         (0..self.sheet.rows()).filter_map(summary).collect()
     }
 
-    /// What was done with the lines of the file, as sentences without a full stop: a line that was divided, rows that were left out.
+    /// Changes of the lines of the file, as sentences without a full stop: a line that was divided, rows that were left out.
     #[must_use]
     pub fn notes(&self) -> Vec<String> {
         let divided = self.sheet.divided_line.map(divided);
@@ -228,7 +228,7 @@ impl Table {
         let words = (0..self.width()).filter_map(|place| self.sheet.word(place, row));
         let is_of_summary =
             |word: &&str| SUMMARY.contains(&word.trim_end_matches([':', '=']).trim().to_lowercase().as_str());
-        words.filter(is_of_summary).last()
+        words.filter(is_of_summary).next_back()
     }
 
     /// The rows that summarise no others.

@@ -22,7 +22,7 @@ pub fn probability_beyond(ratio: f64, above: usize, below: usize) -> f64 {
     .clamp(0.0, 1.0)
 }
 
-/// I_x(a, b).
+/// The regularised incomplete beta function.
 fn incomplete_beta(x: f64, a: f64, b: f64) -> f64 {
     /// Terms after which the fraction has converged up to a thousand degrees of freedom.
     const TERMS: usize = 500;

@@ -3,7 +3,7 @@
 use libration_lab::measurement::{Column, CountedPeriods, Table};
 
 /// Number of periods that each time of the table lasts.
-#[derive(Clone, Copy, Debug, clap::Args)]
+#[derive(Clone, Copy, Debug, Default, clap::Args)]
 pub(crate) struct CountedOptions {
     /// The times are half periods, from one side to the other
     #[arg(long, conflicts_with = "swings_per_reading")]

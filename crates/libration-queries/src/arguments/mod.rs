@@ -67,7 +67,7 @@ pub(crate) use system::{GivenSystem, PendulumSystemOptions, SystemOptions, with_
 pub(crate) use table::{
     AmplitudeUnit, DialectOptions, DisplacementUnit, FrequencyUnit, LengthUnit, optional_column,
 };
-pub(crate) use table_columns::{ChosenColumns, ColumnsOption, GroupOption};
+pub(crate) use table_columns::{ChosenColumns, ColumnsOption, GroupOption, TableFit};
 pub(crate) use text::{
     angle, angular_velocity, count, displacement, finite_time, fractional_error, gravity, length,
     length_with_uncertainty, not_negative, part, period_with_uncertainty, positive, rate_with_uncertainty,

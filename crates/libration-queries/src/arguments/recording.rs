@@ -1,10 +1,11 @@
 //! A recording: the options that override what is inferred from a file, and its reading.
 
+use super::TableFit;
 use super::read_bytes;
 use super::table::{DialectOptions, column};
 use crate::query_error::QueryError;
 use libration_lab::measurement::{
-    Choices, Column, Finding, Gates, MeasurementError, Recording, TimeStamps, Traces, Unit,
+    Choices, Column, Finding, Gates, MeasurementError, Recording, Table, TimeStamps, Traces, Unit,
 };
 use std::path::Path;
 
@@ -73,6 +74,12 @@ impl RecordingOptions {
     /// The same of a file whose bytes are known.
     pub(crate) fn recording_in(&self, path: &Path, bytes: &[u8]) -> Result<Recording, QueryError> {
         Recording::read(bytes, &self.dialect.options()).map_err(|error| failure(path, &error))
+    }
+
+    /// The fit of a table that these bytes hold, where its headings name both quantities.
+    pub(crate) fn table_fit(&self, bytes: &[u8]) -> Option<TableFit> {
+        let table = Table::read_sheet(bytes, &self.dialect.options(), self.dialect.sheet.as_ref());
+        TableFit::of(&table.ok()?)
     }
 
     /// The traces of a file with all that was inferred from it.

@@ -1,7 +1,7 @@
 //! Roles of the columns of a table: given by `--columns` and `--role`, else inferred from headings, units, values and neighbours.
 
 use super::recording::what_would_decide;
-use super::{Wanted, optional_column};
+use super::{AmplitudeUnit, CountedOptions, LengthUnit, Wanted, optional_column};
 use crate::query_error::{QueryError, option};
 use libration_lab::measurement::{
     Column, ColumnRole, GivenRoles, MeasurementError, QuantityColumns, Table, TableQuantity, TableRoles,
@@ -160,6 +160,32 @@ fn chosen<const N: usize>(
         column_of_groups: roles.group.clone(),
         notes: if is_inferred { notes(table, wanted, roles) } else { vec![] },
         is_said,
+    }
+}
+
+/// A fit of a table whose headings name both of its quantities.
+#[derive(Clone, Debug)]
+pub(crate) struct TableFit {
+    /// Words of the command.
+    pub(crate) command: &'static str,
+    /// Roles of the columns, or what keeps them open.
+    pub(crate) read_as: Vec<String>,
+}
+
+impl TableFit {
+    /// The fit of periods against lengths or amplitudes, where the headings name both.
+    pub(crate) fn of(table: &Table) -> Option<Self> {
+        let periods = Wanted::periods(CountedOptions::default());
+        let lengths = Wanted::lengths(None::<LengthUnit>);
+        let amplitudes = Wanted::amplitudes(None::<AmplitudeUnit>);
+        [("fit lengths", lengths), ("fit periods", amplitudes)].into_iter().find_map(|(command, first)| {
+            let wanted = [first, periods, first.uncertainties(0), periods.uncertainties(1)];
+            let quantities: Vec<TableQuantity> = wanted.iter().filter_map(|it| it.quantity()).collect();
+            let roles = table.roles(&quantities, &GivenRoles::default()).ok()?;
+            let are_named =
+                quantities.iter().zip(&roles.quantities).all(|(it, columns)| table.heads(it, columns));
+            are_named.then(|| Self { command, read_as: notes(table, &wanted, &roles) })
+        })
     }
 }
 

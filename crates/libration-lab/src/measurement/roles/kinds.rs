@@ -1,4 +1,4 @@
-//! What each column can hold, by its own heading and cells.
+//! Possible contents of each column, by its own heading and cells.
 
 use crate::measurement::QuantityKind;
 use crate::measurement::counted_periods::is_mean;
@@ -6,7 +6,7 @@ use crate::measurement::heading::Heading;
 use crate::measurement::sheet::Channel;
 use crate::measurement::table::Table;
 
-/// What a column can hold.
+/// Possible contents of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     /// Values of a quantity.

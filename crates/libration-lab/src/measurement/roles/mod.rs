@@ -24,7 +24,7 @@ use super::{Choice, Column, MeasurementError, Suggestion};
 pub struct TableQuantity {
     /// Its name, as options have it: `length`, `period`.
     pub name: &'static str,
-    /// What its columns hold.
+    /// The kind of values in its columns.
     pub role: Role,
     /// `false` if it is only taken from a column whose heading names it, by one of these beginnings in lower case.
     pub only_named: Option<&'static [&'static str]>,
@@ -142,6 +142,17 @@ impl Table {
         search.assign_uncertainties()?;
         search.assign_rest();
         Ok(search.found())
+    }
+}
+
+impl Table {
+    /// Returns whether headings name these columns of a quantity.
+    #[must_use]
+    pub fn heads(&self, quantity: &TableQuantity, columns: &QuantityColumns) -> bool {
+        let first = columns.readings.first().and_then(|column| self.sheet().place(column).ok());
+        first.is_some_and(|place| {
+            columns.are_squares || quantity.role.is_said_by(&self.sheet().channels[place].heading)
+        })
     }
 }
 

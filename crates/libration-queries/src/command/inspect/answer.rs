@@ -1,5 +1,6 @@
 //! Result for a file: its tables, the proposed fit, and the reasons if there is none.
 
+use crate::arguments::TableFit;
 use libration_lab::measurement::{
     Choices, Clock, Faults, Finding, Gates, MeasurementError, Recording, Trace, Traces,
 };
@@ -12,6 +13,8 @@ pub(super) struct Answer {
     pub(super) traces: Result<Traces, MeasurementError>,
     /// The times of a photogate, where the file has some.
     pub(super) gates: Option<Gates>,
+    /// The fit of a table of periods, where the file holds neither traces nor times of a gate.
+    pub(super) table_fit: Option<TableFit>,
     /// `true` if the numbers are listed too.
     pub(super) with_values: bool,
 }
@@ -23,7 +26,7 @@ impl Answer {
             .gate_times(choices)
             .ok()
             .filter(|gates| traces.is_err() && is_of_a_gate(&recording, gates));
-        Self { file, bytes, recording, traces, gates, with_values: false }
+        Self { file, bytes, recording, traces, gates, table_fit: None, with_values: false }
     }
 
     /// The findings in reading, and in searching for traces or the times of a gate.

@@ -38,6 +38,12 @@ pub(super) fn of_file() -> Fields<Answer> {
         Of::value("gate_times", "1", "number of times of a photogate, or null", |it| {
             it.gates.as_ref().map(|gates| gates.times.len()).into()
         }),
+        Of::present_value("table_fit", "", "command that would fit a table of periods", |it| {
+            it.table_fit.as_ref().map(|fit| fit.command.into())
+        }),
+        Of::present_value("table_read_as[]", "", "roles of the columns in that fit", |it| {
+            it.table_fit.as_ref().map(|fit| json::list(fit.read_as.clone()))
+        }),
         Of::present_nested("column_values[].", &of_column_values(), |it| {
             it.with_values.then(|| of_column_values().records(&all_columns(it)))
         }),

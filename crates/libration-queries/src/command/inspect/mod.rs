@@ -56,6 +56,10 @@ impl Inspect {
         let recording = self.recording.recording_in(&self.file, &bytes)?;
         let file = self.file.display().to_string();
         let answer = Answer::new(file, bytes.len(), recording, &self.recording.choices());
-        write::answer(out, &Answer { with_values: self.values, ..answer }, self.form.form())
+        let table_fit = match (&answer.traces, &answer.gates) {
+            (Err(_), None) => self.recording.table_fit(&bytes),
+            _ => None,
+        };
+        write::answer(out, &Answer { with_values: self.values, table_fit, ..answer }, self.form.form())
     }
 }

@@ -58,6 +58,7 @@ fn write_what_would_be_fitted(out: &mut dyn Write, answer: &Answer) -> io::Resul
                 .try_for_each(|trace| writeln!(out, "{}", paragraph("  - ", &trace_line(trace), COLUMNS)))
         }
         (Err(_), Some(gates)) => write_text(out, "`libration fit gates` would fit ", &gates_line(gates)),
+        (Err(_), None) if answer.table_fit.is_some() => write_table_fit(out, answer),
         (Err(error), None) => {
             writeln!(
                 out,
@@ -71,6 +72,12 @@ fn write_what_would_be_fitted(out: &mut dyn Write, answer: &Answer) -> io::Resul
             Ok(())
         }
     }
+}
+
+fn write_table_fit(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+    let Some(fit) = &answer.table_fit else { return Ok(()) };
+    writeln!(out, "`libration {}` would fit the table", fit.command)?;
+    fit.read_as.iter().try_for_each(|note| writeln!(out, "{}", paragraph("  - ", note, COLUMNS)))
 }
 
 fn has_no_time(error: &MeasurementError) -> bool {
