@@ -141,7 +141,7 @@ fn textbook_slow_flows_are_those_of_sympy() {
 fn integrated(text: &str, resonance: (u32, u32), drive: f64, start: &[f64]) -> (f64, f64) {
     let (p, q) = resonance;
     let period = f64::from(p) * TAU / drive;
-    let orbit = Orbit::driven(&equation(text), period, start, &Quiet).unwrap();
+    let orbit = Orbit::driven(&equation(text), start, period, &Quiet).unwrap();
     let harmonics = orbit.harmonics(0);
     let fundamental = harmonics.terms[q as usize];
     // A·cos(ψ + φ) = A·cos φ·cos ψ − A·sin φ·sin ψ.

@@ -44,7 +44,7 @@ pub enum BudgetInput {
 
 impl BudgetInput {
     /// All inputs.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 17] = [
         Self::Length,
         Self::Period,
         Self::Slope,

@@ -111,6 +111,7 @@ fn described(table: &LengthTable, gravity: Uncertain) -> LengthFit {
         p_value: None,
         residuals: rows.iter().map(residual).collect(),
         standard_deviations: rows.iter().map(|row| row.period_uncertainty).collect(),
+        readings_degrees_of_freedom: table.readings_degrees_of_freedom,
     }
 }
 
