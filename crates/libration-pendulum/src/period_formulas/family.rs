@@ -318,7 +318,10 @@ impl Notation {
 
     fn quotient(&self, numerator: &str, denominator: &str) -> String {
         if self.is_latex {
-            format!(r"\frac{{{numerator}}}{{{denominator}}}")
+            // Blanks, at which lines can be broken.
+            let [numerator, denominator] =
+                [numerator, denominator].map(|it| it.replace('+', " +").replace('-', " -"));
+            format!(r"\frac{{{numerator}}} {{{denominator}}}")
         } else {
             format!("({numerator})/({denominator})")
         }
