@@ -12,7 +12,9 @@ const HELP_WIDTH: usize = 80;
 pub(crate) fn clone_of_the_project(name: &str) -> PathBuf {
     let clone = directory(name);
     let root = root();
-    for place in [root.join("examples/phone"), root.join("examples"), root.clone()] {
+    for place in
+        [root.join("examples/class"), root.join("examples/phone"), root.join("examples"), root.clone()]
+    {
         let inside = clone.join(place.strip_prefix(&root).unwrap());
         fs::create_dir_all(&inside).unwrap();
         for entry in fs::read_dir(&place).unwrap().map(Result::unwrap) {
