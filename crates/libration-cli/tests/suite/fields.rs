@@ -204,7 +204,7 @@ const FURTHER: &[&str] = &[
     "formulas|molina",
     // Groups have results and a mean.
     "fit|lengths|examples/class/groups.csv",
-    "fit|periods|examples/class/amplitudes.csv|--group|1",
+    "fit|periods|examples/class/amplitudes.csv|--group|4",
     // A limit cycle has its distance from the orbit.
     "expand|van_der_pol|--order|3|--evaluate|0.5",
     // A motion that never returns has no period.

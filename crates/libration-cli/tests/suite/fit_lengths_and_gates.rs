@@ -1,6 +1,6 @@
 //! `libration fit lengths` and `libration fit gates`.
 
-use crate::command::{directory, json, libration, message, text};
+use crate::command::{directory, json, libration, message, text, unfolded};
 use std::path::PathBuf;
 
 fn example(name: &str) -> String {
@@ -327,7 +327,8 @@ fn a_gravity_found_nowhere_is_doubted() {
     assert!(answer["warning_kinds"].to_string().contains("gravity_contradicted"));
     assert!(!text(&format!("fit lengths {halves} --half-periods")).contains("warning"));
     let metres = file("lengths-no-unit", &rows("L,T", &swings(1.0)));
-    assert!(text(&format!("fit lengths {metres}")).contains("check the units"));
+    let sheet = unfolded(&text(&format!("fit lengths {metres}")));
+    assert!(sheet.contains("lengths in centimetres read as metres would give (--length-unit)"), "{sheet}");
 }
 
 #[test]

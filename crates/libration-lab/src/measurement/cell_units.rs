@@ -3,7 +3,6 @@
 use super::Unit;
 use super::dialect::Row;
 use super::number::Cell;
-use super::sheet::Channel;
 
 /// The units of the cells of each column, row by row.
 pub(super) struct CellUnits(Vec<Vec<Option<Unit>>>);
@@ -25,10 +24,16 @@ impl CellUnits {
         self.0[column].iter().flatten().next().copied()
     }
 
-    /// Brings all numbers of a column to this unit; or says what is mixed: numbers with and without a unit, or units of different quantities.
-    pub(super) fn bring(&self, column: usize, channel: &mut Channel, to: Unit) -> Result<(), String> {
+    /// Brings all numbers of a column and their uncertainties to this unit; or says what is mixed: numbers with and without a unit, or units of different quantities.
+    pub(super) fn bring(
+        &self,
+        column: usize,
+        cells: &mut [Cell],
+        uncertainties: &mut [Option<f64>],
+        to: Unit,
+    ) -> Result<(), String> {
         for (row, unit) in self.0[column].iter().enumerate() {
-            let (cell, uncertainty) = (&mut channel.cells[row], &mut channel.uncertainties[row]);
+            let (cell, uncertainty) = (&mut cells[row], &mut uncertainties[row]);
             match (cell, unit) {
                 (Cell::Number(_), None) => return Err(format!("numbers in {to} and numbers without a unit")),
                 (Cell::Number(_), Some(unit)) if unit.measures() != to.measures() => {

@@ -144,7 +144,7 @@ impl Sheet {
             let channel = &mut self.channels[place];
             let unit = channel.heading.unit.unwrap_or(first);
             units
-                .bring(place, channel, unit)
+                .bring(place, &mut channel.cells, &mut channel.uncertainties, unit)
                 .map_err(|found| MeasurementError::MixedUnits { column, found })?;
             channel.heading.set_unit(unit);
         }

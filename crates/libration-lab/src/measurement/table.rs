@@ -225,10 +225,10 @@ impl Table {
 
     /// The word by which a row summarises others.
     fn summary(&self, row: usize) -> Option<&str> {
-        let words = (0..self.width()).filter_map(|place| self.sheet.word(place, row));
+        let mut words = (0..self.width()).filter_map(|place| self.sheet.word(place, row));
         let is_of_summary =
             |word: &&str| SUMMARY.contains(&word.trim_end_matches([':', '=']).trim().to_lowercase().as_str());
-        words.filter(is_of_summary).next_back()
+        words.rfind(is_of_summary)
     }
 
     /// The rows that summarise no others.

@@ -1,27 +1,10 @@
-//! The units of chosen columns: said by an option, else written in the header, else those of the SI.
+//! The columns of a table in units of the SI, with repeated readings as means.
 
-use super::{ChosenColumns, CountedOptions};
+use super::wanted::refusal;
+use super::{ChosenColumns, Wanted};
 use crate::output::number;
 use libration_lab::fit::RepeatedReadings;
-use libration_lab::measurement::{
-    Column, MeasurementError, Readings, Role, Table, TableQuantity, UncertaintyKind, Unit, WrittenUnit,
-};
-
-/// The quantity expected in a column, and the options given for it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Wanted {
-    /// Its name, as roles have it.
-    name: &'static str,
-    role: Role,
-    /// Beginnings of headings without which it is not inferred.
-    only_named: Option<&'static [&'static str]>,
-    /// The option of the unit, and the unit where it is said.
-    option: Option<(&'static str, Option<Unit>)>,
-    /// Index of the column of which these are the uncertainties.
-    uncertainties_of: Option<usize>,
-    /// Options for times that may last several periods.
-    counted: Option<CountedOptions>,
-}
+use libration_lab::measurement::{Column, Readings, Table, UncertaintyKind, Unit};
 
 /// The units of the columns, and what was inferred from the header.
 #[derive(Clone, Debug)]
@@ -285,173 +268,6 @@ fn count(things: usize) -> f64 {
     things as f64
 }
 
-impl Wanted {
-    /// Periods, from times that may last several of them.
-    pub(crate) fn periods(counted: CountedOptions) -> Self {
-        Self {
-            name: "period",
-            only_named: None,
-            role: Role::Times,
-            option: None,
-            uncertainties_of: None,
-            counted: Some(counted),
-        }
-    }
-
-    /// Times, or numbers without a unit, of a name for roles.
-    pub(crate) fn times(name: &'static str) -> Self {
-        Self {
-            name,
-            only_named: None,
-            role: Role::Times,
-            option: None,
-            uncertainties_of: None,
-            counted: None,
-        }
-    }
-
-    pub(crate) fn lengths(said: Option<impl Into<Unit>>) -> Self {
-        let option = Some(("--length-unit", said.map(Into::into)));
-        Self {
-            name: "length",
-            only_named: None,
-            role: Role::Lengths,
-            option,
-            uncertainties_of: None,
-            counted: None,
-        }
-    }
-
-    pub(crate) fn amplitudes(said: Option<impl Into<Unit>>) -> Self {
-        let option = Some(("--amplitude-unit", said.map(Into::into)));
-        Self {
-            name: "amplitude",
-            only_named: None,
-            role: Role::Angles,
-            option,
-            uncertainties_of: None,
-            counted: None,
-        }
-    }
-
-    pub(crate) fn frequencies(said: Option<impl Into<Unit>>) -> Self {
-        let option = Some(("--frequency-unit", said.map(Into::into)));
-        Self {
-            name: "frequency",
-            only_named: None,
-            role: Role::Frequencies,
-            option,
-            uncertainties_of: None,
-            counted: None,
-        }
-    }
-
-    pub(crate) fn displacements(said: Option<impl Into<Unit>>) -> Self {
-        let option = Some(("--amplitude-unit", said.map(Into::into)));
-        Self {
-            name: "amplitude",
-            only_named: None,
-            role: Role::Displacements,
-            option,
-            uncertainties_of: None,
-            counted: None,
-        }
-    }
-
-    pub(crate) fn phases(said: Option<impl Into<Unit>>) -> Self {
-        let option = Some(("--phase-unit", said.map(Into::into)));
-        Self {
-            name: "phase",
-            only_named: None,
-            role: Role::Angles,
-            option,
-            uncertainties_of: None,
-            counted: None,
-        }
-    }
-
-    /// The same, inferred only from a heading that begins like this.
-    pub(crate) fn only_named(self, beginnings: &'static [&'static str]) -> Self {
-        Self { only_named: Some(beginnings), ..self }
-    }
-
-    /// The quantity; none of uncertainties.
-    pub(super) fn quantity(self) -> Option<TableQuantity> {
-        let quantity = TableQuantity { name: self.name, role: self.role, only_named: self.only_named };
-        self.uncertainties_of.is_none().then_some(quantity)
-    }
-
-    pub(super) fn uncertainties_of(self) -> Option<usize> {
-        self.uncertainties_of
-    }
-
-    /// The uncertainties of what the column at this place holds.
-    pub(crate) fn uncertainties(self, of: usize) -> Self {
-        Self { uncertainties_of: Some(of), ..self }
-    }
-
-    fn usual(self) -> Unit {
-        match self.role {
-            Role::Times => Unit::Second,
-            Role::Lengths => Unit::Metre,
-            Role::Angles | Role::Displacements => Unit::Radian,
-            Role::Frequencies => Unit::RadianPerSecond,
-        }
-    }
-
-    fn written(self, table: &Table, column: &Column, is_said: bool) -> Result<WrittenUnit, MeasurementError> {
-        match self.uncertainties_of {
-            Some(_) => table.unit_of_chosen(column, self.role),
-            None if is_said => table.unit_of_chosen(column, self.role),
-            None => table.unit(column, self.role),
-        }
-    }
-
-    /// The unit of a column, with a sentence where the header says one.
-    fn unit(
-        self,
-        table: &Table,
-        column: &Column,
-        usual: Unit,
-        is_said: bool,
-    ) -> Result<(Unit, Option<String>), String> {
-        let written = self.written(table, column, is_said).map_err(refusal)?;
-        let place = table.describe(column).map_err(refusal)?;
-        let said = self.option.and_then(|(option, said)| Some((option, said?)));
-        Ok(match (said, written) {
-            (Some((option, unit)), WrittenUnit::Known(other)) if unit != other => (
-                unit,
-                Some(format!("{place} is read in {unit} ({option}), not in {other} as its header says")),
-            ),
-            (Some((_, unit)), _) => (unit, None),
-            (None, WrittenUnit::Known(unit)) => (unit, Some(format!("{place} is in {unit}"))),
-            (None, WrittenUnit::Nothing)
-                if self.role == Role::Frequencies && self.uncertainties_of.is_none() =>
-            {
-                return Err(format!(
-                    "{place} has no unit, and frequencies are in Hz as often as in rad/s: give it by <--frequency-unit>"
-                ));
-            }
-            (None, WrittenUnit::Nothing) => (usual, None),
-            (None, WrittenUnit::Unknown(text)) => match self.option {
-                Some((option, _)) if self.uncertainties_of.is_none() => {
-                    return Err(format!(
-                        "{place}: `{text}` is not a known unit of {}: give it by <{option}>",
-                        self.role
-                    ));
-                }
-                None if self.uncertainties_of.is_none() && text.contains(['^', '²', '/']) => {
-                    return Err(format!(
-                        "{place}: `{text}` is not a unit of {}: give a column of periods themselves, in s, ms, us or min",
-                        self.role
-                    ));
-                }
-                _ => (usual, Some(format!("{place} is taken in {usual}: `{text}` is not a known unit"))),
-            },
-        })
-    }
-}
-
 impl<const N: usize> ColumnUnits<N> {
     /// The units of the columns that are chosen; uncertainties without a unit have that of their values.
     fn from_headings(table: &Table, chosen: &ChosenColumns<N>, wanted: &[Wanted; N]) -> Result<Self, String> {
@@ -482,12 +298,5 @@ impl<const N: usize> ColumnUnits<N> {
             }
         }
         Ok(Self { units, counts, inferences })
-    }
-}
-
-fn refusal(error: MeasurementError) -> String {
-    match error {
-        MeasurementError::HoldsOther { .. } => format!("{error} (<--columns>)"),
-        _ => error.to_string(),
     }
 }

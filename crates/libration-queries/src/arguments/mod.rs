@@ -35,13 +35,15 @@ mod table_columns;
 mod text;
 mod times;
 mod tolerances;
+mod undecided;
 mod values;
+mod wanted;
 
 pub(crate) use amplitudes::{AmplitudeOptions, Amplitudes, AngleSet};
 pub(crate) use angle_list::{AngleList, angle_list};
 pub(crate) use apparatus::{ApparatusOptions, DampingOptions};
 pub(crate) use bare::say as say_radians;
-pub(crate) use column_units::{ColumnsInSi, Wanted};
+pub(crate) use column_units::ColumnsInSi;
 pub(crate) use columns::columns;
 pub(crate) use commas::at_commas;
 pub(crate) use counted::CountedOptions;
@@ -59,7 +61,7 @@ pub(crate) use oscillator::{Asked, Chosen, ChosenWithLetters, OscillatorOptions,
 pub(crate) use parameter_range::{ParameterRange, constant, parameter_range, progression};
 pub(crate) use parameter_span::{ParameterSpan, parameter_span, two_parameter_spans};
 pub(crate) use pendulum::{PendulumOptions, motion};
-pub(crate) use recording::{RecordingOptions, finding_with_option, what_would_decide};
+pub(crate) use recording::{RecordingOptions, finding_with_option};
 pub(crate) use section::{SectionOptions, coordinate, place_in_state, places_in_state, section_failure};
 pub(crate) use sensitivities::sensitivities;
 pub(crate) use sweep_options::sweep_options_first;
@@ -74,4 +76,6 @@ pub(crate) use text::{
 };
 pub(crate) use times::{TimeOptions, Times, times};
 pub(crate) use tolerances::{Tolerances, tolerances};
+pub(crate) use undecided::what_would_decide;
 pub(crate) use values::plain_name;
+pub(crate) use wanted::Wanted;

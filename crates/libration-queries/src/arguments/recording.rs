@@ -1,8 +1,9 @@
 //! A recording: the options that override what is inferred from a file, and its reading.
 
-use super::TableFit;
 use super::read_bytes;
 use super::table::{DialectOptions, column};
+use super::table_columns::TableFit;
+use super::undecided::what_would_decide;
 use crate::query_error::QueryError;
 use libration_lab::measurement::{
     Choices, Column, Finding, Gates, MeasurementError, Recording, Table, TimeStamps, Traces, Unit,
@@ -134,24 +135,6 @@ pub(crate) fn finding_with_option(finding: &Finding) -> String {
 
 fn failure(path: &Path, error: &MeasurementError) -> QueryError {
     QueryError::no_result(&path.display().to_string(), what_would_decide(error))
-}
-
-/// The reason why a file is refused, with marks of the options that would decide.
-pub(crate) fn what_would_decide(error: &MeasurementError) -> String {
-    let message = error.message(&|choice| format!("<--{choice}> "));
-    match error {
-        MeasurementError::HeaderWidth { .. } | MeasurementError::NeitherHeaderNorNumbers { .. } => {
-            message + " (<--header>)"
-        }
-        MeasurementError::NotEven { .. } => message + " (without <--even-times>)",
-        MeasurementError::CoarseTimes { .. } => message + ", or take them as they are (<--times-as-written>)",
-        MeasurementError::NothingBetween { .. } => message + " (<--from>, <--to>)",
-        MeasurementError::OnlyTimes(_) => message + " (times of a photogate are for <libration fit gates>)",
-        MeasurementError::NotGateTimes { .. } => {
-            message + " Tables of periods are for <libration fit periods> and <libration fit lengths>"
-        }
-        _ => message,
-    }
 }
 
 fn unit(text: &str) -> Result<Unit, String> {

@@ -1,7 +1,7 @@
 //! A table of measurements: how its file is written, which columns are meant, in which units.
 
 use super::read_bytes;
-use super::recording::what_would_decide;
+use super::undecided::what_would_decide;
 use crate::query_error::QueryError;
 use libration_lab::measurement::{Column, DecimalMark, Delimiter, Header, ReadOptions, Table, Unit};
 use std::path::Path;

@@ -1,6 +1,6 @@
 //! Roles of the columns of a table: given by `--columns` and `--role`, else inferred from headings, units, values and neighbours.
 
-use super::recording::what_would_decide;
+use super::undecided::what_would_decide;
 use super::{AmplitudeUnit, CountedOptions, LengthUnit, Wanted, optional_column};
 use crate::query_error::{QueryError, option};
 use libration_lab::measurement::{

@@ -78,7 +78,7 @@ impl Search<'_> {
             let is_open = |value: &usize| {
                 *value < place && self.quantity_of(*value).is_some_and(|of| !self.has_uncertainties(of))
             };
-            return before.or_else(|| values().filter(is_open).next_back());
+            return before.or_else(|| values().rfind(is_open));
         }
         let same = values().find(|&value| heading.is_of_the_same(self.heading(value)));
         same.or_else(|| before.filter(|_| self.candidates(place).is_empty()))

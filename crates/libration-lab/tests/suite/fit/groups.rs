@@ -42,10 +42,7 @@ fn groups_that_disagree_have_the_birge_ratio_and_one_stands_out() {
 #[test]
 fn what_groups_share_is_added_once() {
     let mean = GroupMean::new(&groups(9.95), 0.1).unwrap();
-    close(
-        mean.total().uncertainty,
-        (0.1_f64 * 0.1 + (0.01138784427001685_f64 * 3.1226335900877347).powi(2)).sqrt(),
-    );
+    close(mean.total().uncertainty, libm::hypot(0.1, 0.01138784427001685 * 3.1226335900877347));
     assert!(mean.degrees_of_freedom > 100.0 && mean.expanded() > 1.95 * mean.total().uncertainty);
 }
 

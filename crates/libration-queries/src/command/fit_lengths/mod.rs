@@ -135,7 +135,7 @@ fn groups_of(read: &LengthFile, fit: &LengthsFit, options: &LengthsOptions) -> O
     };
     let shared = fit.combined.contributions.iter().filter(is_shared).map(|it| it.change() * it.change());
     let radius = options.bob_radius.map(|radius| Quantity { uncertainty: None, ..radius });
-    let own = LengthsOptions { bob_radius: radius, clock: None, shared_timing: None, ..options.clone() };
+    let own = LengthsOptions { bob_radius: radius, ..LengthsOptions::default() };
     let of_rows = |rows: &[usize]| {
         let fit = fit::lengths(&read.measured.table.only(rows), &own).map_err(|error| error.to_string())?;
         Ok((fit.gravity(), fit.combined.degrees_of_freedom))
