@@ -91,7 +91,7 @@ fn amplitudes(measured: &Measured, law: &LawOfAmplitudes, scale: f64) -> Vec<Poi
         x_uncertainty: None,
         y_uncertainty: Some(scale * deviation).filter(|deviation| deviation.is_finite()),
     };
-    let deviations = measured.table.amplitude_deviations(law);
+    let deviations = measured.table.amplitude_deviations(&law.amplitudes, &law.standard_deviations);
     rows.zip(deviations).map(point).filter(|point| point.y > 0.0).collect()
 }
 

@@ -4,7 +4,7 @@ use super::comparison::{Compared, Comparison};
 use super::law::Law;
 use super::quality;
 use super::search::{Found, parameters};
-use super::{AmplitudeTable, AmplitudesOptions, AmplitudesWarning, Position, Sides, period, warning};
+use super::{AmplitudeTable, AmplitudesOptions, AmplitudesWarning, Position, Sides, period};
 use crate::fit::scatter::{self, Scatter};
 use crate::fit::{DampingKind, DampingModel, Quality, SIGNIFICANT, Uncertain};
 use crate::statistics::count;
@@ -130,7 +130,7 @@ impl AmplitudesFit {
     pub(super) fn new(
         table: &AmplitudeTable,
         options: &AmplitudesOptions,
-        comparison: Comparison<'_>,
+        comparison: &Comparison<'_>,
     ) -> Self {
         let law = &comparison.law;
         let chosen = &comparison.laws[comparison.chosen].found;
@@ -157,7 +157,6 @@ impl AmplitudesFit {
             warnings: vec![],
         };
         fit.coefficients = fit.coefficients(table);
-        fit.warnings = warning::warnings(table, &comparison, &fit);
         fit
     }
 

@@ -19,10 +19,12 @@ mod search;
 mod sides;
 mod table;
 mod warning;
+mod warnings;
 
 pub use error::AmplitudesError;
 pub use fitted::{AmplitudesFit, DampingCoefficient, LawOfAmplitudes};
-pub use table::{AmplitudeColumns, AmplitudeReading, AmplitudeTable, Position, Sides, UnstatedErrors};
+pub use sides::Sides;
+pub use table::{AmplitudeColumns, AmplitudeReading, AmplitudeTable, Position, UnstatedErrors};
 pub use warning::AmplitudesWarning;
 
 use super::DampingModel;
@@ -56,5 +58,7 @@ pub fn amplitudes(
         }
     }
     let comparison = Comparison::new(table, options.damping)?;
-    Ok(AmplitudesFit::new(table, options, comparison))
+    let mut fit = AmplitudesFit::new(table, options, &comparison);
+    fit.warnings = warnings::warnings(table, &comparison, &fit);
+    Ok(fit)
 }

@@ -3,7 +3,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::law::{Curve, Law};
-use super::table::{AmplitudeTable, Row, Sides, UnstatedErrors};
+use super::sides::Sides;
+use super::table::{AmplitudeTable, Row, UnstatedErrors};
 use crate::fit::DampingModel;
 use crate::statistics::levenberg_marquardt::{Effort, Linearised, ResidualsError, minimum};
 use crate::statistics::{Design, median, weighted_least_squares};

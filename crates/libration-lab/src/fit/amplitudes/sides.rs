@@ -1,6 +1,13 @@
 //! The sides of turning points.
 
-use super::table::Sides;
+/// Sides of the equilibrium on which the rows were read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sides {
+    /// Amplitudes.
+    One,
+    /// Turning points of both sides on one scale.
+    Both,
+}
 
 /// Fewest rows whose alternation alone shows turning points of both sides: by chance alternate rows of eight are separated once in 35 times, and rows of
 /// falling amplitudes far less often.

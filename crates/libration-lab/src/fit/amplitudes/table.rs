@@ -1,7 +1,7 @@
 //! Measured amplitudes, checked once.
 
-use super::sides::FoundSides;
-use super::{AmplitudesError, LawOfAmplitudes};
+use super::AmplitudesError;
+use super::sides::{FoundSides, Sides};
 
 /// The quantity that amplitudes are measured against.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,15 +24,6 @@ pub enum AmplitudeReading {
         /// Distance from the pivot to the point that is read, in metres.
         length: f64,
     },
-}
-
-/// Sides of the equilibrium on which the rows were read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Sides {
-    /// Amplitudes.
-    One,
-    /// Turning points of both sides on one scale.
-    Both,
 }
 
 /// Errors of all amplitudes where no uncertainties are stated.
@@ -240,9 +231,9 @@ impl AmplitudeTable {
         self.rows.iter().map(move |row| (row.position, amplitude(row)))
     }
 
-    /// Standard deviations of these amplitudes under a law.
-    pub fn amplitude_deviations(&self, law: &LawOfAmplitudes) -> Vec<f64> {
-        let rows = law.standard_deviations.iter().zip(&law.amplitudes);
+    /// Standard deviations of amplitudes by those of the values, row by row.
+    pub fn amplitude_deviations(&self, amplitudes: &[f64], of_values: &[f64]) -> Vec<f64> {
+        let rows = of_values.iter().zip(amplitudes);
         rows.map(|(deviation, &amplitude)| deviation / self.reading.slope(amplitude)).collect()
     }
 

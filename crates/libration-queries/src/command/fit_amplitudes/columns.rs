@@ -1,7 +1,13 @@
 //! Times, numbers of swings, periods and amplitudes among the columns of a table, by their names.
 
-use super::input::Against;
 use libration_lab::measurement::{Column, Table};
+
+/// The quantity that the amplitudes are measured against.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(super) enum Against {
+    Time,
+    Swings,
+}
 
 /// Names of numbers of swings, in lower case.
 const NUMBERS: [&str; 18] = [

@@ -1,6 +1,6 @@
 //! The file of a table of amplitudes: its columns and their units.
 
-use super::columns::{self, Roles};
+use super::columns::{self, Against, Roles};
 use crate::arguments::{
     ChosenColumns, ColumnsInSi, ColumnsOption, DialectOptions, DisplacementUnit, Wanted, length,
 };
@@ -36,13 +36,6 @@ pub(super) struct Input {
     errors: Errors,
     #[command(flatten)]
     dialect: DialectOptions,
-}
-
-/// The quantity that the amplitudes are measured against.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub(super) enum Against {
-    Time,
-    Swings,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
