@@ -41,6 +41,7 @@ mod screen;
 mod simulate;
 mod stability;
 mod sweep;
+mod symbolic_flow;
 mod terminal;
 mod typed_equations;
 mod widths;

@@ -19,7 +19,7 @@ fn widest(text: &str) -> (usize, &str) {
     text.lines().map(|line| (line.chars().count(), line)).max().unwrap_or((0, ""))
 }
 
-pub(crate) const QUESTIONS: [&str; 61] = [
+pub(crate) const QUESTIONS: [&str; 62] = [
     "period|60deg",
     "period|10deg,60deg,150deg",
     "period|10deg,60deg|--formulas|bernoulli,kidd_fogg,denman,black_vel_2,black_vel_3",
@@ -39,6 +39,7 @@ pub(crate) const QUESTIONS: [&str; 61] = [
     "expand|pendulum|--evaluate|40deg",
     "expand|duffing|--evaluate|0.5|--quantity|a3",
     "expand|x''+x+sqrt(2)*x^3=0|--order|5",
+    "expand|x''+eps*x'/5+w0^2*x+eps*x^3=eps*cos(W*t)/2|--resonance|1/1|--order|2|--set|eps=0.1|--set|w0=1|--evaluate|1.03",
     "list",
     "list|duffing|double_pendulum",
     "oscillators",
