@@ -43,6 +43,7 @@ mod screen;
 mod simulate;
 mod stability;
 mod sweep;
+mod symbolic_flow;
 mod terminal;
 mod typed_equations;
 mod widths;

@@ -40,6 +40,7 @@ pub(crate) const QUESTIONS: &[&str] = &[
     "expand|pendulum|--evaluate|40deg",
     "expand|duffing|--evaluate|0.5|--quantity|a3",
     "expand|x''+x+sqrt(2)*x^3=0|--order|5",
+    "expand|x''+eps*x'/5+w0^2*x+eps*x^3=eps*cos(W*t)/2|--resonance|1/1|--order|2|--set|eps=0.1|--set|w0=1|--evaluate|1.03",
     "list",
     "list|duffing|double_pendulum",
     "oscillators",

@@ -212,6 +212,8 @@ fn assert_errors_fall(
 fn errors_of_driven_motions_fall_with_the_power_of_eps() {
     let values = [("mu", 0.3), ("w0", 1.2), ("a", 0.9), ("F", 0.8)];
     assert_errors_fall((DUFFING, (1, 1)), 1..=4, &values, (0.08, 0.3));
+    let unbalanced = "x'' + 2*eps*mu*x' + w0^2*x + eps*a*x^3 = eps*F*W^2*cos(W*t)";
+    assert_errors_fall((unbalanced, (1, 1)), 1..=3, &values, (0.04, 0.3));
     let hard = "x'' + 2*eps*mu*x' + w0^2*x + eps*a*x^2 + eps*b*x^3 = eps*F*cos(W*t)";
     let values = [("mu", 0.3), ("w0", 1.1), ("a", 0.5), ("b", 0.7), ("F", 0.8)];
     assert_errors_fall((hard, (1, 1)), 1..=3, &values, (0.08, -0.2));
@@ -242,10 +244,13 @@ fn a_force_at_rest_that_is_not_zero_and_others_that_cannot_be_averaged_are_refus
     assert!(said(DUFFING, "1/1", "G:1", 1).contains("`G` is not a symbolic parameter"));
     assert!(said(DUFFING, "1/1", "", 13).contains("give 1 to 12"));
     assert!(said("x'' + w0^2*x + g + eps*x^3 = 0", "", "", 1).contains("`-g`"));
-    assert!(said("x'' + c*x' + w0^2*x + eps*x^3 = 0", "", "", 1).contains("the damping `-c` is not small"));
+    assert!(said("x'' + c*x' + w0^2*x + eps*x^3 = 0", "", "", 1).contains("`-c` before the velocity"));
     assert!(said("x'' - w0^2*x + eps*x^3 = 0", "", "", 1).contains("no oscillation"));
     assert!(said("x'' + w0^2*x + eps*x/(1+x^2) = 0", "", "", 1).contains("not a polynomial"));
     assert!(said("x'' + w0^2*x + eps*sign(x') = 0", "", "", 2).contains("averaged to order 1"));
+    assert!(said("x'' + w0^2*x + eps*sin(x) = 0", "", "", 1).contains("write the polynomial"));
+    assert!(said("x'' + w0^2*x + sqrt(eps)*x^3 = 0", "", "", 1).contains("not a polynomial"));
+    assert!(said("x'' + w0^2*x + x^3/eps = 0", "", "", 1).contains("not a polynomial"));
     assert!(said("x'' + w0^2*x = 0", "", "", 1).contains("nothing is small"));
     let two = "x'' + w0^2*x + eps*x^3 = eps*(cos(W*t) + cos(V*t))";
     assert!(said(two, "1/1", "", 1).contains("several frequencies"));

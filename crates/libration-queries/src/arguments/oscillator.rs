@@ -94,6 +94,11 @@ impl OscillatorOptions {
         Self { oscillator: oscillator.to_owned().into(), set: set.to_vec(), about: about.map(str::to_owned) }
     }
 
+    /// The text of the oscillator, the values and the equilibrium as they were given.
+    pub(crate) fn parts(&self) -> (&str, &[String], Option<&str>) {
+        (&self.oscillator, &self.set, self.about.as_deref())
+    }
+
     pub(crate) fn chosen(&self) -> Result<Chosen, QueryError> {
         let asked = self.asked()?;
         let oscillator = asked.oscillator().map_err(no_oscillator)?;

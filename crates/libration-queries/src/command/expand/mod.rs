@@ -11,6 +11,7 @@ mod numbers;
 mod scaling_law;
 pub(crate) mod slow_flow;
 mod subject;
+mod symbolic_flow;
 mod write;
 
 use crate::arguments::{self, ChosenWithLetters, OscillatorOptions};
@@ -59,6 +60,8 @@ use std::io::Write;
   libration expand duffing --letters epsilon --order 9 --format c > duffing.c
   libration expand damped_pendulum --set n=2 --order 5 --damping-order 2
   libration expand \"x'' + c*(x^2 - 1)*x' + x + x^3 = 0\" --damping-order 3
+  libration expand \"x'' + eps*(m*x' + a*x^3) + x = eps*cos(W*t)\" --resonance 1/1
+  libration expand \"x''+m*x'+x+x^2=F*cos(W*t)\" --resonance 1/1 --small m:2,F:2
   libration list oscillators                    # the built-in ones
 
 Gauges: fundamental (ε is the coefficient of cos Ωt, of sin Ωt where the force
@@ -70,6 +73,12 @@ the motion turns, or fundamental, the coefficient of cos ψ.
 Symbols: parameters of a typed equation that --set gives no value, and those of
 a built-in one that --letters names. Roots are those for positive symbols; where
 ω0² is a sum, a name for ω0 stays in the coefficients.
+
+Slow flow with symbols: --resonance P/Q is drive over natural frequency, as
+W = (P/Q)·ω0 + eps·sigma; A and phi are those of x = A*cos((Q/P)*W*t + phi) and
+terms of other frequencies. Where the small parameters and W have values by
+--set, or W by --evaluate, steady states are given in numbers, to compare with
+libration response --orders Q/P.
 
 What --evaluate leaves out is below a proven bound where there is one. Elsewhere it
 is an estimate, which is too small in about 1 of 100 cases, at order 5 and below
@@ -91,9 +100,14 @@ pub(crate) struct Expand {
     /// Give the slow flow under weak damping or excitation to this power of its strength [default: 2]
     #[arg(long, value_name = "POWER", value_parser = arguments::count::<MAX_PARAMETER_ORDER>, conflicts_with_all = ["evaluate", "letters"])]
     damping_order: Option<usize>,
-    /// The symbol of this strength, where several have no value; the symbolic strength of a named system
-    #[arg(long, value_name = "NAME", conflicts_with_all = ["evaluate", "letters"])]
+    /// The symbol of this strength, where several have no value; the symbolic strength of a named system. Several small
+    /// parameters with their orders, such as a2:1,a3:2,mu:2,F:2, for a slow flow with symbols [default: eps, where it occurs]
+    #[arg(long, value_name = "NAME:ORDER,…", conflicts_with = "letters")]
     small: Option<String>,
+    /// Give the slow flow of a driven oscillator near W = (P/Q)·ω0, drive over natural frequency: 1/1 primary, 1/3
+    /// superharmonic, 3/1 subharmonic resonance
+    #[arg(long, value_name = "P/Q", conflicts_with_all = ["damping_order", "letters", "gauge"])]
+    resonance: Option<String>,
     /// Evaluate the series term by term at this amplitude, the largest displacement from the equilibrium, such as 0.5,
     /// or 40deg where the variable is an angle; for a limit cycle, at this value of its parameter
     #[arg(long, value_name = "AMPLITUDE", conflicts_with = "latex")]
@@ -144,12 +158,16 @@ impl Format {
 /// The order to which an expansion is listed.
 const LISTED: usize = 7;
 pub(crate) fn answers() -> Vec<Answers> {
-    vec![fields::answers(), evaluate::answers(), slow_flow::answers(), scaling_law::answers()]
+    let series = [fields::answers(), evaluate::answers(), scaling_law::answers()];
+    series.into_iter().chain([slow_flow::answers(), symbolic_flow::answers()]).collect()
 }
 
 impl Expand {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         interrupt::listen()?;
+        if self.is_symbolic_flow() {
+            return self.answer_symbolic_flow(out);
+        }
         if let Some(asked) = self.slow_flow()? {
             return self.answer_slow_flow(out, asked);
         }
@@ -157,9 +175,10 @@ impl Expand {
             return self.answer_scaling_law(out, answer);
         }
         let chosen = match self.evaluate {
-            None => match self.oscillator.chosen_with_letters(&self.letters)? {
-                Ok(chosen) => chosen,
-                Err(error) => return self.slow_flow_or(out, arguments::no_oscillator(error)),
+            None => match self.oscillator.chosen_with_letters(&self.letters) {
+                Ok(Ok(chosen)) => chosen,
+                Ok(Err(error)) => return self.slow_flow_or(out, arguments::no_oscillator(error)),
+                Err(refused) => return self.symbolic_flow_or(out, refused),
             },
             // A value takes the values of all parameters.
             Some(_) => ChosenWithLetters::Numbers(self.oscillator.chosen_without(&self.letters)?),

@@ -55,6 +55,11 @@ pub enum SymbolicSlowFlowError {
          displacement alone that vanish with it or have power series about zero, abs and sign those of displacement or velocity"
     )]
     NotPolynomial(String),
+    /// A power series without end where the amplitude is not small.
+    #[error(
+        "a function such as sin is a power series of the displacement, which is cut off where the amplitude is small: here it has a small factor          only; write the polynomial that is meant, such as x - x^3/6"
+    )]
+    EndlessSeries,
     /// A force at rest.
     #[error(
         "the force at rest `{0}` is not zero: shift the displacement so that the equilibrium is at zero, or give the force an order"
@@ -63,9 +68,11 @@ pub enum SymbolicSlowFlowError {
     /// No oscillation without the small terms.
     #[error("without the small terms there is no oscillation: ω0² is `{0}`, and must be positive")]
     NoOscillation(String),
-    /// Damping that is not small.
-    #[error("the damping `{0}` is not small: give its symbol an order, such as mu:1")]
-    DampingNotSmall(String),
+    /// Damping or kinks that are not small.
+    #[error(
+        "`{0}` before the velocity, or before abs or sign, is not small: give its symbol an order, such as mu:1"
+    )]
+    NotSmall(String),
     /// A parametric drive that is not small.
     #[error("the parametric drive `{0}` is not small: give its symbol an order, such as h:1")]
     ParametricNotSmall(String),

@@ -4,6 +4,7 @@ use super::error::SymbolicSlowFlowError as Error;
 use super::letters::{Column, Letters, Sum};
 use libration_numbers::algebra::{Rational, Rationals, Ring};
 use libration_numbers::expression::{Expression, Function, Symbol};
+use std::cell::Cell;
 
 /// The reading of formulas.
 pub(super) struct Reader<'a> {
@@ -16,6 +17,8 @@ pub(super) struct Reader<'a> {
     pub(super) drive: Option<(&'a DriveFrequency, i64)>,
     /// The highest degree of power series in the displacement.
     pub(super) degree: usize,
+    /// Whether a power series was cut off.
+    pub(super) is_cut_off: Cell<bool>,
 }
 
 /// The frequency W of the drive.
@@ -203,6 +206,7 @@ impl Reader<'_> {
         if !still.is_zero() {
             return None;
         }
+        self.is_cut_off.set(true);
         let symbol = Symbol::plain("u");
         let formula = Expression::Call(function, Box::new(Expression::Symbol(symbol.clone())));
         let series = formula.taylor_series(&Rationals, &symbol, &Rational::from(0), self.degree + 1)?;

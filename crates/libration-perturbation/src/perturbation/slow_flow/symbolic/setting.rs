@@ -8,6 +8,7 @@ use super::scales::{Forced, Term};
 use libration_numbers::algebra::{Rational, Ring};
 use libration_numbers::expression::Equation;
 use libration_numbers::internals::progress::Watch;
+use std::cell::Cell;
 
 /// Names of the result that the symbols of the equation do not have.
 #[derive(Clone, Debug)]
@@ -78,12 +79,13 @@ impl Setting {
             symbols: &self.symbols,
             drive: self.drive.as_ref().map(|drive| (drive, self.resonance.0)),
             degree: usize::try_from(order).unwrap_or(0) + 1,
+            is_cut_off: Cell::new(false),
         };
         let acceleration = reader.read(&equation.accelerations()[0])?;
         if acceleration.is_beyond_limit() {
             return Err(Error::TooLarge(0));
         }
-        if letters.exponents(&acceleration, Column::Drive).first().is_some_and(|&least| least < 0) {
+        if !self.is_polynomial(&acceleration) {
             return Err(Error::NotPolynomial(equation.accelerations()[0].to_string()));
         }
         let natural = self.natural_frequency(&acceleration)?;
@@ -112,14 +114,22 @@ impl Setting {
             (Some(_), Some(stated)) => Some(stated),
             (Some(_), None) => {
                 let whole = shift(&mut forced, order);
-                self.split(&mut forced, &whole)?;
+                self.split(&mut forced, &whole, reader.is_cut_off.get())?;
                 forced.detuning = letters.zero();
                 Some(forced.first_order(order, watch)?)
             }
         };
         let whole = grade.map_or_else(|| acceleration.clone(), |grade| shift(&mut forced, grade));
-        let drives = self.split(&mut forced, &whole)?;
+        let drives = self.split(&mut forced, &whole, reader.is_cut_off.get())?;
         Ok((forced, Found { natural: natural.explained, drives }))
+    }
+
+    /// Natural powers of the drive frequency and of the small parameters.
+    fn is_polynomial(&self, acceleration: &Sum) -> bool {
+        let places = [Column::Drive, Column::Order].map(|column| self.letters.place(column));
+        acceleration
+            .half_powers()
+            .all(|(powers, _)| places.iter().all(|&place| powers[place] >= 0 && powers[place] % 2 == 0))
     }
 
     /// W − (p/q)·ω0: σ, times the small parameter where there is one.
@@ -173,7 +183,12 @@ impl Setting {
     }
 
     /// Distributes the acceleration, and returns the symbols of the drive that does not contain the displacement.
-    fn split(&self, forced: &mut Forced<'_>, acceleration: &Sum) -> Result<Vec<usize>, Error> {
+    fn split(
+        &self,
+        forced: &mut Forced<'_>,
+        acceleration: &Sum,
+        is_cut_off: bool,
+    ) -> Result<Vec<usize>, Error> {
         let letters = &self.letters;
         let linear = self.part(acceleration, &[(Column::Position, 2)]);
         let rest = letters.subtract(acceleration, &linear);
@@ -184,6 +199,9 @@ impl Setting {
         let kinked = |powers: &[i64]| powers[columns[2]] != 0 || powers[columns[3]] != 0;
         // Without a small factor a term is small because the amplitude is, and then powers of the amplitude count everywhere.
         let by_amplitude = rest.half_powers().any(|(powers, _)| powers[grade] == 0 && degree(powers) >= 2);
+        if is_cut_off && !by_amplitude {
+            return Err(Error::EndlessSeries);
+        }
         let graded = letters.changed(&rest, |powers, factor| {
             if by_amplitude && degree(powers) >= 1 {
                 powers[grade] += 2 * (degree(powers) - 1);
@@ -215,7 +233,7 @@ impl Setting {
         });
         Err(match (degree(powers), powers[letters.place(Column::Wave)]) {
             (0, _) => Error::Equilibrium(text.to_string()),
-            (_, 0) => Error::DampingNotSmall(text.to_string()),
+            (_, 0) => Error::NotSmall(text.to_string()),
             _ => Error::ParametricNotSmall(text.to_string()),
         })
     }

@@ -13,14 +13,14 @@ pub(crate) enum Language {
 
 impl Language {
     /// A number that is read as the same bits.
-    pub(super) fn number(self, value: f64) -> String {
+    pub(in crate::command::expand) fn number(self, value: f64) -> String {
         match self {
             Self::Fortran => format!("{value:e}").replace('e', "d"),
             _ => format!("{value:?}"),
         }
     }
 
-    pub(super) fn call(self, function: &str, argument: &str) -> String {
+    pub(in crate::command::expand) fn call(self, function: &str, argument: &str) -> String {
         match self {
             Self::Rust => format!("f64::{function}({argument})"),
             _ => format!("{function}({argument})"),
@@ -28,7 +28,7 @@ impl Language {
     }
 
     /// A letter to a power that is a multiple of one half.
-    pub(super) fn power(self, letter: &str, exponent: &Rational) -> String {
+    pub(in crate::command::expand) fn power(self, letter: &str, exponent: &Rational) -> String {
         let value = self.number(exponent.to_f64());
         match (self, exponent.is_integer()) {
             _ if *exponent == Rational::from(1) => letter.to_owned(),
@@ -44,7 +44,7 @@ impl Language {
     }
 
     /// Returns `true` if no variable may have this name.
-    pub(super) fn is_reserved(self, name: &str) -> bool {
+    pub(in crate::command::expand) fn is_reserved(self, name: &str) -> bool {
         let words = match self {
             Self::C => C_WORDS,
             Self::Python => PYTHON_WORDS,

@@ -19,13 +19,13 @@ impl Expand {
         let is_written =
             self.format.and_then(Format::language).is_none() && self.format != Some(Format::Mathml);
         if self.evaluate.is_some() || !is_written {
-            return Err(refused);
+            return self.symbolic_flow_or(out, refused);
         }
         let mut answer = vec![];
         match self.oscillator.asked().and_then(|asked| self.answer_slow_flow(&mut answer, asked)) {
             Ok(()) => {}
             Err(interrupted) if interrupted.is_cancelled() => return Err(interrupted),
-            Err(_) => return Err(refused),
+            Err(_) => return self.symbolic_flow_or(out, refused),
         }
         call::current().note(
             "there is no expansion as a limit cycle; this is the slow flow (--damping-order), with the rate of the amplitude",

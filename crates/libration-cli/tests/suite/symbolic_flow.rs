@@ -1,0 +1,104 @@
+//! `libration expand` with symbols, several small terms and a drive: the fields, numbers compared with `orbit`, and programs.
+
+use crate::command::{directory, message, run};
+use serde_json::Value;
+use std::process::Command;
+
+const DUFFING: &str = "x'' + 2*eps*mu*x' + w0^2*x + eps*a*x^3 = eps*F*cos(W*t)";
+
+fn answer(words: &[&str]) -> Value {
+    let output = run(&[words, &["--json"]].concat());
+    assert!(output.status.success(), "{words:?}: {}", message(&output));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+fn shown(words: &[&str]) -> String {
+    let output = run(words);
+    assert!(output.status.success(), "{words:?}: {}", message(&output));
+    String::from_utf8(output.stdout).unwrap()
+}
+
+fn refused(words: &[&str]) -> String {
+    let output = run(words);
+    assert!(!output.status.success(), "{words:?}");
+    message(&output)
+}
+
+#[test]
+fn a_driven_oscillator_has_its_slow_flow_and_steady_states_as_formulas() {
+    let driven = answer(&["expand", DUFFING, "--resonance", "1/1"]);
+    assert_eq!(driven["slow_flow"]["amplitude"], "-eps*mu*A - eps*F/(2*w0)*sin(phi)");
+    assert_eq!(driven["slow_flow"]["phase"], "-eps*sigma + 3*eps*a*A^2/(8*w0) - eps*F/(2*w0*A)*cos(phi)");
+    assert_eq!(driven["steady_state"]["peak_amplitude"], "F/(2*mu*w0)");
+    assert_eq!(driven["steady_state"]["equations"].as_array().unwrap().len(), 2);
+    assert_eq!(driven["drive_frequency"], "w0 + eps*sigma");
+    assert_eq!(driven["letters"]["amplitude"], "A");
+    assert_eq!(driven["values"], Value::Null);
+    let dry = answer(&["expand", "x'' + w0^2*x + eps*R*sign(x') = eps*F*cos(W*t)", "--resonance", "1/1"]);
+    // (2·ω0·σ·A)² + (4R/π)² = F².
+    assert_eq!(dry["steady_state"]["relation"], "-F^2 + 16*R^2/pi^2 + 4*w0^2*sigma^2*A^2");
+    assert_eq!(dry["steady_state"]["peak_amplitude"], Value::Null);
+    assert!(dry["steady_state"]["notes"][0].as_str().unwrap().starts_with("peak_amplitude"));
+}
+
+#[test]
+fn symbols_of_free_oscillators_need_no_option() {
+    let cycle = answer(&["expand", "x'' + x = eps*(m*(1 - x^2)*x' - b*x^3)"]);
+    assert_eq!(cycle["slow_flow"]["amplitude"], "eps*m*A/2 - eps*m*A^3/8");
+    let two_sided = answer(&["expand", "x'' + w^2*x + c*x*abs(x) = 0"]);
+    assert_eq!(two_sided["slow_flow"]["phase"], "4*c*A/(3*w*pi)");
+    let named = answer(&["expand", "x'' + c*x' + w^2*x + b*x^3 = 0", "--small", "c:1,b:1"]);
+    assert_eq!(named["slow_flow"]["amplitude"], "-c*A/2");
+    assert_eq!(named["small_orders"], serde_json::json!({"c": 1, "b": 1}));
+}
+
+#[test]
+fn numbers_are_those_of_the_integrated_motion_within_their_errors() {
+    let set = ["--set", "mu=0.1", "--set", "w0=1", "--set", "a=1", "--set", "F=0.5", "--set", "eps=0.1"];
+    let exact = answer(&["orbit", "x'' + 0.02*x' + x + 0.1*x^3 = 0.05*cos(1.03*t)"]);
+    let exact = exact["harmonics"].as_array().unwrap().iter().find(|it| it["n"] == 1).unwrap().clone();
+    let mut last = f64::INFINITY;
+    for order in ["1", "2", "3"] {
+        let words =
+            [&["expand", DUFFING, "--resonance", "1/1", "--evaluate", "1.03", "--order", order], &set[..]]
+                .concat();
+        let values = answer(&words)["values"].clone();
+        assert_eq!(values["drive_angular_frequency_rad_per_s"], 1.03);
+        let states = values["steady_states"].as_array().unwrap();
+        assert_eq!(states.len(), 1, "{values}");
+        let difference = states[0]["amplitude"].as_f64().unwrap() - exact["amplitude"].as_f64().unwrap();
+        let error = states[0]["amplitude_error"].as_f64().unwrap();
+        assert!(difference.abs() < 1.2 * error && error < last / 5.0, "order {order}: {difference}, {error}");
+        assert_eq!(states[0]["is_stable"], true);
+        last = error;
+    }
+    let listing = shown(&[&["expand", DUFFING, "--resonance", "1/1", "--set", "W=1.03"], &set[..]].concat());
+    assert!(listing.contains("in numbers at W = 1.03, sigma = 0.3:\nA = 1.147"), "{listing}");
+}
+
+#[test]
+fn formulas_are_written_in_languages_and_as_mathematics() {
+    let of = |format: &str| shown(&["expand", DUFFING, "--resonance", "1/1", "--format", format]);
+    assert!(of("latex").contains(r"\dot A = -\mathrm{eps} \mu A"), "{}", of("latex"));
+    assert!(of("mathml").contains("<mtext>peak amplitude</mtext><mo>=</mo><mfrac>"));
+    assert!(of("c").contains("double peak_amplitude(double F, double mu, double w0)"));
+    assert!(of("rust").contains("pub fn peak_amplitude(F: f64, mu: f64, w0: f64) -> f64 {"));
+    assert!(of("fortran").contains("real(8) function peak_amplitude(F, mu, w0)"));
+    let file = directory("symbolic-flow").join("flow.py");
+    std::fs::write(&file, of("python") + "\n\nprint(peak_amplitude(F=3.0, mu=0.5, w0=2.0), round(relation(1, 3, 0.5, 0.1, 0.2, 2), 9))\n").unwrap();
+    let Ok(output) = Command::new("python3").arg(&file).output() else { return };
+    // −9 + 4·0.01·4 + 4·4·0.04 − 3·0.5·2·0.2 + 9·0.25/16.
+    assert_eq!(String::from_utf8(output.stdout).unwrap().trim(), "1.5 -8.659375");
+}
+
+#[test]
+fn what_has_no_such_slow_flow_is_refused_with_what_would_work() {
+    let said = |words: &[&str]| refused(&[&["expand"], words].concat());
+    assert!(said(&[DUFFING]).contains("name the resonance"));
+    assert!(said(&[DUFFING, "--resonance", "one"]).contains("cannot read `one`"));
+    assert!(said(&[DUFFING, "--resonance", "1/1", "--small", "eps:x"]).contains("cannot read the order"));
+    assert!(said(&["x'' + x = F*cos(W*t)", "--resonance", "1/1"]).contains("unless it is small"));
+    assert!(said(&["x'' + eps*x^3 + x = 0", "--resonance", "1/1"]).contains("does not depend on t"));
+    let missing = said(&[DUFFING, "--resonance", "1/1", "--evaluate", "1.1", "--set", "eps=0.1"]);
+    assert!(missing.contains("no value is given for F, a, mu, w0"), "{missing}");
+}

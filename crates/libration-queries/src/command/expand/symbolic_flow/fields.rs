@@ -1,0 +1,202 @@
+//! Fields of a slow flow with symbolic parameters.
+
+use super::super::subject::of_subject;
+use super::{Answer, Solution, Values};
+use crate::output::description::Answers;
+use crate::output::field::{Field, Fields};
+use crate::output::json;
+use libration::perturbation::SteadyState;
+
+/// One formula.
+pub(super) struct Formula {
+    pub(super) name: &'static str,
+    pub(super) text: String,
+}
+
+type Of<A> = Field<A>;
+
+pub(super) fn of_flow() -> Fields<Answer> {
+    of_subject().and(of_setting()).and(of_formulas())
+}
+
+fn of_setting() -> Fields<Answer> {
+    Fields::from([
+        Of::<Answer>::value("order", "1", "highest order in the small parameters", |it| it.flow.order.into()),
+        Of::value("small_orders.NAME", "1", "order of the small parameter with this name", |it| {
+            json::object(it.small.iter().cloned())
+        }),
+        Of::value(
+            "resonance",
+            "1",
+            "p/q of W = (p/q)·ω0 + eps·sigma, drive over natural frequency; null without drive",
+            |it| it.flow.resonance.map(|(p, q)| format!("{p}/{q}")).into(),
+        ),
+        Of::value("natural_frequency", "", "formula of ω0, symbols being positive", |it| {
+            it.flow.natural_frequency.as_str().into()
+        }),
+        Of::value("drive_frequency", "", "formula of the drive frequency W; null without drive", |it| {
+            it.flow.drive_frequency.clone().into()
+        }),
+        Of::value(
+            "letters.NAME",
+            "",
+            "symbol in the formulas that has this meaning: amplitude, phase, detuning, drive_frequency, natural_frequency",
+            |it| {
+                json::object(
+                    it.flow.letters.iter().map(|(name, letter)| ((*name).to_owned(), letter.clone())),
+                )
+            },
+        ),
+    ])
+}
+
+fn of_formulas() -> Fields<Answer> {
+    Fields::from([
+        Of::<Answer>::nested("slow_flow.", &of_rates(), |it| of_rates().record(it).into()),
+        Of::value(
+            "displacement",
+            "",
+            "formula of the displacement: A·cos((q/p)·W·t + phi) and terms of other frequencies",
+            |it| it.flow.displacement.as_str().into(),
+        ),
+        Of::value(
+            "displacement_note",
+            "",
+            "harmonics that the displacement leaves out; null where there are none",
+            |it| it.flow.displacement_note.into(),
+        ),
+        Of::nested("steady_state.", &of_steady(), |it| of_steady().record(&it.flow.steady_state).into()),
+        Of::present_nested("values.", &of_values(), |it| {
+            Some(of_values().record(it.values.as_ref()?).into())
+        }),
+    ])
+}
+
+fn of_rates() -> Fields<Answer> {
+    Fields::from([
+        Of::<Answer>::value("amplitude", "", "formula of dA/dt", |it| it.flow.amplitude_rate.as_str().into()),
+        Of::value("phase", "", "formula of dphi/dt", |it| it.flow.phase_rate.as_str().into()),
+    ])
+}
+
+fn of_steady() -> Fields<SteadyState> {
+    Fields::from([
+        Of::<SteadyState>::value(
+            "equations[]",
+            "",
+            "dA/dt and A·dphi/dt, zero at steady states; dA/dt only without drive",
+            |it| json::list(it.equations.iter().map(String::as_str)),
+        ),
+        Of::value(
+            "relation",
+            "",
+            "formula in A and sigma that is zero on the response curve, or for the amplitude of limit cycles; null with a note \
+             where there is none",
+            |it| it.relation.clone().into(),
+        ),
+        Of::value(
+            "phase_harmonic",
+            "1",
+            "m of cos(m·phi) and sin(m·phi); null where they are not known",
+            |it| it.phase.as_ref().map(|(m, _)| *m).into(),
+        ),
+        Of::value("phase[]", "", "formulas of cos(m·phi) and sin(m·phi) at steady states", |it| {
+            json::list(it.phase.iter().flat_map(|(_, parts)| parts.iter().map(String::as_str)))
+        }),
+        Of::value("backbone", "", "formula of the sigma of the largest amplitude by A", |it| {
+            it.backbone.clone().into()
+        }),
+        Of::value("peak_amplitude", "", "formula of the largest amplitude of the response curve", |it| {
+            it.peak_amplitude.clone().into()
+        }),
+        Of::value("peak_detuning", "", "formula of sigma there", |it| it.peak_detuning.clone().into()),
+        Of::value("folds", "", "formula that is zero where the response curve turns back", |it| {
+            it.folds.clone().into()
+        }),
+        Of::value(
+            "critical_drive",
+            "",
+            "formula of the amplitude of the drive above which there are folds, to lowest order",
+            |it| it.critical_drive.clone().into(),
+        ),
+        Of::value("trace", "", "trace of the Jacobian of dA/dt and dphi/dt at steady states", |it| {
+            it.trace.clone().into()
+        }),
+        Of::value("determinant", "", "determinant of this Jacobian", |it| it.determinant.clone().into()),
+        Of::value("notes[]", "", "reasons why formulas are null", |it| {
+            json::list(it.notes.iter().map(String::as_str))
+        }),
+    ])
+}
+
+fn of_values() -> Fields<Values> {
+    Fields::from([
+        Of::<Values>::nullable(
+            "drive_angular_frequency_rad_per_s",
+            "rad/s",
+            "drive frequency; null without drive",
+            |it| it.drive_frequency,
+        ),
+        Of::number("detuning_rad_per_s", "rad/s", "sigma; 0 without drive", |it| it.detuning),
+        Of::nested("steady_states[].", &of_solution(), |it| {
+            of_solution().records(it.solutions.iter().flatten())
+        }),
+    ])
+}
+
+fn of_solution() -> Fields<Solution> {
+    Fields::from([
+        Of::<Solution>::number("amplitude", "", "A", |it| it.state.amplitude),
+        Of::nullable(
+            "amplitude_error",
+            "",
+            "estimated error of A: the distance from the steady state of the next order; null where this is not known",
+            |it| it.amplitude_error,
+        ),
+        Of::number(
+            "phase_rad",
+            "rad",
+            "phi, the smallest of those that differ by periods of the drive",
+            |it| it.state.phase,
+        ),
+        Of::number("trace_per_s", "1/s", "trace of the Jacobian", |it| it.state.trace),
+        Of::number("determinant", "", "determinant of the Jacobian; 0 without drive", |it| {
+            it.state.determinant
+        }),
+        Of::value("is_stable", "", "true if small deviations decay", |it| it.state.is_stable.into()),
+    ])
+}
+
+/// The formulas by name.
+pub(super) fn formulas(answer: &Answer) -> Vec<Formula> {
+    let flow = &answer.flow;
+    let steady = &flow.steady_state;
+    let named = [
+        ("amplitude", Some(&flow.amplitude_rate)),
+        ("phase", Some(&flow.phase_rate)),
+        ("displacement", Some(&flow.displacement)),
+        ("relation", steady.relation.as_ref()),
+        ("backbone", steady.backbone.as_ref()),
+        ("peak_amplitude", steady.peak_amplitude.as_ref()),
+        ("peak_detuning", steady.peak_detuning.as_ref()),
+        ("folds", steady.folds.as_ref()),
+        ("critical_drive", steady.critical_drive.as_ref()),
+        ("trace", steady.trace.as_ref()),
+        ("determinant", steady.determinant.as_ref()),
+    ];
+    named.into_iter().filter_map(|(name, text)| Some(Formula { name, text: text?.clone() })).collect()
+}
+
+pub(super) fn of_formula() -> Fields<Formula> {
+    Fields::from([
+        Of::<Formula>::value("quantity", "", "quantity of the formula, as JSON names it", |it| {
+            it.name.into()
+        }),
+        Of::value("formula", "", "its formula in plain text", |it| it.text.as_str().into()),
+    ])
+}
+
+pub(super) fn answers() -> Answers {
+    let (json, csv) = (of_flow().described(""), of_formula().described_in_csv());
+    Answers { command: "expand", option: "--resonance", json, csv }
+}

@@ -1,0 +1,70 @@
+//! The slow flow with symbolic parameters, several small terms and a drive.
+
+mod fields;
+mod formulas;
+mod listing;
+mod mathml;
+mod query;
+
+use super::subject::{About, Subject};
+use crate::output::description::Answers;
+use crate::query_error::{QueryError, option};
+use libration::perturbation::{SteadySolution, SymbolicSlowFlow, SymbolicSlowFlowError};
+
+/// A slow flow with the words for it.
+pub(super) struct Answer {
+    subject: Subject,
+    flow: SymbolicSlowFlow,
+    /// Small parameters with their orders.
+    small: Vec<(String, usize)>,
+    values: Option<Values>,
+}
+
+/// The slow flow with numbers for all symbols.
+pub(super) struct Values {
+    drive_frequency: Option<f64>,
+    detuning: f64,
+    /// `None` where the relation is not known.
+    solutions: Option<Vec<Solution>>,
+}
+
+/// A steady state with an estimate of the error of its amplitude: the distance from that of the next order.
+pub(super) struct Solution {
+    state: SteadySolution,
+    amplitude_error: Option<f64>,
+}
+
+impl Solution {
+    fn new(state: SteadySolution, next: Option<&[SteadySolution]>) -> Self {
+        let distance = |other: &SteadySolution| (other.amplitude - state.amplitude).abs();
+        let amplitude_error = next.and_then(|next| next.iter().map(distance).min_by(f64::total_cmp));
+        Self { state, amplitude_error }
+    }
+}
+
+impl About for Answer {
+    fn subject(&self) -> &Subject {
+        &self.subject
+    }
+}
+
+pub(super) fn answers() -> Answers {
+    fields::answers()
+}
+
+fn failure(error: &SymbolicSlowFlowError) -> QueryError {
+    use SymbolicSlowFlowError as Error;
+    match error {
+        Error::Interrupted => QueryError::cancelled("interrupted before the slow flow was known"),
+        Error::Order(_) | Error::KinkOrder(_) => QueryError::usage(option("order"), error),
+        Error::UnknownParameter { .. } | Error::NothingSmall => QueryError::usage(option("small"), error),
+        Error::Resonance(..) | Error::NoDrive => QueryError::usage(option("resonance"), error),
+        Error::NoResonance => QueryError::usage(
+            option("resonance"),
+            format!(
+                "{error}; <libration simulate> follows the motion, <libration response> the response curve"
+            ),
+        ),
+        _ => QueryError::no_result("slow flow", error),
+    }
+}
