@@ -105,8 +105,9 @@ fn is_name(name: &str, described: &str, words: &BTreeSet<String>) -> bool {
 
 /// Returns `true` if the path leads to a described field, or to a list or object of such fields.
 fn leads_to(path: &str, described: &str, words: &BTreeSet<String>) -> bool {
-    // The names of parameters are words of the query; the result chooses those of constants.
-    let is_parameter = |before: &str| ["parameters", "constants"].contains(&before);
+    // The names of parameters are words of the query; the result chooses those of constants and symbols.
+    let is_parameter =
+        |before: &str| ["parameters", "constants", "letters", "small_orders"].contains(&before);
     let (path, described) = (steps(path), steps(described));
     if described == ["note"] {
         return path.last() == Some(&"note");

@@ -96,7 +96,7 @@ pub(super) fn closed(
 ) -> Result<Orbit, OrbitError> {
     check(rounds, guess)?;
     let mut newton = Newton::new(rounds, unknowns, guess)?;
-    // The swing of a guess that runs away from an unstable orbit is no size of that orbit.
+    // The swing of a guess that runs away from an unstable orbit says nothing about the size of that orbit.
     let size_of_guess = newton.size() / newton.lost().unwrap_or(1.0);
     let taken = newton.converge()?;
     if newton.size() < VANISHED * size_of_guess {

@@ -160,7 +160,7 @@ fn stated_errors_of_other_motions_hold() {
     }
 }
 
-/// Where the formula touches zero its rate of change passes through zero.
+/// At a double zero of a formula its rate of change passes through zero.
 #[test]
 fn the_time_of_a_touch_is_right_to_what_is_stated() {
     let touch = Event { ends_at: Some(2), ..first_zero_of("x + 1") };

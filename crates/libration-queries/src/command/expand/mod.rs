@@ -158,8 +158,9 @@ impl Format {
 /// The order to which an expansion is listed.
 const LISTED: usize = 7;
 pub(crate) fn answers() -> Vec<Answers> {
-    let series = [fields::answers(), evaluate::answers(), scaling_law::answers()];
-    series.into_iter().chain([slow_flow::answers(), symbolic_flow::answers()]).collect()
+    // Where several options of these are given, the first names the fields.
+    let series = [fields::answers(), symbolic_flow::answers(), evaluate::answers()];
+    series.into_iter().chain([slow_flow::answers(), scaling_law::answers()]).collect()
 }
 
 impl Expand {

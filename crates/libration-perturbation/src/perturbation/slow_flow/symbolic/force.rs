@@ -17,7 +17,7 @@ pub(super) struct Reader<'a> {
     pub(super) drive: Option<(&'a DriveFrequency, i64)>,
     /// The highest degree of power series in the displacement.
     pub(super) degree: usize,
-    /// Whether a power series was cut off.
+    /// `true` if a power series was cut off.
     pub(super) is_cut_off: Cell<bool>,
 }
 

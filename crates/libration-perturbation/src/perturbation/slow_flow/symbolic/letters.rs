@@ -246,7 +246,7 @@ impl Letters {
         self.power(Column::Pi, i64::from(i32::MAX))
     }
 
-    /// Whether i² = −1 changes the sign.
+    /// `true` if i² = −1 changes the sign.
     fn reduce(&self, powers: &mut [i64]) -> bool {
         for sign in [Column::PositionSign, Column::VelocitySign] {
             powers[self.place(sign)] %= 4;

@@ -94,7 +94,7 @@ impl Forced<'_> {
         Some(letters.times(&forced, &square))
     }
 
-    /// What the equation leaves over of a solution to order n − 1.
+    /// The residual of the equation for a solution to order n − 1.
     fn residual(&self, solved: &Solved, n: i64) -> Sum {
         let letters = self.letters;
         let velocity = self.rate_of_change(&solved.displacement, &solved.rate, n);

@@ -245,7 +245,7 @@ struct NaturalFrequency {
     explained: Option<Sum>,
 }
 
-/// What was found in the equation.
+/// The terms of the equation by kind.
 pub(super) struct Found {
     /// ω0², where ω0 has a name of its own.
     pub(super) natural: Option<Sum>,

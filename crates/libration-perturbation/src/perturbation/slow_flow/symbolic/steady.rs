@@ -18,7 +18,7 @@ pub(super) struct SteadyEquations<'a> {
     pub(super) lowest: i64,
 }
 
-/// What is known of steady states without the phase.
+/// The criteria of steady states without the phase.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Steady {
     /// Zero for steady amplitudes.
