@@ -184,9 +184,17 @@ impl TableFit {
             let roles = table.roles(&quantities, &GivenRoles::default()).ok()?;
             let are_named =
                 quantities.iter().zip(&roles.quantities).all(|(it, columns)| table.heads(it, columns));
-            are_named.then(|| Self { command, read_as: notes(table, &wanted, &roles) })
+            let are_periods = are_named && !begins_at_zero(table, &roles.quantities[1].readings);
+            are_periods.then(|| Self { command, read_as: notes(table, &wanted, &roles) })
         })
     }
+}
+
+/// `true` for times of a recording, which begin at zero, or cells that are not numbers.
+fn begins_at_zero(table: &Table, columns: &[Column]) -> bool {
+    let read = table.readings(&[columns.to_vec()]);
+    let first = read.ok().and_then(|it| it.quantities[0].first()?.first().copied());
+    first.is_none_or(|first| first <= 0.0)
 }
 
 /// The roles that were inferred, as sentences.
