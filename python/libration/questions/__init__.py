@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from ._figure_series import figure_series
     from ._figure_spectrum import figure_spectrum
     from ._figure_trajectories import figure_trajectories
+    from ._fit_amplitudes import fit_amplitudes
     from ._fit_gates import fit_gates
     from ._fit_lengths import fit_lengths
     from ._fit_periods import fit_periods
@@ -56,6 +57,7 @@ __all__ = [
     "figure_series",
     "figure_spectrum",
     "figure_trajectories",
+    "fit_amplitudes",
     "fit_gates",
     "fit_lengths",
     "fit_periods",

@@ -18,6 +18,7 @@ def expand(
     gauge: str | None = None,
     damping_order: int | None = None,
     small: Given | None = None,
+    resonance: Given | None = None,
     evaluate: Given | None = None,
     quantity: str | None = None,
     progress: Say = False,
@@ -59,9 +60,13 @@ def expand(
     damping_order : int, optional
         Give the slow flow under weak damping or excitation to this power of its strength [default:
         2].
-    small : number or text, optional
+    small : number or text, or several, optional
         The symbol of this strength, where several have no value; the symbolic strength of a named
-        system.
+        system. Several small parameters with their orders, such as a2:1,a3:2,mu:2,F:2, for a slow
+        flow with symbols [default: eps, where it occurs].
+    resonance : number or text, optional
+        Give the slow flow of a driven oscillator near W = (P/Q)·ω0, drive over natural frequency:
+        1/1 primary, 1/3 superharmonic, 3/1 subharmonic resonance.
     evaluate : number or text, optional
         Evaluate the series term by term at this amplitude, the largest displacement from the
         equilibrium, such as 0.5, or 40deg where the variable is an angle; for a limit cycle, at

@@ -14,11 +14,17 @@ def fit_periods(
     file: Path | Columns,
     *,
     columns: Given | None = None,
+    role: Given | None = None,
+    group: int | str | None = None,
     amplitude_unit: Literal["rad", "deg"] | None = None,
     half_periods: bool = False,
-    periods_per_row: Value | None = None,
+    swings_per_reading: Value | None = None,
+    reaction_time: Value | None = None,
+    shared_timing: Value | None = None,
+    sheet: int | str | None = None,
     delimiter: Literal["comma", "semicolon", "tab", "space"] | None = None,
-    header: Literal["detect", "present", "absent"] | None = None,
+    decimal: Literal["point", "comma"] | None = None,
+    header: int | str | None = None,
     reject_outliers: Value | None = None,
     formulas: str | Sequence[str] | None = None,
     figure: Path | None = None,
@@ -48,19 +54,35 @@ def fit_periods(
         A table of amplitudes and periods, optionally with uncertainties; - for standard input.
     columns : number or text, or several, optional
         Columns of both quantities, of the uncertainties of both, and of further ones, by number or
-        name; - for none [default: the first two of values, with the uncertainties that the header
-        names].
+        name; - for none [default: as headings, units and values say].
+    role : number or text, or several, optional
+        Role of a column: a quantity, as in 2=period (several columns are repeated readings); its
+        uncertainty, as in 3=period-uncertainty, period-half-width or period-resolution; swings,
+        group, ignore.
+    group : int or str, optional
+        Column of the names of groups, whose results are compared and averaged [default: a column
+        whose header says so].
     amplitude_unit : {"rad", "deg"}, optional
         Unit of the amplitudes and of their uncertainties [default: that of the header, else rad].
     half_periods : bool
         The times are half periods, from one side to the other.
-    periods_per_row : float or str, optional
-        Each time spans this many periods [default: as the header says, such as 10T or half period,
-        else 1].
+    swings_per_reading : float or str, optional
+        Each time lasts this many swings, full periods [default: as the header says, such as 10T or
+        time for 10 swings, else 1].
+    reaction_time : float or str, optional
+        Standard uncertainty of a single timing by hand, such as 0.1s; repeated readings have it in
+        their scatter.
+    shared_timing : float or str, optional
+        Standard uncertainty of what all timings share, such as 0.05s for an observer who stops
+        late.
+    sheet : int or str, optional
+        Sheet of a workbook or file of an archive, by number or name.
     delimiter : {"comma", "semicolon", "tab", "space"}, optional
-        Separator of the columns [default: detected].
-    header : {"detect", "present", "absent"}, optional
-        Row of column names: detected, present or absent [default: detect].
+        Separator of the cells.
+    decimal : {"point", "comma"}, optional
+        Decimal point or decimal comma.
+    header : int or str, optional
+        Line that names the columns: detect, present, absent, or its number.
     reject_outliers : float or str, optional
         Leave out rows more than this many robust standard deviations from the exact law.
     formulas : str, or several, optional

@@ -13,12 +13,15 @@ def fit_response(
     file: Path | Columns,
     *,
     columns: Given | None = None,
+    role: Given | None = None,
     frequency_unit: Literal["Hz", "kHz", "rad/s", "deg/s"] | None = None,
     amplitude_unit: Literal["rad", "deg", "m", "cm", "mm", "in", "counts"] | None = None,
     phase_unit: Literal["rad", "deg"] | None = None,
     errors: Literal["absolute", "relative"] | None = None,
+    sheet: int | str | None = None,
     delimiter: Literal["comma", "semicolon", "tab", "space"] | None = None,
-    header: Literal["detect", "present", "absent"] | None = None,
+    decimal: Literal["point", "comma"] | None = None,
+    header: int | str | None = None,
     model: Literal["linear", "pendulum", "duffing"] | None = None,
     measured: Literal["peak", "fundamental"] | None = None,
     figure: Path | None = None,
@@ -37,8 +40,11 @@ def fit_response(
         - for standard input.
     columns : number or text, or several, optional
         Columns of both quantities, of the uncertainties of both, and of further ones, by number or
-        name; - for none [default: the first two of values, with the uncertainties that the header
-        names].
+        name; - for none [default: as headings, units and values say].
+    role : number or text, or several, optional
+        Role of a column: a quantity, as in 2=period (several columns are repeated readings); its
+        uncertainty, as in 3=period-uncertainty, period-half-width or period-resolution; swings,
+        group, ignore.
     frequency_unit : {"Hz", "kHz", "rad/s", "deg/s"}, optional
         Unit of the frequencies and of their uncertainties [default: that of the header].
     amplitude_unit : {"rad", "deg", "m", "cm", "mm", "in", "counts"}, optional
@@ -48,10 +54,14 @@ def fit_response(
     errors : {"absolute", "relative"}, optional
         Errors of all amplitudes where no uncertainties are stated: the same absolute error, or the
         same part of each amplitude [default: absolute].
+    sheet : int or str, optional
+        Sheet of a workbook or file of an archive, by number or name.
     delimiter : {"comma", "semicolon", "tab", "space"}, optional
-        Separator of the columns [default: detected].
-    header : {"detect", "present", "absent"}, optional
-        Row of column names: detected, present or absent [default: detect].
+        Separator of the cells.
+    decimal : {"point", "comma"}, optional
+        Decimal point or decimal comma.
+    header : int or str, optional
+        Line that names the columns: detect, present, absent, or its number.
     model : {"linear", "pendulum", "duffing"}, optional
         The oscillator [default: the simplest consistent with the rows; a pendulum where amplitudes
         are angles].

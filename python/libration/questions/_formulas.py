@@ -9,6 +9,7 @@ from ..answer import Answer, answer
 
 
 def formulas(
+    keys: str | Sequence[str] | None = None,
     *,
     amplitude: Angle | None = None,
     tolerance: Value | None = None,
@@ -21,6 +22,8 @@ def formulas(
 
     Parameters
     ----------
+    keys : str, or several, optional
+        Keys of formulas whose sheets are shown: formula, derivation, source, error curve.
     amplitude : angle, optional
         List only formulas within the tolerance at this amplitude and all smaller ones.
     tolerance : float or str, optional

@@ -1,0 +1,102 @@
+"""`libration fit amplitudes`. Written by scripts/questions."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from .._ask import Columns, Given, Path, Quantity, Say, Value
+from ..answer import answer
+from ..fit import Fit
+
+
+def fit_amplitudes(
+    file: Path | Columns,
+    *,
+    columns: Given | None = None,
+    role: Given | None = None,
+    against: Literal["time", "swings"] | None = None,
+    amplitude_unit: Literal["rad", "deg", "m", "cm", "mm", "in", "counts"] | None = None,
+    length: Value | None = None,
+    sides: Literal["one", "both"] | None = None,
+    errors: Literal["absolute", "relative"] | None = None,
+    sheet: int | str | None = None,
+    delimiter: Literal["comma", "semicolon", "tab", "space"] | None = None,
+    decimal: Literal["point", "comma"] | None = None,
+    header: int | str | None = None,
+    period: Quantity | None = None,
+    model: str | None = None,
+    figure: Path | None = None,
+    size: Literal["page", "column", "slide"] | None = None,
+    width: Quantity | None = None,
+    height: Quantity | None = None,
+    progress: Say = False,
+) -> Fit:
+    """Amplitudes or turning points against time or number of swings: damping law, its coefficients,
+    quality factor.
+
+    Parameters
+    ----------
+    file : str or path or columns
+        A table of times or numbers of swings and of amplitudes or turning points, optionally with
+        uncertainties; - for standard input.
+    columns : number or text, or several, optional
+        Columns of both quantities, of the uncertainties of both, and of further ones, by number or
+        name; - for none [default: as headings, units and values say].
+    role : number or text, or several, optional
+        Role of a column: a quantity, as in 2=period (several columns are repeated readings); its
+        uncertainty, as in 3=period-uncertainty, period-half-width or period-resolution; swings,
+        group, ignore.
+    against : {"time", "swings"}, optional
+        Quantity of the first column [default: as its header says].
+    amplitude_unit : {"rad", "deg", "m", "cm", "mm", "in", "counts"}, optional
+        Unit of the amplitudes and of their uncertainties [default: that of the header, else rad].
+    length : float or str, optional
+        Distance from the pivot to the point that is read: horizontal displacements then give
+        angles.
+    sides : {"one", "both"}, optional
+        Amplitudes, or turning points of both sides on one scale [default: both where rows alternate
+        or have both signs].
+    errors : {"absolute", "relative"}, optional
+        Errors of all amplitudes where no uncertainties are stated: the same absolute error, or the
+        same part of each amplitude [default: absolute].
+    sheet : int or str, optional
+        Sheet of a workbook or file of an archive, by number or name.
+    delimiter : {"comma", "semicolon", "tab", "space"}, optional
+        Separator of the cells.
+    decimal : {"point", "comma"}, optional
+        Decimal point or decimal comma.
+    header : int or str, optional
+        Line that names the columns: detect, present, absent, or its number.
+    period : quantity, optional
+        Period of small swings, such as 1.42s±0.01s [default: by columns of periods T, or of times t
+        and numbers of swings n].
+    model : str, optional
+        The damping: dry, linear, quadratic, a sum such as dry+linear, or auto for the simplest law
+        that the rows do not exclude [default: auto].
+    figure : str or path, optional
+        Draw the data, the law and the residuals to FILE.svg or FILE.png.
+    size : {"page", "column", "slide"}, optional
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
+        larger type [default: page].
+    width : quantity, optional
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
+        ``size``].
+    height : quantity, optional
+        Height of the picture [default: chosen to suit the picture].
+    progress : bool or callable
+        True for a line of progress, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Fit
+
+    Raises
+    ------
+    UsageError
+        An argument is not valid.
+    NoAnswer
+        There is no result.
+    Interrupted
+        Ctrl-C; its ``partial`` is the result up to then.
+    """
+    return answer(Fit, "fit amplitudes", locals())
