@@ -222,9 +222,13 @@ def test_what_is_no_table_is_refused():
         lb.lab.read({})
 
 
-def test_squared_periods_are_refused():
-    with pytest.raises(lb.LibrationError, match=r"`s\^2` is not a unit of"):
-        lb.lab.fit_lengths({"L (cm)": [20, 40, 60, 80], "T^2 (s^2)": [0.805, 1.610, 2.415, 3.218]})
+def test_squared_periods_are_read():
+    # T² = 4.025 L: g = 4π²/4.025 = 9.808.
+    fit = lb.lab.fit_lengths(
+        {"L (cm)": [20, 40, 60, 80], "T^2 (s^2)": [0.805, 1.610, 2.415, 3.22]}
+    )
+    assert abs(fit.g.nominal_value - 4 * np.pi**2 / 4.025) < 1e-6
+    assert any("squares of the period" in sentence for sentence in fit["told_from_file"])
 
 
 def test_a_decay_that_is_no_straight_line_is_no_centre_that_wanders():
