@@ -50,8 +50,9 @@ function base91(bytes) {
 const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
 const version = readFileSync(here("../Cargo.toml"), "utf8").match(/^version = "(.+)"$/m)[1];
 const worker = await bundled("src/engine/worker.ts");
+const program = await bundled("src/main.ts", { WORKER_SOURCE: JSON.stringify(worker), VERSION: JSON.stringify(version) });
 // A script element must not contain its end tag.
-const script = (await bundled("src/main.ts", { WORKER_SOURCE: JSON.stringify(worker), VERSION: JSON.stringify(version) })).replaceAll("</script", "<\\/script");
+const script = (await bundled("src/start.ts")).replaceAll("</script", "<\\/script");
 const font = await mathematicsFont();
 const style = (await bundled("src/style.css")) + `@font-face{font-family:Mathematics;src:url(data:font/woff2;base64,${font.toString("base64")})}`;
 const sizes = [["script", script], ["style", style]].map(([name, text]) => [name, Buffer.byteLength(text), gzipSync(text, { level: 9 }).length, Buffer.byteLength(text)]);
@@ -65,12 +66,13 @@ function pack(id, raw) {
   sizes.push([id, raw.length, compressed.length, text.length]);
 }
 for (const [id, path] of given.map((pair) => pair.split("="))) pack(id, readFileSync(path));
+pack("program", Buffer.from(program));
 pack("licences", Buffer.from(licences(["libration-web", "libration-web-questions"])));
 const [first, ...rest] = ["pendulum", "whole", "licences"].flatMap((id) => packed.get(id) ?? []);
 
 const policy = [
   "default-src 'none'",
-  `script-src ${hash(script)} 'wasm-unsafe-eval'`,
+  `script-src ${hash(script)} ${hash(program)} 'wasm-unsafe-eval'`,
   `style-src ${hash(style)}`,
   "worker-src blob:",
   "img-src data: blob:",
@@ -78,7 +80,7 @@ const policy = [
   "base-uri 'none'",
   "form-action 'none'",
 ].join("; ");
-const parts = { policy, style, script, first, rest: rest.join("\n") };
+const parts = { policy, style, program: packed.get("program"), script, first, rest: rest.join("\n") };
 const page = readFileSync(here("src/page.html"), "utf8").replace(/\{\{(\w+)\}\}/g, (_, part) => parts[part]);
 writeFileSync(output, page);
 
