@@ -1,23 +1,14 @@
 //! The formulas with their sources and errors.
 
+use super::entry::Entry;
 use super::formula_sheet;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
 use crate::output::table::{Table, write_text};
 use crate::output::{Form, csv};
-use libration::period_formulas::{ABBREVIATIONS, PeriodFormula};
+use libration::period_formulas::ABBREVIATIONS;
 use std::io::{self, Write};
-
-/// A formula with what is known about its error.
-#[derive(Clone, Debug)]
-pub(super) struct Entry {
-    pub(super) formula: PeriodFormula,
-    /// The amplitude (rad) up to which it keeps the tolerance, if one was given.
-    pub(super) holds_to: Option<f64>,
-    /// `true` if its error curve is shown.
-    pub(super) is_sheet: bool,
-}
 
 /// The widest formula of the table, next to the longest key; longer ones stand in their sheets.
 const WIDEST: usize = 59;

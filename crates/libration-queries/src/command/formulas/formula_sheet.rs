@@ -1,6 +1,6 @@
 //! A sheet for each formula: the formula, its derivation and source, its error at some amplitudes, the amplitudes up to which it holds.
 
-use super::catalogue::Entry;
+use super::entry::Entry;
 use crate::output::field::{Field, Fields};
 use crate::output::number;
 use crate::output::table::{Table, sheet};

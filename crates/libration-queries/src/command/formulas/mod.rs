@@ -2,6 +2,7 @@
 
 mod catalogue;
 mod crossovers;
+mod entry;
 mod error_table;
 mod formula_sheet;
 
@@ -9,6 +10,7 @@ use crate::arguments::{self, FormulaChoice};
 use crate::output::FormOptions;
 use crate::output::description::Answers;
 use crate::query_error::{QueryError, option};
+use entry::Entry;
 use libration::period_formulas::PeriodFormula;
 use libration::quantity::Angle;
 use std::io::Write;
@@ -44,7 +46,7 @@ impl Formulas {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         if !self.keys.is_empty() {
             let sheets: Vec<_> =
-                self.keys.iter().map(|it| catalogue::Entry { is_sheet: true, ..entry(it, None) }).collect();
+                self.keys.iter().map(|it| Entry { is_sheet: true, ..entry(it, None) }).collect();
             return Ok(catalogue::write(out, self.form.form(), &sheets)?);
         }
         let formulas = self.formulas.chosen_or_all();
@@ -59,11 +61,7 @@ impl Formulas {
     }
 
     /// The formulas that keep the tolerance, each with the amplitude up to which it does.
-    fn sufficient(
-        &self,
-        formulas: &[PeriodFormula],
-        tolerance: f64,
-    ) -> Result<Vec<catalogue::Entry>, QueryError> {
+    fn sufficient(&self, formulas: &[PeriodFormula], tolerance: f64) -> Result<Vec<Entry>, QueryError> {
         let table = error_table::error_table(formulas)?;
         let place = |key: &str| table.formulas().position(|formula| formula.key() == key);
         let holds_to = |key: &str| place(key).map(|place| table.holds_to(place, tolerance));
@@ -81,8 +79,8 @@ impl Formulas {
     }
 }
 
-fn entry(formula: &PeriodFormula, holds_to: Option<f64>) -> catalogue::Entry {
-    catalogue::Entry { formula: formula.clone(), holds_to, is_sheet: false }
+fn entry(formula: &PeriodFormula, holds_to: Option<f64>) -> Entry {
+    Entry { formula: formula.clone(), holds_to, is_sheet: false }
 }
 
 pub(crate) fn answers() -> Vec<Answers> {
