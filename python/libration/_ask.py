@@ -177,7 +177,9 @@ def _parameter(words: str, given: Sequence[Any]) -> Parameter:
         is_of_measurements = words.split()[0] in ("fit", "plan")
         has_dimension = parameter.value in ("LENGTH", "MASS", "DENSITY", "RATE")
         is_width = parameter.name in ("width", "height")
-        is_measured = is_of_measurements and has_dimension and not is_width
+        # The length that turns displacements into angles scales them; its uncertainty is not used.
+        is_scale = words == "fit amplitudes" and parameter.name == "length"
+        is_measured = is_of_measurements and has_dimension and not is_width and not is_scale
     return parameter._replace(is_measured=is_measured)
 
 

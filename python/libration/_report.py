@@ -114,7 +114,8 @@ def _correlations(names: list[str], matrix: list[list[float]]) -> list[tuple[str
 
 def rounded(value: float, uncertainty: float) -> tuple[str, str]:
     """A value and its uncertainty with two digits of the uncertainty."""
-    digits = max(0, 1 - int(np.floor(np.log10(uncertainty))))
+    # The power of ten after rounding: 0.00995 is 0.010.
+    digits = max(0, 1 - int(f"{uncertainty:.1e}".partition("e")[2]))
     return f"{value:.{digits}f}", f"{uncertainty:.{digits}f}"
 
 

@@ -73,7 +73,7 @@ def test_uncertainties_are_used_or_left_out_with_a_warning(question, it):
 MEASURED = {
     "fit periods": {"length", "bob-radius", "bob-mass", "bob-density", "rod-mass", "rod-length"}
     | {"air-density", "stretch", "linear"},
-    "fit lengths": {"bob-radius"},
+    "fit lengths": {"bob-radius", "edges"},
     "plan": {"length", "linear"},
 }
 MEASURED["period"] = {"period", "ratio", "excess"}

@@ -172,6 +172,12 @@ PAIRS = [
         f"fit lengths {ROOT}/examples/lengths_synthetic.csv --amplitude 10deg",
     ),
     (
+        questions.fit_amplitudes,
+        (ROOT / "examples/amplitudes_synthetic.csv",),
+        {"model": "linear", "period": "1.42s"},
+        f"fit amplitudes {ROOT}/examples/amplitudes_synthetic.csv --model linear --period 1.42s",
+    ),
+    (
         questions.inspect,
         (SWING,),
         {"spectrum": True, "harmonics": 5, "swings": 4},

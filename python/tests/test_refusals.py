@@ -122,7 +122,7 @@ REFUSED = {
         (
             lambda: lb.derive("foo"),
             errors.UsageError,
-            "method: unknown value `foo`: give elliptic, formulas, perturbation, averaging or",
+            "method: unknown value `foo`: give elliptic, short, formulas, perturbation",
         ),
         (lambda: SOLUTION["phi"], KeyError, "the state has no variable `phi`: it has theta"),
         (

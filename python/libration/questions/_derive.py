@@ -11,7 +11,7 @@ from .._ask import Angle, Equation, Given, Path, Quantity, Say, Values, text
 def derive(
     oscillator: Equation | None = None,
     *,
-    method: Literal["elliptic", "first-correction", "formulas", "perturbation", "averaging", "limit-cycle"],
+    method: Literal["elliptic", "short", "formulas", "perturbation", "averaging", "limit-cycle"],
     order: int | None = None,
     damping_order: int | None = None,
     small: Given | None = None,
@@ -36,7 +36,7 @@ def derive(
     oscillator : equation, optional
         Series: a key of the catalogue, such as duffing, or an equation [default: pendulum, for
         averaging ``damped_pendulum``, for limit-cycle ``van_der_pol``].
-    method : {"elliptic", "first-correction", "formulas", "perturbation", "averaging", "limit-cycle"}
+    method : {"elliptic", "short", "formulas", "perturbation", "averaging", "limit-cycle"}
         The derivation.
     order : int, optional
         Series: the highest power of the expansion parameter or amplitude, up to 9 [default: 5, of a

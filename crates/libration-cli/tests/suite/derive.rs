@@ -4,8 +4,7 @@ use crate::command::{directory, libration, message, text};
 use std::fs;
 use std::process::Command;
 
-const ROADS: [&str; 6] =
-    ["elliptic", "first-correction", "formulas", "perturbation", "averaging", "limit-cycle"];
+const ROADS: [&str; 6] = ["elliptic", "short", "formulas", "perturbation", "averaging", "limit-cycle"];
 
 #[test]
 fn every_road_is_written_in_every_format() {

@@ -25,7 +25,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
   libration derive --method elliptic > period.md
   libration derive --method elliptic --amplitude 40deg --length 1m \\
     --format html --output period.html
-  libration derive --method first-correction --format html --output first.html
+  libration derive --method short --format html --output first.html
   libration derive --method formulas --format latex --output formulas.tex
   libration derive --method perturbation --order 7 --amplitude 60deg \\
     --format html --output series.html
@@ -92,7 +92,7 @@ enum Method {
     /// The exact period: energy, elliptic integral, series, mean
     Elliptic,
     /// Two pages for a first course: from sin θ ≈ θ − θ³/6 to T ≈ T0 (1 + θ0²/16)
-    FirstCorrection,
+    Short,
     /// Origin of the published formulas for the period
     Formulas,
     /// Motion and period of any conservative oscillator, order by order
@@ -149,7 +149,7 @@ impl Derive {
             Method::Averaging => return self.averaging(),
             Method::LimitCycle => return self.limit_cycle(),
             Method::Elliptic => libration_derivation::elliptic,
-            Method::FirstCorrection => libration_derivation::first_correction,
+            Method::Short => libration_derivation::first_correction,
             Method::Formulas => libration_derivation::formulas,
         };
         derivation(self.swing()?.as_ref()).map(|derivation| (derivation, true)).map_err(failure)
@@ -289,7 +289,7 @@ impl Method {
     fn name(self) -> &'static str {
         match self {
             Self::Elliptic => "elliptic",
-            Self::FirstCorrection => "first-correction",
+            Self::Short => "short",
             Self::Formulas => "formulas",
             Self::Perturbation => "perturbation",
             Self::Averaging => "averaging",
