@@ -174,8 +174,8 @@ PAIRS = [
     (
         questions.fit_amplitudes,
         (ROOT / "examples/amplitudes_synthetic.csv",),
-        {"model": "linear", "period": "1.42s"},
-        f"fit amplitudes {ROOT}/examples/amplitudes_synthetic.csv --model linear --period 1.42s",
+        {"model": "linear"},
+        f"fit amplitudes {ROOT}/examples/amplitudes_synthetic.csv --model linear",
     ),
     (
         questions.inspect,
