@@ -215,3 +215,18 @@ fn a_table_of_periods_is_inspected_with_the_fit_that_it_is_for() {
         assert!(sheet.contains(&format!("`libration {command}` would fit the table")), "{sheet}");
     }
 }
+
+/// A refusal because of the columns names the fit that they are for; a table that no fit is for gets no such hint.
+#[test]
+fn a_table_of_another_fit_is_sent_there() {
+    let refused = |arguments: &str| message(&libration(arguments));
+    let amplitudes = refused(&format!("fit lengths {}", example("amplitudes.csv")));
+    assert!(amplitudes.contains("hint: the columns are those of libration fit periods"), "{amplitudes}");
+    let lengths = refused(&format!("fit periods {}", example("brackets.csv")));
+    assert!(lengths.contains("hint: the columns are those of libration fit lengths"), "{lengths}");
+    let response = refused(&format!("fit response {}", example("brackets.csv")));
+    assert!(response.contains("hint: the columns are those of libration fit lengths"), "{response}");
+    let table = directory("no-fit").join("words.csv");
+    std::fs::write(&table, "a,b\n1,x\n2,y\n").unwrap();
+    assert!(!refused(&format!("fit lengths {}", table.display())).contains("hint"));
+}

@@ -185,7 +185,7 @@ pub enum Lost {
         /// The number of integration steps taken.
         steps: usize,
     },
-    /// None of these.
+    /// A motion that neither settles nor repeats itself.
     #[error("it does not repeat itself up to t = {0:?}")]
     Irregular(f64),
 }

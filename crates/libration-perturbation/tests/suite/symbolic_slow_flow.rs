@@ -84,6 +84,14 @@ fn primary_resonance_of_the_duffing_oscillator_is_that_of_the_textbooks() {
     assert_near(value(steady.critical_drive.as_ref().unwrap(), &at), critical, 1.0, "critical drive");
 }
 
+/// Without damping the amplitude at resonance has no bound and every drive has folds.
+#[test]
+fn a_resonance_without_damping_has_neither_peak_nor_critical_drive() {
+    let steady = flow("x'' + w0^2*x + eps*a*x^3 = eps*F*cos(W*t)", "1/1", "", 1).steady_state;
+    assert_eq!((steady.peak_amplitude, steady.critical_drive), (None, None));
+    assert!(steady.folds.is_some() && steady.notes.iter().any(|note| note.starts_with("critical_drive")));
+}
+
 /// Nayfeh & Mook (1979), section 4.2: the effective cubic coefficient a3 − 10·a2²/(9·w²).
 #[test]
 fn quadratic_and_cubic_terms_have_an_effective_cubic_coefficient() {

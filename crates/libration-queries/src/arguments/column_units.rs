@@ -1,8 +1,9 @@
 //! The columns of a table in units of the SI, with repeated readings as means.
 
 use super::wanted::refusal;
-use super::{ChosenColumns, Wanted};
+use super::{ChosenColumns, ColumnsOption, TableFit, Wanted};
 use crate::output::number;
+use crate::query_error::QueryError;
 use libration_lab::fit::RepeatedReadings;
 use libration_lab::measurement::{Column, Readings, Table, UncertaintyKind, Unit};
 
@@ -38,6 +39,27 @@ pub(crate) struct ColumnsInSi<const N: usize> {
     pub(crate) inferences: Vec<String>,
     /// Units in which the columns were read.
     pub(crate) units: [Unit; N],
+}
+
+impl ColumnsOption {
+    /// The chosen columns in units of the SI. A refusal names the fit that the headings are for, where that is another than `command`.
+    pub(crate) fn read<const N: usize>(
+        &self,
+        file: &str,
+        table: &Table,
+        wanted: &[Wanted; N],
+        group: Option<&Column>,
+        command: &str,
+    ) -> Result<ColumnsInSi<N>, QueryError> {
+        let read = self.choose(file, table, wanted, group).and_then(|chosen| {
+            ColumnsInSi::from_table(table, &chosen, wanted)
+                .map_err(|error| QueryError::no_result(file, error))
+        });
+        read.map_err(|error| match TableFit::of(table).filter(|fit| fit.command != command) {
+            Some(fit) => error.with_hint(&format!("the columns are those of <libration {}>", fit.command)),
+            None => error,
+        })
+    }
 }
 
 impl<const N: usize> ColumnsInSi<N> {

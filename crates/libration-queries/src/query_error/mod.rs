@@ -137,8 +137,12 @@ impl QueryError {
     /// The same error with the queries that have a result in its place.
     pub(crate) fn with_remedies(self, remedies: &[Remedy]) -> Self {
         let sentences: Vec<_> = remedies.iter().map(|it| sentence(*it)).collect();
-        let hint = (!sentences.is_empty()).then(|| Text::marked(&sentences.join("; ")));
-        Self(Box::new(Content { hint, ..*self.0 }))
+        if sentences.is_empty() { self } else { self.with_hint(&sentences.join("; ")) }
+    }
+
+    /// The same error with a hint, in which parameters and queries are marked.
+    pub(crate) fn with_hint(self, hint: &str) -> Self {
+        Self(Box::new(Content { hint: Some(Text::marked(hint)), ..*self.0 }))
     }
 
     /// The same error with a value of its parameter that would do.

@@ -36,18 +36,9 @@ pub(super) fn reversible(
     }
     let sides = [far, near].map(|length| Side::of(table, length));
     let [first, second] = &sides;
-    let (difference, of_difference) =
-        (far - near, libm::hypot(first.length_uncertainty, second.length_uncertainty));
-    if of_difference > KNOWN * difference {
-        return Err(FitError::CentreOfMass { difference, uncertainty: of_difference });
-    }
-    let (sum, of_sum) = match edges {
-        Some(Quantity { value, uncertainty }) => (value, uncertainty.unwrap_or(0.0)),
-        None => (far + near, of_difference),
-    };
-    if !(sum > 0.0 && sum.is_finite() && (0.0..f64::INFINITY).contains(&of_sum)) {
-        return Err(FitError::Length { value: sum, uncertainty: of_sum });
-    }
+    let of_both = libm::hypot(first.length_uncertainty, second.length_uncertainty);
+    let Uncertain { value: difference, uncertainty: of_difference } = known_difference(far - near, of_both)?;
+    let Uncertain { value: sum, uncertainty: of_sum } = distance_of_edges(edges, far + near, of_both)?;
     let terms = [(first.square + second.square) / sum, (first.square - second.square) / difference];
     let gravity = 8.0 * PI * PI / (terms[0] + terms[1]);
     // dg = −g²/8π² d(terms), 1/g being y/h of a simple pendulum.
@@ -87,6 +78,23 @@ pub(super) fn reversible(
     let square: f64 = contributions.iter().map(|it| it.change() * it.change()).sum();
     let gravity = Uncertain { value: gravity, uncertainty: square.sqrt() };
     Ok((described(table, gravity), contributions))
+}
+
+/// The difference of the distances from the centre of mass, if it is known.
+fn known_difference(difference: f64, uncertainty: f64) -> Result<Uncertain, FitError> {
+    if uncertainty > KNOWN * difference {
+        return Err(FitError::CentreOfMass { difference, uncertainty });
+    }
+    Ok(Uncertain { value: difference, uncertainty })
+}
+
+/// The distance of the edges, as given, else the sum of their distances from the centre of mass.
+fn distance_of_edges(edges: Option<Quantity>, sum: f64, of_sum: f64) -> Result<Uncertain, FitError> {
+    let (value, uncertainty) = edges.map_or((sum, of_sum), |it| (it.value, it.uncertainty.unwrap_or(0.0)));
+    if !(value > 0.0 && value.is_finite() && (0.0..f64::INFINITY).contains(&uncertainty)) {
+        return Err(FitError::Length { value, uncertainty });
+    }
+    Ok(Uncertain { value, uncertainty })
 }
 
 /// The fit with the radius of gyration that the periods about the far edge give, and the residuals of single periods.

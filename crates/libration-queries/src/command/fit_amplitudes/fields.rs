@@ -148,7 +148,7 @@ fn product(one: Uncertain, other: Uncertain) -> Uncertain {
 }
 
 pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
-    before_the_result().and(of_result()).and(warnings::fields(
+    before_the_result().and(of_result()).and(of_quality()).and(of_rows()).and(warnings::fields(
         |it: &Answer<'a>| warnings::texts(it.warnings()),
         |it| warnings::names(it.warnings()),
     ))
@@ -214,6 +214,13 @@ fn of_result<'a>() -> Fields<Answer<'a>> {
         Of::known("omega0_uncertainty_rad_per_s", "rad/s", "standard uncertainty of ω0, or null", |it| {
             it.fit.natural_frequency.map(|omega0| omega0.uncertainty).ok_or_else(|| NO_PERIOD.to_owned())
         }),
+    ])
+}
+
+/// Q, the logarithmic decrement, the time of decay.
+fn of_quality<'a>() -> Fields<Answer<'a>> {
+    type Of<'a> = Field<Answer<'a>>;
+    Fields::from([
         Of::known("quality", "1", QUALITY, |it| it.quality().map(|quality| quality.factor.value)),
         Of::known("quality_uncertainty", "1", "standard uncertainty of Q, or null", |it| {
             it.quality().map(|quality| quality.factor.uncertainty)
@@ -244,6 +251,12 @@ fn of_result<'a>() -> Fields<Answer<'a>> {
             it.decay_time().map(|time| time.uncertainty)
         }),
         Of::known("decay_swings", "1", "the same as a number of swings, or null", Answer::decay_swings),
+    ])
+}
+
+fn of_rows<'a>() -> Fields<Answer<'a>> {
+    type Of<'a> = Field<Answer<'a>>;
+    Fields::from([
         Of::nested("laws[].", &of_law(), |it| of_law().records(&it.fit.laws)),
         Of::nested("measurements[].", &of_measurement(), |it| of_measurement().records(&it.measurements())),
     ])

@@ -1,8 +1,8 @@
 //! The file of a length table: its columns and their units.
 
 use crate::arguments::{
-    AmplitudeUnit, ColumnsInSi, ColumnsOption, CountedOptions, DialectOptions, GroupOption, LengthUnit,
-    Wanted, one_amplitude,
+    AmplitudeUnit, ColumnsOption, CountedOptions, DialectOptions, GroupOption, LengthUnit, Wanted,
+    one_amplitude,
 };
 use crate::figure::lengths::Measured;
 use crate::query_error::{QueryError, option};
@@ -73,9 +73,8 @@ impl Input {
 
     pub(super) fn read(&self) -> Result<LengthFile, QueryError> {
         let table = self.dialect.read(&self.file)?;
-        let columns = self.columns.choose(&self.name(), &table, &self.wanted(), self.group.group.as_ref())?;
-        let read = ColumnsInSi::from_table(&table, &columns, &self.wanted())
-            .map_err(|error| self.no_answer(error))?;
+        let group = self.group.group.as_ref();
+        let read = self.columns.read(&self.name(), &table, &self.wanted(), group, "fit lengths")?;
         let [lengths, periods, length_uncertainties, of_periods, amplitudes] = read.columns;
         let lengths = lengths.unwrap_or_default();
         let periods = periods.unwrap_or_default();

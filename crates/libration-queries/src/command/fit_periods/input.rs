@@ -64,9 +64,8 @@ impl Input {
 
     pub(super) fn read(&self) -> Result<Measured, QueryError> {
         let table = self.dialect.read(&self.file)?;
-        let columns = self.columns.choose(&self.name(), &table, &self.wanted(), self.group.group.as_ref())?;
-        let read = ColumnsInSi::from_table(&table, &columns, &self.wanted())
-            .map_err(|error| self.no_answer(error))?;
+        let group = self.group.group.as_ref();
+        let read = self.columns.read(&self.name(), &table, &self.wanted(), group, "fit periods")?;
         self.measured(read)
     }
 

@@ -1,7 +1,7 @@
 //! The file of a response: its columns and their units.
 
 use crate::arguments::{
-    AmplitudeUnit, ColumnsInSi, ColumnsOption, DialectOptions, DisplacementUnit, FrequencyUnit, Wanted,
+    AmplitudeUnit, ColumnsOption, DialectOptions, DisplacementUnit, FrequencyUnit, Wanted,
 };
 use crate::figure::fitted_response::Measured;
 use crate::query_error::QueryError;
@@ -57,9 +57,7 @@ impl ResponseFile {
 impl Input {
     pub(super) fn read(&self) -> Result<ResponseFile, QueryError> {
         let table = self.dialect.read(&self.file)?;
-        let columns = self.columns.choose(&self.name(), &table, &self.wanted(), None)?;
-        let read = ColumnsInSi::from_table(&table, &columns, &self.wanted())
-            .map_err(|error| self.no_answer(error))?;
+        let read = self.columns.read(&self.name(), &table, &self.wanted(), None, "fit response")?;
         let unit = match read.units[1] {
             Unit::Metre | Unit::Centimetre | Unit::Millimetre | Unit::Inch => "m",
             Unit::Count | Unit::Pixel => "counts",

@@ -129,7 +129,8 @@ impl ResponseCurve<'_> {
         let per_square = letters.times(&drive, &letters.power_at(place, -2));
         let above = letters.times(&letters.times(&kappa, &rate), &letters.inverse(&per_square)?);
         let above = letters.scaled(&above, &Rational::new(-8, 3)?);
-        if slope.is_zero() {
+        // Without damping every drive has folds, and without a bend none.
+        if slope.is_zero() || square.is_zero() {
             return None;
         }
         Some(self.over_slope(&above, &slope))
