@@ -71,6 +71,8 @@ fn every_command_writes_to_a_file() {
     for (name, command, options, format) in [
         ("period.json", "period 1", noted, "--json"),
         ("rows.csv", "-q period 1 2", "", "--csv"),
+        // A note on how a word was read.
+        ("motion.csv", "motion 45", "--times 0,1", "--csv"),
         ("stated.json", "period 1 2", "", "--csv"),
         ("none.json", "completions bash", "", ""),
         ("page.1", "man period", "", ""),

@@ -50,12 +50,6 @@ impl Channel {
         &self.words
     }
 
-    /// Returns whether the column holds words and no numbers, as a column of names does.
-    #[must_use]
-    pub fn is_of_words(&self) -> bool {
-        !self.words.is_empty() && self.count() == 0
-    }
-
     /// The cell as a label: a word, or a number in short; none where it is missing.
     pub(super) fn label(&self, row: usize) -> Option<String> {
         match self.cells[row] {

@@ -69,7 +69,7 @@ fn kind(channel: &Channel) -> Kind {
     let is_group = GROUP.contains(&name) && has_repeated_labels(channel);
     match () {
         () if is_group => Kind::Group,
-        () if channel.is_of_words() || channel.count() == 0 => Kind::Other,
+        () if channel.count() == 0 => Kind::Other,
         () if is(&RESOLUTION) => Kind::Resolutions,
         () if is(&HALF_WIDTH) => Kind::HalfWidths,
         () if heading.is_uncertainty => Kind::Uncertainties,
