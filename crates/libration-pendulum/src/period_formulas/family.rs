@@ -131,7 +131,7 @@ impl Family {
         }
     }
 
-    /// The Padé approximant of this degree, or of the next smaller one that exists: 1 in the end.
+    /// The Padé approximant of this degree, which exists up to [`LARGEST_PADE`]; 1 where there is none.
     fn quotient(self, degree: usize) -> Built {
         let series = self.coefficients(2 * degree + 1);
         let one = || ([vec![Rational::from(1)], vec![Rational::from(1)]], series[1].clone());
