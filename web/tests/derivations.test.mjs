@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { answer, close, command, enter, errors, saved, settled, visit } from "./harness.mjs";
+import { answer, close, command, DESK, enter, errors, PHONE, saved, settled, visit } from "./harness.mjs";
 
 after(close);
 
@@ -16,6 +16,7 @@ const shown = (room) => room.locator(".derivation").evaluate((it) => it.textCont
 
 for (const [fragment, words] of [
   ["road=elliptic&amplitude=40deg&length=57cm", ["--method", "elliptic", "--amplitude", "40deg", "--length", "57cm"]],
+  ["amplitude=40deg", ["--method", "short", "--amplitude", "40deg"]],
   ["road=elliptic&exercises=yes", ["--method", "elliptic", "--exercises"]],
   ["road=formulas", ["--method", "formulas"]],
   ["road=perturbation&oscillator=duffing&order=3", ["--method", "perturbation", "duffing", "--order", "3"]],
@@ -27,6 +28,25 @@ for (const [fragment, words] of [
       const { output } = command("derive", ...words, "--format", "html");
       assert.equal(await shown(room), await inBody(room, output));
     }));
+}
+
+test("the room begins with the first correction, which ends in the sixteenth", () =>
+  visit("derivations", async (room) => {
+    assert.equal(await room.getByLabel("Method").inputValue(), "short");
+    assert.equal(await room.locator(".derivation .title").textContent(), "The first correction to the period of a pendulum");
+    await room.getByRole("button", { name: "Open all steps" }).click();
+    // T/T₀ − 1 by mpmath, 2K(sin 10°)/π − 1 = 0.00766904, and (π/9)²/16 = 0.00761544, each to four digits.
+    const [, exact, first] = await room.locator(".derivation tbody tr").nth(2).evaluate((row) => [...row.children].map((cell) => cell.textContent));
+    assert.deepEqual([exact, first], ["0.007669", "0.007615"]);
+  }));
+
+for (const [fragment, viewport] of [["derivations?steps=all", DESK], ["derivations?steps=all", PHONE], ["derivations?road=elliptic&steps=all", PHONE], ["formulas?formulas=cubic_force,agm_b2,pade_sin2_2,lima_2008", PHONE], ["perturbation", PHONE]]) {
+  test(`no letter of a formula is smaller than 11 px in ${fragment}, ${viewport.width} px`, () =>
+    visit(fragment, async (room) => {
+      const sizes = await room.locator(".results math :is(mi, mn, mo, mtext)").evaluateAll((all) => all.map((it) => parseFloat(getComputedStyle(it).fontSize)));
+      assert.ok(sizes.length > 40);
+      assert.ok(Math.min(...sizes) >= 11, `${Math.min(...sizes)} px`);
+    }, { viewport }));
 }
 
 test("an amplitude without a unit is in the degrees that the derivation shows, and plain where the variable is no angle", () =>

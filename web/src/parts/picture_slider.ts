@@ -1,7 +1,16 @@
 // A value along the horizontal axis of a picture: moved by the mouse, a finger or the keys, and shown as a line.
 
 import { element } from "./element.ts";
-import type { Picture } from "./picture.ts";
+import type { Frame } from "./picture.ts";
+
+/** A picture with a horizontal axis; its first element becomes the slider. */
+export interface Surface {
+  readonly element: HTMLElement;
+  /** The frame of the axes, in the units of the picture. */
+  frame(): Frame | undefined;
+  /** The position of the pointer, in the same units. */
+  at(event: MouseEvent): { x: number; y: number } | undefined;
+}
 
 /** The values at both ends of the axis. */
 export interface Axis {
@@ -22,13 +31,15 @@ interface Handlers {
 
 export class PictureSlider {
   axis: Axis = { from: 0, to: 1 };
-  readonly #picture: Picture;
+  readonly #picture: Surface;
   readonly #slider: HTMLElement;
   readonly #handlers: Handlers;
   readonly #label: string;
   #value: number | undefined;
+  /** The value before the pointer that holds the slider came down. */
+  #before: number | undefined;
 
-  constructor(picture: Picture, label: string, handlers: Handlers) {
+  constructor(picture: Surface, label: string, handlers: Handlers) {
     [this.#picture, this.#label, this.#handlers] = [picture, label, handlers];
     this.#slider = element("div", { class: "picture-slider", role: "slider", tabindex: "0", "aria-label": label, "aria-valuenow": "0" });
     this.#slider.append(picture.element.firstElementChild ?? "");
@@ -63,8 +74,16 @@ export class PictureSlider {
       const value = this.#valueAt(event);
       if (value === undefined) return;
       slider.setPointerCapture(event.pointerId);
+      this.#before = this.#value;
       moved(value);
     });
+    // A finger that scrolls the page moves nothing.
+    slider.addEventListener("pointercancel", () => {
+      if (this.#before !== undefined) moved(this.#before);
+      this.#before = undefined;
+      under?.(undefined);
+    });
+    slider.addEventListener("pointerup", () => (this.#before = undefined));
     slider.addEventListener("pointermove", (event) => {
       const value = this.#valueAt(event);
       under?.(value);

@@ -28,7 +28,8 @@ export class Pen {
     readonly unit: number,
   ) {}
 
-  line(xs: ArrayLike<number>, ys: ArrayLike<number>, colour: Colour, width = 1.75, dash: number[] = []): void {
+  /** A line in a colour of the page, or in any other. */
+  line(xs: ArrayLike<number>, ys: ArrayLike<number>, colour: Colour | `#${string}`, width = 1.75, dash: number[] = []): void {
     const { context } = this;
     context.beginPath();
     let drawn = false;
@@ -42,7 +43,7 @@ export class Pen {
       }
     }
     context.setLineDash(dash);
-    context.strokeStyle = this.colours[colour];
+    context.strokeStyle = colour in this.colours ? this.colours[colour as Colour] : colour;
     context.lineWidth = width;
     context.stroke();
     context.setLineDash([]);
@@ -83,7 +84,8 @@ export class Pen {
 
 const FONT = "system-ui, 'DejaVu Sans', sans-serif";
 
-interface Margin {
+/** Distances from the edges of the canvas, or positions of the edges of a frame. */
+interface Box {
   readonly left: number;
   readonly right: number;
   readonly top: number;
@@ -95,7 +97,7 @@ function letterUnit(): number {
   return parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
 }
 
-function margins(unit: number): Margin {
+function margins(unit: number): Box {
   return { left: 60 * unit, right: 18 * unit, top: 8 * unit, bottom: 36 * unit };
 }
 
@@ -132,9 +134,20 @@ export class Plot {
   /** Calls back with the values of a point that is clicked. */
   onPoint(clicked: (x: number, y: number) => void): void {
     this.canvas.addEventListener("click", (event) => {
-      const { left, top } = this.canvas.getBoundingClientRect();
-      if (this.#frame !== undefined) clicked(...this.#frame.at(event.clientX - left, event.clientY - top));
+      const { x, y } = this.at(event);
+      if (this.#frame !== undefined) clicked(...this.#frame.at(x, y));
     });
+  }
+
+  /** The frame of the axes, in px of the canvas. */
+  frame(): Box | undefined {
+    return this.#frame?.box;
+  }
+
+  /** The position of the pointer, in the same px. */
+  at(event: MouseEvent): { x: number; y: number } {
+    const { left, top } = this.canvas.getBoundingClientRect();
+    return { x: event.clientX - left, y: event.clientY - top };
   }
 
   /** Draws the static part, described by `words`. */
@@ -213,13 +226,14 @@ export class Plot {
 
 interface Frame {
   readonly axes: Axes;
+  readonly box: Box;
   readonly x: (value: number) => number;
   readonly y: (value: number) => number;
   /** The values at a point in px. */
   readonly at: (x: number, y: number) => [x: number, y: number];
 }
 
-function framed(axes: Axes, width: number, height: number, margin: Margin): Frame {
+function framed(axes: Axes, width: number, height: number, margin: Box): Frame {
   const [across, up] = [width - margin.left - margin.right, height - margin.top - margin.bottom];
   let { x, y } = axes;
   if (axes.square === true) {
@@ -232,13 +246,14 @@ function framed(axes: Axes, width: number, height: number, margin: Margin): Fram
   const [perX, perY] = [across / (x[1] - x0), up / (y[1] - y0)];
   return {
     axes: { ...axes, x, y },
+    box: { left: margin.left, right: width - margin.right, top: margin.top, bottom: height - margin.bottom },
     x: (value) => margin.left + (value - x0) * perX,
     y: (value) => height - margin.bottom - (value - y0) * perY,
     at: (across, down) => [x0 + (across - margin.left) / perX, y0 + (height - margin.bottom - down) / perY],
   };
 }
 
-function drawAxes(pen: Pen, axes: Axes, width: number, height: number, margin: Margin): void {
+function drawAxes(pen: Pen, axes: Axes, width: number, height: number, margin: Box): void {
   const { context, unit } = pen;
   const [left, right, top, bottom] = [margin.left, width - margin.right, margin.top, height - margin.bottom];
   context.font = `${12 * unit}px ${FONT}`;

@@ -5,10 +5,11 @@ import { text } from "../../texts/en.ts";
 
 const words = text.derivations;
 
-export const ROADS = ["elliptic", "formulas", "perturbation", "averaging", "limit-cycle"] as const;
+export const ROADS = ["short", "elliptic", "formulas", "perturbation", "averaging", "limit-cycle"] as const;
 
 /** The fields that a method takes in addition to the common ones. */
 const TAKEN: Readonly<Record<string, readonly string[]>> = {
+  short: ["amplitude", "length", "gravity", "exercises"],
   elliptic: ["amplitude", "length", "gravity", "exercises"],
   formulas: ["amplitude", "length", "gravity", "exercises"],
   perturbation: ["oscillator", "order", "gauge", "set", "about", "amplitude", "length", "gravity", "exercises"],
@@ -29,7 +30,7 @@ export function fields(): Field[] {
   const { road, document, only } = words;
   const roads = [...ROADS, "paper"] as const;
   return [
-    choiceField({ key: "road", words: { label: road.label }, initial: "elliptic" }, roads.map((key) => [key, road[key]])),
+    choiceField({ key: "road", words: { label: road.label, hint: road.hint }, initial: "short" }, roads.map((key) => [key, road[key]])),
     textField({ key: "oscillator", option: "OSCILLATOR|EQUATION", words: words.oscillator }),
     textField({ key: "order", option: "--order", words: words.order }),
     textField({ key: "damping-order", option: "--damping-order", words: words.dampingOrder }),

@@ -10,6 +10,8 @@ export interface Formula {
   readonly latex: string;
   readonly domain: string;
   readonly complexity: number;
+  /** The largest magnitude of the error up to 90°; `null` if the formula ends before. */
+  readonly worst_error_to_90deg: number | null;
   /** With a tolerance: the amplitude up to which the formula is within it; `null` if it always is. */
   readonly holds_to_rad?: number | null;
 }

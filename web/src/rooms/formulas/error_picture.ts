@@ -15,9 +15,6 @@ export interface Axes {
 
 /** The upper end of the axis of errors. */
 const HIGHEST = 10;
-/** Largest amplitude that can be chosen, in degrees: at the top itself there is no period. */
-const LARGEST = 179.9;
-
 export class ErrorPicture {
   readonly picture: Picture;
   readonly #slider: PictureSlider;
@@ -25,9 +22,8 @@ export class ErrorPicture {
   #tolerance = 1e-3;
 
   /** `moved` receives the amplitude in degrees, `under` that under the pointer, or `undefined` when it leaves. */
-  constructor(engine: Engine, moved: (amplitude: number) => void, under: (amplitude: number | undefined) => void) {
+  constructor(engine: Engine, nearest: (amplitude: number) => number, moved: (amplitude: number) => void, under: (amplitude: number | undefined) => void) {
     this.picture = new Picture(engine, "errors", "output");
-    const nearest = (amplitude: number) => Math.min(Math.max(Math.round(amplitude * 10) / 10, 0.1), LARGEST);
     this.#slider = new PictureSlider(this.picture, text.formulas.pictureLabel, { moved, under, nearest, steps: () => ({ usual: 1, fine: 0.1, coarse: 10 }) });
   }
 

@@ -1,12 +1,14 @@
 // The results for the chosen formulas, as tables and cards.
 
-import { element } from "../../parts/element.ts";
+import { button, element } from "../../parts/element.ts";
 import { fromLatex } from "../../parts/latex.ts";
 import { angle, digits } from "../../parts/numbers.ts";
 import { scrolling } from "../../parts/scrolling.ts";
 import { table } from "../../parts/table.ts";
 import { text } from "../../texts/en.ts";
 import type { Crossovers, Formula, Periods } from "./catalogue.ts";
+import { withMathematics } from "./domain.ts";
+import { EXACT, look, type Look, sample, SMALL_ANGLE } from "./looks.ts";
 
 const words = text.formulas;
 
@@ -17,28 +19,41 @@ export function limit({ holds_to_rad: limit }: Formula, unit: string): string {
   return limit === 0 ? words.never : angle(limit, unit);
 }
 
-/** The values of the chosen formulas at the amplitude, the best first. */
-export function values(period: Periods["results"][number], formulas: ReadonlyMap<string, Formula>, tolerance: number, unit: string): HTMLElement {
-  const { formula, ratio, error, enough, limit: holds, effort, year } = words.columns;
-  const columns = [
-    { title: formula },
-    ...[ratio, error, enough, holds, effort, year].map((title) => ({ title, isNumber: title !== enough })),
-  ];
-  const rows = period.formulas.map((value) => {
-    const entry = formulas.get(value.key);
-    const within = value.fractional_error !== null && Math.abs(value.fractional_error) <= tolerance;
+/** The values at an amplitude: exact, by the small-angle approximation, and by the chosen formulas, in the order of the curves. */
+export function readout(period: Periods["results"][number], chosen: readonly Formula[], tolerance: number, unit: string, opened: (key: string) => void): HTMLElement {
+  const { formula, ratio, error, enough } = words.columns;
+  const columns = [{ title: formula }, ...[ratio, error, enough].map((title) => ({ title, isNumber: title !== enough }))];
+  const named = (its: Look, name: Node | string) => element("span", { class: "named" }, sample(its), name);
+  const line = (its: Look, name: Node | string, value: number | null, itsError: number | null) => {
+    const within = itsError !== null && Math.abs(itsError) <= tolerance;
     const verdict = element("span", { class: within ? "good" : "bad" }, within ? words.enough : words.notEnough);
-    return [
-      entry?.name ?? value.key,
-      digits(value.ratio, 10),
-      digits(value.fractional_error, 3),
-      verdict,
-      entry === undefined ? "–" : limit(entry, unit),
-      String(entry?.complexity ?? "–"),
-      String(entry?.year ?? "–"),
-    ];
+    return [named(its, name), digits(value, 7), digits(itsError, 3), verdict];
+  };
+  const values = new Map(period.formulas.map((it) => [it.key, it]));
+  const lines = chosen.map(({ key, name }, place) => {
+    const value = values.get(key);
+    const opener = button(name, () => opened(key), { class: "term", title: words.open });
+    return line(look(place), opener, value?.ratio ?? null, value?.fractional_error ?? null);
   });
+  const small = chosen.some(({ key }) => key === "small_angle") ? [] : [line(SMALL_ANGLE, words.smallAngle, 1, 1 / period.ratio - 1)];
+  const rows = [[named(EXACT, words.exactName), digits(period.ratio, 7), "–", "–"], ...small, ...lines];
   return table(words.values(angle(period.amplitude_rad, unit)), columns, rows);
+}
+
+/** The curves at amplitudes about ten intervals apart, as a table: one column for each formula. */
+export function curveTable(caption: string, degrees: readonly number[], columns: readonly { name: string; values: readonly number[] }[], unit: string): HTMLElement {
+  const titles = [{ title: words.crossing.amplitude, isNumber: true }, ...columns.map(({ name }) => ({ title: name, isNumber: true }))];
+  const shown = degrees.flatMap((degree, place) => (place % 10 === 0 || place === degrees.length - 1 ? [[degree, place] as const] : []));
+  const rows = shown.map(([degree, place]) => [angle((degree * Math.PI) / 180, unit), ...columns.map(({ values }) => digits(values[place], 4))]);
+  return table(caption, titles, rows);
+}
+
+/** The amplitude up to which each formula is within the tolerance, with its effort and its year. */
+export function ranges(formulas: readonly Formula[], tolerance: string, unit: string): HTMLElement {
+  const { formula, limit: holds, effort, year } = words.columns;
+  const columns = [{ title: formula }, ...[holds, effort, year].map((title) => ({ title, isNumber: true }))];
+  const rows = formulas.map((it) => [it.name, limit(it, unit), String(it.complexity), String(it.year ?? "–")]);
+  return table(words.rangesCaption(tolerance), columns, rows);
 }
 
 /** The amplitudes at which one formula becomes better than another. */
@@ -52,16 +67,16 @@ export function crossovers({ crossovers }: Crossovers, formulas: ReadonlyMap<str
 }
 
 /** The formula with its name, year and source. */
-export function card({ name, authors, year, source, latex, domain }: Formula): HTMLElement {
+export function card({ key, name, authors, year, source, latex, domain, worst_error_to_90deg: worst }: Formula): HTMLElement {
   const by = [authors, year === null ? "" : String(year)].filter((part) => part !== "").join(", ");
   const formula = element("div", { class: "scroll" }, fromLatex(`\\frac{T}{T_0}=${latex}`));
   scrolling(formula);
   return element(
     "article",
-    { class: "formula-card" },
+    { class: "formula-card", id: `formula-${key}`, tabindex: "-1" },
     element("h3", {}, by === "" ? name : `${name} (${by})`),
     formula,
-    element("p", {}, words.domain(domain)),
-    element("p", { class: "quiet" }, words.source(source)),
+    element("p", {}, words.domain, ...withMathematics(domain), ".", worst === null ? "" : ` ${words.worst(digits(worst, 2))}`),
+    element("p", { class: "quiet" }, words.source, ...withMathematics(source)),
   );
 }

@@ -3,9 +3,11 @@
 export const derivations = {
   title: "Derivations",
   lead:
-    "Every step from the equation of motion to the period, for pencil and paper. Each formula was checked numerically when the text was generated; the line below it describes the check.",
+    "Every step from the equation of motion to the period, for pencil and paper, beginning with the first correction. Each formula was checked numerically when the text was generated; the line below it describes the check.",
   road: {
-    label: "Method",
+    label: "Derivation",
+    hint: "the longer ones take some seconds",
+    short: "The first correction: two pages",
     elliptic: "The exact period: energy, elliptic integral, series, mean",
     formulas: "Derivations of the published formulas",
     perturbation: "Any oscillator, order by order",
@@ -24,7 +26,7 @@ export const derivations = {
   length: { label: "Length of your pendulum", hint: "with an amplitude, such as 57cm" },
   gravity: { label: "Gravity", hint: "with an amplitude, such as 9.81m/s^2" },
   exercises: { label: "As exercises: results omitted, solutions at the end" },
-  question: "Derivation",
+  question: "What is derived",
   own: "Your own values",
   steps: "Steps",
   next: "Next step",
