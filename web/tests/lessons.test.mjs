@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, test } from "node:test";
-import { close, enter, read, settled, visit } from "./harness.mjs";
+import { close, enter, settled, visit } from "./harness.mjs";
 
 after(close);
 
@@ -161,5 +161,49 @@ test("gravity from a class's table", () => {
     assert.ok(Math.abs(Number(value) - 9.80137) < 6e-4 && Math.abs(Number(error) - 0.0306) < 6e-4, found);
     assert.match(gravity.text, new RegExp(`The table gives ${Number(value).toFixed(2)} ± ${Number(error).toFixed(2)} m/s²`));
     await visit(gravity.links[2], async (filled) => assert.deepEqual(await trials(filled), await trials(room)));
+  });
+});
+
+/** T/T₀ by mpmath, 2·ellipk(sin²(θ₀/2))/π, with twelve digits. */
+const RATIOS = [[10, "1.00190718814"], [20, "1.00766902579"], [30, "1.0174087976"], [40, "1.03134051913"]];
+
+test("the sixteenth is found in numbers", () => {
+  const sixteenth = plan("sixteenth");
+  const quotient = (angle, ratio) => ((Number(ratio) - 1) / ((angle * Math.PI) / 180) ** 2).toFixed(5);
+  assert.deepEqual(tableOf(sixteenth, "amplitude"), RATIOS.map(([angle, ratio]) => [`${angle}°`, ratio, quotient(angle, ratio)]));
+  return visit(sixteenth.links[0], async (room) => {
+    for (const [angle, ratio] of RATIOS) {
+      await enter(room, "Angle", String(angle));
+      assert.equal(Number(await fact(room, "T / T₀")), Number(ratio));
+    }
+  });
+});
+
+test("the sixteenth is derived as an exercise, and checked", () => {
+  const { links, text } = plan("sixteenth");
+  return visit(links[1], async (room) => {
+    const step = (place) => room.locator(".derivation details.step").nth(place);
+    await step(0).waitFor();
+    for (let n = 1; n < 4; n++) {
+      assert.equal(await step(n).evaluate((it) => it.open), false);
+      await press(room, "Next step");
+      assert.equal(await step(n).evaluate((it) => it.open), true);
+    }
+    // The bracket of the exercises is a question mark; the answer has θ₀²/16.
+    assert.match(await step(2).innerText(), /=\s*\?/);
+    const last = room.locator(".derivation details.step").last();
+    assert.equal(await last.evaluate((it) => it.open), false);
+    while (!(await last.evaluate((it) => it.open))) await press(room, "Next step");
+    const answer = await last.evaluate((it) => it.textContent.replaceAll(/\s/g, ""));
+    assert.match(answer, /=1\+θ0216\+O/);
+    await visit(links[2], async (checked) => {
+      await checked.locator(".derivation details.step").first().waitFor();
+      // By mpmath, 2·ellipk(sin²10°)/π − 1 = 0.00766903, and (π/9)²/16 = 0.00761544.
+      const row = await checked.locator(".derivation table tbody tr", { hasText: "0.007669" }).innerText();
+      assert.match(row, /^20\s+0\.007669\s+0\.007615/);
+      assert.match(text, /20° has 0\.007669 \(exact\) and 0\.007615/);
+      // By mpmath's findroot: 1 − (1 + θ₀²/16)/(T/T₀) = 0.001 at 41.63°, 0.01 at 73.91°.
+      assert.match(text, /Up to 41\.6° and 73\.9°/);
+    });
   });
 });
