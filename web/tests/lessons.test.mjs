@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, test } from "node:test";
-import { close, enter, settled, visit } from "./harness.mjs";
+import { close, enter, saved, settled, visit } from "./harness.mjs";
 
 after(close);
 
@@ -207,3 +207,65 @@ test("the sixteenth is derived as an exercise, and checked", () => {
     });
   });
 });
+
+test("two driven pendulums stay in step, or part", () => {
+  const { links, text } = plan("chaos");
+  // By SciPy's solve_ivp with DOP853 and tolerances of 1e-13: 121.5543° and 121.5550° at 30 s, 238.7695° and 185.1615° at 25 s, here within a turn.
+  const angles = [[links[0], 30, ["121.55°", "121.55°"]], [links[1], 25, ["−121.23°", "−174.84°"]]];
+  assert.match(text, /at 30 s both angles are 121\.55°\. Step 3: at 25 s they are −121\.23° and −174\.84°/);
+  const both = async ([link, time, expected]) =>
+    visit(link.replace("t=0", `t=${time}`), async (room) => {
+      await room.waitForFunction(() => [...document.querySelectorAll("dt")].some((it) => it.textContent === "Angle of the other pendulum"), null, { timeout: 60_000 });
+      assert.deepEqual([await fact(room, "Angle"), await fact(room, "Angle of the other pendulum")], expected);
+    });
+  return angles.reduce((before, it) => before.then(() => both(it)), Promise.resolve());
+});
+
+/** The distinct velocities of the last 64 points of the section, rounded. */
+async function pointsOf(room, decimals) {
+  const section = room.locator("section", { has: room.getByRole("heading", { name: "Poincaré section", exact: true }) });
+  const lines = (await saved(section, "Save the numbers as CSV")).bytes.toString().trim().split("\n");
+  const own = lines.filter((line) => line.startsWith("1,")).slice(-64);
+  return [...new Set(own.map((line) => Number(line.split(",").at(-1)).toFixed(decimals)))].map(Number).sort((a, b) => a - b);
+}
+
+// Velocities once per period of the drive by SciPy's solve_ivp with DOP853 and a tolerance of 1e-10, after 200 periods. The exponents: −c/2 where the
+// multipliers are a complex pair, whose product is exp(−c·period); 0.132 by the equation of the deviations over 600 periods.
+const SNAPSHOTS = [
+  ["0.9", [1.934], /^Regular: /, -0.25],
+  ["1.07", [1.149, 1.346], /^Regular: /, undefined],
+  ["1.09", [-0.375, 0.845, 1.821], /^Regular: /, -0.25],
+  ["1.2", undefined, /^Chaotic: /, 0.132],
+  ["1.4", [0.934], /^Regular: /, undefined],
+];
+
+for (const [place, [amplitude, points, verdict, exponent]] of SNAPSHOTS.entries()) {
+  test(`snapshots of the pendulum driven by ${amplitude} are as the plan says`, () => {
+    const chaos = plan("chaos");
+    const [, count, said, rounded] = tableOf(chaos, "amplitude").find(([first]) => first === amplitude);
+    return visit(chaos.links[2 + place], async (room) => {
+      await room.waitForFunction(() => document.querySelector(".results")?.getAttribute("aria-busy") === "false" && document.querySelector("p.verdict") !== null, null, { timeout: 120_000 });
+      assert.match(await room.locator("p.verdict").textContent(), verdict);
+      assert.match(`${said}: `, verdict);
+      if (points === undefined) assert.deepEqual([(await pointsOf(room, 6)).length, count], [64, "never the same"]);
+      else assert.deepEqual([await pointsOf(room, 3), count], [points, String(points.length)]);
+      const [, value, error] = /exponent is (\S+) ± (\S+) 1\/s/.exec((await room.locator(".results").textContent()).replaceAll("−", "-")).map(Number);
+      assert.equal(rounded.replace("−", "-"), value.toFixed(2));
+      if (exponent !== undefined) assert.ok(Math.abs(value - exponent) < 4 * error, `${value} ± ${error}`);
+    });
+  });
+}
+
+test("the bifurcation diagram is clicked", () =>
+  visit(plan("chaos").links[7], async (room) => {
+    const slider = room.getByRole("slider", { name: /^Value of A in the diagram/ });
+    await slider.waitFor({ timeout: 120_000 });
+    await room.waitForFunction(() => document.querySelector(".results")?.getAttribute("aria-busy") === "false", null, { timeout: 120_000 });
+    assert.match(await room.locator("p.verdict").textContent(), /^Chaotic: /);
+    // The frame of the axes begins right of the numbers; around 1.4 is a window of order.
+    const { width, height } = await slider.boundingBox();
+    for (let at = 0.7; at < 0.95 && !/A = 1\.(3[5-9]|4[0-5])/.test(await slider.getAttribute("aria-valuetext")); at += 0.05) await slider.click({ position: { x: width * at, y: height / 2 } });
+    assert.match(await slider.getAttribute("aria-valuetext"), /A = 1\.(3[5-9]|4[0-5])/);
+    await settled(room);
+    assert.match(await room.locator("p.verdict").textContent(), /^Regular: /);
+  }));
