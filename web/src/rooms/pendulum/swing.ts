@@ -228,7 +228,12 @@ export class Swing {
     this.#course = course;
     this.#window = undefined;
     this.#picture();
-    if (this.#value("second") === "yes") await this.#second.integrate(this.#engine, forces, this.#value("angle2"), until, signal);
+    if (this.#value("second") === "yes") {
+      await this.#second.integrate(this.#engine, forces, this.#value("angle2"), until, signal);
+      if (signal.aborted) return;
+      this.#window = undefined;
+      this.#picture();
+    }
     if (until < FARTHEST) this.#ahead = { forces, course, until };
   }
 
@@ -297,7 +302,7 @@ export class Swing {
     this.#energy(motion, place);
     if (performance.now() - this.#read > READABLE || !this.#clock.isRunning) {
       this.#read = performance.now();
-      this.#facts.now(time, place);
+      this.#facts.now(time, place, this.#second.course?.at(time));
     }
   }
 
@@ -341,6 +346,7 @@ export class Swing {
     if (signal.aborted) return;
     if ("error" in launched) return this.#controls.refuse(`${launched.quantity}2`, launched.error);
     if (forces === undefined) this.#second.follow();
+    this.#window = undefined;
     this.#picture();
   }
 
@@ -381,7 +387,7 @@ export class Swing {
     const isExact = course instanceof ExactCourse;
     const isHidden = this.#controls.isHidden("period");
     const harmonics = isExact && ["libration", "rotation"].includes(motion.regime) ? this.#mathematics.harmonics(1e-12, 60) : undefined;
-    this.#graphs.show({ course, motion, isExact, harmonics, ghosts: this.#ghosts, window: this.#window, unit: this.#value("unit"), free: [this.#value("across") as Quantity, this.#value("up") as Quantity], isHidden });
+    this.#graphs.show({ course, motion, isExact, harmonics, ghosts: this.#ghosts, second: this.#second.course, window: this.#window, unit: this.#value("unit"), free: [this.#value("across") as Quantity, this.#value("up") as Quantity], isHidden });
   }
 
   /** Writes the time to the address after it was changed by hand, or has begun or ceased to run. */
