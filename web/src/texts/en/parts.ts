@@ -14,6 +14,7 @@ export const parts = {
   saveData: "Save the numbers as CSV",
   nothingToSave: "Nothing to save.",
   more: "more",
+  emptyEntry: "an empty entry",
   terms: {
     equilibrium: "The place where the pendulum can stay at rest: hanging straight down, or, balanced, straight up.",
     "restoring force": "The part of gravity along the arc. It pulls the bob back towards the lowest point, and grows with the sine of the angle.",
