@@ -11,6 +11,7 @@ import type { Field } from "../../parts/field.ts";
 import { Form } from "../../parts/form.ts";
 import { Latest } from "../../parts/latest.ts";
 import { Finding, layout } from "../../parts/layout.ts";
+import { NumbersTable } from "../../parts/numbers_table.ts";
 import { Picture } from "../../parts/picture.ts";
 import { save, saveAnswer } from "../../parts/save.ts";
 import { Status } from "../../parts/status.ts";
@@ -64,6 +65,7 @@ class LaboratoryRoom {
   readonly #fit: Finding;
   readonly #story = element("div");
   readonly #picture: Picture;
+  readonly #numbers = new NumbersTable(async () => (this.#kind === undefined ? "" : decoded(await this.#tabled(this.#kind, "csv"))));
   readonly #buttons: HTMLElement;
   readonly #saveReport = button(words.saveReport, () => this.#report !== undefined && save(REPORT, this.#report, "text/html"));
   readonly #equivalents = new Equivalents();
@@ -81,7 +83,7 @@ class LaboratoryRoom {
     this.#settings = { value: (key) => this.#form.value(key), put: (values) => this.#put(values) };
     this.#picture = new Picture(engine, "fit");
     this.#buttons = this.#saving();
-    this.#fit = new Finding(words.fit, this.#picture.element, this.#story, this.#buttons);
+    this.#fit = new Finding(words.fit, this.#picture.element, this.#numbers.element, this.#story, this.#buttons);
     const tried = button(words.example, () => void this.#try());
     const { choices, apparatus, reading: how } = PARTS;
     const giving = [this.#files.element, element("p", { class: "buttons" }, tried)];
@@ -188,6 +190,7 @@ class LaboratoryRoom {
     if (it === undefined) return this.#refuse(kind, answer);
     if (kind === "trace") this.#picture.clear();
     this.#buttons.hidden = false;
+    this.#numbers.offer(true);
     this.#report = answer.files.get(REPORT);
     this.#saveReport.hidden = this.#report === undefined;
     this.#keepingFocus(() => this.#fit.show(...this.#headline(kind, it), ...this.#kinds(), ...this.#sentences(kind, it.told_from_file ?? [], true)));
@@ -328,6 +331,7 @@ class LaboratoryRoom {
   #forget(): void {
     this.#report = undefined;
     this.#buttons.hidden = true;
+    this.#numbers.offer(false);
     this.#picture.clear();
     this.#story.replaceChildren();
   }
@@ -340,10 +344,13 @@ class LaboratoryRoom {
 
   async #save(form: "csv" | undefined, name: string): Promise<void> {
     if (this.#kind === undefined) return;
-    const files = this.#chosenFiles(this.#kind);
-    const command = this.#command(this.#kind, [...files.keys()]);
-    const answer = await ask(this.#engine, form === undefined ? command : extended(command, { [form]: true }), { files });
-    const failure = saveAnswer(name, answer, form === "csv" ? "text/csv" : "text/plain");
+    const failure = saveAnswer(name, await this.#tabled(this.#kind, form), form === "csv" ? "text/csv" : "text/plain");
     if (failure !== "") this.#fit.fail(failure);
+  }
+
+  #tabled(kind: Kind, form: "csv" | undefined): Promise<Answer> {
+    const files = this.#chosenFiles(kind);
+    const command = this.#command(kind, [...files.keys()]);
+    return ask(this.#engine, form === undefined ? command : extended(command, { [form]: true }), { files });
   }
 }
