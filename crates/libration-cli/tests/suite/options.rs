@@ -89,6 +89,7 @@ const TEXTS: &[(&str, &str)] = &[
     ("label", "part of a label"),
     ("letters", "names of parameters"),
     ("question", "words of a command"),
+    ("ratios", "whole numbers with colons"),
     ("resonance", "a quotient of whole numbers"),
     ("role", "a column with its role"),
     ("run", "a run by its name or number, or several"),

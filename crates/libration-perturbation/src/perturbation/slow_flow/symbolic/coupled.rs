@@ -73,7 +73,7 @@ pub struct CoordinateFlow {
 /// let equation = "x'' + w1^2*x + eps*a*x*y = 0; y'' + w2^2*y + eps*b*x^2 = 0".parse()?;
 /// let options = SymbolicSlowFlowOptions { ratios: vec![1, 2], ..Default::default() };
 /// let flow = coupled_slow_flow(&equation, &options, &Quiet)?;
-/// assert_eq!(flow.coordinates[0].amplitude_rate, "-1/4*eps*a/w1*A_x*A_y*sin(2*phi_x - phi_y)");
+/// assert_eq!(flow.coordinates[0].amplitude_rate, "eps*a*A_x*A_y/(4*w1)*sin(2*phi_x - phi_y)");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
