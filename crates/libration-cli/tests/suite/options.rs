@@ -35,6 +35,7 @@ const SHARED: &[(&str, &str)] = &[
     ("over", "a parameter with its range or values"),
     ("period", "a period"),
     ("quantity", "the quantity that is expanded"),
+    ("resonance", "drive frequency over a natural frequency"),
     ("set", "the value of a parameter"),
     ("small", "the small parameter"),
     ("spectrum", "the spectrum: of a state variable, or of the recording"),
