@@ -21,6 +21,7 @@ fn options(resonance: &str, small: &str, order: usize) -> SymbolicSlowFlowOption
         resonance: numbers,
         small: small.map(Option::unwrap).collect(),
         order: Some(order),
+        ..Default::default()
     }
 }
 
@@ -33,7 +34,7 @@ fn refusal(text: &str, resonance: &str, small: &str, order: usize) -> SymbolicSl
 }
 
 /// A formula where its symbols have values.
-fn value(formula: &str, values: &[(&str, f64)]) -> f64 {
+pub(crate) fn value(formula: &str, values: &[(&str, f64)]) -> f64 {
     let number = |value: f64| -> Expression {
         let size: Expression = format!("{:e}", value.abs()).parse().unwrap();
         if value < 0.0 { Expression::Negate(Box::new(size)) } else { size }

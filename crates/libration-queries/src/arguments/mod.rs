@@ -28,6 +28,7 @@ mod reading;
 mod recording;
 mod section;
 mod sensitivities;
+mod slow_flow;
 pub(crate) mod sweep_options;
 mod system;
 mod table;
@@ -64,6 +65,7 @@ pub(crate) use pendulum::{PendulumOptions, motion};
 pub(crate) use recording::{RecordingOptions, finding_with_option};
 pub(crate) use section::{SectionOptions, coordinate, place_in_state, places_in_state, section_failure};
 pub(crate) use sensitivities::sensitivities;
+pub(crate) use slow_flow::{drive_resonance, frequency_ratios, small_orders};
 pub(crate) use sweep_options::sweep_options_first;
 pub(crate) use system::{GivenSystem, PendulumSystemOptions, SystemOptions, with_idle_drive};
 pub(crate) use table::{
