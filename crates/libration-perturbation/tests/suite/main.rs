@@ -5,6 +5,7 @@
 // Tests read as users of the crate `libration` write.
 extern crate libration_perturbation as libration;
 
+mod constants;
 mod exact;
 mod expansions;
 mod leading_cycles;
