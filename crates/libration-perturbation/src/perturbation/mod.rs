@@ -70,5 +70,5 @@ pub use slow_flow::{
     SymbolicSlowFlow, SymbolicSlowFlowError, SymbolicSlowFlowOptions, WeakForce, coupled_slow_flow,
     drive_symbol, slow_flow, slow_flow_symbolically,
 };
-pub use symbolic::{SymbolicExpansion, SymbolicExpansionError, expand_symbolically};
+pub use symbolic::{SymbolicExpansion, SymbolicExpansionError, expand_symbolically, expand_with_constants};
 pub use truncated_system::{SolutionVerdict, TruncatedSolution, TruncatedSystem, TruncatedSystemError};

@@ -6,6 +6,7 @@
 extern crate libration_perturbation as libration;
 
 mod coupled_slow_flow;
+mod constants;
 mod exact;
 mod expansions;
 mod leading_cycles;
