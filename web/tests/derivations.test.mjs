@@ -32,7 +32,7 @@ for (const [fragment, words] of [
 
 test("the room begins with the first correction, which ends in the sixteenth", () =>
   visit("derivations", async (room) => {
-    assert.equal(await room.getByLabel("Method").inputValue(), "short");
+    assert.equal(await room.getByLabel("Derivation").inputValue(), "short");
     assert.equal(await room.locator(".derivation .title").textContent(), "The first correction to the period of a pendulum");
     await room.getByRole("button", { name: "Open all steps" }).click();
     // T/T₀ − 1 by mpmath, 2K(sin 10°)/π − 1 = 0.00766904, and (π/9)²/16 = 0.00761544, each to four digits.
@@ -55,8 +55,8 @@ test("an amplitude without a unit is in the degrees that the derivation shows, a
     const derived = async (...words) => assert.equal(await shown(room), await inBody(room, command("derive", ...words, "--format", "html").output));
     assert.equal(await unit(), "°");
     await derived("--method", "elliptic", "--amplitude", "45deg");
-    await room.getByLabel("Method").selectOption("perturbation");
-    await enter(room, "Oscillator or equation", "duffing");
+    await room.getByLabel("Derivation").selectOption("perturbation");
+    await enter(room, "Equation of motion", "duffing");
     await enter(room, "Your amplitude", "0.4");
     assert.equal(await unit(), "");
     await derived("--method", "perturbation", "duffing", "--amplitude", "0.4");
@@ -111,7 +111,7 @@ test("wrong entries are answered beside their fields", () =>
     await enter(room, "Your amplitude", "400");
     assert.match((await errors(room)).join(), /is not below pi/);
     await enter(room, "Your amplitude", "");
-    await room.getByLabel("Method").selectOption("perturbation");
+    await room.getByLabel("Derivation").selectOption("perturbation");
     await enter(room, "Order", "1000");
     assert.equal(await room.getByLabel("Order", { exact: true }).getAttribute("aria-invalid"), "true");
   }));

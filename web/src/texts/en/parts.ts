@@ -14,6 +14,14 @@ export const parts = {
   saveData: "Save the numbers as CSV",
   nothingToSave: "Nothing to save.",
   more: "more",
+  emptyEntry: "an empty entry",
+  /** Keys in sentences of the command, each with its words. */
+  keys: [
+    [/(?:the nearest are [^;]*; )?the keys are [^;]*; or /g, ""],
+    [/has the key /g, "has the name "],
+    [/\bx_max\b/g, "largest displacement"],
+    [/\bhalf_swing\b/g, "half the swing"],
+  ] as readonly (readonly [key: RegExp, words: string])[],
   terms: {
     equilibrium: "The place where the pendulum can stay at rest: hanging straight down, or, balanced, straight up.",
     "restoring force": "The part of gravity along the arc. It pulls the bob back towards the lowest point, and grows with the sine of the angle.",
