@@ -8,7 +8,7 @@ const NAMED: Readonly<Record<string, string>> = {
   delta: "δ", kappa: "κ", sigma: "σ", eta: "η", chi: "χ", nu: "ν", rho: "ρ", zeta: "ζ", xi: "ξ", varphi: "φ", varpi: "ϖ", Gamma: "Γ", Delta: "Δ",
 };
 /** Signs between letters. */
-const SIGNS: Readonly<Record<string, string>> = { le: "≤", ge: "≥", cdot: "·", pm: "±", infty: "∞" };
+const SIGNS: Readonly<Record<string, string>> = { le: "≤", ge: "≥", cdot: "·", pm: "±", infty: "∞", prime: "′" };
 /** Marks above a letter. */
 const ABOVE: Readonly<Record<string, string>> = { dot: "˙", ddot: "¨" };
 const FUNCTIONS = new Set(["sin", "cos", "tan", "sinh", "cosh", "tanh", "arcsin", "arctan", "ln", "log", "exp"]);
@@ -46,6 +46,7 @@ class Reader {
     const parts: Element[] = [];
     while (this.#at < this.#tokens.length && this.#tokens[this.#at] !== closing) {
       const isFunction = FUNCTIONS.has(this.#tokens[this.#at]?.slice(1) ?? "");
+      if (isFunction && /^(?:mi|mn|msup|msub|msubsup|mfrac|msqrt)$/.test(parts.at(-1)?.localName ?? "")) parts.push(space("0.17em"));
       parts.push(this.#scripted(closing));
       if (isFunction && !["(", "\\left", closing].includes(this.#tokens[this.#at])) parts.push(space("0.17em"));
     }
@@ -91,7 +92,7 @@ class Reader {
     if (name === "sqrt") return node("msqrt", this.#argument());
     if (name === "left") return this.#bracketed();
     const mark = ABOVE[name];
-    if (mark !== undefined) return node("mover", this.#argument(), node("mo", mark));
+    if (mark !== undefined) return accented(this.#argument(), mark);
     if (name === "mathrm" || name === "text") return this.#upright();
     if (name === "max" || name === "min") return node("mi", name);
     const sign = SIGNS[name];
@@ -116,6 +117,12 @@ class Reader {
     const inside = this.row("\\right");
     return node("mrow", node("mo", open), ...inside, node("mo", bracket()));
   }
+}
+
+function accented(letter: Element, mark: string): Element {
+  const made = node("mover", letter, node("mo", mark));
+  made.setAttribute("accent", "true");
+  return made;
 }
 
 function space(width: string): Element {

@@ -140,7 +140,7 @@ class DerivationsRoom {
     if (signal.aborted) return;
     this.#offerSaving(false, value !== undefined);
     if (value === undefined) return this.#found.fail(this.#said(this.#form.blame(answer)));
-    this.#found.show(...statements(value));
+    this.#found.show(...statements(value, this.#said));
   }
 
   #offerSaving(derivation: boolean, table: boolean): void {

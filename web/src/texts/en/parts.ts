@@ -21,6 +21,10 @@ export const parts = {
     [/has the key /g, "has the name "],
     [/\bx_max\b/g, "largest displacement"],
     [/\bhalf_swing\b/g, "half the swing"],
+    [/\bblack_vel_(\d)\b/g, "Fourier-perturbation ($1)"],
+    [/\bpower_series_(\d)\b/g, "power series ($1)"],
+    [/\bkidd_fogg\b/g, "Kidd-Fogg"],
+    [/\bcarvalhaes_suppes\b/g, "Carvalhaes-Suppes"],
   ] as readonly (readonly [key: RegExp, words: string])[],
   terms: {
     equilibrium: "The place where the pendulum can stay at rest: hanging straight down, or, balanced, straight up.",
