@@ -12,8 +12,11 @@ export const parts = {
   inPython: "Python",
   savePicture: (kind: string) => `Save the picture as ${kind}`,
   saveData: "Save the numbers as CSV",
+  numbers: "Numbers as a table",
+  rows: (shown: number, all: number) => (shown < all ? `The first ${shown} of ${all} rows` : `${all} rows`),
   nothingToSave: "Nothing to save.",
   more: "more",
+  emptyEntry: "an empty entry",
   terms: {
     equilibrium: "The place where the pendulum can stay at rest: hanging straight down, or, balanced, straight up.",
     "restoring force": "The part of gravity along the arc. It pulls the bob back towards the lowest point, and grows with the sine of the angle.",

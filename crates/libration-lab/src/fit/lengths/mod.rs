@@ -65,6 +65,8 @@ pub struct LengthsFit {
     pub known_gyration: Option<f64>,
     /// The uncertainty of the best g, with the effects that all rows share: clock and bob.
     pub combined: CombinedUncertainty,
+    /// `true` if the rounding of the periods is their uncertainty, as the rows scatter less.
+    pub weighted_by_rounding: bool,
     /// Warnings about the fit.
     pub warnings: Vec<LengthsWarning>,
 }
@@ -97,6 +99,15 @@ impl LengthsFit {
 /// uncertainty.
 pub fn lengths(table: &LengthTable, options: &LengthsOptions) -> Result<LengthsFit, FitError> {
     options.check()?;
+    let fit = as_weighted(table, options)?;
+    let scatter = fit.best().standard_deviations.first().copied().unwrap_or(f64::INFINITY);
+    match table.weighted_by_rounding(scatter) {
+        Some(table) => Ok(LengthsFit { weighted_by_rounding: true, ..as_weighted(&table, options)? }),
+        None => Ok(fit),
+    }
+}
+
+fn as_weighted(table: &LengthTable, options: &LengthsOptions) -> Result<LengthsFit, FitError> {
     if options.pendulum == Some(LengthsPendulum::Reversible) {
         return of_reversible(table, options);
     }
@@ -156,6 +167,7 @@ fn of_simple(
         power_law: power_law::power_law(table),
         known_gyration,
         combined,
+        weighted_by_rounding: false,
         warnings: vec![],
     };
     fit.warnings = warning::warnings(&fit);
@@ -204,6 +216,7 @@ fn of_bars(
         power_law: None,
         known_gyration: None,
         combined,
+        weighted_by_rounding: false,
         warnings,
     })
 }
@@ -215,7 +228,15 @@ fn of_reversible(table: &LengthTable, options: &LengthsOptions) -> Result<Length
         CombinedUncertainty::new(contributions, &[]).map_err(|_| FitError::NoConvergence("the edges"))?;
     let warnings = warning::of_bars(&fit, combined.standard, false);
     let preferred = fit.model;
-    Ok(LengthsFit { fits: vec![fit], preferred, power_law: None, known_gyration: None, combined, warnings })
+    Ok(LengthsFit {
+        fits: vec![fit],
+        preferred,
+        power_law: None,
+        known_gyration: None,
+        combined,
+        weighted_by_rounding: false,
+        warnings,
+    })
 }
 
 impl LengthsOptions {

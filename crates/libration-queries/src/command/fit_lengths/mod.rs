@@ -11,9 +11,7 @@ use crate::query_error::{QueryError, option};
 use fields::Answer;
 use input::{Input, LengthFile};
 use libration::quantity::Quantity;
-use libration_lab::fit::{
-    self, BudgetInput, Contribution, LengthTable, LengthsFit, LengthsOptions, LengthsPendulum,
-};
+use libration_lab::fit::{self, BudgetInput, Contribution, LengthsFit, LengthsOptions, LengthsPendulum};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -94,7 +92,7 @@ impl FitLengths {
     }
 
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
-        let table = self.input.read()?;
+        let mut table = self.input.read()?;
         let radius = self.bob_radius.map(|radius| radius.value);
         let options = LengthsOptions {
             bob_radius: self.bob_radius,
@@ -104,17 +102,11 @@ impl FitLengths {
             edges: self.edges,
         };
         self.check()?;
-        let fitted =
-            |table: &LengthTable| fit::lengths(table, &options).map_err(|error| self.input.no_answer(error));
-        let fit = fitted(&table.measured.table)?;
-        let scatter = fit.best().standard_deviations.first().copied().unwrap_or(f64::INFINITY);
-        let (table, fit) = match table.weighted_by_rounding(scatter) {
-            Some(table) => {
-                let fit = fitted(&table.measured.table)?;
-                (table, fit)
-            }
-            None => (table, fit),
-        };
+        let fit = fit::lengths(&table.measured.table, &options);
+        let fit = fit.map_err(|error| self.input.no_answer(error))?;
+        if fit.weighted_by_rounding {
+            table.weight_by_rounding();
+        }
         let drawn = match &self.figure {
             Some(path) => {
                 let picture = figure::lengths::fitted(&table.measured, fit.best(), radius);
