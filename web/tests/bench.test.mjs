@@ -137,3 +137,25 @@ test("the first picture is there within a second on a processor four times slowe
   for (let n = 0; n < 5; n++) runs.push(await firstPicture());
   assert.ok(4 * Math.min(...runs) < 1.2, `${runs}`);
 });
+
+test("a driven pendulum is shown where it is released until its motion is known", () =>
+  open(async (room) => {
+    await room.addInitScript(() => {
+      // The bob is blue, at 90° right of the pivot.
+      const isBlue = ([red, , blue, opacity]) => blue - red > 60 && opacity > 200;
+      let frames = 0;
+      const look = () => {
+        const stage = document.querySelector("canvas.stage");
+        // The size of the stage is known from its second frame on.
+        frames += stage === null ? 0 : 1;
+        if (frames < 3 || !/\d/.test(document.querySelector(".readout.length strong")?.textContent ?? "")) return requestAnimationFrame(look);
+        const { data } = stage.getContext("2d").getImageData(stage.width / 2 + 5, stage.height / 2, stage.width / 2 - 5, 1);
+        window.isShown = Array.from({ length: data.length / 4 }, (_, n) => data.slice(4 * n, 4 * n + 4)).some(isBlue);
+        window.isKnown = document.querySelector(".readout.time strong").textContent !== "–";
+      };
+      requestAnimationFrame(look);
+    });
+    await room.goto(`${pathToFileURL(page)}#pendulum?angle=90deg&drive=0.5&t=0`);
+    await room.waitForFunction(() => window.isShown !== undefined);
+    assert.deepEqual(await room.evaluate(() => [window.isKnown, window.isShown]), [false, true]);
+  }));
