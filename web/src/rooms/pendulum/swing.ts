@@ -281,7 +281,8 @@ export class Swing {
   /** Shows the present moment. */
   #picture(): void {
     const [motion, course] = [this.#motion, this.#course];
-    if (motion === undefined || course === undefined) return;
+    if (motion === undefined) return;
+    if (course === undefined) return this.#showRelease();
     this.#lookAhead();
     let place = course.at(this.#clock.time);
     if (place === undefined && "end" in course) {
@@ -304,6 +305,12 @@ export class Swing {
       this.#read = performance.now();
       this.#facts.now(time, place, this.#second.course?.at(time));
     }
+  }
+
+  /** Shows the pendulum where it is released, as long as its motion is not known. */
+  #showRelease(): void {
+    const angle = this.#mathematics.angle(this.#value("angle"));
+    if (!("error" in angle)) this.#stage.show(this.#scene({ angle: angle.inTurn, velocity: 0 }, [], []));
   }
 
   /** What the stage shows of a state. */
