@@ -206,6 +206,8 @@ const FURTHER: &[&str] = &[
     // Groups have results and a mean.
     "fit|lengths|examples/class/groups.csv",
     "fit|periods|examples/class/amplitudes.csv|--group|4",
+    // A place has its normal gravity.
+    "fit|trace|examples/swing_synthetic.csv|--to|6s|--model|linear|--length|0.56m|--latitude|48deg",
     // A limit cycle has its distance from the orbit.
     "expand|van_der_pol|--order|3|--evaluate|0.5",
     // A motion that never returns has no period.
