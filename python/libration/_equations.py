@@ -72,7 +72,7 @@ def _printer() -> Any:
             return "exp(1)"
 
         def _print_Float(self, it: Any) -> str:
-            return repr(float(it)) if it._prec == 53 else super()._print_Float(it)
+            return repr(float(it)) if it._prec == 53 else str(super()._print_Float(it))
 
         def _print_Heaviside(self, it: Any) -> str:
             if it.args[1] != sympy.S.Half:
@@ -86,7 +86,7 @@ def _printer() -> Any:
             return self._extreme(it, "-")
 
         def _extreme(self, it: Any, sign: str) -> str:
-            first, *others = [self._print(arg) for arg in it.args]
+            first, *others = [str(self._print(arg)) for arg in it.args]
             for other in others:
                 first = f"(({first} + ({other}) {sign} abs({first} - ({other})))/2)"
             return first

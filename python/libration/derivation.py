@@ -50,7 +50,7 @@ class Derivation:
         return questions.derive(**self.given, format="latex")
 
     def to_notebook(self) -> str:
-        """A Jupyter notebook that computes each check again."""
+        """A Jupyter notebook that computes each check again, or compares answers to exercises."""
         return questions.derive(**self.given, format="ipynb")
 
     def save(self, file: Path) -> None:

@@ -525,8 +525,8 @@ def _root(square: Coefficient) -> Coefficient | None:
         square.constants,
         square.symbols,
     )
-    root = _root(factor)
-    return None if root is None else _product(root, letters)
+    number = _root(factor)
+    return None if number is None else _product(number, letters)
 
 
 def _product(root: Coefficient, c: Coefficient) -> Coefficient:

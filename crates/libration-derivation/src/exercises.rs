@@ -23,8 +23,10 @@ impl Derivation {
             "Find what the question marks stand for, with a pencil: each follows from what stands before it. The answers are at the end, \
              under the numbers of the formulas.",
         );
-        let answers = self.steps.iter().map(|step| with_blocks(step, answers_of)).collect();
-        let steps = self.steps.iter().map(|step| with_blocks(step, exercise_of)).collect();
+        let results: Vec<Formula> = self.steps.iter().flat_map(|step| results_of(&step.blocks)).collect();
+        let answers =
+            self.steps.iter().map(|step| with_blocks(step, |it| answers_of(it, &results))).collect();
+        let steps = self.steps.iter().map(|step| with_blocks(step, |it| exercise_of(it, &results))).collect();
         Self {
             title: format!("{}: exercises", self.title),
             introduction: vec![Block::Paragraph(how)],
@@ -34,7 +36,19 @@ impl Derivation {
     }
 }
 
-fn with_blocks(step: &DerivationStep, change: fn(&Block) -> Vec<Block>) -> DerivationStep {
+/// The right sides that a reader is to find.
+fn results_of(blocks: &[Block]) -> Vec<Formula> {
+    let of_block = |block: &Block| match block {
+        Block::Equation { equation, .. } if question(equation, &[]).is_some() => {
+            equation.statement().rest.last().map(|(_, side)| side.clone()).into_iter().collect()
+        }
+        Block::Details { blocks, .. } => results_of(blocks),
+        _ => vec![],
+    };
+    blocks.iter().flat_map(of_block).collect()
+}
+
+fn with_blocks(step: &DerivationStep, change: impl Fn(&Block) -> Vec<Block>) -> DerivationStep {
     DerivationStep {
         id: step.id.clone(),
         heading: step.heading.clone(),
@@ -43,35 +57,38 @@ fn with_blocks(step: &DerivationStep, change: fn(&Block) -> Vec<Block>) -> Deriv
 }
 
 /// The block with question marks in place of its results.
-fn exercise_of(block: &Block) -> Vec<Block> {
+fn exercise_of(block: &Block, results: &[Formula]) -> Vec<Block> {
     vec![match block {
-        Block::Equation { number, equation } => match question(equation) {
+        Block::Equation { number, equation } => match question(equation, results) {
             Some(statement) => Block::Exercise { number: *number, statement },
             None => block.clone(),
         },
         Block::Table(table) if table.cells == Cells::Formulas => Block::Table(unsolved(table)),
         Block::Details { summary, blocks } => {
-            Block::Details { summary: summary.clone(), blocks: blocks.iter().flat_map(exercise_of).collect() }
+            let blocks = blocks.iter().flat_map(|it| exercise_of(it, results)).collect();
+            Block::Details { summary: summary.clone(), blocks }
         }
         other => other.clone(),
     }]
 }
 
 /// The formulas omitted from the block.
-fn answers_of(block: &Block) -> Vec<Block> {
+fn answers_of(block: &Block, results: &[Formula]) -> Vec<Block> {
     match block {
-        Block::Equation { equation, .. } if question(equation).is_some() => vec![block.clone()],
+        Block::Equation { equation, .. } if question(equation, results).is_some() => vec![block.clone()],
         Block::Table(table) if table.cells == Cells::Formulas => vec![block.clone()],
-        Block::Details { blocks, .. } => blocks.iter().flat_map(answers_of).collect(),
+        Block::Details { blocks, .. } => blocks.iter().flat_map(|it| answers_of(it, results)).collect(),
         _ => vec![],
     }
 }
 
-/// The formula with a question mark for its result, or unchanged if it is to be proved; `None` if there is nothing to find.
-fn question(equation: &CheckedEquation) -> Option<Statement> {
+/// The formula with a question mark for its result, or unchanged if it is to be proved; `None` if there is nothing to find. A formula of the
+/// catalogue is given, unless it is one of these results.
+fn question(equation: &CheckedEquation, results: &[Formula]) -> Option<Statement> {
     let statement = equation.statement();
     let is_named = matches!(equation.check(), Check::Catalogued { .. });
-    if is_named || !equation.check().is_computed() {
+    let is_result = statement.rest.last().is_some_and(|(_, side)| results.contains(side));
+    if (is_named && !is_result) || !equation.check().is_computed() {
         return None;
     }
     let unknown = || Formula::from(Name::new("?"));

@@ -1,11 +1,10 @@
 //! Origins of the terms of a condition: the parts of the equation of motion, before the results of lower orders are inserted.
 
-use std::collections::BTreeMap;
-
 use super::super::document::{Cells, DerivationTable};
 use super::super::formula::{Formula, letter, monomial, sum};
 use super::super::prose::Prose;
 use super::names::{coefficient_name, cosine};
+use super::products::{self, Factors, Products};
 use super::question::Question;
 use libration::algebra::{Polynomial, Rational, Variable};
 use libration::perturbation::Condition;
@@ -13,21 +12,24 @@ use libration::perturbation::Condition;
 /// The symbol of the corrections of the frequency.
 const FREQUENCY: &str = "d";
 
-/// The factor of each harmonic at each power of ε.
-type Factors = BTreeMap<(u32, u32), Polynomial>;
-
 /// Parts of the equation of motion with their contributions to the conditions; vanishing coefficients are omitted.
 #[derive(Debug)]
 pub struct Contributions {
     /// Each part with its factors, by the power of ε and the harmonic.
     pub parts: Vec<(Formula, Factors)>,
+    /// Factor and exponent of each power of the displacement among the parts; `None` for the linear part.
+    powers: Vec<Option<(Rational, usize)>>,
+    displacement: Factors,
+    squared_ratio: Factors,
 }
 
 impl Contributions {
     /// Computes the contribution of each part of the equation of motion.
     pub fn new(question: &Question) -> Self {
         let displacement = displacement(question);
-        let mut parts = vec![(linear_part(question), linear(question, &displacement))];
+        let squared_ratio = squared_ratio(question);
+        let mut parts = vec![(linear_part(question), linear(question, &displacement, &squared_ratio))];
+        let mut powers = vec![None];
         let mut power = displacement.clone();
         for (place, factor) in question.force.iter().enumerate().skip(1) {
             power = product(&power, &displacement, question.order);
@@ -37,9 +39,10 @@ impl Contributions {
                     factors.insert(*key, it.scaled(factor));
                 }
                 parts.push((monomial(factor, &question.u(), place + 1), factors));
+                powers.push(Some((factor.clone(), place + 1)));
             }
         }
-        Self { parts }
+        Self { parts, powers, displacement, squared_ratio }
     }
 
     /// The factor of a harmonic at a power, summed over all parts.
@@ -48,24 +51,47 @@ impl Contributions {
         factors.fold(Polynomial::zero(), |sum, factor| sum + factor.clone())
     }
 
-    /// The contribution of each part to a condition.
-    pub(super) fn table(&self, condition: &Condition) -> DerivationTable {
+    /// The contribution of each part to a condition, with the products that it comes from where these are shown.
+    pub(super) fn table(&self, condition: &Condition, with_products: bool) -> DerivationTable {
         let key = (condition.order, condition.harmonic);
-        let given = self.parts.iter().filter_map(|(part, factors)| Some((part, factors.get(&key)?)));
-        let rows = given.filter(|(_, factor)| !factor.is_zero());
-        let rows = rows.map(|(part, factor)| vec![Prose::formula(part.clone()), in_groups(factor)]);
+        let given = self.parts.iter().zip(&self.powers);
+        let given = given.filter_map(|((part, factors), power)| Some((part, factors.get(&key)?, power)));
+        let rows = given.filter(|(_, factor, _)| !factor.is_zero());
+        let rows = rows.map(|(part, factor, power)| {
+            let terms = with_products.then(|| self.products(power.as_ref(), key).terms_of(factor)).flatten();
+            let products = terms.map(|terms| in_groups_of(&terms));
+            [Prose::formula(part.clone()), in_groups(factor)].into_iter().chain(products).collect()
+        });
         let k = usize::try_from(condition.harmonic).unwrap_or(usize::MAX);
         let power = letter("ε").pow(i64::from(condition.order));
-        let head = vec![Prose::text("part"), Prose::new("its factor of {} in {}", [cosine(k), power])];
+        let products = with_products.then(|| Prose::text("products that it comes from"));
+        let head = [Prose::text("part"), Prose::new("its factor of {} in {}", [cosine(k), power])];
         DerivationTable {
             cells: Cells::Formulas,
-            head,
+            head: head.into_iter().chain(products).collect(),
             rows: rows.collect(),
             note: Prose::text(
                 "checked: their sum is what the equation of motion leaves, with exact fractions for all symbols, also for values that are not solutions",
             ),
         }
     }
+
+    /// The products in a part's factor of a harmonic at a power.
+    pub(super) fn products(&self, power: Option<&(Rational, usize)>, key: (u32, u32)) -> Products {
+        match power {
+            None => products::linear(&self.displacement, &self.squared_ratio, key),
+            Some((factor, exponent)) => products::of_power(&self.displacement, (factor, *exponent), key),
+        }
+    }
+}
+
+/// The terms of a sum in pairs; a line may end between them.
+fn in_groups_of(terms: &[Formula]) -> Prose {
+    let pairs = terms.chunks(2).enumerate().map(|(place, pair)| {
+        let plus = if place > 0 { Prose::text(" + ") } else { Prose(vec![]) };
+        plus.and(Prose::formula(sum(pair.to_vec())))
+    });
+    pairs.fold(Prose(vec![]), Prose::and)
 }
 
 /// A sum in groups of terms; a line may end between groups.
@@ -108,22 +134,25 @@ fn displacement(question: &Question) -> Factors {
     present
 }
 
-/// The factors of Δ²u″ + u.
-fn linear(question: &Question, displacement: &Factors) -> Factors {
-    let one = Polynomial::constant(Rational::from(1));
+/// Δ².
+fn squared_ratio(question: &Question) -> Factors {
     let mut ratio = Factors::new();
-    ratio.insert((0, 0), one);
+    ratio.insert((0, 0), Polynomial::constant(Rational::from(1)));
     for n in question.powers().into_iter().filter(|n| *n > 1) {
         let (n, _) = key(n - 1, 0);
         ratio.insert((n, 0), Polynomial::variable(Variable::indexed(FREQUENCY, n)));
     }
+    product(&ratio, &ratio, question.order)
+}
+
+/// The factors of Δ²u″ + u.
+fn linear(question: &Question, displacement: &Factors, squared_ratio: &Factors) -> Factors {
     let mut second = Factors::new();
     for ((n, k), it) in displacement {
         let factor = -i64::from(*k) * i64::from(*k);
         second.insert((*n, *k), it.scaled(&Rational::from(factor)));
     }
-    let squared = product(&ratio, &ratio, question.order);
-    let mut sum = product(&squared, &second, question.order);
+    let mut sum = product(squared_ratio, &second, question.order);
     for (key, it) in displacement {
         add(&mut sum, *key, it.clone());
     }

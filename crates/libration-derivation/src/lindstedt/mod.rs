@@ -9,6 +9,7 @@ pub(crate) mod motion;
 mod names;
 pub(crate) mod orders;
 mod parity;
+mod products;
 pub(crate) mod question;
 mod second_gauge;
 mod small_swings;
@@ -84,7 +85,7 @@ const PARTS: [Part; 11] = [
     |question, _, _| Ok(vec![small_swings::equation_of_motion(question)?, small_swings::taylor(question)?]),
     |question, _, _| Ok(vec![ansatz::fundamental_and_harmonics(question), ansatz::projection()?]),
     |question, _, watch| Ok(parity::step(question, watch)?.into_iter().collect()),
-    |_, _, _| Ok(vec![orders::secular_terms()?]),
+    |question, _, _| Ok(vec![orders::secular_terms(question)?]),
     |question, _, _| orders::conditions(question),
     |question, _, _| Ok(vec![motion::gauge(question)?, motion::solution(question)?]),
     |question, _, _| Ok(vec![amplitude::iteration(question)?, amplitude::physical_relations(question)?]),

@@ -8,13 +8,13 @@ use super::contributions::{Contributions, vanishes};
 use super::names::{coefficient_name, cosine};
 use super::question::Question;
 use super::substitution::{Motion, has_harmonics};
-use libration::algebra::{Rational, Variable};
+use libration::algebra::{Polynomial, Rational, Variable};
 use libration::perturbation::Condition;
 
 /// Number of choices of fractions for the symbols with which a condition is checked.
 pub(super) const CHOICES: usize = 3;
 
-pub(super) fn secular_terms() -> Result<DerivationStep, DerivationError> {
+pub(super) fn secular_terms(question: &Question) -> Result<DerivationStep, DerivationError> {
     let tau = || letter("τ");
     let trials = Trials::new(None)?.with(&Name::new("τ"), tenths(7))?;
     let growing = tau() * sin(tau()) / 2;
@@ -44,6 +44,16 @@ pub(super) fn secular_terms() -> Result<DerivationStep, DerivationError> {
              correction has the factor {} in this very condition, and is chosen so that nothing is left over. The coefficient of the \
              first harmonic itself is not fixed by anything.",
             [Formula::from(-2) * Formula::from(Name::new("A").index(1))],
+        )
+        .say(
+            "The tables of the next sections show the products that a condition comes from: those of {} have the parts of {} before them, \
+             those of a power of {} the number of orderings of the coefficients, and the factor of {} in the product of their cosines.",
+            [
+                Formula::from(question.displacement.clone().prime().prime()),
+                letter("Δ").squared(),
+                question.u(),
+                cos(letter("k") * tau()),
+            ],
         ))
 }
 
@@ -91,9 +101,10 @@ fn way_to(
     contributions: &Contributions,
     condition: &Condition,
 ) -> DerivationStep {
+    let with_products = usize::try_from(condition.order).is_ok_and(|order| order <= open_to_read(question));
     let step = step
         .say("The factor of {} in the power {} has the parts", factor_of(condition))
-        .table(contributions.table(condition));
+        .table(contributions.table(condition, with_products));
     let inserted = contributions.sum(condition.order, condition.harmonic) != condition.polynomial;
     let step = match inserted {
         true => step.say("With what lower orders have found, their sum becomes the condition", []),
@@ -168,8 +179,18 @@ fn vanishing(question: &Question, order: usize, step: DerivationStep) -> Derivat
                        these harmonics.", []),
     };
     alone.into_iter().fold(step, |step, condition| {
-        step.show(substituted(question, condition, Statement::equal(&condition.polynomial, 0)))
+        let left = product_alone(condition).unwrap_or_else(|| (&condition.polynomial).into());
+        step.show(substituted(question, condition, Statement::equal(left, 0)))
     })
+}
+
+/// (1 − k²) times the coefficient, for a condition that is this product.
+fn product_alone(condition: &Condition) -> Option<Formula> {
+    let unknown = fixed_by(condition)?;
+    let k = i64::from(condition.harmonic);
+    let product = Polynomial::variable(unknown.clone()).scaled(&Rational::from(1 - k * k));
+    let factor = number(1) - number(k).squared();
+    (k > 1 && product == condition.polynomial).then(|| factor * Formula::Name(Name::from(&unknown)))
 }
 
 fn is_of(condition: &Condition, order: usize) -> bool {
@@ -186,11 +207,23 @@ fn is_shown(condition: &Condition, order: usize) -> bool {
     is_of(condition, order) && !is_alone(condition)
 }
 
-/// The coefficients that the conditions of an order fix, with their values.
-pub(super) fn solutions(question: &Question, order: usize) -> Result<Vec<CheckedEquation>, DerivationError> {
+/// The coefficients that the conditions of an order fix, with their values, and folded the products that the conditions come from.
+pub(super) fn solutions(
+    question: &Question,
+    order: usize,
+    step: DerivationStep,
+) -> Result<DerivationStep, DerivationError> {
+    let contributions = Contributions::new(question);
     check_order(question, order)?;
+    check_contributions(question, &contributions, order)?;
     let conditions = question.open.conditions().iter().filter(|condition| is_of(condition, order));
-    Ok(conditions.filter_map(|condition| solved(question, condition)).collect())
+    Ok(conditions.fold(step, |step, condition| {
+        let Some(solution) = solved(question, condition) else { return step };
+        step.show(solution).fold("Derivation", |step| match product_alone(condition) {
+            Some(product) => step.show(substituted(question, condition, Statement::equal(product, 0))),
+            None => way_to(question, step, &contributions, condition),
+        })
+    }))
 }
 
 /// The coefficient that a condition fixes, with its value.

@@ -42,9 +42,8 @@ pub(super) fn step(
             [epsilon(), cos(tau()), epsilon().squared()],
         )
         .show(first_correction()?)
-        .say("which must vanish. With that the conditions of the even powers give", [])
-        .show_all(solutions(&open, 2)?)
-        .show_all(solutions(&open, 4)?);
+        .say("which must vanish. With that the conditions of the even powers give", []);
+    let step = solutions(&open, 4, solutions(&open, 2, step)?)?;
     renamed(&open, step).map(Some)
 }
 

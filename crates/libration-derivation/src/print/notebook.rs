@@ -1,9 +1,10 @@
-//! Derivations as a Jupyter notebook, whose cells repeat the checks with Python's fractions and floats.
+//! Derivations as a Jupyter notebook: its cells repeat the checks with Python's fractions and floats, and those of exercises compare the
+//! reader's answers by `SymPy`.
 
 use super::super::check::{Check, CheckedEquation, FlowTerms, OpenCondition, TruncatedFormula};
 use super::super::document::{Block, Derivation, DerivationStep};
 use super::super::formula::{Name, Statement};
-use super::super::python::{self, PRELUDE};
+use super::super::python::{self, Questions};
 use super::super::typeset::statement_latex;
 use super::{Place, markdown_text};
 use libration::algebra::Rational;
@@ -14,15 +15,21 @@ pub fn to_notebook(derivation: &Derivation) -> String {
     let mut notebook = Notebook::default();
     notebook.say(&format!("# {}", markdown_text::title(derivation)));
     notebook.blocks(Place::INTRODUCTION, &derivation.introduction);
-    notebook.say(
-        "Formulas that can be checked with Python’s own fractions and floats have a cell that does so again, on your computer: it raises an \
-         error where the formula does not hold. The check made while this was written stands below the others. The next cell defines the functions that the cells use.",
-    );
-    notebook.compute("prelude", PRELUDE);
+    if derivation.answers.is_empty() {
+        notebook.say(
+            "Formulas that can be checked with Python’s own fractions and floats have a cell that does so again, on your computer: it raises an \
+             error where the formula does not hold. The check made while this was written stands below the others. A folded cell defines the functions that the cells use.",
+        );
+    } else {
+        notebook.begin_exercises(derivation);
+    }
     let mut answers = "## Answers";
     for (place, step) in Place::steps(derivation) {
-        if place.is_answer {
+        if place.is_answer && !answers.is_empty() {
             notebook.say(std::mem::take(&mut answers));
+            if notebook.questions.comparison().is_some() {
+                notebook.say("The cells below give `sin`, `cos` and `pi` other meanings: run the first cell again before you answer again.");
+            }
         }
         notebook.step(place, step);
     }
@@ -39,11 +46,31 @@ struct Notebook<'a> {
     known: Vec<&'a Name>,
     /// The equation whose slow flow is defined in the cells.
     flow: Option<&'a FlowTerms>,
+    /// The exercises whose answers are compared.
+    questions: Questions,
+    /// The place of the cell with the functions that checks use, and the code of the checks.
+    prelude: Option<usize>,
+    checks: Vec<String>,
     /// The force and the harmonics that are kept.
     few: Option<(&'a [Rational], &'a [usize])>,
 }
 
 impl<'a> Notebook<'a> {
+    /// The cell that compares answers, with what it says and the symbols that it knows.
+    fn begin_exercises(&mut self, derivation: &Derivation) {
+        for (place, step) in Place::steps(derivation).filter(|(place, _)| place.is_answer) {
+            self.questions.add(place.step, &step.blocks);
+        }
+        let Some(code) = self.questions.comparison() else { return };
+        let symbols = self.questions.symbols();
+        self.say(&format!(
+            "Write what you have found into the cells, as a formula of SymPy in place of `None`, and run them: each says that the answer is \
+             right, right but not simplified, or in which terms it is wrong. The symbols are {symbols}. A condition that vanishes may be given \
+             with any factor. Run the next, folded cell first."
+        ));
+        self.compute_folded("comparison", &code);
+    }
+
     fn step(&mut self, place: Place<'a>, step: &'a DerivationStep) {
         self.end_text();
         let level = if place.is_answer { "###" } else { "##" };
@@ -55,7 +82,12 @@ impl<'a> Notebook<'a> {
         for block in blocks {
             match block {
                 Block::Equation { number, equation } => self.equation(place, *number, equation),
-                Block::Exercise { number, statement } => self.say(&formula(place, *number, statement)),
+                Block::Exercise { number, statement } => {
+                    self.say(&formula(place, *number, statement));
+                    if let Some(code) = self.questions.answer(&place.number(*number)) {
+                        self.compute(&format!("exercise-{}-{number}", place.id), &code);
+                    }
+                }
                 Block::Details { summary, blocks } => {
                     self.say(&format!("*{summary}:*"));
                     self.blocks(place, blocks);
@@ -88,7 +120,7 @@ impl<'a> Notebook<'a> {
         lines.push(code);
         let kind = if place.is_answer { "answer" } else { "check" };
         let name = format!("{kind}-{}-{number}", place.id);
-        self.compute(&name, &lines.join("\n"));
+        self.check(&name, &lines.join("\n"));
     }
 
     /// Defines the ansatz of a condition, unless the previous conditions have the same one.
@@ -96,7 +128,7 @@ impl<'a> Notebook<'a> {
         let is_same = self.ansatz.is_some_and(|it| it.harmonics == condition.harmonics);
         if let (false, Some(code)) = (is_same, python::ansatz(condition)) {
             (self.ansatz, self.known) = (Some(condition), vec![]);
-            self.compute(&format!("ansatz-{}", self.cells.len()), &code);
+            self.check(&format!("ansatz-{}", self.cells.len()), &code);
         }
     }
 
@@ -104,14 +136,14 @@ impl<'a> Notebook<'a> {
         let own = (formula.force.as_slice(), formula.harmonics.as_slice());
         if let (false, Some(code)) = (self.few == Some(own), python::few_harmonics(formula)) {
             self.few = Some(own);
-            self.compute(&format!("few-{}", self.cells.len()), &code);
+            self.check(&format!("few-{}", self.cells.len()), &code);
         }
     }
 
     fn begin_flow(&mut self, flow: &'a FlowTerms, written: fn(&FlowTerms) -> Option<String>) {
         if let (false, Some(code)) = (self.flow == Some(flow), written(flow)) {
             self.flow = Some(flow);
-            self.compute(&format!("flow-{}", self.cells.len()), &code);
+            self.check(&format!("flow-{}", self.cells.len()), &code);
         }
     }
 
@@ -140,22 +172,49 @@ impl<'a> Notebook<'a> {
         }
     }
 
+    /// A cell of a check, the first of them after the functions that they use.
+    fn check(&mut self, id: &str, code: &str) {
+        self.end_text();
+        if self.prelude.is_none() {
+            self.prelude = Some(self.cells.len());
+            self.cells.push(String::new());
+        }
+        self.checks.push(code.to_owned());
+        self.compute(id, code);
+    }
+
     fn compute(&mut self, id: &str, code: &str) {
         self.end_text();
-        self.cells.push(format!(
-            "{{\"cell_type\": \"code\", \"execution_count\": null, \"id\": \"{id}\", \"metadata\": {{}}, \"outputs\": [], \"source\": {}}}",
-            json(code)
-        ));
+        self.cells.push(code_cell(id, "{}", code));
+    }
+
+    /// A cell whose code is hidden until the reader opens it.
+    fn compute_folded(&mut self, id: &str, code: &str) {
+        self.end_text();
+        self.cells.push(code_cell(id, FOLDED, code));
     }
 
     fn written(mut self) -> String {
         self.end_text();
+        if let Some(place) = self.prelude {
+            self.cells[place] = code_cell("prelude", FOLDED, &python::prelude_for(&self.checks));
+        }
         format!(
             "{{\n \"cells\": [\n  {}\n ],\n \"metadata\": {{\"kernelspec\": {{\"display_name\": \"Python 3\", \"language\": \"python\", \
              \"name\": \"python3\"}}, \"language_info\": {{\"name\": \"python\"}}}},\n \"nbformat\": 4,\n \"nbformat_minor\": 5\n}}\n",
             self.cells.join(",\n  ")
         )
     }
+}
+
+/// The metadata of a folded cell, for Jupyter and for what is made of notebooks.
+const FOLDED: &str = r#"{"jupyter": {"source_hidden": true}, "tags": ["hide-input"]}"#;
+
+fn code_cell(id: &str, metadata: &str, code: &str) -> String {
+    format!(
+        "{{\"cell_type\": \"code\", \"execution_count\": null, \"id\": \"{id}\", \"metadata\": {metadata}, \"outputs\": [], \"source\": {}}}",
+        json(code)
+    )
 }
 
 /// A displayed formula with its number, in notebook syntax.

@@ -1,14 +1,15 @@
 //! Formulas as Python, computed with the functions of `prelude.py`.
 
 mod cell;
+mod exercise;
+mod parts;
 
 pub(super) use cell::{ansatz, check, few_harmonics, known, limit_cycle, slow_flow};
+pub(super) use exercise::Questions;
+pub(super) use parts::prelude_for;
 
 use super::evaluate::TIME;
 use super::formula::{DecimalUnit, Formula, Name, Subscript};
-
-/// The functions for computing the expressions, with Python's fractions and floats.
-pub(super) const PRELUDE: &str = include_str!("prelude.py");
 
 /// The precedence of an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

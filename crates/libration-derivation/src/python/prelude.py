@@ -28,7 +28,7 @@ class Series:
         return series(other, len(self)) - self
 
     def __mul__(self, other):
-        if isinstance(other, (Cosines, Angle, Phased)):
+        if hasattr(other, "wave") or hasattr(other, "times") or hasattr(other, "cosine"):
             return NotImplemented
         other = series(other, len(self))
         n = min(len(self), len(other))
@@ -110,15 +110,15 @@ def sine_and_cosine(x):
 
 
 def sin(x):
-    if isinstance(x, Phased):
+    if hasattr(x, "wave"):
         return x.wave(1)
     return sine_and_cosine(x)[0] if isinstance(x, Series) else math.sin(x)
 
 
 def cos(x):
-    if isinstance(x, Angle):
+    if hasattr(x, "cosine"):
         return x.cosine()
-    if isinstance(x, Phased):
+    if hasattr(x, "wave"):
         return x.wave(0)
     return sine_and_cosine(x)[1] if isinstance(x, Series) else math.cos(x)
 

@@ -156,7 +156,7 @@ impl Style {
                     self.bracketed_call(*function, None, argument)
                 }
                 // 1/8·a with a slash could be read as 1/(8a).
-                Formula::Number(value) if n == 0 && next.is_some() => Self::Display.number(value),
+                Formula::Number(value) if next.is_some() => Self::Display.number(value),
                 Formula::Number(value) if n == 0 => self.number(value),
                 _ if next.is_none() => self.at_least(Place::Large, factor),
                 _ => self.at_least(Place::Product, factor),

@@ -10,7 +10,9 @@ use libration_derivation::internals::lindstedt::{
     Contributions, Elimination, Question, as_given, check_contributions, check_three_harmonics, exactly_at,
     few_harmonics, fundamental_and_harmonics, has_harmonics, motion, motion_in_numbers, solves,
 };
-use libration_derivation::{Block, Formula, Name, Prose, Released, Span, formula_latex};
+use libration_derivation::{
+    Block, Formula, Name, Prose, Released, Span, formula_latex, perturbation, to_markdown,
+};
 
 fn question(key: &str, order: usize) -> Question {
     let oscillator = NamedOscillator::by_key(key).unwrap().oscillator(&[]).unwrap();
@@ -210,4 +212,28 @@ fn the_equations_of_three_harmonics_are_checked() {
             assert!(check_three_harmonics(&question, &wrong).is_err(), "{key} {place}");
         }
     }
+}
+
+/// θ³ with A₁cos τ twice and A₃ε³cos τ once has three orderings, and cos³τ has ¾ of cos τ; with B₃cos 3τ, cos²τ·cos 3τ has ¼ of cos τ and ½
+/// of cos 3τ.
+#[test]
+fn conditions_show_the_products_that_they_come_from() {
+    let pendulum = NamedOscillator::by_key("pendulum").unwrap().oscillator(&[]).unwrap();
+    let derivation = perturbation(&pendulum, 5, &Gauge::Fundamental, None, &Quiet).unwrap();
+    let text = to_markdown(&derivation);
+    for product in [
+        r"\left(1-3^{2}\right)B_{1}=0",
+        r"$-2d_{2}A_{1}$",
+        r"$-\frac{1}{6}\cdot \frac{3}{4}A_{1}^{3}$",
+        r"$-\frac{1}{6}\cdot 3\cdot \frac{3}{4}A_{1}^{2}A_{3}-\frac{1}{6}\cdot 3\cdot \frac{1}{4}A_{1}^{2}B_{3}$",
+        r"$-\frac{1}{6}\cdot 3\cdot \frac{1}{4}A_{1}^{2}A_{3}-\frac{1}{6}\cdot 3\cdot \frac{1}{2}A_{1}^{2}B_{3}$",
+        r"$-\left(2d_{4}+d_{2}^{2}\right)A_{1}-2d_{2}A_{3}$",
+        r"$-9\cdot 2d_{2}B_{3}+\left(1-3^{2}\right)B_{5}$",
+    ] {
+        assert!(text.contains(product), "{product}");
+    }
+    // A column in each table of these orders, and of the even powers that are excluded.
+    let tables = text.matches("products that it comes from").count();
+    assert_eq!(tables, text.matches("has the parts").count());
+    assert!(tables >= 7, "{tables}");
 }

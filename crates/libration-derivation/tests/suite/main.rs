@@ -8,6 +8,7 @@ mod derivations;
 mod latex;
 mod limit_cycle;
 mod lindstedt;
+mod notebooks;
 mod paper;
 mod phase;
 mod source;

@@ -1,0 +1,107 @@
+//! The exercises of a notebook, whose answers `SymPy` compares.
+
+use super::super::check::CheckedEquation;
+use super::super::document::Block;
+use super::super::formula::{Formula, Relation, number};
+use super::{expression, identifier};
+use std::collections::BTreeSet;
+
+/// The functions that compare an answer.
+const COMPARISON: &str = include_str!("student.py");
+
+/// Functions of expressions that `SymPy` has too.
+const FUNCTIONS: [&str; 17] = [
+    "", "Q", "exact", "power", "O", "sin", "cos", "tan", "exp", "ln", "sqrt", "asin", "atan", "sinh", "cosh",
+    "tanh", "sign",
+];
+
+/// The questions with their solutions, by the numbers of the formulas.
+#[derive(Default)]
+pub(crate) struct Questions {
+    names: BTreeSet<String>,
+    lines: Vec<(String, String)>,
+}
+
+impl Questions {
+    /// Adds the answers of a step whose solutions are formulas of numbers, names and functions.
+    pub(crate) fn add(&mut self, step: usize, answers: &[Block]) {
+        for block in answers {
+            match block {
+                Block::Equation { number, equation } => {
+                    self.add_equation(format!("{step}.{number}"), equation)
+                }
+                Block::Details { blocks, .. } => self.add(step, blocks),
+                _ => {}
+            }
+        }
+    }
+
+    fn add_equation(&mut self, place: String, equation: &CheckedEquation) {
+        let statement = equation.statement();
+        let is_equality = statement.rest.iter().all(|(relation, _)| *relation == Relation::Equal);
+        let Some((_, last)) = statement.rest.last().filter(|_| is_equality) else { return };
+        let is_zero = statement.rest.iter().all(|(_, side)| *side == number(0));
+        let solution = if is_zero { &statement.first } else { last };
+        if matches!(solution, Formula::Order(_)) {
+            return;
+        }
+        let Some(text) = expression(solution).filter(|text| is_elementary(text)) else { return };
+        let question = if is_zero { None } else { expression(&statement.first) };
+        let question = question.filter(|text| is_elementary(text)).unwrap_or_default();
+        let sides = [Some(&statement.first), Some(last)];
+        self.names.extend(
+            sides.into_iter().flatten().flat_map(Formula::free_names).filter_map(|it| identifier(&it)),
+        );
+        let is_zero = if is_zero { "True" } else { "False" };
+        let line = format!("    \"{place}\": ({is_zero}, \"{}\", \"{}\"),", digits(&question), digits(&text));
+        self.lines.push((place, line));
+    }
+
+    /// Returns `true` if the answer with this number can be compared.
+    pub(crate) fn has(&self, place: &str) -> bool {
+        self.lines.iter().any(|(own, _)| own == place)
+    }
+
+    /// The cell that compares answers; `None` where none can be.
+    pub(crate) fn comparison(&self) -> Option<String> {
+        if self.lines.is_empty() {
+            return None;
+        }
+        let names: Vec<&str> = self.names.iter().map(String::as_str).collect();
+        let symbols = format!(
+            "if sympy:\n    SYMBOLS = {{it: sympy.Symbol(it, positive=True) for it in \"{}\".split()}}\n    globals().update(SYMBOLS)",
+            names.join(" ")
+        );
+        let lines: Vec<&str> = self.lines.iter().map(|(_, line)| line.as_str()).collect();
+        let questions = format!("QUESTIONS = {{\n{}\n}}", lines.join("\n"));
+        Some([COMPARISON.trim_end(), &symbols, &questions].join("\n\n\n"))
+    }
+
+    /// The cell for an answer.
+    pub(crate) fn answer(&self, place: &str) -> Option<String> {
+        let cell = || {
+            format!(
+                "answer = None  # in place of the question mark in ({place})\ncompare(\"{place}\", answer)"
+            )
+        };
+        self.has(place).then(cell)
+    }
+
+    /// The symbols, as a sentence names them.
+    pub(crate) fn symbols(&self) -> String {
+        self.names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+    }
+}
+
+/// Returns `true` if an expression has no other functions than those of `SymPy`.
+fn is_elementary(text: &str) -> bool {
+    let is_letter = |letter: char| letter.is_alphanumeric() || letter == '_';
+    let calls = text.split('(').map(|before| before.rsplit(|letter| !is_letter(letter)).next().unwrap_or(""));
+    let count = text.matches('(').count();
+    calls.take(count).all(|name| FUNCTIONS.contains(&name)) && !text.contains("lambda")
+}
+
+/// Text as hexadecimal digits.
+fn digits(text: &str) -> String {
+    text.bytes().map(|byte| format!("{byte:02x}")).collect()
+}
