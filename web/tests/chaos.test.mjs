@@ -12,7 +12,7 @@ test("pictures and verdict are the command's", () =>
   visit(SMALL, async (room) => {
     const at = ["driven_pendulum", "--set", "c=1/2,A=1.2"];
     const asked = [
-      ["bifurcation", "driven_pendulum", "--set", "c=1/2", "--initial", "theta=0.2", "--over", "A=1:1.5:0.05", "--points", "10", "--figure", "-"],
+      ["bifurcation", "driven_pendulum", "--set", "c=1/2", "--initial", "theta=0.2", "--over", "A=1:1.5:0.05", "--points", "10", "--sweep", "both", "--figure", "-"],
       ["section", ...at, "--initial", "theta=0.2", "--initial", "theta=0.2001", "--points", "300", "--figure", "-"],
       ["figure", "trajectories", ...at, "--initial", "theta=0.2", "--initial", "theta=0.2001", "--to", "100", "--output", "-"],
       ["lyapunov", ...at, "--initial", "theta=0.2", "--intervals", "100", "--figure", "-"],
@@ -32,7 +32,7 @@ test("pictures and verdict are the command's", () =>
 
 test("a value is chosen in the diagram by keys and by the mouse, and a link shows it again", () =>
   visit(SMALL, async (room) => {
-    const slider = room.getByRole("slider");
+    const slider = room.getByRole("slider", { name: "in the diagram" });
     await slider.focus();
     await room.keyboard.press("ArrowRight");
     await settled(room);
@@ -44,7 +44,7 @@ test("a value is chosen in the diagram by keys and by the mouse, and a link show
     assert.notEqual(chosen, "A = 1.25");
     const verdict = await room.locator("p.verdict").textContent();
     await visit(new URL(room.url()).hash.slice(1), async (again) => {
-      assert.equal(await again.getByRole("slider").getAttribute("aria-valuetext"), chosen);
+      assert.equal(await again.getByRole("slider", { name: "in the diagram" }).getAttribute("aria-valuetext"), chosen);
       assert.equal(await again.locator("p.verdict").textContent(), verdict);
     });
   }));
@@ -107,7 +107,7 @@ test("the motion stays the same when the range gets another parameter", () =>
     assert.deepEqual(await errors(room), []);
     assert.equal(await room.getByRole("slider", { name: "Value of omega0 in the diagram" }).getAttribute("aria-valuetext"), "no value chosen");
     await enter(room, "Range of a parameter", "");
-    assert.equal(await room.getByRole("slider").count(), 0);
+    assert.equal(await room.getByRole("slider", { name: "in the diagram" }).count(), 0);
   }));
 
 test("letter by letter the range changes no more than at once", () =>
@@ -132,7 +132,7 @@ test("numbers are saved where there are some, and nowhere else", () =>
     for (const title of ["Poincaré section", "Order or chaos?", "Periodic orbit"]) assert.ok((await saved(part(room, title), "Save the numbers as CSV")).bytes.length > 20, title);
     await enter(room, "Range of a parameter", "A=0.4:0.6:0.1");
     const { bytes } = await saved(part(room, "Bifurcation diagram"), "Save the numbers as CSV");
-    assert.equal(bytes.toString(), command("bifurcation", "driven_pendulum", "--set", "c=1/2", "--initial", "theta=0.2", "--over", "A=0.4:0.6:0.1", "--points", "5", "--csv").output);
+    assert.equal(bytes.toString(), command("bifurcation", "driven_pendulum", "--set", "c=1/2", "--initial", "theta=0.2", "--over", "A=0.4:0.6:0.1", "--points", "5", "--sweep", "both", "--csv").output);
     await enter(room, "Range of a parameter", "A=0.4:0.6");
     assert.equal(await csv("Bifurcation diagram").count(), 0);
     await enter(room, "System or equation", "nonsense");
@@ -284,7 +284,8 @@ test("a question without an answer says so in the command's words, where it is a
       [titles[2], "Ranges of two parameters", "rho=1:2,sigma=1:2", ["stability", "lorenz", "--map", "rho=1:2,sigma=1:2"]],
     ]) {
       await enter(room, label, entry);
-      const said = command(...words).error.replace(/^error: /, "").trim();
+      // The same sentence, without the name of the option and with the quotation marks of the page.
+      const said = command(...words).error.replace(/^error: /, "").trim().replace(/^[-A-Z|a-z]+: /, "").replace(/`([^`]*)`/g, "“$1”");
       assert.ok((await part(room, title).locator("p.quiet").textContent()) === said, said);
       assert.deepEqual(await errors(room), []);
     }
@@ -379,4 +380,104 @@ test("the numbers of the section are saved", () =>
     for await (const part of await download.createReadStream()) parts.push(part);
     const words = ["section", SYSTEM[0], "--set", "c=1/2,A=1.2", "--initial", "theta=0.2", "--initial", "theta=0.2001", "--points", "300", "--csv"];
     assert.equal(Buffer.concat(parts).toString(), command(...words).output);
+  }));
+
+const DRIVEN = "chaos?over=&value=&set=c%3D1/2,A%3D1.2&initial=theta%3D0.2;theta%3D0.2001&points=20&intervals=10&until=5&motions=20";
+
+test("sliders change the drive and the friction, and a pendulum that runs swings on", () =>
+  visit(DRIVEN, async (room) => {
+    const time = () => room.evaluate(() => Number(/t = ([\d.]+) s/.exec(document.querySelector(".fleet-words")?.textContent ?? "")?.[1]));
+    const after = (least) => room.waitForFunction((least) => Number(/t = ([\d.]+) s/.exec(document.querySelector(".fleet-words")?.textContent ?? "")?.[1]) > least, least, { timeout: 60_000 });
+    const slider = room.getByRole("slider", { name: "Strength of the drive" });
+    assert.equal(await slider.getAttribute("aria-valuetext"), "A = 1.2 1/s²");
+    await room.getByLabel("Speed").selectOption("5");
+    await room.getByRole("button", { name: "Run the ensemble" }).click();
+    await after(5);
+    await slider.focus();
+    await room.keyboard.press("ArrowLeft");
+    assert.equal(await slider.getAttribute("aria-valuetext"), "A = 1.195 1/s²");
+    await room.waitForFunction(() => Number(/t = ([\d.]+) s/.exec(document.querySelector(".fleet-words").textContent)?.[1]) < 5);
+    await after(1);
+    assert.ok(await room.getByRole("button", { name: "Pause the ensemble" }).isVisible());
+    assert.equal(await entry(room, "Values of parameters"), "c=1/2,A=1.195");
+    await slider.fill("0.9");
+    await room.getByRole("slider", { name: "Friction" }).fill("0.5");
+    await settled(room);
+    assert.equal(await entry(room, "Values of parameters"), "A=0.9,c=0.5");
+    assert.match(await room.locator("p.verdict").textContent(), /^(Regular|Undecided)/);
+    const { hash } = new URL(room.url());
+    await visit(`${hash.slice(1)}&time=10`, async (again) => {
+      await again.waitForFunction(() => document.querySelector(".fleet-words")?.textContent.includes("t = 10.00 s"), null, { timeout: 60_000 });
+      const { bytes } = await saved(again, "Save the states as CSV");
+      const [, , theta, velocity] = bytes.toString().split("\n")[1].split(",").map(Number);
+      // θ″ = −θ′/2 − sin θ + 0.9 cos(2t/3) from θ = 0.2 at rest, by mpmath's Taylor integration with 25 digits.
+      assert.ok(Math.abs(theta - 1.6471867024) < 1e-6 && Math.abs(velocity - 0.8544171885) < 1e-6, `${theta} ${velocity}`);
+    });
+    assert.ok((await time()) >= 0);
+  }));
+
+test("the diagram follows one attractor at a time, or both in two colours", () =>
+  visit(`${SMALL}&motions=20`, async (room) => {
+    const diagram = part(room, "Bifurcation diagram");
+    const colours = () => diagram.locator(".picture").evaluate((it) => it.shadowRoot.querySelectorAll("path.markers").length);
+    assert.equal(await colours(), 2);
+    await diagram.getByRole("button", { name: "up", exact: true }).click();
+    await settled(room);
+    assert.equal(await colours(), 1);
+    assert.match(new URL(room.url()).hash, /sweep=up/);
+    assert.equal(await diagram.getByRole("button", { name: "up", exact: true }).getAttribute("aria-pressed"), "true");
+    const { bytes } = await saved(diagram, "Save the picture as SVG");
+    assert.equal(bytes.toString(), command("bifurcation", "driven_pendulum", "--set", "c=1/2", "--initial", "theta=0.2", "--over", "A=1:1.5:0.05", "--points", "10", "--sweep", "up", "--figure", "-").output);
+  }));
+
+test("pictures have their numbers as tables", () =>
+  visit(`${SMALL}&motions=20`, async (room) => {
+    for (const title of ["Bifurcation diagram", "Poincaré section", "Neighbouring motions", "Order or chaos?", "Periodic orbit", "The motion and its neighbours"]) {
+      const found = part(room, title);
+      await found.getByText("Numbers as a table").click();
+      await found.locator("tbody tr").first().waitFor();
+    }
+    const { samples } = answer("simulate", "driven_pendulum", "--set", "c=1/2,A=1.2", "--initial", "theta=0.2", "--times", "0:100:2");
+    const shown = await part(room, "Neighbouring motions").locator("tbody tr").nth(3).locator("th, td").allTextContents();
+    assert.equal(Number(shown[0]), 6);
+    assert.ok(Math.abs(Number(shown[1].replace("−", "-")) - samples[3].state[0]) < 1e-3);
+  }));
+
+test("out of sight nothing is drawn", () =>
+  visit(DRIVEN, async (room) => {
+    await room.evaluate(() => {
+      globalThis.drawn = 0;
+      const { clearRect } = CanvasRenderingContext2D.prototype;
+      CanvasRenderingContext2D.prototype.clearRect = function (...all) {
+        globalThis.drawn += 1;
+        return clearRect.apply(this, all);
+      };
+    });
+    await room.getByRole("button", { name: "Run the ensemble" }).click();
+    await room.waitForFunction(() => globalThis.drawn > 20);
+    await room.getByText("Equivalent command").scrollIntoViewIfNeeded();
+    const seen = () => room.evaluate(() => new Promise((resolve) => {
+      const sight = new IntersectionObserver((all) => resolve(all.some((it) => it.isIntersecting)));
+      document.querySelectorAll(".fleet canvas").forEach((it) => sight.observe(it));
+    }));
+    assert.equal(await seen(), false);
+    const before = await room.evaluate(() => globalThis.drawn);
+    const text = await room.locator(".fleet-words").textContent();
+    await room.waitForFunction((text) => document.querySelector(".fleet-words").textContent !== text, text);
+    assert.equal(await room.evaluate(() => globalThis.drawn), before);
+    await room.locator(".fleet").scrollIntoViewIfNeeded();
+    await room.waitForFunction((before) => globalThis.drawn > before, before);
+  }));
+
+test("neither examples nor messages have options, keys or backticks", () =>
+  visit(`${SMALL}&motions=20`, async (room) => {
+    for (const name of await room.getByLabel("Example").locator("option").allTextContents()) assert.doesNotMatch(name, /_|`|--/);
+    for (const [label, wrong] of [["System or equation", "nonsense"], ["System or equation", "x'' = q"], ["Initial states", "q=1"], ["Values of parameters", "c="], ["Values of parameters", "c=foo"], ["Range of a parameter", "A=1:2"], ["Points of the section", "many"], ["Section at zeros of the formula", "1/"]]) {
+      const before = await entry(room, label);
+      await enter(room, label, wrong);
+      const said = [...(await errors(room)), ...(await room.locator(".results .quiet:visible").allTextContents())].join(" ");
+      assert.ok(said.length > 10, wrong);
+      assert.doesNotMatch(said, /`|--[a-z]/, wrong);
+      await enter(room, label, before);
+    }
   }));

@@ -222,7 +222,7 @@ test("two pendulums are released together, each with its own settings and errors
 test("with a mass the energies are joules", () =>
   visit("pendulum?angle=90deg&length=0.5m&mass=200g&t=0", async (room) => {
     // m g l (1 − cos 90°) = 0.2 · 9.80665 · 0.5 J.
-    assert.deepEqual(await room.locator(".bar b").allTextContents(), ["0 J", "0.981 J", "0.981 J"]);
+    assert.deepEqual(await room.locator(".bar b").allTextContents(), ["0.000 J", "0.981 J", "0.981 J"]);
     await room.getByLabel("Mass", { exact: true }).fill("heavy");
     await settled(room);
     assert.match((await errors(room)).join(), /a mass such as/);

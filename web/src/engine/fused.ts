@@ -12,20 +12,19 @@ const RELAXED = [
 type MultiplyAdd = (x: number, y: number, z: number) => number;
 
 /** A module with the fused multiply-add of this browser, or with its own if the browser has none that rounds once. */
-export async function instantiated(module: WebAssembly.Module, imports: WebAssembly.Imports = {}): Promise<WebAssembly.Exports> {
-  const fused = await relaxed();
+export function instantiated(module: WebAssembly.Module, imports: WebAssembly.Imports = {}): WebAssembly.Exports {
+  const fused = relaxed();
   const multiply_add = fused ?? (() => NaN);
-  const { exports } = await WebAssembly.instantiate(module, { ...imports, fused: { multiply_add } });
+  const { exports } = new WebAssembly.Instance(module, { ...imports, fused: { multiply_add } });
   if (fused !== undefined) (exports["use_fused"] as () => void)();
   return exports;
 }
 
 /** `undefined` if there is none, or if it rounds twice. */
-async function relaxed(): Promise<MultiplyAdd | undefined> {
+function relaxed(): MultiplyAdd | undefined {
   const bytes = new Uint8Array(RELAXED);
   if (!WebAssembly.validate(bytes)) return undefined;
-  const { instance } = await WebAssembly.instantiate(bytes);
-  const multiplyAdd = instance.exports["multiply_add"] as MultiplyAdd;
+  const multiplyAdd = new WebAssembly.Instance(new WebAssembly.Module(bytes)).exports["multiply_add"] as MultiplyAdd;
   // (1 + 2⁻³⁰)² = 1 + 2⁻²⁹ + 2⁻⁶⁰; with two roundings the last term is lost.
   const x = 1 + 2 ** -30;
   return multiplyAdd(x, x, -1 - 2 ** -29) === 2 ** -60 ? multiplyAdd : undefined;

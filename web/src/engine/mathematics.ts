@@ -1,7 +1,7 @@
 // The small module: the exact motion of the pendulum, computed synchronously and without a worker.
 
 import { instantiated } from "./fused.ts";
-import { compiled, text } from "./module.ts";
+import { text } from "./module.ts";
 
 interface Exports {
   readonly memory: WebAssembly.Memory;
@@ -84,13 +84,13 @@ export class Mathematics {
 
   static #compiled: Promise<WebAssembly.Module> | undefined;
 
-  /** An instance of its own; the module is decompressed once. */
+  /** An instance of its own; the module is decompressed once. Compiled at once, it moves the pendulum before the browser has read the rest of the page. */
   static async load(): Promise<Mathematics> {
-    return Mathematics.from(await (Mathematics.#compiled ??= text("pendulum").then(compiled)));
+    return Mathematics.from(await (Mathematics.#compiled ??= text("pendulum").then((packed) => new WebAssembly.Module(unpack(packed)))));
   }
 
-  static async from(compiled: WebAssembly.Module): Promise<Mathematics> {
-    return new Mathematics((await instantiated(compiled)) as unknown as Exports);
+  static from(compiled: WebAssembly.Module): Mathematics {
+    return new Mathematics(instantiated(compiled) as unknown as Exports);
   }
 
   angle(text: string): AngleReading | { readonly error: string } {

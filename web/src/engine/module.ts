@@ -1,8 +1,5 @@
 // Compressed parts of the page, as text in script elements that are not executed: WebAssembly modules, and licences.
 
-import { bytes } from "./base91.ts";
-import { decompressed } from "./lzma.ts";
-
 /** The text of the element with this id, which may not have been parsed yet. */
 export async function text(id: string): Promise<string> {
   if (document.readyState === "loading") {
@@ -18,10 +15,10 @@ export async function text(id: string): Promise<string> {
 
 /** The decompressed content of the element with this id. */
 export async function unpacked(id: string): Promise<string> {
-  return new TextDecoder().decode(decompressed(bytes(await text(id))));
+  return new TextDecoder().decode(unpack(await text(id)));
 }
 
 /** The module of such a text. */
 export function compiled(text: string): Promise<WebAssembly.Module> {
-  return WebAssembly.compile(decompressed(bytes(text)));
+  return WebAssembly.compile(unpack(text));
 }

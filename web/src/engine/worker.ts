@@ -5,6 +5,7 @@ import { instantiated } from "./fused.ts";
 import { compiled } from "./module.ts";
 import type { FromWorker, ToWorker } from "./protocol.ts";
 import { pause, waitedFor, waiting } from "./suspension.ts";
+import { provideUnpack } from "./unpack.ts";
 
 /** The exports of the module: buffers for the query, and the query itself. */
 interface Exports {
@@ -33,6 +34,8 @@ interface Exports {
 const encoder = new TextEncoder();
 const decoder = new TextDecoder();
 const say = (message: FromWorker, transferred: ArrayBuffer[] = []) => postMessage(message, { transfer: transferred });
+
+provideUnpack();
 
 let exports: Promise<Exports>;
 let error: QueryError = NO_ERROR;

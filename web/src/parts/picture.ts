@@ -66,8 +66,8 @@ export class Picture {
   }
 
   /** The same with the result as JSON. */
-  async read<T>(command: Command, signal: AbortSignal): Promise<Read<T>> {
-    const answer = await this.beside(extended(command, { json: true }), signal);
+  async read<T>(command: Command, signal: AbortSignal, files: Files = new Map()): Promise<Read<T>> {
+    const answer = await this.beside(extended(command, { json: true }), signal, files);
     return { answer, value: parsed<T>(decoded(answer)) };
   }
 

@@ -1,7 +1,7 @@
 // A finding with a field of its own: sentences with a picture, not computed again while the query stays the same.
 
 import type { Answer, Engine } from "../../engine/engine.ts";
-import { type Command, reason } from "../../parts/command.ts";
+import type { Command } from "../../parts/command.ts";
 import { element } from "../../parts/element.ts";
 import type { Form } from "../../parts/form.ts";
 import { isWanted } from "../../parts/latest.ts";
@@ -9,6 +9,7 @@ import { Finding } from "../../parts/layout.ts";
 import { Picture } from "../../parts/picture.ts";
 import { SavedNumbers } from "../../parts/saved_numbers.ts";
 import { text } from "../../texts/en.ts";
+import { said } from "./said.ts";
 
 const words = text.chaos;
 
@@ -45,7 +46,7 @@ export class Asked<T> implements Further {
     [this.#form, this.#asking] = [form, asking];
     this.#picture = new Picture(engine, asking.name);
     this.#numbers = new SavedNumbers(engine, asking.name);
-    this.#finding = new Finding(asking.title, this.#picture.element, this.#numbers.element);
+    this.#finding = new Finding(asking.title, this.#picture.element, this.#numbers.element, this.#numbers.table.element);
     this.element = this.#finding.element;
     this.element.hidden = true;
   }
@@ -78,7 +79,7 @@ export class Asked<T> implements Further {
     this.#forget();
     const why = answer.status === 2 ? this.#form.blame(answer, this.#asking.fields) : "";
     if (answer.status === 2) this.#finding.fail(why);
-    else this.#finding.show(quiet(reason(answer)));
+    else this.#finding.show(quiet(said(answer)));
     this.element.hidden = answer.status === 2 && why === "";
   }
 

@@ -1,9 +1,10 @@
 // Room 6: regular and chaotic motion: the bifurcation diagram over a parameter, and the motion at one of its values.
 
 import type { Address } from "../../address.ts";
-import type { Answer, Engine } from "../../engine/engine.ts";
+import { type Answer, type Engine, text as decoded } from "../../engine/engine.ts";
 import { read } from "../../parts/answers.ts";
-import { type Command, reason } from "../../parts/command.ts";
+import { choice } from "../../parts/choice.ts";
+import { ask, type Command } from "../../parts/command.ts";
 import { element } from "../../parts/element.ts";
 import { Equivalents } from "../../parts/equivalents.ts";
 import { Form } from "../../parts/form.ts";
@@ -13,6 +14,8 @@ import { Finding, layout } from "../../parts/layout.ts";
 import { digits } from "../../parts/numbers.ts";
 import { Picture } from "../../parts/picture.ts";
 import { PictureSlider } from "../../parts/picture_slider.ts";
+import { NumbersTable } from "../../parts/numbers_table.ts";
+import { plain } from "../../parts/plain.ts";
 import { SavedNumbers } from "../../parts/saved_numbers.ts";
 import { Status } from "../../parts/status.ts";
 import { telling } from "../../parts/telling.ts";
@@ -24,11 +27,15 @@ import { FurtherFindings } from "./further.ts";
 import { OrbitFinding } from "./orbit.ts";
 import { Questions } from "./questions.ts";
 import { range, stages, written } from "./range.ts";
+import { said } from "./said.ts";
+import { Sliders } from "./sliders.ts";
 import { ValueKeeper } from "./value_keeper.ts";
 
 const words = text.chaos;
 /** Number of points with which a section begins. */
 const FIRST = 50;
+/** Ways to follow attractors from one value to the next. */
+const SWEEPS = ["both", "up", "down", ""] as const;
 
 /** The result of `libration lyapunov`. */
 interface Exponent {
@@ -64,11 +71,14 @@ class ChaosRoom {
   readonly #numbers: Readonly<Record<Numbered, SavedNumbers>>;
   readonly #slider: PictureSlider;
   readonly #equivalents = new Equivalents();
+  readonly #neighbours = new NumbersTable(async () => decoded(await ask(this.#engine, this.#questions.followed())));
+  readonly #sweeps = element("div");
   readonly #preset = element("select", { id: "chaos-preset" });
   readonly #fleet: FleetPanel;
   readonly #orbit: OrbitFinding;
   readonly #questions: Questions;
   readonly #value: ValueKeeper;
+  readonly #sliders: Sliders;
   readonly #further: FurtherFindings;
   #drawn = "";
 
@@ -78,21 +88,23 @@ class ChaosRoom {
     this.#form = new Form(address, fields(), () => this.update());
     this.#questions = new Questions(this.#form);
     this.#value = new ValueKeeper(this.#form);
+    this.#sliders = new Sliders(this.#form, () => this.#move());
     const picture = (name: string, option: "figure" | "output" = "figure") => new Picture(engine, name, option);
     this.#pictures = { diagram: picture("bifurcation"), section: picture("section"), neighbours: picture("neighbours", "output"), verdict: picture("lyapunov") };
     this.#numbers = { diagram: new SavedNumbers(engine, "bifurcation"), section: new SavedNumbers(engine, "section"), verdict: new SavedNumbers(engine, "lyapunov") };
     const { diagram, section, neighbours, verdict } = this.#pictures;
+    const look = (part: Part) => element("p", { class: "look" }, words.look[part]);
     this.#findings = {
-      diagram: new Finding(words.diagram, diagram.element, this.#numbers.diagram.element),
-      section: new Finding(words.section, section.element, this.#numbers.section.element),
-      neighbours: new Finding(words.neighbours, neighbours.element),
-      verdict: new Finding(words.verdict, verdict.element, this.#numbers.verdict.element),
+      diagram: new Finding(words.diagram, look("diagram"), this.#sweeps, diagram.element, this.#numbers.diagram.element, this.#numbers.diagram.table.element),
+      section: new Finding(words.section, look("section"), section.element, this.#numbers.section.element, this.#numbers.section.table.element),
+      neighbours: new Finding(words.neighbours, look("neighbours"), neighbours.element, this.#neighbours.element),
+      verdict: new Finding(words.verdict, look("verdict"), verdict.element, this.#numbers.verdict.element, this.#numbers.verdict.table.element),
     };
     this.#slider = this.#slides(diagram);
     this.#slider.rest();
     this.#orbit = new OrbitFinding(engine);
     this.#further = new FurtherFindings(engine, this.#form, this.#questions);
-    this.#fleet = new FleetPanel(address, engine, () => this.#equal());
+    this.#fleet = new FleetPanel(address, engine, this.#sliders.element, () => this.#equal());
     const controls = [this.#presets(), this.#form.part(words.question, PARTS.system), this.#fleet.fields, this.#form.part(words.diagramChoices, PARTS.diagram), this.#form.part(words.choices, PARTS.chosen), ...this.#further.fields];
     // Findings with fields of their own come first, since the reader has asked for them.
     const found = [...this.#further.elements, ...Object.values(this.#findings).map((finding) => finding.element), this.#orbit.element];
@@ -107,6 +119,16 @@ class ChaosRoom {
   leave(): void {
     this.#latest.stop();
     this.#fleet.close();
+  }
+
+  // The pendulum follows a slider at once, the pictures later.
+  #move(): void {
+    this.#swing();
+    this.update();
+  }
+
+  #swing(): void {
+    this.#fleet.show(this.#questions.chosen("simulate", []), this.#questions.starts());
   }
 
   #presets(): HTMLElement {
@@ -154,13 +176,14 @@ class ChaosRoom {
   async #answer(signal: AbortSignal): Promise<void> {
     this.#form.clear();
     this.#preset.value = this.#presetNow();
+    this.#sliders.show();
     this.#equal();
     const isSystem = await this.#grow(signal);
     if (signal.aborted) return;
     // An invalid system is reported once.
     if (!isSystem) return this.#nothing();
     this.#further.expect();
-    this.#fleet.show(this.#questions.chosen("simulate", []), this.#questions.starts());
+    this.#swing();
     await this.#judge(signal);
     if (!signal.aborted) await this.#compare(signal);
     if (!signal.aborted) await this.#draw(signal);
@@ -198,7 +221,7 @@ class ChaosRoom {
     this.#numbers.verdict.offer(this.#questions.lyapunov());
     const { verdict } = value;
     this.#findings.verdict.show(
-      element("p", { class: "verdict" }, words.because(words[verdict], value.reason)),
+      element("p", { class: "verdict" }, words.because(words[verdict], plain(value.reason))),
       element("p", {}, words.exponent(digits(value.exponent_per_s, 4), digits(value.exponent_uncertainty_per_s, 2))),
     );
     if (!signal.aborted) await this.#pictures.verdict.draw(this.#questions.lyapunov(), signal);
@@ -208,6 +231,7 @@ class ChaosRoom {
     const answer = await this.#pictures.neighbours.draw(this.#questions.neighbours(), signal);
     if (signal.aborted) return;
     this.#findings.neighbours.fail("");
+    this.#neighbours.offer(answer.status === 0);
     if (answer.status !== 0) this.#fail("neighbours", answer, ["until"]);
   }
 
@@ -218,10 +242,12 @@ class ChaosRoom {
       this.#forget("diagram");
       return this.#findings.diagram.show(element("p", { class: "quiet" }, words.noDiagram));
     }
+    this.#sweeps.replaceChildren(this.#followed());
     const command = JSON.stringify(this.#questions.diagram());
     if (command === this.#drawn) return this.#mark();
     for (const stage of stages(over)) {
       const answer = await this.#pictures.diagram.draw(this.#questions.diagram(stage), signal);
+      this.#refine();
       this.#offer("diagram", this.#questions.diagram());
       if (signal.aborted) return;
       this.#findings.diagram.show();
@@ -231,8 +257,28 @@ class ChaosRoom {
     this.#drawn = command;
   }
 
+  // The attractor that the diagram follows: one at a time, or both.
+  #followed(): HTMLElement {
+    const now = this.#form.value("sweep");
+    const press = (sweep: (typeof SWEEPS)[number]) => {
+      this.#form.put("sweep", sweep);
+      this.update();
+      this.#sweeps.querySelector<HTMLElement>(`button:nth-of-type(${SWEEPS.indexOf(sweep) + 1})`)?.focus();
+    };
+    return choice(words.follow.question, SWEEPS.map((sweep) => [words.follow[sweep === "" ? "none" : sweep], sweep === now, () => press(sweep)]));
+  }
+
+  // Fine points, so that dense parts stay readable; saved pictures are the command's.
+  #refine(): void {
+    for (const points of this.#pictures.diagram.svg?.querySelectorAll("path.markers") ?? []) {
+      points.setAttribute("stroke-width", "1.1");
+      points.setAttribute("stroke-opacity", "0.75");
+    }
+  }
+
   #fail(part: Part, answer: Answer, keys: readonly string[]): void {
-    this.#findings[part].fail(this.#form.blame(answer, keys) || reason(answer));
+    const blamed = this.#form.blame(answer, keys);
+    this.#findings[part].fail(blamed === "" ? words.seeField : said(answer));
     if (answer.output.length === 0) this.#forget(part);
   }
 

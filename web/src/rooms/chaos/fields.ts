@@ -1,6 +1,7 @@
 // The fields of the room: a system, a range of a parameter, a value in it; and example systems.
 
 import { choiceField, type Field, textField } from "../../parts/field.ts";
+import { plainly } from "../../parts/plain.ts";
 import { text } from "../../texts/en.ts";
 
 const words = text.chaos;
@@ -9,8 +10,8 @@ type Preset = keyof typeof words.presets;
 
 /** The entries of each preset; fields that are not named are emptied. */
 const PRESETS: Readonly<Record<Preset, Readonly<Record<string, string>>>> = {
-  routes: { system: "driven_pendulum", set: "c=1/2", initial: "theta=0.2; theta=0.2001", over: "A=1:1.5:0.005", value: "1.2" },
-  chaotic: { system: "driven_pendulum", set: "c=1/2", initial: "theta=0.2; theta=0.2001", over: "A=1:1.5:0.005", value: "1.5", points: "10000" },
+  routes: { system: "driven_pendulum", set: "c=1/2", initial: "theta=0.2; theta=0.2001", over: "A=1:1.5:0.0025", each: "60", sweep: "both", value: "1.2" },
+  chaotic: { system: "driven_pendulum", set: "c=1/2", initial: "theta=0.2; theta=0.2001", over: "A=1:1.5:0.0025", each: "60", sweep: "both", value: "1.5", points: "10000" },
   upright: { system: "vertically_driven_pendulum", set: "omega=20,c=1/10", initial: "theta=170deg; theta=171deg", over: "a=0.02:0.12:0.002", value: "0.1", points: "500", map: "omega=5:30,a=0.02:0.6", rest: "theta=180deg", lines: "0" },
   threshold: { system: "driven_pendulum", set: "c=1/4", initial: "theta=0.2; theta=0.2001", over: "A=0.4:1.2:0.01", value: "0.7", thresholds: "A=0.1:1" },
   springs: { system: "spring_pendulum", set: "kappa=3", initial: "r=1.3733,theta=0.04; r=1.3743,theta=0.04", at: "theta", points: "500", until: "300", order: "5" },
@@ -22,7 +23,7 @@ const PRESETS: Readonly<Record<Preset, Readonly<Record<string, string>>>> = {
 };
 
 /** The entries of the fields that a preset does not name. */
-const PLAIN = { set: "", at: "", over: "", value: "", sweep: "", response: "", orders: "", map: "", rest: "", lines: "3", thresholds: "", periods: "5", order: "", about: "", each: "30", points: "2000", until: "100", intervals: "300" };
+const PLAIN = { set: "", at: "", over: "", value: "", sweep: "both", response: "", orders: "", map: "", rest: "", lines: "3", thresholds: "", periods: "5", order: "", about: "", each: "60", points: "2000", until: "100", intervals: "300" };
 
 /** All values of a preset. */
 export function preset(key: string): Readonly<Record<string, string>> | undefined {
@@ -40,16 +41,21 @@ export const PARTS = {
   exchange: ["order", "about"],
 } as const;
 
+/** The label of the first field of an option. */
+export function labelOf(option: string): string | undefined {
+  return fields().find((field) => field.option === `--${option}`)?.label;
+}
+
 export function fields(): Field[] {
   const { sweep } = words;
-  return [
+  const all = [
     textField({ key: "system", option: "SYSTEM|EQUATION", words: words.system, initial: "driven_pendulum" }),
     textField({ key: "set", option: "--set", words: words.set, initial: "c=1/2" }),
     textField({ key: "initial", option: "--initial", words: words.initial, initial: "theta=0.2; theta=0.2001" }),
     textField({ key: "at", option: "--at", words: words.at }),
-    textField({ key: "over", option: "--over", words: words.over, initial: "A=1:1.5:0.005" }),
-    textField({ key: "each", option: "--points", words: words.each, initial: "30" }),
-    choiceField({ key: "sweep", option: "--sweep", words: { label: sweep.label } }, [["", sweep.none], ["up", sweep.up], ["down", sweep.down], ["both", sweep.both]]),
+    textField({ key: "over", option: "--over", words: words.over, initial: "A=1:1.5:0.0025" }),
+    textField({ key: "each", option: "--points", words: words.each, initial: "60" }),
+    choiceField({ key: "sweep", option: "--sweep", words: { label: sweep.label }, initial: "both" }, [["", sweep.none], ["up", sweep.up], ["down", sweep.down], ["both", sweep.both]]),
     textField({ key: "value", words: words.value, initial: "1.2" }),
     textField({ key: "points", option: "--points", words: words.points, initial: "2000" }),
     textField({ key: "until", option: "--to", words: words.until, initial: "100" }),
@@ -64,4 +70,5 @@ export function fields(): Field[] {
     textField({ key: "order", option: "--order", words: words.order }),
     textField({ key: "about", option: "--about", words: words.about }),
   ];
+  return all.map((field) => plainly(field, labelOf));
 }

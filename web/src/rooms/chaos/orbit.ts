@@ -2,13 +2,14 @@
 
 import type { Engine } from "../../engine/engine.ts";
 import { read } from "../../parts/answers.ts";
-import { type Command, reason } from "../../parts/command.ts";
+import type { Command } from "../../parts/command.ts";
 import { element } from "../../parts/element.ts";
 import { Finding } from "../../parts/layout.ts";
 import { digits } from "../../parts/numbers.ts";
 import { Picture } from "../../parts/picture.ts";
 import { SavedNumbers } from "../../parts/saved_numbers.ts";
 import { text } from "../../texts/en.ts";
+import { said } from "./said.ts";
 
 const words = text.chaos;
 
@@ -31,7 +32,7 @@ export class OrbitFinding {
     this.#engine = engine;
     this.#picture = new Picture(engine, "orbit");
     this.#numbers = new SavedNumbers(engine, "orbit");
-    this.#finding = new Finding(words.orbit, this.#picture.element, this.#numbers.element);
+    this.#finding = new Finding(words.orbit, this.#picture.element, this.#numbers.element, this.#numbers.table.element);
     this.element = this.#finding.element;
   }
 
@@ -41,9 +42,9 @@ export class OrbitFinding {
     this.#numbers.offer(value === undefined ? undefined : command);
     if (value === undefined) {
       this.#picture.clear();
-      return this.#finding.show(element("p", { class: "quiet" }, reason(answer)));
+      return this.#finding.show(element("p", { class: "quiet" }, said(answer)));
     }
-    this.#finding.show(element("p", {}, said(value)));
+    this.#finding.show(element("p", {}, inWords(value)));
     await this.#picture.draw(command, signal);
   }
 
@@ -54,7 +55,7 @@ export class OrbitFinding {
   }
 }
 
-function said({ period_s, stability, multipliers }: Orbit): string {
+function inWords({ period_s, stability, multipliers }: Orbit): string {
   const found = multipliers.filter(([, imaginary]) => imaginary >= 0).map(multiplier);
   const sentences = [words.period(digits(period_s, 9)), words.stability[stability ?? ""] ?? "", found.length > 0 ? words.multipliers(found.join(", ")) : ""];
   return sentences.filter((sentence) => sentence !== "").join(" ");

@@ -27,6 +27,12 @@ export class Questions {
     return extended(this.chosen("figure trajectories", this.starts()), { to: this.#form.value("until") });
   }
 
+  /** The first of the neighbouring motions at equally spaced times. */
+  followed(): Command {
+    const until = this.#form.value("until");
+    return extended(this.chosen("simulate", this.#first()), { times: `0:${until}:${Number(until) / 50}`, csv: true });
+  }
+
   lyapunov(): Command {
     return extended(this.chosen("lyapunov", this.#first()), { intervals: this.#form.value("intervals") });
   }

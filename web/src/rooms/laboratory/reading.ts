@@ -2,9 +2,11 @@
 
 import { button, element } from "../../parts/element.ts";
 import { digits } from "../../parts/numbers.ts";
+import { plain } from "../../parts/plain.ts";
 import { table } from "../../parts/table.ts";
 import { text } from "../../texts/en.ts";
-import type { Kind } from "./fields.ts";
+import { type Key, keyOf, type Kind, labelIn } from "./fields.ts";
+import { advised, remedies, type Settings } from "./settings.ts";
 
 const words = text.laboratory;
 
@@ -15,11 +17,14 @@ export interface Inspection {
   readonly sheets: readonly { readonly name: string; readonly rows: number; readonly columns: readonly SheetColumn[] }[];
   readonly traces: readonly unknown[];
   readonly gate_times: number | null;
+  /** The fit of a table whose headings name its quantities. */
+  readonly table_fit?: string;
+  readonly table_read_as?: readonly string[];
   readonly findings: readonly { text: string; option: string | null }[];
   readonly undecided: { why: string; options: readonly string[] } | null;
 }
 
-interface SheetColumn {
+export interface SheetColumn {
   readonly number: number;
   readonly name: string;
   readonly quantity: string;
@@ -29,47 +34,40 @@ interface SheetColumn {
   readonly largest: number | null;
 }
 
-/** The kind of fit for the file, if it is clear. */
-export function kindOf({ traces, gate_times, sheets }: Inspection): Kind | undefined {
-  if (sheets.some(isResponse)) return "response";
-  if (traces.length > 0) return "trace";
-  if (gate_times !== null) return "gates";
-  const names = sheets.flatMap(({ columns }) => columns.map(({ name }) => name.toLowerCase()));
-  const has = (word: string) => names.some((name) => name.includes(word));
-  if (!has("period")) return undefined;
-  return has("length") ? "lengths" : has("amplitude") || has("angle") ? "periods" : undefined;
-}
-
-// `true` for amplitudes against frequencies, which are not times even if they increase throughout.
-function isResponse({ columns }: Inspection["sheets"][number]): boolean {
-  const has = (word: string) => columns.some(({ name }) => name.toLowerCase().includes(word));
-  return has("freq") && has("amplitude") && !columns.some(({ quantity }) => quantity === "time");
-}
-
-/** Shows the interpretation; `choose` enters a value for an option, `go` leads to its field. */
-export function reading(name: string, found: Inspection, kind: Kind | undefined, choose: (option: string, value: string) => void, go: (option: string) => void): HTMLElement {
-  const findings = found.findings.map(({ text: finding, option }) =>
-    element("li", {}, finding, ...(option === null ? [] : [" ", button(option, () => go(option.slice(2)), { class: "small", "aria-label": words.change(option) })])),
+/** The table of the file and what was inferred from it, folded; `go` leads to the field of an inference. */
+export function reading(name: string, found: Inspection, go: (key: Key) => void): HTMLElement {
+  const findings = found.findings.map(({ text: finding, option }) => {
+    const key = option === null ? undefined : keyOf(option.slice(2), "inspect");
+    const change = key === undefined ? [] : [" ", button(words.changeShort, () => go(key), { class: "small", "aria-label": words.change(words.fields[key].label) })];
+    return element("li", {}, plain(finding, labelIn("inspect")), ...change);
+  });
+  return element(
+    "details",
+    { class: "reading" },
+    element("summary", {}, element("span", { class: "mono" }, name), ` ${words.format(found.format, found.bytes)}`),
+    ...found.sheets.map((sheet) => sheetTable(name, sheet)),
+    element("h3", {}, words.findings),
+    element("ul", {}, ...findings),
   );
+}
+
+/** What a recorded swing leaves open, with a button for each choice. */
+export function undecided(name: string, { undecided: open }: Inspection, settings: Settings): HTMLElement[] {
+  if (open === null) return [];
+  const why = plain(open.why.replace(/: give --.*$/, ""), labelIn("inspect"));
+  // Without a choice there is nothing that a press could decide.
+  const attributes = open.options.length > 0 ? {} : { class: "error" };
+  return [element("p", attributes, words.undecided(name, why)), element("p", { class: "buttons" }, ...open.options.flatMap((option) => remedies(option, "inspect", settings)))];
+}
+
+/** A file that cannot be read, with the buttons that its message suggests; the others are not affected. */
+export function unreadable(name: string, failure: string, kind: Kind | "inspect", settings: Settings): HTMLElement {
   return element(
     "article",
     { class: "reading" },
     element("h3", { class: "mono" }, name),
-    element("p", { class: "quiet" }, words.format(found.format, found.bytes)),
-    // Open points about swings do not matter to other fits.
-    ...(kind === undefined || kind === "trace" ? undecided(found, choose) : []),
-    ...found.sheets.map((sheet) => sheetTable(name, sheet)),
-    element("details", {}, element("summary", {}, words.findings), element("ul", {}, ...findings)),
+    element("p", { class: "error" }, ...advised(failure.replace(`${name}: `, ""), kind, settings)),
   );
-}
-
-function undecided({ undecided: open }: Inspection, choose: (option: string, value: string) => void): HTMLElement[] {
-  if (open === null) return [];
-  const buttons = open.options.map((option) => {
-    const [name = "", ...value] = option.replace(/^--/, "").split(" ");
-    return button(option, () => choose(name, value.join(" ") || "yes"));
-  });
-  return [element("p", { class: "error" }, words.undecided(open.why)), element("p", { class: "buttons" }, ...buttons)];
 }
 
 function sheetTable(file: string, { name, rows, columns }: Inspection["sheets"][number]): HTMLElement {

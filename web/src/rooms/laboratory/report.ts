@@ -2,9 +2,11 @@
 
 import { button, element } from "../../parts/element.ts";
 import { fromHtml, styleOf } from "../../parts/markup.ts";
+import { plain } from "../../parts/plain.ts";
 import { png } from "../../parts/png.ts";
 import { save } from "../../parts/save.ts";
 import { scrolling } from "../../parts/scrolling.ts";
+import { labelIn } from "./fields.ts";
 import { text } from "../../texts/en.ts";
 
 const sheet = new CSSStyleSheet();
@@ -20,9 +22,19 @@ export function report(page: string): HTMLElement {
     shown.querySelectorAll(from).forEach((title) => title.replaceWith(element(to, {}, ...title.childNodes)));
   }
   shown.querySelectorAll("th:empty").forEach((nothing) => nothing.replaceWith(element("td")));
+  inPageWords(shown);
   scrolling(...shown.querySelectorAll(".wide"));
   shown.querySelectorAll("figure").forEach((figure, place) => figure.append(saving(pictures[place] ?? "", place)));
   return shown;
+}
+
+// The report names options for its readers at the command line; here their fields have labels.
+function inPageWords(shown: HTMLElement): void {
+  const texts = document.createTreeWalker(shown, NodeFilter.SHOW_TEXT);
+  for (let node = texts.nextNode(); node !== null; node = texts.nextNode()) {
+    const written = node.nodeValue ?? "";
+    if (/--[a-z]|`/.test(written)) node.nodeValue = plain(written.replace(/ An option in parentheses,[^.]*\./, ""), labelIn("trace"));
+  }
 }
 
 function saving(picture: string, place: number): HTMLElement {

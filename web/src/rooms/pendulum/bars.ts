@@ -24,8 +24,14 @@ export class Bars {
       const bar = this.#bars[n];
       if (bar === undefined) return;
       bar.fill.parentElement?.parentElement?.style.setProperty("--part", Math.min(1, energy / full).toFixed(3));
-      const value = joules === undefined ? energy.toFixed(2) : `${digits(energy * joules, 3)} J`;
+      const value = joules === undefined ? energy.toFixed(2) : inJoules(energy * joules, (kinetic + potential) * joules);
       if (bar.value.textContent !== value) bar.value.textContent = value;
     });
   }
+}
+
+/** An energy with the decimals that give the total three digits, so that the numbers do not jump. */
+function inJoules(energy: number, total: number): string {
+  const decimals = 2 - Math.floor(Math.log10(total));
+  return `${decimals >= 0 && decimals <= 6 ? energy.toFixed(decimals) : digits(energy, 3)} J`;
 }

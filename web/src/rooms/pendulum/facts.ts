@@ -36,14 +36,21 @@ export class Facts {
     ]);
   }
 
-  now(time: number, place: Place): void {
+  /** Shows a moment, with the angle of a second pendulum if there is one. */
+  now(time: number, place: Place, second: Place | undefined): void {
     fill(this.#now, [
       [words.time, `${time.toFixed(2)} s`],
-      [words.angle, `${(this.#unit === "rad" ? wrapped(place) : (180 / Math.PI) * wrapped(place)).toFixed(this.#unit === "rad" ? 4 : 2).replace("-", "−")}${this.#unit === "rad" ? " rad" : "°"}`],
+      [words.angle, this.#angle(place)],
+      [words.second, second && this.#angle(second)],
       [words.velocity, `${place.velocity.toFixed(3).replace("-", "−")} rad/s`],
       [words.turns, place.turns === 0 ? undefined : String(place.turns).replace("-", "−")],
       [words.toTop, place.complement < NEAR ? angleInWords(place.complement, this.#unit, 3) : undefined],
     ]);
+  }
+
+  #angle(place: Place): string {
+    const written = this.#unit === "rad" ? `${wrapped(place).toFixed(4)} rad` : `${((180 / Math.PI) * wrapped(place)).toFixed(2)}°`;
+    return written.replace("-", "−");
   }
 }
 

@@ -34,6 +34,8 @@ export interface Scene {
   /** Harmonics of the motion; `undefined` for integrated motions. */
   readonly harmonics: Harmonics | undefined;
   readonly ghosts: readonly Ghost[];
+  /** The motion of a second pendulum, if it is known. */
+  readonly second: Course | undefined;
   /** The times that are shown. */
   readonly window: Range;
   /** `deg` or `rad`. */
@@ -116,6 +118,7 @@ export class Graphs {
     const [kinetic, potential] = energies(place.angle, place.velocity, frequency);
     this.#angle.move((pen) => {
       scene.ghosts.forEach((ghost, n) => pen.dot(time, ghosts[n] ?? NaN, ghost.colour, 3.5));
+      pen.dot(time, scene.second?.at(time)?.angle ?? NaN, "curve-4", 4);
       pen.dot(time, place.angle, "curve-1");
     });
     this.#velocity.move((pen) => pen.dot(time, place.velocity, "curve-1"));
@@ -139,13 +142,16 @@ export class Graphs {
     for (const plot of this.#all) plot.close();
   }
 
-  #showAngle({ ghosts, motion, isExact, unit, window, isHidden }: Scene, times: Float64Array, { angles }: Samples, step: number): void {
+  #showAngle({ ghosts, second, motion, isExact, unit, window, isHidden }: Scene, times: Float64Array, { angles }: Samples, step: number): void {
     const curves = ghosts.map((ghost) => ({ ghost, angles: ghost.angles(window[0], step, angles.length) }));
-    const range = this.#grown(this.#angle, padded(extent([angles, ...curves.map((curve) => curve.angles)], Math.PI * 4)));
+    const other = second === undefined ? [] : [second.samples(window[0], step, angles.length).angles];
+    const range = this.#grown(this.#angle, padded(extent([angles, ...other, ...curves.map((curve) => curve.angles)], Math.PI * 4)));
     const axes = { x: window, y: range, xLabel: words.time, yLabel: words.angle.axis(unit), ...angleTicks("y", range, unit) };
     const said = angleExtent(isExact, motion, angles).map((it) => angleInWords(it, unit, 4)) as [string, string];
-    this.#angle.show(axes, words.angle.words(isExact && !isHidden ? seconds(motion.period) : words.none, ...said), (pen) => {
+    const period = isExact && !isHidden ? seconds(motion.period) : words.none;
+    this.#angle.show(axes, words.angle.words(period, ...said) + (second === undefined ? "" : words.angle.second), (pen) => {
       for (const curve of curves) pen.line(times, curve.angles, curve.ghost.colour, 1.25, [5, 3]);
+      for (const its of other) pen.line(times, its, "curve-4", 2);
       pen.line(times, angles, "curve-1", 2);
     });
   }

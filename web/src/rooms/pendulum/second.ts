@@ -50,6 +50,11 @@ export class Second {
     this.#course = undefined;
   }
 
+  /** Its motion, as far as it is known; `undefined` if there is none. */
+  get course(): Course | undefined {
+    return this.#course;
+  }
+
   /** The pendulum at a time; `undefined` if there is none, or it is not known as far. */
   drawn(time: number, bob: number, trace: (course: Course) => ArrayLike<number>): Drawn | undefined {
     const place = this.#course?.at(time);

@@ -228,7 +228,12 @@ export class Swing {
     this.#course = course;
     this.#window = undefined;
     this.#picture();
-    if (this.#value("second") === "yes") await this.#second.integrate(this.#engine, forces, this.#value("angle2"), until, signal);
+    if (this.#value("second") === "yes") {
+      await this.#second.integrate(this.#engine, forces, this.#value("angle2"), until, signal);
+      if (signal.aborted) return;
+      this.#window = undefined;
+      this.#picture();
+    }
     if (until < FARTHEST) this.#ahead = { forces, course, until };
   }
 
@@ -276,7 +281,8 @@ export class Swing {
   /** Shows the present moment. */
   #picture(): void {
     const [motion, course] = [this.#motion, this.#course];
-    if (motion === undefined || course === undefined) return;
+    if (motion === undefined) return;
+    if (course === undefined) return this.#showRelease();
     this.#lookAhead();
     let place = course.at(this.#clock.time);
     if (place === undefined && "end" in course) {
@@ -297,8 +303,14 @@ export class Swing {
     this.#energy(motion, place);
     if (performance.now() - this.#read > READABLE || !this.#clock.isRunning) {
       this.#read = performance.now();
-      this.#facts.now(time, place);
+      this.#facts.now(time, place, this.#second.course?.at(time));
     }
+  }
+
+  /** Shows the pendulum where it is released, as long as its motion is not known. */
+  #showRelease(): void {
+    const angle = this.#mathematics.angle(this.#value("angle"));
+    if (!("error" in angle)) this.#stage.show(this.#scene({ angle: angle.inTurn, velocity: 0 }, [], []));
   }
 
   /** What the stage shows of a state. */
@@ -341,6 +353,7 @@ export class Swing {
     if (signal.aborted) return;
     if ("error" in launched) return this.#controls.refuse(`${launched.quantity}2`, launched.error);
     if (forces === undefined) this.#second.follow();
+    this.#window = undefined;
     this.#picture();
   }
 
@@ -381,7 +394,7 @@ export class Swing {
     const isExact = course instanceof ExactCourse;
     const isHidden = this.#controls.isHidden("period");
     const harmonics = isExact && ["libration", "rotation"].includes(motion.regime) ? this.#mathematics.harmonics(1e-12, 60) : undefined;
-    this.#graphs.show({ course, motion, isExact, harmonics, ghosts: this.#ghosts, window: this.#window, unit: this.#value("unit"), free: [this.#value("across") as Quantity, this.#value("up") as Quantity], isHidden });
+    this.#graphs.show({ course, motion, isExact, harmonics, ghosts: this.#ghosts, second: this.#second.course, window: this.#window, unit: this.#value("unit"), free: [this.#value("across") as Quantity, this.#value("up") as Quantity], isHidden });
   }
 
   /** Writes the time to the address after it was changed by hand, or has begun or ceased to run. */

@@ -52,7 +52,8 @@ export interface Finding {
   readonly reasons: readonly string[];
 }
 
-export async function fitted(engine: Engine, { name, bytes, command }: Fit, signal: AbortSignal): Promise<Finding | string> {
+/** Runs a fit; elsewhere than on the Earth its gravity is no reason to warn. */
+export async function fitted(engine: Engine, { name, bytes, command }: Fit, isOnEarth: boolean, signal: AbortSignal): Promise<Finding | string> {
   const { answer, value } = await read<Gravity>(engine, command, signal, new Map([[name, bytes]]));
   if (value === undefined || answer.status !== 0) return explained(answer.error).replace(`${name}: `, "");
   const [gravity, error, expanded] = [value.gravity_m_per_s2, value.gravity_uncertainty_m_per_s2, value.gravity_expanded_uncertainty_m_per_s2];
@@ -61,7 +62,7 @@ export async function fitted(engine: Engine, { name, bytes, command }: Fit, sign
     ...(expanded == null ? [] : [words.expanded(rounded(expanded, expanded)[1])]),
     ...(value.budget_inputs ?? []).filter(({ share }) => share !== null && share > 0.01).map(({ input, share }) => words.share(input, `${(100 * (share ?? 0)).toFixed(0)} %`)),
     ...(value.beta != null && value.beta_uncertainty != null && value.beta_uncertainty > 0 ? [words.beta(...rounded(value.beta, value.beta_uncertainty))] : []),
-    ...(value.warnings ?? []).map((warning) => (typeof warning === "string" ? warning : warning.text)),
+    ...(value.warnings ?? []).map((warning) => (typeof warning === "string" ? warning : warning.text)).filter((warning) => isOnEarth || !warning.includes("on Earth")),
   ];
   return { headline: words.headline(...rounded(gravity, error)), reasons };
 }

@@ -148,7 +148,7 @@ export class TrialsTable {
     const fit = fitOf(this.#trials.all, millimetres / 1000, isKnown ? seconds : undefined);
     if (typeof fit === "string") return this.#fail(fit);
     this.#result.replaceChildren(element("p", { class: "quiet" }, text.parts.computing));
-    const found = await fitted(this.#engine, fit, signal);
+    const found = await fitted(this.#engine, fit, Math.abs(this.#laws().gravity - 9.8) < 0.1, signal);
     if (signal.aborted) return;
     if (typeof found === "string") return this.#fail(found);
     const reasons = element("ul", {}, ...(fit.leftOut === 0 ? [] : [words.leftOut(fit.leftOut)]).concat(found.reasons).map((reason) => element("li", {}, reason)));

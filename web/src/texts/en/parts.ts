@@ -12,6 +12,8 @@ export const parts = {
   inPython: "Python",
   savePicture: (kind: string) => `Save the picture as ${kind}`,
   saveData: "Save the numbers as CSV",
+  numbers: "Numbers as a table",
+  rows: (shown: number, all: number) => (shown < all ? `The first ${shown} of ${all} rows` : `${all} rows`),
   nothingToSave: "Nothing to save.",
   more: "more",
   emptyEntry: "an empty entry",

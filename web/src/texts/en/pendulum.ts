@@ -103,6 +103,7 @@ export const pendulum = {
     complement: "π − θ₀",
     time: "Time",
     angle: "Angle",
+    second: "Angle of the other pendulum",
     velocity: "Angular velocity",
     turns: "Whole turns",
     toTop: "Distance to the top",
@@ -117,7 +118,7 @@ export const pendulum = {
   graphs: {
     time: "time in s",
     none: "none",
-    angle: { title: "Angle", axis: (unit: string) => (unit === "rad" ? "θ in rad" : "θ"), words: (period: string, least: string, most: string) => `Angle against time, period ${period}, from ${least} to ${most}` },
+    angle: { title: "Angle", axis: (unit: string) => (unit === "rad" ? "θ in rad" : "θ"), words: (period: string, least: string, most: string) => `Angle against time, period ${period}, from ${least} to ${most}`, second: "; and that of the other pendulum" },
     velocity: { title: "Angular velocity", axis: "θ′ in rad/s", words: (least: string, most: string) => `Angular velocity against time, from ${least} to ${most} rad/s` },
     phase: { title: "Phase plane with separatrix", x: (unit: string) => (unit === "rad" ? "θ in rad" : "θ"), words: (regime: string) => `Velocity against angle, with the separatrix of the free pendulum as dashed curves. ${regime}` },
     energy: { title: "Energy", bars: "Energy now", axis: "E / 2mgl", kinetic: "kinetic", potential: "potential", total: "total", words: (energy: string, isConserved: boolean) => `Kinetic, potential and total energy against time. The total ${isConserved ? "is" : "begins at"} ${energy} of the energy at rest upright, shown as a dashed line` },

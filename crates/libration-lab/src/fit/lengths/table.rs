@@ -1,6 +1,7 @@
 //! Measured periods against lengths, checked once.
 
 use crate::fit::{FitError, Law};
+use crate::statistics::root_mean_square;
 use libration::quantity::Quantity;
 
 /// Periods against lengths. Lengths are metres, periods seconds, amplitudes radians.
@@ -25,6 +26,8 @@ pub struct LengthTable {
     pub(super) weighted: bool,
     /// Degrees of freedom of the uncertainties of the periods; infinite where these are stated.
     pub(super) readings_degrees_of_freedom: f64,
+    /// Standard uncertainties of the periods by their rounding.
+    rounding: Option<Vec<f64>>,
 }
 
 /// One measurement: y = (T/2πR)² is (L + δ)/g.
@@ -37,6 +40,8 @@ pub(super) struct Row {
     pub(super) period_uncertainty: f64,
     /// T/T0 at the amplitude.
     pub(super) ratio: f64,
+    /// The amplitude, in radians.
+    pub(super) amplitude: f64,
 }
 
 impl LengthTable {
@@ -59,27 +64,24 @@ impl LengthTable {
         }
         let weighted = columns.period_uncertainties.is_some();
         let rows = (0..expected).map(|row| Row::new(columns, row, weighted)).collect::<Result<_, _>>()?;
-        Ok(Self { rows, weighted, readings_degrees_of_freedom: f64::INFINITY })
+        Ok(Self { rows, weighted, readings_degrees_of_freedom: f64::INFINITY, rounding: None })
     }
 
-    /// The table with these standard uncertainties of the periods, in seconds.
-    ///
-    /// # Errors
-    /// Fails for another number of them than there are rows, and one that is not above zero.
-    pub fn with_period_uncertainties(&self, uncertainties: &[f64]) -> Result<Self, FitError> {
-        let (expected, found) = (self.rows.len(), uncertainties.len());
-        if found != expected {
-            return Err(FitError::LengthMismatch { column: "uncertainties of the periods", found, expected });
-        }
-        let mut rows = self.rows.clone();
-        for (index, (row, &uncertainty)) in rows.iter_mut().zip(uncertainties).enumerate() {
-            if !(uncertainty > 0.0 && uncertainty.is_finite()) {
-                let hint = "give a positive number of seconds in every row";
-                return Err(FitError::Uncertainty { row: index + 1, of: "period", uncertainty, hint });
-            }
-            row.period_uncertainty = uncertainty;
-        }
-        Ok(Self { rows, weighted: true, ..*self })
+    /// The table with standard uncertainties of the periods by their rounding, in seconds, which count where no others are stated and the rows
+    /// scatter less about a law; ignored unless all are above zero.
+    #[must_use]
+    pub fn with_rounding(self, rounding: Vec<f64>) -> Self {
+        let is_usable = rounding.len() == self.rows.len() && rounding.iter().all(|it| *it > 0.0);
+        Self { rounding: Some(rounding).filter(|_| is_usable), ..self }
+    }
+
+    /// The table with its periods as uncertain as their rounding makes them, where their scatter is less than that and nothing else is known.
+    pub(super) fn weighted_by_rounding(&self, scatter: f64) -> Option<Self> {
+        let rounding = self.rounding.as_ref().filter(|_| !self.weighted)?;
+        let typical = root_mean_square(rounding.iter().copied());
+        let rows = self.rows.iter().zip(rounding);
+        let rows = rows.map(|(row, rounding)| Row { period_uncertainty: *rounding, ..*row }).collect();
+        (scatter < typical).then_some(Self { rows, weighted: true, ..self.clone() })
     }
 
     /// The table whose uncertainties of the periods come from repeated readings with these degrees of freedom.
@@ -95,13 +97,27 @@ impl LengthTable {
         for (row, shift) in rows.iter_mut().zip(shifts) {
             row.period += shift;
         }
-        Self { rows, ..*self }
+        Self { rows, ..self.clone() }
+    }
+
+    /// The table with (T/2π)² divided by these factors, row by row.
+    pub(super) fn divided(&self, factors: &[f64]) -> Self {
+        let mut rows = self.rows.clone();
+        for (row, factor) in rows.iter_mut().zip(factors) {
+            let root = factor.sqrt();
+            row.period /= root;
+            row.period_uncertainty /= root;
+        }
+        Self { rows, ..self.clone() }
     }
 
     /// The table of these rows only, counted from zero.
     #[must_use]
     pub fn only(&self, rows: &[usize]) -> Self {
-        Self { rows: rows.iter().filter_map(|&row| self.rows.get(row).copied()).collect(), ..*self }
+        let rounding = self.rounding.as_ref();
+        let rounding = rounding.map(|all| rows.iter().filter_map(|&row| all.get(row).copied()).collect());
+        let rows = rows.iter().filter_map(|&row| self.rows.get(row).copied()).collect();
+        Self { rows, rounding, ..*self }
     }
 
     /// The number of rows.
@@ -157,8 +173,9 @@ impl Row {
         }
         let amplitude = columns.amplitudes.get(index).or(columns.amplitudes.first());
         let (ratio, relative) = ratio(amplitude, row)?;
+        let amplitude = amplitude.map_or(0.0, |it| it.value.abs());
         let period_uncertainty = if weighted { libm::hypot(own, period * relative) } else { 0.0 };
-        Ok(Self { length, period, length_uncertainty, period_uncertainty, ratio })
+        Ok(Self { length, period, length_uncertainty, period_uncertainty, ratio, amplitude })
     }
 
     /// (T/2πR)², in s².

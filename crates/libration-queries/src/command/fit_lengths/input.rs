@@ -51,18 +51,11 @@ pub(super) struct LengthFile {
 }
 
 impl LengthFile {
-    /// The measurements with periods as uncertain as their rounding makes them, where they scatter less about a law and nothing else is known.
-    pub(super) fn weighted_by_rounding(&self, scatter: f64) -> Option<Self> {
-        let mean = self.rounding.iter().sum::<f64>() / f64::from(u32::try_from(self.rounding.len()).ok()?);
-        if self.measured.table.is_weighted() || scatter >= mean {
-            return None;
-        }
-        let mut read = self.clone();
-        read.measured.table = read.measured.table.with_period_uncertainties(&self.rounding).ok()?;
-        read.measured.period_uncertainties = Some(self.rounding.clone());
+    /// Takes the rounding of the periods for their uncertainty.
+    pub(super) fn weight_by_rounding(&mut self) {
+        self.measured.period_uncertainties = Some(self.rounding.clone());
         let text = "the rows scatter less than the last digit of their periods, which is their uncertainty";
-        read.inferences.push(text.to_owned());
-        Some(read)
+        self.inferences.push(text.to_owned());
     }
 }
 
@@ -85,7 +78,9 @@ impl Input {
             period_uncertainties: of_periods.as_deref(),
             amplitudes: &self.amplitudes(amplitudes)?,
         };
+        let rounding = read.rounding[1].clone();
         let table = LengthTable::new(&columns).map_err(|error| self.no_answer(error))?;
+        let table = table.with_rounding(rounding.clone());
         let table = match &read.repeated[1] {
             Some(readings) => table.with_readings_degrees_of_freedom(readings.pooled()),
             None => table,
@@ -96,7 +91,7 @@ impl Input {
             dropped: read.dropped,
             inferences: read.inferences,
             half_periods: read.counts[1].total_cmp(&0.5).is_eq(),
-            rounding: read.rounding[1].clone(),
+            rounding,
             shared_timing: read.shared_timing,
             groups: read.groups,
         })

@@ -7,6 +7,8 @@ import { button, element } from "../../../parts/element.ts";
 import { choiceField, textField } from "../../../parts/field.ts";
 import { Form } from "../../../parts/form.ts";
 import { digits } from "../../../parts/numbers.ts";
+import { NumbersTable } from "../../../parts/numbers_table.ts";
+import { plainly } from "../../../parts/plain.ts";
 import { save } from "../../../parts/save.ts";
 import { text } from "../../../texts/en.ts";
 import { CHECKED, CLOSE, Fleet, type Frame } from "./fleet.ts";
@@ -35,6 +37,7 @@ export class FleetPanel {
   readonly #growth = new Growth(words.growth, words.growthAxes, legend());
   readonly #run = button(words.run, () => this.#toggle(), { class: "main run" });
   readonly #words = element("p", { class: "fleet-words" });
+  readonly #table = new NumbersTable(async () => this.#states());
   readonly #status = element("p", { role: "status", class: "quiet" });
   readonly #failure = element("p", { class: "error", role: "alert", hidden: true });
   readonly #moving: HTMLElement;
@@ -51,18 +54,18 @@ export class FleetPanel {
   #read = 0;
   #pace = "";
 
-  /** `changed` is called when the equivalent command has changed. */
-  constructor(address: Address, engine: Engine, changed: () => void) {
+  /** `above` stands above the pictures; `changed` is called when the equivalent command has changed. */
+  constructor(address: Address, engine: Engine, above: HTMLElement, changed: () => void) {
     [this.#address, this.#engine, this.#changed] = [address, engine, changed];
-    const field = (key: "motions" | "tolerance", initial: string) => textField({ key, option: `--${key}`, words: words[key], initial });
+    const field = (key: "motions" | "tolerance", initial: string) => plainly(textField({ key, option: `--${key}`, words: words[key], initial }));
     const speed = choiceField({ key: "fleet-speed", words: { label: words.speed }, initial: "1" }, words.speeds.map(([value, name]) => [value, name] as const));
     this.#form = new Form(address, [field("motions", "2000"), field("tolerance", "1e-8"), speed], () => this.#update());
-    this.fields = this.#form.part(words.title, ["motions", "tolerance"]);
+    this.fields = this.#form.part(words.fields, ["motions", "tolerance"]);
     speed.onChange(() => this.#setSpeed());
     const transport = element("div", { class: "transport", role: "group", "aria-label": words.group }, this.#run, button(words.restart, () => this.#restart()), button(words.step, () => void this.#step()), speed.element);
-    const pictures = element("div", { class: "fleet-pictures" }, ...[this.#stage.element, this.#plane.plot.element, this.#stroboscope.plot.element, this.#growth.plot.element]);
+    const pictures = element("div", { class: "fleet-pictures" }, this.#stage.element, this.#stroboscope.plot.element, this.#plane.plot.element, this.#growth.plot.element);
     const saves = element("p", { class: "buttons screen-only" }, button(words.savePicture, () => void this.#savePicture()), button(words.saveStates, () => this.#saveStates()), button(words.saveStarts, () => save(FILE, this.#rows, "text/csv")));
-    this.#moving = element("div", { hidden: true }, transport, pictures, this.#words, saves);
+    this.#moving = element("div", { hidden: true }, transport, above, pictures, this.#words, this.#table.element, saves);
     this.element = element("section", { class: "fleet" }, element("h2", {}, words.title), element("p", { class: "lead" }, words.lead), this.#failure, this.#status, this.#moving);
   }
 
@@ -95,6 +98,7 @@ export class FleetPanel {
   #update(): void {
     const asked = this.#asked;
     if (asked === undefined) return;
+    const isRunning = this.#player?.isRunning === true;
     const key = JSON.stringify([asked, this.#form.value("motions"), this.#form.value("tolerance")]);
     if (key === this.#begun) return;
     this.#end();
@@ -106,7 +110,10 @@ export class FleetPanel {
     if (rows === undefined) return this.#fail("", words.twoStarts);
     const isAnew = this.#begun !== "";
     [this.#begun, this.#rows] = [key, rows];
-    void this.#begin(asked.system, rows, isAnew ? 0 : Number(this.#address.get("time") ?? 0) || 0);
+    void this.#begin(asked.system, rows, isAnew ? 0 : Number(this.#address.get("time") ?? 0) || 0).then(() => {
+      // A motion that ran before a change runs on after it.
+      if (isRunning && this.#player?.isRunning === false) this.#toggle();
+    });
   }
 
   async #begin(system: Command, rows: string, time: number): Promise<void> {
@@ -204,7 +211,10 @@ export class FleetPanel {
   }
 
   #label(): void {
-    this.#run.textContent = this.#player?.isRunning === true ? words.pause : words.run;
+    const isRunning = this.#player?.isRunning === true;
+    this.#run.textContent = isRunning ? words.pause : words.run;
+    // The states of motions that run change before they are read.
+    this.#table.offer(!isRunning);
   }
 
   #setSpeed(): void {
@@ -236,12 +246,15 @@ export class FleetPanel {
   }
 
   #saveStates(): void {
+    if (this.#frame !== undefined) save("states.csv", this.#states(), "text/csv");
+  }
+
+  #states(): string {
     const [frame, fleet] = [this.#frame, this.#fleet];
-    if (frame === undefined || fleet === undefined) return;
+    if (frame === undefined || fleet === undefined) return "";
     const { names } = fleet.facts;
     const row = (n: number) => [n + 1, frame.time, ...frame.states.subarray(n * names.length, (n + 1) * names.length)].join(",");
-    const rows = Array.from({ length: fleet.facts.count }, (_, n) => row(n));
-    save("states.csv", `${[["motion", "t", ...names].join(","), ...rows].join("\n")}\n`, "text/csv");
+    return `${[["motion", "t", ...names].join(","), ...Array.from({ length: fleet.facts.count }, (_, n) => row(n))].join("\n")}\n`;
   }
 }
 

@@ -16,8 +16,13 @@ export interface Axes {
 export function axes({ coordinates, names, units }: EnsembleFacts): Axes {
   const numbers = [0, coordinates === 1 ? names.length - 1 : coordinates - 1] as const;
   const isAngle = (number: number) => number < coordinates && units[number] === "rad";
-  const label = (number: number) => [names[number] ?? "", units[number] ?? ""].filter((it) => it !== "").join(" in ");
+  const label = (number: number) => [symbol(names[number] ?? ""), units[number] ?? ""].filter((it) => it !== "").join(" in ");
   return { numbers, folded: [isAngle(numbers[0]), isAngle(numbers[1])], labels: [label(numbers[0]), label(numbers[1])] };
+}
+
+/** The name of a component as it is written in formulas. */
+function symbol(name: string): string {
+  return name.replace("theta", "θ").replace("phi", "φ").replace("'", "′");
 }
 
 const TURN = 2 * Math.PI;

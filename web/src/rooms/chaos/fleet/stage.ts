@@ -22,10 +22,16 @@ export class Stage {
   #reach = 1;
   #bodies: Float64Array = new Float64Array();
   #each = 0;
+  #isSeen = false;
+  readonly #sight = new IntersectionObserver((entries) => {
+    this.#isSeen = entries.at(-1)?.isIntersecting ?? false;
+    this.#draw();
+  });
 
   constructor(title: string) {
     this.element = element("figure", { class: "plot" }, element("figcaption", {}, title), this.canvas);
     this.#observer.observe(this.canvas);
+    this.#sight.observe(this.canvas);
   }
 
   /** Begins a new ensemble with a number of bodies for each motion. */
@@ -45,6 +51,7 @@ export class Stage {
 
   close(): void {
     this.#observer.disconnect();
+    this.#sight.disconnect();
     this.#forget();
   }
 
@@ -57,7 +64,9 @@ export class Stage {
     this.#draw();
   }
 
+  // Out of sight nothing is drawn.
   #draw(): void {
+    if (!this.#isSeen) return;
     const context = this.#context;
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (context === null || this.#each === 0 || width === 0) return;
@@ -73,6 +82,7 @@ export class Stage {
       this.#rods(context, from * size, to * size, right, up);
       this.#tips(context, from * size, to * size, size, right, up);
     }
+    this.#first(context, right, up);
   }
 
   #rods(context: CanvasRenderingContext2D, from: number, to: number, right: (x: number) => number, up: (y: number) => number): void {
@@ -88,6 +98,23 @@ export class Stage {
     }
     context.stroke();
     context.globalAlpha = 1;
+  }
+
+  /** The first motion, as a pendulum with bobs. */
+  #first(context: CanvasRenderingContext2D, right: (x: number) => number, up: (y: number) => number): void {
+    context.strokeStyle = context.fillStyle = colours().ink;
+    context.lineWidth = 3;
+    for (let at = 0; at < 4 * this.#each; at += 4) {
+      const [x = NaN, y = NaN, pivotX = NaN, pivotY = NaN] = this.#bodies.subarray(at, at + 4);
+      if (!Number.isFinite(x + y + pivotX + pivotY)) return;
+      context.beginPath();
+      context.moveTo(right(pivotX), up(pivotY));
+      context.lineTo(right(x), up(y));
+      context.stroke();
+      context.beginPath();
+      context.arc(right(x), up(y), 8, 0, 2 * Math.PI);
+      context.fill();
+    }
   }
 
   /** The last body of each motion. */
