@@ -15,7 +15,7 @@ const range = (first, last) => Array.from({ length: last - first + 1 }, (_, i) =
 export const signs = [
   range(0x20, 0x7e),
   range(0x391, 0x3c9),
-  "ϑϕϵℏℓ°·×÷±∓−′″‴…⋯∂∫∑∏√∞≈≔≠≡≤≥∝→⟨⟩‖¯ˉˆ˜½",
+  "ϑϕϵℏℓ°·×÷±∓−′″‴…⋯∂∫∑∏√∞≈≔≠≡≤≥∝→⟨⟩‖¯ˉˆ˜˙¨½",
   range(0x1d434, 0x1d467),
   "ℎ",
   range(0x1d6e2, 0x1d71b),

@@ -7,7 +7,6 @@ import { read } from "../../parts/answers.ts";
 import { ask, type Command, extended, given } from "../../parts/command.ts";
 import { button, element } from "../../parts/element.ts";
 import { Equivalents } from "../../parts/equivalents.ts";
-import { choiceField, textField } from "../../parts/field.ts";
 import { Form } from "../../parts/form.ts";
 import { inWords } from "../../parts/in_words.ts";
 import { Latest } from "../../parts/latest.ts";
@@ -15,22 +14,21 @@ import { angle, angleEntry, digits } from "../../parts/numbers.ts";
 import { saveAnswer } from "../../parts/save.ts";
 import { Status } from "../../parts/status.ts";
 import { telling } from "../../parts/telling.ts";
-import { unitSwitch } from "../../parts/unit_switch.ts";
 import type { Room } from "../../room.ts";
 import { text } from "../../texts/en.ts";
-import type { Catalogue, Crossovers, Formula, Periods } from "./catalogue.ts";
+import type { Catalogue, Formula, Periods } from "./catalogue.ts";
 import { curves, curvesCommand, exactRatio, type Span } from "./curves.ts";
 import { ErrorPicture } from "./error_picture.ts";
-import { OnDemand } from "./on_demand.ts";
+import { fields } from "./fields.ts";
 import { PeriodPicture } from "./period_picture.ts";
-import { card, crossovers, curveTable, limit, ranges, readout } from "./results.ts";
+import { card, curveTable, readout } from "./results.ts";
+import { Searches } from "./searches.ts";
 import { Selection } from "./selection.ts";
 
 const words = text.formulas;
 const DEGREE = Math.PI / 180;
 /** Largest amplitude that can be chosen, in degrees: at the top itself there is no period. */
 const LARGEST = 179.9;
-const LOWEST = ["1e-3", "1e-5", "1e-8", "1e-12", "1e-16", "1e-30"];
 
 export const formulas: Room = {
   name: "formulas",
@@ -50,8 +48,7 @@ class FormulasRoom {
   readonly #selection: Selection;
   readonly #period: PeriodPicture;
   readonly #errors: ErrorPicture;
-  readonly #ranges: OnDemand;
-  readonly #crossovers: OnDemand;
+  readonly #searches: Searches;
   readonly #latest = new Latest();
   readonly #pointing = new Latest();
   readonly #status = new Status(() => this.#latest.stop());
@@ -80,8 +77,7 @@ class FormulasRoom {
     const [moved, under] = [(amplitude: number) => this.#move(amplitude), (amplitude: number | undefined) => this.#point(amplitude)];
     this.#period = new PeriodPicture(nearest, moved, under);
     this.#errors = new ErrorPicture(engine, nearest, moved, under);
-    this.#ranges = new OnDemand(address, "ranges", words.ranges, () => this.#update());
-    this.#crossovers = new OnDemand(address, "crossovers", words.crossovers, () => this.#update());
+    this.#searches = new Searches(address, engine, this.#form, () => this.#update());
     this.elements = [element("h1", {}, words.title), element("p", { class: "lead" }, words.lead), element("div", { class: "room" }, this.#controls(), this.#results())];
   }
 
@@ -103,7 +99,7 @@ class FormulasRoom {
       asTable(words.period.asTable, this.#tables.period),
       element("h2", {}, words.errors.title), element("p", { class: "quiet" }, words.errors.look), this.#errors.picture.element,
       asTable(words.errors.asTable, this.#tables.errors),
-      this.#ranges.element, this.#crossovers.element, this.#cards, this.#equivalents.element,
+      ...this.#searches.elements, this.#cards, this.#equivalents.element,
     );
   }
 
@@ -142,10 +138,12 @@ class FormulasRoom {
     this.#fail("");
     const keys = this.#selection.keys;
     if (keys.length === 0) return this.#fail(words.noneChosen);
-    this.#equivalents.show([this.#at(keys), curvesCommand(keys, this.#spread()), this.#sufficing(), this.#crossing(keys), this.#errors.picture.command(this.#figure(keys))]);
-    for (const step of [this.#judge, this.#curve, this.#draw, this.#tolerate, this.#range, this.#cross]) {
+    this.#equivalents.show([this.#at(keys), curvesCommand(keys, this.#spread()), ...this.#searches.commands(keys), this.#errors.picture.command(this.#figure(keys))]);
+    for (const step of [this.#judge, this.#curve, this.#draw, this.#tolerate]) {
       if (!signal.aborted) await step.call(this, keys, signal);
     }
+    if (!signal.aborted) await this.#searches.range(keys, this.#values, signal);
+    if (!signal.aborted) await this.#searches.cross(keys, this.#catalogue, signal);
   }
 
   #amplitude(): string {
@@ -162,18 +160,6 @@ class FormulasRoom {
 
   #at(keys: readonly string[], amplitude = this.#amplitude()): Command {
     return { question: "period", arguments: [amplitude], options: given({ formulas: keys.join(",") }) };
-  }
-
-  #sufficing(): Command {
-    return { question: "formulas", options: given({ amplitude: this.#amplitude(), tolerance: this.#form.value("tolerance") }) };
-  }
-
-  #holding(keys: readonly string[]): Command {
-    return { question: "formulas", options: given({ tolerance: this.#form.value("tolerance"), formulas: keys.join(",") }) };
-  }
-
-  #crossing(keys: readonly string[]): Command {
-    return { question: "formulas", options: given({ crossovers: true, formulas: keys.join(",") }) };
   }
 
   #figure(keys: readonly string[]): Command {
@@ -246,31 +232,10 @@ class FormulasRoom {
   async #tolerate(_: readonly string[], signal: AbortSignal): Promise<void> {
     const tolerance = this.#form.value("tolerance");
     if (tolerance === this.#tolerated) return;
-    const answer = await ask(this.#engine, this.#holding(["small_angle"]), { signal });
+    const answer = await ask(this.#engine, this.#searches.holding(["small_angle"]), { signal });
     if (signal.aborted) return;
     if (answer.status === 0) this.#tolerated = tolerance;
     else this.#fail(this.#form.blame(answer));
-  }
-
-  async #range(keys: readonly string[], signal: AbortSignal): Promise<void> {
-    const [tolerance, unit] = [this.#form.value("tolerance"), this.#unit()];
-    await this.#ranges.show(JSON.stringify([keys, this.#amplitude(), tolerance, unit]), async () => {
-      const held = await read<Catalogue>(this.#engine, this.#holding(keys), signal);
-      const enough = await read<Catalogue>(this.#engine, this.#sufficing(), signal);
-      if (signal.aborted || held.value === undefined || enough.value === undefined || this.#values === undefined) return undefined;
-      const [simplest] = enough.value.formulas;
-      const at = angle(this.#values.amplitude_rad, unit);
-      const verdict = simplest === undefined ? words.noneSuffices(tolerance, at) : words.suffices(simplest.name, tolerance, at, limit(simplest, unit));
-      return [element("p", {}, verdict), ranges(held.value.formulas, tolerance, unit)];
-    });
-  }
-
-  async #cross(keys: readonly string[], signal: AbortSignal): Promise<void> {
-    await this.#crossovers.show(JSON.stringify([keys, this.#unit()]), async () => {
-      if (keys.length < 2) return [element("p", {}, words.onlyOne)];
-      const { value } = await read<Crossovers>(this.#engine, this.#crossing(keys), signal);
-      return signal.aborted || value === undefined ? undefined : [crossovers(value, this.#catalogue, this.#unit())];
-    });
   }
 
   /** Marks the amplitude, in degrees, in both pictures. */
@@ -310,15 +275,4 @@ class FormulasRoom {
     this.#failure.textContent = this.#said(reason);
     this.#failure.hidden = reason === "";
   }
-}
-
-function fields() {
-  return [
-    textField({ key: "amplitude", option: "AMPLITUDE", words: words.amplitude, initial: "60deg", unit: "angle" }),
-    textField({ key: "tolerance", option: "--tolerance", words: words.tolerance, initial: "1e-3" }),
-    unitSwitch(),
-    textField({ key: "from", option: "--from", words: words.from, initial: "0deg", unit: "angle" }),
-    textField({ key: "to", option: "--to", words: words.to, initial: "180deg", unit: "angle" }),
-    choiceField({ key: "lowest", option: "--lowest", words: words.lowest, initial: "1e-8" }, LOWEST.map((value) => [value, value])),
-  ];
 }
