@@ -118,6 +118,8 @@ export const laboratory = {
       "frequency-unit": (unit: string) => `The table does not state the unit of the frequencies; ${unit} is assumed.`,
     },
     whichUnit: { "length-unit": "Unit of the lengths:", "amplitude-unit": "Unit of the amplitudes:", "response-unit": "Unit of the amplitudes:", "frequency-unit": "Unit of the frequencies:" },
+    timing: "Standard uncertainty of one timing by hand:",
+    notStated: "not stated",
     howManySwings: "Number of swings that each time lasts:",
     swings: (count: number) => (count === 0.5 ? "Each time is that of half a swing, from one side to the other." : count === 1 ? "Each time is that of one full swing." : `Each time is that of ${count} swings.`),
     number: (count: number) => (count === 0.5 ? "half a swing" : count === 1 ? "one swing" : `${count} swings`),
