@@ -104,6 +104,18 @@ test("readings of ten swings, half swings and units are chosen by sentences with
     await inPageWords(room);
   }));
 
+test("the uncertainty of a timing by hand is chosen where no repeated reading shows it", () =>
+  visit("laboratory", async (room) => {
+    await give(room, "class/units_below.csv");
+    await room.getByRole("group", { name: "Standard uncertainty of one timing by hand" }).getByRole("button", { name: "0.1 s" }).click();
+    await settled(room);
+    assert.equal(await inWords(room), command("fit", "lengths", "class/units_below.csv", "--reaction-time", "0.1 s").output);
+    await room.getByRole("button", { name: /^Remove/ }).click();
+    await settled(room);
+    await give(room, "class/ten_swings.csv");
+    assert.equal(await room.getByRole("group", { name: "Standard uncertainty of one timing by hand" }).count(), 0);
+  }));
+
 test("a column that is no reading is taken out by a choice", () =>
   visit("laboratory", async (room) => {
     await give(room, "class/ten_swings.csv");

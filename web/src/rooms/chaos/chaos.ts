@@ -278,7 +278,7 @@ class ChaosRoom {
 
   #fail(part: Part, answer: Answer, keys: readonly string[]): void {
     const blamed = this.#form.blame(answer, keys);
-    this.#findings[part].fail(blamed === "" ? words.seeField : said(answer));
+    this.#findings[part].fail(blamed === "" ? text.parts.seeField : said(answer));
     if (answer.output.length === 0) this.#forget(part);
   }
 

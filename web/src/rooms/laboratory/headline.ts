@@ -86,7 +86,7 @@ export function reasons(kind: Kind, it: Fitted): string[] {
   const decay = measured(it.decay_time_s, it.decay_time_uncertainty_s, "s");
   const all: (string | undefined)[] = [
     expanded == null || it.gravity_m_per_s2 == null ? undefined : words.expanded(digits(expanded, 2), digits(it.coverage_factor, 3)),
-    ...shares.map(({ input, share }) => words.share(words.inputs[input] ?? input, `${(100 * (share ?? 0)).toFixed(0)} %`)),
+    ...shares.map(({ input, share }) => words.share(words.input(input), `${(100 * (share ?? 0)).toFixed(0)} %`)),
     offset && words.offset(offset),
     exponent && words.exponent(exponent),
     beta && words.beta(beta),

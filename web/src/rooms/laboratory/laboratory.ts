@@ -227,7 +227,7 @@ class LaboratoryRoom {
     const open = kind === "trace" || kind === "gates" ? Array.from(this.#found.inspections, ([it, found]) => undecided(it, found, this.#settings)).flat() : [];
     this.#keepingFocus(() =>
       this.#fit.show(
-        ...(failure === "" ? [] : [element("p", { class: "error", role: "alert" }, ...advised(failure.replace(`${name}: `, ""), kind, this.#settings))]),
+        ...(failure === "" && wanted !== undefined ? [] : [element("p", { class: "error", role: "alert" }, ...(failure === "" ? [text.parts.seeField] : advised(failure.replace(`${name}: `, ""), kind, this.#settings)))]),
         ...(wanted === undefined ? [] : [step(wanted, kind, explained(answer.error), this.#settings)]),
         ...this.#kinds(),
         ...open,

@@ -23,6 +23,7 @@ export function sentences(kind: Kind, told: readonly string[], isKnown: boolean,
   return [
     ...units.map((key) => unit(key, told, isKnown, settings)),
     ...(keys.includes("swings-per-reading") && !named(roles, "swings") ? [swings(told, isKnown, settings)] : []),
+    ...(keys.includes("reaction-time") && !named(roles, "repeated readings") && !named(roles, "uncertainty of the period") ? [timing(settings)] : []),
     ...(keys.includes("columns") && columns.length > 0 ? [columnsTable(kind, roles, columns, settings)] : []),
   ];
 }
@@ -103,6 +104,13 @@ function swings(told: readonly string[], isKnown: boolean, { value, put }: Setti
   const choices = [...new Set([0.5, 1, 5, 10, 20, now ?? 1])].sort((a, b) => a - b);
   const press = (it: number) => put(it === 0.5 ? { "half-periods": "yes", "swings-per-reading": "" } : { "half-periods": "", "swings-per-reading": String(it) });
   return choice(now === undefined ? words.howManySwings : words.swings(now), choices.map((it) => [words.number(it), it === now, () => press(it)]));
+}
+
+// Repeated readings have the uncertainty of a timing by hand in their scatter, and stated uncertainties contain it.
+function timing({ value, put }: Settings): HTMLElement {
+  const now = value("reaction-time");
+  const choices = [...new Set(["", "0.05 s", "0.1 s", "0.2 s", now])];
+  return choice(words.timing, choices.map((it) => [it === "" ? words.notStated : it, it === now, () => put({ "reaction-time": it })]));
 }
 
 /** The roles that are offered for a column, in the words of the command. */

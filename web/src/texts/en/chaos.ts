@@ -28,7 +28,6 @@ export const chaos = {
     neighbours: "Two pendulums that begin almost alike. In chaos they part after a while, however alike they were (sensitive dependence).",
     verdict: "The rate at which tiny differences grow (largest Lyapunov exponent). Above zero: chaos.",
   },
-  seeField: "No result: see the message in the fields.",
   follow: { question: "Follow the swing from value to value:", both: "up and down, in two colours", up: "up", down: "down", none: "begin anew at each value" },
   system: { label: "System or equation", hint: "the name of a system, or equations such as x'' + 0.2 x' + x^3 = 7.5 cos(t)" },
   set: { label: "Values of parameters", hint: "such as c=1/2; separate several by commas" },

@@ -75,7 +75,7 @@ export const laboratory = {
     model: (key: string) => key.replaceAll("+", " and ").replace("duffing", "Duffing"),
     expanded: (uncertainty: string, factor: string) => `With a probability of 95 %, g lies within ± ${uncertainty} m/s² of this value (coverage factor ${factor}).`,
     share: (input: string, share: string) => `${share} of the variance of g comes from ${input}.`,
-    inputs: { slope: "the scatter and the uncertainties of the table", length: "the length", T0: "the period T₀", "period of small swings": "the period T₀" } as Readonly<Record<string, string>>,
+    input: (name: string) => (name === "slope" ? "the scatter and the uncertainties of the table" : `the ${name}`),
     offset: (value: string) => `Offset common to all lengths: ${value}, to be added to each.`,
     exponent: (value: string) => `The period grows as the length to the power ${value}; the law of the pendulum has 1/2.`,
     beta: (value: string) => `The measured rise of the period with the amplitude is ${value} times that of the exact law.`,
@@ -118,6 +118,8 @@ export const laboratory = {
       "frequency-unit": (unit: string) => `The table does not state the unit of the frequencies; ${unit} is assumed.`,
     },
     whichUnit: { "length-unit": "Unit of the lengths:", "amplitude-unit": "Unit of the amplitudes:", "response-unit": "Unit of the amplitudes:", "frequency-unit": "Unit of the frequencies:" },
+    timing: "Standard uncertainty of one timing by hand:",
+    notStated: "not stated",
     howManySwings: "Number of swings that each time lasts:",
     swings: (count: number) => (count === 0.5 ? "Each time is that of half a swing, from one side to the other." : count === 1 ? "Each time is that of one full swing." : `Each time is that of ${count} swings.`),
     number: (count: number) => (count === 0.5 ? "half a swing" : count === 1 ? "one swing" : `${count} swings`),
@@ -133,9 +135,9 @@ export const laboratory = {
   },
   guide: {
     steps: {
-      length: { why: "One number is missing for g: the length of the pendulum.", label: "Length from the pivot to the centre of the bob", hint: "with its uncertainty, such as 56,0 ± 0,2 cm", press: "Find g" },
+      length: { why: "One number is missing for g: the length of the pendulum.", label: "Length from the pivot to the centre of the bob", hint: "with its uncertainty, such as 56.0 ± 0.2 cm; a decimal comma works too", press: "Find g" },
       amplitude: { why: "One number is missing for T₀: the amplitude with which the pendulum was released.", label: "Amplitude of the release", hint: "such as 20 deg", press: "Find T₀" },
-      period: { why: "One number is missing for Q: the period of small swings.", label: "Period of small swings", hint: "with its uncertainty, such as 1,42 ± 0,01 s", press: "Find Q" },
+      period: { why: "One number is missing for Q: the period of small swings.", label: "Period of small swings", hint: "with its uncertainty, such as 1.42 ± 0.01 s", press: "Find Q" },
     },
   },
   sensor: {

@@ -14,6 +14,7 @@ export const parts = {
   saveData: "Save the numbers as CSV",
   numbers: "Numbers as a table",
   rows: (shown: number, all: number) => (shown < all ? `The first ${shown} of ${all} rows` : `${all} rows`),
+  seeField: "No result: see the message in the fields.",
   nothingToSave: "Nothing to save.",
   more: "more",
   emptyEntry: "an empty entry",
