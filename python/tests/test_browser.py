@@ -31,7 +31,7 @@ def test_the_page_is_that_of_the_build(tmp_path):
         assert file.read_bytes().startswith(b"<!doctype html>")
 
 
-def test_a_folder_is_no_file(monkeypatch, tmp_path):
+def test_a_folder_is_refused(monkeypatch, tmp_path):
     monkeypatch.setattr(browser, "answered", lambda asked, form: ("<!doctype html>", None))
     with pytest.raises(OSError):
         lb.page(tmp_path)
