@@ -12,14 +12,16 @@ Fraction(11, 3072)
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from decimal import Context, Decimal
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Literal, overload
+from math import isqrt, sqrt
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _ask, _native, _plot, questions
-from ._equations import text_of_sympy
+from ._equations import symbols_of_sympy, text_of_sympy
 from ._numbers import Number, Numbers, floats, operand, whole
 from ._numbers import text as _text
 from ._progress import Tell, go_on, told
@@ -31,22 +33,25 @@ if TYPE_CHECKING:
     import sympy
     from matplotlib.axes import Axes
 
-__all__ = ["Evaluation", "Expansion", "GaugeSeries", "Series", "expand"]
+__all__ = ["Coefficient", "Evaluation", "Expansion", "GaugeSeries", "Series", "expand"]
+
+Coefficient: TypeAlias = Fraction | Polynomial | Decimal
+"""A fraction, a polynomial in symbols and constants such as π, or a number rounded to digits."""
 
 
 @dataclass(frozen=True)
 class Series:
     """A power series: ``coefficients[n]`` stands before the n-th power of a variable."""
 
-    coefficients: tuple[Fraction | Polynomial, ...]
-    """By ascending powers, from the zeroth."""
+    coefficients: tuple[Coefficient, ...]
+    """By ascending powers, from the zeroth: fractions where they are exact, else decimals."""
     variable: str
     """The name of the variable, such as ``"A"``."""
 
     def __len__(self) -> int:
         return len(self.coefficients)
 
-    def __getitem__(self, power: int) -> Fraction | Polynomial:
+    def __getitem__(self, power: int) -> Coefficient:
         return self.coefficients[power]
 
     @overload
@@ -70,7 +75,9 @@ class Series:
         return " + ".join(terms).replace("+ -", "- ") or "0"
 
     def to_sympy(self) -> "sympy.Expr":
-        """The polynomial with SymPy's exact numbers and symbols."""
+        """The polynomial with SymPy's exact numbers and symbols; rounded coefficients are floats
+        with their digits.
+        """
         import sympy
 
         x = sympy.Symbol(self.variable)
@@ -78,6 +85,8 @@ class Series:
         for n, c in enumerate(self.coefficients):
             if isinstance(c, Polynomial):
                 total += c.to_sympy() * x**n
+            elif isinstance(c, Decimal):
+                total += sympy.Float(str(c), _DIGITS) * x**n
             else:
                 total += sympy.Rational(c.numerator, c.denominator) * x**n
         return total
@@ -173,16 +182,18 @@ class Expansion(Record):
     """The same by powers of ε, or of the strength."""
     phase_origin: str
     """State of the motion at t = 0: "turning_point", "passage" or "first_harmonic"."""
-    equilibrium: Fraction | Polynomial
+    equilibrium: Coefficient
     """The equilibrium."""
-    omega0_squared: Fraction | Polynomial
+    omega0_squared: Coefficient
     """ω0², the squared frequency of small oscillations."""
-    unit_squared: Fraction | Polynomial
+    unit_squared: Coefficient
     """Harmonics and turning points of limit cycles are in units of the root of this."""
     constants: dict[str, str]
     """Names in the coefficients that stand for other constants."""
     digits: int | None
-    """Number of right digits of each coefficient; None where coefficients are exact."""
+    """Number of right digits of each coefficient, then a `decimal.Decimal`; None where coefficients
+    are exact.
+    """
     is_proven: bool
     """True if a second, exact computation proves at least the frequency by the amplitude."""
     _question: Any = field(repr=False, compare=False)
@@ -190,6 +201,29 @@ class Expansion(Record):
 
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "_expansion": None}
+
+    @property
+    def omega0(self) -> Coefficient | None:
+        """ω0, the frequency of small oscillations; None where its square is a sum with symbols.
+
+        Examples
+        --------
+        >>> import libration as lb
+        >>> print(lb.expand("x'' + 2*x + x^3 = 0").omega0)
+        sqrt(2)
+        """
+        return _root(self.omega0_squared)
+
+    @property
+    def angular_frequency(self) -> Series | None:
+        """Ω itself, as `frequency` is expanded; None where `omega0` is None."""
+        omega0 = self.omega0
+        if omega0 is None:
+            return None
+        if self.digits is not None and isinstance(self.omega0_squared, Fraction):
+            omega0 = _CONTEXT.sqrt(_rounded(self.omega0_squared))
+        products = tuple(_product(omega0, c) for c in self.frequency.coefficients)
+        return Series(products, self.frequency.variable)
 
     def evaluate(self, amplitude: Numbers, quantity: str = "period") -> Evaluation:
         """A series at an amplitude, or a strength of self-excitation, with a bound on the rest.
@@ -281,7 +315,7 @@ class Expansion(Record):
         ExpansionError
             Coefficients contain symbols.
         """
-        if any(isinstance(c, Polynomial) for c in self.frequency.coefficients):
+        if any(isinstance(c, Polynomial) and c.letters for c in self.frequency.coefficients):
             raise ExpansionError("the coefficients contain symbols: give them values with set")
         given = np.linspace(0, 1, 201) if amplitudes is None else amplitudes
         at = floats("amplitudes", given).ravel()
@@ -372,21 +406,32 @@ def expand(
     several = letters if is_several else _text("letters", letters, "epsilon").split(",")
     kept = [_text("letters", it, "epsilon") for it in several]
     gauge = _text("gauge", gauge, "fundamental")
+    symbols = {} if isinstance(oscillator, str) else symbols_of_sympy(oscillator)
     question = (text, _ask.by_name("set", set), kept, position)
     order = whole("order", order, 7)
     if order < 0:
         raise ExpansionError(f"order {order} is out of range: give 1 to 1000")
     with told(progress, "expand") as tell:
         found, stopped_by = _native.expand(question, order, gauge, tell)
-    expansion = None if found is None else _expansion(found, (question, order, gauge))
+    expansion = None if found is None else _expansion(found, (question, order, gauge), symbols)
     go_on(stopped_by, expansion)
     assert expansion is not None
     return expansion
 
 
-def _expansion(found: Any, question: Any) -> Expansion:
+def _expansion(found: Any, question: Any, symbols: dict[str, Any]) -> Expansion:
     it = found.fields()
-    own = it["variable"]
+    constants = {name: (formula, value) for name, formula, value in it.get("constants", [])}
+    are_exact = it.get("are_exact", [True, True])
+    coefficient = _Reader(it["digits"], constants, symbols)
+    exactly = _Reader(None, constants, symbols)
+    equilibrium, omega0_squared = (
+        (exactly if is_exact else coefficient)(it[name])
+        for is_exact, name in zip(are_exact, ("equilibrium", "omega0_squared"))
+    )
+    taken = _letters_of(it["of_amplitude"] or [it["frequency_ratio"]])
+    own, amplitude = _free(it["variable"], taken), _free("A", taken)
+    _series = coefficient.series
     of_amplitude, half_swing = it["of_amplitude"], it["of_half_swing"]
     harmonics = it["harmonics"]
     of_gauge = GaugeSeries(
@@ -397,23 +442,24 @@ def _expansion(found: Any, question: Any) -> Expansion:
         x_min=_series(it["x_min"], own),
     )
     frequency, period, epsilon, waves = of_amplitude or (None, None, None, [])
-    halves = [_series(it, "A") for it in (half_swing or ())[:2]]
+    halves = [_series(it, amplitude) for it in (half_swing or ())[:2]]
+    by_amplitude = {k: _series(wave, amplitude) for k, wave in waves}
     return Expansion(
         equation=it["equation"],
         displacement=it["displacement"],
         order=it["order"],
-        frequency=_series(frequency, "A") if of_amplitude else of_gauge.frequency,
-        period=_series(period, "A") if of_amplitude else None,
-        harmonics={k: _series(wave, "A") for k, wave in waves} if of_amplitude else of_gauge.cos,
+        frequency=_series(frequency, amplitude) if of_amplitude else of_gauge.frequency,
+        period=_series(period, amplitude) if of_amplitude else None,
+        harmonics=by_amplitude if of_amplitude else of_gauge.cos,
         half_swing=(halves[0], halves[1]) if halves else None,
-        epsilon=_series(epsilon, "A") if of_amplitude else None,
+        epsilon=_series(epsilon, amplitude) if of_amplitude else None,
         gauge=it["gauge"],
         gauge_series=of_gauge,
         phase_origin=it["phase_origin"],
-        equilibrium=_coefficient(it["equilibrium"]),
-        omega0_squared=_coefficient(it["omega0_squared"]),
-        unit_squared=_coefficient(it["unit_squared"]),
-        constants=dict(it.get("constants", [])),
+        equilibrium=equilibrium,
+        omega0_squared=omega0_squared,
+        unit_squared=coefficient(it["unit_squared"]),
+        constants={name: formula for name, (formula, _) in constants.items() if name != formula},
         digits=it["digits"],
         is_proven=it["is_proven"],
         _question=question,
@@ -421,14 +467,97 @@ def _expansion(found: Any, question: Any) -> Expansion:
     )
 
 
-def _series(coefficients: Any, variable: str) -> Series:
-    return Series(tuple(_coefficient(terms) for terms in coefficients), variable)
+@dataclass(frozen=True)
+class _Reader:
+    """Coefficients from the terms that the library gives."""
+
+    digits: int | None
+    constants: dict[str, tuple[str, float]]
+    symbols: dict[str, Any]
+
+    def series(self, coefficients: Any, variable: str) -> Series:
+        return Series(tuple(self(terms) for terms in coefficients), variable)
+
+    def __call__(self, terms: Any) -> Coefficient:
+        if all(not powers for _, powers in terms):
+            value = sum((_fraction(factor) for factor, _ in terms), Fraction(0))
+            return value if self.digits is None else _rounded(value)
+        terms = tuple((_fraction(factor), _powers(powers)) for factor, powers in terms)
+        return Polynomial(terms, self.constants, self.symbols)
 
 
-def _coefficient(terms: Any) -> Fraction | Polynomial:
-    if all(not powers for _, powers in terms):
-        return sum((_fraction(factor) for factor, _ in terms), Fraction(0))
-    return Polynomial(tuple((_fraction(factor), _powers(powers)) for factor, powers in terms))
+_DIGITS = 40
+"""Digits of rounded coefficients."""
+_CONTEXT = Context(prec=_DIGITS)
+
+
+def _rounded(value: Fraction) -> Decimal:
+    return _CONTEXT.divide(Decimal(value.numerator), Decimal(value.denominator))
+
+
+def _letters_of(terms: Any) -> set[str]:
+    """The names in nested lists of terms."""
+    if isinstance(terms, tuple) and len(terms) == 2 and isinstance(terms[0], str):
+        return {letter for letter, _ in terms[1]}
+    return set().union(*map(_letters_of, terms)) if isinstance(terms, (list, tuple)) else set()
+
+
+def _free(name: str, taken: set[str]) -> str:
+    """The name, with a number if a symbol has it."""
+    return name if name not in taken else f"{name}_1"
+
+
+def _root(square: Coefficient) -> Coefficient | None:
+    """The positive root, of symbols that are positive."""
+    if isinstance(square, Decimal):
+        return _CONTEXT.sqrt(square)
+    if isinstance(square, Fraction):
+        root = Fraction(isqrt(square.numerator), isqrt(square.denominator))
+        if root**2 == square:
+            return root
+        name = f"sqrt({square})"
+        return Polynomial(((Fraction(1), ((name, Fraction(1)),)),), {name: (name, sqrt(square))})
+    if len(square.terms) != 1:
+        return None
+    ((factor, powers),) = square.terms
+    letters = Polynomial(
+        ((Fraction(1), tuple((letter, power / 2) for letter, power in powers)),),
+        square.constants,
+        square.symbols,
+    )
+    root = _root(factor)
+    return None if root is None else _product(root, letters)
+
+
+def _product(root: Coefficient, c: Coefficient) -> Coefficient:
+    """The product with a root, which has one term."""
+    if isinstance(root, Decimal) and isinstance(c, Decimal):
+        return _CONTEXT.multiply(root, c)
+    if isinstance(root, Fraction) and isinstance(c, Fraction):
+        return root * c
+    first, second = _polynomial(root), _polynomial(c)
+    terms = tuple(
+        (own * other, _merged(powers, others))
+        for own, powers in first.terms
+        for other, others in second.terms
+        if own * other
+    )
+    constants = {**first.constants, **second.constants}
+    return Polynomial(terms, constants, {**first.symbols, **second.symbols})
+
+
+def _polynomial(c: Coefficient) -> Polynomial:
+    return c if isinstance(c, Polynomial) else Polynomial(((Fraction(c), ()),))
+
+
+def _merged(
+    powers: tuple[tuple[str, Fraction], ...], others: tuple[tuple[str, Fraction], ...]
+) -> tuple[tuple[str, Fraction], ...]:
+    """The powers of a product, in alphabetical order."""
+    sums: dict[str, Fraction] = {}
+    for name, power in (*powers, *others):
+        sums[name] = sums.get(name, Fraction(0)) + power
+    return tuple((name, power) for name, power in sorted(sums.items()) if power)
 
 
 def _powers(powers: list[tuple[str, str]]) -> tuple[tuple[str, Fraction], ...]:
@@ -450,11 +579,11 @@ def _integer(text: str) -> int:
     return -value if text.startswith("-") else value
 
 
-def _is_zero(c: Fraction | Polynomial) -> bool:
+def _is_zero(c: Coefficient) -> bool:
     return not c.terms if isinstance(c, Polynomial) else c == 0
 
 
-def _term(c: Fraction | Polynomial, variable: str, power: int) -> str:
+def _term(c: Coefficient, variable: str, power: int) -> str:
     x = variable if power == 1 else f"{variable}^{power}"
     if power == 0:
         return str(c)
@@ -462,4 +591,4 @@ def _term(c: Fraction | Polynomial, variable: str, power: int) -> str:
         return f"{c}*{x}" if len(c.terms) == 1 else f"({c})*{x}"
     if abs(c) == 1:
         return x if c > 0 else f"-{x}"
-    return f"{c}*{x}"
+    return f"{c}*{x}".replace("E", "e") if isinstance(c, Decimal) else f"{c}*{x}"

@@ -1,9 +1,11 @@
 """Symbolic coefficients: sums of products of powers of symbols, with fractions before them."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
+from ._equations import constant_of_sympy
 from ._numbers import operand
 
 if TYPE_CHECKING:
@@ -26,11 +28,19 @@ class Polynomial:
 
     terms: tuple[tuple[Fraction, tuple[tuple[str, Fraction], ...]], ...]
     """For each term its fraction, and its symbols with their exponents."""
+    constants: Mapping[str, tuple[str, float]] = field(default_factory=dict, compare=False)
+    """Formulas and values of the names that are no symbols: of ``pi``, and of ``c1`` for √2."""
+    symbols: "Mapping[str, sympy.Symbol]" = field(default_factory=dict, compare=False, repr=False)
+    """SymPy's symbols, where the equation had them."""
 
     @property
     def letters(self) -> tuple[str, ...]:
         """The symbols that occur, in alphabetical order."""
-        return tuple(sorted({letter for _, powers in self.terms for letter, _ in powers}))
+        names = {letter for _, powers in self.terms for letter, _ in powers}
+        return tuple(sorted(it for it in names if not self._is_constant(it)))
+
+    def _is_constant(self, name: str) -> bool:
+        return name in self.constants and self.constants[name][1] == self.constants[name][1]
 
     def __call__(self, **values: Any) -> Any:
         """The value for these values of the symbols, numbers or arrays; numbers of the package
@@ -40,7 +50,8 @@ class Polynomial:
         if missing:
             wanted = ", ".join(self.letters)
             raise TypeError(f"no value for {', '.join(missing)}: give one for each of {wanted}")
-        at = {letter: operand(letter, values[letter]) for letter in self.letters}
+        at: dict[str, Any] = {name: value for name, (_, value) in self.constants.items()}
+        at |= {letter: operand(letter, values[letter]) for letter in self.letters}
         total: Any = 0.0
         for factor, powers in self.terms:
             term: Any = float(factor)
@@ -53,15 +64,17 @@ class Polynomial:
         return " + ".join(_product(*term) for term in self.terms).replace("+ -", "- ") or "0"
 
     def to_sympy(self) -> "sympy.Expr":
-        """The same with SymPy's symbols, which are positive."""
+        """The same with SymPy's numbers and symbols: those of the equation, else positive ones."""
         import sympy
 
+        letters = {it: sympy.Symbol(it, positive=True) for it in self.letters} | {**self.symbols}
+        known = {it: constant_of_sympy(text, letters) for it, (text, _) in self.constants.items()}
         total: Any = sympy.Integer(0)
         for factor, powers in self.terms:
             term: Any = sympy.Rational(*factor.as_integer_ratio())
             for letter, exponent in powers:
                 power = sympy.Rational(*exponent.as_integer_ratio())
-                term *= sympy.Symbol(letter, positive=True) ** power
+                term *= (known[letter] if letter in known else letters[letter]) ** power
             total += term
         return total
 

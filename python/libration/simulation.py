@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from . import _native, _plot, questions
 from ._ask import Value, by_name
+from ._equations import text_of_sympy
 from ._numbers import Number, Numbers, floats, real
 from ._progress import Tell, go_on, told
 from ._record import Record, Shown, all_digits, arguments
@@ -25,6 +26,7 @@ from .errors import NoAnswer, SimulationError
 
 if TYPE_CHECKING:
     import pandas
+    import sympy
     import xarray
     from matplotlib.axes import Axes
 
@@ -220,7 +222,7 @@ class _Times:
 
 
 def simulate(
-    system: str,
+    system: "str | sympy.Eq | sympy.Expr",
     initial: Mapping[str, Value],
     times: Numbers,
     *,
@@ -235,10 +237,10 @@ def simulate(
 
     Parameters
     ----------
-    system : str
+    system : str or sympy.Eq or sympy.Expr
         A key of a catalogue, such as ``"double_pendulum"``, ``"damped_pendulum"``, ``"lorenz"`` or
         ``"duffing"``, or equations, such as ``"x'' + 0.1*x' + sin(x) = cos(t)"``, several with
-        ``;`` between them.
+        ``;`` between them; or one of SymPy for a function of t.
     initial : dict
         Values at t = 0 by name, such as ``{"theta": "60deg", "theta'": 1.5}``: numbers, formulas,
         angles or quantities as text; ``{"x[i]": "sin(pi*i/33)"}`` for all of a chain. What is not
@@ -282,10 +284,12 @@ def simulate(
     >>> bool(sol.errors[0].max() < 1e-11)
     True
     """
+    if hasattr(system, "free_symbols"):
+        system = text_of_sympy(system)
     if not isinstance(system, str):
         raise TypeError(
-            f"system: got {type(system).__name__}: give the name of a system, "
-            "or its equations as text, such as \"x'' + sin(x) = 0\""
+            f"system: got {type(system).__name__}: give the name of a system, or its equations as "
+            "text, such as \"x'' + sin(x) = 0\", or an equation as SymPy has it"
         )
     wanted = np.atleast_1d(floats("times", times))
     if wanted.ndim != 1:

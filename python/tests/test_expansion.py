@@ -2,6 +2,7 @@
 
 import copy
 import pickle
+from decimal import Decimal
 from fractions import Fraction
 
 import numpy as np
@@ -62,7 +63,7 @@ def test_equations_of_sympy_are_read():
     ).frequency
     found = lb.expand(x.diff(t, 2) + x + k * x**3 * x.diff(t) ** 2 / 3, 7)
     assert found.frequency == lb.expand("x'' + x + k*x^3*x'^2/3 = 0", 7).frequency
-    assert sympy.expand(found.frequency.to_sympy().subs(sympy.Symbol("k", positive=True), 0)) == 1
+    assert sympy.expand(found.frequency.to_sympy().subs(k, 0)) == 1
 
 
 def test_sums_with_their_remainders():
@@ -101,8 +102,109 @@ def test_the_gauge_moves_what_epsilon_means_and_nothing_else():
 
 
 def test_coefficients_that_are_no_fractions_say_so():
+    # sin(x) - cos(x) is sqrt(2)*sin(x - pi/4).
     found = lb.expand("x'' + sin(x) - cos(x) = 0", 3)
-    assert found.digits == 40 and float(found.equilibrium) == pytest.approx(np.pi / 4)
+    assert found.digits == 40 and isinstance(found.equilibrium, Decimal)
+    assert str(found.equilibrium) == "0.7853981633974483096156608458198757210493"
+    assert all(isinstance(it, Decimal) for it in found.frequency.coefficients)
+    (factor,) = (found.frequency.to_sympy() - 1).atoms(sympy.Float)
+    assert factor == sympy.Float("-0.0625", 40) and factor._prec > 130
+    assert str(found.frequency) == "1 - 0.0625*A^2"
+    cycle = lb.expand("x'' - mu*(1 - x^2)*x' + 2*x = 0", 3)
+    assert cycle.omega0_squared == Fraction(2) and isinstance(cycle.frequency[2], Decimal)
+    assert str(cycle.omega0) == "sqrt(2)" and isinstance(cycle.angular_frequency[0], Decimal)
+    assert cycle.angular_frequency(0.0) == pytest.approx(np.sqrt(2), rel=1e-15)
+
+
+A, K, T = sympy.Symbol("A"), sympy.Symbol("k"), sympy.Symbol("t")
+X = sympy.Function("x")(T)
+
+
+def shift(found, power=2):
+    return found.frequency.to_sympy().coeff(sympy.Symbol(found.frequency.variable), power)
+
+
+def test_roots_and_pi_stay_exact():
+    # The mean of |cos|^3 is 4/(3 pi).
+    half_wave = lb.expand("x'' + x + x*abs(x) = 0", 3)
+    assert shift(half_wave, 1) == 4 / (3 * sympy.pi) and half_wave.digits is None
+    assert half_wave.frequency(0.1) == pytest.approx(
+        half_wave.evaluate(0.1, "frequency").value, rel=1e-14
+    )
+    assert half_wave.constants == {} and half_wave.frequency[1].letters == ()
+    duffing = lb.expand("x'' + 2*x + x^3 = 0", 3)
+    assert str(duffing.omega0) == "sqrt(2)" and duffing.omega0.to_sympy() == sympy.sqrt(2)
+    assert duffing.angular_frequency.to_sympy() == sympy.sqrt(2) + 3 * sympy.sqrt(2) * A**2 / 16
+    assert lb.expand("x'' + 9*x/4 + x^3 = 0", 3).omega0 == Fraction(3, 2)
+    rooted = lb.expand("x'' + sqrt(2)*x + x^3 = 0", 5)
+    assert sympy.expand(shift(rooted) - 3 * sympy.sqrt(2) / 16) == 0
+    assert rooted.constants == {"c1": "sqrt(2)"} and rooted.is_proven
+    assert rooted.omega0.to_sympy() == sympy.root(2, 4)
+    mirrored = lb.expand("x'' + 2*x + x*x' = 0", 3).harmonics[2].to_sympy()
+    assert mirrored.coeff(A, 2) == sympy.sqrt(2) / 12
+    kept = pickle.loads(pickle.dumps(rooted))
+    assert kept == rooted and kept.evaluate(0.1) == rooted.evaluate(0.1)
+    with_letters = lb.expand("x'' + sqrt(2)*x + a*x^3 = 0", 3).frequency
+    assert with_letters(0.5, a=2.0) == pytest.approx(1 + 0.75 * 0.25 / np.sqrt(2), rel=1e-14)
+    assert lb.expand("x'' + 2*k*x + x^3 = 0", 3).omega0.to_sympy() == sympy.sqrt(
+        2 * sympy.Symbol("k", positive=True)
+    )
+    assert lb.expand("x'' + (k + m)*x + x^3 = 0", 3).omega0 is None
+
+
+def test_symbols_keep_their_assumptions():
+    strength = sympy.Symbol("a", real=True)
+    found = lb.expand(sympy.Eq(X.diff(T, 2) + K * X + strength * X**3, 0), 5)
+    assert shift(found) == 3 * strength / (8 * K)
+    assert found.angular_frequency.to_sympy().coeff(A, 0) == sympy.sqrt(K)
+    assert found.omega0.to_sympy().free_symbols == {K}
+    # The amplitude gets another name where a symbol has its own.
+    own = lb.expand(X.diff(T, 2) + X + A * X**3, 3).frequency
+    assert own.variable == "A_1" and own.to_sympy().coeff(sympy.Symbol("A_1"), 2) == 3 * A / 8
+    letters = lb.expand("duffing", 3, letters="epsilon").gauge_series.frequency
+    assert letters.variable == "epsilon_1"
+    with pytest.raises(errors.UsageError, match="two symbols are called k"):
+        lb.expand(X.diff(T, 2) + K * X + sympy.Symbol("k", positive=True) * X**3)
+
+
+@pytest.mark.parametrize("force, same", [
+    (sympy.Abs(X) * X, "x*abs(x)"),
+    (sympy.Max(X, 0) * X, "x*(x + abs(x))/2"),
+    (sympy.Min(X, 0) * X, "x*(x - abs(x))/2"),
+    (sympy.Max(X, 0, X**3) * X, "x*max(x, 0, x^3)"),
+    (sympy.Heaviside(X) * X**2, "x*(x + abs(x))/2"),
+    (X**2 / (1 + sympy.Heaviside(X)), "x^2/(1 + (1 + sign(x))/2)"),
+    (sympy.Piecewise((X**2, X > 0), (0, True)), "x*(x + abs(x))/2"),
+    (3 * sympy.Piecewise((X**2, X > 0), (-(X**2), X <= 0)), "3*x*abs(x)"),
+    (sympy.Piecewise((X**2, X < 0), (-2 * X**3, X >= 0)), "x*(x - abs(x))/2 - x^2*(x + abs(x))"),
+    (sympy.log(1 + X**3), "ln(1 + x^3)"),
+    (sympy.E * X**3, "exp(1)*x^3"),
+    (sympy.pi * X**3, "pi*x^3"),
+    (sympy.Float("0.1") * X**3, "0.1*x^3"),
+    (sympy.Float(1) / 3 * X**3, "0.3333333333333333*x^3"),
+    (X**3 * sympy.sec(X) * sympy.cot(X + 1), "x^3/cos(x)/tan(x + 1)"),
+])
+def test_functions_of_sympy_are_read(force, same):
+    found = lb.expand(X.diff(T, 2) + X + force, 3)
+    assert found.frequency == lb.expand(f"x'' + x + {same} = 0", 3).frequency
+
+
+@pytest.mark.parametrize("force, message", [
+    (sympy.GoldenRatio * X**3, "GoldenRatio of SymPy has no formula here: give its digits"),
+    (sympy.I * X**3, "I of SymPy has no formula here"),
+    (sympy.Piecewise((X**2, sympy.Ne(X, 0)), (0, True)), "give conditions such as x > 0"),
+    (sympy.Piecewise((X**2, X > 0)), "its pieces do not cover all values"),
+    (sympy.Heaviside(X, 1) * X**2, "give it the value 1/2 at zero"),
+    (sympy.erf(X), "is not a known function"),
+])
+def test_what_has_no_formula_is_refused_with_one_sentence(force, message):
+    with pytest.raises(errors.LibrationError, match=message):
+        lb.expand(X.diff(T, 2) + X + force, 3)
+
+
+def test_simulations_take_equations_of_sympy():
+    found = lb.simulate(sympy.Eq(X.diff(T, 2) + X + sympy.Max(X, 0) ** 2, 0), {"x": 1}, [1.0])
+    assert found["x"] == lb.simulate("x'' + x + max(x, 0)^2 = 0", {"x": 1}, [1.0])["x"]
 
 
 def test_letters_get_values():

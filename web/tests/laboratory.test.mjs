@@ -2,6 +2,7 @@
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
 import { after, test } from "node:test";
 import { close, command, EXAMPLES, enter, errors, PHONE, saved, settled, visit } from "./harness.mjs";
 
@@ -325,3 +326,27 @@ test("a phone's readings become a file that is fitted", () =>
     assert.match(await room.locator(".report").textContent(), /1500 rows/);
     assert.match(await room.locator(".controls").last().textContent(), /about the long axis/);
   }));
+
+test("axe finds nothing in tables, warnings, refusals and open questions, light and dark", () =>
+  visit("laboratory", async (room) => {
+    await room.evaluate(readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8"));
+    const states = [
+      "class/ten_swings.csv",
+      "class/amplitudes.csv",
+      "class/side_by_side.csv",
+      "phone/swing.txt",
+      table("ten.csv", "L (m),T (s)", "0.2,9.00", "0.35,11.90", "0.5,14.2", "0.65,16.15", "0.8,17.95", "1,20.07"),
+      table("comma.csv", "angle;period", "5;2,001", "10;2,005"),
+    ];
+    for (const file of states) {
+      await give(room, file);
+      for (const roles of await room.locator("details.roles summary").all()) await roles.click();
+      for (const colorScheme of ["light", "dark"]) {
+        await room.emulateMedia({ colorScheme });
+        const { violations } = await room.evaluate(() => axe.run());
+        assert.deepEqual(violations.flatMap(({ id, nodes }) => nodes.map(({ html }) => `${id}: ${html.slice(0, 160)}`)), [], file.name ?? file);
+      }
+      await room.getByRole("button", { name: /^Remove/ }).click();
+      await settled(room);
+    }
+  }, { bypassCSP: true }));

@@ -8,6 +8,14 @@ after(close);
 
 /** The letters and digits of formulas, as they are read one after the other. */
 const plain = (markup) => markup.replace(/<[^>]*>/g, "").replace(/&#x2062;/g, "\u2062").replaceAll("\n", "");
+/** The series of the command without the line of the equation, which the page typesets. */
+const series = (...words) => plain(command("expand", ...words, "--format", "mathml").output.replace(/^.*\n/, ""));
+const equation = (room) => room.locator(".equation math").evaluate((math) => math.textContent.replaceAll("\u2061", ""));
+/** Enters an equation of the reader's own. */
+async function own(room, entry) {
+  if (!(await room.getByLabel("Equation of motion", { exact: true }).isVisible())) await room.getByLabel("Oscillator", { exact: true }).selectOption("");
+  await enter(room, "Equation of motion", entry);
+}
 const shown = (room) => room.locator(".series math").evaluateAll((all) => all.map((math) => math.textContent).join(""));
 
 for (const [name, fragment, words] of [
@@ -17,7 +25,7 @@ for (const [name, fragment, words] of [
   ["an order in stages", "perturbation?oscillator=duffing&order=41", ["duffing", "--order", "41"]],
 ]) {
   test(`the series of ${name} is the command's`, () =>
-    visit(fragment, async (room) => assert.equal(await shown(room), plain(command("expand", ...words, "--format", "mathml").output))));
+    visit(fragment, async (room) => assert.equal(await shown(room), series(...words))));
 }
 
 test("terms and backbone have the command's numbers", () =>
@@ -47,14 +55,14 @@ test("amplitudes without a unit have that of the switch where the variable is an
     await enter(room, "Evaluate at amplitude", "0.5");
     assert.equal(await unit("Evaluate at amplitude"), "rad");
     assert.deepEqual(await sums(), expected("pendulum", "--evaluate", "0.5rad"));
-    await enter(room, "Oscillator or equation", "x'' + x + x^3 = 0");
+    await own(room, "x'' + x + x^3 = 0");
     assert.equal(await unit("Evaluate at amplitude"), "");
     assert.deepEqual(await sums(), expected("x'' + x + x^3 = 0", "--evaluate", "0.5"));
   }));
 
 test("a built-in oscillator brings no damping of that before, and what has no series has nothing to save", () =>
   visit("perturbation?oscillator=damped_pendulum&set=n%3D2&order=3&damping-order=2", async (room) => {
-    await room.getByLabel("Built-in oscillators").selectOption("pendulum");
+    await room.getByLabel("Oscillator", { exact: true }).selectOption("pendulum");
     await settled(room);
     assert.deepEqual(await errors(room), []);
     assert.equal(await room.getByLabel("Order in the damping", { exact: true }).inputValue(), "");
@@ -68,17 +76,40 @@ test("a built-in oscillator brings no damping of that before, and what has no se
     assert.equal(await csv.count(), 2);
   }));
 
-test("a slow flow is shown in the command's words", () =>
+test("the equation is mathematics, and that of a built-in oscillator can be changed", () =>
+  visit("perturbation?oscillator=cubic_quintic", async (room) => {
+    assert.equal(await room.getByLabel("Equation of motion", { exact: true }).isVisible(), false);
+    assert.equal(await equation(room), "x¨+x+x3+x5=0");
+    await room.getByLabel("Oscillator", { exact: true }).selectOption({ label: "your own equation" });
+    await settled(room);
+    assert.equal(await room.getByLabel("Equation of motion", { exact: true }).inputValue(), "x'' + x + alpha*x^3 + beta*x^5 = 0");
+    assert.equal(await room.getByLabel("Values of parameters", { exact: true }).inputValue(), "alpha=1,beta=1");
+    assert.equal(await equation(room), "x¨+x+x3+x5=0");
+    await enter(room, "Values of parameters", "");
+    assert.equal(await equation(room), "x¨+x+αx3+βx5=0");
+  }));
+
+test("a gauge is named in words, and a wrong one is answered in words", () =>
+  visit("perturbation?order=5&oscillator=duffing", async (room) => {
+    await enter(room, "Gauge: definition of ε", "Half the swing");
+    assert.equal(await shown(room), series("duffing", "--order", "5", "--gauge", "half_swing"));
+    await enter(room, "Gauge: definition of ε", "nonsense");
+    assert.deepEqual(await errors(room), ["unknown gauge “nonsense”: give fundamental, largest displacement, half the swing, energy, nome, or coefficients such as A1=1,A3=-1"]);
+  }));
+
+test("a slow flow is mathematics, with the command's words as text", () =>
   visit("perturbation?oscillator=damped_pendulum&set=n%3D2&order=3", async (room) => {
+    assert.equal(await equation(room), "θ¨+cθ˙|θ˙|+sin(θ)=0");
+    assert.match(await shown(room), /^A˙=−43πcA2ψ˙=1−116A2−16c2A2θ=/);
     assert.equal(await room.locator(".series pre").textContent(), command("expand", "damped_pendulum", "--set", "n=2", "--order", "3").output);
   }));
 
 test("another oscillator is chosen by the keyboard alone, and a link shows it again", () =>
   visit("perturbation", async (room) => {
-    await room.getByLabel("Built-in oscillators").focus();
+    await room.getByLabel("Oscillator", { exact: true }).focus();
     await room.keyboard.press("ArrowDown");
     await settled(room);
-    assert.equal(await shown(room), plain(command("expand", "duffing", "--order", "7", "--format", "mathml").output));
+    assert.equal(await shown(room), series("duffing", "--order", "7"));
     assert.deepEqual(await errors(room), []);
     await visit(new URL(room.url()).hash.slice(1), async (again) => assert.equal(await shown(again), await shown(room)));
   }));
@@ -101,14 +132,15 @@ test("functions of a language are saved as the command writes them", () =>
 test("entries that are no oscillators are answered in the command's words", () =>
   visit("perturbation", async (room) => {
     for (const entry of ["x'' + q", "x'' = 1/0", `${"(".repeat(20000)}x`, "x'' + x = 0; y", "<b>x</b>", "x''' = 0", "'\"`$(ls)"]) {
-      await enter(room, "Oscillator or equation", entry);
+      await own(room, entry);
       const [said = ""] = await errors(room);
       const { status, error } = command("expand", entry, "--order", "7");
       assert.notEqual(status, 0);
-      const reason = error.trim().replace(/^error: (?:OSCILLATOR\|EQUATION: |invalid value '[^]*?' for '[^']*': )?/, "").replace(/\n+For more information[^]*$/, "");
+      const inWords = (sentence) => sentence.replace(/`([^`]*)`/g, "“$1”");
+      const reason = inWords(error.trim().replace(/^error: (?:OSCILLATOR\|EQUATION: |invalid value '[^]*?' for '[^']*': )?/, "").replace(/\n+For more information[^]*$/, ""));
       assert.equal(said, reason);
     }
     await enter(room, "Order", "0");
-    await enter(room, "Oscillator or equation", "pendulum");
+    await own(room, "x'' + x + x^3 = 0");
     assert.match((await errors(room)).join(), /give a whole number from 1 to 1000/);
   }));

@@ -7,11 +7,12 @@ use libration::expression::{Equation, Expression};
 use libration::oscillator::{NamedOscillator, NumbersOrLetters, Oscillator};
 use libration::perturbation::{
     self, AmplitudeSeries, Certainty, Expansion, ExpansionError, ExpansionVariable, Gauge, PhaseOrigin,
-    Precision, SymbolicExpansion, SymbolicExpansionError, expand_symbolically,
+    Precision, SymbolicExpansion, SymbolicExpansionError, expand_symbolically, expand_with_constants,
 };
-use libration::progress::Progress;
+use libration::progress::{Progress, Quiet};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::sync::OnceLock;
 
 use crate::errors::{ExpansionError as Refused, UnknownKeyError, refusal};
 use crate::progress::CallProgress;
@@ -21,8 +22,20 @@ use crate::progress::CallProgress;
 pub(crate) struct NativeExpansion(Found);
 
 enum Found {
-    Numbers { oscillator: Box<Oscillator>, expansion: Box<Expansion> },
-    Letters { equation: Equation, expansion: Box<SymbolicExpansion> },
+    Numbers {
+        oscillator: Box<Oscillator>,
+        expansion: Box<Expansion>,
+    },
+    /// Exact coefficients with names for constants; the expansion in digits is computed when it is evaluated.
+    Constants {
+        oscillator: Box<Oscillator>,
+        expansion: Box<SymbolicExpansion>,
+        digits: OnceLock<Option<Expansion>>,
+    },
+    Letters {
+        equation: Equation,
+        expansion: Box<SymbolicExpansion>,
+    },
 }
 
 /// Arguments: an equation or a key, values of parameters, parameters that stay symbolic, the equilibrium.
@@ -80,6 +93,10 @@ fn expanded(
 ) -> PyResult<Option<Found>> {
     match oscillator {
         NumbersOrLetters::Numbers(oscillator) => {
+            if let Some(expansion) = with_constants(&oscillator, order, gauge, progress)? {
+                let (oscillator, expansion) = (Box::new(oscillator), Box::new(expansion));
+                return Ok(Some(Found::Constants { oscillator, expansion, digits: OnceLock::new() }));
+            }
             let expansion = match perturbation::expand(&oscillator, order, gauge, progress) {
                 Ok(expansion) => Some(Box::new(expansion)),
                 Err(ExpansionError::Interrupted { known }) => known,
@@ -97,6 +114,19 @@ fn expanded(
             let equation = oscillator.equation().clone();
             Ok(expansion.map(|expansion| Found::Letters { equation, expansion }))
         }
+    }
+}
+
+/// The expansion with names for constants; `None` where there are no such constants, and after a cancellation.
+fn with_constants(
+    oscillator: &Oscillator,
+    order: usize,
+    gauge: &Gauge,
+    progress: &dyn Progress,
+) -> PyResult<Option<SymbolicExpansion>> {
+    match expand_with_constants(oscillator, order, gauge, progress) {
+        Err(SymbolicExpansionError::Interrupted { .. }) => Ok(None),
+        found => found.map_err(refusal::<Refused>),
     }
 }
 
@@ -138,13 +168,16 @@ impl NativeExpansion {
             Found::Numbers { oscillator, expansion } => {
                 of_equation(&fields, oscillator.equation())?;
                 of_expansion(&fields, expansion)?;
+                let exact = [oscillator.equilibrium(), oscillator.omega0_squared()];
+                fields.set_item("are_exact", exact.map(|it| it.exact().is_some()))?;
+            }
+            Found::Constants { oscillator, expansion, .. } => {
+                of_equation(&fields, oscillator.equation())?;
+                of_symbolic(&fields, expansion)?;
             }
             Found::Letters { equation, expansion } => {
                 of_equation(&fields, equation)?;
-                of_expansion(&fields, &expansion.series)?;
-                let constants = expansion.constants.iter().map(|(name, value)| (name, value.to_string()));
-                fields.set_item("constants", constants.collect::<Vec<_>>())?;
-                fields.set_item("omega0_name", &expansion.omega0_name)?;
+                of_symbolic(&fields, expansion)?;
             }
         }
         Ok(fields)
@@ -152,9 +185,9 @@ impl NativeExpansion {
 
     /// The evaluation at an amplitude or a strength: value, remainder and whether it is proven, powers, terms, sums.
     fn evaluate(&self, at: f64, quantity: &str) -> PyResult<Evaluation> {
-        let Found::Numbers { oscillator, expansion } = &self.0 else {
-            return Err(refusal::<Refused>("the coefficients contain symbols: give them values with set"));
-        };
+        let (oscillator, expansion) = self.0.in_numbers().ok_or_else(|| {
+            refusal::<Refused>("the coefficients contain symbols: give them values with set")
+        })?;
         let quantity: SeriesQuantity = quantity.parse().map_err(refusal::<Refused>)?;
         let relation = SeriesComparison::new(oscillator, expansion, quantity);
         let evaluation = relation.evaluation_at(at);
@@ -163,6 +196,30 @@ impl NativeExpansion {
         let steps = evaluation.steps().iter().map(|it| (it.power, it.term, it.sum)).collect();
         Ok((evaluation.value(), size, certainty == Certainty::Proven, steps))
     }
+}
+
+impl Found {
+    /// The expansion with fractions or digits; `None` with symbols.
+    fn in_numbers(&self) -> Option<(&Oscillator, &Expansion)> {
+        match self {
+            Self::Numbers { oscillator, expansion } => Some((oscillator, expansion)),
+            Self::Constants { oscillator, expansion, digits } => {
+                let ExpansionVariable::Epsilon(gauge) = &expansion.series.variable else { return None };
+                let order = expansion.series.order;
+                let digits =
+                    digits.get_or_init(|| perturbation::expand(oscillator, order, gauge, &Quiet).ok());
+                Some((oscillator, digits.as_ref()?))
+            }
+            Self::Letters { .. } => None,
+        }
+    }
+}
+
+fn of_symbolic(fields: &Bound<'_, PyDict>, expansion: &SymbolicExpansion) -> PyResult<()> {
+    of_expansion(fields, &expansion.series)?;
+    let value = |it: &Expression| it.to_f64().unwrap_or(f64::NAN);
+    let constants = expansion.constants.iter().map(|(name, it)| (name, it.to_string(), value(it)));
+    fields.set_item("constants", constants.collect::<Vec<_>>())
 }
 
 fn of_equation(fields: &Bound<'_, PyDict>, equation: &Equation) -> PyResult<()> {

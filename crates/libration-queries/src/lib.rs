@@ -177,8 +177,8 @@ pub mod internals {
     pub mod trace_curve {
         pub use crate::figure::trace::curve::smooth;
     }
-    pub mod trace_report {
-        pub use crate::command::fit_trace::report::sentence;
+    pub mod fit_report {
+        pub use crate::command::fit_report::sentence;
     }
     pub mod trace_thinned {
         pub use crate::figure::trace::thinned::{MOST, representative, thinned};

@@ -5,8 +5,13 @@ const MATH = "http://www.w3.org/1998/Math/MathML";
 /** Letters and signs by their names. */
 const NAMED: Readonly<Record<string, string>> = {
   theta: "θ", lambda: "λ", pi: "π", omega: "ω", Omega: "Ω", epsilon: "ε", varepsilon: "ε", mu: "μ", phi: "φ", psi: "ψ", tau: "τ", alpha: "α", beta: "β", gamma: "γ",
+  delta: "δ", kappa: "κ", sigma: "σ", eta: "η", chi: "χ", nu: "ν", rho: "ρ", zeta: "ζ", xi: "ξ", varphi: "φ", varpi: "ϖ", Gamma: "Γ", Delta: "Δ",
 };
-const FUNCTIONS = new Set(["sin", "cos", "tan", "ln", "log", "exp"]);
+/** Signs between letters. */
+const SIGNS: Readonly<Record<string, string>> = { le: "≤", ge: "≥", cdot: "·", pm: "±", infty: "∞", prime: "′" };
+/** Marks above a letter. */
+const ABOVE: Readonly<Record<string, string>> = { dot: "˙", ddot: "¨" };
+const FUNCTIONS = new Set(["sin", "cos", "tan", "sinh", "cosh", "tanh", "arcsin", "arctan", "ln", "log", "exp"]);
 const SPACES: Readonly<Record<string, string>> = { quad: "1em", ",": "0.17em", " ": "0.3em", ";": "0.28em", "!": "0em" };
 
 /** A formula to be shown; commands that are not supported stay as they are written. */
@@ -41,6 +46,7 @@ class Reader {
     const parts: Element[] = [];
     while (this.#at < this.#tokens.length && this.#tokens[this.#at] !== closing) {
       const isFunction = FUNCTIONS.has(this.#tokens[this.#at]?.slice(1) ?? "");
+      if (isFunction && /^(?:mi|mn|msup|msub|msubsup|mfrac|msqrt)$/.test(parts.at(-1)?.localName ?? "")) parts.push(space("0.17em"));
       parts.push(this.#scripted(closing));
       if (isFunction && !["(", "\\left", closing].includes(this.#tokens[this.#at])) parts.push(space("0.17em"));
     }
@@ -85,11 +91,24 @@ class Reader {
     if (name === "frac" || name === "tfrac" || name === "dfrac") return node("mfrac", this.#argument(), this.#argument());
     if (name === "sqrt") return node("msqrt", this.#argument());
     if (name === "left") return this.#bracketed();
+    const mark = ABOVE[name];
+    if (mark !== undefined) return accented(this.#argument(), mark);
+    if (name === "mathrm" || name === "text") return this.#upright();
+    if (name === "max" || name === "min") return node("mi", name);
+    const sign = SIGNS[name];
+    if (sign !== undefined) return node("mo", sign);
     const letter = NAMED[name];
     if (letter !== undefined) return node("mi", letter);
     if (FUNCTIONS.has(name)) return upright(name);
     const width = SPACES[name];
     return width === undefined ? node("mtext", name) : space(width);
+  }
+
+  // A name in upright letters, which the tokens give without its spaces.
+  #upright(): Element {
+    const made = node("mi", this.#argument().textContent ?? "");
+    if ((made.textContent ?? "").length === 1) made.setAttribute("mathvariant", "normal");
+    return made;
   }
 
   #bracketed(): Element {
@@ -98,6 +117,12 @@ class Reader {
     const inside = this.row("\\right");
     return node("mrow", node("mo", open), ...inside, node("mo", bracket()));
   }
+}
+
+function accented(letter: Element, mark: string): Element {
+  const made = node("mover", letter, node("mo", mark));
+  made.setAttribute("accent", "true");
+  return made;
 }
 
 function space(width: string): Element {

@@ -206,6 +206,8 @@ const FURTHER: &[&str] = &[
     // Groups have results and a mean.
     "fit|lengths|examples/class/groups.csv",
     "fit|periods|examples/class/amplitudes.csv|--group|4",
+    // A place has its normal gravity.
+    "fit|trace|examples/swing_synthetic.csv|--to|6s|--model|linear|--length|0.56m|--latitude|48deg",
     // A limit cycle has its distance from the orbit.
     "expand|van_der_pol|--order|3|--evaluate|0.5",
     // A motion that never returns has no period.
@@ -229,6 +231,7 @@ const FURTHER: &[&str] = &[
     "expand|x''+c*(x'+x'*abs(x'))+2*x=0|--order|2|--damping-order|1",
     "expand|x''+x=k*((1-x^2)*x'-x^3)|--order|5|--damping-order|1",
     // A slow flow with symbols, and one with numbers.
+    "resonance|x''+k*x+c*x+eps*x*y=0;y''+w2^2*y+eps*x^2=eps*F*cos(W*t)|--ratios|1:2|--resonance|2/1",
     "expand|x''+2*eps*mu*x'+k*x+eps*a*x^3=eps*F*cos(W*t)|--resonance|1/1",
     "expand|x''+eps*x'/5+x+eps*x^3=eps*cos(W*t)/2|--resonance|1/1|--set|eps=0.1|--evaluate|1.03",
     "backbone|x''=-x-x^2|--amplitudes|0.1,0.2,3",

@@ -316,7 +316,7 @@ fn unusable_recordings_are_refused_with_a_reason_and_nothing_is_written() {
 fn questions_that_are_not_understood_say_what_would_do() {
     for (options, expected) in [
         ("--model viscous", "dry+linear"),
-        ("--report report.pdf", ".html or .md"),
+        ("--report report.pdf", ".md or .tex"),
         ("--figure swing.gif", ".svg or .png"),
         ("--length -1m", "above zero"),
     ] {

@@ -31,6 +31,32 @@ fn modes_without_resonance_keep_their_amplitudes() {
     assert!(answer.get("exchange").is_none());
 }
 
+/// The slow flow of two quadratically coupled oscillators near 1:2 and what conserves their energy: A. H. Nayfeh, D. T. Mook, Nonlinear
+/// Oscillations, section 6.2.1.
+#[test]
+fn equations_with_symbols_have_their_slow_flow_as_formulas() {
+    let coupled = "x''+w1^2*x+eps*a*x*y=0; y''+w2^2*y+eps*b*x^2=0";
+    let ask = |further: &[&str]| run(&[&["resonance", coupled, "--json"], further].concat());
+    let answer: serde_json::Value = serde_json::from_slice(&ask(&["--ratios", "1:2"]).stdout).unwrap();
+    assert_eq!(answer["small_orders"], serde_json::json!({"eps": 1}));
+    let [x, y] = [0, 1].map(|place| &answer["coordinates"][place]);
+    assert_eq!(x["slow_flow"]["amplitude"], "eps*a*A_x*A_y/(4*w1)*sin(2*phi_x - phi_y)");
+    assert_eq!(y["slow_flow"]["amplitude"], "-eps*b*A_x^2/(8*w1)*sin(2*phi_x - phi_y)");
+    assert_eq!(y["frequency_difference"], "eps*sigma_y");
+    assert_eq!(y["frequency_squared"], "w2^2");
+    assert_eq!(answer["steady_state"]["equations"].as_array().unwrap().len(), 4);
+    let refused = |further: &[&str], expected: &str| {
+        let message = String::from_utf8(ask(further).stderr).unwrap();
+        assert!(message.contains(expected), "{message}");
+    };
+    refused(&[], "--ratios: the natural frequency of equation 2");
+    refused(&["--ratios", "1:2:3"], "for each of the 2 coordinates");
+    refused(&["--ratios", "1:two"], "--ratios: cannot read `1:two`");
+    refused(&["--ratios", "1:2", "--resonance", "1/1"], "--resonance: the acceleration does not depend on t");
+    refused(&["--ratios", "1:2", "--initial", "x=1"], "--initial: it needs numbers for all symbols");
+    refused(&["--ratios", "1:2", "--about", "x=1"], "--about: a slow flow with symbols");
+}
+
 #[test]
 fn what_has_no_normal_form_is_refused() {
     let cases: [(&[&str], i32, &[&str]); 5] = [

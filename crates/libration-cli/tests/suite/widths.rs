@@ -60,6 +60,7 @@ pub(crate) const QUESTIONS: &[&str] = &[
     "orbit|pendulum|--initial|theta=60deg",
     "resonance|x''=-x-x*y;y''=-4*y-x^2/2|--order|2|--initial|x=0.1,y=0.02",
     "resonance|double_pendulum",
+    "resonance|x''+w1^2*x+eps*a*x*y=0;y''+w2^2*y+eps*b*x^2=eps*F*cos(W*t)|--ratios|1:2|--resonance|2/1|--order|2",
     "melnikov|driven_pendulum|--set|c=0.1,omega=1|--over|A=0:1",
     "response|driven_pendulum|--set|A=0.15,c=0.1|--over|omega=0.7:0.95|--sweeps|3",
     "stability|kapitza|--set|c=0.1|--map|omega=5:6,a=0.1:0.4|--initial|theta=180deg|--lines|0",

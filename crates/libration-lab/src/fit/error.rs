@@ -1,5 +1,7 @@
 //! Errors of a fit.
 
+use super::budget::BudgetError;
+
 /// Reasons why a table cannot be fitted; rows are counted from one.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -148,4 +150,12 @@ pub enum FitError {
         /// Radius in metres.
         radius: f64,
     },
+    /// Corrections of g that are impossible, or lack an input.
+    #[error(transparent)]
+    Corrections(#[from] BudgetError),
+    /// Corrections with which a row has no pendulum.
+    #[error(
+        "a pendulum of the table is too short or too fast for these corrections: check the stiffness of the support, and the units"
+    )]
+    CorrectionsOfRow,
 }

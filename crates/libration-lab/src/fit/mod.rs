@@ -30,6 +30,7 @@ mod groups;
 pub(crate) mod law;
 mod lengths;
 mod mistake;
+mod normal_gravity;
 mod outliers;
 mod period_table;
 mod periods;
@@ -49,9 +50,9 @@ mod uncertain;
 pub use angle_unit::MistakenUnit;
 pub use beta::Beta;
 pub use budget::{
-    AIR_DENSITY, Apparatus, Budget, BudgetError, BudgetInput, BudgetRow, BudgetWarning, COVERAGE_PROBABILITY,
-    CombinedUncertainty, Contribution, Correction, Correlation, Evaluation, MeasuredPeriod, PeriodDamping,
-    budget,
+    AIR_DENSITY, Apparatus, Bob, BobShape, Budget, BudgetError, BudgetInput, BudgetRow, BudgetWarning,
+    COVERAGE_PROBABILITY, CombinedUncertainty, Contribution, Correction, Corrections, Correlation,
+    Evaluation, MeasuredPeriod, PeriodDamping, budget,
 };
 pub use contradiction::Contradiction;
 pub use damping_model::{DampingModel, DampingModelError, alternatives};
@@ -66,6 +67,7 @@ pub use lengths::{
 };
 pub use libration::decay::DampingKind;
 pub use mistake::GravityMistake;
+pub use normal_gravity::{NormalGravityError, normal_gravity};
 pub use outliers::{DEFAULT_OUTLIER_THRESHOLD, outliers};
 pub use period_table::{PeriodTable, Uncertainties, Weighting};
 pub use periods::{PeriodFit, PeriodsOptions, PeriodsWarning, periods};

@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use libration::quantity::Quantity;
 use libration_lab::fit::{
-    Apparatus, Budget, BudgetError, BudgetInput, BudgetWarning, Contribution, Correction, Correlation,
-    MeasuredPeriod, PeriodDamping, budget,
+    Apparatus, Bob, Budget, BudgetError, BudgetInput, BudgetWarning, Contribution, Correction, Corrections,
+    Correlation, MeasuredPeriod, PeriodDamping, budget,
 };
 
 use crate::random::Random;
@@ -17,14 +17,19 @@ fn about(value: f64, uncertainty: f64) -> Quantity {
 
 /// Everything is given and uncertain.
 fn whole_apparatus() -> Apparatus {
-    Apparatus {
-        bob_radius: Some(about(0.03, 0.0003)),
+    let corrections = Corrections {
+        bob: Some(Bob::ball(about(0.03, 0.0003))),
         bob_mass: Some(about(0.25, 0.002)),
         rod_mass: Some(about(0.01, 0.0005)),
         rod_length: Some(about(0.95, 0.004)),
         stretch: Some(about(0.001, 0.0002)),
-        ..Apparatus::of_length(about(1.0, 0.002))
-    }
+        expansion: Some(about(1.2e-5, 1e-6)),
+        warming: Some(about(4.0, 0.5)),
+        support_stiffness: Some(about(5000.0, 800.0)),
+        edge_radius: Some(about(1e-4, 3e-5)),
+        ..Corrections::default()
+    };
+    Apparatus { length: about(1.0, 0.002), corrections }
 }
 
 fn whole_period() -> MeasuredPeriod {
@@ -63,15 +68,21 @@ fn scale(quantity: &mut Quantity, factor: f64) {
 }
 
 /// Each input that a caller can move, multiplied by a factor.
-const MOVED: [(BudgetInput, Changed); 8] = [
+const MOVED: [(BudgetInput, Changed); 12] = [
     (BudgetInput::Length, |apparatus, _, factor| scale(&mut apparatus.length, factor)),
     (BudgetInput::Period, |_, period, factor| scale(&mut period.t0, factor)),
-    (BudgetInput::BobRadius, |apparatus, _, factor| scale(apparatus.bob_radius.as_mut().unwrap(), factor)),
-    (BudgetInput::BobMass, |apparatus, _, factor| scale(apparatus.bob_mass.as_mut().unwrap(), factor)),
-    (BudgetInput::RodMass, |apparatus, _, factor| scale(apparatus.rod_mass.as_mut().unwrap(), factor)),
-    (BudgetInput::RodLength, |apparatus, _, factor| scale(apparatus.rod_length.as_mut().unwrap(), factor)),
-    (BudgetInput::AirDensity, |apparatus, _, factor| scale(&mut apparatus.air_density, factor)),
-    (BudgetInput::Stretch, |apparatus, _, factor| scale(apparatus.stretch.as_mut().unwrap(), factor)),
+    (BudgetInput::BobRadius, |it, _, factor| scale(&mut it.corrections.bob.as_mut().unwrap().radius, factor)),
+    (BudgetInput::BobMass, |it, _, factor| scale(it.corrections.bob_mass.as_mut().unwrap(), factor)),
+    (BudgetInput::RodMass, |it, _, factor| scale(it.corrections.rod_mass.as_mut().unwrap(), factor)),
+    (BudgetInput::RodLength, |it, _, factor| scale(it.corrections.rod_length.as_mut().unwrap(), factor)),
+    (BudgetInput::AirDensity, |it, _, factor| scale(&mut it.corrections.air_density, factor)),
+    (BudgetInput::Stretch, |it, _, factor| scale(it.corrections.stretch.as_mut().unwrap(), factor)),
+    (BudgetInput::Expansion, |it, _, factor| scale(it.corrections.expansion.as_mut().unwrap(), factor)),
+    (BudgetInput::Warming, |it, _, factor| scale(it.corrections.warming.as_mut().unwrap(), factor)),
+    (BudgetInput::SupportStiffness, |it, _, factor| {
+        scale(it.corrections.support_stiffness.as_mut().unwrap(), factor);
+    }),
+    (BudgetInput::EdgeRadius, |it, _, factor| scale(it.corrections.edge_radius.as_mut().unwrap(), factor)),
 ];
 
 #[test]
@@ -188,7 +199,9 @@ fn uncertainties_of_a_hundred_percent_and_more_are_kept() {
         assert_eq!(found.warnings(), [BudgetWarning::NotLinear]);
     }
     let mut vague = whole_apparatus();
-    for quantity in [&mut vague.bob_radius, &mut vague.bob_mass, &mut vague.rod_mass, &mut vague.stretch] {
+    let known = &mut vague.corrections;
+    known.bob = Some(Bob::ball(about(0.03, 0.03)));
+    for quantity in [&mut known.bob_mass, &mut known.rod_mass, &mut known.stretch] {
         let value = quantity.unwrap().value;
         *quantity = Some(about(value, value));
     }
@@ -213,7 +226,8 @@ fn the_bend_of_g_is_told_where_it_matters() {
 #[test]
 fn inputs_without_an_uncertainty_are_named() {
     let bare = |value: f64| Quantity { value, uncertainty: None };
-    let apparatus = Apparatus { bob_radius: Some(bare(0.02)), ..Apparatus::of_length(bare(1.0)) };
+    let ball = |radius: Quantity| Corrections { bob: Some(Bob::ball(radius)), ..Corrections::default() };
+    let apparatus = Apparatus { length: bare(1.0), corrections: ball(bare(0.02)) };
     let period = MeasuredPeriod::of_small_swings(about(2.006, 0.001));
     let found = budget(&apparatus, &period, &[]).unwrap();
     let inputs = vec![BudgetInput::Length, BudgetInput::BobRadius];
@@ -221,7 +235,7 @@ fn inputs_without_an_uncertainty_are_named() {
     assert!(found.warnings()[0].to_string().contains("length, bob radius"));
     let of_row = |name: &str| found.rows.iter().find(|row| row.name == name).unwrap().uncertainty;
     assert_eq!((of_row("length"), of_row("finite bob")), (None, None));
-    let said = Apparatus { bob_radius: Some(about(0.02, 0.0)), ..Apparatus::of_length(about(1.0, 0.0)) };
+    let said = Apparatus { length: about(1.0, 0.0), corrections: ball(about(0.02, 0.0)) };
     let found = budget(&said, &period, &[]).unwrap();
     assert_eq!((found.warnings(), found.rows[0].uncertainty), (vec![], Some(0.0)));
 }
@@ -263,6 +277,9 @@ fn every_input_has_a_name_and_units() {
             "m" => "1/s^2",
             "s" => "m/s^3",
             "1/s" => "m/s",
+            "K" => "m/(s^2 K)",
+            "1/K" => "m K/s^2",
+            "N/m" => "m^2/(s^2 N)",
             "s^2/m" => "m^2/s^4",
             "kg" => "m/(s^2 kg)",
             "kg/m^3" => "m^4/(s^2 kg)",

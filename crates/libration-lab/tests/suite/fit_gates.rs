@@ -6,7 +6,7 @@ use libration_lab::fit::gates::{
     GateGeometry, GateGeometryError, GateOptions, GateSignals, GatesError, GatesFit, GatesWarning, T0Source,
     gates,
 };
-use libration_lab::fit::{Apparatus, BudgetInput, PeriodDamping};
+use libration_lab::fit::{Apparatus, Bob, BudgetInput, Corrections, PeriodDamping};
 
 use crate::random::Random;
 use crate::synthetic_gate::{GateRecord, jittered};
@@ -18,6 +18,11 @@ const T0: f64 = std::f64::consts::TAU / OMEGA0;
 /// Width of the bob, as an angle.
 const WIDTH: f64 = 0.026;
 const RELEASE: f64 = 0.9;
+
+/// A pendulum with a ball of this radius.
+fn with_ball(length: Quantity, radius: Option<Quantity>) -> Apparatus {
+    Apparatus { length, corrections: Corrections { bob: radius.map(Bob::ball), ..Corrections::default() } }
+}
 
 fn exactly(value: f64) -> Quantity {
     Quantity { value, uncertainty: None }
@@ -228,7 +233,7 @@ fn edges_without_the_other_one_are_told() {
 fn the_width_is_the_angle_of_the_bob_at_the_gate() {
     let about = |value: f64, part: f64| Quantity { value, uncertainty: Some(part * value) };
     let length = about(1.0, 0.004);
-    let bob = Apparatus { bob_radius: Some(about(0.0125, 0.003)), ..Apparatus::of_length(length) };
+    let bob = with_ball(length, Some(about(0.0125, 0.003)));
     let geometry = GateGeometry::new(bob, None, None).unwrap();
     let width = geometry.width().unwrap();
     assert!((width.value - 4.0 * libm::asin(0.00625)).abs() < 1e-15);
@@ -257,7 +262,7 @@ fn the_width_is_the_angle_of_the_bob_at_the_gate() {
 fn a_gate_off_the_middle_of_the_bob_sees_a_chord() {
     let about = |value: f64| Quantity { value, uncertainty: Some(1e-4) };
     let at = |length: f64, radius: f64, distance: f64| {
-        let bob = Apparatus { bob_radius: Some(about(radius)), ..Apparatus::of_length(about(length)) };
+        let bob = with_ball(about(length), Some(about(radius)));
         GateGeometry::new(bob, None, Some(about(distance))).unwrap()
     };
     let geometry = at(1.0, 0.0125, 1.01);
@@ -281,10 +286,7 @@ fn a_gate_off_the_middle_of_the_bob_sees_a_chord() {
 
 #[test]
 fn what_blocks_the_gate_is_below_the_pivot_and_reaches_the_gate() {
-    let apparatus = |radius: Option<f64>| Apparatus {
-        bob_radius: radius.map(exactly),
-        ..Apparatus::of_length(exactly(1.0))
-    };
+    let apparatus = |radius: Option<f64>| with_ball(exactly(1.0), radius.map(exactly));
     let tried = |radius: Option<f64>, diameter: Option<f64>, distance: Option<f64>| {
         GateGeometry::new(apparatus(radius), diameter.map(exactly), distance.map(exactly)).map(|_| ())
     };

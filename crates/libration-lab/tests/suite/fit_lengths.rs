@@ -5,14 +5,24 @@ use std::f64::consts::TAU;
 use libration::pendulum::period_ratio;
 use libration::quantity::Quantity;
 use libration_lab::fit::{
-    BudgetInput, FitError, GravityMistake, LengthColumns, LengthModel, LengthTable, LengthsFit,
-    LengthsOptions, LengthsPendulum, LengthsWarning, lengths,
+    Bob, BobShape, BudgetInput, Corrections, FitError, GravityMistake, LengthColumns, LengthModel,
+    LengthTable, LengthsFit, LengthsOptions, LengthsPendulum, LengthsWarning, lengths,
 };
 
 use crate::random::Random;
 use crate::synthetic_trace::normal;
 
 const G: f64 = 9.81;
+
+fn exactly(value: f64) -> Quantity {
+    Quantity { value, uncertainty: None }
+}
+
+/// With a ball of this radius.
+fn with_ball(radius: Quantity) -> LengthsOptions {
+    let corrections = Corrections { bob: Some(Bob::ball(radius)), ..Corrections::default() };
+    LengthsOptions { corrections, ..LengthsOptions::default() }
+}
 
 fn ten_lengths() -> Vec<f64> {
     (1..=10).map(|k| 0.12 * f64::from(k)).collect()
@@ -31,8 +41,7 @@ fn table(lengths: &[f64], periods: &[f64], sigma: Option<&[f64]>) -> LengthTable
 
 fn fitted(lengths_given: &[f64], periods: &[f64], radius: Option<f64>) -> LengthsFit {
     let sigma = vec![1e-3; periods.len()];
-    let bob_radius = radius.map(|value| Quantity { value, uncertainty: None });
-    let options = LengthsOptions { bob_radius, ..LengthsOptions::default() };
+    let options = radius.map_or_else(LengthsOptions::default, |value| with_ball(exactly(value)));
     lengths(&table(lengths_given, periods, Some(&sigma)), &options).unwrap()
 }
 
@@ -139,7 +148,7 @@ fn tables_that_tell_nothing_are_refused() {
     let (given, bob) = ([0.4, 0.6, 0.8, 1.0], Quantity { value: 5.0, uncertainty: None });
     let columns =
         LengthColumns { lengths: &given, periods: &[1.27, 1.55, 1.79, 2.0], ..LengthColumns::default() };
-    let options = LengthsOptions { bob_radius: Some(bob), ..LengthsOptions::default() };
+    let options = with_ball(bob);
     let large = lengths(&LengthTable::new(&columns).unwrap(), &options);
     let large = large.unwrap_err();
     assert!(matches!(large, FitError::BobTooLarge { radius: 5.0, distance } if distance < 0.5), "{large:?}");
@@ -205,13 +214,12 @@ fn clock_and_bob_are_part_of_the_uncertainty() {
     let columns = table(&given, &periods, Some(&sigma));
     let g = |options: &LengthsOptions| lengths(&columns, options).unwrap();
     let of_radius = |value: f64| LengthsOptions {
-        bob_radius: Some(Quantity { value, uncertainty: Some(0.01) }),
         clock: Some(0.002),
-        ..LengthsOptions::default()
+        ..with_ball(Quantity { value, uncertainty: Some(0.01) })
     };
     let found = g(&of_radius(0.06));
     let of = |input| *found.combined.contributions.iter().find(|each| each.input == input).unwrap();
-    assert!((of(BudgetInput::Clock).change() / (-0.004 * found.best().g.value) - 1.0).abs() < 1e-12);
+    assert!((of(BudgetInput::Clock).change() / (-0.004 * found.best().g.value) - 1.0).abs() < 1e-10);
     let whole = (g(&of_radius(0.061)).best().g.value - g(&of_radius(0.059)).best().g.value) / 0.002;
     assert!((of(BudgetInput::BobRadius).sensitivity / whole - 1.0).abs() < 1e-3, "{found:?}");
     let line = found.best().g.uncertainty;
@@ -281,10 +289,7 @@ fn a_bob_about_its_pivot_is_refused() {
     let periods = given.map(|length: f64| TAU * ((length + 0.025) / 9.81).sqrt());
     let columns = LengthColumns { lengths: &given, periods: &periods, ..LengthColumns::default() };
     let table = LengthTable::new(&columns).unwrap();
-    let found = |radius: f64| {
-        let bob_radius = Some(Quantity { value: radius, uncertainty: None });
-        lengths(&table, &LengthsOptions { bob_radius, ..LengthsOptions::default() })
-    };
+    let found = |radius: f64| lengths(&table, &with_ball(exactly(radius)));
     assert!(found(0.025).is_ok());
     let refused = found(0.2);
     let Err(FitError::BobTooLarge { radius, distance }) = refused else { panic!("{refused:?}") };
@@ -299,8 +304,7 @@ fn a_bob_that_is_too_large_is_refused_for_that_however_large_it_is() {
     let columns = LengthColumns { lengths: &given, periods: &periods, ..LengthColumns::default() };
     let table = LengthTable::new(&columns).unwrap();
     for radius in [0.1751, 0.3, 0.5, 0.8, 1.0, 2.0, 10.0, 1e3] {
-        let bob_radius = Some(Quantity { value: radius, uncertainty: None });
-        let refused = lengths(&table, &LengthsOptions { bob_radius, ..LengthsOptions::default() });
+        let refused = lengths(&table, &with_ball(exactly(radius)));
         let Err(FitError::BobTooLarge { radius: said, distance }) = refused else { panic!("{refused:?}") };
         assert!(said.total_cmp(&radius).is_eq() && (distance - 0.175).abs() < 1e-9, "{radius} {distance}");
     }
@@ -321,11 +325,7 @@ fn a_bob_right_below_its_pivot_is_found_there() {
 fn offsets_of_a_bob_that_nearly_touches_the_pivot_are_not_chosen_from() {
     let given = [0.1, 0.105, 0.11, 0.115, 0.12, 0.125];
     let periods: Vec<f64> = given.iter().map(|&length| period(length, 0.005, 0.1)).collect();
-    let bob_radius = Some(Quantity { value: 0.1, uncertainty: None });
-    let refused = lengths(
-        &table(&given, &periods, Some(&[1e-4; 6])),
-        &LengthsOptions { bob_radius, ..LengthsOptions::default() },
-    );
+    let refused = lengths(&table(&given, &periods, Some(&[1e-4; 6])), &with_ball(exactly(0.1)));
     assert_eq!(refused, Err(FitError::BobRadius { radius: 0.1 }));
 }
 
@@ -369,4 +369,134 @@ fn the_rounding_of_periods_is_their_uncertainty_where_rows_scatter_less() {
     // By weighted least squares of T²/4π² against the length, with an offset and u(T) = 2.89 ms, from the normal equations in Python: 0.03137 m/s².
     let uncertainty = quiet.gravity().uncertainty;
     assert!((uncertainty / 0.03137 - 1.0).abs() < 0.02, "{uncertainty}");
+}
+
+/// Pendulums with every effect: T of each length by the equations of motion of `reference/corrections.py`, written out for a rod that ends at the bob.
+fn whole_period(length: f64) -> f64 {
+    let (mass, rod, stiffness, edge, gyration) = (0.2, 0.02, 800.0, 0.001, 0.5 * 0.03 * 0.03);
+    let length = length * (1.0 + 1.2e-5 * 8.0);
+    let first = mass * length + rod * length / 2.0;
+    let inertia = mass * (length * length + gyration) + rod * length * length / 3.0;
+    let torque = G * (first + (mass + rod) * edge);
+    let (square, linear) = (stiffness * torque, stiffness * inertia + (mass + rod) * torque);
+    let root = (linear * linear - 4.0 * square * ((mass + rod) * inertia - first * first)).sqrt();
+    TAU * ((linear + root) / (2.0 * square)).sqrt()
+}
+
+fn every_correction(uncertainty: f64) -> Corrections {
+    let about = |value: f64| Quantity { value, uncertainty: Some(uncertainty * value) };
+    let bob = Bob { shape: BobShape::Disc, radius: about(0.03), height: None, inner_radius: None };
+    Corrections {
+        bob: Some(bob),
+        bob_mass: Some(about(0.2)),
+        rod_mass: Some(about(0.02)),
+        support_stiffness: Some(about(800.0)),
+        edge_radius: Some(about(0.001)),
+        expansion: Some(about(1.2e-5)),
+        warming: Some(about(8.0)),
+        ..Corrections::default()
+    }
+}
+
+#[test]
+fn a_table_is_corrected_row_by_row() {
+    let given = ten_lengths();
+    // Lengths to a mark 1 cm above the centre, and rods up to the bob: 3 cm of 0.1 to 1.2 m are not rod.
+    let marked: Vec<f64> = given.iter().map(|length| length - 0.01).collect();
+    let periods: Vec<f64> = given.iter().map(|&length| whole_period(length)).collect();
+    let sigma = vec![1e-3; periods.len()];
+    let mut corrections = every_correction(0.1);
+    corrections.rod_mass = None;
+    let without_rod: Vec<f64> = given.iter().map(|&length| without_rod(length)).collect();
+    let columns = table(&marked, &without_rod, Some(&sigma));
+    let options = LengthsOptions { corrections, ..LengthsOptions::default() };
+    let fit = lengths(&columns, &options).unwrap();
+    assert!((fit.best().g.value / G - 1.0).abs() < 1e-9, "{:?}", fit.best());
+    assert!((fit.best().offset.unwrap().value - 0.01).abs() < 1e-9, "{:?}", fit.best());
+    let bare = lengths(&columns, &LengthsOptions::default()).unwrap();
+    assert!((bare.best().g.value / G - 1.0).abs() > 1e-4);
+    for name in ["slope", "clock", "buoyancy", "finite bob", "temperature", "support", "knife edge"] {
+        assert_eq!(fit.budget.iter().filter(|row| row.name == name).count(), 1, "{name}");
+    }
+    // With the rod, which ends at the surface of the bob in the correction and at its centre in the periods.
+    let with_rod = LengthsOptions { corrections: every_correction(0.1), ..LengthsOptions::default() };
+    let found = lengths(&table(&given, &periods, Some(&sigma)), &with_rod).unwrap();
+    assert!((found.best().g.value / G - 1.0).abs() < 2e-3, "{:?}", found.best());
+}
+
+/// The same pendulum without a rod.
+fn without_rod(length: f64) -> f64 {
+    let (mass, stiffness, edge, gyration) = (0.2, 800.0, 0.001, 0.5 * 0.03 * 0.03);
+    let length = length * (1.0 + 1.2e-5 * 8.0);
+    let (first, inertia) = (mass * length, mass * (length * length + gyration));
+    let torque = G * (first + mass * edge);
+    let (square, linear) = (stiffness * torque, stiffness * inertia + mass * torque);
+    let root = (linear * linear - 4.0 * square * (mass * inertia - first * first)).sqrt();
+    TAU * ((linear + root) / (2.0 * square)).sqrt()
+}
+
+/// Each input that is given changes g as a fit with another value of it does.
+#[test]
+fn sensitivities_of_a_table_are_those_of_the_fit() {
+    let given = ten_lengths();
+    let periods: Vec<f64> = given.iter().map(|&length| whole_period(length)).collect();
+    let columns = table(&given, &periods, Some(&vec![1e-3; periods.len()]));
+    let fitted = |corrections: Corrections| {
+        lengths(&columns, &LengthsOptions { corrections, ..LengthsOptions::default() }).unwrap()
+    };
+    let found = fitted(every_correction(0.1));
+    let moved: [(BudgetInput, fn(&mut Corrections) -> &mut Quantity); 5] = [
+        (BudgetInput::BobRadius, |it| &mut it.bob.as_mut().unwrap().radius),
+        (BudgetInput::RodMass, |it| it.rod_mass.as_mut().unwrap()),
+        (BudgetInput::SupportStiffness, |it| it.support_stiffness.as_mut().unwrap()),
+        (BudgetInput::EdgeRadius, |it| it.edge_radius.as_mut().unwrap()),
+        (BudgetInput::Warming, |it| it.warming.as_mut().unwrap()),
+    ];
+    let mut squares = found.best().g.uncertainty * found.best().g.uncertainty;
+    for (input, of) in moved {
+        let g = |factor: f64| {
+            let mut corrections = every_correction(0.1);
+            of(&mut corrections).value *= factor;
+            fitted(corrections).best().g.value
+        };
+        let each = *found.combined.contributions.iter().find(|each| each.input == input).unwrap();
+        let wanted = (g(1.01) - g(0.99)) / 0.02 * 0.1;
+        assert!((each.change() / wanted - 1.0).abs() < 1e-3, "{input:?}: {each:?} {wanted}");
+        squares += wanted * wanted;
+    }
+    assert!(found.gravity().uncertainty >= 0.999 * squares.sqrt());
+}
+
+/// A bar of iron on a knife edge that rolls, on a support that yields, warmer than when it was measured.
+#[test]
+fn a_bar_is_corrected_with_its_own_moment_of_inertia() {
+    let (mass, stiffness, edge, gyration, expansion) = (1.5, 3000.0, 0.001, 1.0 / 12.0, 1.2e-5 * 8.0);
+    let period = |height: f64| {
+        let (height, gyration) =
+            (height * (1.0 + expansion), gyration * (1.0 + expansion) * (1.0 + expansion));
+        let (first, inertia) = (mass * height, mass * (height * height + gyration));
+        let torque = G * (first + mass * edge);
+        let (square, linear) = (stiffness * torque, stiffness * inertia + mass * torque);
+        let root = (linear * linear - 4.0 * square * (mass * inertia - first * first)).sqrt();
+        TAU * ((linear + root) / (2.0 * square)).sqrt()
+    };
+    let given = [0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45];
+    let about = |value: f64| Some(Quantity { value, uncertainty: Some(0.05 * value) });
+    let corrections = Corrections {
+        bob_mass: about(mass),
+        support_stiffness: about(stiffness),
+        edge_radius: about(edge),
+        expansion: about(1.2e-5),
+        warming: about(8.0),
+        ..Corrections::default()
+    };
+    let options =
+        LengthsOptions { corrections, pendulum: Some(LengthsPendulum::Bar), ..LengthsOptions::default() };
+    let fit = lengths(&table(&given, &given.map(period), Some(&[1e-3; 8])), &options).unwrap();
+    assert!((fit.best().g.value / G - 1.0).abs() < 1e-8, "{:?}", fit.best());
+    assert!(fit.budget.iter().all(|row| row.name != "finite bob" && row.name != "rod mass"));
+    let reversible = LengthsOptions { pendulum: Some(LengthsPendulum::Reversible), ..options };
+    let edges = table(&[0.2, 0.4], &[period(0.2), period(0.4)], Some(&[1e-4; 2]));
+    let fit = lengths(&edges, &reversible).unwrap();
+    assert!((fit.best().g.value / G - 1.0).abs() < 1e-8, "{:?}", fit.best());
 }

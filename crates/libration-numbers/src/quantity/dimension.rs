@@ -24,6 +24,12 @@ pub enum Dimension {
     Density,
     /// Rate, in one per second.
     Rate,
+    /// Stiffness, in newtons per metre.
+    Stiffness,
+    /// Difference of temperatures, in kelvins.
+    TemperatureDifference,
+    /// Coefficient of thermal expansion, in one per kelvin.
+    Expansion,
     /// Number without a unit.
     Number,
 }
@@ -42,6 +48,9 @@ impl Dimension {
             Self::Mass => "31g, 2.032 kg or 42.0 ± 0.5 g (a bare number is in kilograms)",
             Self::Density => "7850kg/m^3, 7.85 g/cm^3 or 1.20(2) kg/m^3 (a bare number is in kg/m^3)",
             Self::Rate => "0.03/s, 0.030(1)/s or 0.030 ± 0.001 1/s (a bare number is in 1/s)",
+            Self::Stiffness => "2e4N/m, 20 N/mm or 2.0(2)e4 N/m (a bare number is in N/m)",
+            Self::TemperatureDifference => "3K, -1.5K or 3.0 ± 0.5 K (a bare number is in kelvins)",
+            Self::Expansion => "1.2e-5/K, 12 ppm/K or 1.2(1)e-5/K (a bare number is in 1/K)",
             Self::Number => "1.07, 1.070(2), 1.070 ± 0.002 or 7%",
         }
     }
@@ -59,6 +68,9 @@ impl fmt::Display for Dimension {
             Self::Mass => "a mass",
             Self::Density => "a density",
             Self::Rate => "a rate",
+            Self::Stiffness => "a stiffness",
+            Self::TemperatureDifference => "a difference of temperatures",
+            Self::Expansion => "a coefficient of expansion",
             Self::Number => "a number",
         })
     }

@@ -22,7 +22,9 @@ pub struct Quantity {
 
 /// Reads a quantity of this dimension; a bare number is in the SI unit.
 ///
-/// The uncertainty may be in brackets in units of the last digit, after `±`, `+-` or `+/-` with or without a unit, or a percentage.
+/// The uncertainty may be in brackets in units of the last digit, after `±`, `+-` or `+/-` with or without a unit, or a percentage. With
+/// `rectangular` or `rect` at the end it is the half-width of an interval with equal probability everywhere, whose standard uncertainty is the
+/// half-width over √3 (JCGM 100:2008, 4.3.7).
 ///
 /// # Errors
 /// Text that is not a number with a unit, a unit of another dimension, or a number beyond the range of `f64`.
@@ -34,10 +36,26 @@ pub struct Quantity {
 ///
 /// let length = parse("120.0(3) cm", Dimension::Length)?;
 /// assert_eq!((length.value, length.uncertainty), (1.2, Some(0.003)));
+/// let ruler = parse("120.0 ± 0.5 mm rectangular", Dimension::Length)?;
+/// assert!((ruler.uncertainty.unwrap_or(0.0) - 0.5e-3 / 3.0_f64.sqrt()).abs() < 1e-18);
 /// assert!(parse("1 s", Dimension::Length).is_err());
 /// # Ok::<(), libration::quantity::QuantityError>(())
 /// ```
 pub fn parse(text: &str, dimension: Dimension) -> Result<Quantity, QuantityError> {
+    let Some(interval) = interval(text) else { return with_standard_uncertainty(text, dimension) };
+    let Quantity { value, uncertainty } = with_standard_uncertainty(interval, dimension)?;
+    let half_width =
+        uncertainty.ok_or_else(|| QuantityError::UnreadableQuantity { text: excerpt(text), dimension })?;
+    Ok(Quantity { value, uncertainty: Some(half_width / 3.0_f64.sqrt()) })
+}
+
+/// The text without the word at its end that makes the uncertainty a half-width; `None` without the word.
+fn interval(text: &str) -> Option<&str> {
+    let text = text.trim_end();
+    text.strip_suffix("rectangular").or_else(|| text.strip_suffix("rect"))
+}
+
+fn with_standard_uncertainty(text: &str, dimension: Dimension) -> Result<Quantity, QuantityError> {
     let exact = ExactQuantity::parse(text, dimension)?;
     let out_of_range = || QuantityError::QuantityOutOfRange { text: excerpt(text), dimension };
     let value = exact.value.nearest().ok_or_else(out_of_range)?;

@@ -89,7 +89,7 @@ const fn half_turns(
 
 /// The SI unit of each dimension comes first. The inch is 25.4 mm and the foot twelve inches (international, 1959); the standard acceleration of
 /// gravity is 9.80665 m/s² (CGPM 1901), the pound 0.45359237 kg (international, 1959).
-static UNITS: [Unit; 41] = [
+static UNITS: [Unit; 46] = [
     unit(Dimension::Length, &["m", "metre", "metres", "meter", "meters"], 1, 1),
     unit(Dimension::Length, &["km"], 1000, 1),
     unit(Dimension::Length, &["dm"], 1, 10),
@@ -134,6 +134,11 @@ static UNITS: [Unit; 41] = [
     ),
     unit(Dimension::Rate, &["/s", "1/s", "s^-1", "s⁻¹", "per second"], 1, 1),
     unit(Dimension::Rate, &["/min", "1/min", "min^-1", "min⁻¹", "per minute"], 1, 60),
+    unit(Dimension::Stiffness, &["N/m", "N m^-1", "N m⁻¹", "N·m⁻¹", "kg/s^2"], 1, 1),
+    unit(Dimension::Stiffness, &["N/mm"], 1000, 1),
+    unit(Dimension::TemperatureDifference, &["K", "kelvin", "kelvins"], 1, 1),
+    unit(Dimension::Expansion, &["/K", "1/K", "K^-1", "K⁻¹"], 1, 1),
+    unit(Dimension::Expansion, &["ppm/K", "um/m/K", "µm/m/K"], 1, 1_000_000),
     unit(Dimension::Number, &["1"], 1, 1),
     unit(Dimension::Number, &["%"], 1, 100),
 ];

@@ -23,9 +23,27 @@ fn units_are_exact_factors() {
         ("2s", Dimension::Time, 2.0),
         ("500ms", Dimension::Time, 0.5),
         ("−0.7", Dimension::Time, -0.7),
+        ("20 N/mm", Dimension::Stiffness, 2e4),
+        ("-1.5K", Dimension::TemperatureDifference, -1.5),
+        ("11.5ppm/K", Dimension::Expansion, 1.15e-5),
     ] {
         let quantity = parse(text, dimension).unwrap();
         assert_eq!((quantity.value.to_bits(), quantity.uncertainty), (f64::to_bits(value), None), "{text}");
+    }
+}
+
+/// JCGM 100:2008, 4.3.7: a rectangular distribution of half-width a has the standard uncertainty a/√3.
+#[test]
+fn half_widths_are_over_the_root_of_three() {
+    for text in ["1.000 ± 0.003 m rectangular", "1.000+-3mm rect", "1.000(3) m rect", "1.000±3mmrect "] {
+        let length = parse(text, Dimension::Length).unwrap();
+        let uncertainty = length.uncertainty.unwrap();
+        assert!(
+            (length.value, (uncertainty / 1.732_050_807_568_877_2e-3 - 1.0).abs() < 1e-15) == (1.0, true)
+        );
+    }
+    for text in ["1 m rect", "rect", "1 ± 0.1 m rectangle"] {
+        assert!(parse(text, Dimension::Length).is_err(), "{text}");
     }
 }
 

@@ -11,9 +11,9 @@ use super::modular::{Unsolved, exact_series};
 use super::selection::{Attracting, Condition};
 use super::series_set::SeriesSet;
 use super::shape::{Shape, shape_of};
-use super::two_sided::{MAX_PI_ORDER, TwoSided, agree};
+use super::two_sided::{AGREEING_PRECISION, MAX_PI_ORDER, TwoSided, agree};
 use libration_motion::oscillator::{Kind, Oscillator, Remedy};
-use libration_numbers::algebra::{LaurentPolynomial, Rational, Rationals};
+use libration_numbers::algebra::{BigFloat, LaurentPolynomial, Rational, Rationals};
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::{Progress, Stage};
 use libration_numbers::{
@@ -113,12 +113,24 @@ pub fn expand_with_pi(
     let Some((question, set)) = two_sided.and_then(|it| it.with_pi().map(|set| (it, set))) else {
         return Ok(None);
     };
+    let pi = BigFloat::pi(AGREEING_PRECISION);
     match question.in_digits(watch) {
         _ if watch.is_stopped() => Err(interrupted(None)),
-        Some((digits, ..)) if !agree(&set, &digits) => Err(ExpansionError::Contradiction),
+        Some((digits, ..)) if !agree(&set.numbers(), &[pi], &digits.numbers()) => {
+            Err(ExpansionError::Contradiction)
+        }
         Some(_) => Ok(Some(question.expansion(set, Certificate::Quadrature))),
         None => Ok(Some(question.expansion(set, Certificate::Unchecked))),
     }
+}
+
+/// Returns `true` if the coefficients of [`expand`] are fractions.
+pub(super) fn is_rational(
+    oscillator: &Oscillator,
+    order: usize,
+    gauge: &Gauge,
+) -> Result<bool, ExpansionError> {
+    Ok(Question::new(oscillator, order, gauge)?.exact_model()?.is_some())
 }
 
 /// An oscillator and the expansion requested.

@@ -126,7 +126,9 @@ pub enum Certificate {
     /// The coefficients have letters; they were computed in plain fractions, and with fractions in the place of the
     /// letters they are those of the expansion modulo primes.
     Substitution,
-    /// Coefficients with letters whose check was interrupted.
+    /// Coefficients with names for constants; with their values they are, to 30 digits, those of the expansion in digits.
+    Digits,
+    /// Coefficients with letters whose check was interrupted, or which have no other method.
     Unchecked,
 }
 

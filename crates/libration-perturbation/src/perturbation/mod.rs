@@ -4,7 +4,8 @@
 //! frequency and harmonics by powers of ε and of the amplitude. A self-excited oscillator has a limit cycle, which is
 //! expanded in the strength of the excitation. [`OpenGauge`] shows the equations order by order before a gauge is
 //! chosen, [`TruncatedSystem`] what becomes of them when only a few harmonics are kept, and [`SeriesEvaluation`],
-//! [`Convergence`] and [`Pade`] what a series is worth at an amplitude.
+//! [`Convergence`] and [`Pade`] what a series is worth at an amplitude. Under weak damping, drive or coupling amplitudes and phases change
+//! slowly: [`slow_flow`](slow_flow()), with symbols for all parameters [`slow_flow_symbolically`], of several coordinates [`coupled_slow_flow`].
 //!
 //! ```
 //! # extern crate libration_perturbation as libration;
@@ -65,10 +66,10 @@ pub use phase_origin::PhaseOrigin;
 pub use restoring_force::restoring_force;
 pub(crate) use slow_flow::FirstOrder;
 pub use slow_flow::{
-    MAX_PARAMETER_ORDER, MAX_SLOW_ORDER, MAX_SYMBOLIC_SLOW_ORDER, PhaseTerm, SlowFlow, SlowFlowAt,
-    SlowFlowError, SlowLimitCycle, SlowSeries, SteadySolution, SteadyState, SymbolicSlowFlow,
-    SymbolicSlowFlowError, SymbolicSlowFlowOptions, WeakForce, drive_symbol, slow_flow,
-    slow_flow_symbolically,
+    CoordinateFlow, CoupledSlowFlow, MAX_PARAMETER_ORDER, MAX_SLOW_ORDER, MAX_SYMBOLIC_SLOW_ORDER, PhaseTerm,
+    SlowFlow, SlowFlowAt, SlowFlowError, SlowLimitCycle, SlowSeries, SteadySolution, SteadyState,
+    SymbolicSlowFlow, SymbolicSlowFlowError, SymbolicSlowFlowOptions, WeakForce, coupled_slow_flow,
+    drive_symbol, slow_flow, slow_flow_symbolically,
 };
-pub use symbolic::{SymbolicExpansion, SymbolicExpansionError, expand_symbolically};
+pub use symbolic::{SymbolicExpansion, SymbolicExpansionError, expand_symbolically, expand_with_constants};
 pub use truncated_system::{SolutionVerdict, TruncatedSolution, TruncatedSystem, TruncatedSystemError};

@@ -5,6 +5,8 @@
 // Tests read as users of the crate `libration` write.
 extern crate libration_perturbation as libration;
 
+mod constants;
+mod coupled_slow_flow;
 mod exact;
 mod expansions;
 mod leading_cycles;

@@ -21,6 +21,7 @@ fn options(resonance: &str, small: &str, order: usize) -> SymbolicSlowFlowOption
         resonance: numbers,
         small: small.map(Option::unwrap).collect(),
         order: Some(order),
+        ..Default::default()
     }
 }
 
@@ -33,7 +34,7 @@ fn refusal(text: &str, resonance: &str, small: &str, order: usize) -> SymbolicSl
 }
 
 /// A formula where its symbols have values.
-fn value(formula: &str, values: &[(&str, f64)]) -> f64 {
+pub(crate) fn value(formula: &str, values: &[(&str, f64)]) -> f64 {
     let number = |value: f64| -> Expression {
         let size: Expression = format!("{:e}", value.abs()).parse().unwrap();
         if value < 0.0 { Expression::Negate(Box::new(size)) } else { size }
@@ -166,9 +167,19 @@ fn with_numbers(text: &str, values: &[(&str, f64)], drive: f64) -> String {
     format!("x'' = {}", all.iter().fold(acceleration, put))
 }
 
-/// Errors of A and φ of the stable steady state of largest amplitude.
-fn errors(text: &str, resonance: (u32, u32), order: usize, values: &[(&str, f64)], drive: f64) -> [f64; 2] {
-    let flow = flow(text, &format!("{}/{}", resonance.0, resonance.1), "", order);
+/// A driven oscillator with its resonance, small parameters, and the order of the slow flow.
+#[derive(Clone, Copy)]
+struct Driven<'a> {
+    text: &'a str,
+    resonance: (u32, u32),
+    small: &'a str,
+    order: usize,
+}
+
+/// Errors of A, relative, and φ of the stable steady state of largest amplitude.
+fn errors(of: Driven<'_>, values: &[(&str, f64)], drive: f64) -> [f64; 2] {
+    let Driven { text, resonance, .. } = of;
+    let flow = flow(text, &format!("{}/{}", resonance.0, resonance.1), of.small, of.order);
     let of_name = |name: &str| values.iter().find(|(other, _)| *other == name).map(|(_, value)| *value);
     let at = flow.at(&of_name, Some(drive)).unwrap();
     let stable =
@@ -183,7 +194,7 @@ fn errors(text: &str, resonance: (u32, u32), order: usize, values: &[(&str, f64)
     let start = [displacement(0.0), (displacement(step) - displacement(-step)) / (2.0 * step)];
     let (exact, exact_phase) = integrated(&with_numbers(text, values, drive), resonance, drive, &start);
     let turn = TAU / f64::from(resonance.0);
-    [(amplitude - exact).abs(), libm::remainder(phase - exact_phase, turn).abs()]
+    [(amplitude / exact - 1.0).abs(), libm::remainder(phase - exact_phase, turn).abs()]
 }
 
 fn flow_detuning(flow: &SymbolicSlowFlow, values: &[(&str, f64)], drive: f64) -> String {
@@ -205,7 +216,7 @@ fn assert_errors_fall(
             values.push(("eps", eps));
             let w0 = values.iter().find(|(name, _)| *name == "w0").unwrap().1;
             let drive = f64::from(resonance.0) / f64::from(resonance.1) * w0 + eps * sigma;
-            errors(text, resonance, order, &values, drive)
+            errors(Driven { text, resonance, small: "", order }, &values, drive)
         });
         // Zero crossings of one of the two errors do not count.
         for pair in found.map(|[amplitude, phase]| libm::hypot(amplitude, phase)).windows(2) {
@@ -214,6 +225,81 @@ fn assert_errors_fall(
             assert!(is_right, "{text}, order {order}: {found:?} falls with the power {exponent}");
         }
     }
+}
+
+/// For each row of the golden table: the detuning σ at which its motion is compared, the largest ε, and the power of ε with which the slow
+/// flow of the row's order misses amplitude and phase. The next order has the next power of ε; it vanishes where the force and the small
+/// parameters have a parity, and the power is then the second.
+const COMPARED: [(f64, f64, i32); 25] = [
+    (0.3, 0.04, 1),
+    (0.3, 0.04, 1),
+    (0.3, 0.04, 1),
+    (0.1, 0.04, 1),
+    (1.8, 0.01, 1),
+    (0.02, 0.04, 1),
+    (0.85, 0.01, 1),
+    (0.3, 0.1, 2),
+    (0.3, 0.2, 2),
+    (0.3, 0.2, 2),
+    (0.47, 0.04, 1),
+    (0.1, 0.1, 2),
+    (0.1, 0.2, 2),
+    (-0.1, 0.04, 1),
+    (0.57, 0.04, 1),
+    (-0.12, 0.04, 1),
+    (-0.1, 0.04, 1),
+    (0.3, 0.04, 1),
+    (0.25, 0.04, 1),
+    (0.3, 0.04, 1),
+    (0.4, 0.04, 1),
+    (0.45, 0.04, 1),
+    (0.25, 0.04, 1),
+    (0.3, 0.04, 1),
+    (0.4, 0.2, 2),
+];
+
+/// The value of a parameter that is small of an order; where the amplitude is small of order ε too, as the sine has it, drives and steady
+/// torques have a further ε.
+fn scaled(text: &str, small: &str, (name, value): (&str, f64), eps: f64) -> f64 {
+    let order = small.split(',').filter_map(|it| it.split_once(':')).find(|(other, _)| *other == name);
+    let order = order.map_or(0, |(_, order)| order.parse::<i32>().unwrap());
+    let is_torque = text.contains("sin(x)") && (name == "F" || name == "R");
+    value * eps.powi(order + i32::from(is_torque))
+}
+
+#[test]
+fn every_textbook_motion_is_missed_by_the_stated_power_of_eps() {
+    let table = Table::read("symbolic_slow_flow.csv");
+    let mut rows = COMPARED.iter();
+    for row in table.rows() {
+        let &(sigma, largest, power) = rows.next().unwrap();
+        let [text, small] = [row.text("equation"), row.text("small")];
+        let (p, q) = row.text("resonance").split_once('/').unwrap();
+        let resonance = (p.parse().unwrap(), q.parse().unwrap());
+        let order: usize = row.text("order").parse().unwrap();
+        let numbers = numbers(row.text("values"));
+        let found = [largest, largest / 2.0, largest / 4.0].map(|eps| {
+            let mut values: Vec<(&str, f64)> = numbers
+                .iter()
+                .map(|(name, value)| (name.as_str(), scaled(text, small, (name, *value), eps)))
+                .collect();
+            values.push(("eps", if small.is_empty() { eps } else { 1.0 }));
+            let w0 = numbers.iter().find(|(name, _)| name == "w0").unwrap().1;
+            let small_power = if small.is_empty() { 1 } else { i32::try_from(order).unwrap() };
+            let drive = f64::from(resonance.0) / f64::from(resonance.1) * w0 + eps.powi(small_power) * sigma;
+            errors(Driven { text, resonance, small, order }, &values, drive)
+        });
+        let sizes = found.map(|[amplitude, phase]| libm::hypot(amplitude, phase));
+        for pair in sizes.windows(2) {
+            let exponent = libm::log2(pair[0] / pair[1]);
+            // The next term of the error is smaller by a factor of ε.
+            assert!(
+                (exponent - f64::from(power)).abs() < 0.06,
+                "{text}: {found:?} has the power {exponent} instead of {power}"
+            );
+        }
+    }
+    assert_eq!(rows.next(), None);
 }
 
 #[test]

@@ -15,6 +15,11 @@ pub(crate) struct EquilibriumOptions {
 }
 
 impl EquilibriumOptions {
+    /// Returns `true` if coordinates are given.
+    pub(crate) const fn is_given(&self) -> bool {
+        self.about.is_some()
+    }
+
     /// The coordinates that are given, the others where they are at rest.
     pub(crate) fn guess(&self, model: &Model) -> Result<Vec<f64>, QueryError> {
         let mut guess: Vec<f64> = model.coordinates().iter().map(|coordinate| coordinate.at_rest).collect();

@@ -54,10 +54,15 @@ impl SystemOptions {
         self.model_with(&values(&self.set)?, open, Varied { names: open, giver })
     }
 
+    /// The model whose parameters may stay symbols.
+    pub(crate) fn model_with_letters(&self) -> Result<Model, QueryError> {
+        let model = self.incomplete_model(&values(&self.set)?, &[]);
+        model.map_err(|error| failure(error, Varied { names: &[], giver: &option("set") }))
+    }
+
     /// The numbers of a state, whatever has no value yet.
     pub(crate) fn state_names(&self) -> Result<Vec<String>, QueryError> {
-        let model = self.incomplete_model(&values(&self.set)?, &[]);
-        Ok(model.map_err(|error| failure(error, Varied { names: &[], giver: &option("set") }))?.state_names())
+        Ok(self.model_with_letters()?.state_names())
     }
 
     /// The model with these values and open parameters, one of which `--over` varies.

@@ -62,6 +62,33 @@ pub(crate) fn rate_with_uncertainty(text: &str) -> Result<Quantity, String> {
     quantity_above_zero(text, Dimension::Rate)
 }
 
+/// A stiffness above zero with the uncertainty it was given.
+pub(super) fn stiffness_with_uncertainty(text: &str) -> Result<Quantity, String> {
+    quantity_above_zero(text, Dimension::Stiffness)
+}
+
+/// A coefficient of expansion above zero with the uncertainty it was given.
+pub(super) fn expansion_with_uncertainty(text: &str) -> Result<Quantity, String> {
+    quantity_above_zero(text, Dimension::Expansion)
+}
+
+/// A difference of temperatures of either sign, with the uncertainty it was given.
+pub(super) fn temperature_difference(text: &str) -> Result<Quantity, QuantityError> {
+    parse(text, Dimension::TemperatureDifference)
+}
+
+/// A latitude in radians.
+pub(super) fn latitude(text: &str) -> Result<f64, QuantityError> {
+    let latitude = parse(text, Dimension::Angle)?;
+    bare::say(text);
+    Ok(value_alone(text, latitude))
+}
+
+/// An elevation in metres, which may be below the sea.
+pub(super) fn elevation(text: &str) -> Result<f64, QuantityError> {
+    Ok(value_alone(text, parse(text, Dimension::Length)?))
+}
+
 /// A part of one, such as 0.01 or 1%.
 pub(crate) fn part(text: &str) -> Result<f64, String> {
     let (number, unit) = with_percent(text);

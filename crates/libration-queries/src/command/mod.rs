@@ -11,6 +11,7 @@ mod fit_amplitudes;
 mod fit_gates;
 mod fit_lengths;
 mod fit_periods;
+pub(crate) mod fit_report;
 mod fit_response;
 pub(crate) mod fit_trace;
 mod formulas;

@@ -17,7 +17,7 @@ use libration::period_formulas::PeriodFormula;
 use libration::perturbation::Gauge;
 use libration::quantity::{Angle, Displacement, Quantity};
 use libration_derivation::paper::{Document, StatementVerdict};
-use libration_lab::fit::Correlation;
+use libration_lab::fit::{Bob, Correlation};
 use libration_lab::measurement::{Column, Header, Unit};
 use std::any::TypeId;
 use std::path::PathBuf;
@@ -125,6 +125,7 @@ fn keys() -> Vec<TypeId> {
         id::<Gauge>(),
         id::<DampingChoice>(),
         id::<PowerLawTerm>(),
+        id::<Bob>(),
         id::<Correlation>(),
         id::<Document>(),
         id::<StatementVerdict>(),

@@ -1,47 +1,56 @@
 //! The files of a document: all of them are written, or none.
 
-use super::{Document, DocumentFigure, html, markdown};
+use super::{Document, DocumentFigure, html, latex, markdown};
+use crate::figure::png;
 use crate::output::file::NewFile;
 use crate::query_error::QueryError;
 use libration_report::svg;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-/// Reads the name of a document, which ends in `.html`, `.htm` or `.md`.
+/// Reads the name of a document, which ends in `.html`, `.htm`, `.md` or `.tex`.
 pub(crate) fn name(text: &str) -> Result<PathBuf, String> {
     let path = PathBuf::from(text);
-    if is(&path, "html") || is(&path, "htm") || is(&path, "md") {
+    if ["html", "htm", "md", "tex"].iter().any(|ending| is(&path, ending)) {
         return Ok(path);
     }
-    Err("reports are written as HTML or Markdown: give a file name ending in .html or .md".to_owned())
+    Err("reports are written as HTML, Markdown or LaTeX: give a file name ending in .html, .md or .tex"
+        .to_owned())
 }
 
-/// Writes the document; with Markdown each picture becomes an SVG file next to it.
-pub(crate) fn write(path: &Path, document: &Document) -> Result<(), QueryError> {
-    let mut files = vec![];
-    if is(path, "md") {
-        let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        for figure in document.figures() {
-            let beside = path.with_file_name(file_name(&stem, figure));
-            files.push((beside, svg::file(&figure.scene())));
-        }
-        files.push((path.to_owned(), markdown::page(document, |figure| file_name(&stem, figure))));
+/// Writes the document, and says so in a sentence; with Markdown each picture becomes an SVG file next to it, with LaTeX a PNG file.
+pub(crate) fn write(path: &Path, document: &Document) -> Result<String, QueryError> {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let (ending, page): (_, fn(&Document, &dyn Fn(&DocumentFigure) -> String) -> String) = if is(path, "md") {
+        ("svg", |document, file_of| markdown::page(document, file_of))
+    } else if is(path, "tex") {
+        ("png", |document, file_of| latex::page(document, file_of))
     } else {
-        files.push((path.to_owned(), html::page(document)));
+        ("", |document, _| html::page(document))
+    };
+    let file_name = |figure: &DocumentFigure| format!("{stem}-{}.{ending}", figure.name);
+    let mut files = vec![];
+    for figure in document.figures().filter(|_| !ending.is_empty()) {
+        files.push((path.with_file_name(file_name(figure)), picture(figure, ending)?));
     }
-    place(&files)
+    files.push((path.to_owned(), page(document, &file_name).into_bytes()));
+    place(&files)?;
+    Ok(format!("{} written: report with pictures", path.display()))
 }
 
-fn file_name(stem: &str, figure: &DocumentFigure) -> String {
-    format!("{stem}-{}.svg", figure.name)
+fn picture(figure: &DocumentFigure, ending: &str) -> Result<Vec<u8>, QueryError> {
+    match ending {
+        "png" => png::file(&figure.scene()).map_err(|reason| QueryError::no_result("the picture", reason)),
+        _ => Ok(svg::file(&figure.scene()).into_bytes()),
+    }
 }
 
 /// Writes all files next to their places before the first one is put into its own.
-fn place(files: &[(PathBuf, String)]) -> Result<(), QueryError> {
+fn place(files: &[(PathBuf, Vec<u8>)]) -> Result<(), QueryError> {
     let mut written = vec![];
-    for (path, text) in files {
+    for (path, bytes) in files {
         let mut file = NewFile::create(path)?;
-        file.write_all(text.as_bytes())?;
+        file.write_all(bytes)?;
         file.flush()?;
         written.push(file);
     }

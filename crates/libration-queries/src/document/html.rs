@@ -17,6 +17,7 @@ figure{margin:1.4rem 0}
 .wide{overflow-x:auto}
 figure svg{display:block;width:100%;height:auto}
 .wide svg{min-width:26rem}
+.headline{font-size:1.35rem;font-weight:600}
 figcaption{font-size:.9rem;color:#444;max-width:44rem}
 .aside{border-left:.3rem solid #b35c00;background:#fff6e8;padding:.3rem 1rem;margin:1rem 0}
 .aside h3{font-size:1rem;margin:.3rem 0}
@@ -96,6 +97,7 @@ fn section(section: &Section) -> String {
 
 fn block(block: &Block) -> String {
     match block {
+        Block::Headline(text) => format!("<p class=\"headline\">{}</p>\n", escaped(text)),
         Block::Paragraph(text) => format!("<p>{}</p>\n", escaped(text)),
         Block::List(items) => list(items),
         Block::Aside(title, items) => {

@@ -4,20 +4,21 @@ use super::{Block, Document, DocumentFigure, DocumentTable};
 use std::borrow::Cow;
 
 /// The whole page; `file_of` says which file a picture is in.
-pub(super) fn page(document: &Document, file_of: impl Fn(&DocumentFigure) -> String) -> String {
+pub(super) fn page(document: &Document, file_of: &dyn Fn(&DocumentFigure) -> String) -> String {
     let mut page = format!("# {}\n", escaped(&document.title));
     for section in &document.sections {
         page += &format!("\n## {}\n", escaped(section.title));
         for each in &section.blocks {
-            page += &format!("\n{}\n", block(each, &file_of));
+            page += &format!("\n{}\n", block(each, file_of));
         }
     }
     page
 }
 
 /// A block, with the files of its pictures.
-pub fn block(block: &Block, file_of: &impl Fn(&DocumentFigure) -> String) -> String {
+pub fn block(block: &Block, file_of: &dyn Fn(&DocumentFigure) -> String) -> String {
     match block {
+        Block::Headline(text) => format!("**{}**", escaped(text)),
         Block::Paragraph(text) => escaped(text).into_owned(),
         Block::List(items) => {
             items.iter().map(|item| format!("- {}", escaped(item))).collect::<Vec<_>>().join("\n")

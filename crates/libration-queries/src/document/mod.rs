@@ -1,5 +1,5 @@
-//! Documents to read and to print: sections with words, tables and pictures, as one HTML file or as Markdown with its
-//! pictures next to it.
+//! Documents to read and to print: sections with words, tables and pictures, as one HTML file, or as Markdown or
+//! LaTeX with the pictures next to it.
 
 mod files;
 pub(crate) mod html;
@@ -37,6 +37,8 @@ pub struct Section {
 /// A part of a section.
 #[derive(Clone, Debug)]
 pub enum Block {
+    /// The result in one line.
+    Headline(String),
     /// A paragraph.
     Paragraph(String),
     /// A list of sentences.

@@ -40,7 +40,7 @@ pub(crate) mod cusps;
 pub(crate) mod font;
 pub(crate) mod parameters;
 #[cfg_attr(target_family = "wasm", path = "no_png.rs")]
-mod png;
+pub(crate) mod png;
 pub(crate) mod size;
 
 pub(crate) use libration_report::chart;

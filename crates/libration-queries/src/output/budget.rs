@@ -3,30 +3,45 @@
 use super::description::Description;
 use super::field::{Field, Fields};
 use super::json::Record;
+use super::normal_gravity::NormalGravity;
 use super::table::{Column, Table};
 use super::warnings::Named;
 use super::{combined, number};
 use libration::quantity::Quantity;
-use libration_lab::fit::{Budget, BudgetRow, Correction};
+use libration_lab::fit::{Budget, BudgetRow, CombinedUncertainty, Correction};
 use std::io::{self, Write};
 
 /// The budget as two tables: the effects (name, correction, contribution, kind, formula, and with what), and the inputs.
 pub(crate) fn write_table(out: &mut dyn Write, budget: &Budget) -> io::Result<()> {
+    write_tables(out, &budget.rows, &budget.combined)
+}
+
+/// The same from the effects and the inputs.
+pub(crate) fn write_tables(
+    out: &mut dyn Write,
+    effects: &[BudgetRow],
+    uncertainty: &CombinedUncertainty,
+) -> io::Result<()> {
     let mut table = Table::new(columns());
-    for row in rows(budget) {
+    for row in rows(effects, uncertainty) {
         table.row(out, row)?;
     }
     table.finish(out)?;
     writeln!(out)?;
-    combined::write_table(out, &budget.combined)
+    combined::write_table(out, uncertainty)
 }
 
 /// g from a length, its expanded uncertainty, and what is doubtful about both, as lines of a sheet.
-pub(crate) fn lines(budget: &Budget, length: Quantity) -> Vec<(&'static str, String)> {
+pub(crate) fn lines(
+    budget: &Budget,
+    length: Quantity,
+    normal: Option<NormalGravity>,
+) -> Vec<(&'static str, String)> {
     let length = number::quantity(length, "m");
     let gravity = number::quantity(budget.gravity(), "m/s²");
     let mut lines = vec![("gravity", format!("{gravity}  (length {length})"))];
     lines.push(("expanded", combined::expanded(&budget.combined)));
+    lines.extend(normal.map(|normal| normal.line()));
     lines.extend(budget.warnings().iter().map(|doubt| ("warning", doubt.to_string())));
     lines
 }
@@ -38,16 +53,26 @@ pub(crate) fn warnings(budget: &Budget) -> Vec<Named> {
 
 /// The effects and the inputs of the uncertainty of g, behind other fields.
 pub(crate) fn added_to(record: Record, budget: &Budget) -> Record {
-    combined::of_uncertainty().added_to(of_budget().added_to(record, budget), &budget.combined)
+    combined::of_uncertainty().added_to(rows_added_to(record, &budget.rows), &budget.combined)
+}
+
+/// The effects alone, behind other fields.
+pub(crate) fn rows_added_to(record: Record, effects: &[BudgetRow]) -> Record {
+    of_rows().added_to(record, &effects)
+}
+
+/// The description of the effects alone.
+pub(crate) fn rows_described() -> Vec<Description> {
+    of_rows().described("")
+}
+
+fn of_rows<'a>() -> Fields<&'a [BudgetRow]> {
+    Fields::from([Field::nested("budget[].", &of_effect(), |it: &&'a [BudgetRow]| of_effect().records(*it))])
 }
 
 /// Their descriptions.
 pub(crate) fn described() -> Vec<Description> {
-    [of_budget().described(""), combined::of_uncertainty().described("")].concat()
-}
-
-fn of_budget() -> Fields<Budget> {
-    Fields::from([Field::nested("budget[].", &of_effect(), |it: &Budget| of_effect().records(&it.rows))])
+    [rows_described(), combined::of_uncertainty().described("")].concat()
 }
 
 /// `correction` is null where none is applied, `usual_size` says how large it would be.
@@ -99,11 +124,11 @@ pub(crate) fn columns() -> Vec<Column> {
 }
 
 /// The cells of all rows, and of what they are together.
-pub(crate) fn rows(budget: &Budget) -> Vec<Vec<String>> {
+pub(crate) fn rows(effects: &[BudgetRow], uncertainty: &CombinedUncertainty) -> Vec<Vec<String>> {
     let fields = of_effect().for_table(&COLUMNS);
-    let total = number::rounded(budget.uncertainty, 2);
+    let total = number::rounded(uncertainty.standard, 2);
     let total = ["combined", "", &total, "", "", ""].map(str::to_owned).to_vec();
-    budget.rows.iter().map(|row| fields.cells(row)).chain([total]).collect()
+    effects.iter().map(|row| fields.cells(row)).chain([total]).collect()
 }
 
 /// Formats a correction as text; one that is not applied is in brackets.

@@ -2,6 +2,7 @@
 
 use super::field::{Field, Fields};
 use super::json::Record;
+use super::table::Column;
 use super::{json, number};
 use libration_lab::fit::{GroupMean, GroupResult, Uncertain};
 use serde_json::Value;
@@ -105,6 +106,16 @@ impl Groups {
 
     pub(crate) fn write_table(&self, out: &mut dyn Write) -> io::Result<()> {
         of_row(self.names).write_table(out, &self.rows)
+    }
+
+    /// The columns of the groups.
+    pub(crate) fn columns(&self) -> Vec<Column> {
+        of_row(self.names).columns()
+    }
+
+    /// The cells of all groups.
+    pub(crate) fn cells(&self) -> Vec<Vec<String>> {
+        of_row(self.names).rows(&self.rows)
     }
 
     /// The record with the groups.

@@ -17,6 +17,7 @@ pub(crate) mod groups;
 pub(crate) mod json;
 pub(crate) mod leftover;
 pub(crate) mod mathml;
+pub(crate) mod normal_gravity;
 pub(crate) mod number;
 pub(crate) mod progress;
 pub(crate) mod scatter;

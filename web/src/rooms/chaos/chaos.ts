@@ -184,9 +184,9 @@ class ChaosRoom {
     if (!isSystem) return this.#nothing();
     this.#further.expect();
     this.#swing();
-    await this.#draw(signal);
-    if (!signal.aborted) await this.#judge(signal);
+    await this.#judge(signal);
     if (!signal.aborted) await this.#compare(signal);
+    if (!signal.aborted) await this.#draw(signal);
     if (!signal.aborted) await this.#orbit.find(this.#questions.orbit(), signal);
     if (!signal.aborted) await this.#further.find(signal);
   }

@@ -10,8 +10,8 @@ type Preset = keyof typeof words.presets;
 
 /** The entries of each preset; fields that are not named are emptied. */
 const PRESETS: Readonly<Record<Preset, Readonly<Record<string, string>>>> = {
-  routes: { system: "driven_pendulum", set: "c=1/2", initial: "theta=0.2; theta=0.2001", over: "A=1:1.5:0.002", each: "100", sweep: "both", value: "1.2" },
-  chaotic: { system: "driven_pendulum", set: "c=1/2", initial: "theta=0.2; theta=0.2001", over: "A=1:1.5:0.002", each: "100", sweep: "both", value: "1.5", points: "10000" },
+  routes: { system: "driven_pendulum", set: "c=1/2", initial: "theta=0.2; theta=0.2001", over: "A=1:1.5:0.0025", each: "60", sweep: "both", value: "1.2" },
+  chaotic: { system: "driven_pendulum", set: "c=1/2", initial: "theta=0.2; theta=0.2001", over: "A=1:1.5:0.0025", each: "60", sweep: "both", value: "1.5", points: "10000" },
   upright: { system: "vertically_driven_pendulum", set: "omega=20,c=1/10", initial: "theta=170deg; theta=171deg", over: "a=0.02:0.12:0.002", value: "0.1", points: "500", map: "omega=5:30,a=0.02:0.6", rest: "theta=180deg", lines: "0" },
   threshold: { system: "driven_pendulum", set: "c=1/4", initial: "theta=0.2; theta=0.2001", over: "A=0.4:1.2:0.01", value: "0.7", thresholds: "A=0.1:1" },
   springs: { system: "spring_pendulum", set: "kappa=3", initial: "r=1.3733,theta=0.04; r=1.3743,theta=0.04", at: "theta", points: "500", until: "300", order: "5" },
@@ -23,7 +23,7 @@ const PRESETS: Readonly<Record<Preset, Readonly<Record<string, string>>>> = {
 };
 
 /** The entries of the fields that a preset does not name. */
-const PLAIN = { set: "", at: "", over: "", value: "", sweep: "both", response: "", orders: "", map: "", rest: "", lines: "3", thresholds: "", periods: "5", order: "", about: "", each: "100", points: "2000", until: "100", intervals: "300" };
+const PLAIN = { set: "", at: "", over: "", value: "", sweep: "both", response: "", orders: "", map: "", rest: "", lines: "3", thresholds: "", periods: "5", order: "", about: "", each: "60", points: "2000", until: "100", intervals: "300" };
 
 /** All values of a preset. */
 export function preset(key: string): Readonly<Record<string, string>> | undefined {
@@ -53,8 +53,8 @@ export function fields(): Field[] {
     textField({ key: "set", option: "--set", words: words.set, initial: "c=1/2" }),
     textField({ key: "initial", option: "--initial", words: words.initial, initial: "theta=0.2; theta=0.2001" }),
     textField({ key: "at", option: "--at", words: words.at }),
-    textField({ key: "over", option: "--over", words: words.over, initial: "A=1:1.5:0.002" }),
-    textField({ key: "each", option: "--points", words: words.each, initial: "100" }),
+    textField({ key: "over", option: "--over", words: words.over, initial: "A=1:1.5:0.0025" }),
+    textField({ key: "each", option: "--points", words: words.each, initial: "60" }),
     choiceField({ key: "sweep", option: "--sweep", words: { label: sweep.label }, initial: "both" }, [["", sweep.none], ["up", sweep.up], ["down", sweep.down], ["both", sweep.both]]),
     textField({ key: "value", words: words.value, initial: "1.2" }),
     textField({ key: "points", option: "--points", words: words.points, initial: "2000" }),

@@ -7,6 +7,7 @@ import { ask, type Command, extended, given } from "../../parts/command.ts";
 import { button, element } from "../../parts/element.ts";
 import { Equivalents } from "../../parts/equivalents.ts";
 import { Form } from "../../parts/form.ts";
+import { inWords } from "../../parts/in_words.ts";
 import { Latest } from "../../parts/latest.ts";
 import { Finding, layout } from "../../parts/layout.ts";
 import { saveAnswer } from "../../parts/save.ts";
@@ -16,6 +17,7 @@ import { telling } from "../../parts/telling.ts";
 import { isOfAngle } from "../../parts/units.ts";
 import type { Room } from "../../room.ts";
 import { text } from "../../texts/en.ts";
+import { gaugeOf } from "../perturbation/gauge.ts";
 import { fields, OWN_KEYS, PAPER_KEYS, SERIES_KEYS, taken } from "./fields.ts";
 import { type Paper, statements } from "./statements.ts";
 import { Steps } from "./steps.ts";
@@ -37,6 +39,7 @@ class DerivationsRoom {
   readonly elements: readonly HTMLElement[];
   readonly #engine: Engine;
   readonly #form: Form;
+  readonly #said: (sentence: string) => string;
   readonly #latest = new Latest();
   readonly #status = new Status(() => this.#latest.stop());
   readonly #steps: Steps;
@@ -51,6 +54,7 @@ class DerivationsRoom {
     const engine = telling(given, this.#status);
     this.#engine = engine;
     const all = fields();
+    this.#said = inWords(all);
     this.#form = new Form(address, all, () => this.#update());
     this.#steps = new Steps(address);
     this.#found = new Finding(undefined);
@@ -113,7 +117,8 @@ class DerivationsRoom {
 
   #command(): Command {
     const road = this.#form.value("road");
-    const options = Object.fromEntries(taken(road).filter((key) => key !== "oscillator").map((key) => [key, this.#form.value(key)]));
+    const value = (key: string) => (key === "gauge" ? gaugeOf(this.#form.value(key)) : this.#form.value(key));
+    const options = Object.fromEntries(taken(road).filter((key) => key !== "oscillator").map((key) => [key, value(key)]));
     if (road === "paper") return { question: "paper", options: given(options) };
     const { exercises, ...others } = options;
     const oscillator = taken(road).includes("oscillator") ? this.#form.value("oscillator") : "";
@@ -125,8 +130,8 @@ class DerivationsRoom {
     const answer = await ask(this.#engine, extended(this.#command(), { format: "html" }), { signal, onNote: (line) => notes.push(line) });
     if (signal.aborted) return;
     this.#offerSaving(answer.status === 0, false);
-    if (answer.status !== 0) return this.#found.fail(this.#form.blame(answer));
-    this.#found.show(...notes.map((note) => element("p", { class: "quiet" }, note)), this.#steps.element);
+    if (answer.status !== 0) return this.#found.fail(this.#said(this.#form.blame(answer)));
+    this.#found.show(...notes.map((note) => element("p", { class: "quiet" }, this.#said(note))), this.#steps.element);
     this.#steps.show(decoded(answer));
   }
 
@@ -134,8 +139,8 @@ class DerivationsRoom {
     const { answer, value } = await read<Paper>(this.#engine, this.#command(), signal);
     if (signal.aborted) return;
     this.#offerSaving(false, value !== undefined);
-    if (value === undefined) return this.#found.fail(this.#form.blame(answer));
-    this.#found.show(...statements(value));
+    if (value === undefined) return this.#found.fail(this.#said(this.#form.blame(answer)));
+    this.#found.show(...statements(value, this.#said));
   }
 
   #offerSaving(derivation: boolean, table: boolean): void {
@@ -146,6 +151,6 @@ class DerivationsRoom {
   async #save(kind: keyof typeof ENDINGS): Promise<void> {
     const answer = await ask(this.#engine, extended(this.#command(), { format: kind }));
     const failure = saveAnswer(`derivation.${ENDINGS[kind]}`, answer, kind === "html" ? "text/html" : "text/plain");
-    if (failure !== "") this.#found.fail(failure);
+    if (failure !== "") this.#found.fail(this.#said(failure));
   }
 }

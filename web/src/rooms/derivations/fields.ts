@@ -2,6 +2,7 @@
 
 import { choiceField, type Field, textField, tickField } from "../../parts/field.ts";
 import { text } from "../../texts/en.ts";
+import { SUGGESTIONS } from "../perturbation/gauge.ts";
 
 const words = text.derivations;
 
@@ -35,7 +36,7 @@ export function fields(): Field[] {
     textField({ key: "order", option: "--order", words: words.order }),
     textField({ key: "damping-order", option: "--damping-order", words: words.dampingOrder }),
     textField({ key: "small", option: "--small", words: words.small }),
-    textField({ key: "gauge", option: "--gauge", words: words.gauge }, ["fundamental", "x_max", "half_swing", "energy", "nome", "A1=1,A3=-1"]),
+    textField({ key: "gauge", option: "--gauge", words: words.gauge }, SUGGESTIONS),
     textField({ key: "set", option: "--set", words: words.set }),
     textField({ key: "about", option: "--about", words: words.about }),
     textField({ key: "amplitude", option: "--amplitude", words: words.amplitude, unit: "angle" }),

@@ -2,6 +2,7 @@
 
 import { type Address, parsed, written } from "../../address.ts";
 import { element } from "../../parts/element.ts";
+import { withoutKeys } from "../../parts/in_words.ts";
 import { fromHtml } from "../../parts/markup.ts";
 import { scrolling } from "../../parts/scrolling.ts";
 import { text } from "../../texts/en.ts";
@@ -20,6 +21,7 @@ export class Steps {
   /** Shows a derivation written by the command as a page. */
   show(page: string): void {
     this.element.replaceChildren(...fromHtml(page).map(fitted));
+    name(this.element);
     scrolling(...this.element.querySelectorAll(".wide, .formula, p"));
     for (const link of this.#links()) link.dataset["place"] = link.getAttribute("href")?.slice(1);
     const opened = this.#address.get("steps") ?? "1";
@@ -84,6 +86,16 @@ export class Steps {
     for (let step = found.closest("details"); step !== null; step = step.parentElement?.closest("details") ?? null) step.open = true;
     found.classList.add("arrived");
     found.scrollIntoView({ block: "center" });
+  }
+}
+
+// Formulas and derivations that the text mentions have names instead of keys and commands.
+function name(place: Element): void {
+  const walker = document.createTreeWalker(place, NodeFilter.SHOW_TEXT);
+  for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {
+    const { data } = node as Text;
+    const named = withoutKeys(data).replace(/libration derive --method ([a-z-]+)/g, (all, key: string) => (key in words.road ? `“${words.road[key as keyof typeof words.road]}”` : all));
+    if (named !== data) (node as Text).data = named;
   }
 }
 

@@ -9,6 +9,7 @@ import { button, element } from "../../parts/element.ts";
 import { Equivalents } from "../../parts/equivalents.ts";
 import { choiceField, textField } from "../../parts/field.ts";
 import { Form } from "../../parts/form.ts";
+import { inWords } from "../../parts/in_words.ts";
 import { Latest } from "../../parts/latest.ts";
 import { angle, angleEntry, digits } from "../../parts/numbers.ts";
 import { saveAnswer } from "../../parts/save.ts";
@@ -45,6 +46,7 @@ class FormulasRoom {
   readonly elements: readonly HTMLElement[];
   readonly #engine: Engine;
   readonly #form: Form;
+  readonly #said: (sentence: string) => string;
   readonly #selection: Selection;
   readonly #period: PeriodPicture;
   readonly #errors: ErrorPicture;
@@ -70,7 +72,9 @@ class FormulasRoom {
   constructor(address: Address, given: Engine) {
     const engine = telling(given, this.#status);
     this.#engine = engine;
-    this.#form = new Form(address, fields(), () => this.#update());
+    const all = fields();
+    this.#said = inWords(all);
+    this.#form = new Form(address, all, () => this.#update());
     this.#selection = new Selection(address, () => this.#update());
     const nearest = (amplitude: number) => Math.min(Math.max(Math.round(amplitude * 10) / 10, 0.1), LARGEST);
     const [moved, under] = [(amplitude: number) => this.#move(amplitude), (amplitude: number | undefined) => this.#point(amplitude)];
@@ -303,7 +307,7 @@ class FormulasRoom {
   }
 
   #fail(reason: string): void {
-    this.#failure.textContent = reason;
+    this.#failure.textContent = this.#said(reason);
     this.#failure.hidden = reason === "";
   }
 }

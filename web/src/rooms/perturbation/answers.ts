@@ -1,7 +1,7 @@
 // The results of the command for expansions, as JSON.
 
 export interface Oscillators {
-  readonly oscillators: readonly { key: string; title: string; equation: string }[];
+  readonly oscillators: readonly { key: string; title: string; equation: string; parameters: readonly { name: string; default: string }[] }[];
 }
 
 /** The result of `libration expand --evaluate`. */

@@ -3,6 +3,7 @@
 import { choiceField, type Field, textField } from "../../parts/field.ts";
 import { unitSwitch } from "../../parts/unit_switch.ts";
 import { text } from "../../texts/en.ts";
+import { SUGGESTIONS } from "./gauge.ts";
 
 const words = text.perturbation;
 
@@ -20,7 +21,7 @@ export function fields(): Field[] {
     textField({ key: "letters", option: "--letters", words: words.letters }),
     textField({ key: "about", option: "--about", words: words.about }),
     textField({ key: "order", option: "--order", words: words.order, initial: "7" }),
-    textField({ key: "gauge", option: "--gauge", words: words.gauge }, ["fundamental", "x_max", "half_swing", "energy", "nome", "A1=1,A3=-1"]),
+    textField({ key: "gauge", option: "--gauge", words: words.gauge }, SUGGESTIONS),
     textField({ key: "damping-order", option: "--damping-order", words: words.dampingOrder }),
     textField({ key: "small", option: "--small", words: words.small }),
     textField({ key: "evaluate", option: "--evaluate", words: words.evaluate, initial: ANGLES.evaluate, unit: "angle" }),

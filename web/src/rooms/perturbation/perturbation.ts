@@ -3,11 +3,12 @@
 import type { Address } from "../../address.ts";
 import { type Answer, type Engine, text as decoded } from "../../engine/engine.ts";
 import { read } from "../../parts/answers.ts";
-import { ask, type Command, extended, given, reason } from "../../parts/command.ts";
-import { button, element } from "../../parts/element.ts";
+import { ask, type Command, explained, extended, given } from "../../parts/command.ts";
+import { button, element, identifier } from "../../parts/element.ts";
 import { copyButton, Equivalents } from "../../parts/equivalents.ts";
-import { choiceField } from "../../parts/field.ts";
+import { choiceField, type Field } from "../../parts/field.ts";
 import { Form } from "../../parts/form.ts";
+import { inWords } from "../../parts/in_words.ts";
 import { ladder } from "../../parts/ladder.ts";
 import { isWanted, Latest } from "../../parts/latest.ts";
 import { Finding, layout } from "../../parts/layout.ts";
@@ -15,13 +16,16 @@ import { fromHtml } from "../../parts/markup.ts";
 import { Picture } from "../../parts/picture.ts";
 import { saveAnswer } from "../../parts/save.ts";
 import { SavedNumbers } from "../../parts/saved_numbers.ts";
+import { scrolling } from "../../parts/scrolling.ts";
 import { Status } from "../../parts/status.ts";
 import { telling } from "../../parts/telling.ts";
 import { isOfAngle } from "../../parts/units.ts";
 import type { Room } from "../../room.ts";
 import { text } from "../../texts/en.ts";
 import type { Backbone, Evaluation, Oscillators } from "./answers.ts";
+import { equationOf, typeset } from "./equation.ts";
 import { ANGLES, fields, PLAIN } from "./fields.ts";
+import { gaugeOf } from "./gauge.ts";
 import { backbone, evaluation, grouped } from "./results.ts";
 
 const words = text.perturbation;
@@ -43,9 +47,13 @@ class PerturbationRoom {
   readonly elements: readonly HTMLElement[];
   readonly #engine: Engine;
   readonly #form: Form;
+  readonly #said: (sentence: string) => string;
+  /** The field of the reader's own equation, hidden for built-in oscillators. */
+  readonly #entry: Field | undefined;
+  readonly #equation = element("div", { class: "scroll equation" });
   readonly #latest = new Latest();
   readonly #status = new Status(() => this.#latest.stop());
-  readonly #builtIn = element("select");
+  readonly #builtIn = element("select", { id: identifier() });
   readonly #series: Finding;
   readonly #limits: Finding;
   readonly #backbone: Finding;
@@ -56,13 +64,19 @@ class PerturbationRoom {
   readonly #saving: HTMLElement;
   readonly #equivalents = new Equivalents();
   #latex = "";
+  #builtIns: Oscillators["oscillators"] = [];
+  /** The values of parameters that came with an equation. */
+  #brought = "";
   /** The keys of built-in oscillators whose variable is an angle. */
   #angles: ReadonlySet<string> = new Set(["pendulum"]);
 
   constructor(address: Address, given: Engine) {
     const engine = telling(given, this.#status);
     this.#engine = engine;
-    this.#form = new Form(address, fields(), () => this.#update());
+    const all = fields();
+    this.#said = inWords(all);
+    this.#entry = all.find(({ key }) => key === "oscillator");
+    this.#form = new Form(address, all, () => this.#update());
     this.#numbers = { series: new SavedNumbers(engine, "series"), backbone: new SavedNumbers(engine, "backbone") };
     this.#seriesPicture = new Picture(engine, "series", "output");
     this.#backbonePicture = new Picture(engine, "backbone");
@@ -70,9 +84,11 @@ class PerturbationRoom {
     this.#series = new Finding(words.series, this.#saving);
     this.#limits = new Finding(words.limits, this.#seriesPicture.element);
     this.#backbone = new Finding(words.backbone, this.#backbonePicture.element, this.#numbers.backbone.element);
-    const chooser = element("div", { class: "field" }, element("label", {}, words.choose.label, this.#builtIn));
+    const chooser = element("div", { class: "field" }, element("label", { for: this.#builtIn.id }, words.choose.label), this.#builtIn);
     const question = this.#form.part(words.question, ["oscillator", "set"], { open: true });
-    question.firstElementChild?.after(chooser);
+    question.firstElementChild?.after(chooser, this.#equation);
+    scrolling(this.#equation);
+    this.#entry?.element.toggleAttribute("hidden", !this.#form.value("oscillator").includes("="));
     const controls = [
       question,
       this.#form.part(words.expansion, ["order", "gauge", "letters", "about", "damping-order", "small"]),
@@ -96,16 +112,39 @@ class PerturbationRoom {
   }
 
   #offer(oscillators: Oscillators["oscillators"]): void {
-    const options = oscillators.map(({ key, title, equation }) => element("option", { value: key }, `${title}: ${equation}`));
-    this.#builtIn.append(element("option", { value: "" }, words.choose.own), ...options);
-    this.#builtIn.value = this.#form.value("oscillator");
+    this.#builtIns = oscillators;
+    const options = oscillators.map(({ key, title }) => element("option", { value: key }, title));
+    this.#builtIn.append(...options, element("option", { value: "" }, words.choose.own));
     this.#angles = new Set(oscillators.filter(({ equation }) => equation.includes("theta")).map(({ key }) => key));
-    this.#builtIn.addEventListener("change", () => {
-      const key = this.#builtIn.value;
-      if (key === "") return;
-      this.#put({ oscillator: key, set: "", letters: "", about: "", gauge: "", "damping-order": "", small: "", ...(this.#angles.has(key) ? ANGLES : PLAIN) });
-      this.#update();
-    });
+    this.#fitChooser();
+    this.#builtIn.addEventListener("change", () => this.#choose(this.#builtIn.value));
+  }
+
+  // An equation of the reader's own begins as that of the oscillator before, with its parameters.
+  #choose(key: string): void {
+    const before = this.#builtIns.find((it) => it.key === this.#form.value("oscillator"));
+    const others = { letters: "", about: "", gauge: "", "damping-order": "", small: "" };
+    if (key !== "") this.#put({ oscillator: key, set: "", ...others, ...(this.#angles.has(key) ? ANGLES : PLAIN) });
+    else if (before !== undefined) {
+      this.#brought = before.parameters.map((it) => `${it.name}=${it.default}`).join(",");
+      this.#put({ oscillator: before.equation, set: this.#brought });
+    }
+    this.#update();
+  }
+
+  // Values that came with an equation go with their parameters; those of the reader stay.
+  #drop(): void {
+    if (this.#brought === "" || this.#form.value("set") !== this.#brought) return;
+    const names: readonly string[] = this.#form.value("oscillator").match(/[a-z]\w*/gi) ?? [];
+    this.#brought = this.#brought.split(",").filter((it) => names.includes(it.split("=")[0] ?? "")).join(",");
+    this.#put({ set: this.#brought });
+  }
+
+  // The field of an equation is shown where the oscillator is not built in.
+  #fitChooser(): void {
+    const key = this.#form.value("oscillator");
+    this.#builtIn.value = this.#builtIns.some((it) => it.key === key) ? key : "";
+    if (this.#entry !== undefined) this.#entry.element.hidden = this.#builtIn.value !== "";
   }
 
   #put(values: Readonly<Record<string, string>>): void {
@@ -113,8 +152,8 @@ class PerturbationRoom {
   }
 
   #update(): void {
-    const key = this.#form.value("oscillator");
-    this.#builtIn.value = Array.from(this.#builtIn.options).some(({ value }) => value === key) ? key : "";
+    this.#fitChooser();
+    this.#drop();
     this.#latest.run((signal) => this.#status.during(this.#answer(signal)));
   }
 
@@ -144,7 +183,8 @@ class PerturbationRoom {
   /** Shows the reason why there is no series, which may also be shown next to its field, and removes the comparison. */
   #nothing(why: string): void {
     this.#series.show();
-    this.#series.fail(why);
+    this.#series.fail(this.#said(why));
+    this.#equation.replaceChildren();
     this.#offerSaving(false);
     this.#limits.show();
     this.#seriesPicture.clear();
@@ -161,7 +201,7 @@ class PerturbationRoom {
   #expansion(order = this.#form.value("order")): Command {
     const value = (key: string) => this.#form.value(key);
     const flow = { "damping-order": value("damping-order"), small: value("small") };
-    return extended({ ...this.#about(), question: "expand" }, { letters: value("letters"), order, gauge: value("gauge"), ...flow });
+    return extended({ ...this.#about(), question: "expand" }, { letters: value("letters"), order, gauge: gaugeOf(value("gauge")), ...flow });
   }
 
   #evaluation(): Command {
@@ -199,8 +239,11 @@ class PerturbationRoom {
       this.#offerSaving(true);
       this.#latex = "";
       const written = decoded(answer);
-      const shown = isPlain ? [element("pre", { tabindex: "0" }, written)] : grouped(fromHtml(written));
-      this.#series.show(...notes.map((note) => element("p", { class: "quiet" }, note)), element("div", { class: "series scroll", tabindex: "0", role: "region", "aria-label": words.series }, ...shown));
+      const latex = decoded(await ask(this.#engine, extended(isPlain ? asked : this.#expansion("3"), { latex: true }), { signal }));
+      const [equation = "", ...lines] = isPlain ? [] : fromHtml(written);
+      const shown = isPlain ? flow(written, latex) : grouped(lines);
+      this.#equation.replaceChildren(equationOf(latex) ?? equation);
+      this.#series.show(...notes.map((note) => element("p", { class: "quiet" }, this.#said(note))), element("div", { class: "series scroll", tabindex: "0", role: "region", "aria-label": words.series }, ...shown));
       if (signal.aborted) return false;
     }
     return true;
@@ -234,7 +277,7 @@ class PerturbationRoom {
   // The series exists: only the options of the evaluation can be wrong. The error is shown in the part as well, since the field may be far away.
   #onTrial(answer: Answer): string {
     this.#form.blame(answer, ["evaluate", "quantity", "amplitudes"]);
-    return reason(answer);
+    return this.#said(explained(answer.error));
   }
 
   #offerSaving(is: boolean): void {
@@ -263,4 +306,9 @@ class PerturbationRoom {
     const failure = saveAnswer(`series.${ending}`, answer, "text/plain");
     if (failure !== "") this.#series.fail(failure);
   }
+}
+
+/** A slow flow: its formulas as mathematics, and all that the command says of it as text. */
+function flow(written: string, latex: string): Node[] {
+  return [...typeset(latex).slice(1), element("details", {}, element("summary", {}, words.asText), element("pre", { tabindex: "0" }, written))];
 }

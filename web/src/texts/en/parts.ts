@@ -17,6 +17,17 @@ export const parts = {
   nothingToSave: "Nothing to save.",
   more: "more",
   emptyEntry: "an empty entry",
+  /** Keys in sentences of the command, each with its words. */
+  keys: [
+    [/(?:the nearest are [^;]*; )?the keys are [^;]*; or /g, ""],
+    [/has the key /g, "has the name "],
+    [/\bx_max\b/g, "largest displacement"],
+    [/\bhalf_swing\b/g, "half the swing"],
+    [/\bblack_vel_(\d)\b/g, "Fourier-perturbation ($1)"],
+    [/\bpower_series_(\d)\b/g, "power series ($1)"],
+    [/\bkidd_fogg\b/g, "Kidd-Fogg"],
+    [/\bcarvalhaes_suppes\b/g, "Carvalhaes-Suppes"],
+  ] as readonly (readonly [key: RegExp, words: string])[],
   terms: {
     equilibrium: "The place where the pendulum can stay at rest: hanging straight down, or, balanced, straight up.",
     "restoring force": "The part of gravity along the arc. It pulls the bob back towards the lowest point, and grows with the sine of the angle.",

@@ -1,20 +1,28 @@
 //! Known properties of a laboratory's pendulum: sizes, masses, and the measured period.
 
+use super::bob::Bob;
 use libration::quantity::Quantity;
 
 /// The density of air in a room, in kg/m³: 1.20 ± 0.02 from 15 to 25 °C at 1013 hPa and less.
 pub const AIR_DENSITY: Quantity = Quantity { value: 1.20, uncertainty: Some(0.02) };
 
-/// The pendulum: a ball on a rod or string. Lengths are metres, masses kilograms, densities kg/m³.
+/// The pendulum: a bob on a rod or string. Lengths are metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Apparatus {
     /// Distance from the pivot to the centre of the bob.
     pub length: Quantity,
-    /// Radius of the bob, a ball.
-    pub bob_radius: Option<Quantity>,
+    /// Everything else that g is corrected for.
+    pub corrections: Corrections,
+}
+
+/// Known properties of a pendulum besides its length, each of which corrects g. Lengths are metres, masses kilograms, densities kg/m³.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Corrections {
+    /// Shape and size of the bob.
+    pub bob: Option<Bob>,
     /// Mass of the bob.
     pub bob_mass: Option<Quantity>,
-    /// Density of the bob; computed from its mass and radius where it is not given.
+    /// Density of the bob; computed from its mass and size where it is not given.
     pub bob_density: Option<Quantity>,
     /// Mass of the rod or string, whose thickness is uniform.
     pub rod_mass: Option<Quantity>,
@@ -24,22 +32,40 @@ pub struct Apparatus {
     pub air_density: Quantity,
     /// Length by which the bob at rest stretches the string.
     pub stretch: Option<Quantity>,
+    /// Coefficient of thermal expansion of the pendulum, in 1/K.
+    pub expansion: Option<Quantity>,
+    /// Difference of the temperatures of the pendulum, in K: during the swings less that at which the length was measured.
+    pub warming: Option<Quantity>,
+    /// Horizontal stiffness of the support, in N/m.
+    pub support_stiffness: Option<Quantity>,
+    /// Radius of curvature of the knife edge or rounded pivot on which the pendulum rolls.
+    pub edge_radius: Option<Quantity>,
 }
 
-impl Apparatus {
-    /// A pendulum of which only the length is known.
-    #[must_use]
-    pub fn of_length(length: Quantity) -> Self {
+impl Default for Corrections {
+    /// No correction; air in a room, for bobs whose density is given.
+    fn default() -> Self {
         Self {
-            length,
-            bob_radius: None,
+            bob: None,
             bob_mass: None,
             bob_density: None,
             rod_mass: None,
             rod_length: None,
             air_density: AIR_DENSITY,
             stretch: None,
+            expansion: None,
+            warming: None,
+            support_stiffness: None,
+            edge_radius: None,
         }
+    }
+}
+
+impl Apparatus {
+    /// A pendulum of which only the length is known.
+    #[must_use]
+    pub fn of_length(length: Quantity) -> Self {
+        Self { length, corrections: Corrections::default() }
     }
 }
 

@@ -20,8 +20,12 @@ pub enum BudgetInput {
     Model,
     /// Factor by which all angles are to be multiplied.
     AngleScale,
-    /// Radius of the bob, a ball.
+    /// Radius of the bob.
     BobRadius,
+    /// Height or thickness of the bob.
+    BobHeight,
+    /// Radius of the hole of a ring.
+    BobInnerRadius,
     /// Mass of the bob.
     BobMass,
     /// Density of the bob.
@@ -38,13 +42,21 @@ pub enum BudgetInput {
     Stretch,
     /// The coefficient of linear damping.
     Damping,
+    /// Coefficient of thermal expansion.
+    Expansion,
+    /// Difference of temperatures between the swings and the measurement of the length.
+    Warming,
+    /// Horizontal stiffness of the support.
+    SupportStiffness,
+    /// Radius of curvature of the knife edge.
+    EdgeRadius,
     /// Difference of the distances of two knife edges from the centre of mass.
     CentreOfMass,
 }
 
 impl BudgetInput {
     /// All inputs.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 23] = [
         Self::Length,
         Self::Period,
         Self::Slope,
@@ -53,6 +65,8 @@ impl BudgetInput {
         Self::Model,
         Self::AngleScale,
         Self::BobRadius,
+        Self::BobHeight,
+        Self::BobInnerRadius,
         Self::BobMass,
         Self::BobDensity,
         Self::RodMass,
@@ -61,6 +75,10 @@ impl BudgetInput {
         Self::AddedMass,
         Self::Stretch,
         Self::Damping,
+        Self::Expansion,
+        Self::Warming,
+        Self::SupportStiffness,
+        Self::EdgeRadius,
         Self::CentreOfMass,
     ];
 
@@ -76,6 +94,8 @@ impl BudgetInput {
             Self::Model => "model",
             Self::AngleScale => "angle scale",
             Self::BobRadius => "bob radius",
+            Self::BobHeight => "bob height",
+            Self::BobInnerRadius => "bob inner radius",
             Self::BobMass => "bob mass",
             Self::BobDensity => "bob density",
             Self::RodMass => "rod mass",
@@ -84,6 +104,10 @@ impl BudgetInput {
             Self::AddedMass => "added mass",
             Self::Stretch => "stretch",
             Self::Damping => "damping",
+            Self::Expansion => "expansion",
+            Self::Warming => "warming",
+            Self::SupportStiffness => "support stiffness",
+            Self::EdgeRadius => "edge radius",
             Self::CentreOfMass => "centre of mass",
         }
     }
@@ -92,13 +116,23 @@ impl BudgetInput {
     #[must_use]
     pub fn unit(self) -> &'static str {
         match self {
-            Self::Length | Self::BobRadius | Self::RodLength | Self::Stretch | Self::CentreOfMass => "m",
+            Self::Length
+            | Self::BobRadius
+            | Self::BobHeight
+            | Self::BobInnerRadius
+            | Self::RodLength
+            | Self::Stretch
+            | Self::EdgeRadius
+            | Self::CentreOfMass => "m",
             Self::Period => "s",
             Self::Slope => "s^2/m",
             Self::Clock | Self::SharedTiming | Self::Model | Self::AngleScale | Self::AddedMass => "1",
             Self::BobMass | Self::RodMass => "kg",
             Self::BobDensity | Self::AirDensity => "kg/m^3",
             Self::Damping => "1/s",
+            Self::Expansion => "1/K",
+            Self::Warming => "K",
+            Self::SupportStiffness => "N/m",
         }
     }
 
@@ -106,13 +140,23 @@ impl BudgetInput {
     #[must_use]
     pub fn unit_of_sensitivity(self) -> &'static str {
         match self {
-            Self::Length | Self::BobRadius | Self::RodLength | Self::Stretch | Self::CentreOfMass => "1/s^2",
+            Self::Length
+            | Self::BobRadius
+            | Self::BobHeight
+            | Self::BobInnerRadius
+            | Self::RodLength
+            | Self::Stretch
+            | Self::EdgeRadius
+            | Self::CentreOfMass => "1/s^2",
             Self::Period => "m/s^3",
             Self::Slope => "m^2/s^4",
             Self::Clock | Self::SharedTiming | Self::Model | Self::AngleScale | Self::AddedMass => "m/s^2",
             Self::BobMass | Self::RodMass => "m/(s^2 kg)",
             Self::BobDensity | Self::AirDensity => "m^4/(s^2 kg)",
             Self::Damping => "m/s",
+            Self::Expansion => "m K/s^2",
+            Self::Warming => "m/(s^2 K)",
+            Self::SupportStiffness => "m^2/(s^2 N)",
         }
     }
 
@@ -126,7 +170,9 @@ impl BudgetInput {
             Self::SharedTiming => Some(&mut values.shared_timing),
             Self::Model => Some(&mut values.model),
             Self::AngleScale => Some(&mut values.angle_scale),
-            Self::BobRadius => Some(&mut values.radius),
+            Self::BobRadius => Some(&mut values.bob.radius),
+            Self::BobHeight => Some(&mut values.bob.height),
+            Self::BobInnerRadius => Some(&mut values.bob.inner),
             Self::BobMass => Some(&mut values.bob_mass),
             Self::BobDensity => Some(&mut values.bob_density),
             Self::RodMass => Some(&mut values.rod_mass),
@@ -135,6 +181,10 @@ impl BudgetInput {
             Self::AddedMass => Some(&mut values.added_mass),
             Self::Stretch => Some(&mut values.stretch),
             Self::Damping => Some(&mut values.damping),
+            Self::Expansion => Some(&mut values.expansion),
+            Self::Warming => Some(&mut values.warming),
+            Self::SupportStiffness => Some(&mut values.stiffness),
+            Self::EdgeRadius => Some(&mut values.edge_radius),
         }
     }
 }

@@ -3,85 +3,204 @@
 use std::f64::consts::PI;
 
 use super::derivative::{derivative, second_derivative};
-use super::effects::Values;
+use super::effects::{Effect, Values};
 use super::{
-    Apparatus, BudgetError, BudgetInput, CombinedUncertainty, Contribution, Correlation, Evaluation,
-    MeasuredPeriod, PeriodDamping,
+    Apparatus, BudgetError, BudgetInput, CombinedUncertainty, Contribution, Correction, Corrections,
+    Correlation, Evaluation, MeasuredPeriod, PeriodDamping,
 };
 use libration::quantity::Quantity;
 
+/// g as a function of the values, with all effects but one.
+pub(in crate::fit) type GravityLaw<'a> = &'a dyn Fn(&Values, Option<Effect>) -> f64;
+
 /// The inputs with their uncertainties.
-#[derive(Clone, Debug)]
-pub(super) struct Inputs {
+#[derive(Clone)]
+pub(super) struct Inputs<'a> {
     pub(super) values: Values,
     uncertain: Vec<(BudgetInput, Option<f64>)>,
     /// Degrees of freedom of the uncertainty of T0.
     degrees_of_freedom: f64,
     pub(super) damping: PeriodDamping,
+    law: GravityLaw<'a>,
 }
 
-impl Inputs {
+impl Corrections {
+    /// The values of these corrections, with nothing else known.
+    pub(in crate::fit) fn values(&self) -> Result<Values, BudgetError> {
+        Given::default().corrections(self)
+    }
+}
+
+/// Inputs that were given, with the checks of their values.
+#[derive(Default)]
+struct Given(Vec<(BudgetInput, Option<f64>)>);
+
+impl Given {
+    /// The value of an input above zero; zero where it is not given.
+    fn value(
+        &mut self,
+        name: &'static str,
+        input: BudgetInput,
+        quantity: Option<Quantity>,
+    ) -> Result<f64, BudgetError> {
+        let Some(quantity) = quantity else { return Ok(0.0) };
+        check(name, quantity)?;
+        self.0.push((input, quantity.uncertainty));
+        Ok(quantity.value)
+    }
+
+    /// A factor of one with this relative uncertainty.
+    fn factor(
+        &mut self,
+        name: &'static str,
+        input: BudgetInput,
+        spread: Option<f64>,
+    ) -> Result<f64, BudgetError> {
+        let factor = spread.map(|spread| Quantity { value: 1.0, uncertainty: Some(spread) });
+        Ok(self.value(name, input, factor)?.max(1.0))
+    }
+
+    /// The values with these corrections, and nothing else known.
+    fn corrections(&mut self, known: &Corrections) -> Result<Values, BudgetError> {
+        use BudgetInput as Of;
+        let mut values = Values::default();
+        if let Some(bob) = known.bob {
+            values.bob = bob.size();
+            self.value("radius of the bob", Of::BobRadius, Some(bob.radius))?;
+            self.value("height of the bob", Of::BobHeight, bob.height)?;
+            self.value("inner radius of the bob", Of::BobInnerRadius, bob.inner_radius)?;
+            if !bob.is_possible() {
+                return Err(BudgetError::Bob { shape: bob.shape.name() });
+            }
+        }
+        values.bob_mass = self.value("mass of the bob", Of::BobMass, known.bob_mass)?;
+        values.bob_density = self.value("density of the bob", Of::BobDensity, known.bob_density)?;
+        values.rod_mass = self.value("mass of the rod", Of::RodMass, known.rod_mass)?;
+        values.rod_length = self.value("length of the rod", Of::RodLength, known.rod_length)?;
+        values.air_density = self.value("density of the air", Of::AirDensity, Some(known.air_density))?;
+        values.stretch = self.value("stretch", Of::Stretch, known.stretch)?;
+        values.expansion = self.value("coefficient of expansion", Of::Expansion, known.expansion)?;
+        if let Some(Quantity { value, uncertainty }) = known.warming {
+            check_temperatures(value, uncertainty.unwrap_or(0.0))?;
+            self.0.push((Of::Warming, uncertainty));
+            values.warming = value;
+        }
+        values.stiffness =
+            self.value("stiffness of the support", Of::SupportStiffness, known.support_stiffness)?;
+        values.edge_radius = self.value("radius of the knife edge", Of::EdgeRadius, known.edge_radius)?;
+        Ok(values)
+    }
+}
+
+impl Inputs<'static> {
+    /// A pendulum with its period.
     pub(super) fn new(apparatus: &Apparatus, period: &MeasuredPeriod) -> Result<Self, BudgetError> {
         let amplitude = period.amplitude.unwrap_or(0.0);
         if !(0.0..PI).contains(&amplitude) {
             return Err(BudgetError::Amplitude(amplitude));
         }
-        let mut uncertain = vec![];
-        let mut given = |name: &'static str, input: BudgetInput, quantity: Option<Quantity>| {
-            let Some(quantity) = quantity else { return Ok(0.0) };
-            check(name, quantity)?;
-            uncertain.push((input, quantity.uncertainty));
-            Ok(quantity.value)
-        };
-        let factor =
-            |spread: Option<f64>| spread.map(|spread| Quantity { value: 1.0, uncertainty: Some(spread) });
         let contained = match period.damping {
             PeriodDamping::Contained(damping) => Some(damping),
             PeriodDamping::Unknown | PeriodDamping::Fitted(_) => None,
         };
+        let mut given = Given::default();
+        let length = given.value("length", BudgetInput::Length, Some(apparatus.length))?;
+        let t0 = given.value("period", BudgetInput::Period, Some(period.t0))?;
+        let clock = given.factor("clock", BudgetInput::Clock, period.clock)?;
+        let shared_timing = given.factor("shared timing", BudgetInput::SharedTiming, period.shared_timing)?;
+        let model = given.factor("model", BudgetInput::Model, period.model)?;
+        let angle_scale = given.factor("angle scale", BudgetInput::AngleScale, period.angle_scale)?;
+        let values = given.corrections(&apparatus.corrections)?;
+        let damping = given.value("linear damping", BudgetInput::Damping, contained)?;
+        let values =
+            Values { length, t0, clock, shared_timing, model, amplitude, angle_scale, damping, ..values };
+        Self::checked(values, given, period.degrees_of_freedom, period.damping, &Values::gravity_without)
+    }
+}
+
+impl<'a> Inputs<'a> {
+    /// A table of pendulums of several lengths: the typical length, period and amplitude are those with which the sizes of effects are stated.
+    pub(super) fn of_table(
+        typical: &Apparatus,
+        period: &MeasuredPeriod,
+        law: GravityLaw<'a>,
+    ) -> Result<Self, BudgetError> {
+        let mut given = Given::default();
+        let clock = given.factor("clock", BudgetInput::Clock, period.clock)?;
+        let shared_timing = given.factor("shared timing", BudgetInput::SharedTiming, period.shared_timing)?;
         let values = Values {
-            length: given("length", BudgetInput::Length, Some(apparatus.length))?,
-            t0: given("period", BudgetInput::Period, Some(period.t0))?,
-            clock: given("clock", BudgetInput::Clock, factor(period.clock))?.max(1.0),
-            shared_timing: given("shared timing", BudgetInput::SharedTiming, factor(period.shared_timing))?
-                .max(1.0),
-            model: given("model", BudgetInput::Model, factor(period.model))?.max(1.0),
-            amplitude,
-            angle_scale: given("angle scale", BudgetInput::AngleScale, factor(period.angle_scale))?.max(1.0),
-            radius: given("radius of the bob", BudgetInput::BobRadius, apparatus.bob_radius)?,
-            bob_mass: given("mass of the bob", BudgetInput::BobMass, apparatus.bob_mass)?,
-            bob_density: given("density of the bob", BudgetInput::BobDensity, apparatus.bob_density)?,
-            rod_mass: given("mass of the rod", BudgetInput::RodMass, apparatus.rod_mass)?,
-            rod_length: given("length of the rod", BudgetInput::RodLength, apparatus.rod_length)?,
-            air_density: given("density of the air", BudgetInput::AirDensity, Some(apparatus.air_density))?,
-            added_mass: 1.0,
-            stretch: given("stretch", BudgetInput::Stretch, apparatus.stretch)?,
-            damping: given("linear damping", BudgetInput::Damping, contained)?,
+            length: typical.length.value,
+            t0: period.t0.value,
+            amplitude: period.amplitude.unwrap_or(0.0),
+            clock,
+            shared_timing,
+            ..given.corrections(&typical.corrections)?
         };
-        uncertain.push((BudgetInput::AddedMass, Some(values.uncertainty_of_added_mass())));
-        let (degrees_of_freedom, damping) = (period.degrees_of_freedom, period.damping);
-        Self { values, uncertain, degrees_of_freedom, damping }.checked()
+        Self::checked(values, given, f64::INFINITY, PeriodDamping::Unknown, law)
     }
 
-    fn checked(self) -> Result<Self, BudgetError> {
-        let Values { radius, length, rod_mass, bob_mass, .. } = self.values;
-        if radius >= length {
-            return Err(BudgetError::BobTooLarge { radius, length });
+    fn checked(
+        values: Values,
+        Given(mut uncertain): Given,
+        degrees_of_freedom: f64,
+        damping: PeriodDamping,
+        law: GravityLaw<'a>,
+    ) -> Result<Self, BudgetError> {
+        let Values { length, rod_mass, bob_mass, .. } = values;
+        if values.bob.reach() >= length {
+            return Err(BudgetError::BobTooLarge { radius: values.bob.reach(), length });
         }
         if rod_mass > 0.0 && bob_mass <= 0.0 {
             return Err(BudgetError::RodWithoutBob);
         }
-        if self.values.gravity() > 0.0 { Ok(self) } else { Err(BudgetError::BobTooLight) }
+        if values.stiffness > 0.0 && bob_mass <= 0.0 {
+            return Err(BudgetError::SupportWithoutBob);
+        }
+        if values.yield_of_support() >= 1.0 {
+            return Err(BudgetError::SupportTooWeak);
+        }
+        if values.warming.abs() > 0.0 && values.expansion <= 0.0 {
+            return Err(BudgetError::WarmingWithoutExpansion);
+        }
+        if values.torque_without(None) <= 0.0 {
+            return Err(BudgetError::BobTooLight);
+        }
+        uncertain.push((BudgetInput::AddedMass, Some(values.uncertainty_of_added_mass())));
+        Ok(Self { values, uncertain, degrees_of_freedom, damping, law })
+    }
+
+    /// g of these values.
+    pub(super) fn gravity_of(&self, values: &Values) -> f64 {
+        (self.law)(values, None)
+    }
+
+    /// g of these values with all effects but one.
+    pub(super) fn gravity_without(&self, values: &Values, effect: Effect) -> f64 {
+        (self.law)(values, Some(effect))
+    }
+
+    /// g with all effects.
+    pub(super) fn gravity(&self) -> f64 {
+        self.gravity_of(&self.values)
+    }
+
+    /// The part of itself by which g is larger with the effect.
+    pub(super) fn size_of(&self, effect: Effect) -> Correction {
+        Correction::Applied(self.gravity() / self.gravity_without(&self.values, effect) - 1.0)
     }
 
     /// The uncertainty of g.
     pub(super) fn combined(&self, correlations: &[Correlation]) -> Result<CombinedUncertainty, BudgetError> {
-        let contributions = self.uncertain.iter().map(|&(input, spread)| self.contribution(input, spread));
-        CombinedUncertainty::new(contributions.collect(), correlations)
+        CombinedUncertainty::new(self.contributions(), correlations)
+    }
+
+    /// The contributions of all inputs.
+    pub(super) fn contributions(&self) -> Vec<Contribution> {
+        self.uncertain.iter().map(|&(input, spread)| self.contribution(input, spread)).collect()
     }
 
     fn contribution(&self, input: BudgetInput, uncertainty: Option<f64>) -> Contribution {
-        let sensitivity = self.slope(input, Values::gravity);
+        let sensitivity = self.slope(input, |values| self.gravity_of(values));
         let judged = Contribution::judged(input, self.value(input), uncertainty, sensitivity);
         if input != BudgetInput::Period {
             return judged;
@@ -94,7 +213,7 @@ impl Inputs {
     pub(super) fn curvature(&self) -> f64 {
         let bend = |&(input, spread): &(BudgetInput, Option<f64>)| {
             let spread = spread.unwrap_or(0.0);
-            let of_input = self.along(input, Values::gravity);
+            let of_input = self.along(input, |values| self.gravity_of(values));
             0.5 * second_derivative(self.value(input), self.reach(input), of_input) * spread * spread
         };
         self.uncertain.iter().map(bend).sum()
@@ -123,7 +242,7 @@ impl Inputs {
         /// Rounding of a ratio that an input drops out of makes slopes of 1e-12.
         const MATTERS: f64 = 1e-9;
         let counted = self.uncertain.iter().filter(|(input, _)| counts(*input));
-        let matters = |input| (self.value(input) * self.slope(input, &of)).abs() > MATTERS;
+        let matters = |input| (self.reach(input) * self.slope(input, &of)).abs() > MATTERS;
         let (known, open): (Vec<_>, Vec<_>) =
             counted.filter(|(input, _)| matters(*input)).partition(|(_, spread)| spread.is_some());
         let squares = known.iter().map(|(input, _)| self.change(*input, &of)).map(|change| change * change);
@@ -156,6 +275,8 @@ impl Inputs {
         let amplitude = self.values.amplitude;
         match input {
             BudgetInput::AngleScale if amplitude > 0.0 => ((PI - amplitude) / amplitude).min(1.0),
+            // A difference of temperatures may be zero; g is linear in it, and changes little over 100 K.
+            BudgetInput::Warming => self.value(input).abs().max(100.0),
             _ => self.value(input),
         }
     }
@@ -163,12 +284,23 @@ impl Inputs {
 
 fn check(name: &'static str, quantity: Quantity) -> Result<(), BudgetError> {
     let Quantity { value, uncertainty } = quantity;
-    let spread = uncertainty.unwrap_or(0.0);
     if !(value > 0.0 && value.is_finite()) {
         return Err(BudgetError::NotPositive { name, value });
     }
-    if !(0.0..f64::INFINITY).contains(&spread) {
-        return Err(BudgetError::Uncertainty { name, value: spread });
+    check_uncertainty(name, uncertainty.unwrap_or(0.0))
+}
+
+/// A difference of temperatures may be of either sign.
+fn check_temperatures(value: f64, spread: f64) -> Result<(), BudgetError> {
+    if !value.is_finite() {
+        return Err(BudgetError::NotFinite { name: "difference of temperatures", value });
     }
-    Ok(())
+    check_uncertainty("difference of temperatures", spread)
+}
+
+fn check_uncertainty(name: &'static str, spread: f64) -> Result<(), BudgetError> {
+    if (0.0..f64::INFINITY).contains(&spread) {
+        return Ok(());
+    }
+    Err(BudgetError::Uncertainty { name, value: spread })
 }

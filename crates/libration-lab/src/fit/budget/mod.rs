@@ -1,7 +1,8 @@
 //! An uncertainty budget for g as a laboratory writes it: the size of each effect on g and its contribution to the uncertainty.
 //!
-//! g = (4π²L/T0²)·(1 + 2r²/5L² + μλ²/3 + kσ)/(1 + μλ/2 − σ), a ball on a rod in air (see the rows for the letters). Effects whose inputs are not
-//! given are not corrected; the budget then states their size for a usual pendulum, if it can be estimated at all.
+//! g = (4π²L/T0²)·(1 + 2r²/5L² + μλ²/3 + kσ)/(1 + μλ/2 − σ), a ball on a rod in air (see the rows for the letters), with factors for a support that
+//! yields, a knife edge, the temperature and others. Effects whose inputs are not given are not corrected; the budget then states their size for a
+//! usual pendulum, if it can be estimated at all.
 //!
 //! Reference: R. A. Nelson and M. G. Olsson, *The pendulum – Rich physics from a simple system*, Am. J. Phys. 54, 112 (1986),
 //! doi:10.1119/1.14703; the mass of air that moves along: G. G. Stokes, Trans. Cambridge Philos. Soc. 9, part II, 8 (1851), with
@@ -13,18 +14,22 @@
 //! bob at a gate depends on the length. A fitted input has the degrees of freedom of its scatter where its uncertainty comes from the scatter.
 
 mod apparatus;
+mod bob;
 mod combined;
 pub(crate) mod derivative;
 mod effects;
 mod input;
 mod inputs;
+mod of_table;
 mod rows;
 mod warning;
 
-pub use apparatus::{AIR_DENSITY, Apparatus, MeasuredPeriod, PeriodDamping};
+pub use apparatus::{AIR_DENSITY, Apparatus, Corrections, MeasuredPeriod, PeriodDamping};
+pub use bob::{Bob, BobShape};
 pub use combined::{COVERAGE_PROBABILITY, CombinedUncertainty, Contribution, Correlation};
-pub(super) use derivative::derivative;
+pub(in crate::fit) use effects::{Effect, Values};
 pub use input::BudgetInput;
+pub(in crate::fit) use of_table::{TableBudget, input_row, of_table};
 pub use warning::BudgetWarning;
 
 use super::uncertain::Uncertain;
@@ -49,6 +54,36 @@ pub enum BudgetError {
         /// The given value.
         value: f64,
     },
+    /// A number that is not finite.
+    #[error("the {name} is {value:?}: give a finite number")]
+    NotFinite {
+        /// Name of the quantity.
+        name: &'static str,
+        /// The given value.
+        value: f64,
+    },
+    /// Sizes that no bob of its shape has.
+    #[error(
+        "no {shape} has these sizes: a cylinder and a cap have a height, a cap is not higher than its ball, and the hole of a ring is smaller \
+         than the ring"
+    )]
+    Bob {
+        /// Name of the shape.
+        shape: &'static str,
+    },
+    /// A stiffness of the support without the mass of the bob.
+    #[error(
+        "the stiffness of the support is not used without the mass of the bob: give the mass of the bob too"
+    )]
+    SupportWithoutBob,
+    /// A support that would move more than the bob.
+    #[error(
+        "the support is too weak for a pendulum of this mass and period: check its stiffness and its unit"
+    )]
+    SupportTooWeak,
+    /// A difference of temperatures without the coefficient of expansion.
+    #[error("the difference of temperatures is not used without a coefficient of expansion: give both")]
+    WarmingWithoutExpansion,
     /// A bob that reaches the pivot.
     #[error(
         "a bob of radius {radius:?} m does not fit a pendulum of {length:?} m: the length goes to the centre of the bob"
@@ -187,14 +222,15 @@ impl Budget {
 ///
 /// # Examples
 /// ```
-/// use libration_lab::fit::{Apparatus, MeasuredPeriod, budget};
+/// use libration_lab::fit::{Apparatus, Bob, Corrections, MeasuredPeriod, budget};
 /// use libration::quantity::{Dimension, parse};
 ///
 /// let length = parse("1.0000(5) m", Dimension::Length)?;
 /// let t0 = parse("2.0065(2) s", Dimension::Time)?;
 /// let bare = budget(&Apparatus::of_length(length), &MeasuredPeriod::of_small_swings(t0), &[])?;
-/// let radius = Some(parse("20.0(1) mm", Dimension::Length)?);
-/// let ball = budget(&Apparatus { bob_radius: radius, ..Apparatus::of_length(length) }, &MeasuredPeriod::of_small_swings(t0), &[])?;
+/// let bob = Some(Bob::ball(parse("20.0(1) mm", Dimension::Length)?));
+/// let corrections = Corrections { bob, ..Corrections::default() };
+/// let ball = budget(&Apparatus { length, corrections }, &MeasuredPeriod::of_small_swings(t0), &[])?;
 /// assert!((ball.g / bare.g - 1.00016).abs() < 1e-7);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -1,35 +1,72 @@
 //! The rows of a budget: each effect with its size, and its part of the uncertainty.
 
+use super::bob::{BobShape, Size};
 use super::effects::{Effect, Values};
 use super::inputs::Inputs;
 use super::{
     Budget, BudgetError, BudgetInput, BudgetRow, Correction, Correlation, Evaluation, PeriodDamping,
 };
 
-impl Inputs {
+impl Inputs<'_> {
     pub(super) fn budget(&self, correlations: &[Correlation]) -> Result<Budget, BudgetError> {
         let rows = [
             vec![self.length(), self.timing()],
-            self.is_given(BudgetInput::Model).then(|| self.model()).into_iter().collect(),
-            self.is_given(BudgetInput::SharedTiming).then(|| self.shared_timing()).into_iter().collect(),
-            vec![self.clock(), self.amplitude(), self.angle_scale()],
-            vec![self.buoyancy(), self.added_mass(), self.finite_bob(), self.rod(), self.stretch()],
+            self.of_times(),
+            vec![self.amplitude(), self.angle_scale()],
+            self.of_air(),
+            vec![self.finite_bob(), self.rod(), self.stretch()],
+            self.of_support(),
             vec![self.damping()],
         ];
         let combined = self.combined(correlations)?;
         Ok(Budget {
             rows: rows.concat(),
             length: self.values.length,
-            g: self.values.gravity(),
+            g: self.gravity(),
             uncertainty: combined.standard,
             combined,
             curvature: self.curvature(),
         })
     }
 
+    /// The rows of a table of several lengths after those of the fitted line; a bar has neither bob nor string.
+    pub(super) fn rows_of_table(&self, is_bar: bool) -> Vec<BudgetRow> {
+        let of_string = if is_bar { vec![] } else { vec![self.finite_bob(), self.rod(), self.stretch()] };
+        let of_support = if is_bar { self.of_support_of_bar() } else { self.of_support() };
+        [self.of_times(), self.of_air(), of_string, of_support].concat()
+    }
+
+    fn of_times(&self) -> Vec<BudgetRow> {
+        let model = self.is_given(BudgetInput::Model).then(|| self.model());
+        let shared = self.is_given(BudgetInput::SharedTiming).then(|| self.shared_timing());
+        model.into_iter().chain(shared).chain([self.clock()]).collect()
+    }
+
+    fn of_air(&self) -> Vec<BudgetRow> {
+        vec![self.buoyancy(), self.added_mass()]
+    }
+
+    /// The same of a bar, where only fits of their own show the sizes of effects that are not corrected.
+    fn of_support_of_bar(&self) -> Vec<BudgetRow> {
+        let open = "not corrected; a part of it is in the moment of inertia that is fitted";
+        let support = match self.is_given(BudgetInput::SupportStiffness) {
+            true => self.support(),
+            false => unknown("support", "1 + mg/KL", open),
+        };
+        let edge = match self.is_given(BudgetInput::EdgeRadius) {
+            true => self.knife_edge(),
+            false => unknown("knife edge", "1/(1 + p/L)", open),
+        };
+        vec![self.temperature(), support, edge]
+    }
+
+    fn of_support(&self) -> Vec<BudgetRow> {
+        vec![self.temperature(), self.support(), self.knife_edge()]
+    }
+
     /// An effect: its size, and the uncertainty that its own inputs give it.
     fn effect(&self, name: &'static str, formula: &'static str, effect: Effect, note: String) -> BudgetRow {
-        let ratio = |values: &Values| values.gravity() / values.gravity_without(Some(effect));
+        let ratio = |values: &Values| self.gravity_of(values) / self.gravity_without(values, effect);
         let own = |input| {
             !matches!(
                 input,
@@ -43,8 +80,8 @@ impl Inputs {
         BudgetRow {
             name,
             formula,
-            correction: Correction::Applied(ratio(&self.values) - 1.0),
-            uncertainty: self.changes(ratio, own).map(|change| self.values.gravity() * change),
+            correction: self.size_of(effect),
+            uncertainty: self.changes(ratio, own).map(|change| self.gravity() * change),
             evaluation: Evaluation::Judgement,
             note,
         }
@@ -57,7 +94,8 @@ impl Inputs {
         input: BudgetInput,
         evaluation: Evaluation,
     ) -> BudgetRow {
-        let uncertainty = self.uncertainty(input).map(|_| self.change(input, Values::gravity).abs());
+        let uncertainty =
+            self.uncertainty(input).map(|_| self.change(input, |values| self.gravity_of(values)).abs());
         BudgetRow {
             name,
             formula,
@@ -125,7 +163,7 @@ impl Inputs {
         }
         if !self.is_given(BudgetInput::AngleScale) {
             let one_percent = Values { angle_scale: 1.01, ..self.values };
-            let size = one_percent.gravity() / self.values.gravity() - 1.0;
+            let size = self.gravity_of(&one_percent) / self.gravity() - 1.0;
             let note = "for angles that are all 1 % off; give their uncertainty".into();
             return usually("angle scale", FORMULA, size, note);
         }
@@ -135,8 +173,7 @@ impl Inputs {
     }
 
     fn has_density(&self) -> bool {
-        let Values { bob_density, bob_mass, radius, .. } = self.values;
-        bob_density > 0.0 || (bob_mass > 0.0 && radius > 0.0)
+        self.values.air_over_bob() > 0.0
     }
 
     /// The air over a bob of brass or steel.
@@ -161,23 +198,43 @@ impl Inputs {
             return usually("added mass", FORMULA, 0.5 * self.usual_air_over_bob(), note);
         }
         let k = self.values.added_mass_over_displaced();
-        let note =
-            format!("k = 1/2 + 9d/4r = {k:.2}, d = {:.1} mm of viscous air", 1e3 * self.values.layer());
+        let note = match self.values.bob.shape {
+            BobShape::Ball => {
+                format!("k = 1/2 + 9d/4r = {k:.2}, d = {:.1} mm of viscous air", 1e3 * self.values.layer())
+            }
+            shape => format!("k = 1/2, between 0 and 1 for a {}", shape.name()),
+        };
         self.effect("added mass", FORMULA, Effect::AddedMass, note)
     }
 
     fn finite_bob(&self) -> BudgetRow {
-        const FORMULA: &str = "1 + 2r^2/5L^2";
-        if self.values.radius <= 0.0 {
-            return usually(
-                "finite bob",
-                FORMULA,
-                0.001,
-                "a ball of radius L/20; give that of the bob".into(),
-            );
+        let Size { shape, radius, height, inner } = self.values.bob;
+        if radius <= 0.0 {
+            let radius = self.values.length / 20.0;
+            let with = Values { bob: Size { radius, ..Size::default() }, ..self.values };
+            let note = "a ball of radius L/20; give that of the bob".into();
+            return self.typical("finite bob", "1 + 2r^2/5L^2", Effect::FiniteBob, &with, note);
         }
-        let note = format!("a ball of radius r = {} m", self.values.radius);
-        self.effect("finite bob", FORMULA, Effect::FiniteBob, note)
+        let (formula, note) = match shape {
+            BobShape::Ball => ("1 + 2r^2/5L^2", format!("a ball of radius r = {radius} m")),
+            BobShape::Disc => ("1 + r^2/2L^2", format!("a disc of radius r = {radius} m")),
+            BobShape::Cylinder => (
+                "1 + (r^2/4 + h^2/12)/L^2",
+                format!("a cylinder of radius r = {radius} m and height h = {height} m"),
+            ),
+            BobShape::Ring => {
+                ("1 + (r^2 + i^2)/2L^2", format!("a ring of radii r = {radius} m and i = {inner} m"))
+            }
+            BobShape::Cap => (
+                "1 + K/L^2",
+                format!(
+                    "K = {:.4e} m^2 of a cap of height {height} m of a ball of radius {radius} m",
+                    self.values.bob.gyration()
+                ),
+            ),
+            BobShape::Gyration => ("1 + r^2/L^2", format!("radius of gyration r = {radius} m")),
+        };
+        self.effect("finite bob", formula, Effect::FiniteBob, note)
     }
 
     fn rod(&self) -> BudgetRow {
@@ -212,6 +269,58 @@ impl Inputs {
         }
     }
 
+    fn temperature(&self) -> BudgetRow {
+        const FORMULA: &str = "1 + a dt";
+        let Values { expansion, warming, .. } = self.values;
+        if expansion <= 0.0 {
+            let note =
+                "for steel, a = 1.2e-5/K, warmer by dt = 5 K than when the length was measured; give both";
+            return usually("temperature", FORMULA, 6e-5, note.into());
+        }
+        let note = format!("expansion a = {expansion:.3e} 1/K, dt = {warming} K");
+        self.effect("temperature", FORMULA, Effect::Temperature, note)
+    }
+
+    fn support(&self) -> BudgetRow {
+        const FORMULA: &str = "1 + mg/KL";
+        let Values { stiffness, length, bob_mass, .. } = self.values;
+        if stiffness <= 0.0 {
+            let bob_mass = if bob_mass > 0.0 { bob_mass } else { 1.0 };
+            let with = Values { bob_mass, stiffness: bob_mass * self.gravity() / 1e-4, ..self.values };
+            let note = "for a support that the weight of the bob, pulling sideways, moves by 0.1 mm; give its stiffness";
+            return self.typical("support", FORMULA, Effect::Support, &with, note.into());
+        }
+        let note = format!(
+            "stiffness K = {stiffness} N/m; the weight would move it by {:.2} mm sideways",
+            1e3 * self.values.yield_of_support() * length
+        );
+        self.effect("support", FORMULA, Effect::Support, note)
+    }
+
+    fn knife_edge(&self) -> BudgetRow {
+        const FORMULA: &str = "1/(1 + p/L)";
+        let Values { edge_radius, .. } = self.values;
+        if edge_radius <= 0.0 {
+            let with = Values { edge_radius: 5e-5, ..self.values };
+            let note = "for an edge that rolls with radius of curvature p = 0.05 mm; give its radius";
+            return self.typical("knife edge", FORMULA, Effect::KnifeEdge, &with, note.into());
+        }
+        let note = format!("radius of curvature p = {edge_radius} m");
+        self.effect("knife edge", FORMULA, Effect::KnifeEdge, note)
+    }
+
+    /// An effect that is not corrected, with the size that it has with these values.
+    fn typical(
+        &self,
+        name: &'static str,
+        formula: &'static str,
+        effect: Effect,
+        with: &Values,
+        note: String,
+    ) -> BudgetRow {
+        usually(name, formula, self.gravity_of(with) / self.gravity_without(with, effect) - 1.0, note)
+    }
+
     fn damping(&self) -> BudgetRow {
         const FORMULA: &str = "1 + (b/2w)^2";
         match self.damping {
@@ -221,7 +330,7 @@ impl Inputs {
             }
             PeriodDamping::Fitted(linear) => {
                 let with = Values { damping: linear, ..self.values };
-                let size = with.gravity() / with.gravity_without(Some(Effect::Damping)) - 1.0;
+                let size = self.gravity_of(&with) / self.gravity_without(&with, Effect::Damping) - 1.0;
                 let note =
                     format!("b = {linear:.3e} 1/s; already in T0, which is that of the undamped motion");
                 let row = unknown("damping", FORMULA, &note);

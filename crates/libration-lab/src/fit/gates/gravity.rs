@@ -104,7 +104,7 @@ impl GateGeometry {
         };
         let (radius, centre) = match self.diameter {
             Some(diameter) => (half(diameter), beam),
-            None => (self.apparatus.bob_radius?, self.apparatus.length.value),
+            None => (self.apparatus.corrections.bob?.outline_radius()?, self.apparatus.length.value),
         };
         Some((PassingDisc { radius: radius.value, centre, beam }, radius))
     }

@@ -10,6 +10,7 @@
 //! Weights are *effective variances*, as for [periods against amplitudes](super::periods).
 
 mod bar;
+mod corrected;
 mod model;
 mod power_law;
 mod reversible;
@@ -21,9 +22,12 @@ pub use power_law::PowerLaw;
 pub use table::{LengthColumns, LengthTable};
 pub use warning::LengthsWarning;
 
-use super::budget::{self, BudgetInput, CombinedUncertainty, Contribution, Evaluation};
+use super::budget::{
+    self, BudgetInput, BudgetRow, CombinedUncertainty, Contribution, Corrections, Evaluation,
+};
 use super::cycles::SEPARATED;
 use super::{FitError, Uncertain};
+use corrected::CorrectedLaw;
 use libration::quantity::Quantity;
 
 /// Pendulum whose periods a table holds.
@@ -40,8 +44,8 @@ pub enum LengthsPendulum {
 /// Known quantities besides the table.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LengthsOptions {
-    /// Radius of the bob, a ball, in metres: its moment of inertia is then taken into account.
-    pub bob_radius: Option<Quantity>,
+    /// Everything that g is corrected for; the moment of inertia of a bob is then part of every law.
+    pub corrections: Corrections,
     /// The relative standard uncertainty of the clock, which multiplies all periods.
     pub clock: Option<f64>,
     /// Standard uncertainties of the periods, in seconds, by what all readings share, such as an observer who stops late: all are off alike.
@@ -63,10 +67,12 @@ pub struct LengthsFit {
     pub power_law: Option<PowerLaw>,
     /// κ = 2r²/5 of the bob, in m², where it was given and so is part of every law.
     pub known_gyration: Option<f64>,
-    /// The uncertainty of the best g, with the effects that all rows share: clock and bob.
+    /// The uncertainty of the best g, with the effects that all rows share: clock, bob and others.
     pub combined: CombinedUncertainty,
     /// `true` if the rounding of the periods is their uncertainty, as the rows scatter less.
     pub weighted_by_rounding: bool,
+    /// The budget of g effect by effect: its correction and its part of the uncertainty.
+    pub budget: Vec<BudgetRow>,
     /// Warnings about the fit.
     pub warnings: Vec<LengthsWarning>,
 }
@@ -131,7 +137,7 @@ fn as_weighted(table: &LengthTable, options: &LengthsOptions) -> Result<LengthsF
 
 /// The laws of a bob on a string.
 fn of_strings(table: &LengthTable, options: &LengthsOptions) -> Result<Vec<LengthFit>, FitError> {
-    let radius = options.bob_radius.map(|radius| radius.value);
+    let radius = options.bob_radius();
     let known = radius.map(model::gyration);
     let free = LengthModel::OF_STRINGS.into_iter();
     // A κ that is known is not free.
@@ -158,25 +164,26 @@ fn of_simple(
     options: &LengthsOptions,
     fits: Vec<LengthFit>,
 ) -> Result<LengthsFit, FitError> {
-    let best = fits.iter().find(|fit| fit.model == LengthModel::Offset).unwrap_or(&fits[0]);
-    let (preferred, combined) = (best.model, options.combined(table, best)?);
-    let known_gyration = options.bob_radius.map(|radius| model::gyration(radius.value));
-    let mut fit = LengthsFit {
-        fits,
-        preferred,
-        power_law: power_law::power_law(table),
-        known_gyration,
-        combined,
-        weighted_by_rounding: false,
-        warnings: vec![],
+    let preferred = |fits: &[LengthFit]| {
+        let offset = fits.iter().any(|fit| fit.model == LengthModel::Offset);
+        if offset { LengthModel::Offset } else { fits[0].model }
     };
+    let corrected = options.corrected(table, preferred(&fits))?;
+    let fits = if corrected == *table { fits } else { of_strings(&corrected, options)? };
+    let preferred = preferred(&fits);
+    let known_gyration = options.corrections.bob.map(|bob| bob.gyration());
+    let power_law = power_law::power_law(&corrected);
+    let mut fit = options.with_budget(table, fits, preferred, None)?;
+    (fit.power_law, fit.known_gyration) = (power_law, known_gyration);
     fit.warnings = warning::warnings(&fit);
     Ok(fit)
 }
 
-/// The laws of a bar that the rows determine; none where a bob is given.
+/// The laws of a bar that the rows determine; none where a bob or string is given.
 fn bars(table: &LengthTable, options: &LengthsOptions) -> Vec<LengthFit> {
-    let is_possible = options.bob_radius.is_none() && options.pendulum != Some(LengthsPendulum::Simple);
+    let Corrections { bob, rod_mass, stretch, .. } = options.corrections;
+    let is_bare = bob.is_none() && rod_mass.is_none() && stretch.is_none();
+    let is_possible = is_bare && options.pendulum != Some(LengthsPendulum::Simple);
     let laws = LengthModel::OF_BARS.into_iter().filter(|_| is_possible);
     laws.filter_map(|model| bar::fit(table, model)).collect()
 }
@@ -205,84 +212,99 @@ fn is_bar(bars: &[LengthFit], strings: &[LengthFit], table: &LengthTable) -> boo
 fn of_bars(
     table: &LengthTable,
     options: &LengthsOptions,
-    bars: &[LengthFit],
+    uncorrected: &[LengthFit],
 ) -> Result<LengthsFit, FitError> {
-    let best = preferred_bar(bars).ok_or(FitError::NoBar)?;
-    let (preferred, combined) = (best.model, options.combined(table, best)?);
-    let warnings = warning::of_bars(best, combined.standard, options.pendulum.is_none());
-    Ok(LengthsFit {
-        fits: bars.to_vec(),
-        preferred,
-        power_law: None,
-        known_gyration: None,
-        combined,
-        weighted_by_rounding: false,
-        warnings,
-    })
+    let preferred = preferred_bar(uncorrected).ok_or(FitError::NoBar)?.model;
+    let corrected = options.corrected(table, preferred)?;
+    let fits = if corrected == *table { uncorrected.to_vec() } else { bars(&corrected, options) };
+    let mut fit = options.with_budget(table, fits, preferred, None)?;
+    fit.warnings = warning::of_bars(fit.best(), fit.combined.standard, options.pendulum.is_none());
+    Ok(fit)
 }
 
 fn of_reversible(table: &LengthTable, options: &LengthsOptions) -> Result<LengthsFit, FitError> {
-    let (fit, mut contributions) = reversible::reversible(table, options.edges)?;
-    contributions.extend(options.of_clock(fit.g.value));
-    let combined =
-        CombinedUncertainty::new(contributions, &[]).map_err(|_| FitError::NoConvergence("the edges"))?;
-    let warnings = warning::of_bars(&fit, combined.standard, false);
-    let preferred = fit.model;
-    Ok(LengthsFit {
-        fits: vec![fit],
-        preferred,
-        power_law: None,
-        known_gyration: None,
-        combined,
-        weighted_by_rounding: false,
-        warnings,
-    })
+    let corrected = options.corrected(table, LengthModel::Reversible)?;
+    let (fit, contributions) = reversible::reversible(&corrected, options.edges)?;
+    let mut fit = options.with_budget(table, vec![fit], LengthModel::Reversible, Some(contributions))?;
+    fit.warnings = warning::of_bars(fit.best(), fit.combined.standard, false);
+    Ok(fit)
 }
 
 impl LengthsOptions {
     fn check(&self) -> Result<(), FitError> {
         let usable = |spread: f64| (0.0..f64::INFINITY).contains(&spread);
-        if let Some(Quantity { value, uncertainty }) = self.bob_radius {
+        if let Some(Quantity { value, uncertainty }) = self.corrections.bob.map(|bob| bob.radius) {
             let uncertainty = uncertainty.unwrap_or(0.0);
             if !(value > 0.0 && value.is_finite() && usable(uncertainty)) {
                 return Err(FitError::Length { value, uncertainty });
             }
         }
+        self.corrections.values()?;
         self.clock.filter(|clock| !usable(*clock)).map_or(Ok(()), |clock| Err(FitError::Clock(clock)))
     }
 
-    fn of_clock(&self, g: f64) -> Option<Contribution> {
-        self.clock.map(|clock| Contribution::judged(BudgetInput::Clock, 1.0, Some(clock), -2.0 * g))
+    /// Radius of a ball with the moment of inertia of the bob.
+    fn bob_radius(&self) -> Option<f64> {
+        self.corrections.bob.map(|bob| bob.radius_of_ball())
     }
 
-    /// The uncertainty of g by the slope of the line, the bob and the clock.
-    fn combined(&self, table: &LengthTable, best: &LengthFit) -> Result<CombinedUncertainty, FitError> {
-        let g = best.g.value;
-        let slope = Contribution {
-            evaluation: Evaluation::Statistics,
-            degrees_of_freedom: best.uncertainty_degrees_of_freedom(),
-            ..Contribution::judged(BudgetInput::Slope, 1.0 / g, Some(best.g.uncertainty / (g * g)), -g * g)
+    /// The standard uncertainty of the periods by what all readings share, as a part of their sum.
+    fn relative_shift(&self, table: &LengthTable) -> Option<f64> {
+        let shifts = self.shared_timing.as_ref()?;
+        Some(shifts.iter().sum::<f64>() / table.rows.iter().map(|row| row.period).sum::<f64>())
+    }
+
+    /// The table with the periods that a law describes.
+    fn corrected(&self, table: &LengthTable, model: LengthModel) -> Result<LengthTable, FitError> {
+        if self.corrections == Corrections::default() {
+            return Ok(table.clone());
+        }
+        let values = self.corrections.values()?;
+        let law = CorrectedLaw { table, options: self, model };
+        law.table(&values, None).ok_or(FitError::CorrectionsOfRow)
+    }
+
+    /// The results with the uncertainty of g: by the slope of the line, or the contributions of a reversible pendulum, and by all corrections.
+    fn with_budget(
+        &self,
+        table: &LengthTable,
+        fits: Vec<LengthFit>,
+        preferred: LengthModel,
+        own: Option<Vec<Contribution>>,
+    ) -> Result<LengthsFit, FitError> {
+        let best =
+            fits.iter().find(|fit| fit.model == preferred).ok_or(FitError::NoConvergence("the line"))?;
+        let own = own.unwrap_or_else(|| vec![slope(best)]);
+        let found = CorrectedLaw { table, options: self, model: preferred }.budget(best)?;
+        let row = |it: &Contribution| match it.input {
+            BudgetInput::Slope => {
+                budget::input_row(it, "u(s)/s", "s: slope of T^2/(2pi R)^2 against the length".into())
+            }
+            _ => budget::input_row(it, "u(g)/g", "of the reversible pendulum".into()),
         };
-        let radius = self.bob_radius.map(|radius| {
-            let refitted = |radius: f64| {
-                let fit = model::fit(table, best.model, Some(radius)).ok().flatten();
-                fit.map_or(f64::NAN, |fit| fit.g.value)
-            };
-            let sensitivity = budget::derivative(radius.value, radius.value, refitted);
-            Contribution::judged(BudgetInput::BobRadius, radius.value, radius.uncertainty, sensitivity)
-        });
-        let shared_timing = self.shared_timing.as_ref().map(|shifts| {
-            let mean: f64 = shifts.iter().sum::<f64>() / table.rows.iter().map(|row| row.period).sum::<f64>();
-            let refitted = |factor: f64| {
-                let shifts = shifts.iter().map(|shift| (factor - 1.0) / mean * shift);
-                let fit = model::fit(&table.shifted(shifts), best.model, self.bob_radius.map(|it| it.value));
-                fit.ok().flatten().map_or(f64::NAN, |fit| fit.g.value)
-            };
-            let sensitivity = budget::derivative(1.0, 1.0, refitted);
-            Contribution::judged(BudgetInput::SharedTiming, 1.0, Some(mean), sensitivity)
-        });
-        let contributions =
-            [Some(slope), radius, self.of_clock(g), shared_timing].into_iter().flatten().collect();
-        CombinedUncertainty::new(contributions, &[]).map_err(|_| FitError::NoConvergence("the bob"))
+        let rows: Vec<BudgetRow> = own.iter().map(row).chain(found.rows).collect();
+        let contributions = [own, found.contributions].concat();
+        let combined =
+            CombinedUncertainty::new(contributions, &[]).map_err(|_| FitError::NoConvergence("the line"))?;
+        Ok(LengthsFit {
+            fits,
+            preferred,
+            power_law: None,
+            known_gyration: None,
+            combined,
+            budget: rows,
+            weighted_by_rounding: false,
+            warnings: vec![],
+        })
+    }
+}
+
+/// The contribution of the fitted line.
+fn slope(best: &LengthFit) -> Contribution {
+    let g = best.g.value;
+    Contribution {
+        evaluation: Evaluation::Statistics,
+        degrees_of_freedom: best.uncertainty_degrees_of_freedom(),
+        ..Contribution::judged(BudgetInput::Slope, 1.0 / g, Some(best.g.uncertainty / (g * g)), -g * g)
     }
 }

@@ -97,12 +97,17 @@ fn distance_of_edges(edges: Option<Quantity>, sum: f64, of_sum: f64) -> Result<U
     Ok(Uncertain { value, uncertainty })
 }
 
+/// The square of the radius of gyration that the periods about the far edge give.
+pub(super) fn gyration(table: &LengthTable, gravity: f64) -> f64 {
+    let far = table.rows.iter().map(|row| row.length.abs()).fold(0.0, f64::max);
+    let square = Side::of(table, far).square / (4.0 * PI * PI);
+    gravity * square * far - far * far
+}
+
 /// The fit with the radius of gyration that the periods about the far edge give, and the residuals of single periods.
 fn described(table: &LengthTable, gravity: Uncertain) -> LengthFit {
     let rows = &table.rows;
-    let far = rows.iter().map(|row| row.length.abs()).fold(0.0, f64::max);
-    let square = Side::of(table, far).square / (4.0 * PI * PI);
-    let gyration = gravity.value * square * far - far * far;
+    let gyration = gyration(table, gravity.value);
     let residual = |row: &Row| {
         let height = row.length.abs();
         row.period - 2.0 * PI * row.ratio * ((height + gyration / height) / gravity.value).sqrt()

@@ -40,6 +40,8 @@ pub(super) struct Row {
     pub(super) period_uncertainty: f64,
     /// T/T0 at the amplitude.
     pub(super) ratio: f64,
+    /// The amplitude, in radians.
+    pub(super) amplitude: f64,
 }
 
 impl LengthTable {
@@ -94,6 +96,17 @@ impl LengthTable {
         let mut rows = self.rows.clone();
         for (row, shift) in rows.iter_mut().zip(shifts) {
             row.period += shift;
+        }
+        Self { rows, ..self.clone() }
+    }
+
+    /// The table with (T/2π)² divided by these factors, row by row.
+    pub(super) fn divided(&self, factors: &[f64]) -> Self {
+        let mut rows = self.rows.clone();
+        for (row, factor) in rows.iter_mut().zip(factors) {
+            let root = factor.sqrt();
+            row.period /= root;
+            row.period_uncertainty /= root;
         }
         Self { rows, ..self.clone() }
     }
@@ -160,8 +173,9 @@ impl Row {
         }
         let amplitude = columns.amplitudes.get(index).or(columns.amplitudes.first());
         let (ratio, relative) = ratio(amplitude, row)?;
+        let amplitude = amplitude.map_or(0.0, |it| it.value.abs());
         let period_uncertainty = if weighted { libm::hypot(own, period * relative) } else { 0.0 };
-        Ok(Self { length, period, length_uncertainty, period_uncertainty, ratio })
+        Ok(Self { length, period, length_uncertainty, period_uncertainty, ratio, amplitude })
     }
 
     /// (T/2πR)², in s².

@@ -9,6 +9,7 @@ mod gates;
 mod gravity;
 mod groups;
 mod mistake;
+mod normal_gravity;
 mod readings;
 mod scatter;
 mod spectrum;

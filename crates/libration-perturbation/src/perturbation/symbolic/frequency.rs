@@ -5,6 +5,7 @@
 
 use libration_motion::oscillator::SymbolicOscillator;
 use libration_numbers::algebra::{LaurentPolynomial, LaurentPolynomials, Rational, Ring};
+use libration_numbers::expression::{Expression, Function};
 
 pub(super) struct Frequency<'a> {
     ring: &'a LaurentPolynomials,
@@ -54,6 +55,17 @@ impl<'a> Frequency<'a> {
         self.is_sum().then(|| self.ring.letters()[self.place].clone())
     }
 
+    /// The name of ω0 with its root as a formula, where ω0² is one term whose root stands in these coefficients.
+    pub(super) fn named_root(&self, coefficients: &[LaurentPolynomial]) -> Option<(String, Expression)> {
+        let occurs = |it: &LaurentPolynomial| it.half_powers().any(|(powers, _)| powers[self.place] != 0);
+        if self.is_sum() || !coefficients.iter().any(occurs) {
+            return None;
+        }
+        let square = self.square.to_string().parse().ok()?;
+        let root = Expression::Call(Function::Sqrt, Box::new(square));
+        Some((self.ring.letters()[self.place].clone(), root))
+    }
+
     fn is_sum(&self) -> bool {
         self.square.as_single_term().is_none()
     }
@@ -71,7 +83,7 @@ impl<'a> Frequency<'a> {
         }
     }
 
-    /// The same with ω0² in letters; `None` where a negative power of a sum is left.
+    /// The same with ω0² in letters, ω0 to the first power at most; `None` where a negative power of a sum is left.
     fn written_out(&self, coefficient: &LaurentPolynomial) -> Option<LaurentPolynomial> {
         if coefficient.is_beyond_limit() {
             return Some(coefficient.clone());
@@ -79,7 +91,8 @@ impl<'a> Frequency<'a> {
         let mut sum = self.ring.zero();
         for (powers, factor) in coefficient.half_powers() {
             let mut others = powers.clone();
-            let square_power = whole_squares(std::mem::take(&mut others[self.place]))?;
+            let odd = if others[self.place] % 4 == 0 { 0 } else { 2 };
+            let square_power = whole_squares(std::mem::replace(&mut others[self.place], odd) - odd)?;
             let square = self.ring.power(self.square, &Rational::from(square_power))?;
             sum = self.ring.add(&sum, &self.ring.multiply(&self.ring.term(others, factor.clone()), &square));
         }

@@ -5,7 +5,10 @@
 //! is compared by clearing powers of ω0. The reversion of the potential is checked in symbols, and everything once more with fractions in their
 //! place, modulo primes.
 
+mod constants;
 mod frequency;
+
+pub use constants::expand_with_constants;
 
 use super::certificate::agrees_with_the_potential;
 use super::expand::{ExpansionError, MAX_ORDER};
@@ -179,6 +182,9 @@ impl Question<'_> {
         let largest = own.iter().map(LaurentPolynomial::largest_half_power).max().unwrap_or(0);
         let point = Point::new(&self.frequency, largest)?;
         let values = self.oscillator.values().iter().map(|value| point.value(value));
+        if *self.oscillator.kind() == Kind::Mirrored && point.omega0_squared().square_root().is_none() {
+            return None; // Even harmonics are in proportion to ω0, which no prime has for certain.
+        }
         let model = self.model(point.omega0_squared().clone(), values.collect::<Option<Vec<_>>>()?);
         let numbers = match exact_series(&model, watch) {
             Ok(set) => set.numbers(),
@@ -193,6 +199,8 @@ impl Question<'_> {
     fn heading(&self, set: SeriesSet<LaurentPolynomial>, certificate: Certificate) -> SymbolicExpansion {
         let (oscillator, ring) = (self.oscillator, self.oscillator.ring());
         let one = ring.rational(&Rational::from(1)).unwrap_or_else(|| ring.zero());
+        let mut constants = oscillator.constants().to_vec();
+        constants.extend(self.frequency.named_root(&set.numbers()));
         let heading = Heading {
             order: set.order(),
             variable: ExpansionVariable::Epsilon(self.gauge.clone()),
@@ -205,7 +213,7 @@ impl Question<'_> {
         };
         SymbolicExpansion {
             letters: oscillator.letters().to_vec(),
-            constants: oscillator.constants().to_vec(),
+            constants,
             omega0: self.frequency.in_letters(),
             omega0_name: self.frequency.name(),
             series: Expansion::new(ring, heading, set, certificate),

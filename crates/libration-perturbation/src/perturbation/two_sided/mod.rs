@@ -209,26 +209,36 @@ fn period_ratio<R: Ring>(ring: &R, [above, below]: [&[R::Element]; 2]) -> Option
     Some(ratio)
 }
 
-/// Returns `true` if the series with π equal those in digits, to 30 digits, relative for numbers above one and absolute for others.
-pub(crate) fn agree(with_pi: &SeriesSet<LaurentPolynomial>, in_digits: &SeriesSet<Rational>) -> bool {
-    const BITS: usize = 400;
+/// Bits in which exact coefficients are compared with digits.
+pub(crate) const AGREEING_PRECISION: usize = 400;
+
+/// Returns `true` if coefficients with constants, for these values, equal those in digits, to 30 digits, relative for numbers above one and
+/// absolute for others.
+pub(crate) fn agree(exact: &[LaurentPolynomial], constants: &[BigFloat], in_digits: &[Rational]) -> bool {
     const AGREEING_BITS: isize = 100;
-    let floats = Floats { precision: BITS };
+    let floats = Floats { precision: AGREEING_PRECISION };
+    let term = |powers: &[i64], factor: &Rational| {
+        let term = BigFloat::from_rational(factor, AGREEING_PRECISION);
+        powers.iter().zip(constants).filter(|(half_power, _)| **half_power != 0).try_fold(
+            term,
+            |term, (half_power, constant)| {
+                let power = floats.power(constant, &Rational::new(*half_power, 2)?)?;
+                Some(floats.multiply(&term, &power))
+            },
+        )
+    };
     let value = |number: &LaurentPolynomial| {
-        number.half_powers().fold(floats.zero(), |sum, (powers, factor)| {
-            let power = floats.power(&BigFloat::pi(BITS), &Rational::from(powers[0] / 2));
-            let term = BigFloat::from_rational(factor, BITS);
-            power.map_or_else(|| sum.clone(), |power| floats.add(&sum, &floats.multiply(&term, &power)))
-        })
+        number
+            .half_powers()
+            .try_fold(floats.zero(), |sum, (powers, factor)| Some(floats.add(&sum, &term(powers, factor)?)))
     };
     let same = |(number, digits): (&LaurentPolynomial, &Rational)| {
-        let digits = BigFloat::from_rational(digits, BITS);
+        let digits = BigFloat::from_rational(digits, AGREEING_PRECISION);
         let size = digits.exponent().unwrap_or(0).max(0);
-        let gap = floats.subtract(&value(number), &digits);
-        gap.exponent().is_none_or(|gap| gap < size - AGREEING_BITS)
+        let gap = value(number).map(|value| floats.subtract(&value, &digits));
+        gap.is_some_and(|gap| gap.exponent().is_none_or(|gap| gap < size - AGREEING_BITS))
     };
-    let (own, others) = (with_pi.numbers(), in_digits.numbers());
-    own.len() == others.len() && own.iter().zip(&others).all(same)
+    exact.len() == in_digits.len() && exact.iter().zip(in_digits).all(same)
 }
 
 fn letters() -> LaurentPolynomials {

@@ -335,6 +335,7 @@ fn certificate(certificate: Certificate) -> &'static str {
         Certificate::FreshPrimes => "fresh primes",
         Certificate::TwoPrecisions => "two precisions",
         Certificate::Quadrature => "quadrature",
+        Certificate::Digits => "digits",
         Certificate::Substitution => "substitution",
         Certificate::Unchecked => "none",
     }

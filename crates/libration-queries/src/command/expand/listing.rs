@@ -86,6 +86,7 @@ fn root_in_words<C>(letters: &Letters<C>) -> String {
     let omega0 = &letters.omega0;
     let root = match &letters.omega0_name {
         _ if omega0 == "1" => String::new(),
+        None if letters.names.is_empty() => format!(", so that ω0 = {omega0}"),
         None => format!(", so that ω0 = {omega0} for positive symbols"),
         Some(name) => format!(", so that ω0 = {omega0}, which is called {name} in the coefficients"),
     };
@@ -250,6 +251,7 @@ fn checked<C>(answer: &Answer<C>) -> String {
         Certificate::FreshPrimes => "confirmed modulo five further primes of 30 bits, not proven",
         Certificate::TwoPrecisions => "computed twice, with different numbers of digits",
         Certificate::Quadrature => "to 30 digits they are those that a quadrature gives",
+        Certificate::Digits => "to 30 digits they are those of the same expansion in digits",
         Certificate::Substitution | Certificate::Unchecked => "not checked by a second method",
     };
     format!("{precision}; {how}")
@@ -264,6 +266,13 @@ fn checked_with_letters(certificate: Certificate) -> String {
             "all coefficients are exact; the dependence of the frequency on the turning points is proven by the symbolic reversion of the \
              potential, and {substituted}"
         ),
+        Certificate::Quadrature => {
+            "all coefficients are exact; to 30 digits they are those that a quadrature gives".to_owned()
+        }
+        Certificate::Digits => {
+            "all coefficients are exact; to 30 digits they are those of the same expansion in digits"
+                .to_owned()
+        }
         _ => format!("all coefficients are exact; {substituted}"),
     }
 }

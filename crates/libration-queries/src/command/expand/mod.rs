@@ -157,6 +157,10 @@ impl Format {
 
 /// The order to which an expansion is listed.
 const LISTED: usize = 7;
+
+/// The small parameter where none is named.
+pub(super) const BOOKKEEPING: &str = "eps";
+
 pub(crate) fn answers() -> Vec<Answers> {
     // Where several options of these are given, the first names the fields.
     let series = [fields::answers(), symbolic_flow::answers(), evaluate::answers()];

@@ -1,7 +1,7 @@
 //! Series with numbers for all parameters, listed or evaluated.
 
 use super::answer::Answer;
-use super::{Expand, Format, LISTED, evaluate};
+use super::{Expand, Format, LISTED, evaluate, letters};
 use crate::arguments::Chosen;
 use crate::output::number::short;
 use crate::output::series::{certainty, radius_certainty};
@@ -9,7 +9,9 @@ use crate::parallel::{self, unless_cancelled};
 use crate::query_error::{QueryError, option};
 use libration::comparison::{SeriesComparison, SeriesQuantity};
 use libration::oscillator::{Kind, Oscillator};
-use libration::perturbation::{Expansion, ExpansionError, Gauge, expand, expand_with_pi};
+use libration::perturbation::{
+    Expansion, ExpansionError, Gauge, SymbolicExpansionError, expand, expand_with_constants,
+};
 use libration::progress::{Progress, Stage, Status};
 use std::io::Write;
 use std::sync::Mutex;
@@ -37,11 +39,18 @@ impl Expand {
         let oscillator = chosen.oscillator.clone();
         if amplitude.is_none() && self.format.and_then(Format::language).is_none() {
             let exact = with_orders_shown(order, |progress| {
-                expand_with_pi(&oscillator, order, &self.gauge(), progress)
+                expand_with_constants(&oscillator, order, &self.gauge(), progress)
             });
-            if let Some(expansion) = exact.map_err(refusal)? {
-                let equation = oscillator.equation();
-                self.write(out, &Answer::about(equation, chosen, expansion, None, None), String::new)?;
+            let exact = match exact {
+                Err(SymbolicExpansionError::Expansion(error)) => return Err(refusal(error)),
+                Err(SymbolicExpansionError::Interrupted { .. }) => {
+                    return Err(refusal(ExpansionError::Interrupted { known: None }));
+                }
+                exact => exact.map_err(|error| QueryError::no_result("expansion", error))?,
+            };
+            if let Some(expansion) = exact {
+                let answer = letters::in_words(oscillator.equation(), chosen, expansion, None);
+                self.write(out, &answer, String::new)?;
                 return Ok(Ok(None));
             }
         }

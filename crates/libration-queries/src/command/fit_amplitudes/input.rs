@@ -169,7 +169,7 @@ impl Input {
         if self.length.is_some() { "rad" } else { unit }
     }
 
-    fn name(&self) -> String {
+    pub(super) fn name(&self) -> String {
         self.file.display().to_string()
     }
 

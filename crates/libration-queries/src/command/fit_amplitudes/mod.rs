@@ -3,9 +3,11 @@
 mod columns;
 mod fields;
 mod input;
+mod report;
 mod write;
 
 use crate::command::fit_trace::DampingChoice;
+use crate::document;
 use crate::figure;
 use crate::output::{FormOptions, announce};
 use crate::query_error::QueryError;
@@ -26,6 +28,8 @@ pub(crate) use fields::answers;
     --figure amplitudes.svg
   libration fit amplitudes examples/amplitudes_synthetic.csv --columns 1,2 \\
     --period 1.42s --json
+  libration fit amplitudes examples/amplitudes_synthetic.csv \\
+    --report amplitudes.html
 
 The energy falls at its mean rate over an undamped cycle, exact at any amplitude.
 Q is ω0/c for linear damping, where A falls as exp(-ct/2); for other laws
@@ -43,6 +47,9 @@ pub(crate) struct FitAmplitudes {
     /// Draw the data, the law and the residuals to FILE.svg or FILE.png
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
+    /// Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next to it
+    #[arg(long, value_name = "FILE", value_parser = document::name)]
+    report: Option<PathBuf>,
     #[command(flatten)]
     sizes: figure::Sizes,
     #[command(flatten)]
@@ -58,14 +65,16 @@ impl FitAmplitudes {
         };
         let options = AmplitudesOptions { damping, period: self.period };
         let fit = amplitudes(&file.measured.table, &options).map_err(|error| self.input.no_answer(error))?;
-        let drawn = match &self.figure {
-            Some(path) => {
-                let picture = figure::amplitudes::fitted(&file.measured, &fit);
-                vec![figure::file::write(path, &picture, &self.sizes)?]
-            }
-            None => vec![],
-        };
-        Answer { file: &file, fit: &fit }.write(out, self.form.form())?;
-        Ok(announce(out, self.form.form(), &drawn)?)
+        let mut written = vec![];
+        if let Some(path) = &self.figure {
+            let picture = figure::amplitudes::fitted(&file.measured, &fit);
+            written.push(figure::file::write(path, &picture, &self.sizes)?);
+        }
+        let answer = Answer { file: &file, fit: &fit };
+        if let Some(path) = &self.report {
+            written.push(document::write(path, &report::document(&answer, &self.input.name()))?);
+        }
+        answer.write(out, self.form.form())?;
+        Ok(announce(out, self.form.form(), &written)?)
     }
 }

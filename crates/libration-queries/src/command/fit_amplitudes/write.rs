@@ -37,7 +37,7 @@ impl Answer<'_> {
         Ok(())
     }
 
-    fn lines(&self) -> Vec<(&'static str, String)> {
+    pub(super) fn lines(&self) -> Vec<(&'static str, String)> {
         let (fit, law) = (self.fit, self.fit.law());
         let dropped = self.file.dropped;
         let incomplete =

@@ -2,6 +2,7 @@
 
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
+use crate::output::normal_gravity::{self, NormalGravity};
 use crate::output::warnings::{self, Named};
 use crate::output::{budget, json};
 use libration::quantity::Quantity;
@@ -13,13 +14,14 @@ pub(super) struct Answer<'a> {
     pub(super) fit: &'a GatesFit,
     /// Budget with the length.
     pub(super) budget: Option<(&'a Budget, Quantity)>,
+    pub(super) normal: Option<NormalGravity>,
     pub(super) findings: Vec<String>,
     pub(super) incomplete: usize,
 }
 
 impl Answer<'_> {
     /// The warnings with their stable names.
-    fn warnings(&self) -> Vec<Named> {
+    pub(super) fn warnings(&self) -> Vec<Named> {
         let of_times = self.fit.warnings.iter().map(|warning| (warning.name(), warning.to_string()));
         of_times.chain(self.budget.into_iter().flat_map(|(budget, _)| budget::warnings(budget))).collect()
     }
@@ -133,6 +135,12 @@ pub(super) fn of_cycle() -> Fields<GateCycle> {
 }
 
 pub(crate) fn answers() -> Vec<Answers> {
-    let json = [of_answer().described(""), budget::described(), of_cycles().described("")].concat();
+    let json = [
+        of_answer().described(""),
+        normal_gravity::fields().described(""),
+        budget::described(),
+        of_cycles().described(""),
+    ]
+    .concat();
     vec![Answers { command: "fit gates", option: "", json, csv: of_cycle().described_in_csv() }]
 }

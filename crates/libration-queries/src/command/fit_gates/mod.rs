@@ -1,13 +1,16 @@
 //! `libration fit gates`: times of a photogate, cleaned, and what they say about the period.
 
 mod fields;
+mod report;
 mod write;
 
 use crate::arguments::{
     ApparatusOptions, DampingOptions, RecordingOptions, finding_with_option, one_amplitude,
 };
+use crate::document;
 use crate::figure;
 use crate::interrupt::{self, Cancellation};
+use crate::output::normal_gravity::NormalGravity;
 use crate::output::{FormOptions, announce};
 use crate::query_error::{QueryError, option};
 use fields::Answer;
@@ -30,6 +33,8 @@ pub(crate) use fields::answers;
   libration fit gates examples/gate_synthetic.csv --length 0.958m±0.001m \\
     --diameter \"25.0(1) mm\" --figure gates.svg
   libration fit gates examples/gate_synthetic.csv --signals edges --csv
+  libration fit gates examples/gate_synthetic.csv --amplitude 0.9 \\
+    --length 0.958m±0.001m --latitude 48.1deg --report gates.html
 
 Each period runs from one passage to the next in the same direction, so the gate
 need not be at the centre. With the diameter of the bob and the length, the speed
@@ -56,6 +61,9 @@ pub(crate) struct FitGates {
     /// Draw the periods against time to FILE.svg or FILE.png
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
+    /// Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next to it
+    #[arg(long, value_name = "FILE", value_parser = document::name)]
+    report: Option<PathBuf>,
     #[command(flatten)]
     sizes: figure::Sizes,
     #[command(flatten)]
@@ -90,15 +98,21 @@ impl FitGates {
         let fit = gates(&read.times, read.blocked.as_deref(), &options, &Cancellation);
         let fit = fit.map_err(|error| failure(&name, &error))?;
         let budget = self.budget(&fit, geometry.as_ref())?;
-        let drawn = match &self.figure {
-            Some(path) => vec![figure::file::write(path, &figure::gates::periods(&fit), &self.sizes)?],
-            None => vec![],
-        };
+        let mut written = vec![];
+        if let Some(path) = &self.figure {
+            written.push(figure::file::write(path, &figure::gates::periods(&fit), &self.sizes)?);
+        }
         let findings: Vec<String> = read.findings.iter().map(finding_with_option).collect();
         let incomplete = read.incomplete;
+        let normal = budget.as_ref().zip(self.apparatus.normal_gravity()?);
+        let normal = normal.map(|(budget, normal)| NormalGravity { measured: budget.gravity(), normal });
         let budget = budget.as_ref().zip(self.apparatus.length());
-        Answer { fit: &fit, budget, findings, incomplete }.write(out, self.form.form())?;
-        Ok(announce(out, self.form.form(), &drawn)?)
+        let answer = Answer { fit: &fit, budget, normal, findings, incomplete };
+        if let Some(path) = &self.report {
+            written.push(document::write(path, &report::document(&answer, &name))?);
+        }
+        answer.write(out, self.form.form())?;
+        Ok(announce(out, self.form.form(), &written)?)
     }
 
     fn options(&self, geometry: Option<&GateGeometry>) -> Result<GateOptions, QueryError> {
@@ -113,7 +127,7 @@ impl FitGates {
 
     /// The geometry of the gate; `None` without a length.
     fn geometry(&self) -> Result<Option<GateGeometry>, QueryError> {
-        let Some(apparatus) = self.apparatus.apparatus() else { return Ok(None) };
+        let Some(apparatus) = self.apparatus.apparatus()? else { return Ok(None) };
         let geometry = GateGeometry::new(apparatus, self.diameter, self.gate_distance);
         let shape = match self.shape {
             Shape::Ball => FlagShape::Ball,

@@ -2,6 +2,7 @@
 
 use super::fields::{self, Answer};
 use crate::output::json::{self, Record};
+use crate::output::normal_gravity;
 use crate::output::table::{sheet, write_text};
 use crate::output::{self, Form, number};
 use crate::query_error::QueryError;
@@ -21,6 +22,7 @@ impl Answer<'_> {
 
     fn record(&self) -> Record {
         let record = fields::of_answer().record(self);
+        let record = normal_gravity::fields().added_to(record, &self.normal);
         let record = match self.budget {
             Some((budget, _)) => output::budget::added_to(record, budget),
             None => record,
@@ -41,7 +43,7 @@ impl Answer<'_> {
         output::budget::write_table(out, budget)
     }
 
-    fn lines(&self) -> Vec<(&'static str, String)> {
+    pub(super) fn lines(&self) -> Vec<(&'static str, String)> {
         let fit = self.fit;
         let by_scatter = |timing: f64| format!("{} s, from the scatter", number::rounded(timing, 2));
         let said = |it: Uncertain, unit: &str| number::with_uncertainty(it.value, it.uncertainty, unit);
@@ -78,7 +80,7 @@ impl Answer<'_> {
             lines.push(("β", format!("{text}  (1 is the exact law)")));
         }
         if let Some((budget, length)) = self.budget {
-            lines.extend(output::budget::lines(budget, length));
+            lines.extend(output::budget::lines(budget, length, self.normal));
         }
         lines
     }

@@ -4,8 +4,9 @@ use super::input::LengthFile;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::groups::{self, Groups};
+use crate::output::normal_gravity::{self, NormalGravity};
 use crate::output::warnings::{self, Named};
-use crate::output::{combined, json, number, scatter};
+use crate::output::{budget, combined, json, number, scatter};
 use libration_lab::fit::{GravityMistake, LengthFit, LengthsFit, LengthsWarning, Uncertain};
 
 /// The result for the measurements.
@@ -13,6 +14,7 @@ pub(super) struct Answer<'a> {
     pub(super) table: &'a LengthFile,
     pub(super) fit: &'a LengthsFit,
     pub(super) groups: Option<&'a Groups>,
+    pub(super) normal: Option<NormalGravity>,
 }
 
 impl Answer<'_> {
@@ -190,6 +192,8 @@ fn or_dash(value: Option<f64>, digits: usize) -> String {
 pub(crate) fn answers() -> Vec<Answers> {
     let json = [
         of_answer().described(""),
+        normal_gravity::fields().described(""),
+        budget::rows_described(),
         combined::of_independent().described(""),
         groups::fields(&groups::GRAVITY).described(""),
     ]

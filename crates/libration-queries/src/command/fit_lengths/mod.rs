@@ -2,10 +2,14 @@
 
 mod fields;
 mod input;
+mod report;
 mod write;
 
+use crate::arguments::{CorrectionOptions, PlaceOptions};
+use crate::document;
 use crate::figure;
 use crate::output::groups::{self, Groups};
+use crate::output::normal_gravity::NormalGravity;
 use crate::output::{FormOptions, announce};
 use crate::query_error::{QueryError, option};
 use fields::Answer;
@@ -27,6 +31,8 @@ pub(crate) use fields::answers;
     --columns length,period,-,sigma_period --length-unit m
   libration fit lengths examples/class/groups.csv --clock 0.1%
   libration fit lengths examples/lengths_synthetic.csv --bob-radius 25mm --json
+  libration fit lengths examples/lengths_synthetic.csv --latitude 48.1deg \\
+    --elevation 520m --report lengths.html
   libration fit lengths examples/class/ten_swings.csv --role 4=ignore
   libration fit lengths examples/bar_synthetic.csv --figure bar.svg
   libration fit lengths examples/reversible_synthetic.csv --model reversible \\
@@ -34,15 +40,13 @@ pub(crate) use fields::answers;
 
 T² = 4π²R²(L + δ)/g is fitted by weighted least squares, where R = T/T0 at the
 amplitude. A string measured without its bob gives an offset δ and leaves g
-unbiased. A bar has T²h = 4π²R²(k² + h²)/g at a distance h = |L + δ| from its
+unbiased. The moment of inertia of a bob that is given is part of every law;
+without it a radius of gyration is fitted. A bar has T²h = 4π²R²(k² + h²)/g at a distance h = |L + δ| from its
 centre of mass, and a reversible pendulum 8π²/g = (T1² + T2²)/(h1 + h2) +
 (T1² − T2²)/(h1 − h2) (Bessel), h1 + h2 being the distance of the edges.")]
 pub(crate) struct FitLengths {
     #[command(flatten)]
     input: Input,
-    /// Radius of the bob, a sphere, whose moment of inertia is then part of every law; without it a radius of gyration is fitted
-    #[arg(long, value_name = "LENGTH", value_parser = crate::arguments::length_with_uncertainty)]
-    bob_radius: Option<Quantity>,
     /// The pendulum: simple, a bar turned about points at these distances from its centre of mass or positions on a scale along it, or reversible with two knife edges [default: a bar where the periods show it, else simple]
     #[arg(long, value_enum)]
     model: Option<Model>,
@@ -55,10 +59,17 @@ pub(crate) struct FitLengths {
     /// Draw the data, the line and the residuals to FILE.svg or FILE.png
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
+    /// Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next to it
+    #[arg(long, value_name = "FILE", value_parser = document::name)]
+    report: Option<PathBuf>,
     #[command(flatten)]
     sizes: figure::Sizes,
     #[command(flatten)]
     form: FormOptions,
+    #[command(flatten)]
+    corrections: CorrectionOptions,
+    #[command(flatten)]
+    place: PlaceOptions,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -85,17 +96,19 @@ impl FitLengths {
         if self.edges.is_some() && !is_reversible {
             return Err(QueryError::usage(option("edges"), "it belongs to <--model=reversible>"));
         }
-        if self.bob_radius.is_some() && !matches!(self.model, None | Some(Model::Simple)) {
-            return Err(QueryError::usage(option("bob-radius"), "a bar has no bob: leave it out"));
+        let of_string = self.corrections.of_string();
+        if let Some(name) = of_string.filter(|_| !matches!(self.model, None | Some(Model::Simple))) {
+            return Err(QueryError::usage(option(name), "a bar has no bob or string: leave it out"));
         }
         Ok(())
     }
 
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let mut table = self.input.read()?;
-        let radius = self.bob_radius.map(|radius| radius.value);
+        let corrections = self.corrections.corrections();
+        let radius = corrections.bob.map(|bob| bob.radius_of_ball());
         let options = LengthsOptions {
-            bob_radius: self.bob_radius,
+            corrections,
             clock: self.clock,
             shared_timing: table.shared_timing.clone(),
             pendulum: self.model.map(Model::pendulum),
@@ -107,30 +120,37 @@ impl FitLengths {
         if fit.weighted_by_rounding {
             table.weight_by_rounding();
         }
-        let drawn = match &self.figure {
-            Some(path) => {
-                let picture = figure::lengths::fitted(&table.measured, fit.best(), radius);
-                vec![figure::file::write(path, &picture, &self.sizes)?]
-            }
-            None => vec![],
-        };
+        let mut written = vec![];
+        if let Some(path) = &self.figure {
+            let picture = figure::lengths::fitted(&table.measured, fit.best(), radius);
+            written.push(figure::file::write(path, &picture, &self.sizes)?);
+        }
         let groups = groups_of(&table, &fit, &options);
-        Answer { table: &table, fit: &fit, groups: groups.as_ref() }.write(out, self.form.form())?;
-        Ok(announce(out, self.form.form(), &drawn)?)
+        let normal = self.place.normal_gravity()?;
+        let normal = normal.map(|normal| NormalGravity { measured: fit.gravity(), normal });
+        let answer = Answer { table: &table, fit: &fit, groups: groups.as_ref(), normal };
+        if let Some(path) = &self.report {
+            written.push(document::write(path, &report::document(&answer, &self.input.name(), radius))?);
+        }
+        answer.write(out, self.form.form())?;
+        Ok(announce(out, self.form.form(), &written)?)
     }
 }
 
-/// Gravity of each group, where the rows have groups; clock, observer and bob are shared.
+/// Gravity of each group, where the rows have groups; everything but the fitted line is shared.
 fn groups_of(read: &LengthFile, fit: &LengthsFit, options: &LengthsOptions) -> Option<Groups> {
-    let is_shared = |it: &&Contribution| {
-        matches!(it.input, BudgetInput::Clock | BudgetInput::BobRadius | BudgetInput::SharedTiming)
-    };
-    let shared = fit.combined.contributions.iter().filter(is_shared).map(|it| it.change() * it.change());
-    let radius = options.bob_radius.map(|radius| Quantity { uncertainty: None, ..radius });
-    let own = LengthsOptions { bob_radius: radius, ..LengthsOptions::default() };
+    let contributions = fit.combined.contributions.iter();
+    let shared = contributions.filter(|it| !is_own(it)).map(|it| it.change() * it.change());
+    let own = LengthsOptions { corrections: options.corrections, ..LengthsOptions::default() };
     let of_rows = |rows: &[usize]| {
         let fit = fit::lengths(&read.measured.table.only(rows), &own).map_err(|error| error.to_string())?;
-        Ok((fit.gravity(), fit.combined.degrees_of_freedom))
+        let slope = fit.combined.contributions.iter().find(|it| is_own(it));
+        Ok((fit.best().g, slope.map_or(f64::INFINITY, |it| it.degrees_of_freedom)))
     };
     Groups::fitted(read.groups.as_ref()?, &groups::GRAVITY, shared.sum::<f64>().sqrt(), of_rows)
+}
+
+/// Returns whether a contribution is that of the rows themselves.
+fn is_own(contribution: &Contribution) -> bool {
+    matches!(contribution.input, BudgetInput::Slope)
 }

@@ -3,6 +3,7 @@
 use super::fields::{self, Answer};
 use crate::output::groups::{self, Groups};
 use crate::output::json;
+use crate::output::normal_gravity;
 use crate::output::table::{sheet, write_text};
 use crate::output::{self, Form, number};
 use crate::query_error::QueryError;
@@ -17,7 +18,9 @@ impl Answer<'_> {
         match form {
             Form::Json => {
                 let record = fields::of_answer().record(self);
+                let record = normal_gravity::fields().added_to(record, &self.normal);
                 let record = Groups::added_to(self.groups, &groups::GRAVITY, record);
+                let record = output::budget::rows_added_to(record, &self.fit.budget);
                 json::document(out, output::combined::of_independent().added_to(record, &self.fit.combined))?;
             }
             Form::Csv => fields::of_law().write_csv(out, &self.fit.fits)?,
@@ -35,7 +38,7 @@ impl Answer<'_> {
             groups.write_table(out)?;
         }
         writeln!(out)?;
-        output::combined::write_table(out, &self.fit.combined)?;
+        output::budget::write_tables(out, &self.fit.budget, &self.fit.combined)?;
         for (_, warning) in self.warnings().iter().filter(|(name, _)| *name != CONTRADICTED) {
             write_text(out, "note: ", warning)?;
         }
@@ -55,7 +58,7 @@ impl Answer<'_> {
         centre.into_iter().chain(radius).collect()
     }
 
-    fn lines(&self) -> Vec<(&'static str, String)> {
+    pub(super) fn lines(&self) -> Vec<(&'static str, String)> {
         let best = self.fit.best();
         let dropped = self.table.dropped;
         let incomplete =
@@ -70,6 +73,7 @@ impl Answer<'_> {
             ),
             ("expanded", output::combined::expanded(&self.fit.combined)),
         ];
+        lines.extend(self.normal.map(|normal| normal.line()));
         if !self.table.inferences.is_empty() {
             lines.insert(1, ("read as", self.table.inferences.join("; ")));
         }
@@ -94,7 +98,7 @@ impl Answer<'_> {
             lines.push(("g, groups", groups.line()));
         }
         if let Some(known) = self.fit.known_gyration {
-            lines.push(("bob", format!("2r²/5 = {} m² is part of every law", number::rounded(known, 4))));
+            lines.push(("bob", format!("κ = I/m = {} m² is part of every law", number::rounded(known, 4))));
         }
         lines
     }

@@ -4,6 +4,7 @@ use super::input::Measured;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::groups::{self, Groups};
+use crate::output::normal_gravity::{self, NormalGravity};
 use crate::output::warnings::{self, Named};
 use crate::output::{budget, json, scatter};
 use libration::quantity::Quantity;
@@ -16,6 +17,7 @@ pub(super) struct Answer<'a> {
     pub(super) groups: Option<&'a Groups>,
     pub(super) budget: Option<&'a Budget>,
     pub(super) length: Option<Quantity>,
+    pub(super) normal: Option<NormalGravity>,
 }
 
 /// A law with its key, and its fit or why there is none.
@@ -33,7 +35,7 @@ impl Answer<'_> {
     }
 
     /// The warnings about the rows, and about gravity, with stable names.
-    fn warnings(&self) -> Vec<Named> {
+    pub(super) fn warnings(&self) -> Vec<Named> {
         let of_rows = self.fit.warnings().into_iter().map(|warning| (warning.name(), warning.to_string()));
         of_rows.chain(self.budget.into_iter().flat_map(budget::warnings)).collect()
     }
@@ -140,7 +142,13 @@ pub(super) fn of_law<'a>() -> Fields<KeyedLaw<'a>> {
 
 pub(crate) fn answers() -> Vec<Answers> {
     let (json, csv) = (
-        [of_answer().described(""), groups::fields(&groups::T0).described(""), budget::described()].concat(),
+        [
+            of_answer().described(""),
+            normal_gravity::fields().described(""),
+            groups::fields(&groups::T0).described(""),
+            budget::described(),
+        ]
+        .concat(),
         of_law().described_in_csv(),
     );
     vec![Answers { command: "fit periods", option: "", json, csv }]

@@ -2,11 +2,14 @@
 
 mod fields;
 mod input;
+mod report;
 mod write;
 
 use crate::arguments::{ApparatusOptions, DampingOptions, FormulaChoice, positive};
+use crate::document;
 use crate::figure;
 use crate::output::groups::{self, Groups};
+use crate::output::normal_gravity::NormalGravity;
 use crate::output::{FormOptions, announce};
 use crate::query_error::QueryError;
 use fields::Answer;
@@ -29,6 +32,9 @@ pub(crate) use fields::answers;
     --reject-outliers 5 --json
   libration fit periods examples/class/amplitudes.csv --length 0.5m±1mm \\
     --shared-timing 0.05s
+  libration fit periods examples/period_table_synthetic.csv \\
+    --length 0.994m±0.001m --latitude 48.1deg --elevation 520m \\
+    --report periods.html
 
 Every law is fitted by weighted least squares in T0 alone. The test of the exact
 law fits T = T0·[1 + β(R − 1)], where R = T/T0 by the exact law: β = 1 is the
@@ -44,6 +50,9 @@ pub(crate) struct FitPeriods {
     /// Draw the data, the laws and the residuals to FILE.svg or FILE.png
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
+    /// Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next to it
+    #[arg(long, value_name = "FILE", value_parser = document::name)]
+    report: Option<PathBuf>,
     #[command(flatten)]
     sizes: figure::Sizes,
     #[command(flatten)]
@@ -70,17 +79,17 @@ impl FitPeriods {
             fit.measured_period(self.apparatus.angle_scale(), self.apparatus.clock(), self.damping.damping());
         let shared_timing = measured.shared_of(&fit);
         let period = MeasuredPeriod { shared_timing, ..period };
-        let apparatus = self.apparatus.apparatus();
+        let apparatus = self.apparatus.apparatus()?;
         let budget = apparatus.map(|apparatus| fit::budget(&apparatus, &period, correlations));
         let budget = budget.transpose().map_err(|error| QueryError::no_result("gravity", error))?;
-        let mut drawn = vec![];
+        let normal = self.apparatus.normal_gravity()?;
+        let normal = budget.as_ref().zip(normal);
+        let normal = normal.map(|(budget, normal)| NormalGravity { measured: budget.gravity(), normal });
+        let left_out = if self.reject_outliers.is_some() { &fit.outliers[..] } else { &[] };
+        let mut written = vec![];
         if let Some(path) = &self.figure {
-            let left_out = if self.reject_outliers.is_some() { &fit.outliers[..] } else { &[] };
-            drawn.push(figure::file::write(
-                path,
-                &figure::periods::fitted(&measured.without(left_out), &fit),
-                &self.sizes,
-            )?);
+            let picture = figure::periods::fitted(&measured.without(left_out), &fit);
+            written.push(figure::file::write(path, &picture, &self.sizes)?);
         }
         let groups = self.groups(&measured, &fit);
         let answer = Answer {
@@ -89,9 +98,13 @@ impl FitPeriods {
             fit: &fit,
             budget: budget.as_ref(),
             length: self.apparatus.length(),
+            normal,
         };
+        if let Some(path) = &self.report {
+            written.push(document::write(path, &report::document(&answer, &self.input.name(), left_out))?);
+        }
         answer.write(out, self.form.form())?;
-        Ok(announce(out, self.form.form(), &drawn)?)
+        Ok(announce(out, self.form.form(), &written)?)
     }
 
     /// T0 of each group, where the rows have groups; the clock and the observer are shared.

@@ -3,6 +3,7 @@
 use super::fields::{self, Answer};
 use crate::output::groups::{self, Groups};
 use crate::output::json::{self, Record};
+use crate::output::normal_gravity;
 use crate::output::table::sheet;
 use crate::output::{self, Form, number};
 use crate::query_error::QueryError;
@@ -21,6 +22,7 @@ impl Answer<'_> {
 
     fn record(&self) -> Record {
         let record = fields::of_answer().record(self);
+        let record = normal_gravity::fields().added_to(record, &self.normal);
         let record = Groups::added_to(self.groups, &groups::T0, record);
         match self.budget {
             Some(budget) => output::budget::added_to(record, budget),
@@ -41,7 +43,7 @@ impl Answer<'_> {
         output::budget::write_table(out, budget)
     }
 
-    fn lines(&self) -> Vec<(&'static str, String)> {
+    pub(super) fn lines(&self) -> Vec<(&'static str, String)> {
         let exact = &self.fit.exact;
         let warnings = self.fit.warnings();
         let (grave, others): (Vec<_>, Vec<_>) =
@@ -67,7 +69,7 @@ impl Answer<'_> {
             lines.push(("T₀, groups", groups.line()));
         }
         if let (Some(budget), Some(length)) = (self.budget, self.length) {
-            lines.extend(output::budget::lines(budget, length));
+            lines.extend(output::budget::lines(budget, length, self.normal));
         }
         lines
     }

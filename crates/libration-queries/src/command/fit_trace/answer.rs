@@ -5,10 +5,11 @@ use super::model::DampingChoice;
 use super::options;
 use crate::arguments::ApparatusOptions;
 use crate::interrupt;
+use crate::output::normal_gravity::NormalGravity;
 use crate::output::progress::ProgressLine;
 use crate::query_error::QueryError;
 use libration::progress::Status;
-use libration_lab::fit::swings::{SwingsError, SwingsFit, SwingsOptions, swings};
+use libration_lab::fit::swings::{FittedPendulum, SwingsError, SwingsFit, SwingsOptions, swings};
 use libration_lab::fit::trace::{TraceFitError, TraceOptions};
 use std::cell::{Cell, RefCell};
 
@@ -17,6 +18,8 @@ use std::cell::{Cell, RefCell};
 pub(super) struct Answer<'a> {
     pub(super) measured: &'a Measured,
     pub(super) swings: SwingsFit,
+    /// Normal gravity at the place, with the measured one.
+    pub(super) normal: Option<NormalGravity>,
 }
 
 impl<'a> Answer<'a> {
@@ -39,13 +42,21 @@ impl<'a> Answer<'a> {
                 DampingChoice::Auto => None,
             },
             trace: TraceOptions { profile: true, ..options },
-            apparatus: apparatus.apparatus(),
+            apparatus: apparatus.apparatus()?,
             angle_scale: apparatus.angle_scale(),
             clock: apparatus.clock(),
             correlations: apparatus.correlations(),
         };
+        let normal = apparatus.normal_gravity()?;
         let swings = swings(&measured.traces, &options, &progress);
-        Ok(Self { measured, swings: swings.map_err(|error| failure(measured, error))? })
+        let swings = swings.map_err(|error| failure(measured, error))?;
+        let measured_gravity = match &swings.pendulum {
+            FittedPendulum::Gravity { budget, .. } => Some(budget.gravity()),
+            FittedPendulum::Length(_) => None,
+        };
+        let normal =
+            measured_gravity.zip(normal).map(|(measured, normal)| NormalGravity { measured, normal });
+        Ok(Self { measured, swings, normal })
     }
 
     /// The warnings with the options that help.

@@ -48,7 +48,7 @@ pub(crate) struct FitTrace {
     /// Fit the scale of the angles too, from how the period depends on the amplitude
     #[arg(long)]
     free_scale: bool,
-    /// Write a report with pictures to FILE.html, or to FILE.md with the pictures next to it
+    /// Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next to it
     #[arg(long, value_name = "FILE", value_parser = document::name)]
     report: Option<PathBuf>,
     /// Draw the data, the fitted motion and the residuals to FILE.svg or FILE.png
@@ -73,8 +73,7 @@ impl FitTrace {
             written.push(figure::file::write(path, &report::pictures::of_all(&answer), &self.sizes)?);
         }
         if let Some(path) = &self.report {
-            document::write(path, &report::document(&answer))?;
-            written.push(format!("{} written: report with pictures", path.display()));
+            written.push(document::write(path, &report::document(&answer))?);
         }
         match self.form.form() {
             Form::Json => json::document(out, fields::record(&answer))?,

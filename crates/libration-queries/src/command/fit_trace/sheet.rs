@@ -50,6 +50,7 @@ fn lines(answer: &Answer<'_>) -> Vec<(&'static str, String)> {
         gravity_or_length(answer),
     ]);
     lines.extend(expanded(answer).map(|text| ("expanded", text)));
+    lines.extend(answer.normal.map(|normal| normal.line()));
     lines.extend(answer.swings.quality().map(|it| ("Q", quality(it))));
     lines.extend([("rms residual", residual(answer)), ("cycles", cycles(answer)), ("β", beta(answer))]);
     lines

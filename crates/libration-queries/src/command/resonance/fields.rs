@@ -199,5 +199,6 @@ pub(super) fn told(divisor: &Divisor) -> String {
 
 pub(crate) fn answers() -> Vec<Answers> {
     let json = [of_answer().described(""), of_term().described("slow_terms[].")].concat();
-    vec![Answers { command: "resonance", option: "", json, csv: of_term().described_in_csv() }]
+    let plain = Answers { command: "resonance", option: "", json, csv: of_term().described_in_csv() };
+    vec![plain, super::letters::answers()]
 }

@@ -1,6 +1,7 @@
 //! `libration resonance`: the slow flow of coupled modes near rest, and how they exchange their energy.
 
 mod fields;
+mod letters;
 mod write;
 
 use crate::arguments::{EquilibriumOptions, InitialOptions, SystemOptions, count, part};
@@ -22,6 +23,8 @@ pub(crate) use fields::answers;
 ///
 /// With aⱼ the complex amplitude of mode j, coordinates are xₑ + Re Σ aⱼφⱼ to first order. Terms that turn as fast as aⱼ stay in aⱼ′,
 /// exactly where the modes are exact; all others are removed, each divided by its divisor.
+///
+/// With symbols in the equations the result is the slow flow of the coordinates as formulas, free or driven.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration resonance spring_pendulum --set kappa=3
@@ -31,6 +34,12 @@ pub(crate) use fields::answers;
   libration resonance \"x'' = x - x^3\" --about x=1
   libration resonance \"x'' = -x - x*y; y'' = -4.1*y - x^2/2\" --order 4 \\
     --initial x=0.1,y=0.02 --figure exchange.svg
+  libration resonance \"x''+w1^2*x+eps*a*x*y=0; y''+w2^2*y+eps*b*x^2=0\" \\
+    --ratios 1:2
+
+Slow flow with symbols: coordinates are A·cos(n·W·t/p + phi) and terms of other
+frequencies, with the natural frequencies near n times that of one wave, and with
+--resonance P/Q the drive near W = (P/Q)·ω of the first coordinate.
 
 With --initial the exchange from this state is found by the slow flow, in closed
 form where it is one of two modes at 2:1, and by integration of the whole motion,
@@ -42,9 +51,20 @@ pub(crate) struct ResonanceQuestion {
     equilibrium: EquilibriumOptions,
     #[command(flatten)]
     initial: InitialOptions,
-    /// Highest order in the amplitudes
-    #[arg(long, value_name = "N", default_value = "3", value_parser = count::<LARGEST_ORDER>)]
-    order: usize,
+    /// Highest order in the amplitudes [default: 3], or with symbols in the small parameters [default: their largest]
+    #[arg(long, value_name = "N", value_parser = count::<LARGEST_ORDER>)]
+    order: Option<usize>,
+    /// Small parameters with their orders, of equations with symbols, such as a:1,mu:2 [default: eps, where it occurs]
+    #[arg(long, value_name = "NAME:ORDER,…")]
+    small: Option<String>,
+    /// The natural frequencies of equations with symbols as whole numbers that they are near, such as 1:2 [default: what
+    /// equal symbols or numbers imply]
+    #[arg(long, value_name = "N:N…")]
+    ratios: Option<String>,
+    /// Resonance of a drive cos(W*t) in equations with symbols: W = (P/Q)·ω, over the natural frequency of the first
+    /// coordinate
+    #[arg(long, value_name = "P/Q")]
+    resonance: Option<String>,
     /// Divisors below this fraction of the least frequency count as resonances
     #[arg(long, value_name = "PART", default_value = "0.1", value_parser = part)]
     detuning: f64,
@@ -57,6 +77,9 @@ pub(crate) struct ResonanceQuestion {
     form: FormOptions,
 }
 
+/// The order of a normal form where none is given: the lowest at which frequencies change with the amplitudes.
+const USUAL_ORDER: usize = 3;
+
 /// The result to write.
 struct Answer {
     model: Model,
@@ -67,15 +90,19 @@ struct Answer {
 
 impl ResonanceQuestion {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
+        if self.has_letters()? {
+            return self.answer_with_letters(out);
+        }
         let model = self.system.model()?;
         let initial = match self.initial.is_given() {
             true => Some(self.initial.read(&model)?.state),
             false => None,
         };
         let guess = self.equilibrium.guess(&model)?;
+        let order = self.order.unwrap_or(USUAL_ORDER);
         interrupt::listen()?;
         let answer = parallel::unless_cancelled("the normal form", |progress| {
-            let form = NormalForm::about(model.equation(), &guess, self.order, self.detuning, progress)?;
+            let form = NormalForm::about(model.equation(), &guess, order, self.detuning, progress)?;
             let exchange = initial.as_ref().map(|state| {
                 let exchange = form.exchange(state, progress)?;
                 let measured = form.measured_exchange(model.equation(), state, &exchange, progress)?;

@@ -1,6 +1,7 @@
 //! The corrections against a pendulum of many point masses, and against integration.
 
 mod combined;
+mod corrections;
 mod derivative;
 
 use std::f64::consts::TAU;
@@ -8,7 +9,9 @@ use std::f64::consts::TAU;
 use libration::progress::Quiet;
 use libration::quantity::Quantity;
 use libration::taylor::{Direction, Effort, Event, Moment, System, integrate};
-use libration_lab::fit::{Apparatus, Budget, BudgetError, Correction, MeasuredPeriod, PeriodDamping};
+use libration_lab::fit::{
+    Apparatus, Bob, Budget, BudgetError, Correction, Corrections, MeasuredPeriod, PeriodDamping,
+};
 
 const G: f64 = 9.81;
 
@@ -18,6 +21,13 @@ fn exactly(value: f64) -> Quantity {
 
 fn about(value: f64, uncertainty: f64) -> Quantity {
     Quantity { value, uncertainty: Some(uncertainty) }
+}
+
+/// A pendulum of this length with corrections.
+fn with(length: Quantity, change: impl FnOnce(&mut Corrections)) -> Apparatus {
+    let mut apparatus = Apparatus::of_length(length);
+    change(&mut apparatus.corrections);
+    apparatus
 }
 
 /// With independent inputs.
@@ -68,12 +78,13 @@ fn a_ball_on_a_rod_in_air_gives_its_g_back() {
         |added: f64| TAU * ((inertia + added * air * length * length) / ((torque - air * length) * G)).sqrt();
     let layer = |t0: f64| (2.0 * 1.51e-5 * t0 / TAU).sqrt();
     let t0 = (0..20).fold(t0_in(0.5), |t0, _| t0_in(0.5 + 2.25 * layer(t0) / radius));
-    let apparatus = Apparatus {
-        bob_radius: Some(exactly(radius)),
+    let apparatus = Corrections {
+        bob: Some(Bob::ball(exactly(radius))),
         bob_mass: Some(exactly(mass)),
         rod_mass: Some(exactly(rod)),
-        ..Apparatus::of_length(exactly(length))
+        ..Corrections::default()
     };
+    let apparatus = Apparatus { length: exactly(length), corrections: apparatus };
     let found = budget(&apparatus, &small_swings(t0)).unwrap();
     // The cells of the ball are 1e-4 of it coarse.
     assert!((found.g / G - 1.0).abs() < 2e-5, "{}", found.g);
@@ -103,7 +114,7 @@ fn a_string_that_stretches_swings_more_slowly_by_eleven_sixteenths_of_the_square
     let released = length - stretch + stretch * libm::cos(amplitude);
     let period = period_of(&equations, &[released, amplitude, 0.0, 0.0], "theta");
     let t0 = period / libration::pendulum::period_ratio(amplitude);
-    let apparatus = Apparatus { stretch: Some(exactly(stretch)), ..Apparatus::of_length(exactly(length)) };
+    let apparatus = with(exactly(length), |it| it.stretch = Some(exactly(stretch)));
     let measured = MeasuredPeriod { amplitude: Some(amplitude), ..small_swings(t0) };
     let (with, without) = (budget(&apparatus, &measured).unwrap(), small_swings(t0));
     let without = budget(&Apparatus::of_length(exactly(length)), &without).unwrap();
@@ -123,11 +134,10 @@ fn damping_makes_the_period_longer_in_second_order() {
 
 #[test]
 fn contributions_are_derivatives_times_uncertainties() {
-    let apparatus = Apparatus {
-        bob_radius: Some(about(0.02, 0.001)),
-        bob_density: Some(exactly(8000.0)),
-        ..Apparatus::of_length(about(1.0, 0.002))
-    };
+    let apparatus = with(about(1.0, 0.002), |it| {
+        it.bob = Some(Bob::ball(about(0.02, 0.001)));
+        it.bob_density = Some(exactly(8000.0));
+    });
     let amplitude = 0.5;
     let measured = MeasuredPeriod {
         t0: about(2.006, 0.001),
@@ -165,10 +175,11 @@ fn what_cannot_be_is_refused() {
     let refused = |apparatus: Apparatus, t0: f64| budget(&apparatus, &small_swings(t0)).unwrap_err();
     let plain = Apparatus::of_length(exactly(1.0));
     assert_eq!(refused(plain, -2.0), BudgetError::NotPositive { name: "period", value: -2.0 });
-    let huge = Apparatus { bob_radius: Some(exactly(2.0)), ..plain };
+    let huge = with(exactly(1.0), |it| it.bob = Some(Bob::ball(exactly(2.0))));
     assert_eq!(refused(huge, 2.0), BudgetError::BobTooLarge { radius: 2.0, length: 1.0 });
-    assert_eq!(refused(Apparatus { rod_mass: Some(exactly(0.1)), ..plain }, 2.0), BudgetError::RodWithoutBob);
-    let balloon = Apparatus { bob_density: Some(exactly(1.0)), ..plain };
+    let rod = with(exactly(1.0), |it| it.rod_mass = Some(exactly(0.1)));
+    assert_eq!(refused(rod, 2.0), BudgetError::RodWithoutBob);
+    let balloon = with(exactly(1.0), |it| it.bob_density = Some(exactly(1.0)));
     assert_eq!(refused(balloon, 2.0), BudgetError::BobTooLight);
     let vague = Apparatus { length: about(1.0, -1.0), ..plain };
     assert_eq!(refused(vague, 2.0), BudgetError::Uncertainty { name: "length", value: -1.0 });

@@ -10,7 +10,7 @@ pub enum SymbolicSlowFlowError {
     #[error("order {0} is out of range: give 1 to {MAX_SYMBOLIC_SLOW_ORDER}")]
     Order(usize),
     /// Several equations.
-    #[error("there are {0} equations: a slow flow is given for one coordinate")]
+    #[error("there are {0} equations: this slow flow is that of one coordinate")]
     SeveralEquations(usize),
     /// An equation of the first order.
     #[error(transparent)]
@@ -68,9 +68,9 @@ pub enum SymbolicSlowFlowError {
     /// No oscillation without the small terms.
     #[error("without the small terms there is no oscillation: ω0² is `{0}`, and must be positive")]
     NoOscillation(String),
-    /// Damping or kinks that are not small.
+    /// Damping, coupling or kinks that are not small.
     #[error(
-        "`{0}` before the velocity, or before abs or sign, is not small: give its symbol an order, such as mu:1"
+        "`{0}` before the velocity, another coordinate, abs or sign is not small: give its symbol an order, such as mu:1"
     )]
     NotSmall(String),
     /// A parametric drive that is not small.
@@ -88,6 +88,25 @@ pub enum SymbolicSlowFlowError {
          but the small one, more orders are known"
     )]
     KinkOrder(usize),
+    /// Kinks with several coordinates.
+    #[error("forces with abs or sign are averaged for one coordinate only")]
+    SeveralKinks,
+    /// Ratios of natural frequencies that do not fit the coordinates.
+    #[error(
+        "the ratios {} of natural frequencies do not fit: give a whole number from 1 to {LARGEST_RESONANCE} for each of the {coordinates} coordinates, as 1:2",
+        listed(given)
+    )]
+    Ratios {
+        /// The ratios given.
+        given: Vec<u32>,
+        /// The number of coordinates.
+        coordinates: usize,
+    },
+    /// A natural frequency whose ratio to the first is not that of small whole numbers.
+    #[error(
+        "the natural frequency of equation {0} is not a small whole number or a simple fraction of the first: give the ratio that it is near, as 1:2"
+    )]
+    UnknownRatio(usize),
     /// Kinks with a drive that is not small, or as a factor of a drive.
     #[error(
         "a force with abs or sign is averaged over sine waves only: the drive must be small, and not a factor of it"
@@ -103,6 +122,10 @@ pub enum SymbolicSlowFlowError {
 
 /// The highest order in the small parameters.
 pub const MAX_SYMBOLIC_SLOW_ORDER: usize = 12;
+
+fn listed(ratios: &[u32]) -> String {
+    ratios.iter().map(u32::to_string).collect::<Vec<_>>().join(":")
+}
 
 /// The largest number in a resonance p/q.
 pub(super) const LARGEST_RESONANCE: u32 = 12;

@@ -9,12 +9,12 @@ use std::cell::Cell;
 /// The reading of formulas.
 pub(super) struct Reader<'a> {
     pub(super) letters: &'a Letters,
-    /// The displacement.
-    pub(super) variable: &'a str,
+    /// The displacements.
+    pub(super) variables: &'a [String],
     /// Symbols with their columns and their orders.
     pub(super) symbols: &'a [(String, usize, i64)],
-    /// The drive frequency and the harmonic of e^{is} of its first harmonic.
-    pub(super) drive: Option<(&'a DriveFrequency, i64)>,
+    /// The drive frequency, whose wave is e^{is} here.
+    pub(super) drive: Option<&'a DriveFrequency>,
     /// The highest degree of power series in the displacement.
     pub(super) degree: usize,
     /// `true` if a power series was cut off.
@@ -30,9 +30,9 @@ pub(super) enum DriveFrequency {
 
 impl DriveFrequency {
     /// The frequency of which all rates are natural multiples: the symbol in them, or the smallest number.
-    pub(super) fn of(formula: &Expression) -> Result<Option<Self>, Error> {
+    pub(super) fn of(formulas: &[Expression]) -> Result<Option<Self>, Error> {
         let mut rates = vec![];
-        collect_rates(formula, &mut rates)?;
+        formulas.iter().try_for_each(|formula| collect_rates(formula, &mut rates))?;
         let mut numbers = vec![];
         let mut symbols = vec![];
         for rate in &rates {
@@ -116,11 +116,11 @@ impl Reader<'_> {
     }
 
     fn symbol(&self, symbol: &Symbol) -> Result<Sum, Error> {
-        if symbol.name == self.variable {
+        if let Some(coordinate) = self.variables.iter().position(|name| *name == symbol.name) {
             let column = if symbol.primes == 0 { Column::Position } else { Column::Velocity };
-            return Ok(self.letters.power(column, 1));
+            return Ok(self.letters.power_at(self.letters.place_of(column, coordinate), 1));
         }
-        if let Some((DriveFrequency::Symbol(name), _)) = self.drive
+        if let Some(DriveFrequency::Symbol(name)) = self.drive
             && *name == symbol.name
         {
             return Ok(self.letters.power(Column::Drive, 1));
@@ -132,7 +132,7 @@ impl Reader<'_> {
 
     /// A formula without displacement, velocity and time.
     fn constant(&self, formula: &Expression) -> Option<Sum> {
-        let moving = |symbol: &Symbol| symbol.name == self.variable || symbol.name == "t";
+        let moving = |symbol: &Symbol| self.variables.contains(&symbol.name) || symbol.name == "t";
         if formula.symbols().iter().any(moving) { None } else { self.read(formula).ok() }
     }
 
@@ -156,6 +156,7 @@ impl Reader<'_> {
         }
         let argument = self.read(of)?;
         match function {
+            Function::Abs | Function::Sign if self.variables.len() > 1 => Err(Error::SeveralKinks),
             Function::Abs | Function::Sign => self.kink(function, &argument).ok_or_else(refused),
             Function::Sqrt if self.constant(of).is_some() => {
                 self.letters.ring.value(Function::Sqrt, &argument).ok_or_else(refused)
@@ -167,8 +168,7 @@ impl Reader<'_> {
     /// cos or sin of a multiple of the drive's phase.
     fn wave(&self, function: Function, of: &Expression) -> Option<Sum> {
         let letters = self.letters;
-        let (frequency, harmonic) = self.drive?;
-        let k = frequency.multiple(&of.derivative(&Symbol::plain("t")).simplified())? * harmonic;
+        let k = self.drive?.multiple(&of.derivative(&Symbol::plain("t")).simplified())?;
         let [forward, backward] = [k, -k].map(|k| letters.power(Column::Wave, k));
         let half = Rational::new(1, 2)?;
         match function {
@@ -201,7 +201,7 @@ impl Reader<'_> {
     /// The power series of a function about zero.
     fn power_series(&self, function: Function, argument: &Sum) -> Option<Sum> {
         let letters = self.letters;
-        let moving = [Column::Position, Column::Velocity].map(|column| letters.place(column));
+        let moving = [Column::Position, Column::Velocity].map(|column| letters.places(column)).concat();
         let still = letters.part(argument, |powers| moving.iter().all(|&place| powers[place] == 0));
         if !still.is_zero() {
             return None;

@@ -16,6 +16,8 @@ pub(super) struct Letters {
     pub(super) ring: LaurentPolynomials,
     /// The number of symbols of the equation.
     pub(super) given: usize,
+    /// The number of coordinates.
+    pub(super) coordinates: usize,
 }
 
 /// Columns after the symbols of the equation.
@@ -55,20 +57,54 @@ pub(super) enum Column {
 
 const COLUMNS: usize = 16;
 
+/// Columns that each further coordinate has of its own, behind those above.
+const OF_COORDINATE: [Column; 7] = [
+    Column::Detuning,
+    Column::Amplitude,
+    Column::Wave,
+    Column::Phasor,
+    Column::Conjugate,
+    Column::Position,
+    Column::Velocity,
+];
+
 impl Letters {
-    /// The ring in these symbols, with names for ω0, σ, A and the phase that the symbols do not have.
-    pub(super) fn new(symbols: &[String], [natural, detuning, amplitude]: [&str; 3]) -> Self {
+    /// The ring in these symbols, with names for ω0, σ and A that the symbols do not have, and for σ and A of each further coordinate.
+    pub(super) fn new(
+        symbols: &[String],
+        [natural, detuning, amplitude]: [&str; 3],
+        further: &[[String; 2]],
+    ) -> Self {
         let own = [natural, "pi", detuning, amplitude].map(str::to_owned);
-        let hidden = vec![String::new(); COLUMNS - own.len()];
-        let given = symbols.len();
-        Self {
-            ring: LaurentPolynomials::new(symbols.iter().cloned().chain(own).chain(hidden).collect()),
-            given,
+        let mut names: Vec<String> = symbols.iter().cloned().chain(own).collect();
+        names.resize(symbols.len() + COLUMNS, String::new());
+        for names_of_coordinate in further {
+            names.extend(names_of_coordinate.iter().cloned());
+            names.resize(names.len() + OF_COORDINATE.len() - names_of_coordinate.len(), String::new());
         }
+        Self { ring: LaurentPolynomials::new(names), given: symbols.len(), coordinates: 1 + further.len() }
     }
 
     pub(super) fn place(&self, column: Column) -> usize {
         self.given + column as usize
+    }
+
+    /// The place of a column of a coordinate; that of waves is for e^{iφ} in the further coordinates.
+    pub(super) fn place_of(&self, column: Column, coordinate: usize) -> usize {
+        let own = OF_COORDINATE.iter().position(|it| *it == column);
+        match (coordinate.checked_sub(1), own) {
+            (Some(further), Some(own)) => self.given + COLUMNS + further * OF_COORDINATE.len() + own,
+            _ => self.place(column),
+        }
+    }
+
+    /// The places of a column in all coordinates.
+    pub(super) fn places(&self, column: Column) -> Vec<usize> {
+        (0..self.coordinates).map(|coordinate| self.place_of(column, coordinate)).collect()
+    }
+
+    fn width(&self) -> usize {
+        self.ring.letters().len()
     }
 
     pub(super) fn zero(&self) -> Sum {
@@ -76,7 +112,7 @@ impl Letters {
     }
 
     pub(super) fn number(&self, value: Rational) -> Sum {
-        self.ring.term(vec![0; self.given + COLUMNS].into(), value)
+        self.ring.term(vec![0; self.width()].into(), value)
     }
 
     /// A column to a power.
@@ -86,7 +122,7 @@ impl Letters {
 
     /// A symbol of the equation, or another column by its place, to a power.
     pub(super) fn power_at(&self, place: usize, exponent: i64) -> Sum {
-        let mut powers = vec![0; self.given + COLUMNS];
+        let mut powers = vec![0; self.width()];
         powers[place] = 2 * exponent;
         self.ring.term(powers.into(), Rational::from(1))
     }
@@ -197,7 +233,11 @@ impl Letters {
 
     /// The derivative with respect to a column.
     pub(super) fn derivative(&self, a: &Sum, column: Column) -> Sum {
-        let place = self.place(column);
+        self.derivative_at(a, self.place(column))
+    }
+
+    /// The derivative with respect to a column by its place.
+    pub(super) fn derivative_at(&self, a: &Sum, place: usize) -> Sum {
         self.changed(a, |powers, factor| {
             let exponent = Rational::new(powers[place], 2).unwrap_or_else(|| Rational::from(0));
             powers[place] -= 2;
@@ -232,10 +272,12 @@ impl Letters {
 
     /// The complex conjugate.
     pub(super) fn conjugate(&self, a: &Sum) -> Sum {
-        let [wave, z, conjugate, imaginary] =
-            [Column::Wave, Column::Phasor, Column::Conjugate, Column::Imaginary].map(|it| self.place(it));
+        let [wave, imaginary] = [Column::Wave, Column::Imaginary].map(|it| self.place(it));
+        let [phasors, conjugates] = [Column::Phasor, Column::Conjugate].map(|it| self.places(it));
         self.changed(a, |powers, factor| {
-            powers.swap(z, conjugate);
+            for (&z, &conjugate) in phasors.iter().zip(&conjugates) {
+                powers.swap(z, conjugate);
+            }
             powers[wave] = -powers[wave];
             if powers[imaginary] == 0 { factor.clone() } else { -factor.clone() }
         })

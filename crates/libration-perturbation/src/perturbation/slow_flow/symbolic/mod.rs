@@ -8,10 +8,14 @@
 //! component of the frequency (q/p)·W at every order. A drive of order zero is part of x₀. All sums are Laurent polynomials in the symbols, z, z̄,
 //! e^{is}, i and π (`letters.rs`).
 //!
+//! Of several coordinates each has its zⱼ, and the frequencies of all are whole multiples of that of one wave; the detunings of natural frequencies are
+//! small linear terms (`coupled.rs`).
+//!
 //! Forces with |x|, |x′| and their signs contribute exact integrals over half waves, to the order at which their harmonics would act back.
 //!
 //! Terms without a small parameter whose degree in x and x′ is d are small with the amplitude, of order d − 1; the degrees of all terms count then.
 
+mod coupled;
 mod criteria;
 mod elimination;
 mod error;
@@ -29,8 +33,10 @@ use force::DriveFrequency;
 use libration_numbers::expression::Equation;
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Progress;
-use setting::Setting;
+use scales::{Forced, Solved};
+use setting::{Found, Setting};
 
+pub use coupled::{CoordinateFlow, CoupledSlowFlow, coupled_slow_flow};
 pub use error::{MAX_SYMBOLIC_SLOW_ORDER, SymbolicSlowFlowError};
 pub use evaluation::{SlowFlowAt, SteadySolution};
 pub use result::{SteadyState, SymbolicSlowFlow};
@@ -40,8 +46,11 @@ pub use result::{SteadyState, SymbolicSlowFlow};
 pub struct SymbolicSlowFlowOptions {
     /// Small parameters with their orders; none stands for `eps`, or for a small amplitude only.
     pub small: Vec<(String, usize)>,
-    /// p and q of the resonance W = (p/q)·ω0, drive over natural frequency.
+    /// p and q of the resonance W = (p/q)·ω0, drive over natural frequency, that of the first coordinate where there are several.
     pub resonance: Option<(u32, u32)>,
+    /// The natural frequencies of several coordinates as whole numbers, such as 1 and 2, which they are near; none where they follow from the
+    /// equations.
+    pub ratios: Vec<u32>,
     /// The highest order; where it is not given the largest order of a small parameter, or else 2, as far as forces with abs and sign allow it.
     pub order: Option<usize>,
 }
@@ -49,7 +58,7 @@ pub struct SymbolicSlowFlowOptions {
 /// The symbol of the drive frequency in an equation with a drive cos(W·t) or sin(W·t); `None` where there is none.
 #[must_use]
 pub fn drive_symbol(equation: &Equation) -> Option<String> {
-    match DriveFrequency::of(equation.accelerations().first()?) {
+    match DriveFrequency::of(equation.accelerations()) {
         Ok(Some(DriveFrequency::Symbol(name))) => Some(name),
         _ => None,
     }
@@ -77,6 +86,19 @@ pub fn slow_flow_symbolically(
     options: &SymbolicSlowFlowOptions,
     progress: &dyn Progress,
 ) -> Result<SymbolicSlowFlow, SymbolicSlowFlowError> {
+    if equation.variables().len() != 1 {
+        return Err(SymbolicSlowFlowError::SeveralEquations(equation.variables().len()));
+    }
+    answered(equation, options, progress, result::collected)
+}
+
+/// What is made of the slow flow of an equation.
+fn answered<R>(
+    equation: &Equation,
+    options: &SymbolicSlowFlowOptions,
+    progress: &dyn Progress,
+    collected: impl FnOnce(&Setting, &Forced<'_>, &Found, &Solved, i64) -> R,
+) -> Result<R, SymbolicSlowFlowError> {
     let watch = Watch::new(progress);
     let setting = Setting::new(equation, options)?;
     let order = match options.order {
@@ -93,5 +115,5 @@ pub fn slow_flow_symbolically(
         None => forced.highest_order().unwrap_or(order).min(order),
     };
     let solved = forced.solve(order, &watch)?;
-    Ok(result::collected(&setting, &forced, &found, &solved, order))
+    Ok(collected(&setting, &forced, &found, &solved, order))
 }

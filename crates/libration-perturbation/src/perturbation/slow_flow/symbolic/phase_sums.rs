@@ -16,8 +16,7 @@ impl PhaseSum {
         let mut parts = [BTreeMap::new(), BTreeMap::new()];
         for k in letters.exponents(sum, Column::Wave) {
             let of_wave = letters.coefficient(sum, Column::Wave, k);
-            let [real, imaginary] =
-                [0, 1].map(|power| letters.coefficient(&of_wave, Column::Imaginary, power));
+            let [real, imaginary] = real_and_imaginary(letters, &of_wave);
             let sign = Rational::from(k.signum());
             let turned = |a: &Sum, factor: &Rational| letters.scaled(a, factor);
             let opposite = Rational::from(-k.signum());
@@ -95,8 +94,13 @@ impl PhaseSum {
     }
 }
 
+/// The parts without and with i.
+pub(super) fn real_and_imaginary(letters: &Letters, sum: &Sum) -> [Sum; 2] {
+    [0, 1].map(|power| letters.coefficient(sum, Column::Imaginary, power))
+}
+
 /// Appends a coefficient and what it multiplies.
-fn append(text: &mut String, coefficient: &str, function: Option<String>) {
+pub(super) fn append(text: &mut String, coefficient: &str, function: Option<String>) {
     if coefficient == "0" {
         return;
     }
@@ -113,8 +117,11 @@ fn append(text: &mut String, coefficient: &str, function: Option<String>) {
     append_term(text, &term);
 }
 
-/// Appends a term that may have a sign.
+/// Appends a term that may have a sign, or be empty.
 pub(super) fn append_term(text: &mut String, term: &str) {
+    if term.is_empty() {
+        return;
+    }
     let joined = match (text.is_empty(), term.strip_prefix('-')) {
         (true, _) => term.to_owned(),
         (false, Some(size)) => format!(" - {size}"),

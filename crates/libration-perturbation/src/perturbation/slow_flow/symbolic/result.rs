@@ -4,7 +4,7 @@ use super::criteria::{Peak, ResponseCurve};
 use super::evaluation::{SlowFlowAt, Sums};
 use super::force::DriveFrequency;
 use super::letters::{Column, Letters, Sum};
-use super::phase_sums::{PhaseSum, append_term};
+use super::phase_sums::{PhaseSum, append, append_term, real_and_imaginary};
 use super::scales::{Forced, Solved};
 use super::setting::{Found, Names, Setting};
 use super::steady::{Steady, SteadyEquations};
@@ -93,13 +93,13 @@ pub(super) fn collected(
 ) -> SymbolicSlowFlow {
     let letters = forced.letters;
     let names = &setting.names;
-    let rates = rates(letters, &solved.rate);
+    let rates = rates(letters, &solved.rates[0]);
     let lowest = lowest_order(letters, &rates).unwrap_or(order);
     let steady = SteadyEquations { letters, rates: rates.clone(), order, lowest }.solve();
     let steady_state = steady_state(setting, forced, (&rates, &steady), found, [lowest, order]);
     let per_amplitude = letters.power(Column::Amplitude, -1);
-    let phase = |k: i64| multiple(k, &names.phase);
-    let is_kinked = forced.terms.iter().any(super::scales::Term::is_kinked);
+    let phase = |k: i64| multiple(k, &names.coordinates[0].phase);
+    let is_kinked = forced.terms.iter().flatten().any(super::scales::Term::is_kinked);
     SymbolicSlowFlow {
         order: usize::try_from(order).unwrap_or(0),
         resonance: setting
@@ -131,22 +131,28 @@ pub(super) fn collected(
 
 /// A′ and A·φ′: real and imaginary part of 2z′·e^{−iφ}.
 fn rates(letters: &Letters, rate: &Sum) -> [PhaseSum; 2] {
-    let turned = polar(letters, rate, |in_z, in_conjugate| (in_z - in_conjugate) / 2 - 1);
-    PhaseSum::parts(letters, &letters.scaled(&turned, &Rational::from(2)))
+    let [z, conjugate, wave] =
+        [Column::Phasor, Column::Conjugate, Column::Wave].map(|column| letters.place(column));
+    let turned = letters.changed(rate, |powers, factor| {
+        powers[wave] = powers[z] - powers[conjugate] - 2;
+        factor.clone()
+    });
+    PhaseSum::parts(letters, &letters.scaled(&polar(letters, &turned), &Rational::from(2)))
 }
 
-/// A·e^{±iφ}/2 in the place of z and z̄, with a power of e^{iφ} in the column of waves.
-fn polar(letters: &Letters, sum: &Sum, phase: impl Fn(i64, i64) -> i64) -> Sum {
-    let [z, conjugate, amplitude, wave] =
-        [Column::Phasor, Column::Conjugate, Column::Amplitude, Column::Wave]
-            .map(|column| letters.place(column));
+/// A/2 in the place of each z and z̄.
+pub(super) fn polar(letters: &Letters, sum: &Sum) -> Sum {
+    let [phasors, conjugates, amplitudes] =
+        [Column::Phasor, Column::Conjugate, Column::Amplitude].map(|column| letters.places(column));
+    let half = Rational::new(1, 2).unwrap_or_else(|| Rational::from(0));
     letters.changed(sum, |powers, factor| {
-        let (in_z, in_conjugate) = (powers[z], powers[conjugate]);
-        (powers[z], powers[conjugate]) = (0, 0);
-        powers[amplitude] += in_z + in_conjugate;
-        powers[wave] = 2 * phase(in_z, in_conjugate);
-        let halvings = (in_z + in_conjugate) / 2;
-        let half = Rational::new(1, 2).unwrap_or_else(|| Rational::from(0));
+        let mut halvings = 0;
+        for ((&z, &conjugate), &amplitude) in phasors.iter().zip(&conjugates).zip(&amplitudes) {
+            let degree = powers[z] + powers[conjugate];
+            (powers[z], powers[conjugate]) = (0, 0);
+            powers[amplitude] += degree;
+            halvings += degree / 2;
+        }
         (0..halvings).fold(factor.clone(), |product, _| product * half.clone())
     })
 }
@@ -166,7 +172,7 @@ fn steady_state(
 ) -> SteadyState {
     let letters = &setting.letters;
     let text = |sum: &Option<Sum>| sum.as_ref().filter(|sum| is_short(sum)).map(|sum| letters.text(sum));
-    let phase = |k: i64| multiple(k, &setting.names.phase);
+    let phase = |k: i64| multiple(k, &setting.names.coordinates[0].phase);
     let shown = if setting.drive.is_some() { 2 } else { 1 };
     let mut state = SteadyState {
         equations: rates.iter().take(shown).map(|rate| rate.text(letters, phase)).collect(),
@@ -263,14 +269,17 @@ fn drive_name(drive: &DriveFrequency) -> String {
     }
 }
 
-fn drive_frequency(forced: &Forced<'_>, (p, q): (i64, i64)) -> String {
+pub(super) fn drive_frequency(forced: &Forced<'_>, (p, q): (i64, i64)) -> String {
     let letters = forced.letters;
     let resonant = letters.scaled(&forced.omega0, &Rational::new(p, q).unwrap_or_else(|| Rational::from(1)));
     format!("{resonant} + {}", letters.text(&forced.detuning))
 }
 
 fn explained(names: &Names, setting: &Setting, found: &Found) -> Vec<(&'static str, String)> {
-    let mut list = vec![("amplitude", names.amplitude.clone()), ("phase", names.phase.clone())];
+    let mut list = vec![
+        ("amplitude", names.coordinates[0].amplitude.clone()),
+        ("phase", names.coordinates[0].phase.clone()),
+    ];
     if let Some(drive) = &setting.drive {
         list.push(("detuning", names.detuning.clone()));
         list.push(("drive_frequency", drive_name(drive)));
@@ -285,10 +294,10 @@ fn explained(names: &Names, setting: &Setting, found: &Found) -> Vec<(&'static s
 /// The displacement as harmonics of W·t/p, or of ω0·t without drive, each with its multiple of φ.
 fn displacement(setting: &Setting, forced: &Forced<'_>, solved: &Solved) -> String {
     let letters = forced.letters;
-    let kink = forced.terms.iter().filter(|term| term.is_kinked()).map(|term| term.order).min();
+    let kink = forced.terms.iter().flatten().filter(|term| term.is_kinked()).map(|term| term.order).min();
     let known = kink.map_or_else(
-        || solved.displacement.clone(),
-        |order| letters.to_order(&solved.displacement, order - 1),
+        || solved.displacements[0].clone(),
+        |order| letters.to_order(&solved.displacements[0], order - 1),
     );
     let [z, conjugate] = [Column::Phasor, Column::Conjugate].map(|column| letters.place(column));
     let mut turns: Vec<i64> =
@@ -297,7 +306,7 @@ fn displacement(setting: &Setting, forced: &Forced<'_>, solved: &Solved) -> Stri
     turns.dedup();
     let mut harmonics = letters.exponents(&known, Column::Wave);
     harmonics.retain(|&k| k >= 0);
-    let q = setting.resonance.1;
+    let q = forced.harmonics[0];
     harmonics.sort_by_key(|&k| (k != q, k));
     let mut text = String::new();
     for k in harmonics {
@@ -317,43 +326,39 @@ fn displacement(setting: &Setting, forced: &Forced<'_>, solved: &Solved) -> Stri
 fn append_wave(text: &mut String, setting: &Setting, forced: &Forced<'_>, own: &Sum, [k, turn]: [i64; 2]) {
     let letters = forced.letters;
     let doubled = if k == 0 && turn == 0 { 1 } else { 2 };
-    let amplitude = letters.scaled(&polar(letters, own, |_, _| 1), &Rational::from(doubled));
-    let [real, _] = PhaseSum::parts(letters, &amplitude);
-    let mut wave = real;
-    if k == 0 && turn == 0 {
-        let constant = wave.harmonics.remove(&1);
-        wave.harmonics.extend(constant.map(|parts| (0, parts)));
+    let amplitude = letters.scaled(&polar(letters, own), &Rational::from(doubled));
+    let [real, imaginary] = real_and_imaginary(letters, &amplitude);
+    let mut angle = fast_angle(setting, forced, k);
+    let phase = &setting.names.coordinates[0].phase;
+    match turn {
+        0 => {}
+        -1 => append_term(&mut angle, &format!("-{phase}")),
+        _ => append_term(&mut angle, &multiple(turn, phase)),
     }
-    let angle = angle(setting, forced, [k, turn]);
-    let term = wave.text(letters, |_| angle.clone());
-    if term != "0" {
-        append_term(text, &term);
+    let sine = letters.scaled(&imaginary, &Rational::from(-1));
+    for (name, coefficient) in [("cos", real), ("sin", sine)] {
+        let function = (!angle.is_empty()).then(|| format!("{name}({angle})"));
+        append(text, &letters.text(&coefficient), function);
     }
 }
 
-fn angle(setting: &Setting, forced: &Forced<'_>, [k, turn]: [i64; 2]) -> String {
-    let frequency = match &setting.drive {
-        Some(DriveFrequency::Number(number)) => forced.letters.number(number.clone()).to_string(),
-        Some(DriveFrequency::Symbol(name)) => name.clone(),
-        None => forced.omega0.to_string(),
+/// The phase of the k-th harmonic of s.
+pub(super) fn fast_angle(setting: &Setting, forced: &Forced<'_>, k: i64) -> String {
+    let (frequency, whole) = match &setting.drive {
+        Some(DriveFrequency::Number(number)) => {
+            (forced.letters.number(number.clone()).to_string(), forced.drive_harmonic)
+        }
+        Some(DriveFrequency::Symbol(name)) => (name.clone(), forced.drive_harmonic),
+        None => (forced.omega0.to_string(), forced.harmonics[0]),
     };
-    let factor = Rational::new(k, setting.resonance.0).unwrap_or_else(|| Rational::from(0));
+    let factor = Rational::new(k, whole).unwrap_or_else(|| Rational::from(0));
     let is_product = frequency.contains(['/', '+', ' ']);
     let frequency = if is_product { format!("({frequency})") } else { frequency };
-    let fast = match (factor.to_string().as_str(), frequency.as_str()) {
+    match (factor.to_string().as_str(), frequency.as_str()) {
         ("0", _) => String::new(),
         ("1", "1") => "t".to_owned(),
         ("1", frequency) => format!("{frequency}*t"),
         (factor, "1") => format!("{factor}*t"),
         (factor, frequency) => format!("{factor}*{frequency}*t"),
-    };
-    let slow = match turn {
-        0 => String::new(),
-        _ => format!("{}{}", if turn < 0 { "- " } else { "+ " }, multiple(turn.abs(), &setting.names.phase)),
-    };
-    match (fast.is_empty(), slow.is_empty()) {
-        (_, true) => fast,
-        (true, false) => slow.trim_start_matches("+ ").to_owned(),
-        (false, false) => format!("{fast} {slow}"),
     }
 }

@@ -6,24 +6,29 @@ use super::letters::{Column, Letters, Sum};
 use libration_numbers::algebra::Rational;
 use libration_numbers::internals::progress::Watch;
 
-/// x″ + ω0²·x = Σ of the terms, all of them small, with the forced motion that a drive causes that is not small.
+/// xⱼ″ + ωⱼ²·xⱼ = Σ of the terms, all of them small, with the forced motion that a drive causes that is not small; ω0 is the frequency of the first
+/// coordinate.
 pub(super) struct Forced<'a> {
     pub(super) letters: &'a Letters,
     pub(super) omega0: Sum,
-    /// (p, q) of W = (p/q)·ω0, and 1/1 without drive.
-    pub(super) resonance: (i64, i64),
+    /// p of W = (p/q)·ω0, and 1 without drive.
+    pub(super) drive_harmonic: i64,
+    /// The frequencies of the coordinates in units of ω0/q; the first is q.
+    pub(super) harmonics: Vec<i64>,
     /// W − (p/q)·ω0 with its order; zero without drive.
     pub(super) detuning: Sum,
-    /// Waves of order zero, which do not contain the displacement.
-    pub(super) drive: Sum,
-    pub(super) terms: Vec<Term>,
+    /// Waves of order zero in each equation, which do not contain the displacements.
+    pub(super) drives: Vec<Sum>,
+    /// The terms of each equation.
+    pub(super) terms: Vec<Vec<Term>>,
 }
 
-/// A coefficient times xᵃ·x′ᵇ, and the signs of x and x′ where they are factors.
+/// A coefficient times Π xⱼᵃ·xⱼ′ᵇ, and the signs of the first coordinate and its velocity where they are factors.
 #[derive(Clone, Debug)]
 pub(super) struct Term {
     pub(super) coefficient: Sum,
-    pub(super) powers: [usize; 2],
+    /// Powers of displacement and velocity of each coordinate.
+    pub(super) powers: Vec<[usize; 2]>,
     pub(super) signs: [bool; 2],
     pub(super) order: i64,
 }
@@ -34,10 +39,10 @@ impl Term {
     }
 }
 
-/// x(s, z, z̄) and z′, by orders.
+/// x(s, z, z̄) and z′ of each coordinate, by orders.
 pub(super) struct Solved {
-    pub(super) displacement: Sum,
-    pub(super) rate: Sum,
+    pub(super) displacements: Vec<Sum>,
+    pub(super) rates: Vec<Sum>,
 }
 
 impl Forced<'_> {
@@ -45,15 +50,18 @@ impl Forced<'_> {
     pub(super) fn solve(&self, order: i64, watch: &Watch<'_>) -> Result<Solved, Error> {
         self.check_kinks(order)?;
         let letters = self.letters;
-        let mut solved = Solved { displacement: self.unperturbed()?, rate: letters.zero() };
+        let rates = vec![letters.zero(); self.harmonics.len()];
+        let mut solved = Solved { displacements: self.unperturbed()?, rates };
         for n in 1..=order {
             watch.reached(usize::try_from(n).unwrap_or(0)).map_err(|_| Error::Interrupted)?;
-            let residual = letters.of_order(&self.residual(&solved, n), n);
-            let residual = letters.add(&residual, &self.kinked(n)?);
-            if residual.is_beyond_limit() {
+            let mut residuals = self.residuals(&solved, n);
+            residuals[0] = letters.add(&residuals[0], &self.kinked(n)?);
+            if residuals.iter().any(Sum::is_beyond_limit) {
                 return Err(Error::TooLarge(usize::try_from(n).unwrap_or(0)));
             }
-            self.extend(&mut solved, &residual)?;
+            for (coordinate, residual) in residuals.iter().enumerate() {
+                self.extend(&mut solved, coordinate, residual)?;
+            }
         }
         Ok(solved)
     }
@@ -62,7 +70,7 @@ impl Forced<'_> {
     pub(super) fn first_order(&self, highest: i64, watch: &Watch<'_>) -> Result<i64, Error> {
         let highest = self.highest_order().unwrap_or(highest).min(highest);
         for order in 1..highest {
-            if !self.solve(order, watch)?.rate.is_zero() {
+            if self.solve(order, watch)?.rates.iter().any(|rate| !rate.is_zero()) {
                 return Ok(order);
             }
         }
@@ -70,90 +78,125 @@ impl Forced<'_> {
     }
 
     /// z·e^{iqs} with its conjugate, and the forced motion.
-    fn unperturbed(&self) -> Result<Sum, Error> {
+    fn unperturbed(&self) -> Result<Vec<Sum>, Error> {
         let letters = self.letters;
-        let free =
-            letters.times(&letters.power(Column::Phasor, 1), &letters.power(Column::Wave, self.resonance.1));
-        let free = letters.add(&free, &letters.conjugate(&free));
-        Ok(letters.add(&free, &self.response(&self.drive).ok_or(Error::DriveNotSmall)?))
+        let of_coordinate = |(coordinate, &harmonic): (usize, &i64)| {
+            let phasor = letters.power_at(letters.place_of(Column::Phasor, coordinate), 1);
+            let free = letters.times(&phasor, &letters.power(Column::Wave, harmonic));
+            let free = letters.add(&free, &letters.conjugate(&free));
+            let forced = self.response(&self.drives[coordinate], harmonic).ok_or(Error::DriveNotSmall)?;
+            Ok(letters.add(&free, &forced))
+        };
+        self.harmonics.iter().enumerate().map(of_coordinate).collect()
     }
 
-    /// The motion that a sum of waves forces; `None` where it contains the waves of the free motion.
-    fn response(&self, waves: &Sum) -> Option<Sum> {
+    /// The motion that a sum of waves forces in a coordinate; `None` where it contains the waves of the free motion.
+    fn response(&self, waves: &Sum, harmonic: i64) -> Option<Sum> {
         let letters = self.letters;
-        let (place, q) = (letters.place(Column::Wave), self.resonance.1);
+        let (place, q) = (letters.place(Column::Wave), self.harmonics[0]);
         let square = letters.inverse(&letters.times(&self.omega0, &self.omega0))?;
-        if !letters.part(waves, |powers| powers[place].abs() == 2 * q).is_zero() {
+        if !letters.part(waves, |powers| powers[place].abs() == 2 * harmonic).is_zero() {
             return None;
         }
         let forced = letters.changed(waves, |powers, factor| {
             let k = powers[place] / 2;
-            let stiffness = Rational::new(q * q, q * q - k * k).unwrap_or_else(|| Rational::from(0));
-            factor.clone() * stiffness
+            let stiffness = Rational::new(q * q, harmonic * harmonic - k * k);
+            factor.clone() * stiffness.unwrap_or_else(|| Rational::from(0))
         });
         Some(letters.times(&forced, &square))
     }
 
-    /// The residual of the equation for a solution to order n − 1.
-    fn residual(&self, solved: &Solved, n: i64) -> Sum {
-        let letters = self.letters;
-        let velocity = self.rate_of_change(&solved.displacement, &solved.rate, n);
-        let acceleration = self.rate_of_change(&velocity, &solved.rate, n);
-        let stiffness = letters.times(&self.omega0, &self.omega0);
-        let spring = letters.product(&stiffness, &letters.to_order(&solved.displacement, n), n);
-        let force = self.force(&solved.displacement, &velocity, n);
-        letters.subtract(&letters.subtract(&force, &acceleration), &spring)
+    /// The natural frequency of a coordinate, without detuning.
+    pub(super) fn natural_frequency(&self, coordinate: usize) -> Sum {
+        let ratio = Rational::new(self.harmonics[coordinate], self.harmonics[0]);
+        self.letters.scaled(&self.omega0, &ratio.unwrap_or_else(|| Rational::from(1)))
     }
 
-    /// The forces without kinks.
-    fn force(&self, displacement: &Sum, velocity: &Sum, n: i64) -> Sum {
+    /// The residuals of order n of the equations for a solution to order n − 1.
+    fn residuals(&self, solved: &Solved, n: i64) -> Vec<Sum> {
         let letters = self.letters;
-        let smooth = || self.terms.iter().filter(|term| !term.is_kinked());
-        let powers = |of: &Sum, which: usize| {
-            let highest = smooth().map(|term| term.powers[which]).max().unwrap_or(0);
+        let rate_of_change = |of: &Sum| self.rate_of_change(of, &solved.rates, n);
+        let velocities: Vec<Sum> = solved.displacements.iter().map(rate_of_change).collect();
+        let powers = self.powers(&solved.displacements, &velocities, n);
+        let residual = |coordinate: usize| {
+            let omega = self.natural_frequency(coordinate);
+            let stiffness = letters.times(&omega, &omega);
+            let displacement = letters.to_order(&solved.displacements[coordinate], n);
+            let spring = letters.product(&stiffness, &displacement, n);
+            let acceleration = rate_of_change(&velocities[coordinate]);
+            let force = self.force(coordinate, &powers, n);
+            let residual = letters.subtract(&letters.subtract(&force, &acceleration), &spring);
+            letters.of_order(&residual, n)
+        };
+        (0..velocities.len()).map(residual).collect()
+    }
+
+    /// Powers of displacement and velocity of each coordinate, as far as the forces without kinks contain them.
+    fn powers(&self, displacements: &[Sum], velocities: &[Sum], n: i64) -> Vec<[Vec<Sum>; 2]> {
+        let letters = self.letters;
+        let smooth = || self.terms.iter().flatten().filter(|term| !term.is_kinked());
+        let list = |of: &Sum, coordinate: usize, which: usize| {
+            let highest = smooth().map(|term| term.powers[coordinate][which]).max().unwrap_or(0);
             let mut powers = vec![letters.number(Rational::from(1))];
             for exponent in 0..highest {
                 powers.push(letters.product(&powers[exponent], of, n - 1));
             }
             powers
         };
-        let [positions, velocities] = [powers(displacement, 0), powers(velocity, 1)];
-        let mut sum = self.drive.clone();
-        for term in smooth().filter(|term| term.order <= n) {
-            let rest = n - term.order;
-            let power = letters.product(&positions[term.powers[0]], &velocities[term.powers[1]], rest);
-            sum = letters.add(&sum, &letters.product(&term.coefficient, &power, n));
+        let both = displacements.iter().zip(velocities).enumerate();
+        both.map(|(coordinate, (x, v))| [list(x, coordinate, 0), list(v, coordinate, 1)]).collect()
+    }
+
+    /// The forces without kinks in an equation.
+    fn force(&self, coordinate: usize, powers: &[[Vec<Sum>; 2]], n: i64) -> Sum {
+        let letters = self.letters;
+        let mut sum = self.drives[coordinate].clone();
+        let smooth = self.terms[coordinate].iter().filter(|term| !term.is_kinked());
+        for term in smooth.filter(|term| term.order <= n) {
+            let factors = term.powers.iter().zip(powers).flat_map(|(exponents, [positions, velocities])| {
+                [&positions[exponents[0]], &velocities[exponents[1]]]
+            });
+            // All but the order of the coefficient is left for the product.
+            let one = letters.number(Rational::from(1));
+            let product = factors.fold(one, |product, it| letters.product(&product, it, n - term.order));
+            sum = letters.add(&sum, &letters.product(&term.coefficient, &product, n));
         }
         sum
     }
 
-    /// The time derivative of a function of s, z and z̄, to an order.
-    fn rate_of_change(&self, of: &Sum, rate: &Sum, n: i64) -> Sum {
+    /// The time derivative of a function of s and all z and z̄, to an order.
+    fn rate_of_change(&self, of: &Sum, rates: &[Sum], n: i64) -> Sum {
         let letters = self.letters;
-        let (p, q) = self.resonance;
         let over = |sum: &Sum, by: i64| {
             letters.scaled(sum, &Rational::new(1, by).unwrap_or_else(|| Rational::from(0)))
         };
-        let phase = letters.add(&over(&self.omega0, q), &over(&self.detuning, p));
+        let phase =
+            letters.add(&over(&self.omega0, self.harmonics[0]), &over(&self.detuning, self.drive_harmonic));
         let phase = letters.times(&phase, &letters.power(Column::Imaginary, 1));
         let mut sum = letters.product(&phase, &letters.scale_derivative(of, Column::Wave), n);
-        for (column, rate) in [(Column::Phasor, rate.clone()), (Column::Conjugate, letters.conjugate(rate))] {
-            sum = letters.add(&sum, &letters.product(&rate, &letters.derivative(of, column), n));
+        for (coordinate, rate) in rates.iter().enumerate().filter(|(_, rate)| !rate.is_zero()) {
+            for (column, rate) in
+                [(Column::Phasor, rate.clone()), (Column::Conjugate, letters.conjugate(rate))]
+            {
+                let slope = letters.derivative_at(of, letters.place_of(column, coordinate));
+                sum = letters.add(&sum, &letters.product(&rate, &slope, n));
+            }
         }
         sum
     }
 
-    /// Adds what one order's residual determines.
-    fn extend(&self, solved: &mut Solved, residual: &Sum) -> Result<(), Error> {
+    /// Adds what one order's residual of a coordinate's equation determines.
+    fn extend(&self, solved: &mut Solved, coordinate: usize, residual: &Sum) -> Result<(), Error> {
         let letters = self.letters;
-        let (place, q) = (letters.place(Column::Wave), self.resonance.1);
-        let secular = letters.coefficient(residual, Column::Wave, q);
+        let (place, harmonic) = (letters.place(Column::Wave), self.harmonics[coordinate]);
+        let secular = letters.coefficient(residual, Column::Wave, harmonic);
         let double = letters.scaled(&letters.power(Column::Imaginary, 1), &Rational::from(2));
-        let inverse = letters.inverse(&letters.times(&double, &self.omega0)).ok_or(Error::DriveNotSmall)?;
-        solved.rate = letters.add(&solved.rate, &letters.times(&secular, &inverse));
-        let rest = letters.part(residual, |powers| powers[place].abs() != 2 * q);
-        let forced = self.response(&rest).ok_or(Error::DriveNotSmall)?;
-        solved.displacement = letters.add(&solved.displacement, &forced);
+        let inverse = letters.inverse(&letters.times(&double, &self.natural_frequency(coordinate)));
+        let rate = letters.times(&secular, &inverse.ok_or(Error::DriveNotSmall)?);
+        solved.rates[coordinate] = letters.add(&solved.rates[coordinate], &rate);
+        let rest = letters.part(residual, |powers| powers[place].abs() != 2 * harmonic);
+        let forced = self.response(&rest, harmonic).ok_or(Error::DriveNotSmall)?;
+        solved.displacements[coordinate] = letters.add(&solved.displacements[coordinate], &forced);
         Ok(())
     }
 
@@ -161,11 +204,11 @@ impl Forced<'_> {
     fn kinked(&self, n: i64) -> Result<Sum, Error> {
         let letters = self.letters;
         let mut sum = letters.zero();
-        for term in self.terms.iter().filter(|term| term.is_kinked() && term.order == n) {
-            if !self.drive.is_zero() || letters.exponents(&term.coefficient, Column::Wave) != [0] {
+        for term in self.terms[0].iter().filter(|term| term.is_kinked() && term.order == n) {
+            if !self.drives[0].is_zero() || letters.exponents(&term.coefficient, Column::Wave) != [0] {
                 return Err(Error::KinkWithDrive);
             }
-            let harmonic = first_harmonic(letters, &self.omega0, term.powers, term.signs);
+            let harmonic = first_harmonic(letters, &self.omega0, term.powers[0], term.signs);
             let wave =
                 letters.times(&letters.times(&term.coefficient, &harmonic), &self.amplitude_wave(term));
             sum = letters.add(&sum, &letters.add(&wave, &letters.conjugate(&wave)));
@@ -176,8 +219,8 @@ impl Forced<'_> {
     /// Aⁿ·e^{iψ} as (2√(z·z̄))ⁿ·√(z/z̄)·e^{iqs}.
     fn amplitude_wave(&self, term: &Term) -> Sum {
         let letters = self.letters;
-        let n = i64::try_from(term.powers[0] + term.powers[1]).unwrap_or(0);
-        let wave = letters.power(Column::Wave, self.resonance.1);
+        let n = i64::try_from(term.powers[0][0] + term.powers[0][1]).unwrap_or(0);
+        let wave = letters.power(Column::Wave, self.harmonics[0]);
         let [z, conjugate] = [Column::Phasor, Column::Conjugate].map(|column| letters.place(column));
         let doubled = (0..n).fold(Rational::from(1), |product, _| product * Rational::from(2));
         letters.changed(&wave, |powers, _| {
@@ -197,9 +240,10 @@ impl Forced<'_> {
 
     /// The highest order at which harmonics of forces with kinks do not act back; `None` without such forces.
     pub(super) fn highest_order(&self) -> Option<i64> {
-        let kink = self.terms.iter().filter(|term| term.is_kinked()).map(|term| term.order).min()?;
+        let terms = || self.terms.iter().flatten();
+        let kink = terms().filter(|term| term.is_kinked()).map(|term| term.order).min()?;
         let detuning = self.letters.lowest_order(&self.detuning);
-        let lowest = self.terms.iter().map(|term| term.order).chain(detuning).min()?;
+        let lowest = terms().map(|term| term.order).chain(detuning).min()?;
         Some(kink + lowest - 1)
     }
 }

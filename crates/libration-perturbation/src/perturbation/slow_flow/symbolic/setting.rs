@@ -5,18 +5,28 @@ use super::error::{LARGEST_RESONANCE, SymbolicSlowFlowError as Error};
 use super::force::{DriveFrequency, Reader};
 use super::letters::{Column, Letters, Sum};
 use super::scales::{Forced, Term};
+use super::steady::greatest_common_divisor;
 use libration_numbers::algebra::{Rational, Ring};
-use libration_numbers::expression::Equation;
+use libration_numbers::expression::{Equation, Expression};
 use libration_numbers::internals::progress::Watch;
 use std::cell::Cell;
 
 /// Names of the result that the symbols of the equation do not have.
 #[derive(Clone, Debug)]
 pub(super) struct Names {
+    /// Names of each coordinate.
+    pub(super) coordinates: Vec<CoordinateNames>,
+    /// W − (p/q)·ω0.
+    pub(super) detuning: String,
+    pub(super) natural: String,
+}
+
+/// Names of one coordinate's amplitude and phase, and of the detuning of its natural frequency.
+#[derive(Clone, Debug)]
+pub(super) struct CoordinateNames {
     pub(super) amplitude: String,
     pub(super) phase: String,
     pub(super) detuning: String,
-    pub(super) natural: String,
 }
 
 /// The equation as it is read.
@@ -25,9 +35,11 @@ pub(super) struct Setting {
     pub(super) letters: Letters,
     pub(super) drive: Option<DriveFrequency>,
     pub(super) resonance: (i64, i64),
+    /// Natural frequencies as whole numbers; none where they follow from the equations.
+    ratios: Vec<i64>,
     /// Parameters with columns and orders.
     symbols: Vec<(String, usize, i64)>,
-    /// The one small parameter that multiplies the detuning as well.
+    /// The one small parameter that multiplies detunings as well.
     bookkeeping: Option<usize>,
     detuning_order: Option<i64>,
 }
@@ -35,29 +47,33 @@ pub(super) struct Setting {
 impl Setting {
     pub(super) fn new(equation: &Equation, options: &SymbolicSlowFlowOptions) -> Result<Self, Error> {
         equation.refuse_first_order()?;
-        let [variable] = equation.variables() else {
-            return Err(Error::SeveralEquations(equation.variables().len()));
-        };
-        let drive = DriveFrequency::of(&equation.accelerations()[0])?;
+        let variables = equation.variables();
+        let drive = DriveFrequency::of(equation.accelerations())?;
         let resonance = resonance(options.resonance, drive.is_some())?;
+        let ratios = ratios(&options.ratios, variables.len())?;
         let mut open: Vec<String> = equation.parameters().into_iter().collect();
-        let names = Names::new(&open, variable, drive.as_ref());
+        let names = Names::new(&open, variables, drive.as_ref());
         if let Some(DriveFrequency::Symbol(frequency)) = &drive {
             open.retain(|name| name != frequency);
         }
-        let small = small(&open, options)?;
+        let small = small(&open, options, &names)?;
         open.sort_by_key(|name| small.iter().all(|(other, _)| other != name));
         if small.len() != 1 {
             open.sort();
         }
-        let letters = Letters::new(&open, [&names.natural, &names.detuning, &names.amplitude]);
+        let [first, further @ ..] = names.coordinates.as_slice() else {
+            return Err(Error::SeveralEquations(0));
+        };
+        let further: Vec<[String; 2]> =
+            further.iter().map(|it| [it.detuning.clone(), it.amplitude.clone()]).collect();
+        let letters = Letters::new(&open, [&names.natural, &names.detuning, &first.amplitude], &further);
         let order = |name: &str| small.iter().find(|(other, _)| other == name).map_or(0, |(_, order)| *order);
         let symbols =
             open.iter().enumerate().map(|(place, name)| (name.clone(), place, order(name))).collect();
         let bookkeeping = (small.len() == 1).then_some(0);
-        let stated = small.iter().find(|(name, _)| *name == names.detuning).map(|(_, order)| *order);
+        let stated = small.iter().find(|(name, _)| names.is_detuning(name)).map(|(_, order)| *order);
         let detuning_order = stated.or_else(|| bookkeeping.map(|place| order(&open[place])));
-        Ok(Self { names, letters, drive, resonance, symbols, bookkeeping, detuning_order })
+        Ok(Self { names, letters, drive, resonance, ratios, symbols, bookkeeping, detuning_order })
     }
 
     /// The highest order of a parameter.
@@ -65,7 +81,7 @@ impl Setting {
         self.symbols.iter().map(|(.., order)| *order).filter(|order| *order > 0).max()
     }
 
-    /// The terms of the equation, by orders.
+    /// The terms of the equations, by orders.
     pub(super) fn forced(
         &self,
         equation: &Equation,
@@ -75,53 +91,127 @@ impl Setting {
         let letters = &self.letters;
         let reader = Reader {
             letters,
-            variable: &equation.variables()[0],
+            variables: equation.variables(),
             symbols: &self.symbols,
-            drive: self.drive.as_ref().map(|drive| (drive, self.resonance.0)),
+            drive: self.drive.as_ref(),
             degree: usize::try_from(order).unwrap_or(0) + 1,
             is_cut_off: Cell::new(false),
         };
-        let acceleration = reader.read(&equation.accelerations()[0])?;
-        if acceleration.is_beyond_limit() {
-            return Err(Error::TooLarge(0));
+        let read = equation.accelerations().iter().map(|formula| self.checked(&reader, formula));
+        let mut accelerations: Vec<Sum> = read.collect::<Result<_, _>>()?;
+        let springs = self.springs(&accelerations)?;
+        let (harmonics, drive_harmonic) = self.harmonics(&springs)?;
+        let wave = letters.place(Column::Wave);
+        for acceleration in &mut accelerations {
+            *acceleration = letters.changed(acceleration, |powers, factor| {
+                powers[wave] *= drive_harmonic;
+                factor.clone()
+            });
         }
-        if !self.is_polynomial(&acceleration) {
-            return Err(Error::NotPolynomial(equation.accelerations()[0].to_string()));
-        }
-        let natural = self.natural_frequency(&acceleration)?;
-        let shift = |forced: &mut Forced<'_>, grade: i64| {
-            let resonant =
-                Rational::new(self.resonance.0, self.resonance.1).unwrap_or_else(|| Rational::from(1));
-            let resonant = letters.scaled(&natural.omega0, &resonant);
-            forced.detuning = self.detuning(grade);
-            letters.substituted(
-                &acceleration,
-                Column::Drive,
-                &letters.add(&resonant, &forced.detuning),
-                i64::from(i16::MAX),
-            )
-        };
+        let natural = self.natural_frequency(&springs[0])?;
+        let zeros = || vec![letters.zero(); springs.len()];
         let mut forced = Forced {
             letters,
             omega0: natural.omega0.clone(),
-            resonance: self.resonance,
+            drive_harmonic,
+            harmonics,
             detuning: letters.zero(),
-            drive: letters.zero(),
+            drives: zeros(),
             terms: vec![],
         };
-        let grade = match (&self.drive, self.detuning_order) {
-            (None, _) => None,
-            (Some(_), Some(stated)) => Some(stated),
-            (Some(_), None) => {
-                let whole = shift(&mut forced, order);
-                self.split(&mut forced, &whole, reader.is_cut_off.get())?;
+        let is_detuned = self.is_detuned(&forced, &springs);
+        let equations = Equations { accelerations, springs, is_detuned, is_cut_off: reader.is_cut_off.get() };
+        let grade = match (equations.has_detuning(self.drive.is_some()), self.detuning_order) {
+            (false, _) => None,
+            (true, Some(stated)) => Some(stated),
+            (true, None) => {
+                self.split(&mut forced, &equations, order)?;
+                // Detunings of natural frequencies are left out, as that of the drive.
                 forced.detuning = letters.zero();
+                for terms in &mut forced.terms {
+                    terms.retain(|term| !self.has_detuning(&term.coefficient));
+                }
                 Some(forced.first_order(order, watch)?)
             }
         };
-        let whole = grade.map_or_else(|| acceleration.clone(), |grade| shift(&mut forced, grade));
-        let drives = self.split(&mut forced, &whole, reader.is_cut_off.get())?;
-        Ok((forced, Found { natural: natural.explained, drives }))
+        let drives = self.split(&mut forced, &equations, grade.unwrap_or(0))?;
+        let frequencies = equations.springs.iter().zip(&equations.is_detuned);
+        let natural_squares = frequencies.map(|(spring, is)| is.then(|| spring.clone())).collect();
+        Ok((forced, Found { natural: natural.explained, drives, natural_squares }))
+    }
+
+    fn checked(&self, reader: &Reader<'_>, formula: &Expression) -> Result<Sum, Error> {
+        let acceleration = reader.read(formula)?;
+        match () {
+            () if acceleration.is_beyond_limit() => Err(Error::TooLarge(0)),
+            () if !self.is_polynomial(&acceleration) => Err(Error::NotPolynomial(formula.to_string())),
+            () => Ok(acceleration),
+        }
+    }
+
+    /// The frequencies of the coordinates and the drive in units of ω0/q.
+    fn harmonics(&self, springs: &[Sum]) -> Result<(Vec<i64>, i64), Error> {
+        let whole = if self.ratios.is_empty() { self.ratios_of(springs)? } else { self.ratios.clone() };
+        let (p, q) = self.resonance;
+        let scale = q / greatest_common_divisor(q, whole[0]);
+        let harmonics: Vec<i64> = whole.iter().map(|it| it * scale).collect();
+        let drive = p * harmonics[0] / q;
+        Ok((harmonics, drive))
+    }
+
+    /// The natural frequencies as whole numbers, where the ratios of their squares are those of whole numbers.
+    fn ratios_of(&self, springs: &[Sum]) -> Result<Vec<i64>, Error> {
+        let letters = &self.letters;
+        let half = Rational::new(1, 2).unwrap_or_else(|| Rational::from(1));
+        let ratio = |spring: &Sum| {
+            let (mine, first) = (spring.as_single_term()?, springs[0].as_single_term()?);
+            let is_alike = mine.0 == first.0;
+            let square = mine.1.checked_div(first.1).filter(|it| is_alike && !it.is_negative())?;
+            let root = letters.ring.power(&letters.number(square), &half)?;
+            let (powers, factor) = root.as_single_term()?;
+            powers.iter().all(|power| *power == 0).then(|| factor.clone())
+        };
+        let mut ratios = vec![Rational::from(1)];
+        for (coordinate, spring) in springs.iter().enumerate().skip(1) {
+            let same = letters.subtract(spring, &springs[0]).is_zero();
+            let ratio = if same { Some(Rational::from(1)) } else { ratio(spring) };
+            ratios.push(ratio.ok_or(Error::UnknownRatio(coordinate + 1))?);
+        }
+        whole_numbers(&ratios).ok_or(Error::UnknownRatio(2))
+    }
+
+    /// The springs of the equations by coordinates: ω², which must not be zero.
+    fn springs(&self, accelerations: &[Sum]) -> Result<Vec<Sum>, Error> {
+        let letters = &self.letters;
+        let spring = |(coordinate, acceleration): (usize, &Sum)| {
+            let place = letters.place_of(Column::Position, coordinate);
+            let linear = letters.scaled(&self.linear(acceleration, coordinate), &Rational::from(-1));
+            let square = letters.times(&linear, &letters.power_at(place, -1));
+            let is_negative = square.as_single_term().is_some_and(|(_, factor)| factor.is_negative());
+            if square.is_zero() || is_negative {
+                Err(Error::NoOscillation(square.to_string()))
+            } else {
+                Ok(square)
+            }
+        };
+        accelerations.iter().enumerate().map(spring).collect()
+    }
+
+    /// Returns for each coordinate whether its natural frequency differs from its multiple of ω0.
+    fn is_detuned(&self, forced: &Forced<'_>, springs: &[Sum]) -> Vec<bool> {
+        let letters = &self.letters;
+        let differs = |(coordinate, spring): (usize, &Sum)| {
+            let ratio = Rational::new(forced.harmonics[coordinate], forced.harmonics[0]);
+            let ratio = ratio.unwrap_or_else(|| Rational::from(1));
+            let square = letters.scaled(&springs[0], &(ratio.clone() * ratio));
+            !letters.subtract(spring, &square).is_zero()
+        };
+        springs.iter().enumerate().map(differs).collect()
+    }
+
+    fn has_detuning(&self, sum: &Sum) -> bool {
+        let places = self.letters.places(Column::Detuning);
+        sum.half_powers().any(|(powers, _)| places.iter().any(|&place| powers[place] != 0))
     }
 
     /// Natural powers of the drive frequency and of the small parameters.
@@ -132,98 +222,121 @@ impl Setting {
             .all(|(powers, _)| places.iter().all(|&place| powers[place] >= 0 && powers[place] % 2 == 0))
     }
 
-    /// W − (p/q)·ω0: σ, times the small parameter where there is one.
-    fn detuning(&self, order: i64) -> Sum {
+    /// W − (p/q)·ω0 for the first coordinate, the detuning of its natural frequency for another: σ, times the small parameter where there is one.
+    pub(super) fn detuning(&self, coordinate: usize, order: i64) -> Sum {
         let letters = &self.letters;
         let factor = self
             .bookkeeping
             .map_or_else(|| letters.number(Rational::from(1)), |place| letters.power_at(place, 1));
-        let sigma = letters.times(&letters.power(Column::Detuning, 1), &letters.power(Column::Order, order));
-        letters.times(&sigma, &factor)
+        let sigma = letters.power_at(letters.place_of(Column::Detuning, coordinate), 1);
+        letters.times(&letters.times(&sigma, &letters.power(Column::Order, order)), &factor)
     }
 
-    fn natural_frequency(&self, acceleration: &Sum) -> Result<NaturalFrequency, Error> {
+    fn natural_frequency(&self, square: &Sum) -> Result<NaturalFrequency, Error> {
         let letters = &self.letters;
-        let linear = [(Column::Position, 2)];
-        let square = letters.scaled(&self.part(acceleration, &linear), &Rational::from(-1));
-        let square = letters.times(&square, &letters.power(Column::Position, -1));
-        let refused = || Error::NoOscillation(square.to_string());
-        if let Some((_, factor)) = square.as_single_term() {
-            if factor.is_negative() {
-                return Err(refused());
-            }
-            let half = Rational::new(1, 2).ok_or_else(refused)?;
-            if let Some(omega0) = letters.ring.power(&square, &half) {
-                return Ok(NaturalFrequency { omega0, explained: None });
-            }
-        }
-        if square.is_zero() {
-            return Err(refused());
-        }
-        let omega0 = letters.power(Column::Natural, 1);
-        Ok(NaturalFrequency { omega0, explained: Some(square) })
-    }
-
-    /// Terms of order zero with these powers, doubled, and no others of displacement, velocity and waves.
-    fn part(&self, sum: &Sum, with: &[(Column, i64)]) -> Sum {
-        let moving = [
-            Column::Order,
-            Column::Wave,
-            Column::Position,
-            Column::Velocity,
-            Column::PositionSign,
-            Column::VelocitySign,
-        ];
-        self.letters.part(sum, |powers| {
-            moving.iter().all(|column| {
-                let expected = with.iter().find(|(own, _)| own == column).map_or(0, |(_, power)| *power);
-                powers[self.letters.place(*column)] == expected
-            })
+        let half = Rational::new(1, 2).ok_or_else(|| Error::NoOscillation(square.to_string()))?;
+        let root = square.as_single_term().and_then(|_| letters.ring.power(square, &half));
+        Ok(match root {
+            Some(omega0) => NaturalFrequency { omega0, explained: None },
+            None => NaturalFrequency {
+                omega0: letters.power(Column::Natural, 1),
+                explained: Some(square.clone()),
+            },
         })
     }
 
-    /// Distributes the acceleration, and returns the symbols of the drive that does not contain the displacement.
-    fn split(
-        &self,
-        forced: &mut Forced<'_>,
-        acceleration: &Sum,
-        is_cut_off: bool,
-    ) -> Result<Vec<usize>, Error> {
+    /// The terms of order zero that are linear in a displacement, and contain no other, no velocity and no wave.
+    fn linear(&self, sum: &Sum, coordinate: usize) -> Sum {
         let letters = &self.letters;
-        let linear = self.part(acceleration, &[(Column::Position, 2)]);
-        let rest = letters.subtract(acceleration, &linear);
-        let columns = [Column::Position, Column::Velocity, Column::PositionSign, Column::VelocitySign]
-            .map(|column| letters.place(column));
-        let (grade, wave) = (letters.place(Column::Order), letters.place(Column::Wave));
-        let degree = |powers: &[i64]| (powers[columns[0]] + powers[columns[1]]) / 2;
-        let kinked = |powers: &[i64]| powers[columns[2]] != 0 || powers[columns[3]] != 0;
+        let own = letters.place_of(Column::Position, coordinate);
+        let mut moving = [Column::Order, Column::Wave, Column::PositionSign, Column::VelocitySign]
+            .map(|it| letters.place(it))
+            .to_vec();
+        moving.extend([Column::Position, Column::Velocity].map(|it| letters.places(it)).concat());
+        letters
+            .part(sum, |powers| moving.iter().all(|&place| powers[place] == if place == own { 2 } else { 0 }))
+    }
+
+    /// Distributes the accelerations with detunings of this order, and returns the symbols of the drive that does not contain displacements.
+    fn split(&self, forced: &mut Forced<'_>, equations: &Equations, grade: i64) -> Result<Vec<usize>, Error> {
+        let letters = &self.letters;
+        if self.drive.is_some() {
+            forced.detuning = self.detuning(0, grade);
+        }
+        let rests: Vec<Sum> = (0..equations.springs.len())
+            .map(|coordinate| self.rest(forced, equations, coordinate, grade))
+            .collect();
+        let degree = self.degree();
+        let order = letters.place(Column::Order);
         // Without a small factor a term is small because the amplitude is, and then powers of the amplitude count everywhere.
-        let by_amplitude = rest.half_powers().any(|(powers, _)| powers[grade] == 0 && degree(powers) >= 2);
-        if is_cut_off && !by_amplitude {
+        let is_large = |(powers, _): (&Box<[i64]>, _)| powers[order] == 0 && degree(powers) >= 2;
+        let by_amplitude = rests.iter().any(|rest| rest.half_powers().any(is_large));
+        if equations.is_cut_off && !by_amplitude {
             return Err(Error::EndlessSeries);
         }
-        let graded = letters.changed(&rest, |powers, factor| {
-            if by_amplitude && degree(powers) >= 1 {
-                powers[grade] += 2 * (degree(powers) - 1);
-            }
-            factor.clone()
-        });
-        let large = letters.of_order(&graded, 0);
-        let waves =
-            letters.part(&large, |powers| degree(powers) == 0 && powers[wave] != 0 && !kinked(powers));
-        self.refuse_large(&letters.subtract(&large, &waves), degree)?;
-        forced.drive = waves;
-        forced.terms = terms(letters, &letters.subtract(&graded, &large), columns);
-        if forced.terms.is_empty() && forced.detuning.is_zero() {
+        let (wave, signs) = (letters.place(Column::Wave), self.signs());
+        let mut drives = vec![];
+        forced.terms.clear();
+        for (coordinate, rest) in rests.iter().enumerate() {
+            let graded = letters.changed(rest, |powers, factor| {
+                if by_amplitude && degree(powers) >= 1 {
+                    powers[order] += 2 * (degree(powers) - 1);
+                }
+                factor.clone()
+            });
+            let large = letters.of_order(&graded, 0);
+            let is_still =
+                |powers: &[i64]| degree(powers) == 0 && signs.iter().all(|&place| powers[place] == 0);
+            let waves = letters.part(&large, |powers| is_still(powers) && powers[wave] != 0);
+            self.refuse_large(&letters.subtract(&large, &waves), &degree)?;
+            forced.drives[coordinate] = waves;
+            forced.terms.push(terms(letters, &letters.subtract(&graded, &large)));
+            let driving = letters.part(&graded, |powers| degree(powers) == 0 && powers[wave] != 0);
+            drives.extend(
+                (0..letters.given)
+                    .filter(|&place| driving.half_powers().any(|(powers, _)| powers[place] > 0)),
+            );
+        }
+        if forced.terms.iter().all(Vec::is_empty) && forced.detuning.is_zero() {
             return Err(Error::NothingSmall);
         }
-        let driving = letters.part(&graded, |powers| degree(powers) == 0 && powers[wave] != 0);
-        let is_present = |place: &usize| driving.half_powers().any(|(powers, _)| powers[*place] > 0);
-        Ok((0..letters.given).filter(is_present).collect())
+        drives.sort_unstable();
+        drives.dedup();
+        Ok(drives)
+    }
+
+    /// The acceleration of a coordinate without its spring, which is (h·ω0/q)²; W and the natural frequency have their detunings.
+    fn rest(&self, forced: &Forced<'_>, equations: &Equations, coordinate: usize, grade: i64) -> Sum {
+        let letters = &self.letters;
+        let acceleration = &equations.accelerations[coordinate];
+        let rest = letters.subtract(acceleration, &self.linear(acceleration, coordinate));
+        let (p, q) = self.resonance;
+        let resonant =
+            letters.scaled(&forced.omega0, &Rational::new(p, q).unwrap_or_else(|| Rational::from(1)));
+        let drive = letters.add(&resonant, &forced.detuning);
+        let rest = letters.substituted(&rest, Column::Drive, &drive, i64::from(i16::MAX));
+        if !equations.is_detuned[coordinate] {
+            return rest;
+        }
+        let detuning = self.detuning(coordinate, grade);
+        let twice = letters.scaled(&forced.natural_frequency(coordinate), &Rational::from(2));
+        let excess = letters.times(&letters.add(&twice, &detuning), &detuning);
+        let position = letters.power_at(letters.place_of(Column::Position, coordinate), 1);
+        letters.subtract(&rest, &letters.times(&excess, &position))
+    }
+
+    /// The degree of a term in displacements and velocities.
+    fn degree(&self) -> impl Fn(&[i64]) -> i64 + use<> {
+        let places = [Column::Position, Column::Velocity].map(|column| self.letters.places(column)).concat();
+        move |powers| places.iter().map(|&place| powers[place]).sum::<i64>() / 2
+    }
+
+    fn signs(&self) -> [usize; 2] {
+        [Column::PositionSign, Column::VelocitySign].map(|column| self.letters.place(column))
     }
 
     /// Refuses terms of order zero other than the spring and the drive.
-    fn refuse_large(&self, large: &Sum, degree: impl Fn(&[i64]) -> i64) -> Result<(), Error> {
+    fn refuse_large(&self, large: &Sum, degree: &impl Fn(&[i64]) -> i64) -> Result<(), Error> {
         let letters = &self.letters;
         let Some((powers, _)) = large.half_powers().next() else { return Ok(()) };
         let term = letters.part(large, |own| own == &powers[..]);
@@ -239,6 +352,21 @@ impl Setting {
     }
 }
 
+/// The equations of motion as sums.
+struct Equations {
+    accelerations: Vec<Sum>,
+    springs: Vec<Sum>,
+    is_detuned: Vec<bool>,
+    /// A power series of a displacement was cut off.
+    is_cut_off: bool,
+}
+
+impl Equations {
+    fn has_detuning(&self, is_driven: bool) -> bool {
+        is_driven || self.is_detuned.contains(&true)
+    }
+}
+
 /// ω0, and its square where it has a name of its own.
 struct NaturalFrequency {
     omega0: Sum,
@@ -251,35 +379,71 @@ pub(super) struct Found {
     pub(super) natural: Option<Sum>,
     /// Columns of the amplitudes of drives.
     pub(super) drives: Vec<usize>,
+    /// The squares of the natural frequencies that differ from their multiples of ω0, by coordinates.
+    pub(super) natural_squares: Vec<Option<Sum>>,
 }
 
-/// The terms by powers of displacement and velocity, their signs, and their orders.
-fn terms(letters: &Letters, sum: &Sum, columns: [usize; 4]) -> Vec<Term> {
+/// The terms by powers of displacements and velocities, the signs of the first, and their orders.
+fn terms(letters: &Letters, sum: &Sum) -> Vec<Term> {
     let grade = letters.place(Column::Order);
-    let mut keys: Vec<[i64; 5]> = sum
-        .half_powers()
-        .map(|(powers, _)| {
-            let [x, v, sx, sv] = columns.map(|place| powers[place] / 2);
-            [x, v, sx, sv, powers[grade] / 2]
+    let signs = [Column::PositionSign, Column::VelocitySign].map(|column| letters.place(column));
+    let mut columns: Vec<usize> = (0..letters.coordinates)
+        .flat_map(|coordinate| {
+            [Column::Position, Column::Velocity].map(|column| letters.place_of(column, coordinate))
         })
         .collect();
+    let moving = columns.len();
+    columns.extend(signs);
+    let key = |powers: &[i64]| columns.iter().chain([&grade]).map(|&place| powers[place] / 2).collect();
+    let mut keys: Vec<Vec<i64>> = sum.half_powers().map(|(powers, _)| key(powers)).collect();
     keys.sort_unstable();
     keys.dedup();
-    let term = |key: [i64; 5]| {
-        let [x, v, sx, sv, order] = key;
-        let own = letters.part(sum, |powers| {
-            columns.map(|place| powers[place] / 2) == [x, v, sx, sv] && powers[grade] / 2 == order
-        });
+    let term = |wanted: Vec<i64>| {
+        let own = letters.part(sum, |powers| key(powers) == wanted);
         let coefficient = letters.changed(&own, |powers, factor| {
-            for place in columns {
+            for &place in &columns {
                 powers[place] = 0;
             }
             factor.clone()
         });
-        let powers = [x, v].map(|power| usize::try_from(power).unwrap_or(0));
-        Term { coefficient, powers, signs: [sx != 0, sv != 0], order }
+        let exponents = wanted[..moving].chunks_exact(2);
+        let powers =
+            exponents.map(|pair| [pair[0], pair[1]].map(|it| usize::try_from(it).unwrap_or(0))).collect();
+        Term {
+            coefficient,
+            powers,
+            signs: [wanted[moving] != 0, wanted[moving + 1] != 0],
+            order: wanted[moving + 2],
+        }
     };
     keys.into_iter().map(term).collect()
+}
+
+/// Natural frequencies as whole numbers without a common factor, one for each coordinate; none where they are not given.
+fn ratios(given: &[u32], coordinates: usize) -> Result<Vec<i64>, Error> {
+    let ratios: Vec<i64> = match (given, coordinates) {
+        ([], 1) => vec![1],
+        _ => given.iter().map(|&it| i64::from(it)).collect(),
+    };
+    let is_known = ratios.len() == coordinates && given.iter().all(|it| (1..=LARGEST_RESONANCE).contains(it));
+    if !given.is_empty() && !is_known {
+        return Err(Error::Ratios { given: given.to_vec(), coordinates });
+    }
+    let common = ratios.iter().copied().fold(0, greatest_common_divisor).max(1);
+    Ok(ratios.iter().map(|it| it / common).collect())
+}
+
+/// Fractions times their common denominator.
+fn whole_numbers(fractions: &[Rational]) -> Option<Vec<i64>> {
+    let largest = i64::from(LARGEST_RESONANCE);
+    let whole = |by: i64| {
+        let products = fractions.iter().map(|fraction| {
+            let number = (fraction.clone() * Rational::from(by)).to_natural()?;
+            i64::try_from(number).ok().filter(|it| *it <= largest)
+        });
+        products.collect::<Option<Vec<i64>>>()
+    };
+    (1..=largest).find_map(whole)
 }
 
 fn resonance(given: Option<(u32, u32)>, is_driven: bool) -> Result<(i64, i64), Error> {
@@ -299,10 +463,14 @@ fn resonance(given: Option<(u32, u32)>, is_driven: bool) -> Result<(i64, i64), E
 }
 
 /// The small parameters with their orders: those named, or `eps`.
-fn small(open: &[String], options: &SymbolicSlowFlowOptions) -> Result<Vec<(String, i64)>, Error> {
+fn small(
+    open: &[String],
+    options: &SymbolicSlowFlowOptions,
+    names: &Names,
+) -> Result<Vec<(String, i64)>, Error> {
     let mut small = vec![];
     for (name, order) in &options.small {
-        if !open.contains(name) && name != "sigma" {
+        if !open.contains(name) && !names.is_detuning(name) {
             return Err(Error::UnknownParameter { name: name.clone(), open: open.to_vec() });
         }
         if *order == 0 || *order > super::MAX_SYMBOLIC_SLOW_ORDER {
@@ -317,10 +485,10 @@ fn small(open: &[String], options: &SymbolicSlowFlowOptions) -> Result<Vec<(Stri
 }
 
 impl Names {
-    fn new(open: &[String], variable: &str, drive: Option<&DriveFrequency>) -> Self {
+    fn new(open: &[String], variables: &[String], drive: Option<&DriveFrequency>) -> Self {
         let is_taken = |name: &str| {
             let is_drive = matches!(drive, Some(DriveFrequency::Number(_))) && name == "W";
-            is_drive || name == variable || open.iter().any(|other| other == name)
+            is_drive || variables.iter().chain(open).any(|other| other == name)
         };
         let free = |name: &str| {
             if !is_taken(name) {
@@ -329,6 +497,21 @@ impl Names {
             let numbered = (1..).map(|number| format!("{name}_{number}"));
             numbered.into_iter().find(|name| !is_taken(name)).unwrap_or_default()
         };
-        Self { amplitude: free("A"), phase: free("phi"), detuning: free("sigma"), natural: free("w0") }
+        let of_coordinate = |variable: &String| {
+            let named = |letter: &str| match variables {
+                [_] => free(letter),
+                _ => free(&format!("{letter}_{variable}")),
+            };
+            CoordinateNames { amplitude: named("A"), phase: named("phi"), detuning: named("sigma") }
+        };
+        Self {
+            coordinates: variables.iter().map(of_coordinate).collect(),
+            detuning: free("sigma"),
+            natural: free("w0"),
+        }
+    }
+
+    fn is_detuning(&self, name: &str) -> bool {
+        name == self.detuning || self.coordinates.iter().skip(1).any(|it| it.detuning == name)
     }
 }

@@ -185,6 +185,6 @@ pub(super) fn without_common_powers(letters: &Letters, sum: &Sum) -> Sum {
     })
 }
 
-fn greatest_common_divisor(a: i64, b: i64) -> i64 {
+pub(super) fn greatest_common_divisor(a: i64, b: i64) -> i64 {
     if b == 0 { a.abs() } else { greatest_common_divisor(b, a % b) }
 }

@@ -59,6 +59,10 @@ fn failure(error: &SymbolicSlowFlowError) -> QueryError {
         Error::Order(_) | Error::KinkOrder(_) => QueryError::usage(option("order"), error),
         Error::UnknownParameter { .. } | Error::NothingSmall => QueryError::usage(option("small"), error),
         Error::Resonance(..) | Error::NoDrive => QueryError::usage(option("resonance"), error),
+        Error::SeveralEquations(_) => {
+            let reason = format!("{error}; <libration resonance> gives that of coupled coordinates");
+            QueryError::no_result("slow flow", reason)
+        }
         Error::NoResonance => QueryError::usage(
             option("resonance"),
             format!(

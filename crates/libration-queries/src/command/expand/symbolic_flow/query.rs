@@ -1,9 +1,9 @@
 //! The slow flow with symbolic parameters as the result of `libration expand`.
 
 use super::{Answer, Solution, Values, failure, formulas, listing, mathml};
-use crate::arguments::OscillatorOptions;
+use crate::arguments::{OscillatorOptions, drive_resonance, small_orders};
 use crate::command::expand::subject::Subject;
-use crate::command::expand::{Expand, Format};
+use crate::command::expand::{BOOKKEEPING, Expand, Format};
 use crate::interrupt::Cancellation;
 use crate::output::{Form, json};
 use crate::parallel;
@@ -13,9 +13,6 @@ use libration::perturbation::{
     SymbolicSlowFlow, SymbolicSlowFlowOptions, drive_symbol, slow_flow_symbolically,
 };
 use std::io::Write;
-
-/// The small parameter where none is named.
-const BOOKKEEPING: &str = "eps";
 
 impl Expand {
     /// Returns `true` if options or symbols ask for a slow flow with several symbols: a resonance, small parameters with orders, or one that is
@@ -90,8 +87,9 @@ impl Expand {
         }
         let options = SymbolicSlowFlowOptions {
             small: held.small.clone(),
-            resonance: self.resonance.as_deref().map(resonance).transpose()?,
+            resonance: self.resonance.as_deref().map(drive_resonance).transpose()?,
             order: self.order,
+            ratios: vec![],
         };
         let equation = asked.equation.clone();
         let how_far = || "slow flow".to_owned();
@@ -109,7 +107,7 @@ impl Expand {
 
     /// The equation with values for all but the small parameters and the drive frequency, whose values are kept for the result.
     fn held_back(&self) -> Result<(HeldBack, crate::arguments::Asked), QueryError> {
-        let small = self.small.as_deref().map(small).transpose()?.unwrap_or_default();
+        let small = self.small.as_deref().map(small_orders).transpose()?.unwrap_or_default();
         let (text, set, about) = self.oscillator.parts();
         let plain = OscillatorOptions::new(text, &[], about).asked();
         let drive = plain.ok().and_then(|asked| drive_symbol(&asked.equation));
@@ -192,29 +190,4 @@ fn number(text: &str) -> Option<f64> {
 
 fn not_a_number(name: &'static str, text: &str) -> QueryError {
     QueryError::usage(option(name), format!("`{}` is not a finite number", text.trim()))
-}
-
-/// Small parameters: `eps`, or `a2:1,a3:2`.
-fn small(text: &str) -> Result<Vec<(String, usize)>, QueryError> {
-    let one = |part: &str| {
-        let (name, order) = part.split_once(':').unwrap_or((part, "1"));
-        let order = order.trim().parse().map_err(|_| {
-            QueryError::usage(
-                option("small"),
-                format!("cannot read the order in `{}`: give a2:1,a3:2", part.trim()),
-            )
-        })?;
-        Ok((name.trim().to_owned(), order))
-    };
-    text.split(',').map(one).collect()
-}
-
-/// p and q of `p/q`.
-fn resonance(text: &str) -> Result<(u32, u32), QueryError> {
-    let pair = text.split_once('/').and_then(|(p, q)| Some((p.trim().parse().ok()?, q.trim().parse().ok()?)));
-    pair.ok_or_else(|| {
-        let reason =
-            format!("cannot read `{}`: give drive over natural frequency, such as 1/1 or 1/3", text.trim());
-        QueryError::usage(option("resonance"), reason)
-    })
 }

@@ -10,7 +10,7 @@ use super::input::File;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
-use crate::output::{budget, warnings};
+use crate::output::{budget, normal_gravity, warnings};
 use libration::quantity::Quantity;
 use libration_lab::fit::swings::{Advice, FittedPendulum, Warning};
 use libration_lab::fit::{Budget, Quality, Uncertain};
@@ -25,6 +25,7 @@ pub(super) use trace::{of_row, of_trace, rows, traces};
 /// The whole result.
 pub(super) fn record(answer: &Answer<'_>) -> Record {
     let record = of_fit().record(answer);
+    let record = normal_gravity::fields().added_to(record, &answer.normal);
     let record = match &answer.swings.pendulum {
         FittedPendulum::Gravity { budget, length } => {
             of_gravity().added_to(budget::added_to(record, budget), &(budget, *length))
@@ -212,6 +213,7 @@ fn of_residuals<'a>() -> Fields<Answer<'a>> {
 pub(crate) fn answers() -> Vec<Answers> {
     let json = [
         of_fit().described(""),
+        normal_gravity::fields().described(""),
         budget::described(),
         of_gravity().described(""),
         of_length().described(""),

@@ -3,8 +3,6 @@
 use super::super::answer::Answer;
 use super::super::{fields, sheet};
 use crate::document::{Block, DocumentTable};
-use crate::output;
-use libration_lab::fit::swings::FittedPendulum;
 
 /// The models that were compared.
 pub(super) fn models(answer: &Answer<'_>) -> Vec<Block> {
@@ -28,26 +26,6 @@ pub(super) fn traces(answer: &Answer<'_>) -> Vec<Block> {
             .to_owned(),
         columns: fields::of_trace().columns(),
         rows: fields::of_trace().rows(&fields::traces(answer)),
-    })]
-}
-
-/// The sources of the uncertainty of gravity.
-pub(super) fn budget(answer: &Answer<'_>) -> Vec<Block> {
-    let FittedPendulum::Gravity { budget, .. } = &answer.swings.pendulum else { return vec![] };
-    vec![Block::Table(DocumentTable {
-        caption: "The budget of the uncertainty of gravity".to_owned(),
-        columns: output::budget::columns(),
-        rows: output::budget::rows(budget),
-    })]
-}
-
-/// Its inputs one by one.
-pub(super) fn inputs(answer: &Answer<'_>) -> Vec<Block> {
-    let FittedPendulum::Gravity { budget, .. } = &answer.swings.pendulum else { return vec![] };
-    vec![Block::Table(DocumentTable {
-        caption: "The inputs of gravity with their sensitivity coefficients".to_owned(),
-        columns: output::combined::columns(),
-        rows: output::combined::rows(&budget.combined),
     })]
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::answer::Answer;
 use super::super::{sheet, units};
+use crate::command::fit_report::sentence;
 use crate::document::{Block, DocumentTable};
 use crate::output::number::{self, rounded, with_uncertainty};
 use crate::output::table::Column;
@@ -54,35 +55,10 @@ fn formula(answer: &Answer<'_>) -> &'static str {
     }
 }
 
-/// An explanation of the budget.
-pub(super) fn budget(answer: &Answer<'_>) -> Vec<Block> {
-    match answer.swings.pendulum {
-        FittedPendulum::Gravity { .. } => vec![Block::words(
-            "Each line is one effect: the correction of g, the contribution to the uncertainty of g, its evaluation from \
-             scatter (type A) or from other knowledge (type B), and the formula. Contributions add in quadrature, so that only the \
-             largest ones matter. A correction in parentheses was not made, because nothing was given for it.",
-        )],
-        FittedPendulum::Length(_) => vec![],
-    }
-}
-
-/// An explanation of the inputs of the budget.
-pub(super) fn inputs(answer: &Answer<'_>) -> Vec<Block> {
-    match answer.swings.pendulum {
-        FittedPendulum::Gravity { .. } => vec![Block::words(
-            "Input by input: its value x with its standard uncertainty u(x), the sensitivity coefficient ∂g/∂x by which g follows it, \
-             their product, and its share of the variance of g; ν are the degrees of freedom of u(x), ∞ where it is taken as known. The \
-             expanded uncertainty is U = k·u(g) with Student's k for 95 % and the effective degrees of freedom after Welch and \
-             Satterthwaite (Guide to the Expression of Uncertainty in Measurement, JCGM 100:2008).",
-        )],
-        FittedPendulum::Length(_) => vec![],
-    }
-}
-
 /// The files with what was detected in them.
 pub(super) fn read(answer: &Answer<'_>) -> Vec<Block> {
     let file = |file: &super::super::input::File| {
-        let items = file.findings.iter().map(|text| super::sentence(text)).collect();
+        let items = file.findings.iter().map(|text| sentence(text)).collect();
         [Block::words(format!("{}:", file.name)), Block::List(items)]
     };
     let rows = format!(

@@ -1,6 +1,6 @@
 //! The sentences of a report.
 
-use libration_queries::internals::trace_report::sentence;
+use libration_queries::internals::fit_report::sentence;
 
 #[test]
 fn sentences_that_begin_with_a_symbol_keep_it() {
