@@ -65,7 +65,7 @@ def put_page(app, exception):
 
 
 def link_page(_app, doctree):
-    """Makes links to the page, which is no document of this folder, plain links."""
+    """Makes links to the page, a file that is not in this folder, plain links."""
     for link in list(doctree.findall(pending_xref)):
         if "page/libration.html" in link["reftarget"]:
             link.replace_self(nodes.reference("", "", *link.children, refuri=link["reftarget"]))

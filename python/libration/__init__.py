@@ -31,6 +31,7 @@ _ufuncs.describe()
 if TYPE_CHECKING:
     from . import figure, lab, questions
     from .answer import Answer, Fields, Rows
+    from .browser import page
     from .derivation import Derivation, derive
     from .expansion import Evaluation, Expansion, GaugeSeries, Series, expand
     from .pendulum import Harmonics, Motion, Pendulum, State
@@ -63,6 +64,7 @@ else:
         __name__,
         {
             "answer": ["Answer", "Fields", "Rows"],
+            "browser": ["page"],
             "derivation": ["Derivation", "derive"],
             "expansion": ["Evaluation", "Expansion", "GaugeSeries", "Series", "expand"],
             "figure": [],
@@ -137,6 +139,7 @@ __all__ = [
     "motion",
     "nome",
     "orbit",
+    "page",
     "paper",
     "period",
     "period_excess",

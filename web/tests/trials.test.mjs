@@ -135,6 +135,20 @@ test("three lengths are fitted over the lengths, two are refused", () =>
     assert.match(await found(room), /Use one length for all trials, or three or more/);
   }));
 
+test("the reasons of a fit are in words of the page, and doubt a gravity only on the Earth", () =>
+  // Equal readings at 23.22 m/s², rounded to milliseconds, so that rounding alone bends the line.
+  visit("pendulum?t=0&trials=10:0.5:1:0.924/10:0.5:1:0.924/10:1:1:1.306/10:1:1:1.306/10:1.5:1:1.600/10:1.5:1:1.600", async (room) => {
+    const here = await found(room);
+    assert.match(here, /give the radius of the bob/);
+    assert.match(here, /on Earth/);
+    assert.doesNotMatch(here, /--|`/);
+    await room.getByLabel("Gravity of", { exact: true }).selectOption("Jupiter");
+    await settled(room);
+    const elsewhere = await found(room);
+    assert.match(elsewhere, /give the radius of the bob/);
+    assert.doesNotMatch(elsewhere, /on Earth/);
+  }));
+
 test("the graphs show the measured times, and hide the laws with the exact values", () =>
   visit("pendulum?angle=60deg&t=0&trials=10:1:10:20.1/60:1:10:21.53", async (room) => {
     const graph = room.locator(".trials figure").first().locator("canvas");

@@ -3,6 +3,7 @@
 import type { Engine } from "../../engine/engine.ts";
 import { read } from "../../parts/answers.ts";
 import { type Command, explained, given } from "../../parts/command.ts";
+import { plain } from "../../parts/plain.ts";
 import { text } from "../../texts/en.ts";
 import type { Trial } from "./trials.ts";
 
@@ -52,17 +53,17 @@ export interface Finding {
   readonly reasons: readonly string[];
 }
 
-/** Runs a fit; elsewhere than on the Earth its gravity is no reason to warn. */
+/** Runs a fit; a bench elsewhere than on the Earth needs no warning that its gravity is not found there. */
 export async function fitted(engine: Engine, { name, bytes, command }: Fit, isOnEarth: boolean, signal: AbortSignal): Promise<Finding | string> {
   const { answer, value } = await read<Gravity>(engine, command, signal, new Map([[name, bytes]]));
-  if (value === undefined || answer.status !== 0) return explained(answer.error).replace(`${name}: `, "");
+  if (value === undefined || answer.status !== 0) return plain(explained(answer.error).replace(`${name}: `, ""));
   const [gravity, error, expanded] = [value.gravity_m_per_s2, value.gravity_uncertainty_m_per_s2, value.gravity_expanded_uncertainty_m_per_s2];
   if (gravity == null || error == null) return words.noGravity;
   const reasons = [
     ...(expanded == null ? [] : [words.expanded(rounded(expanded, expanded)[1])]),
     ...(value.budget_inputs ?? []).filter(({ share }) => share !== null && share > 0.01).map(({ input, share }) => words.share(input, `${(100 * (share ?? 0)).toFixed(0)} %`)),
     ...(value.beta != null && value.beta_uncertainty != null && value.beta_uncertainty > 0 ? [words.beta(...rounded(value.beta, value.beta_uncertainty))] : []),
-    ...(value.warnings ?? []).map((warning) => (typeof warning === "string" ? warning : warning.text)).filter((warning) => isOnEarth || !warning.includes("on Earth")),
+    ...(value.warnings ?? []).map((warning) => (typeof warning === "string" ? warning : warning.text)).filter((warning) => isOnEarth || !warning.includes("on Earth")).map((warning) => plain(warning)),
   ];
   return { headline: words.headline(...rounded(gravity, error)), reasons };
 }
