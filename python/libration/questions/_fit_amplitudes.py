@@ -26,6 +26,7 @@ def fit_amplitudes(
     period: Quantity | None = None,
     model: str | None = None,
     figure: Path | None = None,
+    report: Path | None = None,
     size: Literal["page", "column", "slide"] | None = None,
     width: Quantity | None = None,
     height: Quantity | None = None,
@@ -75,6 +76,9 @@ def fit_amplitudes(
         that the rows do not exclude [default: auto].
     figure : str or path, optional
         Draw the data, the law and the residuals to FILE.svg or FILE.png.
+    report : str or path, optional
+        Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next
+        to it.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].

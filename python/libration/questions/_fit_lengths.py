@@ -26,14 +26,28 @@ def fit_lengths(
     delimiter: Literal["comma", "semicolon", "tab", "space"] | None = None,
     decimal: Literal["point", "comma"] | None = None,
     header: int | str | None = None,
-    bob_radius: Quantity | None = None,
     model: Literal["simple", "bar", "reversible"] | None = None,
     edges: Quantity | None = None,
     clock: Value | None = None,
     figure: Path | None = None,
+    report: Path | None = None,
     size: Literal["page", "column", "slide"] | None = None,
     width: Quantity | None = None,
     height: Quantity | None = None,
+    bob_radius: Quantity | None = None,
+    bob: str | None = None,
+    bob_mass: Quantity | None = None,
+    bob_density: Quantity | None = None,
+    rod_mass: Quantity | None = None,
+    rod_length: Quantity | None = None,
+    air_density: Quantity | None = None,
+    stretch: Quantity | None = None,
+    expansion: Quantity | None = None,
+    warmer: Quantity | None = None,
+    support_stiffness: Quantity | None = None,
+    edge_radius: Quantity | None = None,
+    latitude: Value | None = None,
+    elevation: Value | None = None,
     progress: Say = False,
 ) -> Fit:
     """Measured periods against length: gravity, and the offset common to all lengths.
@@ -77,9 +91,6 @@ def fit_lengths(
         Decimal point or decimal comma.
     header : int or str, optional
         Line that names the columns: detect, present, absent, or its number.
-    bob_radius : quantity, optional
-        Radius of the bob, a sphere, whose moment of inertia is then part of every law; without it a
-        radius of gyration is fitted.
     model : {"simple", "bar", "reversible"}, optional
         The pendulum: simple, a bar turned about points at these distances from its centre of mass
         or positions on a scale along it, or reversible with two knife edges [default: a bar where
@@ -92,6 +103,9 @@ def fit_lengths(
         been taken for 30.
     figure : str or path, optional
         Draw the data, the line and the residuals to FILE.svg or FILE.png.
+    report : str or path, optional
+        Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next
+        to it.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
@@ -100,6 +114,40 @@ def fit_lengths(
         ``size``].
     height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
+    bob_radius : quantity, optional
+        Radius of the bob, a ball, such as 20.0(1)mm.
+    bob : str, optional
+        A bob that is not a ball: disc:radius=5cm,thickness=1cm (swings in its plane),
+        cylinder:radius=2cm,height=5cm (along the rod), ring:radius=5cm,inner=3cm,
+        cap:radius=5cm,height=3cm (of a ball), or gyration:radius=2cm, the root of its moment of
+        inertia over its mass.
+    bob_mass : quantity, optional
+        Mass of the bob, or of a bar, such as 42.0g±0.5g.
+    bob_density : quantity, optional
+        Density of the bob, or of a bar, such as 7.85g/cm^3 [default: by its mass and size].
+    rod_mass : quantity, optional
+        Mass of the rod or string.
+    rod_length : quantity, optional
+        Distance from the pivot to the end of the rod [default: to the surface of the bob].
+    air_density : quantity, optional
+        Density of the air [default: 1.20(2)kg/m^3].
+    stretch : quantity, optional
+        Stretch of the string under the hanging bob.
+    expansion : quantity, optional
+        Coefficient of thermal expansion of the pendulum, such as 12(1)e-6/K for steel.
+    warmer : quantity, optional
+        Temperature of the pendulum in the swings less that when its length was measured, such as
+        3K±1K, or -3K if it was colder.
+    support_stiffness : quantity, optional
+        Horizontal stiffness of the support, such as 20(2)N/mm: with the mass of the bob, L is
+        longer by m g/K.
+    edge_radius : quantity, optional
+        Radius of curvature of a knife edge or rounded pivot that rolls: L is shorter by it.
+    latitude : float or str, optional
+        Geographic latitude, such as 48.1deg, or -33.9deg in the south: gives the normal gravity
+        there next to the result.
+    elevation : float or str, optional
+        Elevation, the height above sea level, such as 520m [default: not known].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.
 

@@ -23,15 +23,22 @@ def fit_trace(
     height: Quantity | None = None,
     length: Quantity | None = None,
     bob_radius: Quantity | None = None,
+    bob: str | None = None,
     bob_mass: Quantity | None = None,
     bob_density: Quantity | None = None,
     rod_mass: Quantity | None = None,
     rod_length: Quantity | None = None,
     air_density: Quantity | None = None,
     stretch: Quantity | None = None,
+    expansion: Quantity | None = None,
+    warmer: Quantity | None = None,
+    support_stiffness: Quantity | None = None,
+    edge_radius: Quantity | None = None,
     angle_scale: Value | None = None,
     clock: Value | None = None,
     correlation: str | Sequence[str] | None = None,
+    latitude: Value | None = None,
+    elevation: Value | None = None,
     time: int | str | None = None,
     time_unit: str | None = None,
     angle: int | str | None = None,
@@ -75,7 +82,8 @@ def fit_trace(
     free_scale : bool
         Fit the scale of the angles too, from how the period depends on the amplitude.
     report : str or path, optional
-        Write a report with pictures to FILE.html, or to FILE.md with the pictures next to it.
+        Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next
+        to it.
     figure : str or path, optional
         Draw the data, the fitted motion and the residuals to FILE.svg or FILE.png.
     size : {"page", "column", "slide"}, optional
@@ -88,13 +96,18 @@ def fit_trace(
         Height of the picture [default: chosen to suit the picture].
     length : quantity, optional
         Distance from the pivot to the centre of the bob, with its uncertainty, such as
-        0.57m±0.004m: gives gravity.
+        0.57m±0.004m, or "0.57m±5mm rectangular" for a half-width: gives gravity.
     bob_radius : quantity, optional
-        Radius of the bob, a sphere, such as 20.0(1)mm.
+        Radius of the bob, a ball, such as 20.0(1)mm.
+    bob : str, optional
+        A bob that is not a ball: disc:radius=5cm,thickness=1cm (swings in its plane),
+        cylinder:radius=2cm,height=5cm (along the rod), ring:radius=5cm,inner=3cm,
+        cap:radius=5cm,height=3cm (of a ball), or gyration:radius=2cm, the root of its moment of
+        inertia over its mass.
     bob_mass : quantity, optional
-        Mass of the bob, such as 42.0g±0.5g.
+        Mass of the bob, or of a bar, such as 42.0g±0.5g.
     bob_density : quantity, optional
-        Density of the bob, such as 7.85g/cm^3 [default: by its mass and radius].
+        Density of the bob, or of a bar, such as 7.85g/cm^3 [default: by its mass and size].
     rod_mass : quantity, optional
         Mass of the rod or string.
     rod_length : quantity, optional
@@ -103,6 +116,16 @@ def fit_trace(
         Density of the air [default: 1.20(2)kg/m^3].
     stretch : quantity, optional
         Stretch of the string under the hanging bob.
+    expansion : quantity, optional
+        Coefficient of thermal expansion of the pendulum, such as 12(1)e-6/K for steel.
+    warmer : quantity, optional
+        Temperature of the pendulum in the swings less that when its length was measured, such as
+        3K±1K, or -3K if it was colder.
+    support_stiffness : quantity, optional
+        Horizontal stiffness of the support, such as 20(2)N/mm: with the mass of the bob, L is
+        longer by m g/K.
+    edge_radius : quantity, optional
+        Radius of curvature of a knife edge or rounded pivot that rolls: L is shorter by it.
     angle_scale : float or str, optional
         Relative uncertainty of the scale of all angles, such as 0.01 or 1%.
     clock : float or str, optional
@@ -110,6 +133,11 @@ def fit_trace(
         been taken for 30.
     correlation : str, or several, optional
         Correlation coefficient of two inputs, such as length,bob-radius=0.9.
+    latitude : float or str, optional
+        Geographic latitude, such as 48.1deg, or -33.9deg in the south: gives the normal gravity
+        there next to the result.
+    elevation : float or str, optional
+        Elevation, the height above sea level, such as 520m [default: not known].
     time : int or str, optional
         Column of times, by number or name.
     time_unit : str, optional

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal
 
-from .._ask import Equation, Path, Quantity, Say, Value, Values
+from .._ask import Equation, Given, Path, Quantity, Say, Value, Values
 from ..answer import Answer, answer
 
 
@@ -16,6 +16,9 @@ def resonance(
     about: Values | None = None,
     initial: Values | None = None,
     order: int | None = None,
+    small: Given | None = None,
+    ratios: Given | None = None,
+    resonance: Given | None = None,
     detuning: Value | None = None,
     figure: Path | None = None,
     size: Literal["page", "column", "slide"] | None = None,
@@ -30,6 +33,9 @@ def resonance(
     that turn as fast as aⱼ stay in aⱼ′, exactly where the modes are exact; all others are removed,
     each divided by its divisor.
 
+    With symbols in the equations the result is the slow flow of the coordinates as formulas, free
+    or driven.
+
     Parameters
     ----------
     system : equation
@@ -43,7 +49,17 @@ def resonance(
         Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33)
         for all of a chain; those not given start at rest.
     order : int, optional
-        Highest order in the amplitudes [default: 3].
+        Highest order in the amplitudes [default: 3], or with symbols in the small parameters
+        [default: their largest].
+    small : number or text, or several, optional
+        Small parameters with their orders, of equations with symbols, such as a:1,mu:2 [default:
+        eps, where it occurs].
+    ratios : number or text, optional
+        The natural frequencies of equations with symbols as whole numbers that they are near, such
+        as 1:2 [default: what equal symbols or numbers imply].
+    resonance : number or text, optional
+        Resonance of a drive cos(W*t) in equations with symbols: W = (P/Q)·ω, over the natural
+        frequency of the first coordinate.
     detuning : float or str, optional
         Divisors below this fraction of the least frequency count as resonances [default: 0.1].
     figure : str or path, optional
