@@ -28,7 +28,7 @@ impl Questions {
         for block in answers {
             match block {
                 Block::Equation { number, equation } => {
-                    self.add_equation(format!("{step}.{number}"), equation)
+                    self.add_equation(format!("{step}.{number}"), equation);
                 }
                 Block::Details { blocks, .. } => self.add(step, blocks),
                 _ => {}
