@@ -2,9 +2,9 @@
 
 use super::subject::{About, Subject};
 use crate::arguments::Chosen;
-use libration::algebra::Rational;
+use libration::algebra::{LaurentPolynomial, Rational};
 use libration::expression::Equation;
-use libration::perturbation::Expansion;
+use libration::perturbation::{Expansion, SymbolicExpansion};
 use libration::quantity::is_angle_name;
 
 /// An expansion with the words for it.
@@ -47,6 +47,24 @@ impl Answer {
     pub(super) fn new(chosen: Chosen, expansion: Expansion, interrupted: Option<usize>) -> Self {
         let equation = chosen.oscillator.equation().clone();
         Self::about(&equation, chosen, expansion, None, interrupted)
+    }
+}
+
+impl Answer<LaurentPolynomial> {
+    /// A symbolic expansion with the words for its oscillator.
+    pub(super) fn with_letters<O>(
+        equation: &Equation,
+        chosen: Chosen<O>,
+        expansion: SymbolicExpansion,
+        interrupted: Option<usize>,
+    ) -> Self {
+        let frequency = expansion.frequency();
+        let SymbolicExpansion { letters: names, constants, omega0, omega0_name, series } = expansion;
+        let constants = constants.into_iter().map(|(name, constant)| (name, constant.to_string())).collect();
+        let omega0 =
+            omega0.map_or_else(|| format!("sqrt({})", series.omega0_squared), |root| root.to_string());
+        let letters = Letters { names, constants, omega0, omega0_name, frequency };
+        Self::about(equation, chosen, series, Some(letters), interrupted)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Series with numbers for all parameters, listed or evaluated.
 
 use super::answer::Answer;
-use super::{Expand, Format, LISTED, evaluate, letters};
+use super::{Expand, Format, LISTED, evaluate};
 use crate::arguments::Chosen;
 use crate::output::number::short;
 use crate::output::series::{certainty, radius_certainty};
@@ -49,7 +49,7 @@ impl Expand {
                 exact => exact.map_err(|error| QueryError::no_result("expansion", error))?,
             };
             if let Some(expansion) = exact {
-                let answer = letters::in_words(oscillator.equation(), chosen, expansion, None);
+                let answer = Answer::with_letters(oscillator.equation(), chosen, expansion, None);
                 self.write(out, &answer, String::new)?;
                 return Ok(Ok(None));
             }
