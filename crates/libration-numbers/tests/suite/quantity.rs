@@ -35,7 +35,7 @@ fn units_are_exact_factors() {
 /// JCGM 100:2008, 4.3.7: a rectangular distribution of half-width a has the standard uncertainty a/√3.
 #[test]
 fn half_widths_are_over_the_root_of_three() {
-    for text in ["1.000 ± 0.003 m rectangular", "1.000+-3mm rect", "1.000(3) m rect", "1.000±3mmrect "] {
+    for text in ["1.000 ± 0.003 m rectangular", "1.000m+-3mm rect", "1.000(3) m rect", "1.000m±3mmrect "] {
         let length = parse(text, Dimension::Length).unwrap();
         let uncertainty = length.uncertainty.unwrap();
         assert!(

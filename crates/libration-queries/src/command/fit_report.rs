@@ -35,7 +35,7 @@ impl FitReport {
     /// The document about this file.
     pub(super) fn document(self, subject: &str, file: &str) -> Document {
         let doubts: Vec<String> = self.warnings.iter().map(|text| sentence(text)).collect();
-        let doubts = (!doubts.is_empty()).then(|| Block::Aside("Warnings", doubts));
+        let doubts = (!doubts.is_empty()).then_some(Block::Aside("Warnings", doubts));
         let normal = self.normal.map(|normal| Block::words(normal_gravity(&normal)));
         let result = [Block::Headline(self.headline)].into_iter().chain(normal).chain(doubts).collect();
         let facts = table("What was read and what was found", &["quantity", "value"], &[], {

@@ -21,19 +21,24 @@ pub(crate) fn name(text: &str) -> Result<PathBuf, String> {
 /// Writes the document, and says so in a sentence; with Markdown each picture becomes an SVG file next to it, with LaTeX a PNG file.
 pub(crate) fn write(path: &Path, document: &Document) -> Result<String, QueryError> {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let (ending, page): (_, fn(&Document, &dyn Fn(&DocumentFigure) -> String) -> String) = if is(path, "md") {
-        ("svg", |document, file_of| markdown::page(document, file_of))
+    let ending = if is(path, "md") {
+        "svg"
     } else if is(path, "tex") {
-        ("png", |document, file_of| latex::page(document, file_of))
+        "png"
     } else {
-        ("", |document, _| html::page(document))
+        ""
     };
     let file_name = |figure: &DocumentFigure| format!("{stem}-{}.{ending}", figure.name);
     let mut files = vec![];
     for figure in document.figures().filter(|_| !ending.is_empty()) {
         files.push((path.with_file_name(file_name(figure)), picture(figure, ending)?));
     }
-    files.push((path.to_owned(), page(document, &file_name).into_bytes()));
+    let page = match ending {
+        "svg" => markdown::page(document, &file_name),
+        "png" => latex::page(document, &file_name),
+        _ => html::page(document),
+    };
+    files.push((path.to_owned(), page.into_bytes()));
     place(&files)?;
     Ok(format!("{} written: report with pictures", path.display()))
 }
