@@ -264,7 +264,7 @@ fn scaled(text: &str, small: &str, (name, value): (&str, f64), eps: f64) -> f64 
     let order = small.split(',').filter_map(|it| it.split_once(':')).find(|(other, _)| *other == name);
     let order = order.map_or(0, |(_, order)| order.parse::<i32>().unwrap());
     let is_torque = text.contains("sin(x)") && (name == "F" || name == "R");
-    value * eps.powi(order + i32::from(is_torque))
+    value * libm::pow(eps, f64::from(order + i32::from(is_torque)))
 }
 
 #[test]
@@ -285,8 +285,9 @@ fn every_textbook_motion_is_missed_by_the_stated_power_of_eps() {
                 .collect();
             values.push(("eps", if small.is_empty() { eps } else { 1.0 }));
             let w0 = numbers.iter().find(|(name, _)| name == "w0").unwrap().1;
-            let small_power = if small.is_empty() { 1 } else { i32::try_from(order).unwrap() };
-            let drive = f64::from(resonance.0) / f64::from(resonance.1) * w0 + eps.powi(small_power) * sigma;
+            let small_power = if small.is_empty() { 1.0 } else { f64::from(u32::try_from(order).unwrap()) };
+            let drive =
+                f64::from(resonance.0) / f64::from(resonance.1) * w0 + libm::pow(eps, small_power) * sigma;
             errors(Driven { text, resonance, small, order }, &values, drive)
         });
         let sizes = found.map(|[amplitude, phase]| libm::hypot(amplitude, phase));
