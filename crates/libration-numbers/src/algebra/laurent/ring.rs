@@ -55,8 +55,13 @@ impl LaurentPolynomials {
     /// The sum of terms, several of which may have the same powers.
     #[doc(hidden)]
     pub fn sum_of_terms(&self, terms: impl IntoIterator<Item = (HalfPowers, Rational)>) -> LaurentPolynomial {
+        self.sum_of(&mut terms.into_iter())
+    }
+
+    // Compiled once for all iterators, as the next two are for all closures: it is the sorting of terms that has a size.
+    fn sum_of(&self, terms: &mut dyn Iterator<Item = (HalfPowers, Rational)>) -> LaurentPolynomial {
         let mut sum = BTreeMap::new();
-        for (powers, factor) in terms.into_iter().filter(|(_, factor)| !factor.is_zero()) {
+        for (powers, factor) in terms.filter(|(_, factor)| !factor.is_zero()) {
             if powers.iter().any(|power| power.abs() > LARGEST_HALF_POWER) {
                 return self.element(None);
             }
@@ -68,6 +73,10 @@ impl LaurentPolynomials {
     /// The sum of the terms for which `is_such` holds.
     #[doc(hidden)]
     pub fn part(&self, of: &LaurentPolynomial, is_such: impl Fn(&[i64]) -> bool) -> LaurentPolynomial {
+        self.part_by(of, &is_such)
+    }
+
+    fn part_by(&self, of: &LaurentPolynomial, is_such: &dyn Fn(&[i64]) -> bool) -> LaurentPolynomial {
         let such = |terms: &BTreeMap<HalfPowers, Rational>| {
             let such = terms.iter().filter(|(powers, _)| is_such(powers));
             ordered_map(such.map(|(powers, factor)| (powers.clone(), factor.clone())))
@@ -84,7 +93,7 @@ impl LaurentPolynomials {
         LaurentPolynomial { letters: Arc::clone(&self.letters), terms }
     }
 
-    fn map(&self, a: &LaurentPolynomial, change: impl Fn(&Rational) -> Rational) -> LaurentPolynomial {
+    fn map(&self, a: &LaurentPolynomial, change: &dyn Fn(&Rational) -> Rational) -> LaurentPolynomial {
         let changed = |terms: &BTreeMap<HalfPowers, Rational>| {
             ordered_map(terms.iter().map(|(powers, factor)| (powers.clone(), change(factor))))
         };
@@ -190,7 +199,7 @@ impl Ring for LaurentPolynomials {
     }
 
     fn negate(&self, a: &LaurentPolynomial) -> LaurentPolynomial {
-        self.map(a, |factor| Rationals.negate(factor))
+        self.map(a, &|factor| Rationals.negate(factor))
     }
 
     fn multiply(&self, a: &LaurentPolynomial, b: &LaurentPolynomial) -> LaurentPolynomial {
@@ -215,7 +224,7 @@ impl Ring for LaurentPolynomials {
         if factor == 0 {
             return self.zero();
         }
-        self.map(a, |own| Rationals.times_integer(own, factor))
+        self.map(a, &|own| Rationals.times_integer(own, factor))
     }
 
     fn divide(&self, a: &LaurentPolynomial, divisor: &LaurentPolynomial) -> Option<LaurentPolynomial> {
@@ -227,7 +236,7 @@ impl Ring for LaurentPolynomials {
 
     fn over_integer(&self, a: &LaurentPolynomial, divisor: u64) -> Option<LaurentPolynomial> {
         let inverse = Rationals.over_integer(&Rational::from(1), divisor)?;
-        Some(self.map(a, |factor| Rationals.multiply(factor, &inverse)))
+        Some(self.map(a, &|factor| Rationals.multiply(factor, &inverse)))
     }
 
     /// Values at constants, if the value is a fraction; for single terms also the square root.

@@ -181,6 +181,11 @@ impl Letters {
 
     /// Each term with other powers and another factor.
     pub(super) fn changed(&self, a: &Sum, change: impl Fn(&mut [i64], &Rational) -> Rational) -> Sum {
+        self.changed_by(a, &change)
+    }
+
+    // Compiled once for all closures.
+    fn changed_by(&self, a: &Sum, change: &dyn Fn(&mut [i64], &Rational) -> Rational) -> Sum {
         if a.is_beyond_limit() {
             return self.beyond_limit();
         }
