@@ -30,7 +30,7 @@ enum Found {
     Constants {
         oscillator: Box<Oscillator>,
         expansion: Box<SymbolicExpansion>,
-        digits: OnceLock<Option<Expansion>>,
+        digits: Box<OnceLock<Option<Expansion>>>,
     },
     Letters {
         equation: Equation,
@@ -95,7 +95,7 @@ fn expanded(
         NumbersOrLetters::Numbers(oscillator) => {
             if let Some(expansion) = with_constants(&oscillator, order, gauge, progress)? {
                 let (oscillator, expansion) = (Box::new(oscillator), Box::new(expansion));
-                return Ok(Some(Found::Constants { oscillator, expansion, digits: OnceLock::new() }));
+                return Ok(Some(Found::Constants { oscillator, expansion, digits: Box::default() }));
             }
             let expansion = match perturbation::expand(&oscillator, order, gauge, progress) {
                 Ok(expansion) => Some(Box::new(expansion)),

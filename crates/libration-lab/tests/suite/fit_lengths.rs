@@ -445,7 +445,8 @@ fn sensitivities_of_a_table_are_those_of_the_fit() {
         lengths(&columns, &LengthsOptions { corrections, ..LengthsOptions::default() }).unwrap()
     };
     let found = fitted(every_correction(0.1));
-    let moved: [(BudgetInput, fn(&mut Corrections) -> &mut Quantity); 5] = [
+    type Input = fn(&mut Corrections) -> &mut Quantity;
+    let moved: [(BudgetInput, Input); 5] = [
         (BudgetInput::BobRadius, |it| &mut it.bob.as_mut().unwrap().radius),
         (BudgetInput::RodMass, |it| it.rod_mass.as_mut().unwrap()),
         (BudgetInput::SupportStiffness, |it| it.support_stiffness.as_mut().unwrap()),

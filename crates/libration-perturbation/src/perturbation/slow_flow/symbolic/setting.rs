@@ -269,8 +269,9 @@ impl Setting {
         let degree = self.degree();
         let order = letters.place(Column::Order);
         // Without a small factor a term is small because the amplitude is, and then powers of the amplitude count everywhere.
-        let is_large = |(powers, _): (&Box<[i64]>, _)| powers[order] == 0 && degree(powers) >= 2;
-        let by_amplitude = rests.iter().any(|rest| rest.half_powers().any(is_large));
+        let has_large =
+            |rest: &Sum| rest.half_powers().any(|(powers, _)| powers[order] == 0 && degree(powers) >= 2);
+        let by_amplitude = rests.iter().any(has_large);
         if equations.is_cut_off && !by_amplitude {
             return Err(Error::EndlessSeries);
         }
