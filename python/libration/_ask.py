@@ -169,17 +169,22 @@ def catalogue() -> dict[str, Question]:
     }
 
 
+# What stands for measured quantities in the help of fits and plans.
+_MEASURED = ("LENGTH", "MASS", "DENSITY", "RATE", "PERIOD", "EXPANSION", "KELVINS", "STIFFNESS")
+
+
 def _parameter(words: str, given: Sequence[Any]) -> Parameter:
     parameter = Parameter(*given)
     if words == "period":
         is_measured = parameter.name in ("period", "ratio", "excess")
     else:
         is_of_measurements = words.split()[0] in ("fit", "plan")
-        has_dimension = parameter.value in ("LENGTH", "MASS", "DENSITY", "RATE")
-        is_width = parameter.name in ("width", "height")
+        has_dimension = parameter.value in _MEASURED
+        # Sizes of pictures, and the elevation, which is known better than the local anomaly.
+        is_exact = parameter.name in ("width", "height", "elevation")
         # The length that turns displacements into angles scales them; its uncertainty is not used.
         is_scale = words == "fit amplitudes" and parameter.name == "length"
-        is_measured = is_of_measurements and has_dimension and not is_width and not is_scale
+        is_measured = is_of_measurements and has_dimension and not is_exact and not is_scale
     return parameter._replace(is_measured=is_measured)
 
 

@@ -70,10 +70,12 @@ def test_uncertainties_are_used_or_left_out_with_a_warning(question, it):
             assert number == "0.5" and [str(it.message) for it in told] == [message]
 
 
+CORRECTIONS = {"bob-radius", "bob-mass", "bob-density", "rod-mass", "rod-length", "air-density"}
+CORRECTIONS |= {"stretch", "expansion", "warmer", "support-stiffness", "edge-radius"}
 MEASURED = {
-    "fit periods": {"length", "bob-radius", "bob-mass", "bob-density", "rod-mass", "rod-length"}
-    | {"air-density", "stretch", "linear"},
-    "fit lengths": {"bob-radius", "edges"},
+    "fit periods": CORRECTIONS | {"length", "linear"},
+    "fit lengths": CORRECTIONS | {"edges"},
+    "fit amplitudes": {"period"},
     "plan": {"length", "linear"},
 }
 MEASURED["period"] = {"period", "ratio", "excess"}

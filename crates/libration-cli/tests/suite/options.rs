@@ -13,7 +13,6 @@ const SHARED: &[(&str, &str)] = &[
     ("animate", "an animation in place of a picture"),
     ("at", "the point of a search: a value of the parameter, or the zero of a formula"),
     ("axes", "the two state variables of the picture"),
-    ("bob-radius", "the radius of the bob"),
     ("clock", "the relative uncertainty of the clock"),
     ("columns", "columns: further ones of the output, or those of a table that is read"),
     ("damping-order", "the highest power of the small parameter"),

@@ -37,9 +37,11 @@ pub(crate) use fields::answers;
   libration resonance \"x''+w1^2*x+eps*a*x*y=0; y''+w2^2*y+eps*b*x^2=0\" \\
     --ratios 1:2
 
-Slow flow with symbols: coordinates are A·cos(n·W·t/p + phi) and terms of other
-frequencies, with the natural frequencies near n times that of one wave, and with
---resonance P/Q the drive near W = (P/Q)·ω of the first coordinate.
+Slow flow with symbols: each coordinate is its amplitude times a cosine near its
+natural frequency, and terms of other frequencies. --ratios are those of the
+natural frequencies, --resonance P/Q is the drive's over that of the first
+coordinate; small differences are called sigma. Coupling, damping and resonant
+drives must be small.
 
 With --initial the exchange from this state is found by the slow flow, in closed
 form where it is one of two modes at 2:1, and by integration of the whole motion,
