@@ -100,7 +100,7 @@ pub enum FitError {
     EqualLengths,
     /// A reversible pendulum with other than two knife edges.
     #[error(
-        "a reversible pendulum has two distances from the centre of mass to the knife edges, and the table has {found}: give each          row one of two"
+        "a reversible pendulum has two distances from the centre of mass to the knife edges, and the table has {found}: give each row one of two"
     )]
     KnifeEdges {
         /// Number of different distances.
@@ -111,7 +111,7 @@ pub enum FitError {
     KnifeEdgePeriods,
     /// Distances of both knife edges that are too nearly equal.
     #[error(
-        "the distances from the centre of mass to the knife edges differ by {difference:.4} ± {uncertainty:.4} m, and Bessel's formula          divides by that: measure the centre of mass better, or move the edges further from equal distances"
+        "the distances from the centre of mass to the knife edges differ by {difference:.4} ± {uncertainty:.4} m, and Bessel's formula divides by that: measure the centre of mass better, or move the edges further from equal distances"
     )]
     CentreOfMass {
         /// Difference of the distances, in metres.

@@ -57,7 +57,7 @@ pub enum SymbolicSlowFlowError {
     NotPolynomial(String),
     /// A power series without end where the amplitude is not small.
     #[error(
-        "a function such as sin is a power series of the displacement, which is cut off where the amplitude is small: here it has a small factor          only; write the polynomial that is meant, such as x - x^3/6"
+        "a function such as sin is a power series of the displacement, which is cut off where the amplitude is small: here it has a small factor only; write the polynomial that is meant, such as x - x^3/6"
     )]
     EndlessSeries,
     /// A force at rest.
