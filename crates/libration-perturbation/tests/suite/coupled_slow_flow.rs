@@ -225,6 +225,23 @@ fn motions_depart_from_slow_flows_by_the_power_of_the_order() {
     }
 }
 
+/// Without small parameters terms are small with the amplitudes, and detunings are of the lowest order at which these act.
+#[test]
+fn detunings_have_the_order_of_the_terms_that_act_first() {
+    let rates = |text: &str, ratios: &str, order: usize| {
+        let flow = flow(text, ratios, "", order);
+        flow.coordinates.into_iter().map(|it| it.phase_rate).collect::<Vec<_>>()
+    };
+    let quadratic = "x'' + w1^2*x + a*x*y = 0; y'' + w2^2*y + b*x^2 = 0";
+    let expected = ["a*A_y/(4*w1)*cos(2*phi_x - phi_y)", "sigma_y + b*A_x^2/(8*w1*A_y)*cos(2*phi_x - phi_y)"];
+    assert_eq!(rates(quadratic, "1:2", 1), expected);
+    // The square of the detuning, as the cubic force, is of order 4.
+    let cubic = "x'' + w1^2*x + a*x*y^2 = 0; y'' + w2^2*y + a*x^2*y = 0";
+    let found = &rates(cubic, "1:1", 2)[1];
+    assert!(found.starts_with("sigma_y + a*A_x^2/(4*w1)") && !found.contains("sigma_y^2"), "{found}");
+    assert!(!rates(quadratic, "1:2", 2)[1].contains("sigma_y^2/"), "√(ω² + 2ωσ + σ²) is ω + σ exactly");
+}
+
 #[test]
 fn ratios_follow_from_numbers_and_equal_letters() {
     let frequencies = |text: &str, ratios: &str| {

@@ -1,11 +1,12 @@
 //! The slow flow of coupled oscillators as formulas.
 
+use super::equations::Found;
 use super::error::SymbolicSlowFlowError;
 use super::letters::{Column, Letters, Sum};
 use super::phase_sums::{append, append_term, real_and_imaginary};
 use super::result::{fast_angle, polar};
 use super::scales::{Forced, Solved};
-use super::setting::{Found, Setting};
+use super::setting::Setting;
 use super::{SymbolicSlowFlowOptions, answered};
 use libration_numbers::algebra::Rational;
 use libration_numbers::expression::Equation;

@@ -18,6 +18,7 @@
 mod coupled;
 mod criteria;
 mod elimination;
+mod equations;
 mod error;
 mod evaluation;
 mod force;
@@ -29,12 +30,13 @@ mod scales;
 mod setting;
 mod steady;
 
+use equations::Found;
 use force::DriveFrequency;
 use libration_numbers::expression::Equation;
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Progress;
 use scales::{Forced, Solved};
-use setting::{Found, Setting};
+use setting::Setting;
 
 pub use coupled::{CoordinateFlow, CoupledSlowFlow, coupled_slow_flow};
 pub use error::{MAX_SYMBOLIC_SLOW_ORDER, SymbolicSlowFlowError};
@@ -92,7 +94,7 @@ pub fn slow_flow_symbolically(
     answered(equation, options, progress, result::collected)
 }
 
-/// What is made of the slow flow of an equation.
+/// The result that `collected` makes of the slow flow of an equation.
 fn answered<R>(
     equation: &Equation,
     options: &SymbolicSlowFlowOptions,

@@ -1,12 +1,13 @@
 //! The slow flow as formulas.
 
 use super::criteria::{Peak, ResponseCurve};
+use super::equations::Found;
 use super::evaluation::{SlowFlowAt, Sums};
 use super::force::DriveFrequency;
 use super::letters::{Column, Letters, Sum};
 use super::phase_sums::{PhaseSum, append, append_term, real_and_imaginary};
 use super::scales::{Forced, Solved};
-use super::setting::{Found, Names, Setting};
+use super::setting::{Names, Setting};
 use super::steady::{Steady, SteadyEquations};
 use libration_numbers::algebra::{Rational, Ring};
 

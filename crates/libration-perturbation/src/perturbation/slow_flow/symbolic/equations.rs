@@ -1,0 +1,356 @@
+//! The equations of motion as sums: what ω0 is, which terms are small, and how the frequencies differ from their resonance.
+
+use super::error::{LARGEST_RESONANCE, SymbolicSlowFlowError as Error};
+use super::force::Reader;
+use super::letters::{Column, Letters, Sum};
+use super::scales::{Forced, Term};
+use super::setting::Setting;
+use super::steady::greatest_common_divisor;
+use libration_numbers::algebra::{Rational, Ring};
+use libration_numbers::expression::{Equation, Expression};
+use libration_numbers::internals::progress::Watch;
+use std::cell::Cell;
+
+impl Setting {
+    /// The terms of the equations, by orders.
+    pub(super) fn forced(
+        &self,
+        equation: &Equation,
+        order: i64,
+        watch: &Watch<'_>,
+    ) -> Result<(Forced<'_>, Found), Error> {
+        let letters = &self.letters;
+        let reader = Reader {
+            letters,
+            variables: equation.variables(),
+            symbols: &self.symbols,
+            drive: self.drive.as_ref(),
+            degree: usize::try_from(order).unwrap_or(0) + 1,
+            is_cut_off: Cell::new(false),
+        };
+        let read = equation.accelerations().iter().map(|formula| self.checked(&reader, formula));
+        let mut accelerations: Vec<Sum> = read.collect::<Result<_, _>>()?;
+        let springs = self.springs(&accelerations)?;
+        let (harmonics, drive_harmonic) = self.harmonics(&springs)?;
+        let wave = letters.place(Column::Wave);
+        for acceleration in &mut accelerations {
+            *acceleration = letters.changed(acceleration, |powers, factor| {
+                powers[wave] *= drive_harmonic;
+                factor.clone()
+            });
+        }
+        let natural = self.natural_frequency(&springs[0])?;
+        let zeros = || vec![letters.zero(); springs.len()];
+        let mut forced = Forced {
+            letters,
+            omega0: natural.omega0.clone(),
+            drive_harmonic,
+            harmonics,
+            detuning: letters.zero(),
+            drives: zeros(),
+            terms: vec![],
+        };
+        let is_detuned = self.is_detuned(&forced, &springs);
+        let equations = Equations { accelerations, springs, is_detuned, is_cut_off: reader.is_cut_off.get() };
+        let grade = match (equations.has_detuning(self.drive.is_some()), self.detuning_order) {
+            (false, _) => None,
+            (true, Some(stated)) => Some(stated),
+            (true, None) => {
+                self.split(&mut forced, &equations, order)?;
+                // No detuning enters: it has the highest order, and those below are tried.
+                Some(forced.first_order(order, watch)?)
+            }
+        };
+        let drives = self.split(&mut forced, &equations, grade.unwrap_or(0))?;
+        let frequencies = equations.springs.iter().zip(&equations.is_detuned);
+        let natural_squares = frequencies.map(|(spring, is)| is.then(|| spring.clone())).collect();
+        Ok((forced, Found { natural: natural.explained, drives, natural_squares }))
+    }
+
+    fn checked(&self, reader: &Reader<'_>, formula: &Expression) -> Result<Sum, Error> {
+        let acceleration = reader.read(formula)?;
+        match () {
+            () if acceleration.is_beyond_limit() => Err(Error::TooLarge(0)),
+            () if !self.is_polynomial(&acceleration) => Err(Error::NotPolynomial(formula.to_string())),
+            () => Ok(acceleration),
+        }
+    }
+
+    /// The frequencies of the coordinates and the drive in units of ω0/q.
+    fn harmonics(&self, springs: &[Sum]) -> Result<(Vec<i64>, i64), Error> {
+        let whole = if self.ratios.is_empty() { self.ratios_of(springs)? } else { self.ratios.clone() };
+        let (p, q) = self.resonance;
+        let scale = q / greatest_common_divisor(q, whole[0]);
+        let harmonics: Vec<i64> = whole.iter().map(|it| it * scale).collect();
+        let drive = p * harmonics[0] / q;
+        Ok((harmonics, drive))
+    }
+
+    /// The natural frequencies as whole numbers, where the ratios of their squares are those of whole numbers.
+    fn ratios_of(&self, springs: &[Sum]) -> Result<Vec<i64>, Error> {
+        let letters = &self.letters;
+        let half = Rational::new(1, 2).unwrap_or_else(|| Rational::from(1));
+        let ratio = |spring: &Sum| {
+            let (mine, first) = (spring.as_single_term()?, springs[0].as_single_term()?);
+            let is_alike = mine.0 == first.0;
+            let square = mine.1.checked_div(first.1).filter(|it| is_alike && !it.is_negative())?;
+            let root = letters.ring.power(&letters.number(square), &half)?;
+            let (powers, factor) = root.as_single_term()?;
+            powers.iter().all(|power| *power == 0).then(|| factor.clone())
+        };
+        let mut ratios = vec![Rational::from(1)];
+        for (coordinate, spring) in springs.iter().enumerate().skip(1) {
+            let same = letters.subtract(spring, &springs[0]).is_zero();
+            let ratio = if same { Some(Rational::from(1)) } else { ratio(spring) };
+            ratios.push(ratio.ok_or(Error::UnknownRatio(coordinate + 1))?);
+        }
+        whole_numbers(&ratios).ok_or(Error::UnknownRatio(2))
+    }
+
+    /// The springs of the equations by coordinates: ω², which must not be zero.
+    fn springs(&self, accelerations: &[Sum]) -> Result<Vec<Sum>, Error> {
+        let letters = &self.letters;
+        let spring = |(coordinate, acceleration): (usize, &Sum)| {
+            let place = letters.place_of(Column::Position, coordinate);
+            let linear = letters.scaled(&self.linear(acceleration, coordinate), &Rational::from(-1));
+            let square = letters.times(&linear, &letters.power_at(place, -1));
+            let is_negative = square.as_single_term().is_some_and(|(_, factor)| factor.is_negative());
+            if square.is_zero() || is_negative {
+                Err(Error::NoOscillation(square.to_string()))
+            } else {
+                Ok(square)
+            }
+        };
+        accelerations.iter().enumerate().map(spring).collect()
+    }
+
+    /// Returns for each coordinate whether its natural frequency differs from its multiple of ω0.
+    fn is_detuned(&self, forced: &Forced<'_>, springs: &[Sum]) -> Vec<bool> {
+        let letters = &self.letters;
+        let differs = |(coordinate, spring): (usize, &Sum)| {
+            let ratio = Rational::new(forced.harmonics[coordinate], forced.harmonics[0]);
+            let ratio = ratio.unwrap_or_else(|| Rational::from(1));
+            let square = letters.scaled(&springs[0], &(ratio.clone() * ratio));
+            !letters.subtract(spring, &square).is_zero()
+        };
+        springs.iter().enumerate().map(differs).collect()
+    }
+
+    /// Natural powers of the drive frequency and of the small parameters.
+    fn is_polynomial(&self, acceleration: &Sum) -> bool {
+        let places = [Column::Drive, Column::Order].map(|column| self.letters.place(column));
+        acceleration
+            .half_powers()
+            .all(|(powers, _)| places.iter().all(|&place| powers[place] >= 0 && powers[place] % 2 == 0))
+    }
+
+    /// W − (p/q)·ω0 for the first coordinate, the detuning of its natural frequency for another: σ, times the small parameter where there is one.
+    pub(super) fn detuning(&self, coordinate: usize, order: i64) -> Sum {
+        let letters = &self.letters;
+        let factor = self
+            .bookkeeping
+            .map_or_else(|| letters.number(Rational::from(1)), |place| letters.power_at(place, 1));
+        let sigma = letters.power_at(letters.place_of(Column::Detuning, coordinate), 1);
+        letters.times(&letters.times(&sigma, &letters.power(Column::Order, order)), &factor)
+    }
+
+    fn natural_frequency(&self, square: &Sum) -> Result<NaturalFrequency, Error> {
+        let letters = &self.letters;
+        let half = Rational::new(1, 2).ok_or_else(|| Error::NoOscillation(square.to_string()))?;
+        let root = square.as_single_term().and_then(|_| letters.ring.power(square, &half));
+        Ok(match root {
+            Some(omega0) => NaturalFrequency { omega0, explained: None },
+            None => NaturalFrequency {
+                omega0: letters.power(Column::Natural, 1),
+                explained: Some(square.clone()),
+            },
+        })
+    }
+
+    /// The terms of order zero that are linear in a displacement, and contain no other, no velocity and no wave.
+    fn linear(&self, sum: &Sum, coordinate: usize) -> Sum {
+        let letters = &self.letters;
+        let own = letters.place_of(Column::Position, coordinate);
+        let mut moving = [Column::Order, Column::Wave, Column::PositionSign, Column::VelocitySign]
+            .map(|it| letters.place(it))
+            .to_vec();
+        moving.extend([Column::Position, Column::Velocity].map(|it| letters.places(it)).concat());
+        letters
+            .part(sum, |powers| moving.iter().all(|&place| powers[place] == if place == own { 2 } else { 0 }))
+    }
+
+    /// Distributes the accelerations with detunings of this order, and returns the symbols of the drive that does not contain displacements.
+    fn split(&self, forced: &mut Forced<'_>, equations: &Equations, grade: i64) -> Result<Vec<usize>, Error> {
+        let letters = &self.letters;
+        if self.drive.is_some() {
+            forced.detuning = self.detuning(0, grade);
+        }
+        let rests: Vec<Sum> = (0..equations.springs.len())
+            .map(|coordinate| self.rest(forced, equations, coordinate, grade))
+            .collect();
+        let degree = self.degree();
+        let order = letters.place(Column::Order);
+        // Without a small factor a term is small because the amplitude is, and then powers of the amplitude count everywhere.
+        let has_large =
+            |rest: &Sum| rest.half_powers().any(|(powers, _)| powers[order] == 0 && degree(powers) >= 2);
+        let by_amplitude = rests.iter().any(has_large);
+        if equations.is_cut_off && !by_amplitude {
+            return Err(Error::EndlessSeries);
+        }
+        let (wave, signs) = (letters.place(Column::Wave), self.signs());
+        let mut drives = vec![];
+        forced.terms.clear();
+        for (coordinate, rest) in rests.iter().enumerate() {
+            let graded = letters.changed(rest, |powers, factor| {
+                if by_amplitude && degree(powers) >= 1 {
+                    powers[order] += 2 * (degree(powers) - 1);
+                }
+                factor.clone()
+            });
+            let large = letters.of_order(&graded, 0);
+            let is_still =
+                |powers: &[i64]| degree(powers) == 0 && signs.iter().all(|&place| powers[place] == 0);
+            let waves = letters.part(&large, |powers| is_still(powers) && powers[wave] != 0);
+            self.refuse_large(&letters.subtract(&large, &waves), &degree)?;
+            forced.drives[coordinate] = waves;
+            forced.terms.push(terms(letters, &letters.subtract(&graded, &large)));
+            let driving = letters.part(&graded, |powers| degree(powers) == 0 && powers[wave] != 0);
+            drives.extend(
+                (0..letters.given)
+                    .filter(|&place| driving.half_powers().any(|(powers, _)| powers[place] > 0)),
+            );
+        }
+        if forced.terms.iter().all(Vec::is_empty) && forced.detuning.is_zero() {
+            return Err(Error::NothingSmall);
+        }
+        drives.sort_unstable();
+        drives.dedup();
+        Ok(drives)
+    }
+
+    /// The acceleration of a coordinate without its spring, which is (h·ω0/q)²; W and the natural frequency have their detunings.
+    fn rest(&self, forced: &Forced<'_>, equations: &Equations, coordinate: usize, grade: i64) -> Sum {
+        let letters = &self.letters;
+        let acceleration = &equations.accelerations[coordinate];
+        let rest = letters.subtract(acceleration, &self.linear(acceleration, coordinate));
+        let (p, q) = self.resonance;
+        let resonant =
+            letters.scaled(&forced.omega0, &Rational::new(p, q).unwrap_or_else(|| Rational::from(1)));
+        let drive = letters.add(&resonant, &forced.detuning);
+        let rest = letters.substituted(&rest, Column::Drive, &drive, i64::from(i16::MAX));
+        if !equations.is_detuned[coordinate] {
+            return rest;
+        }
+        let detuning = self.detuning(coordinate, grade);
+        let twice = letters.scaled(&forced.natural_frequency(coordinate), &Rational::from(2));
+        let excess = letters.times(&letters.add(&twice, &detuning), &detuning);
+        let position = letters.power_at(letters.place_of(Column::Position, coordinate), 1);
+        letters.subtract(&rest, &letters.times(&excess, &position))
+    }
+
+    /// The degree of a term in displacements and velocities.
+    fn degree(&self) -> impl Fn(&[i64]) -> i64 + use<> {
+        let places = [Column::Position, Column::Velocity].map(|column| self.letters.places(column)).concat();
+        move |powers| places.iter().map(|&place| powers[place]).sum::<i64>() / 2
+    }
+
+    fn signs(&self) -> [usize; 2] {
+        [Column::PositionSign, Column::VelocitySign].map(|column| self.letters.place(column))
+    }
+
+    /// Refuses terms of order zero other than the spring and the drive.
+    fn refuse_large(&self, large: &Sum, degree: &impl Fn(&[i64]) -> i64) -> Result<(), Error> {
+        let letters = &self.letters;
+        let Some((powers, _)) = large.half_powers().next() else { return Ok(()) };
+        let term = letters.part(large, |own| own == &powers[..]);
+        let text = letters.changed(&term, |powers, factor| {
+            powers[letters.place(Column::Order)..].fill(0);
+            factor.clone()
+        });
+        Err(match (degree(powers), powers[letters.place(Column::Wave)]) {
+            (0, _) => Error::Equilibrium(text.to_string()),
+            (_, 0) => Error::NotSmall(text.to_string()),
+            _ => Error::ParametricNotSmall(text.to_string()),
+        })
+    }
+}
+
+/// The equations of motion as sums.
+struct Equations {
+    accelerations: Vec<Sum>,
+    springs: Vec<Sum>,
+    is_detuned: Vec<bool>,
+    /// A power series of a displacement was cut off.
+    is_cut_off: bool,
+}
+
+impl Equations {
+    fn has_detuning(&self, is_driven: bool) -> bool {
+        is_driven || self.is_detuned.contains(&true)
+    }
+}
+
+/// ω0, and its square where it has a name of its own.
+struct NaturalFrequency {
+    omega0: Sum,
+    explained: Option<Sum>,
+}
+
+/// The terms of the equation by kind.
+pub(super) struct Found {
+    /// ω0², where ω0 has a name of its own.
+    pub(super) natural: Option<Sum>,
+    /// Columns of the amplitudes of drives.
+    pub(super) drives: Vec<usize>,
+    /// The squares of the natural frequencies that differ from their multiples of ω0, by coordinates.
+    pub(super) natural_squares: Vec<Option<Sum>>,
+}
+
+/// The terms by powers of displacements and velocities, the signs of the first, and their orders.
+fn terms(letters: &Letters, sum: &Sum) -> Vec<Term> {
+    let grade = letters.place(Column::Order);
+    let signs = [Column::PositionSign, Column::VelocitySign].map(|column| letters.place(column));
+    let mut columns: Vec<usize> = (0..letters.coordinates)
+        .flat_map(|coordinate| {
+            [Column::Position, Column::Velocity].map(|column| letters.place_of(column, coordinate))
+        })
+        .collect();
+    let moving = columns.len();
+    columns.extend(signs);
+    let key = |powers: &[i64]| columns.iter().chain([&grade]).map(|&place| powers[place] / 2).collect();
+    let mut keys: Vec<Vec<i64>> = sum.half_powers().map(|(powers, _)| key(powers)).collect();
+    keys.sort_unstable();
+    keys.dedup();
+    let term = |wanted: Vec<i64>| {
+        let own = letters.part(sum, |powers| key(powers) == wanted);
+        let coefficient = letters.changed(&own, |powers, factor| {
+            for &place in &columns {
+                powers[place] = 0;
+            }
+            factor.clone()
+        });
+        let exponents = wanted[..moving].chunks_exact(2);
+        let powers =
+            exponents.map(|pair| [pair[0], pair[1]].map(|it| usize::try_from(it).unwrap_or(0))).collect();
+        Term {
+            coefficient,
+            powers,
+            signs: [wanted[moving] != 0, wanted[moving + 1] != 0],
+            order: wanted[moving + 2],
+        }
+    };
+    keys.into_iter().map(term).collect()
+}
+
+/// Fractions times their common denominator.
+fn whole_numbers(fractions: &[Rational]) -> Option<Vec<i64>> {
+    let largest = i64::from(LARGEST_RESONANCE);
+    let whole = |by: i64| {
+        let products = fractions.iter().map(|fraction| {
+            let number = (fraction.clone() * Rational::from(by)).to_natural()?;
+            i64::try_from(number).ok().filter(|it| *it <= largest)
+        });
+        products.collect::<Option<Vec<i64>>>()
+    };
+    (1..=largest).find_map(whole)
+}
