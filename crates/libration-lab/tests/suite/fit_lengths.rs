@@ -349,7 +349,7 @@ fn different_lengths_are_not_said_to_be_the_same() {
 fn the_rounding_of_periods_is_their_uncertainty_where_rows_scatter_less() {
     let lengths_given = [0.2, 0.4, 0.6, 0.8, 1.0];
     let exact = lengths_given.map(|length: f64| TAU * (length / 9.81).sqrt());
-    let fitted = |disturbance: f64| {
+    let fitted = |disturbance: f64, rounding: &[f64]| {
         let signs = [1.0, -1.0, 0.5, -0.5, 1.0];
         let periods: Vec<f64> =
             exact.iter().zip(signs).map(|(period, sign)| period + sign * disturbance).collect();
@@ -360,11 +360,18 @@ fn the_rounding_of_periods_is_their_uncertainty_where_rows_scatter_less() {
             period_uncertainties: None,
             amplitudes: &[],
         };
-        // Hundredths of a second: a standard uncertainty of 0.01/√12.
-        let table = LengthTable::new(&columns).unwrap().with_rounding(vec![0.01 / 12.0_f64.sqrt(); 5]);
+        let table = LengthTable::new(&columns).unwrap().with_rounding(rounding.to_vec());
         lengths(&table, &LengthsOptions::default()).unwrap()
     };
-    let (quiet, loud) = (fitted(1e-5), fitted(0.02));
+    // Hundredths of a second: a standard uncertainty of 0.01/√12.
+    let hundredths = [0.01 / 12.0_f64.sqrt(); 5];
+    let (quiet, loud) = (fitted(1e-5, &hundredths), fitted(0.02, &hundredths));
+    // Rows without digits after the point, or another number of them, say nothing.
+    let [first, ..] = hundredths;
+    for unknown in [&[first, first, 0.0, first, first][..], &hundredths[..4]] {
+        let fit = fitted(1e-5, unknown);
+        assert!(!fit.weighted_by_rounding && fit.gravity().uncertainty < 1e-3, "{:?}", fit.gravity());
+    }
     assert!(quiet.weighted_by_rounding && !loud.weighted_by_rounding);
     // By weighted least squares of T²/4π² against the length, with an offset and u(T) = 2.89 ms, from the normal equations in Python: 0.03137 m/s².
     let uncertainty = quiet.gravity().uncertainty;

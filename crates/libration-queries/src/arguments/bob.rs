@@ -34,5 +34,7 @@ pub(super) fn bob(text: &str) -> Result<Bob, String> {
     let height = needed(height, "height", shape.needs_height())?;
     let inner_radius = needed(inner_radius, "inner", shape == BobShape::Ring)?;
     let radius = radius.ok_or_else(|| format!("a {} needs its radius: {FORM}", shape.name()))?;
-    Ok(Bob { shape, radius, height, inner_radius })
+    let bob = Bob { shape, radius, height, inner_radius };
+    bob.check().map_err(|error| error.to_string())?;
+    Ok(bob)
 }

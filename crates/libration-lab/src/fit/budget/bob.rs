@@ -3,9 +3,9 @@
 //! The axis of a disc or ring is parallel to that about which the pendulum turns, so that it swings in its own plane; the axis of a cylinder or cap
 //! is along the rod. κ is the moment of inertia about the horizontal axis through the centre of mass, over the mass.
 
-use std::f64::consts::PI;
-
+use super::BudgetError;
 use libration::quantity::Quantity;
+use std::f64::consts::PI;
 
 /// Shape of a bob of uniform density.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -94,16 +94,21 @@ impl Bob {
         self.size().radius_of_ball()
     }
 
-    /// Returns whether the bob is one: a cap is not higher than its ball, a hole is smaller than the ring, and a cylinder or cap has a height.
-    #[must_use]
-    pub fn is_possible(&self) -> bool {
+    /// Refuses sizes that no such bob has.
+    ///
+    /// # Errors
+    /// A cylinder or cap without height, a cap higher than its ball, a ring whose hole is not smaller than itself.
+    pub fn check(&self) -> Result<(), BudgetError> {
         let Size { shape, radius, height, inner } = self.size();
-        match shape {
-            BobShape::Cap => height > 0.0 && height <= 2.0 * radius,
-            BobShape::Cylinder => height > 0.0,
-            BobShape::Ring => inner < radius,
-            BobShape::Ball | BobShape::Disc | BobShape::Gyration => true,
-        }
+        let reason = match shape {
+            BobShape::Cylinder | BobShape::Cap if height <= 0.0 => "it needs a height above zero",
+            BobShape::Cap if height > 2.0 * radius => {
+                "it is higher than the ball of this radius from which it is cut"
+            }
+            BobShape::Ring if inner >= radius => "its hole is not smaller than the ring",
+            _ => return Ok(()),
+        };
+        Err(BudgetError::Bob { shape: shape.name(), reason })
     }
 
     /// The lengths without their uncertainties.

@@ -69,9 +69,7 @@ impl Given {
             self.value("radius of the bob", Of::BobRadius, Some(bob.radius))?;
             self.value("height of the bob", Of::BobHeight, bob.height)?;
             self.value("inner radius of the bob", Of::BobInnerRadius, bob.inner_radius)?;
-            if !bob.is_possible() {
-                return Err(BudgetError::Bob { shape: bob.shape.name() });
-            }
+            bob.check()?;
         }
         values.bob_mass = self.value("mass of the bob", Of::BobMass, known.bob_mass)?;
         values.bob_density = self.value("density of the bob", Of::BobDensity, known.bob_density)?;

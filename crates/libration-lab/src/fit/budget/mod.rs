@@ -63,13 +63,12 @@ pub enum BudgetError {
         value: f64,
     },
     /// Sizes that no bob of its shape has.
-    #[error(
-        "no {shape} has these sizes: a cylinder and a cap have a height, a cap is not higher than its ball, and the hole of a ring is smaller \
-         than the ring"
-    )]
+    #[error("no {shape} has these sizes: {reason}")]
     Bob {
         /// Name of the shape.
         shape: &'static str,
+        /// What is wrong with it.
+        reason: &'static str,
     },
     /// A stiffness of the support without the mass of the bob.
     #[error(
