@@ -158,4 +158,9 @@ pub enum FitError {
         "a pendulum of the table is too short or too fast for these corrections: check the stiffness of the support, and the units"
     )]
     CorrectionsOfRow,
+    /// Corrections that change the law so much that the rounds do not settle g.
+    #[error(
+        "the corrections change the law of the table so much that g does not settle: check their sizes and units, such as that of the knife edge"
+    )]
+    CorrectionsTooLarge,
 }

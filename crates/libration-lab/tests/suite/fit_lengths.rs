@@ -508,3 +508,25 @@ fn a_bar_is_corrected_with_its_own_moment_of_inertia() {
     let fit = lengths(&edges, &reversible).unwrap();
     assert!((fit.best().g.value / G - 1.0).abs() < 1e-8, "{:?}", fit.best());
 }
+
+/// Strings on an edge that rolls with the radius ρ have T² = 4π²h²/g(h + ρ). What the rounds do not settle is refused: for ρ = 0.3 m they end
+/// elsewhere with every further round.
+#[test]
+fn corrections_that_do_not_settle_are_refused() {
+    let fitted = |edge: f64| {
+        let given = ten_lengths();
+        let period = |&height: &f64| TAU * (height * height / (G * (height + edge))).sqrt();
+        let periods: Vec<f64> = given.iter().map(period).collect();
+        let exactly = Quantity { value: edge, uncertainty: None };
+        let corrections = Corrections { edge_radius: Some(exactly), ..Corrections::default() };
+        let options = LengthsOptions { corrections, ..LengthsOptions::default() };
+        lengths(&table(&given, &periods, Some(&vec![1e-3; periods.len()])), &options)
+    };
+    for edge in [0.001, 0.01, 0.03] {
+        let fit = fitted(edge).unwrap();
+        assert!((fit.best().g.value / G - 1.0).abs() < 1e-8, "{edge}: {:?}", fit.best());
+    }
+    for edge in [0.3, 3.0] {
+        assert_eq!(fitted(edge).unwrap_err(), FitError::CorrectionsTooLarge, "{edge}");
+    }
+}

@@ -14,6 +14,9 @@ use libration::quantity::Quantity;
 const ROUNDS: usize = 20;
 /// Largest negligible relative change of g.
 const SETTLED: f64 = 1e-12;
+/// Largest relative change of g in the last round with which the result is accepted: rounding in fits whose rows hardly determine the offset
+/// may exceed [`SETTLED`], and no g is known to a billionth.
+const ACCEPTED: f64 = 1e-9;
 
 /// One law of a table with its corrections.
 pub(super) struct CorrectedLaw<'a> {
@@ -32,29 +35,33 @@ impl CorrectedLaw<'_> {
         }
     }
 
-    /// The table with corrected periods; `None` where a correction is impossible, or the rows determine no law.
-    pub(super) fn table(&self, values: &Values, left_out: Option<Effect>) -> Option<LengthTable> {
+    /// The table with corrected periods.
+    ///
+    /// # Errors
+    /// A correction that is impossible, rows that determine no law, and corrections so large that the rounds do not settle them.
+    pub(super) fn table(&self, values: &Values, left_out: Option<Effect>) -> Result<LengthTable, FitError> {
         let shifted = self.shifted(values);
         let radius = self.radius(values, left_out);
         let mut factors = vec![1.0; shifted.rows.len()];
-        let mut gravity = f64::NAN;
+        let (mut gravity, mut change) = (f64::NAN, f64::INFINITY);
         for _ in 0..ROUNDS {
             let table = shifted.divided(&factors);
-            let fit = self.fit_to(&table, radius)?;
+            let fit = self.fit_to(&table, radius).ok_or(FitError::CorrectionsTooLarge)?;
             let gyration = self.gyration(&fit, &table, values, left_out);
-            let next = self.factors(&fit, &shifted, gyration, values, left_out)?;
-            let is_settled = (fit.g.value / gravity - 1.0).abs() <= SETTLED || next == factors;
+            let next = self.factors(&fit, &shifted, gyration, values, left_out);
+            let next = next.ok_or(FitError::CorrectionsOfRow)?;
+            change = if next == factors { 0.0 } else { (fit.g.value / gravity - 1.0).abs() };
             (factors, gravity) = (next, fit.g.value);
-            if is_settled {
+            if change <= SETTLED {
                 break;
             }
         }
-        Some(shifted.divided(&factors))
+        if change <= ACCEPTED { Ok(shifted.divided(&factors)) } else { Err(FitError::CorrectionsTooLarge) }
     }
 
     /// g by these values.
     fn gravity(&self, values: &Values, left_out: Option<Effect>) -> f64 {
-        let table = self.table(values, left_out);
+        let table = self.table(values, left_out).ok();
         let fit = table.and_then(|table| self.fit_to(&table, self.radius(values, left_out)));
         fit.map_or(f64::NAN, |fit| fit.g.value) / (values.clock * values.clock)
     }

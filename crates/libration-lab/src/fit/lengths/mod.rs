@@ -261,7 +261,7 @@ impl LengthsOptions {
         }
         let values = self.corrections.values()?;
         let law = CorrectedLaw { table, options: self, model };
-        law.table(&values, None).ok_or(FitError::CorrectionsOfRow)
+        law.table(&values, None)
     }
 
     /// The results with the uncertainty of g: by the slope of the line, or the contributions of a reversible pendulum, and by all corrections.
