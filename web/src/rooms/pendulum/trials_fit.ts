@@ -26,7 +26,8 @@ interface Gravity {
   readonly beta?: number | null;
   readonly beta_uncertainty?: number | null;
   readonly budget_inputs?: readonly { readonly input: string; readonly share: number | null }[];
-  readonly warnings?: readonly (string | { readonly text: string })[];
+  readonly warnings?: readonly string[];
+  readonly warning_kinds?: readonly string[];
 }
 
 /** `lengthError` in metres; `timeError`, in seconds, of each reading, if it is known. */
@@ -63,7 +64,7 @@ export async function fitted(engine: Engine, { name, bytes, command }: Fit, isOn
     ...(expanded == null ? [] : [words.expanded(rounded(expanded, expanded)[1])]),
     ...(value.budget_inputs ?? []).filter(({ share }) => share !== null && share > 0.01).map(({ input, share }) => words.share(input, `${(100 * (share ?? 0)).toFixed(0)} %`)),
     ...(value.beta != null && value.beta_uncertainty != null && value.beta_uncertainty > 0 ? [words.beta(...rounded(value.beta, value.beta_uncertainty))] : []),
-    ...(value.warnings ?? []).map((warning) => (typeof warning === "string" ? warning : warning.text)).filter((warning) => isOnEarth || !warning.includes("on Earth")).map((warning) => plain(warning)),
+    ...(value.warnings ?? []).filter((_, place) => isOnEarth || value.warning_kinds?.[place] !== "gravity_contradicted").map((warning) => plain(warning)),
   ];
   return { headline: words.headline(...rounded(gravity, error)), reasons };
 }
