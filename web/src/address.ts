@@ -63,6 +63,7 @@ export class PageAddress implements Address {
   constructor(changed: () => void) {
     this.#changed = changed;
     this.#read();
+    addEventListener("focusin", () => this.history.endStep());
     addEventListener("hashchange", () => {
       if (location.hash !== this.#shown) {
         const { room } = this;

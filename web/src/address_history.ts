@@ -1,4 +1,4 @@
-// Former states of a room, for undo and redo. Changes that follow each other closely, such as those of a slider, are one step.
+// Former states of a room, for undo and redo. Changes of one control that follow each other closely, such as those of a slider, are one step.
 
 /** Longest pause between two changes of one step, in milliseconds, and most steps. */
 const [PAUSE, MOST] = [700, 200];
@@ -31,6 +31,11 @@ export class AddressHistory {
     this.#tell();
   }
 
+  /** Lets the next change begin a step, whatever the pause. */
+  endStep(): void {
+    this.#changedAt = -Infinity;
+  }
+
   /** The state before the present one, which becomes the next one of `redo`. */
   undo(present: string): string | undefined {
     return this.#step(this.#past, this.#future, present);
@@ -41,14 +46,15 @@ export class AddressHistory {
   }
 
   clear(): void {
-    [this.#past, this.#future, this.#changedAt] = [[], [], -Infinity];
+    [this.#past, this.#future] = [[], []];
+    this.endStep();
     this.#tell();
   }
 
   #step(from: string[], to: string[], present: string): string | undefined {
     const state = from.pop();
     if (state !== undefined) to.push(present);
-    this.#changedAt = -Infinity;
+    this.endStep();
     this.#tell();
     return state;
   }

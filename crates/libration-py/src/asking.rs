@@ -101,20 +101,24 @@ impl Words for PythonWords {
         if matches!(name.as_str(), "from" | "lambda") { name + "_" } else { name }
     }
 
-    fn setting(&self, parameter: &QueryParameter, value: &str) -> String {
+    fn value(&self, value: &str) -> String {
         let literal = |text: &str| match text.parse::<f64>() {
             Ok(_) => text.to_owned(),
             Err(_) => format!("\"{text}\""),
         };
         let pairs = value.split(',').map(|item| item.split_once('='));
-        let value = match pairs.collect::<Option<Vec<_>>>() {
+        match pairs.collect::<Option<Vec<_>>>() {
             Some(pairs) => {
                 let pairs = pairs.into_iter().map(|(name, value)| format!("\"{name}\": {}", literal(value)));
                 format!("{{{}}}", pairs.collect::<Vec<_>>().join(", "))
             }
             None => literal(value),
-        };
-        format!("{}={value}", self.parameter(parameter))
+        }
+    }
+
+    fn setting(&self, parameter: &QueryParameter, values: &[String]) -> String {
+        let values: Vec<_> = values.iter().map(|value| self.value(value)).collect();
+        format!("{}={}", self.parameter(parameter), values.join(" or "))
     }
 
     fn query(&self, words: &str) -> String {

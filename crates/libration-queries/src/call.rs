@@ -5,6 +5,7 @@
 //! independently.
 
 use crate::host::Host;
+use crate::query_error::text::Text;
 use std::cell::RefCell;
 use std::ffi::OsString;
 use std::io::{self, Write};
@@ -51,12 +52,13 @@ impl Call {
         &self.arguments
     }
 
-    /// Says it with the result, unless it is said already.
+    /// Passes a sentence with marks to the host, unless it was passed already.
     pub(crate) fn note(&self, sentence: &str) {
+        let sentence = Text::marked(sentence).in_words(self.host.words());
         let mut notes = self.notes.lock().unwrap_or_else(PoisonError::into_inner);
-        if !notes.iter().any(|note| note == sentence) {
-            notes.push(sentence.to_owned());
-            self.host.note(sentence);
+        if !notes.contains(&sentence) {
+            self.host.note(&sentence);
+            notes.push(sentence);
         }
     }
 
@@ -93,6 +95,11 @@ impl Drop for Before {
 /// The call that this thread works for; threads without a call work for `Nobody`.
 pub fn current() -> Arc<Call> {
     CURRENT.with_borrow(Option::clone).unwrap_or_else(|| Call::new(vec![], Arc::new(Nobody)))
+}
+
+/// The sentence with the names of this thread's front end in place of its marks.
+pub(crate) fn in_words(marked: &str) -> String {
+    Text::marked(marked).in_words(current().host().words())
 }
 
 /// Returns `true` if this thread's run is cancelled.

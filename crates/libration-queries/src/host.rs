@@ -5,6 +5,7 @@
 //! signals and the width of the output belong to the host; a run touches nothing else of the process but the files that it is told to read and
 //! write.
 
+use crate::query_error::text::{CommandWords, Words};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
@@ -80,6 +81,11 @@ pub trait Host: Send + Sync {
     /// Receives a note about a query, such as the reading of its equation.
     fn note(&self, sentence: &str) {
         let _ = sentence;
+    }
+
+    /// The names of parameters and queries in the sentences of results.
+    fn words(&self) -> &dyn Words {
+        &CommandWords
     }
 
     /// Receives the progress of long work from time to time; `None` when that work has ended.

@@ -1,7 +1,7 @@
 // Queries of the command, run in the page: the same words, and the same bytes as output.
 
 /** A text, or a reference to a parameter or a query of the command, which has another name on the page. */
-export type Part = string | { readonly parameter: string } | { readonly query: string };
+export type Part = string | { readonly parameter: string; readonly values?: readonly string[] } | { readonly query: string };
 
 /** The reason why a query has no result; absent parts are empty. */
 export interface QueryError {
@@ -11,13 +11,15 @@ export interface QueryError {
   readonly parameters: readonly string[];
   /** The name of the value that the error is about, for a parameter with several values. */
   readonly item: string;
+  /** What is wrong, if it is not a parameter: a file, a quantity. */
+  readonly subject: string;
   readonly message: readonly Part[];
   readonly hint: readonly Part[];
   /** A valid value of the parameter. */
   readonly suggestion: string;
 }
 
-export const NO_ERROR: QueryError = { text: "", parameters: [], item: "", message: [], hint: [], suggestion: "" };
+export const NO_ERROR: QueryError = { text: "", parameters: [], item: "", subject: "", message: [], hint: [], suggestion: "" };
 
 /** An error of the page itself. */
 export function plainError(text: string): QueryError {

@@ -1,6 +1,6 @@
 // A query as data, from which the words of the query, the line for a shell and the line for Python are made.
 
-import type { Answer, Engine, Part, QueryError, Question } from "../engine/engine.ts";
+import type { Answer, Engine, Question } from "../engine/engine.ts";
 
 /** A query of the command with its arguments and options; flags have the value `true`. */
 export interface Command {
@@ -74,26 +74,4 @@ function pythonValue(values: readonly (string | true)[]): string {
 
 function pythonText(text: string): string {
   return JSON.stringify(text);
-}
-
-/** The names of parameters and queries in messages: those of the command, unless the page has a name of its own. */
-export type Names = (option: string) => string | undefined;
-
-/** A message or a hint as text. */
-export function sentence(parts: readonly Part[], name: Names = () => undefined): string {
-  const written = parts.map((part) => {
-    if (typeof part === "string") return part;
-    return "query" in part ? `libration ${part.query}` : (name(part.parameter) ?? part.parameter);
-  });
-  return written.join("");
-}
-
-/** The message with its hint, without the parameters that it is about. */
-export function explained({ message, hint }: QueryError, name?: Names): string {
-  return [message, hint].filter((parts) => parts.length > 0).map((parts) => sentence(parts, name)).join("\n");
-}
-
-/** The reason of a failure, as `--option: what is wrong`. */
-export function reason({ error }: Answer): string {
-  return error.text;
 }

@@ -2,9 +2,10 @@
 
 import type { Address } from "../address.ts";
 import type { Answer } from "../engine/engine.ts";
-import { explained, reason } from "./command.ts";
 import { element } from "./element.ts";
 import type { Field } from "./field.ts";
+import { explained, reason } from "./marks.ts";
+import { labels, plain } from "./plain.ts";
 import { UNIT } from "./unit_switch.ts";
 
 /** Longest pause between two keystrokes before the value is used, in milliseconds. */
@@ -85,16 +86,10 @@ export class Form {
   blame(answer: Answer, keys: readonly string[] = [...this.#fields.keys()]): string {
     const { error } = answer;
     const field = keys.map((key) => this.#field(key)).find(({ option }) => option !== undefined && error.parameters.includes(option));
-    if (field === undefined) return reason(answer);
-    field.refuse(explained(error, (option) => this.#labelOf(option)));
+    if (field === undefined) return reason(error);
+    field.refuse(plain(explained(error), labels(this.#fields.values())));
     field.element.closest("details")?.setAttribute("open", "");
     return "";
-  }
-
-  /** The label of the field of an option, in the quotation marks of the page. */
-  #labelOf(option: string): string | undefined {
-    const field = [...this.#fields.values()].find((it) => it.option === option);
-    return field === undefined ? undefined : `“${field.label}”`;
   }
 
   /** Sets the unit of bare numbers to that of the unit switch, or to degrees if there is none. */

@@ -2,7 +2,7 @@
 
 import { text } from "../texts/en.ts";
 import type { Field } from "./field.ts";
-import { plain } from "./plain.ts";
+import { labels, plain } from "./plain.ts";
 
 /** The sentence with words in place of keys. */
 export function withoutKeys(sentence: string): string {
@@ -11,8 +11,7 @@ export function withoutKeys(sentence: string): string {
 
 /** Sets the error messages of the fields in the words of their room; returns these words for any other sentence. */
 export function inWords(fields: readonly Field[]): (sentence: string) => string {
-  const label = (name: string) => fields.find(({ option }) => option === `--${name}`)?.label;
-  const said = (sentence: string) => withoutKeys(plain(sentence, label));
+  const said = (sentence: string) => withoutKeys(plain(sentence, labels(fields)));
   for (const field of fields) {
     const refuse = field.refuse.bind(field);
     field.refuse = (reason) => refuse(said(reason));

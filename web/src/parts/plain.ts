@@ -1,18 +1,26 @@
-// Sentences of the command in the words of the page: labels of fields instead of options, quotation marks instead of backticks.
+// Sentences of the command in the words of the page: labels of fields in place of options, quotation marks in place of backticks.
 
 import { text } from "../texts/en.ts";
 import type { Field } from "./field.ts";
+import { marks } from "./marks.ts";
 
-/** The name that an option, without its dashes, or a command has on the page. */
+/** The name that an option, without its dashes, or a query has on the page. */
 export type Labels = (name: string) => string | undefined;
 
-/** The sentence without remarks that only name options, with labels for those that remain. */
+/** A sentence with marks as the page says it. */
 export function plain(sentence: string, label: Labels = () => undefined): string {
-  return sentence
-    .replace(/\s*\((?:without )?--[^()]*\)/g, "")
-    .replace(/`([^`]*)`/g, (_, quoted: string) => (quoted.trim() === "" ? text.parts.emptyEntry : `“${quoted}”`))
-    .replace(/\blibration ((?:fit )?[a-z]+)/g, (_, command: string) => `“${label(command) ?? command}”`)
-    .replace(/--([a-z][a-z-]*)/g, (_, option: string) => `“${label(option) ?? option.replaceAll("-", " ")}”`);
+  const named = marks(sentence).map((it) => {
+    if (typeof it === "string") return it.replace(/`([^`]*)`/g, (_, quoted: string) => (quoted.trim() === "" ? text.parts.emptyEntry : `“${quoted}”`));
+    const name = `“${label(it.name) ?? it.name.replaceAll("-", " ")}”`;
+    return it.values.length === 0 ? name : `${name} ${text.parts.alternatives(it.values)}`;
+  });
+  return named.join("");
+}
+
+/** The labels of these fields, by their options. */
+export function labels(fields: Iterable<Field>): Labels {
+  const all = [...fields];
+  return (name) => all.find(({ option }) => option === `--${name}`)?.label;
 }
 
 /** The same field, with its error messages in the words of the page. */

@@ -328,7 +328,39 @@ fn a_gravity_found_nowhere_is_doubted() {
     assert!(!text(&format!("fit lengths {halves} --half-periods")).contains("warning"));
     let metres = file("lengths-no-unit", &rows("L,T", &swings(1.0)));
     let sheet = unfolded(&text(&format!("fit lengths {metres}")));
-    assert!(sheet.contains("lengths in centimetres read as metres would give (--length-unit)"), "{sheet}");
+    assert!(sheet.contains("lengths in centimetres read as metres would give (--length-unit cm)"), "{sheet}");
+}
+
+#[test]
+fn the_columns_are_read_with_roles_units_and_numbers_of_swings_as_data() {
+    let lines = (1..6).map(|n| {
+        format!("{},{:.3},{:.3},0.2,calm\n", 20 * n, 8.97 * f64::from(n).sqrt(), 8.98 * f64::from(n).sqrt())
+    });
+    let table = format!("L (cm),10 T (s),10 T (s),u(L) (cm),weather\n{}", lines.collect::<String>());
+    let table = file("lengths-columns", &table);
+    let columns = |options: &str| json(&format!("fit lengths {table} {options}"))["read_columns"].clone();
+    let role = |number: u64, role: &str, unit: Option<&str>, is_stated: bool, swings: Option<f64>| serde_json::json!({ "number": number, "role": role, "unit": unit, "unit_is_stated": is_stated, "swings": swings });
+    let times = |number| role(number, "period", Some("s"), true, Some(10.0));
+    let all = [
+        role(1, "length", Some("cm"), true, None),
+        times(2),
+        times(3),
+        role(4, "length-uncertainty", Some("cm"), true, None),
+        role(5, "ignore", None, false, None),
+    ];
+    assert_eq!(columns(""), serde_json::json!(all));
+    assert_eq!(json(&format!("inspect {table}"))["table_columns"][3]["role"], "length-uncertainty");
+    let given = columns("--columns 1,2 --swings-per-reading 5");
+    assert_eq!(given, serde_json::json!([all[0].clone(), role(2, "period", Some("s"), true, Some(5.0))]));
+    let bare = file("lengths-columns-bare", "L,T\n0.25,1.003\n0.5,1.42\n1,2.006\n");
+    let bare = json(&format!("fit lengths {bare}"))["read_columns"].clone();
+    assert_eq!(
+        bare,
+        serde_json::json!([
+            role(1, "length", Some("m"), false, None),
+            role(2, "period", Some("s"), false, Some(1.0))
+        ])
+    );
 }
 
 #[test]

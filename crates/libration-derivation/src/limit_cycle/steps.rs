@@ -255,7 +255,7 @@ pub(super) fn result(question: &Question, cycle: &Cycle) -> DerivationStep {
         .say("and the amplitude of the first harmonic, the factor of {},", [cos(tau())])
         .show(first)
         .say(
-            "It is not quite the largest displacement: at that the other harmonics have a part. The averaging of small swings, libration derive --method averaging, leads to the \
+            "It is not quite the largest displacement: at that the other harmonics have a part. The derivation by averaging leads to the \
              largest displacement and the same frequency, and to how fast the cycle is approached.",
             [],
         )

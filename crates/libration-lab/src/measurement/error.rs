@@ -133,7 +133,7 @@ pub enum MeasurementError {
         limit: usize,
     },
     /// Something that the file does not decide.
-    #[error("{question}: give {}", listed(.choices, &|choice| format!("{choice}=")))]
+    #[error("{question}: give {}", listed(.choices, &assigned))]
     Undecided {
         /// The open question, with its reason.
         question: String,
@@ -249,42 +249,48 @@ pub enum MeasurementError {
 }
 
 impl MeasurementError {
-    /// The message, with choices written as a shell of the library has them: `name` gives `angle-unit=` or `--angle-unit `, and so on.
+    /// The message, with choices as a front end writes them: `setting` writes a choice with the values of which each would do.
     #[must_use]
-    pub fn message(&self, name: &dyn Fn(Choice) -> String) -> String {
+    pub fn message(&self, setting: &dyn Fn(Choice, &[&str]) -> String) -> String {
         match self {
-            Self::Undecided { question, choices } => format!("{question}: give {}", listed(choices, name)),
+            Self::Undecided { question, choices } => format!("{question}: give {}", listed(choices, setting)),
             Self::OfSheet { name: sheet, error } => {
-                format!("no sheet has the requested columns; `{sheet}`: {}", error.message(name))
+                format!("no sheet has the requested columns; `{sheet}`: {}", error.message(setting))
             }
             Self::PivotUnknown(why) => {
-                format!("{why}: give the position of the pivot as {}X,Y", name(Choice::Pivot))
+                format!("{why}: give the position of the pivot as {}", setting(Choice::Pivot, &["X,Y"]))
             }
             other => other.to_string(),
         }
     }
 }
 
-/// `angle-unit=rad, deg or counts-per-turn=4000`, `angle=2 or 3 and angle-unit=rad or deg`.
-fn listed(choices: &[Suggestion], name: &dyn Fn(Choice) -> String) -> String {
+/// `angle-unit=rad or deg or counts-per-turn=4000`, `angle=2 or 3 and angle-unit=rad or deg`.
+fn listed(choices: &[Suggestion], setting: &dyn Fn(Choice, &[&str]) -> String) -> String {
     let mut text = String::new();
     let mut before: Option<Choice> = None;
-    for (place, Suggestion { choice, value }) in choices.iter().enumerate() {
-        let again = choices.get(place + 1).is_some_and(|next| next.choice == *choice);
+    for alike in choices.chunk_by(|one, next| one.choice == next.choice) {
+        let choice = alike[0].choice;
         text += match before {
             None => "",
-            Some(same) if same == *choice && again => ", ",
-            Some(other) if other == *choice || is_the_scale(other) && is_the_scale(*choice) => " or ",
-            Some(_) if *choice == Choice::X => ", or ",
+            Some(other) if is_the_scale(other) && is_the_scale(choice) => " or ",
+            Some(_) if choice == Choice::X => ", or ",
             Some(_) => " and ",
         };
-        if before != Some(*choice) {
-            text += &name(*choice);
-        }
-        text += value;
-        before = Some(*choice);
+        let values: Vec<&str> = alike.iter().map(|it| it.value.as_ref()).collect();
+        text += &setting(choice, &values);
+        before = Some(choice);
     }
     text
+}
+
+/// The choice with its values, as the library writes it: `angle-unit=rad or deg`.
+fn assigned(choice: Choice, values: &[&str]) -> String {
+    let values = match values.split_last() {
+        Some((last, first)) if !first.is_empty() => format!("{} or {last}", first.join(", ")),
+        _ => values.concat(),
+    };
+    format!("{choice}={values}")
 }
 
 /// One of these says what a number of the file is in radians.

@@ -100,6 +100,14 @@ impl Table {
         Ok(Self { sheet, names, sheets })
     }
 
+    /// The place of a column, from zero.
+    ///
+    /// # Errors
+    /// No such column, or a name that several bear.
+    pub fn place(&self, column: &Column) -> Result<usize, MeasurementError> {
+        self.sheet.place(column)
+    }
+
     pub(super) fn sheet(&self) -> &Sheet {
         &self.sheet
     }

@@ -1,7 +1,8 @@
 //! The columns of a table in units of the SI, with repeated readings as means.
 
 use super::wanted::refusal;
-use super::{ChosenColumns, ColumnsOption, TableFit, Wanted};
+use super::{ChosenColumns, ColumnsOption, Inferences, TableFit, Wanted};
+use crate::call::in_words;
 use crate::output::number;
 use crate::query_error::QueryError;
 use libration_lab::fit::RepeatedReadings;
@@ -13,6 +14,8 @@ struct ColumnUnits<const N: usize> {
     units: [Unit; N],
     /// Number of periods that each time lasts; one for columns that do not hold times.
     counts: [f64; N],
+    /// `true` where a header states the unit.
+    are_stated: [bool; N],
     inferences: Vec<String>,
 }
 
@@ -36,7 +39,7 @@ pub(crate) struct ColumnsInSi<const N: usize> {
     /// Names of the groups of the rows.
     pub(crate) groups: Option<Vec<String>>,
     /// Settings inferred from the file.
-    pub(crate) inferences: Vec<String>,
+    pub(crate) inferences: Inferences,
     /// Units in which the columns were read.
     pub(crate) units: [Unit; N],
 }
@@ -85,13 +88,15 @@ impl<const N: usize> ColumnsInSi<N> {
         let groups = chosen.column_of_groups.as_ref().map(|column| table.labels(column, &read.rows));
         let sheet = table.chosen_sheet().map(|name| format!("sheet `{name}` is read"));
         let of_readings = (0..N).flat_map(|place| rows.described(place, repeated[place].as_ref()));
-        let inferences = sheet
+        let sentences = sheet
             .into_iter()
             .chain(table.notes())
             .chain(chosen.notes.iter().cloned())
             .chain(units.inferences.iter().cloned())
             .chain(of_readings)
             .collect();
+        let stated = std::array::from_fn(|place| (units.units[place], units.are_stated[place]));
+        let read_columns = chosen.read_columns(stated, units.counts, wanted);
         Ok(Self {
             columns: std::array::from_fn(|place| rows.column(place, &repeated)),
             rounding: std::array::from_fn(|place| rows.rounding(place)),
@@ -102,7 +107,7 @@ impl<const N: usize> ColumnsInSi<N> {
             counts: units.counts,
             units: units.units,
             repeated,
-            inferences,
+            inferences: Inferences { sentences, columns: read_columns },
         })
     }
 }
@@ -260,7 +265,7 @@ impl<const N: usize> SiRows<'_, N> {
         };
         let with_reaction = self.wanted[place].counted.is_some_and(|it| it.reaction_time().is_some());
         let reaction = with_reaction.then(|| {
-            "the reaction time (--reaction-time) is part of the scatter of repeated readings, and is not added".to_owned()
+            in_words("the reaction time (<--reaction-time>) is part of the scatter of repeated readings, and is not added")
         });
         let mut said = vec![format!(
             "the readings of the {} scatter by {scatter} {unit} ({} degrees of freedom){of_unlike}",
@@ -294,6 +299,7 @@ impl<const N: usize> ColumnUnits<N> {
     /// The units of the columns that are chosen; uncertainties without a unit have that of their values.
     fn from_headings(table: &Table, chosen: &ChosenColumns<N>, wanted: &[Wanted; N]) -> Result<Self, String> {
         let (mut units, mut counts, mut inferences) = (wanted.map(Wanted::usual), [1.0; N], Vec::new());
+        let mut are_stated = [false; N];
         for (place, (columns, wanted)) in chosen.columns.iter().zip(wanted).enumerate() {
             let usual = wanted.uncertainties_of.map_or(units[place], |of| units[of]);
             for (number, column) in columns.iter().enumerate() {
@@ -315,10 +321,11 @@ impl<const N: usize> ColumnUnits<N> {
                 }
                 (units[place], counts[place]) = (unit, count);
                 if number == 0 {
-                    inferences.extend(of_unit.into_iter().chain(of_count));
+                    are_stated[place] = of_unit.is_some();
+                    inferences.extend(of_unit.into_iter().chain(of_count).map(|it| in_words(&it)));
                 }
             }
         }
-        Ok(Self { units, counts, inferences })
+        Ok(Self { units, counts, are_stated, inferences })
     }
 }

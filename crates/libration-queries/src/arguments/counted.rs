@@ -55,7 +55,7 @@ impl CountedOptions {
                 (
                     count,
                     Some(format!(
-                        "{place} is read as times of {taken} ({option}), not of {} as its header says",
+                        "{place} is read as times of {taken} (<{option}>), not of {} as its header says",
                         periods(other)
                     )),
                 )

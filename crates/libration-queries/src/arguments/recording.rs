@@ -4,6 +4,7 @@ use super::read_bytes;
 use super::table::{DialectOptions, column};
 use super::table_columns::TableFit;
 use super::undecided::what_would_decide;
+use crate::call::in_words;
 use crate::query_error::QueryError;
 use libration_lab::measurement::{
     Choices, Column, Finding, Gates, MeasurementError, Recording, Table, TimeStamps, Traces, Unit,
@@ -128,7 +129,7 @@ impl RecordingOptions {
 /// A finding, with the option that would override it.
 pub(crate) fn finding_with_option(finding: &Finding) -> String {
     match finding.choice {
-        Some(choice) => format!("{} (--{choice})", finding.text),
+        Some(choice) => in_words(&format!("{} (<--{choice}>)", finding.text)),
         None => finding.text.clone(),
     }
 }

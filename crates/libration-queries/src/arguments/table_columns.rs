@@ -1,7 +1,9 @@
 //! Roles of the columns of a table: given by `--columns` and `--role`, else inferred from headings, units, values and neighbours.
 
+use super::inferences::{Inferences, ReadColumn};
 use super::undecided::what_would_decide;
 use super::{AmplitudeUnit, CountedOptions, LengthUnit, Wanted, optional_column};
+use crate::call::in_words;
 use crate::query_error::{QueryError, option};
 use libration_lab::measurement::{
     Column, ColumnRole, GivenRoles, MeasurementError, QuantityColumns, Table, TableQuantity, TableRoles,
@@ -42,6 +44,8 @@ pub(crate) struct ChosenColumns<const N: usize> {
     pub(super) column_of_groups: Option<Column>,
     /// Inferences, and columns that are not used.
     pub(super) notes: Vec<String>,
+    /// The columns with their roles.
+    pub(super) roles: Vec<ReadColumn>,
     /// `true` if an option names all, which wins over the names in the header.
     pub(super) is_said: bool,
 }
@@ -159,6 +163,7 @@ fn chosen<const N: usize>(
         column_of_swings: roles.swings.clone(),
         column_of_groups: roles.group.clone(),
         notes: if is_inferred { notes(table, wanted, roles) } else { vec![] },
+        roles: ReadColumn::all(table, wanted, roles),
         is_said,
     }
 }
@@ -169,7 +174,7 @@ pub(crate) struct TableFit {
     /// Words of the command.
     pub(crate) command: &'static str,
     /// Roles of the columns, or what keeps them open.
-    pub(crate) read_as: Vec<String>,
+    pub(crate) read_as: Inferences,
 }
 
 impl TableFit {
@@ -185,7 +190,10 @@ impl TableFit {
             let are_named =
                 quantities.iter().zip(&roles.quantities).all(|(it, columns)| table.heads(it, columns));
             let are_periods = are_named && !begins_at_zero(table, &roles.quantities[1].readings);
-            are_periods.then(|| Self { command, read_as: notes(table, &wanted, &roles) })
+            are_periods.then(|| {
+                let columns = ReadColumn::all(table, &wanted, &roles);
+                Self { command, read_as: Inferences { sentences: notes(table, &wanted, &roles), columns } }
+            })
         })
     }
 }
@@ -223,7 +231,7 @@ fn notes<const N: usize>(table: &Table, wanted: &[Wanted; N], roles: &TableRoles
         .chain(other("groups", &roles.group))
         .chain(roles.notes.iter().cloned())
         .chain(unused)
-        .map(|note| note.replace(['<', '>'], ""))
+        .map(|note| in_words(&note))
         .collect()
 }
 

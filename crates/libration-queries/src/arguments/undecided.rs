@@ -1,10 +1,11 @@
 //! Refusals of files with the options that would decide.
 
-use libration_lab::measurement::MeasurementError;
+use crate::query_error::text::alternatives;
+use libration_lab::measurement::{Choice, MeasurementError};
 
 /// The reason why a file is refused, with marks of the options that would decide.
 pub(crate) fn what_would_decide(error: &MeasurementError) -> String {
-    let message = error.message(&|choice| format!("<--{choice}> "));
+    let message = error.message(&setting);
     match error {
         MeasurementError::HeaderWidth { .. } | MeasurementError::NeitherHeaderNorNumbers { .. } => {
             message + " (<--header>)"
@@ -17,5 +18,13 @@ pub(crate) fn what_would_decide(error: &MeasurementError) -> String {
             message + " Tables of periods are for <libration fit periods> and <libration fit lengths>"
         }
         _ => message,
+    }
+}
+
+/// The mark of a choice with its values, of which the names of sheets may hold what ends a mark.
+fn setting(choice: Choice, values: &[&str]) -> String {
+    match values.iter().any(|value| value.contains(['<', '>', '|'])) {
+        true => format!("<--{choice}> {}", alternatives(values)),
+        false => format!("<--{choice}={}>", values.join("|")),
     }
 }

@@ -155,7 +155,7 @@ impl Wanted {
         Ok(match (said, written) {
             (Some((option, unit)), WrittenUnit::Known(other)) if unit != other => (
                 unit,
-                Some(format!("{place} is read in {unit} ({option}), not in {other} as its header says")),
+                Some(format!("{place} is read in {unit} (<{option}>), not in {other} as its header says")),
             ),
             (Some((_, unit)), _) => (unit, None),
             (None, WrittenUnit::Known(unit)) => (unit, Some(format!("{place} is in {unit}"))),

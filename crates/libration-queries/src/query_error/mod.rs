@@ -9,7 +9,6 @@ pub(crate) mod text;
 
 pub(crate) use echo::excerpt;
 pub(crate) use parameter::{Parameter, argument, option};
-pub(crate) use text::in_command_words;
 
 use clap::error::ErrorKind::{InvalidValue, MissingRequiredArgument};
 use clap::error::{ContextKind, ContextValue};
@@ -249,18 +248,18 @@ impl QueryError {
         let mut message = vec![];
         match &self.0.kind {
             Kind::Output(_) => message.push(Value::from(self.to_string())),
-            _ => {
-                if let About::Other(subject) = &self.0.about {
-                    message.push(Value::from(format!("{}: ", clean(subject))));
-                }
-                message.extend(self.0.message.to_json());
-            }
+            _ => message.extend(self.0.message.to_json()),
         }
+        let subject = match (&self.0.kind, &self.0.about) {
+            (Kind::Output(_), _) | (_, About::Nothing | About::Parameters(_)) => String::new(),
+            (_, About::Other(subject)) => clean(subject),
+        };
         let hint = self.0.hint.as_ref().map_or_else(Vec::new, Text::to_json);
         let suggestion = self.suggestion().unwrap_or_default();
         let item = self.item().unwrap_or_default();
         let error = json!({
-            "text": self.to_string(), "parameters": parameters, "item": item, "message": message, "hint": hint, "suggestion": suggestion,
+            "text": self.to_string(), "parameters": parameters, "item": item, "subject": subject, "message": message,
+            "hint": hint, "suggestion": suggestion,
         });
         error.to_string()
     }
@@ -328,7 +327,11 @@ fn sentence(remedy: Remedy) -> &'static str {
 pub fn refusal(error: &clap::Error) -> String {
     let message = echo::shortened(&echo::unprotected(&error.render().to_string()));
     match command_for(error) {
-        Some(hint) => message.replacen("\n\n", &format!("\nhint: {}\n\n", in_command_words(&hint)), 1),
+        Some(hint) => message.replacen(
+            "\n\n",
+            &format!("\nhint: {}\n\n", Text::marked(&hint).in_words(&text::CommandWords)),
+            1,
+        ),
         None => message,
     }
 }

@@ -1,19 +1,20 @@
 //! Messages that name parameters and queries, for front ends with words of their own.
 //!
-//! In the text of a message `<--over>` marks an option, `<--order=3>` an option with a value, and `<libration expand>` a query.
+//! In a text `<--over>` marks an option, `<--order=3>` an option with a value, `<--decimal=.|,>` one with values of which each would do, and
+//! `<libration expand>` a query.
 
 use super::parameter::Parameter;
 use serde_json::{Value, json};
 
 /// A message in parts.
 #[derive(Debug, Default)]
-pub(super) struct Text(Vec<Part>);
+pub(crate) struct Text(Vec<Part>);
 
 #[derive(Debug)]
 enum Part {
     Plain(String),
     Option(Parameter),
-    Setting(Parameter, String),
+    Setting(Parameter, Vec<String>),
     Query(String),
 }
 
@@ -23,16 +24,25 @@ pub trait Words {
     fn parameter(&self, parameter: &Parameter) -> String;
     /// The name of a query, of which these are the words: `fit trace`.
     fn query(&self, words: &str) -> String;
-    /// A parameter with its value, which is in quotes where a shell needs them.
-    fn setting(&self, parameter: &Parameter, value: &str) -> String {
-        format!("{} {}", self.parameter(parameter), quoted(value))
+    /// A value, in quotes where a shell needs them.
+    fn value(&self, value: &str) -> String {
+        let is_plain = value.chars().all(|it| it.is_ascii_alphanumeric() || "=.,-_/".contains(it));
+        if is_plain { value.to_owned() } else { format!("\"{value}\"") }
+    }
+    /// A parameter with a value, or with several of which each would do.
+    fn setting(&self, parameter: &Parameter, values: &[String]) -> String {
+        let values: Vec<_> = values.iter().map(|value| self.value(value)).collect();
+        format!("{} {}", self.parameter(parameter), alternatives(&values))
     }
 }
 
-/// The value of a setting as a shell takes it.
-fn quoted(value: &str) -> String {
-    let is_plain = value.chars().all(|it| it.is_ascii_alphanumeric() || "=.-_".contains(it));
-    if is_plain { value.to_owned() } else { format!("\"{value}\"") }
+/// `1`, `1 or 2`, `1, 2 or 3`.
+pub(crate) fn alternatives(values: &[impl AsRef<str>]) -> String {
+    let values: Vec<&str> = values.iter().map(AsRef::as_ref).collect();
+    match values.split_last() {
+        Some((last, first)) if !first.is_empty() => format!("{} or {last}", first.join(", ")),
+        _ => values.concat(),
+    }
 }
 
 /// The words of the command line.
@@ -51,7 +61,7 @@ impl Words for CommandWords {
 
 impl Text {
     /// The parts of a text with marks.
-    pub(super) fn marked(text: &str) -> Self {
+    pub(crate) fn marked(text: &str) -> Self {
         let mut parts = vec![];
         let mut rest = text;
         let mut plain = String::new();
@@ -76,32 +86,27 @@ impl Text {
     }
 
     pub(super) fn to_json(&self) -> Vec<Value> {
-        let named = |parameter: &Parameter| json!({ "parameter": parameter.in_help() });
-        let parts = self.0.iter().flat_map(|part| match part {
-            Part::Plain(text) => vec![Value::from(super::clean(text))],
-            Part::Option(parameter) => vec![named(parameter)],
-            Part::Setting(parameter, value) => {
-                vec![named(parameter), Value::from(super::clean(&format!(" {}", quoted(value))))]
+        let parts = self.0.iter().map(|part| match part {
+            Part::Plain(text) => Value::from(super::clean(text)),
+            Part::Option(parameter) => json!({ "parameter": parameter.in_help() }),
+            Part::Setting(parameter, values) => {
+                let values: Vec<_> = values.iter().map(|value| super::clean(value)).collect();
+                json!({ "parameter": parameter.in_help(), "values": values })
             }
-            Part::Query(query) => vec![json!({ "query": query })],
+            Part::Query(query) => json!({ "query": query }),
         });
         parts.collect()
     }
 
-    pub(super) fn in_words(&self, words: &dyn Words) -> String {
+    pub(crate) fn in_words(&self, words: &dyn Words) -> String {
         let parts = self.0.iter().map(|part| match part {
             Part::Plain(text) => text.clone(),
             Part::Option(parameter) => words.parameter(parameter),
-            Part::Setting(parameter, value) => words.setting(parameter, value),
+            Part::Setting(parameter, values) => words.setting(parameter, values),
             Part::Query(query) => words.query(query),
         });
         parts.collect()
     }
-}
-
-/// Replaces the marks of a text by the words of the command line.
-pub(crate) fn in_command_words(marked: &str) -> String {
-    Text::marked(marked).in_words(&CommandWords)
 }
 
 /// The mark at the beginning of a text, and its length.
@@ -117,7 +122,7 @@ fn mark(text: &str) -> Option<(Part, usize)> {
     if option.strip_prefix("--").is_some_and(|name| is_name(name, '-')) {
         let parameter = Parameter::of_usage(option)?;
         let part = match value {
-            Some(value) => Part::Setting(parameter, value.to_owned()),
+            Some(values) => Part::Setting(parameter, values.split('|').map(str::to_owned).collect()),
             None => Part::Option(parameter),
         };
         return Some((part, end + 1));

@@ -3,4 +3,5 @@
 
 mod internals;
 mod query_error;
+mod sentences;
 mod source;

@@ -161,7 +161,7 @@ fn settings_groups_and_choices_are_in_the_words_of_each_front_end() {
     let chain = ["simulate", "double_pendulum", "--times", "1"];
     for (words, command, other) in [
         (&["decay", "60deg"] as &[&str], "such as --linear 0.1;", "such as [linear] 0.1;"),
-        (&chain, "such as --initial \"theta1=60deg,theta2=60deg\";", "such as [initial] \"theta1=60deg"),
+        (&chain, "such as --initial theta1=60deg,theta2=60deg;", "such as [initial] theta1=60deg"),
         (&["simulate", "x''=-k*x", "--initial", "x=1", "--times", "1"], "--set k=0.1", "[set] k=0.1"),
         (
             &["period"],
@@ -214,7 +214,11 @@ fn pages_get_an_error_as_json() {
     let read: serde_json::Value = serde_json::from_str(&json).unwrap();
     let hint = read["hint"].as_array().unwrap();
     assert!(hint.contains(&serde_json::json!({ "query": "simulate" })), "{json}");
-    assert!(hint.contains(&serde_json::json!({ "parameter": "--damping-order" })), "{json}");
+    assert!(hint.contains(&serde_json::json!({ "parameter": "--damping-order", "values": ["2"] })), "{json}");
+    assert_eq!(
+        (&read["subject"], &read["text"].as_str().unwrap()[..12]),
+        (&"oscillator".into(), "oscillator: ")
+    );
     assert_eq!(read["suggestion"], "");
 }
 

@@ -3,6 +3,7 @@
 import { digits, short } from "../../parts/numbers.ts";
 import { text } from "../../texts/en.ts";
 import type { Kind } from "./fields.ts";
+import type { ReadColumn } from "./reading.ts";
 
 const words = text.laboratory.result;
 /** Smallest share of the variance that is stated. */
@@ -13,7 +14,7 @@ type Value = number | null;
 /** The result of a fit, as far as it is shown in sentences. */
 export interface Fitted {
   readonly rows?: number;
-  readonly told_from_file?: readonly string[];
+  readonly read_columns?: readonly ReadColumn[];
   readonly findings?: readonly { readonly findings: readonly string[] }[];
   readonly warnings?: readonly string[];
   readonly gravity_m_per_s2?: Value;

@@ -4,7 +4,8 @@ import type { Address } from "../../address.ts";
 import { type Answer, type Engine, text as decoded } from "../../engine/engine.ts";
 import { parsed, read } from "../../parts/answers.ts";
 import { choice } from "../../parts/choice.ts";
-import { ask, type Command, explained, extended, given, reason } from "../../parts/command.ts";
+import { ask, type Command, extended, given } from "../../parts/command.ts";
+import { explained, reason, unmarked } from "../../parts/marks.ts";
 import { button, element } from "../../parts/element.ts";
 import { Equivalents } from "../../parts/equivalents.ts";
 import type { Field } from "../../parts/field.ts";
@@ -26,7 +27,7 @@ import { received } from "./handed.ts";
 import { type Fitted, reasons, results } from "./headline.ts";
 import { possible } from "./kinds.ts";
 import { MotionSensor } from "./motion_sensor.ts";
-import { type Inspection, reading, undecided, unreadable } from "./reading.ts";
+import { type Inspection, reading, undecided, unreadable, type ReadColumn } from "./reading.ts";
 import { report } from "./report.ts";
 import { advised, sentences, type Settings } from "./settings.ts";
 
@@ -168,7 +169,7 @@ class LaboratoryRoom {
       if (signal.aborted) return;
       if (value === undefined) {
         this.#form.blame(answer, taken("inspect"));
-        refused.push(unreadable(name, reason(answer).replace(/^error: /, ""), "inspect", this.#settings));
+        refused.push(unreadable(name, reason({ ...answer.error, subject: "" }), "inspect", this.#settings));
         continue;
       }
       inspections.set(name, value);
@@ -193,7 +194,7 @@ class LaboratoryRoom {
     this.#numbers.offer(true);
     this.#report = answer.files.get(REPORT);
     this.#saveReport.hidden = this.#report === undefined;
-    this.#keepingFocus(() => this.#fit.show(...this.#headline(kind, it), ...this.#kinds(), ...this.#sentences(kind, it.told_from_file ?? [], true)));
+    this.#keepingFocus(() => this.#fit.show(...this.#headline(kind, it), ...this.#kinds(), ...this.#sentences(kind, it.read_columns ?? [])));
     this.#story.replaceChildren(...(this.#report === undefined ? [] : [report(new TextDecoder().decode(this.#report))]), this.#inWords(command, files));
   }
 
@@ -219,19 +220,19 @@ class LaboratoryRoom {
 
   #refuse(kind: Kind, answer: Answer): void {
     this.#forget();
-    const whole = reason(answer).replace(/^error: /, "");
-    const failure = this.#form.blame(answer, taken(kind)) === "" ? "" : whole;
     const [name = ""] = this.#chosenFiles(kind).keys();
-    const told = this.#found.inspections.get(name)?.table_read_as ?? [];
+    const { subject } = answer.error;
+    const failure = this.#form.blame({ ...answer, error: { ...answer.error, subject: subject === name ? "" : subject } }, taken(kind));
+    const read = this.#found.inspections.get(name)?.table_columns ?? [];
     const wanted = ["length", "amplitude", "period"].map((key) => key as "length" | "amplitude" | "period").find((key) => answer.error.parameters.includes(`--${key}`) && this.#form.value(key) !== "");
     const open = kind === "trace" || kind === "gates" ? Array.from(this.#found.inspections, ([it, found]) => undecided(it, found, this.#settings)).flat() : [];
     this.#keepingFocus(() =>
       this.#fit.show(
-        ...(failure === "" && wanted !== undefined ? [] : [element("p", { class: "error", role: "alert" }, ...(failure === "" ? [text.parts.seeField] : advised(failure.replace(`${name}: `, ""), kind, this.#settings)))]),
+        ...(failure === "" && wanted !== undefined ? [] : [element("p", { class: "error", role: "alert" }, ...(failure === "" ? [text.parts.seeField] : advised(failure, kind, this.#settings)))]),
         ...(wanted === undefined ? [] : [step(wanted, kind, explained(answer.error), this.#settings)]),
         ...this.#kinds(),
         ...open,
-        ...this.#sentences(kind, told, false),
+        ...this.#sentences(kind, read),
       ),
     );
   }
@@ -248,9 +249,9 @@ class LaboratoryRoom {
     ];
   }
 
-  #sentences(kind: Kind, told: readonly string[], isKnown: boolean): HTMLElement[] {
+  #sentences(kind: Kind, columns: readonly ReadColumn[]): HTMLElement[] {
     const [name = ""] = this.#chosenFiles(kind).keys();
-    return sentences(kind, told, isKnown, this.#found.inspections.get(name)?.sheets[0]?.columns ?? [], this.#settings);
+    return sentences(kind, columns, this.#found.inspections.get(name)?.sheets[0]?.columns ?? [], this.#settings);
   }
 
   #pick(name: string): void {
@@ -284,7 +285,7 @@ class LaboratoryRoom {
     const shown = element("pre", { tabindex: "0" });
     const details = element("details", { class: "in-words" }, element("summary", {}, words.answer), shown);
     details.addEventListener("toggle", async () => {
-      if (details.open && shown.textContent === "") shown.textContent = decoded(await this.#status.during(ask(this.#engine, command, { files })));
+      if (details.open && shown.textContent === "") shown.textContent = unmarked(decoded(await this.#status.during(ask(this.#engine, command, { files }))));
     });
     return details;
   }

@@ -19,9 +19,18 @@ export interface Inspection {
   readonly gate_times: number | null;
   /** The fit of a table whose headings name its quantities. */
   readonly table_fit?: string;
-  readonly table_read_as?: readonly string[];
+  readonly table_columns?: readonly ReadColumn[];
   readonly findings: readonly { text: string; option: string | null }[];
-  readonly undecided: { why: string; options: readonly string[] } | null;
+  readonly undecided: { why: string } | null;
+}
+
+/** A column with its role: the word of `--role`, such as `length` or `period-uncertainty`. */
+export interface ReadColumn {
+  readonly number: number;
+  readonly role: string;
+  readonly unit: string | null;
+  readonly unit_is_stated: boolean;
+  readonly swings: number | null;
 }
 
 export interface SheetColumn {
@@ -54,10 +63,11 @@ export function reading(name: string, found: Inspection, go: (key: Key) => void)
 /** What a recorded swing leaves open, with a button for each choice. */
 export function undecided(name: string, { undecided: open }: Inspection, settings: Settings): HTMLElement[] {
   if (open === null) return [];
-  const why = plain(open.why.replace(/: give --.*$/, ""), labelIn("inspect"));
+  const why = plain(open.why, labelIn("inspect"));
+  const choices = remedies(open.why, "inspect", settings);
   // Without a choice there is nothing that a press could decide.
-  const attributes = open.options.length > 0 ? {} : { class: "error" };
-  return [element("p", attributes, words.undecided(name, why)), element("p", { class: "buttons" }, ...open.options.flatMap((option) => remedies(option, "inspect", settings)))];
+  const attributes = choices.length > 0 ? {} : { class: "error" };
+  return [element("p", attributes, words.undecided(name, why)), element("p", { class: "buttons" }, ...choices)];
 }
 
 /** A file that cannot be read, with the buttons that its message suggests; the others are not affected. */
@@ -66,7 +76,7 @@ export function unreadable(name: string, failure: string, kind: Kind | "inspect"
     "article",
     { class: "reading" },
     element("h3", { class: "mono" }, name),
-    element("p", { class: "error" }, ...advised(failure.replace(`${name}: `, ""), kind, settings)),
+    element("p", { class: "error" }, ...advised(failure, kind, settings)),
   );
 }
 

@@ -32,8 +32,7 @@ export function report(page: string): HTMLElement {
 function inPageWords(shown: HTMLElement): void {
   const texts = document.createTreeWalker(shown, NodeFilter.SHOW_TEXT);
   for (let node = texts.nextNode(); node !== null; node = texts.nextNode()) {
-    const written = node.nodeValue ?? "";
-    if (/--[a-z]|`/.test(written)) node.nodeValue = plain(written.replace(/ An option in parentheses,[^.]*\./, ""), labelIn("trace"));
+    node.nodeValue = plain(node.nodeValue ?? "", labelIn("trace"));
   }
 }
 

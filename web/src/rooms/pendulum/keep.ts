@@ -1,7 +1,9 @@
 // The motion as a picture and as numbers to save, both by the command, and the equivalent lines.
 
 import type { Engine } from "../../engine/engine.ts";
-import { ask, type Command, extended, reason } from "../../parts/command.ts";
+import { ask, type Command, extended } from "../../parts/command.ts";
+import { reason } from "../../parts/marks.ts";
+import { plain } from "../../parts/plain.ts";
 import { button, element } from "../../parts/element.ts";
 import { Equivalents } from "../../parts/equivalents.ts";
 import { Picture } from "../../parts/picture.ts";
@@ -47,7 +49,7 @@ export class Keep {
   async #draw(): Promise<void> {
     if (this.#command === undefined) return;
     const answer = await this.#picture.draw(this.#command, new AbortController().signal);
-    this.#failure.textContent = reason(answer);
+    this.#failure.textContent = plain(reason(answer.error));
   }
 
   async #save(): Promise<void> {

@@ -2,7 +2,8 @@
 
 import type { Engine } from "../../engine/engine.ts";
 import { read } from "../../parts/answers.ts";
-import { type Command, explained, given } from "../../parts/command.ts";
+import { type Command, given } from "../../parts/command.ts";
+import { explained } from "../../parts/marks.ts";
 import { plain } from "../../parts/plain.ts";
 import { text } from "../../texts/en.ts";
 import type { Trial } from "./trials.ts";
@@ -57,7 +58,7 @@ export interface Finding {
 /** Runs a fit; a bench elsewhere than on the Earth needs no warning that its gravity is not found there. */
 export async function fitted(engine: Engine, { name, bytes, command }: Fit, isOnEarth: boolean, signal: AbortSignal): Promise<Finding | string> {
   const { answer, value } = await read<Gravity>(engine, command, signal, new Map([[name, bytes]]));
-  if (value === undefined || answer.status !== 0) return plain(explained(answer.error).replace(`${name}: `, ""));
+  if (value === undefined || answer.status !== 0) return plain(explained({ ...answer.error, subject: "" }));
   const [gravity, error, expanded] = [value.gravity_m_per_s2, value.gravity_uncertainty_m_per_s2, value.gravity_expanded_uncertainty_m_per_s2];
   if (gravity == null || error == null) return words.noGravity;
   const reasons = [

@@ -3,7 +3,8 @@
 import type { Address } from "../../address.ts";
 import { type Answer, type Engine, text as decoded } from "../../engine/engine.ts";
 import { read } from "../../parts/answers.ts";
-import { ask, type Command, explained, extended, given } from "../../parts/command.ts";
+import { ask, type Command, extended, given } from "../../parts/command.ts";
+import { explained } from "../../parts/marks.ts";
 import { button, element, identifier } from "../../parts/element.ts";
 import { copyButton, Equivalents } from "../../parts/equivalents.ts";
 import { choiceField, type Field } from "../../parts/field.ts";

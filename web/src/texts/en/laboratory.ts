@@ -86,9 +86,9 @@ export const laboratory = {
   settings: {
     half: "These are half swings",
     count: (count: number) => (count === 10 ? "These are ten swings each" : `These are ${count} swings each`),
-    lengthsIn: (unit: string) => `The lengths are in ${unit}`,
     put: (label: string, value: string) => `${label}: ${value}`,
     suggestions: {
+      "length-unit": (unit: string) => `The lengths are in ${unit}`,
       decimal: (sign: string) => (sign === "comma" ? "These are decimal commas" : "These are decimal points"),
       "time": (column: string) => `The times are in column ${column}`,
       angle: (column: string) => `The angles are in column ${column}`,

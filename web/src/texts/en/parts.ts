@@ -18,6 +18,7 @@ export const parts = {
   nothingToSave: "Nothing to save.",
   more: "more",
   emptyEntry: "an empty entry",
+  alternatives: (values: readonly string[]) => [values.slice(0, -1).join(", "), ...values.slice(-1)].filter((it) => it !== "").join(" or "),
   /** Keys in sentences of the command, each with its words. */
   keys: [
     [/(?:the nearest are [^;]*; )?the keys are [^;]*; or /g, ""],

@@ -1,6 +1,8 @@
 //! Fields of a fit of amplitudes, of its coefficients, of each law and of each row.
 
 use super::input::AmplitudeFile;
+use crate::arguments::of_columns;
+use crate::call::in_words;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::warnings::{self, Named};
@@ -31,8 +33,10 @@ struct Measurement {
     residual: f64,
 }
 
-const NO_PERIOD: &str =
-    "the period is not known: give --period, a column of periods, or times with numbers of swings";
+fn no_period() -> String {
+    in_words("the period is not known: give <--period>, a column of periods, or times with numbers of swings")
+}
+
 const ONE_SIDE: &str = "the rows are amplitudes of one side, which do not determine the zero";
 
 impl Answer<'_> {
@@ -40,12 +44,12 @@ impl Answer<'_> {
     pub(super) fn warnings(&self) -> Vec<Named> {
         let text = |warning: &AmplitudesWarning| match warning {
             AmplitudesWarning::LawRefuted { .. } | AmplitudesWarning::TooFewRowsToCompare => {
-                format!("{warning} (--model)")
+                format!("{warning} (<--model>)")
             }
-            AmplitudesWarning::StrongDamping { .. } => format!("{warning} (fit trace)"),
+            AmplitudesWarning::StrongDamping { .. } => format!("{warning} (<libration fit trace>)"),
             _ => warning.to_string(),
         };
-        self.fit.warnings.iter().map(|warning| (warning.name(), text(warning))).collect()
+        self.fit.warnings.iter().map(|warning| (warning.name(), in_words(&text(warning)))).collect()
     }
 
     pub(super) fn against(&self) -> Position {
@@ -82,13 +86,13 @@ impl Answer<'_> {
     }
 
     pub(super) fn quality(&self) -> Result<Quality, String> {
-        self.fit.quality.ok_or_else(|| NO_PERIOD.to_owned())
+        self.fit.quality.ok_or_else(no_period)
     }
 
     fn last_quality(&self) -> Result<Quality, String> {
         match self.fit.last_quality {
             Some(quality) => Ok(quality),
-            None if self.fit.quality.is_none() => Err(NO_PERIOD.to_owned()),
+            None if self.fit.quality.is_none() => Err(no_period()),
             None => Err("linear damping has the same at every amplitude".to_owned()),
         }
     }
@@ -107,7 +111,7 @@ impl Answer<'_> {
         match (self.against(), self.fit.period) {
             (Position::Time, _) => Ok(self.fit.decay),
             (Position::Swings, Some(period)) => Ok(product(self.fit.decay, period)),
-            (Position::Swings, None) => Err(NO_PERIOD.to_owned()),
+            (Position::Swings, None) => Err(no_period()),
         }
     }
 
@@ -115,7 +119,7 @@ impl Answer<'_> {
         match (self.against(), self.fit.period) {
             (Position::Swings, _) => Ok(self.fit.decay.value),
             (Position::Time, Some(period)) => Ok(self.fit.decay.value / period.value),
-            (Position::Time, None) => Err(NO_PERIOD.to_owned()),
+            (Position::Time, None) => Err(no_period()),
         }
     }
 
@@ -162,8 +166,9 @@ fn before_the_result<'a>() -> Fields<Answer<'a>> {
             it.file.dropped.into()
         }),
         Of::value("told_from_file[]", "", "settings inferred from the file", |it| {
-            json::list(it.file.inferences.clone())
+            json::list(it.file.inferences.sentences.clone())
         }),
+        Of::nested("read_columns[].", &of_columns(), |it| of_columns().records(&it.file.inferences.columns)),
         Of::value("weighting", "", "weights of the rows", |it| it.weighting().into()),
         Of::value("amplitude_unit", "", "rad, m or counts: the unit of the fitted amplitudes", |it| {
             it.unit().into()
@@ -203,16 +208,16 @@ fn of_result<'a>() -> Fields<Answer<'a>> {
         }),
         Of::nested("coefficients[].", &of_coefficient(), |it| of_coefficient().records(&it.coefficients())),
         Of::known("small_angle_period_s", "s", "period of small swings T₀, or null", |it| {
-            it.fit.period.map(|period| period.value).ok_or_else(|| NO_PERIOD.to_owned())
+            it.fit.period.map(|period| period.value).ok_or_else(no_period)
         }),
         Of::known("small_angle_period_uncertainty_s", "s", "standard uncertainty of T₀, or null", |it| {
-            it.fit.period.map(|period| period.uncertainty).ok_or_else(|| NO_PERIOD.to_owned())
+            it.fit.period.map(|period| period.uncertainty).ok_or_else(no_period)
         }),
         Of::known("omega0_rad_per_s", "rad/s", "ω0 of small swings without damping, or null", |it| {
-            it.fit.natural_frequency.map(|omega0| omega0.value).ok_or_else(|| NO_PERIOD.to_owned())
+            it.fit.natural_frequency.map(|omega0| omega0.value).ok_or_else(no_period)
         }),
         Of::known("omega0_uncertainty_rad_per_s", "rad/s", "standard uncertainty of ω0, or null", |it| {
-            it.fit.natural_frequency.map(|omega0| omega0.uncertainty).ok_or_else(|| NO_PERIOD.to_owned())
+            it.fit.natural_frequency.map(|omega0| omega0.uncertainty).ok_or_else(no_period)
         }),
     ])
 }
@@ -272,10 +277,10 @@ fn of_coefficient() -> Fields<Coefficient> {
             "coefficient",
             "",
             "c of the acceleration −c·θ′|θ′|ⁿ⁻¹, n = 0, 1 or 2, or null",
-            |it| it.of.coefficient.map(|it| it.value).ok_or_else(|| NO_PERIOD.to_owned()),
+            |it| it.of.coefficient.map(|it| it.value).ok_or_else(no_period),
         ),
         Of::known("coefficient_uncertainty", "", "standard uncertainty of c, or null", |it| {
-            it.of.coefficient.map(|it| it.uncertainty).ok_or_else(|| NO_PERIOD.to_owned())
+            it.of.coefficient.map(|it| it.uncertainty).ok_or_else(no_period)
         }),
         Of::value("unit", "", "unit of c", |it| it.unit.clone().into()),
         Of::number("rate", "", "c·ω0ⁿ⁻¹, by which the amplitude falls per second or swing", |it| {
@@ -293,12 +298,10 @@ pub(super) fn of_law() -> Fields<LawOfAmplitudes> {
     Fields::from([
         Of::value("law", "", "kinds of damping", |it| it.damping.to_string().into())
             .words(COLUMNS[0], |it| it.damping.to_string()),
-        Of::known("quality", "1", QUALITY, |it| {
-            it.quality.map(|it| it.factor.value).ok_or_else(|| NO_PERIOD.to_owned())
-        })
-        .numeral(COLUMNS[1], |it| it.quality.map_or("–".to_owned(), |it| value(it.factor))),
+        Of::known("quality", "1", QUALITY, |it| it.quality.map(|it| it.factor.value).ok_or_else(no_period))
+            .numeral(COLUMNS[1], |it| it.quality.map_or("–".to_owned(), |it| value(it.factor))),
         Of::known("quality_uncertainty", "1", "standard uncertainty of Q under this law, or null", |it| {
-            it.quality.map(|it| it.factor.uncertainty).ok_or_else(|| NO_PERIOD.to_owned())
+            it.quality.map(|it| it.factor.uncertainty).ok_or_else(no_period)
         })
         .numeral(COLUMNS[2], |it| or_dash(it.quality.map(|it| it.factor.uncertainty), 2)),
         Of::known("quality_amplitude", "", "amplitude of the cycle that Q describes, or null", |it| {

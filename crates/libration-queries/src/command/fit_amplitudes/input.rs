@@ -2,8 +2,9 @@
 
 use super::columns::{self, Against, Roles};
 use crate::arguments::{
-    ChosenColumns, ColumnsInSi, ColumnsOption, DialectOptions, DisplacementUnit, Wanted, length,
+    ChosenColumns, ColumnsInSi, ColumnsOption, DialectOptions, DisplacementUnit, Inferences, Wanted, length,
 };
+use crate::call::in_words;
 use crate::figure::amplitudes::Measured;
 use crate::query_error::{QueryError, option};
 use libration_lab::fit::amplitudes::{
@@ -56,7 +57,7 @@ pub(super) struct AmplitudeFile {
     pub(super) measured: Measured,
     pub(super) dropped: usize,
     /// Settings inferred from the file.
-    pub(super) inferences: Vec<String>,
+    pub(super) inferences: Inferences,
 }
 
 impl Input {
@@ -83,7 +84,7 @@ impl Input {
         unit: Unit,
         columns: [Option<Vec<f64>>; 6],
         dropped: usize,
-        mut inferences: Vec<String>,
+        mut inferences: Inferences,
     ) -> Result<AmplitudeFile, QueryError> {
         let unit = match unit {
             Unit::Metre | Unit::Centimetre | Unit::Millimetre | Unit::Inch => "m",
@@ -110,10 +111,11 @@ impl Input {
         let table = AmplitudeTable::new(&columns).map_err(|error| self.no_answer(error))?;
         if self.sides.is_none() && table.sides() == Sides::Both {
             inferences
-                .push("the rows are turning points of both sides (--sides one for amplitudes)".to_owned());
+                .sentences
+                .push(in_words("the rows are turning points of both sides (<--sides=one> for amplitudes)"));
         }
         if table.counts_half_swings() {
-            inferences.push(
+            inferences.sentences.push(
                 "the numbers are those of half swings, as opposite turning points are whole numbers apart"
                     .to_owned(),
             );

@@ -43,8 +43,8 @@ impl Answer<'_> {
         let incomplete =
             if dropped > 0 { format!(", {dropped} incomplete rows left out") } else { String::new() };
         let mut lines = vec![("rows", format!("{}{incomplete}", self.file.measured.table.len()))];
-        if !self.file.inferences.is_empty() {
-            lines.push(("read as", self.file.inferences.join("; ")));
+        if !self.file.inferences.sentences.is_empty() {
+            lines.push(("read as", self.file.inferences.sentences.join("; ")));
         }
         lines.push(("weights", self.weighting().to_owned()));
         lines.push(("law", format!("{} damping{}", law.damping, output::scatter::remark(law.scatter()))));

@@ -1,5 +1,6 @@
 //! Fields of the times of a photogate, and of each cycle.
 
+use crate::call::in_words;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::normal_gravity::{self, NormalGravity};
@@ -101,7 +102,7 @@ fn no_beta() -> String {
 }
 
 fn no_gravity() -> String {
-    "give --length, and what determines T0, to obtain gravity".to_owned()
+    in_words("give <--length>, and what determines T0, to obtain gravity")
 }
 
 /// The fields after the budget.

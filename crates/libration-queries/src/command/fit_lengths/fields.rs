@@ -1,6 +1,8 @@
 //! Fields of periods against lengths, and of each law.
 
 use super::input::LengthFile;
+use crate::arguments::of_columns;
+use crate::call::in_words;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::groups::{self, Groups};
@@ -23,23 +25,23 @@ impl Answer<'_> {
         let half = self.table.half_periods;
         let text = |warning: &LengthsWarning| match warning {
             LengthsWarning::NowhereOnEarth { mistake: Some(GravityMistake::HalfPeriodsAsWhole) } if !half => {
-                format!("{warning} (--half-periods)")
+                format!("{warning} (<--half-periods>)")
             }
             LengthsWarning::NowhereOnEarth { mistake: Some(GravityMistake::WholePeriodsAsHalf) } if half => {
-                format!("{warning} (leave out --half-periods)")
+                format!("{warning} (leave out <--half-periods>)")
             }
             LengthsWarning::NowhereOnEarth { mistake: Some(GravityMistake::CentimetresAsMetres) } => {
-                format!("{warning} (--length-unit)")
+                format!("{warning} (<--length-unit=cm>)")
             }
             LengthsWarning::NowhereOnEarth { mistake: Some(GravityMistake::TenSwingsAsOne) } => {
-                format!("{warning} (--swings-per-reading 10, --length-unit)")
+                format!("{warning} (<--swings-per-reading=10>, <--length-unit=m>)")
             }
-            LengthsWarning::PhysicalPendulum { .. } => format!("{warning} (--model simple to fit that)"),
-            LengthsWarning::Bent { radius: Some(_) } => format!("{warning} (--bob-radius)"),
-            LengthsWarning::OffsetLargerThanBob => format!("{warning} (--length-unit)"),
+            LengthsWarning::PhysicalPendulum { .. } => format!("{warning} (<--model=simple> to fit that)"),
+            LengthsWarning::Bent { radius: Some(_) } => format!("{warning} (<--bob-radius>)"),
+            LengthsWarning::OffsetLargerThanBob => format!("{warning} (<--length-unit=m|cm>)"),
             _ => warning.to_string(),
         };
-        self.fit.warnings.iter().map(|warning| (warning.name(), text(warning))).collect()
+        self.fit.warnings.iter().map(|warning| (warning.name(), in_words(&text(warning)))).collect()
     }
 
     pub(super) fn weighting(&self) -> &'static str {
@@ -81,8 +83,9 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
             it.table.dropped.into()
         }),
         Of::value("told_from_file[]", "", "settings inferred from the file", |it| {
-            json::list(it.table.inferences.clone())
+            json::list(it.table.inferences.sentences.clone())
         }),
+        Of::nested("read_columns[].", &of_columns(), |it| of_columns().records(&it.table.inferences.columns)),
         Of::value("weighting", "", "weights of the rows", |it| it.weighting().into()),
         Of::value("law", "", "law that the data prefer, which gravity is from", |it| {
             it.fit.best().model.name().into()

@@ -1,8 +1,8 @@
 //! The file of a length table: its columns and their units.
 
 use crate::arguments::{
-    AmplitudeUnit, ColumnsOption, CountedOptions, DialectOptions, GroupOption, LengthUnit, Wanted,
-    one_amplitude,
+    AmplitudeUnit, ColumnsOption, CountedOptions, DialectOptions, GroupOption, Inferences, LengthUnit,
+    Wanted, one_amplitude,
 };
 use crate::figure::lengths::Measured;
 use crate::query_error::{QueryError, option};
@@ -40,7 +40,7 @@ pub(super) struct LengthFile {
     pub(super) measured: Measured,
     pub(super) dropped: usize,
     /// The units that the header says.
-    pub(super) inferences: Vec<String>,
+    pub(super) inferences: Inferences,
     pub(super) half_periods: bool,
     /// Standard uncertainties of the periods by their rounding.
     rounding: Vec<f64>,
@@ -55,7 +55,7 @@ impl LengthFile {
     pub(super) fn weight_by_rounding(&mut self) {
         self.measured.period_uncertainties = Some(self.rounding.clone());
         let text = "the rows scatter less than the last digit of their periods, which is their uncertainty";
-        self.inferences.push(text.to_owned());
+        self.inferences.sentences.push(text.to_owned());
     }
 }
 

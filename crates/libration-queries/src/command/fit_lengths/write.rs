@@ -74,8 +74,8 @@ impl Answer<'_> {
             ("expanded", output::combined::expanded(&self.fit.combined)),
         ];
         lines.extend(self.normal.map(|normal| normal.line()));
-        if !self.table.inferences.is_empty() {
-            lines.insert(1, ("read as", self.table.inferences.join("; ")));
+        if !self.table.inferences.sentences.is_empty() {
+            lines.insert(1, ("read as", self.table.inferences.sentences.join("; ")));
         }
         let contradicted = self.warnings().into_iter().filter(|(name, _)| *name == CONTRADICTED);
         lines.extend(contradicted.map(|(_, doubt)| ("warning", doubt)));

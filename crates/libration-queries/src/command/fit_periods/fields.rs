@@ -1,6 +1,8 @@
 //! Fields of measured periods, and of each law.
 
 use super::input::Measured;
+use crate::arguments::of_columns;
+use crate::call::in_words;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::groups::{self, Groups};
@@ -62,7 +64,10 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
             it.measured.dropped.into()
         }),
         Of::value("told_from_file[]", "", "settings inferred from the file", |it| {
-            json::list(it.measured.inferences.clone())
+            json::list(it.measured.inferences.sentences.clone())
+        }),
+        Of::nested("read_columns[].", &of_columns(), |it| {
+            of_columns().records(&it.measured.inferences.columns)
         }),
         Of::value("weighting", "", "weights of the rows", |it| it.weighting().into()),
         Of::value("outlier_lines[]", "1", "lines of the file whose period is far from the exact law", |it| {
@@ -103,7 +108,7 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
 }
 
 fn no_gravity() -> String {
-    "give --length to obtain gravity".to_owned()
+    in_words("give <--length> to obtain gravity")
 }
 
 pub(super) fn of_law<'a>() -> Fields<KeyedLaw<'a>> {

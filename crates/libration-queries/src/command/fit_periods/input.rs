@@ -1,7 +1,8 @@
 //! The file of a period table: its columns, its unit, its dialect.
 
 use crate::arguments::{
-    AmplitudeUnit, ColumnsInSi, ColumnsOption, CountedOptions, DialectOptions, GroupOption, Wanted,
+    AmplitudeUnit, ColumnsInSi, ColumnsOption, CountedOptions, DialectOptions, GroupOption, Inferences,
+    Wanted,
 };
 use crate::figure::periods::Measurement;
 use crate::query_error::QueryError;
@@ -34,7 +35,7 @@ pub(super) struct Measured {
     pub(super) lines: Vec<u64>,
     pub(super) dropped: usize,
     /// The units that the header says.
-    pub(super) inferences: Vec<String>,
+    pub(super) inferences: Inferences,
     /// Standard uncertainties of the periods by what all timings share.
     pub(super) shared_timing: Option<Vec<f64>>,
     /// Names of the groups of the rows.

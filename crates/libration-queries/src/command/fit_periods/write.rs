@@ -62,8 +62,8 @@ impl Answer<'_> {
             ("β", self.beta_line()),
         ]);
         lines.extend(others.iter().map(said));
-        if !self.measured.inferences.is_empty() {
-            lines.insert(first + 1, ("read as", self.measured.inferences.join("; ")));
+        if !self.measured.inferences.sentences.is_empty() {
+            lines.insert(first + 1, ("read as", self.measured.inferences.sentences.join("; ")));
         }
         if let Some(groups) = self.groups {
             lines.push(("T₀, groups", groups.line()));

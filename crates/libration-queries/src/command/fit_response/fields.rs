@@ -1,6 +1,7 @@
 //! Fields of a response, of each model, of each row and of each jump.
 
 use super::input::ResponseFile;
+use crate::arguments::of_columns;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::warnings::{self, Named};
@@ -89,8 +90,9 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
             it.file.dropped.into()
         }),
         Of::value("told_from_file[]", "", "settings inferred from the file", |it| {
-            json::list(it.file.inferences.clone())
+            json::list(it.file.inferences.sentences.clone())
         }),
+        Of::nested("read_columns[].", &of_columns(), |it| of_columns().records(&it.file.inferences.columns)),
         Of::value("weighting", "", "weights of the rows", |it| it.weighting().into()),
         Of::value("amplitude_unit", "", "rad, m or counts: the unit of all amplitudes here", |it| {
             it.file.unit.into()

@@ -1,7 +1,7 @@
 //! The file of a response: its columns and their units.
 
 use crate::arguments::{
-    AmplitudeUnit, ColumnsOption, DialectOptions, DisplacementUnit, FrequencyUnit, Wanted,
+    AmplitudeUnit, ColumnsOption, DialectOptions, DisplacementUnit, FrequencyUnit, Inferences, Wanted,
 };
 use crate::figure::fitted_response::Measured;
 use crate::query_error::QueryError;
@@ -44,7 +44,7 @@ pub(super) struct ResponseFile {
     pub(super) measured: Measured,
     pub(super) dropped: usize,
     /// The units that the header says.
-    pub(super) inferences: Vec<String>,
+    pub(super) inferences: Inferences,
     pub(super) unit: &'static str,
 }
 

@@ -37,8 +37,8 @@ impl Answer<'_> {
         let incomplete =
             if dropped > 0 { format!(", {dropped} incomplete rows left out") } else { String::new() };
         let mut lines = vec![("rows", format!("{}{incomplete}", self.file.measured.table.len()))];
-        if !self.file.inferences.is_empty() {
-            lines.push(("read as", self.file.inferences.join("; ")));
+        if !self.file.inferences.sentences.is_empty() {
+            lines.push(("read as", self.file.inferences.sentences.join("; ")));
         }
         if self.file.measured.table.leads() {
             lines.push((

@@ -1,11 +1,11 @@
 //! Fields of a file, of its tables and columns, and of the traces that would be fitted.
 
 use super::answer::{Answer, clock, range};
-use crate::arguments::what_would_decide;
+use crate::arguments::{of_columns, what_would_decide};
+use crate::call;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
-use crate::query_error::in_command_words;
 use libration_lab::measurement::{
     Channel, Finding, Format, MeasurementError, Observable, QuantityKind, Sheet, Trace,
 };
@@ -42,7 +42,10 @@ pub(super) fn of_file() -> Fields<Answer> {
             it.table_fit.as_ref().map(|fit| fit.command.into())
         }),
         Of::present_value("table_read_as[]", "", "roles of the columns in that fit", |it| {
-            it.table_fit.as_ref().map(|fit| json::list(fit.read_as.clone()))
+            it.table_fit.as_ref().map(|fit| json::list(fit.read_as.sentences.clone()))
+        }),
+        Of::present_nested("table_columns[].", &of_columns(), |it| {
+            it.table_fit.as_ref().map(|fit| of_columns().records(&fit.read_as.columns))
         }),
         Of::present_nested("column_values[].", &of_column_values(), |it| {
             it.with_values.then(|| of_column_values().records(&all_columns(it)))
@@ -185,7 +188,7 @@ fn of_error() -> Fields<MeasurementError> {
     type Of = Field<MeasurementError>;
     Fields::from([
         Of::value("why", "", "reason why there is no trace", |it| {
-            in_command_words(&what_would_decide(it)).into()
+            call::in_words(&what_would_decide(it)).into()
         }),
         Of::value("options[]", "", "options that would decide it", |it| match it {
             MeasurementError::Undecided { choices, .. } => {

@@ -3,10 +3,11 @@
 use super::answer::{Answer, clock, range};
 use super::fields::{self, SheetColumn, observable};
 use crate::arguments::{finding_with_option, what_would_decide};
+use crate::call;
 use crate::output::number::short;
 use crate::output::table::{paragraph, sheet, write_text};
 use crate::output::{Form, json};
-use crate::query_error::{QueryError, in_command_words};
+use crate::query_error::QueryError;
 use libration_lab::measurement::{Choice, Gates, MeasurementError, Observable, Sheet, Trace};
 use std::io::{self, Write};
 
@@ -63,7 +64,7 @@ fn write_what_would_be_fitted(out: &mut dyn Write, answer: &Answer) -> io::Resul
             writeln!(
                 out,
                 "{}",
-                paragraph("no trace yet: ", &in_command_words(&what_would_decide(error)), COLUMNS)
+                paragraph("no trace yet: ", &call::in_words(&what_would_decide(error)), COLUMNS)
             )?;
             if has_no_time(error) {
                 let tables = "tables of periods are for `libration fit periods` and `libration fit lengths`";
@@ -77,7 +78,7 @@ fn write_what_would_be_fitted(out: &mut dyn Write, answer: &Answer) -> io::Resul
 fn write_table_fit(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     let Some(fit) = &answer.table_fit else { return Ok(()) };
     writeln!(out, "`libration {}` would fit the table", fit.command)?;
-    fit.read_as.iter().try_for_each(|note| writeln!(out, "{}", paragraph("  - ", note, COLUMNS)))
+    fit.read_as.sentences.iter().try_for_each(|note| writeln!(out, "{}", paragraph("  - ", note, COLUMNS)))
 }
 
 fn has_no_time(error: &MeasurementError) -> bool {

@@ -187,7 +187,7 @@ fn start(answer: &Answer) -> String {
 
 fn stability(answer: &Answer) -> String {
     let Some(floquet) = answer.orbit.floquet() else {
-        return "not computed for a release from rest: give a guess with --period".to_owned();
+        return crate::call::in_words("not computed for a release from rest: give a guess with <--period>");
     };
     format!("{}; Floquet multipliers {}", in_words(floquet.stability), listed(floquet))
 }

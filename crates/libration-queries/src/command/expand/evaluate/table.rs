@@ -2,6 +2,7 @@
 
 use super::super::listing::{self, Symbols, letter_of};
 use super::{NOT_REACHED, Numbers, Quotient, fields};
+use crate::call::in_words;
 use crate::output::number::{at_most, rounded, short};
 use crate::output::series::{subscript, superscript};
 use crate::output::table::{Table, sheet, write_text};
@@ -124,7 +125,7 @@ fn convergence(numbers: &Numbers<'_>) -> String {
     let symbol = symbol(numbers);
     let Some(radius) = numbers.radius else { return NOT_REACHED.to_owned() };
     match radius {
-        None => "too few terms to estimate a radius: give a larger --order".to_owned(),
+        None => in_words("too few terms to estimate a radius: give a larger <--order>"),
         Some(Radius::Known(radius)) => {
             let inside = numbers.amplitude.abs() < radius;
             let place = if inside { "this amplitude is inside" } else { "this amplitude is BEYOND it" };

@@ -28,7 +28,7 @@ impl Expand {
             Err(_) => return self.symbolic_flow_or(out, refused),
         }
         call::current().note(
-            "there is no expansion as a limit cycle; this is the slow flow (--damping-order), with the rate of the amplitude",
+            "there is no expansion as a limit cycle; this is the slow flow (<--damping-order>), with the rate of the amplitude",
         );
         Ok(out.write_all(&answer)?)
     }

@@ -7,6 +7,7 @@ mod trace;
 
 use super::answer::Answer;
 use super::input::File;
+use crate::call::in_words;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
@@ -143,7 +144,7 @@ fn of_length() -> Fields<Uncertain> {
             "standard uncertainty of that length",
             |length| length.uncertainty,
         ),
-        Of::note(|_| Some("give --length to obtain gravity".to_owned())),
+        Of::note(|_| Some(in_words("give <--length> to obtain gravity"))),
     ])
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::answer::Answer;
 use super::super::{sheet, units};
+use crate::call::in_words;
 use crate::command::fit_report::sentence;
 use crate::document::{Block, DocumentTable};
 use crate::output::number::{self, rounded, with_uncertainty};
@@ -62,10 +63,11 @@ pub(super) fn read(answer: &Answer<'_>) -> Vec<Block> {
         [Block::words(format!("{}:", file.name)), Block::List(items)]
     };
     let rows = format!(
-        "{} rows in {} {} were fitted. An option in parentheses, such as --angle-unit, overrides what was detected.",
+        "{} rows in {} {} were fitted. {}",
         answer.swings.fit.rows(),
         answer.measured.traces.len(),
-        if answer.measured.traces.len() == 1 { "trace" } else { "traces" }
+        if answer.measured.traces.len() == 1 { "trace" } else { "traces" },
+        in_words("An option in parentheses, such as <--angle-unit>, overrides what was detected.")
     );
     answer.measured.files.iter().flat_map(file).chain([Block::words(rows)]).collect()
 }

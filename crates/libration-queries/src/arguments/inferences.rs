@@ -1,0 +1,98 @@
+//! What was inferred from a table: sentences for people, and the columns as data for front ends.
+
+use super::{ChosenColumns, Wanted};
+use crate::output::field::{Field, Fields};
+use crate::output::json;
+use libration_lab::measurement::{Table, TableRoles, Unit};
+
+/// The settings inferred from a table.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Inferences {
+    pub(crate) sentences: Vec<String>,
+    pub(crate) columns: Vec<ReadColumn>,
+}
+
+/// A column of a table with its role.
+#[derive(Clone, Debug)]
+pub(crate) struct ReadColumn {
+    /// Number from 1.
+    number: usize,
+    /// The word of the option for roles.
+    role: String,
+    /// The index of its quantity among what is wanted.
+    wanted: Option<usize>,
+    unit: Option<Unit>,
+    is_unit_stated: bool,
+    /// Number of periods that each time lasts, of a column of times without a column of such numbers.
+    swings: Option<f64>,
+}
+
+impl ReadColumn {
+    /// All columns with roles, in the order of the table; units are not known here.
+    pub(super) fn all(table: &Table, wanted: &[Wanted], roles: &TableRoles) -> Vec<Self> {
+        let column = |column, role: &str, wanted| {
+            let number = table.place(column).ok()? + 1;
+            Some(Self {
+                number,
+                role: role.to_owned(),
+                wanted,
+                unit: None,
+                is_unit_stated: false,
+                swings: None,
+            })
+        };
+        let places = (0..wanted.len()).filter_map(|place| Some((place, wanted[place].quantity()?)));
+        let of_quantities = places.zip(&roles.quantities).flat_map(|((place, quantity), columns)| {
+            let name = quantity.name;
+            let readings = columns.readings.iter().map(move |it| column(it, name, Some(place)));
+            let uncertainties = columns.uncertainties.iter().map(move |(it, kind)| {
+                let of = |wanted: &Wanted| wanted.uncertainties_of() == Some(place);
+                column(it, &format!("{name}-{}", kind.word()), wanted.iter().position(of))
+            });
+            readings.chain(uncertainties).collect::<Vec<_>>()
+        });
+        let others = [("swings", &roles.swings), ("group", &roles.group)];
+        let others = others.into_iter().filter_map(|(role, it)| it.as_ref().map(|it| column(it, role, None)));
+        let unused = roles.unused.iter().map(|it| column(it, "ignore", None));
+        let mut all: Vec<Self> = of_quantities.chain(others).chain(unused).flatten().collect();
+        all.sort_by_key(|it| it.number);
+        all
+    }
+}
+
+impl<const N: usize> ChosenColumns<N> {
+    /// The columns with their roles, and with the units and numbers of swings of what is wanted.
+    pub(super) fn read_columns(
+        &self,
+        units: [(Unit, bool); N],
+        counts: [f64; N],
+        wanted: &[Wanted; N],
+    ) -> Vec<ReadColumn> {
+        let with_unit = |column: &ReadColumn| {
+            let Some(place) = column.wanted else { return column.clone() };
+            let (unit, is_unit_stated) = units[place];
+            let is_counted = wanted[place].counted.is_some() && self.column_of_swings.is_none();
+            let swings = is_counted.then_some(counts[place]);
+            ReadColumn { unit: Some(unit), is_unit_stated, swings, ..column.clone() }
+        };
+        self.roles.iter().map(with_unit).collect()
+    }
+}
+
+/// The fields of the columns with their roles.
+pub(crate) fn of_columns() -> Fields<ReadColumn> {
+    type Of = Field<ReadColumn>;
+    Fields::from([
+        Of::value("number", "1", "number of the column, from 1", |it| it.number.into()),
+        Of::value("role", "", "its role, as --role takes it; ignore if it is not used", |it| {
+            it.role.as_str().into()
+        }),
+        Of::value("unit", "", "unit in which it was read, or null", |it| {
+            it.unit.map(|unit| unit.to_string()).into()
+        }),
+        Of::value("unit_is_stated", "", "true if its header states that unit", |it| it.is_unit_stated.into()),
+        Of::value("swings", "1", "number of periods that each of its times lasts, or null", |it| {
+            it.swings.map_or(serde_json::Value::Null, json::number)
+        }),
+    ])
+}
