@@ -56,6 +56,11 @@ test("a table of trials is undone like any change, and reset is undone too", () 
     assert.deepEqual([await field(room, "Angle"), await rows()], ["150", 1]);
     await press(room, "Undo");
     assert.deepEqual([await field(room, "Angle"), await rows()], ["20", 2]);
+    // Cells that are filled one right after the other are steps of their own.
+    const cells = ["amplitude / °, row 2", "length / m, row 2"];
+    for (const cell of cells) await room.getByLabel(cell, { exact: true }).fill("1");
+    await press(room, "Undo");
+    assert.deepEqual(await Promise.all(cells.map((cell) => field(room, cell))), ["1", ""]);
   }));
 
 test("keys of the stage undo and redo, and the stage keeps the focus", () =>

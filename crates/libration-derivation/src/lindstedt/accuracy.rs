@@ -43,7 +43,7 @@ pub(super) fn step(
         .table(motion(question, released, &exact)?)
         .say(
             "Where the last terms do not fall, the series has come to its end at this amplitude, and no further order helps: \
-             the command libration expand shows where it stops converging.",
+             the radius of convergence, a result of the expansion, tells where.",
             [],
         ))
 }

@@ -89,12 +89,12 @@ export class Steps {
   }
 }
 
-// Formulas and derivations that the text mentions have names instead of keys and commands.
+// Formulas that the text mentions have names instead of keys.
 function name(place: Element): void {
   const walker = document.createTreeWalker(place, NodeFilter.SHOW_TEXT);
   for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {
     const { data } = node as Text;
-    const named = withoutKeys(data).replace(/libration derive --method ([a-z-]+)/g, (all, key: string) => (key in words.road ? `“${words.road[key as keyof typeof words.road]}”` : all));
+    const named = withoutKeys(data);
     if (named !== data) (node as Text).data = named;
   }
 }
