@@ -45,9 +45,14 @@ impl BranchPoint {
         self.stability.may_last()
     }
 
-    /// The motion with these multipliers and their errors, and the resulting stability.
+    /// The motion with these multipliers and their errors, and the resulting stability, in which the multiplier 1 that is known without an error,
+    /// of deviations along an autonomous motion, does not count.
     pub(super) fn with_multipliers(self, multipliers: Vec<(Complex, f64)>) -> Self {
-        let stability = Stability::of(multipliers.iter().map(|(it, error)| (it.abs(), *error)));
+        let is_along =
+            |(it, error): &(Complex, f64)| (*it - Complex::from(1.0)).abs() <= 0.0 && *error <= 0.0;
+        let along = multipliers.iter().position(is_along);
+        let others = multipliers.iter().enumerate().filter(|(place, _)| Some(*place) != along);
+        let stability = Stability::of(others.map(|(_, (it, error))| (it.abs(), *error)));
         let (multipliers, multiplier_errors) = multipliers.into_iter().unzip();
         Self { multipliers, multiplier_errors, stability, ..self }
     }
