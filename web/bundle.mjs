@@ -26,25 +26,16 @@ function lzma(bytes) {
   return made;
 }
 
-/** The text that `src/engine/base91.ts` reads; zeros fill the last pair of letters. */
-function base91(bytes) {
-  const letters = Array.from({ length: 92 }, (_, n) => String.fromCharCode(35 + n)).filter((letter) => letter !== "<");
-  const pairs = [];
-  let kept = 0;
-  let bits = 0;
-  for (let at = 0; at < bytes.length || bits > 0; ) {
-    while (bits < 13) {
-      kept = (kept << 8) | (bytes[at++] ?? 0);
-      bits += 8;
-    }
-    bits -= 13;
-    const value = kept >>> bits;
-    pairs.push(letters[Math.floor(value / 91)] + letters[value % 91]);
-    kept &= (1 << bits) - 1;
-    // The remaining zeros after the last byte are padding.
-    if (at > bytes.length) break;
-  }
-  return pairs.join("");
+/** The text that `src/engine/base94.ts` reads; zeros fill the last block. */
+function base94(bytes) {
+  const letter = (value) => String.fromCharCode(value + (value < 28 ? 32 : 33));
+  const block = (from) => {
+    let number = BigInt(`0x${bytes.subarray(from, from + 9).toString("hex").padEnd(18, "0")}`);
+    let text = "";
+    for (let place = 0; place < 11; place++, number /= 94n) text = letter(Number(number % 94n)) + text;
+    return text;
+  };
+  return Array.from({ length: Math.ceil(bytes.length / 9) }, (_, n) => block(9 * n)).join("");
 }
 
 const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
@@ -61,7 +52,7 @@ const sizes = [["script", script], ["style", style]].map(([name, text]) => [name
 const packed = new Map();
 function pack(id, raw) {
   const compressed = lzma(raw);
-  const text = base91(compressed);
+  const text = base94(compressed);
   packed.set(id, `<script type="text/plain" id="${id}">${text}</script>`);
   sizes.push([id, raw.length, compressed.length, text.length]);
 }

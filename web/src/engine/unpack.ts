@@ -1,6 +1,6 @@
 // Decompression, once for each thread: the browser has compiled it for the program when the modules need it.
 
-import { bytes } from "./base91.ts";
+import { bytes } from "./base94.ts";
 import { decompressed } from "./lzma.ts";
 
 declare global {
