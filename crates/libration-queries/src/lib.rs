@@ -60,7 +60,7 @@ pub use command::command;
 pub use command::parameter_type::ParameterType;
 pub use host::{Host, InputFile};
 pub use query_error::parameter::Parameter as QueryParameter;
-pub use query_error::text::Words;
+pub use query_error::text::{MarkedWords, Words};
 pub use query_error::{Kind, QueryError, refusal};
 pub use questions::{Parameter, ParameterKind, Question, questions};
 pub use run::{Run, ask, ensemble};

@@ -1,7 +1,7 @@
 //! The page as the one who asks: its files are in memory, its clock is the browser's.
 
 use crate::page;
-use libration_queries::{Host, InputFile, QueryParameter, Words};
+use libration_queries::{Host, InputFile, MarkedWords, Words};
 use std::collections::BTreeMap;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -22,29 +22,6 @@ const PAUSE: Duration = Duration::from_millis(50);
 impl PageHost {
     pub(crate) fn new(files: BTreeMap<PathBuf, Vec<u8>>) -> Self {
         Self { files, due: Mutex::new(Duration::ZERO) }
-    }
-}
-
-/// The names of the command between characters of the private use area, which the page replaces by its own names (`web/src/parts/marks.ts`):
-/// U+E000 and U+E001 enclose a name with its values, U+E002 each of the values.
-struct Marks;
-
-impl Words for Marks {
-    fn parameter(&self, parameter: &QueryParameter) -> String {
-        format!("\u{e000}{}\u{e001}", parameter.in_help())
-    }
-
-    fn query(&self, words: &str) -> String {
-        format!("\u{e000}libration {words}\u{e001}")
-    }
-
-    fn value(&self, value: &str) -> String {
-        format!("\u{e002}{value}\u{e002}")
-    }
-
-    fn setting(&self, parameter: &QueryParameter, values: &[String]) -> String {
-        let values: Vec<_> = values.iter().map(|value| self.value(value)).collect();
-        format!("\u{e000}{} {}\u{e001}", parameter.in_help(), values.join(" or "))
     }
 }
 
@@ -89,7 +66,7 @@ impl Host for PageHost {
     }
 
     fn words(&self) -> &dyn Words {
-        &Marks
+        &MarkedWords
     }
 
     fn note(&self, sentence: &str) {

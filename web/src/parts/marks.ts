@@ -1,4 +1,4 @@
-// Marks in the sentences of the command, which name parameters and queries (crates/libration-web-questions/src/host.rs writes them).
+// Marks in the sentences of the command, which name parameters and queries (`MarkedWords` in crates/libration-queries/src/query_error/text.rs).
 
 import type { Part, QueryError } from "../engine/engine.ts";
 
@@ -21,7 +21,7 @@ export function marks(sentence: string): (string | Mark)[] {
 
 function mark(written: string): Mark {
   const [name = "", ...parts] = written.split(VALUE);
-  return { name: name.trim().replace(/^(--|libration )/, ""), values: parts.filter((_, place) => place % 2 === 0 && place < parts.length - 1) };
+  return { name: name.replace(/^(--|libration )|[ "]+$/g, ""), values: parts.filter((_, place) => place % 2 === 0 && place < parts.length - 1) };
 }
 
 /** The text in the words of the command line. */

@@ -19,7 +19,8 @@ pub(crate) fn clean(text: &mut String) {
     }
 }
 
-/// The columns that a text takes: two for a wide letter, none for one that is written over the letter before it.
+/// The columns that a text takes: two for a wide letter, none for one that is written over the letter before it, and for the marks of
+/// [`MarkedWords`](crate::MarkedWords).
 pub fn columns_of(text: &str) -> usize {
     text.chars().map(columns_of_letter).sum()
 }
@@ -27,7 +28,7 @@ pub fn columns_of(text: &str) -> usize {
 /// The blocks of Unicode 16 that hold wide letters and combining marks, as far as headers of measurements need them.
 fn columns_of_letter(letter: char) -> usize {
     match u32::from(letter) {
-        0x0300..=0x036F | 0x200B..=0x200F | 0xFE00..=0xFE0F => 0,
+        0x0300..=0x036F | 0x200B..=0x200F | 0xE000..=0xE002 | 0xFE00..=0xFE0F => 0,
         0x1100..=0x115F
         | 0x2E80..=0xA4CF
         | 0xAC00..=0xD7A3

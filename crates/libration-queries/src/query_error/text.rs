@@ -59,6 +59,29 @@ impl Words for CommandWords {
     }
 }
 
+/// The words of the command line between characters of the private use area, for front ends that put names of their own in their place.
+///
+/// U+E000 and U+E001 enclose a parameter with its values, or a query; U+E002 encloses each value. These characters have no width.
+#[derive(Clone, Copy, Debug)]
+pub struct MarkedWords;
+
+impl Words for MarkedWords {
+    fn parameter(&self, parameter: &Parameter) -> String {
+        format!("\u{e000}{}\u{e001}", parameter.in_help())
+    }
+
+    fn query(&self, words: &str) -> String {
+        format!("\u{e000}{}\u{e001}", CommandWords.query(words))
+    }
+
+    fn setting(&self, parameter: &Parameter, values: &[String]) -> String {
+        let marked =
+            |value: &String| self.value(value).replacen(value, &format!("\u{e002}{value}\u{e002}"), 1);
+        let values: Vec<_> = values.iter().map(marked).collect();
+        format!("\u{e000}{} {}\u{e001}", parameter.in_help(), alternatives(&values))
+    }
+}
+
 impl Text {
     /// The parts of a text with marks.
     pub(crate) fn marked(text: &str) -> Self {

@@ -1,6 +1,7 @@
 //! Sentences of results, which name options and queries by marks, so that each front end can say them in its own words.
 
-use libration_queries::{Host, QueryParameter, Words, ask};
+use libration_queries::internals::query_error::CommandWords;
+use libration_queries::{Host, MarkedWords, QueryParameter, Words, ask};
 use serde_json::Value;
 use std::ffi::OsString;
 use std::io;
@@ -19,8 +20,8 @@ impl Words for OtherWords {
 }
 
 /// A front end with words of its own, a table as its standard input, and its output in memory.
-#[derive(Default)]
 struct Front {
+    words: &'static (dyn Words + Sync),
     input: String,
     output: Mutex<Vec<u8>>,
     notes: Mutex<Vec<String>>,
@@ -41,18 +42,24 @@ impl Host for Front {
     }
 
     fn words(&self) -> &dyn Words {
-        &OtherWords
+        self.words
     }
 }
 
+/// The result of a query, and its notes.
+fn result(query: &str, input: &str, words: &'static (dyn Words + Sync)) -> (String, Vec<String>) {
+    let (output, notes) = Default::default();
+    let front = Arc::new(Front { words, input: input.to_owned(), output, notes });
+    ask(query.split(' ').map(OsString::from), front.clone()).unwrap();
+    let output = String::from_utf8(front.output.lock().unwrap().clone()).unwrap();
+    let notes = front.notes.lock().unwrap().clone();
+    (output, notes)
+}
+
 /// All texts of a result and of its notes.
-fn texts(words: &str, input: String) -> Vec<String> {
-    let front = Arc::new(Front { input, ..Front::default() });
-    let words = words.split(' ').map(OsString::from).chain(["--json".into()]);
-    ask(words, front.clone()).unwrap();
-    let mut texts = front.notes.lock().unwrap().clone();
-    let output = front.output.lock().unwrap();
-    collect(&serde_json::from_slice(&output).unwrap(), "", &mut texts);
+fn texts(query: &str, input: &str) -> Vec<String> {
+    let (output, mut texts) = result(&format!("{query} --json"), input, &OtherWords);
+    collect(&serde_json::from_str(&output).unwrap(), "", &mut texts);
     texts
 }
 
@@ -102,10 +109,14 @@ fn sentences_of_results_name_parameters_in_the_words_of_the_front_end() {
         ("orbit pendulum --initial theta=1", String::new(), ""),
     ];
     for (words, input, expected) in cases {
-        let texts = texts(words, input);
+        let texts = texts(words, &input);
         let named: Vec<_> =
             texts.iter().filter(|text| text.contains("--") || text.contains("<libration")).collect();
         assert!(named.is_empty(), "{words}: {named:#?}");
         assert!(texts.iter().any(|text| text.contains(expected)), "{words}: {expected}: {texts:#?}");
+        // Without its marks a table is that of the command, with the same line breaks.
+        let (marked, _) = result(words, &input, &MarkedWords);
+        let unmarked: String = marked.chars().filter(|it| !('\u{e000}'..='\u{e002}').contains(it)).collect();
+        assert_eq!(unmarked, result(words, &input, &CommandWords).0, "{words}");
     }
 }
