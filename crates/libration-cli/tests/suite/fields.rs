@@ -234,6 +234,7 @@ const FURTHER: &[&str] = &[
     "resonance|x''+k*x+c*x+eps*x*y=0;y''+w2^2*y+eps*x^2=eps*F*cos(W*t)|--ratios|1:2|--resonance|2/1",
     "expand|x''+2*eps*mu*x'+k*x+eps*a*x^3=eps*F*cos(W*t)|--resonance|1/1",
     "expand|x''+eps*x'/5+x+eps*x^3=eps*cos(W*t)/2|--resonance|1/1|--set|eps=0.1|--evaluate|1.03",
+    "expand|x''+eps*(x'/5+x^3)+x=eps*cos(W*t)|--resonance|1/1|--order|3|--set|eps=0.1|--evaluate|1.3",
     "backbone|x''=-x-x^2|--amplitudes|0.1,0.2,3",
     "backbone|x''=-x-x^3|--amplitudes|1",
     "orbit|x''=(1-x^2)*x'-x|--initial|x=0.5",

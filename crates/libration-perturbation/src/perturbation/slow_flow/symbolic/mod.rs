@@ -28,6 +28,7 @@ mod phase_sums;
 mod result;
 mod scales;
 mod setting;
+mod states;
 mod steady;
 
 use equations::Found;
@@ -42,6 +43,7 @@ pub use coupled::{CoordinateFlow, CoupledSlowFlow, coupled_slow_flow};
 pub use error::{MAX_SYMBOLIC_SLOW_ORDER, SymbolicSlowFlowError};
 pub use evaluation::{SlowFlowAt, SteadySolution};
 pub use result::{SteadyState, SymbolicSlowFlow};
+pub use states::{JudgedState, LeftOutReason, StateLeftOut, SteadyStates};
 
 /// Small parameters, resonance and order of a slow flow.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -92,6 +94,25 @@ pub fn slow_flow_symbolically(
         return Err(SymbolicSlowFlowError::SeveralEquations(equation.variables().len()));
     }
     answered(equation, options, progress, result::collected)
+}
+
+/// The slow flow of the lowest higher order that has further terms, for estimates of errors: where forces have a parity, orders have none. `None`
+/// where such an order is not known.
+pub fn next_slow_flow(
+    equation: &Equation,
+    options: &SymbolicSlowFlowOptions,
+    flow: &SymbolicSlowFlow,
+    progress: &dyn Progress,
+) -> Option<SymbolicSlowFlow> {
+    // A small term of the highest order acts back on itself at twice that order at the latest.
+    for order in flow.order + 1..=2 * flow.order + 1 {
+        let options = SymbolicSlowFlowOptions { order: Some(order), ..options.clone() };
+        let next = slow_flow_symbolically(equation, &options, progress).ok()?;
+        if next.sums.rates != flow.sums.rates {
+            return Some(next);
+        }
+    }
+    None
 }
 
 /// The result that `collected` makes of the slow flow of an equation.
