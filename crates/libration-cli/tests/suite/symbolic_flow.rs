@@ -89,6 +89,11 @@ fn steady_states_beyond_the_series_are_named_with_the_reason() {
     let listing = shown(&words);
     assert!(listing.contains("left out: A = 2.9, phi = "), "{listing}");
     assert!(!listing.contains("no steady state"), "{listing}");
+    // The only state is A = 1.0075 by shooting; the linear order has A = 0.71.
+    let soft = "x'' + w^2*(x - x^3/6) + eps*m*x' = eps*F*cos(W*t)";
+    let set = ["--set", "w=1", "--set", "eps=0.1", "--set", "m=1", "--set", "F=1"];
+    let listing = shown(&[&["expand", soft, "--resonance", "1/1", "--evaluate", "0.95"], &set[..]].concat());
+    assert!(listing.contains("no steady state within reach of the series\nleft out: A = 0.71"), "{listing}");
 }
 
 #[test]

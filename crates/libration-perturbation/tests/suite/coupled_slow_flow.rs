@@ -257,6 +257,17 @@ fn ratios_follow_from_numbers_and_equal_letters() {
     assert_eq!(flow.coordinates[0].detuning, None);
 }
 
+/// The frequency of x″ + w²·x + x³ = 0 is w + 3·A²/(8·w) to second order.
+#[test]
+fn forces_without_a_small_parameter_act_at_the_order_that_is_not_given() {
+    let text = "x'' + x^3 + w^2*x + eps*y = 0; y'' + y^3 + w^2*y + eps*x = 0";
+    let options = SymbolicSlowFlowOptions::default();
+    let flow = coupled_slow_flow(&equation(text), &options, &Quiet).unwrap();
+    assert_eq!((flow.order, flow.order_note), (2, None));
+    let rate = &flow.coordinates[0].phase_rate;
+    assert!(rate.contains("3*A_x^2/(8*w)"), "{rate}");
+}
+
 #[test]
 fn what_has_no_coupled_slow_flow_is_refused_with_its_reason() {
     use SymbolicSlowFlowError as Error;

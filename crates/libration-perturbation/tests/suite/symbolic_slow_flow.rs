@@ -412,6 +412,35 @@ fn orders_that_are_not_given_are_those_of_the_small_parameters() {
     assert_eq!(order("x'' + 2*mu*x' + w^2*x + a*x^2 = F*cos(W*t)", "a:1,mu:2,F:2", "1/1"), 2);
     assert_eq!(order("x'' + w^2*x + c*x*abs(x) = 0", "", ""), 1);
     assert_eq!(order("x'' + 2*c*abs(x')*x' + w0^2*sin(x) = F*cos(W*t)", "c:1,F:2", "1/1"), 2);
+    // Terms without a small parameter count with the amplitude.
+    assert_eq!(order("x'' + eps*m*x' + w^2*x + x^3 = 0", "eps:1", ""), 2);
+    assert_eq!(order("x'' + eps*m*x' + w^2*sin(x) = 0", "eps:1", ""), 2);
+    assert_eq!(order("x'' + eps*m*x' + w^2*x + x^2 = 0", "", ""), 2);
+    assert_eq!(order("x'' + w^2*x + x^5 = 0", "", ""), 4);
+    assert_eq!(order("x'' + w^2*x + x^4 = 0", "", ""), 6);
+    assert_eq!(order("x'' + w^2*x + x*sin(x)^3 = 0", "", ""), 2);
+}
+
+/// The frequencies are averages by hand: 3·A²/(8·w) for x³, 5·A⁴/(16·w) for x⁵ and −A²·w/16 for w²·sin x.
+#[test]
+fn terms_without_a_small_parameter_act_at_the_order_that_is_not_given() {
+    let flow = |text: &str, order| {
+        let options = SymbolicSlowFlowOptions { order, ..options("", "", 1) };
+        slow_flow_symbolically(&equation(text), &options, &Quiet).unwrap()
+    };
+    let cubic = "x'' + x^3 + w^2*x + eps*m*x' = 0";
+    let at = [("A", 0.3), ("w", 1.7), ("m", 0.0), ("eps", 1.0)];
+    let expected = [(cubic, 3.0 * 0.09 / 13.6), ("x'' + w^2*sin(x) + eps*m*x' = 0", -0.09 * 1.7 / 16.0)];
+    for (text, rate) in expected {
+        let flow = flow(text, None);
+        assert_near(value(&flow.phase_rate, &at), rate, 1.0, text);
+        assert_eq!(flow.order_note, None);
+    }
+    let fifth = flow("x'' + w^2*x + x^5 = 0", None);
+    assert_near(value(&fifth.phase_rate, &at), 5.0 * 0.0081 / 27.2, 1.0, "fifth");
+    let note = flow(cubic, Some(1)).order_note.unwrap();
+    assert!(note.contains("degrees above 2 are left out"), "{note}");
+    assert!(flow("x'' + w^2*sin(x) + eps*m*x' = 0", Some(1)).order_note.is_some());
 }
 
 /// The truncated relation of order 3 has zeros at amplitudes where its last terms are the largest.

@@ -22,6 +22,12 @@ pub(super) fn of_flow() -> Fields<Answer> {
 fn of_setting() -> Fields<Answer> {
     Fields::from([
         Of::<Answer>::value("order", "1", "highest order in the small parameters", |it| it.flow.order.into()),
+        Of::value(
+            "order_note",
+            "",
+            "terms of the equation that are of higher order; null where there are none",
+            |it| it.flow.order_note.clone().into(),
+        ),
         Of::value("small_orders.NAME", "1", "order of the small parameter with this name", |it| {
             json::object(it.small.iter().cloned())
         }),

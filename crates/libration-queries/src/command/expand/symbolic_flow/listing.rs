@@ -19,6 +19,9 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     let (amplitude, phase) = (letter("amplitude"), letter("phase"));
     answer.subject.write(out)?;
     write_text(out, "", &setting(answer))?;
+    if let Some(note) = &flow.order_note {
+        write_text(out, "", note)?;
+    }
     writeln!(out)?;
     line(out, &format!("d{amplitude}/dt = "), &flow.amplitude_rate)?;
     line(out, &format!("d{phase}/dt = "), &flow.phase_rate)?;
