@@ -349,6 +349,13 @@ fn a_force_at_rest_that_is_not_zero_and_others_that_cannot_be_averaged_are_refus
     assert!(said("x'' + w0^2*x = 0", "", "", 1).contains("nothing is small"));
     let two = "x'' + w0^2*x + eps*x^3 = eps*(cos(W*t) + cos(V*t))";
     assert!(said(two, "1/1", "", 1).contains("several frequencies"));
+    for rate in ["pi", "sqrt(2)", "W/3", "pi*W", "k*W", "sqrt(k)"] {
+        let one = format!("x'' + w0^2*x + eps*x^3 = eps*(cos({rate}*t) + sin({rate}*t))");
+        let error = refusal(&one, "1/1", "", 1).to_string();
+        assert!(error.contains("write a symbol in its place"), "{rate}: {error}");
+    }
+    let two = "x'' + w0^2*x + eps*x^3 = eps*(cos(t) + cos(pi*t))";
+    assert!(said(two, "1/1", "", 1).contains("several frequencies"));
     assert!(said("x'' + w0^2*x + eps*x^3 = eps*t", "1/1", "", 1).contains("not periodic in t"));
 }
 
