@@ -250,6 +250,10 @@ fn ratios_follow_from_numbers_and_equal_letters() {
     };
     assert_eq!(frequencies("x'' + x + eps*x*y = 0; y'' + 9/4*y + eps*x = 0", ""), ["1", "3/2"]);
     assert_eq!(frequencies("x'' + 4*w^2*x + eps*x*y = 0; y'' + w^2*y + eps*x = 0", ""), ["2*w", "w"]);
+    let sums = "x'' + (k1 + k2)*x + eps*x*y = 0; y'' + 4*(k1 + k2)*y + eps*x^2 = 0";
+    assert_eq!(frequencies(sums, ""), ["w0", "2*w0"]);
+    let unlike = "x'' + (k1 + k2)*x + eps*x*y = 0; y'' + (4*k1 + k2)*y + eps*x^2 = 0";
+    assert_eq!(refusal(unlike, "", ""), SymbolicSlowFlowError::UnknownRatio(2));
     assert_eq!(frequencies("x'' + x + eps*x*y = 0; y'' + w2^2*y + eps*x^2 = 0", "1:2"), ["1", "2"]);
     let flow = flow("x'' + x + eps*x*y = 0; y'' + w2^2*y + eps*x^2 = 0", "1:2", "", 1);
     assert_eq!(flow.coordinates[1].detuning, Some(["sigma_y".to_owned(), "w2^2".to_owned()]));

@@ -95,18 +95,17 @@ impl Setting {
         let letters = &self.letters;
         let half = Rational::new(1, 2).unwrap_or_else(|| Rational::from(1));
         let ratio = |spring: &Sum| {
-            let (mine, first) = (spring.as_single_term()?, springs[0].as_single_term()?);
-            let is_alike = mine.0 == first.0;
-            let square = mine.1.checked_div(first.1).filter(|it| is_alike && !it.is_negative())?;
-            let root = letters.ring.power(&letters.number(square), &half)?;
+            let (leading, first) = springs[0].half_powers().next()?;
+            let (_, mine) = spring.half_powers().find(|(powers, _)| *powers == leading)?;
+            let square = mine.checked_div(first).filter(|it| !it.is_negative())?;
+            let is_multiple = letters.subtract(spring, &letters.scaled(&springs[0], &square)).is_zero();
+            let root = letters.ring.power(&letters.number(square), &half).filter(|_| is_multiple)?;
             let (powers, factor) = root.as_single_term()?;
             powers.iter().all(|power| *power == 0).then(|| factor.clone())
         };
         let mut ratios = vec![Rational::from(1)];
         for (coordinate, spring) in springs.iter().enumerate().skip(1) {
-            let same = letters.subtract(spring, &springs[0]).is_zero();
-            let ratio = if same { Some(Rational::from(1)) } else { ratio(spring) };
-            ratios.push(ratio.ok_or(Error::UnknownRatio(coordinate + 1))?);
+            ratios.push(ratio(spring).ok_or(Error::UnknownRatio(coordinate + 1))?);
         }
         whole_numbers(&ratios).ok_or(Error::UnknownRatio(2))
     }
