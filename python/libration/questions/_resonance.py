@@ -50,7 +50,7 @@ def resonance(
         for all of a chain; those not given start at rest.
     order : int, optional
         Highest order in the amplitudes [default: 3], or with symbols in the small parameters
-        [default: their largest].
+        [default: their largest, and one at which all terms without small parameter act].
     small : number or text, or several, optional
         Small parameters with their orders, of equations with symbols, such as a:1,mu:2 [default:
         eps, where it occurs].

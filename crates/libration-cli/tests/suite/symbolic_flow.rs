@@ -76,6 +76,26 @@ fn numbers_are_those_of_the_integrated_motion_within_their_errors() {
     assert!(listing.contains("in numbers at W = 1.03, sigma = 0.3:\nA = 1.147"), "{listing}");
 }
 
+/// The response at W = 1.3 has three states by shooting: A = 0.1452, 2.9596 and 3.0481.
+#[test]
+fn steady_states_beyond_the_series_are_named_with_the_reason() {
+    let text = "x'' + eps*(m*x' + a*x^3) + x = eps*F*cos(W*t)";
+    let set = ["--set", "eps=0.1", "--set", "m=0.2", "--set", "a=1", "--set", "F=1", "--order", "3"];
+    let words = [&["expand", text, "--resonance", "1/1", "--evaluate", "1.3"], &set[..]].concat();
+    let values = answer(&words)["values"].clone();
+    assert_eq!(values["steady_states"].as_array().unwrap().len(), 1, "{values}");
+    let left_out = values["left_out"].as_array().unwrap();
+    assert!(left_out.len() == 2 && left_out.iter().all(|it| it["reason"] == "beyond_reach"), "{values}");
+    let listing = shown(&words);
+    assert!(listing.contains("left out: A = 2.9, phi = "), "{listing}");
+    assert!(!listing.contains("no steady state"), "{listing}");
+    // The only state is A = 1.0075 by shooting; the linear order has A = 0.71.
+    let soft = "x'' + w^2*(x - x^3/6) + eps*m*x' = eps*F*cos(W*t)";
+    let set = ["--set", "w=1", "--set", "eps=0.1", "--set", "m=1", "--set", "F=1"];
+    let listing = shown(&[&["expand", soft, "--resonance", "1/1", "--evaluate", "0.95"], &set[..]].concat());
+    assert!(listing.contains("no steady state within reach of the series\nleft out: A = 0.71"), "{listing}");
+}
+
 #[test]
 fn formulas_are_written_in_languages_and_as_mathematics() {
     let of = |format: &str| shown(&["expand", DUFFING, "--resonance", "1/1", "--format", format]);

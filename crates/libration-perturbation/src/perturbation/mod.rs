@@ -66,10 +66,11 @@ pub use phase_origin::PhaseOrigin;
 pub use restoring_force::restoring_force;
 pub(crate) use slow_flow::FirstOrder;
 pub use slow_flow::{
-    CoordinateFlow, CoupledSlowFlow, MAX_PARAMETER_ORDER, MAX_SLOW_ORDER, MAX_SYMBOLIC_SLOW_ORDER, PhaseTerm,
-    SlowFlow, SlowFlowAt, SlowFlowError, SlowLimitCycle, SlowSeries, SteadySolution, SteadyState,
-    SymbolicSlowFlow, SymbolicSlowFlowError, SymbolicSlowFlowOptions, WeakForce, coupled_slow_flow,
-    drive_symbol, slow_flow, slow_flow_symbolically,
+    CoordinateFlow, CoupledSlowFlow, JudgedState, LeftOutReason, MAX_PARAMETER_ORDER, MAX_SLOW_ORDER,
+    MAX_SYMBOLIC_SLOW_ORDER, PhaseTerm, SlowFlow, SlowFlowAt, SlowFlowError, SlowLimitCycle, SlowSeries,
+    StateLeftOut, SteadySolution, SteadyState, SteadyStates, SymbolicSlowFlow, SymbolicSlowFlowError,
+    SymbolicSlowFlowOptions, WeakForce, coupled_slow_flow, drive_symbol, next_slow_flow, slow_flow,
+    slow_flow_symbolically,
 };
 pub use symbolic::{SymbolicExpansion, SymbolicExpansionError, expand_symbolically, expand_with_constants};
 pub use truncated_system::{SolutionVerdict, TruncatedSolution, TruncatedSystem, TruncatedSystemError};

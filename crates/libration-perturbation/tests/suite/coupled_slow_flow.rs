@@ -250,11 +250,26 @@ fn ratios_follow_from_numbers_and_equal_letters() {
     };
     assert_eq!(frequencies("x'' + x + eps*x*y = 0; y'' + 9/4*y + eps*x = 0", ""), ["1", "3/2"]);
     assert_eq!(frequencies("x'' + 4*w^2*x + eps*x*y = 0; y'' + w^2*y + eps*x = 0", ""), ["2*w", "w"]);
+    let sums = "x'' + (k1 + k2)*x + eps*x*y = 0; y'' + 4*(k1 + k2)*y + eps*x^2 = 0";
+    assert_eq!(frequencies(sums, ""), ["w0", "2*w0"]);
+    let unlike = "x'' + (k1 + k2)*x + eps*x*y = 0; y'' + (4*k1 + k2)*y + eps*x^2 = 0";
+    assert_eq!(refusal(unlike, "", ""), SymbolicSlowFlowError::UnknownRatio(2));
     assert_eq!(frequencies("x'' + x + eps*x*y = 0; y'' + w2^2*y + eps*x^2 = 0", "1:2"), ["1", "2"]);
     let flow = flow("x'' + x + eps*x*y = 0; y'' + w2^2*y + eps*x^2 = 0", "1:2", "", 1);
     assert_eq!(flow.coordinates[1].detuning, Some(["sigma_y".to_owned(), "w2^2".to_owned()]));
     assert_eq!(flow.coordinates[1].frequency_difference.as_deref(), Some("eps*sigma_y"));
     assert_eq!(flow.coordinates[0].detuning, None);
+}
+
+/// The frequency of x″ + w²·x + x³ = 0 is w + 3·A²/(8·w) to second order.
+#[test]
+fn forces_without_a_small_parameter_act_at_the_order_that_is_not_given() {
+    let text = "x'' + x^3 + w^2*x + eps*y = 0; y'' + y^3 + w^2*y + eps*x = 0";
+    let options = SymbolicSlowFlowOptions::default();
+    let flow = coupled_slow_flow(&equation(text), &options, &Quiet).unwrap();
+    assert_eq!((flow.order, flow.order_note), (2, None));
+    let rate = &flow.coordinates[0].phase_rate;
+    assert!(rate.contains("3*A_x^2/(8*w)"), "{rate}");
 }
 
 #[test]

@@ -4,8 +4,8 @@ use crate::typed::equation;
 use libration::expression::{Expression, Symbol};
 use libration::orbit::Orbit;
 use libration::perturbation::{
-    SlowFlowAt, SteadySolution, SymbolicSlowFlow, SymbolicSlowFlowError, SymbolicSlowFlowOptions,
-    slow_flow_symbolically,
+    JudgedState, SlowFlowAt, SteadySolution, SteadyStates, SymbolicSlowFlow, SymbolicSlowFlowError,
+    SymbolicSlowFlowOptions, next_slow_flow, slow_flow_symbolically,
 };
 use libration::progress::Quiet;
 use libration_testing::golden::Table;
@@ -349,6 +349,13 @@ fn a_force_at_rest_that_is_not_zero_and_others_that_cannot_be_averaged_are_refus
     assert!(said("x'' + w0^2*x = 0", "", "", 1).contains("nothing is small"));
     let two = "x'' + w0^2*x + eps*x^3 = eps*(cos(W*t) + cos(V*t))";
     assert!(said(two, "1/1", "", 1).contains("several frequencies"));
+    for rate in ["pi", "sqrt(2)", "W/3", "pi*W", "k*W", "sqrt(k)"] {
+        let one = format!("x'' + w0^2*x + eps*x^3 = eps*(cos({rate}*t) + sin({rate}*t))");
+        let error = refusal(&one, "1/1", "", 1).to_string();
+        assert!(error.contains("write a symbol in its place"), "{rate}: {error}");
+    }
+    let two = "x'' + w0^2*x + eps*x^3 = eps*(cos(t) + cos(pi*t))";
+    assert!(said(two, "1/1", "", 1).contains("several frequencies"));
     assert!(said("x'' + w0^2*x + eps*x^3 = eps*t", "1/1", "", 1).contains("not periodic in t"));
 }
 
@@ -412,6 +419,35 @@ fn orders_that_are_not_given_are_those_of_the_small_parameters() {
     assert_eq!(order("x'' + 2*mu*x' + w^2*x + a*x^2 = F*cos(W*t)", "a:1,mu:2,F:2", "1/1"), 2);
     assert_eq!(order("x'' + w^2*x + c*x*abs(x) = 0", "", ""), 1);
     assert_eq!(order("x'' + 2*c*abs(x')*x' + w0^2*sin(x) = F*cos(W*t)", "c:1,F:2", "1/1"), 2);
+    // Terms without a small parameter count with the amplitude.
+    assert_eq!(order("x'' + eps*m*x' + w^2*x + x^3 = 0", "eps:1", ""), 2);
+    assert_eq!(order("x'' + eps*m*x' + w^2*sin(x) = 0", "eps:1", ""), 2);
+    assert_eq!(order("x'' + eps*m*x' + w^2*x + x^2 = 0", "", ""), 2);
+    assert_eq!(order("x'' + w^2*x + x^5 = 0", "", ""), 4);
+    assert_eq!(order("x'' + w^2*x + x^4 = 0", "", ""), 6);
+    assert_eq!(order("x'' + w^2*x + x*sin(x)^3 = 0", "", ""), 2);
+}
+
+/// The frequencies are averages by hand: 3·A²/(8·w) for x³, 5·A⁴/(16·w) for x⁵ and −A²·w/16 for w²·sin x.
+#[test]
+fn terms_without_a_small_parameter_act_at_the_order_that_is_not_given() {
+    let flow = |text: &str, order| {
+        let options = SymbolicSlowFlowOptions { order, ..options("", "", 1) };
+        slow_flow_symbolically(&equation(text), &options, &Quiet).unwrap()
+    };
+    let cubic = "x'' + x^3 + w^2*x + eps*m*x' = 0";
+    let at = [("A", 0.3), ("w", 1.7), ("m", 0.0), ("eps", 1.0)];
+    let expected = [(cubic, 3.0 * 0.09 / 13.6), ("x'' + w^2*sin(x) + eps*m*x' = 0", -0.09 * 1.7 / 16.0)];
+    for (text, rate) in expected {
+        let flow = flow(text, None);
+        assert_near(value(&flow.phase_rate, &at), rate, 1.0, text);
+        assert_eq!(flow.order_note, None);
+    }
+    let fifth = flow("x'' + w^2*x + x^5 = 0", None);
+    assert_near(value(&fifth.phase_rate, &at), 5.0 * 0.0081 / 27.2, 1.0, "fifth");
+    let note = flow(cubic, Some(1)).order_note.unwrap();
+    assert!(note.contains("degrees above 2 are left out"), "{note}");
+    assert!(flow("x'' + w^2*sin(x) + eps*m*x' = 0", Some(1)).order_note.is_some());
 }
 
 /// The truncated relation of order 3 has zeros at amplitudes where its last terms are the largest.
@@ -425,4 +461,65 @@ fn zeros_that_the_truncation_makes_are_no_steady_states() {
     assert_eq!(states.len(), 1, "{states:?}");
     assert!((2.0..3.0).contains(&states[0].amplitude) && states[0].is_stable);
     assert_eq!(flow.at(&|_| None, None).unwrap_err(), ["eps", "F", "m", "w0", "W"]);
+}
+
+/// Steady states compared with those of the next order.
+fn judged(of: Driven<'_>, values: &[(&str, f64)], drive: f64) -> SteadyStates {
+    let Driven { text, resonance: (p, q), small, order } = of;
+    let options = options(&format!("{p}/{q}"), small, order);
+    let flow = slow_flow_symbolically(&equation(text), &options, &Quiet).unwrap();
+    let next = next_slow_flow(&equation(text), &options, &flow, &Quiet).unwrap();
+    let of_name = |name: &str| values.iter().find(|(other, _)| *other == name).map(|(_, value)| *value);
+    let next = next.at(&of_name, Some(drive)).unwrap();
+    flow.at(&of_name, Some(drive)).unwrap().judged_states(Some(&next)).unwrap()
+}
+
+/// Amplitudes and phases by shooting with `SciPy` (DOP853, rtol 1e-11, residual below 1e-14).
+#[test]
+fn errors_of_amplitude_and_phase_are_those_from_the_integrated_motion() {
+    let locked = "x'' + eps*(x^2 - 1)*x' + x = eps*F*cos(W*t)";
+    let exact = [(1.696_314_537, 1.869_067_738), (2.195_495_485, -2.016_794_014)];
+    for order in 1..=5 {
+        let of = Driven { text: locked, resonance: (1, 1), small: "", order };
+        let states = judged(of, &[("eps", 0.1), ("F", 0.5)], 1.004);
+        for (amplitude, phase) in exact {
+            let distance = |it: &JudgedState| (it.state.amplitude - amplitude).abs();
+            let nearest = states.found.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+            let found = nearest.filter(|it| distance(it) < 0.02).unwrap();
+            let [_, error] = found.errors.unwrap();
+            let missed = (found.state.phase - phase).abs();
+            // Ratios of 0.8 to 1.1, and 2.3 at order 4, where the phase moves to the next order by a fifth of its error only.
+            assert!(missed < 2.5 * error, "order {order}: phase {missed} {error}");
+            assert_eq!(found.is_stable, Some(amplitude > 2.0));
+        }
+    }
+    // Orders 3 and 5 of the undriven pendulum are zero.
+    let text = "x'' + 2*mu*x' + sin(x) = F*cos(W*t)";
+    let of = Driven { text, resonance: (1, 1), small: "mu:2,F:2", order: 2 };
+    let states = judged(of, &[("mu", 0.01), ("F", 0.01)], 0.99);
+    let [found] = states.found[..] else { panic!("{states:?}") };
+    let [amplitude, phase] = found.errors.unwrap();
+    let missed = (found.state.amplitude - 0.471_496_482).abs();
+    assert!(missed > 0.002 && missed < 1.5 * amplitude, "{missed} {amplitude}");
+    assert!((found.state.phase + 1.937_332_461).abs() < 1.5 * phase, "{found:?}");
+}
+
+/// Three states by shooting with `SciPy` (DOP853, rtol 1e-11), their stability by the multipliers.
+#[test]
+fn states_that_the_series_does_not_reach_are_left_out_by_name() {
+    let text = "x'' + eps*(m*x' + a*x^3) + x = eps*F*cos(W*t)";
+    let exact = [(0.145_157, true), (2.959_622, false), (3.048_061, true)];
+    for order in 1..=4 {
+        let of = Driven { text, resonance: (1, 1), small: "", order };
+        let states = judged(of, &[("eps", 0.1), ("m", 0.2), ("a", 1.0), ("F", 1.0)], 1.3);
+        let all = states.found.iter().map(|it| it.state).chain(states.left_out.iter().map(|it| it.state));
+        let near = |amplitude: f64| all.clone().filter(|it| (it.amplitude - amplitude).abs() < 0.3).count();
+        assert!(near(0.145) == 1 && near(3.0) >= 2, "order {order}: {states:?}");
+        for found in &states.found {
+            let distance = |amplitude: f64| (found.state.amplitude - amplitude).abs();
+            let (_, is_stable) =
+                exact.iter().min_by(|a, b| distance(a.0).total_cmp(&distance(b.0))).copied().unwrap();
+            assert!(found.is_stable.is_none_or(|it| it == is_stable), "order {order}: {states:?}");
+        }
+    }
 }

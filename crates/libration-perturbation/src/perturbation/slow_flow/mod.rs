@@ -66,9 +66,9 @@ pub(super) use phase_functions::{PhaseFunctions, Term};
 pub use error::{MAX_PARAMETER_ORDER, MAX_SLOW_ORDER, SlowFlowError};
 pub use limit_cycle::SlowLimitCycle;
 pub use symbolic::{
-    CoordinateFlow, CoupledSlowFlow, MAX_SYMBOLIC_SLOW_ORDER, SlowFlowAt, SteadySolution, SteadyState,
-    SymbolicSlowFlow, SymbolicSlowFlowError, SymbolicSlowFlowOptions, coupled_slow_flow, drive_symbol,
-    slow_flow_symbolically,
+    CoordinateFlow, CoupledSlowFlow, JudgedState, LeftOutReason, MAX_SYMBOLIC_SLOW_ORDER, SlowFlowAt,
+    StateLeftOut, SteadySolution, SteadyState, SteadyStates, SymbolicSlowFlow, SymbolicSlowFlowError,
+    SymbolicSlowFlowOptions, coupled_slow_flow, drive_symbol, next_slow_flow, slow_flow_symbolically,
 };
 pub(crate) use weak_force::FirstOrder;
 pub use weak_force::WeakForce;

@@ -83,6 +83,9 @@ impl Answer {
     fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         write_text(out, "", &self.equations)?;
         write_text(out, "", &self.setting())?;
+        if let Some(note) = &self.flow.order_note {
+            write_text(out, "", note)?;
+        }
         for coordinate in &self.flow.coordinates {
             writeln!(out)?;
             let lines = [
@@ -134,6 +137,12 @@ fn of_answer() -> Fields<Answer> {
             json::list(it.equations.split("; "))
         }),
         Of::value("order", "1", "highest order in the small parameters", |it| it.flow.order.into()),
+        Of::value(
+            "order_note",
+            "",
+            "terms of the equations that are of higher order; null where there are none",
+            |it| it.flow.order_note.clone().into(),
+        ),
         Of::value("small_orders.NAME", "1", "order of the small parameter with this name", |it| {
             json::object(it.small.iter().cloned())
         }),

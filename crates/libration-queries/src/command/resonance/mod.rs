@@ -53,7 +53,8 @@ pub(crate) struct ResonanceQuestion {
     equilibrium: EquilibriumOptions,
     #[command(flatten)]
     initial: InitialOptions,
-    /// Highest order in the amplitudes [default: 3], or with symbols in the small parameters [default: their largest]
+    /// Highest order in the amplitudes [default: 3], or with symbols in the small parameters [default: their largest, and one
+    /// at which all terms without small parameter act]
     #[arg(long, value_name = "N", value_parser = count::<LARGEST_ORDER>)]
     order: Option<usize>,
     /// Small parameters with their orders, of equations with symbols, such as a:1,mu:2 [default: eps, where it occurs]

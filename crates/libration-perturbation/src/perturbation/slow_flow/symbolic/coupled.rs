@@ -19,6 +19,8 @@ use std::collections::BTreeMap;
 pub struct CoupledSlowFlow {
     /// Highest order in the small parameters.
     pub order: usize,
+    /// Terms of the equations that are of higher order and left out.
+    pub order_note: Option<String>,
     /// p and q of the resonance, with the natural frequency of the first coordinate; `None` without drive.
     pub resonance: Option<(u32, u32)>,
     /// The drive frequency by the natural frequency of the first coordinate and the detuning; `None` without drive.
@@ -92,6 +94,7 @@ pub fn coupled_slow_flow(
         let (p, q) = setting.resonance;
         CoupledSlowFlow {
             order: usize::try_from(order).unwrap_or(0),
+            order_note: found.left_out.clone(),
             resonance: u32::try_from(p).ok().zip(u32::try_from(q).ok()).filter(|_| is_driven),
             drive_frequency: is_driven.then(|| super::result::drive_frequency(forced, setting.resonance)),
             natural_frequency_squared: found.natural.as_ref().map(ToString::to_string),

@@ -25,7 +25,8 @@ impl Setting {
             variables: equation.variables(),
             symbols: &self.symbols,
             drive: self.drive.as_ref(),
-            degree: usize::try_from(order).unwrap_or(0) + 1,
+            // The cubic term of a power series tells whether the amplitude is small.
+            degree: usize::try_from(order.max(2)).unwrap_or(0) + 1,
             is_cut_off: Cell::new(false),
         };
         let read = equation.accelerations().iter().map(|formula| self.checked(&reader, formula));
@@ -51,7 +52,8 @@ impl Setting {
             terms: vec![],
         };
         let is_detuned = self.is_detuned(&forced, &springs);
-        let equations = Equations { accelerations, springs, is_detuned, is_cut_off: reader.is_cut_off.get() };
+        let degree = reader.is_cut_off.get().then_some(reader.degree);
+        let equations = Equations { accelerations, springs, is_detuned, known_degree: degree };
         let grade = match (equations.has_detuning(self.drive.is_some()), self.detuning_order) {
             (false, _) => None,
             (true, Some(stated)) => Some(stated),
@@ -64,7 +66,9 @@ impl Setting {
         let drives = self.split(&mut forced, &equations, grade.unwrap_or(0))?;
         let frequencies = equations.springs.iter().zip(&equations.is_detuned);
         let natural_squares = frequencies.map(|(spring, is)| is.then(|| spring.clone())).collect();
-        Ok((forced, Found { natural: natural.explained, drives, natural_squares }))
+        let acting_order = self.acting_order(&equations);
+        let left_out = self.left_out(&equations, order);
+        Ok((forced, Found { natural: natural.explained, drives, natural_squares, acting_order, left_out }))
     }
 
     fn checked(&self, reader: &Reader<'_>, formula: &Expression) -> Result<Sum, Error> {
@@ -91,18 +95,17 @@ impl Setting {
         let letters = &self.letters;
         let half = Rational::new(1, 2).unwrap_or_else(|| Rational::from(1));
         let ratio = |spring: &Sum| {
-            let (mine, first) = (spring.as_single_term()?, springs[0].as_single_term()?);
-            let is_alike = mine.0 == first.0;
-            let square = mine.1.checked_div(first.1).filter(|it| is_alike && !it.is_negative())?;
-            let root = letters.ring.power(&letters.number(square), &half)?;
+            let (leading, first) = springs[0].half_powers().next()?;
+            let (_, mine) = spring.half_powers().find(|(powers, _)| *powers == leading)?;
+            let square = mine.checked_div(first).filter(|it| !it.is_negative())?;
+            let is_multiple = letters.subtract(spring, &letters.scaled(&springs[0], &square)).is_zero();
+            let root = letters.ring.power(&letters.number(square), &half).filter(|_| is_multiple)?;
             let (powers, factor) = root.as_single_term()?;
             powers.iter().all(|power| *power == 0).then(|| factor.clone())
         };
         let mut ratios = vec![Rational::from(1)];
         for (coordinate, spring) in springs.iter().enumerate().skip(1) {
-            let same = letters.subtract(spring, &springs[0]).is_zero();
-            let ratio = if same { Some(Rational::from(1)) } else { ratio(spring) };
-            ratios.push(ratio.ok_or(Error::UnknownRatio(coordinate + 1))?);
+            ratios.push(ratio(spring).ok_or(Error::UnknownRatio(coordinate + 1))?);
         }
         whole_numbers(&ratios).ok_or(Error::UnknownRatio(2))
     }
@@ -191,10 +194,8 @@ impl Setting {
         let degree = self.degree();
         let order = letters.place(Column::Order);
         // Without a small factor a term is small because the amplitude is, and then powers of the amplitude count everywhere.
-        let has_large =
-            |rest: &Sum| rest.half_powers().any(|(powers, _)| powers[order] == 0 && degree(powers) >= 2);
-        let by_amplitude = rests.iter().any(has_large);
-        if equations.is_cut_off && !by_amplitude {
+        let by_amplitude = self.large_degrees(equations).next().is_some();
+        if equations.known_degree.is_some() && !by_amplitude {
             return Err(Error::EndlessSeries);
         }
         let (wave, signs) = (letters.place(Column::Wave), self.signs());
@@ -254,6 +255,45 @@ impl Setting {
         move |powers| places.iter().map(|&place| powers[place]).sum::<i64>() / 2
     }
 
+    /// The degrees of nonlinear terms without a small parameter, with whether they have the sign of a displacement or velocity as a factor.
+    fn large_degrees<'a>(&self, equations: &'a Equations) -> impl Iterator<Item = (i64, bool)> + use<'a> {
+        let (degree, order, signs) = (self.degree(), self.letters.place(Column::Order), self.signs());
+        let terms =
+            equations.accelerations.iter().flat_map(|sum| sum.half_powers().map(|(powers, _)| &powers[..]));
+        terms.filter(move |powers| powers[order] == 0).filter_map(move |powers| {
+            let is_kinked = signs.iter().any(|&place| powers[place] != 0);
+            Some((degree(powers), is_kinked)).filter(|(degree, _)| *degree >= 2)
+        })
+    }
+
+    /// The same as far as power series are known.
+    fn known_degrees<'a>(&self, equations: &'a Equations) -> impl Iterator<Item = (i64, bool)> + use<'a> {
+        let known = equations.known_degree.and_then(|degree| i64::try_from(degree).ok());
+        let is_known = move |degree: i64| known.is_none_or(|known| degree <= known);
+        self.large_degrees(equations).filter(move |(degree, _)| is_known(*degree))
+    }
+
+    /// The order at which all nonlinear terms without a small parameter act on amplitude or phase: one of odd degree d, or with a sign, at its own
+    /// order d − 1, one of even degree at the square of that.
+    fn acting_order(&self, equations: &Equations) -> Option<i64> {
+        let own = |(degree, is_kinked): (i64, bool)| match is_kinked || degree % 2 == 1 {
+            true => degree - 1,
+            false => 2 * (degree - 1),
+        };
+        self.known_degrees(equations).map(own).max()
+    }
+
+    /// A note on terms without a small parameter whose order is above this one.
+    fn left_out(&self, equations: &Equations, order: i64) -> Option<String> {
+        let highest = self.known_degrees(equations).map(|(degree, _)| degree - 1).max()?;
+        (highest > order).then(|| {
+            format!(
+                "terms without a small parameter are of the order of their degree less one: those of degrees above {} are left out",
+                order + 1
+            )
+        })
+    }
+
     fn signs(&self) -> [usize; 2] {
         [Column::PositionSign, Column::VelocitySign].map(|column| self.letters.place(column))
     }
@@ -280,8 +320,8 @@ struct Equations {
     accelerations: Vec<Sum>,
     springs: Vec<Sum>,
     is_detuned: Vec<bool>,
-    /// A power series of a displacement was cut off.
-    is_cut_off: bool,
+    /// The degree to which power series of displacements are known; `None` without such series.
+    known_degree: Option<usize>,
 }
 
 impl Equations {
@@ -304,6 +344,10 @@ pub(super) struct Found {
     pub(super) drives: Vec<usize>,
     /// The squares of the natural frequencies that differ from their multiples of ω0, by coordinates.
     pub(super) natural_squares: Vec<Option<Sum>>,
+    /// The order at which all nonlinear terms without a small parameter act on amplitude or phase.
+    pub(super) acting_order: Option<i64>,
+    /// A note on terms whose order is above the highest.
+    pub(super) left_out: Option<String>,
 }
 
 /// The terms by powers of displacements and velocities, the signs of the first, and their orders.

@@ -47,8 +47,16 @@ pub enum SymbolicSlowFlowError {
     )]
     Time(String),
     /// Rates that are not multiples of one frequency.
-    #[error("the drive has several frequencies: all must be whole multiples of one symbol or number")]
+    #[error(
+        "the drive has several frequencies: all must be whole multiples of one symbol or rational number"
+    )]
     SeveralDrives,
+    /// A rate that is neither a multiple of a symbol nor rational.
+    #[error(
+        "the drive frequency `{0}` is neither a whole multiple of one symbol nor a rational number: write a symbol in its place, as in cos(W*t), \
+         and give its value where numbers are wanted"
+    )]
+    DriveFrequency(String),
     /// A formula that is not a polynomial.
     #[error(
         "`{0}` is not a polynomial in displacement, velocity and symbols: denominators must be products of symbols, functions those of the \

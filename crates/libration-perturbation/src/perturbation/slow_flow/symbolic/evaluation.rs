@@ -3,6 +3,7 @@
 use super::force::DriveFrequency;
 use super::letters::{Column, Letters, Sum};
 use super::phase_sums::PhaseSum;
+use super::states::REACH;
 use super::steady::Steady;
 use libration_numbers::algebra::Rational;
 use libration_numbers::roots::polynomial_sign_changes;
@@ -117,16 +118,23 @@ impl SlowFlowAt<'_> {
     }
 
     /// The steady states with A above zero, rising; `None` where the relation or the phase is not known. Zeros of the relation at which its
-    /// terms of higher orders are more than half of those of the lowest are left out: the truncation makes them.
+    /// terms of higher orders are more than half of those of the lowest are left out: the truncation may have made them.
     #[must_use]
     pub fn steady_states(&self) -> Option<Vec<SteadySolution>> {
+        let mut states = self.zeros(0)?;
+        states.retain(|state| self.is_reached(state));
+        Some(states)
+    }
+
+    /// The zeros of the relation with A above zero, rising, without the highest orders.
+    pub(super) fn zeros(&self, dropped: i64) -> Option<Vec<SteadySolution>> {
         let steady = &self.sums.steady;
         let is_known = self.sums.drive.is_none() || steady.phase.is_some();
         let relation = steady.relation.as_ref().filter(|_| is_known)?;
         let values = self.with_amplitude(1.0);
         let place = self.place(Column::Amplitude);
         let mut coefficients = vec![];
-        for (powers, factor) in relation.half_powers() {
+        for (powers, factor) in self.to_order(relation, self.higher_orders() - dropped) {
             let power = usize::try_from(powers[place] / 2).ok()?;
             if coefficients.len() <= power {
                 coefficients.resize(power + 1, 0.0);
@@ -134,32 +142,66 @@ impl SlowFlowAt<'_> {
             coefficients[power] += term(powers, factor.to_f64(), &values);
         }
         let mut amplitudes = polynomial_sign_changes(&coefficients)?;
-        amplitudes.retain(|&amplitude| amplitude > 0.0 && self.is_within_reach(relation, amplitude));
-        Some(amplitudes.into_iter().map(|amplitude| self.steady_state(amplitude)).collect())
+        amplitudes.retain(|&amplitude| amplitude > 0.0);
+        Some(amplitudes.into_iter().map(|amplitude| self.steady_state(amplitude, dropped)).collect())
     }
 
     /// Returns `true` if the terms of higher orders are small against those of the lowest.
-    fn is_within_reach(&self, relation: &Sum, amplitude: f64) -> bool {
-        let values = self.with_amplitude(amplitude);
-        let grade = self.place(Column::Order);
-        let size = |is_higher: bool| {
-            let such = relation.half_powers().filter(|(powers, _)| (powers[grade] > 0) == is_higher);
-            such.map(|(powers, factor)| term(powers, factor.to_f64(), &values).abs()).sum::<f64>()
+    pub(super) fn is_reached(&self, state: &SteadySolution) -> bool {
+        let values = self.with_amplitude(state.amplitude);
+        let size = |highest: i64| {
+            let terms =
+                self.sums.steady.relation.iter().flat_map(|relation| self.to_order(relation, highest));
+            terms.map(|(powers, factor)| term(powers, factor.to_f64(), &values).abs()).sum::<f64>()
         };
-        size(true) <= 0.5 * size(false)
+        let lowest = size(0);
+        size(self.higher_orders()) - lowest <= REACH * lowest
     }
 
-    fn steady_state(&self, amplitude: f64) -> SteadySolution {
+    fn steady_state(&self, amplitude: f64, dropped: i64) -> SteadySolution {
         let values = self.with_amplitude(amplitude);
         let steady = &self.sums.steady;
-        let value = |sum: &Option<Sum>| sum.as_ref().map_or(0.0, |sum| number(sum, &values));
-        let (trace, determinant) = (value(&steady.trace), value(&steady.determinant));
-        let phase = steady.phase.as_ref().map_or(0.0, |(m, [cosine, sine])| {
-            let phase = libm::atan2(number(sine, &values), number(cosine, &values)) / double(*m);
-            libm::remainder(phase, TAU)
+        let to_order = |sum: &Sum, highest: i64| {
+            let terms = self.to_order(sum, highest - dropped);
+            terms.map(|(powers, factor)| term(powers, factor.to_f64(), &values)).sum::<f64>()
+        };
+        let value = |sum: &Option<Sum>, highest: i64| sum.as_ref().map_or(0.0, |sum| to_order(sum, highest));
+        let trace = value(&steady.trace, steady.order);
+        let determinant = value(&steady.determinant, steady.order + steady.lowest);
+        let phase = steady.phase.as_ref().map_or(0.0, |(m, parts)| {
+            let [cosine, sine] = parts.each_ref().map(|it| to_order(it, steady.order - steady.coupling));
+            libm::remainder(libm::atan2(sine, cosine) / double(*m), TAU)
         });
         let is_stable = trace < 0.0 && (steady.determinant.is_none() || determinant > 0.0);
         SteadySolution { amplitude, phase, trace, determinant, is_stable }
+    }
+
+    /// The terms of a sum up to an order.
+    fn to_order<'s>(
+        &self,
+        sum: &'s Sum,
+        highest: i64,
+    ) -> impl Iterator<Item = (&'s [i64], &'s Rational)> + use<'s> {
+        let grade = self.place(Column::Order);
+        let terms = sum.half_powers().map(|(powers, factor)| (&powers[..], factor));
+        terms.filter(move |(powers, _)| powers[grade] <= 2 * highest)
+    }
+
+    /// The lowest and the highest order of the slow flow.
+    pub(super) fn orders(&self) -> (usize, usize) {
+        let steady = &self.sums.steady;
+        let [lowest, order] = [steady.lowest, steady.order].map(|it| usize::try_from(it).unwrap_or(0));
+        (lowest, order)
+    }
+
+    /// The number of orders above the lowest.
+    pub(super) fn higher_orders(&self) -> i64 {
+        self.sums.steady.order - self.sums.steady.lowest
+    }
+
+    /// The m of cos mφ and sin mφ.
+    pub(super) fn phase_harmonic(&self) -> f64 {
+        self.sums.steady.phase.as_ref().map_or(1.0, |(m, _)| double(*m))
     }
 
     fn with_amplitude(&self, amplitude: f64) -> Vec<f64> {

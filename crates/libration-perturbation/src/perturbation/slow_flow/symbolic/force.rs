@@ -43,15 +43,19 @@ impl DriveFrequency {
         }
         symbols.sort();
         symbols.dedup();
+        let Some(first) = rates.first() else { return Ok(None) };
         let found = match (symbols.as_slice(), numbers.iter().min()) {
-            ([], None) => return Ok(None),
-            ([one], None) => Self::Symbol(one.clone()),
-            ([], Some(smallest)) => Self::Number(smallest.clone()),
-            _ => return Err(Error::SeveralDrives),
+            ([one], None) => Some(Self::Symbol(one.clone())),
+            ([], Some(smallest)) => Some(Self::Number(smallest.clone())),
+            _ => None,
         };
-        match rates.iter().all(|rate| found.multiple(rate).is_some()) {
-            true => Ok(Some(found)),
-            false => Err(Error::SeveralDrives),
+        let opposite = Expression::Negate(Box::new(first.clone())).simplified();
+        match found.filter(|found| rates.iter().all(|rate| found.multiple(rate).is_some())) {
+            Some(found) => Ok(Some(found)),
+            None if rates.iter().all(|rate| rate == first || *rate == opposite) => {
+                Err(Error::DriveFrequency(first.to_string()))
+            }
+            None => Err(Error::SeveralDrives),
         }
     }
 

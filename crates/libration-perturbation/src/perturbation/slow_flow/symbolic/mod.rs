@@ -28,6 +28,7 @@ mod phase_sums;
 mod result;
 mod scales;
 mod setting;
+mod states;
 mod steady;
 
 use equations::Found;
@@ -42,6 +43,7 @@ pub use coupled::{CoordinateFlow, CoupledSlowFlow, coupled_slow_flow};
 pub use error::{MAX_SYMBOLIC_SLOW_ORDER, SymbolicSlowFlowError};
 pub use evaluation::{SlowFlowAt, SteadySolution};
 pub use result::{SteadyState, SymbolicSlowFlow};
+pub use states::{JudgedState, LeftOutReason, StateLeftOut, SteadyStates};
 
 /// Small parameters, resonance and order of a slow flow.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -53,7 +55,8 @@ pub struct SymbolicSlowFlowOptions {
     /// The natural frequencies of several coordinates as whole numbers, such as 1 and 2, which they are near; none where they follow from the
     /// equations.
     pub ratios: Vec<u32>,
-    /// The highest order; where it is not given the largest order of a small parameter, or else 2, as far as forces with abs and sign allow it.
+    /// The highest order; where it is not given the largest order of a small parameter, and one at which every term without small parameter acts on
+    /// amplitude or phase, as far as forces with abs and sign allow it.
     pub order: Option<usize>,
 }
 
@@ -94,6 +97,37 @@ pub fn slow_flow_symbolically(
     answered(equation, options, progress, result::collected)
 }
 
+/// The slow flow of the lowest higher order that has further terms, for estimates of errors: where forces have a parity, orders have none. `None`
+/// where such an order is not known.
+pub fn next_slow_flow(
+    equation: &Equation,
+    options: &SymbolicSlowFlowOptions,
+    flow: &SymbolicSlowFlow,
+    progress: &dyn Progress,
+) -> Option<SymbolicSlowFlow> {
+    // A small term of the highest order acts back on itself at twice that order at the latest.
+    for order in flow.order + 1..=2 * flow.order + 1 {
+        let options = SymbolicSlowFlowOptions { order: Some(order), ..options.clone() };
+        let next = slow_flow_symbolically(equation, &options, progress).ok()?;
+        if next.sums.rates != flow.sums.rates {
+            return Some(next);
+        }
+    }
+    None
+}
+
+impl Setting {
+    /// The order where none is given: that of the small parameters, and one at which terms without them act.
+    fn default_order(&self, equation: &Equation, watch: &Watch<'_>) -> Result<i64, SymbolicSlowFlowError> {
+        let stated = self.highest_order();
+        let first = stated.unwrap_or(0).max(2);
+        let (forced, found) = self.forced(equation, first, watch)?;
+        let order = stated.into_iter().chain(found.acting_order).max().unwrap_or(first);
+        let most = i64::try_from(MAX_SYMBOLIC_SLOW_ORDER).unwrap_or(order);
+        Ok(forced.highest_order().unwrap_or(order).min(order).min(most))
+    }
+}
+
 /// The result that `collected` makes of the slow flow of an equation.
 fn answered<R>(
     equation: &Equation,
@@ -105,17 +139,13 @@ fn answered<R>(
     let setting = Setting::new(equation, options)?;
     let order = match options.order {
         Some(order) => i64::try_from(order).unwrap_or(0),
-        None => setting.highest_order().unwrap_or(2),
+        None => setting.default_order(equation, &watch)?,
     };
     let asked = usize::try_from(order).unwrap_or(0);
     if !(1..=MAX_SYMBOLIC_SLOW_ORDER).contains(&asked) {
         return Err(SymbolicSlowFlowError::Order(asked));
     }
     let (forced, found) = setting.forced(equation, order, &watch)?;
-    let order = match options.order {
-        Some(_) => order,
-        None => forced.highest_order().unwrap_or(order).min(order),
-    };
     let solved = forced.solve(order, &watch)?;
     Ok(collected(&setting, &forced, &found, &solved, order))
 }

@@ -19,6 +19,8 @@ pub struct SymbolicSlowFlow {
     pub order: usize,
     /// p and q of the resonance; `None` without drive.
     pub resonance: Option<(u32, u32)>,
+    /// Terms of the equation that are of higher order and left out.
+    pub order_note: Option<String>,
     /// The natural frequency ω0.
     pub natural_frequency: String,
     /// The drive frequency W by ω0 and the detuning.
@@ -108,6 +110,7 @@ pub(super) fn collected(
             .is_some()
             .then_some(setting.resonance)
             .and_then(|(p, q)| Some((u32::try_from(p).ok()?, u32::try_from(q).ok()?))),
+        order_note: found.left_out.clone(),
         natural_frequency: forced.omega0.to_string(),
         drive_frequency: setting.drive.is_some().then(|| drive_frequency(forced, setting.resonance)),
         drive: setting.drive.as_ref().map(drive_name),

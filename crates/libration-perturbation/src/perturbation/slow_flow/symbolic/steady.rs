@@ -28,13 +28,19 @@ pub(super) struct Steady {
     /// Trace and determinant of the Jacobian of A′ and φ′; without phase that of A′ only.
     pub(super) trace: Option<Sum>,
     pub(super) determinant: Option<Sum>,
+    pub(super) order: i64,
+    /// The lowest order of the slow flow.
+    pub(super) lowest: i64,
+    /// The lowest order in which the phase occurs.
+    pub(super) coupling: i64,
 }
 
 impl SteadyEquations<'_> {
     pub(super) fn solve(&self) -> Steady {
         let ks = self.rates.iter().flat_map(|rate| rate.harmonics.keys().copied());
         let m = ks.fold(0, greatest_common_divisor);
-        if m == 0 { self.without_phase() } else { self.with_phase(m).unwrap_or_default() }
+        let steady = if m == 0 { self.without_phase() } else { self.with_phase(m).unwrap_or_default() };
+        Steady { order: self.order, lowest: self.lowest, ..steady }
     }
 
     /// A′ = 0 alone.
@@ -55,7 +61,8 @@ impl SteadyEquations<'_> {
         let Some(phase) = self.phase(&rates) else {
             return Some(Steady { relation: self.by_resultant(), ..Steady::default() });
         };
-        let shift = self.lowest - self.coupling(&rates)?;
+        let coupling = self.coupling(&rates)?;
+        let shift = self.lowest - coupling;
         let square = |a: &Sum| letters.times(a, a);
         let one = letters.number(Rational::from(1));
         let relation = letters.subtract(&letters.add(&square(&phase[0]), &square(&phase[1])), &one);
@@ -67,6 +74,8 @@ impl SteadyEquations<'_> {
             phase: Some((m, phase)),
             trace: Some(trace),
             determinant: Some(determinant),
+            coupling,
+            ..Steady::default()
         })
     }
 

@@ -1,11 +1,11 @@
 //! Fields of a slow flow with symbolic parameters.
 
 use super::super::subject::of_subject;
-use super::{Answer, Solution, Values};
+use super::{Answer, Values, why_left_out};
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
-use libration::perturbation::SteadyState;
+use libration::perturbation::{JudgedState, LeftOutReason, StateLeftOut, SteadyState};
 
 /// One formula.
 pub(super) struct Formula {
@@ -22,6 +22,12 @@ pub(super) fn of_flow() -> Fields<Answer> {
 fn of_setting() -> Fields<Answer> {
     Fields::from([
         Of::<Answer>::value("order", "1", "highest order in the small parameters", |it| it.flow.order.into()),
+        Of::value(
+            "order_note",
+            "",
+            "terms of the equation that are of higher order; null where there are none",
+            |it| it.flow.order_note.clone().into(),
+        ),
         Of::value("small_orders.NAME", "1", "order of the small parameter with this name", |it| {
             json::object(it.small.iter().cloned())
         }),
@@ -139,19 +145,23 @@ fn of_values() -> Fields<Values> {
         ),
         Of::number("detuning_rad_per_s", "rad/s", "sigma; 0 without drive", |it| it.detuning),
         Of::nested("steady_states[].", &of_solution(), |it| {
-            of_solution().records(it.solutions.iter().flatten())
+            of_solution().records(it.states.iter().flat_map(|states| &states.found))
+        }),
+        Of::nested("left_out[].", &of_left_out(), |it| {
+            of_left_out().records(it.states.iter().flat_map(|states| &states.left_out))
         }),
     ])
 }
 
-fn of_solution() -> Fields<Solution> {
+fn of_solution() -> Fields<JudgedState> {
     Fields::from([
-        Of::<Solution>::number("amplitude", "", "A", |it| it.state.amplitude),
+        Of::<JudgedState>::number("amplitude", "", "A", |it| it.state.amplitude),
         Of::nullable(
             "amplitude_error",
             "",
-            "estimated error of A: the distance from the steady state of the next order; null where this is not known",
-            |it| it.amplitude_error,
+            "estimated error of A: the distance from that of the same state at the next order with further terms; null where this is not \
+             known",
+            |it| Some(it.errors?[0]),
         ),
         Of::number(
             "phase_rad",
@@ -159,11 +169,41 @@ fn of_solution() -> Fields<Solution> {
             "phi, the smallest of those that differ by periods of the drive",
             |it| it.state.phase,
         ),
+        Of::nullable(
+            "phase_error_rad",
+            "rad",
+            "estimated error of phi, as that of A, and at least that of A over A",
+            |it| Some(it.errors?[1]),
+        ),
         Of::number("trace_per_s", "1/s", "trace of the Jacobian", |it| it.state.trace),
         Of::number("determinant", "", "determinant of the Jacobian; 0 without drive", |it| {
             it.state.determinant
         }),
-        Of::value("is_stable", "", "true if small deviations decay", |it| it.state.is_stable.into()),
+        Of::value(
+            "is_stable",
+            "",
+            "true if small deviations decay; null where this is undetermined: two orders disagree, or only one of several has the state, or \
+             the trace is zero",
+            |it| it.is_stable.into(),
+        ),
+    ])
+}
+
+fn of_left_out() -> Fields<StateLeftOut> {
+    Fields::from([
+        Of::<StateLeftOut>::number("amplitude", "", "A of a steady state that is left out", |it| {
+            it.state.amplitude
+        }),
+        Of::number("phase_rad", "rad", "phi of this state", |it| it.state.phase),
+        Of::value("order", "1", "order of the slow flow that has this state", |it| it.order.into()),
+        Of::value("reason", "", "reason why it is left out: beyond_reach, of_lowest_order", |it| {
+            match it.reason {
+                LeftOutReason::BeyondReach => "beyond_reach",
+                _ => "of_lowest_order",
+            }
+            .into()
+        }),
+        Of::value("explanation", "", "this reason as a sentence", |it| why_left_out(it).into()),
     ])
 }
 

@@ -1,9 +1,11 @@
 //! A slow flow with symbolic parameters to read.
 
-use super::{Answer, Solution, Values};
+use super::{Answer, Values, why_left_out};
+use crate::call::in_words;
 use crate::output::number::{short, to_its_error};
 use crate::output::series::wrapped;
 use crate::output::table::write_text;
+use libration::perturbation::{JudgedState, StateLeftOut, SteadySolution};
 use std::io::{self, Write};
 
 /// Lines are broken here.
@@ -17,6 +19,9 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     let (amplitude, phase) = (letter("amplitude"), letter("phase"));
     answer.subject.write(out)?;
     write_text(out, "", &setting(answer))?;
+    if let Some(note) = &flow.order_note {
+        write_text(out, "", note)?;
+    }
     writeln!(out)?;
     line(out, &format!("d{amplitude}/dt = "), &flow.amplitude_rate)?;
     line(out, &format!("d{phase}/dt = "), &flow.phase_rate)?;
@@ -66,10 +71,11 @@ fn write_steady(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     steady.notes.iter().try_for_each(|note| write_text(out, "", note))
 }
 
+/// Maximum number of digits.
+const DIGITS: usize = 10;
+
 fn write_values(out: &mut dyn Write, answer: &Answer, values: &Values) -> io::Result<()> {
-    const DIGITS: usize = 10;
-    const FEW: usize = 2;
-    let Some(solutions) = &values.solutions else { return Ok(()) };
+    let Some(states) = &values.states else { return Ok(()) };
     let at = match values.drive_frequency {
         Some(drive) => {
             format!(" at W = {}, sigma = {}", short(drive, DIGITS), short(values.detuning, DIGITS))
@@ -77,24 +83,62 @@ fn write_values(out: &mut dyn Write, answer: &Answer, values: &Values) -> io::Re
         None => String::new(),
     };
     writeln!(out, "\nin numbers{at}:")?;
-    if solutions.is_empty() {
-        return writeln!(out, "no steady state");
-    }
     let is_driven = answer.flow.resonance.is_some();
-    for Solution { state, amplitude_error } in solutions {
-        let written = |value: f64, error: Option<f64>| match error {
-            Some(error) => to_its_error(value, error, DIGITS),
-            None => short(value, FEW),
-        };
-        // An error of A is one of φ in units of A.
-        let phase_error = amplitude_error.map(|error| error / state.amplitude);
-        let phase =
-            if is_driven { format!(", phi = {}", written(state.phase, phase_error)) } else { String::new() };
-        let stability = if state.is_stable { "stable" } else { "unstable" };
-        writeln!(out, "A = {}{phase}, {stability}", written(state.amplitude, *amplitude_error))?;
+    match (states.found.is_empty(), states.left_out.is_empty()) {
+        (true, true) => writeln!(out, "no steady state")?,
+        (true, false) => writeln!(out, "no steady state within reach of the series")?,
+        _ => states.found.iter().try_for_each(|state| write_state(out, state, is_driven))?,
     }
-    if solutions.iter().all(|it| it.amplitude_error.is_some()) {
+    write_notes(out, &states.found)?;
+    states.left_out.iter().try_for_each(|it| write_left_out(out, it, answer))?;
+    if states.left_out.is_empty() {
+        return Ok(());
+    }
+    write_text(
+        out,
+        "",
+        &in_words("<libration orbit> with <--initial> finds periodic motions without a series"),
+    )
+}
+
+fn write_state(out: &mut dyn Write, judged: &JudgedState, is_driven: bool) -> io::Result<()> {
+    let stability = match judged.is_stable {
+        Some(true) => "stable",
+        Some(false) => "unstable",
+        None => "stability undetermined",
+    };
+    writeln!(out, "{}, {stability}", place(&judged.state, judged.errors, is_driven))
+}
+
+fn place(state: &SteadySolution, errors: Option<[f64; 2]>, is_driven: bool) -> String {
+    const FEW: usize = 2;
+    let written = |value: f64, error: Option<f64>| match error {
+        Some(error) => to_its_error(value, error, DIGITS),
+        None => short(value, FEW),
+    };
+    let amplitude = written(state.amplitude, errors.map(|it| it[0]));
+    let phase = written(state.phase, errors.map(|it| it[1]));
+    if is_driven { format!("A = {amplitude}, phi = {phase}") } else { format!("A = {amplitude}") }
+}
+
+fn write_notes(out: &mut dyn Write, found: &[JudgedState]) -> io::Result<()> {
+    let is_known = |state: &JudgedState| state.errors.is_some();
+    if found.iter().any(is_known) {
         write_text(out, "", "errors are estimated by the next order, and digits beyond them left out")?;
     }
+    if !found.iter().all(is_known) {
+        let note = "numbers of two digits have an error that is not known: no next order has this state";
+        write_text(out, "", note)?;
+    }
+    if found.iter().any(|state| state.is_stable.is_none()) {
+        let note = "stability is undetermined where two orders disagree, where only one of several has the state, and where the \
+                    trace is zero";
+        write_text(out, "", note)?;
+    }
     Ok(())
+}
+
+fn write_left_out(out: &mut dyn Write, left: &StateLeftOut, answer: &Answer) -> io::Result<()> {
+    let place = place(&left.state, None, answer.flow.resonance.is_some());
+    write_text(out, "", &format!("left out: {place} (order {}): {}", left.order, why_left_out(left)))
 }

@@ -9,7 +9,9 @@ mod query;
 use super::subject::{About, Subject};
 use crate::output::description::Answers;
 use crate::query_error::{QueryError, option};
-use libration::perturbation::{SteadySolution, SymbolicSlowFlow, SymbolicSlowFlowError};
+use libration::perturbation::{
+    LeftOutReason, StateLeftOut, SteadyStates, SymbolicSlowFlow, SymbolicSlowFlowError,
+};
 
 /// A slow flow with the words for it.
 pub(super) struct Answer {
@@ -25,21 +27,7 @@ pub(super) struct Values {
     drive_frequency: Option<f64>,
     detuning: f64,
     /// `None` where the relation is not known.
-    solutions: Option<Vec<Solution>>,
-}
-
-/// A steady state with an estimate of the error of its amplitude: the distance from that of the next order.
-pub(super) struct Solution {
-    state: SteadySolution,
-    amplitude_error: Option<f64>,
-}
-
-impl Solution {
-    fn new(state: SteadySolution, next: Option<&[SteadySolution]>) -> Self {
-        let distance = |other: &SteadySolution| (other.amplitude - state.amplitude).abs();
-        let amplitude_error = next.and_then(|next| next.iter().map(distance).min_by(f64::total_cmp));
-        Self { state, amplitude_error }
-    }
+    states: Option<SteadyStates>,
 }
 
 impl About for Answer {
@@ -70,5 +58,19 @@ fn failure(error: &SymbolicSlowFlowError) -> QueryError {
             ),
         ),
         _ => QueryError::no_result("slow flow", error),
+    }
+}
+
+/// The reason why a steady state is left out.
+fn why_left_out(left: &StateLeftOut) -> String {
+    match left.reason {
+        LeftOutReason::OfLowestOrder { absent_at } => {
+            format!("order {absent_at} has no state near it: the series does not reach it")
+        }
+        _ => format!(
+            "its terms of higher orders are more than half of those of the lowest: the series to order {} does not show \
+             whether the equation has this state",
+            left.order
+        ),
     }
 }

@@ -1,6 +1,6 @@
 //! The slow flow with symbolic parameters as the result of `libration expand`.
 
-use super::{Answer, Solution, Values, failure, formulas, listing, mathml};
+use super::{Answer, Values, failure, formulas, listing, mathml};
 use crate::arguments::{OscillatorOptions, drive_resonance, small_orders};
 use crate::command::expand::subject::Subject;
 use crate::command::expand::{BOOKKEEPING, Expand, Format};
@@ -10,7 +10,7 @@ use crate::parallel;
 use crate::query_error::{QueryError, option};
 use libration::expression::{Equation, Expression};
 use libration::perturbation::{
-    SymbolicSlowFlow, SymbolicSlowFlowOptions, drive_symbol, slow_flow_symbolically,
+    SymbolicSlowFlow, SymbolicSlowFlowOptions, drive_symbol, next_slow_flow, slow_flow_symbolically,
 };
 use std::io::Write;
 
@@ -96,10 +96,7 @@ impl Expand {
         let flow =
             parallel::with_progress(how_far, || slow_flow_symbolically(&equation, &options, &Cancellation))
                 .map_err(|error| failure(&error))?;
-        let next = || {
-            let options = SymbolicSlowFlowOptions { order: Some(flow.order + 1), ..options.clone() };
-            slow_flow_symbolically(&equation, &options, &Cancellation).ok()
-        };
+        let next = || next_slow_flow(&equation, &options, &flow, &Cancellation);
         let values = self.values(&flow, &held, next)?;
         let subject = Subject::new(&equation, (asked.key, asked.title), asked.values, asked.read_as);
         Ok(Answer { subject, flow, small: held.shown(&equation), values })
@@ -143,14 +140,11 @@ impl Expand {
         match flow.at(&of_name, drive) {
             Ok(at) => {
                 let next = next();
-                let next = next.as_ref().and_then(|flow| flow.at(&of_name, drive).ok()?.steady_states());
-                let solutions = at.steady_states();
-                let solutions =
-                    solutions.map(|list| list.into_iter().map(|it| Solution::new(it, next.as_deref())));
+                let next = next.as_ref().and_then(|flow| flow.at(&of_name, drive).ok());
                 Ok(Some(Values {
                     drive_frequency: at.drive_frequency(),
                     detuning: at.detuning(),
-                    solutions: solutions.map(Iterator::collect),
+                    states: at.judged_states(next.as_ref()),
                 }))
             }
             Err(missing) if drive.is_some() => {
