@@ -63,7 +63,8 @@ fn near_top(table: &AmplitudeTable, fit: &AmplitudesFit) -> Option<AmplitudesWar
     let loss = TAU / quality;
     let (at_one, tolerated) = (ERROR * loss * loss, PART * spread);
     let part = (OF_SQUARE / ERROR * largest * largest).min(1.0);
-    let error = part * at_one / (PI - largest).powi(3);
+    let below = PI - largest;
+    let error = part * at_one / (below * below * below);
     let from = PI - libm::cbrt(at_one / tolerated);
     (error > tolerated && spread > 0.0).then_some(AmplitudesWarning::AveragedNearTop { error, from })
 }
