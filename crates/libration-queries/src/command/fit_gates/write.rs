@@ -47,7 +47,7 @@ impl Answer<'_> {
         let fit = self.fit;
         let by_scatter = |timing: f64| format!("{} s, from the scatter", number::rounded(timing, 2));
         let said = |it: Uncertain, unit: &str| match fit.is_exact(it) {
-            true => format!("{} {unit}, uncertainty not known", number::rounded(it.value, 6)),
+            true => format!("{} {unit}, ± not known", number::rounded(it.value, 6)),
             false => number::with_uncertainty(it.value, it.uncertainty, unit),
         };
         let kind = if fit.edges { "from pairs of edges" } else { "one time each" };
