@@ -169,7 +169,7 @@ pub fn counted_in(heading: &str, run: &str) -> CountedPeriods {
     let without_run = heading.strip_suffix(run).unwrap_or(heading);
     match counted(without_run) {
         CountedPeriods::Said(1.0) | CountedPeriods::Nothing if counts_periods(run) => {
-            counted(&format!("{without_run} {run}"))
+            counted(&format!("{} {run}", without_run.trim_end()))
         }
         found => found,
     }
