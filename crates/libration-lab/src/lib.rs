@@ -208,7 +208,7 @@ pub mod internals {
             }
         }
         pub mod counted_periods {
-            pub use crate::measurement::counted_periods::counted;
+            pub use crate::measurement::counted_periods::{counted, counted_in};
         }
         pub mod faults {
             pub mod clipping {

@@ -230,3 +230,28 @@ fn a_table_of_another_fit_is_sent_there() {
     std::fs::write(&table, "a,b\n1,x\n2,y\n").unwrap();
     assert!(!refused(&format!("fit lengths {}", table.display())).contains("hint"));
 }
+
+/// Uncertainties as parts of the values, and one for all values in the heading, are those of a column in seconds.
+#[test]
+fn uncertainties_in_per_cent_or_in_the_heading_are_those_of_a_column() {
+    let directory = directory("uncertainties");
+    let uncertainty = |heading: &str, cells: [&str; 4]| {
+        let rows =
+            cells.iter().zip(["10", "30", "50", "70"]).map(|(cell, angle)| format!("{angle},{cell}\n"));
+        let path = directory.join("table.csv");
+        std::fs::write(&path, format!("A (deg),{heading}\n{}", rows.collect::<String>())).unwrap();
+        let fitted = json(&format!("fit periods {}", path.display()));
+        fitted["laws"][0]["t0_uncertainty_s"].as_f64().unwrap()
+    };
+    let near = |found: f64, wanted: f64| (found / wanted - 1.0).abs() < 1e-9;
+    let parts = uncertainty("T (s),u (s)", ["2.00,0.02", "2.03,0.0203", "2.10,0.021", "2.20,0.022"]);
+    for heading in ["T (s),u (%)", "T (s),u(T) in %"] {
+        let found = uncertainty(heading, ["2.00,1", "2.03,1", "2.10,1", "2.20,1"]);
+        assert!(near(found, parts), "{heading}: {found} {parts}");
+    }
+    let same = uncertainty("T (s),u (s)", ["2.00,0.02", "2.03,0.02", "2.10,0.02", "2.20,0.02"]);
+    for heading in ["T (s) ± 0.02", "T (s) ± 20 ms", "T ± 0.02 (s)"] {
+        let found = uncertainty(heading, ["2.00", "2.03", "2.10", "2.20"]);
+        assert!(near(found, same), "{heading}: {found} {same}");
+    }
+}

@@ -256,6 +256,6 @@ fn rows_that_scatter_as_stated_are_not_blamed_for_the_birge_ratio() {
         sheet.contains("uncertainties include the Birge ratio 1.0") && sheet.contains("as stated"),
         "{sheet}"
     );
-    assert!(!sheet.contains("scatter more than stated"), "{sheet}");
+    assert!(!sheet.contains("scatter more than their uncertainties"), "{sheet}");
     assert_eq!(answer["warning_kinds"], serde_json::json!([]));
 }

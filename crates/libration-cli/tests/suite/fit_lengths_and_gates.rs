@@ -139,6 +139,14 @@ fn the_periods_are_drawn() {
     assert!(svg.contains("the other side") && svg.contains("exact law"));
 }
 
+/// Five passages give three periods, whose mean is not that of the release.
+#[test]
+fn few_passages_give_no_period_of_small_swings() {
+    let few = file("gate-five", "Time (s)\n0.4992\n1.5021\n2.5043\n3.5050\n4.5060\n");
+    let sheet = text(&format!("fit gates {few} --amplitude 0.6rad --length 0.958m"));
+    assert!(sheet.contains("seven") && !sheet.contains("gravity"), "{sheet}");
+}
+
 #[test]
 fn what_tells_nothing_is_refused_with_a_reason() {
     let few = file("gate-few", "0.1\n1.1\n2.1\n");

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::significance::SIGNIFICANT;
+use super::significance::{SIGNIFICANT, combined_degrees_of_freedom, limit_of_chance};
 use super::uncertain::Uncertain;
 
 /// β with the period of small swings that was fitted with it.
@@ -14,12 +14,18 @@ pub struct Beta {
     pub t0: Uncertain,
     /// Correlation coefficient of T0 and β.
     pub correlation: f64,
+    /// Degrees of freedom of the uncertainties: of the scatter of the rows where they come from it, otherwise infinite.
+    pub degrees_of_freedom: f64,
 }
 
 impl Beta {
     /// Computes β from the line T = T0 + (T0β)·(R − 1): its two coefficients, with their covariance.
     #[doc(hidden)]
-    pub fn from_line(coefficients: &DVector<f64>, covariance: &DMatrix<f64>) -> Self {
+    pub fn from_line(
+        coefficients: &DVector<f64>,
+        covariance: &DMatrix<f64>,
+        degrees_of_freedom: f64,
+    ) -> Self {
         let [t0, slope] = [coefficients[0], coefficients[1]];
         let [of_t0, both, of_slope] = [covariance[(0, 0)], covariance[(0, 1)], covariance[(1, 1)]];
         let beta = slope / t0;
@@ -28,6 +34,7 @@ impl Beta {
             factor: Uncertain { value: beta, uncertainty: variance.sqrt() },
             t0: Uncertain { value: t0, uncertainty: of_t0.sqrt() },
             correlation: (both - beta * of_t0) / t0 / (of_t0 * variance).sqrt(),
+            degrees_of_freedom,
         }
     }
 
@@ -37,7 +44,16 @@ impl Beta {
         let [of_t0, of_beta] = [moved.t0.value - self.t0.value, moved.factor.value - self.factor.value];
         let (factor, t0) = (self.factor.with_error(of_beta), self.t0.with_error(of_t0));
         let both = self.correlation * self.t0.uncertainty * self.factor.uncertainty + of_t0 * of_beta;
-        Self { factor, t0, correlation: both / (t0.uncertainty * factor.uncertainty) }
+        let correlation = both / (t0.uncertainty * factor.uncertainty);
+        Self { t0, correlation, ..self.with_factor(factor) }
+    }
+
+    /// Returns the same with a β to which errors were added whose size is known.
+    pub(super) fn with_factor(self, factor: Uncertain) -> Self {
+        let [scatter, all] = [self.factor, factor].map(|it| it.uncertainty);
+        let known = (all * all - scatter * scatter).max(0.0).sqrt();
+        let errors = [(scatter, self.degrees_of_freedom), (known, f64::INFINITY)];
+        Self { factor, degrees_of_freedom: combined_degrees_of_freedom(&errors), ..self }
     }
 
     /// Distance of β from that of the exact law, in standard uncertainties.
@@ -46,10 +62,11 @@ impl Beta {
         self.factor.deviation_from(1.0)
     }
 
-    /// Returns whether that distance is more than chance: [`SIGNIFICANT`].
+    /// Returns whether that distance is more than chance: [`SIGNIFICANT`] standard uncertainties, or as improbable a distance by Student's
+    /// distribution.
     #[must_use]
     pub fn differs_from_one(&self) -> bool {
-        self.deviation() > SIGNIFICANT
+        self.deviation() > limit_of_chance(SIGNIFICANT, self.degrees_of_freedom)
     }
 
     /// Relative error of the angles (positive where they are too small), if a wrong scale is why β is not 1, since R − 1 goes with the square of the

@@ -2,11 +2,11 @@
 
 use std::fmt;
 
-use super::significance::SIGNIFICANT;
+use super::significance::{SIGNIFICANT, combined_degrees_of_freedom, limit_of_chance};
 use super::uncertain::Uncertain;
 use libration::quantity::rounded;
 
-/// Difference, in standard uncertainties, above which estimates contradict each other.
+/// Difference, in standard uncertainties of a normal error, above which estimates contradict each other.
 const CONTRADICTS: f64 = 2.0;
 
 /// An estimate of T0 with its name.
@@ -14,6 +14,8 @@ const CONTRADICTS: f64 = 2.0;
 pub(super) struct Estimate {
     pub(super) name: String,
     pub(super) t0: Uncertain,
+    /// Degrees of freedom of its uncertainty.
+    pub(super) degrees_of_freedom: f64,
 }
 
 /// Two estimates of T0 from the same data that contradict each other: of all such pairs the one with the largest difference.
@@ -25,6 +27,8 @@ pub struct Contradiction {
     pub values: [f64; 2],
     /// Their difference in standard uncertainties.
     pub deviation: f64,
+    /// Degrees of freedom of those; infinite where they are known.
+    pub degrees_of_freedom: f64,
 }
 
 impl Contradiction {
@@ -43,20 +47,24 @@ impl Contradiction {
     /// Returns whether the difference is beyond chance, so that the model is refuted.
     #[must_use]
     pub fn refutes(&self) -> bool {
-        self.deviation > SIGNIFICANT
+        self.deviation > limit_of_chance(SIGNIFICANT, self.degrees_of_freedom)
     }
 
-    /// Returns the contradiction of two estimates that differ by this many standard uncertainties; `None` where they agree.
-    pub(super) fn of(pair: [&Estimate; 2], deviation: f64) -> Option<Self> {
+    /// Returns the contradiction of two estimates that differ by this many standard uncertainties, found with these degrees of freedom; `None` where
+    /// they agree.
+    pub(super) fn of(pair: [&Estimate; 2], deviation: f64, degrees_of_freedom: f64) -> Option<Self> {
         let between = pair.map(|estimate| estimate.name.clone());
         let values = pair.map(|estimate| estimate.t0.value);
-        (deviation > CONTRADICTS).then_some(Self { between, values, deviation })
+        let limit = limit_of_chance(CONTRADICTS, degrees_of_freedom);
+        (deviation > limit).then_some(Self { between, values, deviation, degrees_of_freedom })
     }
 
     /// Returns the contradiction of two estimates with independent errors.
     pub(super) fn of_independent(pair: [&Estimate; 2]) -> Option<Self> {
         let [one, other] = pair.map(|estimate| estimate.t0);
-        Self::of(pair, one.with_error(other.uncertainty).deviation_from(other.value))
+        let errors = pair.map(|estimate| (estimate.t0.uncertainty, estimate.degrees_of_freedom));
+        let deviation = one.with_error(other.uncertainty).deviation_from(other.value);
+        Self::of(pair, deviation, combined_degrees_of_freedom(&errors))
     }
 
     /// Returns the contradiction with the largest difference.

@@ -6,7 +6,7 @@ use super::beta::Beta;
 use super::effective_weights::{Weighted, settled};
 use super::law::{Law, Point};
 use super::scatter::{self, Scatter};
-use super::{FitError, PeriodTable, Weighting};
+use super::{FitError, PeriodTable, RepeatedReadings, Weighting};
 use crate::statistics::{LinearFit, Undetermined, count, weighted_least_squares};
 
 /// β with T0 left free.
@@ -50,7 +50,8 @@ pub fn excess_scale(table: &PeriodTable, law: &Law<'_>) -> Result<ExcessScaleFit
     }
     let points = law.points(&table.rows)?;
     let (line, _) = settled(&points, table.weighting(), "beta", |weights| Line::through(&points, weights))?;
-    Ok(line.to_fit(points.len() - 2, table.weighting()))
+    let readings = table.readings().map_or(f64::INFINITY, RepeatedReadings::pooled);
+    Ok(line.to_fit(points.len() - 2, table.weighting(), readings))
 }
 
 /// T = T0 + (T0β)·(R − 1).
@@ -79,7 +80,7 @@ impl Line {
         })
     }
 
-    fn to_fit(&self, dof: usize, weighting: Weighting) -> ExcessScaleFit {
+    fn to_fit(&self, dof: usize, weighting: Weighting, readings: f64) -> ExcessScaleFit {
         let Self(fit) = self;
         let weighted = weighting != Weighting::Scatter;
         let per_dof = (dof > 0).then(|| fit.chi2() / count(dof));
@@ -87,7 +88,10 @@ impl Line {
         let enlargement = scatter::enlargement(chi2, dof);
         // Unit weights: the variance of a row is the scatter about the line.
         let unit = if weighted { enlargement * enlargement } else { per_dof.unwrap_or(f64::NAN) };
-        let beta = |unit: f64| Beta::from_line(&fit.coefficients, &(&fit.covariance * unit));
+        let of_scatter = scatter::degrees_of_freedom(chi2, dof);
+        let degrees_of_freedom = if of_scatter.is_finite() { of_scatter } else { readings };
+        let beta =
+            |unit: f64| Beta::from_line(&fit.coefficients, &(&fit.covariance * unit), degrees_of_freedom);
         ExcessScaleFit {
             beta: beta(unit),
             uncertainty_scaled: per_dof.map(|per_dof| beta(per_dof).factor.uncertainty),

@@ -1,17 +1,17 @@
 //! Plausible values of gravity.
 
-use super::significance::SIGNIFICANT;
+use super::significance::{SIGNIFICANT, limit_of_chance};
 use super::uncertain::Uncertain;
 
 /// The least and the greatest gravity on the surface of the Earth, in m/s²: C. Hirt and others, Geophys. Res. Lett. 40, 4279
 /// (2013), doi:10.1002/grl.50838.
 pub const GRAVITY_ON_EARTH: [f64; 2] = [9.7639, 9.8337];
 
-/// Returns whether gravity is outside [`GRAVITY_ON_EARTH`] by more than three of its standard uncertainties, which happens by chance to a
-/// right one less often than once in 700 times.
+/// Returns whether gravity is outside [`GRAVITY_ON_EARTH`] by more than three of its standard uncertainties, or as improbable a distance by
+/// Student's distribution with their degrees of freedom, which happens by chance to a right one less often than once in 700 times.
 #[must_use]
-pub fn is_nowhere_on_earth(gravity: Uncertain) -> bool {
+pub fn is_nowhere_on_earth(gravity: Uncertain, degrees_of_freedom: f64) -> bool {
     let [least, greatest] = GRAVITY_ON_EARTH;
-    let margin = SIGNIFICANT * gravity.uncertainty;
+    let margin = limit_of_chance(SIGNIFICANT, degrees_of_freedom) * gravity.uncertainty;
     gravity.value < least - margin || gravity.value > greatest + margin
 }

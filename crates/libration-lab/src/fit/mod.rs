@@ -74,6 +74,6 @@ pub use periods::{PeriodFit, PeriodsOptions, PeriodsWarning, periods};
 pub use quality::Quality;
 pub use readings::{MeanReading, RepeatedReadings, effective_degrees_of_freedom, shared_rounding};
 pub use scatter::{Enlargement, Scatter, ScatterVerdict, ScatterWarning};
-pub use significance::SIGNIFICANT;
+pub use significance::{SIGNIFICANT, limit_of_chance};
 pub use small_angle_period::{LawFit, small_angle_period};
 pub use uncertain::Uncertain;

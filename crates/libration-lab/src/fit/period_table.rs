@@ -48,7 +48,7 @@ pub struct PeriodTable {
     pub rows: Vec<Row>,
     weighting: Weighting,
     readings: Option<RepeatedReadings>,
-    rounding: Option<Vec<f64>>,
+    pub(super) rounding: Option<Vec<f64>>,
 }
 
 /// One measurement.

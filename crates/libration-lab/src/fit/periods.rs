@@ -202,7 +202,8 @@ pub fn periods(
 
 /// Compares T0 with β = 1 and with β free, which come from the same rows: they contradict each other where β is far from 1.
 fn contradiction(of_exact: Uncertain, free: &Beta) -> Option<Contradiction> {
-    let exact = Estimate { name: "β = 1".to_owned(), t0: of_exact };
-    let free_t0 = Estimate { name: "β free".to_owned(), t0: free.t0 };
-    Contradiction::of([&exact, &free_t0], free.deviation())
+    let degrees_of_freedom = free.degrees_of_freedom;
+    let estimate = |name: &str, t0| Estimate { name: name.to_owned(), t0, degrees_of_freedom };
+    let pair = [estimate("β = 1", of_exact), estimate("β free", free.t0)];
+    Contradiction::of(pair.each_ref(), free.deviation(), degrees_of_freedom)
 }

@@ -43,7 +43,7 @@ impl fmt::Display for Enlargement {
             Self::ByScatter(ratio) => {
                 write!(
                     f,
-                    "uncertainties enlarged {} times: the rows scatter more than stated",
+                    "uncertainties enlarged {} times: the rows scatter more than their uncertainties",
                     rounded(*ratio, 3)
                 )
             }
@@ -93,12 +93,12 @@ impl fmt::Display for ScatterWarning {
         match self {
             Self::More { ratio } => write!(
                 f,
-                "the rows scatter {ratio:.2} times as much as their stated uncertainties: those of the result are enlarged by this \
+                "the rows scatter {ratio:.2} times as much as their uncertainties: those of the result are enlarged by this \
                  factor, the Birge ratio"
             ),
             Self::Less { ratio, common } => write!(
                 f,
-                "the rows scatter only {ratio:.2} times as much as their stated uncertainties: they may be common to all rows, \
+                "the rows scatter only {ratio:.2} times as much as their uncertainties: they may be common to all rows, \
                  and then belong to {common}"
             ),
             Self::Without => f.write_str(

@@ -1,5 +1,6 @@
 //! Number of periods that each time of a column lasts, by its heading: `10T`, `half period (s)`, `time of 20 oscillations`.
 
+use super::heading::without_stated;
 use super::table::Table;
 use super::{Column, MeasurementError};
 
@@ -31,14 +32,16 @@ impl Table {
     pub fn counted_periods(&self, column: &Column) -> Result<CountedPeriods, MeasurementError> {
         let sheet = self.sheet();
         let heading = &sheet.channels[sheet.place(column)?].heading;
-        let text = heading.text.as_str();
-        let run = heading.run.as_deref().unwrap_or_default();
-        Ok(counted(text.strip_suffix(run).unwrap_or(text)))
+        let text = match heading.stated_uncertainty {
+            Some(_) => &without_stated(&heading.text.replace("+/-", "±").replace("+-", "±")).0,
+            None => &heading.text,
+        };
+        Ok(counted_in(text, heading.run.as_deref().unwrap_or_default()))
     }
 }
 
 /// Words for one period, in the singular and the plural.
-const PERIOD: [&str; 23] = [
+const PERIOD: [&str; 33] = [
     "t",
     "period",
     "periods",
@@ -49,12 +52,19 @@ const PERIOD: [&str; 23] = [
     "periodo",
     "periodi",
     "periodos",
+    "período",
+    "períodos",
     "oscillation",
     "oscillations",
+    "oscillazione",
     "oscillazioni",
+    "oscilación",
     "oscilaciones",
     "schwingung",
     "schwingungen",
+    "vollschwingung",
+    "vollschwingungen",
+    "pendelschwingungen",
     "schwingungsdauer",
     "schwingungsdauern",
     "cycles",
@@ -62,11 +72,80 @@ const PERIOD: [&str; 23] = [
     "swings",
     "swing",
     "osc",
+    "oscs",
+    "vibration",
+    "vibrations",
 ];
 /// Words that are a count where a number stands before them, and otherwise as often half a period.
 const SWING: [&str; 2] = ["swings", "swing"];
-const HALF: [&str; 8] = ["half", "halbe", "halben", "demi", "semi", "½", "0.5", "0,5"];
-const HALF_PERIOD: [&str; 4] = ["halfperiod", "semiperiodo", "semiperiod", "halbschwingung"];
+const HALF: [&str; 9] = ["half", "halbe", "halben", "halber", "demi", "semi", "mezza", "mezze", "½"];
+const HALF_PERIOD: [&str; 11] = [
+    "halfperiod",
+    "halfperiods",
+    "semiperiodo",
+    "semiperiodi",
+    "semiperiodos",
+    "semiperiod",
+    "halbschwingung",
+    "halbschwingungen",
+    "halbperiode",
+    "halbperioden",
+    "halbschwingungsdauer",
+];
+/// Words between a number and the periods that it counts.
+const BETWEEN: [&str; 29] = [
+    "complete",
+    "completed",
+    "full",
+    "whole",
+    "entire",
+    "total",
+    "successive",
+    "consecutive",
+    "small",
+    "pendulum",
+    "fold",
+    "fach",
+    "fache",
+    "fachen",
+    "times",
+    "x",
+    "ganze",
+    "ganzen",
+    "volle",
+    "vollen",
+    "vollständige",
+    "vollständigen",
+    "komplette",
+    "kompletten",
+    "complètes",
+    "completas",
+    "completi",
+    "kleine",
+    "kleinen",
+];
+/// Numbers in words.
+const IN_WORDS: [(f64, &[&str]); 10] = [
+    (1.0, &["one", "eine", "einer"]),
+    (2.0, &["two", "zwei", "deux", "due", "dos"]),
+    (3.0, &["three", "drei", "trois", "tre", "tres"]),
+    (4.0, &["four", "vier", "quatre", "quattro", "cuatro"]),
+    (5.0, &["five", "fünf", "cinq", "cinque", "cinco"]),
+    (10.0, &["ten", "zehn", "dix", "dieci", "diez"]),
+    (12.0, &["twelve", "zwölf", "dozen", "dutzend"]),
+    (20.0, &["twenty", "zwanzig", "vingt", "venti", "veinte"]),
+    (50.0, &["fifty", "fünfzig", "cinquante", "cinquanta", "cincuenta"]),
+    (100.0, &["hundred", "hundert", "cent", "cento", "cien"]),
+];
+/// Words for a number that another column or nothing states.
+const SEVERAL: [&str; 10] =
+    ["n", "several", "many", "multiple", "mehrere", "mehrerer", "plusieurs", "diverse", "varie", "varias"];
+/// Words before the duration that was timed.
+const FOR: [&str; 8] = ["for", "für", "pour", "per", "para", "over", "über", "during"];
+/// Words after the number of another quantity: `T at 20 cm`.
+const OTHER_UNITS: [&str; 13] =
+    ["deg", "degree", "degrees", "grad", "rad", "m", "cm", "mm", "in", "g", "kg", "fps", "hz"];
+const UNITS_OF_TIME: [&str; 4] = ["s", "sec", "ms", "min"];
 /// Words for a mean: the mean of several periods is one period.
 const MEAN: [&str; 12] = [
     "mean",
@@ -83,34 +162,61 @@ const MEAN: [&str; 12] = [
     "per",
 ];
 
+/// Number of periods that a column with this heading counts in each time, where the heading names a run, in itself or in a line above.
+///
+/// What follows the unit is a run only if it counts no periods: `Time (s) for 10 oscillations`, not `Time (s) Run 12`.
+pub fn counted_in(heading: &str, run: &str) -> CountedPeriods {
+    let without_run = heading.strip_suffix(run).unwrap_or(heading);
+    match counted(without_run) {
+        CountedPeriods::Said(1.0) | CountedPeriods::Nothing if counts_periods(run) => {
+            counted(&format!("{} {run}", without_run.trim_end()))
+        }
+        found => found,
+    }
+}
+
+/// Returns whether what seems to name a run speaks of periods, or begins with a number.
+fn counts_periods(run: &str) -> bool {
+    let words = words(run);
+    let begins = |word: &String| {
+        number(word).is_some() || [&FOR[..], &SEVERAL, &MEAN, &["x"]].iter().any(|list| is(list, word))
+    };
+    words.first().is_some_and(begins) || words.iter().any(|word| is(&PERIOD, word) || is(&HALF_PERIOD, word))
+}
+
 /// Number of periods that a column with this heading counts in each time.
 pub fn counted(heading: &str) -> CountedPeriods {
-    let lower = heading.to_lowercase().replace(['×', '*', '·', '_', '-', '{', '}', '$'], " ");
-    let words = words(&lower);
-    let is = |list: &[&str], word: &String| list.contains(&word.as_str());
-    let followed_by_period = |place: usize| words.get(place + 1).is_some_and(|next| is(&PERIOD, next));
-    let is_half = words
-        .iter()
-        .enumerate()
-        .any(|(place, word)| is(&HALF_PERIOD, word) || is(&HALF, word) && followed_by_period(place));
-    let is_halved = words.windows(3).any(|three| three[0] == "t" && three[1] == "/" && three[2] == "2");
-    if is_half || is_halved {
-        return CountedPeriods::Said(0.5);
-    }
-    let number =
-        |word: &String| word.parse::<f64>().ok().filter(|number| *number > 0.0 && number.is_finite());
-    let count = |(place, word): (usize, &String)| number(word).filter(|_| followed_by_period(place));
-    let is_mean = words.iter().any(|word| is(&MEAN, word));
+    let words = words(heading);
+    let unclear = || CountedPeriods::Unclear(heading.trim().to_owned());
+    let count = |(place, word): (usize, &String)| Some(number(word)? * length_of(&words[place + 1..])?);
+    let is_of_number = |place: usize| {
+        words[place] == "per" && words.get(place + 1).is_some_and(|next| number(next).is_some())
+    };
+    let is_mean = (0..words.len()).any(|place| is(&MEAN, &words[place]) && !is_of_number(place));
     let is_divided = words.windows(2).any(|pair| pair[0] == "/" && number(&pair[1]).is_some());
-    match words.iter().enumerate().find_map(count) {
-        Some(count) if !is_mean && !is_divided => return CountedPeriods::Said(count),
-        Some(_) => return CountedPeriods::Unclear(heading.trim().to_owned()),
+    let may_be_count = (0..words.len()).any(|place| may_count(&words, place));
+    let count = words.iter().enumerate().find_map(count);
+    let is_part = count.is_some_and(|count| count < 1.0);
+    match count.filter(|_| !is_part) {
+        Some(count) if count.total_cmp(&1.0).is_eq() || !is_mean && !is_divided => {
+            return CountedPeriods::Said(count);
+        }
+        Some(_) => return unclear(),
         None => {}
     }
-    // Smaller numbers behind a symbol number the trials.
-    let may_count = |word: &String| is(&HALF, word) || number(word).is_some_and(|number| number >= 10.0);
-    if is_divided || words.iter().any(may_count) {
-        return CountedPeriods::Unclear(heading.trim().to_owned());
+    let is_several =
+        (0..words.len()).any(|place| is(&SEVERAL, &words[place]) && length_of(&words[place + 1..]).is_some());
+    let lasts_half = |place: usize| length_of(&words[place..]).is_some_and(|length| length < 1.0);
+    let is_halved = words.windows(3).any(|three| three[0] == "t" && three[1] == "/" && three[2] == "2");
+    if is_part || is_halved || (0..words.len()).any(lasts_half) {
+        return if may_be_count || is_several {
+            unclear()
+        } else {
+            CountedPeriods::Said(count.unwrap_or(0.5))
+        };
+    }
+    if is_divided || is_several || may_be_count || words.iter().any(|word| is(&HALF, word)) {
+        return unclear();
     }
     if words.iter().any(|word| is(&PERIOD, word) && !is(&SWING, word)) {
         CountedPeriods::Said(1.0)
@@ -119,13 +225,54 @@ pub fn counted(heading: &str) -> CountedPeriods {
     }
 }
 
-/// Returns whether a heading speaks of a mean.
-pub(super) fn is_mean(heading: &str) -> bool {
-    words(&heading.to_lowercase()).iter().any(|word| word != "per" && MEAN.contains(&word.as_str()))
+fn is(list: &[&str], word: &str) -> bool {
+    list.contains(&word)
 }
 
-/// Letters, numbers and strokes, each on its own: `10T/s` is `10`, `t`, `/`, `s`.
+/// The positive number that a word is, in digits or not.
+fn number(word: &str) -> Option<f64> {
+    let of_word =
+        |word: &str| IN_WORDS.iter().find(|(_, words)| words.contains(&word)).map(|(number, _)| *number);
+    let multiple =
+        ["fold", "fache", "fachen", "fach"].iter().find_map(|end| of_word(word.strip_suffix(end)?));
+    let digits = word.trim_matches(['.', ',']).replace(',', ".").parse().ok();
+    digits.or(of_word(word)).or(multiple).filter(|number| *number > 0.0 && number.is_finite())
+}
+
+/// The length in periods of what these words begin with: of a period, or of half of one.
+fn length_of(words: &[String]) -> Option<f64> {
+    let (first, rest) = words.split_first()?;
+    match first.as_str() {
+        word if is(&PERIOD, word) => Some(1.0),
+        word if is(&HALF_PERIOD, word) => Some(0.5),
+        word if is(&HALF, word) => length_of(rest).map(|length| 0.5 * length),
+        word if is(&BETWEEN, word) => length_of(rest),
+        _ => None,
+    }
+}
+
+/// Returns whether a word may be a number of periods: one from ten on, since smaller ones after a symbol number the trials, one for which something
+/// was timed, or the first word; not that of another quantity.
+fn may_count(words: &[String], place: usize) -> bool {
+    let next = words.get(place + 1);
+    let is_of_other = next.is_some_and(|next| is(&OTHER_UNITS, next));
+    let is_counted = length_of(&words[place + 1..]).is_some();
+    let is_ordinal = |next: &str| ["st", "nd", "rd", "th"].contains(&next) || words[place].ends_with('.');
+    let is_named = |next: &String| next != "/" && !is_ordinal(next) && !is(&UNITS_OF_TIME, next);
+    let is_first = || place == 0 && next.is_some_and(is_named);
+    let is_timed = || place > 0 && is(&FOR, &words[place - 1]);
+    let may = |number: f64| number >= 10.0 || is_timed() || is_first();
+    number(&words[place]).is_some_and(|number| !is_of_other && !is_counted && may(number))
+}
+
+/// Returns whether a heading speaks of a mean.
+pub(super) fn is_mean(heading: &str) -> bool {
+    words(heading).iter().any(|word| word != "per" && MEAN.contains(&word.as_str()))
+}
+
+/// Letters, numbers and strokes in lower case, each on its own: `10T/s` is `10`, `t`, `/`, `s`.
 fn words(text: &str) -> Vec<String> {
+    let text = text.to_lowercase().replace('°', " deg ");
     let kind = |letter: char| match letter {
         '0'..='9' | '.' | ',' => 1,
         letter if letter.is_alphabetic() => 2,
@@ -134,5 +281,6 @@ fn words(text: &str) -> Vec<String> {
     };
     let letters: Vec<char> = text.chars().collect();
     let pieces = letters.chunk_by(|&a, &b| kind(a) == kind(b) && kind(a) != 3);
-    pieces.filter(|piece| kind(piece[0]) != 0).map(|piece| piece.iter().collect()).collect()
+    let is_word = |piece: &&[char]| kind(piece[0]) != 0 && piece.iter().any(|letter| !".,".contains(*letter));
+    pieces.filter(is_word).map(|piece| piece.iter().collect()).collect()
 }

@@ -6,6 +6,14 @@ use super::choices::{Choice, Suggestion};
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MeasurementError {
+    /// Relative uncertainties whose heading does not say of what size.
+    #[error(
+        "{place} holds relative uncertainties, and its heading does not say whether in % or as fractions: write % into it, or multiply them by the values"
+    )]
+    RelativeWithoutUnit {
+        /// The column.
+        place: String,
+    },
     /// More bytes than the limit.
     #[error("the file has {size} bytes, the limit is {limit}: give a smaller table")]
     TooLarge {

@@ -50,7 +50,7 @@ pub use error::MeasurementError;
 pub use faults::{Clock, Faults, Gap, Grid, Plateau, unwrapped};
 pub use fitted_pivot::FittedPivot;
 pub use gates::Gates;
-pub use heading::{Heading, QuantityKind, Unit, UnknownUnit};
+pub use heading::{Heading, QuantityKind, StatedUncertainty, Unit, UnknownUnit};
 pub use number::DecimalMark;
 pub use options::{Header, ReadOptions};
 pub use recording::Recording;

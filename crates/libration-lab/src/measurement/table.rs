@@ -1,6 +1,7 @@
 //! A table of cells, and the numbers of chosen columns.
 
 use super::dialect::{Delimiter, Dialect};
+use super::heading::StatedUncertainty;
 use super::options::ReadOptions;
 use super::recording::{Recording, divided};
 use super::sheet::Sheet;
@@ -212,6 +213,27 @@ impl Table {
     pub fn step(&self, column: &Column) -> Result<f64, MeasurementError> {
         let channel = &self.sheet.channels[self.sheet.place(column)?];
         Ok(libm::exp10(-f64::from(channel.decimals)))
+    }
+
+    /// The uncertainty of all values of a column, where its heading states it: `T (s) ± 0.004`.
+    ///
+    /// # Errors
+    /// No such column.
+    pub fn stated_uncertainty(&self, column: &Column) -> Result<Option<StatedUncertainty>, MeasurementError> {
+        Ok(self.sheet.channels[self.sheet.place(column)?].heading.stated_uncertainty)
+    }
+
+    /// The fraction of another quantity that one stands for in a column of relative uncertainties: 0.01 for `u(T) in %`; `None` for other columns.
+    ///
+    /// # Errors
+    /// No such column; relative uncertainties without a sign of their unit.
+    pub fn fraction(&self, column: &Column) -> Result<Option<f64>, MeasurementError> {
+        let place = self.sheet.place(column)?;
+        let heading = &self.sheet.channels[place].heading;
+        if heading.is_relative_without_unit() {
+            return Err(MeasurementError::RelativeWithoutUnit { place: self.sheet.describe(place) });
+        }
+        Ok(heading.fraction())
     }
 
     /// Lines of rows that summarise others, as their word `mean` says, with that word; they are left out.

@@ -439,3 +439,34 @@ fn intervals_of_laws_that_the_rows_prefer_hold_in_a_sweep() {
     let found = coverage(sweep::number(60, 400), true, Stated::Scatter);
     check(&found[1], "Q");
 }
+
+/// Turning points from 2.9 rad under 0.1/s with ω0 = 4.4/s, integrated by `scipy.integrate.solve_ivp` (DOP853, 1e-12): the average over a cycle invents
+/// dry damping, and a warning says so. From 1.33 rad on nothing is to be warned of.
+#[test]
+fn an_average_near_the_top_is_warned_of() {
+    let turns = [
+        (0.000000, 2.900000),
+        (2.509032, 2.290629),
+        (4.504506, 1.991805),
+        (6.334071, 1.773779),
+        (8.067420, 1.599057),
+        (9.736310, 1.452543),
+        (11.358713, 1.326339),
+        (12.946040, 1.215688),
+        (14.506082, 1.117457),
+        (16.044431, 1.029448),
+        (17.565251, 0.950043),
+        (19.071725, 0.878010),
+    ];
+    let warned = |from: usize| {
+        let (times, angles): (Vec<f64>, Vec<f64>) = turns[from..].iter().copied().unzip();
+        let columns = AmplitudeColumns::new(Position::Time, &times, AmplitudeReading::Angle, &angles);
+        let spread = vec![2e-3; times.len()];
+        let columns = AmplitudeColumns { value_uncertainties: Some(&spread), ..columns };
+        let period = Some(Quantity { value: TAU / 4.4, uncertainty: None });
+        let fit = fitted(&columns, &AmplitudesOptions { damping: None, period });
+        let near = |it: &AmplitudesWarning| matches!(it, AmplitudesWarning::AveragedNearTop { error, .. } if *error > 0.01);
+        (fit.warnings.iter().any(near), fit.warnings.iter().any(|it| it.name() == "averaged_near_top"))
+    };
+    assert_eq!((warned(0), warned(6)), ((true, true), (false, false)));
+}

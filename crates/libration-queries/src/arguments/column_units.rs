@@ -1,7 +1,7 @@
 //! The columns of a table in units of the SI, with repeated readings as means.
 
 use super::wanted::refusal;
-use super::{ChosenColumns, ColumnsOption, Inferences, TableFit, Wanted};
+use super::{ChosenColumns, ColumnsOption, CountedOptions, Inferences, TableFit, Wanted};
 use crate::call::in_words;
 use crate::output::number;
 use crate::query_error::QueryError;
@@ -16,6 +16,8 @@ struct ColumnUnits<const N: usize> {
     counts: [f64; N],
     /// `true` where a header states the unit.
     are_stated: [bool; N],
+    /// The fraction of the values that one stands for in columns of relative uncertainties.
+    fractions: [Option<f64>; N],
     inferences: Vec<String>,
 }
 
@@ -88,11 +90,15 @@ impl<const N: usize> ColumnsInSi<N> {
         let groups = chosen.column_of_groups.as_ref().map(|column| table.labels(column, &read.rows));
         let sheet = table.chosen_sheet().map(|name| format!("sheet `{name}` is read"));
         let of_readings = (0..N).flat_map(|place| rows.described(place, repeated[place].as_ref()));
+        let is_repeated =
+            |place: usize| wanted[place].uncertainties_of.is_some_and(|of| repeated[of].is_some());
+        let of_headings = (0..N).filter_map(|place| rows.described_uncertainty(place, is_repeated(place)));
         let sentences = sheet
             .into_iter()
             .chain(table.notes())
             .chain(chosen.notes.iter().cloned())
             .chain(units.inferences.iter().cloned())
+            .chain(of_headings)
             .chain(of_readings)
             .collect();
         let stated = std::array::from_fn(|place| (units.units[place], units.are_stated[place]));
@@ -231,14 +237,15 @@ impl<const N: usize> SiRows<'_, N> {
         let (kind, unit) = (self.chosen.kinds[place], self.units.units[place]);
         let own = self.read.uncertainties[of].as_ref().filter(|_| !self.chosen.columns[of].is_empty());
         let written: Vec<f64> = match (self.chosen.columns[place].is_empty(), repeated, own) {
-            (false, ..) => {
-                self.read.quantities[place].iter().map(|it| kind.standard(unit.to_si(it[0]))).collect()
-            }
+            (false, ..) => self.written(place, of, |written| kind.standard(unit.to_si(written))),
             (true, Some(repeated), _) => {
                 return Some(repeated.rows.iter().map(|row| row.uncertainty).collect());
             }
             (true, None, Some(own)) => own.iter().map(|it| self.units.units[of].to_si(*it)).collect(),
-            (true, None, None) => return self.by_reaction(of),
+            (true, None, None) => match self.stated(of) {
+                Some(stated) => stated,
+                None => return self.by_reaction(of),
+            },
         };
         // u(T) = u(T²)/2T.
         let of_root = |row: usize| match self.chosen.are_squares[of] {
@@ -247,6 +254,49 @@ impl<const N: usize> SiRows<'_, N> {
         };
         let of_one = |(row, spread): (usize, f64)| spread * of_root(row) / self.swings_of(of, row);
         Some(written.into_iter().enumerate().map(of_one).collect())
+    }
+
+    /// Uncertainties of a column: relative to the readings, or in the unit of the column.
+    fn written(&self, place: usize, of: usize, standard: impl Fn(f64) -> f64) -> Vec<f64> {
+        let numbers = self.read.quantities[place].iter().map(|it| it[0]).enumerate();
+        let one = |(row, number): (usize, f64)| match self.units.fractions[place] {
+            Some(fraction) => self.chosen.kinds[place].standard(fraction * number) * self.quantity(of, row),
+            None => standard(number),
+        };
+        numbers.map(one).collect()
+    }
+
+    /// A single reading, or its square where that is what the column holds.
+    fn quantity(&self, place: usize, row: usize) -> f64 {
+        let reading = self.readings(place, row)[0];
+        if self.chosen.are_squares[place] { reading * reading } else { reading }
+    }
+
+    /// Uncertainties that the heading states for all readings.
+    fn stated(&self, place: usize) -> Option<Vec<f64>> {
+        let stated = self.table.stated_uncertainty(self.chosen.columns[place].first()?).ok()??;
+        let unit = stated.unit.unwrap_or(self.units.units[place]);
+        let one = |row: usize| match stated.is_relative {
+            true => stated.value * self.quantity(place, row),
+            false => unit.to_si(stated.value),
+        };
+        Some((0..self.read.lines.len()).map(one).collect())
+    }
+
+    /// Sentences about uncertainties in headings.
+    fn described_uncertainty(&self, place: usize, repeated: bool) -> Option<String> {
+        let of = self.wanted[place].uncertainties_of?;
+        let column = self.chosen.columns[of].first()?;
+        let name = self.table.describe(column).ok()?;
+        self.table.stated_uncertainty(column).ok()??;
+        let others = !self.chosen.columns[place].is_empty() || self.read.uncertainties[of].is_some();
+        Some(match (repeated, others) {
+            (true, _) => {
+                format!("{name}: its uncertainty is not used, since the readings have that of their scatter")
+            }
+            (_, true) => format!("{name}: its uncertainty is not used, since the rows have their own"),
+            (false, false) => format!("{name}: its uncertainty is the standard uncertainty of all rows"),
+        })
     }
 
     /// Sentences about repeated readings.
@@ -299,18 +349,25 @@ impl<const N: usize> ColumnUnits<N> {
     /// The units of the columns that are chosen; uncertainties without a unit have that of their values.
     fn from_headings(table: &Table, chosen: &ChosenColumns<N>, wanted: &[Wanted; N]) -> Result<Self, String> {
         let (mut units, mut counts, mut inferences) = (wanted.map(Wanted::usual), [1.0; N], Vec::new());
-        let mut are_stated = [false; N];
+        let (mut are_stated, mut fractions) = ([false; N], [None; N]);
         for (place, (columns, wanted)) in chosen.columns.iter().zip(wanted).enumerate() {
             let usual = wanted.uncertainties_of.map_or(units[place], |of| units[of]);
             for (number, column) in columns.iter().enumerate() {
                 if chosen.are_squares[place] {
                     continue;
                 }
-                let (unit, of_unit) = wanted.unit(table, column, usual, chosen.is_said)?;
+                fractions[place] = wanted.fraction(table, column)?;
+                let (unit, of_unit) = match fractions[place] {
+                    Some(fraction) => (usual, Some(parts(table, column, fraction)?)),
+                    None => wanted.unit(table, column, usual, chosen.is_said)?,
+                };
                 let by_quotient = chosen.swings[place].unwrap_or(1.0);
                 let usual = wanted.uncertainties_of.map_or(by_quotient, |of| counts[of]);
-                let counted =
-                    wanted.counted.map(|counted| counted.count(table, column, usual)).transpose()?;
+                // Numbers of swings in a column win over the header.
+                let is_open =
+                    |counted: &CountedOptions| chosen.column_of_swings.is_none() || counted.said().is_some();
+                let counted = wanted.counted.filter(is_open);
+                let counted = counted.map(|counted| counted.count(table, column, usual)).transpose()?;
                 let (count, of_count) = counted.unwrap_or((1.0, None));
                 let is_as_before = unit == units[place] && count.total_cmp(&counts[place]).is_eq();
                 if number > 0 && !is_as_before {
@@ -321,11 +378,18 @@ impl<const N: usize> ColumnUnits<N> {
                 }
                 (units[place], counts[place]) = (unit, count);
                 if number == 0 {
-                    are_stated[place] = of_unit.is_some();
+                    are_stated[place] = of_unit.is_some() && fractions[place].is_none();
                     inferences.extend(of_unit.into_iter().chain(of_count).map(|it| in_words(&it)));
                 }
             }
         }
-        Ok(Self { units, counts, are_stated, inferences })
+        Ok(Self { units, counts, are_stated, fractions, inferences })
     }
+}
+
+/// A sentence about a column of relative uncertainties.
+fn parts(table: &Table, column: &Column, fraction: f64) -> Result<String, String> {
+    let place = table.describe(column).map_err(refusal)?;
+    let of_what = if fraction < 1e-2 { format!("{fraction} of") } else { "per cent of".to_owned() };
+    Ok(format!("{place} is in {of_what} the values"))
 }

@@ -141,6 +141,14 @@ impl Wanted {
         }
     }
 
+    /// The fraction of the values that one stands for in a column of relative uncertainties.
+    pub(super) fn fraction(self, table: &Table, column: &Column) -> Result<Option<f64>, String> {
+        match self.uncertainties_of {
+            Some(_) => table.fraction(column).map_err(refusal),
+            None => Ok(None),
+        }
+    }
+
     /// The unit of a column, with a sentence where the header says one.
     pub(super) fn unit(
         self,
@@ -170,7 +178,8 @@ impl Wanted {
             (None, WrittenUnit::Unknown(text)) => match self.option {
                 Some((option, _)) if self.uncertainties_of.is_none() => {
                     return Err(format!(
-                        "{place}: `{text}` is not a known unit of {}: give it by <{option}>",
+                        "{place}: `{text}` is not a known unit of {}: name it by <{option}> if it is one of those, or else convert the \
+                         numbers",
                         self.role
                     ));
                 }

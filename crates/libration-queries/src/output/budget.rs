@@ -38,9 +38,16 @@ pub(crate) fn lines(
     normal: Option<NormalGravity>,
 ) -> Vec<(&'static str, String)> {
     let length = number::quantity(length, "m");
-    let gravity = number::quantity(budget.gravity(), "m/s²");
-    let mut lines = vec![("gravity", format!("{gravity}  (length {length})"))];
-    lines.push(("expanded", combined::expanded(&budget.combined)));
+    let mut lines = if budget.uncertainty > 0.0 {
+        let gravity = number::quantity(budget.gravity(), "m/s²");
+        vec![
+            ("gravity", format!("{gravity}  (length {length})")),
+            ("expanded", combined::expanded(&budget.combined)),
+        ]
+    } else {
+        let gravity = number::rounded(budget.g, 5);
+        vec![("gravity", format!("{gravity} m/s², uncertainty not known  (length {length})"))]
+    };
     lines.extend(normal.map(|normal| normal.line()));
     lines.extend(budget.warnings().iter().map(|doubt| ("warning", doubt.to_string())));
     lines

@@ -3,6 +3,9 @@
 use super::field::Field;
 use libration_lab::fit::Scatter;
 
+/// The reason why there is no χ² per degree of freedom.
+pub(crate) const NO_SCATTER: &str = "the table has no uncertainties of the periods, or too few rows";
+
 /// The remark after an uncertainty that was enlarged: `  (± is enlarged 1.52 times: …)`; empty for others.
 pub(crate) fn remark(scatter: Option<Scatter>) -> String {
     scatter.and_then(Scatter::enlarged).map_or(String::new(), |enlarged| format!("  ({enlarged})"))
@@ -15,8 +18,7 @@ pub(crate) fn birge_ratio_field<A>(value: fn(&A) -> Result<f64, String>) -> Fiel
 }
 
 pub(crate) fn birge_ratio(scatter: Option<Scatter>) -> Result<f64, String> {
-    const NONE: &str = "the table has no uncertainties of the periods, or too few rows";
-    scatter.map(Scatter::birge_ratio).ok_or_else(|| NONE.to_owned())
+    scatter.map(Scatter::birge_ratio).ok_or_else(|| NO_SCATTER.to_owned())
 }
 
 /// A field with what uncertainties are enlarged by.

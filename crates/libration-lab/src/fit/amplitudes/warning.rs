@@ -41,6 +41,13 @@ pub enum AmplitudesWarning {
         /// The smallest Q of the table.
         quality: f64,
     },
+    /// The first amplitudes are too near the top for an average over a cycle, by their uncertainty.
+    AveragedNearTop {
+        /// Upper estimate of the error of the law, in radians.
+        error: f64,
+        /// Amplitude from which on the error is a third of the uncertainty of a row, in radians.
+        from: f64,
+    },
 }
 
 impl AmplitudesWarning {
@@ -55,6 +62,7 @@ impl AmplitudesWarning {
             Self::TooFewRowsToCompare => "too_few_rows_to_compare",
             Self::DampingNotResolved { .. } => "damping_not_resolved",
             Self::StrongDamping { .. } => "strong_damping",
+            Self::AveragedNearTop { .. } => "averaged_near_top",
         }
     }
 }
@@ -95,6 +103,13 @@ impl fmt::Display for AmplitudesWarning {
                 "Q is as low as {}: the fall is averaged over a cycle, and the coefficients may err by 0.2/Q² of \
                  themselves; fit the motion itself",
                 rounded(*quality, 2)
+            ),
+            Self::AveragedNearTop { error, from } => write!(
+                f,
+                "the fall is averaged over a cycle, which errs near the top: by up to {} rad at the largest amplitude, more than a third of the uncertainty of a row; \
+                 coefficients and further kinds of damping may come from this error; leave out amplitudes above {:.0}°, or fit the motion itself",
+                rounded(*error, 1),
+                from.to_degrees()
             ),
         }
     }

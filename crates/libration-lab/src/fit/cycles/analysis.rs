@@ -98,6 +98,7 @@ fn about_a_known_pivot(
         offset_wander: longest.centre.wander,
         noise: longest.noise,
         t0: law.t0,
+        t0_degrees_of_freedom: law.degrees_of_freedom,
         chi2_per_dof: law.chi2_per_dof,
         beta: period_law::beta(&kept, watch),
         warnings: warnings(&found, &rows, outliers.len(), &swings, &longest.centre, trace.observable()),

@@ -15,6 +15,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::row::Row;
+use crate::fit::scatter::degrees_of_freedom;
 use crate::statistics::{count, least_squares};
 use libration::internals::progress::Watch;
 
@@ -35,6 +36,8 @@ pub(super) struct Generalised {
     pub(super) covariance: DMatrix<f64>,
     /// χ² by the noise alone, per degree of freedom.
     pub(super) chi2_per_dof: Option<f64>,
+    /// Degrees of freedom of the covariance: of the scatter where it comes from that, and infinite where the noise explains the scatter.
+    pub(super) degrees_of_freedom: f64,
     /// Scatter of single periods.
     pub(super) scatter: Scatter,
 }
@@ -122,7 +125,13 @@ impl Equations<'_> {
         let scatter = self.scatter(&solution);
         let attenuation = solution.inverse.column(self.ratio_column) * self.mean_score(solution.ratio);
         let coefficients = solution.coefficients - attenuation;
-        Generalised { coefficients, covariance: solution.inverse * scale, chi2_per_dof, scatter }
+        let dof = self.rows.len().saturating_sub(self.columns.len());
+        let degrees_of_freedom = match solution.ratio {
+            0.0 => degrees_of_freedom(chi2_per_dof.map(|per_dof| per_dof * count(dof)), dof),
+            _ => count(dof),
+        };
+        let covariance = solution.inverse * scale;
+        Generalised { coefficients, covariance, chi2_per_dof, degrees_of_freedom, scatter }
     }
 
     /// Mean of the amplitude noise's contribution to xᵀV⁻¹e, where x is the column of T/T0 and e the residuals: both contain the noise, so

@@ -119,6 +119,8 @@ pub struct Cycles {
     /// The period of small swings under the exact law, in seconds; its uncertainty comes from the scatter of the cycles where that is larger than
     /// the noise explains, and from the pivot where it was fitted.
     pub t0: Uncertain,
+    /// Degrees of freedom of its uncertainty: of the scatter where it comes from that, and infinite where the noise explains the scatter.
+    pub t0_degrees_of_freedom: f64,
     /// χ² per degree of freedom: the scatter about the exact law relative to that which the noise explains.
     pub chi2_per_dof: Option<f64>,
     /// The test of the exact law, or the reason why there is none.

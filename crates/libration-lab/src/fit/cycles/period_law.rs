@@ -21,6 +21,8 @@ pub(in crate::fit) struct PeriodLaw {
     pub(in crate::fit) t0: Uncertain,
     /// χ² by the noise alone per degree of freedom; `None` where there is no degree of freedom.
     pub(in crate::fit) chi2_per_dof: Option<f64>,
+    /// Degrees of freedom of the uncertainty of T0.
+    pub(in crate::fit) degrees_of_freedom: f64,
     /// Scatter of the periods.
     pub(in crate::fit) scatter: Scatter,
 }
@@ -79,7 +81,8 @@ pub(in crate::fit) fn exact(rows: &[Row], watch: &Watch<'_>) -> Option<PeriodLaw
     let columns = vec![rows.iter().map(|row| row.ratio).collect::<Vec<f64>>()];
     let found = settled(rows, &columns, 0, watch)?;
     let t0 = Uncertain { value: found.coefficients[0], uncertainty: found.covariance[(0, 0)].sqrt() };
-    Some(PeriodLaw { t0, chi2_per_dof: found.chi2_per_dof, scatter: found.scatter })
+    let Generalised { chi2_per_dof, degrees_of_freedom, scatter, .. } = found;
+    Some(PeriodLaw { t0, chi2_per_dof, degrees_of_freedom, scatter })
 }
 
 /// Fits β, the test of the exact law.
@@ -94,7 +97,7 @@ pub(in crate::fit) fn beta(rows: &[Row], watch: &Watch<'_>) -> Result<Beta, Cycl
     amplitudes_tell(rows.iter().map(|row| (row.ratio, row.ratio_variance())))?;
     let columns = vec![vec![1.0; rows.len()], excess];
     let found = settled(rows, &columns, 1, watch).ok_or(open)?;
-    Ok(Beta::from_line(&found.coefficients, &found.covariance))
+    Ok(Beta::from_line(&found.coefficients, &found.covariance, found.degrees_of_freedom))
 }
 
 /// Refuses amplitudes of which more than 5 % of the variance of T/T0 is their noise: a regression on values with errors is drawn

@@ -134,9 +134,11 @@ impl Swings {
 fn contradicting(t0: Uncertain, beta: &Beta) -> Option<Contradiction> {
     /// The relative error of T0 by amplitudes from the speeds of single passages.
     const LEAST: f64 = 4e-5;
-    let [exact, free] =
-        [("β = 1", t0), ("β free", beta.t0)].map(|(name, t0)| Estimate { name: name.to_owned(), t0 });
-    Contradiction::of([&exact, &free], beta.deviation()).filter(|it| it.half_width() > LEAST * t0.value)
+    let degrees_of_freedom = beta.degrees_of_freedom;
+    let estimate = |(name, t0): (&str, _)| Estimate { name: name.to_owned(), t0, degrees_of_freedom };
+    let pair = [("β = 1", t0), ("β free", beta.t0)].map(estimate);
+    Contradiction::of(pair.each_ref(), beta.deviation(), degrees_of_freedom)
+        .filter(|it| it.half_width() > LEAST * t0.value)
 }
 
 /// T0 from the first period and its amplitude.

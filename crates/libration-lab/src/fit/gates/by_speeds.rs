@@ -55,13 +55,9 @@ impl Swings {
         let t0 = law.t0.with_error(t0_by_width * spread).with_error(LEFT_OUT * law.t0.value);
         let t0 = t0.with_error(by_damping * excess * law.t0.value);
         let part_of_scatter = law.t0.uncertainty * law.t0.uncertainty / (t0.uncertainty * t0.uncertainty);
-        let widen = |(beta, by_width): (Beta, f64)| Beta {
-            factor: beta
-                .factor
-                .with_error(by_width * spread)
-                .with_error(LEFT_OUT / excess)
-                .with_error(by_damping),
-            ..beta
+        let widen = |(beta, by_width): (Beta, f64)| {
+            let factor = beta.factor.with_error(by_width * spread).with_error(LEFT_OUT / excess);
+            beta.with_factor(factor.with_error(by_damping))
         };
         Some(BySpeeds {
             t0,

@@ -2,6 +2,7 @@
 
 use super::width::{PassingDisc, PassingFlag};
 use super::{GatesFit, T0Source};
+use crate::fit::Uncertain;
 use crate::fit::budget::{
     Apparatus, Budget, BudgetError, BudgetInput, Correlation, MeasuredPeriod, PeriodDamping, budget,
 };
@@ -152,6 +153,14 @@ impl GateGeometry {
 }
 
 impl GatesFit {
+    /// Returns whether the times leave nothing of the uncertainty of a period, as where they are few or exactly even: it is then not known.
+    #[must_use]
+    pub fn is_exact(&self, period: Uncertain) -> bool {
+        /// Part of a period that is rounding.
+        const ROUNDING: f64 = 1e-12;
+        period.uncertainty < ROUNDING * period.value
+    }
+
     /// The correlation of T0 with a size one standard uncertainty of which changes the angular width by this, in radians; `None`
     /// where T0 does not come from the width.
     #[must_use]
@@ -191,7 +200,7 @@ impl GatesFit {
         };
         let period = MeasuredPeriod {
             model: self.contradiction.as_ref().map(|it| it.uncertainty() / t0.value),
-            t0: t0.into(),
+            t0: Quantity { uncertainty: (!self.is_exact(t0)).then_some(t0.uncertainty), value: t0.value },
             amplitude: self.amplitude,
             angle_scale,
             clock,

@@ -103,7 +103,7 @@ pub struct GatesFit {
     pub timing: Option<f64>,
     /// The mean of all periods, in seconds; its uncertainty is by the scatter.
     pub mean_period: Uncertain,
-    /// The period at the turning point before the first passage, in seconds.
+    /// The period at the turning point before the first passage, in seconds; `None` where the passages are too few to extrapolate.
     pub first_period: Option<Uncertain>,
     /// The period of small swings, in seconds; its uncertainty includes the contradiction.
     pub t0: Option<Uncertain>,

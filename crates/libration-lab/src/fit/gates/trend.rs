@@ -8,12 +8,16 @@ use crate::statistics::{LinearFit, count, least_squares};
 /// Numbers of rows from which on a line is fitted, a parabola, and polynomials of third and fourth degree.
 const ROWS_FOR_DEGREES: [usize; 4] = [4, 8, 16, 32];
 
-/// The period at a time, by a polynomial through all periods. Its uncertainty contains the difference from a polynomial of lower degree,
+/// The period at a time, by a polynomial through all periods; `None` where they are too few for a line, since the mean of a few is the period of a later
+/// and smaller swing. Its uncertainty contains the difference from a polynomial of lower degree,
 /// since the law by which the amplitude falls is not known.
 pub fn at_the_beginning(times: &[f64], periods: &[f64], time: f64) -> Option<Uncertain> {
     let degree = ROWS_FOR_DEGREES.iter().filter(|&&rows| times.len() >= rows).count();
+    if degree == 0 {
+        return None;
+    }
     let best = polynomial(times, periods, time, degree)?;
-    let simpler = (degree > 0).then(|| polynomial(times, periods, time, degree - 1)).flatten();
+    let simpler = polynomial(times, periods, time, degree - 1);
     let difference = simpler.map_or(0.0, |simpler| best.value - simpler.value);
     Some(best.with_error(difference))
 }

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::{GatesFit, T0Source};
-use crate::fit::{Beta, SIGNIFICANT, Uncertain};
+use crate::fit::{Beta, SIGNIFICANT, Uncertain, limit_of_chance};
 use libration::quantity::rounded;
 
 /// Number of standard deviations of a time by which a last period must be below T0 to count as such: a period is the difference of
@@ -36,6 +36,8 @@ pub enum GatesWarning {
     },
     /// T0 needs an amplitude, and there is none.
     NoAmplitude,
+    /// The passages are too few to extrapolate the period to the swing whose amplitude is given: seven in a row are needed.
+    TooFewToExtrapolate,
     /// The times do not determine their scatter: they are too few, or exactly even, by less than 1e-9 of a period.
     ScatterUnknown,
     /// β [differs from 1](Beta::differs_from_one), by more than a twentieth: R − 1 goes with the square of the amplitude, so that the
@@ -66,6 +68,7 @@ impl GatesWarning {
             Self::MissedPassages { .. } => "missed_passages",
             Self::WidthUnused { .. } => "width_of_no_use",
             Self::NoAmplitude => "no_amplitude",
+            Self::TooFewToExtrapolate => "too_few_to_extrapolate",
             Self::ScatterUnknown => "scatter_unknown",
             Self::BetaNotOne { .. } => "beta_not_one",
             Self::PeriodBelowT0 { .. } => "period_below_t0",
@@ -94,6 +97,10 @@ impl fmt::Display for GatesWarning {
             Self::NoAmplitude => f.write_str(
                 "the period of small swings is not known without an amplitude: give that of the first swing, or the width of the bob",
             ),
+            Self::TooFewToExtrapolate => f.write_str(
+                "the passages are too few to extrapolate the period to the first swing, whose amplitude is given, so that T0 is not known: record \
+                 seven or more in a row, or give the width of the bob",
+            ),
             Self::ScatterUnknown => f.write_str(
                 "the scatter of the times is not known, since they are too few or exactly even: uncertainties from their scatter \
                  mean nothing",
@@ -118,7 +125,10 @@ pub(super) fn warnings(fit: &GatesFit, last_period: Option<f64>, has_width: bool
         (fit.double_triggers > 0).then_some(GatesWarning::DoubleTriggers { passages: fit.double_triggers }),
         (fit.missed > 0).then_some(GatesWarning::MissedPassages { passages: fit.missed }),
         speeds_failed.then_some(GatesWarning::WidthUnused { edges: fit.edges }),
-        fit.t0.is_none().then_some(GatesWarning::NoAmplitude),
+        fit.t0.is_none().then_some(match fit.amplitude {
+            Some(_) => GatesWarning::TooFewToExtrapolate,
+            None => GatesWarning::NoAmplitude,
+        }),
         is_scatter_unknown(fit).then_some(GatesWarning::ScatterUnknown),
         last_period.and_then(|last| period_below_t0(fit, last)),
     ]
@@ -167,7 +177,7 @@ fn doubtful_beta(beta: &Beta) -> Option<GatesWarning> {
 /// Compares T0 with the last period, which is the mean of both sides: that of one side falls or rises with the amplitude at a gate off the centre.
 fn period_below_t0(fit: &GatesFit, last: f64) -> Option<GatesWarning> {
     let Uncertain { value: t0, uncertainty } = fit.t0?;
-    let least = t0 - SIGNIFICANT * uncertainty;
+    let least = t0 - limit_of_chance(SIGNIFICANT, fit.t0_degrees_of_freedom) * uncertainty;
     (least > last + SHORT_BY_TIMINGS * fit.timing.unwrap_or(0.0))
         .then_some(GatesWarning::PeriodBelowT0 { last, t0 })
 }

@@ -218,7 +218,7 @@ fn of_bars(
     let corrected = options.corrected(table, preferred)?;
     let fits = if corrected == *table { uncorrected.to_vec() } else { bars(&corrected, options) };
     let mut fit = options.with_budget(table, fits, preferred, None)?;
-    fit.warnings = warning::of_bars(fit.best(), fit.combined.standard, options.pendulum.is_none());
+    fit.warnings = warning::of_bars(fit.best(), &fit.combined, options.pendulum.is_none());
     Ok(fit)
 }
 
@@ -226,7 +226,7 @@ fn of_reversible(table: &LengthTable, options: &LengthsOptions) -> Result<Length
     let corrected = options.corrected(table, LengthModel::Reversible)?;
     let (fit, contributions) = reversible::reversible(&corrected, options.edges)?;
     let mut fit = options.with_budget(table, vec![fit], LengthModel::Reversible, Some(contributions))?;
-    fit.warnings = warning::of_bars(fit.best(), fit.combined.standard, false);
+    fit.warnings = warning::of_bars(fit.best(), &fit.combined, false);
     Ok(fit)
 }
 

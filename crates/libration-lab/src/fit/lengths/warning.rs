@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::{LengthFit, LengthModel, LengthsFit};
 use crate::fit::Uncertain;
+use crate::fit::budget::CombinedUncertainty;
 use crate::fit::gravity::{GRAVITY_ON_EARTH, is_nowhere_on_earth};
 use crate::fit::mistake::GravityMistake;
 use crate::fit::scatter::{Scatter, ScatterWarning};
@@ -106,7 +107,7 @@ pub(super) fn warnings(fit: &LengthsFit) -> Vec<LengthsWarning> {
         bent.filter(|fit| by_chance(Some(fit)) < NEEDED).map(bend),
         scatter.and_then(|scatter: Scatter| scatter.warning("the offset")).map(LengthsWarning::Scatter),
         offset_larger_than_bob(fit),
-        nowhere_on_earth(fit.gravity()),
+        nowhere_on_earth(fit.gravity(), fit.combined.degrees_of_freedom),
     ]
     .into_iter()
     .flatten()
@@ -114,14 +115,18 @@ pub(super) fn warnings(fit: &LengthsFit) -> Vec<LengthsWarning> {
 }
 
 /// Warnings about a bar whose g has this uncertainty, gravity last.
-pub(super) fn of_bars(fit: &LengthFit, uncertainty: f64, is_inferred: bool) -> Vec<LengthsWarning> {
+pub(super) fn of_bars(
+    fit: &LengthFit,
+    combined: &CombinedUncertainty,
+    is_inferred: bool,
+) -> Vec<LengthsWarning> {
     let gyration = fit.gyration.map_or(0.0, |gyration| gyration.value.sqrt());
     let scatter = fit.scatter().and_then(|scatter: Scatter| scatter.warning("the centre of mass"));
-    let gravity = Uncertain { value: fit.g.value, uncertainty };
+    let gravity = Uncertain { value: fit.g.value, uncertainty: combined.standard };
     [
         is_inferred.then_some(LengthsWarning::PhysicalPendulum { gyration }),
         scatter.map(LengthsWarning::Scatter),
-        nowhere_on_earth(gravity),
+        nowhere_on_earth(gravity, combined.degrees_of_freedom),
     ]
     .into_iter()
     .flatten()
@@ -144,7 +149,7 @@ fn offset_larger_than_bob(fit: &LengthsFit) -> Option<LengthsWarning> {
     (offset.abs() > RADII_OF_OFFSET * radius).then_some(LengthsWarning::OffsetLargerThanBob)
 }
 
-fn nowhere_on_earth(gravity: Uncertain) -> Option<LengthsWarning> {
+fn nowhere_on_earth(gravity: Uncertain, degrees_of_freedom: f64) -> Option<LengthsWarning> {
     let mistake = GravityMistake::explaining(gravity, GravityMistake::anywhere_on_earth());
-    is_nowhere_on_earth(gravity).then_some(LengthsWarning::NowhereOnEarth { mistake })
+    is_nowhere_on_earth(gravity, degrees_of_freedom).then_some(LengthsWarning::NowhereOnEarth { mistake })
 }

@@ -3,8 +3,9 @@
 use super::{FittedPendulum, SwingsFit, Warning};
 use crate::fit::budget::BudgetWarning;
 use crate::fit::cycles::{Coefficient, Cycles, CyclesError};
+use crate::fit::significance::combined_degrees_of_freedom;
 use crate::fit::trace::{Comparison, DampingKind, TraceFit};
-use crate::fit::{Contradiction, MistakenUnit, SIGNIFICANT};
+use crate::fit::{Contradiction, MistakenUnit, SIGNIFICANT, limit_of_chance};
 use crate::measurement::{FittedPivot, Trace};
 
 /// The warnings, the gravest first.
@@ -126,7 +127,9 @@ fn different_pendulums(found: &SwingsFit, traces: &[Trace]) -> Option<Warning> {
     let (one, short) = known.iter().min_by(|a, b| a.1.t0.value.total_cmp(&b.1.t0.value))?;
     let (other, long) = known.iter().max_by(|a, b| a.1.t0.value.total_cmp(&b.1.t0.value))?;
     let difference = long.t0.value - short.t0.value;
-    let by_chance = SIGNIFICANT * libm::hypot(short.t0.uncertainty, long.t0.uncertainty);
+    let errors = [short, long].map(|it| (it.t0.uncertainty, it.t0_degrees_of_freedom));
+    let limit = limit_of_chance(SIGNIFICANT, combined_degrees_of_freedom(&errors));
+    let by_chance = limit * libm::hypot(short.t0.uncertainty, long.t0.uncertainty);
     (difference > by_chance && difference > APART * short.t0.value).then(|| Warning::DifferentPendulums {
         shortest: (one.name().to_owned(), short.t0.value),
         longest: (other.name().to_owned(), long.t0.value),

@@ -4,7 +4,7 @@ use super::{Advice, FittedPendulum, Warning};
 use crate::fit::contradiction::{Contradiction, Estimate};
 use crate::fit::cycles::{Cycle, Cycles, CyclesError};
 use crate::fit::trace::{Comparison, TraceFit};
-use crate::fit::{Beta, DampingModel, Quality, SIGNIFICANT, Uncertain};
+use crate::fit::{Beta, DampingModel, Quality, SIGNIFICANT, Uncertain, limit_of_chance};
 use crate::measurement::Trace;
 use crate::statistics::count;
 
@@ -65,9 +65,11 @@ impl SwingsFit {
         if self.scale_is_fitted() || self.strong_damping().is_some() {
             return None;
         }
-        let estimate = |name: &str, t0| Estimate { name: name.to_owned(), t0 };
+        let estimate =
+            |name: &str, t0, degrees_of_freedom| Estimate { name: name.to_owned(), t0, degrees_of_freedom };
         let by_cycles = |t0: Uncertain| t0.with_error(ERROR_OF_CYCLES * t0.value);
-        let whole = estimate("the whole motion", small_angle_period(&self.fit, self.comparison.as_ref()));
+        let whole = small_angle_period(&self.fit, self.comparison.as_ref());
+        let whole = estimate("the whole motion", whole, f64::INFINITY);
         let runs: Vec<Estimate> = traces
             .iter()
             .zip(&self.cycles)
@@ -77,12 +79,19 @@ impl SwingsFit {
                 } else {
                     "cycles".to_owned()
                 };
-                Some(Estimate { name, t0: by_cycles(cycles.as_ref().ok()?.t0) })
+                let cycles = cycles.as_ref().ok()?;
+                Some(estimate(&name, by_cycles(cycles.t0), cycles.t0_degrees_of_freedom))
             })
             .collect();
-        let free = self.beta.as_ref().ok().map(|beta| (beta, estimate("β free", by_cycles(beta.t0))));
+        let free = self
+            .beta
+            .as_ref()
+            .ok()
+            .map(|beta| (beta, estimate("β free", by_cycles(beta.t0), beta.degrees_of_freedom)));
         let of_beta = free.iter().filter(|(beta, _)| self.is_contradicted_by(beta));
-        let of_beta = of_beta.filter_map(|(beta, free)| Contradiction::of([&whole, free], beta.deviation()));
+        let of_beta = of_beta.filter_map(|(beta, free)| {
+            Contradiction::of([&whole, free], beta.deviation(), beta.degrees_of_freedom)
+        });
         let with_whole = runs.iter().filter_map(|run| Contradiction::of_independent([&whole, run]));
         let pairs = runs
             .iter()
@@ -149,7 +158,8 @@ impl SwingsFit {
         let period = self.fit.small_angle_period();
         let difference = (cycles.t0.value - period.value).abs();
         let deviation = period.with_error(cycles.t0.uncertainty).deviation_from(cycles.t0.value);
-        (deviation > SIGNIFICANT && difference > WORTH_A_WORD * period.value)
+        let limit = limit_of_chance(SIGNIFICANT, cycles.t0_degrees_of_freedom);
+        (deviation > limit && difference > WORTH_A_WORD * period.value)
             .then_some((cycles.t0.value, deviation))
     }
 }

@@ -1,11 +1,14 @@
 //! A header cell → the quantity, the unit and the run that its words name.
 
 mod companion;
+mod stated;
 mod unit;
 pub(crate) mod words;
 
 pub(super) use companion::name_uncertainties;
 use libration::quantity::printable;
+pub use stated::StatedUncertainty;
+pub(super) use stated::without_stated;
 pub(super) use unit::Measures;
 pub use unit::{Unit, UnknownUnit};
 use words::Words;
@@ -55,6 +58,8 @@ pub struct Heading {
     pub run: Option<String>,
     /// The number behind the symbol, as in `t_{1}` or `theta2`.
     pub index: Option<String>,
+    /// The uncertainty of all values, as in `T (s) ± 0.004`.
+    pub stated_uncertainty: Option<StatedUncertainty>,
 }
 
 impl Heading {
@@ -65,6 +70,7 @@ impl Heading {
         let text = text.trim();
         let (rest, run) = split_run(text);
         let (rest, is_uncertainty) = without_sign_of_uncertainty(rest);
+        let (rest, stated_uncertainty) = without_stated(&rest);
         let (name, in_name, after) = split_unit(&rest);
         let unit_text = unit.map(bare).filter(|unit| !unit.is_empty()).or(in_name);
         let run = run.or(after).or(group).map(str::trim).filter(|run| !run.is_empty());
@@ -80,6 +86,7 @@ impl Heading {
             unit_text: unit_text.map(Into::into),
             run: run.map(Into::into),
             index: words.index,
+            stated_uncertainty,
         }
     }
 

@@ -5,13 +5,27 @@ use nalgebra::{DMatrix, DVector};
 
 fn beta(value: f64, uncertainty: f64) -> Beta {
     let t0 = Uncertain { value: 2.0, uncertainty: 3e-4 };
-    Beta { factor: Uncertain { value, uncertainty }, t0, correlation: -0.5 }
+    Beta {
+        factor: Uncertain { value, uncertainty },
+        t0,
+        correlation: -0.5,
+        degrees_of_freedom: f64::INFINITY,
+    }
 }
 
 #[test]
 fn three_uncertainties_from_one_are_no_chance() {
     assert!(!beta(1.0299, 0.01).differs_from_one() && beta(1.0301, 0.01).differs_from_one());
     assert!(!beta(0.9701, 0.01).differs_from_one() && beta(0.9699, 0.01).differs_from_one());
+}
+
+/// By `scipy.stats.t.isf(scipy.stats.norm.sf(3), dof)`: 235.80 with one degree of freedom, 19.2067 with two, 4.52997 with seven.
+#[test]
+fn few_degrees_of_freedom_need_a_larger_difference() {
+    for (dof, limit) in [(1.0, 235.80), (2.0, 19.2067), (7.0, 4.52997)] {
+        let beta = |deviations: f64| Beta { degrees_of_freedom: dof, ..beta(1.0 + 0.01 * deviations, 0.01) };
+        assert!(!beta(0.999 * limit).differs_from_one() && beta(1.001 * limit).differs_from_one(), "{dof}");
+    }
 }
 
 #[test]
@@ -27,6 +41,7 @@ fn the_quotient_has_the_covariance_of_the_line() {
     let found = Beta::from_line(
         &DVector::from_row_slice(&[2.0, 3.0]),
         &DMatrix::from_row_slice(2, 2, &[4e-6, 0.0, 0.0, 9e-6]),
+        f64::INFINITY,
     );
     let variance: f64 = (9e-6 + 2.25 * 4e-6) / 4.0;
     assert!((found.factor.value - 1.5).abs() < 1e-15);

@@ -51,7 +51,7 @@ fn an_enlargement_is_not_blamed_on_rows_that_scatter_as_stated() {
         enlarged(23.22)
             .unwrap()
             .to_string()
-            .contains("enlarged 1.52 times: the rows scatter more than stated")
+            .contains("enlarged 1.52 times: the rows scatter more than their uncertainties")
     );
     assert_eq!([10.0, 1.0].map(enlarged), [None, None]);
 }

@@ -1,7 +1,7 @@
 //! The number of periods that each time of a column lasts, by its heading: `10T`, `half period (s)`, `time of 20 oscillations`.
 
-use libration_lab::internals::measurement::counted_periods::counted;
-use libration_lab::measurement::CountedPeriods;
+use libration_lab::internals::measurement::counted_periods::{counted, counted_in};
+use libration_lab::measurement::{Column, CountedPeriods, ReadOptions, Table};
 
 #[test]
 fn headings_say_how_many_periods_a_time_lasts() {
@@ -41,4 +41,58 @@ fn what_may_be_a_number_of_periods_is_not_guessed() {
     for heading in ["", "swing (s)", "time (s)", "trial 3", "u(x)"] {
         assert_eq!(counted(heading), CountedPeriods::Nothing, "{heading}");
     }
+}
+
+#[test]
+fn numbers_of_half_periods_and_numbers_in_words_are_read() {
+    for (heading, count) in [
+        ("Time (s) for 10 complete oscillations", 10.0),
+        ("Zeit (s) für 10 Perioden", 10.0),
+        ("t (s) 10 swings", 10.0),
+        ("time for 20 full small swings / s", 20.0),
+        ("ten swings (s)", 10.0),
+        ("zehn Perioden", 10.0),
+        ("Zeit für zwanzig volle Schwingungen", 20.0),
+        ("zehnfache Schwingungsdauer", 10.0),
+        ("tempo per 10 oscillazioni (s)", 10.0),
+        ("10 half swings (s)", 5.0),
+        ("10 Halbschwingungen (s)", 5.0),
+        ("twenty half-periods (s)", 10.0),
+        ("2.5 T", 2.5),
+        ("T at 20 cm (s)", 1.0),
+        ("T (s) 10°", 1.0),
+        ("time for one swing", 1.0),
+    ] {
+        assert_eq!(counted(heading), CountedPeriods::Said(count), "{heading}");
+    }
+    for heading in [
+        "ten (s)",
+        "time for 5 beats",
+        "5 beats (s)",
+        "N periods (s)",
+        "half swings (s), 10",
+        "time of several periods",
+    ] {
+        assert_eq!(counted(heading), CountedPeriods::Unclear(heading.into()));
+    }
+}
+
+/// What follows the unit names a run unless it counts periods; so does a title above the columns.
+#[test]
+fn a_run_may_be_a_number_of_periods() {
+    for (heading, count) in [
+        ("t (s) 10 swings", CountedPeriods::Said(10.0)),
+        ("Time (s) for 10 complete oscillations", CountedPeriods::Said(10.0)),
+        ("t (s) 10 half swings", CountedPeriods::Said(5.0)),
+        ("t (s) x10", CountedPeriods::Unclear("t (s) x10".into())),
+        ("T (s) Run 12", CountedPeriods::Said(1.0)),
+        ("T (ms) ± 20", CountedPeriods::Said(1.0)),
+        ("t (s) morning", CountedPeriods::Nothing),
+    ] {
+        let text = format!("A (deg),{heading}\n10,20.0\n20,20.1\n30,20.3\n");
+        let table = Table::read(text.as_bytes(), &ReadOptions::default()).unwrap();
+        assert_eq!(table.counted_periods(&Column::Number(2)), Ok(count), "{text}");
+    }
+    assert_eq!(counted_in("T (s)", "10 swings"), CountedPeriods::Said(10.0));
+    assert_eq!(counted_in("T (s)", "Group 12"), CountedPeriods::Said(1.0));
 }

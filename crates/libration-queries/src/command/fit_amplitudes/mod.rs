@@ -31,10 +31,12 @@ pub(crate) use fields::answers;
   libration fit amplitudes examples/amplitudes_synthetic.csv \\
     --report amplitudes.html
 
-The energy falls at its mean rate over an undamped cycle, exact at any amplitude.
+The energy falls at its mean rate over an undamped cycle, which is right for
+weak damping; a warning says where it is not, as close to the top.
 Q is ω0/c for linear damping, where A falls as exp(-ct/2); for other laws
-2πE/ΔE of a cycle at the amplitude that is named. Numbers of swings give Q without
-a period; times need --period, a column of periods T, or one of numbers n.")]
+2πE/ΔE of a cycle at the amplitude that is named. Numbers of swings give Q
+without a period; times need --period, a column of periods T, or one of
+numbers n.")]
 pub(crate) struct FitAmplitudes {
     #[command(flatten)]
     input: Input,

@@ -46,7 +46,10 @@ impl Answer<'_> {
     pub(super) fn lines(&self) -> Vec<(&'static str, String)> {
         let fit = self.fit;
         let by_scatter = |timing: f64| format!("{} s, from the scatter", number::rounded(timing, 2));
-        let said = |it: Uncertain, unit: &str| number::with_uncertainty(it.value, it.uncertainty, unit);
+        let said = |it: Uncertain, unit: &str| match fit.is_exact(it) {
+            true => format!("{} {unit}, ± not known", number::rounded(it.value, 6)),
+            false => number::with_uncertainty(it.value, it.uncertainty, unit),
+        };
         let kind = if fit.edges { "from pairs of edges" } else { "one time each" };
         let mut lines = vec![
             ("passages", format!("{} ({kind}), {} full periods", fit.passages, fit.cycles.len())),

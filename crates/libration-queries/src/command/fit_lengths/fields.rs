@@ -160,7 +160,7 @@ pub(super) fn of_law() -> Fields<LengthFit> {
         )
         .only_json(),
         Of::known("chi2_per_dof", "1", "χ² per degree of freedom, or null", |it| {
-            it.chi2_per_dof().ok_or_else(|| "the table has no uncertainties of the periods".to_owned())
+            it.chi2_per_dof().ok_or_else(|| scatter::NO_SCATTER.to_owned())
         })
         .rounded(COLUMNS[5], 4)
         .or("–"),

@@ -134,7 +134,7 @@ pub(super) fn of_law<'a>() -> Fields<KeyedLaw<'a>> {
         .or("–"),
         Of::known("chi2_per_dof", "1", "χ² per degree of freedom, or null", |it| {
             let chi2 = it.fit.map_err(|_| String::new())?.chi2_per_dof();
-            chi2.ok_or_else(|| "the table has no uncertainties of the periods".to_owned())
+            chi2.ok_or_else(|| scatter::NO_SCATTER.to_owned())
         })
         .rounded("χ²/dof", 4)
         .or("–"),

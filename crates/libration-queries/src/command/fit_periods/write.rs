@@ -84,7 +84,9 @@ impl Answer<'_> {
             let fate = if self.fit.table.len() < self.measured.rows.len() { "left out" } else { "included" };
             let shown: Vec<String> = outliers.iter().take(10).map(ToString::to_string).collect();
             let more = if outliers.len() > shown.len() { ", …" } else { "" };
-            line += &format!("; {} outliers {fate} (lines {}{more})", outliers.len(), shown.join(", "));
+            let (outlier, lines) =
+                if outliers.len() == 1 { ("outlier", "line") } else { ("outliers", "lines") };
+            line += &format!("; {} {outlier} {fate} ({lines} {}{more})", outliers.len(), shown.join(", "));
         }
         line
     }

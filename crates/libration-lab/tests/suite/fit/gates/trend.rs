@@ -30,3 +30,9 @@ fn the_uncertainty_of_a_line_is_that_of_its_intercept() {
     let expected = libm::hypot(standard_error, intercept - mean);
     assert!((found.uncertainty / expected - 1.0).abs() < 1e-6, "{found:?} {expected}");
 }
+
+/// The mean of three periods is that of a swing after the first.
+#[test]
+fn few_periods_are_not_extrapolated() {
+    assert_eq!(at_the_beginning(&[1.0, 2.0, 3.0], &[2.011, 2.009, 2.0065], 0.0), None);
+}

@@ -2,7 +2,9 @@
 
 mod words;
 
-use libration_lab::measurement::{Heading, QuantityKind, Unit};
+use libration_lab::measurement::{
+    Column, Heading, QuantityKind, ReadOptions, StatedUncertainty, Table, Unit,
+};
 
 #[test]
 fn headers_of_instruments_are_understood() {
@@ -82,4 +84,53 @@ fn a_line_of_units_and_a_line_of_titles_complete_the_name() {
     let heading = Heading::read("Angle", Some("(deg)"), Some("mass_A"));
     assert_eq!((heading.quantity, heading.unit), (QuantityKind::Angle, Some(Unit::Degree)));
     assert_eq!(heading.run.as_deref(), Some("mass_A"));
+}
+
+#[test]
+fn an_uncertainty_of_a_whole_column_is_read_from_its_heading() {
+    let second = Some(Unit::Second);
+    let plain = |value| StatedUncertainty { value, unit: None, is_relative: false };
+    for (text, unit, stated) in [
+        ("T (s) ± 0.004", second, plain(0.004)),
+        ("T (s) +/- 0.004", second, plain(0.004)),
+        ("T ± 0,004 (s)", second, plain(0.004)),
+        ("T (±0.004 s)", second, plain(0.004)),
+        ("T (s, ± 0.004)", second, plain(0.004)),
+        ("T / s ± 0.004", second, plain(0.004)),
+        ("T (s) ± 4 ms", second, StatedUncertainty { unit: Some(Unit::Millisecond), ..plain(4.0) }),
+        ("T (s) ± 2%", second, StatedUncertainty { is_relative: true, ..plain(0.02) }),
+        ("T (s) (± 0.004)", second, plain(0.004)),
+    ] {
+        let heading = Heading::read(text, None, None);
+        assert_eq!(heading.stated_uncertainty, Some(stated), "{text}");
+        assert_eq!(
+            (heading.unit, heading.name.as_str(), heading.is_uncertainty),
+            (unit, "T", false),
+            "{text}"
+        );
+    }
+    for text in ["± T (s)", "±", "T (s)", "uncertainty ± (s)"] {
+        assert_eq!(Heading::read(text, None, None).stated_uncertainty, None, "{text}");
+    }
+}
+
+#[test]
+fn parts_of_the_values_are_no_numbers_in_their_unit() {
+    let fraction = |heading: &str| {
+        let text = format!("T (s),{heading}\n2.00,1\n2.01,1\n2.05,1\n");
+        Table::read(text.as_bytes(), &ReadOptions::default()).unwrap().fraction(&Column::Number(2))
+    };
+    for (heading, expected) in [
+        ("u (%)", Some(0.01)),
+        ("u(T) in %", Some(0.01)),
+        ("uncertainty %", Some(0.01)),
+        ("u(T) / ‰", Some(0.001)),
+        ("Unsicherheit in Prozent", Some(0.01)),
+        ("relative uncertainty (%)", Some(0.01)),
+        ("u (s)", None),
+        ("u (68 %) (s)", None),
+    ] {
+        assert_eq!(fraction(heading), Ok(expected), "{heading}");
+    }
+    assert!(fraction("relative uncertainty").is_err());
 }
