@@ -45,9 +45,12 @@ impl BranchPoint {
         self.stability.may_last()
     }
 
-    /// The motion with these multipliers and their errors, and the resulting stability.
+    /// The motion with these multipliers and their errors, and the resulting stability. A multiplier that is exactly 1
+    /// without error is that of deviations along the motion, which a motion without a drive has; it decides nothing.
     pub(super) fn with_multipliers(self, multipliers: Vec<(Complex, f64)>) -> Self {
-        let stability = Stability::of(multipliers.iter().map(|(it, error)| (it.abs(), *error)));
+        let along = multipliers.iter().position(|it| *it == (Complex::from(1.0), 0.0));
+        let counted = (0..).zip(&multipliers).filter(|(place, _)| Some(*place) != along);
+        let stability = Stability::of(counted.map(|(_, (it, error))| (it.abs(), *error)));
         let (multipliers, multiplier_errors) = multipliers.into_iter().unzip();
         Self { multipliers, multiplier_errors, stability, ..self }
     }

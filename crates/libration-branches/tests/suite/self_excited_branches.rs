@@ -2,6 +2,7 @@
 
 use libration::continuation::{Branch, BranchError, Ending, Origin, Response, ResponseOptions, SpecialKind};
 use libration::expression::Equation;
+use libration::orbit::Stability;
 use libration::progress::{Quiet, Status};
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
@@ -30,6 +31,8 @@ fn van_der_pols_cycle_has_its_period_from_weak_to_strong_excitation() {
     for point in &branch.points {
         let own: Vec<f64> = point.multipliers.iter().map(|it| it.re).collect();
         assert!(own[0].to_bits() == 1.0_f64.to_bits() && (0.0..1e-3).contains(&own[1].abs()), "{own:?}");
+        // The multiplier along the motion decides nothing.
+        assert_eq!(point.stability, Stability::Attracting);
     }
 }
 
