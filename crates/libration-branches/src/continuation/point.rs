@@ -63,6 +63,17 @@ impl BranchPoint {
         let nearest = pairs.min_by(|a, b| off(a).total_cmp(&off(b)));
         nearest.is_some_and(|[a, _]| a.im.abs() > 0.0)
     }
+
+    /// Returns `true` if the two nearest multipliers are complex and on the unit circle.
+    pub(super) fn is_collision(&self) -> bool {
+        /// Largest distance from the circle: at a double multiplier rounding has an effect of about its square root.
+        const OFF: f64 = 1e-5;
+        let own: Vec<Complex> = self.multipliers.iter().copied().filter(|it| it.im > 0.0).collect();
+        let pairs = (0..own.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
+        let apart = |&(i, j): &(usize, usize)| (own[i] - own[j]).abs();
+        let nearest = pairs.min_by(|a, b| apart(a).total_cmp(&apart(b)));
+        nearest.is_some_and(|(i, j)| [own[i], own[j]].iter().all(|it| (it.abs() - 1.0).abs() < OFF))
+    }
 }
 
 /// Amplitude of a coordinate from its range.
