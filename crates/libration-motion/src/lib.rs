@@ -23,6 +23,7 @@ pub use libration_pendulum::{pendulum, period_formulas};
 pub mod internals {
     pub mod chaos {
         pub use crate::chaos::{
+            drive::WrittenDrive,
             lyapunov::{record::Record, verdict::Evidence},
             structure::{has_jumps, theorem},
         };

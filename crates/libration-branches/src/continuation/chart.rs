@@ -60,7 +60,8 @@ impl StabilityChart {
     ///
     /// # Accuracy
     /// Newton's method ends at the rounding errors of the motion; every point has an error. If a curve leaves the chart, its last point is on
-    /// the edge. Details within one of the 32 × 32 grid cells, and curves that cross none of the lines, are not found.
+    /// the edge. Details within one of the 32 × 32 grid cells, and curves that cross none of the lines, are not found. Where neighbouring
+    /// grid points differ in stability and no boundary was followed between them, [`RestStability::unresolved`] has the place.
     ///
     /// # Errors
     /// Equations without a periodic drive, another symbolic parameter, a range without a width.
@@ -152,6 +153,9 @@ impl Survey<'_> {
 
     /// The stability of the equilibrium on the grid, and its boundaries.
     fn rest(&self) -> (Option<RestStability>, Vec<SpecialCurve>) {
+        /// Largest distance of a boundary from the crossing where it was found, relative to the ranges: thirty times the width to which
+        /// crossings are enclosed. Beyond it Newton's method has led to a neighbouring boundary.
+        const FOUND: f64 = 1e-6;
         if !self.is_at_rest() {
             return (None, vec![]);
         }
@@ -162,7 +166,8 @@ impl Survey<'_> {
                 break;
             }
             if !edges.iter().any(|(first, edge)| self.is_same(edge, [first, &crossing])) {
-                edges.extend(self.edge(&crossing).map(|edge| (crossing, edge)));
+                let edge = self.edge(&crossing).filter(|edge| self.side(edge, &crossing)[0] <= FOUND);
+                edges.extend(edge.map(|edge| (crossing, edge)));
             }
         }
         let edges: Vec<SpecialCurve> = edges.into_iter().map(|(_, edge)| edge).collect();
@@ -181,7 +186,8 @@ impl Survey<'_> {
         let kind = match crossing.test {
             Test::Flip => SpecialKind::PeriodDoubling,
             Test::Torus if point.is_torus() => SpecialKind::NeimarkSacker,
-            Test::Torus => return None,
+            Test::Collision if point.is_collision() => SpecialKind::NeimarkSacker,
+            Test::Torus | Test::Collision => return None,
             Test::Branching | Test::Fold => SpecialKind::BranchPoint,
         };
         let start = (&crossing.place[..], &point);
@@ -200,6 +206,8 @@ impl Survey<'_> {
     /// Distance of a boundary from a crossing relative to the ranges, and a
     /// number that is positive if the test rises to the left of the boundary.
     fn side(&self, edge: &SpecialCurve, crossing: &Crossing) -> [f64; 2] {
+        /// Length of the shortest steps along a boundary, relative to the ranges.
+        const SHORTEST: f64 = 1e-7;
         let widths = self.ranges.map(|[low, high]| high - low);
         let relative = |it: &CurvePoint| {
             let [x, y] = crossing.place;
@@ -214,7 +222,13 @@ impl Survey<'_> {
             let left = if crossing.along == 0 { -along[1] } else { along[0] };
             [off, if crossing.rises { left } else { -left }]
         };
-        let nearest = edge.points.windows(2).map(of_pair).min_by(|a, b| a[0].total_cmp(&b[0]));
+        // A boundary found next to the edge of the map begins with two points that differ by rounding, without a direction.
+        let has_direction = |pair: &&[CurvePoint]| {
+            let [a, b] = [relative(&pair[0]), relative(&pair[1])];
+            libm::hypot(b[0] - a[0], b[1] - a[1]) > SHORTEST
+        };
+        let pairs = edge.points.windows(2).filter(has_direction);
+        let nearest = pairs.map(of_pair).min_by(|a, b| a[0].total_cmp(&b[0]));
         nearest.unwrap_or([f64::INFINITY; 2])
     }
 

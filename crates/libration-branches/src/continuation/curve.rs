@@ -53,6 +53,8 @@ struct Spot {
     place: Vec<f64>,
     /// The unit tangent of the curve, in scaled units.
     tangent: Vec<f64>,
+    /// Slope of the test function to the left of the direction, for an equilibrium.
+    left: f64,
     point: CurvePoint,
 }
 
@@ -94,7 +96,7 @@ impl<'a> Trace<'a> {
         if onward != Ending::Closed {
             let turned = start.tangent.iter().map(|x| -x).collect();
             (self.units, self.largest) = (units, largest_swing(&start.point.point));
-            self.spots = vec![Spot { tangent: turned, ..start }];
+            self.spots = vec![Spot { tangent: turned, left: -start.left, ..start }];
             endings[0] = self.walked();
             points = self.points().into_iter().skip(1).rev().chain(points).collect();
             cusps = self.cusps.into_iter().rev().chain(cusps).collect();
@@ -147,7 +149,13 @@ impl<'a> Trace<'a> {
             self.spots.push(start);
             return Some(Ending::Closed);
         }
-        if self.singular.test == Test::Torus && !next.point.point.is_torus() {
+        let motion = &next.point.point;
+        let ends = match self.singular.test {
+            Test::Torus => !motion.is_torus(),
+            Test::Collision => !motion.is_collision(),
+            _ => false,
+        };
+        if ends {
             return Some(Ending::BranchPoint);
         }
         if self.turns_back(&next) {
@@ -177,7 +185,9 @@ impl<'a> Trace<'a> {
         let spot = self.spot(corrected, tangent)?;
         let cosine: f64 = spot.tangent.iter().zip(tangent).map(|(a, b)| a * b).sum();
         let turn = libm::acos(cosine.clamp(-1.0, 1.0));
-        (turn <= TURNS[0]).then_some((spot, turn))
+        // A neighbouring boundary has the other side to its left; where two boundaries cross, short steps pass.
+        let same_side = spot.left * self.at().left > 0.0 || length < SHORT || self.singular.rest.is_none();
+        (turn <= TURNS[0] && same_side).then_some((spot, turn))
     }
 
     /// Newton's method perpendicular to a direction; the derivatives are kept once the correction is small.
@@ -233,13 +243,15 @@ impl<'a> Trace<'a> {
     fn spot(&self, place: Vec<f64>, along: &[f64]) -> Option<Spot> {
         let slopes = self.singular.slopes(&place, &self.units, TOLERANCES[0])?;
         let tangent = tangent(&slopes, along)?;
+        let slope = slopes.last()?;
+        let left = tangent[0] * slope[1] - tangent[1] * slope[0];
         let error = self.error(&place, slopes, &tangent)?;
         let Singular { family, space, .. } = self.singular;
         let image = self.singular.image(&place, TOLERANCES[0])?;
         let (state, parameters) = self.singular.parts(&place);
         let point = family.point(space, state, parameters, &image, error)?;
         let second = parameters[1];
-        Some(Spot { tangent, point: CurvePoint { point, second }, place })
+        Some(Spot { tangent, left, point: CurvePoint { point, second }, place })
     }
 
     /// Error of the parameters perpendicular to the curve, from the residuals, a second integration tolerance and the rounding of the unknowns.

@@ -1,6 +1,6 @@
 //! Stability boundaries of an equilibrium over two parameters, found on a grid.
 
-use super::curve::SpecialCurve;
+use super::curve::{CurvePoint, SpecialCurve};
 use super::description::multipliers;
 use super::family::{Family, TOLERANCES};
 use super::node::Tests;
@@ -20,6 +20,8 @@ pub struct RestStability {
     pub stable: Vec<Vec<Option<bool>>>,
     /// Ranges of the second parameter in which the equilibrium is stable, at the least and at the greatest value of the first.
     pub at_ends: [Vec<[f64; 2]>; 2],
+    /// Middles of the neighbouring grid points of which one is stable and the other is not, while no boundary that was followed passes between them.
+    pub unresolved: Vec<[f64; 2]>,
 }
 
 /// Number of grid intervals in each direction.
@@ -62,7 +64,29 @@ impl<'a> Grid<'a> {
         let stable = self.tests.iter().map(|row| row.iter().map(stable).collect()).collect();
         let ends = [self.values[0].first(), self.values[0].last()];
         let at_ends = ends.map(|end| end.map_or_else(Vec::new, |first| self.stable_ranges(*first, edges)));
-        RestStability { values: self.values.clone(), stable, at_ends }
+        let unresolved = self.unresolved(edges);
+        RestStability { values: self.values.clone(), stable, at_ends, unresolved }
+    }
+
+    /// The middles of neighbouring points with different stability between which no boundary passes.
+    fn unresolved(&self, edges: &[SpecialCurve]) -> Vec<[f64; 2]> {
+        let [columns, rows] = [0, 1].map(|which| self.values[which].len());
+        let places = (0..rows).flat_map(|row| (0..columns).map(move |column| [column, row]));
+        let pairs = places.flat_map(|[column, row]| {
+            [[[column, row], [column + 1, row]], [[column, row], [column, row + 1]]]
+        });
+        let is_stable = |[column, row]: [usize; 2]| self.tests.get(row)?.get(column)?.as_ref().map(|it| it.1);
+        let place = |[column, row]: [usize; 2]| [self.values[0][column], self.values[1][row]];
+        let differ =
+            pairs.filter(|[a, b]| matches!((is_stable(*a), is_stable(*b)), (Some(a), Some(b)) if a != b));
+        let open =
+            differ.map(|pair| pair.map(place)).filter(|pair| !edges.iter().any(|edge| passes(edge, *pair)));
+        open.map(|[a, b]| [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]).collect()
+    }
+
+    /// Returns `true` if the multipliers are pairs λ and 1/λ at all points of the grid, as without damping.
+    fn is_reciprocal(&self) -> bool {
+        self.tests.iter().flatten().flatten().all(|(tests, _)| tests.is_reciprocal)
     }
 
     /// The ranges of the second parameter, between the boundaries at this value of the
@@ -91,15 +115,16 @@ impl<'a> Grid<'a> {
             return None;
         }
         let image = self.family.image(self.space, self.rest, &place, TOLERANCES[0])?;
-        let tests = Tests::new(&image, 0.0)?;
         let own = multipliers(&image, &vec![1.0; self.rest.len()], 0.0, 0.0)?;
+        let tests = Tests::of(&own, 0.0);
         let stability = Stability::of(own.iter().map(|(it, error)| (it.abs(), *error)));
         Some((tests, stability.may_last()))
     }
 
     /// Zeros of the test functions along the lines of the grid.
     pub(super) fn crossings(&self) -> Vec<Crossing> {
-        let tests = [Test::Branching, Test::Flip, Test::Torus];
+        let of_complex = if self.is_reciprocal() { Test::Collision } else { Test::Torus };
+        let tests = [Test::Branching, Test::Flip, of_complex];
         let lines = (0..2).flat_map(|along| (0..self.values[1 - along].len()).map(move |line| (along, line)));
         let lines: Vec<(usize, usize)> = lines.collect();
         let of_test =
@@ -108,19 +133,23 @@ impl<'a> Grid<'a> {
     }
 
     fn on_line(&self, test: Test, along: usize, line: usize) -> Vec<Crossing> {
-        let values: Vec<Option<f64>> = (0..self.values[along].len())
-            .map(|k| {
-                let it = if along == 0 { &self.tests[line][k] } else { &self.tests[k][line] };
-                it.as_ref().map(|(tests, _)| test.of(tests)).filter(|value| value.abs() > test.sure())
-            })
-            .collect();
+        let has_sign = |tests: &Tests| match test {
+            Test::Torus => tests.torus.abs() > TORUS_NOISE * tests.noise[2],
+            _ => test.of(tests).abs() > test.sure(),
+        };
         let place = |value: f64| {
             let across = self.values[1 - along][line];
             if along == 0 { [value, across] } else { [across, value] }
         };
-        let value_at = |at: f64| self.at(place(at)).map_or(f64::NAN, |(tests, _)| test.of(&tests));
+        let point = |at: f64, tests: &Option<(Tests, bool)>| {
+            tests.as_ref().filter(|it| has_sign(&it.0)).map(|(tests, _)| (at, test.of(tests)))
+        };
+        let on_grid = |k: usize| if along == 0 { &self.tests[line][k] } else { &self.tests[k][line] };
         let axis = &self.values[along];
-        let crossing = |[from, to]: [(f64, f64); 2]| {
+        let points: Vec<Option<Point>> =
+            axis.iter().enumerate().map(|(k, at)| point(*at, on_grid(k))).collect();
+        let value_at = |at: f64| self.at(place(at)).map_or(f64::NAN, |(tests, _)| test.of(&tests));
+        let crossing = |[from, to]: [Point; 2]| {
             /// Width to which a zero is enclosed, relative to the interval: small enough to start Newton's method.
             const WIDTH: f64 = 1e-6;
             let width = WIDTH * (to.0 - from.0).abs();
@@ -129,18 +158,70 @@ impl<'a> Grid<'a> {
         };
         let mut found = vec![];
         for k in 1..axis.len() {
-            let (Some(before), Some(after)) = (values[k - 1], values[k]) else { continue };
-            let ends = [(axis[k - 1], before), (axis[k], after)];
-            if (before > 0.0) != (after > 0.0) {
-                found.extend(crossing(ends));
-            } else if let Some(next) = values.get(k + 1).copied().flatten()
-                && let Some(least) = other_sign_between([ends[0], ends[1], (axis[k + 1], next)], value_at)
-                && least.1.abs() > test.sure()
+            let (Some(before), Some(after)) = (points[k - 1], points[k]) else { continue };
+            if (before.1 > 0.0) != (after.1 > 0.0) {
+                found.extend(crossing([before, after]));
+                continue;
+            }
+            let next = points.get(k + 1).copied().flatten();
+            let inner =
+                next.and_then(|next| Some((other_sign_between([before, after, next], value_at)?, next)));
+            let outer = || match (k, k + 1 == axis.len()) {
+                (1, _) => dip_next_to([before, after], value_at),
+                (_, true) => dip_next_to([after, before], value_at),
+                _ => None,
+            };
+            let dip = inner.or_else(|| Some((outer()?, after)));
+            if let Some((least, end)) =
+                dip.filter(|(least, _)| point(least.0, &self.at(place(least.0))).is_some())
             {
-                found.extend(crossing([ends[0], least]));
-                found.extend(crossing([least, (axis[k + 1], next)]));
+                found.extend(crossing([before, least]));
+                found.extend(crossing([least, end]));
             }
         }
         found
     }
+}
+
+/// A value of a parameter with a test function.
+type Point = (f64, f64);
+
+/// Smallest size of the torus function in errors by those of the multipliers: it is a product of as many small factors as there are pairs.
+const TORUS_NOISE: f64 = 4.0;
+
+/// A point with the opposite sign next to an end of a line, on which the function of one sign is nearer to zero at the end than at the next point.
+fn dip_next_to([end, next]: [Point; 2], f: impl Fn(f64) -> f64) -> Option<Point> {
+    /// The nearest point tried is this power of a half of the interval away.
+    const HALVINGS: u32 = 4;
+    if next.1.abs() <= end.1.abs() {
+        return None;
+    }
+    let mut at = next.0;
+    for _ in 0..HALVINGS {
+        at = 0.5 * (end.0 + at);
+        let point = (at, f(at));
+        if (point.1 > 0.0) != (end.1 > 0.0) {
+            return Some(point).filter(|it| !it.1.is_nan());
+        }
+        if point.1.abs() < end.1.abs() {
+            let mut three = [end, point, next];
+            three.sort_by(|a, b| a.0.total_cmp(&b.0));
+            return other_sign_between(three, f);
+        }
+    }
+    None
+}
+
+/// Returns `true` if a boundary passes between two points, which are extended a little for the error of linear interpolation.
+fn passes(edge: &SpecialCurve, [a, b]: [[f64; 2]; 2]) -> bool {
+    const MORE: f64 = 0.1;
+    let beyond = |a: [f64; 2], b: [f64; 2]| [0, 1].map(|k| a[k] + MORE * (a[k] - b[k]));
+    let [a, b] = [beyond(a, b), beyond(b, a)];
+    let side =
+        |[a, b]: [[f64; 2]; 2], it: [f64; 2]| (b[0] - a[0]) * (it[1] - a[1]) - (b[1] - a[1]) * (it[0] - a[0]);
+    let of = |it: &CurvePoint| [it.point.parameter, it.second];
+    edge.points.windows(2).any(|pair| {
+        let [c, d] = [of(&pair[0]), of(&pair[1])];
+        side([a, b], c) * side([a, b], d) <= 0.0 && side([c, d], a) * side([c, d], b) <= 0.0
+    })
 }

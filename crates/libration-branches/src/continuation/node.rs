@@ -29,7 +29,12 @@ pub(super) struct Tests {
     pub(super) flip: f64,
     /// Real part of Π(λμ − 1) over the pairs of multipliers λ and μ, each factor in units of the square of the largest multiplier.
     pub(super) torus: f64,
-    /// Errors of the last three test functions from those of the multipliers.
+    /// The discriminant of the sums λ + 1/λ, in units of the largest multiplier, if the multipliers are pairs λ and 1/λ as
+    /// without damping; zero if two pairs meet.
+    pub(super) collision: f64,
+    /// `true` if the multipliers are pairs λ and 1/λ up to rounding.
+    pub(super) is_reciprocal: bool,
+    /// Errors of the branching, flip and torus functions from those of the multipliers.
     pub(super) noise: [f64; 3],
 }
 
@@ -83,7 +88,7 @@ impl Tests {
     }
 
     /// The tests of multipliers with their errors, by descending magnitude.
-    fn of(own: &[(Complex, f64)], fold: f64) -> Self {
+    pub(super) fn of(own: &[(Complex, f64)], fold: f64) -> Self {
         let one = Complex::from(1.0);
         // The product of a large multiplier and its inverse has an error like that of the square of the large one.
         let largest = own.first().map_or(1.0, |(it, _)| it.abs().max(1.0));
@@ -100,9 +105,55 @@ impl Tests {
             branching: branching.0,
             flip: flip.0,
             torus: torus.0,
+            collision: collision(own, largest),
+            is_reciprocal: is_reciprocal(own, largest),
             noise: [branching.1, flip.1, torus.1],
         }
     }
+}
+
+/// `true` if the power sums of the multipliers are those of their inverses, and their product is 1.
+fn is_reciprocal(own: &[(Complex, f64)], largest: f64) -> bool {
+    /// A damping that changes a multiplier by less than this part moves boundaries by its square.
+    const ROUNDING: f64 = 1e-10;
+    let one = Complex::from(1.0);
+    let (mut powers, mut inverses) = (vec![one; own.len()], vec![one; own.len()]);
+    let product = own.iter().fold(one, |product, (it, _)| product * *it);
+    let mut scale = 1.0;
+    (product - one).abs() <= ROUNDING * largest
+        && (0..own.len() / 2).all(|_| {
+            scale *= largest;
+            powers.iter_mut().zip(own).for_each(|(power, (it, _))| *power = *power * *it);
+            inverses.iter_mut().zip(own).for_each(|(inverse, (it, _))| *inverse = *inverse / *it);
+            let sums = powers.iter().zip(&inverses).map(|(a, b)| (*a - *b).re);
+            sums.sum::<f64>().abs() <= ROUNDING * scale
+        })
+}
+
+/// The discriminant of the numbers a = λ + 1/λ over pairs of multipliers, relative to the largest multiplier: the determinant
+/// of their power sums Σaᵏ, which follow from Σλᵐ. Zero without two pairs.
+fn collision(own: &[(Complex, f64)], largest: f64) -> f64 {
+    let pairs = own.len() / 2;
+    if pairs < 2 || own.len() % 2 == 1 {
+        return 0.0;
+    }
+    let mut powers = vec![Complex::from(1.0); own.len()];
+    let mut traces = vec![];
+    for _ in 0..2 * pairs - 1 {
+        traces.push(powers.iter().map(|it| it.re).sum::<f64>());
+        powers.iter_mut().zip(own).for_each(|(power, (it, _))| *power = *power * *it);
+    }
+    // Σaᵏ = ½ Σ C(k, j) Σλ^(k−2j), since a pair contributes λᵐ + λ⁻ᵐ.
+    let (mut row, mut sums, mut scale) = (vec![1.0], vec![], 1.0);
+    for k in 0..traces.len() {
+        let terms = row.iter().enumerate().map(|(j, binomial)| binomial * traces[k.abs_diff(2 * j)]);
+        sums.push(0.5 * terms.sum::<f64>() / scale);
+        let inner = row.windows(2).map(|pair| pair[0] + pair[1]);
+        row = [1.0].into_iter().chain(inner).chain([1.0]).collect();
+        scale *= largest;
+    }
+    let matrix: Vec<Vec<f64>> = (0..pairs).map(|i| sums[i..i + pairs].to_vec()).collect();
+    eigenvalues(&matrix).map_or(f64::NAN, |own| own.into_iter().fold(Complex::from(1.0), |a, b| a * b).re)
 }
 
 /// The real part of a product, and its error from the errors of the factors.

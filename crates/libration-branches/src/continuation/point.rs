@@ -45,14 +45,12 @@ impl BranchPoint {
         self.stability.may_last()
     }
 
-    /// The motion with these multipliers and their errors, and the resulting stability, in which the multiplier 1 that is known without an error,
-    /// of deviations along an autonomous motion, does not count.
+    /// The motion with these multipliers and their errors, and the resulting stability. A multiplier that is exactly 1
+    /// without error is that of deviations along the motion, which a motion without a drive has; it decides nothing.
     pub(super) fn with_multipliers(self, multipliers: Vec<(Complex, f64)>) -> Self {
-        let is_along =
-            |(it, error): &(Complex, f64)| (*it - Complex::from(1.0)).abs() <= 0.0 && *error <= 0.0;
-        let along = multipliers.iter().position(is_along);
-        let others = multipliers.iter().enumerate().filter(|(place, _)| Some(*place) != along);
-        let stability = Stability::of(others.map(|(_, (it, error))| (it.abs(), *error)));
+        let along = multipliers.iter().position(|it| *it == (Complex::from(1.0), 0.0));
+        let counted = (0..).zip(&multipliers).filter(|(place, _)| Some(*place) != along);
+        let stability = Stability::of(counted.map(|(_, (it, error))| (it.abs(), *error)));
         let (multipliers, multiplier_errors) = multipliers.into_iter().unzip();
         Self { multipliers, multiplier_errors, stability, ..self }
     }
@@ -64,6 +62,17 @@ impl BranchPoint {
         let off = |[a, b]: &[Complex; 2]| (*a * *b - Complex::from(1.0)).abs();
         let nearest = pairs.min_by(|a, b| off(a).total_cmp(&off(b)));
         nearest.is_some_and(|[a, _]| a.im.abs() > 0.0)
+    }
+
+    /// Returns `true` if the two nearest multipliers are complex and on the unit circle.
+    pub(super) fn is_collision(&self) -> bool {
+        /// Largest distance from the circle: at a double multiplier rounding has an effect of about its square root.
+        const OFF: f64 = 1e-5;
+        let own: Vec<Complex> = self.multipliers.iter().copied().filter(|it| it.im > 0.0).collect();
+        let pairs = (0..own.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
+        let apart = |&(i, j): &(usize, usize)| (own[i] - own[j]).abs();
+        let nearest = pairs.min_by(|a, b| apart(a).total_cmp(&apart(b)));
+        nearest.is_some_and(|(i, j)| [own[i], own[j]].iter().all(|it| (it.abs() - 1.0).abs() < OFF))
     }
 }
 

@@ -168,6 +168,7 @@ impl Root<'_> {
         Some(match self.singular.test {
             Test::Fold | Test::Branching => determinant(ring, &shifted(-1))?.to_f64(),
             Test::Flip => determinant(ring, &shifted(1))?.to_f64(),
+            Test::Collision => return None,
             Test::Torus => {
                 let rounded: Vec<Vec<f64>> =
                     image.map.iter().map(|row| row.iter().map(BigFloat::to_f64).collect()).collect();

@@ -24,7 +24,8 @@ pub enum SpecialKind {
     SymmetryBreaking,
     /// A motion with twice the period branches off.
     PeriodDoubling,
-    /// Two complex multipliers cross the unit circle: a second frequency appears.
+    /// Two complex multipliers cross the unit circle: a second frequency appears. Without damping, two pairs of
+    /// complex multipliers meet on the unit circle and leave it.
     NeimarkSacker,
     /// The product of two real multipliers is one: not a bifurcation, although the determinant is the same as at one.
     NeutralSaddle,
@@ -84,6 +85,8 @@ pub(super) enum Test {
     Branching,
     Flip,
     Torus,
+    /// Two pairs of multipliers λ and 1/λ meet, if the multipliers are such pairs at all values of the parameters.
+    Collision,
 }
 
 impl Test {
@@ -93,6 +96,7 @@ impl Test {
             Self::Branching => tests.branching,
             Self::Flip => tests.flip,
             Self::Torus => tests.torus,
+            Self::Collision => tests.collision,
         }
     }
 
@@ -100,7 +104,7 @@ impl Test {
     pub(super) fn sure(self) -> f64 {
         match self {
             Self::Fold => 0.0,
-            Self::Branching | Self::Flip => 1e-12,
+            Self::Branching | Self::Flip | Self::Collision => 1e-12,
             Self::Torus => 1e-9,
         }
     }
@@ -108,7 +112,7 @@ impl Test {
     /// Returns `true` if a value has a sign beyond the errors of the multipliers.
     pub(super) fn has_sign(self, tests: &Tests) -> bool {
         let noise = match self {
-            Self::Fold => 0.0,
+            Self::Fold | Self::Collision => 0.0,
             Self::Branching => tests.noise[0],
             Self::Flip => tests.noise[1],
             Self::Torus => tests.noise[2],
@@ -341,7 +345,7 @@ impl Stretch<'_> {
             Test::Flip if self.corrector.space.mirrored => SpecialKind::SymmetryBreaking,
             Test::Flip => SpecialKind::PeriodDoubling,
             Test::Torus if node.point.is_torus() => SpecialKind::NeimarkSacker,
-            Test::Torus => SpecialKind::NeutralSaddle,
+            Test::Torus | Test::Collision => SpecialKind::NeutralSaddle,
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::MelnikovError;
 use super::trigonometric::{Monomial, Names, Trigonometric};
-use libration_motion::chaos::drive_period;
+use libration_motion::{chaos::drive_period, internals::chaos::WrittenDrive};
 use libration_numbers::algebra::{Complex, Doubles};
 use libration_numbers::{
     expression::{Equation, Expression, Symbol},
@@ -58,8 +58,15 @@ impl PerturbedPendulum {
             (true, None) => return Err(MelnikovError::NotPeriodic),
         };
         let angle = Symbol::plain(name);
-        let names = Names { velocity: angle.with_primes(1), angle, time, frequency };
-        let (mut closed, rest) = separated(acceleration, &names);
+        // In cos(Ωt/2)² the closed form is that of the harmonics of Ω/2.
+        let parts = WrittenDrive::of(equation).map_or(1, |drive| drive.repetitions);
+        let written = frequency / f64::from(parts);
+        let names = Names { velocity: angle.with_primes(1), angle, time, frequency: written };
+        let (closed, rest) = separated(acceleration, &names);
+        let (mut closed, frequency) = match closed.every(parts) {
+            Some(closed) => (closed, frequency),
+            None => (closed, written),
+        };
         let omega0 = own_frequency(&mut closed)?;
         let moving = |part: &Expression| part.contains(&names.velocity) || part.contains(&names.time);
         if let Some(alone) = rest.iter().find(|part| !moving(part)) {

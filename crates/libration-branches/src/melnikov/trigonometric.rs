@@ -114,6 +114,15 @@ impl Trigonometric {
         self.scaled(own).plus(&Self { terms: ordered_map(other) }.scaled(conjugate))
     }
 
+    /// The sum in harmonics of the frequency nΩ; `None` if it has harmonics of Ω between these.
+    pub(super) fn every(&self, n: i32) -> Option<Self> {
+        let term = |(monomial, value): (&Monomial, &Complex)| {
+            let harmonic = (monomial.harmonic % n == 0).then_some(monomial.harmonic / n)?;
+            Some((Monomial { harmonic, ..*monomial }, *value))
+        };
+        Some(Self { terms: self.terms.iter().map(term).collect::<Option<_>>()? })
+    }
+
     fn scaled(&self, factor: Complex) -> Self {
         Self { terms: ordered_map(self.terms.iter().map(|(monomial, value)| (*monomial, *value * factor))) }
     }

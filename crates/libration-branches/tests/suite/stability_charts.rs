@@ -226,3 +226,84 @@ fn strips_narrower_than_the_grid_are_told() {
         "{ranges:?}"
     );
 }
+
+const TWO: &str = "x'' + c*x' + (1 + m*cos(2*w*t))*x + 0.27*y + x^3 = 0; y'' + c*y' + 1.25*y + 0.27*x + m*0.27*cos(2*w*t)*y = 0";
+
+/// The boundaries of an equilibrium at the greatest value of the second parameter, in order.
+fn upper_ends(chart: &StabilityChart, second: f64) -> Vec<(SpecialKind, f64)> {
+    let mut found = vec![];
+    for curve in &chart.curves {
+        let at_top = curve.points.iter().filter(|it| it.second.to_bits() == second.to_bits());
+        let mut own: Vec<(SpecialKind, f64)> = at_top.map(|it| (curve.kind, it.point.parameter)).collect();
+        // A curve that was found on the edge of the map has two points there.
+        own.sort_by(|a, b| a.1.total_cmp(&b.1));
+        own.dedup_by(|a, b| (a.1 - b.1).abs() < 1e-9);
+        found.extend(own);
+    }
+    found.sort_by(|a, b| a.1.total_cmp(&b.1));
+    found
+}
+
+fn assert_upper_ends(chart: &StabilityChart, second: f64, expected: &[f64], accuracy: f64) {
+    let found = upper_ends(chart, second);
+    assert_eq!(found.len(), expected.len(), "{found:?}");
+    for ((_, found), expected) in found.iter().zip(expected) {
+        assert!((found - expected).abs() < accuracy, "{found:?} for {expected:?}");
+    }
+}
+
+/// By SciPy's DOP853 with rtol 1e-13: zeros of the discriminant 2(tr M² + 4) − (tr M)² of the monodromy matrix without
+/// damping, and of the largest modulus of its eigenvalues less one with damping.
+#[test]
+fn combination_resonances_are_found_without_damping_and_with_little() {
+    for (c, expected) in
+        [("0", [1.0438442783027, 1.0596338723294]), ("0.0004", [1.0438467552729, 1.0596313540503])]
+    {
+        let equation = equation_with(TWO, &[("c", c)]);
+        let ranges = [[0.98, 1.11], [0.0333333, 0.1]];
+        let chart = StabilityChart::over(&equation, ["w", "m"], ranges, &REST_ALONE, &Quiet).unwrap();
+        assert_upper_ends(&chart, 0.1, &expected, 1e-9);
+        assert!(chart.curves.iter().all(|it| it.kind == SpecialKind::NeimarkSacker), "damping {c}");
+        assert_eq!(chart.rest.unwrap().unresolved, [[0.0; 2]; 0]);
+    }
+}
+
+/// The tongue by SciPy's zeros of Π(μ − 1), Π(μ + 1) at the greatest m; it is a two-thousandth of the map wide.
+#[test]
+fn both_borders_of_a_narrow_tongue_are_followed_once() {
+    let equation = equation_with(TWO, &[("c", "0")]);
+    let ranges = [[0.55, 0.65], [0.0333333, 0.1]];
+    let chart = StabilityChart::over(&equation, ["w", "m"], ranges, &REST_ALONE, &Quiet).unwrap();
+    let found = upper_ends(&chart, 0.1);
+    let near = |expected: f64| found.iter().filter(|it| (it.1 - expected).abs() < 1e-8).count();
+    assert_eq!([near(0.5960813310), near(0.5963899479)], [1, 1], "{found:?}");
+}
+
+/// By SciPy's DOP853: the third tongue of Mathieu's equation lies in the first interval of the grid.
+#[test]
+fn a_tongue_next_to_the_edge_of_a_map_is_found() {
+    let equation = equation_with("x'' + 0.0004*x' + (1 + m*cos(2*w*t))*x + x^3 = 0", &[]);
+    let ranges = [[0.33, 1.32], [0.1, 0.3]];
+    let chart = StabilityChart::over(&equation, ["w", "m"], ranges, &REST_ALONE, &Quiet).unwrap();
+    let found = upper_ends(&chart, 0.3);
+    let inside = found.iter().filter(|it| it.1 < 0.34).count();
+    assert_eq!(inside, 2, "{found:?}");
+    assert!(found.windows(2).all(|pair| pair[1].1 - pair[0].1 > 1e-9), "{found:?}");
+}
+
+/// cos(wt)² = (1 + cos(2wt))/2: both forms of an equation have the same boundaries, of the same kinds.
+#[test]
+fn the_kind_of_a_boundary_is_that_over_the_least_period() {
+    let over = |text: &str| {
+        let ranges = [[0.8, 1.3], [0.1, 0.6]];
+        let chart = StabilityChart::over(&equation_with(text, &[]), ["w", "m"], ranges, &REST_ALONE, &Quiet);
+        upper_ends(&chart.unwrap(), 0.6)
+    };
+    let squared = over("x'' + 0.04*x' + (1 + m*cos(w*t)^2)*x + x^3 = 0");
+    let doubled = over("x'' + 0.04*x' + (1 + m/2 + m/2*cos(2*w*t))*x + x^3 = 0");
+    assert!(squared.iter().any(|it| it.0 == SpecialKind::PeriodDoubling), "{squared:?}");
+    assert_eq!(squared.len(), doubled.len());
+    for (a, b) in squared.iter().zip(&doubled) {
+        assert!(a.0 == b.0 && (a.1 - b.1).abs() < 1e-12, "{a:?} {b:?}");
+    }
+}

@@ -50,6 +50,7 @@ fn a_chart_is_told_in_words() {
         "stability boundary of the equilibrium: branch point",
         "At omega = 5 the equilibrium is stable for a from 0.287786 to 0.4.",
         "At omega = 10 the equilibrium is stable for a from 0.142045 to 0.4.",
+        "Tested at 33 × 33 points of the map, the equilibrium is stable at some of them and unstable at others;",
     ] {
         assert!(told.contains(part), "{part} in {told}");
     }

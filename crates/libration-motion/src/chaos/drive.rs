@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::repetitions::repetitions;
 use super::structure::TIME;
 use libration_numbers::algebra::{Rational, Rationals, Ring};
 use libration_numbers::expression::{Equation, Expression, Function, Symbol};
@@ -9,8 +10,10 @@ use libration_numbers::expression::{Equation, Expression, Function, Symbol};
 /// Largest number of periods of the first drive in the common period.
 const LONGEST: i64 = 1000;
 
-/// The common period of all drives, if the time occurs only in sines and cosines, to first power
+/// The least period of the equations in the time, if the time occurs only in sines and cosines, to first power
 /// with constant factors in simple proportions. `None` without a drive, and in all other cases.
+///
+/// It may be a part of the common period of the sines and cosines, as for cos(ωt)² or |cos(ωt)|.
 ///
 /// # Examples
 /// ```
@@ -19,6 +22,7 @@ const LONGEST: i64 = 1000;
 /// use std::f64::consts::TAU;
 /// assert_eq!(drive_period(&"x'' = -sin(x) + 1.5*cos(2t/3)".parse()?), Some(1.5 * TAU));
 /// assert_eq!(drive_period(&"x'' = -(1 + cos(3t))*x + sin(2t - x)".parse()?), Some(TAU));
+/// assert_eq!(drive_period(&"x'' = -x + cos(t)^2".parse()?), Some(TAU / 2.0));
 /// assert_eq!(drive_period(&"x'' = -x + t".parse()?), None);
 /// # Ok::<(), libration::expression::EquationError>(())
 /// ```
@@ -29,8 +33,8 @@ pub fn drive_period(equation: &Equation) -> Option<f64> {
     Some(f64::from(times) * TAU / frequency).filter(|period| period.is_finite())
 }
 
-/// The angular frequency of the first drive, which may contain symbolic parameters,
-/// and the number of its periods in the common period; `None` as for [`drive_period`].
+/// An angular frequency, which may contain symbolic parameters, and the number of its
+/// periods in the least period of the equations; `None` as for [`drive_period`].
 ///
 /// # Examples
 /// ```
@@ -42,6 +46,42 @@ pub fn drive_period(equation: &Equation) -> Option<f64> {
 /// ```
 #[must_use]
 pub fn drive_frequency(equation: &Equation) -> Option<(Expression, i32)> {
+    let WrittenDrive { frequency, times, repetitions } = WrittenDrive::of(equation)?;
+    let shared = (1..=times).rev().find(|it| times % it == 0 && repetitions % it == 0)?;
+    let factor = repetitions / shared;
+    let frequency = match factor {
+        1 => frequency,
+        _ => {
+            let factor = Expression::from(i64::from(factor));
+            Expression::Multiply(Box::new(factor), Box::new(frequency)).simplified()
+        }
+    };
+    Some((frequency, times / shared))
+}
+
+/// The sines and cosines of the time as they stand in equations.
+#[derive(Clone, Debug)]
+pub struct WrittenDrive {
+    /// The angular frequency of the first of them, which may contain symbolic parameters.
+    frequency: Expression,
+    /// The number of its periods in their common period.
+    times: i32,
+    /// The number of least periods of the equations in this common period.
+    pub repetitions: i32,
+}
+
+impl WrittenDrive {
+    /// `None` as for [`drive_period`].
+    #[must_use]
+    pub fn of(equation: &Equation) -> Option<Self> {
+        let (frequency, times) = common_frequency(equation)?;
+        let repetitions = repetitions(equation, &frequency, times);
+        Some(Self { frequency, times, repetitions })
+    }
+}
+
+/// The angular frequency of the first sine or cosine of the time, and the number of its periods in the common period of all of them.
+fn common_frequency(equation: &Equation) -> Option<(Expression, i32)> {
     let time = Symbol::plain(TIME);
     let parameters = equation.parameters();
     let is_constant =

@@ -27,7 +27,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod drive;
+pub(crate) mod drive;
+
+mod repetitions;
+
 pub(crate) mod structure;
 
 mod section;

@@ -480,3 +480,34 @@ fn complete_integrals(k: f64) -> [f64; 2] {
     let first = std::f64::consts::FRAC_PI_2 / a;
     [first, first * (1.0 - sum)]
 }
+
+/// The state of a typed motion at a time with its errors; `None` if it is no longer determined.
+fn ended(equation: &str, start: &[(&str, f64)], time: f64) -> (Vec<f64>, Option<Vec<f64>>) {
+    let system = System::new(&equation.parse().unwrap()).unwrap();
+    let (start, effort) = (system.start(start).unwrap(), Effort::to_tolerance(1e-12));
+    let mut errors = StateErrors::new(&system, &start, &effort);
+    let end = integrate_from(&system, &Start::State(start), &[time], &effort, |accepted| {
+        errors.follow(accepted);
+        ControlFlow::Continue(())
+    });
+    let end = end.unwrap().end;
+    let stated = errors.at(&end);
+    (end.state, stated)
+}
+
+/// The equilibria and final velocities are zeros of the forces.
+#[test]
+fn motions_with_kinks_are_determined_where_they_come_to_rest() {
+    for (equation, time, component, exact) in [
+        ("x'' = -x - 0.5*max(x + 0.5, 0) - 0.2*x'", 1000.0, 0, -1.0 / 6.0),
+        ("x'' = -1 - 64*min(x, 0) - 4*x'", 40.0, 0, -1.0 / 64.0),
+        ("x' = -x - 1 - 0.1*abs(x)", 100.0, 0, -10.0 / 9.0),
+        ("x'' = -x - 1 - 0.1*max(x - 9, 0) - 0.2*x'", 1000.0, 0, -1.0),
+        ("x'' = -1 - 0.1*x'*abs(x')", 1000.0, 1, -libm::sqrt(10.0)),
+    ] {
+        let (state, errors) = ended(equation, &[("x", 1.0)], time);
+        let error = errors.unwrap_or_else(|| panic!("{equation}: not determined"))[component];
+        assert!((state[component] - exact).abs() <= error, "{equation}: {state:?} ± {error:e}");
+        assert!(error < 1e-11, "{equation}: {error:e}");
+    }
+}

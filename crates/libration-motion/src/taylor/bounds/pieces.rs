@@ -120,17 +120,22 @@ impl Pieces {
         next: &Middle,
         accepted: &AcceptedStep<'_>,
         spread: &Spread,
-        steps: f64,
+        (steps, scales): (f64, &[f64]),
     ) -> Boundary {
         let Some(last) = &mut self.last else { return Boundary::Smooth };
         let jumps: Vec<f64> = last.rates[1].iter().zip(&next.rates[0]).map(|(a, b)| b - a).collect();
-        let is_none =
-            |(jump, (a, b)): (&f64, (&f64, &f64))| (jump * next.step.length).abs() <= SMALLEST_JUMP * (a + b);
-        if jumps.iter().zip(last.ways.iter().zip(&next.ways)).all(is_none) {
-            return Boundary::Smooth;
-        }
         let changes = |modulus: &usize| (last.signs[*modulus] - next.signs[*modulus]).abs() > 0.0;
         let mut changed = (0..next.signs.len()).filter(changes);
+        // A motion at rest covers no distance: the differences of its rates are roundings of its largest values.
+        let rounding = if changed.clone().next().is_some() { ROUNDED_JUMP } else { SMALLEST_JUMP };
+        let is_none = |number: usize| {
+            let way = last.ways[number] + next.ways[number];
+            let effect = (jumps[number] * next.step.length).abs();
+            effect <= (SMALLEST_JUMP * way).max(rounding * scales[number])
+        };
+        if (0..jumps.len()).all(is_none) {
+            return Boundary::Smooth;
+        }
         let (Some(modulus), None) = (changed.next(), changed.next()) else { return Boundary::Unknown };
         let step = accepted.step();
         let inputs = [&step.state_at(step.start())[..], &[step.start()], &last.signs].concat();
@@ -158,10 +163,13 @@ impl Pieces {
     }
 
     /// The spread in the middle of the next step, computed from that in the middle of the last step by neighbouring motions.
-    pub(in crate::taylor) fn grown(&mut self, next: &Middle) -> Spread {
+    pub(in crate::taylor) fn grown(&mut self, next: &Middle, scales: &[f64]) -> Spread {
         let Some(last) = &mut self.last else { return next.spread.clone() };
         let moments = [&last.step.middle, &next.step.middle];
-        let apart: Vec<f64> = last.ways.iter().zip(&next.ways).map(|(a, b)| distance(a + b, 0.0)).collect();
+        let way = |number: usize| last.ways[number] + next.ways[number];
+        let apart: Vec<f64> = (0..scales.len())
+            .map(|number| distance(way(number), at_rest(way(number), scales[number])))
+            .collect();
         let growth = self.plain.as_ref().and_then(|plain| growths(plain, &moments, &apart)?.pop());
         let mut spread = last.spread.clone();
         let Some(growth) = growth else {
@@ -178,8 +186,16 @@ impl Pieces {
     }
 }
 
+/// The size that sets the distance of neighbouring motions in a component, which is this one where it covers no distance.
+fn at_rest(way: f64, scale: f64) -> f64 {
+    if way > 0.0 { 0.0 } else { scale }
+}
+
 /// Smallest effect of a jump on a step, relative to the distance that a component covers; a smaller one is rounding.
 const SMALLEST_JUMP: f64 = 1e-10;
+
+/// The same where an argument of a |…| changes its sign, relative to the largest size of the component: four roundings.
+const ROUNDED_JUMP: f64 = 4.0 * f64::EPSILON;
 
 /// Largest error of the time of a zero, relative to the adjacent steps, at which the zero counts as passed.
 const LARGEST_PART: f64 = 1e-3;

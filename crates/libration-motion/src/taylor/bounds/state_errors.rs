@@ -219,7 +219,7 @@ impl StateErrors {
         self.set_added(step, end - step.start(), 0.0);
         self.add_unseen(step, time - step.start());
         let is_known = !is_new && self.flow.is_finite();
-        let boundary = pieces.boundary(&middle, accepted, &self.spreads[1], self.steps);
+        let boundary = pieces.boundary(&middle, accepted, &self.spreads[1], (self.steps, &self.scales));
         match if is_known || pieces.last.is_none() { boundary } else { Boundary::Unknown } {
             Boundary::Smooth => self.spreads[1].pass(&self.flow),
             Boundary::Jump { flow, late } => {
@@ -227,7 +227,7 @@ impl StateErrors {
                 self.spreads[1].blur(&late);
                 self.spreads[1].pass(&self.flow);
             }
-            Boundary::Unknown => self.spreads[1] = pieces.grown(&middle),
+            Boundary::Unknown => self.spreads[1] = pieces.grown(&middle, &self.scales),
         }
         middle.keep_zero(&mut self.spreads[1]);
         middle.spread.clone_from(&self.spreads[1]);

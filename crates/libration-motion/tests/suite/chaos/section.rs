@@ -2,7 +2,7 @@
 
 use libration::chaos::{
     Continuation, DiagramColumn, Family, PoincareSection, Points, Section, SectionEnding,
-    bifurcation_diagram, drive_period, folded, section,
+    bifurcation_diagram, drive_frequency, drive_period, folded, section,
 };
 use libration::progress::{Quiet, Status};
 use libration::taylor::{Cause, Direction, Effort, Moment};
@@ -239,6 +239,39 @@ fn the_period_of_a_drive_is_found_where_there_is_one() {
     ] {
         assert_eq!(period(none), None, "{none}");
     }
+}
+
+/// The periods follow from products of cosines written as sums, as in 2·cos(t)·cos(3t) = cos(2t) + cos(4t) and 4·cos³t − 3·cos t = cos(3t).
+#[test]
+fn the_period_is_the_least_in_which_the_equations_repeat() {
+    for (equation, period) in [
+        ("x'' = -x + cos(2*t)^2", PI / 2.0),
+        ("x'' = -x + abs(cos(2*t))", PI / 2.0),
+        ("x'' = -x + 3*sin(t)*cos(t)", PI),
+        ("x'' = -sin(x + cos(t)^2) - x'*abs(sin(t))^1.5", PI),
+        ("x'' = -x*cos(t)*x*cos(t)", PI),
+        ("x'' = -x + max(cos(t), -cos(t)) + cos(t)^8", PI),
+        ("x'' = -x + sign(cos(t))*cos(t) + cosh(3*cos(t))", PI),
+        ("x'' = -x + cos(t)*cos(3*t)", PI),
+        ("x'' = -x + cos(t)*cos(t/3)", 3.0 * PI),
+        ("x'' = -x + 4*cos(t)^3 - 3*cos(t)", TAU / 3.0),
+        ("x'' = -x + cos(t)^2 - cos(2*t)/2 + cos(7*t)", TAU / 7.0),
+        ("x'' = -x + cos(t)^2; y'' = -y + sin(t)^2*x", PI),
+        // Windows, pulses and small parts keep the longer period.
+        ("x'' = -x + cos(t)^2; y'' = -y + sin(t)", TAU),
+        ("x'' = -x + max(cos(t) - 0.999, 0)", TAU),
+        ("x'' = -x + cos(t)^2 + max(0.001 - abs(x - 0.5), 0)*cos(t)", TAU),
+        ("x'' = -x + exp(-10000*(1 - cos(t)))", TAU),
+        ("x'' = -x + tanh(10000*(cos(t) - 0.99))", TAU),
+        ("x'' = -1e20*x + cos(t)^2 + 1e-20*cos(t)", TAU),
+        ("x'' = -x + sign(cos(t))", TAU),
+        ("x'' = -x*(cos(t)^2 + sin(t)^2)", TAU),
+    ] {
+        let found = drive_period(&equation.parse().unwrap()).unwrap();
+        assert!((found / period - 1.0).abs() < 1e-15, "{equation}: {found:?} for {period:?}");
+    }
+    let (frequency, times) = drive_frequency(&"x'' = -x + A*cos(w*t)^2".parse().unwrap()).unwrap();
+    assert_eq!((frequency.to_string().as_str(), times), ("2*w", 1));
 }
 
 #[test]

@@ -113,6 +113,15 @@ pub(super) fn of_answer() -> Fields<Answer> {
             let values = it.chart.rest.iter().flat_map(|rest| &rest.values);
             json::list(values.map(|values| json::numbers(values)))
         }),
+        Of::value(
+            "unresolved[][]",
+            "",
+            "values of both parameters between neighbouring points of the grid of which one is stable and the other is not, although no boundary was followed between them",
+            |it| {
+                let places = it.chart.rest.iter().flat_map(|rest| &rest.unresolved);
+                json::list(places.map(|place| json::numbers(place)))
+            },
+        ),
         Of::nested("rest_stable_at[].", &of_end(), |it| of_end().records(&it.rest_at_ends())),
         Of::value("interrupted", "", "true if Ctrl-C ended the work", |it| it.chart.interrupted.into()),
     ])

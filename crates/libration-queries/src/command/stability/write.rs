@@ -62,7 +62,40 @@ impl Answer {
         if self.chart.curves.is_empty() {
             write_text(out, "", "No stability boundary and no singular point was found on this map.")?;
         }
+        for text in self.told_of_grid() {
+            write_text(out, "", &text)?;
+        }
         Ok(())
+    }
+
+    /// Statements of what the grid shows of the equilibrium beyond the curves.
+    fn told_of_grid(&self) -> Vec<String> {
+        let Some(rest) = self.chart.rest.as_ref().filter(|_| !self.chart.interrupted) else { return vec![] };
+        let [first, second] = &self.parameters;
+        let [columns, rows] = [0, 1].map(|which| rest.values[which].len());
+        let known = || rest.stable.iter().flatten().flatten();
+        let stable = match (known().any(|it| *it), known().any(|it| !*it)) {
+            (true, false) => "stable at all of them",
+            (false, true) => "unstable at all of them",
+            (true, true) => "stable at some of them and unstable at others",
+            (false, false) => "followed at none of them",
+        };
+        let mut told = vec![format!(
+            "Tested at {columns} × {rows} points of the map, the equilibrium is {stable}; tongues that lie between the points may be missing."
+        )];
+        if let Some([x, y]) = rest.unresolved.first() {
+            let others = match rest.unresolved.len() - 1 {
+                0 => String::new(),
+                1 => " and at one other place".to_owned(),
+                more => format!(" and at {more} other places"),
+            };
+            told.push(format!(
+                "Next to {first} = {}, {second} = {}{others} the equilibrium is stable at one point and unstable at the next, but no boundary could be followed between them: a smaller map there may show it.",
+                short(*x, 6),
+                short(*y, 6)
+            ));
+        }
+        told
     }
 
     /// A statement of the ranges in which the equilibrium is stable at an end of the first parameter.
