@@ -16,6 +16,8 @@ interface Place {
 interface Chart {
   readonly parameters: readonly [string, string];
   readonly rest_stable_at: readonly { readonly value: number; readonly ranges: readonly (readonly [number, number])[] }[];
+  /** Places between a stable and an unstable point of the grid without a boundary. */
+  readonly unresolved: readonly (readonly [number, number])[];
   readonly curves: readonly {
     readonly kind: string;
     readonly at_rest: boolean;
@@ -27,10 +29,11 @@ interface Chart {
 
 export const maps: Asking<Chart> = { title: words.title, name: "stability", fields: ["map", "rest", "lines"], said };
 
-function said({ parameters, rest_stable_at: ends, curves }: Chart): Node[] {
+function said({ parameters, rest_stable_at: ends, curves, unresolved }: Chart): Node[] {
   const [first, second] = parameters;
   const rest = ends.map(({ value, ranges }) => words.rest(`${first} = ${short(value)}`, ranges.map(([from, to]) => words.range(second, short(from), short(to)))));
-  const sentences = curves.length > 0 ? rest : [...rest, words.noCurves];
+  const open = unresolved.slice(0, 1).map(([x, y]) => words.unresolved(`${first} = ${short(x)}, ${second} = ${short(y)}`, unresolved.length - 1));
+  const sentences = [...rest, ...(curves.length > 0 ? [] : [words.noCurves]), ...open];
   const list = element("ol", {}, ...curves.map((curve) => element("li", {}, curveSaid(parameters, curve))));
   return [...sentences.map((sentence) => element("p", {}, sentence)), ...(curves.length > 0 ? [list] : [])];
 }

@@ -127,6 +127,7 @@ export const chaos = {
     rest: (at: string, ranges: readonly string[]) => `At ${at} the state at rest is stable ${ranges.length === 0 ? "nowhere on this map" : ranges.join(" and ")}.`,
     range: (name: string, from: string, to: string) => `for ${name} from ${from} to ${to}`,
     noCurves: "No stability boundary and no singular point was found on this map.",
+    unresolved: (place: string, others: number) => `Next to ${place}${others === 0 ? "" : ` and at ${others} other ${others === 1 ? "place" : "places"}`} stability changes, but no boundary could be followed: a smaller map may show it.`,
     place: (first: string, second: string, error: string) => `${first}, ${second} (to within ${error})`,
     closed: "a closed curve",
     way: (from: string, to: string) => `from ${from} to ${to}`,
