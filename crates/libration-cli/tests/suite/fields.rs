@@ -235,8 +235,6 @@ const FURTHER: &[&str] = &[
     "expand|x''+2*eps*mu*x'+k*x+eps*a*x^3=eps*F*cos(W*t)|--resonance|1/1",
     "expand|x''+eps*x'/5+x+eps*x^3=eps*cos(W*t)/2|--resonance|1/1|--set|eps=0.1|--evaluate|1.03",
     "expand|x''+eps*(x'/5+x^3)+x=eps*cos(W*t)|--resonance|1/1|--order|3|--set|eps=0.1|--evaluate|1.3",
-    "expand|x''+eps*x'+x+x^3=0|--small|eps:1|--order|1",
-    "resonance|x''+x^3+w^2*x+eps*y=0;y''+y^3+w^2*y+eps*x=0|--order|1",
     "backbone|x''=-x-x^2|--amplitudes|0.1,0.2,3",
     "backbone|x''=-x-x^3|--amplitudes|1",
     "orbit|x''=(1-x^2)*x'-x|--initial|x=0.5",

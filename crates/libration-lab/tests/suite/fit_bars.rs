@@ -44,6 +44,52 @@ fn a_bar_turned_about_points_on_one_side_of_its_centre_is_recognised() {
     assert!(is_named(&fit) && fit.power_law.is_none(), "{:?}", fit.warnings);
 }
 
+/// Fits of a bar with its centre of mass at a position, from many draws of the errors of the periods, and whether g is off by more than four
+/// uncertainties.
+fn drawn(positions: &[f64], centre: f64, seed: u64) -> Vec<(LengthsFit, bool)> {
+    const ERROR: f64 = 0.002;
+    let mut random = Random::seeded(seed);
+    let errors = vec![ERROR; positions.len()];
+    let options = LengthsOptions { pendulum: Some(LengthsPendulum::Bar), ..LengthsOptions::default() };
+    let mut one = || {
+        let periods: Vec<f64> =
+            positions.iter().map(|x| period(x - centre, K) + ERROR * random.normal()).collect();
+        let columns = LengthColumns {
+            lengths: positions,
+            periods: &periods,
+            period_uncertainties: Some(&errors),
+            ..LengthColumns::default()
+        };
+        let fit = fitted(&columns, &options).unwrap();
+        let is_off = (fit.best().g.value - G).abs() > 4.0 * fit.combined.standard;
+        (fit, is_off)
+    };
+    (0..300).map(|_| one()).collect()
+}
+
+fn names_two_centres(fit: &LengthsFit) -> bool {
+    fit.warnings.iter().any(|it| matches!(it, LengthsWarning::TwoCentres { .. }))
+}
+
+#[test]
+fn points_on_one_side_leave_the_centre_where_it_is_said_to_be() {
+    // A centre beyond the points makes a second minimum, with g = 27 m/s².
+    let fits = drawn(&[0.3, 0.35, 0.4, 0.45, 0.48], 0.0, 11);
+    let free = fits.iter().filter(|(fit, _)| fit.best().model != LengthModel::Bar).count();
+    // One in a hundred by chance: more than 14 of 300 in fewer than one run in a million.
+    assert!(free <= 14, "{free}");
+    assert!(fits.iter().filter(|(_, is_off)| *is_off).count() <= 5);
+}
+
+#[test]
+fn a_second_centre_that_the_rows_do_not_exclude_is_named() {
+    let fits = drawn(&[0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35], 0.5, 12);
+    let silent = fits.iter().filter(|(fit, is_off)| *is_off && !names_two_centres(fit)).count();
+    assert!(silent == 0, "{silent}");
+    let both_sides = drawn(&[0.05, 0.15, 0.25, 0.35, 0.65, 0.75, 0.85], 0.5, 13);
+    assert!(both_sides.iter().all(|(fit, is_off)| !is_off && !names_two_centres(fit)));
+}
+
 #[test]
 fn positions_along_the_whole_bar_give_its_centre_of_mass() {
     // From one end, from beyond it, and from a mark in the middle.

@@ -698,3 +698,13 @@ fn stability_is_what_multipliers_establish_within_their_errors() {
     assert_eq!(of(&[(0.5, f64::NAN), (0.5, 0.0)]), Stability::Undetermined);
     assert_eq!(of(&[(2.0, 0.1), (0.5, f64::NAN)]), Stability::Unstable);
 }
+
+/// The motion passes |x − 0.04|^1.5 twice in each period.
+#[test]
+fn a_driven_orbit_over_a_kink_with_a_power_is_found_soon() {
+    let equation = "x'' + 0.2*x' + x + 2*max(x - 0.04, 0)^1.5 = 0.5*cos(1.26*t)".parse().unwrap();
+    let orbit = Orbit::driven(&equation, &[1.4, 1.0], TAU / 1.26, &Quiet).unwrap();
+    // By SciPy's DOP853 after 150 periods.
+    let off = [orbit.start()[0] + 0.54277919, orbit.start()[1] - 2.38324195];
+    assert!(off.iter().all(|off| off.abs() < 1e-6), "{off:?}");
+}

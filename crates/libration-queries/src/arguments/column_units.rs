@@ -102,7 +102,8 @@ impl<const N: usize> ColumnsInSi<N> {
             .chain(of_readings)
             .collect();
         let stated = std::array::from_fn(|place| (units.units[place], units.are_stated[place]));
-        let read_columns = chosen.read_columns(stated, units.counts, wanted);
+        let counts = chosen.column_of_swings.is_none().then_some(units.counts);
+        let read_columns = chosen.roles.iter().map(|it| it.with_units(wanted, stated, counts)).collect();
         Ok(Self {
             columns: std::array::from_fn(|place| rows.column(place, &repeated)),
             rounding: std::array::from_fn(|place| rows.rounding(place)),

@@ -1,6 +1,6 @@
 //! What was inferred from a table: sentences for people, and the columns as data for front ends.
 
-use super::{ChosenColumns, Wanted};
+use super::Wanted;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
 use libration_lab::measurement::{Table, TableRoles, Unit};
@@ -58,24 +58,18 @@ impl ReadColumn {
         all.sort_by_key(|it| it.number);
         all
     }
-}
 
-impl<const N: usize> ChosenColumns<N> {
-    /// The columns with their roles, and with the units and numbers of swings of what is wanted.
-    pub(super) fn read_columns(
+    /// The column with the unit of its quantity, whether a header states it, and the number of swings of times that no column numbers.
+    pub(super) fn with_units<const N: usize>(
         &self,
-        units: [(Unit, bool); N],
-        counts: [f64; N],
         wanted: &[Wanted; N],
-    ) -> Vec<ReadColumn> {
-        let with_unit = |column: &ReadColumn| {
-            let Some(place) = column.wanted else { return column.clone() };
-            let (unit, is_unit_stated) = units[place];
-            let is_counted = wanted[place].counted.is_some() && self.column_of_swings.is_none();
-            let swings = is_counted.then_some(counts[place]);
-            ReadColumn { unit: Some(unit), is_unit_stated, swings, ..column.clone() }
-        };
-        self.roles.iter().map(with_unit).collect()
+        units: [(Unit, bool); N],
+        counts: Option<[f64; N]>,
+    ) -> Self {
+        let Some(place) = self.wanted else { return self.clone() };
+        let (unit, is_unit_stated) = units[place];
+        let swings = counts.filter(|_| wanted[place].counted.is_some()).map(|counts| counts[place]);
+        Self { unit: Some(unit), is_unit_stated, swings, ..self.clone() }
     }
 }
 

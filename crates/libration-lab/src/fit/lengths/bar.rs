@@ -9,6 +9,7 @@ use nalgebra::{DMatrix, DVector};
 use super::model::{LengthFit, LengthModel, Solution};
 use super::table::{LengthTable, Row};
 use crate::statistics::levenberg_marquardt::{Effort, Linearised, ResidualsError, minimum};
+use crate::statistics::student::probability_beyond_any;
 use crate::statistics::{Design, count, weighted_least_squares};
 
 const EFFORT: Effort = Effort { tolerance: 1e-13, patience: 100 };
@@ -31,9 +32,29 @@ pub(super) fn fit(table: &LengthTable, model: LengthModel) -> Option<LengthFit> 
         LengthModel::BarOffset => trials(table),
         _ => vec![0.0],
     };
-    let found = starts.into_iter().filter_map(|offset| at_minimum(table, model, offset));
-    let best = found.min_by(|one, other| one.chi2.total_cmp(&other.chi2))?;
-    best.solution.described_bar(table, model, &best.fitted)
+    let mut found: Vec<Found> =
+        starts.into_iter().filter_map(|offset| at_minimum(table, model, offset)).collect();
+    found.sort_by(|one, other| one.chi2.total_cmp(&other.chi2));
+    let (best, others) = found.split_first()?;
+    let fit = best.solution.described_bar(table, model, &best.fitted)?;
+    let other_centre = others.iter().find(|other| is_rival(&fit, best, other)).map(Found::centre_and_gravity);
+    Some(LengthFit { other_centre, ..fit })
+}
+
+/// Returns whether the rows do not exclude another minimum: its sum of squares is larger by less than that of two standard uncertainties.
+fn is_rival(fit: &LengthFit, best: &Found, other: &Found) -> bool {
+    /// Positions of one minimum that is reached from several trials agree to far less.
+    const SAME: f64 = 1e-6;
+    let [[centre, _], [other_centre, _]] = [best, other].map(Found::centre_and_gravity);
+    let is_other = (centre - other_centre).abs() > SAME * centre.abs().max(other_centre.abs());
+    is_other && fit.unit_variance().is_some_and(|variance| other.chi2 - best.chi2 < 4.0 * variance)
+}
+
+/// The probability that chance makes as large an improvement by a free centre over one at zero; `None` without a degree of freedom.
+pub(super) fn improvement_by_chance(at_zero: &LengthFit, free: &LengthFit) -> Option<f64> {
+    let improvement = (at_zero.sum_of_squares() - free.sum_of_squares()).max(0.0);
+    let deviations = (improvement / free.unit_variance()?).sqrt();
+    Some(probability_beyond_any(deviations, free.uncertainty_degrees_of_freedom()))
 }
 
 /// A solution at its least sum of squares.
@@ -41,6 +62,13 @@ struct Found {
     solution: Solution,
     fitted: Vec<f64>,
     chi2: f64,
+}
+
+impl Found {
+    /// The position of the centre of mass, and g.
+    fn centre_and_gravity(&self) -> [f64; 2] {
+        [-self.solution.coefficients.get(2).copied().unwrap_or_default(), 1.0 / self.solution.coefficients[0]]
+    }
 }
 
 /// The offsets with the smallest sums of squares, each smaller than those of its neighbours.

@@ -185,7 +185,11 @@ fn bars(table: &LengthTable, options: &LengthsOptions) -> Vec<LengthFit> {
     let is_bare = bob.is_none() && rod_mass.is_none() && stretch.is_none();
     let is_possible = is_bare && options.pendulum != Some(LengthsPendulum::Simple);
     let laws = LengthModel::OF_BARS.into_iter().filter(|_| is_possible);
-    laws.filter_map(|model| bar::fit(table, model)).collect()
+    let mut fits: Vec<LengthFit> = laws.filter_map(|model| bar::fit(table, model)).collect();
+    if let [at_zero, free] = &mut fits[..] {
+        free.p_value = bar::improvement_by_chance(at_zero, free);
+    }
+    fits
 }
 
 /// The law of a bar: with the centre of mass at zero, unless chance would make as large an improvement by another centre in fewer than one table in a

@@ -89,8 +89,11 @@ pub struct LengthFit {
     pub dof: usize,
     /// Akaike's criterion, corrected for few data; `None` where they are too few.
     pub aicc: Option<f64>,
-    /// The probability that chance makes the last free parameter as large if it is zero (a *t* or F test).
+    /// The probability that chance makes the last free parameter as large if it is zero (a *t* or F test); of the centre of a bar the probability of as
+    /// large an improvement over a centre at zero.
     pub p_value: Option<f64>,
+    /// Another centre of mass of a bar that the rows do not exclude, in metres, and g in m/s² with it.
+    pub other_centre: Option<[f64; 2]>,
     /// Residuals of T from the law, in seconds, row by row.
     pub residuals: Vec<f64>,
     /// The standard deviations of these, in seconds, as stated; without uncertainties their scatter.
@@ -110,6 +113,18 @@ impl LengthFit {
     #[must_use]
     pub fn scatter(&self) -> Option<Scatter> {
         Scatter::new(self.chi2, self.dof).map(|scatter| scatter.of_readings(self.readings_degrees_of_freedom))
+    }
+
+    /// χ², or the sum of the squared residuals where no uncertainties are stated.
+    pub(super) fn sum_of_squares(&self) -> f64 {
+        self.chi2.unwrap_or_else(|| self.residuals.iter().map(|residual| residual * residual).sum())
+    }
+
+    /// The variance of a row in units of [`sum_of_squares`](Self::sum_of_squares): that of the scatter, and not less than the stated one. `None`
+    /// without a degree of freedom.
+    pub(super) fn unit_variance(&self) -> Option<f64> {
+        let per_dof = (self.dof > 0).then(|| self.sum_of_squares() / count(self.dof))?;
+        Some(if self.chi2.is_some() { per_dof.max(1.0) } else { per_dof })
     }
 
     /// Degrees of freedom of the uncertainties: of the scatter of the rows where they come from that, else of repeated readings, and infinite where
@@ -323,6 +338,7 @@ impl Solution {
             dof,
             aicc: aicc(chi2, rows.len(), width, table.weighted),
             p_value: per_dof.filter(|_| width > 1).map(|per_dof| self.p_value(per_dof, dof)),
+            other_centre: None,
             residuals: left.iter().zip(rows).map(|(r, row)| r * to_seconds(row)).collect(),
             standard_deviations: deviations.collect(),
             readings_degrees_of_freedom: table.readings_degrees_of_freedom,

@@ -122,6 +122,7 @@ fn described(table: &LengthTable, gravity: Uncertain) -> LengthFit {
         dof: 0,
         aicc: None,
         p_value: None,
+        other_centre: None,
         residuals: rows.iter().map(residual).collect(),
         standard_deviations: rows.iter().map(|row| row.period_uncertainty).collect(),
         readings_degrees_of_freedom: table.readings_degrees_of_freedom,

@@ -36,6 +36,13 @@ pub enum LengthsWarning {
         /// Radius of gyration.
         gyration: f64,
     },
+    /// The rows of a bar do not exclude another centre of mass, as where all points are on one side of it.
+    TwoCentres {
+        /// Position of the other centre, in metres.
+        centre: f64,
+        /// g with it, in m/s².
+        gravity: f64,
+    },
     /// g is found nowhere on Earth, by [more than three](crate::fit::is_nowhere_on_earth) of its uncertainties.
     NowhereOnEarth {
         /// The mistake that explains it.
@@ -53,6 +60,7 @@ impl LengthsWarning {
             Self::Scatter(warning) => warning.name(),
             Self::OffsetLargerThanBob => "offset_larger_than_bob",
             Self::PhysicalPendulum { .. } => "physical_pendulum",
+            Self::TwoCentres { .. } => "two_centres",
             Self::NowhereOnEarth { .. } => "gravity_contradicted",
         }
     }
@@ -82,6 +90,13 @@ impl fmt::Display for LengthsWarning {
                 "the periods fall with the distance from the centre of mass up to {:.1} mm and rise beyond: they are those of a bar turned \
                  about several points, T²h = 4π²(k² + h²)/g, and not of a simple pendulum",
                 1e3 * gyration
+            ),
+            Self::TwoCentres { centre, gravity } => write!(
+                f,
+                "a centre of mass at {} m explains the rows nearly as well, with g = {} m/s²: measure on both sides of the centre, or the positions \
+                 from it",
+                rounded(*centre, 3),
+                rounded(*gravity, 3)
             ),
             Self::NowhereOnEarth { mistake } => {
                 let [least, greatest] = GRAVITY_ON_EARTH.map(|bound| rounded(bound, 3));
@@ -126,6 +141,7 @@ pub(super) fn of_bars(
     [
         is_inferred.then_some(LengthsWarning::PhysicalPendulum { gyration }),
         scatter.map(LengthsWarning::Scatter),
+        fit.other_centre.map(|[centre, gravity]| LengthsWarning::TwoCentres { centre, gravity }),
         nowhere_on_earth(gravity, combined.degrees_of_freedom),
     ]
     .into_iter()

@@ -129,9 +129,24 @@ const UNCERTAINTY: [&str; 23] = [
     "standardabweichung",
 ];
 
+/// Notations of several words or abbreviations.
+const STANDARD: [&str; 10] = [
+    "standard deviation",
+    "standard error",
+    "standard uncertainty",
+    "deviazione standard",
+    "desviación estándar",
+    "desviación típica",
+    "écart-type",
+    "écart type",
+    "s.e.m.",
+    "s.d.",
+];
+
 /// The words of a name in lower case, and whether they speak of an uncertainty.
 pub(in crate::measurement) fn without_uncertainty(name: &str) -> (String, bool) {
     let lower = name.to_lowercase().replace(['\\', '$'], "").replace('σ', "σ ").replace('±', "± ");
+    let lower = STANDARD.iter().fold(lower, |lower, words| lower.replace(words, "sd"));
     if let Some(of) = difference(&lower) {
         return (of, true);
     }

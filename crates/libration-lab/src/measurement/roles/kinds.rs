@@ -75,7 +75,7 @@ fn kind(channel: &Channel) -> Kind {
         () if heading.is_uncertainty => Kind::Uncertainties,
         () if is_squared(heading) => Kind::Squares,
         () if heading.unit.is_none() && is_number_of_row(heading, channel, name) => Kind::Other,
-        () if heading.unit.is_none() && SWINGS.contains(&name) && is_of_counts(channel) => Kind::Swings,
+        () if heading.unit.is_none() && is_of_swings(channel, name) => Kind::Swings,
         () if GROUP.contains(&name) || FUNCTIONS.iter().any(|it| name.starts_with(it)) => Kind::Other,
         () if is_other_power(heading) => Kind::Other,
         () if is_mean(&heading.text) => Kind::Means,
@@ -96,6 +96,13 @@ fn is_squared(heading: &Heading) -> bool {
 fn is_other_power(heading: &Heading) -> bool {
     let unit = heading.unit_text.as_deref().unwrap_or_default();
     heading.unit.is_none() && unit.contains(['^', '²', '³'])
+}
+
+/// Whole and half numbers under a word for swings; a zero among them is refused later, with its line. A bare n counts swings only where all are whole.
+fn is_of_swings(channel: &Channel, name: &str) -> bool {
+    let are_halves =
+        || channel.numbers().flatten().all(|number| number >= 0.0 && (2.0 * number).fract() == 0.0);
+    SWINGS.contains(&name) && (is_of_counts(channel) || name != "n" && are_halves())
 }
 
 fn is_of_counts(channel: &Channel) -> bool {

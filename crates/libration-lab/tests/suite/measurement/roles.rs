@@ -59,6 +59,9 @@ fn uncertainties_go_with_the_values_that_their_headings_name() {
         ("x,dx,y,dy", [(1, Some(2)), (3, Some(4))]),
         ("L,T,SD", [(1, None), (2, Some(3))]),
         ("L,T,u (s)", [(1, None), (2, Some(3))]),
+        ("L (m),mean T (s),standard deviation (s)", [(1, None), (2, Some(3))]),
+        ("L (m),T mean (s),s.e.m. (s)", [(1, None), (2, Some(3))]),
+        ("L (m),T (s),écart-type (s)", [(1, None), (2, Some(3))]),
         ("length,time,sigma_length,error", [(1, Some(3)), (2, Some(4))]),
         ("T,u(T),σ_T,L", [(4, None), (1, Some(2))]),
         ("d (m),T (s)", [(1, None), (2, None)]),
@@ -72,6 +75,17 @@ fn uncertainties_go_with_the_values_that_their_headings_name() {
         let expected = expected.map(|(value, of)| (vec![value], of));
         assert_eq!(found(&of_header(header), &[LENGTH, PERIOD]), expected, "{header}");
     }
+}
+
+#[test]
+fn numbers_of_swings_may_be_halves_and_a_zero_among_them_is_no_reason_to_ignore_them() {
+    for numbers in [["10", "5.5"], ["10", "0"], ["10", "20"]] {
+        let [first, second] = numbers;
+        let table = read(&format!("L (m),t (s),swings\n1,20.1,{first}\n0.5,7.8,{second}\n"));
+        assert_eq!(roles(&table, &[LENGTH, PERIOD]).unwrap().swings, Some(Column::Number(3)), "{numbers:?}");
+    }
+    let table = read("L (m),t (s),n\n1,20.1,1.3\n0.5,7.8,5.5\n");
+    assert_eq!(roles(&table, &[LENGTH, PERIOD]).unwrap().swings, None);
 }
 
 /// T is the initial of Theta and the symbol of the period: only both columns together decide.

@@ -16,6 +16,10 @@ enum Zero {
     After(f64),
 }
 
+/// Smallest error required of a stretch, relative to the sizes of its components: Picard's iterates differ by rounding. With 1e-17 the
+/// iteration rarely ends, and the zero is passed in up to millions of steps of the resolution of times.
+const LEAST_MISFIT: f64 = 1e-16;
+
 /// Ratio of the lengths of stretches that are tried.
 const FACTOR: f64 = 16.0;
 
@@ -100,7 +104,7 @@ impl<const N: usize> Stepper<'_, N> {
         let (start, goal) = (self.block.start[lane], self.goal[lane]);
         let direction = (goal - start).signum();
         let resolution = self.resolution(lane);
-        let tolerance = self.effort.relative;
+        let tolerance = self.effort.relative.max(LEAST_MISFIT);
         let along = |length: f64| {
             // Times are exact.
             let length =

@@ -3,11 +3,14 @@
 use super::force::DriveFrequency;
 use super::letters::{Column, Letters, Sum};
 use super::phase_sums::PhaseSum;
-use super::states::REACH;
 use super::steady::Steady;
 use libration_numbers::algebra::Rational;
 use libration_numbers::roots::polynomial_sign_changes;
 use std::f64::consts::{PI, TAU};
+
+/// The largest ratio of the terms of higher orders to those of the lowest within reach of the series, and of the distance of one state at two
+/// orders to its amplitude. A geometric series whose terms after the first are at most half of it has a ratio of at most 1/3.
+pub(super) const REACH: f64 = 0.5;
 
 /// Sums of a slow flow that have values.
 #[derive(Clone, Debug, PartialEq)]

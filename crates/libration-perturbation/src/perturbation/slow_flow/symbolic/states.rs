@@ -1,11 +1,7 @@
 //! Steady states with numbers, compared with those of other orders.
 
-use super::evaluation::{SlowFlowAt, SteadySolution};
+use super::evaluation::{REACH, SlowFlowAt, SteadySolution};
 use std::f64::consts::TAU;
-
-/// The largest ratio of the terms of higher orders to those of the lowest within reach of the series, and of the distance of one state at two
-/// orders to its amplitude. A geometric series whose terms after the first are at most half of it has a ratio of at most 1/3.
-pub(super) const REACH: f64 = 0.5;
 
 /// The steady states of a slow flow with numbers, with those that it cannot give.
 #[derive(Clone, Debug, PartialEq)]
