@@ -126,7 +126,7 @@ class Fit(Answer):
             uncertainties_enlarged_by = 1
         [[Results]]
             beta  0.9817 ± 0.0072 (0.74 %)
-            t0    2.0032 ± 0.0012 s (0.062 %)
+            t0    2.00322 ± 0.00085 s (0.043 %)
         """
         units = {name: unit for name, unit, _ in descriptions()[self._asked.command]}
         return _report.report(self.question, self._fields, units)
