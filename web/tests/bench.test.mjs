@@ -131,7 +131,8 @@ async function firstPicture() {
   return used;
 }
 
-test("the first picture is there within a second on a processor four times slower", async () => {
+// A time is right for one machine only: TIMES=yes measures it. An Intel Xeon needs 0.24 s of processor time, an AMD EPYC 0.41 s.
+test("the first picture is there within a second on a processor four times slower", { skip: process.env.TIMES === undefined }, async () => {
   // Processor time instead of a throttled clock, which depends on what else the machine does; a busy one needs up to a fifth more for the same work.
   const runs = [];
   for (let n = 0; n < 5; n++) runs.push(await firstPicture());
