@@ -252,7 +252,7 @@ fn assert_upper_ends(chart: &StabilityChart, second: f64, expected: &[f64], accu
     }
 }
 
-/// By SciPy's DOP853 with rtol 1e-13: zeros of the discriminant 2(tr M² + 4) − (tr M)² of the monodromy matrix without
+/// Borders by SciPy's DOP853 with rtol 1e-13: zeros of the discriminant 2(tr M² + 4) − (tr M)² of the monodromy matrix without
 /// damping, and of the largest modulus of its eigenvalues less one with damping.
 #[test]
 fn combination_resonances_are_found_without_damping_and_with_little() {
@@ -279,7 +279,7 @@ fn both_borders_of_a_narrow_tongue_are_followed_once() {
     assert_eq!([near(0.5960813310), near(0.5963899479)], [1, 1], "{found:?}");
 }
 
-/// By SciPy's DOP853: the third tongue of Mathieu's equation lies in the first interval of the grid.
+/// The third tongue of Mathieu's equation, by SciPy's DOP853, lies in the first interval of the grid.
 #[test]
 fn a_tongue_next_to_the_edge_of_a_map_is_found() {
     let equation = equation_with("x'' + 0.0004*x' + (1 + m*cos(2*w*t))*x + x^3 = 0", &[]);

@@ -86,11 +86,7 @@ impl FromIterator<DampingKind> for DampingModel {
 #[must_use]
 pub fn alternatives(models: &[DampingModel]) -> String {
     let names: Vec<String> = models.iter().map(ToString::to_string).collect();
-    match &names[..] {
-        [all @ .., before, last] if !all.is_empty() => format!("{}, {before} or {last}", all.join(", ")),
-        [before, last] => format!("{before} or {last}"),
-        names => names.join(", "),
-    }
+    libration::quantity::alternatives(&names)
 }
 
 impl fmt::Display for DampingModel {

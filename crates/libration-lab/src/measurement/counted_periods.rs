@@ -164,7 +164,7 @@ const MEAN: [&str; 12] = [
 
 /// Number of periods that a column with this heading counts in each time, where the heading names a run, in itself or in a line above.
 ///
-/// What follows the unit is a run only if it counts no periods: `Time (s) for 10 oscillations`, not `Time (s) Run 12`.
+/// The words after the unit are a run only if they count no periods: `Time (s) for 10 oscillations` counts, `Time (s) Run 12` does not.
 pub fn counted_in(heading: &str, run: &str) -> CountedPeriods {
     let without_run = heading.strip_suffix(run).unwrap_or(heading);
     match counted(without_run) {

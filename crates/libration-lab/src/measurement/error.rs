@@ -1,6 +1,7 @@
 //! Errors in files of measurements.
 
 use super::choices::{Choice, Suggestion};
+use libration::quantity::alternatives;
 
 /// Reason why a file is not a recording, or lacks the data requested.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -294,11 +295,7 @@ fn listed(choices: &[Suggestion], setting: &dyn Fn(Choice, &[&str]) -> String) -
 
 /// The choice with its values, as the library writes it: `angle-unit=rad or deg`.
 fn assigned(choice: Choice, values: &[&str]) -> String {
-    let values = match values.split_last() {
-        Some((last, first)) if !first.is_empty() => format!("{} or {last}", first.join(", ")),
-        _ => values.concat(),
-    };
-    format!("{choice}={values}")
+    format!("{choice}={}", alternatives(values))
 }
 
 /// One of these says what a number of the file is in radians.

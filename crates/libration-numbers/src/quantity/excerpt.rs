@@ -29,3 +29,18 @@ pub fn is_bidirectional(c: char) -> bool {
 pub fn printable(text: &str) -> String {
     text.chars().filter(|&c| !c.is_control() && !is_bidirectional(c)).collect()
 }
+
+/// The values of which each would do: `1`, `1 or 2`, `1, 2 or 3`.
+///
+/// # Examples
+/// ```
+/// assert_eq!(libration_numbers::quantity::alternatives(&["s", "ms", "min"]), "s, ms or min");
+/// ```
+#[must_use]
+pub fn alternatives(values: &[impl AsRef<str>]) -> String {
+    let values: Vec<&str> = values.iter().map(AsRef::as_ref).collect();
+    match values.split_last() {
+        Some((last, first)) if !first.is_empty() => format!("{} or {last}", first.join(", ")),
+        _ => values.concat(),
+    }
+}

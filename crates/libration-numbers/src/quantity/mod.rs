@@ -54,7 +54,7 @@ pub use digits::{rounded, short, to_place, with_uncertainty};
 pub use dimension::Dimension;
 pub use displacement::Displacement;
 pub use error::QuantityError;
-pub use excerpt::{excerpt, is_bidirectional, printable};
+pub use excerpt::{alternatives, excerpt, is_bidirectional, printable};
 pub(crate) use nearest::nearest;
 pub use physical::{Quantity, in_si, parse};
 pub use range::{AngleRange, NumberRange, angles, exact_angles, exact_numbers, numbers};

@@ -1,4 +1,4 @@
-//! What was inferred from a table: sentences for people, and the columns as data for front ends.
+//! Inferences from a table: sentences for people, and the columns as data for front ends.
 
 use super::Wanted;
 use crate::output::field::{Field, Fields};

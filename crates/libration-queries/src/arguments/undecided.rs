@@ -1,6 +1,6 @@
 //! Refusals of files with the options that would decide.
 
-use crate::query_error::text::alternatives;
+use libration::quantity::alternatives;
 use libration_lab::measurement::{Choice, MeasurementError};
 
 /// The reason why a file is refused, with marks of the options that would decide.

@@ -13,7 +13,7 @@ pub(crate) use parameter::{Parameter, argument, option};
 use clap::error::ErrorKind::{InvalidValue, MissingRequiredArgument};
 use clap::error::{ContextKind, ContextValue};
 use libration::oscillator::Remedy;
-use libration::quantity::Angle;
+use libration::quantity::{Angle, alternatives};
 use serde_json::{Value, json};
 use std::fmt::Display;
 use std::io::{Error, ErrorKind};
@@ -371,9 +371,7 @@ fn refused_parameters(error: &clap::Error) -> Vec<Parameter> {
 fn unknown_value(error: &clap::Error) -> Option<String> {
     let Some(ContextValue::String(given)) = error.get(ContextKind::InvalidValue) else { return None };
     let Some(ContextValue::Strings(valid)) = error.get(ContextKind::ValidValue) else { return None };
-    let (last, others) = valid.split_last()?;
-    let all = if others.is_empty() { last.clone() } else { format!("{} or {last}", others.join(", ")) };
-    Some(format!("unknown value `{given}`: give {all}"))
+    Some(format!("unknown value `{given}`: give {}", alternatives(valid)))
 }
 
 /// The message of clap without usage and advice.

@@ -4,6 +4,7 @@
 //! `<libration expand>` a query.
 
 use super::parameter::Parameter;
+use libration::quantity::alternatives;
 use serde_json::{Value, json};
 
 /// A message in parts.
@@ -33,15 +34,6 @@ pub trait Words {
     fn setting(&self, parameter: &Parameter, values: &[String]) -> String {
         let values: Vec<_> = values.iter().map(|value| self.value(value)).collect();
         format!("{} {}", self.parameter(parameter), alternatives(&values))
-    }
-}
-
-/// `1`, `1 or 2`, `1, 2 or 3`.
-pub(crate) fn alternatives(values: &[impl AsRef<str>]) -> String {
-    let values: Vec<&str> = values.iter().map(AsRef::as_ref).collect();
-    match values.split_last() {
-        Some((last, first)) if !first.is_empty() => format!("{} or {last}", first.join(", ")),
-        _ => values.concat(),
     }
 }
 

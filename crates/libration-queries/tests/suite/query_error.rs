@@ -14,7 +14,7 @@ impl Host for Nowhere {
 }
 
 /// A front end that names nothing as the command does.
-struct OtherWords;
+pub(crate) struct OtherWords;
 
 impl Words for OtherWords {
     fn parameter(&self, parameter: &QueryParameter) -> String {

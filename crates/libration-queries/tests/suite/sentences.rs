@@ -1,23 +1,12 @@
 //! Sentences of results, which name options and queries by marks, so that each front end can say them in its own words.
 
+use crate::query_error::OtherWords;
 use libration_queries::internals::query_error::CommandWords;
-use libration_queries::{Host, MarkedWords, QueryParameter, Words, ask};
+use libration_queries::{Host, MarkedWords, Words, ask};
 use serde_json::Value;
 use std::ffi::OsString;
 use std::io;
 use std::sync::{Arc, Mutex};
-
-struct OtherWords;
-
-impl Words for OtherWords {
-    fn parameter(&self, parameter: &QueryParameter) -> String {
-        format!("[{}]", parameter.name())
-    }
-
-    fn query(&self, words: &str) -> String {
-        format!("[{words}]")
-    }
-}
 
 /// A front end with words of its own, a table as its standard input, and its output in memory.
 struct Front {

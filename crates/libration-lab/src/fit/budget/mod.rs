@@ -67,7 +67,7 @@ pub enum BudgetError {
     Bob {
         /// Name of the shape.
         shape: &'static str,
-        /// What is wrong with it.
+        /// The reason, as a sentence.
         reason: &'static str,
     },
     /// A stiffness of the support without the mass of the bob.

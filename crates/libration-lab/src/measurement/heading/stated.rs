@@ -48,7 +48,7 @@ pub(in crate::measurement) fn without_stated(text: &str) -> (String, Option<Stat
     (joined(before, rest), Some(StatedUncertainty { value, unit, is_relative: false }))
 }
 
-/// What is left around a number that was taken out, without brackets that nothing is left in.
+/// The text around a number that was taken out, without empty brackets.
 fn joined(before: &str, after: &str) -> String {
     let (before, after) = (before.trim_end_matches([' ', ',', ';']), after.trim_start_matches([',', ';']));
     let text = match (before.strip_suffix(['(', '[']), after.trim_start().strip_prefix([')', ']'])) {

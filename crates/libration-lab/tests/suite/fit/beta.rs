@@ -19,7 +19,7 @@ fn three_uncertainties_from_one_are_no_chance() {
     assert!(!beta(0.9701, 0.01).differs_from_one() && beta(0.9699, 0.01).differs_from_one());
 }
 
-/// By `scipy.stats.t.isf(scipy.stats.norm.sf(3), dof)`: 235.80 with one degree of freedom, 19.2067 with two, 4.52997 with seven.
+/// Limits by `scipy.stats.t.isf(scipy.stats.norm.sf(3), dof)`: 235.80 with one degree of freedom, 19.2067 with two, 4.52997 with seven.
 #[test]
 fn few_degrees_of_freedom_need_a_larger_difference() {
     for (dof, limit) in [(1.0, 235.80), (2.0, 19.2067), (7.0, 4.52997)] {

@@ -77,7 +77,7 @@ fn numbers_of_half_periods_and_numbers_in_words_are_read() {
     }
 }
 
-/// What follows the unit names a run unless it counts periods; so does a title above the columns.
+/// Words after the unit name a run unless they count periods; so does a title above the columns.
 #[test]
 fn a_run_may_be_a_number_of_periods() {
     for (heading, count) in [
