@@ -110,3 +110,18 @@ fn the_amplitudes_are_drawn() {
     let svg = std::fs::read_to_string(picture).unwrap();
     assert!(svg.contains("amplitude A / degrees") && svg.contains("residual / degrees"));
 }
+
+#[test]
+fn uncertainties_in_per_cent_are_those_of_the_sizes_of_turning_points() {
+    let of = |name: &str, head: &str, uncertainty: fn(f64) -> f64| {
+        let size = |n: i32| 10.0 * libm::exp(-0.02 * f64::from(n)) * f64::from(1 - 2 * (n % 2));
+        let line = |n: i32| format!("{n},{:.9},{:.9}\n", size(n), uncertainty(size(n)));
+        let lines: String = (0..12).map(line).collect();
+        let file = file(name, &format!("t (s),x (cm),{head}\n{lines}"));
+        let answer = json(&format!("fit amplitudes {file} --period 2s --sides both"));
+        answer["quality_uncertainty"].as_f64().unwrap()
+    };
+    let relative = of("amplitudes-per-cent", "u(x) (%)", |_| 2.0);
+    let absolute = of("amplitudes-absolute", "u(x) (cm)", |x| 0.02 * x.abs());
+    assert!((relative / absolute - 1.0).abs() < 1e-6, "{relative} {absolute}");
+}

@@ -267,9 +267,9 @@ impl<const N: usize> SiRows<'_, N> {
         numbers.map(one).collect()
     }
 
-    /// A single reading, or its square where that is what the column holds.
+    /// Size of a single reading, or its square where that is what the column holds.
     fn quantity(&self, place: usize, row: usize) -> f64 {
-        let reading = self.readings(place, row)[0];
+        let reading = self.readings(place, row)[0].abs();
         if self.chosen.are_squares[place] { reading * reading } else { reading }
     }
 
