@@ -53,6 +53,15 @@ class Derivation:
         """A Jupyter notebook that computes each check again, or compares answers to exercises."""
         return questions.derive(**self.given, format="ipynb")
 
+    def judge(self, number: str, answer: str) -> str:
+        """The judgement of an answer to an exercise: right, not simplified, or wrong with the terms.
+
+        >>> import libration as lb
+        >>> lb.derive("short").judge("3.1", "omega0^2*(1 - theta0^2/9)")
+        'wrong: the term in $\\theta _{0}^{2}\\omega _{0}^{2}$ has another coefficient'
+        """
+        return questions.derive(**self.given, answer=f"{number}={answer}").rstrip()
+
     def save(self, file: Path) -> None:
         """Writes it to a file in the format of its extension: .md, .html, .tex or .ipynb."""
         forms = {".md": "markdown", ".html": "html", ".tex": "latex", ".ipynb": "ipynb"}

@@ -12,7 +12,11 @@ const inBody = (room, page) =>
     const { body } = new DOMParser().parseFromString(source.replaceAll(/<style>[^]*?<\/style>/g, ""), "text/html");
     return body.textContent.replaceAll(/\s/g, "");
   }, page);
-const shown = (room) => room.locator(".derivation").evaluate((it) => it.textContent.replaceAll(/\s/g, ""));
+const shown = (room) => room.locator(".derivation").evaluate((it) => {
+  const text = it.cloneNode(true);
+  text.querySelectorAll("form").forEach((form) => form.remove());
+  return text.textContent.replaceAll(/\s/g, "");
+});
 
 for (const [fragment, words, names = {}] of [
   ["road=elliptic&amplitude=40deg&length=57cm", ["--method", "elliptic", "--amplitude", "40deg", "--length", "57cm"]],
@@ -82,6 +86,23 @@ test("steps open one after the other by the keyboard, and a link leads to a form
       assert.equal(await again.locator(".arrived").getAttribute("id"), place);
       assert.equal(await again.locator("details.step[open]").count(), 3);
     });
+  }));
+
+test("answers to exercises are judged: right, not simplified, wrong with the term, and what is no formula", () =>
+  visit("derivations?exercises=yes&steps=all", async (room) => {
+    const judged = async (answer) => {
+      const form = room.locator("form", { has: room.getByLabel("Your answer to (3.1)") });
+      await form.getByRole("textbox").fill(answer);
+      await form.getByRole("textbox").press("Enter");
+      await form.locator(".judgement p").filter({ hasNotText: "…" }).waitFor();
+      await settled(room);
+      return form.locator(".judgement").textContent();
+    };
+    assert.equal(await judged("omega0^2*(1 - theta0^2/8)"), "right\n");
+    assert.match(await judged("omega0^2*(8 - theta0^2 + 3*theta0^2 - 3*theta0^2)/8"), /^right, but not simplified/);
+    assert.match(await judged("ω0²·(1 - θ0²/9)"), /^wrong: the term in .* has another coefficient/);
+    assert.match(await judged("omega0^2*(1 -"), /expected a number, a name or \(/);
+    assert.match(await judged("zeta"), /no symbol zeta/);
   }));
 
 test("a derivation is saved in every form as the command writes it", () =>

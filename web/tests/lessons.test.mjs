@@ -191,6 +191,10 @@ test("the sixteenth is derived as an exercise, and checked", () => {
     }
     // The bracket of the exercises is a question mark; the answer has θ₀²/16.
     assert.match(await step(2).innerText(), /=\s*\?/);
+    const answer31 = room.getByLabel("Your answer to (3.1)");
+    await answer31.fill(/such as `([^`]*)`/.exec(text)[1]);
+    await answer31.press("Enter");
+    await room.getByText("right", { exact: true }).waitFor();
     const last = room.locator(".derivation details.step").last();
     assert.equal(await last.evaluate((it) => it.open), false);
     while (!(await last.evaluate((it) => it.open))) await press(room, "Next step");

@@ -58,6 +58,8 @@ pub enum Block {
         number: usize,
         /// The formula, with a question mark for the result if the reader is to find it.
         statement: Statement,
+        /// `true` if [`Derivation::judge`] compares answers to it.
+        is_comparable: bool,
     },
     /// Numbers or formulas in rows.
     Table(DerivationTable),

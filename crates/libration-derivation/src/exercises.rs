@@ -1,5 +1,6 @@
 //! A derivation as exercises: results are omitted and collected on a page of answers.
 
+use super::answers::Question;
 use super::check::{Check, CheckedEquation};
 use super::document::{Block, Cells, Derivation, DerivationStep, DerivationTable};
 use super::formula::{Formula, Name, Statement, number};
@@ -60,7 +61,10 @@ fn with_blocks(step: &DerivationStep, change: impl Fn(&Block) -> Vec<Block>) -> 
 fn exercise_of(block: &Block, results: &[Formula]) -> Vec<Block> {
     vec![match block {
         Block::Equation { number, equation } => match question(equation, results) {
-            Some(statement) => Block::Exercise { number: *number, statement },
+            Some(statement) => {
+                let is_comparable = Question::of(equation).is_some();
+                Block::Exercise { number: *number, statement, is_comparable }
+            }
             None => block.clone(),
         },
         Block::Table(table) if table.cells == Cells::Formulas => Block::Table(unsolved(table)),

@@ -48,12 +48,14 @@ mod limit_cycle;
 mod lindstedt;
 mod published;
 
+mod answers;
 mod exercises;
 mod print;
 mod python;
 
 pub mod paper;
 
+pub use answers::{AnswerError, Judgement};
 pub use averaging::{HIGHEST_AMPLITUDE_ORDER, HIGHEST_DAMPING_ORDER, averaging};
 pub use check::{Against, Check, CheckedEquation, ComparedAt, DerivationError, Letters, OpenCondition};
 pub use check::{
@@ -67,7 +69,7 @@ pub use first_correction::first_correction;
 pub use formula::{Decimal, DecimalUnit, Formula, Name, Relation, Statement, Subscript};
 pub use limit_cycle::{HIGHEST_CYCLE_ORDER, limit_cycle};
 pub use lindstedt::{HIGHEST_ORDER, Released, perturbation};
-pub use print::{to_html, to_latex, to_markdown, to_notebook};
+pub use print::{judgement_to_html, judgement_to_markdown, to_html, to_latex, to_markdown, to_notebook};
 pub use prose::{Prose, Span};
 pub use published::formulas;
 pub use trials::Swing;

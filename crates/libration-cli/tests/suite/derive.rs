@@ -1,6 +1,6 @@
 //! `libration derive`.
 
-use crate::command::{directory, libration, message, text};
+use crate::command::{directory, libration, message, run, text, unfolded};
 use std::fs;
 use std::process::Command;
 
@@ -37,6 +37,27 @@ fn braces_of_latex_and_tags_of_html_are_closed() {
             assert_eq!(opened, html.matches(&format!("</{tag}>")).count(), "{road}: {tag}");
         }
     }
+}
+
+#[test]
+fn an_answer_is_judged_in_place_of_the_derivation() {
+    let derive = |answer: &str, format: &str| {
+        let output = run(&["derive", "--method", "short", "--answer", answer, "--format", format]);
+        let said = String::from_utf8([output.stdout, output.stderr].concat()).unwrap();
+        (output.status.code(), unfolded(&said))
+    };
+    assert_eq!(derive("3.1=omega0^2*(1 - theta0^2/8)", "markdown"), (Some(0), unfolded("right\n")));
+    let (status, html) = derive("2.3 = cos(psi)/4 + cos(3*psi)/4", "html");
+    assert!(status == Some(0) && html.starts_with("<p class=\"wrong\">wrong: the term in <math>"), "{html}");
+    for (answer, reason) in [
+        ("3.1", "--answer: `3.1`: give the number of a formula and an answer"),
+        ("7.7=1", "--answer: there is no exercise (7.7)"),
+        ("3.1=zeta", "--answer: the derivation has no symbol zeta"),
+    ] {
+        let (status, said) = derive(answer, "markdown");
+        assert!(status == Some(2) && said.contains(reason), "{said}");
+    }
+    assert!(derive("3.1=1", "latex").1.contains("--format"));
 }
 
 #[test]

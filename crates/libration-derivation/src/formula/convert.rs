@@ -27,9 +27,11 @@ impl From<&Symbol> for Name {
     fn from(symbol: &Symbol) -> Self {
         let word = symbol.name.trim_end_matches(|letter: char| letter.is_ascii_digit());
         let letter = greek_letter(word).map_or_else(|| word.to_owned(), String::from);
-        let name = match symbol.name[word.len()..].parse::<i64>() {
-            Ok(index) if !word.is_empty() => Self::new(&letter).index(index),
-            _ => Self::new(&letter),
+        let digits = &symbol.name[word.len()..];
+        let name = match digits.parse::<i64>() {
+            _ if word.is_empty() || digits.is_empty() => Self::new(&letter),
+            Ok(index) if index.to_string() == digits => Self::new(&letter).index(index),
+            _ => Self::new(&letter).word(digits),
         };
         (0..symbol.primes).fold(name, |name, _| name.prime())
     }

@@ -27,7 +27,7 @@ impl Formula {
     }
 
     /// The direct parts of the formula.
-    fn parts(&self) -> Vec<&Self> {
+    pub(crate) fn parts(&self) -> Vec<&Self> {
         match self {
             Self::Number(_) | Self::Decimal(_) | Self::Pi | Self::Name(_) => vec![],
             Self::Negate(it) | Self::Call(_, it) | Self::DoubleFactorial(it) | Self::Order(it) => vec![it],

@@ -1,5 +1,6 @@
 //! Derivations as one HTML page: formulas in MathML, embedded style, no external resources.
 
+use super::super::answers::Judgement;
 use super::super::check::CheckedEquation;
 use super::super::document::{Block, Cells, Derivation, DerivationTable};
 use super::super::formula::Statement;
@@ -75,12 +76,25 @@ pub fn to_html(derivation: &Derivation) -> String {
     page
 }
 
+/// The judgement of an answer as a paragraph, whose class is `right`, `long` or `wrong`.
+#[must_use]
+pub fn judgement_to_html(judgement: &Judgement) -> String {
+    let class = match judgement {
+        Judgement::Right => "right",
+        Judgement::NotSimplified => "long",
+        Judgement::Wrong(_) => "wrong",
+    };
+    format!("<p class=\"{class}\">{}</p>\n", prose(&judgement.to_prose()))
+}
+
 fn block(place: Place<'_>, block: &Block) -> String {
     match block {
         Block::Paragraph(it) => format!("<p>{}</p>", prose(it)),
         Block::Remark(it) => format!("<p class=\"remark\">{}</p>", prose(it)),
         Block::Equation { number, equation: it } => equation(place, *number, it),
-        Block::Exercise { number, statement: it } => formula(place, *number, it),
+        Block::Exercise { number, statement: it, is_comparable } => {
+            formula(place, *number, it, *is_comparable)
+        }
         Block::Table(it) => table(it),
         Block::Details { summary, blocks } => {
             let mut inside = String::new();
@@ -97,11 +111,11 @@ fn prose(prose: &Prose) -> String {
 fn equation(place: Place<'_>, number: usize, equation: &CheckedEquation) -> String {
     let class = if equation.check().is_computed() { "check computed" } else { "check" };
     let check = prose(&equation.check().to_prose());
-    format!("{}\n<p class=\"{class}\">{check}</p>", formula(place, number, equation.statement()))
+    format!("{}\n<p class=\"{class}\">{check}</p>", formula(place, number, equation.statement(), false))
 }
 
-/// A displayed formula with its number, which is a link to the formula.
-fn formula(place: Place<'_>, number: usize, statement: &Statement) -> String {
+/// A displayed formula with its number, which is a link to the formula; its class says whether answers to it can be compared.
+fn formula(place: Place<'_>, number: usize, statement: &Statement, is_comparable: bool) -> String {
     let Lines { left, right } = lines::statement(statement);
     let inside = match right.as_slice() {
         [] => mathml(&left),
@@ -110,8 +124,9 @@ fn formula(place: Place<'_>, number: usize, statement: &Statement) -> String {
     };
     let (id, numeral) = (format!("{}.{number}", place.id), place.number(number));
     let own = if place.is_answer { String::new() } else { format!(" id=\"{id}\"") };
+    let class = if is_comparable { "formula to-answer" } else { "formula" };
     format!(
-        "<div class=\"formula\"{own}><math display=\"block\">{inside}</math><a class=\"number\" href=\"#{id}\">({numeral})</a></div>"
+        "<div class=\"{class}\"{own}><math display=\"block\">{inside}</math><a class=\"number\" href=\"#{id}\">({numeral})</a></div>"
     )
 }
 

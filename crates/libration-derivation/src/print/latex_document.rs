@@ -51,7 +51,7 @@ fn block(place: Place<'_>, block: &Block) -> String {
             formula(place, *number, equation.statement()),
             prose(&equation.check().to_prose())
         ),
-        Block::Exercise { number, statement } => formula(place, *number, statement),
+        Block::Exercise { number, statement, .. } => formula(place, *number, statement),
         Block::Table(it) => table(it),
         Block::Details { summary, blocks } => {
             let mut inside = format!("\\emph{{{}.}}\n", latex_text(summary));

@@ -1,5 +1,6 @@
 //! Derivations as Markdown with formulas in LaTeX, for GitHub, GitLab, Jupyter and Pandoc.
 
+use super::super::answers::Judgement;
 use super::super::check::CheckedEquation;
 use super::super::document::{Block, Derivation, DerivationStep, DerivationTable};
 use super::super::formula::Statement;
@@ -25,12 +26,18 @@ pub fn to_markdown(derivation: &Derivation) -> String {
     text
 }
 
+/// The judgement of an answer as a line of Markdown.
+#[must_use]
+pub fn judgement_to_markdown(judgement: &Judgement) -> String {
+    format!("{}\n", prose(&judgement.to_prose()))
+}
+
 pub(super) fn block(place: Place<'_>, block: &Block) -> String {
     match block {
         Block::Paragraph(it) => prose(it),
         Block::Remark(it) => format!("> {}", prose(it)),
         Block::Equation { number, equation: it } => equation(place, *number, it),
-        Block::Exercise { number, statement } => formula(place, *number, statement),
+        Block::Exercise { number, statement, .. } => formula(place, *number, statement),
         Block::Table(it) => table(it),
         Block::Details { summary, blocks } => {
             let mut inside = format!("<details>\n<summary>{}</summary>\n", markdown(summary));

@@ -5,9 +5,9 @@ mod latex_document;
 mod markdown_text;
 mod notebook;
 
-pub use html_page::to_html;
+pub use html_page::{judgement_to_html, to_html};
 pub use latex_document::to_latex;
-pub use markdown_text::to_markdown;
+pub use markdown_text::{judgement_to_markdown, to_markdown};
 pub use notebook::to_notebook;
 
 use super::document::{Block, Derivation, DerivationStep};

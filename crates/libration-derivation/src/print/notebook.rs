@@ -82,7 +82,7 @@ impl<'a> Notebook<'a> {
         for block in blocks {
             match block {
                 Block::Equation { number, equation } => self.equation(place, *number, equation),
-                Block::Exercise { number, statement } => {
+                Block::Exercise { number, statement, .. } => {
                     self.say(&formula(place, *number, statement));
                     if let Some(code) = self.questions.answer(&place.number(*number)) {
                         self.compute(&format!("exercise-{}-{number}", place.id), &code);

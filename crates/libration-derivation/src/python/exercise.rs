@@ -1,19 +1,14 @@
 //! The exercises of a notebook, whose answers `SymPy` compares.
 
+use super::super::answers::Question;
 use super::super::check::CheckedEquation;
 use super::super::document::Block;
-use super::super::formula::{Formula, Relation, number};
+use super::super::formula::Formula;
 use super::{expression, identifier};
 use std::collections::BTreeSet;
 
 /// The functions that compare an answer.
 const COMPARISON: &str = include_str!("student.py");
-
-/// Functions of expressions that `SymPy` has too.
-const FUNCTIONS: [&str; 17] = [
-    "", "Q", "exact", "power", "O", "sin", "cos", "tan", "exp", "ln", "sqrt", "asin", "atan", "sinh", "cosh",
-    "tanh", "sign",
-];
 
 /// The questions with their solutions, by the numbers of the formulas.
 #[derive(Default)]
@@ -37,21 +32,11 @@ impl Questions {
     }
 
     fn add_equation(&mut self, place: String, equation: &CheckedEquation) {
-        let statement = equation.statement();
-        let is_equality = statement.rest.iter().all(|(relation, _)| *relation == Relation::Equal);
-        let Some((_, last)) = statement.rest.last().filter(|_| is_equality) else { return };
-        let is_zero = statement.rest.iter().all(|(_, side)| *side == number(0));
-        let solution = if is_zero { &statement.first } else { last };
-        if matches!(solution, Formula::Order(_)) {
-            return;
-        }
-        let Some(text) = expression(solution).filter(|text| is_elementary(text)) else { return };
-        let question = if is_zero { None } else { expression(&statement.first) };
-        let question = question.filter(|text| is_elementary(text)).unwrap_or_default();
-        let sides = [Some(&statement.first), Some(last)];
-        self.names.extend(
-            sides.into_iter().flatten().flat_map(Formula::free_names).filter_map(|it| identifier(&it)),
-        );
+        let Some(Question { is_zero, asked, result }) = Question::of(equation) else { return };
+        let Some(text) = expression(result) else { return };
+        let question = asked.and_then(expression).unwrap_or_default();
+        let names = asked.into_iter().chain([result]).flat_map(Formula::free_names);
+        self.names.extend(names.filter_map(|it| identifier(&it)));
         let is_zero = if is_zero { "True" } else { "False" };
         let line = format!("    \"{place}\": ({is_zero}, \"{}\", \"{}\"),", digits(&question), digits(&text));
         self.lines.push((place, line));
@@ -91,14 +76,6 @@ impl Questions {
     pub(crate) fn symbols(&self) -> String {
         self.names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
     }
-}
-
-/// Returns `true` if an expression has no other functions than those of `SymPy`.
-fn is_elementary(text: &str) -> bool {
-    let is_letter = |letter: char| letter.is_alphanumeric() || letter == '_';
-    let calls = text.split('(').map(|before| before.rsplit(|letter| !is_letter(letter)).next().unwrap_or(""));
-    let count = text.matches('(').count();
-    calls.take(count).all(|name| FUNCTIONS.contains(&name)) && !text.contains("lambda")
 }
 
 /// Text as hexadecimal digits.

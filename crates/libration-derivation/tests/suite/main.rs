@@ -1,6 +1,7 @@
 //! The derivations and their parts.
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on should stop where it stands")]
 
+mod answers;
 mod averaging;
 mod cosines;
 mod decimal;

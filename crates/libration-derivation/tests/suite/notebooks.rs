@@ -11,7 +11,7 @@ use libration_derivation::{
 };
 
 /// Each method, to each order from 1 to 5 that it has.
-static DERIVATIONS: LazyLock<Vec<(String, Derivation)>> = LazyLock::new(derivations);
+pub(crate) static DERIVATIONS: LazyLock<Vec<(String, Derivation)>> = LazyLock::new(derivations);
 
 fn derivations() -> Vec<(String, Derivation)> {
     let pendulum = NamedOscillator::by_key("pendulum").unwrap().oscillator(&[]).unwrap();

@@ -202,10 +202,14 @@ pub(super) fn power(a: Expression, b: Expression) -> Expression {
 
 /// The power of a number, if it is a fraction of moderate size.
 fn number_power(base: &Rational, exponent: &Rational) -> Option<Rational> {
+    let times = u64::try_from(exponent.parts().0.clone().into_parts().1).unwrap_or(u64::MAX);
+    if has_too_many_bits(base, times) { None } else { Rationals.power(base, exponent) }
+}
+
+/// Returns `true` if a power of a number has more bits than are computed.
+pub(super) fn has_too_many_bits(base: &Rational, exponent: u64) -> bool {
     let bits = base.bits();
-    let times = exponent.parts().0.clone().into_parts().1;
-    let times = if bits <= 1 { 1 } else { usize::try_from(&times).ok()? };
-    (bits.saturating_mul(times) <= LARGEST_POWER_BITS).then(|| Rationals.power(base, exponent)).flatten()
+    bits > 1 && bits.saturating_mul(usize::try_from(exponent).unwrap_or(usize::MAX)) > LARGEST_POWER_BITS
 }
 
 pub(super) fn call(function: Function, a: Expression) -> Expression {

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use super::simplify::has_too_many_bits;
 use super::{Expression, Function, Symbol};
 use crate::algebra::{Divisor, Pair, Rational, Rationals, Ring, Rule, Slope};
 
@@ -222,7 +223,10 @@ impl Writer<'_> {
     const LARGEST_PRODUCT: u64 = 1 << 12;
 
     fn fixed_power(&mut self, base: usize, exponent: Rational) -> usize {
-        let natural = exponent.magnitude().to_natural().filter(|&n| n <= Self::LARGEST_PRODUCT);
+        // The powers of a ring have limits, its products have none.
+        let is_long = |n| self.known(base).is_some_and(|base| has_too_many_bits(base, n));
+        let natural =
+            exponent.magnitude().to_natural().filter(|&n| n <= Self::LARGEST_PRODUCT && !is_long(n));
         match natural {
             Some(n) if exponent.is_negative() => {
                 let (one, power) = (self.number(1), self.natural_power(base, n));

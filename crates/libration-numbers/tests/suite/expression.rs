@@ -265,6 +265,9 @@ fn powers_too_large_to_write_stay_powers() {
         assert_eq!(formula(&tree.to_string()), tree);
     }
     assert_eq!(formula("(-1)^2000000 + 1^1e300").to_rational(), Some(Rational::from(2)));
+    // Products of 2.8 million times 2.8 thousand bits would take hours.
+    assert_eq!(formula("((7^1000)^1000)^1000").to_f64(), Some(f64::INFINITY));
+    assert_eq!(formula("((7^1000)^1000)^-1000").to_f64(), Some(0.0));
 }
 
 #[test]

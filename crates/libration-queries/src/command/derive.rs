@@ -38,6 +38,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
     --output van_der_pol.ipynb
   libration derive --method elliptic --exercises --format html \\
     --output exercises.html
+  libration derive --method short --answer \"3.1=omega0^2*(1 - theta0^2/8)\"
   libration derive --method perturbation \"x'' + x + 0.1*x^3 = 0\" --amplitude 0.5")]
 pub(crate) struct Derive {
     /// The derivation
@@ -53,6 +54,9 @@ pub(crate) struct Derive {
     /// Leave out the results, as exercises, and give them as solutions at the end
     #[arg(long)]
     exercises: bool,
+    /// Compare an answer to an exercise: the number of the formula, and what stands for its question mark, such as `3.1=omega0^2*(1-theta0^2/8)`
+    #[arg(long, value_name = "NUMBER=FORMULA")]
+    answer: Option<String>,
     /// Format of the derivation
     #[arg(long, value_enum, default_value = "markdown")]
     format: Format,
@@ -119,6 +123,9 @@ enum Format {
 impl Derive {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let (derivation, is_whole) = self.derivation()?;
+        if let Some(answer) = &self.answer {
+            return self.judge(answer, &derivation.exercises(), out);
+        }
         let derivation = if self.exercises { derivation.exercises() } else { derivation };
         let derivation = if is_whole { derivation } else { derivation.broken_off() };
         let text = self.format.write(&derivation);
@@ -134,6 +141,27 @@ impl Derive {
             true => Ok(()),
             false => Err(QueryError::cancelled("interrupted: the steps up to then are written")),
         }
+    }
+
+    /// Writes the judgement of an answer to one of the exercises.
+    fn judge(&self, text: &str, exercises: &Derivation, out: &mut dyn Write) -> Result<(), QueryError> {
+        let refused = |reason: String| QueryError::usage(option("answer"), reason);
+        let (number, answer) = text.split_once('=').ok_or_else(|| {
+            refused(format!(
+                "`{text}`: give the number of a formula and an answer, such as 3.1=omega0^2*(1-theta0^2/8)"
+            ))
+        })?;
+        let judgement = exercises.judge(number.trim(), answer).map_err(|error| refused(error.to_string()))?;
+        let written = match self.format {
+            Format::Markdown => libration_derivation::judgement_to_markdown(&judgement),
+            Format::Html => libration_derivation::judgement_to_html(&judgement),
+            Format::Latex | Format::Ipynb => {
+                let reason = "the judgement of an answer is in Markdown or HTML: leave it out";
+                return Err(QueryError::usage(option("format"), reason));
+            }
+        };
+        out.write_all(written.as_bytes())?;
+        Ok(out.flush()?)
     }
 
     /// The derivation, and whether it came to its end.

@@ -10,6 +10,8 @@ import { Form } from "../../parts/form.ts";
 import { inWords } from "../../parts/in_words.ts";
 import { Latest } from "../../parts/latest.ts";
 import { Finding, layout } from "../../parts/layout.ts";
+import { explained } from "../../parts/marks.ts";
+import { fromHtml } from "../../parts/markup.ts";
 import { saveAnswer } from "../../parts/save.ts";
 import { SavedNumbers } from "../../parts/saved_numbers.ts";
 import { Status } from "../../parts/status.ts";
@@ -56,7 +58,7 @@ class DerivationsRoom {
     const all = fields();
     this.#said = inWords(all);
     this.#form = new Form(address, all, () => this.#update());
-    this.#steps = new Steps(address);
+    this.#steps = new Steps(address, (answer) => this.#judge(answer));
     this.#found = new Finding(undefined);
     const ended = element("span", { role: "status" });
     const next = () => (ended.textContent = this.#steps.next() ? "" : words.ended);
@@ -133,6 +135,12 @@ class DerivationsRoom {
     if (answer.status !== 0) return this.#found.fail(this.#said(this.#form.blame(answer)));
     this.#found.show(...notes.map((note) => element("p", { class: "quiet" }, this.#said(note))), this.#steps.element);
     this.#steps.show(decoded(answer));
+  }
+
+  /** The judgement of an answer to an exercise, as the command writes it. */
+  async #judge(text: string): Promise<Node[]> {
+    const answer = await this.#status.during(ask(this.#engine, extended(this.#command(), { format: "html", answer: text })));
+    return answer.status === 0 ? fromHtml(decoded(answer)) : [element("p", { class: "wrong" }, this.#said(explained(answer.error)))];
   }
 
   async #check(signal: AbortSignal): Promise<void> {

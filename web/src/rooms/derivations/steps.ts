@@ -12,9 +12,11 @@ const words = text.derivations;
 export class Steps {
   readonly element = element("div", { class: "derivation" });
   readonly #address: Address;
+  readonly #judge: (answer: string) => Promise<Node[]>;
 
-  constructor(address: Address) {
+  constructor(address: Address, judge: (answer: string) => Promise<Node[]>) {
     this.#address = address;
+    this.#judge = judge;
     this.element.addEventListener("click", (event) => this.#follow(event));
   }
 
@@ -22,12 +24,25 @@ export class Steps {
   show(page: string): void {
     this.element.replaceChildren(...fromHtml(page).map(fitted));
     name(this.element);
+    for (const formula of this.element.querySelectorAll(".to-answer")) formula.after(this.#answer(formula.querySelector(".number")?.textContent ?? ""));
     scrolling(...this.element.querySelectorAll(".wide, .formula, p"));
     for (const link of this.#links()) link.dataset["place"] = link.getAttribute("href")?.slice(1);
     const opened = this.#address.get("steps") ?? "1";
     this.#all().forEach((step, place) => (step.open = opened === "all" || place < Number(opened)));
     this.#arrive(this.#address.get("at"));
     this.#aim();
+  }
+
+  // A field for the answer to an exercise, which is judged below it.
+  #answer(number: string): HTMLElement {
+    const typed = element("input", { type: "text", "aria-label": words.answer.label(number), placeholder: words.answer.example, spellcheck: "false", autocapitalize: "off" });
+    const said = element("div", { class: "judgement", role: "status" });
+    const form = element("form", { class: "answer screen-only" }, typed, element("button", {}, words.answer.check), said);
+    form.addEventListener("submit", async (event) => {
+      event.preventDefault();
+      if (typed.value.trim() !== "") said.replaceChildren(...(await this.#judge(`${number.replaceAll(/[()]/g, "")}=${typed.value}`)));
+    });
+    return form;
   }
 
   /** Opens the first step that is not open; returns `true` if there was one. */

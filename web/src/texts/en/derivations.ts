@@ -26,6 +26,7 @@ export const derivations = {
   length: { label: "Length of your pendulum", hint: "with an amplitude, such as 57cm" },
   gravity: { label: "Gravity", hint: "with an amplitude, such as 9.81m/s^2" },
   exercises: { label: "As exercises: results omitted, solutions at the end" },
+  answer: { label: (number: string) => `Your answer to ${number}`, example: "in place of ?, such as theta0^2/16", check: "Check" },
   question: "What is derived",
   own: "Your own values",
   steps: "Steps",

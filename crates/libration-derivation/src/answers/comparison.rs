@@ -1,0 +1,242 @@
+//! The comparison of an answer with the result of an exercise.
+
+use super::super::evaluate::{Values, evaluate};
+use super::super::formula::{DecimalUnit, Formula, Name, number, rounded, sum};
+use super::super::numbers::{DIGITS, PRECISION};
+use super::super::prose::Prose;
+use super::super::typeset::formula_latex;
+use super::terms::{Term, Terms, as_in, is_multiple, terms};
+use super::{Judgement, Question, Symbols, key};
+use libration::algebra::{BigFloat, Function, Rational, Ring};
+use libration::expression::{Expression, Symbol};
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Bits in which equal formulas agree; of those of [`PRECISION`], cancellations lose some.
+const CLOSE: isize = 130;
+/// Draws at which two formulas are compared, and those tried until so many have values.
+const DRAWS: usize = 3;
+const MOST_DRAWS: u64 = 60;
+/// Number of terms named in a sentence.
+const NAMED: usize = 4;
+/// Number of digits of a value in a sentence.
+const SHOWN: usize = 5;
+
+/// The values of symbols at a draw.
+type Draw = BTreeMap<String, BigFloat>;
+
+/// An answer and the exercise.
+pub(super) struct Comparison<'a> {
+    pub(super) question: Question<'a>,
+    pub(super) answer: &'a Expression,
+    pub(super) formula: Formula,
+    pub(super) symbols: &'a Symbols,
+    /// Symbols with their definitions, in order.
+    pub(super) definitions: Vec<(&'a Name, &'a Formula)>,
+}
+
+/// The answer and the result at a draw.
+pub(super) struct Sample {
+    draw: Draw,
+    answer: BigFloat,
+    result: BigFloat,
+}
+
+impl Comparison<'_> {
+    /// Values at draws where both formulas have one.
+    pub(super) fn samples(&self) -> Vec<Sample> {
+        (0..MOST_DRAWS).filter_map(|n| self.sample(n)).take(DRAWS).collect()
+    }
+
+    /// Values at the draw with this number, where both formulas have one.
+    fn sample(&self, number: u64) -> Option<Sample> {
+        // Hundredths from 0.10 to 0.89 by the congruences of Knuth's MMIX.
+        let mut state = number;
+        let mut next = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let hundredths = Rational::new(10 + (state >> 33).cast_signed() % 80, 100)?;
+            Some(BigFloat::from_rational(&hundredths, PRECISION))
+        };
+        let mut values = Values::default();
+        let mut draw = Draw::new();
+        for (key, name) in self.symbols {
+            let value = next()?;
+            values.set(name, value.clone());
+            draw.insert(key.clone(), value);
+        }
+        for (name, definition) in &self.definitions {
+            if let Ok(value) = evaluate(definition, &DIGITS, &values) {
+                values.set(name, value.clone());
+                draw.insert(key(name), value);
+            }
+        }
+        let result = evaluate(&without_order(self.question.result), &DIGITS, &values).ok()?;
+        let at = self.answer.symbols().into_iter().fold(self.answer.clone(), |at, symbol| {
+            match draw.get(&key(&Name::from(&symbol))) {
+                Some(value) => at.substitute(&symbol, &Expression::Number(value.to_rational())),
+                None => at,
+            }
+        });
+        let answer = at.taylor_series(&DIGITS, &Symbol::plain("x"), &DIGITS.zero(), 1)?.into_iter().next()?;
+        Some(Sample { draw, answer, result })
+    }
+
+    /// The judgement from samples, one at least.
+    pub(super) fn judge(&self, samples: &[Sample]) -> Judgement {
+        let Question { is_zero, result, .. } = self.question;
+        let atoms = Atoms { waves: has_wave_power(result), formulas: RefCell::default() };
+        let [found, known] = [&self.formula, result].map(|it| terms(it, &|part| atoms.key(part)));
+        let is_right = match (is_zero, &found, &known) {
+            (false, ..) => samples.iter().all(|it| are_close(&it.answer, &it.result)),
+            (true, Some(found), Some(known)) => is_multiple(found, known),
+            (true, ..) => is_constant_factor(samples),
+        };
+        if is_right {
+            let is_long = 5 * operations(&self.formula) > 6 * operations(result) + 5;
+            let is_product = has_wave_power(&self.formula) && !has_wave_power(result);
+            let is_simplified = !(self.is_asked() || is_long || is_product);
+            return if is_simplified { Judgement::Right } else { Judgement::NotSimplified };
+        }
+        if self.is_asked() {
+            return Judgement::NotSimplified;
+        }
+        let reason = found.zip(known).and_then(|(found, known)| {
+            let found = if is_zero { as_in(found, &known) } else { found };
+            wrong_terms(&found, &known, &atoms)
+        });
+        Judgement::Wrong(
+            reason.or_else(|| samples.first().map(|it| self.values(it))).unwrap_or_else(|| Prose::text("")),
+        )
+    }
+
+    /// Returns `true` if the answer is the formula whose value is to be found.
+    fn is_asked(&self) -> bool {
+        let Question { asked, result, .. } = self.question;
+        let written = formula_latex(&self.formula);
+        asked.is_some_and(|it| {
+            formula_latex(it) == written && formula_latex(&without_order(result)) != written
+        })
+    }
+
+    /// The values of both at a draw.
+    fn values(&self, sample: &Sample) -> Prose {
+        let decimal = |value: &BigFloat| Prose::formula(rounded(value.to_f64(), SHOWN, DecimalUnit::One));
+        let names = self.formula.free_names().into_iter().chain(self.question.result.free_names());
+        let keys: BTreeSet<String> = names.map(|name| key(&name)).collect();
+        let given = keys.iter().filter_map(|key| {
+            let name = Prose::formula(self.symbols.get(key)?.into());
+            Some(name.and(Prose::text(" = ")).and(decimal(sample.draw.get(key)?)))
+        });
+        let given = given.reduce(|text, next| text.and(Prose::text(", ")).and(next));
+        let given = given
+            .map_or_else(|| Prose::text(""), |given| Prose::text("with ").and(given).and(Prose::text(" ")));
+        given
+            .and(Prose::text("it is "))
+            .and(decimal(&sample.answer))
+            .and(Prose::text(", not "))
+            .and(decimal(&sample.result))
+    }
+}
+
+/// The terms that differ; `None` if there are none.
+fn wrong_terms(found: &Terms, known: &Terms, atoms: &Atoms) -> Option<Prose> {
+    let name = |key: &str| atoms.formulas.borrow().get(key).cloned().unwrap_or(Formula::Pi);
+    let sentence = |term: &Term| {
+        let [before, after] = match (found.get(term), known.get(term)) {
+            (Some(one), Some(other)) if one == other => return None,
+            (Some(_), Some(_)) => ["the term in ", " has another coefficient"],
+            (Some(_), None) => ["there is no term in ", ""],
+            (None, _) => ["a term in ", " is missing"],
+        };
+        Some(match term.to_formula(&name) {
+            Some(product) => Prose::text(before).and(Prose::formula(product)).and(Prose::text(after)),
+            None => Prose::text(before.replace(" in ", " without symbols")).and(Prose::text(after)),
+        })
+    };
+    let all: BTreeSet<&Term> = found.keys().chain(known.keys()).collect();
+    let mut sentences: Vec<Prose> = all.into_iter().filter_map(sentence).collect();
+    let more = sentences.len().saturating_sub(NAMED);
+    sentences.truncate(NAMED);
+    if more > 0 {
+        sentences.push(Prose::text(format!("{more} more differ")));
+    }
+    sentences.into_iter().reduce(|text, next| text.and(Prose::text("; ")).and(next))
+}
+
+/// What is treated as a symbol: names, π, and, where powers of them are in the result, sines and cosines.
+struct Atoms {
+    waves: bool,
+    formulas: RefCell<BTreeMap<String, Formula>>,
+}
+
+impl Atoms {
+    fn key(&self, formula: &Formula) -> Option<String> {
+        let key = match formula {
+            Formula::Name(name) => key(name),
+            Formula::Pi => "π".to_owned(),
+            Formula::Call(Function::Sin | Function::Cos, _) if self.waves => formula_latex(formula),
+            _ => return None,
+        };
+        self.formulas.borrow_mut().insert(key.clone(), formula.clone());
+        Some(key)
+    }
+}
+
+fn are_close(a: &BigFloat, b: &BigFloat) -> bool {
+    let size = a.exponent().max(b.exponent());
+    match ((a.clone() - b.clone()).exponent(), size) {
+        (None, _) => true,
+        (Some(difference), Some(size)) => difference + CLOSE <= size,
+        (Some(_), None) => false,
+    }
+}
+
+/// Returns `true` if the answer is the result times a number.
+fn is_constant_factor(samples: &[Sample]) -> bool {
+    let ratios: Option<Vec<BigFloat>> =
+        samples.iter().map(|it| DIGITS.divide(&it.answer, &it.result)).collect();
+    let Some(ratios) = ratios else { return false };
+    ratios.windows(2).all(|pair| are_close(&pair[0], &pair[1])) && ratios.iter().all(|it| !it.is_zero())
+}
+
+/// The formula without O(…).
+fn without_order(formula: &Formula) -> Formula {
+    let each = |parts: &[Formula]| parts.iter().map(without_order).collect();
+    match formula {
+        Formula::Order(_) => number(0),
+        Formula::Sum(parts) => {
+            let is_kept = |part: &&Formula| !matches!(part, Formula::Order(_));
+            sum(parts.iter().filter(is_kept).map(without_order).collect())
+        }
+        Formula::Product(parts) => Formula::Product(each(parts)),
+        Formula::Fraction(over, under) => without_order(over) / without_order(under),
+        other => other.clone(),
+    }
+}
+
+/// Number of operations in a formula; a fraction of numbers and a sign before it are one each.
+fn operations(formula: &Formula) -> usize {
+    let own = match formula {
+        Formula::Order(_) => return 0,
+        Formula::Number(value) => usize::from(!value.is_integer()) + usize::from(value.is_negative()),
+        Formula::Sum(parts) => {
+            // A difference is one operation.
+            let is_minus = |part: &&Formula| {
+                matches!(part, Formula::Negate(_))
+                    || matches!(part, Formula::Number(value) if value.is_negative())
+            };
+            (parts.len() - 1).saturating_sub(parts.iter().skip(1).filter(is_minus).count())
+        }
+        Formula::Product(parts) => parts.len().saturating_sub(1),
+        Formula::Decimal(_) | Formula::Pi | Formula::Name(_) => 0,
+        _ => 1,
+    };
+    own + formula.parts().into_iter().map(operations).sum::<usize>()
+}
+
+/// Returns `true` if a formula has powers of sines or cosines.
+fn has_wave_power(formula: &Formula) -> bool {
+    let is_wave = |it: &Formula| matches!(it, Formula::Call(Function::Sin | Function::Cos, _));
+    matches!(formula, Formula::Power(base, _) if is_wave(base))
+        || formula.parts().into_iter().any(has_wave_power)
+}

@@ -1,0 +1,190 @@
+//! Answers to exercises, compared with the results of the derivation.
+//!
+//! # Method
+//! An answer is right if it agrees with the result in 77 digits at three draws of the symbols; those that the derivation defines have the values of
+//! their definitions, so that sin(θ0/2) may stand for k. A condition that vanishes may have any factor that is a product of powers. Terms of
+//! answers that are not right are named where both are sums of products of powers, sines and cosines; otherwise values of both are given.
+
+mod comparison;
+mod question;
+mod terms;
+
+pub(crate) use question::Question;
+
+use super::check::CheckedEquation;
+use super::document::{Block, Derivation};
+use super::formula::{Formula, Name, Relation, Statement, Subscript};
+use super::prose::Prose;
+use comparison::Comparison;
+use libration::expression::{Expression, ParseError, greek_letter};
+use std::collections::BTreeMap;
+
+/// The judgement of an answer to an exercise.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Judgement {
+    /// The answer is the result.
+    Right,
+    /// The answer equals the result, but can be written with fewer operations or without powers of sines and cosines.
+    NotSimplified,
+    /// The answer is another one, with the terms that differ or values of both.
+    Wrong(Prose),
+}
+
+/// The reason why an answer is not compared.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum AnswerError {
+    /// A number that no exercise with a comparable answer has.
+    #[error("there is no exercise ({number}) whose answer can be compared: those are {numbers}")]
+    Number {
+        /// The number that was given.
+        number: String,
+        /// The numbers of the exercises.
+        numbers: String,
+    },
+    /// A text that is not a formula.
+    #[error(transparent)]
+    Formula(#[from] ParseError),
+    /// A symbol that the derivation does not have.
+    #[error("the derivation has no symbol {symbol}: its symbols are {symbols}")]
+    Symbol {
+        /// The symbol of the answer.
+        symbol: String,
+        /// The symbols of the derivation.
+        symbols: String,
+    },
+    /// Formulas without values in common.
+    #[error("the answer cannot be compared: it has no value where the result has one")]
+    NoValue,
+}
+
+impl Judgement {
+    /// The judgement as a sentence.
+    #[must_use]
+    pub fn to_prose(&self) -> Prose {
+        match self {
+            Self::Right => Prose::text("right"),
+            Self::NotSimplified => Prose::text("right, but not simplified"),
+            Self::Wrong(reason) => Prose::text("wrong: ").and(reason.clone()),
+        }
+    }
+}
+
+impl Derivation {
+    /// The numbers of the exercises whose answers can be compared, such as `2.3`; none before [`exercises`](Self::exercises).
+    #[must_use]
+    pub fn comparable(&self) -> Vec<String> {
+        self.questions().into_iter().map(|(number, _)| number).collect()
+    }
+
+    /// Compares an answer, such as `3/4*cos(psi) + 1/4*cos(3*psi)`, to the exercise with this number.
+    ///
+    /// # Errors
+    /// A number that [`comparable`](Self::comparable) does not have, a text that is not a formula of the symbols of the derivation, and an answer
+    /// that has no real value where the result has one.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration_derivation::{Judgement, first_correction};
+    /// let exercises = first_correction(None)?.exercises();
+    /// assert_eq!(exercises.judge("3.1", "omega0^2*(1 - theta0^2/8)")?, Judgement::Right);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn judge(&self, number: &str, answer: &str) -> Result<Judgement, AnswerError> {
+        let questions = self.questions();
+        let Some((_, question)) = questions.iter().find(|(own, _)| own == number) else {
+            let numbers: Vec<String> = questions.into_iter().map(|(number, _)| number).collect();
+            return Err(AnswerError::Number { number: number.to_owned(), numbers: numbers.join(", ") });
+        };
+        let answer: Expression = answer.parse()?;
+        let symbols = self.symbols();
+        if let Some(symbol) = answer.symbols().iter().find(|it| !symbols.contains_key(&key(&Name::from(*it))))
+        {
+            let symbols = symbols.keys().cloned().collect::<Vec<_>>().join(", ");
+            return Err(AnswerError::Symbol { symbol: symbol.to_string(), symbols });
+        }
+        let definitions =
+            self.statements().into_iter().filter_map(|it| match (&it.first, it.rest.first()?) {
+                (Formula::Name(name), (Relation::Defined, value)) if value.is_elementary() => {
+                    Some((name, value))
+                }
+                _ => None,
+            });
+        let comparison = Comparison {
+            question: *question,
+            answer: &answer,
+            formula: Formula::from(&answer),
+            symbols: &symbols,
+            definitions: definitions.collect(),
+        };
+        let samples = comparison.samples();
+        if samples.is_empty() { Err(AnswerError::NoValue) } else { Ok(comparison.judge(&samples)) }
+    }
+
+    /// The exercises with their numbers.
+    fn questions(&self) -> Vec<(String, Question<'_>)> {
+        let numbered = self.answers.iter().enumerate().flat_map(|(n, step)| {
+            equations(&step.blocks).into_iter().map(move |(number, equation)| (n + 1, number, equation))
+        });
+        let question = |(step, number, equation)| Some((format!("{step}.{number}"), Question::of(equation)?));
+        numbered.filter_map(question).collect()
+    }
+
+    /// The statements of the steps and of the answers.
+    fn statements(&self) -> Vec<&Statement> {
+        self.steps.iter().chain(&self.answers).flat_map(|step| statements(&step.blocks)).collect()
+    }
+
+    /// The symbols that an answer may have, by their keys.
+    fn symbols(&self) -> Symbols {
+        let statements = self.statements();
+        let sides = statements.iter().flat_map(|it| it.rest.iter().map(|(_, side)| side).chain([&it.first]));
+        let names =
+            sides.flat_map(Formula::free_names).filter(|name| name.can_be_typed() && name.letter != "?");
+        names.map(|name| (key(&name), name)).collect()
+    }
+}
+
+/// The symbols of a derivation, by their keys.
+type Symbols = BTreeMap<String, Name>;
+
+fn equations(blocks: &[Block]) -> Vec<(usize, &CheckedEquation)> {
+    let mut all = vec![];
+    for block in blocks {
+        match block {
+            Block::Equation { number, equation } => all.push((*number, equation)),
+            Block::Details { blocks, .. } => all.extend(equations(blocks)),
+            _ => {}
+        }
+    }
+    all
+}
+
+fn statements(blocks: &[Block]) -> Vec<&Statement> {
+    let mut all = vec![];
+    for block in blocks {
+        match block {
+            Block::Equation { equation, .. } => all.push(equation.statement()),
+            Block::Exercise { statement, .. } => all.push(statement),
+            Block::Details { blocks, .. } => all.extend(statements(blocks)),
+            _ => {}
+        }
+    }
+    all
+}
+
+/// The name without what may be typed in several ways: Greek letters as words, and lines before indices.
+fn key(name: &Name) -> String {
+    let word = name.letter.replace('_', "");
+    let letter = greek_letter(&word).map_or(word, String::from);
+    let below = match &name.subscript {
+        Some(Subscript::Word(word)) => word.clone(),
+        Some(Subscript::Index(index)) => match &**index {
+            Formula::Number(value) => value.to_string(),
+            _ => String::new(),
+        },
+        None => String::new(),
+    };
+    format!("{letter}{below}{}", "'".repeat(usize::from(name.primes)))
+}
