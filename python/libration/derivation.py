@@ -58,7 +58,7 @@ class Derivation:
 
         >>> import libration as lb
         >>> lb.derive("short").judge("3.1", "omega0^2*(1 - theta0^2/9)")
-        'wrong: the term in $\\theta _{0}^{2}\\omega _{0}^{2}$ has another coefficient'
+        'wrong: the term in $\\omega _{0}^{2}\\theta _{0}^{2}$ has another coefficient'
         """
         return questions.derive(**self.given, answer=f"{number}={answer}").rstrip()
 

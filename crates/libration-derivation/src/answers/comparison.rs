@@ -5,12 +5,10 @@ use super::super::formula::{DecimalUnit, Formula, Name, number, rounded, sum};
 use super::super::numbers::{DIGITS, PRECISION};
 use super::super::prose::Prose;
 use super::super::typeset::formula_latex;
-use super::terms::{Term, Terms, as_in, is_multiple, terms};
+use super::terms::{Term, Terms, as_in, coefficient, is_multiple, terms};
 use super::{Judgement, Question, Symbols, key};
 use libration::algebra::{BigFloat, Function, Rational, Ring};
-use libration::expression::{Expression, Symbol};
 use std::cell::RefCell;
-use std::collections::{BTreeMap, BTreeSet};
 
 /// Bits in which equal formulas agree; of those of [`PRECISION`], cancellations lose some.
 const CLOSE: isize = 130;
@@ -22,13 +20,9 @@ const NAMED: usize = 4;
 /// Number of digits of a value in a sentence.
 const SHOWN: usize = 5;
 
-/// The values of symbols at a draw.
-type Draw = BTreeMap<String, BigFloat>;
-
 /// An answer and the exercise.
 pub(super) struct Comparison<'a> {
     pub(super) question: Question<'a>,
-    pub(super) answer: &'a Expression,
     pub(super) formula: Formula,
     pub(super) symbols: &'a Symbols,
     /// Symbols with their definitions, in order.
@@ -37,7 +31,8 @@ pub(super) struct Comparison<'a> {
 
 /// The answer and the result at a draw.
 pub(super) struct Sample {
-    draw: Draw,
+    /// The values of the symbols, in their order.
+    draw: Vec<BigFloat>,
     answer: BigFloat,
     result: BigFloat,
 }
@@ -58,26 +53,27 @@ impl Comparison<'_> {
             Some(BigFloat::from_rational(&hundredths, PRECISION))
         };
         let mut values = Values::default();
-        let mut draw = Draw::new();
-        for (key, name) in self.symbols {
+        let mut draw = vec![];
+        for (_, name) in self.symbols {
             let value = next()?;
             values.set(name, value.clone());
-            draw.insert(key.clone(), value);
+            draw.push(value);
         }
         for (name, definition) in &self.definitions {
+            let own = key(name);
+            let place = self.symbols.iter().position(|(key, _)| *key == own)?;
             if let Ok(value) = evaluate(definition, &DIGITS, &values) {
                 values.set(name, value.clone());
-                draw.insert(key(name), value);
+                draw[place] = value;
             }
         }
         let result = evaluate(&without_order(self.question.result), &DIGITS, &values).ok()?;
-        let at = self.answer.symbols().into_iter().fold(self.answer.clone(), |at, symbol| {
-            match draw.get(&key(&Name::from(&symbol))) {
-                Some(value) => at.substitute(&symbol, &Expression::Number(value.to_rational())),
-                None => at,
-            }
-        });
-        let answer = at.taylor_series(&DIGITS, &Symbol::plain("x"), &DIGITS.zero(), 1)?.into_iter().next()?;
+        for name in self.formula.free_names() {
+            let own = key(&name);
+            let place = self.symbols.iter().position(|(key, _)| *key == own)?;
+            values.set(&name, draw[place].clone());
+        }
+        let answer = evaluate(&self.formula, &DIGITS, &values).ok().filter(|it| it.to_f64().is_finite())?;
         Some(Sample { draw, answer, result })
     }
 
@@ -85,7 +81,7 @@ impl Comparison<'_> {
     pub(super) fn judge(&self, samples: &[Sample]) -> Judgement {
         let Question { is_zero, result, .. } = self.question;
         let atoms = Atoms { waves: has_wave_power(result), formulas: RefCell::default() };
-        let [found, known] = [&self.formula, result].map(|it| terms(it, &|part| atoms.key(part)));
+        let [known, found] = [result, &self.formula].map(|it| terms(it, &|part| atoms.number(part)));
         let is_right = match (is_zero, &found, &known) {
             (false, ..) => samples.iter().all(|it| are_close(&it.answer, &it.result)),
             (true, Some(found), Some(known)) => is_multiple(found, known),
@@ -101,7 +97,7 @@ impl Comparison<'_> {
             return Judgement::NotSimplified;
         }
         let reason = found.zip(known).and_then(|(found, known)| {
-            let found = if is_zero { as_in(found, &known) } else { found };
+            let found = if is_zero { as_in(&found, &known) } else { found };
             wrong_terms(&found, &known, &atoms)
         });
         Judgement::Wrong(
@@ -121,11 +117,12 @@ impl Comparison<'_> {
     /// The values of both at a draw.
     fn values(&self, sample: &Sample) -> Prose {
         let decimal = |value: &BigFloat| Prose::formula(rounded(value.to_f64(), SHOWN, DecimalUnit::One));
-        let names = self.formula.free_names().into_iter().chain(self.question.result.free_names());
-        let keys: BTreeSet<String> = names.map(|name| key(&name)).collect();
-        let given = keys.iter().filter_map(|key| {
-            let name = Prose::formula(self.symbols.get(key)?.into());
-            Some(name.and(Prose::text(" = ")).and(decimal(sample.draw.get(key)?)))
+        let mut names = self.formula.free_names();
+        names.extend(self.question.result.free_names());
+        let keys: Vec<String> = names.iter().map(key).collect();
+        let given = self.symbols.iter().zip(&sample.draw).filter(|((key, _), _)| keys.contains(key));
+        let given = given.map(|((_, name), value)| {
+            Prose::formula(name.into()).and(Prose::text(" = ")).and(decimal(value))
         });
         let given = given.reduce(|text, next| text.and(Prose::text(", ")).and(next));
         let given = given
@@ -140,21 +137,23 @@ impl Comparison<'_> {
 
 /// The terms that differ; `None` if there are none.
 fn wrong_terms(found: &Terms, known: &Terms, atoms: &Atoms) -> Option<Prose> {
-    let name = |key: &str| atoms.formulas.borrow().get(key).cloned().unwrap_or(Formula::Pi);
+    let symbol =
+        |number: usize| atoms.formulas.borrow().get(number).map_or(Formula::Pi, |(_, it)| it.clone());
     let sentence = |term: &Term| {
-        let [before, after] = match (found.get(term), known.get(term)) {
+        let [before, after] = match (coefficient(found, term), coefficient(known, term)) {
             (Some(one), Some(other)) if one == other => return None,
             (Some(_), Some(_)) => ["the term in ", " has another coefficient"],
             (Some(_), None) => ["there is no term in ", ""],
             (None, _) => ["a term in ", " is missing"],
         };
-        Some(match term.to_formula(&name) {
+        Some(match term.to_formula(&symbol) {
             Some(product) => Prose::text(before).and(Prose::formula(product)).and(Prose::text(after)),
             None => Prose::text(before.replace(" in ", " without symbols")).and(Prose::text(after)),
         })
     };
-    let all: BTreeSet<&Term> = found.keys().chain(known.keys()).collect();
-    let mut sentences: Vec<Prose> = all.into_iter().filter_map(sentence).collect();
+    let added = found.iter().filter(|(term, _)| coefficient(known, term).is_none());
+    let mut sentences: Vec<Prose> =
+        known.iter().chain(added).filter_map(|(term, _)| sentence(term)).collect();
     let more = sentences.len().saturating_sub(NAMED);
     sentences.truncate(NAMED);
     if more > 0 {
@@ -166,19 +165,23 @@ fn wrong_terms(found: &Terms, known: &Terms, atoms: &Atoms) -> Option<Prose> {
 /// What is treated as a symbol: names, π, and, where powers of them are in the result, sines and cosines.
 struct Atoms {
     waves: bool,
-    formulas: RefCell<BTreeMap<String, Formula>>,
+    formulas: RefCell<Vec<(String, Formula)>>,
 }
 
 impl Atoms {
-    fn key(&self, formula: &Formula) -> Option<String> {
+    fn number(&self, formula: &Formula) -> Option<usize> {
         let key = match formula {
             Formula::Name(name) => key(name),
             Formula::Pi => "π".to_owned(),
             Formula::Call(Function::Sin | Function::Cos, _) if self.waves => formula_latex(formula),
             _ => return None,
         };
-        self.formulas.borrow_mut().insert(key.clone(), formula.clone());
-        Some(key)
+        let mut formulas = self.formulas.borrow_mut();
+        let place = formulas.iter().position(|(own, _)| *own == key);
+        if place.is_none() {
+            formulas.push((key, formula.clone()));
+        }
+        Some(place.unwrap_or(formulas.len() - 1))
     }
 }
 

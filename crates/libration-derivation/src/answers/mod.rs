@@ -16,8 +16,7 @@ use super::document::{Block, Derivation};
 use super::formula::{Formula, Name, Relation, Statement, Subscript};
 use super::prose::Prose;
 use comparison::Comparison;
-use libration::expression::{Expression, ParseError, greek_letter};
-use std::collections::BTreeMap;
+use libration::expression::{Expression, ParseError};
 
 /// The judgement of an answer to an exercise.
 #[derive(Clone, Debug, PartialEq)]
@@ -97,12 +96,12 @@ impl Derivation {
             let numbers: Vec<String> = questions.into_iter().map(|(number, _)| number).collect();
             return Err(AnswerError::Number { number: number.to_owned(), numbers: numbers.join(", ") });
         };
-        let answer: Expression = answer.parse()?;
+        let formula = Formula::from(&answer.parse::<Expression>()?);
         let symbols = self.symbols();
-        if let Some(symbol) = answer.symbols().iter().find(|it| !symbols.contains_key(&key(&Name::from(*it))))
-        {
-            let symbols = symbols.keys().cloned().collect::<Vec<_>>().join(", ");
-            return Err(AnswerError::Symbol { symbol: symbol.to_string(), symbols });
+        let is_unknown = |symbol: &String| symbols.iter().all(|(own, _)| own != symbol);
+        if let Some(symbol) = formula.free_names().iter().map(key).find(is_unknown) {
+            let symbols = symbols.iter().map(|(key, _)| key.as_str()).collect::<Vec<_>>().join(", ");
+            return Err(AnswerError::Symbol { symbol, symbols });
         }
         let definitions =
             self.statements().into_iter().filter_map(|it| match (&it.first, it.rest.first()?) {
@@ -113,8 +112,7 @@ impl Derivation {
             });
         let comparison = Comparison {
             question: *question,
-            answer: &answer,
-            formula: Formula::from(&answer),
+            formula,
             symbols: &symbols,
             definitions: definitions.collect(),
         };
@@ -136,18 +134,23 @@ impl Derivation {
         self.steps.iter().chain(&self.answers).flat_map(|step| statements(&step.blocks)).collect()
     }
 
-    /// The symbols that an answer may have, by their keys.
+    /// The symbols that an answer may have.
     fn symbols(&self) -> Symbols {
         let statements = self.statements();
         let sides = statements.iter().flat_map(|it| it.rest.iter().map(|(_, side)| side).chain([&it.first]));
-        let names =
-            sides.flat_map(Formula::free_names).filter(|name| name.can_be_typed() && name.letter != "?");
-        names.map(|name| (key(&name), name)).collect()
+        let mut symbols = Symbols::new();
+        for name in sides.flat_map(Formula::free_names).filter(|it| it.can_be_typed() && it.letter != "?") {
+            let key = key(&name);
+            if let Err(place) = symbols.binary_search_by(|(own, _)| own.cmp(&key)) {
+                symbols.insert(place, (key, name));
+            }
+        }
+        symbols
     }
 }
 
-/// The symbols of a derivation, by their keys.
-type Symbols = BTreeMap<String, Name>;
+/// The symbols of a derivation, in the order of their keys.
+type Symbols = Vec<(String, Name)>;
 
 fn equations(blocks: &[Block]) -> Vec<(usize, &CheckedEquation)> {
     let mut all = vec![];
@@ -174,10 +177,8 @@ fn statements(blocks: &[Block]) -> Vec<&Statement> {
     all
 }
 
-/// The name without what may be typed in several ways: Greek letters as words, and lines before indices.
+/// The name as text without a line before its index.
 fn key(name: &Name) -> String {
-    let word = name.letter.replace('_', "");
-    let letter = greek_letter(&word).map_or(word, String::from);
     let below = match &name.subscript {
         Some(Subscript::Word(word)) => word.clone(),
         Some(Subscript::Index(index)) => match &**index {
@@ -186,5 +187,5 @@ fn key(name: &Name) -> String {
         },
         None => String::new(),
     };
-    format!("{letter}{below}{}", "'".repeat(usize::from(name.primes)))
+    format!("{}{below}{}", name.letter, "'".repeat(usize::from(name.primes)))
 }

@@ -23,15 +23,15 @@ impl From<&Expression> for Formula {
 }
 
 impl From<&Symbol> for Name {
-    /// Converts digits at the end to a subscript, and names of Greek letters to the letters.
+    /// Converts what follows a line, or digits at the end, to a subscript, and names of Greek letters to the letters.
     fn from(symbol: &Symbol) -> Self {
         let word = symbol.name.trim_end_matches(|letter: char| letter.is_ascii_digit());
+        let (word, below) = symbol.name.split_once('_').unwrap_or_else(|| symbol.name.split_at(word.len()));
         let letter = greek_letter(word).map_or_else(|| word.to_owned(), String::from);
-        let digits = &symbol.name[word.len()..];
-        let name = match digits.parse::<i64>() {
-            _ if word.is_empty() || digits.is_empty() => Self::new(&letter),
-            Ok(index) if index.to_string() == digits => Self::new(&letter).index(index),
-            _ => Self::new(&letter).word(digits),
+        let name = match below.parse::<i64>() {
+            _ if below.is_empty() => Self::new(&letter),
+            Ok(index) if index.to_string() == below => Self::new(&letter).index(index),
+            _ => Self::new(&letter).word(below),
         };
         (0..symbol.primes).fold(name, |name, _| name.prime())
     }

@@ -3,7 +3,7 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::sync::LazyLock;
 
-use dashu_base::BitTest;
+use dashu_base::{BitTest, Sign};
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
 use dashu_int::{IBig, UBig};
@@ -13,8 +13,9 @@ use libration_kernels::double_double::DoubleDouble;
 
 type Float = FBig<HalfEven, 2>;
 
-/// A binary float of a chosen precision. Every operation rounds to nearest, and its result has the larger precision of its operands. The caller
-/// avoids division by zero, and roots and logarithms outside their domain.
+/// A binary float of a chosen precision. Every operation rounds to nearest, and its result has the larger precision of its operands; products and
+/// quotients too large for an exponent are an eighth of the largest exponent. The caller avoids division by zero, and roots and logarithms
+/// outside their domain.
 #[derive(Clone, Debug, PartialEq, PartialOrd)]
 pub struct BigFloat(Float);
 
@@ -201,6 +202,17 @@ impl BigFloat {
     }
 }
 
+/// A value, in place of infinity a number that can be used on: powers of powers exceed all exponents.
+fn finite(value: Float) -> BigFloat {
+    const LARGEST: isize = isize::MAX / 8;
+    let repr = value.repr();
+    if !repr.is_infinite() {
+        return BigFloat(value);
+    }
+    let sign = if repr.sign() == Sign::Negative { IBig::NEG_ONE } else { IBig::ONE };
+    BigFloat(rounded(Float::from_parts(sign, LARGEST), value.precision()))
+}
+
 fn rounded(value: Float, precision: usize) -> Float {
     value.with_precision(precision).value()
 }
@@ -222,14 +234,14 @@ impl Sub for BigFloat {
 impl Mul for BigFloat {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        Self(self.0 * other.0)
+        finite(self.0 * other.0)
     }
 }
 
 impl Div for BigFloat {
     type Output = Self;
     fn div(self, other: Self) -> Self {
-        Self(self.0 / other.0)
+        finite(self.0 / other.0)
     }
 }
 

@@ -46,3 +46,21 @@ fn what_would_take_too_long_is_refused() {
     }
     assert_eq!(floats.power(&at(1), &Rational::from(1_000_000_000)), None);
 }
+
+/// The exponent of the seventieth square exceeds all integers of the machine.
+#[test]
+fn squares_of_squares_stay_numbers() {
+    let floats = Floats { precision: 100 };
+    for first in [floats.integer(3), floats.integer(-3), floats.integer(1) / floats.integer(3)] {
+        let mut square = first.clone();
+        for _ in 0..70 {
+            square = square.clone() * square;
+        }
+        let one = floats.integer(1);
+        assert!((square.clone() + one.clone() - square.clone()).to_f64().is_finite());
+        assert_eq!(
+            square.to_f64(),
+            if first > one || first < floats.integer(0) { f64::INFINITY } else { 0.0 }
+        );
+    }
+}
