@@ -246,6 +246,8 @@ fn periods_that_no_amplitude_has_are_refused_with_that_of_small_swings() {
     }
     assert!(refused("period --ratio=0.9").contains("T/T0 = 0.9: it is 1 for the smallest swings"));
     assert!(refused("period --excess=500").contains("give at most 441.08"));
+    let far = refused("period --excess=1e300");
+    assert!(far.contains("T/T0 = 1e300 is less") && far.contains("an excess of 440.08"), "{far}");
     assert!(refused("period --period=2,1s").contains("decimal point, 2.1s"));
     assert!(refused("period --period=3s 60deg").contains("cannot be used with"));
 }

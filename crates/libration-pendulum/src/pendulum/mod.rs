@@ -166,7 +166,7 @@ pub enum PendulumError {
     },
     /// A period ratio whose amplitude is closer to the top than the smallest complement.
     #[error(
-        "the amplitude of the period ratio T/T0 = {0} is less than 1e-300 rad below the upright position: give at most 441.08"
+        "the amplitude of the period ratio T/T0 = {0:?} is less than 1e-300 rad below the upright position: give at most 441.08, which is an excess of 440.08"
     )]
     PeriodTooLong(f64),
     /// A period whose angular frequency leaves the range of `f64`.
