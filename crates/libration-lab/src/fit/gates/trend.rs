@@ -2,24 +2,52 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::fit::Uncertain;
+use crate::fit::{SIGNIFICANT, Uncertain};
 use crate::statistics::{LinearFit, count, least_squares};
 
 /// Numbers of rows from which on a line is fitted, a parabola, and polynomials of third and fourth degree.
 const ROWS_FOR_DEGREES: [usize; 4] = [4, 8, 16, 32];
 
-/// The period at a time, by a polynomial through all periods; `None` where they are too few for a line, since the mean of a few is the period of a later
-/// and smaller swing. Its uncertainty contains the difference from a polynomial of lower degree,
-/// since the law by which the amplitude falls is not known.
+/// The period at a time before the first ones, by a polynomial through all periods, or, where polynomials of higher degrees do not converge to it, through
+/// the first half, quarter or so of them, if that is less uncertain; `None` where they are too few for a line, since the mean of a few is the period of a later
+/// and smaller swing.
 pub fn at_the_beginning(times: &[f64], periods: &[f64], time: f64) -> Option<Uncertain> {
+    let whole = extrapolated(times, periods, time)?;
+    if whole.converges {
+        return Some(whole.period);
+    }
+    let halves = std::iter::successors(Some(times.len() / 2), |rows| Some(rows / 2));
+    let parts = halves.take_while(|rows| *rows >= ROWS_FOR_DEGREES[1]);
+    let parts = parts.filter_map(|rows| extrapolated(&times[..rows], &periods[..rows], time));
+    let best = std::iter::once(whole).chain(parts).map(|it| it.period);
+    best.filter(|it| it.uncertainty.is_finite())
+        .min_by(|one, other| one.uncertainty.total_cmp(&other.uncertainty))
+}
+
+/// The period at a time by polynomials of several degrees.
+struct Extrapolated {
+    period: Uncertain,
+    /// `true` if the next degree would change it by less than half of the last change, or chance explains the changes.
+    converges: bool,
+}
+
+/// The period at a time by the polynomial of the highest degree. Its uncertainty contains the difference from a polynomial of lower degree, since the law by which
+/// the amplitude falls is not known, and at least the sum of the differences that follow, if their ratio r stays: r/(1 − r) of the last one.
+fn extrapolated(times: &[f64], periods: &[f64], time: f64) -> Option<Extrapolated> {
     let degree = ROWS_FOR_DEGREES.iter().filter(|&&rows| times.len() >= rows).count();
     if degree == 0 {
         return None;
     }
-    let best = polynomial(times, periods, time, degree)?;
-    let simpler = polynomial(times, periods, time, degree - 1);
-    let difference = simpler.map_or(0.0, |simpler| best.value - simpler.value);
-    Some(best.with_error(difference))
+    let value = |degree: usize| polynomial(times, periods, time, degree);
+    let best = value(degree)?;
+    let lower = |by: usize| degree.checked_sub(by).and_then(value).map(|it| it.value);
+    let change = lower(1).map_or(0.0, |lower| (best.value - lower).abs());
+    let ratio = match (lower(1), lower(2)) {
+        (Some(one), Some(two)) if change > SIGNIFICANT * best.uncertainty => change / (one - two).abs(),
+        _ => 0.0,
+    };
+    let rest = if ratio < 1.0 { ratio / (1.0 - ratio) } else { f64::INFINITY };
+    Some(Extrapolated { period: best.with_error(change * rest.max(1.0)), converges: rest <= 1.0 })
 }
 
 /// The value at a time of a polynomial through values at others, and its uncertainty by the scatter.

@@ -36,3 +36,17 @@ fn the_uncertainty_of_a_line_is_that_of_its_intercept() {
 fn few_periods_are_not_extrapolated() {
     assert_eq!(at_the_beginning(&[1.0, 2.0, 3.0], &[2.011, 2.009, 2.0065], 0.0), None);
 }
+
+/// T = 2 + 0.3·e^(−0.3t) is 2.3 at the beginning: of 90 periods a polynomial of fourth degree misses it by three times its change over that of third degree.
+#[test]
+fn periods_that_fall_fast_are_extrapolated_from_the_first_of_them() {
+    for rows in [13, 20, 44, 90] {
+        let times: Vec<f64> = (1..=rows).map(f64::from).collect();
+        let periods: Vec<f64> = times.iter().map(|t| 2.0 + 0.3 * libm::exp(-0.3 * t)).collect();
+        let found = at_the_beginning(&times, &periods, 0.0).unwrap();
+        assert!(
+            (found.value - 2.3).abs() < found.uncertainty && found.uncertainty < 0.17,
+            "{rows}: {found:?}"
+        );
+    }
+}
