@@ -34,10 +34,10 @@ def gyration(shape, r, h=0, inner=0):
 
 
 def period(length, kappa, mass, rod=0, rod_length=0, stiffness=None, rho=0, warming=0):
-    length = length * (1 + warming)
+    length, rod_length = [it * (1 + warming) for it in (length, mpf(rod_length))]
     whole = mass + rod
     first = mass * length + rod * rod_length / mpf(2)
-    inertia = mass * (length**2 + kappa) + rod * mpf(rod_length) ** 2 / 3
+    inertia = mass * (length**2 + kappa) + rod * rod_length**2 / 3
     torque = G * (first + whole * rho)
     if stiffness is None:
         return 2 * pi * sqrt(inertia / torque)
@@ -60,6 +60,9 @@ CASES = {
     "knife edge": dict(length=mpf("0.6"), rho=mpf("0.002")),
     "knife edge and rod": dict(length=mpf("0.6"), rod=mpf("0.03"), rod_length=mpf("0.55"), rho=mpf("0.002")),
     "temperature": dict(length=mpf("0.6"), warming=mpf("1.2e-5") * 5),
+    "temperature and rod": dict(
+        length=mpf("0.6"), rod=mpf("0.03"), rod_length=mpf("0.55"), warming=mpf("1.2e-5") * 5
+    ),
     "all": dict(
         length=mpf("0.6"),
         bob=("cylinder", mpf("0.03"), mpf("0.08")),

@@ -105,7 +105,8 @@ impl Values {
     pub(in crate::fit) fn factor_without(&self, left_out: Option<Effect>) -> f64 {
         let is_warm = left_out != Some(Effect::Temperature);
         let growth = if is_warm { 1.0 + self.expansion * self.warming } else { 1.0 };
-        growth * Self { length: growth * self.length, ..*self }.factor_of_length(left_out)
+        let [length, rod_length] = [self.length, self.rod_length].map(|cold| growth * cold);
+        growth * Self { length, rod_length, ..*self }.factor_of_length(left_out)
     }
 
     /// The same at the length that the pendulum has in the swings.
