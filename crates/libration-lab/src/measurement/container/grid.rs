@@ -1,6 +1,7 @@
 //! The cells of a spreadsheet as text with tabs between them, a line for each row.
 
 use super::super::MeasurementError;
+use super::super::number::{Cell, DecimalMark, Written};
 
 /// Cells in any order, and the bytes their text will take.
 #[derive(Clone, Debug)]
@@ -21,9 +22,10 @@ impl Grid {
         self.text(row, column, &number.to_string())
     }
 
-    /// Adds words; tabs, line ends and quotes in them become blanks.
+    /// Adds words; tabs, line ends and quotes in them become blanks, and the decimal comma of a number becomes a point.
     pub fn text(&mut self, row: u32, column: u32, text: &str) -> Result<(), MeasurementError> {
         let text = text.replace(['\t', '\n', '\r', '"', '\0'], " ");
+        let text = if has_decimal_comma(&text) { text.replace(',', ".") } else { text };
         self.bytes = self.bytes.saturating_add(text.len() + 1);
         self.check(self.bytes)?;
         self.cells.push((row, column, text));
@@ -67,4 +69,10 @@ impl Grid {
         text.extend(std::iter::repeat_n(letter, times));
         Ok(())
     }
+}
+
+/// Returns whether a text is a number with a decimal comma, perhaps with a unit or an uncertainty.
+fn has_decimal_comma(text: &str) -> bool {
+    let is_number = |mark| Cell::parse(text, mark).is_number() || Written::parse(text, mark).is_some();
+    text.contains(',') && is_number(DecimalMark::Comma)
 }

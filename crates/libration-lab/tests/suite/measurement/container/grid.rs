@@ -14,6 +14,12 @@ fn cells_keep_their_places_and_far_ones_are_refused() {
         blank.number(row, column, 0.5).unwrap();
     }
     assert_eq!(blank.into_text().unwrap(), "of Monday\n0.5\t0.5\n0.5\t\n\t0.5");
+    let mut words = Grid::new(1000);
+    let texts = ["0,25", "-1,5e-3", "1,42 s", "1,5 ± 0,1", "L, m", "0.5", "1,5,2", "a,5"];
+    for (column, text) in (0..).zip(texts) {
+        words.text(0, column, text).unwrap();
+    }
+    assert_eq!(words.into_text().unwrap(), "0.25\t-1.5e-3\t1.42 s\t1.5 ± 0.1\tL, m\t0.5\t1,5,2\ta,5");
     let mut far = Grid::new(1000);
     far.number(0, 2000, 1.0).unwrap();
     assert!(far.into_text().is_err());
