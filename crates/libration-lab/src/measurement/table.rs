@@ -53,7 +53,7 @@ pub struct Readings {
 }
 
 /// Words of rows that summarise others.
-const SUMMARY: [&str; 20] = [
+const SUMMARY: [&str; 34] = [
     "mean",
     "average",
     "avg",
@@ -74,6 +74,20 @@ const SUMMARY: [&str; 20] = [
     "standardabweichung",
     "uncertainty",
     "error",
+    "ø",
+    "⌀",
+    "∅",
+    "x̄",
+    "mw",
+    "moy",
+    "moy.",
+    "durchschnitt",
+    "promedio",
+    "σ",
+    "summe",
+    "somme",
+    "somma",
+    "suma",
 ];
 
 impl Table {

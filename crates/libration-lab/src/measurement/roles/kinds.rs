@@ -75,6 +75,7 @@ fn kind(channel: &Channel) -> Kind {
         () if heading.is_uncertainty => Kind::Uncertainties,
         () if is_squared(heading) => Kind::Squares,
         () if heading.unit.is_none() && is_number_of_row(heading, channel, name) => Kind::Other,
+        () if heading.unit.is_none() && is_number_of_readings(channel, name) => Kind::Other,
         () if heading.unit.is_none() && is_of_swings(channel, name) => Kind::Swings,
         () if GROUP.contains(&name) || FUNCTIONS.iter().any(|it| name.starts_with(it)) => Kind::Other,
         () if is_other_power(heading) => Kind::Other,
@@ -105,15 +106,25 @@ fn is_of_swings(channel: &Channel, name: &str) -> bool {
     SWINGS.contains(&name) && (is_of_counts(channel) || name != "n" && are_halves())
 }
 
+/// `N readings`, `number of trials`.
+fn is_number_of_readings(channel: &Channel, name: &str) -> bool {
+    const READINGS: [&str; 6] = ["readings", "trials", "measurements", "repetitions", "messungen", "mesures"];
+    let words = name.trim_start_matches(['n', 'o', '.', '#', ' ']);
+    READINGS.contains(&words) && is_of_counts(channel)
+}
+
 fn is_of_counts(channel: &Channel) -> bool {
     channel.numbers().flatten().all(|number| number >= 1.0 && number.fract() == 0.0)
 }
 
-/// Whole numbers from one on, one more in each row; or the number of the trial.
+/// Whole numbers from one on, one more in each row, perhaps again and again; or the number of the trial.
 fn is_number_of_row(heading: &Heading, channel: &Channel, name: &str) -> bool {
     let numbers: Vec<f64> = channel.numbers().flatten().collect();
+    let is_next = |pair: &[f64]| (pair[1] - pair[0] - 1.0).abs() < 1e-9;
+    // Measurements of a row may be numbered from one again.
+    let begins_again = |pair: &[f64]| pair[1] == 1.0 && numbers[0] == 1.0 && pair[0] > 1.0;
     let counts_rows = numbers.len() > 1
-        && numbers.windows(2).all(|pair| (pair[1] - pair[0] - 1.0).abs() < 1e-9)
+        && numbers.windows(2).all(|pair| is_next(pair) || begins_again(pair))
         && numbers[0].abs() <= 1.0;
     let is_run = heading.quantity == QuantityKind::Run && heading.index.is_none();
     is_run && is_of_counts(channel) || NUMBER.contains(&name) && counts_rows

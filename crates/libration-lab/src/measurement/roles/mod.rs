@@ -8,6 +8,7 @@
 
 mod given;
 mod kinds;
+mod questions;
 mod readings;
 mod uncertainties;
 
@@ -17,7 +18,7 @@ use kinds::Kind;
 use super::heading::Heading;
 use super::role::Role;
 use super::table::Table;
-use super::{Choice, Column, MeasurementError, Suggestion};
+use super::{Column, MeasurementError};
 
 /// A quantity that is needed from a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -138,9 +139,11 @@ impl Table {
         let roles = given.places(self, needed)?;
         let mut search = Search { table: self, needed, kinds: kinds::of(self), roles, notes: vec![] };
         search.refuse_tables_side_by_side()?;
+        search.refuse_bounds()?;
         search.assign_readings()?;
         search.assign_uncertainties()?;
         search.assign_rest();
+        search.refuse_counts_of_periods(given)?;
         Ok(search.found())
     }
 }
@@ -182,33 +185,6 @@ impl Search<'_> {
     /// Returns whether a column of values is free.
     fn is_free(&self, place: usize) -> bool {
         self.roles[place].is_none() && self.kinds[place] == Kind::Values
-    }
-
-    /// Two tables side by side have the same names again, in the same order.
-    fn refuse_tables_side_by_side(&self) -> Result<(), MeasurementError> {
-        let values: Vec<usize> = (0..self.kinds.len()).filter(|&place| self.is_free(place)).collect();
-        let name = |place: &usize| self.heading(*place).name.to_lowercase();
-        let Some((first, rest)) = values.split_first() else { return Ok(()) };
-        let Some(again) = rest.iter().position(|place| !name(first).is_empty() && name(place) == name(first))
-        else {
-            return Ok(());
-        };
-        let (left, right) = values.split_at(again + 1);
-        let is_other = left.len() > 1 && left.len() == right.len();
-        if !is_other || !left.iter().zip(right).all(|(left, right)| name(left) == name(right)) {
-            return Ok(());
-        }
-        let columns = |places: &[usize]| {
-            let numbers: Vec<String> = places.iter().map(|place| (place + 1).to_string()).collect();
-            Suggestion::new(Choice::Columns, numbers.join(","))
-        };
-        Err(MeasurementError::Undecided {
-            question: format!(
-                "two tables stand side by side, the second from {} on",
-                self.describe(right[0])
-            ),
-            choices: vec![columns(left), columns(right)],
-        })
     }
 
     fn assign_rest(&mut self) {

@@ -267,3 +267,41 @@ fn units_may_have_a_row_of_their_own() {
     let roles = roles(&table, &[LENGTH, PERIOD]).unwrap();
     assert_eq!(roles.quantities[1].readings, [Column::Number(2), Column::Number(3)]);
 }
+
+/// Rows of sums and means in German, French and Spanish, and by signs.
+#[test]
+fn rows_of_sums_and_means_are_left_out_in_other_languages() {
+    for word in ["Ø", "MW", "Σ", "Summe", "somme", "promedio", "x̄", "Durchschnitt:"] {
+        let table = read(&format!("name,L (m),T (s)\nAnn,0.25,1.0\nBob,0.5,1.42\n{word},0.375,1.21\n"));
+        assert_eq!(table.summaries().iter().map(|it| it.0).collect::<Vec<_>>(), [4], "{word}");
+    }
+}
+
+#[test]
+fn bounds_of_a_quantity_are_refused_with_both_choices() {
+    for [high, low] in [["T max (s)", "T min (s)"], ["Tmax (s)", "Tmin (s)"], ["T_max", "T_min"]] {
+        let table = read(&format!("L (m),{low},{high}\n0.25,0.99,1.01\n0.5,1.41,1.43\n"));
+        let text = roles(&table, &[LENGTH, PERIOD]).unwrap_err().to_string();
+        assert!(text.contains("half-widths") && text.ends_with("give role=3=period or 2=period"), "{text}");
+        let given = (Column::Number(3), ColumnRole::parse("period", &[LENGTH, PERIOD]).unwrap());
+        let given = GivenRoles { roles: vec![given], are_all: false };
+        assert!(table.roles(&[LENGTH, PERIOD], &given).is_ok());
+    }
+    // One bound alone is a name like others.
+    assert_eq!(
+        found(&of_header("theta_max (rad),T (s)"), &[AMPLITUDE, PERIOD]),
+        [(vec![1], None), (vec![2], None)]
+    );
+}
+
+#[test]
+fn a_bare_count_next_to_periods_is_asked_about() {
+    let refused = |text: &str| roles(&read(text), &[LENGTH, PERIOD]).unwrap_err().to_string();
+    let text = refused("L (m),N,T (s)\n0.25,3,1.0\n0.5,3,1.42\n");
+    assert!(text.ends_with("give role=2=swings or 2=ignore"), "{text}");
+    let swings = |text: &str| roles(&read(text), &[LENGTH, PERIOD]).unwrap().swings;
+    assert_eq!(swings("L (m),N,t (s)\n0.25,10,10.0\n0.5,10,14.2\n"), Some(Column::Number(2)));
+    assert_eq!(swings("L (m),N readings,T (s)\n0.25,5,1.0\n0.5,5,1.42\n"), None);
+    // The measurements of each length are numbered.
+    assert_eq!(swings("L (m),N,T (s)\n0.25,1,1.0\n0.25,2,1.01\n0.5,1,1.42\n0.5,2,1.41\n"), None);
+}

@@ -1,0 +1,110 @@
+//! Tables that may be read in several ways, each refused with the choices that decide.
+
+use super::{ColumnRole, GivenRoles, Search};
+use crate::measurement::heading::Heading;
+use crate::measurement::{Choice, MeasurementError, Role, Suggestion};
+
+impl Search<'_> {
+    /// Two tables side by side have the same names again, in the same order.
+    pub(super) fn refuse_tables_side_by_side(&self) -> Result<(), MeasurementError> {
+        let values: Vec<usize> = (0..self.kinds.len()).filter(|&place| self.is_free(place)).collect();
+        let name = |place: &usize| self.heading(*place).name.to_lowercase();
+        let Some((first, rest)) = values.split_first() else { return Ok(()) };
+        let Some(again) = rest.iter().position(|place| !name(first).is_empty() && name(place) == name(first))
+        else {
+            return Ok(());
+        };
+        let (left, right) = values.split_at(again + 1);
+        let is_other = left.len() > 1 && left.len() == right.len();
+        if !is_other || !left.iter().zip(right).all(|(left, right)| name(left) == name(right)) {
+            return Ok(());
+        }
+        let columns = |places: &[usize]| {
+            let numbers: Vec<String> = places.iter().map(|place| (place + 1).to_string()).collect();
+            Suggestion::new(Choice::Columns, numbers.join(","))
+        };
+        Err(MeasurementError::Undecided {
+            question: format!(
+                "two tables stand side by side, the second from {} on",
+                self.describe(right[0])
+            ),
+            choices: vec![columns(left), columns(right)],
+        })
+    }
+
+    /// `T max` and `T min` are no readings: the value is between them.
+    pub(super) fn refuse_bounds(&self) -> Result<(), MeasurementError> {
+        let free = || (0..self.kinds.len()).filter(|&place| self.is_free(place));
+        let bound = |place: usize| bound(self.heading(place));
+        let pair = free().find_map(|high| {
+            let (name, _) = bound(high).filter(|(_, is_most)| *is_most)?;
+            Some([high, free().find(|&low| bound(low) == Some((name.clone(), false)))?])
+        });
+        let Some(pair) = pair else { return Ok(()) };
+        let said =
+            |it: &&super::TableQuantity| it.only_named.is_none() && it.role.is_said_by(self.heading(pair[0]));
+        let Some(quantity) = self.needed.iter().find(said) else { return Ok(()) };
+        let [high, low] = pair.map(|place| self.describe(place));
+        let choice = |place: usize| Suggestion::new(Choice::Role, format!("{}={}", place + 1, quantity.name));
+        Err(MeasurementError::Undecided {
+            question: format!(
+                "{high} and {low} are bounds of the {}: put their middle and a column of half-widths, (max − min)/2, in their place, or \
+                 take one bound for the value",
+                quantity.name
+            ),
+            choices: pair.map(choice).to_vec(),
+        })
+    }
+
+    /// A bare `N` next to periods is as often the number of readings as that of swings.
+    pub(super) fn refuse_counts_of_periods(&self, given: &GivenRoles) -> Result<(), MeasurementError> {
+        let Some(&place) = self.with_role(ColumnRole::Swings).first() else { return Ok(()) };
+        let is_given = given.are_all || given.roles.iter().any(|(_, role)| *role == ColumnRole::Swings);
+        let is_bare = self.heading(place).name.trim().eq_ignore_ascii_case("n");
+        let counts_more = self.table.sheet().channels[place].numbers().flatten().any(|number| number > 1.0);
+        let is_period = |place: usize| match self.roles[place] {
+            Some(ColumnRole::Reading(of)) => {
+                self.needed[of].role == Role::Times && is_named_period(self.heading(place))
+            }
+            _ => false,
+        };
+        if is_given || !is_bare || !counts_more || !(0..self.kinds.len()).any(is_period) {
+            return Ok(());
+        }
+        let choice = |role: &str| Suggestion::new(Choice::Role, format!("{}={role}", place + 1));
+        Err(MeasurementError::Undecided {
+            question: format!(
+                "{} may be the number of swings that each time lasts, or that of readings",
+                self.describe(place)
+            ),
+            choices: ["swings", "ignore"].map(choice).to_vec(),
+        })
+    }
+}
+
+/// The name of a quantity whose largest or smallest value a heading says, and `true` for the largest.
+fn bound(heading: &Heading) -> Option<(String, bool)> {
+    const WORDS: [(&str, bool); 8] = [
+        ("maximum", true),
+        ("minimum", false),
+        ("max.", true),
+        ("min.", false),
+        ("max", true),
+        ("min", false),
+        ("upper", true),
+        ("lower", false),
+    ];
+    let name = heading.name.to_lowercase();
+    WORDS.iter().find_map(|(word, is_most)| {
+        let rest = name.strip_suffix(word).or_else(|| name.strip_prefix(word))?;
+        let rest = rest.trim_matches(|letter: char| " _-{}()".contains(letter));
+        (!rest.is_empty()).then(|| (rest.to_owned(), *is_most))
+    })
+}
+
+/// `T`, `T1`, `period`: the time of one swing, and not of several.
+fn is_named_period(heading: &Heading) -> bool {
+    let symbol =
+        heading.name.trim_end_matches(|letter: char| letter.is_ascii_digit() || "_ {}".contains(letter));
+    symbol == "T" || heading.name.to_lowercase().starts_with("period")
+}
