@@ -102,7 +102,7 @@ test("answers to exercises are judged: right, not simplified, wrong with the ter
     assert.match(await judged("omega0^2*(8 - theta0^2 + 3*theta0^2 - 3*theta0^2)/8"), /^right, but not simplified/);
     assert.match(await judged("ω0²·(1 - θ0²/9)"), /^wrong: the term in .* has another coefficient/);
     assert.match(await judged("omega0^2*(1 -"), /expected a number, a name or \(/);
-    assert.match(await judged("zeta"), /no symbol zeta/);
+    assert.match(await judged("zeta"), /no symbol ζ/);
   }));
 
 test("a derivation is saved in every form as the command writes it", () =>

@@ -22,6 +22,7 @@ def derive(
     length: Quantity | None = None,
     gravity: Quantity | None = None,
     exercises: bool = False,
+    answer: Given | None = None,
     format: Literal["markdown", "latex", "html", "ipynb"] | None = None,
     output: Path | None = None,
     progress: Say = False,
@@ -61,6 +62,9 @@ def derive(
         9.80665m/s^2].
     exercises : bool
         Leave out the results, as exercises, and give them as solutions at the end.
+    answer : number or text, optional
+        Compare an answer to an exercise: the number of the formula, and what stands for its
+        question mark, such as ``3.1=omega0^2*(1-theta0^2/8)``.
     format : {"markdown", "latex", "html", "ipynb"}, optional
         Format of the derivation [default: markdown].
     output : str or path, optional

@@ -52,7 +52,7 @@ fn an_answer_is_judged_in_place_of_the_derivation() {
     for (answer, reason) in [
         ("3.1", "--answer: `3.1`: give the number of a formula and an answer"),
         ("7.7=1", "--answer: there is no exercise (7.7)"),
-        ("3.1=zeta", "--answer: the derivation has no symbol zeta"),
+        ("3.1=zeta", "--answer: the derivation has no symbol ζ"),
     ] {
         let (status, said) = derive(answer, "markdown");
         assert!(status == Some(2) && said.contains(reason), "{said}");
