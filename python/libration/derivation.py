@@ -54,11 +54,11 @@ class Derivation:
         return questions.derive(**self.given, format="ipynb")
 
     def judge(self, number: str, answer: str) -> str:
-        """The judgement of an answer to an exercise: right, not simplified, or wrong with the terms.
+        """The judgement of an answer to an exercise: right, not simplified, or wrong and why.
 
         >>> import libration as lb
-        >>> lb.derive("short").judge("3.1", "omega0^2*(1 - theta0^2/9)")
-        'wrong: the term in $\\omega _{0}^{2}\\theta _{0}^{2}$ has another coefficient'
+        >>> lb.derive("short").judge("3.1", "omega0^2*(1 - theta0^2/8)")
+        'right'
         """
         return questions.derive(**self.given, answer=f"{number}={answer}").rstrip()
 

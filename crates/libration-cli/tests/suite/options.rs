@@ -78,6 +78,7 @@ fn a_meaning_has_one_option() {
 const TEXTS: &[(&str, &str)] = &[
     ("about", "a number or an angle; coordinates with values"),
     ("amplitudes", "a list or range of numbers or of angles, as the variable of the equation has it"),
+    ("answer", "the number of a formula with a formula"),
     ("axes", "two coordinates"),
     ("columns", "columns of a table; formulas with names"),
     ("command", "words of a command"),

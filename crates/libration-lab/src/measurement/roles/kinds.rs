@@ -122,7 +122,9 @@ fn is_number_of_row(heading: &Heading, channel: &Channel, name: &str) -> bool {
     let numbers: Vec<f64> = channel.numbers().flatten().collect();
     let is_next = |pair: &[f64]| (pair[1] - pair[0] - 1.0).abs() < 1e-9;
     // Measurements of a row may be numbered from one again.
-    let begins_again = |pair: &[f64]| pair[1] == 1.0 && numbers[0] == 1.0 && pair[0] > 1.0;
+    let begins_again = |pair: &[f64]| {
+        [pair[1], numbers[0]].iter().all(|number| (number - 1.0).abs() < 1e-9) && pair[0] > 1.0
+    };
     let counts_rows = numbers.len() > 1
         && numbers.windows(2).all(|pair| is_next(pair) || begins_again(pair))
         && numbers[0].abs() <= 1.0;
