@@ -12,7 +12,7 @@ use std::cell::RefCell;
 
 /// Bits in which equal formulas agree; of those of [`PRECISION`], cancellations lose some.
 const CLOSE: isize = 130;
-/// Draws at which two formulas are compared, and those tried until so many have values.
+/// Draws at which two formulas are compared, and the largest number of those tried.
 const DRAWS: usize = 3;
 const MOST_DRAWS: u64 = 60;
 /// Number of terms named in a sentence.
