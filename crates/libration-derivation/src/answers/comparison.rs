@@ -25,8 +25,8 @@ pub(super) struct Comparison<'a> {
     pub(super) question: Question<'a>,
     pub(super) formula: Formula,
     pub(super) symbols: &'a Symbols,
-    /// Symbols with their definitions, in order.
-    pub(super) definitions: Vec<(&'a Name, &'a Formula)>,
+    /// Symbols with formulas for them, in order.
+    pub(super) established: Vec<(&'a Name, Formula)>,
 }
 
 /// The answer and the result at a draw.
@@ -59,10 +59,10 @@ impl Comparison<'_> {
             values.set(name, value.clone());
             draw.push(value);
         }
-        for (name, definition) in &self.definitions {
+        for (name, formula) in &self.established {
             let own = key(name);
             let place = self.symbols.iter().position(|(key, _)| *key == own)?;
-            if let Ok(value) = evaluate(definition, &DIGITS, &values) {
+            if let Ok(value) = evaluate(&without_order(formula), &DIGITS, &values) {
                 values.set(name, value.clone());
                 draw[place] = value;
             }
@@ -100,9 +100,7 @@ impl Comparison<'_> {
             let found = if is_zero { as_in(&found, &known) } else { found };
             wrong_terms(&found, &known, &atoms)
         });
-        Judgement::Wrong(
-            reason.or_else(|| samples.first().map(|it| self.values(it))).unwrap_or_else(|| Prose::text("")),
-        )
+        Judgement::Wrong(reason.unwrap_or_else(|| self.values(&samples[0])))
     }
 
     /// Returns `true` if the answer is the formula whose value is to be found.
@@ -162,7 +160,7 @@ fn wrong_terms(found: &Terms, known: &Terms, atoms: &Atoms) -> Option<Prose> {
     sentences.into_iter().reduce(|text, next| text.and(Prose::text("; ")).and(next))
 }
 
-/// What is treated as a symbol: names, π, and, where powers of them are in the result, sines and cosines.
+/// Parts of formulas that are treated as symbols: names, π, and, where powers of them are in the result, sines and cosines.
 struct Atoms {
     waves: bool,
     formulas: RefCell<Vec<(String, Formula)>>,
@@ -228,7 +226,7 @@ fn operations(formula: &Formula) -> usize {
                 matches!(part, Formula::Negate(_))
                     || matches!(part, Formula::Number(value) if value.is_negative())
             };
-            (parts.len() - 1).saturating_sub(parts.iter().skip(1).filter(is_minus).count())
+            parts.len().saturating_sub(1 + parts.iter().skip(1).filter(is_minus).count())
         }
         Formula::Product(parts) => parts.len().saturating_sub(1),
         Formula::Decimal(_) | Formula::Pi | Formula::Name(_) => 0,

@@ -1,9 +1,10 @@
 //! Answers to exercises, compared with the results of the derivation.
 //!
 //! # Method
-//! An answer is right if it agrees with the result in 77 digits at three draws of the symbols; those that the derivation defines have the values of
-//! their definitions, so that sin(θ0/2) may stand for k. A condition that vanishes may have any factor that is a product of powers. Terms of
-//! answers that are not right are named where both are sums of products of powers, sines and cosines; otherwise values of both are given.
+//! An answer is right if it agrees with the result in 77 digits at three draws of the symbols. Those that the derivation has defined or found before the
+//! exercise have these values, so that sin(θ0/2) may stand for k, and T0 ω0/ω for the period. A condition that vanishes may have any factor that is a product
+//! of powers. Terms of answers that are not right are named where both are sums of products of powers, sines and cosines; otherwise values of both
+//! are given.
 
 mod comparison;
 mod question;
@@ -12,8 +13,8 @@ mod terms;
 pub(crate) use question::Question;
 
 use super::check::CheckedEquation;
-use super::document::{Block, Derivation};
-use super::formula::{Formula, Name, Relation, Statement, Subscript};
+use super::document::{Block, Derivation, DerivationStep};
+use super::formula::{Formula, Name, Relation, Statement, Subscript, number, sqrt};
 use super::prose::Prose;
 use comparison::Comparison;
 use libration::expression::{Expression, ParseError};
@@ -74,7 +75,7 @@ impl Derivation {
     /// The numbers of the exercises whose answers can be compared, such as `2.3`; none before [`exercises`](Self::exercises).
     #[must_use]
     pub fn comparable(&self) -> Vec<String> {
-        self.questions().into_iter().map(|(number, _)| number).collect()
+        self.questions().into_iter().map(|(number, ..)| number).collect()
     }
 
     /// Compares an answer, such as `3/4*cos(psi) + 1/4*cos(3*psi)`, to the exercise with this number.
@@ -92,9 +93,9 @@ impl Derivation {
     /// ```
     pub fn judge(&self, number: &str, answer: &str) -> Result<Judgement, AnswerError> {
         let questions = self.questions();
-        let Some((_, question)) = questions.iter().find(|(own, _)| own == number) else {
-            let numbers: Vec<String> = questions.into_iter().map(|(number, _)| number).collect();
-            return Err(AnswerError::Number { number: number.to_owned(), numbers: numbers.join(", ") });
+        let Some((_, place, question)) = questions.iter().find(|(own, ..)| own == number) else {
+            let number = number.to_owned();
+            return Err(AnswerError::Number { number, numbers: self.comparable().join(", ") });
         };
         let formula = Formula::from(&answer.parse::<Expression>()?);
         let symbols = self.symbols();
@@ -103,30 +104,36 @@ impl Derivation {
             let symbols = symbols.iter().map(|(key, _)| key.as_str()).collect::<Vec<_>>().join(", ");
             return Err(AnswerError::Symbol { symbol, symbols });
         }
-        let definitions =
-            self.statements().into_iter().filter_map(|it| match (&it.first, it.rest.first()?) {
-                (Formula::Name(name), (Relation::Defined, value)) if value.is_elementary() => {
-                    Some((name, value))
-                }
-                _ => None,
-            });
         let comparison = Comparison {
             question: *question,
             formula,
             symbols: &symbols,
-            definitions: definitions.collect(),
+            established: self.established_before(*place),
         };
         let samples = comparison.samples();
         if samples.is_empty() { Err(AnswerError::NoValue) } else { Ok(comparison.judge(&samples)) }
     }
 
-    /// The exercises with their numbers.
-    fn questions(&self) -> Vec<(String, Question<'_>)> {
-        let numbered = self.answers.iter().enumerate().flat_map(|(n, step)| {
-            equations(&step.blocks).into_iter().map(move |(number, equation)| (n + 1, number, equation))
-        });
-        let question = |(step, number, equation)| Some((format!("{step}.{number}"), Question::of(equation)?));
-        numbered.filter_map(question).collect()
+    /// The exercises with their numbers and places.
+    fn questions(&self) -> Vec<(String, Place, Question<'_>)> {
+        let mut all = vec![];
+        for (place, equation) in equations(&self.answers) {
+            all.extend(Question::of(equation).map(|it| (format!("{}.{}", place.0, place.1), place, it)));
+        }
+        all
+    }
+
+    /// The symbols with the formulas that the derivation has given for them before a place, in their order.
+    fn established_before(&self, place: Place) -> Vec<(&Name, Formula)> {
+        let mut all: Vec<(Place, &Name, Formula)> = vec![];
+        for (own, equation) in equations(&self.steps).into_iter().chain(equations(&self.answers)) {
+            if own < place
+                && let Some((name, value)) = equation.statement().as_value()
+            {
+                all.insert(all.partition_point(|(other, ..)| *other < own), (own, name, value));
+            }
+        }
+        all.into_iter().map(|(_, name, value)| (name, value)).collect()
     }
 
     /// The statements of the steps and of the answers.
@@ -149,18 +156,40 @@ impl Derivation {
     }
 }
 
+impl Statement {
+    /// The symbol that the statement gives, itself or its square, with its elementary formula.
+    fn as_value(&self) -> Option<(&Name, Formula)> {
+        let (relation, value) = self.rest.last()?;
+        let is_given = matches!(relation, Relation::Defined | Relation::Equal) && value.is_elementary();
+        match &self.first {
+            Formula::Name(name) if is_given => Some((name, value.clone())),
+            Formula::Power(base, exponent) if is_given && **exponent == number(2) => match &**base {
+                Formula::Name(name) => Some((name, sqrt(value.clone()))),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+}
+
 /// The symbols of a derivation, in the order of their keys.
 type Symbols = Vec<(String, Name)>;
 
-fn equations(blocks: &[Block]) -> Vec<(usize, &CheckedEquation)> {
-    let mut all = vec![];
-    for block in blocks {
-        match block {
-            Block::Equation { number, equation } => all.push((*number, equation)),
-            Block::Details { blocks, .. } => all.extend(equations(blocks)),
-            _ => {}
+/// The numbers of a step and of a formula in it.
+type Place = (usize, usize);
+
+fn equations(steps: &[DerivationStep]) -> Vec<(Place, &CheckedEquation)> {
+    fn collect<'a>(step: usize, blocks: &'a [Block], all: &mut Vec<(Place, &'a CheckedEquation)>) {
+        for block in blocks {
+            match block {
+                Block::Equation { number, equation } => all.push(((step, *number), equation)),
+                Block::Details { blocks, .. } => collect(step, blocks, all),
+                _ => {}
+            }
         }
     }
+    let mut all = vec![];
+    steps.iter().enumerate().for_each(|(n, step)| collect(n + 1, &step.blocks, &mut all));
     all
 }
 

@@ -94,7 +94,9 @@ fn terms_that_differ_are_named() {
         ("3.1", "omega_0^2 - (omega0*theta0)^2/8", "right"),
         ("3.1", "omega0^2*(1 - theta0^2/8 + theta0 - theta0 + psi - psi)", "right, but not simplified"),
         ("2.3", "cos(psi)^3", "right, but not simplified"),
+        // What was found before may be used: ω in (3.1).
         ("4.1", "2*pi/omega", "right, but not simplified"),
+        ("4.1", "T0*omega0/omega", "right"),
         (
             "3.1",
             "omega0^2*(1 - theta0^2/9)",

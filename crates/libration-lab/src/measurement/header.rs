@@ -1,7 +1,7 @@
 //! The lines above the numbers of a text → the names, units and titles of its columns.
 
 use super::dialect::{Delimiter, Dialect, Row};
-use super::heading::{Heading, bare, name_uncertainties};
+use super::heading::{Heading, bare, name_minima, name_uncertainties};
 use super::options::Header;
 use super::text::COMMENT;
 use super::{MeasurementError, QuantityKind, Unit};
@@ -52,6 +52,7 @@ impl Names {
             )
         };
         let mut headings: Vec<Heading> = cells.iter().enumerate().map(heading).collect();
+        name_minima(&mut headings);
         name_uncertainties(&mut headings);
         number_runs(&mut headings);
         let preamble =

@@ -123,12 +123,13 @@ enum Format {
 impl Derive {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let (derivation, is_whole) = self.derivation()?;
-        if let Some(answer) = &self.answer {
-            return self.judge(answer, &derivation.exercises(), out);
-        }
-        let derivation = if self.exercises { derivation.exercises() } else { derivation };
+        let are_exercises = self.exercises || self.answer.is_some();
+        let derivation = if are_exercises { derivation.exercises() } else { derivation };
         let derivation = if is_whole { derivation } else { derivation.broken_off() };
-        let text = self.format.write(&derivation);
+        let text = match &self.answer {
+            Some(answer) => self.judgement(answer, &derivation)?,
+            None => self.format.write(&derivation),
+        };
         match &self.output {
             Some(path) => {
                 file::write(path, text.as_bytes())?;
@@ -143,8 +144,8 @@ impl Derive {
         }
     }
 
-    /// Writes the judgement of an answer to one of the exercises.
-    fn judge(&self, text: &str, exercises: &Derivation, out: &mut dyn Write) -> Result<(), QueryError> {
+    /// The judgement of an answer to one of the exercises.
+    fn judgement(&self, text: &str, exercises: &Derivation) -> Result<String, QueryError> {
         let refused = |reason: String| QueryError::usage(option("answer"), reason);
         let (number, answer) = text.split_once('=').ok_or_else(|| {
             refused(format!(
@@ -152,16 +153,14 @@ impl Derive {
             ))
         })?;
         let judgement = exercises.judge(number.trim(), answer).map_err(|error| refused(error.to_string()))?;
-        let written = match self.format {
-            Format::Markdown => libration_derivation::judgement_to_markdown(&judgement),
-            Format::Html => libration_derivation::judgement_to_html(&judgement),
+        match self.format {
+            Format::Markdown => Ok(libration_derivation::judgement_to_markdown(&judgement)),
+            Format::Html => Ok(libration_derivation::judgement_to_html(&judgement)),
             Format::Latex | Format::Ipynb => {
                 let reason = "the judgement of an answer is in Markdown or HTML: leave it out";
-                return Err(QueryError::usage(option("format"), reason));
+                Err(QueryError::usage(option("format"), reason))
             }
-        };
-        out.write_all(written.as_bytes())?;
-        Ok(out.flush()?)
+        }
     }
 
     /// The derivation, and whether it came to its end.

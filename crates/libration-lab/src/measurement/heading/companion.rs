@@ -1,6 +1,6 @@
-//! Names of uncertainties that contain the name of another column: `dT` next to `T`, `xerr` next to `x`.
+//! Names that contain the name of another column: uncertainties, `dT` next to `T`, `xerr` next to `x`, and minima, `T_min` next to `T_max`.
 
-use super::Heading;
+use super::{Heading, Unit};
 
 /// Marks of an uncertainty before a name.
 const BEFORE: [&str; 8] = ["d", "Δ", "∆", "δ", "delta", "u", "σ", "sigma"];
@@ -21,6 +21,23 @@ pub(in crate::measurement) fn name_uncertainties(headings: &mut [Heading]) {
         if let Some((name, quantity)) = of.map(|of| (of.name.clone(), of.quantity)) {
             let heading = &mut headings[place];
             (heading.is_uncertainty, heading.uncertainty_of, heading.quantity) = (true, Some(name), quantity);
+        }
+    }
+}
+
+/// Corrects headings that were read as quantities in minutes and are minima: another one is the same with `max`.
+pub(in crate::measurement) fn name_minima(headings: &mut [Heading]) {
+    for place in 0..headings.len() {
+        let text = headings[place].text.to_lowercase();
+        let Some(stem) = text.strip_suffix("min").filter(|_| headings[place].unit == Some(Unit::Minute))
+        else {
+            continue;
+        };
+        let maximum = headings.iter().find(|other| other.text.to_lowercase() == format!("{stem}max"));
+        if let Some(quantity) = maximum.map(|it| it.quantity) {
+            let heading = &mut headings[place];
+            let name = heading.text.clone();
+            (heading.name, heading.quantity, heading.unit, heading.unit_text) = (name, quantity, None, None);
         }
     }
 }

@@ -5,7 +5,7 @@ mod stated;
 mod unit;
 pub(crate) mod words;
 
-pub(super) use companion::name_uncertainties;
+pub(super) use companion::{name_minima, name_uncertainties};
 use libration::quantity::printable;
 pub use stated::StatedUncertainty;
 pub(super) use stated::without_stated;

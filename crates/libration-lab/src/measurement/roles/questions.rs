@@ -36,13 +36,16 @@ impl Search<'_> {
     pub(super) fn refuse_bounds(&self) -> Result<(), MeasurementError> {
         let free = || (0..self.kinds.len()).filter(|&place| self.is_free(place));
         let bound = |place: usize| bound(self.heading(place));
-        let pair = free().find_map(|high| {
+        let found = free().find_map(|high| {
             let (name, _) = bound(high).filter(|(_, is_most)| *is_most)?;
-            Some([high, free().find(|&low| bound(low) == Some((name.clone(), false)))?])
+            let low = free().find(|&low| bound(low) == Some((name.clone(), false)))?;
+            Some(([high, low], Heading::read(&name, None, None)))
         });
-        let Some(pair) = pair else { return Ok(()) };
-        let said =
-            |it: &&super::TableQuantity| it.only_named.is_none() && it.role.is_said_by(self.heading(pair[0]));
+        let Some((pair, plain)) = found else { return Ok(()) };
+        let said = |it: &&super::TableQuantity| {
+            it.only_named.is_none()
+                && [self.heading(pair[0]), &plain].iter().any(|heading| it.role.is_said_by(heading))
+        };
         let Some(quantity) = self.needed.iter().find(said) else { return Ok(()) };
         let [high, low] = pair.map(|place| self.describe(place));
         let choice = |place: usize| Suggestion::new(Choice::Role, format!("{}={}", place + 1, quantity.name));

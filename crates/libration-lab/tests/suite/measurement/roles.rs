@@ -279,7 +279,9 @@ fn rows_of_sums_and_means_are_left_out_in_other_languages() {
 
 #[test]
 fn bounds_of_a_quantity_are_refused_with_both_choices() {
-    for [high, low] in [["T max (s)", "T min (s)"], ["Tmax (s)", "Tmin (s)"]] {
+    for [high, low] in
+        [["T max (s)", "T min (s)"], ["Tmax (s)", "Tmin (s)"], ["T_max", "T_min"], ["T max", "T min"]]
+    {
         let table = read(&format!("L (m),{low},{high}\n0.25,0.99,1.01\n0.5,1.41,1.43\n"));
         let text = roles(&table, &[LENGTH, PERIOD]).unwrap_err().to_string();
         assert!(text.contains("half-widths") && text.ends_with("give role=3=period or 2=period"), "{text}");

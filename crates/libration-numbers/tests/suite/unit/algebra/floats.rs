@@ -58,9 +58,7 @@ fn squares_of_squares_stay_numbers() {
         }
         let one = floats.integer(1);
         assert!((square.clone() + one.clone() - square.clone()).to_f64().is_finite());
-        assert_eq!(
-            square.to_f64(),
-            if first > one || first < floats.integer(0) { f64::INFINITY } else { 0.0 }
-        );
+        let is_large = first > one || first < floats.integer(0);
+        assert!(square.to_f64().is_infinite() == is_large && (is_large || square.to_f64() < 1e-300));
     }
 }
