@@ -10,7 +10,7 @@ use super::{Judgement, Question, Symbols, key};
 use libration::algebra::{BigFloat, Function, Rational, Ring};
 use std::cell::RefCell;
 
-/// Bits in which equal formulas agree; of those of [`PRECISION`], cancellations lose some.
+/// Bits in which equal formulas agree, half of those of [`PRECISION`]: cancellations of a sum lose up to as many bits as its terms exceed it.
 const CLOSE: isize = 130;
 /// Draws at which two formulas are compared, and the largest number of those tried.
 const DRAWS: usize = 3;

@@ -7,11 +7,12 @@
 use super::super::formula::{Formula, cos, scaled, sin, sum};
 use libration::algebra::{Function, Rational};
 
-/// Largest number of products of terms in a product of sums; the longest result, of order 9, needs 1000.
+// Results of orders up to 9 need 4 products of terms and 62 bits; the limits are for answers with brackets, and keep a product below a tenth of a second.
+/// Largest number of products of terms in a product of sums.
 const MOST_PRODUCTS: usize = 5000;
 /// Largest power of a sum that is expanded.
 const HIGHEST_POWER: u64 = 40;
-/// Largest number of bits of a coefficient, above those of each derivation of order 9.
+/// Largest number of bits of a coefficient.
 const MOST_BITS: usize = 4000;
 
 /// Numbers by keys in ascending order, without zeros.
