@@ -32,9 +32,9 @@ def response(
     """The periodic responses of a driven system, or limit cycles, over a parameter: amplitude,
     stability, folds and jumps, symmetry breakings, period doublings.
 
-    Branches begin with the solutions found at both ends of the range, and are followed through
-    their folds; secondary branches are followed too. Every point has an error, special points are
-    exact to their last digits.
+    Branches begin with the solutions found at both ends of the range, from the start and by
+    harmonic balance, and are followed through their folds; secondary branches are followed too.
+    Every point has an error, special points are exact to their last digits.
 
     Parameters
     ----------

@@ -9,6 +9,7 @@ use libration_motion::internals::orbit::depends_on_time;
 use libration_motion::internals::periodic::{Flow, Variations, norm_of_map};
 use libration_motion::taylor::{IntegrationError, OwnedStep, StateLayout};
 use libration_numbers::expression::Equation;
+use libration_numbers::internals::expression::Tape;
 use libration_numbers::internals::progress::Watch;
 
 /// Source of the period of a motion.
@@ -161,6 +162,11 @@ impl<'w> Family<'w> {
             Beat::Drive(_) => None,
             Beat::Own(field) => Some(field),
         }
+    }
+
+    /// The highest derivatives of the coordinates as a tape in the state, the time and the parameters.
+    pub(super) const fn rates(&self) -> &Tape {
+        self.flow.rates()
     }
 
     /// The state, as part of the unknowns.

@@ -25,6 +25,10 @@
 //! or the direction turns, which keeps neighbouring branches apart. `established.rs` tests whether a step may have skipped a special point;
 //! parameter ranges in which even the minimum steps do not exclude that are listed.
 //!
+//! At each end of the range, or at one given value, branches begin with the motion that Newton's method finds from the start, and with further
+//! motions near estimates by harmonic balance (`further_starts.rs`). Not searched are motions with many harmonics, other periods, isolas
+//! within the range, and without a drive other cycles than that to which the start settles.
+//!
 //! Motions that are their own mirror images half a period later are followed by the half map with a mirror (`space.rs`). Its multiplier +1 is a
 //! fold and −1 a symmetry-breaking bifurcation; the whole map could not distinguish them. The existence of mirror images is a property of the
 //! equation (`symmetry.rs`). Folds, flips and Neimark–Sacker points (products of multipliers equal to one) are zeros of test functions along the
@@ -74,6 +78,9 @@ mod search;
 mod switching;
 
 mod rotations;
+
+mod further_starts;
+mod harmonic_balance;
 
 mod energy_balance;
 mod full_strength;

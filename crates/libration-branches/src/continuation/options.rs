@@ -6,7 +6,8 @@ use super::space::Rotation;
 /// Options of a response.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ResponseOptions {
-    /// The initial guess of a motion at each end of the range; zero in all components if there is none. Without a drive the motion from the
+    /// The initial guess of a motion at each end of the range; zero in all components if there is none. With a drive, further motions are
+    /// searched about its coordinates from estimates by harmonic balance. Without a drive the motion from the
     /// guess has to settle to a limit cycle; a guess at an equilibrium is displaced a little.
     pub start: Option<Vec<f64>>,
     /// The value of the parameter at which a motion is searched and followed in both directions; the

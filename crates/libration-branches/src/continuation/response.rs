@@ -35,8 +35,9 @@ pub struct Response {
 
 impl Response {
     /// The branches of periodic motions of a driven system over a range of one of its parameters, which is symbolic in the equations: an
-    /// amplitude, a damping, or the drive frequency itself. They begin with the motions that Newton's method finds at the ends of the range, and
-    /// pass folds by pseudo-arclength continuation; secondary branches from symmetry breaking and period doubling are followed too.
+    /// amplitude, a damping, or the drive frequency itself. They begin with the motions that Newton's method finds at the ends of the range, from the start and from
+    /// estimates by harmonic balance, and pass folds by pseudo-arclength continuation; secondary branches from symmetry breaking and period
+    /// doubling are followed too.
     ///
     /// If the time does not occur in the equations, the motions are limit cycles, beginning with those to which
     /// the start settles at the ends of the range. The period is an additional unknown, and a motion begins where
@@ -130,25 +131,13 @@ impl Search<'_> {
         let mut missing: Vec<(f64, BranchError)> = vec![];
         let [low, high] = self.range;
         let places = self.options.at.map_or(vec![(low, 1.0), (high, -1.0)], |at| vec![(at, 1.0)]);
-        for (value, into) in places {
-            let starts = match self.starts(value) {
-                Ok(starts) => starts,
+        for place in &places {
+            match self.starts(place.0) {
+                Ok(starts) => self.begin(&mut found, &mut missing, *place, starts),
                 Err(BranchError::Interrupted(interrupted)) if found.branches.is_empty() => {
                     return Err(interrupted.into());
                 }
-                Err(error) => {
-                    missing.push((value, error));
-                    continue;
-                }
-            };
-            for start in starts {
-                if self.is_known(&found.branches, value, &start) {
-                    continue;
-                }
-                match self.through(value, &start, into) {
-                    Ok(walked) => walked.into_iter().for_each(|walked| self.keep(&mut found, walked, 0)),
-                    Err(error) => missing.push((value, error)),
-                }
+                Err(error) => missing.push((place.0, error)),
             }
         }
         let mut orders = vec![];
@@ -157,16 +146,44 @@ impl Search<'_> {
                 found.leaving.extend(self.leaving(walked, 0));
             })?);
         }
+        self.follow_all(&mut found);
+        // A further motion may lie on a secondary branch.
+        for place in places {
+            self.begin(&mut found, &mut vec![], place, self.further_starts(place.0));
+            self.follow_all(&mut found);
+        }
         if found.branches.is_empty()
             && let Some((_, error)) = missing.pop()
         {
             return Err(error);
         }
-        while !self.family.watch.is_stopped() && self.follow_next(&mut found) {}
         let branches = found.branches;
         let jumps = jumps(&branches, |space| self.corrector(space), self.width());
         let (driven, interrupted) = (self.family.is_driven(), self.family.watch.is_stopped());
         Ok(Response { branches, orders, jumps, missing, driven, interrupted })
+    }
+
+    /// Follows the branches through motions at a value that are not yet on a branch.
+    fn begin(
+        &self,
+        found: &mut Found,
+        missing: &mut Vec<(f64, BranchError)>,
+        (value, into): (f64, f64),
+        starts: Vec<Start>,
+    ) {
+        for start in starts {
+            if self.is_known(&found.branches, value, &start) {
+                continue;
+            }
+            match self.through(value, &start, into) {
+                Ok(walked) => walked.into_iter().for_each(|walked| self.keep(found, walked, 0)),
+                Err(error) => missing.push((value, error)),
+            }
+        }
+    }
+
+    fn follow_all(&self, found: &mut Found) {
+        while !self.family.watch.is_stopped() && self.follow_next(found) {}
     }
 
     /// Adds a branch, with the branches that leave it and the meetings at its ends.
@@ -224,18 +241,18 @@ impl Search<'_> {
         Some(Start { unknowns: corrector.unknowns(&node.point), space: start.space })
     }
 
-    /// Returns `true` if a motion at an end of the range is the end of a branch that is already followed or, for a rotating motion, lies on it.
+    /// Returns `true` if a motion at an end of the range, begun at another period of the drive or mirrored, is the end of a branch
+    /// that is already followed; or, for a rotating motion or one at a value within the range, lies on it.
     fn is_known(&self, branches: &[Branch], value: f64, start: &Start) -> bool {
-        if start.space.rotation.is_some() && self.is_followed(branches, value, start) {
+        let may_be_within = start.space.rotation.is_some() || self.options.at.is_some();
+        if may_be_within && self.is_followed(branches, value, start) {
             return true;
         }
         /// Largest difference relative to the size of the state.
         const SAME: f64 = 1e-7;
         let size = start.unknowns.iter().map(|x| x.abs()).fold(1e-6, f64::max);
         let is_near = |a: f64, b: f64| (a - b).abs() <= SAME * size;
-        // A solution that rotates once in several periods of the drive may begin with any of them.
-        let copies = start.space.rotation.and_then(|_| self.copies(start, value));
-        let copies = copies.unwrap_or_else(|| vec![start.unknowns.clone()]);
+        let copies = self.copies(start, value).unwrap_or_else(|| vec![start.unknowns.clone()]);
         let is_same = |(branch, point): (&Branch, &BranchPoint)| match self.family.is_driven() {
             true => copies.iter().any(|copy| start.space.is_near(&point.state, copy, SAME * size)),
             // The turn with which a cycle begins is arbitrary.

@@ -57,7 +57,7 @@ impl Search<'_> {
     /// The given state, rotated by an angle, at the speed of the uniform rotation.
     fn even(&self, rotation: Rotation, angle: f64, duration: f64) -> Vec<f64> {
         let layout = &self.family.layout;
-        let mut state = self.options.start.clone().unwrap_or_else(|| vec![0.0; layout.numbers()]);
+        let mut state = self.given();
         state[rotation.coordinate] += angle;
         if let Some(velocity) = layout.velocity(rotation.coordinate) {
             state[velocity] = TAU * f64::from(rotation.turns) / duration;

@@ -51,7 +51,7 @@ impl Search<'_> {
 
     fn start(&self, value: f64) -> Result<Start, OrbitError> {
         let equation = self.at(value)?;
-        let state = self.options.start.clone().unwrap_or_else(|| vec![0.0; self.family.layout.numbers()]);
+        let state = self.given();
         if !self.family.is_driven() {
             let state = self.family.displaced(state, value);
             let cycle = Orbit::limit_cycle(&equation, &state, self.family.watch)?;

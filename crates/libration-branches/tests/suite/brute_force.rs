@@ -45,6 +45,13 @@ impl Oscillator {
         (0..steps).fold(state, |state, number| self.step(state, w, step * f64::from(number), step))
     }
 
+    /// About the state after a number of drive periods, by few steps.
+    fn roughly_after(&self, state: [f64; 2], w: f64, periods: u32) -> [f64; 2] {
+        const FEW: u32 = 40;
+        let step = TAU / (self.beat * w) / f64::from(FEW);
+        (0..periods * FEW).fold(state, |state, it| self.smooth_step(state, w, step * f64::from(it), step))
+    }
+
     /// One step, or two if a kink of the force lies between its ends: across
     /// a kink the error of the method and of differences is of first order.
     fn step(&self, state: [f64; 2], w: f64, t: f64, step: f64) -> [f64; 2] {
@@ -302,6 +309,186 @@ fn clearance_oscillators_have_the_motions_of_a_sweep_by_brute_force() {
 fn smooth_oscillators_have_the_motions_of_a_sweep_by_brute_force() {
     let mut random = Random::seeded(sweep::seed(35_003));
     (0..sweep::number(10, 100)).for_each(|_| check(&smooth(&mut random), &mut random));
+}
+
+/// The motions with the period of the drive, or with twice this period, to which motions from a grid of starts settle by integration.
+fn settled(oscillator: &Oscillator, w: f64, reach: f64) -> Vec<([f64; 2], u32)> {
+    const SIDE: i32 = 2;
+    let grid = (-SIDE..=SIDE).flat_map(|i| (-SIDE..=SIDE).map(move |j| [i, j]));
+    let mut found: Vec<([f64; 2], u32)> = vec![];
+    for start in grid.map(|it| it.map(|k| reach * f64::from(k) / f64::from(SIDE))) {
+        let state = oscillator.roughly_after([start[0], start[1] * w], w, 150);
+        let motion = [1, 2].into_iter().find_map(|periods| {
+            let (closed, growth) = oscillator.periodic(state, w, periods)?;
+            let near = (0..2).all(|i| (closed[i] - state[i]).abs() < 0.05 * (1.0 + closed[0].abs()));
+            (near && growth < 1.0 - OPEN).then_some((closed, periods))
+        });
+        let is_new = |(a, _): &([f64; 2], u32)| {
+            found.iter().all(|(b, _)| (0..2).any(|i| (a[i] - b[i]).abs() > 1e-5 * (1.0 + b[0].abs())))
+        };
+        found.extend(motion.filter(is_new));
+    }
+    found
+}
+
+/// The distance of a motion from the nearest end of a branch at a value, over all copies of the motion.
+fn distance(oscillator: &Oscillator, response: &Response, w: f64, state: [f64; 2]) -> f64 {
+    let mirrored = |state: [f64; 2]| oscillator.followed(state, w, STEPS / 2).map(|x| -x);
+    let other = oscillator.after(state, w, 1);
+    let copies = [state, other, mirrored(state), mirrored(other), state.map(|x| -x), other.map(|x| -x)];
+    let ends = response.branches.iter().flat_map(|branch| [branch.points.first(), branch.points.last()]);
+    let ends = ends.flatten().filter(|point| point.parameter.to_bits() == w.to_bits() && point.is_stable());
+    let is_angle = oscillator.text.contains("sin(x)");
+    let turned = |x: f64| if is_angle { x - TAU * (x / TAU).round() } else { x };
+    let off = |point: &BranchPoint| {
+        copies.map(|copy| turned(copy[0] - point.state[0]).abs().max((copy[1] - point.state[1]).abs()))
+    };
+    ends.flat_map(off).fold(f64::INFINITY, f64::min)
+}
+
+/// The number of attracting motions of random oscillators at the ends of their ranges, and of those that are on no branch.
+fn number_missed(
+    random: &mut Random,
+    kind: fn(&mut Random) -> Oscillator,
+    [usual, full]: [u32; 2],
+    [reach, most_periods]: [f64; 2],
+) -> [usize; 2] {
+    let (mut all, mut missed) = (0, 0);
+    for _ in 0..sweep::number(usual, full) {
+        let oscillator = kind(random);
+        let response = oscillator.response();
+        for w in oscillator.range {
+            for (state, _) in
+                settled(&oscillator, w, reach).iter().filter(|it| f64::from(it.1) <= most_periods)
+            {
+                all += 1;
+                let off = distance(&oscillator, &response, w, *state);
+                if off > 1e-4 {
+                    missed += 1;
+                    eprintln!("{} at w = {w}: {state:?} is {off} from all branches", oscillator.text);
+                }
+            }
+        }
+    }
+    [all, missed]
+}
+
+/// The motions to which a grid of starts settles: of the period of the drive; of parametrons also of twice this period.
+#[test]
+fn attracting_motions_at_the_ends_of_the_range_are_followed_sweep() {
+    let mut random = Random::seeded(sweep::seed(35_009));
+    type Kind = fn(&mut Random) -> Oscillator;
+    let kinds: [(Kind, [f64; 2]); 5] = [
+        (hardening, [6.0, 1.0]),
+        (pendulum, [3.0, 1.0]),
+        (smooth, [3.0, 1.0]),
+        (clearance, [4.0, 1.0]),
+        (tongue, [1.5, 2.0]),
+    ];
+    for (kind, extent) in kinds {
+        let [all, missed] = number_missed(&mut random, kind, [4, 40], extent);
+        assert!(missed == 0 && all > 0, "{missed} of {all} are missed");
+    }
+    // Large motions in one well and near the separatrix have many harmonics: of 77 motions of 20 oscillators, 7 are missed.
+    let [all, missed] = number_missed(&mut random, wells, [4, 40], [3.0, 1.0]);
+    assert!(6 * missed <= all, "{missed} of {all} are missed");
+}
+
+/// Two masses, of which one has a hardening spring, between the folds of a resonance: two attracting motions, by integration from a grid of starts.
+#[test]
+fn attracting_motions_of_two_coupled_oscillators_are_followed() {
+    let text = "x'' + 0.02*x' + 2*x - y + 0.5*x^3 = 0.15*cos(w*t); y'' + 0.02*y' + 2*y - x = 0";
+    let range = [1.1, 1.15];
+    let response =
+        Response::over(&text.parse().unwrap(), "w", range, &ResponseOptions::default(), &Quiet).unwrap();
+    let rate = |t: f64, [x, y, u, v]: [f64; 4], w: f64| {
+        let push = 0.15 * libm::cos(w * t) - 0.02 * u - 2.0 * x + y - 0.5 * x * x * x;
+        [u, v, push, x - 2.0 * y - 0.02 * v]
+    };
+    for w in range {
+        let step = TAU / w / 60.0;
+        let advanced = |state: [f64; 4], t: f64| {
+            let moved = |by: [f64; 4], part: f64| std::array::from_fn(|i| state[i] + part * step * by[i]);
+            let a = rate(t, state, w);
+            let b = rate(t + 0.5 * step, moved(a, 0.5), w);
+            let c = rate(t + 0.5 * step, moved(b, 0.5), w);
+            let d = rate(t + step, moved(c, 1.0), w);
+            std::array::from_fn(|i| state[i] + step / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]))
+        };
+        let mut seen: Vec<[f64; 4]> = vec![];
+        for number in 0..16_u32 {
+            let sign = |bit: u32| if number >> bit & 1 == 1 { 1.5 } else { -0.5 };
+            let start = [sign(0), sign(1), sign(2), sign(3)];
+            let end = (0..250 * 60).fold(start, |state, k| advanced(state, step * f64::from(k)));
+            let ends =
+                response.branches.iter().flat_map(|it| [it.points.first(), it.points.last()]).flatten();
+            let far = |p: &[f64]| (0..4).map(|i| (p[i] - end[i]).abs()).fold(0.0, f64::max);
+            let here = ends.filter(|it| it.parameter.to_bits() == w.to_bits() && it.is_stable());
+            let nearest = here.map(|it| far(&it.state)).fold(f64::INFINITY, f64::min);
+            assert!(nearest < 1e-3, "{end:?} at w = {w} is {nearest} from all branches");
+            if seen.iter().all(|it| far(it) > 0.1) {
+                seen.push(end);
+            }
+        }
+        assert_eq!(seen.len(), 2, "w = {w}: {seen:?}");
+    }
+}
+
+/// Both folds of the resonance are outside the range. The coordinate at t = 0 of the two stable motions at either end by Fourier collocation
+/// with 40 harmonics (SciPy's `fsolve`).
+#[test]
+fn a_range_between_the_folds_has_both_stable_branches() {
+    const EXPECTED: [(f64, [f64; 2]); 2] =
+        [(1.1, [-0.5214468245574, 1.6954936148828]), (1.35, [-0.1216164199760, 1.4076615831498])];
+    let equation = "x'' + 0.1*x^3 + 0.02*x' + x = 0.1*cos(W*t)".parse().unwrap();
+    let response = Response::over(&equation, "W", [1.1, 1.35], &ResponseOptions::default(), &Quiet).unwrap();
+    for (value, place) in EXPECTED.into_iter().flat_map(|(value, places)| places.map(|it| (value, it))) {
+        let ends = response.branches.iter().flat_map(|it| [it.points.first(), it.points.last()]).flatten();
+        let stable = ends.filter(|it| it.parameter.to_bits() == value.to_bits() && it.is_stable());
+        let off = stable.map(|it| (it.state[0] - place).abs()).fold(f64::INFINITY, f64::min);
+        assert!(off < 1e-9, "{place} at {value} is missed by {off}");
+    }
+}
+
+fn hardening(random: &mut Random) -> Oscillator {
+    let [damping, cube, drive] = [(0.01, 0.1), (0.02, 1.0), (0.05, 0.5)].map(|(a, b)| random.between(a, b));
+    let low = random.between(0.7, 1.3);
+    Oscillator {
+        text: format!("x'' + {damping:?}*x' + x + {cube:?}*x^3 = {drive:?}*cos(w*t)"),
+        force: Box::new(move |t, [x, v], w| drive * libm::cos(w * t) - damping * v - x - cube * x * x * x),
+        range: [low, low + random.between(0.05, 0.4)],
+        beat: 1.0,
+        kinks: vec![],
+    }
+}
+
+fn wells(random: &mut Random) -> Oscillator {
+    let [damping, drive] = [(0.05, 0.4), (0.02, 0.4)].map(|(a, b)| random.between(a, b));
+    let low = random.between(0.7, 1.6);
+    Oscillator {
+        text: format!("x'' + {damping:?}*x' - x + x^3 = {drive:?}*cos(w*t)"),
+        force: Box::new(move |t, [x, v], w| drive * libm::cos(w * t) - damping * v + x - x * x * x),
+        range: [low, low + random.between(0.05, 0.4)],
+        beat: 1.0,
+        kinks: vec![],
+    }
+}
+
+fn pendulum(random: &mut Random) -> Oscillator {
+    let [damping, drive] = [(0.02, 0.2), (0.02, 0.5)].map(|(a, b)| random.between(a, b));
+    let low = random.between(0.6, 1.0);
+    Oscillator {
+        text: format!("x'' + {damping:?}*x' + sin(x) = {drive:?}*cos(w*t)"),
+        force: Box::new(move |t, [x, v], w| drive * libm::cos(w * t) - damping * v - libm::sin(x)),
+        range: [low, low + random.between(0.02, 0.2)],
+        beat: 1.0,
+        kinks: vec![],
+    }
+}
+
+fn tongue(random: &mut Random) -> Oscillator {
+    let low = random.between(0.99, 1.1);
+    Oscillator { range: [low, low + random.between(0.01, 0.05)], ..parametron(random) }
 }
 
 /// An oscillator with the drive 0.3·cos(w·t) and this force.

@@ -20,7 +20,11 @@ fn folds(branch: &Branch) -> Vec<f64> {
 #[test]
 fn an_isola_that_no_sweep_meets_is_found_and_followed_once_around() {
     let response = sought("x'' = -0.15*x' - x - x^3 + 5*cos(w*t)", [2.5, 6.0], &["1/3"]).unwrap();
-    let [primary, isola] = &response.branches[..] else { panic!("{} branches", response.branches.len()) };
+    let [primary, isola, resonance] = &response.branches[..] else {
+        panic!("{} branches", response.branches.len())
+    };
+    // The main resonance ends in a fold near the backbone, at the amplitude 5/(0.15 w) to first order.
+    assert!(resonance.origin == Origin::Primary && resonance.points[0].is_stable());
     // The isola is not connected with the primary branch.
     assert!(primary.special.is_empty() && primary.points.iter().all(|it| it.is_stable()));
     assert_eq!((isola.origin, isola.ending), (Origin::FreeOscillation, Ending::Closed));

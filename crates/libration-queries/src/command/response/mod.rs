@@ -41,8 +41,8 @@ const MOST_GENERATIONS: usize = 6;
 
 /// The periodic responses of a driven system, or limit cycles, over a parameter: amplitude, stability, folds and jumps, symmetry breakings, period doublings
 ///
-/// Branches begin with the solutions found at both ends of the range, and are followed through their folds; secondary branches are
-/// followed too. Every point has an error, special points are exact to their last digits.
+/// Branches begin with the solutions found at both ends of the range, from the start and by harmonic balance, and are followed through their
+/// folds; secondary branches are followed too. Every point has an error, special points are exact to their last digits.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration response driven_pendulum --set A=0.15,c=0.1 --over omega=0.3:1.4
@@ -58,10 +58,12 @@ const MOST_GENERATIONS: usize = 6;
   libration response \"x' = -y - z; y' = x + 0.2 y; z' = 0.2 + z (x - c)\" \\
     --over c=2:4 --generations 1
 
-The parameter is a number in the equations or the frequency of the drive. Other
-solutions than those at the ends of the range need --initial near them, or
---orders, which finds sub- and superharmonic responses from the free
-oscillations that the drive can sustain; --turns is for rotating responses.
+The parameter is a number in the equations or the frequency of the drive. At the
+ends of the range solutions are searched from --initial and near estimates with
+few harmonics. Those with many harmonics and isolated closed branches (isolas)
+within the range can be missed: try --at, or --initial near them, or --orders,
+which finds sub- and superharmonic responses from the free oscillations that the
+drive can sustain; --turns is for rotating responses.
 Without a drive the solutions are limit cycles, to which the motion from
 --initial settles. Ctrl-C stops early and keeps what is done.")]
 pub(crate) struct ResponseQuestion {

@@ -1,0 +1,121 @@
+//! Further motions at an end of the range, besides the one from the given start.
+//!
+//! # Method
+//! The estimates of harmonic balance (`harmonic_balance.rs`) are guesses for Newton's method. Attracting motions all begin branches.
+//! Of the repelling ones there are infinitely many if motions are chaotic: those that pass the coordinates of the given start begin branches, the
+//! smallest first, as long as they are fewer than the attracting ones. In the plane of states a saddle lies between two nodes.
+
+use super::corrector::Corrected;
+use super::harmonic_balance::HarmonicBalance;
+use super::search::{Search, Start};
+use super::space::Space;
+use libration_motion::chaos::angles;
+use libration_motion::internals::periodic::norm;
+use libration_numbers::algebra::Complex;
+use libration_numbers::internals::linear::eigenvalues;
+use std::f64::consts::TAU;
+
+/// Largest magnitude of a multiplier of a motion that attracts or, without damping, lasts: rounding of the map is smaller.
+const LASTS: f64 = 1.0 + 1e-9;
+
+/// Largest difference between states of one motion, relative to their size.
+const SAME: f64 = 1e-6;
+
+impl Search<'_> {
+    /// The further motions with which branches begin at a value of the parameter, the attracting ones first. If the drive leaves the given start
+    /// at rest, as in parametric excitation, they are also searched with twice the period.
+    pub(super) fn further_starts(&self, value: f64) -> Vec<Start> {
+        if !self.family.is_driven() || self.options.rotation.is_some() || self.family.watch.is_stopped() {
+            return vec![];
+        }
+        let periods = self.options.drive_periods;
+        let doubled = self.rests(value).then_some(2 * periods);
+        let reached = [periods].into_iter().chain(doubled).flat_map(|periods| self.reached(value, periods));
+        let (lasting, mut others): (Vec<_>, Vec<_>) = reached.partition(|(_, largest)| *largest <= LASTS);
+        let size = |(start, _): &(Start, f64)| norm(&start.unknowns);
+        others.sort_by(|a, b| size(a).total_cmp(&size(b)));
+        others.truncate(lasting.len().saturating_sub(1));
+        lasting.into_iter().chain(others).map(|(start, _)| start).collect()
+    }
+
+    /// The state at which motions are searched first.
+    pub(super) fn given(&self) -> Vec<f64> {
+        self.options.start.clone().unwrap_or_else(|| vec![0.0; self.family.layout.numbers()])
+    }
+
+    /// `true` if the given state does not move at two times.
+    fn rests(&self, value: f64) -> bool {
+        let rate = |time: f64| self.family.rate(&self.given(), time, &[value]);
+        [0.0, 1.0].into_iter().all(|time| rate(time).is_some_and(|rate| rate.iter().all(|x| *x == 0.0)))
+    }
+
+    /// The motions to which Newton's method leads from the estimates, each with the magnitude of its largest multiplier.
+    fn reached(&self, value: f64, drive_periods: u32) -> Vec<(Start, f64)> {
+        /// Multiple of the drive frequency up to which estimates are refined.
+        const FINE: u32 = 3;
+        /// Most centres: the given one, and two wells.
+        const MOST_CENTRES: usize = 3;
+        let space = Space::of_periods(drive_periods);
+        let balance = |multiple| HarmonicBalance::new(self.family, value, drive_periods, multiple);
+        let (Some(mut coarse), Some(mut fine)) = (balance(1), balance(FINE)) else { return vec![] };
+        let mut centres = vec![self.given()[..self.family.layout.coordinates()].to_vec()];
+        let (mut found, mut done): (Vec<(Start, f64)>, usize) = (vec![], 0);
+        while done < centres.len().min(MOST_CENTRES) {
+            for estimate in coarse.motions(&centres[done], &angles(self.equation)) {
+                let estimate = fine.refined(estimate);
+                if self.family.watch.is_stopped() {
+                    return found;
+                }
+                let Some((start, largest)) = self.reached_near(space, &estimate.state, value) else {
+                    continue;
+                };
+                let repels_elsewhere = largest > LASTS && estimate.is_about_another(&centres[0]);
+                if repels_elsewhere || self.has_shorter_period(&start, value) {
+                    continue;
+                }
+                let distance = SAME * norm(&start.unknowns);
+                if found.iter().any(|(other, _)| space.is_near(&other.unknowns, &start.unknowns, distance)) {
+                    continue;
+                }
+                if largest <= LASTS && centres.iter().all(|centre| estimate.is_about_another(centre)) {
+                    centres.push(estimate.means());
+                }
+                found.push((start, largest));
+            }
+            done += 1;
+        }
+        found
+    }
+
+    fn has_shorter_period(&self, start: &Start, value: f64) -> bool {
+        let periods = start.space.drive_periods();
+        let Some(period) = self.family.drive_period(&[value]) else { return false };
+        let returns = |part: &u32| {
+            let span = [0.0, period * f64::from(*part)];
+            let end = self.family.moved_on(&start.unknowns, value, span);
+            end.is_some_and(|end| start.space.is_near(&end, &start.unknowns, SAME * norm(&start.unknowns)))
+        };
+        (1..periods).filter(|part| periods.is_multiple_of(*part)).any(|part| returns(&part))
+    }
+
+    /// The isolated motion near a state, with the magnitude of its largest multiplier.
+    fn reached_near(&self, space: Space, state: &[f64], value: f64) -> Option<(Start, f64)> {
+        let size = norm(state).max(f64::MIN_POSITIVE);
+        let rate = TAU / self.family.drive_period(&[value])?;
+        let layout = &self.family.layout;
+        let sizes = layout.arrange((0..layout.coordinates()).map(|_| size), |_| size * rate);
+        let units: Vec<f64> = sizes.into_iter().chain([self.width()]).collect();
+        let across: Vec<f64> = (0..units.len()).map(|it| f64::from(it + 1 == units.len())).collect();
+        let guess: Vec<f64> = state.iter().copied().chain([value]).collect();
+        let Corrected { mut place, image, .. } = self.corrector(space).corrected(&guess, &across, &units)?;
+        place.pop();
+        let multipliers = eigenvalues(image.return_map())?;
+        /// Half of the digits: where a multiplier is 1, motions form families, or a fold is at the end of the range.
+        const ISOLATED: f64 = 1e-8;
+        if multipliers.iter().any(|it| (*it - Complex::from(1.0)).abs() < ISOLATED) {
+            return None;
+        }
+        let largest = multipliers.iter().map(|it| it.abs()).fold(0.0, f64::max);
+        Some((Start { unknowns: place, space }, largest))
+    }
+}
