@@ -5,7 +5,7 @@
 //! Of the repelling ones there are infinitely many if motions are chaotic: those that pass the coordinates of the given start begin branches, the
 //! smallest first, as long as they are fewer than the attracting ones. In the plane of states a saddle lies between two nodes.
 
-use super::corrector::{Corrected, Corrector};
+use super::corrector::Corrected;
 use super::harmonic_balance::HarmonicBalance;
 use super::search::{Search, Start};
 use super::space::Space;
@@ -16,7 +16,7 @@ use libration_numbers::internals::linear::eigenvalues;
 use std::f64::consts::TAU;
 
 /// Largest magnitude of a multiplier of a motion that attracts or, without damping, lasts: rounding of the map is smaller.
-const LASTS: f64 = 1.0 + 1e-7;
+const LASTS: f64 = 1.0 + 1e-9;
 
 /// Largest difference between states of one motion, relative to their size.
 const SAME: f64 = 1e-6;
@@ -62,7 +62,7 @@ impl Search<'_> {
         let (mut found, mut done): (Vec<(Start, f64)>, usize) = (vec![], 0);
         while done < centres.len().min(MOST_CENTRES) {
             for estimate in coarse.motions(&centres[done], &angles(self.equation)) {
-                let estimate = fine.refined(estimate);
+                let Some(estimate) = fine.refined(estimate) else { continue };
                 if self.family.watch.is_stopped() {
                     return found;
                 }
@@ -100,8 +100,6 @@ impl Search<'_> {
 
     /// The isolated motion near a state, with the magnitude of its largest multiplier.
     fn reached_near(&self, space: Space, state: &[f64], value: f64) -> Option<(Start, f64)> {
-        /// Least distance of a multiplier from 1; where one is 1 within the tolerance, motions form a family or a fold is at the end of the range.
-        const ISOLATED: f64 = 1e-7;
         let size = norm(state).max(f64::MIN_POSITIVE);
         let rate = TAU / self.family.drive_period(&[value])?;
         let layout = &self.family.layout;
@@ -109,11 +107,11 @@ impl Search<'_> {
         let units: Vec<f64> = sizes.into_iter().chain([self.width()]).collect();
         let across: Vec<f64> = (0..units.len()).map(|it| f64::from(it + 1 == units.len())).collect();
         let guess: Vec<f64> = state.iter().copied().chain([value]).collect();
-        // The branch computes its first point again, to all digits.
-        let corrector = Corrector { family: self.family, space, tolerance: 1e-10, stale: ISOLATED };
-        let Corrected { mut place, image, .. } = corrector.corrected(&guess, &across, &units)?;
+        let Corrected { mut place, image, .. } = self.corrector(space).corrected(&guess, &across, &units)?;
         place.pop();
         let multipliers = eigenvalues(image.return_map())?;
+        /// Half of the digits: where a multiplier is 1, motions form families, or a fold is at the end of the range.
+        const ISOLATED: f64 = 1e-8;
         if multipliers.iter().any(|it| (*it - Complex::from(1.0)).abs() < ISOLATED) {
             return None;
         }

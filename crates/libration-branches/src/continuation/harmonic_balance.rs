@@ -2,35 +2,39 @@
 //!
 //! # Method
 //! Each coordinate is a mean and a few harmonics. The projections of the equations of motion on the same functions are solved by Newton's method
-//! from motions of one harmonic, with amplitudes over six decades (of angles up to half a turn) and four phases, and from constants.
+//! from motions of one harmonic, with amplitudes over six decades (of angles up to half a turn) and four phases, and from constants. Near a fold
+//! the balance of one harmonic may have no solution where one of more harmonics has: a start whose changes stay small begins the latter too.
 
 use super::family::Family;
 use libration_motion::internals::periodic::norm;
-use libration_motion::taylor::StateLayout;
 use libration_numbers::algebra::Doubles;
+use libration_numbers::internals::algebra::Lanes;
 use libration_numbers::internals::expression::Jet;
 use libration_numbers::internals::linear::solve;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// The equations of harmonic balance at one value of the parameter. A motion is given by the coefficients of its functions, coordinate by coordinate.
 pub(super) struct HarmonicBalance<'f> {
-    layout: &'f StateLayout,
-    jet: Jet<'f, Doubles>,
+    family: &'f Family<'f>,
+    jet: Jet<'f, Lanes<SAMPLES>>,
     parameter: f64,
     frequency: f64,
-    samples: Vec<Sample>,
+    samples: Vec<Samples>,
 }
 
-/// The mean and the harmonics, with their first and second derivatives, at one time.
-struct Sample {
-    time: f64,
-    functions: [Vec<f64>; 3],
+/// Number of samples of each harmonic, which are computed together: the cube of the first harmonic is still distinguished from it.
+const SAMPLES: usize = 8;
+
+/// The mean and the harmonics, with their first and second derivatives, at some times.
+struct Samples {
+    times: [f64; SAMPLES],
+    functions: [Vec<[f64; SAMPLES]>; 3],
 }
 
-/// The highest derivatives of the coordinates at a sample, and their slopes by components of the state.
+/// The highest derivatives of the coordinates at samples, and their slopes by components of the state.
 struct Rates {
-    own: Vec<f64>,
-    slopes: Vec<Vec<f64>>,
+    own: Vec<[f64; SAMPLES]>,
+    slopes: Vec<Vec<[f64; SAMPLES]>>,
 }
 
 /// A motion by estimate.
@@ -39,6 +43,8 @@ pub(super) struct Estimate {
     pub(super) state: Vec<f64>,
     motion: Vec<f64>,
     coordinates: usize,
+    /// `false` if it still changes, as near a fold of the equations with few harmonics, where motions with more of them may exist.
+    settled: bool,
 }
 
 impl Estimate {
@@ -58,39 +64,48 @@ impl Estimate {
     }
 }
 
-impl Sample {
-    fn new(time: f64, frequency: f64, harmonics: u32) -> Self {
+impl Samples {
+    fn new(times: [f64; SAMPLES], frequency: f64, harmonics: u32) -> Self {
         let functions = [0.0, 1.0, 2.0].map(|derivatives: f64| {
             let mean = if derivatives > 0.0 { 0.0 } else { 1.0 };
             let pair = |k: u32| {
                 let rate = frequency * f64::from(k);
-                let (angle, size) = (rate * time + FRAC_PI_2 * derivatives, libm::pow(rate, derivatives));
-                [size * libm::cos(angle), size * libm::sin(angle)]
+                let (turned, size) = (FRAC_PI_2 * derivatives, libm::pow(rate, derivatives));
+                [libm::cos, libm::sin].map(|f| times.map(|time| size * f(rate * time + turned)))
             };
-            std::iter::once(mean).chain((1..=harmonics).flat_map(pair)).collect()
+            std::iter::once([mean; SAMPLES]).chain((1..=harmonics).flat_map(pair)).collect()
         });
-        Self { time, functions }
+        Self { times, functions }
+    }
+
+    /// A derivative of a coordinate with these coefficients.
+    fn value(&self, coefficients: &[f64], derivatives: usize) -> [f64; SAMPLES] {
+        let functions = &self.functions[derivatives];
+        std::array::from_fn(|k| coefficients.iter().zip(functions).map(|(a, b)| a * b[k]).sum())
     }
 }
 
 impl<'f> HarmonicBalance<'f> {
     /// The balance of motions with a period of some periods of the drive, up to a multiple of its frequency.
     pub(super) fn new(
-        family: &'f Family<'_>,
+        family: &'f Family<'f>,
         parameter: f64,
         drive_periods: u32,
         multiple: u32,
     ) -> Option<Self> {
-        /// Number of samples of each harmonic: the cube of the first harmonic is still distinguished from it.
-        const SAMPLES: u32 = 8;
         let period = f64::from(drive_periods) * family.drive_period(&[parameter])?;
         let frequency = TAU / period;
         let harmonics = drive_periods * multiple;
-        let number = SAMPLES * harmonics;
-        let time = |k: u32| period * f64::from(k) / f64::from(number);
-        let samples = (0..number).map(|k| Sample::new(time(k), frequency, harmonics)).collect();
-        let jet = Jet::new(&Doubles, family.rates(), &vec![0.5; family.layout.numbers() + 2]).ok()?;
-        Some(Self { layout: &family.layout, jet, parameter, frequency, samples })
+        let between = period / f64::from(harmonics);
+        let samples = |first: u32| {
+            let times = [0, 1, 2, 3, 4, 5, 6, 7]
+                .map(|eighth| between * (f64::from(first) + 0.125 * f64::from(eighth)));
+            Samples::new(times, frequency, harmonics)
+        };
+        let inputs = vec![[0.5; SAMPLES]; family.layout.numbers() + 2];
+        let jet = Jet::new(&Lanes, family.rates(), &inputs).ok()?;
+        let samples = (0..harmonics).map(samples).collect();
+        Some(Self { family, jet, parameter, frequency, samples })
     }
 
     /// Number of functions of each coordinate.
@@ -100,41 +115,44 @@ impl<'f> HarmonicBalance<'f> {
 
     /// The different motions that are found about some centre, or from there with whole turns of angles.
     pub(super) fn motions(&mut self, centre: &[f64], angles: &[bool]) -> Vec<Estimate> {
-        /// Largest difference of two results for one motion, relative to its size.
-        const SAME: f64 = 1e-2;
-        let mut found: Vec<Vec<f64>> = vec![];
+        /// Largest difference of two results for one motion, relative to its size, if both have settled and if not.
+        const SAME: [f64; 2] = [1e-2, 0.1];
+        let mut found: Vec<Estimate> = vec![];
         for start in self.starts(centre, angles) {
-            let Some(mut motion) = self.solved(start) else { continue };
+            if self.family.watch.is_stopped() {
+                break;
+            }
+            let Some((mut motion, settled)) = self.solved(start) else { continue };
             let means = motion.iter_mut().step_by(self.functions()).zip(angles);
             means.filter(|(_, angle)| **angle).for_each(|(mean, _)| *mean -= TAU * libm::rint(*mean / TAU));
-            let is_same = |other: &Vec<f64>| {
-                let apart: Vec<f64> = other.iter().zip(&motion).map(|(a, b)| a - b).collect();
-                norm(&apart) <= SAME * norm(&motion)
+            let is_same = |other: &Estimate| {
+                let apart: Vec<f64> = other.motion.iter().zip(&motion).map(|(a, b)| a - b).collect();
+                let same = SAME[usize::from(!(other.settled && settled))];
+                norm(&apart) <= same * norm(&motion)
             };
             if !found.iter().any(is_same) {
-                found.push(motion);
+                found.push(self.estimate(motion, settled));
             }
         }
-        found.into_iter().map(|motion| self.estimate(motion)).collect()
+        found
     }
 
-    /// The motion near an estimate by fewer harmonics, or the estimate if there is none.
-    pub(super) fn refined(&mut self, coarse: Estimate) -> Estimate {
+    /// The motion near an estimate by fewer harmonics; if there is none, the estimate as far as it has settled.
+    pub(super) fn refined(&mut self, coarse: Estimate) -> Option<Estimate> {
         let each = self.functions();
         let resized = coarse.motion.chunks(coarse.functions()).flat_map(|own| {
             let zeros = std::iter::repeat_n(0.0, each - own.len());
             own.iter().copied().chain(zeros)
         });
-        let resized = resized.collect();
-        self.solved(resized).map_or(coarse, |motion| self.estimate(motion))
+        match self.solved(resized.collect()) {
+            Some((motion, true)) => Some(self.estimate(motion, true)),
+            _ => Some(coarse).filter(|it| it.settled),
+        }
     }
 
-    fn estimate(&self, motion: Vec<f64>) -> Estimate {
-        Estimate {
-            state: self.state(&motion, &self.samples[0]),
-            motion,
-            coordinates: self.layout.coordinates(),
-        }
+    fn estimate(&self, motion: Vec<f64>, settled: bool) -> Estimate {
+        let state = self.states(&motion, &self.samples[0]).iter().map(|it| it[0]).collect();
+        Estimate { state, motion, coordinates: self.family.layout.coordinates(), settled }
     }
 
     /// The motions with which Newton's method begins: constants, and motions of the first harmonic.
@@ -143,7 +161,7 @@ impl<'f> HarmonicBalance<'f> {
         const TURNS: [f64; 7] = [0.03, 0.1, 0.18, 0.26, 0.34, 0.42, 0.48];
         let decades = (-6..=6).map(|half| libm::exp10(0.5 * f64::from(half)));
         let mut starts = vec![];
-        for shape in shapes(self.layout.coordinates()) {
+        for shape in shapes(self.family.layout.coordinates()) {
             let is_angle = shape.iter().zip(angles).any(|(part, angle)| *angle && *part != 0.0);
             let amplitudes: Vec<f64> =
                 if is_angle { TURNS.map(|it| it * TAU).to_vec() } else { decades.clone().collect() };
@@ -165,35 +183,38 @@ impl<'f> HarmonicBalance<'f> {
 
     fn constant(&self, centre: &[f64]) -> Vec<f64> {
         let each = self.functions();
-        (0..self.layout.coordinates() * each)
+        (0..self.family.layout.coordinates() * each)
             .map(|i| if i % each == 0 { centre[i / each] } else { 0.0 })
             .collect()
     }
 
-    /// The motion to which Newton's method leads; `None` if it does not converge.
-    fn solved(&mut self, mut motion: Vec<f64>) -> Option<Vec<f64>> {
+    /// The motion to which Newton's method leads, and `true` if it has settled; `None` if its changes stay large.
+    fn solved(&mut self, mut motion: Vec<f64>) -> Option<(Vec<f64>, bool)> {
         const MOST_ROUNDS: usize = 8;
-        /// Round from which the changes have to be small.
-        const SETTLED: usize = 4;
+        /// Round from which the changes have to be small. Far above all motions of a cubic spring a round takes away a third: starts below have to do.
+        const FROM_ROUND: usize = 3;
+        const SMALL: f64 = 0.3;
         /// Largest change in a round, relative to the size of the motion.
         const LARGEST_CHANGE: f64 = 1.0;
         /// Relative change after which the next one is about as large as the differences to further harmonics or smaller.
         const CLOSE: f64 = 1e-3;
+        let mut settled = false;
         for round in 0..MOST_ROUNDS {
             let size = norm(&motion).max(f64::MIN_POSITIVE);
             let (missed, matrix) = self.equations(&motion, size)?;
             let change = solve(&Doubles, |x| x.abs(), &matrix, &missed)?;
             let relative = norm(&change) / size;
-            if !relative.is_finite() || (round >= SETTLED && relative > 0.5) {
+            if !relative.is_finite() || (round >= FROM_ROUND && relative > SMALL) {
                 return None;
             }
             let part = if relative > LARGEST_CHANGE { LARGEST_CHANGE / relative } else { 1.0 };
             motion.iter_mut().zip(&change).for_each(|(x, change)| *x -= part * change);
-            if relative <= CLOSE {
-                return Some(motion);
+            settled = relative <= CLOSE;
+            if settled {
+                break;
             }
         }
-        None
+        Some((motion, settled))
     }
 
     /// The residuals of the equations and, by rows, their derivatives with respect to the coefficients.
@@ -202,68 +223,74 @@ impl<'f> HarmonicBalance<'f> {
         let (mut missed, mut matrix) = (vec![0.0; count], vec![vec![0.0; count]; count]);
         for number in 0..self.samples.len() {
             let rates = self.rates(motion, number, size)?;
-            let functions = &self.samples[number].functions;
-            for coordinate in 0..self.layout.coordinates() {
-                let order = if self.layout.velocity(coordinate).is_some() { 2 } else { 1 };
-                let highest = sum(&motion[coordinate * each..], &functions[order]);
-                let slopes: Vec<f64> = (0..count)
-                    .map(|j| {
-                        let (other, function) = (j / each, j % each);
-                        let place = rates.slopes[other][coordinate] * functions[0][function];
-                        let velocity = self
-                            .layout
-                            .velocity(other)
-                            .map_or(0.0, |it| rates.slopes[it][coordinate] * functions[1][function]);
-                        let own = if other == coordinate { functions[order][function] } else { 0.0 };
-                        own - place - velocity
-                    })
-                    .collect();
-                for (i, weight) in functions[0].iter().enumerate() {
-                    let i = coordinate * each + i;
-                    missed[i] += weight * (highest - rates.own[coordinate]);
-                    matrix[i].iter_mut().zip(&slopes).for_each(|(entry, slope)| *entry += weight * slope);
+            let (samples, layout) = (&self.samples[number], &self.family.layout);
+            let [places, velocities, _] = &samples.functions;
+            for coordinate in 0..layout.coordinates() {
+                let order = if layout.velocity(coordinate).is_some() { 2 } else { 1 };
+                let highest = samples.value(&motion[coordinate * each..], order);
+                let project = |value: [f64; SAMPLES], row: usize| inner(&value, &places[row]);
+                let own = |k| highest[k] - rates.own[coordinate][k];
+                let own: [f64; SAMPLES] = std::array::from_fn(own);
+                let rows = &mut missed[coordinate * each..][..each];
+                rows.iter_mut().enumerate().for_each(|(row, it)| *it += project(own, row));
+                let rows = &mut matrix[coordinate * each..][..each];
+                for column in 0..count {
+                    let (other, function) = (column / each, column % each);
+                    let slope: [f64; SAMPLES] = std::array::from_fn(|k| {
+                        let velocity =
+                            layout.velocity(other).map_or(0.0, |it| rates.slopes[it][coordinate][k]);
+                        let own =
+                            if other == coordinate { samples.functions[order][function][k] } else { 0.0 };
+                        own - rates.slopes[other][coordinate][k] * places[function][k]
+                            - velocity * velocities[function][k]
+                    });
+                    rows.iter_mut().enumerate().for_each(|(row, it)| it[column] += project(slope, row));
                 }
             }
         }
         Some((missed, matrix))
     }
 
-    fn state(&self, motion: &[f64], sample: &Sample) -> Vec<f64> {
+    fn states(&self, motion: &[f64], samples: &Samples) -> Vec<[f64; SAMPLES]> {
         let each = self.functions();
-        let value = |coordinate: usize, derivatives: usize| {
-            sum(&motion[coordinate * each..], &sample.functions[derivatives])
-        };
-        self.layout.arrange((0..self.layout.coordinates()).map(|it| value(it, 0)), |it| value(it, 1))
+        let value = |coordinate: usize, order| samples.value(&motion[coordinate * each..], order);
+        self.family
+            .layout
+            .arrange((0..self.family.layout.coordinates()).map(|it| value(it, 0)), |it| value(it, 1))
     }
 
     fn rates(&mut self, motion: &[f64], number: usize, size: f64) -> Option<Rates> {
         /// Change of a component, relative to the size of the motion, for a difference with half of the digits.
         const ASIDE: f64 = 1e-7;
-        let mut state = self.state(motion, &self.samples[number]);
-        let time = self.samples[number].time;
-        let own = self.highest(&state, time)?;
+        let samples = &self.samples[number];
+        let mut inputs = self.states(motion, samples);
+        let components = inputs.len();
+        inputs.extend([samples.times, [self.parameter; SAMPLES]]);
+        let own = self.highest(&inputs)?;
         let mut slopes = vec![];
-        for component in 0..state.len() {
-            let is_velocity = component >= self.layout.coordinates();
+        for component in 0..components {
+            let is_velocity = component >= self.family.layout.coordinates();
             let aside = ASIDE * size * if is_velocity { self.frequency } else { 1.0 };
-            let before = state[component];
-            state[component] += aside;
-            let there = self.highest(&state, time)?;
-            slopes.push(there.iter().zip(&own).map(|(there, here)| (there - here) / aside).collect());
-            state[component] = before;
+            let before = inputs[component];
+            inputs[component] = before.map(|it| it + aside);
+            let there = self.highest(&inputs)?;
+            let slope = |(there, here): (&[f64; SAMPLES], &[f64; SAMPLES])| {
+                std::array::from_fn(|k| (there[k] - here[k]) / aside)
+            };
+            slopes.push(there.iter().zip(&own).map(slope).collect());
+            inputs[component] = before;
         }
         Some(Rates { own, slopes })
     }
 
-    fn highest(&mut self, state: &[f64], time: f64) -> Option<Vec<f64>> {
-        let inputs: Vec<f64> = state.iter().copied().chain([time, self.parameter]).collect();
-        self.jet.restart(&inputs).ok()?;
-        Some((0..self.layout.coordinates()).map(|coordinate| self.jet.result(coordinate)[0]).collect())
+    fn highest(&mut self, inputs: &[[f64; SAMPLES]]) -> Option<Vec<[f64; SAMPLES]>> {
+        self.jet.restart(inputs).ok()?;
+        Some((0..self.family.layout.coordinates()).map(|coordinate| self.jet.result(coordinate)[0]).collect())
     }
 }
 
-fn sum(coefficients: &[f64], functions: &[f64]) -> f64 {
-    coefficients.iter().zip(functions).map(|(a, b)| a * b).sum()
+fn inner(a: &[f64; SAMPLES], b: &[f64; SAMPLES]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// Proportions of the coordinates: each alone, all together, and neighbours in opposition.

@@ -389,9 +389,9 @@ fn attracting_motions_at_the_ends_of_the_range_are_followed_sweep() {
         let [all, missed] = number_missed(&mut random, kind, [4, 40], extent);
         assert!(missed == 0 && all > 0, "{missed} of {all} are missed");
     }
-    // Large motions in one well and near the separatrix have many harmonics: of 77 motions of 20 oscillators, 7 are missed.
+    // Large motions in one well and near the separatrix have many harmonics: of 573 motions of 160 oscillators, 13 were missed.
     let [all, missed] = number_missed(&mut random, wells, [4, 40], [3.0, 1.0]);
-    assert!(6 * missed <= all, "{missed} of {all} are missed");
+    assert!(8 * missed <= all, "{missed} of {all} are missed");
 }
 
 /// Two masses, of which one has a hardening spring, between the folds of a resonance: two attracting motions, by integration from a grid of starts.

@@ -2,7 +2,8 @@
 //!
 //! # Method
 //! cos(ωt)² has the period π/ω, and cos(ωt)·cos(3ωt) as well. Whether the right-hand sides F repeat after the n-th part of the common
-//! period T is tested by values of F(t) and F(t + T/n) in floats of [`BITS`] bits, for one prime factor of n after the other.
+//! period T is tested by values of F(t) and F(t + T/n) in floats of [`BITS`] bits, for one prime factor of n after the other. Most differ already in
+//! the few bits that are computed first.
 //!
 //! An analytic function that vanishes at generic places vanishes everywhere, unless its values drown in rounding. So that few
 //! places suffice, F is replaced by a function of its sines and cosines that is rational and depends on them in the same way: each part
@@ -15,10 +16,10 @@ use libration_numbers::algebra::{BigFloat, Floats, Function, Rational, Ring};
 use libration_numbers::expression::{Equation, Expression, Symbol};
 use libration_numbers::internals::expression::{Jet, Tape};
 
-/// Bits of the values that are compared.
-const BITS: usize = 256;
-/// Bits in which they must agree: the others leave room for the rounding errors of 2⁵⁶ times the last place.
-const SAME: isize = 200;
+/// Bits of the values that are compared, one after the other.
+const BITS: [usize; 2] = [96, 256];
+/// Bits in which they need not agree, which leaves room for the rounding errors of 2⁵⁶ times the last place.
+const ROUNDING: isize = 56;
 /// Number of generic places: each excludes all but a set of measure zero of the functions that differ.
 const PLACES: u32 = 3;
 /// The prime factors that are tried.
@@ -30,7 +31,7 @@ const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// equations whose values do not depend on the time.
 pub(super) fn repetitions(equation: &Equation, frequency: &Expression, times: i32) -> i32 {
     let Some(trials) = Trials::new(equation, frequency, times) else { return 1 };
-    if trials.hold(|ring, period| Some(ring.multiply(period, &BigFloat::from_f64(GOLDEN, BITS)?))) {
+    if trials.hold(|ring, period| Some(ring.multiply(period, &BigFloat::from_f64(GOLDEN, ring.precision)?))) {
         return 1;
     }
     let repeats = |n: i32| trials.hold(|ring, period| ring.over_integer(period, u64::try_from(n).ok()?));
@@ -67,33 +68,42 @@ impl Trials {
 
     /// Returns `true` if the values repeat after a time, a function of the common period, at all places that have values, of which there must be one.
     fn hold(&self, shift: impl Fn(Floats, &BigFloat) -> Option<BigFloat>) -> bool {
-        let outcomes: Vec<bool> = (0..PLACES).filter_map(|place| self.holds(place, &shift)).collect();
-        !outcomes.is_empty() && outcomes.into_iter().all(|it| it)
+        let holds = |place: u32| {
+            let mut outcomes = BITS.iter().map(|&precision| self.holds(Floats { precision }, place, &shift));
+            outcomes.find(|it| *it != Some(true)).unwrap_or(Some(true))
+        };
+        let mut outcomes = (0..PLACES).filter_map(holds).peekable();
+        outcomes.peek().is_some() && outcomes.all(|it| it)
     }
 
-    fn holds(&self, place: u32, shift: impl Fn(Floats, &BigFloat) -> Option<BigFloat>) -> Option<bool> {
-        let ring = Floats { precision: BITS };
+    fn holds(
+        &self,
+        ring: Floats,
+        place: u32,
+        shift: impl Fn(Floats, &BigFloat) -> Option<BigFloat>,
+    ) -> Option<bool> {
+        let bits = ring.precision;
+        let same = isize::try_from(bits).ok()? - ROUNDING;
         let drawn = |k: usize| {
             let part = (f64::from(place + 1) * GOLDEN + f64::from(u32::try_from(k).ok()?).sqrt()).fract();
-            BigFloat::from_f64(0.25 + part, BITS)
+            BigFloat::from_f64(0.25 + part, bits)
         };
         let mut inputs: Vec<BigFloat> = (2..self.symbols + 2).map(drawn).collect::<Option<_>>()?;
         inputs.push(drawn(1)?);
-        let (own, _) = self.values(&inputs)?;
-        let turn = ring.times_integer(&BigFloat::pi(BITS), 2 * i64::from(self.times));
+        let (own, _) = self.values(ring, &inputs)?;
+        let turn = ring.times_integer(&BigFloat::pi(bits), 2 * i64::from(self.times));
         let period = ring.divide(&turn, &own[0])?;
         let time = inputs.pop()?;
         inputs.push(ring.add(&time, &shift(ring, &period)?));
-        let (later, largest) = self.values(&inputs)?;
+        let (later, largest) = self.values(ring, &inputs)?;
         let differs = |(a, b): (&BigFloat, &BigFloat)| {
-            ring.subtract(a, b).exponent().is_some_and(|exponent| exponent > largest - SAME)
+            ring.subtract(a, b).exponent().is_some_and(|exponent| exponent > largest - same)
         };
         Some(!own.iter().zip(&later).any(differs))
     }
 
     /// The values of the functions, and the largest exponent of two on the tape.
-    fn values(&self, inputs: &[BigFloat]) -> Option<(Vec<BigFloat>, isize)> {
-        let ring = Floats { precision: BITS };
+    fn values(&self, ring: Floats, inputs: &[BigFloat]) -> Option<(Vec<BigFloat>, isize)> {
         let jet = Jet::new(&ring, &self.tape, inputs).ok()?;
         let largest = jet.values().filter_map(BigFloat::exponent).max().unwrap_or(0);
         let formulas = 0..self.tape.results().len();
