@@ -44,9 +44,9 @@ const worker = await bundled("src/engine/worker.ts");
 const program = await bundled("src/main.ts", { WORKER_SOURCE: JSON.stringify(worker), VERSION: JSON.stringify(version) });
 // A script element must not contain its end tag.
 const script = (await bundled("src/start.ts")).replaceAll("</script", "<\\/script");
-const font = await mathematicsFont();
-const style = (await bundled("src/style.css")) + `@font-face{font-family:Mathematics;src:url(data:font/woff2;base64,${font.toString("base64")})}`;
-const sizes = [["script", script], ["style", style]].map(([name, text]) => [name, Buffer.byteLength(text), gzipSync(text, { level: 9 }).length, Buffer.byteLength(text)]);
+// What stands in the page itself is not shown before the style sheet is there.
+const style = "header,.skip{visibility:hidden}";
+const sizes = [["script", Buffer.byteLength(script), gzipSync(script, { level: 9 }).length, Buffer.byteLength(script)]];
 
 /** Compressed parts, in script elements that are not executed. */
 const packed = new Map();
@@ -57,6 +57,8 @@ function pack(id, raw) {
   sizes.push([id, raw.length, compressed.length, text.length]);
 }
 for (const [id, path] of given.map((pair) => pair.split("="))) pack(id, readFileSync(path));
+pack("style", Buffer.from(await bundled("src/style.css")));
+pack("font", await mathematicsFont());
 pack("program", Buffer.from(program));
 pack("licences", Buffer.from(licences(["libration-web", "libration-web-questions"])));
 const [first, ...rest] = ["pendulum", "whole", "licences"].flatMap((id) => packed.get(id) ?? []);
@@ -67,11 +69,11 @@ const policy = [
   `style-src ${hash(style)}`,
   "worker-src blob:",
   "img-src data: blob:",
-  "font-src data:",
   "base-uri 'none'",
   "form-action 'none'",
 ].join("; ");
-const parts = { policy, style, program: packed.get("program"), script, first, rest: rest.join("\n") };
+const needed = ["style", "font", "program"].map((id) => packed.get(id)).join("\n");
+const parts = { policy, style, needed, script, first, rest: rest.join("\n") };
 const page = readFileSync(here("src/page.html"), "utf8").replace(/\{\{(\w+)\}\}/g, (_, part) => parts[part]);
 writeFileSync(output, page);
 
