@@ -19,6 +19,8 @@ pub struct Mode {
     pub exact_shape: Option<Vec<Surd>>,
     /// Number of modes with this frequency: any linear combination of them is a mode as well.
     pub multiplicity: usize,
+    /// Number of further motions with this exponent that are not modes: they contain the factor t or powers of it, as t·e^{−t} at critical damping.
+    pub with_powers_of_time: usize,
     /// Other modes whose frequency is a small multiple or a simple fraction of this one's.
     pub resonances: Vec<Resonance>,
     /// Change of the frequency with the amplitude.

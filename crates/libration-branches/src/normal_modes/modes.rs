@@ -81,6 +81,7 @@ impl NormalModes {
                 shape: shape.parts,
                 exact_shape: shape.exact,
                 multiplicity,
+                with_powers_of_time: exponent.multiplicity.saturating_sub(multiplicity),
                 resonances: vec![],
                 shift: Err(ShiftError::NotOscillating),
             }));

@@ -187,6 +187,22 @@ fn free_unstable_and_damped_modes_are_told_apart() {
 }
 
 /// Foucault's pendulum: ω± = √(ω² + Ω²) ± Ω, circles in opposite senses.
+/// The solutions: (A + Bt)·e^{−t}; cos t with t·cos t, exactly and with a third coordinate; all as many exponents as half the components of the state.
+#[test]
+fn exponents_with_fewer_shapes_than_their_multiplicity_have_powers_of_time() {
+    let numbers = |text: &str| -> Vec<[usize; 2]> {
+        modes(text).iter().map(|it| [it.multiplicity, it.with_powers_of_time]).collect()
+    };
+    assert_eq!(numbers("x'' + 2*x' + x = 0"), [[1, 1]]);
+    assert_eq!(numbers("x'' = -x + y; y'' = -y"), [[1, 1]]);
+    assert_eq!(numbers("x'' = -x + y; y'' = -y + z; z'' = -z"), [[1, 2]]);
+    assert_eq!(numbers("x'' = -x; y'' = -y"), [[2, 0], [2, 0]]);
+    assert_eq!(numbers("x'' = -2*x + y; y'' = x - 2*y"), [[1, 0], [1, 0]]);
+    assert_eq!(numbers("x'' + x'/10 + x = 0; y'' + y'/10 + y = 0"), [[2, 0], [2, 0]]);
+    // Not exact: the square root of a frequency's square.
+    assert_eq!(numbers("x'' = -pi*x + y; y'' = -pi*y"), [[1, 1]]);
+}
+
 #[test]
 fn a_pendulum_in_a_turning_frame_moves_in_circles() {
     let turning = "x'' = -2*x + 2*y'; y'' = -2*y - 2*x'";

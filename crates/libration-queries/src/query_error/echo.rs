@@ -34,10 +34,11 @@ fn words(text: &str) -> String {
     text.split(' ').map(|word| cut(word, LONGEST_QUOTATION)).collect::<Vec<_>>().join(" ")
 }
 
-/// The beginning and the end of a text that is longer than this number of characters.
+/// The beginning and the end of a text that is longer than this number of characters by more than the note on what is left out.
 fn cut(text: &str, longest: usize) -> String {
+    const NOTE: usize = 20;
     let letters = text.chars().count();
-    if letters <= longest {
+    if letters <= longest + NOTE {
         return text.to_owned();
     }
     let kept = longest / 2;

@@ -109,7 +109,7 @@ fn is_of_swings(channel: &Channel, name: &str) -> bool {
 /// `N readings`, `number of trials`.
 fn is_number_of_readings(channel: &Channel, name: &str) -> bool {
     const READINGS: [&str; 6] = ["readings", "trials", "measurements", "repetitions", "messungen", "mesures"];
-    let words = name.trim_start_matches(['n', 'o', '.', '#', ' ']);
+    let words = name.trim_start_matches("number of").trim_start_matches(['n', 'o', '.', '#', ' ']);
     READINGS.contains(&words) && is_of_counts(channel)
 }
 

@@ -18,8 +18,17 @@ pub struct LaurentPolynomials {
 
 /// Maximum number of products of terms in one product of sums, which takes a tenth of a second; an order has hundreds of such products.
 const MOST_PRODUCTS: usize = 100_000;
+/// Maximum of the same number times the words of both factors' numbers, a few seconds: powers of sums with large numbers would take hours.
+const MOST_WORD_PRODUCTS: usize = 1 << 31;
 const MOST_TERMS: usize = 10_000;
 const LARGEST_HALF_POWER: i64 = 2_000_000;
+
+type Terms = BTreeMap<HalfPowers, Rational>;
+
+/// The words of the longest number.
+fn words(terms: &Terms) -> usize {
+    terms.values().map(|factor| factor.bits() / 64 + 1).max().unwrap_or(0)
+}
 
 impl LaurentPolynomials {
     /// The ring in letters with these names.
@@ -204,7 +213,12 @@ impl Ring for LaurentPolynomials {
 
     fn multiply(&self, a: &LaurentPolynomial, b: &LaurentPolynomial) -> LaurentPolynomial {
         let pair = a.terms.as_ref().zip(b.terms.as_ref());
-        let Some((a, b)) = pair.filter(|(a, b)| a.len().saturating_mul(b.len()) <= MOST_PRODUCTS) else {
+        let is_short = |(a, b): &(&Terms, &Terms)| {
+            let products = a.len().saturating_mul(b.len());
+            let in_words = products.saturating_mul(words(a)).saturating_mul(words(b));
+            products <= MOST_PRODUCTS && in_words <= MOST_WORD_PRODUCTS
+        };
+        let Some((a, b)) = pair.filter(is_short) else {
             return self.element(None);
         };
         let mut sum = BTreeMap::new();

@@ -84,6 +84,13 @@ pub(super) fn of_mode<'a>() -> Fields<Numbered<'a>> {
             it.mode.multiplicity.into()
         })
         .only_json(),
+        Of::value(
+            "with_powers_of_time",
+            "1",
+            "number of further motions with this exponent and a factor t",
+            |it| it.mode.with_powers_of_time.into(),
+        )
+        .only_json(),
         Of::nested("resonances[].", &of_resonance(), |it| of_resonance().records(&it.mode.resonances)),
     ])
 }

@@ -91,6 +91,9 @@ fn lines(answer: &Answer, mode: &Mode) -> Vec<(&'static str, String)> {
             format!("{} modes have this frequency: any combination of them is a mode too", mode.multiplicity),
         ));
     }
+    if mode.with_powers_of_time > 0 {
+        lines.push(("", with_powers_of_time(mode)));
+    }
     if mode.behaviour == Behaviour::Oscillating {
         lines.push(("amplitude", shift(&answer.modes.variables, mode)));
     }
@@ -101,6 +104,15 @@ fn lines(answer: &Answer, mode: &Mode) -> Vec<(&'static str, String)> {
             .map(|it| ("resonance", resonance_text(it))),
     );
     lines
+}
+
+fn with_powers_of_time(mode: &Mode) -> String {
+    let consequence = match mode.behaviour {
+        Behaviour::Damped => "decay in the end",
+        _ => "grow without limit in the linear equations",
+    };
+    let number = mode.with_powers_of_time;
+    format!("motions with this exponent that contain a factor t: {number}; they {consequence}")
 }
 
 fn shape(names: &[String], mode: &Mode) -> String {
