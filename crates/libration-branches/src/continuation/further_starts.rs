@@ -59,12 +59,12 @@ impl Search<'_> {
         let balance = |multiple| HarmonicBalance::new(self.family, value, drive_periods, multiple);
         let (Some(mut coarse), Some(mut fine)) = (balance(1), balance(FINE)) else { return vec![] };
         let mut centres = vec![self.given()[..self.family.layout.coordinates()].to_vec()];
-        let (mut found, mut done): (Vec<(Start, f64)>, usize) = (vec![], 0);
+        let (mut motions, mut done): (Vec<(Start, f64)>, usize) = (vec![], 0);
         while done < centres.len().min(MOST_CENTRES) {
             for estimate in coarse.motions(&centres[done], &angles(self.equation)) {
                 let Some(estimate) = fine.refined(estimate) else { continue };
                 if self.family.watch.is_stopped() {
-                    return found;
+                    return motions;
                 }
                 let Some((start, largest)) = self.reached_near(space, &estimate.state, value) else {
                     continue;
@@ -74,19 +74,21 @@ impl Search<'_> {
                     continue;
                 }
                 let distance = SAME * norm(&start.unknowns);
-                if found.iter().any(|(other, _)| space.is_near(&other.unknowns, &start.unknowns, distance)) {
+                if motions.iter().any(|(other, _)| space.is_near(&other.unknowns, &start.unknowns, distance))
+                {
                     continue;
                 }
                 if largest <= LASTS && centres.iter().all(|centre| estimate.is_about_another(centre)) {
                     centres.push(estimate.means());
                 }
-                found.push((start, largest));
+                motions.push((start, largest));
             }
             done += 1;
         }
-        found
+        motions
     }
 
+    /// `true` if the motion also returns after a part of its periods of the drive.
     fn has_shorter_period(&self, start: &Start, value: f64) -> bool {
         let periods = start.space.drive_periods();
         let Some(period) = self.family.drive_period(&[value]) else { return false };

@@ -25,16 +25,18 @@ pub(super) struct HarmonicBalance<'f> {
 /// Number of samples of each harmonic, which are computed together: the cube of the first harmonic is still distinguished from it.
 const SAMPLES: usize = 8;
 
+type Values = [f64; SAMPLES];
+
 /// The mean and the harmonics, with their first and second derivatives, at some times.
 struct Samples {
-    times: [f64; SAMPLES],
-    functions: [Vec<[f64; SAMPLES]>; 3],
+    times: Values,
+    functions: [Vec<Values>; 3],
 }
 
 /// The highest derivatives of the coordinates at samples, and their slopes by components of the state.
 struct Rates {
-    own: Vec<[f64; SAMPLES]>,
-    slopes: Vec<Vec<[f64; SAMPLES]>>,
+    values: Vec<Values>,
+    slopes: Vec<Vec<Values>>,
 }
 
 /// A motion by estimate.
@@ -59,13 +61,13 @@ impl Estimate {
 
     /// Returns `true` unless each coordinate passes a centre.
     pub(super) fn is_about_another(&self, centre: &[f64]) -> bool {
-        let passes = |(own, centre): (&[f64], &f64)| (own[0] - centre).abs() <= norm(&own[1..]);
+        let passes = |(motion, centre): (&[f64], &f64)| (motion[0] - centre).abs() <= norm(&motion[1..]);
         !self.motion.chunks(self.functions()).zip(centre).all(passes)
     }
 }
 
 impl Samples {
-    fn new(times: [f64; SAMPLES], frequency: f64, harmonics: u32) -> Self {
+    fn new(times: Values, frequency: f64, harmonics: u32) -> Self {
         let functions = [0.0, 1.0, 2.0].map(|derivatives: f64| {
             let mean = if derivatives > 0.0 { 0.0 } else { 1.0 };
             let pair = |k: u32| {
@@ -79,7 +81,7 @@ impl Samples {
     }
 
     /// A derivative of a coordinate with these coefficients.
-    fn value(&self, coefficients: &[f64], derivatives: usize) -> [f64; SAMPLES] {
+    fn value(&self, coefficients: &[f64], derivatives: usize) -> Values {
         let functions = &self.functions[derivatives];
         std::array::from_fn(|k| coefficients.iter().zip(functions).map(|(a, b)| a * b[k]).sum())
     }
@@ -117,7 +119,7 @@ impl<'f> HarmonicBalance<'f> {
     pub(super) fn motions(&mut self, centre: &[f64], angles: &[bool]) -> Vec<Estimate> {
         /// Largest difference of two results for one motion, relative to its size, if both have settled and if not.
         const SAME: [f64; 2] = [1e-2, 0.1];
-        let mut found: Vec<Estimate> = vec![];
+        let mut estimates: Vec<Estimate> = vec![];
         for start in self.starts(centre, angles) {
             if self.family.watch.is_stopped() {
                 break;
@@ -130,19 +132,19 @@ impl<'f> HarmonicBalance<'f> {
                 let same = SAME[usize::from(!(other.settled && settled))];
                 norm(&apart) <= same * norm(&motion)
             };
-            if !found.iter().any(is_same) {
-                found.push(self.estimate(motion, settled));
+            if !estimates.iter().any(is_same) {
+                estimates.push(self.estimate(motion, settled));
             }
         }
-        found
+        estimates
     }
 
     /// The motion near an estimate by fewer harmonics; if there is none, the estimate as far as it has settled.
     pub(super) fn refined(&mut self, coarse: Estimate) -> Option<Estimate> {
         let each = self.functions();
-        let resized = coarse.motion.chunks(coarse.functions()).flat_map(|own| {
-            let zeros = std::iter::repeat_n(0.0, each - own.len());
-            own.iter().copied().chain(zeros)
+        let resized = coarse.motion.chunks(coarse.functions()).flat_map(|coefficients| {
+            let zeros = std::iter::repeat_n(0.0, each - coefficients.len());
+            coefficients.iter().copied().chain(zeros)
         });
         match self.solved(resized.collect()) {
             Some((motion, true)) => Some(self.estimate(motion, true)),
@@ -176,8 +178,8 @@ impl<'f> HarmonicBalance<'f> {
     /// The constant motion with one function added to it.
     fn moved(&self, centre: &[f64], shape: &[f64], function: usize, size: f64) -> Vec<f64> {
         let mut motion = self.constant(centre);
-        let own = motion.iter_mut().skip(function).step_by(self.functions());
-        own.zip(shape).for_each(|(coefficient, part)| *coefficient += size * part);
+        let coefficients = motion.iter_mut().skip(function).step_by(self.functions());
+        coefficients.zip(shape).for_each(|(coefficient, part)| *coefficient += size * part);
         motion
     }
 
@@ -228,21 +230,20 @@ impl<'f> HarmonicBalance<'f> {
             for coordinate in 0..layout.coordinates() {
                 let order = if layout.velocity(coordinate).is_some() { 2 } else { 1 };
                 let highest = samples.value(&motion[coordinate * each..], order);
-                let project = |value: [f64; SAMPLES], row: usize| inner(&value, &places[row]);
-                let own = |k| highest[k] - rates.own[coordinate][k];
-                let own: [f64; SAMPLES] = std::array::from_fn(own);
+                let project = |values: Values, row: usize| inner(&values, &places[row]);
+                let residual = std::array::from_fn(|k| highest[k] - rates.values[coordinate][k]);
                 let rows = &mut missed[coordinate * each..][..each];
-                rows.iter_mut().enumerate().for_each(|(row, it)| *it += project(own, row));
+                rows.iter_mut().enumerate().for_each(|(row, it)| *it += project(residual, row));
                 let rows = &mut matrix[coordinate * each..][..each];
                 for column in 0..count {
                     let (other, function) = (column / each, column % each);
-                    let slope: [f64; SAMPLES] = std::array::from_fn(|k| {
-                        let velocity =
-                            layout.velocity(other).map_or(0.0, |it| rates.slopes[it][coordinate][k]);
-                        let own =
+                    let by_place = &rates.slopes[other][coordinate];
+                    let by_velocity = layout.velocity(other).map(|it| &rates.slopes[it][coordinate]);
+                    let slope = std::array::from_fn(|k| {
+                        let velocity = by_velocity.map_or(0.0, |slopes| slopes[k] * velocities[function][k]);
+                        let highest =
                             if other == coordinate { samples.functions[order][function][k] } else { 0.0 };
-                        own - rates.slopes[other][coordinate][k] * places[function][k]
-                            - velocity * velocities[function][k]
+                        highest - by_place[k] * places[function][k] - velocity
                     });
                     rows.iter_mut().enumerate().for_each(|(row, it)| it[column] += project(slope, row));
                 }
@@ -251,7 +252,7 @@ impl<'f> HarmonicBalance<'f> {
         Some((missed, matrix))
     }
 
-    fn states(&self, motion: &[f64], samples: &Samples) -> Vec<[f64; SAMPLES]> {
+    fn states(&self, motion: &[f64], samples: &Samples) -> Vec<Values> {
         let each = self.functions();
         let value = |coordinate: usize, order| samples.value(&motion[coordinate * each..], order);
         self.family
@@ -266,7 +267,7 @@ impl<'f> HarmonicBalance<'f> {
         let mut inputs = self.states(motion, samples);
         let components = inputs.len();
         inputs.extend([samples.times, [self.parameter; SAMPLES]]);
-        let own = self.highest(&inputs)?;
+        let values = self.highest(&inputs)?;
         let mut slopes = vec![];
         for component in 0..components {
             let is_velocity = component >= self.family.layout.coordinates();
@@ -274,22 +275,21 @@ impl<'f> HarmonicBalance<'f> {
             let before = inputs[component];
             inputs[component] = before.map(|it| it + aside);
             let there = self.highest(&inputs)?;
-            let slope = |(there, here): (&[f64; SAMPLES], &[f64; SAMPLES])| {
-                std::array::from_fn(|k| (there[k] - here[k]) / aside)
-            };
-            slopes.push(there.iter().zip(&own).map(slope).collect());
+            let slope =
+                |(there, here): (&Values, &Values)| std::array::from_fn(|k| (there[k] - here[k]) / aside);
+            slopes.push(there.iter().zip(&values).map(slope).collect());
             inputs[component] = before;
         }
-        Some(Rates { own, slopes })
+        Some(Rates { values, slopes })
     }
 
-    fn highest(&mut self, inputs: &[[f64; SAMPLES]]) -> Option<Vec<[f64; SAMPLES]>> {
+    fn highest(&mut self, inputs: &[Values]) -> Option<Vec<Values>> {
         self.jet.restart(inputs).ok()?;
         Some((0..self.family.layout.coordinates()).map(|coordinate| self.jet.result(coordinate)[0]).collect())
     }
 }
 
-fn inner(a: &[f64; SAMPLES], b: &[f64; SAMPLES]) -> f64 {
+fn inner(a: &Values, b: &Values) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 

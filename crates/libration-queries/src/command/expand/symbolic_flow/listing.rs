@@ -42,8 +42,11 @@ fn setting(answer: &Answer) -> String {
     let natural = flow.letters.iter().find(|(name, _)| *name == "natural_frequency_value");
     let natural =
         natural.map_or(String::new(), |(_, square)| format!("; {} = {square}", flow.natural_frequency));
-    let drive =
-        flow.drive.iter().zip(&flow.drive_frequency).map(|(name, formula)| format!("; {name} = {formula}"));
+    let drive = flow.drive.iter().zip(&flow.drive_frequency).map(|(frequency, formula)| {
+        let is_symbol = frequency.starts_with(|first: char| first.is_alphabetic());
+        let name = if is_symbol { "" } else { "frequency of the drive, which gives sigma: " };
+        format!("; {name}{frequency} = {formula}")
+    });
     format!("slow flow to order {}: {small}{natural}{}", flow.order, drive.collect::<String>())
 }
 
