@@ -51,7 +51,7 @@ impl Search<'_> {
 
     /// The motions to which Newton's method leads from the estimates, each with the magnitude of its largest multiplier.
     fn reached(&self, value: f64, drive_periods: u32) -> Vec<(Start, f64)> {
-        /// Multiple of the drive frequency up to which estimates are refined.
+        /// Multiple of the drive frequency up to which estimates are refined; 5 and 7 led to no more of the motions of 160 double wells.
         const FINE: u32 = 3;
         /// Most centres: the given one, and two wells.
         const MOST_CENTRES: usize = 3;

@@ -35,9 +35,9 @@ pub struct Response {
 
 impl Response {
     /// The branches of periodic motions of a driven system over a range of one of its parameters, which is symbolic in the equations: an
-    /// amplitude, a damping, or the drive frequency itself. They begin with the motions that Newton's method finds at the ends of the range, from the start and from
-    /// estimates by harmonic balance, and pass folds by pseudo-arclength continuation; secondary branches from symmetry breaking and period
-    /// doubling are followed too.
+    /// amplitude, a damping, or the drive frequency itself. They begin with the motions that Newton's method finds at the ends of the range, from
+    /// the start and from estimates by harmonic balance, and pass folds by pseudo-arclength continuation; secondary branches from symmetry
+    /// breaking and period doubling are followed too.
     ///
     /// If the time does not occur in the equations, the motions are limit cycles, beginning with those to which
     /// the start settles at the ends of the range. The period is an additional unknown, and a motion begins where
@@ -149,7 +149,11 @@ impl Search<'_> {
         self.follow_all(&mut found);
         // A further motion may lie on a secondary branch.
         for place in places {
-            self.begin(&mut found, &mut vec![], place, self.further_starts(place.0));
+            let further = self.further_starts(place.0);
+            if !further.is_empty() {
+                missing.retain(|(value, _)| value.to_bits() != place.0.to_bits());
+            }
+            self.begin(&mut found, &mut missing, place, further);
             self.follow_all(&mut found);
         }
         if found.branches.is_empty()

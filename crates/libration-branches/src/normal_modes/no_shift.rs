@@ -9,9 +9,9 @@ pub enum ShiftError {
     /// A mode that does not oscillate.
     #[error("it does not oscillate with a constant amplitude")]
     NotOscillating,
-    /// Several modes with the same frequency.
+    /// Several motions with the same frequency.
     #[error(
-        "several modes have this frequency (1:1): the linear equations do not determine which of their combinations stay periodic at larger amplitudes"
+        "several motions have this frequency (1:1): the linear equations do not determine which of their combinations stay periodic at larger amplitudes"
     )]
     Degenerate,
     /// A resonance with an exchange of energy at every amplitude.

@@ -434,7 +434,7 @@ fn attracting_motions_of_two_coupled_oscillators_are_followed() {
     }
 }
 
-/// Both folds of the resonance are outside the range. The coordinate at t = 0 of the two stable motions at either end by Fourier collocation
+/// A range with both folds of the resonance outside, and the coordinate at t = 0 of the two stable motions at either end by Fourier collocation
 /// with 40 harmonics (SciPy's `fsolve`).
 #[test]
 fn a_range_between_the_folds_has_both_stable_branches() {
@@ -450,28 +450,28 @@ fn a_range_between_the_folds_has_both_stable_branches() {
     }
 }
 
-fn hardening(random: &mut Random) -> Oscillator {
-    let [damping, cube, drive] = [(0.01, 0.1), (0.02, 1.0), (0.05, 0.5)].map(|(a, b)| random.between(a, b));
-    let low = random.between(0.7, 1.3);
+/// x″ + damping·x′ + linear·x + cube·x³ = drive·cos(w·t).
+fn cubic(random: &mut Random, [damping, linear, cube, drive]: [f64; 4], lowest: [f64; 2]) -> Oscillator {
+    let low = random.between(lowest[0], lowest[1]);
     Oscillator {
-        text: format!("x'' + {damping:?}*x' + x + {cube:?}*x^3 = {drive:?}*cos(w*t)"),
-        force: Box::new(move |t, [x, v], w| drive * libm::cos(w * t) - damping * v - x - cube * x * x * x),
+        text: format!("x'' + {damping:?}*x' + ({linear:?})*x + {cube:?}*x^3 = {drive:?}*cos(w*t)"),
+        force: Box::new(move |t, [x, v], w| {
+            drive * libm::cos(w * t) - damping * v - linear * x - cube * x * x * x
+        }),
         range: [low, low + random.between(0.05, 0.4)],
         beat: 1.0,
         kinks: vec![],
     }
 }
 
+fn hardening(random: &mut Random) -> Oscillator {
+    let [damping, cube, drive] = [(0.01, 0.1), (0.02, 1.0), (0.05, 0.5)].map(|(a, b)| random.between(a, b));
+    cubic(random, [damping, 1.0, cube, drive], [0.7, 1.3])
+}
+
 fn wells(random: &mut Random) -> Oscillator {
     let [damping, drive] = [(0.05, 0.4), (0.02, 0.4)].map(|(a, b)| random.between(a, b));
-    let low = random.between(0.7, 1.6);
-    Oscillator {
-        text: format!("x'' + {damping:?}*x' - x + x^3 = {drive:?}*cos(w*t)"),
-        force: Box::new(move |t, [x, v], w| drive * libm::cos(w * t) - damping * v + x - x * x * x),
-        range: [low, low + random.between(0.05, 0.4)],
-        beat: 1.0,
-        kinks: vec![],
-    }
+    cubic(random, [damping, -1.0, 1.0, drive], [0.7, 1.6])
 }
 
 fn pendulum(random: &mut Random) -> Oscillator {

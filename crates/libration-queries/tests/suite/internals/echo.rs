@@ -6,6 +6,11 @@ use libration_queries::internals::echo::{LONGEST_LINE, excerpt, shortened};
 fn what_is_short_stays_as_it_is() {
     let message = "--about: `foo` is not a place: give a number,\nsuch as 0.5";
     assert_eq!(shortened(message), message);
+    // The note on what is left out would be as long as that.
+    for letters in [60, 61, 80] {
+        assert_eq!(excerpt(&"x".repeat(letters)), "x".repeat(letters));
+    }
+    assert!(excerpt(&"x".repeat(81)).contains("(21 characters)"));
 }
 
 #[test]
