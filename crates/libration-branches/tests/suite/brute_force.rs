@@ -394,6 +394,20 @@ fn attracting_motions_at_the_ends_of_the_range_are_followed_sweep() {
     assert!(8 * missed <= all, "{missed} of {all} are missed");
 }
 
+/// A motion about each well, by integration from a grid of starts, where the balance of a mean and one harmonic has no solution about a well.
+#[test]
+fn motions_beyond_the_fold_of_one_harmonic_are_followed() {
+    let wells = cubic(&mut Random::seeded(1), [0.1786, -1.0, 1.0, 0.1994], [1.0, 1.1]);
+    let oscillator = Oscillator { range: [1.033, 1.1], ..wells };
+    let response = oscillator.response();
+    let motions = settled(&oscillator, 1.033, 3.0);
+    assert_eq!(motions.iter().map(|it| it.1).collect::<Vec<_>>(), [1, 1]);
+    for (state, _) in motions {
+        let off = distance(&oscillator, &response, 1.033, state);
+        assert!(off < 1e-4, "{state:?} is {off} from all branches");
+    }
+}
+
 /// Two masses, of which one has a hardening spring, between the folds of a resonance: two attracting motions, by integration from a grid of starts.
 #[test]
 fn attracting_motions_of_two_coupled_oscillators_are_followed() {
