@@ -287,3 +287,14 @@ fn a_mode_is_followed_to_large_amplitudes_with_its_stability() {
         assert!(message(&output).contains(part), "{arguments:?}: {}", message(&output));
     }
 }
+
+#[test]
+fn motions_with_a_factor_t_are_stated_with_what_becomes_of_them() {
+    let said = |equations: &str| {
+        let output = run(&["modes", equations]);
+        unfolded(&String::from_utf8(output.stdout).unwrap())
+    };
+    assert!(said("x'' + 2*x' + x = 0").contains("that contain a factor t: 1; they decay in the end"));
+    assert!(said("x'' = -x + y; y'' = -y").contains("a factor t: 1; they grow without limit"));
+    assert!(!said("x'' = -x; y'' = -y").contains("factor t"));
+}

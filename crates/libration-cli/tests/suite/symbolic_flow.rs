@@ -1,6 +1,6 @@
 //! `libration expand` with symbols, several small terms and a drive: the fields, numbers compared with `orbit`, and programs.
 
-use crate::command::{directory, message, run};
+use crate::command::{directory, message, run, unfolded};
 use serde_json::Value;
 use std::process::Command;
 
@@ -121,4 +121,16 @@ fn what_has_no_such_slow_flow_is_refused_with_what_would_work() {
     assert!(said(&["x'' + eps*x^3 + x = 0", "--resonance", "1/1"]).contains("does not depend on t"));
     let missing = said(&[DUFFING, "--resonance", "1/1", "--evaluate", "1.1", "--set", "eps=0.1"]);
     assert!(missing.contains("no value is given for F, a, mu, w0"), "{missing}");
+}
+
+#[test]
+fn a_drive_of_a_given_frequency_determines_the_detuning() {
+    let setting = |drive: &str| {
+        let equation = format!("x'' + x + eps*x^3 = eps*F*cos({drive}*t)");
+        let output = run(&["expand", &equation, "--resonance", "1/1"]);
+        assert!(output.status.success(), "{}", message(&output));
+        unfolded(&String::from_utf8(output.stdout).unwrap())
+    };
+    assert!(setting("1").contains("frequency of the drive, which gives sigma: 1 = 1 + eps*sigma"));
+    assert!(setting("W").contains("eps of order 1; W = 1 + eps*sigma"));
 }

@@ -303,7 +303,9 @@ fn a_bare_count_next_to_periods_is_asked_about() {
     assert!(text.ends_with("give role=2=swings or 2=ignore"), "{text}");
     let swings = |text: &str| roles(&read(text), &[LENGTH, PERIOD]).unwrap().swings;
     assert_eq!(swings("L (m),N,t (s)\n0.25,10,10.0\n0.5,10,14.2\n"), Some(Column::Number(2)));
-    assert_eq!(swings("L (m),N readings,T (s)\n0.25,5,1.0\n0.5,5,1.42\n"), None);
+    for name in ["N readings", "number of trials"] {
+        assert_eq!(swings(&format!("L (m),{name},T (s)\n0.25,5,1.0\n0.5,5,1.42\n")), None);
+    }
     // The measurements of each length are numbered.
     assert_eq!(swings("L (m),N,T (s)\n0.25,1,1.0\n0.25,2,1.01\n0.5,1,1.42\n0.5,2,1.41\n"), None);
 }
