@@ -86,6 +86,10 @@ pub fn bifurcation_diagram(
 ) -> Result<Vec<DiagramColumn>, DiagramError> {
     let watch = &Watch::new(progress);
     watch.begin(Stage::Whole, Some(values.len()));
+    // The motions of many values take seconds to prepare.
+    if watch.go_on().is_err() {
+        return Ok(vec![]);
+    }
     let cut = family.section.with_period_of(family.equation);
     match (continuation, &cut) {
         (Continuation::SameStart, Section::Stroboscope { .. }) => {

@@ -211,6 +211,11 @@ fn interruptions_keep_what_is_done() {
     assert_eq!(kept(Continuation::LastState), [1.0, 1.1]);
     // In lanes, motions other than the first two may finish first.
     assert_eq!(kept(Continuation::SameStart).len(), 2);
+    // A cancelled diagram prepares nothing, and does not see that these are no values.
+    for how in [Continuation::SameStart, Continuation::LastState] {
+        let columns = bifurcation_diagram(&family, &[f64::NAN], &start, how, &effort, &stop(0)).unwrap();
+        assert!(columns.is_empty());
+    }
     let equation = "theta'' + theta'/2 + sin(theta) = cos(2t/3)".parse().unwrap();
     let found = section(&equation, &start, &FLASH, points, &effort, &stop(7)).unwrap();
     assert_eq!(found.stopped, Some(SectionEnding::Stopped(Cause::Interrupted)));
