@@ -5,6 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use super::beta::Beta;
 use super::effective_weights::{Weighted, settled};
 use super::law::{Law, Point};
+use super::readings_of_fit::ReadingsOfFit;
 use super::scatter::{self, Scatter};
 use super::{FitError, PeriodTable, RepeatedReadings, Weighting};
 use crate::statistics::{LinearFit, Undetermined, count, weighted_least_squares};
@@ -21,6 +22,7 @@ pub struct ExcessScaleFit {
     pub chi2: Option<f64>,
     /// Degrees of freedom: rows less two.
     pub dof: usize,
+    scatter: Option<Scatter>,
 }
 
 impl ExcessScaleFit {
@@ -33,7 +35,7 @@ impl ExcessScaleFit {
     /// Scatter of the rows compared with their uncertainties; `None` without uncertainties or without a degree of freedom.
     #[must_use]
     pub fn scatter(&self) -> Option<Scatter> {
-        Scatter::new(self.chi2, self.dof)
+        self.scatter
     }
 }
 
@@ -49,9 +51,9 @@ pub fn excess_scale(table: &PeriodTable, law: &Law<'_>) -> Result<ExcessScaleFit
         return Err(FitError::TooFewRows { found: table.len(), needed, parameters: "beta" });
     }
     let points = law.points(&table.rows)?;
-    let (line, _) = settled(&points, table.weighting(), "beta", |weights| Line::through(&points, weights))?;
-    let readings = table.readings().map_or(f64::INFINITY, RepeatedReadings::pooled);
-    Ok(line.to_fit(points.len() - 2, table.weighting(), readings))
+    let (line, variances) =
+        settled(&points, table.weighting(), "beta", |weights| Line::through(&points, weights))?;
+    Ok(line.to_fit(&points, variances.as_deref(), table.readings()))
 }
 
 /// T = T0 + (T0β)·(R − 1).
@@ -70,33 +72,60 @@ impl Weighted for Line {
 
 impl Line {
     fn through(points: &[Point], weights: &[f64]) -> Result<Self, FitError> {
-        let columns =
-            DMatrix::from_fn(points.len(), 2, |i, k| if k == 0 { 1.0 } else { points[i].ratio - 1.0 });
         let periods = DVector::from_fn(points.len(), |i, _| points[i].row.period);
-        let fit = weighted_least_squares(columns, periods, weights);
+        let fit = weighted_least_squares(Self::columns(points), periods, weights);
         fit.map(Self).map_err(|reason| match reason {
             Undetermined::Dependent { .. } | Undetermined::TooFewRows => FitError::EqualAmplitudes,
             Undetermined::NotFinite => FitError::NoConvergence("beta"),
         })
     }
 
-    fn to_fit(&self, dof: usize, weighting: Weighting, readings: f64) -> ExcessScaleFit {
-        let Self(fit) = self;
-        let weighted = weighting != Weighting::Scatter;
+    fn columns(points: &[Point]) -> DMatrix<f64> {
+        DMatrix::from_fn(points.len(), 2, |i, k| if k == 0 { 1.0 } else { points[i].ratio - 1.0 })
+    }
+
+    /// The fit; without variances its weights are equal.
+    fn to_fit(
+        &self,
+        points: &[Point],
+        variances: Option<&[f64]>,
+        readings: Option<&RepeatedReadings>,
+    ) -> ExcessScaleFit {
+        let (Self(fit), dof) = (self, points.len() - 2);
+        let columns = Self::columns(points);
+        let readings = readings.zip(variances).map(|(readings, variances)| {
+            ReadingsOfFit::new(readings, vec![1.0; points.len()], &columns, variances, &fit.covariance)
+        });
         let per_dof = (dof > 0).then(|| fit.chi2() / count(dof));
-        let chi2 = weighted.then_some(fit.chi2());
-        let enlargement = scatter::enlargement(chi2, dof);
+        let chi2 = variances.is_some().then(|| fit.chi2());
+        let scatter = match &readings {
+            Some(readings) => readings.scatter(fit.chi2(), dof),
+            None => Scatter::new(chi2, dof),
+        };
+        let enlargement = scatter.map_or(1.0, Scatter::enlargement);
         // Unit weights: the variance of a row is the scatter about the line.
-        let unit = if weighted { enlargement * enlargement } else { per_dof.unwrap_or(f64::NAN) };
-        let of_scatter = scatter::degrees_of_freedom(chi2, dof);
-        let degrees_of_freedom = if of_scatter.is_finite() { of_scatter } else { readings };
-        let beta =
-            |unit: f64| Beta::from_line(&fit.coefficients, &(&fit.covariance * unit), degrees_of_freedom);
+        let unit = if chi2.is_some() { enlargement * enlargement } else { per_dof.unwrap_or(f64::NAN) };
+        let covariance = readings.as_ref().map_or_else(|| fit.covariance.clone(), ReadingsOfFit::covariance);
+        let beta = |unit: f64, degrees_of_freedom: f64| {
+            Beta::from_line(&fit.coefficients, &(&covariance * unit), degrees_of_freedom)
+        };
+        let of_scatter = match scatter {
+            Some(scatter) => scatter.degrees_of_freedom(),
+            None => scatter::degrees_of_freedom(chi2, dof),
+        };
+        let of_readings = readings.filter(|_| of_scatter.is_infinite()).map(|readings| {
+            // dβ = (d(T0β) − β dT0)/T0.
+            let t0 = fit.coefficients[0];
+            let spread = beta(1.0, of_scatter).factor;
+            readings
+                .degrees_of_freedom(&[-spread.value / t0, 1.0 / t0], spread.uncertainty * spread.uncertainty)
+        });
         ExcessScaleFit {
-            beta: beta(unit),
-            uncertainty_scaled: per_dof.map(|per_dof| beta(per_dof).factor.uncertainty),
+            beta: beta(unit, of_readings.unwrap_or(of_scatter)),
+            uncertainty_scaled: per_dof.map(|per_dof| beta(per_dof, of_scatter).factor.uncertainty),
             chi2,
             dof,
+            scatter,
         }
     }
 }

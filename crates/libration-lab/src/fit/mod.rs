@@ -37,6 +37,7 @@ mod periods;
 pub mod plan;
 mod quality;
 mod readings;
+mod readings_of_fit;
 pub mod response;
 pub(crate) mod scatter;
 mod significance;

@@ -109,13 +109,24 @@ impl fmt::Display for ScatterWarning {
     }
 }
 
+/// χ² that is expected of rows whose variances are estimates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct ExpectedChi2 {
+    /// The expected value by those estimates.
+    pub(super) value: f64,
+    /// Degrees of freedom of χ².
+    pub(super) degrees_of_freedom: f64,
+    /// Degrees of freedom of the expected value.
+    pub(super) of_value: f64,
+}
+
 /// The scatter of rows about a law, in units of their stated uncertainties.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scatter {
     chi2: f64,
     dof: usize,
-    /// Degrees of freedom of the uncertainties, where repeated readings give them.
-    readings: Option<usize>,
+    /// χ² as repeated readings make it expected, where they give the uncertainties.
+    readings: Option<ExpectedChi2>,
 }
 
 impl Scatter {
@@ -129,10 +140,19 @@ impl Scatter {
     /// judged, so that they are enlarged only where chance does not explain the scatter, by an F test.
     #[must_use]
     pub fn of_readings(self, degrees_of_freedom: f64) -> Self {
+        self.expected(ExpectedChi2 {
+            value: count(self.dof),
+            degrees_of_freedom: count(self.dof),
+            of_value: degrees_of_freedom,
+        })
+    }
+
+    /// The same of rows whose readings make this χ² expected.
+    pub(super) fn expected(self, expected: ExpectedChi2) -> Self {
         /// Degrees of freedom from which the F test is that of χ².
         const MOST: f64 = 1e4;
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a number from 1 to 1e4")]
-        let readings = (degrees_of_freedom.is_finite()).then(|| degrees_of_freedom.clamp(1.0, MOST) as usize);
+        let of_value = expected.of_value.clamp(1.0, MOST);
+        let readings = expected.of_value.is_finite().then_some(ExpectedChi2 { of_value, ..expected });
         Self { readings, ..self }
     }
 
@@ -156,7 +176,9 @@ impl Scatter {
     #[must_use]
     pub fn verdict(self) -> ScatterVerdict {
         let as_large = match self.readings {
-            Some(readings) => fisher::probability_beyond(self.chi2_per_dof(), self.dof, readings),
+            Some(ExpectedChi2 { value, degrees_of_freedom, of_value }) => {
+                fisher::probability_beyond_any(self.chi2 / value, degrees_of_freedom, of_value)
+            }
             None => probability_beyond(self.chi2, self.dof),
         };
         match () {

@@ -2,7 +2,8 @@
 
 use super::effective_weights::{Weighted, settled};
 use super::law::{Law, Point};
-use super::readings::{effective_degrees_of_freedom, shared_rounding};
+use super::readings::shared_rounding;
+use super::readings_of_fit::ReadingsOfFit;
 use super::scatter::{self, Scatter};
 use super::{FitError, PeriodTable, Uncertain, Weighting};
 use crate::statistics::{LinearFit, count, root_mean_square, weighted_least_squares};
@@ -29,6 +30,7 @@ pub struct LawFit {
     pub standard_deviations: Vec<f64>,
     /// Degrees of freedom of the uncertainty of T0 by those of repeated readings; infinite without any.
     pub readings_degrees_of_freedom: f64,
+    scatter: Option<Scatter>,
 }
 
 impl LawFit {
@@ -41,7 +43,7 @@ impl LawFit {
     /// Scatter of the rows compared with their uncertainties; `None` without uncertainties or without a degree of freedom.
     #[must_use]
     pub fn scatter(&self) -> Option<Scatter> {
-        Scatter::new(self.chi2, self.dof).map(|scatter| scatter.of_readings(self.readings_degrees_of_freedom))
+        self.scatter
     }
 
     /// Degrees of freedom of the uncertainty of T0: of the scatter of the rows where it comes from that, else of repeated readings, and infinite
@@ -80,13 +82,21 @@ pub fn small_angle_period(table: &PeriodTable, law: &Law<'_>) -> Result<LawFit, 
     // T0 = Σ cᵢTᵢ with these c.
     let c: Vec<f64> = points.iter().zip(&variances).map(|(point, v)| variance * point.ratio / v).collect();
     let readings = table.readings().filter(|_| weighted);
+    let columns = DMatrix::from_fn(points.len(), 1, |i, _| points[i].ratio);
+    let of_readings = readings
+        .map(|it| ReadingsOfFit::new(it, vec![1.0; points.len()], &columns, &variances, &fit.covariance));
+    let variance = of_readings.as_ref().map_or(variance, |it| it.covariance()[(0, 0)]);
     let readings_degrees_of_freedom =
-        readings.map_or(f64::INFINITY, |it| effective_degrees_of_freedom(it, &c, variance));
-    let scatter = Scatter::new(chi2, dof).map(|scatter| scatter.of_readings(readings_degrees_of_freedom));
+        of_readings.as_ref().map_or(f64::INFINITY, |it| it.degrees_of_freedom(&[1.0], variance));
+    let scatter = match &of_readings {
+        Some(readings) => readings.scatter(fit.chi2(), dof),
+        None => Scatter::new(chi2, dof),
+    };
     let enlargement = scatter.map_or(1.0, Scatter::enlargement);
     let of_rounding = readings.map_or(0.0, |it| shared_rounding(it, &c));
     Ok(LawFit {
         readings_degrees_of_freedom,
+        scatter,
         key: law.key().into(),
         t0: Uncertain {
             value: t0,

@@ -9,10 +9,15 @@ use super::count;
 /// # Accuracy
 /// 1e-12 absolute up to a thousand degrees of freedom.
 pub fn probability_beyond(ratio: f64, above: usize, below: usize) -> f64 {
+    probability_beyond_any(ratio, count(above), count(below))
+}
+
+/// The same for degrees of freedom that need not be whole.
+pub(crate) fn probability_beyond_any(ratio: f64, above: f64, below: f64) -> f64 {
     if ratio <= 0.0 {
         return 1.0;
     }
-    let (above, below) = (0.5 * count(above), 0.5 * count(below));
+    let (above, below) = (0.5 * above, 0.5 * below);
     let x = below / (below + above * ratio);
     // The fraction converges fast on the side of the mean.
     match x < (below + 1.0) / (above + below + 2.0) {

@@ -73,7 +73,7 @@ fn fitted(table: &Table<'_>, rows: &[Row<'_>], readings: Option<&RepeatedReading
     };
     let table = LengthTable::new(&columns).unwrap();
     let table = match readings {
-        Some(readings) => table.with_readings_degrees_of_freedom(readings.pooled()),
+        Some(readings) => table.with_readings(readings.clone()),
         None => table,
     };
     let fit = lengths(&table, &LengthsOptions::default()).unwrap();

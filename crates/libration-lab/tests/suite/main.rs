@@ -32,3 +32,4 @@ mod spectrum;
 mod statistics;
 mod swings;
 mod trace_fits;
+mod unequal_scatter;

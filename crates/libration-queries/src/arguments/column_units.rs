@@ -309,10 +309,12 @@ impl<const N: usize> SiRows<'_, N> {
         let scatter = number::rounded(repeated.deviation, 2);
         let unlike = repeated.rows.iter().zip(&self.read.lines).filter(|(row, _)| row.is_unlike);
         let unlike: Vec<String> = unlike.map(|(_, line)| line.to_string()).collect();
-        let of_unlike = if unlike.is_empty() {
-            String::new()
-        } else {
-            format!("; those of line {} scatter more, and count by their own scatter", unlike.join(", "))
+        let of_unlike = match () {
+            () if repeated.differ => {
+                "; the rows scatter differently: they count alike, and the uncertainty is that of the scatter of each row".to_owned()
+            }
+            () if unlike.is_empty() => String::new(),
+            () => format!("; those of line {} scatter more, and count by their own scatter", unlike.join(", ")),
         };
         let with_reaction = self.wanted[place].counted.is_some_and(|it| it.reaction_time().is_some());
         let reaction = with_reaction.then(|| {

@@ -138,11 +138,15 @@ fn at_minimum(table: &LengthTable, model: LengthModel, offset: f64) -> Option<Fo
         let least = minimum(parameters, EFFORT, |it| linearised(table, it, &deviations)).ok()?;
         let covariance = Design::new(&least.linearised.jacobian, EXACTNESS).ok()?.covariance();
         let coefficients: Vec<f64> = least.parameters.iter().copied().collect();
-        let variances = deviations.iter().map(|deviation| deviation * deviation).collect();
+        let variances: Vec<f64> = deviations.iter().map(|deviation| deviation * deviation).collect();
         let fitted = table.rows.iter().map(|row| Bar::of(&least.parameters).square(row.length)).collect();
         let chi2 = least.linearised.residuals.norm_squared();
+        let jacobian = &least.linearised.jacobian;
+        let columns =
+            DMatrix::from_fn(jacobian.nrows(), jacobian.ncols(), |i, k| jacobian[(i, k)] * deviations[i]);
+        let solution = Solution { coefficients, columns, covariance, variances };
+        found = Some(Found { solution, fitted, chi2 });
         parameters = least.parameters;
-        found = Some(Found { solution: Solution { coefficients, covariance, variances }, fitted, chi2 });
     }
     found.filter(|it| it.solution.coefficients[..2].iter().all(|&it| it > 0.0))
 }

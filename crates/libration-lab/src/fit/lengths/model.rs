@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use nalgebra::{DMatrix, DVector};
 
 use super::table::{LengthTable, Row};
+use crate::fit::readings_of_fit::ReadingsOfFit;
 use crate::fit::scatter::{self, Scatter};
 use crate::fit::{FitError, Uncertain};
 use crate::statistics::student::probability_beyond;
@@ -100,6 +101,7 @@ pub struct LengthFit {
     pub standard_deviations: Vec<f64>,
     /// Degrees of freedom of the uncertainties of the periods by repeated readings; infinite without any.
     pub readings_degrees_of_freedom: f64,
+    pub(super) scatter: Option<Scatter>,
 }
 
 impl LengthFit {
@@ -112,7 +114,7 @@ impl LengthFit {
     /// Scatter of the rows compared with their uncertainties; `None` without uncertainties or without a degree of freedom.
     #[must_use]
     pub fn scatter(&self) -> Option<Scatter> {
-        Scatter::new(self.chi2, self.dof).map(|scatter| scatter.of_readings(self.readings_degrees_of_freedom))
+        self.scatter
     }
 
     /// χ², or the sum of the squared residuals where no uncertainties are stated.
@@ -140,8 +142,10 @@ impl LengthFit {
 }
 
 /// An unfinished solution: coefficients of L (with the known term of the bob), 1 and 1/L.
+#[derive(Clone)]
 pub(super) struct Solution {
     pub(super) coefficients: Vec<f64>,
+    pub(super) columns: DMatrix<f64>,
     pub(super) covariance: DMatrix<f64>,
     pub(super) variances: Vec<f64>,
 }
@@ -254,9 +258,10 @@ fn solve(rows: &[Row], width: usize, known: f64, offset: f64, variances: &[f64])
     let matrix = DMatrix::from_fn(rows.len(), width, |i, j| columns[i][j]);
     let values = DVector::from_fn(rows.len(), |i, _| rows[i].square());
     let weights: Vec<f64> = variances.iter().map(|variance| 1.0 / variance.sqrt()).collect();
-    let fit = weighted_least_squares(matrix, values, &weights).ok()?;
+    let fit = weighted_least_squares(matrix.clone(), values, &weights).ok()?;
     let coefficients: Vec<f64> = fit.coefficients.iter().copied().collect();
-    let solution = Solution { coefficients, covariance: fit.covariance, variances: variances.to_vec() };
+    let (covariance, variances) = (fit.covariance, variances.to_vec());
+    let solution = Solution { coefficients, columns: matrix, covariance, variances };
     Some(solution).filter(|solution| solution.coefficients[0] > 0.0)
 }
 
@@ -277,10 +282,10 @@ impl Solution {
             columns(row, width, known, offset).iter().zip(&self.coefficients).map(|(x, c)| x * c).sum()
         };
         let fitted: Vec<f64> = table.rows.iter().map(fitted).collect();
-        self.with_estimates(table, model, &fitted, |unit| Estimates {
-            offset: (width > 1).then(|| self.quotient(Some(1), unit)),
-            gyration: (width > 2).then(|| self.quotient(Some(2), unit)),
-            correlation: (width > 1).then(|| self.correlation()),
+        self.with_estimates(table, model, &fitted, |found, unit| Estimates {
+            offset: (width > 1).then(|| found.quotient(Some(1), unit)),
+            gyration: (width > 2).then(|| found.quotient(Some(2), unit)),
+            correlation: (width > 1).then(|| found.correlation()),
         })
     }
 
@@ -291,16 +296,17 @@ impl Solution {
         model: LengthModel,
         fitted: &[f64],
     ) -> Option<LengthFit> {
-        let offset = |unit: f64| Uncertain {
-            value: self.coefficients[2],
-            uncertainty: (unit * self.covariance[(2, 2)]).sqrt(),
+        let offset = |found: &Self, unit: f64| Uncertain {
+            value: found.coefficients[2],
+            uncertainty: (unit * found.covariance[(2, 2)]).sqrt(),
         };
-        let correlation =
-            || -self.covariance[(0, 2)] / (self.covariance[(0, 0)] * self.covariance[(2, 2)]).sqrt();
-        self.with_estimates(table, model, fitted, |unit| Estimates {
-            offset: (model == LengthModel::BarOffset).then(|| offset(unit)),
-            gyration: Some(self.quotient(Some(1), unit)),
-            correlation: (model == LengthModel::BarOffset).then(correlation),
+        let correlation = |found: &Self| {
+            -found.covariance[(0, 2)] / (found.covariance[(0, 0)] * found.covariance[(2, 2)]).sqrt()
+        };
+        self.with_estimates(table, model, fitted, |found, unit| Estimates {
+            offset: (model == LengthModel::BarOffset).then(|| offset(found, unit)),
+            gyration: Some(found.quotient(Some(1), unit)),
+            correlation: (model == LengthModel::BarOffset).then(|| correlation(found)),
         })
     }
 
@@ -309,7 +315,7 @@ impl Solution {
         table: &LengthTable,
         model: LengthModel,
         fitted: &[f64],
-        estimates: impl FnOnce(f64) -> Estimates,
+        estimates: impl FnOnce(&Self, f64) -> Estimates,
     ) -> Option<LengthFit> {
         let (rows, width) = (&table.rows, self.coefficients.len());
         let left: Vec<f64> = rows.iter().zip(fitted).map(|(row, fitted)| row.square() - fitted).collect();
@@ -317,8 +323,16 @@ impl Solution {
         let dof = rows.len() - width;
         let per_dof = (dof > 0).then(|| chi2 / count(dof));
         let stated = table.weighted.then_some(chi2);
-        let scatter = Scatter::new(stated, dof);
-        let scatter = scatter.map(|scatter| scatter.of_readings(table.readings_degrees_of_freedom));
+        let readings = self.readings(table);
+        let scatter = match &readings {
+            Some(readings) => readings.scatter(chi2, dof),
+            None => Scatter::new(stated, dof),
+        };
+        let covariance = readings.as_ref().map_or_else(|| self.covariance.clone(), ReadingsOfFit::covariance);
+        // The relative variances of g and of the slope are equal.
+        let degrees_of_freedom = |it: &ReadingsOfFit<'_>| it.degrees_of_freedom(&[1.0], covariance[(0, 0)]);
+        let readings_degrees_of_freedom = readings.as_ref().map_or(f64::INFINITY, degrees_of_freedom);
+        let found = Self { covariance, ..self.clone() };
         let enlargement = scatter.map_or(1.0, Scatter::enlargement);
         // Unit weights: the variance of a row is the scatter about the law.
         let of_row = if table.weighted { 1.0 } else { per_dof? };
@@ -327,22 +341,32 @@ impl Solution {
         let to_seconds = |row: &Row| 2.0 * PI * PI * row.ratio * row.ratio / row.period;
         let deviations =
             self.variances.iter().zip(rows).map(|(v, row)| (v * of_row).sqrt() * to_seconds(row));
-        let estimates = estimates(unit);
+        let estimates = estimates(&found, unit);
         Some(LengthFit {
             model,
-            g: self.quotient(None, unit),
+            g: found.quotient(None, unit),
             offset: estimates.offset,
             gyration: estimates.gyration,
             correlation: estimates.correlation,
             chi2: stated,
             dof,
             aicc: aicc(chi2, rows.len(), width, table.weighted),
-            p_value: per_dof.filter(|_| width > 1).map(|per_dof| self.p_value(per_dof, dof)),
+            p_value: per_dof.filter(|_| width > 1).map(|per_dof| found.p_value(per_dof, dof)),
             other_centre: None,
             residuals: left.iter().zip(rows).map(|(r, row)| r * to_seconds(row)).collect(),
             standard_deviations: deviations.collect(),
-            readings_degrees_of_freedom: table.readings_degrees_of_freedom,
+            readings_degrees_of_freedom,
+            scatter,
         })
+    }
+
+    /// The repeated readings of the periods in this solution.
+    fn readings<'a>(&'a self, table: &'a LengthTable) -> Option<ReadingsOfFit<'a>> {
+        let readings = table.readings.as_ref()?;
+        // With y = (T/2πR)², dy = 2y·dT/T.
+        let rows = table.rows.iter().zip(&readings.rows);
+        let factors = rows.map(|(row, reading)| 2.0 * row.square() / reading.mean).collect();
+        Some(ReadingsOfFit::new(readings, factors, &self.columns, &self.variances, &self.covariance))
     }
 
     /// 1/a, or c/a with the coefficient c of this index, and its uncertainty.

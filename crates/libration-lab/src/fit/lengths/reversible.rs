@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 use super::model::{LengthFit, LengthModel};
 use super::table::{LengthTable, Row};
 use crate::fit::budget::{BudgetInput, Contribution, Evaluation};
-use crate::fit::{FitError, Uncertain};
+use crate::fit::{FitError, RepeatedReadings, Uncertain};
 use libration::quantity::Quantity;
 
 /// The difference of the distances counts as known where its uncertainty is below this part of it: the second term is then linear in it to a few per
@@ -125,7 +125,8 @@ fn described(table: &LengthTable, gravity: Uncertain) -> LengthFit {
         other_centre: None,
         residuals: rows.iter().map(residual).collect(),
         standard_deviations: rows.iter().map(|row| row.period_uncertainty).collect(),
-        readings_degrees_of_freedom: table.readings_degrees_of_freedom,
+        readings_degrees_of_freedom: table.readings.as_ref().map_or(f64::INFINITY, RepeatedReadings::pooled),
+        scatter: None,
     }
 }
 

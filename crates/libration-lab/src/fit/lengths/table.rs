@@ -1,6 +1,6 @@
 //! Measured periods against lengths, checked once.
 
-use crate::fit::{FitError, Law};
+use crate::fit::{FitError, Law, RepeatedReadings};
 use crate::statistics::root_mean_square;
 use libration::quantity::Quantity;
 
@@ -24,8 +24,8 @@ pub struct LengthColumns<'a> {
 pub struct LengthTable {
     pub(super) rows: Vec<Row>,
     pub(super) weighted: bool,
-    /// Degrees of freedom of the uncertainties of the periods; infinite where these are stated.
-    pub(super) readings_degrees_of_freedom: f64,
+    /// Repeated readings that the uncertainties of the periods come from.
+    pub(super) readings: Option<RepeatedReadings>,
     /// Standard uncertainties of the periods by their rounding.
     rounding: Option<Vec<f64>>,
 }
@@ -64,7 +64,7 @@ impl LengthTable {
         }
         let weighted = columns.period_uncertainties.is_some();
         let rows = (0..expected).map(|row| Row::new(columns, row, weighted)).collect::<Result<_, _>>()?;
-        Ok(Self { rows, weighted, readings_degrees_of_freedom: f64::INFINITY, rounding: None })
+        Ok(Self { rows, weighted, readings: None, rounding: None })
     }
 
     /// The table with standard uncertainties of the periods by their rounding, in seconds, which count where no others are stated and the rows
@@ -84,10 +84,12 @@ impl LengthTable {
         (scatter < typical).then_some(Self { rows, weighted: true, ..self.clone() })
     }
 
-    /// The table whose uncertainties of the periods come from repeated readings with these degrees of freedom.
+    /// The table with the repeated readings that the uncertainties of its periods come from; they are left out where their rows are not those of
+    /// the table.
     #[must_use]
-    pub fn with_readings_degrees_of_freedom(self, degrees_of_freedom: f64) -> Self {
-        Self { readings_degrees_of_freedom: degrees_of_freedom, ..self }
+    pub fn with_readings(self, readings: RepeatedReadings) -> Self {
+        let readings = Some(readings).filter(|it| it.rows.len() == self.rows.len() && self.weighted);
+        Self { readings, ..self }
     }
 
     /// The table with periods that are longer by this, in seconds, row by row; unchanged rows beyond the last one.
@@ -116,8 +118,13 @@ impl LengthTable {
     pub fn only(&self, rows: &[usize]) -> Self {
         let rounding = self.rounding.as_ref();
         let rounding = rounding.map(|all| rows.iter().filter_map(|&row| all.get(row).copied()).collect());
+        let readings = self.readings.clone().map(|all| RepeatedReadings {
+            rows: rows.iter().filter_map(|&row| all.rows.get(row).copied()).collect(),
+            outliers: vec![],
+            ..all
+        });
         let rows = rows.iter().filter_map(|&row| self.rows.get(row).copied()).collect();
-        Self { rows, rounding, ..*self }
+        Self { rows, rounding, readings, ..*self }
     }
 
     /// The number of rows.

@@ -1,8 +1,8 @@
 //! Repeated readings. Values by NumPy and `scipy.stats` 1.17.1.
 
 use libration_lab::fit::{
-    PeriodTable, PeriodsOptions, RepeatedReadings, Uncertainties, Weighting, effective_degrees_of_freedom,
-    periods, shared_rounding,
+    LengthColumns, LengthTable, LengthsOptions, MeanReading, PeriodTable, PeriodsOptions, RepeatedReadings,
+    Uncertainties, Weighting, effective_degrees_of_freedom, lengths, periods, shared_rounding,
 };
 
 fn readings(rows: &[&[f64]], step: f64) -> RepeatedReadings {
@@ -117,4 +117,51 @@ fn rows_that_are_rounded_to_one_step_share_their_error() {
     close(fit.exact.t0.uncertainty, 0.1 / 12.0_f64.sqrt() / 1.00000625003581);
     let others = [vec![20.0, 20.0], vec![20.1, 20.1], vec![19.9, 19.9], vec![20.2, 20.2]];
     close(shared_rounding(&RepeatedReadings::new(&others, 0.1).unwrap(), &[0.25; 4]) + 1.0, 1.0);
+}
+
+/// Rows of four readings whose variances Bartlett's test of `scipy.stats` finds different, with p = 1.6e-5 and 1.2e-7: by NumPy u² = Σcᵢ²sᵢ²/4 with the
+/// degrees of freedom of Welch and Satterthwaite, where T0 and g have the weights of the pooled variance.
+#[test]
+fn rows_that_scatter_differently_count_alike_and_have_their_own_variances() {
+    let found = readings(
+        &[
+            &[2.01, 2.05, 1.99, 2.02],
+            &[2.20, 1.80, 2.05, 2.11],
+            &[2.001, 2.004, 1.998, 2.002],
+            &[2.10, 1.95, 2.02, 2.08],
+            &[1.99, 2.03, 2.04, 1.97],
+        ],
+        0.001,
+    );
+    assert!(found.differ && found.rows.iter().all(|row| !row.is_unlike));
+    let fit = periods(&table(&found), &[], &PeriodsOptions::default()).unwrap().exact;
+    close(fit.t0.value * 1.00000625003581, 2.02075);
+    close(fit.t0.uncertainty * 1.00000625003581, 0.018889481199863594);
+    close(fit.uncertainty_degrees_of_freedom(), 4.307392802756754);
+    let found = readings(
+        &[
+            &[1.270992, 1.267992, 1.269992, 1.268992],
+            &[1.534192, 1.584192, 1.564192, 1.544192],
+            &[1.795623, 1.794623, 1.793623, 1.796623],
+            &[2.056409, 1.966409, 2.016409, 1.976409],
+            &[2.198911, 2.195911, 2.200911, 2.197911],
+        ],
+        1e-6,
+    );
+    let [means, uncertainties] = [|row: &MeanReading| row.mean, |row: &MeanReading| row.uncertainty]
+        .map(|part| found.rows.iter().map(part).collect::<Vec<f64>>());
+    let columns = LengthColumns {
+        lengths: &[0.4, 0.6, 0.8, 1.0, 1.2],
+        periods: &means,
+        period_uncertainties: Some(&uncertainties),
+        ..LengthColumns::default()
+    };
+    let of_lengths = LengthTable::new(&columns).unwrap().with_readings(found);
+    let fit = lengths(&of_lengths, &LengthsOptions::default()).unwrap();
+    let near = |found: f64, expected: f64| {
+        assert!((found / expected - 1.0).abs() < 1e-9, "{found} {expected}");
+    };
+    near(fit.gravity().value, 9.824635639638036);
+    near(fit.gravity().uncertainty, 0.11629480944025505);
+    near(fit.combined.degrees_of_freedom, 3.2925871419234545);
 }

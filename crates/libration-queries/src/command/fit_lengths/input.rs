@@ -82,7 +82,7 @@ impl Input {
         let table = LengthTable::new(&columns).map_err(|error| self.no_answer(error))?;
         let table = table.with_rounding(rounding.clone());
         let table = match &read.repeated[1] {
-            Some(readings) => table.with_readings_degrees_of_freedom(readings.pooled()),
+            Some(readings) => table.with_readings(readings.clone()),
             None => table,
         };
         let period_uncertainties = of_periods;

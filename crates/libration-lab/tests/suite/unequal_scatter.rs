@@ -1,0 +1,142 @@
+//! Intervals and warnings of tables whose repeated readings scatter differently from row to row. The truth is that of the generator.
+
+use libration_lab::fit::{
+    LengthColumns, LengthTable, LengthsOptions, PeriodTable, PeriodsOptions, RepeatedReadings,
+    ScatterVerdict, Uncertainties, lengths, periods,
+};
+use libration_lab::internals::statistics::count as number;
+use libration_lab::internals::statistics::student::quantile;
+
+use crate::random::Random;
+use crate::synthetic_trace::normal;
+
+const G: f64 = 9.81;
+
+/// How the variances of the rows differ.
+#[derive(Clone, Copy, Debug)]
+enum Variances {
+    Equal,
+    /// Uniform logarithms between 1 and this.
+    Random(f64),
+    /// 1 or this.
+    Two(f64),
+    /// From 1 in the first row to this in the last one.
+    Rising(f64),
+}
+
+impl Variances {
+    fn deviation(self, row: usize, rows: usize, random: &mut Random) -> f64 {
+        let exponent = |factor: f64, part: f64| libm::pow(factor, 0.5 * part);
+        match self {
+            Self::Equal => 1.0,
+            Self::Random(factor) => exponent(factor, random.between(0.0, 1.0)),
+            Self::Two(factor) => exponent(factor, random.between(0.0, 2.0).floor()),
+            Self::Rising(factor) => exponent(factor, number(row) / number(rows - 1)),
+        }
+    }
+}
+
+/// Tables whose interval of 95 % contains the truth, tables with a warning that the rows scatter more, and all.
+#[derive(Clone, Copy, Debug, Default)]
+struct Tally {
+    within: usize,
+    warned: usize,
+    all: usize,
+}
+
+impl Tally {
+    fn add(&mut self, error: f64, reach: f64, verdict: Option<ScatterVerdict>) {
+        self.within += usize::from(error.abs() <= reach);
+        self.warned += usize::from(verdict == Some(ScatterVerdict::More));
+        self.all += 1;
+    }
+
+    fn coverage(self) -> f64 {
+        number(self.within) / number(self.all)
+    }
+
+    fn warnings(self) -> f64 {
+        number(self.warned) / number(self.all)
+    }
+}
+
+fn table(periods: &[f64], of_each: usize, variances: Variances, random: &mut Random) -> RepeatedReadings {
+    let reading =
+        |period: f64, deviation: f64, random: &mut Random| period + 0.01 * deviation * normal(random);
+    let mut row = |(row, period): (usize, &f64)| {
+        let deviation = variances.deviation(row, periods.len(), random);
+        (0..of_each).map(|_| reading(*period, deviation, random)).collect::<Vec<f64>>()
+    };
+    RepeatedReadings::new(&periods.iter().enumerate().map(&mut row).collect::<Vec<_>>(), 1e-6).unwrap()
+}
+
+/// T0 of a table at small amplitudes.
+fn of_periods(readings: &RepeatedReadings, tally: &mut Tally) {
+    let [means, uncertainties] = columns(readings);
+    let uncertainties = Uncertainties { amplitudes: None, periods: Some(&uncertainties) };
+    let amplitudes = vec![1e-3; means.len()];
+    let table = PeriodTable::new(&amplitudes, &means, uncertainties).unwrap().with_readings(readings.clone());
+    let fit = periods(&table, &[], &PeriodsOptions::default()).unwrap().exact;
+    let reach = quantile(0.05, fit.uncertainty_degrees_of_freedom()) * fit.t0.uncertainty;
+    tally.add(fit.t0.value - 2.0, reach, fit.scatter().map(libration_lab::fit::Scatter::verdict));
+}
+
+/// g of a table with an offset of the lengths.
+fn of_lengths(readings: &RepeatedReadings, lengths_of: &[f64], tally: &mut Tally) {
+    let [means, uncertainties] = columns(readings);
+    let table = LengthTable::new(&LengthColumns {
+        lengths: lengths_of,
+        periods: &means,
+        period_uncertainties: Some(&uncertainties),
+        ..LengthColumns::default()
+    });
+    let table = table.unwrap().with_readings(readings.clone());
+    let fit = lengths(&table, &LengthsOptions::default()).unwrap();
+    let reach = quantile(0.05, fit.combined.degrees_of_freedom) * fit.gravity().uncertainty;
+    tally.add(fit.gravity().value - G, reach, fit.best().scatter().map(libration_lab::fit::Scatter::verdict));
+}
+
+fn columns(readings: &RepeatedReadings) -> [Vec<f64>; 2] {
+    [
+        readings.rows.iter().map(|row| row.mean).collect(),
+        readings.rows.iter().map(|row| row.uncertainty).collect(),
+    ]
+}
+
+/// A thousand tables of T0 and of g with so many rows of so many readings.
+fn tallies(rows: usize, of_each: usize, variances: Variances) -> [Tally; 2] {
+    let mut random = Random::seeded(7);
+    let mut tallies = [Tally::default(); 2];
+    let lengths_of: Vec<f64> = (0..rows).map(|row| 0.4 + number(row) / number(rows - 1)).collect();
+    let law: Vec<f64> = lengths_of.iter().map(|length| std::f64::consts::TAU * (length / G).sqrt()).collect();
+    for _ in 0..1000 {
+        of_periods(&table(&vec![2.0; rows], of_each, variances, &mut random), &mut tallies[0]);
+        of_lengths(&table(&law, of_each, variances, &mut random), &lengths_of, &mut tallies[1]);
+    }
+    tallies
+}
+
+/// The rate of warnings is 1 % where the pooled variance holds, and Bartlett's test misses some tables with few readings.
+#[test]
+fn intervals_and_warnings_hold_where_readings_scatter_differently() {
+    let variances = [
+        (Variances::Equal, 0.02),
+        (Variances::Random(4.0), 0.03),
+        (Variances::Random(25.0), 0.05),
+        (Variances::Two(25.0), 0.05),
+        (Variances::Rising(25.0), 0.05),
+    ];
+    for (variances, most) in variances {
+        for (rows, of_each) in [(5, 3), (8, 3), (12, 3), (8, 4), (5, 6), (12, 6)] {
+            for (of, found) in ["t0", "g"].iter().zip(tallies(rows, of_each, variances)) {
+                let [coverage, warnings] = [found.coverage(), found.warnings()];
+                println!("{variances:?} {of} {rows} rows of {of_each}: {coverage:.3} {warnings:.3}");
+                assert!(
+                    (0.91..=0.985).contains(&coverage),
+                    "{variances:?} {of} {rows} {of_each}: {coverage}"
+                );
+                assert!(warnings <= most, "{variances:?} {of} {rows} {of_each}: {warnings}");
+            }
+        }
+    }
+}
