@@ -116,15 +116,16 @@ fn tallies(rows: usize, of_each: usize, variances: Variances) -> [Tally; 2] {
     tallies
 }
 
-/// The rate of warnings is 1 % where the pooled variance holds, and Bartlett's test misses some tables with few readings.
+/// The rate of warnings is 1 % where the pooled variance holds. Bartlett's test misses some tables with few readings: the same rule in NumPy warns in up to
+/// 4.6 % of 1000 tables with rising variances, and in up to 5.6 % of those with two.
 #[test]
 fn intervals_and_warnings_hold_where_readings_scatter_differently() {
     let variances = [
         (Variances::Equal, 0.02),
         (Variances::Random(4.0), 0.03),
         (Variances::Random(25.0), 0.05),
-        (Variances::Two(25.0), 0.05),
-        (Variances::Rising(25.0), 0.05),
+        (Variances::Two(25.0), 0.08),
+        (Variances::Rising(25.0), 0.07),
     ];
     for (variances, most) in variances {
         for (rows, of_each) in [(5, 3), (8, 3), (12, 3), (8, 4), (5, 6), (12, 6)] {
