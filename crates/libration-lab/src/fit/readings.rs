@@ -14,9 +14,8 @@ use crate::statistics::{chi_squared, count, fisher, mean, student};
 
 /// A row scatters unlike the others, or a reading is an outlier, where chance does that in fewer than one table in a hundred.
 const BY_CHANCE: f64 = 0.01;
-/// Rows scatter differently where chance makes their variances as different in fewer than one table in ten. Of tables whose variances have uniform
-/// logarithms between 1 and 25 this finds 0.28 (5 rows of 3 readings), 0.49 (12 of 3), 0.64 (5 of 6) and 0.90 (12 of 6).
-const DIFFERENT_BY_CHANCE: f64 = 0.1;
+/// Rows scatter differently where chance makes their variances as different in fewer than one table in twenty.
+const DIFFERENT_BY_CHANCE: f64 = 0.05;
 
 /// The mean of the readings of a row.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -89,9 +88,8 @@ impl RepeatedReadings {
         if groups.iter().all(|group| group.dof == 0) {
             return None;
         }
-        let unlike = unlike(&groups);
-        let differ = differ(&groups, &unlike, step);
-        let unlike = if differ { vec![] } else { unlike };
+        let differ = differ(&groups, step);
+        let unlike = if differ { vec![] } else { unlike(&groups) };
         let alike =
             Pool::of(groups.iter().enumerate().filter(|(row, _)| !unlike.contains(row)).map(|it| it.1));
         let deviation = alike.variance().sqrt();
@@ -248,13 +246,13 @@ fn unlike(groups: &[Group]) -> Vec<usize> {
     found
 }
 
-/// Returns whether the rows, without those that are unlike the others, scatter differently, by Bartlett's test: a variance below that of
-/// rounding counts as that. Not where rounding makes most of the scatter.
-fn differ(groups: &[Group], unlike: &[usize], step: f64) -> bool {
+/// Returns `true` if the rows scatter differently, by Bartlett's test over all of them: a variance below that of rounding counts as that. `false` where
+/// rounding makes most of the scatter.
+fn differ(groups: &[Group], step: f64) -> bool {
     let rounding = step * step / 12.0;
-    let tested = groups.iter().enumerate().filter(|(row, group)| !unlike.contains(row) && group.dof > 0);
+    let tested = groups.iter().filter(|group| group.dof > 0);
     let variances: Vec<(f64, f64)> =
-        tested.map(|(_, group)| (count(group.dof), group.variance().max(rounding))).collect();
+        tested.map(|group| (count(group.dof), group.variance().max(rounding))).collect();
     let all: f64 = variances.iter().map(|(dof, _)| dof).sum();
     let pooled = variances.iter().map(|(dof, variance)| dof * variance).sum::<f64>() / all;
     if variances.len() < 2 || pooled <= rounding || variances.iter().any(|(_, variance)| *variance <= 0.0) {

@@ -116,28 +116,29 @@ fn tallies(rows: usize, of_each: usize, variances: Variances) -> [Tally; 2] {
     tallies
 }
 
-/// The rate of warnings is 1 % where the pooled variance holds. Bartlett's test misses some tables with few readings: the same rule in NumPy warns in up to
-/// 4.6 % of 1000 tables with rising variances, and in up to 5.6 % of those with two.
+/// The standard error of a coverage of 0.95 of 1000 tables is 0.007.
 #[test]
 fn intervals_and_warnings_hold_where_readings_scatter_differently() {
     let variances = [
-        (Variances::Equal, 0.02),
-        (Variances::Random(4.0), 0.03),
-        (Variances::Random(25.0), 0.05),
-        (Variances::Two(25.0), 0.08),
-        (Variances::Rising(25.0), 0.07),
+        Variances::Equal,
+        Variances::Random(4.0),
+        Variances::Random(25.0),
+        Variances::Two(25.0),
+        Variances::Rising(25.0),
     ];
-    for (variances, most) in variances {
+    let mut outside = vec![];
+    for variances in variances {
         for (rows, of_each) in [(5, 3), (8, 3), (12, 3), (8, 4), (5, 6), (12, 6)] {
             for (of, found) in ["t0", "g"].iter().zip(tallies(rows, of_each, variances)) {
                 let [coverage, warnings] = [found.coverage(), found.warnings()];
-                println!("{variances:?} {of} {rows} rows of {of_each}: {coverage:.3} {warnings:.3}");
-                assert!(
-                    (0.91..=0.985).contains(&coverage),
-                    "{variances:?} {of} {rows} {of_each}: {coverage}"
-                );
-                assert!(warnings <= most, "{variances:?} {of} {rows} {of_each}: {warnings}");
+                let case =
+                    format!("{variances:?} {of} {rows} rows of {of_each}: {coverage:.3} {warnings:.3}");
+                println!("{case}");
+                if !(0.925..=0.98).contains(&coverage) || warnings > 0.04 {
+                    outside.push(case);
+                }
             }
         }
     }
+    assert!(outside.is_empty(), "{outside:#?}");
 }
