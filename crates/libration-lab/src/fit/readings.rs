@@ -14,8 +14,11 @@ use crate::statistics::{chi_squared, count, fisher, mean, student};
 
 /// A row scatters unlike the others, or a reading is an outlier, where chance does that in fewer than one table in a hundred.
 const BY_CHANCE: f64 = 0.01;
-/// Rows scatter differently where chance makes their variances as different in fewer than one table in twenty.
-const DIFFERENT_BY_CHANCE: f64 = 0.05;
+/// An outlier makes a row scatter unlike the others where chance makes it scatter as much in fewer than one table in ten thousand.
+const BY_BLUNDER: f64 = 1e-4;
+/// Rows are taken to scatter differently where chance makes their variances as different in fewer than one table in five: at one in twenty, 90.8 % of
+/// the intervals of 95 % for g hold of five rows of three readings whose variances rise 25 times, at one in five 93.1 %.
+const DIFFERENT_BY_CHANCE: f64 = 0.2;
 
 /// The mean of the readings of a row.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,14 +91,15 @@ impl RepeatedReadings {
         if groups.iter().all(|group| group.dof == 0) {
             return None;
         }
-        let differ = differ(&groups, step);
-        let unlike = if differ { vec![] } else { unlike(&groups) };
+        let outliers = outliers(rows, &groups, step);
+        let unlike = with_outlier(&groups, step, &outliers);
+        let differ = unlike.is_none() && differ(groups.iter(), step);
         let alike =
-            Pool::of(groups.iter().enumerate().filter(|(row, _)| !unlike.contains(row)).map(|it| it.1));
+            Pool::of(groups.iter().enumerate().filter(|(row, _)| Some(*row) != unlike).map(|it| it.1));
         let deviation = alike.variance().sqrt();
         let rounding = Some(step / 12.0_f64.sqrt()).filter(|rounding| *rounding > deviation);
         let row = |(row, group): (usize, &Group)| {
-            let is_unlike = unlike.contains(&row);
+            let is_unlike = Some(row) == unlike;
             let own = if is_unlike { group.variance().sqrt() } else { deviation };
             let by_scatter = own / count(group.count).sqrt();
             let alone = (group.variance() / count(group.count)).sqrt();
@@ -121,7 +125,7 @@ impl RepeatedReadings {
             degrees_of_freedom: alike.dof,
             differ,
             rounding,
-            outliers: outliers(rows, &groups, step),
+            outliers,
         })
     }
 
@@ -214,43 +218,27 @@ impl Pool {
     }
 }
 
-/// The rows whose variance is larger than that of the others by more than chance makes the largest: an F test of the largest, with the level
-/// divided by the number of rows, again and again while it finds one, and for fewer than half of the rows.
-fn unlike(groups: &[Group]) -> Vec<usize> {
-    let mut found: Vec<usize> = vec![];
+/// The row that an outlier alone makes scatter more than the others, which scatter alike: by an F test of its variance over theirs.
+fn with_outlier(groups: &[Group], step: f64, outliers: &[(usize, usize)]) -> Option<usize> {
+    let others =
+        |row: usize| groups.iter().enumerate().filter(move |(other, _)| *other != row).map(|it| it.1);
     let tested = groups.iter().filter(|group| group.dof > 0).count();
-    while 2 * (found.len() + 1) < tested {
-        let rest = |left_out: usize| {
-            let others =
-                groups.iter().enumerate().filter(|(row, _)| *row != left_out && !found.contains(row));
-            Pool::of(others.map(|it| it.1))
-        };
-        let candidates = (0..groups.len()).filter(|row| groups[*row].dof > 0 && !found.contains(row));
-        let probability = |row: usize| {
-            let others = rest(row);
-            let ratio = groups[row].variance() / others.variance();
-            if others.squares > 0.0 {
-                fisher::probability_beyond(ratio, groups[row].dof, others.dof)
-            } else {
-                1.0
-            }
-        };
-        let least = candidates.map(|row| (row, probability(row))).min_by(|a, b| a.1.total_cmp(&b.1));
-        match least {
-            Some((row, probability)) if probability * count(tested - found.len()) < BY_CHANCE => {
-                found.push(row);
-            }
-            _ => break,
-        }
-    }
-    found
+    let is_more = |row: usize| {
+        let pool = Pool::of(others(row));
+        let ratio = groups[row].variance() / pool.variance();
+        pool.squares > 0.0
+            && fisher::probability_beyond(ratio, groups[row].dof, pool.dof) * count(tested) < BY_BLUNDER
+    };
+    let row = outliers.first()?.0;
+    let is_only = tested > 2 && outliers.iter().all(|outlier| outlier.0 == row);
+    (is_only && is_more(row) && !differ(others(row), step)).then_some(row)
 }
 
 /// Returns `true` if the rows scatter differently, by Bartlett's test over all of them: a variance below that of rounding counts as that. `false` where
 /// rounding makes most of the scatter.
-fn differ(groups: &[Group], step: f64) -> bool {
+fn differ<'a>(groups: impl Iterator<Item = &'a Group>, step: f64) -> bool {
     let rounding = step * step / 12.0;
-    let tested = groups.iter().filter(|group| group.dof > 0);
+    let tested = groups.filter(|group| group.dof > 0);
     let variances: Vec<(f64, f64)> =
         tested.map(|group| (count(group.dof), group.variance().max(rounding))).collect();
     let all: f64 = variances.iter().map(|(dof, _)| dof).sum();

@@ -311,7 +311,7 @@ impl<const N: usize> SiRows<'_, N> {
         let unlike: Vec<String> = unlike.map(|(_, line)| line.to_string()).collect();
         let of_unlike = match () {
             () if repeated.differ => {
-                "; the rows scatter differently: they count alike, and the uncertainty is that of the scatter of each row".to_owned()
+                "; the rows may scatter differently: they count alike, and the uncertainty is that of the scatter of each row".to_owned()
             }
             () if unlike.is_empty() => String::new(),
             () => format!("; those of line {} scatter more, and count by their own scatter", unlike.join(", ")),
