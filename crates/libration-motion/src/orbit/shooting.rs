@@ -79,9 +79,6 @@ pub(super) struct Unknowns {
 const MOST_ROUNDS: usize = 40;
 /// Largest change of a state component in one round, relative to its size.
 const LARGEST_CHANGE: f64 = 0.3;
-/// Largest period of an orbit, in periods of the guess: beyond it an orbit is not near. Next to a separatrix, where no orbit closes, every round makes
-/// the period longer, and the time of the search with it (70 s for two coupled pendulums).
-const LONGEST: f64 = 10.0;
 /// Relative distance from the start below which the rounds end as soon as they no longer halve the distance.
 const NEARLY_CLOSED: f64 = 1e-10;
 /// Relative error of the start above which an orbit is not distinguished from its neighbours.
@@ -128,7 +125,6 @@ pub(super) struct Newton<'a> {
     pub(super) sizes: Vec<f64>,
     /// The largest difference between end and start of a state component, relative to its size.
     miss: f64,
-    longest_period: f64,
 }
 
 impl<'a> Newton<'a> {
@@ -136,8 +132,7 @@ impl<'a> Newton<'a> {
         let round = rounds.round(&guess.state, guess.period)?;
         let sizes = round.sizes(rounds.layout(), guess);
         let miss = miss(&round.defect, &sizes);
-        let longest_period = LONGEST * guess.period;
-        Ok(Self { rounds, unknowns, at: guess.clone(), round, sizes, miss, longest_period })
+        Ok(Self { rounds, unknowns, at: guess.clone(), round, sizes, miss })
     }
 
     /// The kind of equilibrium to which Newton's method has shrunk the orbit: attracting or not.
@@ -179,16 +174,14 @@ impl<'a> Newton<'a> {
         let mut part = self.largest_part(&change);
         for _ in 0..HALVINGS {
             let next = self.moved(&change, part);
-            let end = (next.period <= self.longest_period)
-                .then(|| self.rounds.path(&next.state, next.period, 1e-17).ok());
-            let end = end.flatten().map(|path| path.state_at(next.period));
-            let near = end.is_some_and(|end| {
+            let end =
+                self.rounds.path(&next.state, next.period, 1e-17).map(|path| path.state_at(next.period));
+            let near = end.is_ok_and(|end| {
                 let defect: Vec<f64> = end.iter().zip(&next.state).map(|(a, b)| a - b).collect();
                 miss(&defect, &self.sizes) < self.miss
             });
             if near {
-                let longest_period = self.longest_period;
-                *self = Self { longest_period, ..Self::new(self.rounds, self.unknowns, &next)? };
+                *self = Self::new(self.rounds, self.unknowns, &next)?;
                 return Ok(true);
             }
             part *= 0.5;

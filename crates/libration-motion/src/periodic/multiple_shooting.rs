@@ -188,8 +188,13 @@ impl Nodes {
         }
         let mut right: Vec<f64> = missed.iter().flatten().map(|x| -x).collect();
         right.resize(rows.len(), 0.0);
+        /// Largest step of a further unknown, in its unit. Next to a separatrix a step may make the period a million times as long.
+        const FARTHEST: f64 = 0.5;
         let change = least_squares(&rows, &right)?;
         let (of_states, of_further) = change.split_at(count * numbers);
+        if largest(of_further) > FARTHEST {
+            return None;
+        }
         for (x, (change, unit)) in
             self.states.iter_mut().flatten().zip(of_states.iter().zip(units[..numbers].iter().cycle()))
         {

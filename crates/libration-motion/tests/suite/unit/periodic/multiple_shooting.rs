@@ -45,3 +45,15 @@ fn the_orbit_of_another_equation_moves_to_that_of_this_one() {
     // x′ = 1 + cos t has no periodic orbit.
     assert_eq!(closed("x' = 1 + cos(t)", exact), None);
 }
+
+/// Where the end depends on the period by 1e-9 alone, 0.1 is closed by a period 1e8 times as long: no orbit next to this one.
+#[test]
+fn a_period_that_runs_away_is_not_followed() {
+    let piece = |_: usize, state: &[f64], further: &[f64]| {
+        assert!((0.0..2.0).contains(&further[0]), "{further:?}");
+        let end = vec![state[0] + 0.1 + 1e-9 * (further[0] - 1.0)];
+        Some(Piece { end, by_start: vec![vec![1.0]], by_further: vec![vec![1e-9]] })
+    };
+    let frame = Frame { units: &[1.0, 1.0], shift: &[0.0], conditions: &[vec![1.0, 0.0]] };
+    assert!(Nodes { states: vec![vec![0.0]], further: vec![1.0] }.closed(frame, piece).is_none());
+}
