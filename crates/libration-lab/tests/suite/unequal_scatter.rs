@@ -136,7 +136,6 @@ fn intervals_and_warnings_hold_where_readings_scatter_differently_in_a_sweep() {
                 let [coverage, warnings] = [found.coverage(), found.warnings()];
                 let case =
                     format!("{variances:?} {of} {rows} rows of {of_each}: {coverage:.3} {warnings:.3}");
-                println!("{case}");
                 let expected = 0.931 - error(0.931)..=0.975 + error(0.975);
                 if !expected.contains(&coverage) || warnings > 0.035 + error(0.035) {
                     outside.push(case);
