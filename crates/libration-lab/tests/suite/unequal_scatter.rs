@@ -14,7 +14,7 @@ use crate::synthetic_trace::normal;
 
 const G: f64 = 9.81;
 
-/// How the variances of the rows differ.
+/// The differences of the variances of the rows.
 #[derive(Clone, Copy, Debug)]
 enum Variances {
     Equal,

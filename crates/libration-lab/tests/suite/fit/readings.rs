@@ -50,6 +50,18 @@ fn a_blunder_is_named_and_its_row_counts_by_its_own_scatter() {
     assert!(found.rows[2].uncertainty > 10.0 * found.rows[0].uncertainty);
 }
 
+/// By `scipy.stats`, four times the probability of the F test of line 3 is 0.016 in the first table and 2e-6 in the second, whose other rows differ
+/// with p = 0.012 by Bartlett's test.
+#[test]
+fn an_outlier_has_weights_of_its_own_only_where_it_alone_differs() {
+    let first: [&[f64]; 2] = [&[1.00, 1.02, 0.99], &[1.41, 1.43, 1.40]];
+    for last in [[&[1.73, 1.74, 1.84], &[2.00, 2.01, 1.98]], [&[1.73, 1.74, 4.30], &[2.00, 2.16, 1.90]]] {
+        let found = readings(&[first[0], first[1], last[0], last[1]], 0.01);
+        assert_eq!(found.outliers, [(2, 2)]);
+        assert!(found.differ && found.rows.iter().all(|row| !row.is_unlike), "{last:?}");
+    }
+}
+
 #[test]
 fn rounding_counts_where_the_readings_scatter_less_and_is_not_divided() {
     let same = readings(&[&[1.0, 1.0, 1.0], &[1.4, 1.4, 1.4]], 0.1);

@@ -46,7 +46,7 @@ fn the_orbit_of_another_equation_moves_to_that_of_this_one() {
     assert_eq!(closed("x' = 1 + cos(t)", exact), None);
 }
 
-/// Where the end depends on the period by 1e-9 alone, 0.1 is closed by a period 1e8 times as long: no orbit next to this one.
+/// An end that changes by 1e-9 with the period misses the start by 0.1 and is closed by a period 1e8 times as long: no orbit next to this one.
 #[test]
 fn a_period_that_runs_away_is_not_followed() {
     let piece = |_: usize, state: &[f64], further: &[f64]| {
