@@ -397,6 +397,77 @@ fn jumps_are_where_the_sweeps_have_them() {
     assert!((2.13..2.23).contains(&found[0].1) && (2.7..2.8).contains(&found[1].1), "{found:?}");
 }
 
+/// Frequency, amplitude, its uncertainty, phase and its uncertainty of `examples/response_synthetic.csv`, in rad/s and radians, without some rows.
+fn example(left_out: &[usize]) -> [Vec<f64>; 5] {
+    let text = include_str!("../../../../examples/response_synthetic.csv");
+    let lines = text.lines().filter(|line| line.starts_with(|first: char| first.is_ascii_digit()));
+    let mut columns: [Vec<f64>; 5] = Default::default();
+    for (_, line) in (1..).zip(lines).filter(|(row, _)| !left_out.contains(row)) {
+        for (place, (column, cell)) in columns.iter_mut().zip(line.split(',')).enumerate() {
+            let value: f64 = cell.parse().unwrap();
+            column.push(if place == 0 { value } else { value.to_radians() });
+        }
+    }
+    columns
+}
+
+fn stated(
+    [frequencies, amplitudes, of_amplitudes, phases, of_phases]: &[Vec<f64>; 5],
+) -> ResponseColumns<'_> {
+    ResponseColumns {
+        frequencies,
+        amplitudes,
+        phases: Some(phases),
+        amplitude_uncertainties: Some(of_amplitudes),
+        phase_uncertainties: Some(of_phases),
+        ..Default::default()
+    }
+}
+
+/// Least squares over the responses to a drive, which the fits do not compute: `reference/response_fit.py 7 8 29 30 31 32` (harmonic balance and SciPy's
+/// trust-region method). The rows next to the jumps are left out, where the sum of squares has no derivative.
+#[test]
+fn noisy_rows_give_the_least_squares_over_responses() {
+    let columns = example(&[7, 8, 29, 30, 31, 32]);
+    let with_phases = stated(&columns);
+    let without = ResponseColumns { phases: None, phase_uncertainties: None, ..with_phases };
+    for (columns, model, expected, chi2) in [
+        (with_phases, ResponseModel::Pendulum, &[3.09729562, 0.26998182, 1.34556409][..], 43.70438),
+        (with_phases, ResponseModel::Duffing, &[3.08734974, 0.26934598, -1.42224736, 1.33966272], 52.25337),
+        (without, ResponseModel::Pendulum, &[3.09639137, 0.26778627, 1.34188687], 23.46518),
+        (without, ResponseModel::Duffing, &[3.08845207, 0.27402597, -1.41342316, 1.33882825], 30.38602),
+    ] {
+        let fit = fit(&columns, model, MeasuredAmplitude::Peak);
+        for (place, (value, expected)) in values(&fit).iter().zip(expected).enumerate() {
+            let deviation = fit.covariance[place][place].sqrt();
+            assert!((value - expected).abs() < 0.02 * deviation, "{model} {place}: {value} {expected}");
+        }
+        assert!((fit.chi2.unwrap() - chi2).abs() < 0.1, "{model}: {:?} {chi2}", fit.chi2);
+    }
+}
+
+/// The pendulum of the rows, and Duffing's oscillator, which misses a row next to a fold by six standard deviations: the amplitudes of both fits are
+/// responses of their oscillators.
+#[test]
+fn fitted_rows_are_on_the_curve_of_the_fit() {
+    let columns = example(&[]);
+    for model in [ResponseModel::Pendulum, ResponseModel::Duffing] {
+        let fit = fit(&stated(&columns), model, MeasuredAmplitude::Peak);
+        let curve = fit.curve([1.9, 3.7], &Quiet).unwrap();
+        for ((row, frequency), deviation) in fit.rows.iter().zip(&columns[0]).zip(&columns[2]) {
+            let pairs = curve.branches.iter().flat_map(|branch| branch.windows(2));
+            let at_frequency = pairs.filter_map(|pair| {
+                let part = (frequency - pair[0].frequency) / (pair[1].frequency - pair[0].frequency);
+                let amplitude = pair[0].amplitude + part * (pair[1].amplitude - pair[0].amplitude);
+                (0.0..=1.0).contains(&part).then_some((amplitude - row.amplitude).abs())
+            });
+            // Between points of the curve about 0.4 of the standard deviation is that of a straight line.
+            let off = at_frequency.fold(f64::INFINITY, f64::min) / deviation;
+            assert!(off < 1.0, "{model} at {frequency}: {off}");
+        }
+    }
+}
+
 /// A row of this draw drifted along a fold, with steps that grew for some rounds: each growth halved all steps that followed, and the search stood
 /// still before its end.
 #[test]

@@ -25,8 +25,9 @@
 //!
 //! # Method
 //! Half a period is integrated with its sensitivities, and Newton's method finds the turning point and the drive of the solution that is its own
-//! mirror image afterwards (`required_drive.rs`). Starts come from one harmonic (`start.rs`). In a round that moves farther than the last one, as
-//! on either side of a fold in turns, parameters and amplitudes about which rows are linearised go half the way (`search.rs`).
+//! mirror image afterwards (`required_drive.rs`). Starts are the solutions with one harmonic from the best points of a grid (`start.rs`); of the
+//! different solutions with all harmonics that they lead to, the one with the least misfit counts. Parameters and the amplitudes about which rows are
+//! linearised are renewed together, by a part of a step where a whole one goes too far, as on either side of a fold in turns (`search.rs`).
 
 mod error;
 mod model;
@@ -56,7 +57,7 @@ use crate::parallel;
 use libration::internals::progress::Watch;
 use libration::progress::Progress;
 use required_drive::{AllHarmonics, OneHarmonic};
-use search::{Found, Search};
+use search::{Found, Search, State};
 
 /// Definition of the amplitude of a response.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -89,10 +90,6 @@ impl ResponsesFit {
     }
 }
 
-/// Rounds of a search with one harmonic, whose end is a start of the search with all.
-const ROUGH_ROUNDS: usize = 6;
-/// Rounds of the search; five to ten are usual.
-const MOST_ROUNDS: usize = 40;
 /// Models whose criterion is within this of the least have substantial support (Burnham and Anderson 2002, section 2.6).
 const SUBSTANTIAL: f64 = 2.0;
 
@@ -137,33 +134,32 @@ fn fitted(
     watch: &Watch<'_>,
 ) -> Result<ResponseFit, ResponseFitError> {
     table.check_for(model)?;
-    let balance = OneHarmonic(model);
-    let rough = Search { table, model, law: &balance, watch, rounds: ROUGH_ROUNDS };
-    let (mut near, mut refusal) = (vec![], ResponseFitError::NoConvergence(model));
-    let of_grid = start::starts(table, model);
+    let mut refusal = ResponseFitError::NoConvergence(model);
+    let of_grid: Vec<State> =
+        start::starts(table, model).iter().map(|start| State::new(table, start)).collect();
+    let (balance, mut near): (_, Vec<Found>) = (OneHarmonic(model), vec![]);
     for start in &of_grid {
-        match rough.near(start) {
+        match (Search { table, model, law: &balance, watch }).near(start.clone()) {
+            Ok(found) if near.iter().any(|known| found.is_at(known)) => {}
             Ok(found) => near.push(found),
             Err(ResponseFitError::Interrupted) => return Err(ResponseFitError::Interrupted),
             Err(error) => refusal = error,
         }
     }
-    near.sort_by(|a, b| a.misfit.total_cmp(&b.misfit));
-    // The first start from which the search settles: the misfit with one harmonic is nearly that with all.
-    for start in near.iter().map(Found::with_damping).chain(of_grid) {
+    let starts = if near.is_empty() { of_grid } else { near.iter().map(State::after).collect() };
+    let mut best: Option<(f64, ResponseFit)> = None;
+    for start in starts {
         let law = AllHarmonics::new(model, measured);
-        match (Search { table, model, law: &law, watch, rounds: MOST_ROUNDS }).near(&start) {
-            Ok(found) if found.settled => {
-                if let Some(fit) = fitted::described(table, &law, &found) {
-                    return Ok(fit);
-                }
+        match (Search { table, model, law: &law, watch }).near(start) {
+            Ok(found) if found.settled && best.as_ref().is_none_or(|(misfit, _)| found.misfit < *misfit) => {
+                best = fitted::described(table, &law, &found).map(|fit| (found.misfit, fit)).or(best);
             }
             Ok(_) => {}
             Err(ResponseFitError::Interrupted) => return Err(ResponseFitError::Interrupted),
             Err(error) => refusal = error,
         }
     }
-    Err(refusal)
+    best.map(|(_, fit)| fit).ok_or(refusal)
 }
 
 /// Index of the preferred fit: of those within [`SUBSTANTIAL`] of the best one those with the fewest parameters, and of these the best.

@@ -2,8 +2,11 @@
 //!
 //! The amplitude that a row would have without its error is found with the parameters: the required drive is linearised there, and
 //! its difference from the acting drive is weighted by its effective variance, which at a fold, where the amplitude changes nothing to
-//! first order, is that of second order. Amplitudes and weights are fixed while the parameters are solved for, and are renewed until nothing
-//! changes (M. Lybanon, Am. J. Phys. 52, 22 (1984), doi:10.1119/1.13822).
+//! first order, is that of second order. Amplitudes, weights and parameters are renewed together until nothing changes
+//! (M. Lybanon, Am. J. Phys. 52, 22 (1984), doi:10.1119/1.13822): a round is a step of Gauss and Newton with fixed weights, of which a part is
+//! taken by Aitken's rule for vectors (B. M. Irons and R. C. Tuck, Int. J. Numer. Meth. Eng. 1, 275 (1969), doi:10.1002/nme.1620010306). Rounds that
+//! minimise with fixed weights and amplitudes do not settle for all rows: with Duffing's oscillator through those of a pendulum they jump between two
+//! minima, whatever part of a step is taken.
 
 use super::ResponseFitError;
 use super::found_row::FoundRow;
@@ -11,21 +14,23 @@ use super::model::ResponseModel;
 use super::required_drive::{Asked, Law, OneHarmonic, RequiredDrive};
 use super::scatters::Scatters;
 use super::table::{ResponseTable, Row};
-use crate::statistics::levenberg_marquardt::{Effort, Linearised, ResidualsError, minimum};
-use crate::statistics::{Design, ROUNDING};
+use crate::statistics::{LinearFit, least_squares};
 use libration::algebra::Complex;
 use libration::internals::progress::Watch;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, RowDVector};
 
-/// Largest negligible change of a parameter, relative to its uncertainty.
-const SETTLED: f64 = 1e-3;
+/// Largest negligible step of a parameter or an amplitude, relative to its standard deviation.
+const SETTLED: f64 = 1e-2;
 /// Largest negligible relative change of the scatter.
 const SETTLED_SCATTER: f64 = 1e-3;
 /// Three points with these distances in standard deviations stand for a normal distribution up to its fifth moment.
 const SPREAD: f64 = 1.732_050_807_568_877_2;
 /// Least deviation relative to the required drive: smaller errors are rounding.
 const LEAST_DEVIATION: f64 = 1e-12;
-const EFFORT: Effort = Effort { tolerance: 1e-6, patience: 40 };
+/// Rounds of a search: five to ten are usual, and up to a hundred where a model misses rows next to a fold by several standard deviations.
+const MOST_ROUNDS: usize = 160;
+/// Least part of a step, which is taken even where it leads too far.
+const LEAST_PART: f64 = 1.0 / 64.0;
 
 /// The best parameters under a law.
 #[derive(Clone, Debug)]
@@ -40,43 +45,71 @@ pub(super) struct Found {
     /// The misfit that is minimised: χ², or where no uncertainties are stated −2 times the logarithm of the likelihood.
     pub(super) misfit: f64,
     pub(super) rows: Vec<FoundRow>,
-    /// `true` if hardly anything changed in the last round.
+    /// `true` if hardly anything was to change in the last round.
     pub(super) settled: bool,
 }
 
 impl Found {
-    /// The parameters, with the damping replaced by the root of its square's standard deviation where that is larger: at zero damping, amplitudes
-    /// do not depend on it to first order.
-    pub(super) fn with_damping(&self) -> Vec<f64> {
-        let mut parameters = self.parameters.clone();
-        let of_square = 2.0 * parameters[1].abs() * self.covariance[(1, 1)].sqrt();
-        parameters[1] = parameters[1].max(of_square.sqrt());
-        parameters
+    /// Returns whether another search ended at the same parameters, within a tenth of their standard deviations.
+    pub(super) fn is_at(&self, other: &Self) -> bool {
+        let off = |k: usize| (self.parameters[k] - other.parameters[k]).abs();
+        (0..self.parameters.len()).all(|k| off(k) < 0.1 * other.covariance[(k, k)].sqrt())
     }
 }
 
-/// The part of a step that is taken. Next to a fold a whole step may lead to the other side, and the next one back: a step that turns back
-/// halves the part, one that goes on doubles it, up to a whole.
+/// Values that a search renews.
 #[derive(Clone, Debug)]
-struct Relaxation {
-    part: f64,
-    last: Option<DVector<f64>>,
+pub(super) struct State {
+    parameters: DVector<f64>,
+    /// Amplitudes of the rows without their errors.
+    amplitudes: Vec<f64>,
+    scatters: Scatters,
 }
 
-impl Default for Relaxation {
-    fn default() -> Self {
-        Self { part: 1.0, last: None }
+impl State {
+    /// These parameters, with the rows as measured.
+    pub(super) fn new(table: &ResponseTable, parameters: &[f64]) -> Self {
+        Self {
+            parameters: DVector::from_row_slice(parameters),
+            amplitudes: table.rows.iter().map(|row| row.amplitude).collect(),
+            scatters: Scatters::first(table),
+        }
+    }
+
+    /// The end of another search, with the damping replaced by the root of its square's standard deviation where that is larger: at zero damping,
+    /// amplitudes do not depend on it to first order.
+    pub(super) fn after(found: &Found) -> Self {
+        let mut parameters = DVector::from_row_slice(&found.parameters);
+        let of_square = 2.0 * parameters[1].abs() * found.covariance[(1, 1)].sqrt();
+        parameters[1] = parameters[1].max(of_square.sqrt());
+        let amplitudes = found.rows.iter().map(|row| row.amplitude).collect();
+        Self { parameters, amplitudes, scatters: found.scatters }
     }
 }
 
-impl Relaxation {
-    /// Returns the part for the next step.
-    fn part(&mut self, step: &DVector<f64>) -> f64 {
-        if let Some(last) = &self.last {
-            self.part = if step.dot(last) < 0.0 { 0.5 * self.part } else { (2.0 * self.part).min(1.0) };
-        }
-        self.last = Some(step.clone());
-        self.part
+/// The linearised problem at a state.
+struct Round {
+    /// Change of the parameters by a whole step.
+    step: DVector<f64>,
+    covariance: DMatrix<f64>,
+    /// Residuals after it.
+    residuals: DVector<f64>,
+    rows: Vec<FoundRow>,
+    /// Change of the amplitude of each row by a whole step, and its standard deviation.
+    moves: Vec<(f64, f64)>,
+    scatters: Scatters,
+}
+
+impl Round {
+    /// The steps of the parameters and of the rows, in the standard deviations of a round.
+    fn step_over(&self, unit: &Self) -> DVector<f64> {
+        let of_parameters = self.step.component_div(&unit.covariance.diagonal().map(f64::sqrt));
+        let of_rows = self.moves.iter().zip(&unit.moves).map(|((step, _), (_, deviation))| step / deviation);
+        of_parameters.iter().copied().chain(of_rows).collect::<Vec<f64>>().into()
+    }
+
+    fn is_settled(&self, state: &State) -> bool {
+        self.step_over(self).amax() <= SETTLED && self.scatters.is_near(&state.scatters, SETTLED_SCATTER)
     }
 }
 
@@ -86,12 +119,19 @@ pub(super) struct Search<'a> {
     pub(super) model: ResponseModel,
     pub(super) law: &'a dyn Law,
     pub(super) watch: &'a Watch<'a>,
-    /// Rounds in which amplitudes and weights are renewed.
-    pub(super) rounds: usize,
 }
 
-/// A row linearised about an amplitude.
-struct Weighed {
+/// The part of a step to take, where the same part of the last one left this one: by Aitken's rule, which supposes steps that change in proportion to
+/// what was taken. Steps that grow in their direction go on with twice as much, up to a whole.
+fn relaxed(part: f64, last: &DVector<f64>, next: &DVector<f64>) -> f64 {
+    let change = last - next;
+    let along = last.dot(&change);
+    let factor = if along > 0.0 { along / change.norm_squared() } else { 2.0 };
+    (factor * part).clamp(LEAST_PART, 1.0)
+}
+
+/// A row linearised about an amplitude and about parameters.
+struct LinearRow {
     amplitude: f64,
     /// Change of the misses over one standard deviation of the amplitude.
     slope: Vec<f64>,
@@ -100,70 +140,96 @@ struct Weighed {
     deviation: f64,
     /// L⁻¹ of the covariance L·Lᵀ of the misses.
     whitening: DMatrix<f64>,
-}
-
-impl Weighed {
-    /// Difference of the measured amplitude from this one, in standard deviations.
-    fn excess(&self, row: &Row) -> f64 {
-        (row.amplitude - self.amplitude) / self.deviation
-    }
+    /// Misses from the measured amplitude, in standard deviations, and their derivatives by the parameters.
+    residuals: DVector<f64>,
+    jacobian: DMatrix<f64>,
 }
 
 impl Search<'_> {
     /// Searches the best parameters from this start.
-    pub(super) fn near(&self, start: &[f64]) -> Result<Found, ResponseFitError> {
-        let failed = || ResponseFitError::NoConvergence(self.model);
-        let mut about = DVector::from_row_slice(start);
-        let mut amplitudes: Vec<f64> = self.table.rows.iter().map(|row| row.amplitude).collect();
-        let mut scatters = Scatters::first(self.table);
-        let mut of_parameters = Relaxation::default();
-        let mut of_rows = vec![Relaxation::default(); amplitudes.len()];
-        for round in 1..=self.rounds {
+    pub(super) fn near(&self, mut here: State) -> Result<Found, ResponseFitError> {
+        let mut round = self.round(&here)?;
+        let mut part = 1.0;
+        for _ in 0..MOST_ROUNDS {
             self.watch.go_on().map_err(|_| ResponseFitError::Interrupted)?;
-            let weighed = self.weighed(&about, &amplitudes, &scatters).ok_or_else(failed)?;
-            let evaluate =
-                |at: &DVector<f64>| self.linearised(at, &weighed).ok_or(ResidualsError::OutOfDomain);
-            let least = minimum(about.clone(), EFFORT, evaluate).map_err(|_| failed())?;
-            let design = Design::new(&least.linearised.jacobian, ROUNDING);
-            let covariance = design.map_err(|_| ResponseFitError::Undetermined(self.model))?.covariance();
-            let step = &least.parameters - &about;
-            let change = step.component_div(&covariance.diagonal().map(f64::sqrt)).amax();
-            let rows = self.rows(weighed, &least.linearised, &covariance);
-            let before = scatters;
-            scatters = before.renewed(self.table, &rows, about.len());
-            let settled = change <= SETTLED && scatters.is_near(&before, SETTLED_SCATTER);
-            if settled || round == self.rounds {
-                let chi2 = least.linearised.residuals.norm_squared();
-                let misfit = if self.table.is_weighted() { chi2 } else { before.misfit(self.table, &rows) };
-                let parameters = least.parameters.as_slice().to_vec();
-                return Ok(Found { parameters, covariance, chi2, scatters: before, misfit, rows, settled });
+            if round.is_settled(&here) {
+                return Ok(self.found(&here, round, true));
             }
-            let in_deviations = step.component_div(&covariance.diagonal().map(f64::sqrt));
-            about += step * of_parameters.part(&in_deviations);
-            // Without phases the damping counts by its square.
-            if !self.table.has_phases() {
-                about[1] = about[1].abs();
-            }
-            let aims = self.within_bounds(&rows, &scatters);
-            for ((amplitude, aim), relaxation) in amplitudes.iter_mut().zip(aims).zip(&mut of_rows) {
-                let step = aim - *amplitude;
-                *amplitude += step * relaxation.part(&DVector::from_element(1, step));
+            let next = self.moved(&here, &round, part);
+            match self.round(&next) {
+                Ok(of_next) => {
+                    let [before, after] = [&round, &of_next].map(|it| it.step_over(&round));
+                    let goes_too_far = after.dot(&before) < 0.0 && after.norm() > before.norm();
+                    if part <= LEAST_PART || !goes_too_far {
+                        (here, round) = (next, of_next);
+                    }
+                    part = relaxed(part, &before, &after);
+                }
+                Err(error) if part <= LEAST_PART => return Err(error),
+                Err(_) => part = (0.5 * part).max(LEAST_PART),
             }
         }
-        Err(failed())
+        Ok(self.found(&here, round, false))
     }
 
-    /// Limits the amplitudes without their errors to those that the model can have.
-    fn within_bounds(&self, rows: &[FoundRow], scatters: &Scatters) -> Vec<f64> {
+    /// The state after a part of the step of a round.
+    fn moved(&self, here: &State, round: &Round, part: f64) -> State {
+        let parameters = &here.parameters + part * &round.step;
+        let amplitudes = here.amplitudes.iter().zip(&round.moves);
+        let amplitudes = amplitudes.map(|(amplitude, (step, _))| amplitude + part * step).collect();
+        State { parameters, amplitudes, scatters: round.scatters }
+    }
+
+    /// Solves the problem linearised about this state.
+    fn round(&self, here: &State) -> Result<Round, ResponseFitError> {
+        let failed = || ResponseFitError::NoConvergence(self.model);
+        let undetermined = |_| ResponseFitError::Undetermined(self.model);
+        let linear = self.linearised(here).ok_or_else(failed)?;
+        let blocks: Vec<RowDVector<f64>> =
+            linear.iter().flat_map(|row| row.jacobian.row_iter().map(|row| row.into_owned())).collect();
+        let jacobian = DMatrix::from_rows(&blocks);
+        let residuals = linear.iter().flat_map(|row| row.residuals.iter().copied());
+        let residuals = DVector::from_iterator(jacobian.nrows(), residuals);
+        let LinearFit { coefficients, covariance, .. } =
+            least_squares(&jacobian, &-&residuals).map_err(undetermined)?;
+        let step = self.possible(&here.parameters, coefficients);
+        let residuals = residuals + &jacobian * &step;
+        let leverages = jacobian.row_iter().map(|row| (row * &covariance).dot(&row));
+        let rows = self.rows(linear, residuals.iter().copied().zip(leverages));
+        let scatters = here.scatters.renewed(self.table, &rows, here.parameters.len());
+        let moves = self.moves(&rows, &scatters);
+        Ok(Round { step, covariance, residuals, rows, moves, scatters })
+    }
+
+    /// Limits a step to positive dampings: amplitudes alone depend on the damping by its square, which the step changes linearly, to a quarter at least.
+    fn possible(&self, here: &DVector<f64>, mut step: DVector<f64>) -> DVector<f64> {
+        if !self.table.has_phases() {
+            let damping = here[1];
+            step[1] = (damping * (damping + 2.0 * step[1])).max(0.25 * damping * damping).sqrt() - damping;
+        }
+        step
+    }
+
+    fn found(&self, here: &State, round: Round, settled: bool) -> Found {
+        let chi2 = round.residuals.norm_squared();
+        let misfit =
+            if self.table.is_weighted() { chi2 } else { here.scatters.misfit(self.table, &round.rows) };
+        let parameters = (&here.parameters + round.step).as_slice().to_vec();
+        let (covariance, rows) = (round.covariance, round.rows);
+        Found { parameters, covariance, chi2, scatters: here.scatters, misfit, rows, settled }
+    }
+
+    /// Steps to the amplitudes without their errors, limited to those that the model can have, and standard deviations.
+    fn moves(&self, rows: &[FoundRow], scatters: &Scatters) -> Vec<(f64, f64)> {
         const FARTHEST: f64 = 0.5;
         let bound = self.model.amplitude_bound();
-        let within = |(row, found): (&Row, &FoundRow)| {
+        let of_row = |(row, found): (&Row, &FoundRow)| {
             let measured = row.amplitude;
-            let farthest = FARTHEST * measured.min(bound - measured);
-            let spread = (6.0 * scatters.of_amplitude(row, found.amplitude)).min(farthest);
-            found.aim.clamp(measured - spread, measured + spread)
+            let deviation = scatters.of_amplitude(row, found.amplitude);
+            let spread = (6.0 * deviation).min(FARTHEST * measured.min(bound - measured));
+            (found.aim.clamp(measured - spread, measured + spread) - found.amplitude, deviation)
         };
-        self.table.rows.iter().zip(rows).map(within).collect()
+        self.table.rows.iter().zip(rows).map(of_row).collect()
     }
 
     fn required(
@@ -183,13 +249,9 @@ impl Search<'_> {
         &parameters.as_slice()[..self.model.coefficients()]
     }
 
-    /// Linearises the rows about these amplitudes.
-    fn weighed(
-        &self,
-        parameters: &DVector<f64>,
-        amplitudes: &[f64],
-        scatters: &Scatters,
-    ) -> Option<Vec<Weighed>> {
+    /// Linearises the rows about a state.
+    fn linearised(&self, here: &State) -> Option<Vec<LinearRow>> {
+        let State { parameters, amplitudes, scatters } = here;
         let bound = self.model.amplitude_bound();
         let rows = self.table.rows.iter().zip(amplitudes);
         let deviations = rows.map(|(row, &amplitude)| scatters.of_amplitude(row, amplitude));
@@ -226,53 +288,34 @@ impl Search<'_> {
             ];
             let whitening = whitening(&errors, LEAST_DEVIATION * drive.abs())?;
             let (amplitude, deviation) = (amplitudes[place], deviations[place]);
-            Some(Weighed { amplitude, slope, bend, deviation, whitening })
+            let excess = (row.amplitude - amplitude) / deviation;
+            let misses = DVector::from_vec(row.misses(drive, parameters[parameters.len() - 1]))
+                + DVector::from_row_slice(&slope) * excess;
+            let by_coefficients = here[place].by_coefficients.iter().map(|it| row.components(drive, *it));
+            let by_drive = std::iter::once(vec![-1.0, 0.0][..slope.len()].to_vec());
+            let columns: Vec<DVector<f64>> = by_coefficients.chain(by_drive).map(DVector::from_vec).collect();
+            let (residuals, jacobian) = (&whitening * misses, &whitening * DMatrix::from_columns(&columns));
+            Some(LinearRow { amplitude, slope, bend, deviation, whitening, residuals, jacobian })
         };
         (0..amplitudes.len()).map(of_row).collect()
     }
 
-    fn linearised(&self, parameters: &DVector<f64>, weighed: &[Weighed]) -> Option<Linearised> {
-        let amplitudes: Vec<f64> = weighed.iter().map(|row| row.amplitude).collect();
-        let required = self.required(self.law, &amplitudes, parameters)?;
-        let drive = parameters[parameters.len() - 1];
-        let (mut residuals, mut jacobian) = (vec![], vec![]);
-        for ((row, weighed), required) in self.table.rows.iter().zip(weighed).zip(required) {
-            let misses = DVector::from_vec(row.misses(required.drive, drive));
-            let shift = DVector::from_row_slice(&weighed.slope) * weighed.excess(row);
-            residuals.extend((&weighed.whitening * (misses + shift)).iter());
-            let by_coefficients =
-                required.by_coefficients.iter().map(|it| row.components(required.drive, *it));
-            let by_drive = std::iter::once(vec![-1.0, 0.0][..weighed.slope.len()].to_vec());
-            let columns: Vec<DVector<f64>> = by_coefficients.chain(by_drive).map(DVector::from_vec).collect();
-            let block = &weighed.whitening * DMatrix::from_columns(&columns);
-            jacobian.extend(block.row_iter().map(|row| row.into_owned()));
-        }
-        Some(Linearised { residuals: DVector::from_vec(residuals), jacobian: DMatrix::from_rows(&jacobian) })
-    }
-
-    /// Computes the rows with amplitudes without their errors.
-    fn rows(
-        &self,
-        weighed: Vec<Weighed>,
-        linearised: &Linearised,
-        covariance: &DMatrix<f64>,
-    ) -> Vec<FoundRow> {
-        let leverages = linearised.jacobian.row_iter().map(|row| (row * covariance).dot(&row));
-        let mut data = linearised.residuals.iter().copied().zip(leverages);
-        let of_row = |(row, weighed): (&Row, Weighed)| {
-            let (own, leverages): (Vec<f64>, Vec<f64>) = data.by_ref().take(weighed.slope.len()).unzip();
-            let slope = &weighed.whitening * DVector::from_row_slice(&weighed.slope);
+    /// Computes the rows with amplitudes without their errors, by residuals and leverages.
+    fn rows(&self, linear: Vec<LinearRow>, mut data: impl Iterator<Item = (f64, f64)>) -> Vec<FoundRow> {
+        let of_row = |(row, linear): (&Row, LinearRow)| {
+            let (own, leverages): (Vec<f64>, Vec<f64>) = data.by_ref().take(linear.slope.len()).unzip();
+            let slope = &linear.whitening * DVector::from_row_slice(&linear.slope);
             let excess = slope.dot(&DVector::from_row_slice(&own));
             FoundRow {
-                amplitude: weighed.amplitude,
-                aim: row.amplitude - excess * weighed.deviation,
-                slope: weighed.slope[0],
-                bend: weighed.bend[0],
+                amplitude: linear.amplitude,
+                aim: row.amplitude - excess * linear.deviation,
+                slope: linear.slope[0],
+                bend: linear.bend[0],
                 residuals: own,
                 leverages,
             }
         };
-        self.table.rows.iter().zip(weighed).map(of_row).collect()
+        self.table.rows.iter().zip(linear).map(of_row).collect()
     }
 }
 
