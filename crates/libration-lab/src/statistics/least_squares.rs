@@ -131,3 +131,16 @@ pub fn weighted_least_squares(
     }
     least_squares(&matrix, &values)
 }
+
+/// Returns whether parameters whose weights are renewed in rounds have settled: the last round changed them by less than a millionth of their standard
+/// deviations, or by rounding. The covariance is that where rows with unit weight have this variance.
+pub(crate) fn is_settled(last: &[f64], next: &[f64], covariance: &DMatrix<f64>, variance: f64) -> bool {
+    /// A change relative to the standard deviation.
+    const NEGLIGIBLE: f64 = 1e-6;
+    /// A change relative to the parameter that rounding errors of a search may cause.
+    const ROUNDING_OF_SEARCH: f64 = 1e-10;
+    last.iter().zip(next).enumerate().all(|(k, (last, next))| {
+        let deviation = (variance * covariance[(k, k)]).sqrt();
+        (next - last).abs() <= NEGLIGIBLE * deviation + ROUNDING_OF_SEARCH * next.abs()
+    })
+}

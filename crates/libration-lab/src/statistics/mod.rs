@@ -17,7 +17,7 @@ pub(crate) mod student;
 
 pub(crate) use count::count;
 pub(crate) use least_squares::{
-    Design, LinearFit, ROUNDING, Undetermined, least_squares, weighted_least_squares,
+    Design, LinearFit, ROUNDING, Undetermined, is_settled, least_squares, weighted_least_squares,
 };
 pub(crate) use mean::{mean, root_mean_square};
 pub(crate) use robust::{

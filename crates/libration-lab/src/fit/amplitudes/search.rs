@@ -7,7 +7,7 @@ use super::sides::Sides;
 use super::table::{AmplitudeTable, Row, UnstatedErrors};
 use crate::fit::DampingModel;
 use crate::statistics::levenberg_marquardt::{Effort, Linearised, ResidualsError, minimum};
-use crate::statistics::{Design, median, weighted_least_squares};
+use crate::statistics::{Design, count, is_settled, median, weighted_least_squares};
 
 /// χ² is smooth to rounding errors; the derivatives by differences only slow the search down.
 const EFFORT: Effort = Effort { tolerance: 1e-12, patience: 40 };
@@ -15,8 +15,8 @@ const EFFORT: Effort = Effort { tolerance: 1e-12, patience: 40 };
 const STEP: f64 = 1e-5;
 /// Rounding errors over that step, with those of hundreds of steps of the integration.
 const EXACTNESS: f64 = 1e-8;
-/// Rounds in which weights that depend on the result are renewed: the error falls by the relative error of the amplitudes each time.
-const ROUNDS: usize = 4;
+/// Rounds in which weights that depend on the result are renewed; the error falls by the relative error of the amplitudes each time.
+const MOST_ROUNDS: usize = 50;
 /// Amplitudes below this part of the largest one have the relative error of one of this size.
 const LEAST: f64 = 1e-3;
 
@@ -54,7 +54,8 @@ pub(super) fn first_zero(table: &AmplitudeTable) -> f64 {
     0.5 * (side(1.0) + side(-1.0))
 }
 
-/// Fits a law; `None` where the rows are too few, leave a parameter undetermined, or lead out of the law's domain.
+/// Fits a law; `None` where the rows are too few, leave a parameter undetermined, or lead out of the law's domain, and where the search or the weights do not
+/// settle.
 pub(super) fn fit(law: &Law<'_>, terms: DampingModel) -> Option<Found> {
     let table = law.table;
     if table.len() < parameters(table, terms) + usize::from(!table.weighted) {
@@ -67,23 +68,26 @@ pub(super) fn fit(law: &Law<'_>, terms: DampingModel) -> Option<Found> {
         .map(|row| table.reading.amplitude(row.side * (row.value - zero)).max(0.0))
         .collect();
     let mut start = guess(law, terms, &amplitudes, zero)?;
-    let mut found = None;
-    for _ in 0..ROUNDS {
+    for _ in 0..MOST_ROUNDS {
         let deviations = deviations(law, terms, start.as_slice(), &amplitudes);
         let weights: Vec<f64> = deviations.iter().map(|deviation| 1.0 / deviation).collect();
-        let least = minimum(start, EFFORT, |parameters| linearised(law, terms, parameters, &weights)).ok()?;
+        let evaluate = |parameters: &DVector<f64>| linearised(law, terms, parameters, &weights);
+        let least = minimum(start.clone(), EFFORT, evaluate).ok().filter(|least| least.converged)?;
         let parameters: Vec<f64> = least.parameters.iter().copied().collect();
         let curve = law.curve(terms, &parameters)?;
         let covariance = Design::new(&least.linearised.jacobian, EXACTNESS).ok()?.covariance();
         let chi2 = least.linearised.residuals.norm_squared();
-        amplitudes.clone_from(&curve.amplitudes);
-        start = least.parameters;
-        found = Some(Found { terms, parameters, covariance, chi2, curve, deviations });
-        if !has_weights_of_the_result(table) {
-            break;
+        let dof = table.len().saturating_sub(parameters.len()).max(1);
+        let variance = if table.weighted { 1.0 } else { chi2 / count(dof) };
+        let has_settled = !has_weights_of_the_result(table)
+            || is_settled(start.as_slice(), &parameters, &covariance, variance);
+        if has_settled {
+            return Some(Found { terms, parameters, covariance, chi2, curve, deviations });
         }
+        amplitudes = curve.amplitudes;
+        start = least.parameters;
     }
-    found
+    None
 }
 
 fn has_weights_of_the_result(table: &AmplitudeTable) -> bool {

@@ -63,10 +63,13 @@ impl<'a> Fall<'a> {
 
 impl Fall<'_> {
     /// Fits the parameters by least squares, beginning with those of a linear equation; `None` where the data are too few or leave one
-    /// undetermined.
+    /// undetermined, and where the search does not converge.
     pub(super) fn fit(&self, terms: DampingModel) -> Option<Curve> {
         let found =
             minimum(self.guess(terms)?, EFFORT, |parameters| self.linearised(terms, parameters)).ok()?;
+        if !found.converged {
+            return None;
+        }
         let covariance = Design::new(&found.linearised.jacobian, EXACTNESS).ok()?.covariance();
         let parameters: Vec<f64> = found.parameters.iter().copied().collect();
         let fitted = self.amplitudes(terms, &parameters);

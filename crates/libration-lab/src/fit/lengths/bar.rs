@@ -10,13 +10,14 @@ use super::model::{LengthFit, LengthModel, Solution};
 use super::table::{LengthTable, Row};
 use crate::statistics::levenberg_marquardt::{Effort, Linearised, ResidualsError, minimum};
 use crate::statistics::student::probability_beyond_any;
-use crate::statistics::{Design, count, weighted_least_squares};
+use crate::statistics::{Design, count, is_settled, weighted_least_squares};
 
 const EFFORT: Effort = Effort { tolerance: 1e-13, patience: 100 };
 /// Rounding errors of the derivatives, which are closed forms.
 const EXACTNESS: f64 = 1e-12;
-/// Rounds in which the weights are renewed; the error falls by a factor of (σ of g)/g or so each time.
-const ROUNDS: usize = 6;
+/// Rounds in which the weights are renewed: two to five are usual, and thirty where the rows refute the law by several standard deviations. At a minimum
+/// with far larger deviations the weights of rows next to the centre may not settle.
+const MOST_ROUNDS: usize = 50;
 /// Trial positions of the centre over three times the range of the lengths.
 const TRIALS: usize = 300;
 /// Number of the best trials from which the search begins: a pivot next to the centre makes a minimum on either side of it.
@@ -132,10 +133,12 @@ fn at_minimum(table: &LengthTable, model: LengthModel, offset: f64) -> Option<Fo
         LengthModel::BarOffset => vec![start[0], start[1], offset],
         _ => start.to_vec(),
     });
-    let mut found = None;
-    for _ in 0..ROUNDS {
+    for _ in 0..MOST_ROUNDS {
         let deviations = deviations(table, &parameters);
-        let least = minimum(parameters, EFFORT, |it| linearised(table, it, &deviations)).ok()?;
+        let least = minimum(parameters.clone(), EFFORT, |it| linearised(table, it, &deviations)).ok()?;
+        if !least.parameters.iter().take(2).all(|&it| it > 0.0) {
+            return None;
+        }
         let covariance = Design::new(&least.linearised.jacobian, EXACTNESS).ok()?.covariance();
         let coefficients: Vec<f64> = least.parameters.iter().copied().collect();
         let variances: Vec<f64> = deviations.iter().map(|deviation| deviation * deviation).collect();
@@ -144,11 +147,16 @@ fn at_minimum(table: &LengthTable, model: LengthModel, offset: f64) -> Option<Fo
         let jacobian = &least.linearised.jacobian;
         let columns =
             DMatrix::from_fn(jacobian.nrows(), jacobian.ncols(), |i, k| jacobian[(i, k)] * deviations[i]);
-        let solution = Solution { coefficients, columns, covariance, variances };
-        found = Some(Found { solution, fitted, chi2 });
+        if least.converged && is_settled(parameters.as_slice(), &coefficients, &covariance, 1.0) {
+            return Some(Found {
+                solution: Solution { coefficients, columns, covariance, variances },
+                fitted,
+                chi2,
+            });
+        }
         parameters = least.parameters;
     }
-    found.filter(|it| it.solution.coefficients[..2].iter().all(|&it| it > 0.0))
+    None
 }
 
 /// Standard deviations of y with those of the lengths folded in.

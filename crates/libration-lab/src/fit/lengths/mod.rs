@@ -135,7 +135,7 @@ fn as_weighted(table: &LengthTable, options: &LengthsOptions) -> Result<LengthsF
     }
 }
 
-/// The laws of a bob on a string.
+/// The laws of a bob on a string: with an offset in any case.
 fn of_strings(table: &LengthTable, options: &LengthsOptions) -> Result<Vec<LengthFit>, FitError> {
     let radius = options.bob_radius();
     let known = radius.map(model::gyration);
@@ -148,7 +148,7 @@ fn of_strings(table: &LengthTable, options: &LengthsOptions) -> Result<Vec<Lengt
     if fits.is_empty() || table.len() < needed {
         return Err(FitError::TooFewRows { found: table.len(), needed, parameters: "g" });
     }
-    if fits.len() == 1 {
+    if !fits.iter().any(|fit| fit.model == LengthModel::Offset) {
         let differ = table.rows.windows(2).any(|pair| pair[0].length.total_cmp(&pair[1].length).is_ne());
         return Err(match radius.filter(|_| differ) {
             Some(radius) => FitError::BobRadius { radius },
@@ -164,13 +164,9 @@ fn of_simple(
     options: &LengthsOptions,
     fits: Vec<LengthFit>,
 ) -> Result<LengthsFit, FitError> {
-    let preferred = |fits: &[LengthFit]| {
-        let offset = fits.iter().any(|fit| fit.model == LengthModel::Offset);
-        if offset { LengthModel::Offset } else { fits[0].model }
-    };
-    let corrected = options.corrected(table, preferred(&fits))?;
+    let preferred = LengthModel::Offset;
+    let corrected = options.corrected(table, preferred)?;
     let fits = if corrected == *table { fits } else { of_strings(&corrected, options)? };
-    let preferred = preferred(&fits);
     let known_gyration = options.corrections.bob.map(|bob| bob.gyration());
     let power_law = power_law::power_law(&corrected);
     let mut fit = options.with_budget(table, fits, preferred, None)?;

@@ -9,10 +9,10 @@ use crate::fit::readings_of_fit::ReadingsOfFit;
 use crate::fit::scatter::{self, Scatter};
 use crate::fit::{FitError, Uncertain};
 use crate::statistics::student::probability_beyond;
-use crate::statistics::{akaike, count, weighted_least_squares};
+use crate::statistics::{akaike, count, is_settled, weighted_least_squares};
 
 /// Rounds in which the weights are renewed; the error falls by a factor of (σ of g)/g or so each time.
-const ROUNDS: usize = 20;
+const MOST_ROUNDS: usize = 100;
 /// Rounds in which the offset falls to that with the bob; the error falls by q(3 + q)/(1 − q) each time, with q = 2r²/5x² at a distance x
 /// from the pivot: by 0.8 or less from 1.45 radii on.
 const ROUNDS_WITH_BOB: usize = 200;
@@ -195,10 +195,16 @@ impl Search<'_> {
     fn without_bob(&self) -> Option<(Solution, f64)> {
         let first = vec![1.0; self.table.rows.len()];
         let mut found = (solve(&self.table.rows, self.width, 0.0, 0.0, &first)?, 0.0);
-        for _ in 0..ROUNDS {
-            found = self.renewed(&found.0, 0.0)?;
+        for _ in 0..MOST_ROUNDS {
+            let next = self.renewed(&found.0, 0.0)?;
+            let [last, coefficients] = [&found, &next].map(|it| &it.0.coefficients);
+            let settled = is_settled(last, coefficients, &next.0.covariance, 1.0);
+            found = next;
+            if settled {
+                return Some(found);
+            }
         }
-        Some(found)
+        None
     }
 
     /// Iterates with the bob, which makes a pendulum slower, the more so the shorter it is, so that the offset is below that without it, and below

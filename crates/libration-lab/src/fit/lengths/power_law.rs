@@ -5,7 +5,10 @@ use nalgebra::{DMatrix, DVector};
 use super::table::{LengthTable, Row};
 use crate::fit::Uncertain;
 use crate::fit::scatter;
-use crate::statistics::{count, weighted_least_squares};
+use crate::statistics::{count, is_settled, weighted_least_squares};
+
+/// Rounds in which the weights are renewed; the error falls by a factor of (σ of n)/n or so each time.
+const MOST_ROUNDS: usize = 100;
 
 /// Power law of the period of small swings.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,7 +21,7 @@ pub struct PowerLaw {
     pub degrees_of_freedom: f64,
 }
 
-/// Fits the power law to positive lengths; `None` for fewer than three rows, and for equal lengths.
+/// Fits the power law to positive lengths; `None` for fewer than three rows, for equal lengths, and for weights that do not settle.
 pub(super) fn power_law(table: &LengthTable) -> Option<PowerLaw> {
     let rows = &table.rows;
     if rows.len() < 3 || rows.iter().any(|row| row.length <= 0.0) {
@@ -26,16 +29,23 @@ pub(super) fn power_law(table: &LengthTable) -> Option<PowerLaw> {
     }
     let matrix = DMatrix::from_fn(rows.len(), 2, |i, k| if k == 0 { libm::log(rows[i].length) } else { 1.0 });
     let values = DVector::from_iterator(rows.len(), rows.iter().map(|row| 0.5 * libm::log(row.square())));
-    let mut exponent = 0.5;
-    let mut found = None;
-    // The weights depend on the exponent by the uncertainties of the lengths alone.
-    for _ in 0..3 {
+    let solved = |exponent: f64| {
         let weights: Vec<f64> = rows.iter().map(|row| weight(table, row, exponent)).collect();
-        let fit = weighted_least_squares(matrix.clone(), values.clone(), &weights).ok()?;
-        exponent = fit.coefficients[0];
-        found = Some(fit);
+        weighted_least_squares(matrix.clone(), values.clone(), &weights).ok()
+    };
+    let mut fit = solved(0.5)?;
+    // The weights depend on the exponent by the uncertainties of the lengths alone.
+    for round in 0.. {
+        let next = solved(fit.coefficients[0])?;
+        let last = std::mem::replace(&mut fit, next).coefficients;
+        if is_settled(last.as_slice(), fit.coefficients.as_slice(), &fit.covariance, 1.0) {
+            break;
+        }
+        if round == MOST_ROUNDS {
+            return None;
+        }
     }
-    let (fit, dof) = (found?, rows.len() - 2);
+    let (exponent, dof) = (fit.coefficients[0], rows.len() - 2);
     let chi2 = table.weighted.then(|| fit.chi2());
     let enlargement = scatter::enlargement(chi2, dof);
     let unit = if table.weighted { enlargement * enlargement } else { fit.chi2() / count(dof) };
