@@ -27,7 +27,7 @@ const SETTLED_SCATTER: f64 = 1e-3;
 const SPREAD: f64 = 1.732_050_807_568_877_2;
 /// Least deviation relative to the required drive: smaller errors are rounding.
 const LEAST_DEVIATION: f64 = 1e-12;
-/// Rounds of a search: five to ten are usual, and up to a hundred where a model misses rows next to a fold by several standard deviations.
+/// Rounds of a search: five to ten are usual, and more than eighty were where a model missed rows next to a fold by several standard deviations.
 const MOST_ROUNDS: usize = 160;
 /// Least part of a step, which is taken even where it leads too far.
 const LEAST_PART: f64 = 1.0 / 64.0;
