@@ -50,7 +50,7 @@ fn a_blunder_is_named_and_its_row_counts_by_its_own_scatter() {
     assert!(found.rows[2].uncertainty > 10.0 * found.rows[0].uncertainty);
 }
 
-/// By `scipy.stats`, four times the probability of the F test of line 3 is 0.016 in the first table and 2e-6 in the second, whose other rows differ
+/// Four times the probability of the F test of line 3 (`scipy.stats`) is 0.016 in the first table and 2e-6 in the second, whose other rows differ
 /// with p = 0.012 by Bartlett's test.
 #[test]
 fn an_outlier_has_weights_of_its_own_only_where_it_alone_differs() {
