@@ -63,7 +63,7 @@ test("what is shown stays when a long section is stopped", () =>
 test("each system to begin with has its pictures and its verdict", () =>
   visit(SMALL, async (room) => {
     const begin = room.getByLabel("Example");
-    for (const value of ["stars", "double", "upright", "threshold", "springs", "thirds", "jumps"]) {
+    for (const value of ["stars", "double", "upright", "threshold", "springs", "thirds", "jumps", "lorenz"]) {
       await begin.selectOption(value);
       await settled(room);
       assert.deepEqual(await errors(room), [], value);

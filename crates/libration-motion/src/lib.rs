@@ -32,9 +32,7 @@ pub mod internals {
         pub use crate::decay::half_swing::{EFFORT, Frame, HalfSwing};
     }
     pub mod orbit {
-        pub use crate::orbit::{
-            acceleration::Acceleration, place::ReleasePlace, precise::Motion, released::depends_on_time,
-        };
+        pub use crate::orbit::{acceleration::Acceleration, place::ReleasePlace, precise::Motion};
     }
     pub mod oscillator {
         pub use crate::oscillator::roots::zeros;

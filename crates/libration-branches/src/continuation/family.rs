@@ -5,7 +5,6 @@ use super::error::BranchError;
 use super::field::{Field, Rates, returned};
 use super::space::{Space, Symmetry};
 use super::symmetry::{has_partial_mirror, symmetry};
-use libration_motion::internals::orbit::depends_on_time;
 use libration_motion::internals::periodic::{Flow, Variations, norm_of_map};
 use libration_motion::taylor::{IntegrationError, OwnedStep, StateLayout};
 use libration_numbers::expression::Equation;
@@ -107,7 +106,7 @@ impl<'w> Family<'w> {
         ranges: &[[f64; 2]],
         watch: &'w Watch<'w>,
     ) -> Result<Self, BranchError> {
-        if depends_on_time(equation) {
+        if equation.depends_on_time() {
             return Self::new(equation, parameters, ranges, watch);
         }
         let field = Field::new(equation, parameters)?;

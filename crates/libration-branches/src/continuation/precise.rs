@@ -10,7 +10,6 @@ use super::singular::Singular;
 use super::space::Space;
 use super::special::{SpecialKind, SpecialPoint, Test};
 use super::units::largest_swing;
-use libration_motion::internals::orbit::depends_on_time;
 use libration_motion::internals::periodic::norm;
 use libration_numbers::algebra::{BigFloat, Doubles, Floats, Ring};
 use libration_numbers::expression::Equation;
@@ -73,7 +72,7 @@ impl SpecialPoint {
         let watch = &Watch::new(progress);
         let value = self.point.parameter;
         let width = value.abs().max(f64::MIN_POSITIVE);
-        if !depends_on_time(equation) {
+        if !equation.depends_on_time() {
             return Ok(None);
         }
         let family = Family::new(equation, &[parameter], &[[value - width, value + width]], watch)?;

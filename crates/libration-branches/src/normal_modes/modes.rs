@@ -10,7 +10,7 @@ use super::shapes::shapes;
 use super::shift::shift;
 use super::spectrum::{Exponent, spectrum};
 use libration_numbers::algebra::Rational;
-use libration_numbers::expression::{Equation, Symbol};
+use libration_numbers::expression::Equation;
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::{Interrupted, Progress, Quiet, Stage};
 
@@ -65,7 +65,7 @@ impl NormalModes {
         if guess.len() != wanted || !guess.iter().all(|x| x.is_finite()) {
             return Err(ModesError::Guess { guess: guess.to_vec(), wanted });
         }
-        if equation.accelerations().iter().any(|formula| formula.contains(&Symbol::plain("t"))) {
+        if equation.depends_on_time() {
             return Err(ModesError::DependsOnTime);
         }
         let rest = equilibrium(equation, guess)?;

@@ -7,7 +7,7 @@ use crate::taylor::{
     Cause, Contact, Direction, Effort, Event, IntegrationError, Moment, Occurrence, Solution, Start, System,
     integrate_from, integrate_stepwise,
 };
-use libration_numbers::expression::{Equation, Expression, WithoutValue};
+use libration_numbers::expression::{Equation, Expression, Symbol, WithoutValue};
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::{Progress, Stage};
 
@@ -152,7 +152,8 @@ pub fn section(
         Section::Crossing { formula, direction } => {
             let surface = Event { formula: formula.clone(), direction: *direction, ends_at: None };
             let system = System::new(equation)?.with_events(&[surface])?;
-            crossings(&system, start, points, effort, watch)
+            let is_autonomous = !equation.depends_on_time() && !formula.contains(&Symbol::plain("t"));
+            crossings(&system, is_autonomous, start, points, effort, watch)
         }
     }
 }
@@ -200,9 +201,10 @@ fn as_far_as_it_came(
     }
 }
 
-/// Follows consecutive stretches of the motion until there are enough points.
+/// Follows consecutive stretches of the motion until there are enough points, or the motion has come to rest.
 fn crossings(
     system: &System,
+    is_autonomous: bool,
     start: &Moment,
     points: Points,
     effort: &Effort,
@@ -223,11 +225,13 @@ fn crossings(
         let (solution, cause) = as_far_as_it_came(outcome)?;
         found.extend(solution.events.into_iter().filter_map(crossing));
         quiet = if found.len() > taken { 0 } else { quiet + 1 };
+        // A motion that is where it was before these steps, bit by bit, is at rest.
+        let is_over = is_autonomous && quiet > 0 && solution.end.state == at.state;
         at = solution.end;
         match cause {
             _ if found.len() >= points.skipped + points.recorded => break None,
             None if horizon < NEVER => horizon *= FARTHER,
-            Some(Cause::StepLimit) if quiet < QUIET => {}
+            Some(Cause::StepLimit) if quiet < QUIET && !is_over => {}
             Some(Cause::StepLimit | Cause::OutOfRange) | None => break Some(no_more(&found)),
             Some(cause) => break Some(SectionEnding::Stopped(cause)),
         }

@@ -8,7 +8,6 @@ use super::near::OrbitGuess;
 use super::path::turn_in;
 use super::periodic::Orbit;
 use super::relaxation::forgetful;
-use super::released::depends_on_time;
 use super::search::OrbitKind;
 use super::shooting::{Unknowns, closed};
 use crate::taylor::{Cause, Effort, IntegrationError, Moment, StateLayout, Step, System, integrate_stepwise};
@@ -58,7 +57,7 @@ impl Orbit {
         start: &[f64],
         progress: &dyn Progress,
     ) -> Result<Self, OrbitError> {
-        if depends_on_time(equation) {
+        if equation.depends_on_time() {
             return Err(OrbitError::DependsOnTime);
         }
         let none_asked = |_: &Rounds<'_>, _: f64| Ok(None);

@@ -4,7 +4,6 @@ use super::closing::Rounds;
 use super::error::{OrbitError, finished};
 use super::near::OrbitGuess;
 use super::periodic::Orbit;
-use super::released::depends_on_time;
 use super::shooting::{Unknowns, closed};
 use libration_numbers::expression::Equation;
 use libration_numbers::internals::progress::Watch;
@@ -41,7 +40,7 @@ impl Orbit {
         /// Number of trials. A transient that decreases to a tenth in ten periods is 1e-4 of its size after the four later starts; slower
         /// transients may remain, since Newton's method does not require their decay.
         const TRIES: u32 = 5;
-        if !depends_on_time(equation) {
+        if !equation.depends_on_time() {
             return Err(OrbitError::NotDriven);
         }
         let rounds = Rounds::new(equation, watch)?;

@@ -21,7 +21,7 @@ use super::place::ReleasePlace;
 use super::precise::{HalfPeriod, HalfPeriodError, Motion};
 use crate::taylor::{Cause, Effort, IntegrationError, Moment, Step, System};
 use libration_numbers::algebra::BigFloat;
-use libration_numbers::expression::{Equation, Expression, Symbol};
+use libration_numbers::expression::Equation;
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Progress;
 
@@ -69,18 +69,20 @@ impl Orbit {
     pub fn released(equation: &Equation, place: f64, progress: &dyn Progress) -> Result<Self, OrbitError> {
         let refusal = || OrbitError::Start { state: vec![place], wanted: 1 };
         Release::check(equation)?;
-        Self::released_from(equation, &ReleasePlace::from_f64(place).ok_or_else(refusal)?, progress)
+        Self::released_from(equation, &ReleasePlace::from_f64(place).ok_or_else(refusal)?, 0.0, progress)
     }
 
-    /// The orbit released from a position that is known to more digits than an `f64` has.
+    /// The orbit released from a position that is known to more digits than an `f64` has. Double precision suffices where it gives the period
+    /// to a relative tolerance, or to 2⁻⁴⁵ if that is more.
     pub fn released_from(
         equation: &Equation,
         place: &ReleasePlace,
+        tolerance: f64,
         progress: &dyn Progress,
     ) -> Result<Self, OrbitError> {
         let watch = &Watch::new(progress);
         Release::check(equation)?;
-        finished(Release::new(equation, place, watch)?.orbit(), watch)
+        finished(Release::new(equation, place, watch)?.orbit(tolerance.max(TRUSTED)), watch)
     }
 }
 
@@ -106,7 +108,7 @@ impl<'a> Release<'a> {
             return Err(OrbitError::SeveralCoordinates(equation.variables().len()));
         };
         equation.refuse_first_order()?;
-        if depends_on_time(equation) { Err(OrbitError::DependsOnTime) } else { Ok(()) }
+        if equation.depends_on_time() { Err(OrbitError::DependsOnTime) } else { Ok(()) }
     }
 
     fn new(
@@ -118,13 +120,13 @@ impl<'a> Release<'a> {
         Ok(Self { equation, system, acceleration, place, start: place.to_f64(), watch })
     }
 
-    fn orbit(&self) -> Result<Orbit, OrbitError> {
+    fn orbit(&self, tolerance: f64) -> Result<Orbit, OrbitError> {
         if self.is_too_small() {
             return Err(OrbitError::TooSmall(self.start));
         }
         let found = self.once_around(self.start, 1e-17).and_then(|around| self.judged(around));
         let doubtful = match &found {
-            Ok(orbit) => orbit.period_uncertainty() > TRUSTED * orbit.period(),
+            Ok(orbit) => orbit.period_uncertainty() > tolerance * orbit.period(),
             // Next to a separatrix rounding may lead elsewhere; if energy is lost or gained, higher precision cannot help.
             Err(_) => self.acceleration.is_free_of_velocity,
         };
@@ -324,10 +326,4 @@ fn why_lost(error: IntegrationError) -> Lost {
         IntegrationError::Stopped { cause: Cause::StepLimit, solution } => Lost::OneWay(solution.end.time),
         other => Lost::Stopped(other),
     }
-}
-
-/// Returns `true` if an equation contains the time.
-pub fn depends_on_time(equation: &Equation) -> bool {
-    let time = Symbol::plain("t");
-    equation.derivatives().iter().any(|formula: &Expression| formula.contains(&time))
 }

@@ -5,7 +5,6 @@ use super::error::{OrbitError, finished};
 use super::family::{Family, through_start};
 use super::near::OrbitGuess;
 use super::periodic::Orbit;
-use super::released::depends_on_time;
 use crate::taylor::StateLayout;
 use libration_numbers::expression::Equation;
 use libration_numbers::internals::progress::Watch;
@@ -69,7 +68,7 @@ impl Orbit {
         if search.start.len() != layout.numbers() {
             return Err(OrbitError::Start { state: search.start.clone(), wanted: layout.numbers() });
         }
-        if depends_on_time(equation) {
+        if equation.depends_on_time() {
             let period = search.period.ok_or(OrbitError::NoPeriod)?;
             let orbit = Self::driven(equation, &search.start, period, watch)?;
             return Ok((OrbitKind::Driven, orbit));

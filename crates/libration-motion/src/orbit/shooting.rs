@@ -16,7 +16,6 @@ use super::divergence::Divergence;
 use super::error::{Lost, OrbitError, finished};
 use super::near::OrbitGuess;
 use super::periodic::{Orbit, StateErrors};
-use super::released::depends_on_time;
 use crate::periodic::{CLOSED, Floquet, LOST, NewtonStep, Stability, norm_of_map};
 use libration_numbers::expression::Equation;
 use libration_numbers::internals::progress::Watch;
@@ -57,7 +56,7 @@ impl Orbit {
         progress: &dyn Progress,
     ) -> Result<Self, OrbitError> {
         let watch = &Watch::new(progress);
-        if depends_on_time(equation) {
+        if equation.depends_on_time() {
             return Err(OrbitError::DependsOnTime);
         }
         let rounds = Rounds::new(equation, watch)?;

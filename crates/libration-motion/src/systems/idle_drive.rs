@@ -1,7 +1,7 @@
 //! A drive whose strength is zero.
 
 use super::Model;
-use libration_numbers::expression::{Equation, Expression, Symbol};
+use libration_numbers::expression::Expression;
 
 impl Model {
     /// The parameters of a named system that are zero and without which the equations would contain the time t: the strengths of a drive that is
@@ -19,7 +19,7 @@ impl Model {
     /// ```
     #[must_use]
     pub fn idle_drives(&self) -> Vec<String> {
-        let Some(key) = self.key().filter(|_| !shows_time(self.equation())) else { return vec![] };
+        let Some(key) = self.key().filter(|_| !self.equation().depends_on_time()) else { return vec![] };
         let zero =
             |(name, _): &&(String, Expression)| self.value_of(name).is_some_and(|value| value.abs() <= 0.0);
         let drives = |name: &&str| {
@@ -28,14 +28,9 @@ impl Model {
                 others.map(|(other, value)| (other.as_str(), value.clone())).collect();
             let left_open = self.open_parameters();
             let open: Vec<&str> = left_open.iter().map(String::as_str).chain([*name]).collect();
-            Self::by_key(key, &values, &open).is_ok_and(|model| shows_time(model.equation()))
+            Self::by_key(key, &values, &open).is_ok_and(|model| model.equation().depends_on_time())
         };
         let names = self.values().iter().filter(zero).map(|(name, _)| name.as_str());
         names.filter(drives).map(str::to_owned).collect()
     }
-}
-
-fn shows_time(equation: &Equation) -> bool {
-    let time = Symbol::plain("t");
-    equation.derivatives().iter().any(|formula| formula.contains(&time))
 }

@@ -85,6 +85,15 @@ impl BigFloat {
         (bits > 0).then(|| repr.exponent() + bits)
     }
 
+    /// ln |x| to a few 10⁻¹⁶ of the larger of 1 and |ln x|, hundreds of times faster than [`BigFloat::ln`]; −∞ for zero.
+    #[must_use]
+    pub fn ln_magnitude(&self) -> f64 {
+        let Some(exponent) = self.exponent() else { return f64::NEG_INFINITY };
+        let mantissa = (self.0.clone() >> exponent).to_f64().value();
+        let powers_of_two = exponent as f64;
+        libm::log(mantissa.abs()) + powers_of_two * std::f64::consts::LN_2
+    }
+
     /// √x.
     #[must_use]
     pub fn sqrt(&self) -> Self {

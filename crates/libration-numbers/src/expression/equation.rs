@@ -92,6 +92,13 @@ impl Equation {
         &self.derivatives
     }
 
+    /// Returns `true` if the equations contain the time.
+    #[must_use]
+    pub fn depends_on_time(&self) -> bool {
+        let time = Symbol::plain("t");
+        self.derivatives().iter().any(|formula| formula.contains(&time))
+    }
+
     /// Rejects equations of first order, for methods that need accelerations.
     ///
     /// # Errors

@@ -10,7 +10,7 @@ use libration_motion::{
     orbit::{Orbit, OrbitError},
 };
 use libration_numbers::algebra::BigFloat;
-use libration_numbers::expression::{Equation, Expression, SecondOrderError, Symbol};
+use libration_numbers::expression::{Equation, Expression, SecondOrderError};
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Progress;
 use libration_numbers::quantity::Displacement;
@@ -148,7 +148,7 @@ impl Backbone {
             return Err(BackboneError::SeveralCoordinates(equation.variables().len()));
         }
         equation.refuse_first_order()?;
-        if equation.accelerations()[0].contains(&Symbol::plain("t")) {
+        if equation.depends_on_time() {
             return Err(BackboneError::DependsOnTime);
         }
         let oscillator = match about {
@@ -228,8 +228,19 @@ impl Backbone {
     /// All frequencies at an amplitude that is known to more digits than an `f64` has.
     #[must_use]
     pub fn at_displacement(&self, displacement: &Displacement, progress: &dyn Progress) -> BackbonePoint {
+        self.point(displacement, 0.0, progress)
+    }
+
+    /// The same for a line in a picture: the frequency of the orbit may have a relative error of 10⁻⁶.
+    #[must_use]
+    pub fn drawn_at(&self, displacement: &Displacement, progress: &dyn Progress) -> BackbonePoint {
+        const DRAWN: f64 = 1e-6;
+        self.point(displacement, DRAWN, progress)
+    }
+
+    fn point(&self, displacement: &Displacement, tolerance: f64, progress: &dyn Progress) -> BackbonePoint {
         let amplitude = displacement.to_f64();
-        let orbit = self.orbit_at(displacement, &Watch::new(progress));
+        let orbit = self.orbit_at(displacement, tolerance, &Watch::new(progress));
         let (mut series, mut exact) = (None, None);
         if let (Ok(own), Some(omega0)) = (&self.series, self.omega0()) {
             series = own.frequency_at(amplitude, omega0);
@@ -238,12 +249,17 @@ impl Backbone {
         BackbonePoint { amplitude, orbit, series, exact }
     }
 
-    fn orbit_at(&self, displacement: &Displacement, watch: &Watch<'_>) -> Result<OrbitFrequency, OrbitError> {
+    fn orbit_at(
+        &self,
+        displacement: &Displacement,
+        tolerance: f64,
+        watch: &Watch<'_>,
+    ) -> Result<OrbitFrequency, OrbitError> {
         let origin = self.centre.as_ref().map_or_else(|| BigFloat::from_integer(0, 1), Constant::digits);
         let centre = self.centre();
         let start = centre + displacement.to_f64();
         let place = ReleasePlace::new(origin, displacement.clone());
-        let orbit = Orbit::released_from(&self.equation, &place, watch)?;
+        let orbit = Orbit::released_from(&self.equation, &place, tolerance, watch)?;
         let other_side = orbit.state_at(0.5 * orbit.period())[0];
         if self.has_equilibrium() && other_side >= centre {
             return Err(OrbitError::Elsewhere { start, other_side, centre });

@@ -182,11 +182,12 @@ pub(super) fn released(
         return Err(ExactValueError::Amplitude(amplitude));
     }
     let place = ReleasePlace::new(oscillator.equilibrium().digits(), displacement.clone());
-    let orbit = Orbit::released_from(oscillator.equation(), &place, watch).map_err(|error| match error {
-        OrbitError::Separatrix(_) | OrbitError::AtRest(_) => ExactValueError::Infinite(amplitude),
-        OrbitError::NoReturn { .. } => ExactValueError::NoReturn(amplitude),
-        other => other.into(),
-    })?;
+    let orbit =
+        Orbit::released_from(oscillator.equation(), &place, 0.0, watch).map_err(|error| match error {
+            OrbitError::Separatrix(_) | OrbitError::AtRest(_) => ExactValueError::Infinite(amplitude),
+            OrbitError::NoReturn { .. } => ExactValueError::NoReturn(amplitude),
+            other => other.into(),
+        })?;
     let equilibrium = oscillator.equilibrium().to_f64();
     let other_side = orbit.state_at(0.5 * orbit.period())[0];
     if other_side >= equilibrium {

@@ -4,7 +4,7 @@ use super::chart::{Axis, Look, Panel, Picture, Series, Units};
 use super::range::around;
 use super::style;
 use libration::comparison::{Backbone, BackbonePoint};
-use libration::progress::Quiet;
+use libration::quantity::Displacement;
 
 /// The setting of the picture.
 pub(crate) struct BackboneSetting {
@@ -13,17 +13,30 @@ pub(crate) struct BackboneSetting {
     pub(crate) is_angle: bool,
 }
 
-/// Points between the amplitudes that are requested, so that curves are smooth.
-const SAMPLES: u32 = 240;
+/// Amplitudes up to the largest requested one, close enough that curves through them are smooth.
+pub(crate) fn amplitudes_of_curves(points: &[BackbonePoint]) -> Vec<Displacement> {
+    const SAMPLES: u32 = 240;
+    let part = |step: u32| largest(points) * f64::from(step) / f64::from(SAMPLES);
+    (1..=SAMPLES).filter_map(|step| Displacement::from_f64(part(step))).collect()
+}
+
+fn largest(points: &[BackbonePoint]) -> f64 {
+    points.iter().map(|point| point.amplitude).fold(0.0, f64::max)
+}
+
 /// The series is drawn as far as it leaves the orbits by this part of their range.
 const BEYOND: f64 = 0.5;
 
-/// Orbits as markers at the amplitudes requested, on a curve of orbits, with the series and its radius of convergence.
-pub(crate) fn backbone(curve: &Backbone, points: &[BackbonePoint], setting: &BackboneSetting) -> Picture {
+/// Orbits as markers at the amplitudes requested, on a curve of orbits through the sampled points, with the series and its radius of
+/// convergence.
+pub(crate) fn backbone(
+    curve: &Backbone,
+    points: &[BackbonePoint],
+    sampled: &[BackbonePoint],
+    setting: &BackboneSetting,
+) -> Picture {
     let unit = if setting.is_angle { 1_f64.to_degrees() } else { 1.0 };
-    let largest = points.iter().map(|point| point.amplitude).fold(0.0, f64::max);
-    let sampled: Vec<BackbonePoint> =
-        (1..=SAMPLES).map(|step| curve.at(largest * f64::from(step) / f64::from(SAMPLES), &Quiet)).collect();
+    let largest = largest(points);
     let orbit = |point: &BackbonePoint| Some((point.orbit.as_ref().ok()?.frequency, unit * point.amplitude));
     let start = curve.omega0().map(|omega0| (omega0, 0.0));
     let orbits: Vec<(f64, f64)> = start.into_iter().chain(sampled.iter().filter_map(orbit)).collect();

@@ -2,7 +2,6 @@
 
 import type { Address } from "../../address.ts";
 import { type Answer, type Engine, text as decoded } from "../../engine/engine.ts";
-import { read } from "../../parts/answers.ts";
 import { choice } from "../../parts/choice.ts";
 import { ask, type Command } from "../../parts/command.ts";
 import { element } from "../../parts/element.ts";
@@ -215,7 +214,7 @@ class ChaosRoom {
   }
 
   async #judge(signal: AbortSignal): Promise<void> {
-    const { answer, value } = await read<Exponent>(this.#engine, this.#questions.lyapunov(), signal);
+    const { answer, value } = await this.#pictures.verdict.read<Exponent>(this.#questions.lyapunov(), signal);
     if (!isWanted(signal) || (signal.aborted && value === undefined)) return;
     if (value === undefined) return this.#fail("verdict", answer, ["intervals"]);
     this.#numbers.verdict.offer(this.#questions.lyapunov());
@@ -224,7 +223,6 @@ class ChaosRoom {
       element("p", { class: "verdict" }, words.because(words[verdict], plain(value.reason))),
       element("p", {}, words.exponent(digits(value.exponent_per_s, 4), digits(value.exponent_uncertainty_per_s, 2))),
     );
-    if (!signal.aborted) await this.#pictures.verdict.draw(this.#questions.lyapunov(), signal);
   }
 
   async #compare(signal: AbortSignal): Promise<void> {

@@ -1,7 +1,6 @@
 // The periodic orbit at the chosen value, near the initial state or approached from it.
 
 import type { Engine } from "../../engine/engine.ts";
-import { read } from "../../parts/answers.ts";
 import type { Command } from "../../parts/command.ts";
 import { element } from "../../parts/element.ts";
 import { Finding } from "../../parts/layout.ts";
@@ -23,13 +22,11 @@ interface Orbit {
 
 export class OrbitFinding {
   readonly element: HTMLElement;
-  readonly #engine: Engine;
   readonly #picture: Picture;
   readonly #finding: Finding;
   readonly #numbers: SavedNumbers;
 
   constructor(engine: Engine) {
-    this.#engine = engine;
     this.#picture = new Picture(engine, "orbit");
     this.#numbers = new SavedNumbers(engine, "orbit");
     this.#finding = new Finding(words.orbit, this.#picture.element, this.#numbers.element, this.#numbers.table.element);
@@ -37,7 +34,7 @@ export class OrbitFinding {
   }
 
   async find(command: Command, signal: AbortSignal): Promise<void> {
-    const { answer, value } = await read<Orbit>(this.#engine, command, signal);
+    const { answer, value } = await this.#picture.read<Orbit>(command, signal);
     if (signal.aborted) return;
     this.#numbers.offer(value === undefined ? undefined : command);
     if (value === undefined) {
@@ -45,7 +42,6 @@ export class OrbitFinding {
       return this.#finding.show(element("p", { class: "quiet" }, said(answer)));
     }
     this.#finding.show(element("p", {}, inWords(value)));
-    await this.#picture.draw(command, signal);
   }
 
   clear(): void {

@@ -264,7 +264,7 @@ class PerturbationRoom {
 
   async #compare(signal: AbortSignal): Promise<void> {
     const asked = this.#backboneCommand();
-    const { answer, value } = await read<Backbone>(this.#engine, asked, signal);
+    const { answer, value } = await this.#backbonePicture.read<Backbone>(asked, signal);
     if (signal.aborted) return;
     this.#numbers.backbone.offer(value === undefined ? undefined : asked);
     if (value === undefined || answer.status !== 0) {
@@ -272,7 +272,6 @@ class PerturbationRoom {
       return this.#backbone.fail(this.#onTrial(answer));
     }
     this.#backbone.show(backbone(value, this.#isOfAngle(), this.#form.value("unit")));
-    await this.#backbonePicture.draw(asked, signal);
   }
 
   // The series exists: only the options of the evaluation can be wrong. The error is shown in the part as well, since the field may be far away.

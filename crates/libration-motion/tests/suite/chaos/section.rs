@@ -6,7 +6,7 @@ use libration::chaos::{
 };
 use libration::progress::{Quiet, Status};
 use libration::taylor::{Cause, Direction, Effort, Moment};
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 
@@ -191,6 +191,38 @@ fn a_motion_that_crosses_no_more_says_so() {
         let found = points_of(running, &[0.5, 1.0], &surface("x", Direction::Rising), 0, 5);
         assert_eq!((found.points.len(), found.stopped), (0, Some(SectionEnding::NeverCrossed)), "{running}");
     }
+}
+
+/// Lorenz's equations where all motions come to rest.
+const LORENZ: &str = "x' = 10*(y - x); y' = x*(41/2 - z) - y; z' = x*y - 8/3*z";
+
+#[test]
+fn a_motion_that_came_to_rest_is_not_followed_for_long() {
+    let (effort, points) = (Effort::to_tolerance(1e-12), Points { skipped: 0, recorded: 5 });
+    // The second comes to rest where the force is a rounding error and the last bits change for a while.
+    for (equation, start, formula, crossings) in [
+        (LORENZ, &[1.0, 1.0, 1.0][..], "z - 27", 1),
+        ("x'' + 0.1*x' - x + x^3 = 0", &[2.0, 0.0], "x + 2", 0),
+        ("x'' + 0.2*x' + sin(x) = 0.5", &[2.0, 0.0], "x - 3", 0),
+    ] {
+        let surface = Section::Crossing { formula: formula.parse().unwrap(), direction: Direction::Rising };
+        let steps = Cell::new(0);
+        let progress = |_: Status| {
+            steps.set(steps.get() + 1);
+            ControlFlow::Continue(())
+        };
+        let equation = equation.parse().unwrap();
+        let found = section(&equation, &from(start), &surface, points, &effort, &progress).unwrap();
+        assert_eq!(found.points.len(), crossings, "{equation}");
+        assert!(steps.get() < 40_000, "{equation}: {} steps", steps.get());
+    }
+}
+
+#[test]
+fn a_surface_that_moves_comes_to_a_motion_at_rest() {
+    let surface = surface("cos(t/2000) - 1/2", Direction::Rising);
+    let found = points_of(LORENZ, &[1.0, 1.0, 1.0], &surface, 0, 1);
+    assert!((found.points[0].time - 2000.0 * (TAU - PI / 3.0)).abs() < 1e-5);
 }
 
 #[test]

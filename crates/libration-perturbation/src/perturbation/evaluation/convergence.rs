@@ -175,8 +175,8 @@ fn line_at_zero(points: &[(f64, f64)]) -> Option<(f64, f64)> {
 fn by_roots(coefficients: &[Rational]) -> Inverse {
     let end = coefficients.len() - 1;
     let root = |n: usize| {
-        let magnitude = BigFloat::from_rational(&coefficients[n].magnitude(), 64);
-        if magnitude.is_zero() { 0.0 } else { libm::exp(magnitude.ln().to_f64() / count(n)) }
+        let coefficient = BigFloat::from_rational(&coefficients[n], 64);
+        libm::exp(coefficient.ln_magnitude() / count(n))
     };
     let largest = |from: usize, to: usize| (from..=to).map(root).fold(0.0, f64::max);
     let (earlier, later) = (largest(end / 3, 2 * end / 3), largest(2 * end / 3 + 1, end));

@@ -39,7 +39,7 @@ pub(super) fn beyond_the_last(
     let from = (end / 2).min(end - 2).max(1);
     let later: Vec<(usize, f64)> = terms
         .iter()
-        .map(|(power, term)| (place(*power), logarithm(term)))
+        .map(|(power, term)| (place(*power), term.ln_magnitude()))
         .filter(|(place, _)| *place >= from)
         .collect();
     let ratio = largest_ratio(&later, ((end - from) / 3).max(1));
@@ -61,9 +61,4 @@ fn largest_ratio(terms: &[(usize, f64)], apart: usize) -> f64 {
         .filter(|((i, _), (j, _))| j - i.min(j) >= apart)
         .map(|((i, a), (j, b))| libm::exp((b - a) / count(j - i)) * (1.0 + 1.0 / count(*j)))
         .fold(f64::NAN, f64::max)
-}
-
-/// ln |t|.
-fn logarithm(term: &BigFloat) -> f64 {
-    0.5 * (term.clone() * term.clone()).ln().to_f64()
 }

@@ -67,7 +67,7 @@ pub(crate) struct FirstOrder {
 impl FirstOrder {
     pub(crate) fn new(equation: &Equation, parameter: Option<&str>) -> Result<Self, SlowFlowError> {
         let parameter = small_parameter(equation, parameter)?;
-        if equation.accelerations()[0].contains(&Symbol::plain("t")) {
+        if equation.depends_on_time() {
             return Err(SlowFlowError::DependsOnTime);
         }
         let (symbol, zero) = (Symbol::plain(&parameter), Expression::from(0));

@@ -73,15 +73,24 @@ impl Answer {
 impl Backbone {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let answer = self.computed()?;
-        let mut drawn = vec![];
+        let (mut drawn, mut interruption) = (vec![], answer.interruption());
         if let Some(path) = &self.figure {
+            let amplitudes = figure::backbone::amplitudes_of_curves(&answer.points);
+            let sampled =
+                parallel::map_unless_cancelled(&amplitudes, "points of the curve", |amplitude, progress| {
+                    answer.curve.drawn_at(amplitude, progress)
+                });
+            if interruption.is_none() && sampled.len() < amplitudes.len() {
+                let reason = "interrupted: the curve is drawn as far as it was known";
+                interruption = Some(QueryError::cancelled(reason));
+            }
             let title = match answer.asked.key {
                 Some(_) => answer.asked.title.clone(),
                 None => answer.asked.equation.to_string(),
             };
             let setting =
                 figure::backbone::BackboneSetting { title, order: self.order, is_angle: answer.is_angle() };
-            let picture = figure::backbone::backbone(&answer.curve, &answer.points, &setting);
+            let picture = figure::backbone::backbone(&answer.curve, &answer.points, &sampled, &setting);
             let values = answer
                 .asked
                 .values
@@ -97,7 +106,7 @@ impl Backbone {
         }
         announce(out, self.form.form(), &drawn)?;
         out.flush()?;
-        if let Some(interruption) = answer.interruption() {
+        if let Some(interruption) = interruption {
             return Err(interruption);
         }
         if answer.points.iter().any(|point| point.orbit.is_ok()) {
