@@ -49,9 +49,19 @@ fn sections_diagrams_and_exponents_take_them() {
     let points = section["motions"][0]["points"].as_array().or_else(|| section["points"].as_array());
     assert_eq!(points.unwrap().len(), 3, "{section}");
     let family = "x' = 10*(y - x); y' = x*(r - z) - y; z' = x*y - 8/3*z";
-    let diagram =
-        [&["bifurcation", family, "--over", "r=5:10:5", "--at", "z'", "--points", "2"], &FROM[..]].concat();
-    assert!(run(&diagram).status.success());
+    let diagram = |over| {
+        [&["bifurcation", family, "--over", over, "--at", "z - 27", "--points", "2"], &FROM[..]].concat()
+    };
+    // At 20 the motion crosses the surface once before it comes to rest: not a point of the diagram.
+    let points = json(&diagram("r=20:28:8"))["points"].clone();
+    assert_eq!(points.as_array().unwrap().len(), 2, "{points}");
+    assert!(points.as_array().unwrap().iter().all(|it| it["value"] == 28.0), "{points}");
+    let nothing = run(&diagram("r=20:22:1"));
+    assert_eq!(nothing.status.code(), Some(1));
+    assert!(
+        String::from_utf8_lossy(&nothing.stderr).contains("no longer crosses the surface"),
+        "{nothing:?}"
+    );
     // The value is 0.9056 over long times; over 300 intervals of 0.4 s the exponents of different motions scatter by 0.03.
     let arguments = [&["lyapunov", LORENZ, "--intervals", "300"], &FROM[..]].concat();
     assert!((json(&arguments)["exponent_per_s"].as_f64().unwrap() - 0.9056).abs() < 0.2);

@@ -28,7 +28,7 @@ pub(crate) struct SectionOptions {
     /// Direction in which the formula crosses zero
     #[arg(long, value_name = "SIDE", default_value = "rising", requires = "at")]
     direction: Side,
-    /// Number of points to discard as transient [default: 100; 0 with --at]
+    /// Number of points to discard as transient [default: 100, but 0 for a section with --at]
     #[arg(long, value_name = "N", value_parser = whole)]
     skip: Option<usize>,
     /// Number of points to record
@@ -87,11 +87,17 @@ impl SectionOptions {
         Ok(section)
     }
 
-    /// The numbers of points that are skipped and kept.
-    pub(crate) fn points(&self, kept: usize) -> Points {
+    /// The numbers of points that are skipped and kept in a section: on a surface all, as most motions there keep their energy.
+    pub(crate) fn points_of_section(&self, kept: usize) -> Points {
+        let points = self.points_of_attractor(kept);
+        let skipped = if self.at.is_some() { self.skip.unwrap_or(0) } else { points.skipped };
+        Points { skipped, ..points }
+    }
+
+    /// The same for what remains after a transient.
+    pub(crate) fn points_of_attractor(&self, kept: usize) -> Points {
         const TRANSIENT: usize = 100;
-        let skipped = self.skip.unwrap_or(if self.at.is_none() { TRANSIENT } else { 0 });
-        Points { skipped, recorded: self.points.unwrap_or(kept) }
+        Points { skipped: self.skip.unwrap_or(TRANSIENT), recorded: self.points.unwrap_or(kept) }
     }
 
     pub(crate) fn effort(&self) -> Effort {

@@ -95,7 +95,7 @@ impl Bifurcation {
             model: &model,
             options: &self.section,
             place: self.section.description(&place, model.equation()),
-            points: self.section.points(POINTS),
+            points: self.section.points_of_attractor(POINTS),
             angles: angles(model.equation()),
             parameter: &self.over,
             sweeps: self.sweeps(&model, &place, &start)?,
@@ -115,10 +115,15 @@ impl Bifurcation {
         diagram.write(out, self.form.form(), drawn.is_empty())?;
         announce(out, self.form.form(), &drawn)?;
         out.flush()?;
-        if diagram.is_complete() {
-            return Ok(());
+        if !diagram.is_complete() {
+            return Err(QueryError::cancelled("interrupted: the complete values are written"));
         }
-        Err(QueryError::cancelled("interrupted: the complete values are written"))
+        diagram.without_points().map_or(Ok(()), |reason| {
+            Err(QueryError::no_result(
+                option("over"),
+                format!("no value has a point of the diagram: {reason}"),
+            ))
+        })
     }
 
     /// The place in the state of what the picture shows.
@@ -135,7 +140,7 @@ impl Bifurcation {
             equation: model.equation(),
             parameter: &self.over.name,
             section: place,
-            points: self.section.points(POINTS),
+            points: self.section.points_of_attractor(POINTS),
         };
         let pieces = self.pieces();
         let (effort, done) = (self.section.effort(), AtomicUsize::new(0));

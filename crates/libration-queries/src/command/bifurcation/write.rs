@@ -6,7 +6,7 @@ use crate::output::field::{Field, Fields};
 use crate::output::json;
 use crate::output::table::{Column, Table, sheet};
 use crate::output::{Form, csv, number};
-use libration::chaos::Points;
+use libration::chaos::{Points, SectionEnding};
 use std::io::{self, Write};
 
 /// One point: the sweep, the value of the parameter, time and state.
@@ -43,6 +43,12 @@ impl Diagram<'_> {
     /// Returns `true` if each sweep has all values.
     pub(super) fn is_complete(&self) -> bool {
         self.sweeps.iter().all(|sweep: &Sweep| sweep.columns.len() == self.parameter.values.len())
+    }
+
+    /// The first reason why there is no point; `None` if there are points.
+    pub(super) fn without_points(&self) -> Option<SectionEnding> {
+        let sections = || self.sweeps.iter().flat_map(|sweep| &sweep.columns).map(|column| &column.section);
+        sections().find_map(|section| section.stopped).filter(|_| sections().all(|it| it.points.is_empty()))
     }
 
     fn write_json(&self, out: &mut dyn Write) -> io::Result<()> {

@@ -73,7 +73,7 @@ impl PoincareQuestion {
         let model = self.system.model()?;
         let starts: Vec<Vec<f64>> =
             self.initial.read(&model)?.into_iter().map(|initial| initial.state).collect();
-        let (place, points) = (self.section.known_section(&model)?, self.section.points(POINTS));
+        let (place, points) = (self.section.known_section(&model)?, self.section.points_of_section(POINTS));
         let sections = self.sections(&model, &place, &starts)?;
         let answer = Answer {
             model: &model,
@@ -119,7 +119,7 @@ impl PoincareQuestion {
         place: &Section,
         starts: &[Vec<f64>],
     ) -> Result<Vec<PoincareSection>, QueryError> {
-        let points = self.section.points(POINTS);
+        let points = self.section.points_of_section(POINTS);
         let (effort, taken) = (self.section.effort(), AtomicUsize::new(0));
         let all = points.recorded * starts.len();
         let how_far = || format!("{} of {all} points", taken.load(Ordering::Relaxed));
