@@ -1,5 +1,6 @@
 //! Binary floats of any precision, for cases in which two words do not suffice.
 
+use std::f64::consts::LN_2;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::sync::LazyLock;
 
@@ -10,6 +11,7 @@ use dashu_int::{IBig, UBig};
 
 use super::Rational;
 use libration_kernels::double_double::DoubleDouble;
+use libration_kernels::elementary::count;
 
 type Float = FBig<HalfEven, 2>;
 
@@ -90,8 +92,8 @@ impl BigFloat {
     pub fn ln_magnitude(&self) -> f64 {
         let Some(exponent) = self.exponent() else { return f64::NEG_INFINITY };
         let mantissa = (self.0.clone() >> exponent).to_f64().value();
-        let powers_of_two = exponent as f64;
-        libm::log(mantissa.abs()) + powers_of_two * std::f64::consts::LN_2
+        let size = count(exponent.unsigned_abs()) * LN_2;
+        libm::log(mantissa.abs()) + if exponent < 0 { -size } else { size }
     }
 
     /// √x.

@@ -75,5 +75,5 @@ fn logarithms_of_magnitudes_are_those_of_many_bits() {
             assert!((x.ln_magnitude() - exact).abs() <= 2.0 * f64::EPSILON * exact.abs().max(1.0), "{x:?}");
         }
     }
-    assert_eq!(number("0").ln_magnitude(), f64::NEG_INFINITY);
+    assert!(number("0").ln_magnitude() < f64::MIN);
 }
