@@ -209,20 +209,35 @@ impl Stretch<'_> {
         const SAME: f64 = 1e-3;
         let place = self.turn();
         let (parameter, unknowns) = place.split_last()?;
-        let Corrector { family, space, tolerance, .. } = self.corrector;
+        let Corrector { family, space, .. } = self.corrector;
         let meeting = |space: Space, unknowns: Vec<f64>| Meeting { parameter: *parameter, unknowns, space };
         if space.mirrored {
             // The equilibrium.
             return (family.mirrors_all() && self.size(&place) < REST)
                 .then(|| meeting(Space::of_periods(1), vec![0.0; unknowns.len()]));
         }
+        Some(meeting(self.smaller_space(&place, SAME)?, unknowns.to_vec()))
+    }
+
+    /// Returns `true` if the step leads from a motion of this space to one with half the period or with a symmetry: next to a point where
+    /// branches meet, a long step may end on the other one.
+    pub(super) fn falls_into_smaller_space(&self) -> bool {
+        /// Largest defect relative to the size of the motion, far above that of a corrected motion.
+        const SAME: f64 = 1e-6;
+        let [from, to] = self.ends.map(Node::place);
+        self.smaller_space(to, SAME).is_some_and(|_| self.smaller_space(from, SAME).is_none())
+    }
+
+    /// The space within this one in which a motion closes, up to a defect relative to its size.
+    fn smaller_space(&self, place: &[f64], largest: f64) -> Option<Space> {
+        let (parameter, unknowns) = place.split_last()?;
+        let Corrector { family, space, tolerance, .. } = self.corrector;
         let misses = |smaller: Space| {
             let image = family.image(smaller, unknowns, &[*parameter], *tolerance)?;
             Some(norm(&image.defect.iter().zip(self.units).map(|(d, unit)| d / unit).collect::<Vec<_>>()))
         };
         let mut smaller = space.within(family.symmetry).into_iter();
-        let smaller = smaller.find(|it| misses(*it).is_some_and(|off| off < SAME))?;
-        Some(meeting(smaller, unknowns.to_vec()))
+        smaller.find(|it| misses(*it).is_some_and(|off| off < largest))
     }
 
     /// The singular points on the stretch, in order.

@@ -306,6 +306,38 @@ fn clearance_oscillators_have_the_motions_of_a_sweep_by_brute_force() {
 }
 
 #[test]
+fn a_branch_next_to_its_end_does_not_go_on_as_the_other_one() {
+    // From the doubling at 0.934 the motions of four periods lead to the doubling at 0.968, where the branch once went on with motions of two.
+    let [damping, stiffness, drive] = [0.0812, 2.961, 0.29467];
+    let kinks = vec![0.3684, -0.05657];
+    let oscillator = Oscillator {
+        text: format!(
+            "x'' + {damping}*x' + x + {stiffness}*max(x - 0.3684, 0) - {stiffness}*max(-x - 0.05657, 0) = {drive}*cos(w*t)"
+        ),
+        force: Box::new(move |t, [x, v], w| {
+            let back = stiffness * (-x - 0.05657).max(0.0);
+            drive * libm::cos(w * t) - damping * v - x - stiffness * (x - 0.3684).max(0.0) + back
+        }),
+        range: [0.6, 2.0],
+        beat: 1.0,
+        kinks,
+    };
+    let response = oscillator.response();
+    let fourfold: Vec<&Branch> =
+        response.branches.iter().filter(|branch| branch.space.drive_periods() == 4).collect();
+    assert!(!fourfold.is_empty());
+    for branch in fourfold {
+        check_steps(&oscillator, branch);
+        for point in &branch.points[1..branch.points.len() - 1] {
+            let state = [point.state[0], point.state[1]];
+            let half = oscillator.after(state, point.parameter, 2);
+            let apart = (half[0] - state[0]).abs().max((half[1] - state[1]).abs());
+            assert!(apart > 1e-5, "at w = {:?} the motion closes after two periods", point.parameter);
+        }
+    }
+}
+
+#[test]
 fn smooth_oscillators_have_the_motions_of_a_sweep_by_brute_force() {
     let mut random = Random::seeded(sweep::seed(35_003));
     (0..sweep::number(10, 100)).for_each(|_| check(&smooth(&mut random), &mut random));
