@@ -50,7 +50,7 @@ def section(
     direction : {"rising", "falling", "any"}, optional
         Direction in which the formula crosses zero [default: rising].
     skip : int, optional
-        Number of points to discard as transient [default: 100; 0 with ``at``].
+        Number of points to discard as transient [default: 100, but 0 for a section with ``at``].
     points : int, optional
         Number of points to record.
     tolerance : float or str, optional
