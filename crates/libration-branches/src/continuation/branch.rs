@@ -210,7 +210,7 @@ impl<'a> Walk<'a> {
             if *length > SHORT && (stretch.may_meet_other_branch() || stretch.may_cross_other_branch()) {
                 return None;
             }
-            if *length > RESOLVED && stretch.falls_into_smaller_space() {
+            if stretch.falls_into_smaller_space() {
                 return None;
             }
             let established = self.is_established(&stretch, *length);

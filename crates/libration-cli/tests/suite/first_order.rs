@@ -56,7 +56,10 @@ fn sections_diagrams_and_exponents_take_them() {
     let points = json(&diagram("r=20:28:8"))["points"].clone();
     assert_eq!(points.as_array().unwrap().len(), 2, "{points}");
     assert!(points.as_array().unwrap().iter().all(|it| it["value"] == 28.0), "{points}");
-    let nothing = run(&diagram("r=20:22:1"));
+    // Where there is nothing to draw no file is written.
+    let picture = std::env::temp_dir().join(format!("libration-no-points-{}.svg", std::process::id()));
+    let nothing = run(&[&diagram("r=20:22:1")[..], &["--figure", picture.to_str().unwrap()]].concat());
+    assert!(!picture.exists() && nothing.stdout.is_empty());
     assert_eq!(nothing.status.code(), Some(1));
     assert!(
         String::from_utf8_lossy(&nothing.stderr).contains("no longer crosses the surface"),

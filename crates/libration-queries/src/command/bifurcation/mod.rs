@@ -100,6 +100,16 @@ impl Bifurcation {
             parameter: &self.over,
             sweeps: self.sweeps(&model, &place, &start)?,
         };
+        let reason = diagram.without_points().filter(|_| diagram.is_complete());
+        let mut without_points = reason.map(|reason| {
+            QueryError::no_result(option("over"), format!("no value has a point of the diagram: {reason}"))
+        });
+        // Nothing is drawn, and the standard output may be the picture.
+        if self.figure.is_some()
+            && let Some(error) = without_points.take()
+        {
+            return Err(error);
+        }
         let drawn = match &self.figure {
             Some(path) => {
                 let picture = figure::section::bifurcation(
@@ -118,12 +128,7 @@ impl Bifurcation {
         if !diagram.is_complete() {
             return Err(QueryError::cancelled("interrupted: the complete values are written"));
         }
-        diagram.without_points().map_or(Ok(()), |reason| {
-            Err(QueryError::no_result(
-                option("over"),
-                format!("no value has a point of the diagram: {reason}"),
-            ))
-        })
+        without_points.map_or(Ok(()), Err)
     }
 
     /// The place in the state of what the picture shows.
