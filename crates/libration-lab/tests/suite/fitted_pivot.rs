@@ -7,7 +7,9 @@ use std::fmt::Write;
 use libration_lab::fit::Beta;
 use libration_lab::fit::cycles::{self, Coefficient, Cycles, beta_of_traces};
 use libration_lab::fit::swings::{SwingsFit, SwingsOptions, Warning, swings};
-use libration_lab::fit::trace::{DampingKind, DampingModel, TraceFit, TraceOptions, fit_traces};
+use libration_lab::fit::trace::{
+    DampingKind, DampingModel, ParameterKind, TraceFit, TraceOptions, fit_traces,
+};
 use libration_lab::measurement::{
     Choices, FittedPivot, Observable, ReadOptions, Recording, Trace, TraceError,
 };
@@ -55,7 +57,7 @@ fn pulls(amplitude: f64, seeds: u64) -> [f64; 4] {
         let trace = positions(amplitude, 5e-4, seed);
         let (fit, cycles) = (fitted(&trace), cycles_of(&trace));
         let t0 = fit.small_angle_period();
-        let offset = fit.parameter("offset").unwrap();
+        let offset = fit.parameter(ParameterKind::Offset).unwrap();
         let truth = Synthetic::USUAL.t0();
         let errors = [
             (t0.value - truth) / t0.uncertainty,
@@ -89,7 +91,7 @@ fn a_fitted_pivot_makes_the_offset_uncertain() {
     let columns = [about_fitted.times(), about_fitted.values()].map(<[f64]>::to_vec);
     let [times, values] = columns;
     let about_known = Trace::new("known", Observable::Angle, times, values, None).unwrap();
-    let of = |trace: &Trace| fitted(trace).parameter("offset").unwrap().estimate.uncertainty;
+    let of = |trace: &Trace| fitted(trace).parameter(ParameterKind::Offset).unwrap().estimate.uncertainty;
     // A metre below it an error of the pivot is the angle's.
     let by_pivot = pivot.covariance[0][0].sqrt();
     let expected = libm::hypot(of(&about_known), by_pivot);
@@ -105,8 +107,9 @@ fn parts_about_one_pivot_share_its_error() {
     let linear = DampingModel::only(DampingKind::Linear);
     let go_on = &Quiet;
     let together = fit_traces(&parts, linear, &TraceOptions::default(), go_on).unwrap();
-    let offsets: Vec<usize> =
-        (0..together.parameters.len()).filter(|&place| together.parameters[place].name == "offset").collect();
+    let offsets: Vec<usize> = (0..together.parameters.len())
+        .filter(|&place| together.parameters[place].kind == ParameterKind::Offset)
+        .collect();
     let by_pivot = whole.fitted_pivot().unwrap().covariance[0][0].sqrt();
     for &place in &offsets {
         assert!(together.parameters[place].estimate.uncertainty > by_pivot);

@@ -7,7 +7,8 @@ use std::ops::ControlFlow;
 
 use libration::taylor::{Effort, Moment, System, integrate};
 use libration_lab::fit::trace::{
-    DampingKind, DampingModel, Parameter, TraceFit, TraceFitError, TraceOptions, compare, fit_traces,
+    DampingKind, DampingModel, Parameter, ParameterKind, TraceFit, TraceFitError, TraceOptions, compare,
+    fit_traces,
 };
 use libration_lab::measurement::{Observable, Trace};
 
@@ -116,14 +117,14 @@ impl Truth {
 
     /// The true value of a parameter; the first row may have been lost, so that the first state is that of another time.
     fn value(&self, parameter: &Parameter) -> Option<f64> {
-        match parameter.name {
-            "omega0" => Some(self.omega0),
-            "dry" => Some(self.damping[0]),
-            "linear" => Some(self.damping[1]),
-            "quadratic" => Some(self.damping[2]),
-            "offset" => Some(self.offset),
-            "scale" => Some(1.0),
-            _ => None,
+        match parameter.kind {
+            ParameterKind::NaturalFrequency => Some(self.omega0),
+            ParameterKind::Damping(DampingKind::Dry) => Some(self.damping[0]),
+            ParameterKind::Damping(DampingKind::Linear) => Some(self.damping[1]),
+            ParameterKind::Damping(DampingKind::Quadratic) => Some(self.damping[2]),
+            ParameterKind::Offset => Some(self.offset),
+            ParameterKind::Scale => Some(1.0),
+            ParameterKind::FirstAngle | ParameterKind::FirstVelocity => None,
         }
     }
 }
@@ -133,20 +134,20 @@ fn fit(traces: &[Trace], terms: DampingModel, options: TraceOptions) -> TraceFit
 }
 
 /// The difference of a parameter from the truth in its standard uncertainties.
-fn deviation(fit: &TraceFit, name: &str, truth: f64) -> f64 {
-    let parameter = fit.parameter(name).unwrap();
+fn deviation(fit: &TraceFit, kind: ParameterKind, truth: f64) -> f64 {
+    let parameter = fit.parameter(kind).unwrap();
     (parameter.estimate.value - truth) / parameter.estimate.uncertainty
 }
 
-/// Counts of the intervals that held the truth: for each parameter by name, the number of intervals, and of those that held it at 68 % and at 95 %.
+/// Counts of the intervals that held the truth: for each kind of parameter, the number of intervals, and of those that held it at 68 % and at 95 %.
 #[derive(Debug, Default)]
-struct Coverage(Vec<(&'static str, [u32; 3])>);
+struct Coverage(Vec<(ParameterKind, [u32; 3])>);
 
 impl Coverage {
     fn count(&mut self, parameter: &Parameter, truth: f64) {
         let held = parameter.intervals.map(|[low, high]| u32::from((low..=high).contains(&truth)));
-        let place = self.0.iter().position(|(name, _)| *name == parameter.name).unwrap_or_else(|| {
-            self.0.push((parameter.name, [0; 3]));
+        let place = self.0.iter().position(|(kind, _)| *kind == parameter.kind).unwrap_or_else(|| {
+            self.0.push((parameter.kind, [0; 3]));
             self.0.len() - 1
         });
         for (sum, one) in self.0[place].1.iter_mut().zip([1, held[0], held[1]]) {
@@ -199,7 +200,8 @@ fn a_pendulum_that_goes_over_the_top_is_fitted() {
     let fit = fit(&[truth.trace(&mut Random::seeded(2))], truth.terms(), TraceOptions::default());
     assert!(fit.rms < 0.0055, "{}", fit.rms);
     assert!(
-        deviation(&fit, "omega0", truth.omega0).abs() < 3.0 && deviation(&fit, "linear", 0.05).abs() < 3.0
+        deviation(&fit, ParameterKind::NaturalFrequency, truth.omega0).abs() < 3.0
+            && deviation(&fit, ParameterKind::Damping(DampingKind::Linear), 0.05).abs() < 3.0
     );
 }
 
@@ -208,8 +210,11 @@ fn a_release_next_to_the_top_is_fitted() {
     let truth = Truth { state: [3.14, 0.0], damping: [0.0, 0.02, 0.0], noise: 0.002, ..Truth::plain() };
     let fit = fit(&[truth.trace(&mut Random::seeded(3))], truth.terms(), TraceOptions::default());
     assert!(fit.rms < 0.0022, "{}", fit.rms);
-    let theta0 = fit.parameter("theta0").unwrap();
-    assert!(deviation(&fit, "theta0", 3.14).abs() < 3.0 && theta0.estimate.uncertainty < 2e-3, "{theta0:?}");
+    let theta0 = fit.parameter(ParameterKind::FirstAngle).unwrap();
+    assert!(
+        deviation(&fit, ParameterKind::FirstAngle, 3.14).abs() < 3.0 && theta0.estimate.uncertainty < 2e-3,
+        "{theta0:?}"
+    );
 }
 
 #[test]
@@ -225,12 +230,12 @@ fn angular_velocities_do_as_well() {
     let fit = fit(&[truth.trace(&mut Random::seeded(4))], truth.terms(), TraceOptions::default());
     for parameter in &fit.parameters {
         if let Some(value) = truth.value(parameter) {
-            assert!(deviation(&fit, parameter.name, value).abs() < 3.0, "{parameter:?}");
+            assert!(deviation(&fit, parameter.kind, value).abs() < 3.0, "{parameter:?}");
         }
     }
     assert!(
         fit.parameters[0].estimate.uncertainty < 1e-3
-            && fit.parameters.iter().any(|p| p.unit == "rad/s" && p.name == "offset")
+            && fit.parameters.iter().any(|p| p.unit == "rad/s" && p.kind == ParameterKind::Offset)
     );
 }
 
@@ -252,7 +257,7 @@ fn angular_velocities_of_large_damped_swings_are_fitted() {
         let traces = [case.trace(&mut random)];
         let found = fit(&traces, "linear+quadratic".parse().unwrap(), TraceOptions::default());
         assert!((0.9..1.1).contains(&(found.rms / 0.02)), "{degrees}°: {}", found.rms);
-        assert!(deviation(&found, "omega0", 3.0).abs() < 4.0, "{degrees}°");
+        assert!(deviation(&found, ParameterKind::NaturalFrequency, 3.0).abs() < 4.0, "{degrees}°");
     }
 }
 
@@ -270,7 +275,7 @@ fn several_traces_share_the_pendulum() {
     let traces: Vec<Trace> = truths.iter().map(|truth| truth.trace(&mut random)).collect();
     let linear = truths[0].terms();
     let joint = fit(&traces, linear, TraceOptions::default());
-    assert!(deviation(&joint, "omega0", 3.0).abs() < 3.0);
+    assert!(deviation(&joint, ParameterKind::NaturalFrequency, 3.0).abs() < 3.0);
     for (number, truth) in truths.iter().enumerate() {
         let alone = fit(&traces[number..=number], linear, TraceOptions::default());
         assert!(joint.parameters[0].estimate.uncertainty < alone.parameters[0].estimate.uncertainty);
@@ -314,7 +319,7 @@ fn a_wrong_scale_of_the_angles_is_found() {
     let values = trace.values().iter().map(|value| 1.02 * value).collect();
     let scaled = Trace::new("scaled", Observable::Angle, trace.times().to_vec(), values, None).unwrap();
     let fit = fit(&[scaled], truth.terms(), TraceOptions { free_scale: true, ..TraceOptions::default() });
-    let scale = fit.parameter("scale").unwrap();
+    let scale = fit.parameter(ParameterKind::Scale).unwrap();
     assert!(
         (scale.estimate.value - 1.02).abs() < 3.0 * scale.estimate.uncertainty
             && scale.estimate.uncertainty < 2e-3,

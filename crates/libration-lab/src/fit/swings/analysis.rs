@@ -11,7 +11,7 @@ use super::{doubts, improvements};
 use crate::fit::Uncertain;
 use crate::fit::budget::BudgetError;
 use crate::fit::cycles::{CyclesError, CyclesOptions, beta_of_traces, cycles};
-use crate::fit::trace::{TraceFitError, compare, fit_traces};
+use crate::fit::trace::{ParameterKind, TraceFitError, compare, fit_traces};
 use crate::measurement::Trace;
 
 /// Reasons why swings have no result.
@@ -54,7 +54,7 @@ pub fn swings(
     }
     let t0 = small_angle_period(&fit, comparison.as_ref());
     if t0.uncertainty.is_nan() || t0.uncertainty >= t0.value {
-        return Err(TraceFitError::Undetermined { parameter: "omega0" }.into());
+        return Err(TraceFitError::Undetermined { parameter: ParameterKind::NaturalFrequency }.into());
     }
     let pendulum = FittedPendulum::Length(Uncertain::default());
     let (contradiction, warnings, advice) = (None, vec![], vec![]);

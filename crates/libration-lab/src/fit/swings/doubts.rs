@@ -61,7 +61,7 @@ fn pivot(traces: &[Trace]) -> Option<Warning> {
 
 fn negative_damping(fit: &TraceFit) -> Option<Warning> {
     let coefficient =
-        |term: DampingKind| Some(Coefficient { term, estimate: fit.parameter(term.name())?.estimate });
+        |term: DampingKind| Some(Coefficient { term, estimate: fit.damping_coefficient(term)?.estimate });
     let coefficients: Vec<Coefficient> = fit.negative_terms().into_iter().filter_map(coefficient).collect();
     (!coefficients.is_empty()).then_some(Warning::NegativeDamping { coefficients })
 }

@@ -3,7 +3,7 @@
 use super::{Advice, FittedPendulum, Warning};
 use crate::fit::contradiction::{Contradiction, Estimate};
 use crate::fit::cycles::{Cycle, Cycles, CyclesError};
-use crate::fit::trace::{Comparison, TraceFit};
+use crate::fit::trace::{Comparison, ParameterKind, TraceFit};
 use crate::fit::{Beta, DampingModel, Quality, SIGNIFICANT, Uncertain, limit_of_chance};
 use crate::measurement::Trace;
 use crate::statistics::count;
@@ -131,7 +131,7 @@ impl SwingsFit {
     /// Returns whether the scale of the angles was fitted.
     #[must_use]
     pub fn scale_is_fitted(&self) -> bool {
-        self.fit.parameter("scale").is_some()
+        self.fit.parameter(ParameterKind::Scale).is_some()
     }
 
     /// Relative fall of the amplitude in a cycle, where T/T0 differs most from 1: the mean with the weights R − 1.

@@ -1,6 +1,7 @@
 //! Conditions of the advice on swings.
 
 use super::{Advice, EndOfTrace, FittedPendulum, SwingsFit};
+use crate::fit::trace::ParameterKind;
 use crate::measurement::{Faults, Observable, Trace};
 
 /// The advice, the most helpful first.
@@ -99,7 +100,7 @@ fn times(found: &SwingsFit, faults: &Faults) -> Option<Advice> {
 fn zero(found: &SwingsFit, observable: Observable) -> Option<Advice> {
     /// Angle in radians: half a degree, to which a protractor is read.
     const WORTH_A_WORD: f64 = 0.01;
-    let offsets = found.fit.parameters.iter().filter(|parameter| parameter.name == "offset");
+    let offsets = found.fit.parameters.iter().filter(|parameter| parameter.kind == ParameterKind::Offset);
     let offset =
         offsets.map(|offset| offset.estimate.value).max_by(|a: &f64, b: &f64| a.abs().total_cmp(&b.abs()))?;
     let is_told = observable == Observable::Angle && !found.is_poor();

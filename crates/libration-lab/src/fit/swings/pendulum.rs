@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use super::options::SwingsOptions;
 use crate::fit::budget::{Budget, BudgetError, MeasuredPeriod, PeriodDamping, budget};
 use crate::fit::cycles::{Cycles, CyclesError};
-use crate::fit::trace::TraceFit;
+use crate::fit::trace::{DampingKind, ParameterKind, TraceFit};
 use crate::fit::typical_amplitude::typical_amplitude;
 use crate::fit::uncertain::Uncertain;
 use libration::quantity::{Quantity, STANDARD_GRAVITY};
@@ -43,7 +43,7 @@ pub(super) fn pendulum_of(
         model,
         amplitude: typical_amplitude(ratios),
         // The uncertainty of a fitted scale is part of T0's already.
-        angle_scale: fit.parameter("scale").map_or(options.angle_scale, |_| Some(0.0)),
+        angle_scale: fit.parameter(ParameterKind::Scale).map_or(options.angle_scale, |_| Some(0.0)),
         clock: options.clock,
         shared_timing: None,
         degrees_of_freedom: fit.parameters[0].degrees_of_freedom,
@@ -63,6 +63,8 @@ fn length(t0: Uncertain) -> Uncertain {
 fn damping(fit: &TraceFit) -> PeriodDamping {
     match fit.damping.count() {
         0 => PeriodDamping::Unknown,
-        _ => PeriodDamping::Fitted(fit.parameter("linear").map_or(0.0, |linear| linear.estimate.value)),
+        _ => PeriodDamping::Fitted(
+            fit.damping_coefficient(DampingKind::Linear).map_or(0.0, |linear| linear.estimate.value),
+        ),
     }
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::swing::{Course, EXACT, Swing, turning_point};
-use super::{DampingKind, TraceFit};
+use super::{DampingKind, Parameter, ParameterKind, TraceFit};
 use crate::fit::Uncertain;
 use crate::measurement::Observable;
 use libration::decay::{Damping, Decay, DecayError, TurningPoint};
@@ -147,12 +147,12 @@ impl TraceFit {
     }
 
     fn motion_parameters(&self, trace: usize) -> MotionParameters {
-        let is_of_motion = |name: &str, own: Option<usize>| match own {
-            None => name != "scale",
-            Some(own) => own == trace && name != "offset",
+        let is_of_motion = |parameter: &Parameter| {
+            let is_of_reading = matches!(parameter.kind, ParameterKind::Scale | ParameterKind::Offset);
+            !is_of_reading && parameter.trace.is_none_or(|own| own == trace)
         };
-        let named = self.parameters.iter().enumerate();
-        let of_motion = named.filter(|(_, parameter)| is_of_motion(parameter.name, parameter.trace));
+        let numbered = self.parameters.iter().enumerate();
+        let of_motion = numbered.filter(|(_, parameter)| is_of_motion(parameter));
         let (places, values) = of_motion.map(|(place, parameter)| (place, parameter.estimate.value)).unzip();
         MotionParameters { terms: self.damping.iter().collect(), places, values }
     }

@@ -1,5 +1,7 @@
 //! Errors of a fit of traces.
 
+use super::ParameterKind;
+
 /// Reasons why traces cannot be fitted; traces and rows are counted from one.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -55,10 +57,10 @@ pub enum TraceFitError {
         percent: f64,
     },
     /// The data do not determine a parameter.
-    #[error("the data do not determine {parameter}: choose a model without it, or measure more of the swing")]
+    #[error("the data do not determine {}: choose a model without it, or measure more of the swing", .parameter.name())]
     Undetermined {
-        /// Its name.
-        parameter: &'static str,
+        /// Its kind.
+        parameter: ParameterKind,
     },
     /// Cancelled by the caller.
     #[error("the fit was interrupted")]

@@ -6,11 +6,44 @@ use std::f64::consts::PI;
 use super::{Autocorrelation, DampingKind, DampingModel};
 use crate::fit::{Quality, Uncertain, quality};
 
+/// A kind of parameter of a fit.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum ParameterKind {
+    /// ω0, the angular frequency of small swings without damping.
+    #[default]
+    NaturalFrequency,
+    /// A coefficient of damping.
+    Damping(DampingKind),
+    /// Measured radians per radian.
+    Scale,
+    /// The reading at the equilibrium.
+    Offset,
+    /// The angle at the first row.
+    FirstAngle,
+    /// The angular velocity at the first row.
+    FirstVelocity,
+}
+
+impl ParameterKind {
+    /// `omega0`, `dry`, `linear`, `quadratic`, `scale`, `offset`, `theta0`, `velocity0`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::NaturalFrequency => "omega0",
+            Self::Damping(term) => term.name(),
+            Self::Scale => "scale",
+            Self::Offset => "offset",
+            Self::FirstAngle => "theta0",
+            Self::FirstVelocity => "velocity0",
+        }
+    }
+}
+
 /// A fitted number with its uncertainty.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Parameter {
-    /// Name: `omega0`, `dry`, `linear`, `quadratic`, `scale`, or of one trace `offset`, `theta0`, `velocity0`.
-    pub name: &'static str,
+    /// Kind; each trace has an offset, a first angle and a first velocity of its own.
+    pub kind: ParameterKind,
     /// Unit: `rad/s`, `rad/s^2`, `1/s`, `rad`; `1` where there is none.
     pub unit: &'static str,
     /// Index of the trace that alone has it, counted from zero; `None` if all share it.
@@ -82,10 +115,16 @@ pub struct TraceFit {
 }
 
 impl TraceFit {
-    /// The first parameter of that name.
+    /// The first parameter of a kind.
     #[must_use]
-    pub fn parameter(&self, name: &str) -> Option<&Parameter> {
-        self.parameters.iter().find(|parameter| parameter.name == name)
+    pub fn parameter(&self, kind: ParameterKind) -> Option<&Parameter> {
+        self.parameters.iter().find(|parameter| parameter.kind == kind)
+    }
+
+    /// The coefficient of a kind of damping; `None` if the model lacks it.
+    #[must_use]
+    pub fn damping_coefficient(&self, term: DampingKind) -> Option<&Parameter> {
+        self.parameter(ParameterKind::Damping(term))
     }
 
     /// 2π/ω0, the period of the smallest swings, in s.
@@ -153,17 +192,16 @@ impl TraceFit {
     #[must_use]
     pub fn negative_terms(&self) -> Vec<DampingKind> {
         let negative = |term: &DampingKind| {
-            self.parameter(term.name()).is_some_and(|it| it.estimate.value < -2.0 * it.estimate.uncertainty)
+            self.damping_coefficient(*term)
+                .is_some_and(|it| it.estimate.value < -2.0 * it.estimate.uncertainty)
         };
         self.damping.iter().filter(negative).collect()
     }
 
     /// d + b·v + c·v² at a speed, in rad/s², with its standard uncertainty.
     fn damping_at(&self, speed: f64) -> (f64, f64) {
-        let power = |parameter: &Parameter| match parameter.name {
-            "dry" => 1.0,
-            "linear" => speed,
-            "quadratic" => speed * speed,
+        let power = |parameter: &Parameter| match parameter.kind {
+            ParameterKind::Damping(term) => libm::pow(speed, term.exponent()),
             _ => 0.0,
         };
         let powers: Vec<f64> = self.parameters.iter().map(power).collect();
@@ -178,10 +216,10 @@ impl TraceFit {
 
     /// The speed at the bottom by the energy at the beginning of a trace.
     fn greatest_speed(&self, trace: usize) -> f64 {
-        let own = |name| self.parameters.iter().find(|it| it.trace == Some(trace) && it.name == name);
-        let value = |name| own(name).map_or(0.0, |parameter| parameter.estimate.value);
-        let height = 2.0 * libm::sin(0.5 * value("theta0"));
-        libm::hypot(value("velocity0"), self.parameters[0].estimate.value * height)
+        let own = |kind| self.parameters.iter().find(|it| it.trace == Some(trace) && it.kind == kind);
+        let value = |kind| own(kind).map_or(0.0, |parameter| parameter.estimate.value);
+        let height = 2.0 * libm::sin(0.5 * value(ParameterKind::FirstAngle));
+        libm::hypot(value(ParameterKind::FirstVelocity), self.parameters[0].estimate.value * height)
     }
 
     /// Number of rows.

@@ -1,6 +1,6 @@
 //! Order of the parameters of a fit.
 
-use super::{DampingModel, Parameter};
+use super::{DampingModel, Parameter, ParameterKind};
 use crate::measurement::{Observable, Trace};
 
 /// The order of the parameters: ω0, the coefficients of the damping and the scale, which all traces share, then offset,
@@ -60,21 +60,21 @@ impl Layout {
         [parameters[Self::OMEGA0]].into_iter().chain(coefficients).chain(others).collect()
     }
 
-    /// Name, unit and trace of a parameter.
+    /// Kind, unit and trace of a parameter.
     pub(super) fn described(&self, place: usize, traces: &[Trace]) -> Parameter {
         let of_trace = place.checked_sub(self.offset(0)).map(|own| (own / Self::OWN, own % Self::OWN));
         let term = place.checked_sub(1).and_then(|number| self.terms.iter().nth(number));
-        let (name, unit) = match (of_trace, term) {
-            (None, _) if place == Self::OMEGA0 => ("omega0", "rad/s"),
-            (None, Some(term)) => (term.name(), term.unit()),
-            (None, None) => ("scale", "1"),
+        let (kind, unit) = match (of_trace, term) {
+            (None, _) if place == Self::OMEGA0 => (ParameterKind::NaturalFrequency, "rad/s"),
+            (None, Some(term)) => (ParameterKind::Damping(term), term.unit()),
+            (None, None) => (ParameterKind::Scale, "1"),
             (Some((trace, 0)), _) if traces[trace].observable() == Observable::AngularVelocity => {
-                ("offset", "rad/s")
+                (ParameterKind::Offset, "rad/s")
             }
-            (Some((_, 0)), _) => ("offset", "rad"),
-            (Some((_, 1)), _) => ("theta0", "rad"),
-            (Some(_), _) => ("velocity0", "rad/s"),
+            (Some((_, 0)), _) => (ParameterKind::Offset, "rad"),
+            (Some((_, 1)), _) => (ParameterKind::FirstAngle, "rad"),
+            (Some(_), _) => (ParameterKind::FirstVelocity, "rad/s"),
         };
-        Parameter { name, unit, trace: of_trace.map(|(trace, _)| trace), ..Parameter::default() }
+        Parameter { kind, unit, trace: of_trace.map(|(trace, _)| trace), ..Parameter::default() }
     }
 }

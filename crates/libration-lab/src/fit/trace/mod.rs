@@ -61,7 +61,7 @@ pub use autocorrelation::Autocorrelation;
 pub use comparison::{Comparison, ModelAverage, Standing, compare};
 pub use continuation::{ContinuationError, FittedDecay, FittedTurningPoint};
 pub use error::TraceFitError;
-pub use fitted::{FittedTrace, Parameter, TraceFit};
+pub use fitted::{FittedTrace, Parameter, ParameterKind, TraceFit};
 pub use options::TraceOptions;
 
 use crate::measurement::Trace;

@@ -41,7 +41,7 @@ impl Response {
     }
 
     fn with(linearised: Linearised, parameters: &[Parameter]) -> Result<Self, TraceFitError> {
-        let undetermined = |column: usize| TraceFitError::Undetermined { parameter: parameters[column].name };
+        let undetermined = |column: usize| TraceFitError::Undetermined { parameter: parameters[column].kind };
         let design = Design::new(&linearised.jacobian, EXACTNESS).map_err(|reason| match reason {
             Undetermined::Dependent { column } => undetermined(column),
             Undetermined::TooFewRows | Undetermined::NotFinite => undetermined(0),

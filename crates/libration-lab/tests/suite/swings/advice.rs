@@ -168,10 +168,11 @@ fn a_rival_that_adds_nothing_is_none_and_a_long_decay_is_long_enough() {
         for rival in fit.rivals() {
             let of = |fits: &[TraceFit]| fits.iter().find(|it| it.damping == rival).cloned().unwrap();
             let rival = of(&fit.comparison.as_ref().unwrap().fits);
-            let contains = preferred.iter().all(|term| rival.parameter(term.name()).is_some());
-            let mut added = rival.damping.iter().filter(|term| fit.fit.parameter(term.name()).is_none());
-            let is_zero =
-                |term: DampingKind| rival.parameter(term.name()).unwrap().estimate.deviation_from(0.0) <= 2.0;
+            let contains = preferred.iter().all(|term| rival.damping_coefficient(term).is_some());
+            let mut added = rival.damping.iter().filter(|term| fit.fit.damping_coefficient(*term).is_none());
+            let is_zero = |term: DampingKind| {
+                rival.damping_coefficient(term).unwrap().estimate.deviation_from(0.0) <= 2.0
+            };
             assert!(!contains || !added.all(is_zero), "{seed}: {:?}", rival.damping);
         }
     }

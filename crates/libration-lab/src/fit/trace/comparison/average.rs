@@ -2,7 +2,7 @@
 
 use super::{Comparison, Standing};
 use crate::fit::Uncertain;
-use crate::fit::trace::TraceFit;
+use crate::fit::trace::{ParameterKind, TraceFit};
 
 /// A number averaged over the models that are not ruled out.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,8 +38,8 @@ impl Comparison {
 
     /// A shared parameter, averaged over the models that have it; `None` if no model has it.
     #[must_use]
-    pub fn parameter(&self, name: &str) -> Option<ModelAverage> {
-        let estimate = |fit: &TraceFit| fit.parameter(name).map(|parameter| parameter.estimate);
+    pub fn parameter(&self, kind: ParameterKind) -> Option<ModelAverage> {
+        let estimate = |fit: &TraceFit| fit.parameter(kind).map(|parameter| parameter.estimate);
         self.fits.iter().any(|fit| estimate(fit).is_some()).then(|| self.averaged(estimate))
     }
 

@@ -68,18 +68,18 @@ impl Comparison {
         let preferred = self.best();
         let moves = |rival: &TraceFit| {
             preferred.damping.iter().any(|term| {
-                let [own, other] = [preferred, rival].map(|fit| fit.parameter(term.name()));
+                let [own, other] = [preferred, rival].map(|fit| fit.damping_coefficient(term));
                 own.zip(other).is_none_or(|(own, other)| {
                     (other.estimate.value - own.estimate.value).abs() > Self::MOVED * own.estimate.uncertainty
                 })
             })
         };
         let adds_nothing = |rival: &TraceFit| {
-            let contains = preferred.damping.iter().all(|term| rival.parameter(term.name()).is_some());
-            let own = |term: &DampingKind| preferred.parameter(term.name()).is_some();
+            let contains = preferred.damping.iter().all(|term| rival.damping_coefficient(term).is_some());
+            let own = |term: &DampingKind| preferred.damping_coefficient(*term).is_some();
             let mut added = rival.damping.iter().filter(|term| !own(term));
             let is_zero = |term: DampingKind| {
-                let added = rival.parameter(term.name()).map(|it| it.estimate);
+                let added = rival.damping_coefficient(term).map(|it| it.estimate);
                 added.is_none_or(|it| it.deviation_from(0.0) <= Self::ZERO)
             };
             contains && added.all(is_zero)

@@ -1,23 +1,28 @@
 //! Models as they stand next to each other.
 
 use libration::decay::DampingKind;
-use libration_lab::fit::trace::{Autocorrelation, Comparison, FittedTrace, Parameter, Standing, TraceFit};
+use libration_lab::fit::trace::{
+    Autocorrelation, Comparison, FittedTrace, Parameter, ParameterKind, Standing, TraceFit,
+};
 use libration_lab::fit::{DampingModel, Uncertain};
 use libration_lab::internals::fit::trace::comparison::simplest;
 
-fn coefficient(name: &'static str, value: f64) -> Parameter {
+fn coefficient(kind: ParameterKind, value: f64) -> Parameter {
     let estimate = Uncertain { value, uncertainty: 0.001 };
-    Parameter { name, estimate, ..Parameter::default() }
+    Parameter { kind, estimate, ..Parameter::default() }
 }
 
 /// A model of a pendulum with ω0 and these coefficients that leaves residuals of this size in 100 rows.
 fn fit(terms: &str, omega0: f64, coefficients: &[f64], residual: f64) -> TraceFit {
     let damping: DampingModel = terms.parse().unwrap();
-    let names = damping.iter().map(DampingKind::name);
-    let of_damping = names.zip(coefficients).map(|(name, &value)| coefficient(name, value));
-    let speed = Parameter { trace: Some(0), ..coefficient("velocity0", 2.0) };
-    let parameters: Vec<Parameter> =
-        [coefficient("omega0", omega0)].into_iter().chain(of_damping).chain([speed]).collect();
+    let kinds = damping.iter().map(ParameterKind::Damping);
+    let of_damping = kinds.zip(coefficients).map(|(kind, &value)| coefficient(kind, value));
+    let speed = Parameter { trace: Some(0), ..coefficient(ParameterKind::FirstVelocity, 2.0) };
+    let parameters: Vec<Parameter> = [coefficient(ParameterKind::NaturalFrequency, omega0)]
+        .into_iter()
+        .chain(of_damping)
+        .chain([speed])
+        .collect();
     let n = parameters.len();
     let unit = |i: usize| (0..n).map(|j| if i == j { 1.0 } else { 0.0 }).collect();
     TraceFit {
@@ -123,13 +128,15 @@ fn numbers_are_averaged_over_the_models_that_are_left() {
     let comparison = two(4.0 + 1e-9, 0.1, 0.03);
     let part = libm::exp(-2.0) / (1.0 + libm::exp(-2.0));
     assert!((comparison.weights()[0] - part).abs() < 1e-9);
-    let omega0 = comparison.parameter("omega0").unwrap();
+    let omega0 = comparison.parameter(ParameterKind::NaturalFrequency).unwrap();
     assert!((omega0.mean.value - (3.01 - 0.01 * part)).abs() < 1e-9);
     let spread = 0.01 * (part * (1.0 - part)).sqrt();
     assert!((omega0.spread - spread).abs() < 1e-9);
     assert!((omega0.mean.uncertainty - libm::hypot(spread, 0.001)).abs() < 1e-9);
-    assert_eq!(comparison.parameter("quadratic").unwrap().mean.value.to_bits(), 0.03_f64.to_bits());
-    assert_eq!(comparison.parameter("dry"), None);
+    let [dry, quadratic] = [DampingKind::Dry, DampingKind::Quadratic]
+        .map(|term| comparison.parameter(ParameterKind::Damping(term)));
+    assert_eq!(quadratic.unwrap().mean.value.to_bits(), 0.03_f64.to_bits());
+    assert_eq!(dry, None);
     assert!(
         (comparison.small_angle_period().mean.value - 2.0 * std::f64::consts::PI / omega0.mean.value).abs()
             < 1e-5

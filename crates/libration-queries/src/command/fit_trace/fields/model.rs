@@ -7,7 +7,7 @@ use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
 use crate::output::number::with_uncertainty;
 use libration_lab::fit::DampingKind;
-use libration_lab::fit::trace::{Comparison, ModelAverage, Standing, TraceFit};
+use libration_lab::fit::trace::{Comparison, ModelAverage, ParameterKind, Standing, TraceFit};
 use serde_json::Value;
 
 /// A model of a comparison.
@@ -57,7 +57,7 @@ impl DampingModel<'_> {
     }
 
     fn coefficient(&self, term: DampingKind) -> String {
-        let parameter = self.fit().parameter(term.name());
+        let parameter = self.fit().damping_coefficient(term);
         parameter
             .map_or("–".to_owned(), |it| with_uncertainty(it.estimate.value, it.estimate.uncertainty, ""))
     }
@@ -107,7 +107,7 @@ pub(in super::super) fn of_model<'a>() -> Fields<DampingModel<'a>> {
             json::list(it.fit().negative_terms().into_iter().map(DampingKind::name))
         }),
         Of::nested("coefficients[].", &of_parameter(), |it| {
-            let terms = it.fit().damping.iter().filter_map(|term| it.fit().parameter(term.name()));
+            let terms = it.fit().damping.iter().filter_map(|term| it.fit().damping_coefficient(term));
             let rows: Vec<Row<'_>> = terms.map(|parameter| Row { parameter, trace: None }).collect();
             of_parameter().records(&rows)
         }),
@@ -134,8 +134,9 @@ pub(in super::super) fn coefficients<'a>() -> Fields<DampingModel<'a>> {
 /// The averages over the models by their weights.
 pub(super) fn averaged(comparison: &Comparison) -> Value {
     let record = of_period().added_to(Record::new(), &comparison.small_angle_period());
-    let names = ["omega0"].into_iter().chain(DampingKind::ALL.map(DampingKind::name));
-    let known = names.filter_map(|name| Some((name, comparison.parameter(name)?)));
+    let shared = DampingKind::ALL.map(ParameterKind::Damping);
+    let shared = [ParameterKind::NaturalFrequency].into_iter().chain(shared);
+    let known = shared.filter_map(|kind| Some((kind.name(), comparison.parameter(kind)?)));
     known.fold(record, |record, (name, value)| of_average().added_for(name, record, &value)).into()
 }
 

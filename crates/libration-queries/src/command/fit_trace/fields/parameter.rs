@@ -25,12 +25,12 @@ const COLUMNS: [&str; 6] = ["parameter", "value", "±", "68 %", "95 %", "unit"];
 pub(in super::super) fn of_parameter<'a>() -> Fields<Row<'a>> {
     type Of<'a> = Field<Row<'a>>;
     Fields::from([
-        Of::value("name", "", "name of the parameter", |it| it.parameter.name.into()).words(
+        Of::value("name", "", "name of the parameter", |it| it.parameter.kind.name().into()).words(
             COLUMNS[0],
             |it| {
                 it.trace.map_or_else(
-                    || it.parameter.name.to_owned(),
-                    |trace| format!("{}, {trace}", it.parameter.name),
+                    || it.parameter.kind.name().to_owned(),
+                    |trace| format!("{}, {trace}", it.parameter.kind.name()),
                 )
             },
         ),

@@ -6,7 +6,7 @@ use crate::figure::chart::Picture;
 use crate::figure::parameters::found;
 use crate::figure::trace::{self as draw, Envelope, Fitted, Swings};
 use libration_lab::fit::cycles::HalfSwing;
-use libration_lab::fit::trace::TraceFit;
+use libration_lab::fit::trace::{ParameterKind, TraceFit};
 use libration_lab::measurement::Observable;
 
 fn figure(name: &str, caption: String, picture: Picture) -> Block {
@@ -124,7 +124,8 @@ fn of_model(
     half_swings: &[HalfSwing],
 ) -> Option<Envelope> {
     let measured = &answer.measured.traces[trace];
-    let own = fit.parameters.iter().find(|each| each.trace == Some(trace) && each.name == "offset");
+    let own =
+        fit.parameters.iter().find(|each| each.trace == Some(trace) && each.kind == ParameterKind::Offset);
     let offset = own?.estimate.value;
     let sizes: Vec<f64> = fit.traces[trace].fitted.iter().map(|value| (value - offset).abs()).collect();
     let window = fit.small_angle_period().value / 6.0;

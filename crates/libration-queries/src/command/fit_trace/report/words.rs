@@ -142,7 +142,7 @@ fn named(answer: &Answer<'_>) -> String {
         DampingKind::Quadratic => "c",
     };
     let coefficient = |term: DampingKind| {
-        let parameter = answer.swings.fit.parameter(term.name())?;
+        let parameter = answer.swings.fit.damping_coefficient(term)?;
         let unit = units::unit(term.unit());
         Some(format!(
             "{} = {}",
