@@ -132,10 +132,10 @@ class Fit(Answer):
         return _report.report(self.question, self._fields, units)
 
     def report(self, file: Path) -> None:
-        """Writes a report of a fitted motion with pictures, as .html or as .md.
+        """Writes a report of the fit with pictures, as .html, .md or .tex.
 
-        The fit is made again for it; ``report=`` of `libration.lab.fit_trace` writes it with the
-        first.
+        The fit is made again for it; ``report=`` of the function that made it, such as
+        `libration.lab.fit_trace`, writes it with the first.
         """
         self._again([f"--report={file}"])
 

@@ -25,6 +25,7 @@ def fit_response(
     model: Literal["linear", "pendulum", "duffing"] | None = None,
     measured: Literal["peak", "fundamental"] | None = None,
     figure: Path | None = None,
+    report: Path | None = None,
     size: Literal["page", "column", "slide"] | None = None,
     width: Quantity | None = None,
     height: Quantity | None = None,
@@ -69,6 +70,9 @@ def fit_response(
         The quantity measured as the amplitude [default: peak].
     figure : str or path, optional
         Draw the data and the curve, its unstable part dashed, to FILE.svg or FILE.png.
+    report : str or path, optional
+        Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next
+        to it.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].

@@ -9,7 +9,7 @@ fn example(name: &str) -> String {
 }
 
 /// Each fit of a table with a headline of its report and a sentence of its method.
-fn fits() -> [(String, &'static str, &'static str); 6] {
+fn fits() -> [(String, &'static str, &'static str); 7] {
     let place = "--latitude 48.1deg --elevation 520m";
     [
         (
@@ -33,6 +33,7 @@ fn fits() -> [(String, &'static str, &'static str); 6] {
             "one passage of the gate to the next",
         ),
         (format!("fit amplitudes {}", example("amplitudes_synthetic.csv")), "Q = ", "friction takes energy"),
+        (format!("fit response {}", example("response_synthetic.csv")), "ω₀ = ", "that sustains a motion"),
     ]
 }
 

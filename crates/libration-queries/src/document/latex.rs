@@ -135,7 +135,7 @@ fn letter(letter: char) -> String {
     }
 }
 
-const MATHEMATICS: [(char, &str); 46] = [
+const MATHEMATICS: [(char, &str); 47] = [
     ('±', r"\pm"),
     ('−', "-"),
     ('√', r"\sqrt{}"),
@@ -182,4 +182,5 @@ const MATHEMATICS: [(char, &str); 46] = [
     ('χ', r"\chi"),
     ('ω', r"\omega"),
     ('Δ', r"\Delta"),
+    ('Ω', r"\Omega"),
 ];

@@ -34,9 +34,9 @@ pub(super) struct OnCurve {
 
 /// A row with what the fit says of it.
 pub(super) struct Measurement<'a> {
-    frequency: f64,
-    amplitude: f64,
-    fitted: &'a FittedAnswer,
+    pub(super) frequency: f64,
+    pub(super) amplitude: f64,
+    pub(super) fitted: &'a FittedAnswer,
 }
 
 impl Answer<'_> {

@@ -100,7 +100,7 @@ impl Input {
         [frequencies, amplitudes, of_values[0], of_values[1], phases, of_values[2]]
     }
 
-    fn name(&self) -> String {
+    pub(super) fn name(&self) -> String {
         self.file.display().to_string()
     }
 

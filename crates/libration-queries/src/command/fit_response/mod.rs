@@ -2,8 +2,10 @@
 
 mod fields;
 mod input;
+mod report;
 mod write;
 
+use crate::document;
 use crate::figure::{self, fitted_response};
 use crate::output::{FormOptions, announce};
 use crate::query_error::QueryError;
@@ -24,7 +26,7 @@ pub(crate) use fields::answers;
 #[command(after_help = "Examples:
   libration fit response examples/response_synthetic.csv
   libration fit response examples/response_synthetic.csv --model pendulum \\
-    --figure response.svg
+    --figure response.svg --report response.html
   libration fit response examples/response_synthetic.csv --columns 1,2,-,3 \\
     --amplitude-unit deg --json
 
@@ -44,6 +46,9 @@ pub(crate) struct FitResponse {
     /// Draw the data and the curve, its unstable part dashed, to FILE.svg or FILE.png
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
+    /// Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next to it
+    #[arg(long, value_name = "FILE", value_parser = document::name)]
+    report: Option<PathBuf>,
     #[command(flatten)]
     sizes: figure::Sizes,
     #[command(flatten)]
@@ -74,15 +79,17 @@ impl FitResponse {
         let file = self.input.read()?;
         interrupt::listen()?;
         let (fit, curve) = parallel::with_progress(how_far, || self.fitted(&file))?;
-        let drawn = match &self.figure {
-            Some(path) => {
-                let picture = fitted_response::fitted(&file.measured, fit.best(), &curve);
-                vec![figure::file::write(path, &picture, &self.sizes)?]
-            }
-            None => vec![],
-        };
-        Answer { file: &file, fit: &fit, curve: &curve }.write(out, self.form.form())?;
-        Ok(announce(out, self.form.form(), &drawn)?)
+        let mut written = vec![];
+        if let Some(path) = &self.figure {
+            let picture = fitted_response::fitted(&file.measured, fit.best(), &curve);
+            written.push(figure::file::write(path, &picture, &self.sizes)?);
+        }
+        let answer = Answer { file: &file, fit: &fit, curve: &curve };
+        if let Some(path) = &self.report {
+            written.push(document::write(path, &report::document(&answer, &self.input.name()))?);
+        }
+        answer.write(out, self.form.form())?;
+        Ok(announce(out, self.form.form(), &written)?)
     }
 
     fn fitted(&self, file: &ResponseFile) -> Result<(ResponsesFit, FittedCurve), QueryError> {

@@ -1,6 +1,7 @@
 //! The fit as a sheet with a table of models, as JSON and as CSV.
 
 use super::fields::{self, Answer};
+use crate::call::in_words;
 use crate::output::table::{sheet, write_text};
 use crate::output::{Form, json, number, scatter};
 use crate::query_error::QueryError;
@@ -30,7 +31,7 @@ impl Answer<'_> {
         Ok(())
     }
 
-    fn lines(&self) -> Vec<(&'static str, String)> {
+    pub(super) fn lines(&self) -> Vec<(&'static str, String)> {
         let best = self.fit.best();
         let unit = self.file.unit;
         let dropped = self.file.dropped;
@@ -50,8 +51,8 @@ impl Answer<'_> {
             number::with_uncertainty(it.value, it.uncertainty, unit)
         };
         let other = match self.file.measured.table.amplitude_errors() {
-            AmplitudeErrors::Absolute => "; --errors relative for equal parts of the amplitudes",
-            AmplitudeErrors::Relative | AmplitudeErrors::Stated => "",
+            AmplitudeErrors::Absolute => in_words("; <--errors=relative> for equal parts of the amplitudes"),
+            AmplitudeErrors::Relative | AmplitudeErrors::Stated => String::new(),
         };
         lines.push(("weights", format!("{}{other}", self.weighting())));
         lines.push(("model", best.model.name().to_owned()));
