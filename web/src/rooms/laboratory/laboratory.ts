@@ -13,7 +13,6 @@ import { Form } from "../../parts/form.ts";
 import { Latest } from "../../parts/latest.ts";
 import { Finding, layout } from "../../parts/layout.ts";
 import { NumbersTable } from "../../parts/numbers_table.ts";
-import { Picture } from "../../parts/picture.ts";
 import { save, saveAnswer } from "../../parts/save.ts";
 import { Status } from "../../parts/status.ts";
 import { telling } from "../../parts/telling.ts";
@@ -65,7 +64,6 @@ class LaboratoryRoom {
   readonly #read = new Finding(words.read);
   readonly #fit: Finding;
   readonly #story = element("div");
-  readonly #picture: Picture;
   readonly #numbers = new NumbersTable(async () => (this.#kind === undefined ? "" : decoded(await this.#tabled(this.#kind, "csv"))));
   readonly #buttons: HTMLElement;
   readonly #saveReport = button(words.saveReport, () => this.#report !== undefined && save(REPORT, this.#report, "text/html"));
@@ -82,9 +80,8 @@ class LaboratoryRoom {
     [this.#address, this.#engine] = [address, engine];
     this.#form = new Form(address, this.#fields, () => this.#update());
     this.#settings = { value: (key) => this.#form.value(key), put: (values) => this.#put(values) };
-    this.#picture = new Picture(engine, "fit");
     this.#buttons = this.#saving();
-    this.#fit = new Finding(words.fit, this.#picture.element, this.#numbers.element, this.#story, this.#buttons);
+    this.#fit = new Finding(words.fit, this.#numbers.element, this.#story, this.#buttons);
     const tried = button(words.example, () => void this.#try());
     const { choices, apparatus, reading: how } = PARTS;
     const giving = [this.#files.element, element("p", { class: "buttons" }, tried)];
@@ -184,24 +181,17 @@ class LaboratoryRoom {
   async #fitted(kind: Kind, signal: AbortSignal): Promise<void> {
     const files = this.#chosenFiles(kind);
     const command = this.#command(kind, [...files.keys()]);
-    this.#equivalents.show([...Array.from(files.keys(), (name) => this.#inspection(name)), kind === "trace" ? extended(command, { report: REPORT }) : command]);
-    const answer = await this.#answered(command, kind, files, signal);
+    this.#equivalents.show([...Array.from(files.keys(), (name) => this.#inspection(name)), extended(command, { report: REPORT })]);
+    const answer = await ask(this.#engine, extended(command, { report: REPORT, json: true }), { signal, files });
     if (signal.aborted) return;
     const it = answer.status === 0 ? parsed<Fitted>(decoded(answer)) : undefined;
     if (it === undefined) return this.#refuse(kind, answer);
-    if (kind === "trace") this.#picture.clear();
     this.#buttons.hidden = false;
     this.#numbers.offer(true);
     this.#report = answer.files.get(REPORT);
     this.#saveReport.hidden = this.#report === undefined;
     this.#keepingFocus(() => this.#fit.show(...this.#headline(kind, it), ...this.#kinds(), ...this.#sentences(kind, it.read_columns ?? [])));
-    this.#story.replaceChildren(...(this.#report === undefined ? [] : [report(new TextDecoder().decode(this.#report))]), this.#inWords(command, files));
-  }
-
-  // The result with its picture or its report, in one run, since some fits take long.
-  async #answered(command: Command, kind: Kind, files: ReadonlyMap<string, Uint8Array>, signal: AbortSignal): Promise<Answer> {
-    if (kind !== "trace") return (await this.#picture.read(command, signal, files)).answer;
-    return ask(this.#engine, extended(command, { report: REPORT, json: true }), { signal, files });
+    this.#story.replaceChildren(...(this.#report === undefined ? [] : [report(new TextDecoder().decode(this.#report), kind)]), this.#inWords(command, files));
   }
 
   #headline(kind: Kind, it: Fitted): HTMLElement[] {
@@ -333,7 +323,6 @@ class LaboratoryRoom {
     this.#report = undefined;
     this.#buttons.hidden = true;
     this.#numbers.offer(false);
-    this.#picture.clear();
     this.#story.replaceChildren();
   }
 

@@ -6,13 +6,13 @@ import { plain } from "../../parts/plain.ts";
 import { png } from "../../parts/png.ts";
 import { save } from "../../parts/save.ts";
 import { scrolling } from "../../parts/scrolling.ts";
-import { labelIn } from "./fields.ts";
+import { type Kind, labelIn } from "./fields.ts";
 import { text } from "../../texts/en.ts";
 
 const sheet = new CSSStyleSheet();
 
 /** The report, with its titles below those of the room. */
-export function report(page: string): HTMLElement {
+export function report(page: string, kind: Kind): HTMLElement {
   const pictures = page.match(/<svg[^]*?<\/svg>/g) ?? [];
   // The pictures have their own colours for dark pages, which apply within the report.
   sheet.replaceSync(`.report { ${styleOf(pictures[0] ?? "")} }`);
@@ -22,17 +22,17 @@ export function report(page: string): HTMLElement {
     shown.querySelectorAll(from).forEach((title) => title.replaceWith(element(to, {}, ...title.childNodes)));
   }
   shown.querySelectorAll("th:empty").forEach((nothing) => nothing.replaceWith(element("td")));
-  inPageWords(shown);
+  inPageWords(shown, kind);
   scrolling(...shown.querySelectorAll(".wide"));
   shown.querySelectorAll("figure").forEach((figure, place) => figure.append(saving(pictures[place] ?? "", place)));
   return shown;
 }
 
 // The report names options for its readers at the command line; here their fields have labels.
-function inPageWords(shown: HTMLElement): void {
+function inPageWords(shown: HTMLElement, kind: Kind): void {
   const texts = document.createTreeWalker(shown, NodeFilter.SHOW_TEXT);
   for (let node = texts.nextNode(); node !== null; node = texts.nextNode()) {
-    node.nodeValue = plain(node.nodeValue ?? "", labelIn("trace"));
+    node.nodeValue = plain(node.nodeValue ?? "", labelIn(kind));
   }
 }
 
