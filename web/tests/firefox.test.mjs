@@ -14,7 +14,7 @@ const ROOMS = {
   pendulum: /Period T\s+3\.5357/,
   formulas: /At 60° the exact period is 1\.07318200715/,
   perturbation: /The exact value is 1\.07318200714936/,
-  derivations: /The period of a pendulum at any amplitude/,
+  derivations: /The first correction to the period of a pendulum/,
   laboratory: /never leave this machine/,
   chaos: /The largest Lyapunov exponent is/,
   about: /How to cite/,

@@ -85,6 +85,17 @@
 //! | [`roots`] | zeros of functions and polynomials from a bracket | [`zero_between`](roots::zero_between) |
 //! | [`quadrature`] | integrals of functions of one variable, with error estimates | [`gauss_kronrod`](quadrature::gauss_kronrod) |
 //!
+//! # Types that hold equations of motion
+//!
+//! | type | holds | used by |
+//! |---|---|---|
+//! | [`Equation`](expression::Equation) | equations as typed, parameters with or without values | [`orbit`], [`continuation`], [`chaos`], [`normal_modes`]; the others are made from it |
+//! | [`Model`](systems::Model) | the same with units, energies and a start by name | the choice of a named system |
+//! | [`System`](taylor::System) | the program that computes Taylor coefficients | [`taylor`] |
+//! | [`Oscillator`](oscillator::Oscillator) | one equation about its equilibrium, with numbers | [`perturbation`], [`comparison`] |
+//! | [`SymbolicOscillator`](oscillator::SymbolicOscillator) | the same with symbols | [`expand_symbolically`](perturbation::expand_symbolically) |
+//! | [`PerturbedPendulum`](melnikov::PerturbedPendulum) | a pendulum and its small perturbation | [`melnikov`] |
+//!
 //! # Any system of equations
 //! A motion in time, a limit cycle, and a branch of a driven pendulum through its folds:
 //!

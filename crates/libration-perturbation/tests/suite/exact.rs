@@ -154,6 +154,29 @@ fn a_backbone_takes_the_decimal_too() {
     assert!(curve.at(f64::INFINITY, &Quiet).orbit.is_err());
 }
 
+/// From small swings to next to the end of the well.
+#[test]
+fn the_curve_in_a_picture_has_six_digits() {
+    let wells = [
+        ("theta'' = -sin(theta)", std::f64::consts::PI),
+        ("x'' = -x + x^3", 1.0),
+        ("x'' = -x - x^2", 0.5),
+        ("x'' = -x^3", 1e3),
+        ("x'' = -x - 5*x^5", 10.0),
+    ];
+    for (equation, end) in wells {
+        let curve = Backbone::new(&equation.parse().unwrap(), None, 1, &Quiet).unwrap();
+        for part in [1e-6, 0.01, 0.3, 0.9, 0.999, 1.0 - 1e-6, 1.0 - 1e-10] {
+            let amplitude = Displacement::from_f64(part * end).unwrap();
+            let [drawn, orbit] =
+                [curve.drawn_at(&amplitude, &Quiet), curve.at_displacement(&amplitude, &Quiet)]
+                    .map(|point| point.orbit.unwrap());
+            let error = (drawn.frequency / orbit.frequency - 1.0).abs();
+            assert!(error < 1e-6, "{equation} at {part} of {end}: {error:e}");
+        }
+    }
+}
+
 /// The period of x″ + x + x² = 0 has a logarithm at 1/2, on whose cut, beyond it, approximants have their poles; that of x″ + x + x³ = 0 has
 /// none.
 #[test]
