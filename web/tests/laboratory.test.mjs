@@ -19,8 +19,9 @@ async function inWords(room) {
 }
 /** All that is visible of the results has no option, no key and no backtick. */
 async function inPageWords(room) {
-  const said = await room.locator(".results").innerText();
-  assert.doesNotMatch(said.replace(/The files[^]*/, ""), /--[a-z]|`|libration fit|[a-z]+_[a-z]/);
+  const [said, report] = await Promise.all([".results", ".report"].map((part) => room.locator(part).innerText()));
+  // A report has the command that makes it again.
+  assert.doesNotMatch(said.replace(report, "").replace(/The files[^]*/, ""), /--[a-z]|`|libration fit|[a-z]+_[a-z]/);
 }
 const table = (name, ...lines) => ({ name, mimeType: "text/csv", buffer: Buffer.from(`${lines.join("\n")}\n`) });
 
@@ -70,7 +71,7 @@ test("the result stands first, in view, with its uncertainty", () =>
     const { y, height } = await room.locator(".result-headline").boundingBox();
     assert.ok(y > 0 && y + height < 800);
     assert.match(await room.locator(".reasons").textContent(), /95 %, g lies within ± 0.12 m\/s²/);
-    assert.equal(await room.locator("table").first().isVisible(), false);
+    assert.equal(await room.locator(".reading table").first().isVisible(), false);
   }));
 
 test("on a phone the result follows the files, before the options", () =>
@@ -210,12 +211,13 @@ test("more than two million rows are offered to be thinned", () =>
     assert.match(await room.locator(".reading caption").first().textContent(), new RegExp(`${Math.ceil(count / 21)} rows`));
   }));
 
-test("the report can be saved where there is one", () =>
+test("the report of each fit can be saved", () =>
   visit("laboratory", async (room) => {
     const report = room.getByRole("button", { name: "Save the report" });
     await give(room, "lengths_synthetic.csv");
-    assert.equal(await report.count(), 0);
+    assert.equal(await report.count(), 1);
     assert.equal(await room.getByRole("button", { name: "Save as text" }).count(), 1);
+    assert.match(await room.locator(".report").textContent(), /The uncertainty of gravity/);
     await room.getByRole("button", { name: "Remove lengths_synthetic.csv" }).click();
     await settled(room);
     await give(room, "swing_synthetic.csv");
@@ -225,6 +227,15 @@ test("the report can be saved where there is one", () =>
     assert.doesNotThrow(() => new Function(script), "the script of the report can be parsed");
     await enter(room, "Damping", "honey");
     assert.equal(await report.count(), 0);
+  }));
+
+test("a light sensor's signal becomes passages of a gate by a press", () =>
+  visit("laboratory", async (room) => {
+    await give(room, "light_synthetic.csv");
+    await room.getByRole("button", { name: "The dips or peaks of column 2 are passages" }).click();
+    await settled(room);
+    assert.deepEqual(await errors(room), []);
+    assert.equal(await inWords(room), command("fit", "gates", "light_synthetic.csv", "--signal", "2").output);
   }));
 
 test("an amplitude without a unit is in radians, and the field says so", () =>

@@ -53,6 +53,7 @@ def fit_gates(
     pivot: Given | None = None,
     uncertainty: int | str | None = None,
     gate: int | str | None = None,
+    signal: int | str | None = None,
     from_: Value | None = None,
     to: Value | None = None,
     even_times: bool = False,
@@ -70,7 +71,8 @@ def fit_gates(
     Parameters
     ----------
     file : str or path or columns
-        Times of one photogate, optionally with its state (blocked or not); - for standard input.
+        Times of one photogate, optionally with its state (blocked or not), or a continuous signal;
+        - for standard input.
     signals : {"edges", "passages"}, optional
         Meaning of the times: edges (blocked, free, …) or whole passages [default: detected from
         their pattern].
@@ -167,6 +169,9 @@ def fit_gates(
         Column of uncertainties of the angles or angular velocities.
     gate : int or str, optional
         Column of the photogate's state, 1 or blocked, 0 or unblocked.
+    signal : int or str, optional
+        Column of a continuous signal whose dips or peaks are passages, as of a light sensor or of
+        an accelerometer along the string.
     from_ : float or str, optional
         Ignore rows before this time, on the clock of the file.
     to : float or str, optional

@@ -50,6 +50,7 @@ def fit_trace(
     pivot: Given | None = None,
     uncertainty: int | str | None = None,
     gate: int | str | None = None,
+    signal: int | str | None = None,
     from_: Value | None = None,
     to: Value | None = None,
     even_times: bool = False,
@@ -161,6 +162,9 @@ def fit_trace(
         Column of uncertainties of the angles or angular velocities.
     gate : int or str, optional
         Column of the photogate's state, 1 or blocked, 0 or unblocked.
+    signal : int or str, optional
+        Column of a continuous signal whose dips or peaks are passages, as of a light sensor or of
+        an accelerometer along the string.
     from_ : float or str, optional
         Ignore rows before this time, on the clock of the file.
     to : float or str, optional

@@ -263,6 +263,7 @@ const FURTHER: &[&str] = &[
     "plan|--g-to|1e-3|--length|1.00(1)m|--angle-noise|0.2deg|--rate|60",
     "inspect|examples/period_table_synthetic.csv",
     "inspect|WEIGHTED|--values",
+    "inspect|examples/light_synthetic.csv",
     "inspect|examples/phone/swing.txt|--angle-unit|rad|--spectrum",
     "fit|periods|examples/period_table_synthetic.csv",
     "fit|periods|examples/period_table_synthetic.csv|--length|1m±0.01m|--bob-radius|50mm±10mm|--correlation|length,bob-radius=1|--latitude|48deg",

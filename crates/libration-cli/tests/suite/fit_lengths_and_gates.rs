@@ -116,6 +116,32 @@ fn the_example_of_a_gate_gives_its_truth_back() {
     assert!(csv.starts_with("time_s,period_s,side,amplitude_rad\n"));
 }
 
+/// A light sensor below the pendulum, and a phone as its bob: released from a known angle, both give the period of small swings.
+#[test]
+fn passages_are_found_in_continuous_signals() {
+    let period = std::f64::consts::TAU / 3.2;
+    for (name, column, amplitude, found) in
+        [("light", "2", "0.2", "20 dips of column 2"), ("acceleration", "3", "0.35", "20 peaks of column 3")]
+    {
+        let signal = example(&format!("{name}_synthetic.csv"));
+        let refused = message(&libration(&format!("fit gates {signal}")));
+        assert!(refused.trim_end().ends_with(&format!("give --signal {column}")), "{refused}");
+        let inspected = unfolded(&text(&format!("inspect {signal}")));
+        assert!(inspected.contains(&format!("give --signal {column}")), "{inspected}");
+        let fit = format!("fit gates {signal} --signal {column} --amplitude {amplitude}");
+        let answer = json(&format!("{fit} --length 0.958m±0.001m"));
+        assert!(pull(&answer, "t0_s", "t0_uncertainty_s", period) < 3.0, "{answer}");
+        assert!(answer["t0_uncertainty_s"].as_f64().unwrap() < 5e-3, "{answer}");
+        assert!(pull(&answer, "gravity_m_per_s2", "gravity_uncertainty_m_per_s2", 9.81) < 3.0, "{answer}");
+        assert_eq!(answer["missed_passages"], 0);
+        let findings = answer["told_from_file"].to_string();
+        assert!(findings.contains(found), "{findings}");
+    }
+    let across =
+        message(&libration(&format!("fit gates {} --signal 2", example("acceleration_synthetic.csv"))));
+    assert!(across.contains("stand out from its noise"), "{across}");
+}
+
 #[test]
 fn passages_without_an_amplitude_give_the_period_alone() {
     let times: String = (0..12).map(|k| format!("{}\n", f64::from(k) + 0.1 * f64::from(k % 2))).collect();

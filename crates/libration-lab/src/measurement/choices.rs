@@ -54,6 +54,8 @@ pub struct Choices {
     pub uncertainty: Option<Column>,
     /// The column that says whether a photogate is blocked.
     pub gate: Option<Column>,
+    /// The column of a continuous signal whose dips or peaks are passages of a gate.
+    pub signal: Option<Column>,
     /// Leave out rows before this time, in seconds of the file's own time.
     pub from: Option<f64>,
     /// Leave out rows after this time.
@@ -107,6 +109,8 @@ pub enum Choice {
     Uncertainty,
     /// The column of the photogate's state.
     Gate,
+    /// The column of a continuous signal.
+    Signal,
     /// Times as they are written, even where they are roundings of even ones.
     TimesAsWritten,
     /// The columns of a table of results.
@@ -134,6 +138,7 @@ impl fmt::Display for Choice {
             Self::Pivot => "pivot",
             Self::Uncertainty => "uncertainty",
             Self::Gate => "gate",
+            Self::Signal => "signal",
             Self::TimesAsWritten => "times-as-written",
             Self::Columns => "columns",
             Self::Role => "role",

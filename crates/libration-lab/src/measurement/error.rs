@@ -208,6 +208,14 @@ pub enum MeasurementError {
         /// Number of all times.
         rows: usize,
     },
+    /// A signal without passages of a gate.
+    #[error(
+        "{column} has fewer than three whole dips or peaks that stand out from its noise by ten standard deviations: no passages can be taken from it"
+    )]
+    NoPassages {
+        /// Its number and name.
+        column: String,
+    },
     /// Accelerations, from which alone neither angle nor angular velocity follows.
     #[error(
         "{column} holds accelerations: along the string g·cos θ + r·θ′², which goes through two periods in one swing, across it \

@@ -4,6 +4,8 @@ use super::choices::{Choice, Choices, Finding, Suggestion};
 use super::heading::{Measures, Unit};
 use super::recording::Recording;
 use super::sheet::Sheet;
+use super::signal::SignalPassages;
+use super::traces::units::of_times;
 use super::{MeasurementError, QuantityKind};
 use crate::statistics::lower_median;
 
@@ -35,6 +37,9 @@ impl Recording {
 fn gates_of(sheet: &Sheet, choices: &Choices) -> Result<Gates, MeasurementError> {
     let mut findings = Vec::new();
     let time = time_column(sheet, choices, &mut findings)?;
+    if let Some(column) = &choices.signal {
+        return gates_of_signal(sheet, time, sheet.place(column)?, choices, findings);
+    }
     let state = state_column(sheet, choices, &mut findings)?;
     if state.is_none() && choices.time.is_none() {
         refuse_samples(sheet, time)?;
@@ -49,14 +54,10 @@ fn gates_of(sheet: &Sheet, choices: &Choices) -> Result<Gates, MeasurementError>
     };
     for row in 0..sheet.rows() {
         let state = state.map(|place| state_at(sheet, place, row)).transpose()?;
-        let is_asked = |time: f64| {
-            let time = unit.to_si(time);
-            choices.from.is_none_or(|from| time >= from) && choices.to.is_none_or(|to| time <= to)
-        };
-        match (sheet.number(time, row)?, state) {
-            (Some(time), _) if !is_asked(time) => {}
+        match (sheet.number(time, row)?.map(|time| unit.to_si(time)), state) {
+            (Some(time), _) if !is_asked(time, choices) => {}
             (Some(time), None | Some(Some(_))) => {
-                gates.times.push(unit.to_si(time));
+                gates.times.push(time);
                 gates.lines.push(sheet.lines[row]);
                 if let (Some(blocked), Some(Some(state))) = (&mut gates.blocked, state) {
                     blocked.push(state);
@@ -70,6 +71,56 @@ fn gates_of(sheet: &Sheet, choices: &Choices) -> Result<Gates, MeasurementError>
     }
     refuse_what_is_no_clock(&gates.times)?;
     Ok(gates)
+}
+
+fn is_asked(time: f64, choices: &Choices) -> bool {
+    choices.from.is_none_or(|from| time >= from) && choices.to.is_none_or(|to| time <= to)
+}
+
+/// The edges of the passages in a continuous signal.
+fn gates_of_signal(
+    sheet: &Sheet,
+    time: usize,
+    signal: usize,
+    choices: &Choices,
+    mut findings: Vec<Finding>,
+) -> Result<Gates, MeasurementError> {
+    let (mut times, mut values, mut rows, mut incomplete) = (vec![], vec![], vec![], 0);
+    let all: Vec<f64> = sheet.channels[time].numbers().flatten().collect();
+    let unit = of_times(&all, sheet, time, choices, &mut |finding| findings.push(finding))?;
+    for row in 0..sheet.rows() {
+        match (sheet.number(time, row)?.map(|time| unit.to_si(time)), sheet.number(signal, row)?) {
+            (Some(time), Some(_)) if !is_asked(time, choices) => {}
+            (Some(time), Some(value)) if times.last().is_none_or(|last| *last < time) => {
+                times.push(time);
+                values.push(value);
+                rows.push(row);
+            }
+            _ => incomplete += 1,
+        }
+    }
+    let column = sheet.describe(signal);
+    let Some(found) = SignalPassages::in_signal(&times, &values) else {
+        return Err(MeasurementError::NoPassages { column });
+    };
+    let (count, (name, height)) =
+        (found.passages.len(), if found.are_dips { ("dips", "depth") } else { ("peaks", "height") });
+    let text =
+        format!("{count} {name} of {column} are passages, which begin and end at half of their {height}");
+    findings.push(Finding::new(text, Choice::Signal));
+    let edges = found.passages.iter().flat_map(|passage| passage.edges.map(|edge| (edge, passage.row)));
+    let (times, lines) = edges.map(|(edge, row)| (edge, sheet.lines[rows[row]])).unzip();
+    let blocked = Some(found.passages.iter().flat_map(|_| [true, false]).collect());
+    Ok(Gates { times, blocked, lines, incomplete, findings })
+}
+
+/// Returns whether a column has passages at these times.
+fn has_passages(sheet: &Sheet, time: usize, signal: usize) -> bool {
+    let rows = sheet.channels[time].numbers().zip(sheet.channels[signal].numbers());
+    let mut rows: Vec<(f64, f64)> = rows.filter_map(|(time, value)| time.zip(value)).collect();
+    rows.dedup_by(|next, last| next.0 <= last.0);
+    let (times, values): (Vec<f64>, Vec<f64>) = rows.into_iter().unzip();
+    SignalPassages::in_signal(&times, &values).is_some()
 }
 
 /// Refuses a trace next to its times, which is not a table of a gate, and any other measured column, if the times come as evenly as samples do.
@@ -97,11 +148,22 @@ fn refuse_samples(sheet: &Sheet, time: usize) -> Result<(), MeasurementError> {
     let found = found.or_else(|| others.clone().find(|&place| is_measured(place)).filter(|_| is_even()));
     let Some(other) = found else { return Ok(()) };
     let (times, other) = (sheet.describe(time), sheet.describe(other));
+    let is_signal = |place: &usize| {
+        let quantity = sheet.channels[*place].heading.quantity;
+        quantity == QuantityKind::Acceleration || is_measured(*place)
+    };
+    let signals = others.filter(is_signal).filter(|&place| has_passages(sheet, time, place));
+    let signals: Vec<Suggestion> =
+        signals.map(|place| Suggestion::new(Choice::Signal, (place + 1).to_string())).collect();
+    let (if_they_are, choices) = match signals.is_empty() {
+        true => ("; if these are", vec![Suggestion::new(Choice::Time, (time + 1).to_string())]),
+        false => (" unless their column is given; for passages by the dips or peaks of a signal", signals),
+    };
     Err(MeasurementError::Undecided {
         question: format!(
-            "{times} stands next to {other} as in a trace of a swing, whose times are not passages of a gate; if these are"
+            "{times} stands next to {other} as in a recording of samples, whose times are not passages of a gate{if_they_are}"
         ),
-        choices: vec![Suggestion::new(Choice::Time, (time + 1).to_string())],
+        choices,
     })
 }
 

@@ -48,6 +48,9 @@ pub(crate) struct RecordingOptions {
     /// Column of the photogate's state, 1 or blocked, 0 or unblocked
     #[arg(long, value_name = "COLUMN", value_parser = column)]
     gate: Option<Column>,
+    /// Column of a continuous signal whose dips or peaks are passages, as of a light sensor or of an accelerometer along the string
+    #[arg(long, value_name = "COLUMN", value_parser = column, conflicts_with = "gate")]
+    signal: Option<Column>,
     /// Ignore rows before this time, on the clock of the file
     #[arg(long, value_name = "TIME", value_parser = super::finite_time)]
     from: Option<f64>,
@@ -115,6 +118,7 @@ impl RecordingOptions {
             pivot: self.pivot,
             uncertainty: self.uncertainty.clone(),
             gate: self.gate.clone(),
+            signal: self.signal.clone(),
             from: self.from,
             to: self.to,
             stamps: match (self.even_times, self.times_as_written) {

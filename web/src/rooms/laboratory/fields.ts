@@ -12,7 +12,7 @@ export type Key = keyof typeof words;
 
 const APPARATUS: readonly Key[] = ["length", "bob-radius", "bob-mass", "bob-density", "rod-mass", "rod-length", "air-density", "stretch", "angle-scale", "clock"];
 const READING: readonly Key[] = [
-  "time", "time-unit", "angle", "angular-velocity", "unit", "counts-per-turn", "x", "y", "pivot", "uncertainty", "gate", "from", "to", "even-times", "times-as-written", "run", "sheet", "delimiter", "decimal", "header",
+  "time", "time-unit", "angle", "angular-velocity", "unit", "counts-per-turn", "x", "y", "pivot", "uncertainty", "gate", "signal", "from", "to", "even-times", "times-as-written", "run", "sheet", "delimiter", "decimal", "header",
 ];
 const DIALECT: readonly Key[] = ["sheet", "delimiter", "decimal", "header"];
 const TABLE: readonly Key[] = ["columns", ...DIALECT];

@@ -22,6 +22,8 @@ export interface Inspection {
   readonly table_columns?: readonly ReadColumn[];
   readonly findings: readonly { text: string; option: string | null }[];
   readonly undecided: { why: string } | null;
+  /** Signals in which passages of a gate are found. */
+  readonly undecided_gate?: { why: string };
 }
 
 /** A column with its role: the word of `--role`, such as `length` or `period-uncertainty`. */
@@ -60,14 +62,17 @@ export function reading(name: string, found: Inspection, go: (key: Key) => void)
   );
 }
 
-/** What a recorded swing leaves open, with a button for each choice. */
-export function undecided(name: string, { undecided: open }: Inspection, settings: Settings): HTMLElement[] {
-  if (open === null) return [];
-  const why = plain(open.why, labelIn("inspect"));
-  const choices = remedies(open.why, "inspect", settings);
+/** What a recorded swing and the passages of a gate leave open, with a button for each choice. */
+export function undecided(name: string, { undecided: swing, undecided_gate: gate }: Inspection, settings: Settings): HTMLElement[] {
+  return [...open(words.undecided, name, swing?.why, settings), ...open(words.undecidedGate, name, gate?.why, settings)];
+}
+
+function open(sentence: (name: string, why: string) => string, name: string, why: string | undefined, settings: Settings): HTMLElement[] {
+  if (why === undefined) return [];
+  const choices = remedies(why, "inspect", settings);
   // Without a choice there is nothing that a press could decide.
   const attributes = choices.length > 0 ? {} : { class: "error" };
-  return [element("p", attributes, words.undecided(name, why)), element("p", { class: "buttons" }, ...choices)];
+  return [element("p", attributes, sentence(name, plain(why, labelIn("inspect")))), element("p", { class: "buttons" }, ...choices)];
 }
 
 /** A file that cannot be read, with the buttons that its message suggests; the others are not affected. */

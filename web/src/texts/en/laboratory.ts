@@ -31,6 +31,7 @@ export const laboratory = {
   changeShort: "change",
   change: (label: string) => `Change: ${label}`,
   undecided: (name: string, why: string) => `To read ${name} as a recorded swing: ${why}.`,
+  undecidedGate: (name: string, why: string) => `To read ${name} as passages of a gate: ${why}.`,
   kind: {
     label: "Kind of data",
     auto: "detected from the files",
@@ -93,6 +94,7 @@ export const laboratory = {
       "time": (column: string) => `The times are in column ${column}`,
       angle: (column: string) => `The angles are in column ${column}`,
       "angular-velocity": (column: string) => `The angular velocities are in column ${column}`,
+      signal: (column: string) => `The dips or peaks of column ${column} are passages`,
       x: (column: string) => `The horizontal positions are in column ${column}`,
       y: (column: string) => `The vertical positions are in column ${column}`,
       unit: (unit: string) => ({ rad: "These are angles in radians", deg: "These are angles in degrees", "rad/s": "These are angular velocities in rad/s", "deg/s": "These are angular velocities in °/s", turn: "These are turns" })[unit] ?? unit,
@@ -206,6 +208,7 @@ export const laboratory = {
     pivot: { label: "Position of the pivot", hint: "X,Y in the unit of the positions" },
     uncertainty: { label: "Column of uncertainties" },
     gate: { label: "Column of the gate's state" },
+    signal: { label: "Column of a signal with dips or peaks at the passages", hint: "as of a light sensor" },
     from: { label: "From time", hint: "on the clock of the file" },
     to: { label: "To time" },
     "even-times": { label: "Treat the times as rounded and evenly spaced" },

@@ -16,7 +16,7 @@ mod runs;
 pub(crate) mod sequence;
 mod stamps;
 pub(crate) mod turns;
-mod units;
+pub(super) mod units;
 mod value;
 
 use super::choices::{Choice, Choices, Finding};

@@ -26,7 +26,7 @@ impl Scale {
 }
 
 /// The unit of times: the one said, the one written, or seconds if the steps can be seconds.
-pub(super) fn of_times(
+pub(in crate::measurement) fn of_times(
     times: &[f64],
     sheet: &Sheet,
     place: usize,

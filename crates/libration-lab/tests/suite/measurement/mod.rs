@@ -8,6 +8,7 @@ mod fitted_pivot;
 mod heading;
 mod number;
 mod roles;
+mod signal;
 mod traces;
 
 use libration_lab::measurement::{

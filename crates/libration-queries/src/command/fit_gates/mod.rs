@@ -35,13 +35,14 @@ pub(crate) use fields::answers;
   libration fit gates examples/gate_synthetic.csv --signals edges --csv
   libration fit gates examples/gate_synthetic.csv --amplitude 0.9 \\
     --length 0.958m±0.001m --latitude 48.1deg --report gates.html
+  libration fit gates examples/light_synthetic.csv --signal 2 --amplitude 0.2
 
 Each period runs from one passage to the next in the same direction, so the gate
 need not be at the centre. With the diameter of the bob and the length, the speed
 at the gate gives every amplitude; otherwise T0 needs the amplitude of the first
 swing.")]
 pub(crate) struct FitGates {
-    /// Times of one photogate, optionally with its state (blocked or not); - for standard input
+    /// Times of one photogate, optionally with its state (blocked or not), or a continuous signal; - for standard input
     file: PathBuf,
     /// Meaning of the times: edges (blocked, free, …) or whole passages [default: detected from their pattern]
     #[arg(long, value_enum)]

@@ -2,7 +2,7 @@
 
 use crate::arguments::TableFit;
 use libration_lab::measurement::{
-    Choices, Clock, Faults, Finding, Gates, MeasurementError, Recording, Trace, Traces,
+    Choice, Choices, Clock, Faults, Finding, Gates, MeasurementError, Recording, Trace, Traces,
 };
 
 /// A file with all that is inferred from it.
@@ -13,6 +13,8 @@ pub(super) struct Answer {
     pub(super) traces: Result<Traces, MeasurementError>,
     /// The times of a photogate, where the file has some.
     pub(super) gates: Option<Gates>,
+    /// The refusal of the times of a photogate, where the file holds signals in which passages are found.
+    pub(super) signals: Option<MeasurementError>,
     /// The fit of a table of periods, where the file holds neither traces nor times of a gate.
     pub(super) table_fit: Option<TableFit>,
     /// `true` if the numbers are listed too.
@@ -22,11 +24,14 @@ pub(super) struct Answer {
 impl Answer {
     pub(super) fn new(file: String, bytes: usize, recording: Recording, choices: &Choices) -> Self {
         let traces = recording.traces(choices);
-        let gates = recording
-            .gate_times(choices)
-            .ok()
-            .filter(|gates| traces.is_err() && is_of_a_gate(&recording, gates));
-        Self { file, bytes, recording, traces, gates, table_fit: None, with_values: false }
+        let (gates, signals) = match &traces {
+            Ok(_) => (None, None),
+            Err(_) => match recording.gate_times(choices) {
+                Ok(gates) => (Some(gates).filter(|gates| is_of_a_gate(&recording, gates)), None),
+                Err(error) => (None, Some(error).filter(suggests_signals)),
+            },
+        };
+        Self { file, bytes, recording, traces, gates, signals, table_fit: None, with_values: false }
     }
 
     /// The findings in reading, and in searching for traces or the times of a gate.
@@ -46,6 +51,13 @@ fn is_of_a_gate(recording: &Recording, gates: &Gates) -> bool {
     let increases = gates.times.windows(2).all(|pair| pair[0] < pair[1]);
     let is_alone = recording.sheets().iter().any(|sheet| sheet.channels.len() == 1);
     gates.times.len() > 1 && increases && (gates.blocked.is_some() || is_alone)
+}
+
+fn suggests_signals(error: &MeasurementError) -> bool {
+    match error {
+        MeasurementError::Undecided { choices, .. } => choices.iter().any(|it| it.choice == Choice::Signal),
+        _ => false,
+    }
 }
 
 /// The clock of a trace: the intervals between its times.

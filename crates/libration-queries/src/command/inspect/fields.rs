@@ -58,6 +58,9 @@ pub(super) fn of_file() -> Fields<Answer> {
         Of::nested("undecided.", &of_error(), |it| {
             it.traces.as_ref().err().map(|error| of_error().record(error)).into()
         }),
+        Of::present_nested("undecided_gate.", &of_error(), |it| {
+            it.signals.as_ref().map(|error| of_error().record(error).into())
+        }),
     ])
 }
 
@@ -187,7 +190,7 @@ fn of_finding() -> Fields<Finding> {
 fn of_error() -> Fields<MeasurementError> {
     type Of = Field<MeasurementError>;
     Fields::from([
-        Of::value("why", "", "reason why there is no trace", |it| {
+        Of::value("why", "", "reason why there is no trace, or no time of a gate", |it| {
             call::in_words(&what_would_decide(it)).into()
         }),
         Of::value("options[]", "", "options that would decide it", |it| match it {

@@ -66,6 +66,10 @@ fn write_what_would_be_fitted(out: &mut dyn Write, answer: &Answer) -> io::Resul
                 "{}",
                 paragraph("no trace yet: ", &call::in_words(&what_would_decide(error)), COLUMNS)
             )?;
+            if let Some(error) = &answer.signals {
+                let question = call::in_words(&what_would_decide(error));
+                writeln!(out, "{}", paragraph("no gate yet: ", &question, COLUMNS))?;
+            }
             if has_no_time(error) {
                 let tables = "tables of periods are for `libration fit periods` and `libration fit lengths`";
                 writeln!(out, "{tables}")?;
