@@ -155,9 +155,12 @@ pub fn tables() -> Vec<Vec<u8>> {
         &include_bytes!("../../examples/period_table_synthetic.csv")[..],
         include_bytes!("../../examples/lengths_synthetic.csv"),
         include_bytes!("../../examples/gate_synthetic.csv"),
+        include_bytes!("../../examples/light_synthetic.csv"),
     ] {
         all.push(file[..file.len().min(3000)].to_vec());
     }
+    // Columns of zeros, each of which was compared with all others.
+    all.push(format!("10cm{},0.68s\n", ",0".repeat(1500)).into_bytes());
     all
 }
 

@@ -210,7 +210,8 @@ pub enum MeasurementError {
     },
     /// A signal without passages of a gate.
     #[error(
-        "{column} has fewer than three whole dips or peaks that stand out from its noise by ten standard deviations: no passages can be taken from it"
+        "{column} does not show three dips or peaks that last for two rows or more and stand out from its noise by ten standard deviations: no passages can \
+         be taken from it"
     )]
     NoPassages {
         /// Its number and name.

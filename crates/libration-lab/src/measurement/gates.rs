@@ -8,6 +8,7 @@ use super::signal::SignalPassages;
 use super::traces::units::of_times;
 use super::{MeasurementError, QuantityKind};
 use crate::statistics::lower_median;
+use libration::quantity::short;
 
 /// The times of a photogate.
 #[derive(Clone, Debug, PartialEq)]
@@ -105,8 +106,11 @@ fn gates_of_signal(
     };
     let (count, (name, height)) =
         (found.passages.len(), if found.are_dips { ("dips", "depth") } else { ("peaks", "height") });
-    let text =
-        format!("{count} {name} of {column} are passages, which begin and end at half of their {height}");
+    let step = lower_median(times.windows(2).map(|pair| pair[1] - pair[0]).collect()).unwrap_or(0.0);
+    let step = short(step, 3);
+    let text = format!(
+        "{count} {name} of {column}, read every {step} s, are passages, which begin and end at half of their {height}"
+    );
     findings.push(Finding::new(text, Choice::Signal));
     let edges = found.passages.iter().flat_map(|passage| passage.edges.map(|edge| (edge, passage.row)));
     let (times, lines) = edges.map(|(edge, row)| (edge, sheet.lines[rows[row]])).unzip();

@@ -39,12 +39,13 @@ pub struct SignalPassage {
 }
 
 impl SignalPassages {
-    /// The passages in the rows of a signal, whose times increase; `None` if fewer than three stand out from the noise.
+    /// The passages in the rows of a signal, whose times increase; `None` if fewer than three last for two rows or more and stand out from the noise.
     #[must_use]
     pub fn in_signal(times: &[f64], values: &[f64]) -> Option<Self> {
         let level = median(values.to_vec())?;
         let step = median(times.windows(2).map(|pair| pair[1] - pair[0]).collect())?;
-        let above: Vec<f64> = without_spikes(values).iter().map(|value| value - level).collect();
+        let smooth = without_spikes(values);
+        let above: Vec<f64> = smooth.iter().map(|value| value - level).collect();
         let (peak, dip) =
             above.iter().fold((0.0_f64, 0.0_f64), |(up, down), &it| (up.max(it), down.max(-it)));
         let sign = if dip > peak { -1.0 } else { 1.0 };
@@ -55,7 +56,10 @@ impl SignalPassages {
             longest_step: LONGEST_STEP * step,
         };
         let passages = if signal.least > 0.0 { signal.passages() } else { vec![] };
-        (passages.len() >= LEAST_PASSAGES).then_some(Self { are_dips: dip > peak, passages })
+        // More rows that stand alone than passages are noise of another kind, or passages too short for the rows.
+        let alone = |(value, smooth): &(&f64, &f64)| (*value - *smooth).abs() > 0.5 * signal.least;
+        let is_seen = values.iter().zip(&smooth).filter(alone).count() <= passages.len();
+        (is_seen && passages.len() >= LEAST_PASSAGES).then_some(Self { are_dips: dip > peak, passages })
     }
 }
 

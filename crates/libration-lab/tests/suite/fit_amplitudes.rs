@@ -1,6 +1,7 @@
 //! Falling amplitudes against closed forms, against motions that SciPy integrated (`reference/damped_amplitudes.py`), and many draws of errors.
 
 use std::f64::consts::{PI, TAU};
+use std::ops::Range;
 
 use crate::random::Random;
 use crate::synthetic_trace::Synthetic;
@@ -418,26 +419,33 @@ fn linear_quality(case: &Case) -> f64 {
     }
 }
 
-fn check(found: &Coverage, what: &str) {
-    // The standard deviation is 1.1 % of 400 draws, and 2.8 % of 60.
-    let of = |usual, full, own| Limits { usual, full, own };
-    of(0.85..1.001, 0.91..0.991, 0.92..0.985).check(found.within[1] / found.draws, &format!("{what}, 95 %"));
-    of(0.50..0.87, 0.59..0.78, 0.62..0.75).check(found.within[0] / found.draws, &format!("{what}, 68 %"));
+/// Limits of the parts of 68 % intervals that hold, for 60 and for 400 draws with any seed, and for the seed of the test.
+const OF_ONE_LAW: [Range<f64>; 3] = [0.50..0.87, 0.59..0.78, 0.62..0.75];
+
+/// With the differences between laws that the rows do not separate in their uncertainties, 76.5 % of 2000 draws with five seeds held; five
+/// standard deviations to each side.
+const OF_SEVERAL_LAWS: [Range<f64>; 3] = [0.49..0.98, 0.66..0.87, 0.62..0.75];
+
+fn check(found: &Coverage, what: &str, [usual, full, own]: [Range<f64>; 3]) {
+    // The standard deviation of 95 % intervals is 1.1 % of 400 draws, and 2.8 % of 60.
+    let wide = Limits { usual: 0.85..1.001, full: 0.91..0.991, own: 0.92..0.985 };
+    wide.check(found.within[1] / found.draws, &format!("{what}, 95 %"));
+    Limits { usual, full, own }.check(found.within[0] / found.draws, &format!("{what}, 68 %"));
 }
 
 #[test]
 fn intervals_of_given_laws_hold_in_a_sweep() {
     for stated in [Stated::Uncertainties, Stated::Scatter, Stated::Relative] {
         let found = coverage(sweep::number(60, 400), false, stated);
-        check(&found[0], &format!("coefficient, {stated:?}"));
-        check(&found[1], &format!("Q, {stated:?}"));
+        check(&found[0], &format!("coefficient, {stated:?}"), OF_ONE_LAW);
+        check(&found[1], &format!("Q, {stated:?}"), OF_ONE_LAW);
     }
 }
 
 #[test]
 fn intervals_of_laws_that_the_rows_prefer_hold_in_a_sweep() {
     let found = coverage(sweep::number(60, 400), true, Stated::Scatter);
-    check(&found[1], "Q");
+    check(&found[1], "Q", OF_SEVERAL_LAWS);
 }
 
 /// Turning points from 2.9 rad under 0.1/s with ω0 = 4.4/s, integrated by `scipy.integrate.solve_ivp` (DOP853, 1e-12): the average over a cycle invents

@@ -8,11 +8,18 @@ use libration_report::svg;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+/// `true` where documents have no pictures next to them, as in the page, which is smaller without the other formats.
+const IS_ONE_FILE: bool = cfg!(target_family = "wasm");
+
 /// Reads the name of a document, which ends in `.html`, `.htm`, `.md` or `.tex`.
 pub(crate) fn name(text: &str) -> Result<PathBuf, String> {
     let path = PathBuf::from(text);
-    if ["html", "htm", "md", "tex"].iter().any(|ending| is(&path, ending)) {
+    let endings: &[&str] = if IS_ONE_FILE { &["html"] } else { &["html", "htm", "md", "tex"] };
+    if endings.iter().any(|ending| is(&path, ending)) {
         return Ok(path);
+    }
+    if IS_ONE_FILE {
+        return Err("the page writes reports as HTML: give a file name ending in .html".to_owned());
     }
     Err("reports are written as HTML, Markdown or LaTeX: give a file name ending in .html, .md or .tex"
         .to_owned())
@@ -21,7 +28,9 @@ pub(crate) fn name(text: &str) -> Result<PathBuf, String> {
 /// Writes the document, and says so in a sentence; with Markdown each picture becomes an SVG file next to it, with LaTeX a PNG file.
 pub(crate) fn write(path: &Path, document: &Document) -> Result<String, QueryError> {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let ending = if is(path, "md") {
+    let ending = if IS_ONE_FILE {
+        ""
+    } else if is(path, "md") {
         "svg"
     } else if is(path, "tex") {
         "png"

@@ -4,6 +4,5 @@ use libration_report::scene::Scene;
 
 /// The reason why there is none.
 pub(crate) fn file(_: &Scene) -> Result<Vec<u8>, String> {
-    Err("the page does not write PNG: give a file name ending in .svg, or of a report in .html or .md"
-        .to_owned())
+    Err("the page does not write PNG: give a file name ending in .svg".to_owned())
 }

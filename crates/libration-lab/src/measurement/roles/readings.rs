@@ -83,20 +83,23 @@ impl Search<'_> {
         sets.into_iter().next().unwrap_or_default()
     }
 
-    /// These columns as sets of repeated readings, in the order of their first columns.
+    /// These columns as sets of repeated readings, in the order of their first columns. A column of zeros, which agrees not even with itself, is
+    /// compared with no other: a hostile table has thousands.
     fn repeated(&self, columns: &[usize]) -> Vec<Vec<usize>> {
-        let mut sets: Vec<Vec<usize>> = vec![];
-        for &place in columns {
-            let is_of = |set: &&mut Vec<usize>| {
-                let (first, heading) = (self.heading(set[0]), self.heading(place));
-                stem(first) == stem(heading) && first.unit == heading.unit && self.agree(set[0], place)
+        let name = |&place: &usize| (stem(self.heading(place)), self.heading(place).unit);
+        let names: Vec<_> = columns.iter().map(name).collect();
+        let mut sets: Vec<(usize, Vec<usize>)> = vec![];
+        for (index, &place) in columns.iter().enumerate() {
+            let is_of = |(first, _): &&mut (usize, Vec<usize>)| {
+                names[*first] == names[index] && self.agree(columns[*first], place)
             };
-            match sets.iter_mut().find(is_of) {
-                Some(set) => set.push(place),
-                None => sets.push(vec![place]),
+            let same = if self.agree(place, place) { sets.iter_mut().find(is_of) } else { None };
+            match same {
+                Some((_, set)) => set.push(place),
+                None => sets.push((index, vec![place])),
             }
         }
-        sets
+        sets.into_iter().map(|(_, set)| set).collect()
     }
 
     /// Returns whether two columns have values within a factor of each other.
