@@ -39,9 +39,13 @@ pub struct SignalPassage {
 }
 
 impl SignalPassages {
-    /// The passages in the rows of a signal, whose times increase; `None` if fewer than three last for two rows or more and stand out from the noise.
+    /// The passages in the rows of a signal, whose times increase; `None` if fewer than three last for two rows or more and stand out from the noise,
+    /// or there are not as many times as values.
     #[must_use]
     pub fn in_signal(times: &[f64], values: &[f64]) -> Option<Self> {
+        if times.len() != values.len() {
+            return None;
+        }
         let level = median(values.to_vec())?;
         let step = median(times.windows(2).map(|pair| pair[1] - pair[0]).collect())?;
         let smooth = without_spikes(values);
@@ -105,12 +109,15 @@ impl Signal<'_> {
 
     /// The passage with its highest row here; `None` if it is too low, or not whole in the record.
     fn passage(&self, row: usize) -> Option<SignalPassage> {
+        if self.heights[row] < self.least {
+            return None;
+        }
         let half = 0.5 * self.heights[row];
         let is_low = |row: &usize| self.heights[*row] < half;
         let before = (0..row).rev().find(is_low)?;
         let after = (row + 1..self.heights.len()).find(is_low)?;
         let edges = [self.crossing(before, before + 1, half)?, self.crossing(after, after - 1, half)?];
-        (self.heights[row] >= self.least).then_some(SignalPassage { edges, row })
+        Some(SignalPassage { edges, row })
     }
 
     /// The time of a height between a row below it and the row next to it.

@@ -61,6 +61,7 @@ fn noise_is_no_passage() {
     let rows = &rows[..500];
     assert_eq!(SignalPassages::in_signal(rows, &[3.0; 500]), None);
     assert_eq!(SignalPassages::in_signal(rows, rows), None);
+    assert_eq!(SignalPassages::in_signal(rows, &rows[1..]), None);
     for few in 0..6 {
         assert_eq!(SignalPassages::in_signal(&rows[..few], &rows[..few]), None);
     }
