@@ -125,3 +125,20 @@ fn a_report_in_latex_can_be_compiled() {
         }
     }
 }
+
+/// Periods at a gate have two digits of the scatter of their times.
+#[test]
+fn periods_at_a_gate_have_no_digits_beyond_their_error() {
+    let file = directory("fit-report-digits").join("report.md");
+    let fit = format!("fit gates {} --signal 2", example("light_synthetic.csv"));
+    let answer = json(&format!("{fit} --report {}", file.display()));
+    let decimals = 1.0 - (std::f64::consts::SQRT_2 * answer["timing_s"].as_f64().unwrap()).log10().floor();
+    let page = fs::read_to_string(&file).unwrap();
+    let cells = page.split("| period T / s |").nth(1).unwrap().lines().skip(2);
+    let periods: Vec<&str> = cells.map_while(|line| line.split(" | ").nth(2)).collect();
+    assert!(periods.len() > 10, "{page}");
+    for period in periods {
+        let printed = u32::try_from(period.split('.').nth(1).unwrap().len()).unwrap();
+        assert!((f64::from(printed) - decimals).abs() < 0.5, "{period}");
+    }
+}

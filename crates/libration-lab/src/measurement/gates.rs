@@ -78,6 +78,43 @@ fn is_asked(time: f64, choices: &Choices) -> bool {
     choices.from.is_none_or(|from| time >= from) && choices.to.is_none_or(|to| time <= to)
 }
 
+/// The rows of a signal with a number in both columns, at increasing times.
+#[derive(Default)]
+struct SignalRows {
+    times: Vec<f64>,
+    values: Vec<f64>,
+    /// Their rows in the sheet.
+    rows: Vec<usize>,
+    incomplete: usize,
+}
+
+impl SignalRows {
+    fn new(
+        sheet: &Sheet,
+        [time, signal]: [usize; 2],
+        unit: Unit,
+        choices: &Choices,
+    ) -> Result<Self, MeasurementError> {
+        let mut all = Self::default();
+        for row in 0..sheet.rows() {
+            match (sheet.number(time, row)?.map(|time| unit.to_si(time)), sheet.number(signal, row)?) {
+                (Some(time), Some(_)) if !is_asked(time, choices) => {}
+                (Some(time), Some(value)) if all.times.last().is_none_or(|last| *last < time) => {
+                    all.times.push(time);
+                    all.values.push(value);
+                    all.rows.push(row);
+                }
+                _ => all.incomplete += 1,
+            }
+        }
+        Ok(all)
+    }
+
+    fn passages(&self) -> Option<SignalPassages> {
+        SignalPassages::in_signal(&self.times, &self.values)
+    }
+}
+
 /// The edges of the passages in a continuous signal.
 fn gates_of_signal(
     sheet: &Sheet,
@@ -86,45 +123,25 @@ fn gates_of_signal(
     choices: &Choices,
     mut findings: Vec<Finding>,
 ) -> Result<Gates, MeasurementError> {
-    let (mut times, mut values, mut rows, mut incomplete) = (vec![], vec![], vec![], 0);
     let all: Vec<f64> = sheet.channels[time].numbers().flatten().collect();
     let unit = of_times(&all, sheet, time, choices, &mut |finding| findings.push(finding))?;
-    for row in 0..sheet.rows() {
-        match (sheet.number(time, row)?.map(|time| unit.to_si(time)), sheet.number(signal, row)?) {
-            (Some(time), Some(_)) if !is_asked(time, choices) => {}
-            (Some(time), Some(value)) if times.last().is_none_or(|last| *last < time) => {
-                times.push(time);
-                values.push(value);
-                rows.push(row);
-            }
-            _ => incomplete += 1,
-        }
-    }
+    let read = SignalRows::new(sheet, [time, signal], unit, choices)?;
     let column = sheet.describe(signal);
-    let Some(found) = SignalPassages::in_signal(&times, &values) else {
+    let Some(found) = read.passages() else {
         return Err(MeasurementError::NoPassages { column });
     };
     let (count, (name, height)) =
         (found.passages.len(), if found.are_dips { ("dips", "depth") } else { ("peaks", "height") });
-    let step = lower_median(times.windows(2).map(|pair| pair[1] - pair[0]).collect()).unwrap_or(0.0);
+    let step = lower_median(read.times.windows(2).map(|pair| pair[1] - pair[0]).collect()).unwrap_or(0.0);
     let step = short(step, 3);
     let text = format!(
         "{count} {name} of {column}, read every {step} s, are passages, which begin and end at half of their {height}"
     );
     findings.push(Finding::new(text, Choice::Signal));
     let edges = found.passages.iter().flat_map(|passage| passage.edges.map(|edge| (edge, passage.row)));
-    let (times, lines) = edges.map(|(edge, row)| (edge, sheet.lines[rows[row]])).unzip();
+    let (times, lines) = edges.map(|(edge, row)| (edge, sheet.lines[read.rows[row]])).unzip();
     let blocked = Some(found.passages.iter().flat_map(|_| [true, false]).collect());
-    Ok(Gates { times, blocked, lines, incomplete, findings })
-}
-
-/// Returns whether a column has passages at these times.
-fn has_passages(sheet: &Sheet, time: usize, signal: usize) -> bool {
-    let rows = sheet.channels[time].numbers().zip(sheet.channels[signal].numbers());
-    let mut rows: Vec<(f64, f64)> = rows.filter_map(|(time, value)| time.zip(value)).collect();
-    rows.dedup_by(|next, last| next.0 <= last.0);
-    let (times, values): (Vec<f64>, Vec<f64>) = rows.into_iter().unzip();
-    SignalPassages::in_signal(&times, &values).is_some()
+    Ok(Gates { times, blocked, lines, incomplete: read.incomplete, findings })
 }
 
 /// Refuses a trace next to its times, which is not a table of a gate, and any other measured column, if the times come as evenly as samples do.
@@ -152,11 +169,16 @@ fn refuse_samples(sheet: &Sheet, time: usize) -> Result<(), MeasurementError> {
     let found = found.or_else(|| others.clone().find(|&place| is_measured(place)).filter(|_| is_even()));
     let Some(other) = found else { return Ok(()) };
     let (times, other) = (sheet.describe(time), sheet.describe(other));
+    // In any unit: passages depend on the order of the times and not on their scale.
+    let has_passages = |place: usize| {
+        let rows = SignalRows::new(sheet, [time, place], Unit::Second, &Choices::default());
+        rows.is_ok_and(|rows| rows.passages().is_some())
+    };
     let is_signal = |place: &usize| {
         let quantity = sheet.channels[*place].heading.quantity;
         quantity == QuantityKind::Acceleration || is_measured(*place)
     };
-    let signals = others.filter(is_signal).filter(|&place| has_passages(sheet, time, place));
+    let signals = others.filter(is_signal).filter(|&place| has_passages(place));
     let signals: Vec<Suggestion> =
         signals.map(|place| Suggestion::new(Choice::Signal, (place + 1).to_string())).collect();
     let (if_they_are, choices) = match signals.is_empty() {

@@ -6,6 +6,7 @@ use crate::document::Document;
 use crate::figure;
 use crate::output::number::short;
 use libration_lab::fit::gates::GateCycle;
+use std::f64::consts::SQRT_2;
 
 /// The whole report.
 pub(super) fn document(answer: &Answer<'_>, file: &str) -> Document {
@@ -15,9 +16,12 @@ pub(super) fn document(answer: &Answer<'_>, file: &str) -> Document {
         (None, None) => fit_report::doubled("mean period", answer.fit.mean_period, "s"),
     };
     let read = answer.findings.iter().map(|finding| ("detected", finding.clone()));
+    // A period is the difference of two times.
+    let (of_time, of_period) = (answer.fit.timing, answer.fit.timing.map(|it| SQRT_2 * it));
+    let value = |value: f64, error: Option<f64>| fit_report::known(value, error).swap_remove(0);
     let cells = |cycle: &GateCycle| {
         let amplitude = cycle.amplitude.map_or("–".to_owned(), |it| short(it.to_degrees(), 5));
-        vec![short(cycle.time, 7), cycle.side.to_string(), short(cycle.period, 8), amplitude]
+        vec![value(cycle.time, of_time), cycle.side.to_string(), value(cycle.period, of_period), amplitude]
     };
     let report = FitReport {
         headline,
