@@ -173,6 +173,12 @@ impl Point {
     pub fn new(x: f64, y: f64) -> Self {
         Self { x, y, ..Self::default() }
     }
+
+    /// The ends of the vertical error bar.
+    pub fn vertical_ends(&self) -> [f64; 2] {
+        let half = self.y_uncertainty.unwrap_or(0.0);
+        [self.y - half, self.y + half]
+    }
 }
 
 impl Axis {

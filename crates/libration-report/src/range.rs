@@ -1,5 +1,7 @@
 //! The ends of axes: the range of the data with some margin.
 
+use crate::chart::Point;
+
 /// The range of the values with some margin on either side.
 pub fn around(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
     let finite = values.into_iter().filter(|value| value.is_finite());
@@ -11,6 +13,13 @@ pub fn around(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
     let size = low.abs().max(high.abs());
     let room = if high - low > 1e-12 * size { 0.05 * (high - low) } else { 0.1 * size.max(1e-12) };
     (low - room, high + room)
+}
+
+/// The same around vertical error bars and values.
+pub fn around_bars(points: &[Point], values: &[f64]) -> (f64, f64) {
+    let mut all = values.to_vec();
+    all.extend(points.iter().flat_map(Point::vertical_ends));
+    around(all)
 }
 
 /// The powers of ten that enclose the values, with three more below.

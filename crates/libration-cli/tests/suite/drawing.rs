@@ -206,6 +206,12 @@ impl Drawing {
         shapes.map(|shape| self.panels[panel].data_at(middle(&shape.points))).collect()
     }
 
+    /// The corners of the error bars of a panel, on the canvas.
+    pub(crate) fn bars(&self, panel: usize) -> impl Iterator<Item = &Place> {
+        let shapes = self.panels[panel].shapes.iter().map(|&shape| &self.shapes[shape]);
+        shapes.filter(|shape| shape.class == "bars").flat_map(|shape| &shape.points)
+    }
+
     fn of_colour<'a>(&'a self, panel: usize, colour: &'a str) -> impl Iterator<Item = &'a Shape> {
         let shapes = self.panels[panel].shapes.iter().map(|&shape| &self.shapes[shape]);
         shapes.filter(move |shape| shape.colour.eq_ignore_ascii_case(colour))

@@ -756,3 +756,28 @@ fn each_value_of_a_parameter_has_its_motion() {
         }
     }
 }
+
+/// Bars that leave a panel are cut at its frame.
+#[test]
+fn no_error_bar_of_a_fit_is_cut_by_the_frame() {
+    for fit in [
+        "fit|gates|FOLDER/acceleration_synthetic.csv|--signal|3|--amplitude|0.35",
+        "fit|gates|FOLDER/gate_synthetic.csv|--length|0.958m|--diameter|25mm",
+        "fit|lengths|FOLDER/lengths_synthetic.csv",
+        "fit|lengths|FOLDER/bar_synthetic.csv",
+        "fit|periods|FOLDER/period_table_synthetic.csv",
+        "fit|amplitudes|FOLDER/amplitudes_synthetic.csv",
+        "fit|response|FOLDER/response_synthetic.csv",
+    ] {
+        let drawing = drawn(&fit.replace("FOLDER", EXAMPLES), "--figure");
+        let mut bars = 0;
+        for (number, panel) in drawing.panels.iter().enumerate() {
+            let inside = panel.top + 1e-3..panel.top + panel.height - 1e-3;
+            for (_, y) in drawing.bars(number) {
+                assert!(inside.contains(y), "{fit}: {y} in {inside:?}");
+                bars += 1;
+            }
+        }
+        assert!(bars > 0, "{fit}");
+    }
+}

@@ -2,7 +2,7 @@
 
 use super::chart::{Axis, Look, Panel, Picture, Point, Series};
 use super::parameters::found;
-use super::range::around;
+use super::range::{around, around_bars};
 use super::style;
 use libration_lab::fit::amplitudes::{AmplitudeTable, AmplitudesFit, LawOfAmplitudes, Position};
 
@@ -35,7 +35,7 @@ pub(crate) fn fitted(measured: &Measured, fit: &AmplitudesFit) -> Picture {
     });
     let mut series: Vec<Series> = others.map(|(_, other)| curve(other, style::reference(), scale)).collect();
     series.push(curve(law, style::exact_law(), scale));
-    let heights = series.iter().flat_map(|one| &one.points).chain(&data).map(|point| point.y);
+    let heights = series.iter().flat_map(|one| &one.points).chain(&data).flat_map(Point::vertical_ends);
     let (low, high) = heights
         .filter(|height| *height > 0.0)
         .fold((f64::INFINITY, 0.0_f64), |(low, high), height| (low.min(height), high.max(height)));
@@ -67,11 +67,7 @@ fn residuals(measured: &Measured, law: &LawOfAmplitudes, x: Axis) -> Panel {
         y_uncertainty: Some(scale * deviation).filter(|deviation| deviation.is_finite()),
     };
     let points: Vec<Point> = rows.map(point).collect();
-    let ends = points.iter().flat_map(|point| {
-        let arm = point.y_uncertainty.unwrap_or(0.0);
-        [point.y - arm, point.y + arm]
-    });
-    let (low, high) = around(ends);
+    let (low, high) = around_bars(&points, &[]);
     let (from, to) = x.ends();
     let zero = Series::line("", style::exact_law(), [(from, 0.0), (to, 0.0)]);
     Panel {

@@ -2,7 +2,7 @@
 
 use super::chart::{Axis, Panel, Picture, Point, Series, Units};
 use super::parameters::found;
-use super::range::around;
+use super::range::around_bars;
 use super::response::look;
 use super::style;
 use libration_lab::fit::response::{FittedCurve, FittedCurvePoint, ResponseFit, ResponseTable};
@@ -29,8 +29,12 @@ pub(crate) fn fitted(measured: &Measured, fit: &ResponseFit, curve: &FittedCurve
     let data = points(measured, &measured.amplitudes, measured.amplitude_uncertainties.as_deref(), scale);
     let on_curve = curve.branches.iter().flatten().map(|point| point.frequency);
     let (from, to) = extent(measured.frequencies.iter().copied().chain(on_curve));
-    let top =
-        lines.iter().flat_map(|line| &line.points).chain(&data).map(|point| point.y).fold(0.0, f64::max);
+    let top = lines
+        .iter()
+        .flat_map(|line| &line.points)
+        .chain(&data)
+        .flat_map(Point::vertical_ends)
+        .fold(0.0, f64::max);
     let label = match measured.is_angle {
         true => "amplitude / degrees".to_owned(),
         false => format!("amplitude / {}", measured.unit),
@@ -70,7 +74,7 @@ fn of_phases(measured: &Measured, phases: &[f64], curve: &FittedCurve, x: Axis) 
     let uncertainties: Option<Vec<f64>> =
         measured.phase_uncertainties.as_ref().map(|column| column.iter().map(|it| it.to_degrees()).collect());
     let data = points(measured, &degrees, uncertainties.as_deref(), 1.0);
-    let (low, high) = around(data.iter().map(|point| point.y).chain([0.0, 180.0]));
+    let (low, high) = around_bars(&data, &[0.0, 180.0]);
     let y = Axis::linear("lag / degrees", low, high).in_units(Units::Degrees);
     Panel { x, y, series: [lines, vec![markers("", data)]].concat(), share: 0.4 }
 }

@@ -2,7 +2,7 @@
 
 use super::chart::{Axis, Look, Panel, Picture, Point, Series, Units};
 use super::parameters::found;
-use super::range::around;
+use super::range::{around, around_bars};
 use super::style;
 use libration_lab::fit::Law;
 use libration_lab::fit::gates::{GateCycle, GatesFit};
@@ -40,9 +40,10 @@ fn against_time(fit: &GatesFit) -> Panel {
         let look = style::measurements_of(side, points.len());
         Series { label: label.to_owned(), look, points }
     });
+    let all = [of_side(0), of_side(1)].concat();
     Panel {
         x: Axis::linear("time t / s", from, to),
-        y: vertical(fit.cycles.iter().map(|cycle| cycle.period)),
+        y: vertical(&all),
         series: law_in_time(fit).into_iter().chain(sides).collect(),
         share: 1.0,
     }
@@ -70,7 +71,7 @@ fn against_amplitude(measured: &[(f64, f64)], t0: f64, timing: Option<f64>) -> P
     let look = style::measurements(points.len());
     Panel {
         x: Axis::linear("amplitude θ₀ / degrees", from, to).in_units(Units::Degrees),
-        y: vertical(measured.iter().map(|row| row.1)),
+        y: vertical(&points),
         series: vec![
             Series::line("exact law", style::exact_law(), law.collect::<Vec<_>>()),
             Series { label: "measured".to_owned(), look, points },
@@ -79,7 +80,7 @@ fn against_amplitude(measured: &[(f64, f64)], t0: f64, timing: Option<f64>) -> P
     }
 }
 
-fn vertical(values: impl Iterator<Item = f64>) -> Axis {
-    let (low, high) = around(values);
+fn vertical(points: &[Point]) -> Axis {
+    let (low, high) = around_bars(points, &[]);
     Axis::linear("period T / s", low, high)
 }

@@ -2,7 +2,7 @@
 
 use super::chart::{Axis, Panel, Picture, Point, Series};
 use super::parameters::found;
-use super::range::around;
+use super::range::{around, around_bars};
 use super::style;
 use libration_lab::fit::{LengthFit, LengthTable, Uncertain};
 
@@ -31,7 +31,7 @@ pub(crate) fn fitted(measured: &Measured, fit: &LengthFit, radius: Option<f64>) 
     let data: Vec<Point> = squares.map(|(row, t0)| square(measured, row, t0)).collect();
     let residuals: Vec<Point> = (0..measured.lengths.len()).map(|row| residual(measured, row, fit)).collect();
     let x = Axis::linear("length L / m", from, to);
-    let squares = around(data.iter().map(|point| point.y).chain([0.0]));
+    let squares = around_bars(&data, &[0.0]);
     let above = Panel {
         x: x.unlabelled(),
         y: Axis::linear("T₀² / s²", squares.0.max(0.0), squares.1),
@@ -64,8 +64,8 @@ fn bar(measured: &Measured, fit: &LengthFit) -> Picture {
         let at = |square: f64| (square, turn * turn * (square + gyration.value) / fit.g.value);
         Series::line("4π²(k² + h²)/g", style::exact_law(), [at(from), at(to)])
     });
-    let heights = data.iter().map(|point| point.y);
-    let squares = around(heights.chain(line.iter().flat_map(|line| &line.points).map(|point| point.y)));
+    let on_line: Vec<f64> = line.iter().flat_map(|line| &line.points).map(|point| point.y).collect();
+    let squares = around_bars(&data, &on_line);
     let residuals = (0..measured.lengths.len()).map(|row| {
         let of_length = residual(measured, row, fit);
         Point { x: height(row) * height(row), ..of_length }
@@ -88,11 +88,7 @@ fn bar(measured: &Measured, fit: &LengthFit) -> Picture {
 
 /// The panel of residuals.
 fn below(x: Axis, residuals: Vec<Point>) -> Panel {
-    let arms = residuals.iter().flat_map(|point| {
-        let arm = point.y_uncertainty.unwrap_or(0.0);
-        [point.y - arm, point.y + arm]
-    });
-    let (low, high) = around(arms);
+    let (low, high) = around_bars(&residuals, &[]);
     let zero = Series::line("", style::exact_law(), [(x.ends().0, 0.0), (x.ends().1, 0.0)]);
     Panel {
         x,

@@ -2,7 +2,7 @@
 
 use super::chart::{Axis, Panel, Picture, Point, Series, Units};
 use super::parameters::found;
-use super::range::around;
+use super::range::{around, around_bars};
 use super::style;
 use libration_lab::fit::{Law, PeriodFit};
 
@@ -79,10 +79,6 @@ fn residual(row: usize, measurement: &Measurement, fit: &PeriodFit) -> Point {
 }
 
 fn vertical(label: &str, points: &[Point]) -> Axis {
-    let ends = |point: &Point| {
-        let arm = point.y_uncertainty.unwrap_or(0.0);
-        [point.y - arm, point.y + arm]
-    };
-    let (low, high) = around(points.iter().flat_map(ends));
+    let (low, high) = around_bars(points, &[]);
     Axis::linear(label, low, high)
 }
