@@ -228,9 +228,23 @@ fn an_orbit_of_each_kind_is_told() {
     assert_eq!(kind("orbit driven_pendulum --set A=0.15,c=0.1,omega=0.82"), "driven");
     assert_eq!(kind("orbit pendulum --initial theta=60deg"), "released");
     assert_eq!(kind("orbit van_der_pol --initial x=0.5"), "limit_cycle");
+    assert_eq!(kind("orbit x'=10*(y-x);y'=x*(28-z)-y;z'=x*y-8/3*z --initial x=1,y=1,z=20"), "passed");
     assert_eq!(kind("orbit lotka_volterra --initial x=1,y=2 --period 6.5"), "family");
     let near = "orbit double_pendulum --period 8 --initial theta1=0.1,theta2=0.141";
     assert_eq!(kind(near), "near");
+}
+
+#[test]
+fn a_response_that_repeats_earlier_says_so() {
+    let notes = |periods: &str| {
+        message(&libration(&format!("orbit x''+0.1*x'+x+x^3=cos(t) --initial x=1 {periods}")))
+    };
+    assert!(notes("--drive-periods 6").contains("repeats after 1 of 6 periods of the drive"));
+    assert!(notes("--period 12.566370614359172").contains("repeats after 1 of 2 periods"));
+    assert_eq!(notes("--drive-periods 1"), "");
+    // This one has three periods of the drive in its own.
+    let subharmonic = "orbit x''+0.05*x'+x+x^3=5*cos(9*t) --drive-periods 3 --initial x=3";
+    assert_eq!(message(&libration(subharmonic)), "");
 }
 
 #[test]

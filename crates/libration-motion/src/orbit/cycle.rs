@@ -10,6 +10,7 @@ use super::periodic::Orbit;
 use super::relaxation::forgetful;
 use super::search::OrbitKind;
 use super::shooting::{Unknowns, closed};
+use crate::periodic::Stability;
 use crate::taylor::{Cause, Effort, IntegrationError, Moment, StateLayout, Step, System, integrate_stepwise};
 use libration_numbers::expression::Equation;
 use libration_numbers::internals::progress::Watch;
@@ -29,11 +30,14 @@ const VANISHED: f64 = 1e-9;
 /// Distance covered in the elapsed time at the current speed, relative to the range, below which the motion comes to rest: past a saddle, from
 /// which rounding drives it away at 1e-16 of its size, a motion is never that slow.
 const FADED: f64 = 1e-30;
-/// Difference from an earlier state, relative to the swing, below which the motion has returned; Newton's method does the rest.
-const RETURNED: f64 = 1e-3;
+/// Difference from an earlier state, relative to the swing, below which the motion has returned; Newton's method does the rest. A motion that
+/// passes an unstable cycle, as every chaotic one does again and again, is followed on until it returns more closely: for the last difference,
+/// 3000 maxima beside eight others each are 2e-5 returns by chance in a chaos of one dimension.
+const RETURNED: [f64; 3] = [1e-3, 1e-6, 1e-9];
 
 impl Orbit {
     /// The limit cycle to which the motion from a start settles; it begins at a maximum of the first coordinate.
+    /// Where the motion settles to none within 3000 maxima, it is an unstable one that it passes.
     ///
     /// # Accuracy
     /// As stated by [`period_uncertainty`](Self::period_uncertainty).
@@ -85,14 +89,38 @@ fn cycle_unless(
     watch: &Watch<'_>,
 ) -> Result<(OrbitKind, Orbit), OrbitError> {
     let rounds = Rounds::new(equation, watch)?;
-    let guess = finished(settled(&System::new(equation)?, start, watch), watch)?;
-    if let Some(orbit) = finished(forgetful(equation, &rounds, &guess), watch)? {
+    let system = System::new(equation)?;
+    let mut passed = None;
+    for returned in RETURNED {
+        let watched = (&rounds, watch);
+        match cycle_at_return(returned, &family, equation, watched, &system, start) {
+            Ok((OrbitKind::Passed, orbit)) => passed = passed.or(Some((OrbitKind::Passed, orbit))),
+            Err(error) if !watch.is_stopped() => return passed.ok_or(error),
+            outcome => return finished(outcome, watch),
+        }
+    }
+    passed.ok_or(OrbitError::NoPeriod)
+}
+
+/// The same, where the motion first returns within a difference; an unstable cycle is one that it passes.
+fn cycle_at_return(
+    returned: f64,
+    family: impl Fn(&Rounds<'_>, f64) -> Result<Option<Orbit>, OrbitError>,
+    equation: &Equation,
+    (rounds, watch): (&Rounds<'_>, &Watch<'_>),
+    system: &System,
+    start: &[f64],
+) -> Result<(OrbitKind, Orbit), OrbitError> {
+    let guess = settled(system, start, returned, watch)?;
+    if let Some(orbit) = forgetful(equation, rounds, &guess)? {
         return Ok((OrbitKind::LimitCycle, orbit));
     }
-    match finished(family(&rounds, guess.period), watch)? {
-        Some(orbit) => Ok((OrbitKind::Family, orbit)),
-        None => Ok((OrbitKind::LimitCycle, finished(drifted(equation, &rounds, &guess), watch)?)),
+    if let Some(orbit) = family(rounds, guess.period)? {
+        return Ok((OrbitKind::Family, orbit));
     }
+    let orbit = drifted(equation, rounds, &guess)?;
+    let is_unstable = orbit.floquet().is_some_and(|it| it.stability == Stability::Unstable);
+    Ok((if is_unstable { OrbitKind::Passed } else { OrbitKind::LimitCycle }, orbit))
 }
 
 /// The cycle near a guess, or near the states to which the drift of a turn leads.
@@ -112,18 +140,41 @@ fn drifted(equation: &Equation, rounds: &Rounds<'_>, guess: &OrbitGuess) -> Resu
     outcome
 }
 
-/// The cycle near a guess that begins at a maximum of the first coordinate.
+/// The cycle near a guess that begins at a maximum of the first coordinate. Where an attracting cycle is about to double its period, a turn
+/// almost reverses deviations: two turns are almost closed wherever they begin, and Newton's method finds the cycle by one.
 fn at_maximum(equation: &Equation, rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<Orbit, OrbitError> {
+    let outcome = closed_at_maximum(equation, rounds, guess);
+    if !matches!(outcome, Err(OrbitError::NoConvergence { .. })) {
+        return outcome;
+    }
+    let turn = OrbitGuess { period: 0.5 * guess.period, ..guess.clone() };
+    match closed_at_maximum(equation, rounds, &turn) {
+        Ok(orbit) if orbit.floquet().map(|it| it.stability) == Some(Stability::Attracting) => Ok(orbit),
+        Err(error @ OrbitError::Interrupted(_)) => Err(error),
+        _ => outcome,
+    }
+}
+
+fn closed_at_maximum(
+    equation: &Equation,
+    rounds: &Rounds<'_>,
+    guess: &OrbitGuess,
+) -> Result<Orbit, OrbitError> {
     let held = rounds.held_at_maximum(guess)?;
     let free = (0..rounds.layout().numbers()).filter(|number| *number != held).collect();
     closed(equation, rounds, guess, &Unknowns { free, period: true })
 }
 
 /// The motion followed from maximum to maximum until it repeats itself.
-fn settled(system: &System, start: &[f64], watch: &Watch<'_>) -> Result<OrbitGuess, OrbitError> {
+fn settled(
+    system: &System,
+    start: &[f64],
+    returned: f64,
+    watch: &Watch<'_>,
+) -> Result<OrbitGuess, OrbitError> {
     /// A time beyond every motion: the limits of maxima or steps end the search before.
     const FAR: f64 = 1e300;
-    let mut maxima = Maxima::new(system.layout());
+    let mut maxima = Maxima::new(system.layout(), returned);
     let mut guess = None;
     let start = Moment { time: 0.0, state: start.to_vec() };
     let effort = Effort::to_tolerance(1e-12);
@@ -166,6 +217,8 @@ fn lost(error: Option<IntegrationError>, maxima: &Maxima) -> OrbitError {
 struct Maxima {
     /// The index of the first coordinate's velocity.
     velocity: Option<usize>,
+    /// Difference from an earlier state, relative to the swing, below which the motion has returned.
+    returned: f64,
     found: Vec<Moment>,
     /// Steps since the last maximum.
     steps: usize,
@@ -184,10 +237,11 @@ struct Maxima {
 }
 
 impl Maxima {
-    fn new(layout: &StateLayout) -> Self {
+    fn new(layout: &StateLayout, returned: f64) -> Self {
         let none = vec![0.0; layout.numbers()];
         Self {
             velocity: layout.velocity(0),
+            returned,
             found: vec![],
             steps: 0,
             moved: none.clone(),
@@ -235,7 +289,7 @@ impl Maxima {
 
     fn is_return(&self, state: &[f64], earlier: &[f64]) -> bool {
         let differences = state.iter().zip(earlier).zip(&self.swing);
-        differences.into_iter().all(|((now, then), swing)| (now - then).abs() <= RETURNED * swing)
+        differences.into_iter().all(|((now, then), swing)| (now - then).abs() <= self.returned * swing)
     }
 
     /// Returns `true` if the search has reached its limit of maxima, or of steps since the last one.

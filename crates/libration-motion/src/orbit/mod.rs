@@ -26,6 +26,7 @@ mod path;
 mod pieces;
 
 mod harmonics;
+mod least_period;
 mod near;
 mod periodic;
 

@@ -30,6 +30,8 @@ pub enum OrbitKind {
     Released,
     /// The limit cycle to which an autonomous motion settles.
     LimitCycle,
+    /// An unstable cycle that an autonomous motion passes, which settles to none.
+    Passed,
     /// The response to a periodic force.
     Driven,
     /// An orbit of a family, through the start itself.

@@ -14,6 +14,7 @@
 use super::closing::{Round, Rounds};
 use super::divergence::Divergence;
 use super::error::{Lost, OrbitError, finished};
+use super::least_period::over_least_period;
 use super::near::OrbitGuess;
 use super::periodic::{Orbit, StateErrors};
 use crate::periodic::{CLOSED, Floquet, LOST, NewtonStep, Stability, norm_of_map};
@@ -86,8 +87,24 @@ const UNDETERMINED: f64 = 0.01;
 /// Size relative to the guess below which an orbit is an equilibrium: every round has shrunk it as much as a round may, 0.7⁴⁰ = 6e-7.
 const VANISHED: f64 = 1e-6;
 
-/// The orbit near a guess.
+/// The orbit near a guess; over its least period, if the period is an unknown.
 pub(super) fn closed(
+    equation: &Equation,
+    rounds: &Rounds<'_>,
+    guess: &OrbitGuess,
+    unknowns: &Unknowns,
+) -> Result<Orbit, OrbitError> {
+    let orbit = closed_once(equation, rounds, guess, unknowns)?;
+    if !unknowns.period {
+        return Ok(orbit);
+    }
+    over_least_period(orbit, |state, period| {
+        closed_once(equation, rounds, &OrbitGuess { state, period }, unknowns)
+    })
+}
+
+/// The orbit near a guess, which it may go round several times.
+fn closed_once(
     equation: &Equation,
     rounds: &Rounds<'_>,
     guess: &OrbitGuess,

@@ -329,6 +329,43 @@ fn a_search_finds_the_orbit_of_each_kind() {
     assert!(orbit.period_uncertainty() < 1e-13, "{:e}", orbit.period_uncertainty());
 }
 
+/// The way to chaos of Rössler's equations, beside DOP853 of SciPy 1.17 with variations and Newton's method. Where the multiplier is negative a
+/// motion returns more closely after two turns, and next to a doubled period (c = 2.832445) a pair of turns closes almost everywhere; past
+/// c = 3.84 the motion passes the cycle of two turns first.
+#[test]
+fn a_cycle_has_its_least_period_and_attracts() {
+    for (c, period, multiplier) in [
+        ("2", 5.709_855_915_127_704, -0.383_585_052),
+        ("2.5", 5.748_991_183_278_002, -0.769_693_642),
+        ("2.832", 5.769_794_137_891_18, -0.999_704_34),
+        ("3", 11.531_074_139_878_83, 0.586_297_820),
+        ("3.9", 23.157_203_979_731_865, 0.582_232_366),
+    ] {
+        let roessler = equation(&format!("x' = -y - z; y' = x + 0.2*y; z' = 0.2 + z*(x - {c})"));
+        let search =
+            OrbitSearch { start: vec![1.0, 1.0, 0.0], period: None, conserves_energy: false, held: None };
+        let (kind, orbit) = Orbit::search(&roessler, &search, &Quiet).unwrap();
+        let floquet = orbit.floquet().unwrap();
+        assert_eq!((kind, floquet.stability), (OrbitKind::LimitCycle, Stability::Attracting), "{c}");
+        assert_within(orbit.period(), period, 1e-12 * period, c);
+        let found = floquet.multipliers.iter().find(|it| (it.re - 1.0).abs() > 1e-7).unwrap();
+        assert_within(found.re, multiplier, 2e-8, c);
+        // A multiple of the period as a guess leads to the same.
+        let search = OrbitSearch { start: orbit.start(), period: Some(3.0 * orbit.period()), ..search };
+        let (_, again) = Orbit::search(&roessler, &search, &Quiet).unwrap();
+        assert_within(again.period(), period, 1e-12 * period, c);
+    }
+}
+
+#[test]
+fn a_chaotic_motion_passes_unstable_cycles_and_settles_to_none() {
+    let lorenz = equation("x' = 10*(y - x); y' = x*(28 - z) - y; z' = x*y - 8/3*z");
+    let start = vec![1.0, 1.0, 20.0];
+    let search = OrbitSearch { start, period: None, conserves_energy: false, held: None };
+    let (kind, orbit) = Orbit::search(&lorenz, &search, &Quiet).unwrap();
+    assert_eq!((kind, orbit.floquet().unwrap().stability), (OrbitKind::Passed, Stability::Unstable));
+}
+
 /// Periods of prey and predators by quadrature over their invariant x − ln x + y − ln y, in 40 digits.
 #[test]
 fn an_orbit_of_a_family_goes_through_the_start_and_has_a_period_of_its_own() {

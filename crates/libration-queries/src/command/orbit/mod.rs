@@ -9,7 +9,7 @@ use crate::arguments::{
 use crate::output::number::count as number;
 use crate::output::{FormOptions, announce};
 use crate::query_error::{QueryError, option};
-use crate::{figure, interrupt, parallel};
+use crate::{call, figure, interrupt, parallel};
 use libration::chaos::drive_period;
 use libration::orbit::{Harmonics, Orbit, OrbitError, OrbitKind, OrbitSearch};
 use libration::systems::Model;
@@ -24,7 +24,7 @@ const MOST_PERIODS: usize = 1000;
 /// A periodic orbit: its period, harmonics, Floquet multipliers and stability, with errors
 ///
 /// For a driven system, the periodic response near the start, or the one to which the start leads; without a drive, a motion released
-/// from rest, a limit cycle, or the orbit near a guess of its period.
+/// from rest, a limit cycle, or the orbit near a guess of its period. Without a drive the period is the least one.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration orbit driven_pendulum --set A=0.15,c=0.1,omega=0.82
@@ -83,6 +83,7 @@ impl OrbitQuestion {
         });
         let early = || QueryError::cancelled("interrupted before the orbit was known: nothing is written");
         let (kind, orbit, harmonics) = found.ok_or_else(early)?.map_err(|error| failure(error, &model))?;
+        note_shorter_period(&model, &orbit);
         let answer = Answer { model, kind, orbit, harmonics };
         let drawn = match &self.figure {
             Some(path) => {
@@ -110,6 +111,20 @@ impl OrbitQuestion {
         }
         let held = self.hold.as_ref().map(|name| coordinate(model, &option("hold"), name)).transpose()?;
         Ok(OrbitSearch { start, period, conserves_energy: model.energy().is_ok(), held })
+    }
+}
+
+/// Notes that a response repeats after fewer periods of the drive: its multipliers are then powers of those over its least period.
+fn note_shorter_period(model: &Model, orbit: &Orbit) {
+    let Some(drive) = drive_period(model.equation()) else { return };
+    let periods = (1..=u32::try_from(MOST_PERIODS).unwrap_or(u32::MAX))
+        .find(|it| (orbit.period() - f64::from(*it) * drive).abs() < 1e-9 * orbit.period());
+    let parts = |all: u32| (2..=all).rev().find(|parts| all % parts == 0 && orbit.repeats_after(*parts));
+    if let Some((all, parts)) = periods.and_then(|all| Some((all, parts(all)?))) {
+        let least = all / parts;
+        call::current().note(&format!(
+            "the response repeats after {least} of {all} periods of the drive: <--drive-periods> {least} gives the multipliers of its own period"
+        ));
     }
 }
 
