@@ -119,7 +119,8 @@ fn note_shorter_period(model: &Model, orbit: &Orbit) {
     let Some(drive) = drive_period(model.equation()) else { return };
     let periods = (1..=u32::try_from(MOST_PERIODS).unwrap_or(u32::MAX))
         .find(|it| (orbit.period() - f64::from(*it) * drive).abs() < 1e-9 * orbit.period());
-    let parts = |all: u32| (2..=all).rev().find(|parts| all % parts == 0 && orbit.repeats_after(*parts));
+    let parts =
+        |all: u32| (2..=all).rev().find(|parts| all.is_multiple_of(*parts) && orbit.repeats_after(*parts));
     if let Some((all, parts)) = periods.and_then(|all| Some((all, parts(all)?))) {
         let least = all / parts;
         call::current().note(&format!(
