@@ -66,6 +66,17 @@ pub enum BranchError {
     /// No motion to begin with, at either end.
     #[error("no periodic solution was found at the ends of the range or at the given value: {0}")]
     NoStart(OrbitError),
+    /// A limit cycle on which the first coordinate does not move, by whose turning the starts of cycles are found.
+    #[error(
+        "the first coordinate is at rest on the limit cycle, which is followed from a turning point of that coordinate: write the equation of a \
+         coordinate that oscillates first"
+    )]
+    FirstAtRest,
+    /// Periodic solutions that cannot be followed.
+    #[error(
+        "the corrector fails at the periodic solutions that were found: give another start or another range"
+    )]
+    NotFollowed,
     /// Cancelled before the first point.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),

@@ -156,10 +156,12 @@ impl Search<'_> {
             self.begin(&mut found, &mut missing, place, further);
             self.follow_all(&mut found);
         }
-        if found.branches.is_empty()
-            && let Some((_, error)) = missing.pop()
-        {
-            return Err(error);
+        if found.branches.is_empty() {
+            match missing.pop() {
+                Some((_, error)) => return Err(error),
+                None if self.family.watch.is_stopped() => {}
+                None => return Err(BranchError::NotFollowed),
+            }
         }
         let branches = found.branches;
         let jumps = jumps(&branches, |space| self.corrector(space), self.width());

@@ -55,13 +55,18 @@ impl<'w> Rounds<'w> {
         Path::to_time(self.flow.system(), &start, duration, &self.flow.effort(tolerance), self.watch)
     }
 
-    /// The motion of one second-order coordinate from a maximum to the next one, expected after about the period of the guess.
-    pub(super) fn turn(&self, start: &OrbitGuess, tolerance: f64) -> Result<Option<Path>, IntegrationError> {
+    /// The motion from a maximum of a second-order coordinate to the next one, expected after about the period of the guess.
+    pub(super) fn turn(
+        &self,
+        coordinate: usize,
+        start: &OrbitGuess,
+        tolerance: f64,
+    ) -> Result<Option<Path>, IntegrationError> {
         let horizons = [1.5 * start.period, 2.0 * start.period];
         let start = Moment { time: 0.0, state: start.state.clone() };
         let effort = self.flow.effort(tolerance);
         until(self.flow.system(), &start, horizons, &effort, self.watch, |step| {
-            let velocity = self.layout().driven(0);
+            let velocity = self.layout().driven(coordinate);
             let rises = step.state_at(step.start())[velocity] > 0.0;
             sign_change(step, velocity).filter(|_| rises)
         })
@@ -77,10 +82,10 @@ impl<'w> Rounds<'w> {
         Ok(Round { path, defect, monodromy, rate })
     }
 
-    /// The index of the component that is held fixed when a cycle is closed that begins at a maximum of the first coordinate: the velocity of
+    /// The index of the component that is held fixed when a cycle is closed that begins at a maximum of a coordinate: the velocity of
     /// that coordinate or, without one, the component that changes fastest there, since the coordinate itself is stationary.
-    pub(super) fn held_at_maximum(&self, guess: &OrbitGuess) -> Result<usize, OrbitError> {
-        if let Some(velocity) = self.layout().velocity(0) {
+    pub(super) fn held_at_maximum(&self, coordinate: usize, guess: &OrbitGuess) -> Result<usize, OrbitError> {
+        if let Some(velocity) = self.layout().velocity(coordinate) {
             return Ok(velocity);
         }
         let round = self.round(&guess.state, guess.period)?;

@@ -36,7 +36,7 @@ const FADED: f64 = 1e-30;
 const RETURNED: [f64; 3] = [1e-3, 1e-6, 1e-9];
 
 impl Orbit {
-    /// The limit cycle to which the motion from a start settles; it begins at a maximum of the first coordinate.
+    /// The limit cycle to which the motion from a start settles; it begins at a maximum of the first coordinate that does not come to rest.
     /// Where the motion settles to none within 3000 maxima, it is an unstable one that it passes.
     ///
     /// # Accuracy
@@ -111,70 +111,90 @@ fn cycle_at_return(
     system: &System,
     start: &[f64],
 ) -> Result<(OrbitKind, Orbit), OrbitError> {
-    let guess = settled(system, start, returned, watch)?;
+    let (coordinate, guess) = settled(system, start, returned, watch)?;
     if let Some(orbit) = forgetful(equation, rounds, &guess)? {
         return Ok((OrbitKind::LimitCycle, orbit));
     }
     if let Some(orbit) = family(rounds, guess.period)? {
         return Ok((OrbitKind::Family, orbit));
     }
-    let orbit = drifted(equation, rounds, &guess)?;
+    let orbit = drifted(equation, rounds, coordinate, &guess)?;
     let is_unstable = orbit.floquet().is_some_and(|it| it.stability == Stability::Unstable);
     Ok((if is_unstable { OrbitKind::Passed } else { OrbitKind::LimitCycle }, orbit))
 }
 
 /// The cycle near a guess, or near the states to which the drift of a turn leads.
-fn drifted(equation: &Equation, rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<Orbit, OrbitError> {
-    let mut outcome = at_maximum(equation, rounds, guess);
+fn drifted(
+    equation: &Equation,
+    rounds: &Rounds<'_>,
+    coordinate: usize,
+    guess: &OrbitGuess,
+) -> Result<Orbit, OrbitError> {
+    let at_maximum = |guess: &OrbitGuess| at_maximum(equation, rounds, coordinate, guess);
+    let mut outcome = at_maximum(guess);
     let mut at = guess.clone();
     for _ in 0..MOST_LEAPS {
         if !matches!(outcome, Err(OrbitError::NoCycle(Lost::UnstableRest) | OrbitError::NoConvergence { .. }))
         {
             break;
         }
-        let Some(next) = leap(rounds, &at)? else { break };
-        let nearer = at_maximum(equation, rounds, &next);
+        let Some(next) = leap(rounds, coordinate, &at)? else { break };
+        let nearer = at_maximum(&next);
         at = next;
         outcome = if nearer.is_ok() { nearer } else { outcome };
     }
     outcome
 }
 
-/// The cycle near a guess that begins at a maximum of the first coordinate. Where an attracting cycle is about to double its period, a turn
-/// almost reverses deviations: two turns are almost closed wherever they begin, and Newton's method finds the cycle by one.
-fn at_maximum(equation: &Equation, rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<Orbit, OrbitError> {
-    let outcome = closed_at_maximum(equation, rounds, guess);
+/// The cycle near a guess that begins at a maximum of a coordinate. Where an attracting cycle is about to double its period, a turn almost
+/// reverses deviations: two turns are almost closed wherever they begin, and Newton's method finds the cycle by one.
+fn at_maximum(
+    equation: &Equation,
+    rounds: &Rounds<'_>,
+    coordinate: usize,
+    guess: &OrbitGuess,
+) -> Result<Orbit, OrbitError> {
+    let held = rounds.held_at_maximum(coordinate, guess)?;
+    let free = (0..rounds.layout().numbers()).filter(|number| *number != held).collect();
+    let unknowns = Unknowns { free, period: true };
+    let outcome = closed(equation, rounds, guess, &unknowns);
     if !matches!(outcome, Err(OrbitError::NoConvergence { .. })) {
         return outcome;
     }
     let turn = OrbitGuess { period: 0.5 * guess.period, ..guess.clone() };
-    match closed_at_maximum(equation, rounds, &turn) {
+    match closed(equation, rounds, &turn, &unknowns) {
         Ok(orbit) if orbit.floquet().map(|it| it.stability) == Some(Stability::Attracting) => Ok(orbit),
         Err(error @ OrbitError::Interrupted(_)) => Err(error),
         _ => outcome,
     }
 }
 
-fn closed_at_maximum(
-    equation: &Equation,
-    rounds: &Rounds<'_>,
-    guess: &OrbitGuess,
-) -> Result<Orbit, OrbitError> {
-    let held = rounds.held_at_maximum(guess)?;
-    let free = (0..rounds.layout().numbers()).filter(|number| *number != held).collect();
-    closed(equation, rounds, guess, &Unknowns { free, period: true })
-}
-
-/// The motion followed from maximum to maximum until it repeats itself.
+/// The motion followed from maximum to maximum until it repeats itself: the first coordinate that does not come to rest, and a guess of the cycle.
 fn settled(
     system: &System,
     start: &[f64],
     returned: f64,
     watch: &Watch<'_>,
+) -> Result<(usize, OrbitGuess), OrbitError> {
+    let mut outcome = Err(OrbitError::NoCycle(Lost::Rest));
+    for coordinate in 0..system.layout().coordinates() {
+        if !matches!(outcome, Err(OrbitError::NoCycle(Lost::Rest))) {
+            break;
+        }
+        let maxima = Maxima::new(system.layout(), coordinate, returned);
+        outcome = settled_by(maxima, system, start, watch).map(|guess| (coordinate, guess));
+    }
+    outcome
+}
+
+fn settled_by(
+    mut maxima: Maxima,
+    system: &System,
+    start: &[f64],
+    watch: &Watch<'_>,
 ) -> Result<OrbitGuess, OrbitError> {
     /// A time beyond every motion: the limits of maxima or steps end the search before.
     const FAR: f64 = 1e300;
-    let mut maxima = Maxima::new(system.layout(), returned);
     let mut guess = None;
     let start = Moment { time: 0.0, state: start.to_vec() };
     let effort = Effort::to_tolerance(1e-12);
@@ -213,9 +233,10 @@ fn lost(error: Option<IntegrationError>, maxima: &Maxima) -> OrbitError {
     })
 }
 
-/// The maxima of the first coordinate so far.
+/// The maxima of a coordinate so far.
 struct Maxima {
-    /// The index of the first coordinate's velocity.
+    coordinate: usize,
+    /// The index of its velocity.
     velocity: Option<usize>,
     /// Difference from an earlier state, relative to the swing, below which the motion has returned.
     returned: f64,
@@ -226,21 +247,22 @@ struct Maxima {
     moved: Vec<f64>,
     /// Largest change of each state component between the last two maxima.
     swing: Vec<f64>,
-    /// The least and the greatest value of the first coordinate so far.
+    /// The least and the greatest value of the coordinate so far.
     range: (f64, f64),
     /// The elapsed time.
     time: f64,
-    /// Speed of the first coordinate at that time.
+    /// Speed of the coordinate at that time.
     pace: f64,
     /// Number of consecutive steps with almost no motion at their ends.
     faded: usize,
 }
 
 impl Maxima {
-    fn new(layout: &StateLayout, returned: f64) -> Self {
+    fn new(layout: &StateLayout, coordinate: usize, returned: f64) -> Self {
         let none = vec![0.0; layout.numbers()];
         Self {
-            velocity: layout.velocity(0),
+            coordinate,
+            velocity: layout.velocity(coordinate),
             returned,
             found: vec![],
             steps: 0,
@@ -257,14 +279,14 @@ impl Maxima {
     fn watch(&mut self, step: &Step<'_>) -> Option<OrbitGuess> {
         self.steps += 1;
         self.time = step.end();
-        self.pace = step.speeds_at(self.time)[0].abs();
+        self.pace = step.speeds_at(self.time)[self.coordinate].abs();
         for time in [step.start(), step.end()] {
             self.widen(&step.state_at(time));
         }
         let is_faded = self.pace * self.time < FADED * (self.range.1 - self.range.0);
         self.faded = if is_faded { self.faded + 1 } else { 0 };
-        let rises = step.speeds_at(step.start())[0] > 0.0;
-        let time = turn_in(step).filter(|_| rises)?;
+        let rises = step.speeds_at(step.start())[self.coordinate] > 0.0;
+        let time = turn_in(step, self.coordinate).filter(|_| rises)?;
         let mut state = step.state_at(time);
         if let Some(velocity) = self.velocity {
             // At a maximum a remaining velocity is a rounding error.
@@ -280,7 +302,8 @@ impl Maxima {
     }
 
     fn widen(&mut self, state: &[f64]) {
-        self.range = (self.range.0.min(state[0]), self.range.1.max(state[0]));
+        let place = state[self.coordinate];
+        self.range = (self.range.0.min(place), self.range.1.max(place));
         let Some(last) = self.found.last() else { return };
         for ((moved, now), then) in self.moved.iter_mut().zip(state).zip(&last.state) {
             *moved = moved.max((now - then).abs());
@@ -302,13 +325,13 @@ impl Maxima {
         self.faded >= 3
     }
 
-    /// Returns `true` if the first coordinate is at rest: at its speed it would
+    /// Returns `true` if the coordinate is at rest: at its speed it would
     /// take many times the elapsed time for a significant part of its range.
     fn is_still(&self) -> bool {
         self.pace * self.time < VANISHED * (self.range.1 - self.range.0)
     }
 
-    /// Returns `true` if the first coordinate is farther away than any orbit that is searched.
+    /// Returns `true` if the coordinate is farther away than any orbit that is searched.
     fn goes_away(&self) -> bool {
         const FAR: f64 = 1e100;
         self.range.1 - self.range.0 > FAR
@@ -316,6 +339,6 @@ impl Maxima {
 
     /// Returns `true` if the last swing is negligible compared with the whole range.
     fn vanish(&self) -> bool {
-        self.found.len() > 1 && self.swing[0] < VANISHED * (self.range.1 - self.range.0)
+        self.found.len() > 1 && self.swing[self.coordinate] < VANISHED * (self.range.1 - self.range.0)
     }
 }

@@ -14,10 +14,14 @@ const LEAP: f64 = 0.15;
 /// Maximum number of leaps, in which an amplitude grows by e⁹ = 8000.
 pub(super) const MOST_LEAPS: usize = 60;
 
-/// The maximum after one leap in the direction of the drift in one turn; `None` if the first coordinate has no velocity, or does not turn.
-pub(super) fn leap(rounds: &Rounds<'_>, from: &OrbitGuess) -> Result<Option<OrbitGuess>, OrbitError> {
-    let Some(velocity) = rounds.layout().velocity(0) else { return Ok(None) };
-    let Some(path) = rounds.turn(from, 1e-16)? else { return Ok(None) };
+/// The maximum after one leap in the direction of the drift in one turn; `None` if the coordinate has no velocity, or does not turn.
+pub(super) fn leap(
+    rounds: &Rounds<'_>,
+    coordinate: usize,
+    from: &OrbitGuess,
+) -> Result<Option<OrbitGuess>, OrbitError> {
+    let Some(velocity) = rounds.layout().velocity(coordinate) else { return Ok(None) };
+    let Some(path) = rounds.turn(coordinate, from, 1e-16)? else { return Ok(None) };
     let period = path.end_time();
     let drift = difference(&path.state_at(period), &from.state);
     let way = norm(&difference(&path.state_at(0.5 * period), &from.state));

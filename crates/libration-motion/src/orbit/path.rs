@@ -161,9 +161,9 @@ pub(super) fn sign_change(step: &Step<'_>, number: usize) -> Option<f64> {
     zero_in(step, |time| step.state_at(time)[number])
 }
 
-/// The time at which the rate of change of the first coordinate changes its sign in a step, to the last bit, as for [`sign_change`].
-pub(super) fn turn_in(step: &Step<'_>) -> Option<f64> {
-    zero_in(step, |time| step.speeds_at(time)[0])
+/// The time at which the rate of change of a coordinate changes its sign in a step, to the last bit, as for [`sign_change`].
+pub(super) fn turn_in(step: &Step<'_>, coordinate: usize) -> Option<f64> {
+    zero_in(step, |time| step.speeds_at(time)[coordinate])
 }
 
 fn zero_in(step: &Step<'_>, value: impl Fn(f64) -> f64) -> Option<f64> {

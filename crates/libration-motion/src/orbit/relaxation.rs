@@ -34,7 +34,7 @@ pub(super) fn forgetful(
     guess: &OrbitGuess,
 ) -> Result<Option<Orbit>, OrbitError> {
     let Some(divergence) = Divergence::new(equation) else { return Ok(None) };
-    let Some(first) = rounds.turn(guess, 1e-17)? else { return Ok(None) };
+    let Some(first) = rounds.turn(0, guess, 1e-17)? else { return Ok(None) };
     let is_whole = (first.end_time() / guess.period - 1.0).abs() < SAME_PERIOD;
     let forgets = divergence.along(&first) < FORGOTTEN;
     if !is_whole || !forgets {
@@ -44,8 +44,8 @@ pub(super) fn forgetful(
     let start = turned(&first);
     // A turn may have about 1e5 steps.
     drop(first);
-    let Some(path) = rounds.turn(&start, 1e-17)? else { return Ok(None) };
-    let Some(again) = rounds.turn(&start, 1e-16)? else { return Ok(None) };
+    let Some(path) = rounds.turn(0, &start, 1e-17)? else { return Ok(None) };
+    let Some(again) = rounds.turn(0, &start, 1e-16)? else { return Ok(None) };
     let (other, apart) = (again.end_time(), path.apart(&again));
     drop(again);
     let period = path.end_time();

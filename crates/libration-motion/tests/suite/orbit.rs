@@ -745,3 +745,22 @@ fn a_driven_orbit_over_a_kink_with_a_power_is_found_soon() {
     let off = [orbit.start()[0] + 0.54277919, orbit.start()[1] - 2.38324195];
     assert!(off.iter().all(|off| off.abs() < 1e-6), "{off:?}");
 }
+
+/// Van der Pol's cycle beside a motion that comes to rest, whichever is first.
+#[test]
+fn a_coordinate_at_rest_hides_no_cycle() {
+    for (resting, start) in
+        [("x' = -x", vec![1.0, 0.5, 0.0]), ("x'' = -x - 0.5*x'", vec![1.0, 0.5, 0.0, 0.0])]
+    {
+        for text in
+            [format!("{resting}; y'' = (1 - y^2)*y' - y"), format!("y'' = (1 - y^2)*y' - y; {resting}")]
+        {
+            let cycle = Orbit::limit_cycle(&equation(&text), &start, &Quiet).unwrap();
+            assert_within(cycle.period(), 6.663_286_859_323_13, 1e-13, &text);
+            assert_eq!(cycle.floquet().unwrap().stability, Stability::Attracting, "{text}");
+        }
+    }
+    let at_rest = equation("x' = -x; y'' = -y - 0.5*y'");
+    let outcome = Orbit::limit_cycle(&at_rest, &[1.0, 0.5, 0.0], &Quiet);
+    assert_eq!(outcome.unwrap_err(), OrbitError::NoCycle(Lost::Rest));
+}
