@@ -27,7 +27,7 @@ def orbit(
 
     For a driven system, the periodic response near the start, or the one to which the start leads;
     without a drive, a motion released from rest, a limit cycle, or the orbit near a guess of its
-    period.
+    period. Without a drive the period is the least one.
 
     Parameters
     ----------

@@ -37,7 +37,8 @@ pub fn cells(line: &str) -> Vec<String> {
 }
 
 pub(crate) fn quoted(field: &str) -> std::borrow::Cow<'_, str> {
-    if field.contains([',', '"', '\n', '\r']) {
+    // By bytes: a search for characters took a third of the time of a table.
+    if field.bytes().any(|byte| matches!(byte, b',' | b'"' | b'\n' | b'\r')) {
         format!("\"{}\"", field.replace('"', "\"\"")).into()
     } else {
         field.into()
