@@ -66,15 +66,10 @@ pub enum BranchError {
     /// No motion to begin with, at either end.
     #[error("no periodic solution was found at the ends of the range or at the given value: {0}")]
     NoStart(OrbitError),
-    /// A limit cycle on which the first coordinate does not move, by whose turning the starts of cycles are found.
+    /// A periodic solution that cannot be followed.
     #[error(
-        "the first coordinate is at rest on the limit cycle, which is followed from a turning point of that coordinate: write the equation of a \
-         coordinate that oscillates first"
-    )]
-    FirstAtRest,
-    /// Periodic solutions that cannot be followed.
-    #[error(
-        "the corrector fails at the periodic solutions that were found: give another start or another range"
+        "the periodic solution that was found cannot be followed: without a drive it begins at a turning point of the first coordinate; \
+         write the equation of one that oscillates first, or give another start"
     )]
     NotFollowed,
     /// Cancelled before the first point.

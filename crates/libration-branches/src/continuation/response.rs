@@ -156,12 +156,10 @@ impl Search<'_> {
             self.begin(&mut found, &mut missing, place, further);
             self.follow_all(&mut found);
         }
-        if found.branches.is_empty() {
-            match missing.pop() {
-                Some((_, error)) => return Err(error),
-                None if self.family.watch.is_stopped() => {}
-                None => return Err(BranchError::NotFollowed),
-            }
+        if found.branches.is_empty()
+            && let Some((_, error)) = missing.pop()
+        {
+            return Err(error);
         }
         let branches = found.branches;
         let jumps = jumps(&branches, |space| self.corrector(space), self.width());
@@ -182,7 +180,9 @@ impl Search<'_> {
                 continue;
             }
             match self.through(value, &start, into) {
-                Ok(walked) => walked.into_iter().for_each(|walked| self.keep(found, walked, 0)),
+                Ok(Some(walked)) => self.keep(found, walked, 0),
+                Ok(None) if self.family.watch.is_stopped() => {}
+                Ok(None) => missing.push((value, BranchError::NotFollowed)),
                 Err(error) => missing.push((value, error)),
             }
         }

@@ -45,7 +45,6 @@ impl Search<'_> {
             Err(OrbitError::Interrupted(interrupted)) => Err(interrupted.into()),
             // Neighbouring motions close as well.
             Err(OrbitError::Undetermined(_)) if !self.family.is_driven() => Err(BranchError::Family),
-            Err(OrbitError::AtRest(_)) if !self.family.is_driven() => Err(BranchError::FirstAtRest),
             Err(error) => Err(BranchError::NoStart(error)),
         }
     }
@@ -56,10 +55,6 @@ impl Search<'_> {
         if !self.family.is_driven() {
             let state = self.family.displaced(state, value);
             let cycle = Orbit::limit_cycle(&equation, &state, self.family.watch)?;
-            let (least, greatest) = cycle.range(0);
-            if greatest - least <= cycle.state_errors()[0] {
-                return Err(OrbitError::AtRest(cycle.start()));
-            }
             let turns =
                 self.family.turns(&cycle.start(), value, cycle.period()).ok_or(OrbitError::NoPeriod)?;
             let period = cycle.period() / f64::from(turns);

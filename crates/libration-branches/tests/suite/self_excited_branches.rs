@@ -130,7 +130,7 @@ fn what_has_no_cycle_says_why() {
     assert_eq!(refused("x'' = -k*x - x^3", &once), BranchError::Family);
     assert!(matches!(refused("x'' = -k*x - x'", &once), BranchError::NoStart(_)));
     let second = ResponseOptions { start: Some(vec![1.0, 0.5, 0.0]), ..once.clone() };
-    assert_eq!(refused("x' = -x; y'' = k*(1 - y^2)*y' - y", &second), BranchError::FirstAtRest);
+    assert_eq!(refused("x' = -x; y'' = k*(1 - y^2)*y' - y", &second), BranchError::NotFollowed);
     let twice = ResponseOptions { drive_periods: 2, ..once };
     assert_eq!(refused("x'' = k*(1 - x^2)*x' - x", &twice), BranchError::NotDriven);
 }

@@ -90,16 +90,24 @@ fn cycle_unless(
 ) -> Result<(OrbitKind, Orbit), OrbitError> {
     let rounds = Rounds::new(equation, watch)?;
     let system = System::new(equation)?;
-    let mut passed = None;
-    for returned in RETURNED {
-        let watched = (&rounds, watch);
-        match cycle_at_return(returned, &family, equation, watched, &system, start) {
-            Ok((OrbitKind::Passed, orbit)) => passed = passed.or(Some((OrbitKind::Passed, orbit))),
-            Err(error) if !watch.is_stopped() => return passed.ok_or(error),
-            outcome => return finished(outcome, watch),
+    let at_return = |returned: f64| {
+        let outcome = cycle_at_return(returned, &family, equation, (&rounds, watch), &system, start);
+        finished(outcome, watch)
+    };
+    let [first, closer @ ..] = RETURNED;
+    let found = at_return(first)?;
+    if found.0 != OrbitKind::Passed {
+        return Ok(found);
+    }
+    for returned in closer {
+        match at_return(returned) {
+            Ok((OrbitKind::Passed, _)) => {}
+            Err(OrbitError::Interrupted(interrupted)) => return Err(interrupted.into()),
+            Err(_) => break,
+            settled => return settled,
         }
     }
-    passed.ok_or(OrbitError::NoPeriod)
+    Ok(found)
 }
 
 /// The same, where the motion first returns within a difference; an unstable cycle is one that it passes.

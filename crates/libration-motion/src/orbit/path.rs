@@ -65,6 +65,11 @@ impl Path {
         if self.there_and_back && component == 1 { [low.min(-high), high.max(-low)] } else { [low, high] }
     }
 
+    /// Number of steps.
+    pub(super) fn steps(&self) -> usize {
+        self.steps.steps().len()
+    }
+
     /// The largest rate of change of each component at the ends of the steps.
     pub(super) fn largest_rates(&self, components: usize) -> Vec<f64> {
         let rates = |component: usize| {

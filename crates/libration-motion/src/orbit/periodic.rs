@@ -57,6 +57,11 @@ impl Orbit {
         self
     }
 
+    /// Number of steps in which the orbit was integrated.
+    pub(super) fn steps(&self) -> usize {
+        self.path.steps()
+    }
+
     /// The names of the coordinates.
     #[must_use]
     pub fn variables(&self) -> &[String] {

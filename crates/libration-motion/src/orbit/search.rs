@@ -30,7 +30,7 @@ pub enum OrbitKind {
     Released,
     /// The limit cycle to which an autonomous motion settles.
     LimitCycle,
-    /// An unstable cycle that an autonomous motion passes, which settles to none.
+    /// An unstable cycle that an autonomous motion passes; no cycle was found to which it settles.
     Passed,
     /// The response to a periodic force.
     Driven,

@@ -87,7 +87,7 @@ const UNDETERMINED: f64 = 0.01;
 /// Size relative to the guess below which an orbit is an equilibrium: every round has shrunk it as much as a round may, 0.7⁴⁰ = 6e-7.
 const VANISHED: f64 = 1e-6;
 
-/// The orbit near a guess; over its least period, if the period is an unknown.
+/// The orbit near a guess; over its least period, if the period is an unknown. If the period is given, it has to be one of the drive.
 pub(super) fn closed(
     equation: &Equation,
     rounds: &Rounds<'_>,
@@ -96,11 +96,36 @@ pub(super) fn closed(
 ) -> Result<Orbit, OrbitError> {
     let orbit = closed_once(equation, rounds, guess, unknowns)?;
     if !unknowns.period {
-        return Ok(orbit);
+        let of_drive = drive_repeats(rounds, &orbit)?;
+        return if of_drive { Ok(orbit) } else { Err(OrbitError::NotOfDrive(orbit.period())) };
     }
     over_least_period(orbit, |state, period| {
         closed_once(equation, rounds, &OrbitGuess { state, period }, unknowns)
     })
+}
+
+/// Returns `true` if the rates of change on the orbit are the same a period later: a state that returns to another force does not repeat.
+fn drive_repeats(rounds: &Rounds<'_>, orbit: &Orbit) -> Result<bool, OrbitError> {
+    /// Number of times that are compared.
+    const TIMES: u32 = 64;
+    /// The first time as a fraction of their distance, so that none is a simple fraction of the period, where drives jump.
+    const FIRST: f64 = 0.382;
+    /// Largest difference relative to the largest rate. The rounding of a period, 1e-16, is a millionth of it where a drive rises in a
+    /// millionth of its period.
+    const SAME: f64 = 1e-9;
+    let period = orbit.period();
+    let mut largest = vec![0.0_f64; rounds.layout().numbers()];
+    let mut apart = largest.clone();
+    for number in 0..TIMES {
+        let time = period * (f64::from(number) + FIRST) / f64::from(TIMES);
+        let state = orbit.state_at(time);
+        let (now, later) = (rounds.rate(&state, time)?, rounds.rate(&state, time + period)?);
+        for (component, (now, later)) in now.iter().zip(&later).enumerate() {
+            largest[component] = largest[component].max(now.abs());
+            apart[component] = apart[component].max((now - later).abs());
+        }
+    }
+    Ok(apart.iter().zip(&largest).all(|(apart, largest)| *apart <= SAME * largest))
 }
 
 /// The orbit near a guess, which it may go round several times.

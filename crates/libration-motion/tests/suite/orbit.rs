@@ -351,10 +351,25 @@ fn a_cycle_has_its_least_period_and_attracts() {
         let found = floquet.multipliers.iter().find(|it| (it.re - 1.0).abs() > 1e-7).unwrap();
         assert_within(found.re, multiplier, 2e-8, c);
         // A multiple of the period as a guess leads to the same.
-        let search = OrbitSearch { start: orbit.start(), period: Some(3.0 * orbit.period()), ..search };
+        let search = OrbitSearch { start: orbit.start(), period: Some(11.0 * orbit.period()), ..search };
         let (_, again) = Orbit::search(&roessler, &search, &Quiet).unwrap();
         assert_within(again.period(), period, 1e-12 * period, c);
     }
+}
+
+#[test]
+fn a_period_that_is_none_of_the_drive_is_refused() {
+    let driven = |text: &str, period: f64| Orbit::driven(&equation(text), &[1.0, 0.0], period, &Quiet);
+    for text in ["x'' = -x - x^3 - 0.1*x' + cos(t)", "x'' = -x - x^3 - 0.1*x' + sign(cos(t))"] {
+        assert_eq!(driven(text, 10.0).unwrap_err(), OrbitError::NotOfDrive(10.0), "{text}");
+        assert!(driven(text, TAU).is_ok() && driven(text, 2.0 * TAU).is_ok(), "{text}");
+    }
+    let almost = 0.999_999 * TAU;
+    let refused = driven("x'' = -x - x^3 - 0.1*x' + cos(t)", almost);
+    assert_eq!(refused.unwrap_err(), OrbitError::NotOfDrive(almost));
+    // A force without a period has no response at all, and one that rises in a thousandth of the period has the right one.
+    assert!(driven("x'' = -x - 0.1*x' + cos(t) + cos(sqrt(2)*t)", TAU).is_err());
+    assert!(driven("x'' = -x - x^3 - 0.1*x' + tanh(1000*cos(t))", TAU).is_ok());
 }
 
 #[test]

@@ -46,8 +46,13 @@ pub(super) fn of_orbit() -> Fields<Answer> {
             it.model.equation().to_string().into()
         })
         .line_of("equation", |it| it.model.equation().to_string()),
-        Of::value("kind", "", "released, limit_cycle, passed (unstable, and the motion settles to none), driven, family or near", |it| kind(it.kind)[0].into())
-            .line_of("orbit", |it| kind(it.kind)[1].to_owned()),
+        Of::value(
+            "kind",
+            "",
+            "released, limit_cycle, passed (unstable; no cycle was found to which the motion settles), driven, family or near",
+            |it| kind(it.kind)[0].into(),
+        )
+        .line_of("orbit", |it| kind(it.kind)[1].to_owned()),
         Of::number("period_s", "s", "period", |it| it.orbit.period()).line_of("period", period),
         Of::number(
             "period_uncertainty_s",
@@ -147,7 +152,9 @@ fn kind(kind: OrbitKind) -> [&'static str; 2] {
     match kind {
         OrbitKind::Released => ["released", "released from rest"],
         OrbitKind::LimitCycle => ["limit_cycle", "a limit cycle"],
-        OrbitKind::Passed => ["passed", "an unstable cycle that the motion passes, which settles to none"],
+        OrbitKind::Passed => {
+            ["passed", "an unstable cycle that the motion passes; it settles to none that was found"]
+        }
         OrbitKind::Driven => ["driven", "the response to the drive"],
         OrbitKind::Family => ["family", "one of a family, through the start"],
         OrbitKind::Near => ["near", "closed near the guess"],

@@ -44,7 +44,7 @@ pub(crate) struct OrbitQuestion {
     system: SystemOptions,
     #[command(flatten)]
     initial: InitialOptions,
-    /// A guess of the period, in seconds; for a driven system, the period of the response
+    /// A guess of the period, in seconds; for a driven system, the period of the response, to a thousandth of that of the drive
     #[arg(long, value_name = "T", value_parser = positive, conflicts_with = "drive_periods")]
     period: Option<f64>,
     /// Number of periods of the drive in one period of the orbit, for subharmonic orbits
@@ -104,7 +104,12 @@ impl OrbitQuestion {
             (false, Some(_)) => model.state_at_rest(),
             _ => self.initial.read(model)?.state,
         };
-        let period = self.period.or(driven.map(|period| number(self.drive_periods) * period));
+        let multiple = |period: f64| {
+            let drive = driven?;
+            Some(f64::from(drive_periods(period, drive)?) * drive)
+        };
+        let given = self.period.map(|period| multiple(period).unwrap_or(period));
+        let period = given.or(driven.map(|period| number(self.drive_periods) * period));
         if driven.is_none() && self.drive_periods > 1 {
             let reason = "the equations have no drive with a known period: give a guess with <--period>";
             return Err(QueryError::usage(option("drive-periods"), reason));
@@ -114,14 +119,17 @@ impl OrbitQuestion {
     }
 }
 
+/// Number of periods of the drive in a period that is a multiple of it, as far as people write it down.
+fn drive_periods(period: f64, drive: f64) -> Option<u32> {
+    const WRITTEN: f64 = 1e-3;
+    (1..=1000).find(|periods| (period - f64::from(*periods) * drive).abs() < WRITTEN * drive)
+}
+
 /// Notes that a response repeats after fewer periods of the drive: its multipliers are then powers of those over its least period.
 fn note_shorter_period(model: &Model, orbit: &Orbit) {
-    let Some(drive) = drive_period(model.equation()) else { return };
-    let periods = (1..=u32::try_from(MOST_PERIODS).unwrap_or(u32::MAX))
-        .find(|it| (orbit.period() - f64::from(*it) * drive).abs() < 1e-9 * orbit.period());
-    let parts =
-        |all: u32| (2..=all).rev().find(|parts| all.is_multiple_of(*parts) && orbit.repeats_after(*parts));
-    if let Some((all, parts)) = periods.and_then(|all| Some((all, parts(all)?))) {
+    let parts = |all: u32| (2..=all).rev().find(|it| all.is_multiple_of(*it) && orbit.repeats_after(*it));
+    let all = drive_period(model.equation()).and_then(|drive| drive_periods(orbit.period(), drive));
+    if let Some((all, parts)) = all.and_then(|all| Some((all, parts(all)?))) {
         let least = all / parts;
         call::current().note(&format!(
             "the response repeats after {least} of {all} periods of the drive: <--drive-periods> {least} gives the multipliers of its own period"
@@ -133,7 +141,7 @@ fn note_shorter_period(model: &Model, orbit: &Orbit) {
 fn failure(error: OrbitError, model: &Model) -> QueryError {
     match error {
         OrbitError::NoCycle(_) => QueryError::no_result("orbit", with_idle_drive(error, model)),
-        OrbitError::NoPeriod => QueryError::usage(option("period"), error),
+        OrbitError::NoPeriod | OrbitError::NotOfDrive(_) => QueryError::usage(option("period"), error),
         _ => QueryError::no_result("orbit", error),
     }
 }
