@@ -40,7 +40,8 @@ def orbit(
         Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33)
         for all of a chain; those not given start at rest.
     period : float or str, optional
-        A guess of the period, in seconds; for a driven system, the period of the response.
+        A guess of the period, in seconds; for a driven system, the period of the response, to a
+        thousandth of that of the drive.
     drive_periods : int, optional
         Number of periods of the drive in one period of the orbit, for subharmonic orbits [default:
         1].

@@ -23,13 +23,21 @@ pub(super) fn over_least_period(
     for parts in 2..=u32::try_from(orbit.steps()).unwrap_or(u32::MAX) {
         while orbit.repeats_after(parts) {
             match closed(orbit.start(), orbit.period() / f64::from(parts)) {
-                Ok(shorter) => orbit = shorter,
+                Ok(shorter) if is_part(&shorter, &orbit, parts) => orbit = shorter,
                 Err(error @ OrbitError::Interrupted(_)) => return Err(error),
-                Err(_) => break,
+                _ => break,
             }
         }
     }
     Ok(orbit)
+}
+
+/// Returns `true` if the period of an orbit is this part of that of another within their errors: where errors are large, Newton's method may
+/// lead elsewhere, and back to the whole period.
+fn is_part(shorter: &Orbit, orbit: &Orbit, parts: u32) -> bool {
+    let parts = f64::from(parts);
+    let off = (parts * shorter.period() - orbit.period()).abs();
+    off <= parts * shorter.period_uncertainty() + orbit.period_uncertainty()
 }
 
 impl Orbit {

@@ -81,7 +81,7 @@ const MOST_ROUNDS: usize = 40;
 const LARGEST_CHANGE: f64 = 0.3;
 /// Relative distance from the start below which the rounds end as soon as they no longer halve the distance.
 const NEARLY_CLOSED: f64 = 1e-10;
-/// Relative error of the start above which an orbit is not distinguished from its neighbours.
+/// Relative error of the start, or of the period, above which an orbit is not distinguished from its neighbours.
 const UNDETERMINED: f64 = 0.01;
 
 /// Size relative to the guess below which an orbit is an equilibrium: every round has shrunk it as much as a round may, 0.7⁴⁰ = 6e-7.
@@ -270,16 +270,17 @@ impl<'a> Newton<'a> {
         let again = self.rounds.path(&self.at.state, self.at.period, 1e-16)?;
         let end = again.state_at(self.at.period);
         let other: Vec<f64> = end.iter().zip(&self.at.state).map(|(a, b)| a - b).collect();
-        let rounding = self.rounding();
+        let [rounded_start, rounding] = self.rounding()?;
         let spread: Vec<f64> = other.iter().zip(&self.round.defect).map(|(a, b)| (a - b).abs()).collect();
-        if self.miss > CLOSED * (miss(&spread, &self.sizes) + miss(&rounding, &self.sizes)) {
+        if self.miss > CLOSED * (miss(&spread, &self.sizes) + miss(&rounded_start, &self.sizes)) {
             return Err(self.not_closed(rounds));
         }
-        let uncertainty = self.period_uncertainty(&other);
+        let uncertainty = self.period_uncertainty(&other, &rounding);
         let [monodromy, largest] = self.rounds.largest_variations(&self.at.state, self.at.period)?;
         let residual = (0..rounding.len()).map(|i| self.round.defect[i].abs() + other[i].abs() + rounding[i]);
         let start = self.start_errors(&residual.collect::<Vec<f64>>());
-        let undetermined = miss(&start, &self.sizes);
+        // Where only the period is unknown, its error alone shows that nothing is determined: next to a saddle a start may close after any time.
+        let undetermined = libm::fmax(miss(&start, &self.sizes), uncertainty / self.at.period);
         if undetermined > UNDETERMINED {
             let unstable = self.lost().map(|growth| OrbitError::TooUnstable { growth });
             return Err(unstable.unwrap_or(OrbitError::Undetermined(undetermined)));
@@ -312,11 +313,29 @@ impl<'a> Newton<'a> {
         unstable.unwrap_or(OrbitError::NoConvergence { rounds, defect: self.miss })
     }
 
-    /// The effect of rounding each component of the start on the end.
-    fn rounding(&self) -> Vec<f64> {
-        let of_row = |row: &Vec<f64>| row.iter().zip(&self.at.state).map(|(a, x)| (a * x).abs()).sum::<f64>();
-        let end = self.round.monodromy.iter().zip(&self.at.state).map(|(row, x)| of_row(row) + x.abs());
-        end.map(|size| f64::EPSILON * size).collect()
+    /// The effect on the end of rounding the state once: at the start, and where it is largest on the way. Past a saddle that is far from the start.
+    fn rounding(&self) -> Result<[Vec<f64>; 2], OrbitError> {
+        /// Number of pieces, at whose ends the state is rounded.
+        const PIECES: u32 = 16;
+        let numbers = self.sizes.len();
+        let time = |piece: u32| self.at.period * f64::from(piece) / f64::from(PIECES);
+        let unit = |i: usize| (0..numbers).map(|j| if i == j { 1.0 } else { 0.0 }).collect();
+        let mut to_end: Vec<Vec<f64>> = (0..numbers).map(unit).collect();
+        let mut of_start = vec![0.0; numbers];
+        let mut largest = of_start.clone();
+        for piece in (0..PIECES).rev() {
+            let state = self.round.path.state_at(time(piece));
+            let over = self.rounds.variations(&state, [time(piece), time(piece + 1)])?.by_start;
+            let entry = |row: &[f64], j: usize| row.iter().zip(&over).map(|(a, b)| a * b[j]).sum();
+            to_end = to_end.iter().map(|row| (0..numbers).map(|j| entry(row, j)).collect()).collect();
+            let effect = |row: &Vec<f64>| row.iter().zip(&state).map(|(a, x)| (a * x).abs()).sum();
+            of_start = to_end.iter().map(effect).collect();
+            largest = largest.iter().zip(&of_start).map(|(a, b)| f64::max(*a, *b)).collect();
+        }
+        let rounded = |effect: Vec<f64>| {
+            effect.iter().zip(&self.at.state).map(|(effect, x)| f64::EPSILON * (effect + x.abs())).collect()
+        };
+        Ok([rounded(of_start), rounded(largest)])
     }
 
     /// The error of the monodromy matrix relative to its norm: the difference from
@@ -342,15 +361,17 @@ impl<'a> Newton<'a> {
         errors
     }
 
-    /// The change of the period in the next step, which is not made: for the orbit as it is and as computed with other steps.
-    fn period_uncertainty(&self, other: &[f64]) -> f64 {
+    /// The change of the period in the next step, which is not made: for the orbit as it is and as computed with other steps, and by the rounding of
+    /// the start, which both have. Past a saddle it is most of the error.
+    fn period_uncertainty(&self, other: &[f64], rounding: &[f64]) -> f64 {
         if !self.unknowns.period {
             return 0.0;
         }
         let missing =
             |defect: &[f64]| self.change(defect).and_then(|it| it.last().copied()).map_or(f64::NAN, f64::abs);
+        let rounded = self.step().errors(rounding).and_then(|it| it.last().copied()).unwrap_or(f64::NAN);
         let spread = missing(&self.round.defect) + missing(other);
-        4.0 * (spread + f64::EPSILON * self.at.period)
+        4.0 * (spread + (rounded + f64::EPSILON) * self.at.period)
     }
 }
 

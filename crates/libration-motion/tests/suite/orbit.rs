@@ -779,3 +779,29 @@ fn a_coordinate_at_rest_hides_no_cycle() {
     let outcome = Orbit::limit_cycle(&at_rest, &[1.0, 0.5, 0.0], &Quiet);
     assert_eq!(outcome.unwrap_err(), OrbitError::NoCycle(Lost::Rest));
 }
+
+/// Next to the saddle of a double well, where a start and its opposite are almost as close as the errors, which rounding on the way makes. From
+/// x = 0 with the velocity v the period is 4 (1 + 2v²)^(−1/4) K(m), 1 − m = v²/(s² + s) with s² = 1 + 2v². One rounding on the way, 1e-16 of the
+/// energy v²/2, changes it by 8e-16/v².
+#[test]
+fn an_orbit_past_a_saddle_has_its_whole_period_or_none() {
+    let found = |start: [f64; 2], period: f64| {
+        let (start, period) = (start.to_vec(), Some(period));
+        let search = OrbitSearch { start, period, conserves_energy: true, held: None };
+        Orbit::search(&equation("x'' = x - x^3"), &search, &Quiet)
+    };
+    for step in 0..60 {
+        let velocity = 0.05 * libm::exp(-f64::from(step) / 7.0);
+        let root = (1.0 + 2.0 * velocity * velocity).sqrt();
+        let modulus = Modulus::from_complementary_parameter(velocity * velocity / (root * (1.0 + root)));
+        let period = 4.0 / root.sqrt() * modulus.unwrap().first();
+        let (_, orbit) = found([0.0, velocity], period + 1.0).unwrap();
+        let (off, stated) = ((orbit.period() - period).abs(), orbit.period_uncertainty());
+        assert!(off <= stated && stated < 1e-13 / (velocity * velocity), "{velocity}: {off:e} {stated:e}");
+    }
+    // The energy is that of a velocity 7e-7 to 7e-11, which the digits of this start do not determine.
+    for place in [1e-3, 1e-4, 1e-5] {
+        let outcome = found([place, place], 50.0);
+        assert!(outcome.is_err(), "{place}: {outcome:?}");
+    }
+}

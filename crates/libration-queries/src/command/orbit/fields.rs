@@ -61,7 +61,7 @@ pub(super) fn of_orbit() -> Fields<Answer> {
             |it| it.orbit.period_uncertainty(),
         ),
         Of::number("angular_frequency_rad_per_s", "rad/s", "2π over the period", |it| it.orbit.frequency())
-            .line("angular frequency", 15),
+            .line_of("angular frequency", angular_frequency),
         Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
         Of::value("start[]", "", "state at the start of the orbit, in the order of those names", |it| {
             json::numbers(&it.orbit.start())
@@ -179,6 +179,15 @@ fn period(answer: &Answer) -> String {
         return format!("about {} s, of an error that the equations do not determine", rounded(period, 4));
     }
     format!("{} s, to {}", to_its_error(period, uncertainty, 15), at_most(uncertainty))
+}
+
+fn angular_frequency(answer: &Answer) -> String {
+    let relative = answer.orbit.period_uncertainty() / answer.orbit.period();
+    let frequency = answer.orbit.frequency();
+    match relative.is_nan() {
+        true => format!("about {} rad/s", rounded(frequency, 4)),
+        false => format!("{} rad/s", to_its_error(frequency, relative * frequency, 15)),
+    }
 }
 
 fn start(answer: &Answer) -> String {
