@@ -232,3 +232,129 @@ fn the_comment_says_what_order_gauge_and_reach_the_functions_have() {
     }
     assert_eq!(json("expand duffing --order 3")["order"], 3);
 }
+
+/// Slow flows whose formulas have capitals beside small letters, words that languages reserve, π, and several coordinates.
+const FLOWS: [&[&str]; 4] = [
+    &["expand", "x'' + 2*eps*lambda*x' + in^2*x + eps*a*x^3 = eps*F*cos(W*t)", "--resonance", "1/1"],
+    &["expand", "x'' + w0^2*x + eps*R*sign(x') = eps*F*cos(W*t)", "--resonance", "1/1"],
+    &["expand", "x''+m*x'+x+x^2=F*cos(W*t)", "--resonance", "1/1", "--small", "m:2,F:2", "--order", "4"],
+    &["resonance", "x''+w1^2*x+eps*a*x*y=0; y''+w2^2*y+eps*B*x^2=0", "--ratios", "1:2", "--order", "3"],
+];
+
+/// Reads the CSV of a slow flow, and prints for each formula the name of its function, the values of its symbols by their names, and its own value.
+const READ: &str = r#"
+import re, sys
+from math import cos, pi, sin, sqrt
+known = {"cos", "pi", "sin", "sqrt", "abs"}
+for line in sys.argv[1].splitlines()[1:]:
+    *names, formula = line.split(",")
+    words = sorted(set(re.findall(r"[A-Za-z_]\w*", formula)) - known)
+    values = {word: 0.37 + 0.11 * place for place, word in enumerate(words)}
+    symbol = lambda found: found[0] if found[0] in known else f"values['{found[0]}']"
+    value = eval(re.sub(r"[A-Za-z_]\w*", symbol, formula.replace("^", "**")))
+    print("_".join(reversed(names)), *values.values(), value)
+"#;
+
+/// The calls of the functions of a slow flow, with their values.
+fn calls_of(flow: &[&str], number: impl Fn(&str) -> String) -> Vec<(String, f64)> {
+    let table = String::from_utf8(run(&[flow, &["--csv"]].concat()).stdout).unwrap();
+    let read = Command::new("python3").args(["-c", READ, &table]).output().unwrap();
+    let call = |line: &str| {
+        let words: Vec<&str> = line.split(' ').collect();
+        let arguments: Vec<String> = words[1..words.len() - 1].iter().map(|it| number(it)).collect();
+        (format!("{}({})", words[0], arguments.join(", ")), words[words.len() - 1].parse().unwrap())
+    };
+    String::from_utf8(read.stdout).unwrap().lines().map(call).collect()
+}
+
+/// Writes, builds and runs a program that prints the functions of each slow flow, and compares the values.
+fn assert_flows(
+    language: &str,
+    number: fn(&str) -> String,
+    program: fn(&str, &[String]) -> String,
+    ran: fn(&Path) -> Command,
+) {
+    let place = directory(&format!("slow_flow_{language}"));
+    for flow in FLOWS {
+        let code = run(&[flow, &["--format", language]].concat());
+        assert!(code.status.success(), "{flow:?}: {}", message(&code));
+        let (calls, values): (Vec<String>, Vec<f64>) = calls_of(flow, number).into_iter().unzip();
+        assert!(calls.len() >= 6, "{flow:?}");
+        let code = program(&String::from_utf8(code.stdout).unwrap(), &calls);
+        std::fs::write(place.join("code"), code).unwrap();
+        let output = ran(&place).output().unwrap();
+        assert!(output.status.success(), "{flow:?} in {language}: {}", message(&output));
+        let text = String::from_utf8(output.stdout).unwrap();
+        let printed: Vec<f64> = text.split_whitespace().map(|it| it.parse().unwrap()).collect();
+        assert_eq!(printed.len(), values.len(), "{text}");
+        for ((printed, value), call) in printed.iter().zip(values).zip(calls) {
+            // A few hundred roundings of terms that are below ten.
+            let limit = 1e-13 * value.abs().max(1.0);
+            assert!((printed - value).abs() < limit, "{call} in {language}: {printed}, not {value}");
+        }
+    }
+}
+
+fn printed(calls: &[String], before: &str, after: &str) -> String {
+    calls.iter().map(|call| format!("{before}{call}{after}\n")).collect()
+}
+
+#[test]
+fn slow_flows_in_python_are_their_formulas() {
+    let program = |code: &str, calls: &[String]| format!("{code}\n\n{}", printed(calls, "print(repr(", "))"));
+    let ran = |place: &Path| {
+        let mut python = Command::new("python3");
+        python.arg(place.join("code"));
+        python
+    };
+    assert_flows("python", str::to_owned, program, ran);
+}
+
+#[test]
+fn slow_flows_in_rust_are_their_formulas() {
+    let program = |code: &str, calls: &[String]| {
+        format!(
+            "#![deny(warnings)]\n{code}\nfn main() {{\n{}}}\n",
+            printed(calls, "println!(\"{:?}\", ", ");")
+        )
+    };
+    let ran = |place: &Path| {
+        built("rustc", &["--edition", "2024", "-o", "program", "code"], place);
+        Command::new(place.join("program"))
+    };
+    assert_flows("rust", str::to_owned, program, ran);
+}
+
+#[test]
+fn slow_flows_in_c_are_their_formulas() {
+    if !is_there("cc") {
+        return;
+    }
+    let program = |code: &str, calls: &[String]| {
+        let prints = printed(calls, "printf(\"%.17g\\n\", ", ");");
+        format!("{code}\n#include <stdio.h>\nint main(void)\n{{\n{prints}return 0;\n}}\n")
+    };
+    let ran = |place: &Path| {
+        built("cc", &["-std=c99", "-Wall", "-Werror", "-o", "program", "-x", "c", "code", "-lm"], place);
+        Command::new(place.join("program"))
+    };
+    assert_flows("c", str::to_owned, program, ran);
+}
+
+#[test]
+fn slow_flows_in_fortran_are_their_formulas() {
+    if !is_there("gfortran") {
+        return;
+    }
+    let program = |code: &str, calls: &[String]| {
+        let uses = "use, intrinsic :: iso_fortran_env, only: real64\n  use slow_flow\n  implicit none";
+        let prints = printed(calls, "  print *, ", "").replace(", ", ", &\n    ");
+        format!("{code}\nprogram main\n  {uses}\n{prints}end program main\n")
+    };
+    let ran = |place: &Path| {
+        let options = ["-std=f2008", "-ffree-form", "-Wall", "-Werror", "-o", "program", "-x", "f95", "code"];
+        built("gfortran", &options, place);
+        Command::new(place.join("program"))
+    };
+    assert_flows("fortran", |it| format!("{it}_real64"), program, ran);
+}

@@ -58,13 +58,34 @@ fn equations_with_symbols_have_their_slow_flow_as_formulas() {
 }
 
 #[test]
+fn a_slow_flow_of_coupled_coordinates_is_typeset() {
+    let flow = ["resonance", "x''+w1^2*x+eps*a*x*y=0; y''+w2^2*y+eps*b*x^2=0", "--ratios", "1:2"];
+    let written = |format: &[&str]| String::from_utf8(run(&[&flow, format].concat()).stdout).unwrap();
+    let latex = written(&["--latex"]);
+    assert_eq!(latex, written(&["--format", "latex"]));
+    let parts = [
+        r"\[ \ddot{y} + w_{2}^{2} y + \mathrm{eps} b x^{2} = 0 \]",
+        r"\[ \dot{A_{y}} = -\frac{\mathrm{eps} b A_{x}^{2}}{8 w_{1}} \sin\left(2 \varphi_{x} - \varphi_{y}\right) \]",
+    ];
+    assert!(parts.iter().all(|part| latex.contains(part)), "{latex}");
+    let mathml = written(&["--format", "mathml"]);
+    assert_eq!(
+        mathml.lines().filter(|line| line.starts_with("<math") && line.ends_with("</math>")).count(),
+        7
+    );
+    assert!(mathml.contains("<mtext>rate of the phase of y</mtext><mo>=</mo>"), "{mathml}");
+}
+
+#[test]
 fn what_has_no_normal_form_is_refused() {
-    let cases: [(&[&str], i32, &[&str]); 5] = [
+    let cases: [(&[&str], i32, &[&str]); 7] = [
         (&["resonance", "damped_pendulum", "--set", "c=0.1"], 1, &["mode 1", "damping to zero"]),
         (&["resonance", "double_pendulum", "--order", "1"], 2, &["--order", "2 to 9"]),
         (&["resonance", "double_pendulum", "--order", "12"], 2, &["--order"]),
         (&["resonance", "double_pendulum", "--figure", "x.svg"], 2, &["--initial"]),
         (&["resonance", "x' = -x"], 1, &["first order"]),
+        (&["resonance", "double_pendulum", "--latex"], 2, &["--latex: it writes the formulas", "--ratios"]),
+        (&["resonance", "double_pendulum", "--format", "c"], 2, &["--format: it writes the formulas"]),
     ];
     for (arguments, status, parts) in cases {
         let output = run(arguments);

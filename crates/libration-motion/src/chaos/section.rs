@@ -95,7 +95,7 @@ pub enum SectionError {
     Integration(#[from] IntegrationError),
     /// Equations whose drive has no recognised period.
     #[error(
-        "the equations have no drive with a known period: give the period, or a surface that the motion crosses, such as the velocity"
+        "the equations have no drive with a known period: give the period, or a surface that the motion crosses, such as a coordinate or a velocity"
     )]
     NoPeriod,
     /// An invalid period or phase.

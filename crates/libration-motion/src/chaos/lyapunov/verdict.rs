@@ -205,7 +205,7 @@ impl fmt::Display for Regularity {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Theorem(Theorem::Plane) => formatter.write_str(
-                "one coordinate without the time in its equation has a plane of states, in which there is no chaos \
+                "without the time in the equations the states move in a plane, or in independent planes, where there is no chaos \
                  (Poincaré and Bendixson)",
             ),
             Self::Theorem(Theorem::Linear) => {

@@ -17,11 +17,11 @@ mod write;
 use crate::arguments::{self, ChosenWithLetters, OscillatorOptions};
 use crate::interrupt;
 use crate::output::description::Answers;
+use crate::output::language::{Format, FormatOptions};
 use crate::output::series::Coefficient;
 use crate::output::{Form, FormOptions};
 use crate::query_error::QueryError;
 use answer::Answer;
-use code::Language;
 use libration::comparison::SeriesQuantity;
 use libration::perturbation::{Gauge, MAX_ORDER, MAX_PARAMETER_ORDER};
 use numbers::refusal;
@@ -110,49 +110,16 @@ pub(crate) struct Expand {
     resonance: Option<String>,
     /// Evaluate the series term by term at this amplitude, the largest displacement from the equilibrium, such as 0.5,
     /// or 40deg where the variable is an angle; for a limit cycle, at this value of its parameter
-    #[arg(long, value_name = "AMPLITUDE", conflicts_with = "latex")]
+    #[arg(long, value_name = "AMPLITUDE", conflicts_with_all = ["latex", "format"])]
     evaluate: Option<String>,
     /// The quantity to evaluate: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3, the coefficient of cos 3Ωt
     /// or sin 3Ωt
     #[arg(long, default_value = "period", requires = "evaluate")]
     quantity: SeriesQuantity,
-    /// Write LaTeX
-    #[arg(long, conflicts_with_all = ["json", "csv"])]
-    latex: bool,
-    /// Write formulas or functions of a programming language
-    #[arg(long, value_enum, conflicts_with_all = ["json", "csv", "latex", "evaluate"])]
-    format: Option<Format>,
+    #[command(flatten)]
+    formats: FormatOptions,
     #[command(flatten)]
     form: FormOptions,
-}
-
-/// Formats of an expansion besides tables, JSON and CSV.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Format {
-    /// The same as --latex
-    Latex,
-    /// Formulas in MathML, one a line
-    Mathml,
-    /// Functions in C
-    C,
-    /// Functions in Python
-    Python,
-    /// Functions in Rust
-    Rust,
-    /// A module in Fortran 2008
-    Fortran,
-}
-
-impl Format {
-    fn language(self) -> Option<Language> {
-        match self {
-            Self::Latex | Self::Mathml => None,
-            Self::C => Some(Language::C),
-            Self::Python => Some(Language::Python),
-            Self::Rust => Some(Language::Rust),
-            Self::Fortran => Some(Language::Fortran),
-        }
-    }
 }
 
 /// The order to which an expansion is listed.
@@ -216,17 +183,16 @@ impl Expand {
         answer: &Answer<C>,
         validity: impl Fn() -> String,
     ) -> Result<(), QueryError> {
-        if let Some(language) = self.format.and_then(Format::language) {
+        let format = self.formats.format();
+        if let Some(language) = format.and_then(Format::language) {
             return Ok(code::write(out, answer, language, &validity())?);
         }
-        match self.form.form() {
-            Form::Json => write::write_json(out, answer)?,
-            Form::Csv => write::write_csv(out, answer)?,
-            Form::Table if self.format == Some(Format::Mathml) => mathml::write(out, answer)?,
-            Form::Table if self.latex || self.format == Some(Format::Latex) => {
-                listing::write_latex(out, answer)?;
-            }
-            Form::Table => listing::write(out, answer)?,
+        match (self.form.form(), format) {
+            (Form::Json, _) => write::write_json(out, answer)?,
+            (Form::Csv, _) => write::write_csv(out, answer)?,
+            (Form::Table, Some(Format::Mathml)) => mathml::write(out, answer)?,
+            (Form::Table, Some(_)) => listing::write_latex(out, answer)?,
+            (Form::Table, None) => listing::write(out, answer)?,
         }
         Ok(())
     }

@@ -37,7 +37,7 @@ impl Expand {
         };
         let order = self.order.unwrap_or(usual);
         let oscillator = chosen.oscillator.clone();
-        if amplitude.is_none() && self.format.and_then(Format::language).is_none() {
+        if amplitude.is_none() && self.formats.format().and_then(Format::language).is_none() {
             let exact = with_orders_shown(order, |progress| {
                 expand_with_constants(&oscillator, order, &self.gauge(), progress)
             });

@@ -234,8 +234,8 @@ fn write_latex(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
 
 impl Expand {
     pub(super) fn answer_scaling_law(&self, out: &mut dyn Write, answer: Answer) -> Result<(), QueryError> {
-        let latex = match self.format {
-            None => self.latex,
+        let latex = match self.formats.format() {
+            None => false,
             Some(Format::Latex) => true,
             Some(_) => {
                 let reason = "a scaling law is written as text, latex, JSON or CSV";

@@ -6,6 +6,7 @@ use crate::command::expand::BOOKKEEPING;
 use crate::interrupt::{self, Cancellation};
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
+use crate::output::formulas::{self, NamedFormula};
 use crate::output::series::wrapped;
 use crate::output::table::write_text;
 use crate::output::{Form, json};
@@ -70,6 +71,10 @@ impl ResonanceQuestion {
         );
         let flow = flow.map_err(|error| failure(&error))?;
         let answer = Answer { equations: model.equation().to_string(), small: options.small, flow };
+        if let Some(format) = self.formats.format() {
+            let equations = (&answer.equations[..], &model.equation().to_latex()[..]);
+            return formulas::write(out, format, equations, &answer.named_formulas());
+        }
         match self.form.form() {
             Form::Json => json::document(out, of_answer().record(&answer))?,
             Form::Csv => of_formula().write_csv(out, &answer.formulas())?,
@@ -111,6 +116,25 @@ impl Answer {
         }
         parts.extend(flow.drive_frequency.iter().map(|drive| format!("drive: frequency {drive}")));
         parts.join("; ")
+    }
+
+    /// The formulas as functions whose names end in that of the coordinate.
+    fn named_formulas(&self) -> Vec<NamedFormula> {
+        let of_coordinate = |it: &CoordinateFlow| {
+            let rate = |symbol: &str| format!(r"\dot{{{}}}", formulas::latex(symbol));
+            let named = [
+                ("amplitude", "rate of the amplitude", rate(&it.amplitude), &it.amplitude_rate),
+                ("phase", "rate of the phase", rate(&it.phase), &it.phase_rate),
+                ("displacement", "displacement", formulas::latex(&it.name), &it.displacement),
+            ];
+            named.map(|(quantity, meaning, left, text)| NamedFormula {
+                name: format!("{quantity}_{}", it.name),
+                meaning: format!("{meaning} of {}", it.name),
+                left,
+                text: text.clone(),
+            })
+        };
+        self.flow.coordinates.iter().flat_map(of_coordinate).collect()
     }
 
     fn formulas(&self) -> Vec<Formula> {

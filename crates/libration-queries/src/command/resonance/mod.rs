@@ -6,6 +6,7 @@ mod write;
 
 use crate::arguments::{EquilibriumOptions, InitialOptions, SystemOptions, count, part};
 use crate::figure::resonance::Amplitudes;
+use crate::output::language::FormatOptions;
 use crate::output::{FormOptions, announce};
 use crate::query_error::{QueryError, argument, option};
 use crate::{figure, interrupt, parallel};
@@ -36,6 +37,8 @@ pub(crate) use fields::answers;
     --initial x=0.1,y=0.02 --figure exchange.svg
   libration resonance \"x''+w1^2*x+eps*a*x*y=0; y''+w2^2*y+eps*b*x^2=0\" \\
     --ratios 1:2
+  libration resonance \"x''+x+eps*x*y=0; y''+4*y+eps*x^2=0\" --ratios 1:2 \\
+    --format python > slow_flow.py
 
 Slow flow with symbols: each coordinate is its amplitude times a cosine near its
 natural frequency, and terms of other frequencies. --ratios are those of the
@@ -77,6 +80,8 @@ pub(crate) struct ResonanceQuestion {
     #[command(flatten)]
     sizes: figure::Sizes,
     #[command(flatten)]
+    formats: FormatOptions,
+    #[command(flatten)]
     form: FormOptions,
 }
 
@@ -95,6 +100,10 @@ impl ResonanceQuestion {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         if self.has_letters()? {
             return self.answer_with_letters(out);
+        }
+        if let Some(given) = self.formats.given() {
+            let reason = "it writes the formulas of a slow flow with symbols: leave out the value of a parameter, or give <--ratios> or <--small>";
+            return Err(QueryError::usage(option(given), reason));
         }
         let model = self.system.model()?;
         let initial = match self.initial.is_given() {

@@ -5,17 +5,16 @@
 //! Names change where a language reserves them or, in Fortran, does not distinguish them. The tests compile and run the functions of all four
 //! languages where there is a compiler.
 
-mod language;
-mod program;
-
-pub(super) use language::Language;
+mod names;
 
 use super::answer::Answer;
 use super::listing::left_out;
+use crate::output::formulas::program::{Function, Program};
+use crate::output::language::Language;
 use crate::output::series::Coefficient;
 use libration::algebra::Rational;
 use libration::perturbation::{ExpansionVariable, PhaseOrigin, Precision};
-use program::{Function, Names, Program};
+use names::Names;
 use std::io::{self, Write};
 
 /// Writes the functions, beneath a comment that says of what they are and how far they go.
@@ -25,8 +24,12 @@ pub(super) fn write<C: Coefficient>(
     language: Language,
     validity: &str,
 ) -> io::Result<()> {
-    let program =
-        Program { language, comment: comment(answer, validity), functions: functions(answer, language) };
+    let program = Program {
+        language,
+        module: "oscillator",
+        comment: comment(answer, validity),
+        functions: functions(answer, language),
+    };
     out.write_all(program.to_string().as_bytes())
 }
 

@@ -16,8 +16,7 @@ impl Expand {
         out: &mut dyn Write,
         refused: QueryError,
     ) -> Result<(), QueryError> {
-        let is_written =
-            self.format.and_then(Format::language).is_none() && self.format != Some(Format::Mathml);
+        let is_written = matches!(self.formats.format(), None | Some(Format::Latex));
         if self.evaluate.is_some() || !is_written {
             return self.symbolic_flow_or(out, refused);
         }
@@ -52,8 +51,8 @@ impl Expand {
                 "the slow flow is not a series at one amplitude: simulate the motion by <libration simulate>";
             return Err(QueryError::usage(option("evaluate"), reason));
         }
-        let latex = match self.format {
-            None => self.latex,
+        let latex = match self.formats.format() {
+            None => false,
             Some(Format::Latex) => true,
             Some(_) => {
                 return Err(QueryError::usage(

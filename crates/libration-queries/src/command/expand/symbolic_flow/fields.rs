@@ -4,14 +4,9 @@ use super::super::subject::of_subject;
 use super::{Answer, Values, why_left_out};
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
+use crate::output::formulas::{self, NamedFormula};
 use crate::output::json;
 use libration::perturbation::{JudgedState, LeftOutReason, StateLeftOut, SteadyState};
-
-/// One formula.
-pub(super) struct Formula {
-    pub(super) name: &'static str,
-    pub(super) text: String,
-}
 
 type Of<A> = Field<A>;
 
@@ -208,7 +203,7 @@ fn of_left_out() -> Fields<StateLeftOut> {
 }
 
 /// The formulas by name.
-pub(super) fn formulas(answer: &Answer) -> Vec<Formula> {
+pub(super) fn formulas(answer: &Answer) -> Vec<NamedFormula> {
     let flow = &answer.flow;
     let steady = &flow.steady_state;
     let named = [
@@ -224,13 +219,33 @@ pub(super) fn formulas(answer: &Answer) -> Vec<Formula> {
         ("trace", steady.trace.as_ref()),
         ("determinant", steady.determinant.as_ref()),
     ];
-    named.into_iter().filter_map(|(name, text)| Some(Formula { name, text: text?.clone() })).collect()
+    let meaning = |name: &str| match name {
+        "amplitude" | "phase" => format!("rate of the {name}"),
+        "relation" => "zero at steady states".to_owned(),
+        "folds" => "zero where the response curve turns back".to_owned(),
+        other => other.replace('_', " "),
+    };
+    let left = |name: &str| match name {
+        "amplitude" => r"\dot A".to_owned(),
+        "phase" => r"\dot\varphi".to_owned(),
+        "displacement" => formulas::latex(&answer.subject.variable),
+        "relation" | "folds" => "0".to_owned(),
+        other => format!(r"\text{{{}}}", meaning(other)),
+    };
+    let named = named.into_iter().filter_map(|(name, text)| Some((name, text?.clone())));
+    let formula = |(name, text): (&str, String)| NamedFormula {
+        name: name.to_owned(),
+        meaning: meaning(name),
+        left: left(name),
+        text,
+    };
+    named.map(formula).collect()
 }
 
-pub(super) fn of_formula() -> Fields<Formula> {
+pub(super) fn of_formula() -> Fields<NamedFormula> {
     Fields::from([
-        Of::<Formula>::value("quantity", "", "quantity of the formula, as JSON names it", |it| {
-            it.name.into()
+        Of::<NamedFormula>::value("quantity", "", "quantity of the formula, as JSON names it", |it| {
+            it.name.as_str().into()
         }),
         Of::value("formula", "", "its formula in plain text", |it| it.text.as_str().into()),
     ])

@@ -1,9 +1,7 @@
 //! The slow flow with symbolic parameters, several small terms and a drive.
 
 mod fields;
-mod formulas;
 mod listing;
-mod mathml;
 mod query;
 
 use super::subject::{About, Subject};

@@ -1,11 +1,11 @@
 //! The slow flow with symbolic parameters as the result of `libration expand`.
 
-use super::{Answer, Values, failure, formulas, listing, mathml};
+use super::{Answer, Values, failure, listing};
 use crate::arguments::{OscillatorOptions, drive_resonance, small_orders};
 use crate::command::expand::subject::Subject;
-use crate::command::expand::{BOOKKEEPING, Expand, Format};
+use crate::command::expand::{BOOKKEEPING, Expand};
 use crate::interrupt::Cancellation;
-use crate::output::{Form, json};
+use crate::output::{Form, formulas, json};
 use crate::parallel;
 use crate::query_error::{QueryError, option};
 use libration::expression::{Equation, Expression};
@@ -58,18 +58,14 @@ impl Expand {
         out: &mut dyn Write,
     ) -> Result<(), QueryError> {
         let answer = self.symbolic_answer()?;
-        if let Some(language) = self.format.and_then(Format::language) {
-            return formulas::write_code(out, &answer, language);
+        if let Some(format) = self.formats.format() {
+            let Subject { equation, equation_latex, .. } = &answer.subject;
+            let equations = (&equation[..], &[equation_latex.clone()][..]);
+            return formulas::write(out, format, equations, &super::fields::formulas(&answer));
         }
         match self.form.form() {
             Form::Json => json::document(out, super::fields::of_flow().record(&answer))?,
             Form::Csv => super::fields::of_formula().write_csv(out, &super::fields::formulas(&answer))?,
-            Form::Table if self.format == Some(Format::Mathml) => {
-                mathml::write(out, &answer.subject.equation, &super::fields::formulas(&answer))?;
-            }
-            Form::Table if self.latex || self.format == Some(Format::Latex) => {
-                formulas::write_latex(out, &answer)?;
-            }
             Form::Table => listing::write(out, &answer)?,
         }
         Ok(out.flush()?)

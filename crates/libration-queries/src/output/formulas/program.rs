@@ -1,68 +1,31 @@
 //! Functions as they are laid out in each language.
 
-use super::Language;
+use crate::output::language::Language;
 use std::fmt;
 
-/// The names of letters and variables, changed where the language has them for itself.
-pub(super) struct Names {
-    /// Each letter with its name in the program.
-    pub(super) letters: Vec<(String, String)>,
-    /// The name that stands for ω0 in coefficients, with its name in the program.
-    pub(super) root: Option<(String, String)>,
-    arguments: Vec<(&'static str, String)>,
-    pub(super) sum: String,
-    pub(super) phase: String,
-    pub(super) displacement: String,
-}
-
-impl Names {
-    pub(super) fn new(language: Language, letters: &[String], root: Option<&str>) -> Self {
-        let mut taken: Vec<String> = vec![];
-        let mut free = |name: &str| {
-            let mut name = name.to_owned();
-            while language.is_reserved(&name) || taken.contains(&language.folded(&name)) {
-                name.push('_');
-            }
-            taken.push(language.folded(&name));
-            name
-        };
-        let letters = letters.iter().map(|letter| (letter.clone(), free(letter))).collect();
-        let root = root.map(|name| (name.to_owned(), free(name)));
-        let arguments = ["amplitude", "strength", "time"].map(|name| (name, free(name))).to_vec();
-        let (sum, phase, displacement) = (free("series"), free("phase"), free("x"));
-        Self { letters, root, arguments, sum, phase, displacement }
-    }
-
-    /// The name of a letter in the program.
-    pub(super) fn letter(&self, name: &str) -> String {
-        let mut letters = self.letters.iter().chain(&self.root);
-        letters.find(|(own, _)| own == name).map_or_else(|| name.to_owned(), |(_, changed)| changed.clone())
-    }
-
-    /// The name of an argument that is not a letter.
-    pub(super) fn argument(&self, name: &str) -> String {
-        let argument = self.arguments.iter().find(|(own, _)| *own == name);
-        argument.map_or_else(|| name.to_owned(), |(_, changed)| changed.clone())
-    }
-}
-
 /// A function of real numbers.
-pub(super) struct Function {
-    name: &'static str,
-    meaning: &'static str,
+pub(crate) struct Function {
+    name: String,
+    meaning: String,
     arguments: Vec<String>,
     /// Variables with their values, in the order in which they get them.
     steps: Vec<(String, String)>,
-    pub(super) result: String,
+    pub(crate) result: String,
 }
 
 impl Function {
-    pub(super) fn new(name: &'static str, meaning: &'static str, arguments: Vec<String>) -> Self {
-        Self { name, meaning, arguments, steps: vec![], result: String::new() }
+    pub(crate) fn new(name: &str, meaning: &str, arguments: Vec<String>) -> Self {
+        Self {
+            name: name.to_owned(),
+            meaning: meaning.to_owned(),
+            arguments,
+            steps: vec![],
+            result: String::new(),
+        }
     }
 
     /// Gives a variable a value, or another one.
-    pub(super) fn define(&mut self, variable: &str, value: String) {
+    pub(crate) fn define(&mut self, variable: &str, value: String) {
         self.steps.push((variable.to_owned(), value));
     }
 
@@ -79,10 +42,12 @@ impl Function {
 }
 
 /// Functions beneath a comment.
-pub(super) struct Program {
-    pub(super) language: Language,
-    pub(super) comment: Vec<String>,
-    pub(super) functions: Vec<Function>,
+pub(crate) struct Program {
+    pub(crate) language: Language,
+    /// The name of the module in Fortran.
+    pub(crate) module: &'static str,
+    pub(crate) comment: Vec<String>,
+    pub(crate) functions: Vec<Function>,
 }
 
 impl fmt::Display for Program {
@@ -96,19 +61,23 @@ impl fmt::Display for Program {
             writeln!(formatter, "{mark} {line}")?;
         }
         let opening = match self.language {
-            Language::C => "#include <math.h>\n",
-            Language::Python => "from math import cos, sin, sqrt\n\n",
-            Language::Rust => "",
-            Language::Fortran => {
-                "module oscillator\n  use, intrinsic :: iso_fortran_env, only: real64\n  implicit none\ncontains\n"
-            }
+            Language::C => "#include <math.h>\n".to_owned(),
+            Language::Python => "from math import cos, sin, sqrt\n\n".to_owned(),
+            Language::Rust => String::new(),
+            Language::Fortran => format!(
+                "module {}\n  use, intrinsic :: iso_fortran_env, only: real64\n  implicit none\ncontains\n",
+                self.module
+            ),
         };
-        formatter.write_str(opening)?;
+        formatter.write_str(&opening)?;
         for (place, function) in self.functions.iter().enumerate() {
             let gap = if place > 0 && self.language == Language::Python { "\n\n" } else { "\n" };
             write!(formatter, "{gap}{}", self.written(function))?;
         }
-        formatter.write_str(if self.language == Language::Fortran { "\nend module oscillator\n" } else { "" })
+        match self.language {
+            Language::Fortran => write!(formatter, "\nend module {}\n", self.module),
+            _ => Ok(()),
+        }
     }
 }
 
@@ -120,12 +89,16 @@ impl Program {
         };
         let (head, foot) = match self.language {
             Language::C => {
-                (format!("// {meaning}\ndouble {name}({})\n{{\n", typed("double ", "")), "}\n".to_owned())
+                let list = if arguments.is_empty() { "void".to_owned() } else { typed("double ", "") };
+                (format!("// {meaning}\ndouble {name}({list})\n{{\n"), "}\n".to_owned())
             }
-            Language::Rust => (
-                format!("/// {meaning}\npub fn {name}({}) -> f64 {{\n", typed("", ": f64")),
-                "}\n".to_owned(),
-            ),
+            Language::Rust => {
+                let has_capitals = arguments.iter().any(|name| name.contains(char::is_uppercase));
+                let allowed = if has_capitals { "#[allow(non_snake_case)]\n" } else { "" };
+                let head =
+                    format!("/// {meaning}\n{allowed}pub fn {name}({}) -> f64 {{\n", typed("", ": f64"));
+                (head, "}\n".to_owned())
+            }
             Language::Python => {
                 (format!("def {name}({}):\n    \"\"\"{meaning}\"\"\"\n", typed("", "")), String::new())
             }
@@ -139,7 +112,9 @@ impl Program {
         let Function { name, meaning, arguments, .. } = function;
         let list = arguments.join(", ");
         let mut head = format!("  ! {meaning}\n  pure real(real64) function {name}({list})\n");
-        head += &broken(&format!("    real(real64), intent(in) :: {list}"), self.language);
+        if !arguments.is_empty() {
+            head += &broken(&format!("    real(real64), intent(in) :: {list}"), self.language);
+        }
         let variables = function.variables();
         if !variables.is_empty() {
             head += &format!("    real(real64) :: {}\n", variables.join(", "));
@@ -163,6 +138,7 @@ impl Program {
     fn returned(&self, name: &str, result: &str) -> String {
         let text = match self.language {
             Language::C => format!("    return {result};"),
+            Language::Python if result.len() > COLUMNS / 2 => format!("    return ({result})"),
             Language::Python => format!("    return {result}"),
             Language::Rust => format!("    {result}"),
             Language::Fortran => format!("    {name} = {result}"),

@@ -1,14 +1,14 @@
 //! The formulas in MathML, one a line.
 
-use super::fields::Formula;
+use super::NamedFormula;
 use crate::output::mathml::{bracketed, display, element, fraction, name, product};
 use libration::expression::{Expression, Function};
 use std::io::{self, Write};
 
-pub(super) fn write(out: &mut dyn Write, equation: &str, formulas: &[Formula]) -> io::Result<()> {
-    writeln!(out, "{}", display(&element("mtext", &[equation])))?;
-    for Formula { name: quantity, text } in formulas {
-        let left = element("mtext", &[&quantity.replace('_', " ")]);
+pub(super) fn write(out: &mut dyn Write, equations: &str, formulas: &[NamedFormula]) -> io::Result<()> {
+    writeln!(out, "{}", display(&element("mtext", &[equations])))?;
+    for NamedFormula { meaning, text, .. } in formulas {
+        let left = element("mtext", &[meaning]);
         let right =
             text.parse().map_or_else(|_| element("mtext", &[text]), |tree: Expression| written(&tree));
         writeln!(out, "{}", display(&format!("{left}<mo>=</mo>{right}")))?;
