@@ -13,8 +13,8 @@ impl Orbit {
     /// The periodic motion of a system whose force depends on the time t, near a state at t = 0: a fixed point of the map over one period. The
     /// period is that of the force, or a multiple of it for subharmonic responses.
     ///
-    /// Newton's method is tried at the start, and again after the motion has
-    /// been followed for 10, 20, … periods, which leads to attracting motions.
+    /// Newton's method is tried at the start, and again after the motion has been followed for 10, 20, 30, 40, 80, … 640 periods, which
+    /// leads to attracting motions.
     ///
     /// # Errors
     /// No time in the equation, an invalid period or start, motions that cannot be integrated,
@@ -37,9 +37,9 @@ impl Orbit {
         progress: &dyn Progress,
     ) -> Result<Self, OrbitError> {
         let watch = &Watch::new(progress);
-        /// Number of trials. A transient that decreases to a tenth in ten periods is 1e-4 of its size after the four later starts; slower
-        /// transients may remain, since Newton's method does not require their decay.
-        const TRIES: u32 = 5;
+        /// Numbers of periods before the further trials. A transient of a quality factor of 14 falls to a tenth in ten periods, after all of
+        /// them one of 900; next to a fold a motion stays as long where no orbit is any more. Newton's method does not require its decay.
+        const FOLLOWED: [u32; 8] = [10, 10, 10, 10, 40, 80, 160, 320];
         if !equation.depends_on_time() {
             return Err(OrbitError::NotDriven);
         }
@@ -47,12 +47,12 @@ impl Orbit {
         let unknowns = Unknowns { free: (0..rounds.layout().numbers()).collect(), period: false };
         let mut guess = OrbitGuess { state: start.to_vec(), period };
         let mut outcome = closed(equation, &rounds, &guess, &unknowns);
-        for _ in 1..TRIES {
+        for periods in FOLLOWED {
             // A trial that ended at rest may still reach the orbit to which the motion settles.
             if !matches!(outcome, Err(OrbitError::NoConvergence { .. } | OrbitError::NoCycle(_))) {
                 break;
             }
-            guess.state = later(&rounds, &guess)?;
+            guess.state = later(&rounds, &guess, periods)?;
             outcome = closed(equation, &rounds, &guess, &unknowns);
         }
         finished(outcome, watch)
@@ -74,11 +74,9 @@ impl Orbit {
     }
 }
 
-/// The state after ten periods; each begins at t = 0 again, where the force is the same.
-fn later(rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<Vec<f64>, OrbitError> {
-    /// Number of drive periods in which the transient of a quality factor of 14 falls to a tenth.
-    const PERIODS: u32 = 10;
-    (0..PERIODS).try_fold(guess.state.clone(), |state, _| {
+/// The state after some periods; each begins at t = 0 again, where the force is the same.
+fn later(rounds: &Rounds<'_>, guess: &OrbitGuess, periods: u32) -> Result<Vec<f64>, OrbitError> {
+    (0..periods).try_fold(guess.state.clone(), |state, _| {
         Ok(rounds.path(&state, guess.period, 1e-12)?.state_at(guess.period))
     })
 }
