@@ -811,7 +811,7 @@ fn an_orbit_past_a_saddle_has_its_whole_period_or_none() {
 #[test]
 fn a_response_is_reached_past_the_end_of_another() {
     let text = "x'' + 0.141*x'*abs(x') + x + 0.879*x*abs(x) = 0.116*cos(1.274*t)";
-    let orbit = Orbit::driven(&equation(text), &[-1.386, 0.0], std::f64::consts::TAU / 1.274, &Quiet);
+    let orbit = Orbit::driven(&equation(text), &[-1.386, 0.0], TAU / 1.274, &Quiet);
     let start = orbit.unwrap().start();
     let off = libm::hypot(start[0] + 0.2745424178995959, start[1] - 0.044868219669804886);
     assert!(off < 1e-13, "{off:e}");
