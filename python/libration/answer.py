@@ -229,6 +229,32 @@ class Answer(Fields):
         """
         return Picture(self._asked, "figure", size)
 
+    def to_format(self, format: str) -> str:
+        """The formulas as text, where the command has ``--format``: `expand` and `resonance`.
+
+        Parameters
+        ----------
+        format : str
+            "latex", "mathml", or functions in "c", "python", "rust" or "fortran".
+
+        Raises
+        ------
+        UsageError
+            For commands without formulas.
+        Interrupted
+
+        Examples
+        --------
+        >>> import libration as lb
+        >>> flow = lb.questions.resonance("x''+x+eps*x*y=0; y''+4*y+eps*x^2=0", ratios="1:2")
+        >>> print(flow.to_format("python").splitlines()[4])
+        def amplitude_x(A_x, A_y, eps, phi_x, phi_y):
+        """
+        text, error = answered(self._asked, ["--format", format])
+        if error is not None:
+            raise Interrupted(text or None) from error
+        return text
+
     def plot(self, ax: "Axes | None" = None) -> "Axes":
         """Draws the result with matplotlib, where the command has a picture for it."""
         return draw(self, ax)

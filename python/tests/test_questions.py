@@ -3,6 +3,7 @@
 import importlib.util
 import inspect
 import json
+import math
 import os
 import shlex
 import subprocess
@@ -304,7 +305,8 @@ def test_the_functions_are_as_the_command_has_its_questions():
 
 # The forms of an answer, pictures' files, scripts for shells, the page for browsers.
 ELSEWHERE = {
-    ("expand", "latex"), ("expand", "format"), ("completions", "shell"), ("page", "output")
+    *((words, it) for words in ("expand", "resonance") for it in ("latex", "format")),
+    ("completions", "shell"), ("page", "output"),
 }
 
 
@@ -456,3 +458,18 @@ def test_introspection_knows_kinds():
     assert decay["power"].is_repeated and decay["size"].choices == ["page", "column", "slide"]
     assert decay["json"].kind == "flag" and decay["damping-order"].keyword == "damping_order"
     assert _native.questions()[0][0] == "period"
+
+
+def test_formulas_of_answers_have_other_formats():
+    flow = questions.resonance("x''+x+eps*x*y=0; y''+4*y+eps*x^2=0", ratios="1:2")
+    assert flow.to_format("latex").count(r"\[") == 8
+    functions: dict = {}
+    exec(flow.to_format("python"), functions)
+    # A_x·A_y/4·sin(2φ_x − φ_y) and −A_x²/8·sin(2φ_x − φ_y).
+    assert functions["amplitude_x"](0.4, 0.3, 0.1, 0.8, 0.1) == pytest.approx(
+        0.1 * 0.4 * 0.3 / 4 * math.sin(1.5), rel=1e-15
+    )
+    with pytest.raises(lb.errors.UsageError, match="format"):
+        flow.to_format("basic")
+    with pytest.raises(lb.errors.UsageError, match="--format"):
+        questions.orbit("x''=(1-x^2)*x'-x", initial={"x": 1}).to_format("latex")

@@ -19,6 +19,8 @@ def fit_amplitudes(
     length: Value | None = None,
     sides: Literal["one", "both"] | None = None,
     errors: Literal["absolute", "relative"] | None = None,
+    from_: Value | None = None,
+    to: Value | None = None,
     sheet: int | str | None = None,
     delimiter: Literal["comma", "semicolon", "tab", "space"] | None = None,
     decimal: Literal["point", "comma"] | None = None,
@@ -60,6 +62,10 @@ def fit_amplitudes(
     errors : {"absolute", "relative"}, optional
         Errors of all amplitudes where no uncertainties are stated: the same absolute error, or the
         same part of each amplitude [default: absolute].
+    from_ : float or str, optional
+        Ignore rows before this time, or number of swings.
+    to : float or str, optional
+        Ignore rows after this time, or number of swings.
     sheet : int or str, optional
         Sheet of a workbook or file of an archive, by number or name.
     delimiter : {"comma", "semicolon", "tab", "space"}, optional

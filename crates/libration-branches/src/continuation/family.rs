@@ -245,13 +245,19 @@ impl<'w> Family<'w> {
         found.end.iter().chain(matrices).copied().all(f64::is_finite).then_some(found)
     }
 
-    /// A start that is not an equilibrium: an equilibrium is displaced a little.
+    /// A start that is not an equilibrium: the coordinates of an equilibrium are displaced a little, each less than the one before, since equal
+    /// displacements of equal oscillators would keep them equal.
     pub(super) fn displaced(&self, mut state: Vec<f64>, value: f64) -> Vec<f64> {
         const REST: f64 = 1e-9;
         const ASIDE: f64 = 0.1;
+        const LESS: f64 = 0.7;
         let rates = self.field().and_then(|field| field.at(&state, &[value]));
         if rates.is_some_and(|it| it.rates.iter().all(|rate| rate.abs() <= REST)) {
-            state[0] += ASIDE * state[0].abs().max(1.0);
+            let mut aside = ASIDE;
+            for coordinate in &mut state[..self.layout.coordinates()] {
+                *coordinate += aside * coordinate.abs().max(1.0);
+                aside *= LESS;
+            }
         }
         state
     }

@@ -125,3 +125,27 @@ fn uncertainties_in_per_cent_are_those_of_the_sizes_of_turning_points() {
     let absolute = of("amplitudes-absolute", "u(x) (cm)", |x| 0.02 * x.abs());
     assert!((relative / absolute - 1.0).abs() < 1e-6, "{relative} {absolute}");
 }
+
+#[test]
+fn rows_outside_a_range_of_times_are_ignored() {
+    // After 32 s the pendulum was touched.
+    let table = exponential("t (s),A (cm)", |swings| 1.25 * swings);
+    let rows = table.lines().take(7).chain(["37.5,3.1", "43.75,2.9"]);
+    let path = file("amplitudes-range", &rows.map(|row| format!("{row}\n")).collect::<String>());
+    let decay = |options: &str| {
+        json(&format!("fit amplitudes {path} --model linear{options}"))["decay_time_s"].as_f64().unwrap()
+    };
+    assert!((decay("") - 50.0).abs() > 1.0);
+    assert!((decay(" --to 32") - 50.0).abs() < 1e-3);
+    let answer = json(&format!("fit amplitudes {path} --from 6.25s --to 31.25s"));
+    assert!(
+        (answer["decay_time_s"].as_f64().unwrap() - 50.0).abs() < 1e-3 && answer["rows"] == 5,
+        "{answer}"
+    );
+    assert!(answer["told_from_file"].to_string().contains("3 rows are ignored (--from, --to)"), "{answer}");
+    let nothing = message(&libration(&format!("fit amplitudes {path} --from 100")));
+    assert!(
+        nothing.contains("--from: no row is in this range: those of the file are from 0.0 to 43.75"),
+        "{nothing}"
+    );
+}

@@ -2,7 +2,8 @@
 
 use super::columns::{self, Against, Roles};
 use crate::arguments::{
-    ChosenColumns, ColumnsInSi, ColumnsOption, DialectOptions, DisplacementUnit, Inferences, Wanted, length,
+    ChosenColumns, ColumnsInSi, ColumnsOption, DialectOptions, DisplacementUnit, Inferences, Wanted,
+    finite_time, length,
 };
 use crate::call::in_words;
 use crate::figure::amplitudes::Measured;
@@ -35,6 +36,12 @@ pub(super) struct Input {
     /// Errors of all amplitudes where no uncertainties are stated: the same absolute error, or the same part of each amplitude
     #[arg(long, value_enum, default_value = "absolute")]
     errors: Errors,
+    /// Ignore rows before this time, or number of swings
+    #[arg(long, value_name = "TIME", value_parser = finite_time)]
+    from: Option<f64>,
+    /// Ignore rows after this time, or number of swings
+    #[arg(long, value_name = "TIME", value_parser = finite_time)]
+    to: Option<f64>,
     #[command(flatten)]
     dialect: DialectOptions,
 }
@@ -91,7 +98,8 @@ impl Input {
             Unit::Count | Unit::Pixel => "counts",
             _ => "rad",
         };
-        let [positions, values, of_positions, of_values, numbers, periods] = columns;
+        let [positions, values, of_positions, of_values, numbers, periods] =
+            self.within(columns, &mut inferences)?;
         let (positions, values) = (positions.unwrap_or_default(), values.unwrap_or_default());
         let columns = AmplitudeColumns {
             position_uncertainties: of_positions.as_deref(),
@@ -122,6 +130,39 @@ impl Input {
         }
         let measured = Measured { unit: self.unit_of_law(unit), is_horizontal: self.length.is_some(), table };
         Ok(AmplitudeFile { measured, dropped, inferences })
+    }
+
+    /// The rows whose time or number of swings is in the range, with a sentence about the others.
+    fn within(
+        &self,
+        columns: [Option<Vec<f64>>; 6],
+        inferences: &mut Inferences,
+    ) -> Result<[Option<Vec<f64>>; 6], QueryError> {
+        let (from, to) = (self.from.unwrap_or(f64::NEG_INFINITY), self.to.unwrap_or(f64::INFINITY));
+        let positions = columns[0].as_deref().unwrap_or_default();
+        let is_within: Vec<bool> = positions.iter().map(|position| (from..=to).contains(position)).collect();
+        let ignored = is_within.iter().filter(|is_within| !**is_within).count();
+        if ignored == 0 {
+            return Ok(columns);
+        }
+        let place = if self.from.is_some() { "from" } else { "to" };
+        if ignored == positions.len() {
+            let least = positions.iter().copied().fold(f64::INFINITY, f64::min);
+            let largest = positions.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            let reason =
+                format!("no row is in this range: those of the file are from {least:?} to {largest:?}");
+            return Err(QueryError::usage(option(place), reason));
+        }
+        inferences.sentences.push(in_words(&format!("{ignored} rows are ignored (<--from>, <--to>)")));
+        let kept = |column: Vec<f64>| {
+            column
+                .into_iter()
+                .zip(&is_within)
+                .filter(|(_, is_within)| **is_within)
+                .map(|(value, _)| value)
+                .collect()
+        };
+        Ok(columns.map(|column| column.map(kept)))
     }
 
     fn wanted(&self) -> [Wanted; 6] {

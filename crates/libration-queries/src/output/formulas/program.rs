@@ -93,7 +93,8 @@ impl Program {
                 (format!("// {meaning}\ndouble {name}({list})\n{{\n"), "}\n".to_owned())
             }
             Language::Rust => {
-                let has_capitals = arguments.iter().any(|name| name.contains(char::is_uppercase));
+                let has_capitals =
+                    arguments.iter().chain([name]).any(|name| name.contains(char::is_uppercase));
                 let allowed = if has_capitals { "#[allow(non_snake_case)]\n" } else { "" };
                 let head =
                     format!("/// {meaning}\n{allowed}pub fn {name}({}) -> f64 {{\n", typed("", ": f64"));
