@@ -138,8 +138,8 @@ pub enum OrbitError {
     },
     /// An orbit whose neighbours close as well, within rounding errors.
     #[error(
-        "closed orbits near the start cannot be distinguished in double precision: neighbouring motions close as well, and the start is known to \
-         {0:.0e} of its size only"
+        "closed orbits near the start cannot be distinguished in double precision: neighbouring motions close as well, and the start or the \
+         period is known to {0:.0e} of its size only"
     )]
     Undetermined(f64),
     /// An orbit that cannot be integrated to its end.
