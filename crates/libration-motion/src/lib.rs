@@ -32,7 +32,9 @@ pub mod internals {
         pub use crate::decay::half_swing::{EFFORT, Frame, HalfSwing};
     }
     pub mod orbit {
-        pub use crate::orbit::{acceleration::Acceleration, place::ReleasePlace, precise::Motion};
+        pub use crate::orbit::{
+            acceleration::Acceleration, least_period::over_least_period, place::ReleasePlace, precise::Motion,
+        };
     }
     pub mod oscillator {
         pub use crate::oscillator::roots::zeros;

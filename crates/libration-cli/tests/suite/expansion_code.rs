@@ -233,12 +233,20 @@ fn the_comment_says_what_order_gauge_and_reach_the_functions_have() {
     assert_eq!(json("expand duffing --order 3")["order"], 3);
 }
 
-/// Slow flows whose formulas have capitals beside small letters, words that languages reserve, π, and several coordinates.
-const FLOWS: [&[&str]; 4] = [
+/// Slow flows whose formulas have capitals beside small letters, words that languages reserve, π, several coordinates, and long products.
+const FLOWS: [&[&str]; 5] = [
     &["expand", "x'' + 2*eps*lambda*x' + in^2*x + eps*a*x^3 = eps*F*cos(W*t)", "--resonance", "1/1"],
     &["expand", "x'' + w0^2*x + eps*R*sign(x') = eps*F*cos(W*t)", "--resonance", "1/1"],
     &["expand", "x''+m*x'+x+x^2=F*cos(W*t)", "--resonance", "1/1", "--small", "m:2,F:2", "--order", "4"],
     &["resonance", "x''+w1^2*x+eps*a*x*y=0; y''+w2^2*y+eps*B*x^2=0", "--ratios", "1:2", "--order", "3"],
+    &[
+        "resonance",
+        "x''+natural_frequency^2*x+small_parameter*coupling_coefficient_of_the_first_coordinate*x*y=0; y''+w2^2*y+small_parameter*b*x^2=0",
+        "--ratios",
+        "1:2",
+        "--small",
+        "small_parameter:1",
+    ],
 ];
 
 /// Reads the CSV of a slow flow, and prints for each formula the name of its function, the values of its symbols by their names, and its own value.

@@ -15,7 +15,8 @@ use libration_kernels::elementary::count;
 const TIMES: usize = 32;
 
 /// The orbit over its least period, from the orbit and from a function that closes it over a shorter period.
-pub(super) fn over_least_period(
+#[doc(hidden)]
+pub fn over_least_period(
     mut orbit: Orbit,
     closed: impl Fn(Vec<f64>, f64) -> Result<Orbit, OrbitError>,
 ) -> Result<Orbit, OrbitError> {

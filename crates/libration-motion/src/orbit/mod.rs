@@ -26,7 +26,8 @@ mod path;
 mod pieces;
 
 mod harmonics;
-mod least_period;
+#[doc(hidden)]
+pub(crate) mod least_period;
 mod near;
 mod periodic;
 

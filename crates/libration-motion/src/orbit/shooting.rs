@@ -361,8 +361,8 @@ impl<'a> Newton<'a> {
         errors
     }
 
-    /// The change of the period in the next step, which is not made: for the orbit as it is and as computed with other steps, and by the rounding of
-    /// the start, which both have. Past a saddle it is most of the error.
+    /// The change of the period in the next step, which is not made: for the orbit as it is and as computed with other steps, and by rounding on the
+    /// way, which both have. Past a saddle that is most of the error.
     fn period_uncertainty(&self, other: &[f64], rounding: &[f64]) -> f64 {
         if !self.unknowns.period {
             return 0.0;

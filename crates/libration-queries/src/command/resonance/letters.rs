@@ -27,11 +27,11 @@ struct Answer {
     flow: CoupledSlowFlow,
 }
 
-/// One formula.
+/// A formula of a coordinate. Names of functions end in that of the coordinate.
 struct Formula {
     coordinate: String,
     quantity: &'static str,
-    text: String,
+    named: NamedFormula,
 }
 
 impl ResonanceQuestion {
@@ -73,7 +73,8 @@ impl ResonanceQuestion {
         let answer = Answer { equations: model.equation().to_string(), small: options.small, flow };
         if let Some(format) = self.formats.format() {
             let equations = (&answer.equations[..], &model.equation().to_latex()[..]);
-            return formulas::write(out, format, equations, &answer.named_formulas());
+            let formulas: Vec<NamedFormula> = answer.formulas().into_iter().map(|it| it.named).collect();
+            return formulas::write(out, format, equations, &formulas);
         }
         match self.form.form() {
             Form::Json => json::document(out, of_answer().record(&answer))?,
@@ -118,36 +119,23 @@ impl Answer {
         parts.join("; ")
     }
 
-    /// The formulas as functions whose names end in that of the coordinate.
-    fn named_formulas(&self) -> Vec<NamedFormula> {
+    fn formulas(&self) -> Vec<Formula> {
         let of_coordinate = |it: &CoordinateFlow| {
             let rate = |symbol: &str| format!(r"\dot{{{}}}", formulas::latex(symbol));
-            let named = [
+            let all = [
                 ("amplitude", "rate of the amplitude", rate(&it.amplitude), &it.amplitude_rate),
                 ("phase", "rate of the phase", rate(&it.phase), &it.phase_rate),
                 ("displacement", "displacement", formulas::latex(&it.name), &it.displacement),
             ];
-            named.map(|(quantity, meaning, left, text)| NamedFormula {
-                name: format!("{quantity}_{}", it.name),
-                meaning: format!("{meaning} of {}", it.name),
-                left,
-                text: text.clone(),
-            })
-        };
-        self.flow.coordinates.iter().flat_map(of_coordinate).collect()
-    }
-
-    fn formulas(&self) -> Vec<Formula> {
-        let of_coordinate = |it: &CoordinateFlow| {
-            let named = [
-                ("amplitude", &it.amplitude_rate),
-                ("phase", &it.phase_rate),
-                ("displacement", &it.displacement),
-            ];
-            named.map(|(quantity, text)| Formula {
+            all.map(|(quantity, meaning, left, text)| Formula {
                 coordinate: it.name.clone(),
                 quantity,
-                text: text.clone(),
+                named: NamedFormula {
+                    name: format!("{quantity}_{}", it.name),
+                    meaning: format!("{meaning} of {}", it.name),
+                    left,
+                    text: text.clone(),
+                },
             })
         };
         self.flow.coordinates.iter().flat_map(of_coordinate).collect()
@@ -252,7 +240,7 @@ fn of_formula() -> Fields<Formula> {
         Of::value("quantity", "", "amplitude and phase of which the rate is given, or displacement", |it| {
             it.quantity.into()
         }),
-        Of::value("formula", "", "its formula in plain text", |it| it.text.as_str().into()),
+        Of::value("formula", "", "its formula in plain text", |it| it.named.text.as_str().into()),
     ])
 }
 

@@ -112,7 +112,8 @@ impl Program {
     fn fortran_head(&self, function: &Function) -> String {
         let Function { name, meaning, arguments, .. } = function;
         let list = arguments.join(", ");
-        let mut head = format!("  ! {meaning}\n  pure real(real64) function {name}({list})\n");
+        let mut head = format!("  ! {meaning}\n");
+        head += &broken(&format!("  pure real(real64) function {name}({list})"), self.language);
         if !arguments.is_empty() {
             head += &broken(&format!("    real(real64), intent(in) :: {list}"), self.language);
         }
@@ -151,20 +152,34 @@ impl Program {
 /// Columns that lines of a program keep to; Fortran allows 132.
 const COLUMNS: usize = 100;
 
-/// A statement on as many lines as it takes, broken before the signs of sums.
+/// A statement on as many lines as it takes, broken before the signs of sums, and in products and lists that are longer than a line.
 fn broken(text: &str, language: Language) -> String {
     let end = if language == Language::Fortran { " &\n" } else { "\n" };
     let mut lines = vec![String::new()];
-    for part in text.replace(" + ", "\n+ ").replace(" - ", "\n- ").split('\n') {
+    let terms = text.replace(" + ", "\n+ ").replace(" - ", "\n- ");
+    for part in terms.split('\n').flat_map(parts) {
         let line = lines.last_mut().expect("there is always a line");
         if !line.is_empty() && line.len() + 1 + part.len() > COLUMNS {
             lines.push(format!("        {part}"));
         } else {
-            line.push_str(if line.is_empty() { "" } else { " " });
+            let joined = line.is_empty() || line.ends_with(' ') || part.starts_with('*');
+            line.push_str(if joined { "" } else { " " });
             line.push_str(part);
         }
     }
     lines.join(end) + "\n"
+}
+
+/// The term itself, or if it is longer than a line, its parts before single asterisks and after commas.
+fn parts(term: &str) -> Vec<&str> {
+    let bytes = term.as_bytes();
+    let is_factor =
+        |at: usize| bytes[at] == b'*' && bytes[at - 1] != b'*' && bytes.get(at + 1) != Some(&b'*');
+    let is_place = |at: &usize| is_factor(*at) || bytes[..*at].ends_with(b", ");
+    let places = (1..bytes.len()).filter(|at| term.len() > COLUMNS - 8 && is_place(at));
+    let ends: Vec<usize> = places.chain([term.len()]).collect();
+    let starts = [0].into_iter().chain(ends.iter().copied());
+    starts.zip(&ends).map(|(start, end)| &term[start..*end]).collect()
 }
 
 /// Words in lines of at most `columns` characters.

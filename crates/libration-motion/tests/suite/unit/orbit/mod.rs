@@ -1,1 +1,2 @@
+mod least_period;
 mod precise;
