@@ -134,13 +134,13 @@ impl Search<'_> {
         if self.family.is_driven() && start.unknowns.iter().all(|x| *x == 0.0) {
             return here.any(|(_, [a, b])| is_at_rest(a) && is_at_rest(b));
         }
-        let same = here.filter(|(space, _)| space.drive_periods() == start.space.drive_periods());
+        let is_driven = self.family.is_driven();
+        let periods = start.space.drive_periods();
+        let same = here.filter(|(space, _)| !is_driven || space.drive_periods() == periods);
         let mut landings =
             same.map(|(space, pair)| landing(&self.corrector(space), pair, value, self.width()));
-        if !self.family.is_driven() {
-            let turns = f64::from(start.space.drive_periods());
-            let period = start.unknowns.last().map_or(f64::NAN, |turn| turn * turns);
-            return landings.any(|it| (it.period - period).abs() <= SAME * period);
+        if !is_driven {
+            return landings.any(|point| start.has_period(&point, SAME));
         }
         let Some(copies) = self.copies(start, value) else { return false };
         let size = start.unknowns.iter().map(|x| x.abs()).fold(0.0, f64::max);

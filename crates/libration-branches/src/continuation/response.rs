@@ -257,20 +257,12 @@ impl Search<'_> {
         /// Largest difference relative to the size of the state.
         const SAME: f64 = 1e-7;
         let size = start.unknowns.iter().map(|x| x.abs()).fold(1e-6, f64::max);
-        let is_near = |a: f64, b: f64| (a - b).abs() <= SAME * size;
         let copies = self.copies(start, value).unwrap_or_else(|| vec![start.unknowns.clone()]);
-        let is_same = |(branch, point): (&Branch, &BranchPoint)| match self.family.is_driven() {
+        let is_same = |point: &BranchPoint| match self.family.is_driven() {
             true => copies.iter().any(|copy| start.space.is_near(&point.state, copy, SAME * size)),
-            // The turn with which a cycle begins is arbitrary.
-            false => {
-                let turn = point.period / f64::from(branch.space.drive_periods());
-                branch.space.drive_periods() == start.space.drive_periods()
-                    && start.unknowns.last().is_some_and(|period| is_near(turn, *period))
-            }
+            false => start.has_period(point, SAME),
         };
-        let ends = branches.iter().flat_map(|branch| {
-            [branch.points.first(), branch.points.last()].into_iter().flatten().map(move |it| (branch, it))
-        });
-        ends.filter(|(_, point)| point.parameter.to_bits() == value.to_bits()).any(is_same)
+        let ends = branches.iter().flat_map(|branch| [branch.points.first(), branch.points.last()]).flatten();
+        ends.filter(|point| point.parameter.to_bits() == value.to_bits()).any(is_same)
     }
 }

@@ -6,6 +6,7 @@ use super::error::BranchError;
 use super::family::{Family, TOLERANCES};
 use super::node::{Node, Tests};
 use super::options::ResponseOptions;
+use super::point::BranchPoint;
 use super::space::Space;
 use libration_motion::chaos::angles;
 use libration_motion::orbit::{Orbit, OrbitError};
@@ -25,6 +26,16 @@ pub(super) struct Search<'a> {
 pub(super) struct Start {
     pub(super) unknowns: Vec<f64>,
     pub(super) space: Space,
+}
+
+impl Start {
+    /// Returns `true` if a cycle without a drive has the period of a point within a relative difference. The number of turns may differ along a
+    /// branch, as the first coordinate gains maxima, and the turn with which a cycle begins is arbitrary.
+    pub(super) fn has_period(&self, point: &BranchPoint, difference: f64) -> bool {
+        let turns = f64::from(self.space.drive_periods());
+        let period = self.unknowns.last().map_or(f64::NAN, |turn| turn * turns);
+        (point.period - period).abs() <= difference * period
+    }
 }
 
 impl Search<'_> {

@@ -194,11 +194,12 @@ fn canards_are_followed_to_the_hopf_points_on_both_sides() {
     }
 }
 
-/// The first coordinate follows the second, which excites itself and does not notice.
+/// The first coordinate follows the second, which excites itself and does not notice. At mu = 5 it turns three times in a period, at mu = 1 once,
+/// on one branch.
 #[test]
 fn a_cycle_of_a_later_coordinate_is_found_from_rest() {
     let following = "x'' = -4*x - x' + y/2; y'' = mu*(1 - y^2)*y' - y";
-    let response = over(following, "mu", [1.0, 2.0], &ResponseOptions::default());
+    let response = over(following, "mu", [1.0, 5.0], &ResponseOptions::default());
     let [branch] = &response.branches[..] else { panic!("{} branches", response.branches.len()) };
     let period = branch.points[0].period;
     // That of van der Pol's equation, as above.
