@@ -11,11 +11,11 @@
 //! | module | tasks | begin with |
 //! |---|---|---|
 //! | [`measurement`] | columns, traces, photogate times and faults of a file | [`Recording`](measurement::Recording), [`Trace`](measurement::Trace) |
-//! | [`fit`] | measured swings: ω0, damping, g, warnings and advice | [`swings`](fit::swings::swings) |
-//! | | periods against amplitude; periods against length | [`periods`](fit::periods()), [`lengths`](fit::lengths()) |
+//! | [`fit`] | measured swings: ω0, damping, g, warnings and advice | [`fit_swings`](fit::swings::fit_swings) |
+//! | | periods against amplitude; periods against length | [`fit_periods`](fit::fit_periods), [`fit_lengths`](fit::fit_lengths) |
 //! | | falling amplitudes: damping law, quality factor | [`amplitudes`](fit::amplitudes) |
 //! | | photogate times; responses of a driven oscillator; harmonics of swings | [`gates`](fit::gates), [`response`](fit::response), [`spectrum`](fit::spectrum) |
-//! | | budget of the uncertainty of g; plan of a measurement | [`budget`](fit::budget()), [`plan`](fit::plan) |
+//! | | budget of the uncertainty of g; plan of a measurement | [`evaluate_budget`](fit::evaluate_budget), [`plan`](fit::plan) |
 //!
 //! # A swing
 //! Without a length, the fit gives that of the simple pendulum with the same period in standard gravity:
@@ -23,7 +23,7 @@
 //! ```
 //! use libration::pendulum::Pendulum;
 //! use libration::progress::Quiet;
-//! use libration_lab::fit::swings::{Advice, FittedPendulum, SwingsOptions, swings};
+//! use libration_lab::fit::swings::{Advice, FittedPendulum, SwingsOptions, fit_swings};
 //! use libration_lab::measurement::{Observable, Trace};
 //!
 //! let motion = Pendulum::from_angular_frequency(4.0)?.released_from("40deg".parse()?)?;
@@ -31,7 +31,7 @@
 //! let angles = times.iter().map(|&time| motion.state_at(time).angle).collect();
 //! let trace = Trace::new("exact", Observable::Angle, times, angles, None)?;
 //! let undamped = SwingsOptions { damping: Some("undamped".parse()?), ..SwingsOptions::default() };
-//! let fitted = swings(&[trace], &undamped, &Quiet)?;
+//! let fitted = fit_swings(&[trace], &undamped, &Quiet)?;
 //! let FittedPendulum::Length(length) = fitted.pendulum else { return Err("a length was given".into()) };
 //! assert!((length.value - 9.80665 / 16.0).abs() < 1e-6);
 //! assert!(fitted.advice.contains(&Advice::GiveLength));

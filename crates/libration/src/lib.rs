@@ -69,7 +69,7 @@
 //! | [`taylor`] | motion of any system in time, with events, errors and sensitivities | [`System`](taylor::System), [`integrate`](taylor::integrate()) |
 //! | [`orbit`] | periodic orbits: period, harmonics, Floquet multipliers | [`Orbit`](orbit::Orbit) |
 //! | [`spectrum`] | frequencies of a motion and their amplitudes | [`Spectrum`](spectrum::Spectrum) |
-//! | [`chaos`] | Poincaré sections, bifurcation diagrams, Lyapunov exponents | [`section`](chaos::section()), [`lyapunov_exponent`](chaos::lyapunov_exponent) |
+//! | [`chaos`] | Poincaré sections, bifurcation diagrams, Lyapunov exponents | [`section`](chaos::compute_section()), [`lyapunov_exponent`](chaos::lyapunov_exponent) |
 //! | [`continuation`] | branches of periodic orbits over a parameter: folds, jumps, stability | [`Response`](continuation::Response), [`StabilityChart`](continuation::StabilityChart) |
 //! | [`melnikov`] | thresholds of chaos of a weakly perturbed pendulum; resonances | [`PerturbedPendulum`](melnikov::PerturbedPendulum), [`Melnikov`](melnikov::Melnikov) |
 //! | [`normal_modes`] | small oscillations of coupled systems, exact where possible | [`NormalModes`](normal_modes::NormalModes) |
@@ -145,7 +145,7 @@
 //! [`Quiet`](progress::Quiet). A cancelled call returns what is done:
 //!
 //! ```
-//! use libration::chaos::{Points, Section, section};
+//! use libration::chaos::{Points, Section, compute_section};
 //! use libration::progress::Status;
 //! use libration::taylor::{Effort, Moment};
 //! use std::ops::ControlFlow;
@@ -157,7 +157,7 @@
 //!     10.. => ControlFlow::Break(()),
 //!     _ => ControlFlow::Continue(()),
 //! };
-//! let found = section(&duffing, &start, &stroboscope, points, &Effort::to_tolerance(1e-9), &ten_points)?;
+//! let found = compute_section(&duffing, &start, &stroboscope, points, &Effort::to_tolerance(1e-9), &ten_points)?;
 //! assert_eq!(found.points.len(), 10);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -3,8 +3,8 @@
 
 use crate::typed::{equation, system};
 use libration::chaos::{
-    Continuation, Family, LyapunovVerdict, Points, Schedule, Section, bifurcation_diagram, lyapunov_exponent,
-    section,
+    Continuation, Family, LyapunovVerdict, Points, Schedule, Section, compute_bifurcation_diagram,
+    compute_section, lyapunov_exponent,
 };
 use libration::normal_modes::NormalModes;
 use libration::orbit::{Orbit, OrbitGuess, Stability};
@@ -150,7 +150,8 @@ fn a_section_of_the_lorenz_system_is_where_the_motion_crosses() {
     let surface = Section::Crossing { formula: "z - 27".parse().unwrap(), direction: Direction::Rising };
     let points = Points { skipped: 0, recorded: 5 };
     let found =
-        section(&equation(LORENZ), &from(&[1.0, 1.0, 1.0]), &surface, points, &effort(), &Quiet).unwrap();
+        compute_section(&equation(LORENZ), &from(&[1.0, 1.0, 1.0]), &surface, points, &effort(), &Quiet)
+            .unwrap();
     let motion = integrate_dense(&system(LORENZ), &from(&[1.0, 1.0, 1.0]), 10.0, &effort()).unwrap();
     assert_eq!(found.points.len(), 5);
     for point in &found.points {
@@ -173,9 +174,15 @@ fn a_bifurcation_diagram_follows_the_fixed_points() {
         section: &place,
         points: Points { skipped: 100, recorded: 2 },
     };
-    let columns =
-        bifurcation_diagram(&family, &[0.25, 1.0], &from(&[0.1]), Continuation::SameStart, &effort(), &Quiet)
-            .unwrap();
+    let columns = compute_bifurcation_diagram(
+        &family,
+        &[0.25, 1.0],
+        &from(&[0.1]),
+        Continuation::SameStart,
+        &effort(),
+        &Quiet,
+    )
+    .unwrap();
     for (column, exact) in columns.iter().zip([0.5, 1.0]) {
         assert!(column.section.points.iter().all(|point| (point.state[0] - exact).abs() < 1e-13));
     }

@@ -2,8 +2,10 @@
 
 use std::f64::consts::PI;
 
+use super::excess_scale::fit_excess_scale;
+use super::law::Law;
 use super::period_table::Row;
-use super::{Law, PeriodTable, Uncertainties, excess_scale};
+use super::period_table::{PeriodTable, Uncertainties};
 
 const DEGREES_PER_RADIAN: f64 = 180.0 / PI;
 /// β of small angles in radians that are called degrees is (180/π)² = 3283, and anything above 1000 of no other making; of degrees that are
@@ -61,7 +63,7 @@ fn follows_exact_law(table: &PeriodTable, factor: f64, uncertainties: Columns, m
     let uncertainties =
         Uncertainties { amplitudes: of_amplitudes.as_deref(), periods: of_periods.as_deref() };
     let table = PeriodTable::new(&amplitudes, &periods, uncertainties);
-    let fit = table.ok().and_then(|table| excess_scale(&table, &Law::exact()).ok());
+    let fit = table.ok().and_then(|table| fit_excess_scale(&table, &Law::exact()).ok());
     fit.is_some_and(|fit| {
         let beta = fit.beta.factor;
         let uncertainty = beta.uncertainty.max(fit.uncertainty_scaled.unwrap_or(0.0));

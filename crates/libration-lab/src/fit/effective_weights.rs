@@ -1,7 +1,8 @@
 //! Weights that depend on the result: effective variances depend on the change of the period with the amplitude.
 
+use super::error::FitError;
 use super::law::Point;
-use super::{FitError, Weighting};
+use super::period_table::Weighting;
 
 /// The weights settle by a factor of (σ of T0)/T0 or so each time.
 const MOST_ROUNDS: usize = 100;

@@ -4,10 +4,12 @@ use nalgebra::{DMatrix, DVector};
 
 use super::beta::Beta;
 use super::effective_weights::{Weighted, settled};
+use super::error::FitError;
 use super::law::{Law, Point};
+use super::period_table::{PeriodTable, Weighting};
+use super::readings::RepeatedReadings;
 use super::readings_of_fit::ReadingsOfFit;
 use super::scatter::{self, Scatter};
-use super::{FitError, PeriodTable, RepeatedReadings, Weighting};
 use crate::statistics::{LinearFit, Undetermined, count, weighted_least_squares};
 
 /// β with T0 left free.
@@ -45,7 +47,7 @@ impl ExcessScaleFit {
 ///
 /// # Errors
 /// Fails for fewer than two rows (three without uncertainties), equal amplitudes, and a law without a value.
-pub fn excess_scale(table: &PeriodTable, law: &Law<'_>) -> Result<ExcessScaleFit, FitError> {
+pub fn fit_excess_scale(table: &PeriodTable, law: &Law<'_>) -> Result<ExcessScaleFit, FitError> {
     let needed = if table.weighting() == Weighting::Scatter { 3 } else { 2 };
     if table.len() < needed {
         return Err(FitError::TooFewRows { found: table.len(), needed, parameters: "beta" });

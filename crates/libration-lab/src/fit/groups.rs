@@ -5,8 +5,8 @@
 //!
 //! Reference: R. T. Birge, Phys. Rev. 40, 207 (1932), doi:10.1103/PhysRev.40.207.
 
-use super::Uncertain;
 use super::scatter::Scatter;
+use super::uncertain::Uncertain;
 use crate::statistics::{count, student};
 
 /// A group stands out where chance makes the farthest group as far in fewer than one class in a hundred.

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::FitError;
+use super::error::FitError;
 use super::period_table::Row;
 use libration::pendulum::period_ratio;
 

@@ -53,28 +53,28 @@ pub use beta::Beta;
 pub use budget::{
     AIR_DENSITY, Apparatus, Bob, BobShape, Budget, BudgetError, BudgetInput, BudgetRow, BudgetWarning,
     COVERAGE_PROBABILITY, CombinedUncertainty, Contribution, Correction, Corrections, Correlation,
-    Evaluation, MeasuredPeriod, PeriodDamping, budget,
+    Evaluation, MeasuredPeriod, PeriodDamping, evaluate_budget,
 };
 pub use contradiction::Contradiction;
 pub use damping_model::{DampingModel, DampingModelError, alternatives};
 pub use error::FitError;
-pub use excess_scale::{ExcessScaleFit, excess_scale};
+pub use excess_scale::{ExcessScaleFit, fit_excess_scale};
 pub use gravity::{GRAVITY_ON_EARTH, is_nowhere_on_earth};
 pub use groups::{GroupMean, GroupResult};
 pub use law::Law;
 pub use lengths::{
     LengthColumns, LengthFit, LengthModel, LengthTable, LengthsFit, LengthsOptions, LengthsPendulum,
-    LengthsWarning, PowerLaw, lengths,
+    LengthsWarning, PowerLaw, fit_lengths,
 };
 pub use libration::decay::DampingKind;
 pub use mistake::GravityMistake;
 pub use normal_gravity::{NormalGravityError, normal_gravity};
-pub use outliers::{DEFAULT_OUTLIER_THRESHOLD, outliers};
+pub use outliers::{DEFAULT_OUTLIER_THRESHOLD, find_outliers};
 pub use period_table::{PeriodTable, Uncertainties, Weighting};
-pub use periods::{PeriodFit, PeriodsOptions, PeriodsWarning, periods};
+pub use periods::{PeriodFit, PeriodsOptions, PeriodsWarning, fit_periods};
 pub use quality::Quality;
 pub use readings::{MeanReading, RepeatedReadings, effective_degrees_of_freedom, shared_rounding};
 pub use scatter::{Enlargement, Scatter, ScatterVerdict, ScatterWarning};
 pub use significance::{SIGNIFICANT, limit_of_chance};
-pub use small_angle_period::{LawFit, small_angle_period};
+pub use small_angle_period::{LawFit, fit_small_angle_period};
 pub use uncertain::Uncertain;

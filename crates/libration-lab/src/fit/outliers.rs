@@ -1,7 +1,8 @@
 //! Outliers, found by a robust scale on which they have no influence.
 
+use super::error::FitError;
 use super::law::Law;
-use super::{FitError, PeriodTable, Weighting};
+use super::period_table::{PeriodTable, Weighting};
 use crate::statistics::{deviation_by_median, median};
 
 /// Beyond five robust standard deviations a row counts as an outlier: among normal tables of a thousand rows
@@ -24,7 +25,7 @@ const OF_FEW_ROWS: [f64; 21] = [
 ///
 /// # Errors
 /// Fails for a law without a value at one of the amplitudes.
-pub fn outliers(table: &PeriodTable, law: &Law<'_>, threshold: f64) -> Result<Vec<usize>, FitError> {
+pub fn find_outliers(table: &PeriodTable, law: &Law<'_>, threshold: f64) -> Result<Vec<usize>, FitError> {
     let points = law.points(&table.rows)?;
     let t0 = median(points.iter().map(|point| point.row.period / point.ratio).collect()).unwrap_or(f64::NAN);
     let deviation = |point: &super::law::Point| {

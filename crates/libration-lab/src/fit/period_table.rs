@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use super::{FitError, RepeatedReadings};
+use super::error::FitError;
+use super::readings::RepeatedReadings;
 
 /// The standard deviations of the columns, where there are any.
 #[derive(Clone, Copy, Debug, Default)]

@@ -1,15 +1,18 @@
 //! Analysis of a table of periods: every law, the test of the exact one, and outliers.
 
 use super::angle_unit::MistakenUnit;
+use super::beta::Beta;
 use super::budget::{MeasuredPeriod, PeriodDamping};
 use super::contradiction::{Contradiction, Estimate};
-use super::excess_scale::{ExcessScaleFit, excess_scale};
+use super::error::FitError;
+use super::excess_scale::{ExcessScaleFit, fit_excess_scale};
 use super::law::Law;
-use super::outliers::{DEFAULT_OUTLIER_THRESHOLD, outliers};
+use super::outliers::{DEFAULT_OUTLIER_THRESHOLD, find_outliers};
+use super::period_table::{PeriodTable, Weighting};
 use super::scatter::ScatterWarning;
-use super::small_angle_period::{LawFit, small_angle_period};
+use super::small_angle_period::{LawFit, fit_small_angle_period};
 use super::typical_amplitude::typical_amplitude;
-use super::{Beta, FitError, PeriodTable, Uncertain, Weighting};
+use super::uncertain::Uncertain;
 use libration::quantity::rounded;
 use std::fmt;
 
@@ -165,21 +168,22 @@ impl PeriodFit {
 ///
 /// # Errors
 /// Fails for no rows, or a single one without an uncertainty; also when too few are left without outliers.
-pub fn periods(
+pub fn fit_periods(
     table: &PeriodTable,
     others: &[Law<'_>],
     options: &PeriodsOptions,
 ) -> Result<PeriodFit, FitError> {
     let exact = Law::exact();
-    let outliers = outliers(table, &exact, options.reject_outliers.unwrap_or(DEFAULT_OUTLIER_THRESHOLD))?;
+    let outliers =
+        find_outliers(table, &exact, options.reject_outliers.unwrap_or(DEFAULT_OUTLIER_THRESHOLD))?;
     let table = if options.reject_outliers.is_some() { table.without(&outliers) } else { table.clone() };
-    let mut of_exact = small_angle_period(&table, &exact)?;
+    let mut of_exact = fit_small_angle_period(&table, &exact)?;
     let scatter = of_exact.standard_deviations.first().copied().unwrap_or(f64::INFINITY);
     let table = table.weighted_by_rounding(scatter).unwrap_or(table);
     if table.weighting() == Weighting::Rounding {
-        of_exact = small_angle_period(&table, &exact)?;
+        of_exact = fit_small_angle_period(&table, &exact)?;
     }
-    let beta = excess_scale(&table, &exact);
+    let beta = fit_excess_scale(&table, &exact);
     let uncertainty_of_rows = of_exact.t0.uncertainty;
     let contradiction = beta.as_ref().ok().and_then(|beta| contradiction(of_exact.t0, &beta.beta));
     if let Some(contradiction) = &contradiction {
@@ -193,8 +197,8 @@ pub fn periods(
         contradiction,
         mistaken_unit,
         uncertainty_of_rows,
-        constant: small_angle_period(&table, &Law::constant())?,
-        others: others.iter().map(|law| (law.key().into(), small_angle_period(&table, law))).collect(),
+        constant: fit_small_angle_period(&table, &Law::constant())?,
+        others: others.iter().map(|law| (law.key().into(), fit_small_angle_period(&table, law))).collect(),
         beta,
         table,
     })

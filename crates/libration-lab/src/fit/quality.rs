@@ -2,7 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::{DampingKind, Uncertain};
+use super::uncertain::Uncertain;
+use libration::decay::DampingKind;
 use libration::decay::cycle_integral;
 use libration::pendulum::Amplitude;
 use libration::quantity::Angle;

@@ -1,11 +1,13 @@
 //! T0 under a law T = T0·R(A).
 
 use super::effective_weights::{Weighted, settled};
+use super::error::FitError;
 use super::law::{Law, Point};
+use super::period_table::{PeriodTable, Weighting};
 use super::readings::shared_rounding;
 use super::readings_of_fit::ReadingsOfFit;
 use super::scatter::{self, Scatter};
-use super::{FitError, PeriodTable, Uncertain, Weighting};
+use super::uncertain::Uncertain;
 use crate::statistics::{LinearFit, count, root_mean_square, weighted_least_squares};
 use nalgebra::{DMatrix, DVector};
 
@@ -62,7 +64,7 @@ impl LawFit {
 ///
 /// # Errors
 /// Fails for no rows, a single row without an uncertainty, and a law without a value at one of the amplitudes.
-pub fn small_angle_period(table: &PeriodTable, law: &Law<'_>) -> Result<LawFit, FitError> {
+pub fn fit_small_angle_period(table: &PeriodTable, law: &Law<'_>) -> Result<LawFit, FitError> {
     let needed = if table.weighting() == Weighting::Scatter { 2 } else { 1 };
     if table.len() < needed {
         return Err(FitError::TooFewRows { found: table.len(), needed, parameters: "T0" });

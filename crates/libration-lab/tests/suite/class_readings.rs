@@ -2,7 +2,7 @@
 
 use libration_lab::fit::{
     GroupMean, GroupResult, LengthColumns, LengthTable, LengthsOptions, PeriodTable, PeriodsOptions,
-    RepeatedReadings, Uncertain, Uncertainties, lengths, periods,
+    RepeatedReadings, Uncertain, Uncertainties, fit_lengths, fit_periods,
 };
 use libration_lab::internals::statistics::count as number;
 use libration_lab::internals::statistics::student::quantile;
@@ -62,7 +62,7 @@ fn fitted(table: &Table<'_>, rows: &[Row<'_>], readings: Option<&RepeatedReading
             Some(readings) => periods_of.with_readings(readings.clone()),
             None => periods_of,
         };
-        let fit = periods(&periods_of, &[], &PeriodsOptions::default()).unwrap();
+        let fit = fit_periods(&periods_of, &[], &PeriodsOptions::default()).unwrap();
         return (fit.exact.t0, fit.exact.uncertainty_degrees_of_freedom());
     }
     let columns = LengthColumns {
@@ -76,7 +76,7 @@ fn fitted(table: &Table<'_>, rows: &[Row<'_>], readings: Option<&RepeatedReading
         Some(readings) => table.with_readings(readings.clone()),
         None => table,
     };
-    let fit = lengths(&table, &LengthsOptions::default()).unwrap();
+    let fit = fit_lengths(&table, &LengthsOptions::default()).unwrap();
     (fit.gravity(), fit.combined.degrees_of_freedom)
 }
 

@@ -4,8 +4,8 @@
 use std::f64::consts::{PI, TAU};
 
 use libration::progress::Quiet;
-use libration_lab::fit::cycles::{CyclesOptions, cycles};
-use libration_lab::fit::swings::{SwingsOptions, Warning, swings};
+use libration_lab::fit::cycles::{CyclesOptions, fit_cycles};
+use libration_lab::fit::swings::{SwingsOptions, Warning, fit_swings};
 use libration_testing::sweep::{self, Limits};
 
 use crate::random::Random;
@@ -65,7 +65,7 @@ fn beta_is_one_under_each_law_of_damping_in_a_sweep() {
     for law in LAWS {
         for noise in [0.002, 0.02, 0.1].into_iter().cycle().take(number) {
             let case = drawn(law, noise, &mut random);
-            let found = cycles(&case.trace(&mut random), &CyclesOptions::default(), &Quiet).unwrap();
+            let found = fit_cycles(&case.trace(&mut random), &CyclesOptions::default(), &Quiet).unwrap();
             let beta = found.beta.unwrap();
             let (z, of_period) = (beta.deviation(), found.t0.deviation_from(case.t0()));
             eprintln!("{law} {noise}° {case:?}: {z:.2}, {of_period:.2}");
@@ -86,7 +86,7 @@ fn no_scale_is_called_wrong_under_dry_and_quadratic_friction() {
         for noise in [0.002, 0.02] {
             let trace = drawn(law, noise, &mut random).trace(&mut random);
             let options = SwingsOptions { damping: Some(law.parse().unwrap()), ..SwingsOptions::default() };
-            let found = swings(&[trace], &options, &Quiet).unwrap();
+            let found = fit_swings(&[trace], &options, &Quiet).unwrap();
             let is_of_scale =
                 |it: &Warning| matches!(it, Warning::BetaNotOne { .. } | Warning::ModelRefuted(_));
             assert!(!found.warnings.iter().any(is_of_scale), "{law} {noise}: {:?}", found.warnings);

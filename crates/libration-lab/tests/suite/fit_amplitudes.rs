@@ -10,9 +10,9 @@ use libration::progress::Quiet;
 use libration::quantity::Quantity;
 use libration_lab::fit::amplitudes::{
     AmplitudeColumns, AmplitudeReading, AmplitudeTable, AmplitudesError, AmplitudesFit, AmplitudesOptions,
-    AmplitudesWarning, Position, Sides, UnstatedErrors, amplitudes,
+    AmplitudesWarning, Position, Sides, UnstatedErrors, fit_amplitudes,
 };
-use libration_lab::fit::swings::{SwingsOptions, swings};
+use libration_lab::fit::swings::{SwingsOptions, fit_swings};
 use libration_lab::fit::{DampingKind, DampingModel, Uncertain};
 use libration_lab::internals::statistics::student::quantile;
 use libration_testing::sweep::{self, Limits};
@@ -84,7 +84,7 @@ impl Case {
 }
 
 fn fitted(columns: &AmplitudeColumns<'_>, options: &AmplitudesOptions) -> AmplitudesFit {
-    amplitudes(&AmplitudeTable::new(columns).unwrap(), options).unwrap()
+    fit_amplitudes(&AmplitudeTable::new(columns).unwrap(), options).unwrap()
 }
 
 fn of_times<'a>(case: &'a Case, angles: &'a [f64]) -> AmplitudeColumns<'a> {
@@ -151,7 +151,7 @@ fn numbers_of_turning_points_are_those_of_half_swings() {
         let columns = AmplitudeColumns::new(Position::Swings, numbers, AmplitudeReading::Angle, &case.angles);
         let table = AmplitudeTable::new(&columns).unwrap();
         assert_eq!(table.counts_half_swings(), is_half);
-        amplitudes(&table, &AmplitudesOptions::default()).unwrap().quality.unwrap().factor.value
+        fit_amplitudes(&table, &AmplitudesOptions::default()).unwrap().quality.unwrap().factor.value
     };
     assert_near(quality(&turns, true), quality(&case.swings, false), 1e-12, "Q");
 }
@@ -167,7 +167,7 @@ fn times_and_numbers_of_swings_give_the_period() {
         let with_periods = AmplitudeColumns { periods: Some(&periods), ..of_times(&case, &case.angles) };
         let fit = fitted(&with_periods, &AmplitudesOptions { damping: Some(case.law()), period: None });
         assert_near(fit.period.unwrap().value, case.period(), 2e-4, "T0");
-        let twice = amplitudes(&AmplitudeTable::new(&columns).unwrap(), &case.options(None));
+        let twice = fit_amplitudes(&AmplitudeTable::new(&columns).unwrap(), &case.options(None));
         assert_eq!(twice.unwrap_err(), AmplitudesError::PeriodTwice);
     }
 }
@@ -236,7 +236,7 @@ fn turning_points_on_a_scale_give_its_zero() {
     let table = AmplitudeTable::new(&columns).unwrap();
     assert_eq!(table.sides(), Sides::Both);
     let fit =
-        amplitudes(&table, &AmplitudesOptions { damping: Some("linear".parse().unwrap()), period: None })
+        fit_amplitudes(&table, &AmplitudesOptions { damping: Some("linear".parse().unwrap()), period: None })
             .unwrap();
     assert!((fit.law().zero.unwrap().value - 0.31).abs() < 1e-4, "{:?}", fit.law().zero);
     assert_near(fit.law().first_amplitude.value, 0.3, 1e-3, "first amplitude");
@@ -272,7 +272,7 @@ fn the_quality_factor_of_a_trace_is_that_of_its_damping() {
         let trace = synthetic.trace(&mut Random::seeded(seed));
         let case = Case { omega0: synthetic.omega0, coefficients: truth, ..Case::default() };
         let options = SwingsOptions { damping: Some(case.law()), ..SwingsOptions::default() };
-        let fit = swings(&[trace], &options, &Quiet).unwrap();
+        let fit = fit_swings(&[trace], &options, &Quiet).unwrap();
         let quality = fit.quality().unwrap();
         let truth = quality.amplitude.map_or(synthetic.omega0 / linear, |it| case.quality(it));
         let Uncertain { value, uncertainty } = quality.factor;
@@ -328,7 +328,9 @@ fn tables_that_tell_nothing_are_refused() {
         AmplitudeTable::new(&AmplitudeColumns::new(Position::Time, times, AmplitudeReading::Angle, values))
     };
     let refused = |times: &[f64], values: &[f64]| {
-        new(times, values).and_then(|table| amplitudes(&table, &AmplitudesOptions::default())).unwrap_err()
+        new(times, values)
+            .and_then(|table| fit_amplitudes(&table, &AmplitudesOptions::default()))
+            .unwrap_err()
     };
     assert!(matches!(refused(&[0.0, 1.0], &[0.2, 0.1]), AmplitudesError::TooFewRows { found: 2, needed: 3 }));
     assert!(matches!(refused(&[0.0, 1.0, 2.0], &[20.0, 10.0, 5.0]), AmplitudesError::Angle { row: 1, .. }));
@@ -398,7 +400,7 @@ fn coverage(number: u64, is_chosen_by_rows: bool, stated: Stated) -> [Coverage; 
             ..of_times(case, &angles)
         };
         let options = case.options((!is_chosen_by_rows).then(|| case.law()));
-        let Ok(fit) = amplitudes(&AmplitudeTable::new(&columns).unwrap(), &options) else { continue };
+        let Ok(fit) = fit_amplitudes(&AmplitudeTable::new(&columns).unwrap(), &options) else { continue };
         let dof = fit.law().uncertainty_degrees_of_freedom();
         if fit.law().damping == case.law() {
             let coefficient = fit.coefficients[0].coefficient.unwrap();

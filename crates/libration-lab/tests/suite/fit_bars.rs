@@ -6,7 +6,7 @@ use crate::random::Random;
 use libration::quantity::Quantity;
 use libration_lab::fit::{
     FitError, LengthColumns, LengthModel, LengthTable, LengthsFit, LengthsOptions, LengthsPendulum,
-    LengthsWarning, Uncertain, lengths,
+    LengthsWarning, Uncertain, fit_lengths,
 };
 use libration_lab::internals::statistics::student::quantile;
 use libration_testing::sweep::{self, Limits};
@@ -20,7 +20,7 @@ fn period(h: f64, k: f64) -> f64 {
 }
 
 fn fitted(columns: &LengthColumns<'_>, options: &LengthsOptions) -> Result<LengthsFit, FitError> {
-    LengthTable::new(columns).and_then(|table| lengths(&table, options))
+    LengthTable::new(columns).and_then(|table| fit_lengths(&table, options))
 }
 
 fn exact(positions: &[f64], centre: f64, options: &LengthsOptions) -> LengthsFit {

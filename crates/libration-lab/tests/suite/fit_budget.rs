@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use libration::quantity::Quantity;
 use libration_lab::fit::{
     Apparatus, Bob, Budget, BudgetError, BudgetInput, BudgetWarning, Contribution, Correction, Corrections,
-    Correlation, MeasuredPeriod, PeriodDamping, budget,
+    Correlation, MeasuredPeriod, PeriodDamping, evaluate_budget,
 };
 
 use crate::random::Random;
@@ -87,12 +87,12 @@ const MOVED: [(BudgetInput, Changed); 12] = [
 
 #[test]
 fn sensitivities_are_finite_differences_of_the_whole_calculation() {
-    let found = budget(&whole_apparatus(), &whole_period(), &[]).unwrap();
+    let found = evaluate_budget(&whole_apparatus(), &whole_period(), &[]).unwrap();
     for (input, change) in MOVED {
         let moved = |factor: f64| {
             let (mut apparatus, mut period) = (whole_apparatus(), whole_period());
             change(&mut apparatus, &mut period, factor);
-            budget(&apparatus, &period, &[]).unwrap().g
+            evaluate_budget(&apparatus, &period, &[]).unwrap().g
         };
         let part = 1e-4;
         let contribution = of(&found, input);
@@ -108,7 +108,7 @@ fn sensitivities_are_finite_differences_of_the_whole_calculation() {
 #[test]
 fn a_bare_pendulum_has_the_coefficients_of_the_books() {
     let period = MeasuredPeriod { clock: Some(0.001), ..MeasuredPeriod::of_small_swings(about(2.0, 0.01)) };
-    let found = budget(&Apparatus::of_length(about(1.0, 0.005)), &period, &[]).unwrap();
+    let found = evaluate_budget(&Apparatus::of_length(about(1.0, 0.005)), &period, &[]).unwrap();
     let g = TAU * TAU / 4.0;
     assert!(close(found.g, g, 1e-14));
     for (input, wanted) in
@@ -131,13 +131,13 @@ fn a_bare_pendulum_has_the_coefficients_of_the_books() {
 fn effective_degrees_of_freedom_are_those_of_welch_and_satterthwaite() {
     let period =
         MeasuredPeriod { degrees_of_freedom: 4.0, ..MeasuredPeriod::of_small_swings(about(2.0, 0.01)) };
-    let alone = budget(&Apparatus::of_length(about(1.0, 0.0)), &period, &[]).unwrap();
+    let alone = evaluate_budget(&Apparatus::of_length(about(1.0, 0.0)), &period, &[]).unwrap();
     assert!(close(alone.combined.degrees_of_freedom, 4.0, 1e-9));
     assert!(close(alone.combined.coverage_factor(), 2.776445, 1e-6));
     // u(L)/L = 2u(T)/T: half of the variance is the period's, so that 4·2² are left.
-    let shared = budget(&Apparatus::of_length(about(1.0, 0.01)), &period, &[]).unwrap();
+    let shared = evaluate_budget(&Apparatus::of_length(about(1.0, 0.01)), &period, &[]).unwrap();
     assert!(close(shared.combined.degrees_of_freedom, 16.0, 1e-9));
-    let known = budget(&Apparatus::of_length(about(1.0, 0.01)), &whole_period(), &[]).unwrap();
+    let known = evaluate_budget(&Apparatus::of_length(about(1.0, 0.01)), &whole_period(), &[]).unwrap();
     assert!(known.combined.degrees_of_freedom > 9.0);
 }
 
@@ -148,7 +148,7 @@ fn correlations_are_part_of_the_uncertainty() {
     let period = MeasuredPeriod::of_small_swings(about(2.0, 0.002));
     let with = |coefficient: f64| {
         let between = [BudgetInput::Length, BudgetInput::Period];
-        budget(&apparatus, &period, &[Correlation { between, coefficient }])
+        evaluate_budget(&apparatus, &period, &[Correlation { between, coefficient }])
     };
     let found = |coefficient: f64| with(coefficient).unwrap();
     let g = found(0.0).g;
@@ -159,10 +159,13 @@ fn correlations_are_part_of_the_uncertainty() {
     assert!(close(half.combined.share_of_correlations(), -1.0, 1e-9), "{half:?}");
     assert_eq!(with(1.5), Err(BudgetError::Correlation { coefficient: 1.5 }));
     let between = [BudgetInput::Length, BudgetInput::RodMass];
-    let nothing = budget(&apparatus, &period, &[Correlation { between, coefficient: 0.5 }]);
+    let nothing = evaluate_budget(&apparatus, &period, &[Correlation { between, coefficient: 0.5 }]);
     assert_eq!(nothing, Err(BudgetError::CorrelationWithNothing("rod mass")));
     let itself = Correlation { between: [BudgetInput::Length; 2], coefficient: 0.5 };
-    assert_eq!(budget(&apparatus, &period, &[itself]), Err(BudgetError::Correlation { coefficient: 0.5 }));
+    assert_eq!(
+        evaluate_budget(&apparatus, &period, &[itself]),
+        Err(BudgetError::Correlation { coefficient: 0.5 })
+    );
 }
 
 #[test]
@@ -178,7 +181,7 @@ fn correlations_that_contradict_each_other_are_refused() {
             correlation(BobRadius, BobMass, 1.0),
             correlation(Length, BobMass, last),
         ];
-        budget(&whole_apparatus(), &whole_period(), &all)
+        evaluate_budget(&whole_apparatus(), &whole_period(), &all)
     };
     assert!(with(1.0).is_ok());
     assert_eq!(with(0.5), Err(BudgetError::Correlations));
@@ -189,11 +192,11 @@ fn correlations_that_contradict_each_other_are_refused() {
 fn uncertainties_of_a_hundred_percent_and_more_are_kept() {
     for part in [0.9, 1.0, 1.5] {
         let vague = Apparatus::of_length(about(1.0, part));
-        let found = budget(&vague, &MeasuredPeriod::of_small_swings(about(2.0, 0.0)), &[]).unwrap();
+        let found = evaluate_budget(&vague, &MeasuredPeriod::of_small_swings(about(2.0, 0.0)), &[]).unwrap();
         assert!(close(found.uncertainty, part * found.g, 1e-9), "{part}: {found:?}");
         assert!(found.is_linear());
         let slow = MeasuredPeriod::of_small_swings(about(2.0, 2.0 * part));
-        let found = budget(&Apparatus::of_length(about(1.0, 0.0)), &slow, &[]).unwrap();
+        let found = evaluate_budget(&Apparatus::of_length(about(1.0, 0.0)), &slow, &[]).unwrap();
         assert!(close(found.uncertainty, 2.0 * part * found.g, 1e-9), "{part}: {found:?}");
         assert!(!found.is_linear());
         assert_eq!(found.warnings(), [BudgetWarning::NotLinear]);
@@ -205,7 +208,7 @@ fn uncertainties_of_a_hundred_percent_and_more_are_kept() {
         let value = quantity.unwrap().value;
         *quantity = Some(about(value, value));
     }
-    let found = budget(&vague, &whole_period(), &[]).unwrap();
+    let found = evaluate_budget(&vague, &whole_period(), &[]).unwrap();
     assert!(
         found.uncertainty.is_finite()
             && found.rows.iter().all(|row| row.uncertainty.is_none_or(f64::is_finite))
@@ -217,7 +220,7 @@ fn uncertainties_of_a_hundred_percent_and_more_are_kept() {
 fn the_bend_of_g_is_told_where_it_matters() {
     let of_part = |part: f64| {
         let period = MeasuredPeriod::of_small_swings(about(2.0, 2.0 * part));
-        budget(&Apparatus::of_length(about(1.0, 0.0)), &period, &[]).unwrap()
+        evaluate_budget(&Apparatus::of_length(about(1.0, 0.0)), &period, &[]).unwrap()
     };
     assert!(close(of_part(0.05).curvature, 3.0 * 0.05 * 0.05 * of_part(0.05).g, 1e-6));
     assert!(of_part(0.0666).is_linear() && !of_part(0.0667).is_linear());
@@ -229,21 +232,21 @@ fn inputs_without_an_uncertainty_are_named() {
     let ball = |radius: Quantity| Corrections { bob: Some(Bob::ball(radius)), ..Corrections::default() };
     let apparatus = Apparatus { length: bare(1.0), corrections: ball(bare(0.02)) };
     let period = MeasuredPeriod::of_small_swings(about(2.006, 0.001));
-    let found = budget(&apparatus, &period, &[]).unwrap();
+    let found = evaluate_budget(&apparatus, &period, &[]).unwrap();
     let inputs = vec![BudgetInput::Length, BudgetInput::BobRadius];
     assert_eq!(found.warnings(), [BudgetWarning::WithoutUncertainty { inputs }]);
     assert!(found.warnings()[0].to_string().contains("length, bob radius"));
     let of_row = |name: &str| found.rows.iter().find(|row| row.name == name).unwrap().uncertainty;
     assert_eq!((of_row("length"), of_row("finite bob")), (None, None));
     let said = Apparatus { length: about(1.0, 0.0), corrections: ball(about(0.02, 0.0)) };
-    let found = budget(&said, &period, &[]).unwrap();
+    let found = evaluate_budget(&said, &period, &[]).unwrap();
     assert_eq!((found.warnings(), found.rows[0].uncertainty), (vec![], Some(0.0)));
 }
 
 #[test]
 fn clock_and_damping_are_in_every_budget() {
     let apparatus = Apparatus::of_length(about(1.0, 0.001));
-    let with = |period: MeasuredPeriod| budget(&apparatus, &period, &[]).unwrap();
+    let with = |period: MeasuredPeriod| evaluate_budget(&apparatus, &period, &[]).unwrap();
     let plain = MeasuredPeriod::of_small_swings(about(2.0, 0.001));
     let found = with(plain);
     assert_eq!(correction(&found, "clock"), Correction::Typical(-0.002));
@@ -311,7 +314,7 @@ fn the_expanded_uncertainty_holds_the_truth_as_often_as_it_says() {
             degrees_of_freedom: 4.0,
             ..MeasuredPeriod::of_small_swings(about(mean, (variance / 5.0).sqrt()))
         };
-        let found = budget(&apparatus, &period, &[]).unwrap();
+        let found = evaluate_budget(&apparatus, &period, &[]).unwrap();
         within += u32::from((found.g - g).abs() < found.combined.expanded());
     }
     assert!((1870..=1930).contains(&within), "{within} of {EXPERIMENTS}");
@@ -322,7 +325,7 @@ fn the_expanded_uncertainty_holds_the_truth_as_often_as_it_says() {
 fn a_gravity_found_nowhere_on_earth_is_blamed_on_the_length() {
     let of_length = |length: f64| {
         let period = MeasuredPeriod::of_small_swings(about(2.006, 0.0001));
-        budget(&Apparatus::of_length(about(length, 0.0)), &period, &[]).unwrap()
+        evaluate_budget(&Apparatus::of_length(about(length, 0.0)), &period, &[]).unwrap()
     };
     for length in [0.9957, 1.0020] {
         assert_eq!(of_length(length).warnings(), [], "{length}");

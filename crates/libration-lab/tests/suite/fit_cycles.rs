@@ -4,7 +4,7 @@ use libration::pendulum::Pendulum;
 use libration::progress::{Interrupted, Quiet, Status};
 use libration_lab::fit::MistakenUnit;
 use libration_lab::fit::cycles::{
-    Cycle, Cycles, CyclesError, CyclesOptions, CyclesWarning, beta_of_traces, beyond_a_turn, cycles,
+    Cycle, Cycles, CyclesError, CyclesOptions, CyclesWarning, beta_of_traces, beyond_a_turn, fit_cycles,
     mistaken_unit,
 };
 use libration_lab::fit::trace::DampingKind;
@@ -20,7 +20,7 @@ use std::ops::ControlFlow;
 const DEGREE: f64 = PI / 180.0;
 
 fn found_in(trace: &Trace) -> Cycles {
-    cycles(trace, &CyclesOptions::default(), &Quiet).unwrap()
+    fit_cycles(trace, &CyclesOptions::default(), &Quiet).unwrap()
 }
 
 fn of(synthetic: &Synthetic, seed: u64) -> Cycles {
@@ -28,7 +28,7 @@ fn of(synthetic: &Synthetic, seed: u64) -> Cycles {
 }
 
 fn refused(trace: &Trace) -> CyclesError {
-    cycles(trace, &CyclesOptions::default(), &Quiet).unwrap_err()
+    fit_cycles(trace, &CyclesOptions::default(), &Quiet).unwrap_err()
 }
 
 /// Without noise what is left is the bias of the local fits, and what damping does to the period in second order.
@@ -237,7 +237,7 @@ fn amplitudes_that_only_scatter_leave_beta_open() {
     assert!(falling.beta.is_ok());
     // Two steady traces of the same amplitude are as little use as one.
     let traces = [1, 2].map(|seed| steady.trace(&mut Random::seeded(seed)));
-    let cycles = traces.each_ref().map(|trace| cycles(trace, &CyclesOptions::default(), &Quiet));
+    let cycles = traces.each_ref().map(|trace| fit_cycles(trace, &CyclesOptions::default(), &Quiet));
     let refusal = beta_of_traces(&traces, &cycles, &Quiet).unwrap_err();
     assert!(matches!(refusal, CyclesError::NoisyAmplitudes { .. }), "{refusal}");
 }
@@ -298,7 +298,7 @@ fn exact_swings_have_cycles_however_they_are_sampled_in_a_sweep() {
         let swing = exact(1.0, step, seconds, |time| motion.state_at(time).angle);
         let cosine = exact(degrees * DEGREE, step, seconds, |time| libm::cos(TAU / 1.5 * time));
         for (name, trace) in [("swing", swing), ("cosine", cosine)] {
-            match cycles(&trace, &CyclesOptions::default(), &Quiet) {
+            match fit_cycles(&trace, &CyclesOptions::default(), &Quiet) {
                 Ok(found) if found.cycles.len() > 4 => {}
                 other => failures.push(format!(
                     "{name} {degrees} {step} {seconds}: {:?}",
@@ -455,7 +455,7 @@ fn cycles_stop_at_any_question() {
             questions.set(questions.get() + 1);
             if questions.get() == last { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let found = cycles(&trace, &CyclesOptions::default(), &progress);
+        let found = fit_cycles(&trace, &CyclesOptions::default(), &progress);
         (found, questions.get())
     };
     let (whole, questions) = asked_until(usize::MAX);
@@ -466,7 +466,7 @@ fn cycles_stop_at_any_question() {
         assert_eq!((found.err(), asked), (Some(CyclesError::Interrupted(Interrupted)), last));
     }
     let traces = [trace.clone(), trace];
-    let all = traces.each_ref().map(|trace| cycles(trace, &CyclesOptions::default(), &Quiet));
+    let all = traces.each_ref().map(|trace| fit_cycles(trace, &CyclesOptions::default(), &Quiet));
     let progress = |_: Status| ControlFlow::Break(());
     let beta = beta_of_traces(&traces, &all, &progress);
     assert_eq!(beta, Err(CyclesError::Interrupted(Interrupted)));

@@ -4,7 +4,7 @@ use libration::progress::{Interrupted, Quiet, Status};
 use libration::quantity::Quantity;
 use libration_lab::fit::gates::{
     GateGeometry, GateGeometryError, GateOptions, GateSignals, GatesError, GatesFit, GatesWarning, T0Source,
-    gates,
+    fit_gates,
 };
 use libration_lab::fit::{Apparatus, Bob, BudgetInput, Corrections, PeriodDamping};
 
@@ -63,7 +63,7 @@ fn agrees(fit: &GatesFit, most: f64) {
 fn speeds_at_the_gate_give_t0_and_the_exact_law_wherever_it_stands() {
     for gate in [0.0, 0.15, -0.2] {
         let (times, blocked) = split(&edges(gate, 1e-5));
-        let fit = gates(&times, Some(&blocked), &with_width(), &Quiet).unwrap();
+        let fit = fit_gates(&times, Some(&blocked), &with_width(), &Quiet).unwrap();
         assert_eq!((fit.unpaired, fit.double_triggers, fit.missed), (0, 0, 0));
         assert_eq!(fit.t0_source, Some(T0Source::Speeds));
         agrees(&fit, 1e-3);
@@ -78,8 +78,8 @@ fn speeds_at_the_gate_give_t0_and_the_exact_law_wherever_it_stands() {
 #[test]
 fn edges_without_states_are_told_from_their_pattern() {
     let (times, blocked) = split(&edges(0.1, 1e-5));
-    let with = gates(&times, Some(&blocked), &with_width(), &Quiet).unwrap();
-    let without = gates(&times, None, &with_width(), &Quiet).unwrap();
+    let with = fit_gates(&times, Some(&blocked), &with_width(), &Quiet).unwrap();
+    let without = fit_gates(&times, None, &with_width(), &Quiet).unwrap();
     assert!(without.edges);
     assert_eq!(with.t0, without.t0);
 }
@@ -88,7 +88,7 @@ fn edges_without_states_are_told_from_their_pattern() {
 fn the_jitter_of_the_times_is_found() {
     let jitter = 2e-4;
     let (times, blocked) = split(&edges(0.0, jitter));
-    let fit = gates(&times, Some(&blocked), &with_width(), &Quiet).unwrap();
+    let fit = fit_gates(&times, Some(&blocked), &with_width(), &Quiet).unwrap();
     // The middle of two edges has 1/√2 of it; some fifty differences tell that to a sixth or so.
     assert!((fit.timing.unwrap() / (jitter / 2.0_f64.sqrt()) - 1.0).abs() < 0.4, "{:?}", fit.timing);
 }
@@ -97,12 +97,12 @@ fn the_jitter_of_the_times_is_found() {
 fn passages_missing_and_twice_are_counted_and_change_nothing() {
     let clean = middles(&edges(0.2, 1e-5));
     let options = GateOptions { amplitude: Some(exactly(RELEASE)), ..GateOptions::default() };
-    let whole = gates(&clean, None, &options, &Quiet).unwrap();
+    let whole = fit_gates(&clean, None, &options, &Quiet).unwrap();
     let without = clean.iter().enumerate().filter(|(k, _)| ![11, 20, 21].contains(k)).map(|(_, &time)| time);
     let doubled = [5, 30].map(|k| clean[k] + 0.004);
     let mut spoilt: Vec<f64> = without.chain(doubled).collect();
     spoilt.sort_by(f64::total_cmp);
-    let fit = gates(&spoilt, None, &options, &Quiet).unwrap();
+    let fit = fit_gates(&spoilt, None, &options, &Quiet).unwrap();
     assert_eq!((fit.double_triggers, fit.missed), (2, 3));
     assert!((fit.t0.unwrap().value - whole.t0.unwrap().value).abs() < 2e-4);
     assert_eq!(
@@ -117,7 +117,7 @@ fn the_amplitude_of_the_release_gives_t0() {
     let options =
         GateOptions { amplitude: Some(exactly(RELEASE)), signals: Some(GateSignals::Passages), width: None };
     for gate in [0.0, 0.2] {
-        let fit = gates(&middles(&edges(gate, 1e-5)), None, &options, &Quiet).unwrap();
+        let fit = fit_gates(&middles(&edges(gate, 1e-5)), None, &options, &Quiet).unwrap();
         assert_eq!(fit.t0_source, Some(T0Source::FirstAmplitude));
         agrees(&fit, 2e-3);
     }
@@ -128,7 +128,7 @@ fn the_amplitude_of_the_release_gives_t0() {
 fn times_that_do_not_tell_their_scatter_are_said_to() {
     let even: Vec<f64> = (0..20).flat_map(|k| [2.0 * f64::from(k), 2.0 * f64::from(k) + 1.2]).collect();
     let unknown = |times: &[f64]| {
-        gates(times, None, &GateOptions::default(), &Quiet)
+        fit_gates(times, None, &GateOptions::default(), &Quiet)
             .unwrap()
             .warnings
             .contains(&GatesWarning::ScatterUnknown)
@@ -137,19 +137,19 @@ fn times_that_do_not_tell_their_scatter_are_said_to() {
     let mut random = Random::seeded(3);
     let uneven: Vec<f64> = even.iter().map(|time| time + 1e-4 * random.normal()).collect();
     assert!(!unknown(&uneven));
-    let few = gates(&uneven[..4], None, &GateOptions::default(), &Quiet).unwrap();
+    let few = fit_gates(&uneven[..4], None, &GateOptions::default(), &Quiet).unwrap();
     assert!(few.timing.is_none() && few.warnings.contains(&GatesWarning::ScatterUnknown), "{few:?}");
 }
 
 #[test]
 fn without_an_amplitude_t0_is_not_known_and_said() {
-    let fit = gates(&middles(&edges(0.0, 1e-5)), None, &GateOptions::default(), &Quiet).unwrap();
+    let fit = fit_gates(&middles(&edges(0.0, 1e-5)), None, &GateOptions::default(), &Quiet).unwrap();
     assert!(fit.t0.is_none());
     assert_eq!(fit.warnings, [GatesWarning::NoAmplitude]);
     assert!(fit.mean_period.value > T0);
     // An amplitude that is far too large makes T0 longer than any period, which no pendulum has.
     let wrong = GateOptions { amplitude: Some(exactly(0.01)), ..GateOptions::default() };
-    let fit = gates(&middles(&edges(0.0, 1e-5)), None, &wrong, &Quiet).unwrap();
+    let fit = fit_gates(&middles(&edges(0.0, 1e-5)), None, &wrong, &Quiet).unwrap();
     assert!(matches!(fit.warnings[..], [GatesWarning::PeriodBelowT0 { .. }]), "{:?}", fit.warnings);
     let cycles = &fit.cycles[fit.cycles.len() - 2..];
     let last = 0.5 * (cycles[0].period + cycles[1].period);
@@ -158,7 +158,7 @@ fn without_an_amplitude_t0_is_not_known_and_said() {
 
 #[test]
 fn times_of_no_pendulum_are_refused() {
-    let refused = |times: &[f64]| gates(times, None, &GateOptions::default(), &Quiet).unwrap_err();
+    let refused = |times: &[f64]| fit_gates(times, None, &GateOptions::default(), &Quiet).unwrap_err();
     assert!(matches!(refused(&[0.0, 1.0]), GatesError::TooFew { .. }));
     assert!(matches!(refused(&[0.0, f64::INFINITY]), GatesError::NotFinite(_)));
     assert!(matches!(refused(&[]), GatesError::TooFew { passages: 0 }));
@@ -166,7 +166,7 @@ fn times_of_no_pendulum_are_refused() {
     let mut random = Random::seeded(1);
     let mut noise: Vec<f64> = (0..60).map(|_| random.between(0.0, 60.0)).collect();
     noise.sort_by(f64::total_cmp);
-    let found = gates(
+    let found = fit_gates(
         &noise,
         None,
         &GateOptions { signals: Some(GateSignals::Passages), ..GateOptions::default() },
@@ -174,7 +174,7 @@ fn times_of_no_pendulum_are_refused() {
     );
     assert!(matches!(found, Err(GatesError::Irregular { .. })), "{found:?}");
     let wide = GateOptions { width: Some(exactly(4.0)), ..GateOptions::default() };
-    assert!(matches!(gates(&[0.0, 1.0, 2.0], None, &wide, &Quiet), Err(GatesError::NotUsable { .. })));
+    assert!(matches!(fit_gates(&[0.0, 1.0, 2.0], None, &wide, &Quiet), Err(GatesError::NotUsable { .. })));
 }
 
 /// The whole calculation with a bob that is a little wider and narrower.
@@ -183,7 +183,7 @@ fn the_change_of_t0_with_the_width_is_that_of_the_whole_calculation() {
     let (times, blocked) = split(&edges(0.1, 1e-5));
     let found = |factor: f64| {
         let width = Some(Quantity { value: WIDTH * factor, uncertainty: Some(0.01 * WIDTH) });
-        gates(&times, Some(&blocked), &GateOptions { width, ..GateOptions::default() }, &Quiet).unwrap()
+        fit_gates(&times, Some(&blocked), &GateOptions { width, ..GateOptions::default() }, &Quiet).unwrap()
     };
     let fit = found(1.0);
     // Less than a standard deviation of β, so that the rows do not contradict the law.
@@ -196,10 +196,10 @@ fn the_change_of_t0_with_the_width_is_that_of_the_whole_calculation() {
     let correlation = fit.correlation_by_width(0.01 * WIDTH).unwrap();
     assert!((-1.0..-0.9).contains(&correlation), "{correlation}");
     assert!(fit.t0_degrees_of_freedom > 1000.0);
-    let exact = gates(&times, Some(&blocked), &with_width(), &Quiet).unwrap();
+    let exact = fit_gates(&times, Some(&blocked), &with_width(), &Quiet).unwrap();
     assert!((10.0..100.0).contains(&exact.t0_degrees_of_freedom), "{}", exact.t0_degrees_of_freedom);
     let bare = GateOptions { amplitude: Some(exactly(RELEASE)), ..GateOptions::default() };
-    assert_eq!(gates(&times, Some(&blocked), &bare, &Quiet).unwrap().correlation_by_width(1e-3), None);
+    assert_eq!(fit_gates(&times, Some(&blocked), &bare, &Quiet).unwrap().correlation_by_width(1e-3), None);
 }
 
 #[test]
@@ -207,11 +207,11 @@ fn a_width_that_gives_no_speeds_is_said_to_be_of_no_use() {
     let (times, blocked) = split(&edges(0.0, 1e-5));
     // A bob of a metre would be so fast that the pendulum goes over the top.
     let wide = GateOptions { width: Some(exactly(1.0)), ..GateOptions::default() };
-    let fit = gates(&times, Some(&blocked), &wide, &Quiet).unwrap();
+    let fit = fit_gates(&times, Some(&blocked), &wide, &Quiet).unwrap();
     assert!(fit.warnings.contains(&GatesWarning::WidthUnused { edges: true }), "{:?}", fit.warnings);
-    let fit = gates(&middles(&edges(0.0, 1e-5)), None, &with_width(), &Quiet).unwrap();
+    let fit = fit_gates(&middles(&edges(0.0, 1e-5)), None, &with_width(), &Quiet).unwrap();
     assert!(fit.warnings.contains(&GatesWarning::WidthUnused { edges: false }), "{:?}", fit.warnings);
-    assert_eq!(gates(&times, Some(&blocked), &with_width(), &Quiet).unwrap().warnings, []);
+    assert_eq!(fit_gates(&times, Some(&blocked), &with_width(), &Quiet).unwrap().warnings, []);
 }
 
 #[test]
@@ -219,7 +219,7 @@ fn edges_without_the_other_one_are_told() {
     let mut all = edges(0.0, 1e-5);
     all.remove(21);
     let (times, blocked) = split(&all);
-    let fit = gates(&times, Some(&blocked), &with_width(), &Quiet).unwrap();
+    let fit = fit_gates(&times, Some(&blocked), &with_width(), &Quiet).unwrap();
     assert!(
         fit.warnings.contains(&GatesWarning::UnpairedEdges { edges: fit.unpaired }),
         "{:?}",
@@ -246,9 +246,13 @@ fn the_width_is_the_angle_of_the_bob_at_the_gate() {
     assert_eq!(unknown.width(), None);
     // T0 has in common with length and radius what they do to the width; with a diameter and a distance of their own, nothing.
     let (times, blocked) = split(&edges(0.0, 1e-5));
-    let fit =
-        gates(&times, Some(&blocked), &GateOptions { width: Some(width), ..GateOptions::default() }, &Quiet)
-            .unwrap();
+    let fit = fit_gates(
+        &times,
+        Some(&blocked),
+        &GateOptions { width: Some(width), ..GateOptions::default() },
+        &Quiet,
+    )
+    .unwrap();
     let inputs: Vec<BudgetInput> = fit.correlations(&geometry).iter().map(|both| both.between[0]).collect();
     assert_eq!(inputs, [BudgetInput::Length, BudgetInput::BobRadius]);
     let [by_length, by_radius] = [0, 1].map(|place| fit.correlations(&geometry)[place].coefficient);
@@ -276,9 +280,13 @@ fn a_gate_off_the_middle_of_the_bob_sees_a_chord() {
     let expected = moved.iter().map(|change| change * change).sum::<f64>().sqrt();
     assert!((width.uncertainty.unwrap() / expected - 1.0).abs() < 1e-3, "{width:?} {expected}");
     let (times, blocked) = split(&edges(0.0, 1e-5));
-    let fit =
-        gates(&times, Some(&blocked), &GateOptions { width: Some(width), ..GateOptions::default() }, &Quiet)
-            .unwrap();
+    let fit = fit_gates(
+        &times,
+        Some(&blocked),
+        &GateOptions { width: Some(width), ..GateOptions::default() },
+        &Quiet,
+    )
+    .unwrap();
     let found: Vec<f64> = fit.correlations(&geometry).iter().map(|both| both.coefficient).collect();
     assert_eq!(found.len(), 2);
     assert!((found[0] / found[1] / (moved[0] / moved[1]) - 1.0).abs() < 1e-3, "{found:?} {moved:?}");
@@ -316,7 +324,7 @@ fn what_blocks_the_gate_is_below_the_pivot_and_reaches_the_gate() {
 #[test]
 fn passages_of_large_amplitudes_are_no_double_triggers() {
     let (times, blocked) = split(&edges_from(2.3, 0.0, 1e-6));
-    let fit = gates(&times, Some(&blocked), &with_width(), &Quiet).unwrap();
+    let fit = fit_gates(&times, Some(&blocked), &with_width(), &Quiet).unwrap();
     assert_eq!((fit.double_triggers, fit.missed, fit.warnings.len()), (0, 0, 0), "{:?}", fit.warnings);
     assert!(fit.cycles[0].amplitude.unwrap() > 2.1);
     agrees(&fit, 1e-3);
@@ -327,7 +335,7 @@ fn passages_of_large_amplitudes_are_no_double_triggers() {
 #[test]
 fn periods_of_one_side_below_t0_are_no_error() {
     let (times, blocked) = split(&edges_from(0.3, 0.14, 1e-6));
-    let fit = gates(&times, Some(&blocked), &with_width(), &Quiet).unwrap();
+    let fit = fit_gates(&times, Some(&blocked), &with_width(), &Quiet).unwrap();
     let t0 = fit.t0.unwrap();
     let below = |period: f64| t0.value - 3.0 * t0.uncertainty > period + 6.0 * fit.timing.unwrap();
     assert!(fit.cycles.iter().any(|cycle| below(cycle.period)), "no period of one side is below {t0:?}");
@@ -339,7 +347,7 @@ fn a_width_that_contradicts_the_exact_law_is_doubted() {
     let (times, blocked) = split(&edges(0.1, 1e-5));
     let warned = |factor: f64| {
         let options = GateOptions { width: Some(exactly(factor * WIDTH)), ..GateOptions::default() };
-        gates(&times, Some(&blocked), &options, &Quiet).unwrap().warnings
+        fit_gates(&times, Some(&blocked), &options, &Quiet).unwrap().warnings
     };
     assert_eq!(warned(1.0), []);
     // Below a fortieth nothing is said, though β is many of its uncertainties from 1.
@@ -360,12 +368,12 @@ fn fits_of_gates_stop_at_any_question() {
             questions.set(questions.get() + 1);
             if questions.get() == last { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let found = gates(&times, Some(&blocked), &with_width(), &progress);
+        let found = fit_gates(&times, Some(&blocked), &with_width(), &progress);
         (found, questions.get())
     };
     let (whole, questions) = asked_until(usize::MAX);
     assert!(questions > 100, "{questions}");
-    assert_eq!(whole, gates(&times, Some(&blocked), &with_width(), &Quiet));
+    assert_eq!(whole, fit_gates(&times, Some(&blocked), &with_width(), &Quiet));
     for last in [1, 2, questions / 3, questions - 1, questions] {
         assert_eq!(asked_until(last), (Err(GatesError::Interrupted(Interrupted)), last));
     }
@@ -379,7 +387,7 @@ fn a_wrong_width_is_a_row_of_the_budget() {
     let geometry = GateGeometry::new(Apparatus::of_length(length), None, None).unwrap();
     let with = |width: f64| {
         let options = GateOptions { width: Some(exactly(width)), ..GateOptions::default() };
-        let fit = gates(&times, Some(&blocked), &options, &Quiet).unwrap();
+        let fit = fit_gates(&times, Some(&blocked), &options, &Quiet).unwrap();
         let budget = fit.gravity(&geometry, None, None, PeriodDamping::Unknown, &[]).unwrap().unwrap();
         (fit, budget)
     };

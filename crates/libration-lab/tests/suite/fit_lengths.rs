@@ -6,7 +6,7 @@ use libration::pendulum::period_ratio;
 use libration::quantity::Quantity;
 use libration_lab::fit::{
     Bob, BobShape, BudgetInput, Corrections, FitError, GravityMistake, LengthColumns, LengthModel,
-    LengthTable, LengthsFit, LengthsOptions, LengthsPendulum, LengthsWarning, lengths,
+    LengthTable, LengthsFit, LengthsOptions, LengthsPendulum, LengthsWarning, fit_lengths,
 };
 
 use crate::random::Random;
@@ -42,7 +42,7 @@ fn table(lengths: &[f64], periods: &[f64], sigma: Option<&[f64]>) -> LengthTable
 fn fitted(lengths_given: &[f64], periods: &[f64], radius: Option<f64>) -> LengthsFit {
     let sigma = vec![1e-3; periods.len()];
     let options = radius.map_or_else(LengthsOptions::default, |value| with_ball(exactly(value)));
-    lengths(&table(lengths_given, periods, Some(&sigma)), &options).unwrap()
+    fit_lengths(&table(lengths_given, periods, Some(&sigma)), &options).unwrap()
 }
 
 #[test]
@@ -85,7 +85,7 @@ fn large_swings_are_brought_back_to_small_ones() {
         amplitudes: &[Quantity { value: amplitude, uncertainty: None }],
         ..LengthColumns::default()
     };
-    let fit = lengths(&LengthTable::new(&columns).unwrap(), &LengthsOptions::default()).unwrap();
+    let fit = fit_lengths(&LengthTable::new(&columns).unwrap(), &LengthsOptions::default()).unwrap();
     assert!((fit.best().g.value / G - 1.0).abs() < 1e-12);
 }
 
@@ -108,7 +108,7 @@ fn uncertainties_hold_the_truth_as_often_as_they_say() {
             period_uncertainties: Some(&[of_period; 15]),
             amplitudes: &[],
         };
-        let fit = lengths(&LengthTable::new(&columns).unwrap(), &LengthsOptions::default()).unwrap();
+        let fit = fit_lengths(&LengthTable::new(&columns).unwrap(), &LengthsOptions::default()).unwrap();
         let best = fit.best();
         let offset = best.offset.unwrap();
         let errors = [(best.g.value - G) / best.g.uncertainty, (offset.value - 0.01) / offset.uncertainty];
@@ -130,7 +130,7 @@ fn an_offset_that_is_not_there_is_not_called_needed() {
     for _ in 0..200 {
         let noisy = |length: &f64| period(*length, 0.0, 0.0) + 0.003 * normal(&mut random);
         let periods: Vec<f64> = given.iter().map(noisy).collect();
-        let fit = lengths(&table(&given, &periods, None), &LengthsOptions::default()).unwrap();
+        let fit = fit_lengths(&table(&given, &periods, None), &LengthsOptions::default()).unwrap();
         needed += u32::from(fit.law(LengthModel::Offset).unwrap().p_value.unwrap() < 0.05);
     }
     // 5 % of 200 are 10, with a standard deviation of 3.
@@ -141,7 +141,9 @@ fn an_offset_that_is_not_there_is_not_called_needed() {
 fn tables_that_tell_nothing_are_refused() {
     let refuse = |given: &[f64], periods: &[f64]| {
         let columns = LengthColumns { lengths: given, periods, ..LengthColumns::default() };
-        LengthTable::new(&columns).and_then(|table| lengths(&table, &LengthsOptions::default())).unwrap_err()
+        LengthTable::new(&columns)
+            .and_then(|table| fit_lengths(&table, &LengthsOptions::default()))
+            .unwrap_err()
     };
     assert_eq!(refuse(&[1.0, 1.0, 1.0], &[2.0, 2.01, 2.02]), FitError::EqualLengths);
     // A ball of 5 m on strings of 1 m is not lengths that are all the same.
@@ -149,7 +151,7 @@ fn tables_that_tell_nothing_are_refused() {
     let columns =
         LengthColumns { lengths: &given, periods: &[1.27, 1.55, 1.79, 2.0], ..LengthColumns::default() };
     let options = with_ball(bob);
-    let large = lengths(&LengthTable::new(&columns).unwrap(), &options);
+    let large = fit_lengths(&LengthTable::new(&columns).unwrap(), &options);
     let large = large.unwrap_err();
     assert!(matches!(large, FitError::BobTooLarge { radius: 5.0, distance } if distance < 0.5), "{large:?}");
     assert!(matches!(refuse(&[1.0], &[2.0]), FitError::TooFewRows { .. }));
@@ -172,7 +174,7 @@ fn scattered(per_dof: f64) -> LengthsFit {
     // The uncertainties that make every residual of size one in y the same number of them.
     let sigma = (8.0 / (10.0 * per_dof)).sqrt() * size;
     let of_periods: Vec<f64> = periods.iter().map(|period| TAU * TAU * sigma / (2.0 * period)).collect();
-    lengths(&table(&given, &periods, Some(&of_periods)), &LengthsOptions::default()).unwrap()
+    fit_lengths(&table(&given, &periods, Some(&of_periods)), &LengthsOptions::default()).unwrap()
 }
 
 #[test]
@@ -212,7 +214,7 @@ fn clock_and_bob_are_part_of_the_uncertainty() {
     let periods: Vec<f64> = given.iter().map(|&length| period(length, 0.02, 0.06)).collect();
     let sigma = vec![1e-3; periods.len()];
     let columns = table(&given, &periods, Some(&sigma));
-    let g = |options: &LengthsOptions| lengths(&columns, options).unwrap();
+    let g = |options: &LengthsOptions| fit_lengths(&columns, options).unwrap();
     let of_radius = |value: f64| LengthsOptions {
         clock: Some(0.002),
         ..with_ball(Quantity { value, uncertainty: Some(0.01) })
@@ -228,7 +230,8 @@ fn clock_and_bob_are_part_of_the_uncertainty() {
     let together = squares.iter().sum::<f64>().sqrt();
     assert!((found.gravity().uncertainty / together - 1.0).abs() < 1e-4);
     for clock in [-0.1, f64::NAN, f64::INFINITY] {
-        let refused = lengths(&columns, &LengthsOptions { clock: Some(clock), ..LengthsOptions::default() });
+        let refused =
+            fit_lengths(&columns, &LengthsOptions { clock: Some(clock), ..LengthsOptions::default() });
         assert!(matches!(refused, Err(FitError::Clock(_))), "{clock}");
     }
 }
@@ -289,7 +292,7 @@ fn a_bob_about_its_pivot_is_refused() {
     let periods = given.map(|length: f64| TAU * ((length + 0.025) / 9.81).sqrt());
     let columns = LengthColumns { lengths: &given, periods: &periods, ..LengthColumns::default() };
     let table = LengthTable::new(&columns).unwrap();
-    let found = |radius: f64| lengths(&table, &with_ball(exactly(radius)));
+    let found = |radius: f64| fit_lengths(&table, &with_ball(exactly(radius)));
     assert!(found(0.025).is_ok());
     let refused = found(0.2);
     let Err(FitError::BobTooLarge { radius, distance }) = refused else { panic!("{refused:?}") };
@@ -304,7 +307,7 @@ fn a_bob_that_is_too_large_is_refused_for_that_however_large_it_is() {
     let columns = LengthColumns { lengths: &given, periods: &periods, ..LengthColumns::default() };
     let table = LengthTable::new(&columns).unwrap();
     for radius in [0.1751, 0.3, 0.5, 0.8, 1.0, 2.0, 10.0, 1e3] {
-        let refused = lengths(&table, &with_ball(exactly(radius)));
+        let refused = fit_lengths(&table, &with_ball(exactly(radius)));
         let Err(FitError::BobTooLarge { radius: said, distance }) = refused else { panic!("{refused:?}") };
         assert!(said.total_cmp(&radius).is_eq() && (distance - 0.175).abs() < 1e-9, "{radius} {distance}");
     }
@@ -325,7 +328,7 @@ fn a_bob_right_below_its_pivot_is_found_there() {
 fn offsets_of_a_bob_that_nearly_touches_the_pivot_are_not_chosen_from() {
     let given = [0.1, 0.105, 0.11, 0.115, 0.12, 0.125];
     let periods: Vec<f64> = given.iter().map(|&length| period(length, 0.005, 0.1)).collect();
-    let refused = lengths(&table(&given, &periods, Some(&[1e-4; 6])), &with_ball(exactly(0.1)));
+    let refused = fit_lengths(&table(&given, &periods, Some(&[1e-4; 6])), &with_ball(exactly(0.1)));
     assert_eq!(refused, Err(FitError::BobRadius { radius: 0.1 }));
 }
 
@@ -338,9 +341,9 @@ fn different_lengths_are_not_said_to_be_the_same() {
     let columns = LengthColumns { lengths: &lengths, periods: &periods, ..Default::default() };
     let table = LengthTable::new(&columns).unwrap();
     let simple = LengthsOptions { pendulum: Some(LengthsPendulum::Simple), ..LengthsOptions::default() };
-    let refused = libration_lab::fit::lengths(&table, &simple);
+    let refused = fit_lengths(&table, &simple);
     assert_eq!(refused.unwrap_err(), FitError::PeriodsWithoutLength);
-    let bar = libration_lab::fit::lengths(&table, &LengthsOptions::default()).unwrap();
+    let bar = fit_lengths(&table, &LengthsOptions::default()).unwrap();
     assert_eq!(bar.best().model, LengthModel::Bar);
 }
 
@@ -361,7 +364,7 @@ fn the_rounding_of_periods_is_their_uncertainty_where_rows_scatter_less() {
             amplitudes: &[],
         };
         let table = LengthTable::new(&columns).unwrap().with_rounding(rounding.to_vec());
-        lengths(&table, &LengthsOptions::default()).unwrap()
+        fit_lengths(&table, &LengthsOptions::default()).unwrap()
     };
     // Hundredths of a second: a standard uncertainty of 0.01/√12.
     let hundredths = [0.01 / 12.0_f64.sqrt(); 5];
@@ -417,17 +420,17 @@ fn a_table_is_corrected_row_by_row() {
     let without_rod: Vec<f64> = given.iter().map(|&length| without_rod(length)).collect();
     let columns = table(&marked, &without_rod, Some(&sigma));
     let options = LengthsOptions { corrections, ..LengthsOptions::default() };
-    let fit = lengths(&columns, &options).unwrap();
+    let fit = fit_lengths(&columns, &options).unwrap();
     assert!((fit.best().g.value / G - 1.0).abs() < 1e-9, "{:?}", fit.best());
     assert!((fit.best().offset.unwrap().value - 0.01).abs() < 1e-9, "{:?}", fit.best());
-    let bare = lengths(&columns, &LengthsOptions::default()).unwrap();
+    let bare = fit_lengths(&columns, &LengthsOptions::default()).unwrap();
     assert!((bare.best().g.value / G - 1.0).abs() > 1e-4);
     for name in ["slope", "clock", "buoyancy", "finite bob", "temperature", "support", "knife edge"] {
         assert_eq!(fit.budget.iter().filter(|row| row.name == name).count(), 1, "{name}");
     }
     // With the rod, which ends at the surface of the bob in the correction and at its centre in the periods.
     let with_rod = LengthsOptions { corrections: every_correction(0.1), ..LengthsOptions::default() };
-    let found = lengths(&table(&given, &periods, Some(&sigma)), &with_rod).unwrap();
+    let found = fit_lengths(&table(&given, &periods, Some(&sigma)), &with_rod).unwrap();
     assert!((found.best().g.value / G - 1.0).abs() < 2e-3, "{:?}", found.best());
 }
 
@@ -449,7 +452,7 @@ fn sensitivities_of_a_table_are_those_of_the_fit() {
     let periods: Vec<f64> = given.iter().map(|&length| whole_period(length)).collect();
     let columns = table(&given, &periods, Some(&vec![1e-3; periods.len()]));
     let fitted = |corrections: Corrections| {
-        lengths(&columns, &LengthsOptions { corrections, ..LengthsOptions::default() }).unwrap()
+        fit_lengths(&columns, &LengthsOptions { corrections, ..LengthsOptions::default() }).unwrap()
     };
     let found = fitted(every_correction(0.1));
     type Input = fn(&mut Corrections) -> &mut Quantity;
@@ -500,12 +503,12 @@ fn a_bar_is_corrected_with_its_own_moment_of_inertia() {
     };
     let options =
         LengthsOptions { corrections, pendulum: Some(LengthsPendulum::Bar), ..LengthsOptions::default() };
-    let fit = lengths(&table(&given, &given.map(period), Some(&[1e-3; 8])), &options).unwrap();
+    let fit = fit_lengths(&table(&given, &given.map(period), Some(&[1e-3; 8])), &options).unwrap();
     assert!((fit.best().g.value / G - 1.0).abs() < 1e-8, "{:?}", fit.best());
     assert!(fit.budget.iter().all(|row| row.name != "finite bob" && row.name != "rod mass"));
     let reversible = LengthsOptions { pendulum: Some(LengthsPendulum::Reversible), ..options };
     let edges = table(&[0.2, 0.4], &[period(0.2), period(0.4)], Some(&[1e-4; 2]));
-    let fit = lengths(&edges, &reversible).unwrap();
+    let fit = fit_lengths(&edges, &reversible).unwrap();
     assert!((fit.best().g.value / G - 1.0).abs() < 1e-8, "{:?}", fit.best());
 }
 
@@ -520,7 +523,7 @@ fn corrections_that_do_not_settle_are_refused() {
         let exactly = Quantity { value: edge, uncertainty: None };
         let corrections = Corrections { edge_radius: Some(exactly), ..Corrections::default() };
         let options = LengthsOptions { corrections, ..LengthsOptions::default() };
-        lengths(&table(&given, &periods, Some(&vec![1e-3; periods.len()])), &options)
+        fit_lengths(&table(&given, &periods, Some(&vec![1e-3; periods.len()])), &options)
     };
     for edge in [0.001, 0.01, 0.03] {
         let fit = fitted(edge).unwrap();

@@ -6,7 +6,7 @@ use libration::orbit::Stability;
 use libration::progress::Quiet;
 use libration_lab::fit::response::{
     AmplitudeErrors, MeasuredAmplitude, ResponseColumns, ResponseFit, ResponseFitError, ResponseModel,
-    ResponseTable, ResponseWarning, response,
+    ResponseTable, ResponseWarning, fit_response,
 };
 use libration_lab::internals::fit::response::stability::stability;
 use libration_testing::sweep::{self, Limits};
@@ -32,7 +32,7 @@ fn duffing() -> [Vec<f64>; 4] {
 
 fn fit(columns: &ResponseColumns<'_>, model: ResponseModel, measured: MeasuredAmplitude) -> ResponseFit {
     let table = ResponseTable::new(columns).unwrap();
-    response(&table, &[model], measured, &Quiet).unwrap().best().clone()
+    fit_response(&table, &[model], measured, &Quiet).unwrap().best().clone()
 }
 
 /// ω0, c, perhaps κ, and A.
@@ -245,7 +245,7 @@ fn rows_prefer_the_oscillator_that_they_are_of() {
             ..Default::default()
         };
         let table = ResponseTable::new(&columns).unwrap();
-        let fit = response(&table, &ResponseModel::ALL, MeasuredAmplitude::Peak, &Quiet).unwrap();
+        let fit = fit_response(&table, &ResponseModel::ALL, MeasuredAmplitude::Peak, &Quiet).unwrap();
         assert_eq!(fit.best().model, model);
     }
 }
@@ -280,7 +280,7 @@ fn closed_form_of_the_linear_oscillator() {
         };
         let table = ResponseTable::new(&columns).unwrap();
         assert_eq!(table.leads(), phases.is_some());
-        let found = response(&table, &[ResponseModel::Linear], MeasuredAmplitude::Peak, &Quiet).unwrap();
+        let found = fit_response(&table, &[ResponseModel::Linear], MeasuredAmplitude::Peak, &Quiet).unwrap();
         assert_near(&values(found.best()), &[omega, damping, drive], 1e-9);
     }
 }
@@ -303,7 +303,7 @@ fn a_damping_that_amplitudes_leave_open_is_bounded() {
             ..Default::default()
         };
         let table = ResponseTable::new(&columns).unwrap();
-        let found = response(&table, &[ResponseModel::Linear], MeasuredAmplitude::Peak, &Quiet).unwrap();
+        let found = fit_response(&table, &[ResponseModel::Linear], MeasuredAmplitude::Peak, &Quiet).unwrap();
         let damping = found.best().damping;
         assert!((0.1..3.0).contains(&(damping.value + 3.0 * damping.uncertainty)), "{damping}");
         open += usize::from(found.warnings.contains(&ResponseWarning::DampingOpen));
@@ -322,7 +322,7 @@ fn warned(columns: &[Vec<f64>; 4], change: impl Fn(&mut Vec<f64>, &mut Vec<f64>)
         ..Default::default()
     };
     let table = ResponseTable::new(&columns).unwrap();
-    response(&table, &[ResponseModel::Pendulum], MeasuredAmplitude::Peak, &Quiet).unwrap().warnings
+    fit_response(&table, &[ResponseModel::Pendulum], MeasuredAmplitude::Peak, &Quiet).unwrap().warnings
 }
 
 /// The unstable answer at 2.5 rad/s has the largest angle 0.9 about: between the two stable ones.
@@ -346,7 +346,7 @@ fn what_cannot_be_fitted_is_refused_with_its_reason() {
             Ok(table) => table,
             Err(error) => return error.to_string(),
         };
-        let fit = response(&table, models, MeasuredAmplitude::Peak, &Quiet);
+        let fit = fit_response(&table, models, MeasuredAmplitude::Peak, &Quiet);
         fit.map(|fit| format!("{fit:?}")).unwrap_or_else(|error| error.to_string())
     };
     let linear = [ResponseModel::Linear];
@@ -371,7 +371,7 @@ fn what_cannot_be_fitted_is_refused_with_its_reason() {
     };
     let table = ResponseTable::new(&columns).unwrap();
     let both = [ResponseModel::Linear, ResponseModel::Pendulum];
-    let fit = response(&table, &both, MeasuredAmplitude::Peak, &Quiet).unwrap();
+    let fit = fit_response(&table, &both, MeasuredAmplitude::Peak, &Quiet).unwrap();
     assert_eq!(fit.best().model, ResponseModel::Linear);
     assert_eq!(fit.left_out, [ResponseFitError::Amplitude { row: 2, amplitude: 4.1 }]);
     let columns = ResponseColumns {
@@ -542,7 +542,7 @@ fn good_pendulums_are_fitted_without_stated_uncertainties_in_a_sweep() {
             ..Default::default()
         };
         let table = ResponseTable::new(&columns).unwrap();
-        let fit = response(&table, &ResponseModel::ALL, MeasuredAmplitude::Peak, &Quiet).unwrap();
+        let fit = fit_response(&table, &ResponseModel::ALL, MeasuredAmplitude::Peak, &Quiet).unwrap();
         let pendulum = fit.fits.iter().find(|it| it.model == ResponseModel::Pendulum).unwrap();
         let distance = distance_squared(pendulum, &[truth.omega, truth.damping, truth.drive]);
         // 3·F(3, 37) is beyond 75 with the probability 5e-9.
@@ -593,7 +593,7 @@ fn a_wrong_model_leaves_residuals_that_are_not_random() {
     let [frequencies, amplitudes, ..] = &pendulum();
     let columns = ResponseColumns { frequencies, amplitudes, ..Default::default() };
     let table = ResponseTable::new(&columns).unwrap();
-    let warnings = |model| response(&table, &[model], MeasuredAmplitude::Peak, &Quiet).unwrap().warnings;
+    let warnings = |model| fit_response(&table, &[model], MeasuredAmplitude::Peak, &Quiet).unwrap().warnings;
     assert!(warnings(ResponseModel::Linear).contains(&ResponseWarning::Systematic));
     assert!(!warnings(ResponseModel::Pendulum).contains(&ResponseWarning::Systematic));
 }

@@ -6,7 +6,7 @@ use std::fmt::Write;
 
 use libration_lab::fit::Beta;
 use libration_lab::fit::cycles::{self, Coefficient, Cycles, beta_of_traces};
-use libration_lab::fit::swings::{SwingsFit, SwingsOptions, Warning, swings};
+use libration_lab::fit::swings::{SwingsFit, SwingsOptions, Warning, fit_swings};
 use libration_lab::fit::trace::{
     DampingKind, DampingModel, ParameterKind, TraceFit, TraceOptions, fit_traces,
 };
@@ -47,7 +47,7 @@ fn fitted(trace: &Trace) -> TraceFit {
 }
 
 fn cycles_of(trace: &Trace) -> Cycles {
-    cycles::cycles(trace, &cycles::CyclesOptions::default(), &Quiet).unwrap()
+    cycles::fit_cycles(trace, &cycles::CyclesOptions::default(), &Quiet).unwrap()
 }
 
 /// Root mean squares of errors over their stated uncertainties: T0 and offset of the fit of the trace, then of its cycles.
@@ -173,8 +173,10 @@ fn three_parts(whole: &Trace) -> Vec<Trace> {
 }
 
 fn beta_of(traces: &[Trace]) -> Beta {
-    let cycles: Vec<_> =
-        traces.iter().map(|trace| cycles::cycles(trace, &cycles::CyclesOptions::default(), &Quiet)).collect();
+    let cycles: Vec<_> = traces
+        .iter()
+        .map(|trace| cycles::fit_cycles(trace, &cycles::CyclesOptions::default(), &Quiet))
+        .collect();
     beta_of_traces(traces, &cycles, &Quiet).unwrap()
 }
 
@@ -254,7 +256,7 @@ fn a_wrong_pivot_is_named_and_is_in_the_uncertainty_in_a_sweep() {
         let pivot = (0.3 + error * libm::cos(direction), 1.4 + error * libm::sin(direction));
         let said = |pivot| {
             let trace = positions_about(Some(pivot), amplitude, 5e-4, seed);
-            swings(&[trace], &options, &Quiet).unwrap()
+            fit_swings(&[trace], &options, &Quiet).unwrap()
         };
         let found = said(pivot);
         assert!(is_named(&found), "{pivot:?} from {amplitude}: {:?}", found.warnings);

@@ -1,7 +1,7 @@
 //! Uncertainties from the times of a gate, compared with the scatter of many records of one motion.
 
 use libration::quantity::Quantity;
-use libration_lab::fit::gates::{GateOptions, GatesFit, gates};
+use libration_lab::fit::gates::{GateOptions, GatesFit, fit_gates};
 
 use crate::random::Random;
 use crate::synthetic_gate::{GateRecord, jittered};
@@ -41,7 +41,7 @@ fn fits(record: &GateRecord, jitter: f64, seeds: Range<u64>) -> Vec<GatesFit> {
     let fit = |seed| {
         let drawn = jittered(&edges, jitter, &mut Random::seeded(seed));
         let (times, blocked): (Vec<f64>, Vec<bool>) = drawn.into_iter().unzip();
-        gates(&times, Some(&blocked), &options, &Quiet).unwrap()
+        fit_gates(&times, Some(&blocked), &options, &Quiet).unwrap()
     };
     seeds.map(fit).collect()
 }
@@ -115,7 +115,7 @@ fn short_records_are_as_uncertain_as_they_say() {
     assert_honest("8 s", &GateRecord { gate: 0.02, seconds: 8.0, ..RECORD }, 2e-5, 80);
     let edges = GateRecord { gate: 0.02, seconds: 8.0, ..RECORD }.edges();
     let (times, blocked): (Vec<f64>, Vec<bool>) = edges.into_iter().unzip();
-    let fit = gates(&times, Some(&blocked), &GateOptions::default(), &Quiet).unwrap();
+    let fit = fit_gates(&times, Some(&blocked), &GateOptions::default(), &Quiet).unwrap();
     assert!(fit.timing.is_some_and(|timing| timing > 0.0));
 }
 

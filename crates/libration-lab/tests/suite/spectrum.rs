@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use libration::progress::{Interrupted, Quiet, Status};
 use libration_lab::fit::cycles::CyclesError;
 use libration_lab::fit::spectrum::{
-    Spectrum, SpectrumError, SpectrumOptions, SpectrumRemark, lomb_scargle, spectrum,
+    Spectrum, SpectrumError, SpectrumOptions, SpectrumRemark, fit_spectrum, lomb_scargle,
 };
 use libration_lab::measurement::{Observable, Trace};
 
@@ -15,7 +15,7 @@ use libration_testing::sweep::{self, Limits};
 use std::ops::ControlFlow;
 
 fn found_in(trace: &Trace) -> Spectrum {
-    spectrum(trace, &SpectrumOptions::default(), &Quiet).unwrap()
+    fit_spectrum(trace, &SpectrumOptions::default(), &Quiet).unwrap()
 }
 
 fn of(synthetic: &Synthetic, seed: u64) -> Spectrum {
@@ -23,7 +23,7 @@ fn of(synthetic: &Synthetic, seed: u64) -> Spectrum {
 }
 
 fn refused(trace: &Trace) -> SpectrumError {
-    spectrum(trace, &SpectrumOptions::default(), &Quiet).unwrap_err()
+    fit_spectrum(trace, &SpectrumOptions::default(), &Quiet).unwrap_err()
 }
 
 /// The same rows with other values.
@@ -296,8 +296,8 @@ fn what_has_no_harmonics_is_refused() {
     let degrees = seen_as(&usual, |_, value| value.to_degrees());
     assert!(matches!(refused(&degrees), SpectrumError::BeyondATurn(_)));
     let options = |harmonics, swings| SpectrumOptions { harmonics, swings };
-    assert_eq!(spectrum(&usual, &options(7, 2), &Quiet).unwrap_err(), SpectrumError::ShortWindows(2));
-    assert_eq!(spectrum(&usual, &options(0, 5), &Quiet).unwrap_err(), SpectrumError::NoHarmonics);
+    assert_eq!(fit_spectrum(&usual, &options(7, 2), &Quiet).unwrap_err(), SpectrumError::ShortWindows(2));
+    assert_eq!(fit_spectrum(&usual, &options(0, 5), &Quiet).unwrap_err(), SpectrumError::NoHarmonics);
     // Three swings, a gap of 1.7 periods, and three more, all in one window.
     let torn = usual.only(|row| row < 370 || (560..900).contains(&row)).unwrap();
     assert_eq!(refused(&torn), SpectrumError::NoWindow { windows: 1 });
@@ -329,7 +329,7 @@ fn the_search_is_stopped_when_asked() {
         calls.set(calls.get() + 1);
         ControlFlow::Continue(())
     };
-    spectrum(&trace, &SpectrumOptions::default(), &progress).unwrap();
+    fit_spectrum(&trace, &SpectrumOptions::default(), &progress).unwrap();
     let all = calls.get();
     assert!(all > 20, "{all}");
     for last in [0, all / 2, all - 2] {
@@ -338,7 +338,7 @@ fn the_search_is_stopped_when_asked() {
             calls.set(calls.get() + 1);
             if calls.get() > last { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let stopped = spectrum(&trace, &SpectrumOptions::default(), &progress);
+        let stopped = fit_spectrum(&trace, &SpectrumOptions::default(), &progress);
         assert!(matches!(
             stopped,
             Err(SpectrumError::Interrupted(Interrupted) | SpectrumError::Cycles(CyclesError::Interrupted(_)))

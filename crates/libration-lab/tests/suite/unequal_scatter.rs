@@ -2,7 +2,7 @@
 
 use libration_lab::fit::{
     LengthColumns, LengthTable, LengthsOptions, PeriodTable, PeriodsOptions, RepeatedReadings,
-    ScatterVerdict, Uncertainties, lengths, periods,
+    ScatterVerdict, Uncertainties, fit_lengths, fit_periods,
 };
 use libration_lab::internals::statistics::count as number;
 use libration_lab::internals::statistics::student::quantile;
@@ -78,7 +78,7 @@ fn of_periods(readings: &RepeatedReadings, tally: &mut Tally) {
     let uncertainties = Uncertainties { amplitudes: None, periods: Some(&uncertainties) };
     let amplitudes = vec![1e-3; means.len()];
     let table = PeriodTable::new(&amplitudes, &means, uncertainties).unwrap().with_readings(readings.clone());
-    let fit = periods(&table, &[], &PeriodsOptions::default()).unwrap().exact;
+    let fit = fit_periods(&table, &[], &PeriodsOptions::default()).unwrap().exact;
     let reach = quantile(0.05, fit.uncertainty_degrees_of_freedom()) * fit.t0.uncertainty;
     tally.add(fit.t0.value - 2.0, reach, fit.scatter().map(libration_lab::fit::Scatter::verdict));
 }
@@ -93,7 +93,7 @@ fn of_lengths(readings: &RepeatedReadings, lengths_of: &[f64], tally: &mut Tally
         ..LengthColumns::default()
     });
     let table = table.unwrap().with_readings(readings.clone());
-    let fit = lengths(&table, &LengthsOptions::default()).unwrap();
+    let fit = fit_lengths(&table, &LengthsOptions::default()).unwrap();
     let reach = quantile(0.05, fit.combined.degrees_of_freedom) * fit.gravity().uncertainty;
     tally.add(fit.gravity().value - G, reach, fit.best().scatter().map(libration_lab::fit::Scatter::verdict));
 }

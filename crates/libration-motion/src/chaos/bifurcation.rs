@@ -1,6 +1,8 @@
 //! Bifurcation diagrams: the section of a motion for each value of a parameter.
 
-use super::section::{PoincareSection, Points, Section, SectionEnding, SectionError, flashes, section};
+use super::section::{
+    PoincareSection, Points, Section, SectionEnding, SectionError, compute_section, flashes,
+};
 use crate::taylor::{Cause, Effort, Moment, System, Trajectory, integrate_many_stepwise};
 use libration_numbers::algebra::BigFloat;
 use libration_numbers::expression::{Equation, EquationError, Expression};
@@ -63,7 +65,7 @@ pub enum DiagramError {
 /// # Examples
 /// ```
 /// # extern crate libration_motion as libration;
-/// use libration::chaos::{Continuation, Family, Points, Section, bifurcation_diagram};
+/// use libration::chaos::{Continuation, Family, Points, Section, compute_bifurcation_diagram};
 /// use libration::progress::Quiet;
 /// use libration::taylor::{Effort, Moment};
 /// let equation = "theta'' + theta'/2 + sin(theta) = A*cos(2t/3)".parse()?;
@@ -72,11 +74,11 @@ pub enum DiagramError {
 /// let family = Family { equation: &equation, parameter: "A", section: &section, points };
 /// let start = Moment { time: 0.0, state: vec![0.2, 0.0] };
 /// let effort = Effort::to_tolerance(1e-10);
-/// let columns = bifurcation_diagram(&family, &[0.9, 1.0], &start, Continuation::SameStart, &effort, &Quiet)?;
+/// let columns = compute_bifurcation_diagram(&family, &[0.9, 1.0], &start, Continuation::SameStart, &effort, &Quiet)?;
 /// assert_eq!(columns[1].section.points.len(), 4);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn bifurcation_diagram(
+pub fn compute_bifurcation_diagram(
     family: &Family<'_>,
     values: &[f64],
     start: &Moment,
@@ -122,7 +124,7 @@ impl Family<'_> {
                 (Continuation::LastState, Some(last)) => continued(last, cut, &equation),
                 _ => start.clone(),
             };
-            let section = section(&equation, &from, cut, self.points, effort, &watch.part())?;
+            let section = compute_section(&equation, &from, cut, self.points, effort, &watch.part())?;
             if section.stopped == Some(SectionEnding::Stopped(Cause::Interrupted)) {
                 break;
             }

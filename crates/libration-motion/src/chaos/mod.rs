@@ -6,7 +6,7 @@
 //!
 //! ```
 //! # extern crate libration_motion as libration;
-//! use libration::chaos::{Continuation, Family, Points, Section, bifurcation_diagram};
+//! use libration::chaos::{Continuation, Family, Points, Section, compute_bifurcation_diagram};
 //! use libration::progress::Quiet;
 //! use libration::taylor::{Effort, Moment};
 //!
@@ -19,7 +19,7 @@
 //! };
 //! let start = Moment { time: 0.0, state: vec![0.2, 0.0] };
 //! let effort = Effort::to_tolerance(1e-9);
-//! let columns = bifurcation_diagram(&family, &[0.9, 1.07], &start, Continuation::SameStart, &effort, &Quiet)?;
+//! let columns = compute_bifurcation_diagram(&family, &[0.9, 1.07], &start, Continuation::SameStart, &effort, &Quiet)?;
 //! let velocities = |column: usize| columns[column].section.points.iter().map(|point| point.state[1]).collect::<Vec<_>>();
 //! let (weak, strong) = (velocities(0), velocities(1));
 //! assert!((weak[0] - weak[1]).abs() < 1e-6);
@@ -41,10 +41,10 @@ mod extent;
 
 pub(crate) mod lyapunov;
 
-pub use bifurcation::{Continuation, DiagramColumn, DiagramError, Family, bifurcation_diagram};
+pub use bifurcation::{Continuation, DiagramColumn, DiagramError, Family, compute_bifurcation_diagram};
 pub use drive::{drive_frequency, drive_period};
 pub use lyapunov::{
     Doubt, LyapunovError, LyapunovExponent, LyapunovVerdict, Regularity, Schedule, lyapunov_exponent,
 };
-pub use section::{PoincareSection, Points, Section, SectionEnding, SectionError, folded, section};
+pub use section::{PoincareSection, Points, Section, SectionEnding, SectionError, compute_section, folded};
 pub use structure::{Theorem, angles};

@@ -121,19 +121,19 @@ pub enum SectionError {
 /// # Examples
 /// ```
 /// # extern crate libration_motion as libration;
-/// use libration::chaos::{Points, Section, section};
+/// use libration::chaos::{Points, Section, compute_section};
 /// use libration::progress::Quiet;
 /// use libration::taylor::{Effort, Moment};
 /// let duffing = "x'' + x'/4 - x + x^3 = 0.2*cos(t)".parse()?;
 /// let start = Moment { time: 0.0, state: vec![1.0, 0.0] };
 /// let stroboscope = Section::Stroboscope { period: None, phase: 0.0 };
 /// let points = Points { skipped: 200, recorded: 2 };
-/// let found = section(&duffing, &start, &stroboscope, points, &Effort::to_tolerance(1e-12), &Quiet)?;
+/// let found = compute_section(&duffing, &start, &stroboscope, points, &Effort::to_tolerance(1e-12), &Quiet)?;
 /// // The motion has the period of its drive.
 /// assert!((found.points[0].state[0] - found.points[1].state[0]).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn section(
+pub fn compute_section(
     equation: &Equation,
     start: &Moment,
     section: &Section,

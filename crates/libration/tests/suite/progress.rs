@@ -1,8 +1,8 @@
 //! Long calls that are cancelled at one of the updates of their progress.
 
 use libration::chaos::{
-    Continuation, Family, LyapunovError, Points, Schedule, Section, bifurcation_diagram, lyapunov_exponent,
-    section,
+    Continuation, Family, LyapunovError, Points, Schedule, Section, compute_bifurcation_diagram,
+    compute_section, lyapunov_exponent,
 };
 use libration::comparison::{
     Backbone, ExactMotion, ExactValueError, LeadingLimitCycles, LeadingLimitCyclesError, SeriesComparison,
@@ -284,7 +284,7 @@ fn sections_and_diagrams_stop_with_the_points_until_then() {
     for cut in [stroboscope, surface] {
         let one = driven.with(&[("A", "1".parse().unwrap())]).unwrap();
         stops(
-            |progress| section(&one, &at(&[1.0, 0.0]), &cut, points, &effort, progress).unwrap(),
+            |progress| compute_section(&one, &at(&[1.0, 0.0]), &cut, points, &effort, progress).unwrap(),
             |found, whole| whole.points.starts_with(&found.points),
         );
         let family = Family { equation: &driven, parameter: "A", section: &cut, points };
@@ -292,7 +292,8 @@ fn sections_and_diagrams_stop_with_the_points_until_then() {
             let values = [1.0, 1.2, 1.4];
             stops(
                 |progress| {
-                    bifurcation_diagram(&family, &values, &at(&[1.0, 0.0]), how, &effort, progress).unwrap()
+                    compute_bifurcation_diagram(&family, &values, &at(&[1.0, 0.0]), how, &effort, progress)
+                        .unwrap()
                 },
                 |found, whole| found.iter().all(|column| whole.contains(column)),
             );

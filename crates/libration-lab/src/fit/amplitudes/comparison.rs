@@ -3,8 +3,8 @@
 use super::law::Law;
 use super::search::{Found, first_zero, fit, parameters};
 use super::{AmplitudeTable, AmplitudesError};
-use crate::fit::DampingModel;
 use crate::fit::cycles::SEPARATED;
+use crate::fit::damping_model::DampingModel;
 use crate::statistics::student::probability_beyond;
 use crate::statistics::{akaike, count};
 

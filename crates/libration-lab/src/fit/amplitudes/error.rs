@@ -1,6 +1,6 @@
 //! Errors of a fit of amplitudes.
 
-use crate::fit::DampingModel;
+use crate::fit::damping_model::DampingModel;
 
 /// Reasons why a table of amplitudes cannot be fitted; rows are counted from one.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -5,9 +5,13 @@ use super::law::Law;
 use super::quality;
 use super::search::{Found, parameters};
 use super::{AmplitudeTable, AmplitudesOptions, AmplitudesWarning, Position, Sides, period};
+use crate::fit::damping_model::DampingModel;
+use crate::fit::quality::Quality;
 use crate::fit::scatter::{self, Scatter};
-use crate::fit::{DampingKind, DampingModel, Quality, SIGNIFICANT, Uncertain};
+use crate::fit::significance::SIGNIFICANT;
+use crate::fit::uncertain::Uncertain;
 use crate::statistics::count;
+use libration::decay::DampingKind;
 
 /// Steps of the curve of a law.
 const CURVE: usize = 300;

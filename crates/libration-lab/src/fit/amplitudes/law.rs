@@ -4,9 +4,10 @@ use std::f64::consts::{FRAC_2_PI, PI};
 
 use super::table::{AmplitudeReading, AmplitudeTable, Position};
 use crate::fit::cycles::decay_rates::DecayRates;
+use crate::fit::damping_model::DampingModel;
 use crate::fit::falling::falling;
-use crate::fit::{DampingKind, DampingModel};
 use crate::statistics::count;
+use libration::decay::DampingKind;
 use libration::pendulum::period_ratio;
 
 /// Steps of the integration over the whole table: an amplitude that falls by a factor of e¹⁰ is then exact to 1e-8.

@@ -44,7 +44,7 @@ pub struct AmplitudesOptions {
 ///
 /// # Errors
 /// Fails for too few rows, an amplitude that does not fall, equal positions, and an unusable period.
-pub fn amplitudes(
+pub fn fit_amplitudes(
     table: &AmplitudeTable,
     options: &AmplitudesOptions,
 ) -> Result<AmplitudesFit, AmplitudesError> {

@@ -7,8 +7,9 @@ use nalgebra::{DMatrix, DVector};
 use super::law::Law;
 use super::search::Found;
 use super::{AmplitudeTable, Position};
-use crate::fit::{DampingKind, Uncertain};
+use crate::fit::uncertain::Uncertain;
 use crate::statistics::{count, least_squares, mean};
+use libration::decay::DampingKind;
 use libration::quantity::Quantity;
 
 /// Points of the curve at which T/T0 is summed: the sum is exact to 1e-6 of its excess over one.

@@ -4,7 +4,11 @@ use std::f64::consts::PI;
 
 use super::law::Law;
 use super::search::Found;
-use crate::fit::{DampingKind, DampingModel, Quality, Uncertain, quality};
+use crate::fit::damping_model::DampingModel;
+use crate::fit::quality;
+use crate::fit::quality::Quality;
+use crate::fit::uncertain::Uncertain;
+use libration::decay::DampingKind;
 use libration::decay::small_cycle_integral;
 
 /// Q of a law at an amplitude; of linear damping alone at every one. `None` without damping. `scale` is the factor of the covariance.

@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use super::law::{Curve, Law};
 use super::sides::Sides;
 use super::table::{AmplitudeTable, Row, UnstatedErrors};
-use crate::fit::DampingModel;
+use crate::fit::damping_model::DampingModel;
 use crate::statistics::levenberg_marquardt::{Effort, Linearised, ResidualsError, minimum};
 use crate::statistics::{Design, count, is_settled, median, weighted_least_squares};
 

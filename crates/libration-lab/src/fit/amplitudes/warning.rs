@@ -3,8 +3,8 @@
 use std::fmt;
 
 use crate::fit::cycles::SEPARATED;
+use crate::fit::damping_model::{DampingModel, alternatives};
 use crate::fit::scatter::ScatterWarning;
-use crate::fit::{DampingModel, alternatives};
 use libration::quantity::rounded;
 
 /// A warning about a fit of amplitudes.

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::comparison::Comparison;
 use super::{AmplitudeTable, AmplitudesFit, AmplitudesWarning};
-use crate::fit::DampingModel;
+use crate::fit::damping_model::DampingModel;
 use crate::fit::scatter::{Scatter, ScatterWarning};
 
 /// Damping counts as resolved where chance would make the fall as large less often than this.

@@ -221,19 +221,19 @@ impl Budget {
 ///
 /// # Examples
 /// ```
-/// use libration_lab::fit::{Apparatus, Bob, Corrections, MeasuredPeriod, budget};
+/// use libration_lab::fit::{Apparatus, Bob, Corrections, MeasuredPeriod, evaluate_budget};
 /// use libration::quantity::{Dimension, parse};
 ///
 /// let length = parse("1.0000(5) m", Dimension::Length)?;
 /// let t0 = parse("2.0065(2) s", Dimension::Time)?;
-/// let bare = budget(&Apparatus::of_length(length), &MeasuredPeriod::of_small_swings(t0), &[])?;
+/// let bare = evaluate_budget(&Apparatus::of_length(length), &MeasuredPeriod::of_small_swings(t0), &[])?;
 /// let bob = Some(Bob::ball(parse("20.0(1) mm", Dimension::Length)?));
 /// let corrections = Corrections { bob, ..Corrections::default() };
-/// let ball = budget(&Apparatus { length, corrections }, &MeasuredPeriod::of_small_swings(t0), &[])?;
+/// let ball = evaluate_budget(&Apparatus { length, corrections }, &MeasuredPeriod::of_small_swings(t0), &[])?;
 /// assert!((ball.g / bare.g - 1.00016).abs() < 1e-7);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn budget(
+pub fn evaluate_budget(
     apparatus: &Apparatus,
     period: &MeasuredPeriod,
     correlations: &[Correlation],

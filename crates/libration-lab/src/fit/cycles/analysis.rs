@@ -13,7 +13,7 @@ use super::pivot;
 use super::row::Row;
 use super::swings::{Swings, swings};
 use super::{Cycle, Cycles, CyclesError, CyclesOptions, CyclesWarning, HalfSwing};
-use crate::fit::Uncertain;
+use crate::fit::uncertain::Uncertain;
 use crate::measurement::{Observable, Trace};
 use crate::statistics::median;
 use libration::internals::progress::Watch;
@@ -28,7 +28,7 @@ const FEWEST_ROWS_PER_PERIOD: f64 = 8.0;
 /// # Errors
 /// See [`CyclesError`]: too few rows or cycles, nothing that swings to and fro.
 /// [`CyclesError::Interrupted`] if the call is cancelled.
-pub fn cycles(
+pub fn fit_cycles(
     trace: &Trace,
     options: &CyclesOptions,
     progress: &dyn Progress,

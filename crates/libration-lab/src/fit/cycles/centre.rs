@@ -1,7 +1,7 @@
 //! The centre about which the values swing: fixed, or followed where it wanders.
 
 use super::turning_point::Extreme;
-use crate::fit::Uncertain;
+use crate::fit::uncertain::Uncertain;
 use crate::statistics::{count, median, robust_deviation};
 
 /// Fewer middles of swings than this do not distinguish a wandering centre from noise. With 3 one recording by an encoder seemed to wander

@@ -11,8 +11,8 @@ use std::fmt;
 
 use super::fall::{Curve, Fall};
 use super::{CyclesError, HalfSwing};
-use crate::fit::Uncertain;
 use crate::fit::trace::{DampingKind, DampingModel};
+use crate::fit::uncertain::Uncertain;
 use crate::statistics::{akaike, count};
 use libration::internals::progress::Watch;
 use libration::quantity::with_uncertainty;

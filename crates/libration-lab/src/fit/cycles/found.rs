@@ -8,7 +8,7 @@ use super::passage::Passage;
 use super::row::{Row, Side};
 use super::shape::{amplitude_of_velocity, slope_of_amplitude};
 use super::turning_point::Extreme;
-use crate::fit::Uncertain;
+use crate::fit::uncertain::Uncertain;
 use crate::measurement::Observable;
 use crate::statistics::median;
 

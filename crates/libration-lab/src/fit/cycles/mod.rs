@@ -53,7 +53,7 @@ mod unit;
 
 mod warning;
 
-pub use analysis::cycles;
+pub use analysis::fit_cycles;
 pub use envelope::{Coefficient, Envelope, EnvelopeFit, SEPARATED};
 pub use error::CyclesError;
 pub use several::beta_of_traces;

@@ -4,7 +4,9 @@
 use super::CyclesError;
 use super::generalised::{Explanation, Generalised, Scatter, fit};
 use super::row::{Row, Share, Side, Source};
-use crate::fit::{Beta, Law, Uncertain};
+use crate::fit::beta::Beta;
+use crate::fit::law::Law;
+use crate::fit::uncertain::Uncertain;
 use crate::statistics::{mean, median, robust_deviation};
 use libration::internals::progress::Watch;
 

@@ -4,7 +4,8 @@ use std::f64::consts::{PI, TAU};
 
 use super::Cycle;
 use super::swings::{turns, without_spikes};
-use crate::fit::{MistakenUnit, PeriodTable, Uncertainties};
+use crate::fit::angle_unit::MistakenUnit;
+use crate::fit::period_table::{PeriodTable, Uncertainties};
 use crate::measurement::{Observable, Trace};
 use crate::statistics::median;
 

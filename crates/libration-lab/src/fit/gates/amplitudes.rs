@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use super::speeds::{NearBottom, mean_squared_velocity};
 use super::swings::Swings;
 use super::trend::value_and_slope;
-use crate::fit::Law;
+use crate::fit::law::Law;
 use crate::statistics::median;
 use libration::internals::progress::Watch;
 use libration::roots::{Tolerance, zero_between};

@@ -7,8 +7,11 @@ use super::passages::{Passages, passages};
 use super::swings::Swings;
 use super::trend::at_the_beginning;
 use super::{GateCycle, GateOptions, GatesError, GatesFit, T0Source, warning};
+use crate::fit::beta::Beta;
+use crate::fit::contradiction::Contradiction;
 use crate::fit::contradiction::Estimate;
-use crate::fit::{Beta, Contradiction, Law, Uncertain};
+use crate::fit::law::Law;
+use crate::fit::uncertain::Uncertain;
 use crate::statistics::count;
 use libration::internals::progress::Watch;
 use libration::progress::{Interrupted, Progress};
@@ -23,14 +26,14 @@ use libration::quantity::Quantity;
 /// # Examples
 /// ```
 /// use libration::progress::Quiet;
-/// use libration_lab::fit::gates::{GateOptions, gates};
+/// use libration_lab::fit::gates::{GateOptions, fit_gates};
 /// // A period of 2 s, and a gate off the centre.
 /// let times: Vec<f64> = (0..10).flat_map(|k| [2.0 * f64::from(k), 2.0 * f64::from(k) + 1.2]).collect();
-/// let found = gates(&times, None, &GateOptions::default(), &Quiet)?;
+/// let found = fit_gates(&times, None, &GateOptions::default(), &Quiet)?;
 /// assert!((found.mean_period.value - 2.0).abs() < 1e-12 && (found.part_between - 0.6).abs() < 1e-12);
 /// # Ok::<(), libration_lab::fit::gates::GatesError>(())
 /// ```
-pub fn gates(
+pub fn fit_gates(
     times: &[f64],
     blocked: Option<&[bool]>,
     options: &GateOptions,

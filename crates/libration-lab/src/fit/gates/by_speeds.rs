@@ -2,10 +2,12 @@
 
 use super::amplitudes::Amplitudes;
 use super::swings::Swings;
+use crate::fit::beta::Beta;
 use crate::fit::cycles::period_law;
 use crate::fit::cycles::row::Row;
+use crate::fit::law::Law;
 use crate::fit::typical_amplitude::typical_amplitude;
-use crate::fit::{Beta, Law, Uncertain};
+use crate::fit::uncertain::Uncertain;
 use crate::statistics::{count, mean};
 use libration::internals::progress::Watch;
 use libration::quantity::Quantity;

@@ -2,10 +2,10 @@
 
 use super::width::{PassingDisc, PassingFlag};
 use super::{GatesFit, T0Source};
-use crate::fit::Uncertain;
 use crate::fit::budget::{
-    Apparatus, Budget, BudgetError, BudgetInput, Correlation, MeasuredPeriod, PeriodDamping, budget,
+    Apparatus, Budget, BudgetError, BudgetInput, Correlation, MeasuredPeriod, PeriodDamping, evaluate_budget,
 };
+use crate::fit::uncertain::Uncertain;
 use libration::quantity::Quantity;
 
 /// The shape of the object that blocks the gate.
@@ -183,7 +183,7 @@ impl GatesFit {
     /// amplitude and to all times.
     ///
     /// # Errors
-    /// Fails as [`budget`] does.
+    /// Fails as [`evaluate_budget`] does.
     pub fn gravity(
         &self,
         geometry: &GateGeometry,
@@ -209,6 +209,6 @@ impl GatesFit {
             damping,
         };
         let all = [correlations, &self.correlations(geometry)].concat();
-        budget(&geometry.apparatus, &period, &all).map(Some)
+        evaluate_budget(&geometry.apparatus, &period, &all).map(Some)
     }
 }

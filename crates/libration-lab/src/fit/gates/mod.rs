@@ -29,12 +29,14 @@ pub(crate) mod width;
 
 mod gravity;
 
-pub use analysis::gates;
+pub use analysis::fit_gates;
 pub use error::GatesError;
 pub use gravity::{FlagShape, GateGeometry, GateGeometryError};
 pub use warning::GatesWarning;
 
-use crate::fit::{Beta, Contradiction, Uncertain};
+use crate::fit::beta::Beta;
+use crate::fit::contradiction::Contradiction;
+use crate::fit::uncertain::Uncertain;
 use libration::quantity::Quantity;
 
 /// Meaning of the times of a gate without states.

@@ -6,7 +6,8 @@
 use super::amplitudes::Amplitudes;
 use super::swings::Swings;
 use crate::fit::cycles::row::{Row, Share, Side, Source};
-use crate::fit::{Law, Uncertain};
+use crate::fit::law::Law;
+use crate::fit::uncertain::Uncertain;
 
 /// A passage of the bottom.
 #[derive(Clone, Copy, Debug)]

@@ -2,7 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::fit::{SIGNIFICANT, Uncertain};
+use crate::fit::significance::SIGNIFICANT;
+use crate::fit::uncertain::Uncertain;
 use crate::statistics::{LinearFit, count, least_squares};
 
 /// Numbers of rows from which on a line is fitted, a parabola, and polynomials of third and fourth degree.

@@ -3,7 +3,9 @@
 use std::fmt;
 
 use super::{GatesFit, T0Source};
-use crate::fit::{Beta, SIGNIFICANT, Uncertain, limit_of_chance};
+use crate::fit::beta::Beta;
+use crate::fit::significance::{SIGNIFICANT, limit_of_chance};
+use crate::fit::uncertain::Uncertain;
 use libration::quantity::rounded;
 
 /// Number of standard deviations of a time by which a last period must be below T0 to count as such: a period is the difference of

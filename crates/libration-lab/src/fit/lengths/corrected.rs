@@ -5,8 +5,8 @@
 
 use super::model::LengthFit;
 use super::{LengthModel, LengthTable, LengthsOptions, bar, model, reversible};
-use crate::fit::FitError;
 use crate::fit::budget::{self, Apparatus, Effect, MeasuredPeriod, TableBudget, Values};
+use crate::fit::error::FitError;
 use crate::statistics::mean;
 use libration::quantity::Quantity;
 

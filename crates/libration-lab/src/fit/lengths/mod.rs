@@ -103,7 +103,7 @@ impl LengthsFit {
 /// # Errors
 /// Fails for fewer than two rows (without uncertainties three), equal lengths, a radius that is not a positive number, and an unusable
 /// uncertainty.
-pub fn lengths(table: &LengthTable, options: &LengthsOptions) -> Result<LengthsFit, FitError> {
+pub fn fit_lengths(table: &LengthTable, options: &LengthsOptions) -> Result<LengthsFit, FitError> {
     options.check()?;
     let fit = as_weighted(table, options)?;
     let scatter = fit.best().standard_deviations.first().copied().unwrap_or(f64::INFINITY);

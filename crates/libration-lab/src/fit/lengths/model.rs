@@ -5,9 +5,10 @@ use std::f64::consts::PI;
 use nalgebra::{DMatrix, DVector};
 
 use super::table::{LengthTable, Row};
+use crate::fit::error::FitError;
 use crate::fit::readings_of_fit::ReadingsOfFit;
 use crate::fit::scatter::{self, Scatter};
-use crate::fit::{FitError, Uncertain};
+use crate::fit::uncertain::Uncertain;
 use crate::statistics::student::probability_beyond;
 use crate::statistics::{akaike, count, is_settled, weighted_least_squares};
 

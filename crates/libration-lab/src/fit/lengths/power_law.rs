@@ -3,8 +3,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::table::{LengthTable, Row};
-use crate::fit::Uncertain;
 use crate::fit::scatter;
+use crate::fit::uncertain::Uncertain;
 use crate::statistics::{count, is_settled, weighted_least_squares};
 
 /// Rounds in which the weights are renewed; the error falls by a factor of (σ of n)/n or so each time.

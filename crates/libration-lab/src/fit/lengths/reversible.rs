@@ -11,7 +11,9 @@ use std::f64::consts::PI;
 use super::model::{LengthFit, LengthModel};
 use super::table::{LengthTable, Row};
 use crate::fit::budget::{BudgetInput, Contribution, Evaluation};
-use crate::fit::{FitError, RepeatedReadings, Uncertain};
+use crate::fit::error::FitError;
+use crate::fit::readings::RepeatedReadings;
+use crate::fit::uncertain::Uncertain;
 use libration::quantity::Quantity;
 
 /// The difference of the distances counts as known where its uncertainty is below this part of it: the second term is then linear in it to a few per

@@ -1,6 +1,8 @@
 //! Measured periods against lengths, checked once.
 
-use crate::fit::{FitError, Law, RepeatedReadings};
+use crate::fit::error::FitError;
+use crate::fit::law::Law;
+use crate::fit::readings::RepeatedReadings;
 use crate::statistics::root_mean_square;
 use libration::quantity::Quantity;
 

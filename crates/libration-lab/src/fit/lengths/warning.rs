@@ -3,11 +3,11 @@
 use std::fmt;
 
 use super::{LengthFit, LengthModel, LengthsFit};
-use crate::fit::Uncertain;
 use crate::fit::budget::CombinedUncertainty;
 use crate::fit::gravity::{GRAVITY_ON_EARTH, is_nowhere_on_earth};
 use crate::fit::mistake::GravityMistake;
 use crate::fit::scatter::{Scatter, ScatterWarning};
+use crate::fit::uncertain::Uncertain;
 use libration::quantity::rounded;
 
 /// A term counts as needed when chance would make it as large less often than this: the warning is given for one in a hundred of the tables that

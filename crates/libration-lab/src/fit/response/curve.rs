@@ -3,7 +3,7 @@
 use super::MeasuredAmplitude;
 use super::fitted::ResponseFit;
 use super::required_drive::{AllHarmonics, Asked, EFFORT, Law, along, scaled};
-use crate::fit::Uncertain;
+use crate::fit::uncertain::Uncertain;
 use libration::algebra::Complex;
 use libration::continuation::{BranchError, BranchPoint, Jump, Response, ResponseOptions};
 use libration::orbit::Stability;

@@ -8,7 +8,7 @@
 //! The curve has the period of the drive and is its own mirror image after half of it, as the strong responses of these oscillators are.
 //!
 //! ```
-//! use libration_lab::fit::response::{ResponseColumns, ResponseModel, ResponseTable, MeasuredAmplitude, response};
+//! use libration_lab::fit::response::{ResponseColumns, ResponseModel, ResponseTable, MeasuredAmplitude, fit_response};
 //! use libration::progress::Quiet;
 //!
 //! // A linear oscillator with ω0 = 2, c = 0.1 and A = 0.5, without errors.
@@ -17,7 +17,7 @@
 //! let amplitudes: Vec<f64> = frequencies.iter().map(amplitude).collect();
 //! let columns = ResponseColumns { frequencies: &frequencies, amplitudes: &amplitudes, ..Default::default() };
 //! let table = ResponseTable::new(&columns)?;
-//! let fit = response(&table, &[ResponseModel::Linear], MeasuredAmplitude::Peak, &Quiet)?;
+//! let fit = fit_response(&table, &[ResponseModel::Linear], MeasuredAmplitude::Peak, &Quiet)?;
 //! assert!((fit.best().natural_frequency.value - 2.0).abs() < 1e-9);
 //! assert!((fit.best().damping.value - 0.1).abs() < 1e-9);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -101,7 +101,7 @@ const SUBSTANTIAL: f64 = 2.0;
 ///
 /// Fails for too few rows, amplitudes of π or more for a pendulum alone, rows that do not determine the parameters or that no model comes close to,
 /// and a cancellation by the caller.
-pub fn response(
+pub fn fit_response(
     table: &ResponseTable,
     models: &[ResponseModel],
     measured: MeasuredAmplitude,

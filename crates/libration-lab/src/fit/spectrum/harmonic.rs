@@ -1,6 +1,6 @@
 //! A measured harmonic, with that of theory.
 
-use crate::fit::Uncertain;
+use crate::fit::uncertain::Uncertain;
 
 /// A harmonic of a measured swing: in-phase·cos nφ + quadrature·sin nφ, where the first harmonic has its maxima at φ = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]

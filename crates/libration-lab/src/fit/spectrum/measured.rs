@@ -10,8 +10,8 @@ use super::theory::Theory;
 use super::window_fit::{WindowFit, cosine_column, sine_column};
 use super::windows::Windows;
 use super::{Harmonic, SpectrumError, SpectrumPoint, SpectrumRemark, SpectrumWindow};
-use crate::fit::Uncertain;
-use crate::fit::cycles::{CyclesOptions, beyond_a_turn, cycles};
+use crate::fit::cycles::{CyclesOptions, beyond_a_turn, fit_cycles};
+use crate::fit::uncertain::Uncertain;
 use crate::measurement::{Observable, Trace};
 use crate::statistics::count;
 use libration::internals::progress::Watch;
@@ -73,19 +73,19 @@ pub struct Spectrum {
 /// ```
 /// use libration::pendulum::Pendulum;
 /// use libration::progress::Quiet;
-/// use libration_lab::fit::spectrum::{SpectrumOptions, spectrum};
+/// use libration_lab::fit::spectrum::{SpectrumOptions, fit_spectrum};
 /// use libration_lab::measurement::{Observable, Trace};
 /// let motion = Pendulum::new(0.56, 9.81)?.released_from("80deg".parse()?)?;
 /// let times: Vec<f64> = (0..600).map(|row| f64::from(row) / 60.0).collect();
 /// let angles = times.iter().map(|&time| motion.state_at(time).angle).collect();
 /// let trace = Trace::new("swing", Observable::Angle, times, angles, None)?;
-/// let found = spectrum(&trace, &SpectrumOptions::default(), &Quiet)?;
+/// let found = fit_spectrum(&trace, &SpectrumOptions::default(), &Quiet)?;
 /// assert!((found.amplitude.to_degrees() - 80.0).abs() < 1e-3);
 /// let third = found.harmonics[3];
 /// assert!((third.in_phase.value - third.theory).abs() < 1e-6 && third.theory < -0.01);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn spectrum(
+pub fn fit_spectrum(
     trace: &Trace,
     options: &SpectrumOptions,
     progress: &dyn Progress,
@@ -100,7 +100,7 @@ pub fn spectrum(
     if let Some(beyond) = beyond_a_turn(trace) {
         return Err(beyond.into());
     }
-    let cycles = cycles(trace, &CyclesOptions::default(), watch)?;
+    let cycles = fit_cycles(trace, &CyclesOptions::default(), watch)?;
     let windows = Windows::new(trace, &cycles, options.swings);
     if windows.swings < count(FEWEST_SWINGS) {
         return Err(SpectrumError::TooShort { swings: windows.swings, needed: FEWEST_SWINGS });

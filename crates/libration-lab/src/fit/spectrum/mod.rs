@@ -33,5 +33,5 @@ mod windows;
 pub use error::SpectrumError;
 pub use harmonic::{Harmonic, SpectrumWindow};
 pub use lomb_scargle::{SpectrumPoint, lomb_scargle};
-pub use measured::{Spectrum, SpectrumOptions, spectrum};
+pub use measured::{Spectrum, SpectrumOptions, fit_spectrum};
 pub use remark::SpectrumRemark;

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::Harmonic;
-use crate::fit::Uncertain;
+use crate::fit::uncertain::Uncertain;
 use crate::measurement::Observable;
 use crate::statistics::count;
 use crate::statistics::student::quantile;

@@ -8,10 +8,10 @@ use super::fitted::{SwingsFit, small_angle_period};
 use super::options::SwingsOptions;
 use super::pendulum::pendulum_of;
 use super::{doubts, improvements};
-use crate::fit::Uncertain;
 use crate::fit::budget::BudgetError;
-use crate::fit::cycles::{CyclesError, CyclesOptions, beta_of_traces, cycles};
+use crate::fit::cycles::{CyclesError, CyclesOptions, beta_of_traces, fit_cycles};
 use crate::fit::trace::{ParameterKind, TraceFitError, compare, fit_traces};
+use crate::fit::uncertain::Uncertain;
 use crate::measurement::Trace;
 
 /// Reasons why swings have no result.
@@ -30,7 +30,7 @@ pub enum SwingsError {
 ///
 /// # Errors
 /// Fails where no motion could be fitted, and where gravity cannot be computed with this apparatus; on cancellation.
-pub fn swings(
+pub fn fit_swings(
     traces: &[Trace],
     options: &SwingsOptions<'_>,
     progress: &dyn Progress,
@@ -43,7 +43,7 @@ pub fn swings(
             (comparison.best().clone(), Some(comparison))
         }
     };
-    let cycles = traces.iter().map(|trace| match cycles(trace, &CyclesOptions::default(), watch) {
+    let cycles = traces.iter().map(|trace| match fit_cycles(trace, &CyclesOptions::default(), watch) {
         Err(CyclesError::Interrupted(_)) => Err(TraceFitError::Interrupted),
         cycles => Ok(cycles),
     });

@@ -1,11 +1,13 @@
 //! Conditions of the warnings about swings.
 
 use super::{FittedPendulum, SwingsFit, Warning};
+use crate::fit::angle_unit::MistakenUnit;
 use crate::fit::budget::BudgetWarning;
+use crate::fit::contradiction::Contradiction;
 use crate::fit::cycles::{Coefficient, Cycles, CyclesError};
 use crate::fit::significance::combined_degrees_of_freedom;
+use crate::fit::significance::{SIGNIFICANT, limit_of_chance};
 use crate::fit::trace::{Comparison, DampingKind, TraceFit};
-use crate::fit::{Contradiction, MistakenUnit, SIGNIFICANT, limit_of_chance};
 use crate::measurement::{FittedPivot, Trace};
 
 /// The warnings, the gravest first.

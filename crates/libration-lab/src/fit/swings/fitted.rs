@@ -1,10 +1,14 @@
 //! All results of recordings of swings.
 
 use super::{Advice, FittedPendulum, Warning};
+use crate::fit::beta::Beta;
 use crate::fit::contradiction::{Contradiction, Estimate};
 use crate::fit::cycles::{Cycle, Cycles, CyclesError};
+use crate::fit::damping_model::DampingModel;
+use crate::fit::quality::Quality;
+use crate::fit::significance::{SIGNIFICANT, limit_of_chance};
 use crate::fit::trace::{Comparison, ParameterKind, TraceFit};
-use crate::fit::{Beta, DampingModel, Quality, SIGNIFICANT, Uncertain, limit_of_chance};
+use crate::fit::uncertain::Uncertain;
 use crate::measurement::Trace;
 use crate::statistics::count;
 

@@ -4,7 +4,7 @@
 //! # Examples
 //! ```
 //! use libration::pendulum::Pendulum;
-//! use libration_lab::fit::swings::{Advice, FittedPendulum, SwingsOptions, swings};
+//! use libration_lab::fit::swings::{Advice, FittedPendulum, SwingsOptions, fit_swings};
 //! use libration_lab::measurement::{Observable, Trace};
 //! use libration::progress::Quiet;
 //!
@@ -13,7 +13,7 @@
 //! let angles = times.iter().map(|&time| motion.state_at(time).angle).collect();
 //! let trace = Trace::new("exact", Observable::Angle, times, angles, None)?;
 //! let undamped = SwingsOptions { damping: Some("undamped".parse()?), ..SwingsOptions::default() };
-//! let found = swings(&[trace], &undamped, &Quiet)?;
+//! let found = fit_swings(&[trace], &undamped, &Quiet)?;
 //! let FittedPendulum::Length(length) = found.pendulum else { return Err("no length was given".into()) };
 //! assert!((length.value - 9.80665 / 16.0).abs() < 1e-6);
 //! assert!(found.advice.contains(&Advice::GiveLength));
@@ -38,7 +38,7 @@ mod improvements;
 mod analysis;
 
 pub use advice::{Advice, EndOfTrace};
-pub use analysis::{SwingsError, swings};
+pub use analysis::{SwingsError, fit_swings};
 pub use fitted::SwingsFit;
 pub use options::SwingsOptions;
 pub use pendulum::FittedPendulum;

@@ -1,7 +1,7 @@
 //! Known quantities of swings besides the recordings.
 
-use crate::fit::DampingModel;
 use crate::fit::budget::{Apparatus, Correlation};
+use crate::fit::damping_model::DampingModel;
 use crate::fit::trace::TraceOptions;
 
 /// Known quantities of swings besides the recordings.

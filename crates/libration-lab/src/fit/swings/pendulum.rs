@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::options::SwingsOptions;
-use crate::fit::budget::{Budget, BudgetError, MeasuredPeriod, PeriodDamping, budget};
+use crate::fit::budget::{Budget, BudgetError, MeasuredPeriod, PeriodDamping, evaluate_budget};
 use crate::fit::cycles::{Cycles, CyclesError};
 use crate::fit::trace::{DampingKind, ParameterKind, TraceFit};
 use crate::fit::typical_amplitude::typical_amplitude;
@@ -49,7 +49,7 @@ pub(super) fn pendulum_of(
         degrees_of_freedom: fit.parameters[0].degrees_of_freedom,
         damping: damping(fit),
     };
-    let budget = budget(&apparatus, &period, options.correlations)?;
+    let budget = evaluate_budget(&apparatus, &period, options.correlations)?;
     Ok(FittedPendulum::Gravity { budget, length: apparatus.length })
 }
 

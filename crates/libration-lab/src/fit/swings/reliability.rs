@@ -1,8 +1,9 @@
 //! Reliability of β and of the fitted motion, on which several warnings and pieces of advice depend.
 
 use super::SwingsFit;
+use crate::fit::angle_unit::MistakenUnit;
+use crate::fit::beta::Beta;
 use crate::fit::cycles;
-use crate::fit::{Beta, MistakenUnit};
 
 impl SwingsFit {
     /// The unit of the angles, where it is not the stated one.

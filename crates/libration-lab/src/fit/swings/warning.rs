@@ -1,8 +1,10 @@
 //! Warnings about the results of swings.
 
 use crate::fit::budget::BudgetWarning;
+use crate::fit::contradiction::Contradiction;
 use crate::fit::cycles::{Coefficient, CyclesError, CyclesWarning};
-use crate::fit::{Contradiction, DampingKind, DampingModel};
+use crate::fit::damping_model::DampingModel;
+use libration::decay::DampingKind;
 
 /// A warning about the results of swings.
 #[derive(Clone, Debug, PartialEq)]

@@ -4,8 +4,9 @@ use std::fmt;
 
 use super::Warning;
 use crate::fit::cycles::Coefficient;
+use crate::fit::damping_model::{DampingModel, alternatives};
 use crate::fit::trace::Comparison;
-use crate::fit::{DampingKind, DampingModel, alternatives};
+use libration::decay::DampingKind;
 use libration::quantity::rounded;
 
 impl fmt::Display for Warning {

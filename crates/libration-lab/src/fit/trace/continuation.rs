@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::swing::{Course, EXACT, Swing, turning_point};
 use super::{DampingKind, Parameter, ParameterKind, TraceFit};
-use crate::fit::Uncertain;
+use crate::fit::uncertain::Uncertain;
 use crate::measurement::Observable;
 use libration::decay::{Damping, Decay, DecayError, TurningPoint};
 use libration::pendulum::{Pendulum, PendulumError};

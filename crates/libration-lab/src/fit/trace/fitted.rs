@@ -4,7 +4,9 @@ use crate::statistics::count;
 use std::f64::consts::PI;
 
 use super::{Autocorrelation, DampingKind, DampingModel};
-use crate::fit::{Quality, Uncertain, quality};
+use crate::fit::quality;
+use crate::fit::quality::Quality;
+use crate::fit::uncertain::Uncertain;
 
 /// A kind of parameter of a fit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -9,7 +9,7 @@ use super::problem::Problem;
 use super::response::Response;
 use super::{Autocorrelation, FittedTrace, Parameter, TraceFit, TraceFitError};
 use super::{bootstrap, clock, huber, noise, pivot, profile, systematic};
-use crate::fit::Uncertain;
+use crate::fit::uncertain::Uncertain;
 use crate::measurement::Trace;
 use crate::statistics::{count, mean};
 

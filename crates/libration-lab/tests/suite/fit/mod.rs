@@ -23,7 +23,7 @@ use libration::pendulum::Amplitude;
 use libration::quantity::Angle;
 use libration_lab::fit::{
     FitError, Law, PeriodTable, PeriodsOptions, Scatter, ScatterVerdict, Uncertainties, Weighting,
-    excess_scale, outliers, periods, small_angle_period,
+    find_outliers, fit_excess_scale, fit_periods, fit_small_angle_period,
 };
 use libration_lab::measurement::{Column, ReadOptions, Table};
 
@@ -74,7 +74,7 @@ fn close(ours: f64, reference: f64, relative: f64) -> bool {
 /// The reference numbers carry the digits that `reference/fit_periods.py` printed (SciPy 1.17).
 #[test]
 fn the_synthetic_table_gives_what_scipy_gives() {
-    let fit = periods(&synthetic(), &[], &PeriodsOptions::default()).unwrap();
+    let fit = fit_periods(&synthetic(), &[], &PeriodsOptions::default()).unwrap();
     // SciPy takes the uncertainties as they are stated.
     let stated = |uncertainty: f64, scatter: Option<Scatter>| uncertainty / scatter.unwrap().enlargement();
     assert!(
@@ -97,7 +97,7 @@ fn the_synthetic_table_gives_what_scipy_gives() {
 
 #[test]
 fn the_synthetic_table_gives_its_truth_back() {
-    let fit = periods(&synthetic(), &[], &PeriodsOptions::default()).unwrap();
+    let fit = fit_periods(&synthetic(), &[], &PeriodsOptions::default()).unwrap();
     assert!((fit.exact.t0.value - 2.0).abs() < 3.0 * fit.exact.t0.uncertainty);
     let beta = fit.beta.unwrap();
     assert!((beta.beta.factor.value - 1.0).abs() < 3.0 * beta.beta.factor.uncertainty);
@@ -108,7 +108,7 @@ fn the_synthetic_table_gives_its_truth_back() {
 fn readings_that_are_all_alike_tell_no_uncertainty() {
     let warned = |periods_read: &[f64]| {
         let table = PeriodTable::new(&[0.1; 3], periods_read, Uncertainties::default()).unwrap();
-        let fit = periods(&table, &[], &PeriodsOptions::default()).unwrap();
+        let fit = fit_periods(&table, &[], &PeriodsOptions::default()).unwrap();
         fit.warnings().iter().any(|warning| warning.name() == "rows_without_scatter")
     };
     assert!(warned(&[2.004; 3]) && !warned(&[2.004, 2.004, 2.005]));
@@ -118,7 +118,7 @@ fn readings_that_are_all_alike_tell_no_uncertainty() {
 fn without_uncertainties_scipy_gives_the_same_too() {
     let columns = synthetic_columns();
     let table = PeriodTable::new(&columns[0], &columns[1], Uncertainties::default()).unwrap();
-    let fit = periods(&table, &[], &PeriodsOptions::default()).unwrap();
+    let fit = fit_periods(&table, &[], &PeriodsOptions::default()).unwrap();
     assert!(
         close(fit.exact.t0.value, 2.003230947, 1e-9) && close(fit.exact.t0.uncertainty, 0.00122301, 1e-5)
     );
@@ -140,7 +140,7 @@ fn periods_that_follow_a_law_are_explained_by_it_alone() {
     let uncertainties = Uncertainties { amplitudes: None, periods: Some(&sigma) };
     let table = PeriodTable::new(&amplitudes, &measured, uncertainties).unwrap();
     let bernoulli = |a: f64| 1.0 + a * a / 16.0;
-    let fit = periods(&table, &[Law::new("bernoulli", &bernoulli)], &PeriodsOptions::default()).unwrap();
+    let fit = fit_periods(&table, &[Law::new("bernoulli", &bernoulli)], &PeriodsOptions::default()).unwrap();
     assert!(close(fit.exact.t0.value, 1.7, 1e-14) && fit.exact.chi2.unwrap() < 1e-20);
     assert!(close(fit.beta.unwrap().beta.factor.value, 1.0, 1e-13));
     let (key, other) = &fit.others[0];
@@ -198,8 +198,8 @@ fn the_uncertainties_are_the_scatter_of_repeated_experiments() {
         let uncertainties = Uncertainties { amplitudes: Some(&sigma_a), periods: Some(&sigma_t) };
         let table = PeriodTable::new(&amplitudes, &measured, uncertainties).unwrap();
         let (law, beta) = (
-            small_angle_period(&table, &Law::exact()).unwrap(),
-            excess_scale(&table, &Law::exact()).unwrap(),
+            fit_small_angle_period(&table, &Law::exact()).unwrap(),
+            fit_excess_scale(&table, &Law::exact()).unwrap(),
         );
         t0_squares += square((law.t0.value - 2.0) / law.t0.uncertainty);
         beta_squares += square((beta.beta.factor.value - 1.0) / beta.beta.factor.uncertainty);
@@ -219,8 +219,8 @@ fn uncertainties_too_small_by_a_factor_show_in_chi2_and_not_in_the_answer() {
     let halves = [2, 3].map(|c: usize| columns[c].iter().map(|s| s / 2.0).collect::<Vec<f64>>());
     let uncertainties = Uncertainties { amplitudes: Some(&halves[0]), periods: Some(&halves[1]) };
     let halved = PeriodTable::new(&columns[0], &columns[1], uncertainties).unwrap();
-    let full = excess_scale(&synthetic(), &Law::exact()).unwrap();
-    let half = excess_scale(&halved, &Law::exact()).unwrap();
+    let full = fit_excess_scale(&synthetic(), &Law::exact()).unwrap();
+    let half = fit_excess_scale(&halved, &Law::exact()).unwrap();
     assert!(close(half.beta.factor.value, full.beta.factor.value, 1e-10));
     assert!(close(half.chi2.unwrap(), 4.0 * full.chi2.unwrap(), 1e-9));
     assert!(full.scatter().unwrap().enlargement() > 1.0);
@@ -231,7 +231,7 @@ fn uncertainties_too_small_by_a_factor_show_in_chi2_and_not_in_the_answer() {
         assert!(close(ours, wanted, 1e-9), "{ours} {wanted}");
     }
     assert!(close(half.uncertainty_scaled.unwrap(), full.uncertainty_scaled.unwrap(), 1e-9));
-    let t0 = |table: &PeriodTable| small_angle_period(table, &Law::exact()).unwrap();
+    let t0 = |table: &PeriodTable| fit_small_angle_period(table, &Law::exact()).unwrap();
     assert!(close(t0(&halved).t0.uncertainty, t0(&synthetic()).t0.uncertainty, 1e-9));
     assert!(close(t0(&halved).uncertainty_degrees_of_freedom(), 39.0, 1e-12));
 }
@@ -242,7 +242,7 @@ fn uncertainties_too_large_by_a_factor_are_not_made_smaller() {
     let thrice = [2, 3].map(|c: usize| columns[c].iter().map(|s| s * 3.0).collect::<Vec<f64>>());
     let uncertainties = Uncertainties { amplitudes: Some(&thrice[0]), periods: Some(&thrice[1]) };
     let table = PeriodTable::new(&columns[0], &columns[1], uncertainties).unwrap();
-    let fit = excess_scale(&table, &Law::exact()).unwrap();
+    let fit = fit_excess_scale(&table, &Law::exact()).unwrap();
     let scatter = fit.scatter().unwrap();
     assert!(close(scatter.enlargement(), 1.0, 1e-15) && scatter.verdict() == ScatterVerdict::Less);
     assert!(close(
@@ -250,7 +250,7 @@ fn uncertainties_too_large_by_a_factor_are_not_made_smaller() {
         fit.uncertainty_scaled.unwrap(),
         1e-12
     ));
-    let t0 = small_angle_period(&table, &Law::exact()).unwrap();
+    let t0 = fit_small_angle_period(&table, &Law::exact()).unwrap();
     assert!(t0.uncertainty_degrees_of_freedom().is_infinite());
 }
 
@@ -261,11 +261,11 @@ fn outliers_are_told_and_left_out_only_on_request() {
     columns[1][30] += 1.0;
     let uncertainties = Uncertainties { amplitudes: Some(&columns[2]), periods: Some(&columns[3]) };
     let table = PeriodTable::new(&columns[0], &columns[1], uncertainties).unwrap();
-    assert_eq!(outliers(&table, &Law::exact(), 5.0).unwrap(), [7, 30]);
-    let kept = periods(&table, &[], &PeriodsOptions::default()).unwrap();
+    assert_eq!(find_outliers(&table, &Law::exact(), 5.0).unwrap(), [7, 30]);
+    let kept = fit_periods(&table, &[], &PeriodsOptions::default()).unwrap();
     assert_eq!((kept.outliers.as_slice(), kept.table.len()), (&[7, 30][..], 40));
-    let cleaned = periods(&table, &[], &PeriodsOptions { reject_outliers: Some(5.0) }).unwrap();
-    assert_eq!(cleaned.exact, small_angle_period(&synthetic().without(&[7, 30]), &Law::exact()).unwrap());
+    let cleaned = fit_periods(&table, &[], &PeriodsOptions { reject_outliers: Some(5.0) }).unwrap();
+    assert_eq!(cleaned.exact, fit_small_angle_period(&synthetic().without(&[7, 30]), &Law::exact()).unwrap());
     assert_eq!(cleaned.exact.residuals.len(), 38);
 }
 
@@ -311,25 +311,25 @@ fn a_table_too_poor_for_beta_may_still_give_t0() {
     let sigma = [0.01; 3];
     let weighted = Uncertainties { amplitudes: None, periods: Some(&sigma) };
     let equal = PeriodTable::new(&[0.5, -0.5, 0.5], &[1.0, 1.01, 1.02], weighted).unwrap();
-    let fit = periods(&equal, &[], &PeriodsOptions::default()).unwrap();
+    let fit = fit_periods(&equal, &[], &PeriodsOptions::default()).unwrap();
     assert_eq!(fit.beta, Err(FitError::EqualAmplitudes));
     assert!(close(fit.exact.t0.uncertainty, 0.01 / f64::sqrt(3.0) / ratio(0.5), 1e-12));
 
     let one =
         PeriodTable::new(&[0.5], &[1.0], Uncertainties { amplitudes: None, periods: Some(&sigma[..1]) })
             .unwrap();
-    let fit = periods(&one, &[], &PeriodsOptions::default()).unwrap();
+    let fit = fit_periods(&one, &[], &PeriodsOptions::default()).unwrap();
     assert_eq!((fit.exact.dof, fit.exact.chi2_per_dof()), (0, None));
     assert!(matches!(fit.beta, Err(FitError::TooFewRows { found: 1, needed: 2, .. })));
 
     let bare = PeriodTable::new(&[0.5], &[1.0], Uncertainties::default()).unwrap();
     assert!(matches!(
-        periods(&bare, &[], &PeriodsOptions::default()),
+        fit_periods(&bare, &[], &PeriodsOptions::default()),
         Err(FitError::TooFewRows { needed: 2, .. })
     ));
     let empty = PeriodTable::new(&[], &[], Uncertainties::default()).unwrap();
     assert!(matches!(
-        periods(&empty, &[], &PeriodsOptions::default()),
+        fit_periods(&empty, &[], &PeriodsOptions::default()),
         Err(FitError::TooFewRows { found: 0, .. })
     ));
 }
@@ -337,7 +337,7 @@ fn a_table_too_poor_for_beta_may_still_give_t0() {
 #[test]
 fn a_law_without_a_value_is_reported_beside_the_others() {
     let broken = |a: f64| if a > 1.0 { f64::NAN } else { 1.0 };
-    let fit = periods(&synthetic(), &[Law::new("broken", &broken)], &PeriodsOptions::default()).unwrap();
+    let fit = fit_periods(&synthetic(), &[Law::new("broken", &broken)], &PeriodsOptions::default()).unwrap();
     assert!(
         matches!(&fit.others[0].1, Err(FitError::LawUndefined { key, amplitude }) if key == "broken" && *amplitude > 1.0)
     );
@@ -346,7 +346,7 @@ fn a_law_without_a_value_is_reported_beside_the_others() {
 /// Periods with β = 0.495: the first warning, and a part of the uncertainty of T0 and of the budget.
 #[test]
 fn a_refuted_law_is_told_first_and_makes_t0_less_certain() {
-    use libration_lab::fit::{Contradiction, PeriodsOptions, PeriodsWarning, periods};
+    use libration_lab::fit::{Contradiction, PeriodsOptions, PeriodsWarning, fit_periods};
     let law = Law::exact();
     let amplitudes: Vec<f64> = (1..=12).map(|row| 0.1 * f64::from(row)).collect();
     let periods_of = |beta: f64| -> Vec<f64> {
@@ -358,7 +358,7 @@ fn a_refuted_law_is_told_first_and_makes_t0_less_certain() {
     };
     let table =
         |beta: f64| PeriodTable::new(&amplitudes, &periods_of(beta), Uncertainties::default()).unwrap();
-    let refuted = periods(&table(0.495), &[], &PeriodsOptions::default()).unwrap();
+    let refuted = fit_periods(&table(0.495), &[], &PeriodsOptions::default()).unwrap();
     let said = refuted.warnings();
     assert!(matches!(said[0], PeriodsWarning::ModelRefuted { .. }), "{said:?}");
     let deviation = (refuted.exact.t0.value - 2.0).abs() / refuted.exact.t0.uncertainty;
@@ -366,11 +366,11 @@ fn a_refuted_law_is_told_first_and_makes_t0_less_certain() {
     let model = refuted.measured_period(None, None, libration_lab::fit::PeriodDamping::Unknown).model;
     let expected = refuted.contradiction.as_ref().map(Contradiction::uncertainty).unwrap();
     assert!((model.unwrap() * refuted.exact.t0.value / expected - 1.0).abs() < 1e-12);
-    let kept = periods(&table(1.0), &[], &PeriodsOptions::default()).unwrap();
+    let kept = fit_periods(&table(1.0), &[], &PeriodsOptions::default()).unwrap();
     assert_eq!((kept.warnings(), kept.contradiction.clone()), (vec![], None));
     let named = |amplitudes: &[f64]| {
         let table = PeriodTable::new(amplitudes, &periods_of(1.0), Uncertainties::default()).unwrap();
-        periods(&table, &[], &PeriodsOptions::default()).unwrap().warnings()[0].name()
+        fit_periods(&table, &[], &PeriodsOptions::default()).unwrap().warnings()[0].name()
     };
     let radians: Vec<f64> = amplitudes.iter().map(|a| a.to_radians()).collect();
     assert_eq!(named(&radians), "angles_are_radians");
@@ -381,7 +381,7 @@ fn a_refuted_law_is_told_first_and_makes_t0_less_certain() {
 #[test]
 fn small_tables_have_few_false_alarms() {
     use crate::random::Random;
-    use libration_lab::fit::{PeriodsOptions, periods};
+    use libration_lab::fit::{PeriodsOptions, fit_periods};
     let law = Law::exact();
     for rows in [3_i32, 4, 5, 10] {
         let mut random = Random::seeded(u64::from(rows.unsigned_abs()));
@@ -392,7 +392,7 @@ fn small_tables_have_few_false_alarms() {
             let times: Vec<f64> =
                 angles.iter().map(|a| 2.0 * law.ratio_at(*a) + 3e-3 * random.normal()).collect();
             let table = PeriodTable::new(&angles, &times, Uncertainties::default()).unwrap();
-            let fit = periods(&table, &[], &PeriodsOptions::default()).unwrap();
+            let fit = fit_periods(&table, &[], &PeriodsOptions::default()).unwrap();
             outliers += i32::from(!fit.outliers.is_empty());
             refuted += i32::from(fit.warnings().iter().any(|warning| warning.name() == "model_refuted"));
         }
@@ -406,5 +406,5 @@ fn rounding_makes_no_outliers() {
     let angles = [10.0_f64, 40.0, 70.0].map(f64::to_radians);
     let step = vec![0.01 / 12.0_f64.sqrt(); 3];
     let table = PeriodTable::new(&angles, &[2.03, 2.09, 2.23], Uncertainties::default()).unwrap();
-    assert_eq!(outliers(&table.with_rounding(step), &Law::exact(), 0.2).unwrap(), [] as [usize; 0]);
+    assert_eq!(find_outliers(&table.with_rounding(step), &Law::exact(), 0.2).unwrap(), [] as [usize; 0]);
 }

@@ -2,7 +2,7 @@
 
 use libration_lab::fit::{
     LengthColumns, LengthTable, LengthsOptions, MeanReading, PeriodTable, PeriodsOptions, RepeatedReadings,
-    Uncertainties, Weighting, effective_degrees_of_freedom, lengths, periods, shared_rounding,
+    Uncertainties, Weighting, effective_degrees_of_freedom, fit_lengths, fit_periods, shared_rounding,
 };
 
 fn readings(rows: &[&[f64]], step: f64) -> RepeatedReadings {
@@ -94,7 +94,7 @@ fn table(periods: &RepeatedReadings) -> PeriodTable {
 #[test]
 fn the_degrees_of_freedom_of_readings_are_those_of_t0() {
     let found = readings(&[&[2.01, 2.03, 1.99], &[2.00, 2.04], &[1.98, 2.01, 2.03]], 0.01);
-    let fit = periods(&table(&found), &[], &PeriodsOptions::default()).unwrap();
+    let fit = fit_periods(&table(&found), &[], &PeriodsOptions::default()).unwrap();
     let degrees = fit.exact.uncertainty_degrees_of_freedom();
     assert!((degrees - 5.0).abs() < 1e-9, "{degrees}");
     let stated = PeriodTable::new(
@@ -102,7 +102,7 @@ fn the_degrees_of_freedom_of_readings_are_those_of_t0() {
         &[2.0, 2.001],
         Uncertainties { amplitudes: None, periods: Some(&[0.01; 2]) },
     );
-    let fit = periods(&stated.unwrap(), &[], &PeriodsOptions::default()).unwrap();
+    let fit = fit_periods(&stated.unwrap(), &[], &PeriodsOptions::default()).unwrap();
     assert_eq!(fit.exact.uncertainty_degrees_of_freedom(), f64::INFINITY);
 }
 
@@ -111,12 +111,13 @@ fn the_degrees_of_freedom_of_readings_are_those_of_t0() {
 fn rows_that_scatter_less_than_their_rounding_are_as_uncertain_as_that() {
     let plain = PeriodTable::new(&[0.01; 4], &[2.0; 4], Uncertainties::default()).unwrap();
     let rounding = 0.01 / 12.0_f64.sqrt();
-    let fit =
-        periods(&plain.clone().with_rounding(vec![rounding; 4]), &[], &PeriodsOptions::default()).unwrap();
+    let fit = fit_periods(&plain.clone().with_rounding(vec![rounding; 4]), &[], &PeriodsOptions::default())
+        .unwrap();
     assert_eq!(fit.weighting, Weighting::Rounding);
     close(fit.exact.t0.uncertainty, rounding / 2.0 / 1.00000625003581);
     let scattered = PeriodTable::new(&[0.01; 4], &[2.0, 2.1, 1.9, 2.0], Uncertainties::default()).unwrap();
-    let fit = periods(&scattered.with_rounding(vec![rounding; 4]), &[], &PeriodsOptions::default()).unwrap();
+    let fit =
+        fit_periods(&scattered.with_rounding(vec![rounding; 4]), &[], &PeriodsOptions::default()).unwrap();
     assert_eq!(fit.weighting, Weighting::Scatter);
 }
 
@@ -125,7 +126,7 @@ fn rows_that_scatter_less_than_their_rounding_are_as_uncertain_as_that() {
 fn rows_that_are_rounded_to_one_step_share_their_error() {
     let same = [vec![20.0, 20.0], vec![20.0, 20.0], vec![20.0, 20.0], vec![20.0, 20.0]];
     let found = RepeatedReadings::new(&same, 0.1).unwrap();
-    let fit = periods(&table(&found), &[], &PeriodsOptions::default()).unwrap();
+    let fit = fit_periods(&table(&found), &[], &PeriodsOptions::default()).unwrap();
     close(fit.exact.t0.uncertainty, 0.1 / 12.0_f64.sqrt() / 1.00000625003581);
     let others = [vec![20.0, 20.0], vec![20.1, 20.1], vec![19.9, 19.9], vec![20.2, 20.2]];
     close(shared_rounding(&RepeatedReadings::new(&others, 0.1).unwrap(), &[0.25; 4]) + 1.0, 1.0);
@@ -146,7 +147,7 @@ fn rows_that_scatter_differently_count_alike_and_have_their_own_variances() {
         0.001,
     );
     assert!(found.differ && found.rows.iter().all(|row| !row.is_unlike));
-    let fit = periods(&table(&found), &[], &PeriodsOptions::default()).unwrap().exact;
+    let fit = fit_periods(&table(&found), &[], &PeriodsOptions::default()).unwrap().exact;
     close(fit.t0.value * 1.00000625003581, 2.02075);
     close(fit.t0.uncertainty * 1.00000625003581, 0.018889481199863594);
     close(fit.uncertainty_degrees_of_freedom(), 4.307392802756754);
@@ -169,7 +170,7 @@ fn rows_that_scatter_differently_count_alike_and_have_their_own_variances() {
         ..LengthColumns::default()
     };
     let of_lengths = LengthTable::new(&columns).unwrap().with_readings(found);
-    let fit = lengths(&of_lengths, &LengthsOptions::default()).unwrap();
+    let fit = fit_lengths(&of_lengths, &LengthsOptions::default()).unwrap();
     let near = |found: f64, expected: f64| {
         assert!((found / expected - 1.0).abs() < 1e-9, "{found} {expected}");
     };

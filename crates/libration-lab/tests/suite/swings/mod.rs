@@ -11,7 +11,7 @@ use std::ops::ControlFlow;
 use libration::progress::Quiet;
 use libration::quantity::Quantity;
 use libration_lab::fit::Apparatus;
-use libration_lab::fit::swings::{Advice, SwingsError, SwingsFit, SwingsOptions, Warning, swings};
+use libration_lab::fit::swings::{Advice, SwingsError, SwingsFit, SwingsOptions, Warning, fit_swings};
 use libration_lab::fit::trace::{TraceFitError, TraceOptions};
 use libration_lab::measurement::{Observable, Trace};
 
@@ -48,7 +48,7 @@ fn of_length(length: f64, uncertainty: Option<f64>) -> SwingsOptions<'static> {
 
 /// Whatever is said names no option of a command.
 fn found(traces: &[Trace], options: &SwingsOptions<'_>) -> SwingsFit {
-    let found = swings(traces, options, &Quiet).unwrap();
+    let found = fit_swings(traces, options, &Quiet).unwrap();
     let words = found.warnings.iter().map(ToString::to_string);
     for text in words.chain(found.advice.iter().map(ToString::to_string)) {
         assert!(!text.contains("--"), "{text}");
@@ -93,7 +93,7 @@ fn swings_stop_at_any_question() {
             questions.set(questions.get() + 1);
             if questions.get() == n { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        (swings(&traces, &linear(), &ask), questions.get())
+        (fit_swings(&traces, &linear(), &ask), questions.get())
     };
     let (whole, questions) = stopped_at(usize::MAX);
     assert!(whole.is_ok() && questions > 3);

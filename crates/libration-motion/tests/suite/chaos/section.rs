@@ -2,7 +2,7 @@
 
 use libration::chaos::{
     Continuation, DiagramColumn, Family, PoincareSection, Points, Section, SectionEnding,
-    bifurcation_diagram, drive_frequency, drive_period, folded, section,
+    compute_bifurcation_diagram, compute_section, drive_frequency, drive_period, folded,
 };
 use libration::progress::{Quiet, Status};
 use libration::taylor::{Cause, Direction, Effort, Moment};
@@ -25,7 +25,7 @@ fn points_of(
 ) -> PoincareSection {
     let (equation, effort) = (equation.parse().unwrap(), Effort::to_tolerance(1e-12));
     let points = Points { skipped, recorded };
-    section(&equation, &from(state), cut, points, &effort, &Quiet).unwrap()
+    compute_section(&equation, &from(state), cut, points, &effort, &Quiet).unwrap()
 }
 
 fn diagram(
@@ -38,7 +38,7 @@ fn diagram(
     let equation = equation.parse().unwrap();
     let family = Family { equation: &equation, parameter: "A", section: &FLASH, points };
     let effort = Effort::to_tolerance(1e-12);
-    bifurcation_diagram(&family, values, &from(state), how, &effort, &Quiet).unwrap()
+    compute_bifurcation_diagram(&family, values, &from(state), how, &effort, &Quiet).unwrap()
 }
 
 #[test]
@@ -212,7 +212,7 @@ fn a_motion_that_came_to_rest_is_not_followed_for_long() {
             ControlFlow::Continue(())
         };
         let equation = equation.parse().unwrap();
-        let found = section(&equation, &from(start), &surface, points, &effort, &progress).unwrap();
+        let found = compute_section(&equation, &from(start), &surface, points, &effort, &progress).unwrap();
         assert_eq!(found.points.len(), crossings, "{equation}");
         assert!(steps.get() < 40_000, "{equation}: {} steps", steps.get());
     }
@@ -236,7 +236,7 @@ fn interruptions_keep_what_is_done() {
     let (start, effort) = (from(&[0.2, 0.0]), Effort::to_tolerance(1e-10));
     let values = [1.0, 1.1, 1.2, 1.3];
     let kept = |how| -> Vec<f64> {
-        let columns = bifurcation_diagram(&family, &values, &start, how, &effort, &stop(2)).unwrap();
+        let columns = compute_bifurcation_diagram(&family, &values, &start, how, &effort, &stop(2)).unwrap();
         assert!(columns.iter().all(|column| column.section.points.len() == 20));
         columns.iter().map(|column| column.value).collect()
     };
@@ -245,11 +245,12 @@ fn interruptions_keep_what_is_done() {
     assert_eq!(kept(Continuation::SameStart).len(), 2);
     // A cancelled diagram prepares nothing, and does not see that these are no values.
     for how in [Continuation::SameStart, Continuation::LastState] {
-        let columns = bifurcation_diagram(&family, &[f64::NAN], &start, how, &effort, &stop(0)).unwrap();
+        let columns =
+            compute_bifurcation_diagram(&family, &[f64::NAN], &start, how, &effort, &stop(0)).unwrap();
         assert!(columns.is_empty());
     }
     let equation = "theta'' + theta'/2 + sin(theta) = cos(2t/3)".parse().unwrap();
-    let found = section(&equation, &start, &FLASH, points, &effort, &stop(7)).unwrap();
+    let found = compute_section(&equation, &start, &FLASH, points, &effort, &stop(7)).unwrap();
     assert_eq!(found.stopped, Some(SectionEnding::Stopped(Cause::Interrupted)));
     assert!((7..20).contains(&found.points.len()), "{}", found.points.len());
 }
@@ -332,7 +333,7 @@ fn a_section_tells_how_far_it_is_and_stops_when_asked() {
             reports.borrow_mut().push(status);
             if status.done >= 5 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let found = section(&equation, &from(&[1.0, 0.0]), &cut, points, &effort, &progress).unwrap();
+        let found = compute_section(&equation, &from(&[1.0, 0.0]), &cut, points, &effort, &progress).unwrap();
         assert_eq!(found.stopped, Some(SectionEnding::Stopped(Cause::Interrupted)));
         let reports = reports.into_inner();
         assert!(reports.is_sorted_by_key(|it| it.done) && reports.iter().all(|it| it.of == Some(20)));
@@ -347,7 +348,7 @@ fn a_sweep_over_the_frequency_goes_on_at_the_phase_of_the_drive() {
     let points = Points { skipped: 0, recorded: 3 };
     let family = Family { equation: &equation, parameter: "A", section: &section, points };
     let effort = Effort::to_tolerance(1e-12);
-    let columns = bifurcation_diagram(
+    let columns = compute_bifurcation_diagram(
         &family,
         &[1.0, 1.3],
         &from(&[1.0, 0.0]),

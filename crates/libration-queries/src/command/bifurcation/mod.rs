@@ -11,7 +11,7 @@ use crate::output::{FormOptions, announce};
 use crate::query_error::{QueryError, option};
 use crate::{figure, interrupt, parallel};
 use libration::chaos::{
-    Continuation, DiagramColumn, DiagramError, Family, Points, Section, angles, bifurcation_diagram,
+    Continuation, DiagramColumn, DiagramError, Family, Points, Section, angles, compute_bifurcation_diagram,
 };
 use libration::progress::Status;
 use libration::systems::Model;
@@ -158,7 +158,7 @@ impl Bifurcation {
                 parallel::update(&how_far)
             };
             let (values, continuation) = (&piece.values, piece.continuation);
-            bifurcation_diagram(&family, values, start, continuation, &effort, &progress)
+            compute_bifurcation_diagram(&family, values, start, continuation, &effort, &progress)
         };
         interrupt::listen()?;
         let columns = parallel::with_progress(how_far, || parallel::map(&pieces, work));

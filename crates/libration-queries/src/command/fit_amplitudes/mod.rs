@@ -14,7 +14,7 @@ use crate::query_error::QueryError;
 use fields::Answer;
 use input::Input;
 use libration::quantity::Quantity;
-use libration_lab::fit::amplitudes::{AmplitudesOptions, amplitudes};
+use libration_lab::fit::amplitudes::{AmplitudesOptions, fit_amplitudes};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -66,7 +66,8 @@ impl FitAmplitudes {
             DampingChoice::Given(damping) => Some(damping),
         };
         let options = AmplitudesOptions { damping, period: self.period };
-        let fit = amplitudes(&file.measured.table, &options).map_err(|error| self.input.no_answer(error))?;
+        let fit =
+            fit_amplitudes(&file.measured.table, &options).map_err(|error| self.input.no_answer(error))?;
         let mut written = vec![];
         if let Some(path) = &self.figure {
             let picture = figure::amplitudes::fitted(&file.measured, &fit);

@@ -17,7 +17,7 @@ use fields::Answer;
 use libration::quantity::{Angle, Quantity};
 use libration_lab::fit::Budget;
 use libration_lab::fit::gates::{
-    FlagShape, GateGeometry, GateOptions, GateSignals, GatesError, GatesFit, gates,
+    FlagShape, GateGeometry, GateOptions, GateSignals, GatesError, GatesFit, fit_gates,
 };
 use std::io::Write;
 use std::path::PathBuf;
@@ -96,7 +96,7 @@ impl FitGates {
         let geometry = self.geometry()?;
         let options = self.options(geometry.as_ref())?;
         interrupt::listen()?;
-        let fit = gates(&read.times, read.blocked.as_deref(), &options, &Cancellation);
+        let fit = fit_gates(&read.times, read.blocked.as_deref(), &options, &Cancellation);
         let fit = fit.map_err(|error| failure(&name, &error))?;
         let budget = self.budget(&fit, geometry.as_ref())?;
         let mut written = vec![];

@@ -115,7 +115,7 @@ impl FitLengths {
             edges: self.edges,
         };
         self.check()?;
-        let fit = fit::lengths(&table.measured.table, &options);
+        let fit = fit::fit_lengths(&table.measured.table, &options);
         let fit = fit.map_err(|error| self.input.no_answer(error))?;
         if fit.weighted_by_rounding {
             table.weight_by_rounding();
@@ -143,7 +143,8 @@ fn groups_of(read: &LengthFile, fit: &LengthsFit, options: &LengthsOptions) -> O
     let shared = contributions.filter(|it| !is_own(it)).map(|it| it.change() * it.change());
     let own = LengthsOptions { corrections: options.corrections, ..LengthsOptions::default() };
     let of_rows = |rows: &[usize]| {
-        let fit = fit::lengths(&read.measured.table.only(rows), &own).map_err(|error| error.to_string())?;
+        let fit =
+            fit::fit_lengths(&read.measured.table.only(rows), &own).map_err(|error| error.to_string())?;
         let slope = fit.combined.contributions.iter().find(|it| is_own(it));
         Ok((fit.best().g, slope.map_or(f64::INFINITY, |it| it.degrees_of_freedom)))
     };

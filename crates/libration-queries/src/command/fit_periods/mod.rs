@@ -73,14 +73,14 @@ impl FitPeriods {
         let laws: Vec<Law> =
             formulas.iter().zip(&ratios).map(|(f, ratio)| Law::new(f.key(), ratio)).collect();
         let options = fit::PeriodsOptions { reject_outliers: self.reject_outliers };
-        let fit = fit::periods(&measured.table, &laws, &options).map_err(no_answer)?;
+        let fit = fit::fit_periods(&measured.table, &laws, &options).map_err(no_answer)?;
         let correlations = self.apparatus.correlations();
         let period =
             fit.measured_period(self.apparatus.angle_scale(), self.apparatus.clock(), self.damping.damping());
         let shared_timing = measured.shared_of(&fit);
         let period = MeasuredPeriod { shared_timing, ..period };
         let apparatus = self.apparatus.apparatus()?;
-        let budget = apparatus.map(|apparatus| fit::budget(&apparatus, &period, correlations));
+        let budget = apparatus.map(|apparatus| fit::evaluate_budget(&apparatus, &period, correlations));
         let budget = budget.transpose().map_err(|error| QueryError::no_result("gravity", error))?;
         let normal = self.apparatus.normal_gravity()?;
         let normal = budget.as_ref().zip(normal);
@@ -115,7 +115,7 @@ impl FitPeriods {
         let of_rows = |rows: &[usize]| {
             let others: Vec<usize> = (0..measured.table.len()).filter(|row| !rows.contains(row)).collect();
             let options = fit::PeriodsOptions { reject_outliers: self.reject_outliers };
-            let fit = fit::periods(&measured.table.without(&others), &[], &options);
+            let fit = fit::fit_periods(&measured.table.without(&others), &[], &options);
             let exact = fit.map_err(|error| error.to_string())?.exact;
             Ok((exact.t0, exact.uncertainty_degrees_of_freedom()))
         };

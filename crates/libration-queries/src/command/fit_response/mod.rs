@@ -14,7 +14,7 @@ use fields::Answer;
 use input::{Input, ResponseFile};
 use libration::progress::{Progress, Status};
 use libration_lab::fit::response::{
-    FittedCurve, MeasuredAmplitude, ResponseFit, ResponseFitError, ResponseModel, ResponsesFit, response,
+    FittedCurve, MeasuredAmplitude, ResponseFit, ResponseFitError, ResponseModel, ResponsesFit, fit_response,
 };
 use std::io::Write;
 use std::path::PathBuf;
@@ -98,7 +98,7 @@ impl FitResponse {
             Measured::Peak => MeasuredAmplitude::Peak,
             Measured::Fundamental => MeasuredAmplitude::Fundamental,
         };
-        let fit = response(&file.measured.table, &self.models(file), measured, &progress);
+        let fit = fit_response(&file.measured.table, &self.models(file), measured, &progress);
         let fit = fit.map_err(|error| self.failure(&error))?;
         let curve = self.curve(fit.best(), file, &progress)?;
         Ok((fit, curve))

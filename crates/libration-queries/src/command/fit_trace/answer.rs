@@ -9,7 +9,7 @@ use crate::output::normal_gravity::NormalGravity;
 use crate::output::progress::ProgressLine;
 use crate::query_error::QueryError;
 use libration::progress::Status;
-use libration_lab::fit::swings::{FittedPendulum, SwingsError, SwingsFit, SwingsOptions, swings};
+use libration_lab::fit::swings::{FittedPendulum, SwingsError, SwingsFit, SwingsOptions, fit_swings};
 use libration_lab::fit::trace::{TraceFitError, TraceOptions};
 use std::cell::{Cell, RefCell};
 
@@ -48,7 +48,7 @@ impl<'a> Answer<'a> {
             correlations: apparatus.correlations(),
         };
         let normal = apparatus.normal_gravity()?;
-        let swings = swings(&measured.traces, &options, &progress);
+        let swings = fit_swings(&measured.traces, &options, &progress);
         let swings = swings.map_err(|error| failure(measured, error))?;
         let measured_gravity = match &swings.pendulum {
             FittedPendulum::Gravity { budget, .. } => Some(budget.gravity()),

@@ -9,7 +9,7 @@ use crate::figure::section::StateAxis;
 use crate::output::{FormOptions, announce};
 use crate::query_error::{QueryError, option};
 use crate::{figure, interrupt, parallel};
-use libration::chaos::{PoincareSection, Points, Section, SectionEnding, angles, section};
+use libration::chaos::{PoincareSection, Points, Section, SectionEnding, angles, compute_section};
 use libration::progress::Status;
 use libration::systems::Model;
 use libration::taylor::{Cause, Moment};
@@ -130,7 +130,7 @@ impl PoincareQuestion {
                 taken.fetch_add(status.done - before.replace(status.done), Ordering::Relaxed);
                 parallel::update(&how_far)
             };
-            section(model.equation(), &start, place, points, &effort, &progress)
+            compute_section(model.equation(), &start, place, points, &effort, &progress)
         };
         interrupt::listen()?;
         let sections = parallel::with_progress(how_far, || parallel::map(starts, of_start));

@@ -1,8 +1,8 @@
 //! Averages over the models that are not ruled out.
 
 use super::{Comparison, Standing};
-use crate::fit::Uncertain;
 use crate::fit::trace::{ParameterKind, TraceFit};
+use crate::fit::uncertain::Uncertain;
 
 /// A number averaged over the models that are not ruled out.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use libration::quantity::Quantity;
 use libration_lab::fit::{
-    Apparatus, Bob, BobShape, BudgetError, Correction, Corrections, MeasuredPeriod, budget,
+    Apparatus, Bob, BobShape, BudgetError, Correction, Corrections, MeasuredPeriod, evaluate_budget,
 };
 
 use super::{about, exactly, small_swings};
@@ -100,10 +100,10 @@ fn cases() -> Vec<(&'static str, Corrections, f64)> {
 fn corrections_give_the_g_of_an_independent_program() {
     for (name, corrections, t0) in cases() {
         let apparatus = Apparatus { length: exactly(0.6), corrections };
-        let found = budget(&apparatus, &small_swings(t0), &[]).unwrap();
+        let found = evaluate_budget(&apparatus, &small_swings(t0), &[]).unwrap();
         // Air of 1e-12 kg/m³ is 1e-15 of the bob.
         assert!((found.g / G - 1.0).abs() < 1e-12, "{name}: {}", found.g);
-        let bare = budget(&Apparatus::of_length(exactly(0.6)), &small_swings(t0), &[]).unwrap();
+        let bare = evaluate_budget(&Apparatus::of_length(exactly(0.6)), &small_swings(t0), &[]).unwrap();
         assert!((bare.g / G - 1.0).abs() > 5e-5, "{name}");
     }
 }
@@ -121,7 +121,8 @@ fn a_cap_is_between_disc_and_ball() {
 #[test]
 fn impossible_corrections_are_refused() {
     let refused = |corrections: Corrections| {
-        budget(&Apparatus { length: exactly(0.6), corrections }, &small_swings(1.55), &[]).unwrap_err()
+        evaluate_budget(&Apparatus { length: exactly(0.6), corrections }, &small_swings(1.55), &[])
+            .unwrap_err()
     };
     for (shape, height, inner) in
         [(BobShape::Cap, 0.11, 0.0), (BobShape::Cylinder, 0.0, 0.0), (BobShape::Ring, 0.0, 0.05)]
@@ -135,8 +136,11 @@ fn impossible_corrections_are_refused() {
     let weak = |stiffness: f64| with_mass(|it| it.support_stiffness = Some(exactly(stiffness)));
     // mω² = 0.2 kg (2π/1.55 s)² = 3.2865 N/m.
     assert_eq!(refused(weak(3.28)), BudgetError::SupportTooWeak);
-    let found =
-        budget(&Apparatus { length: exactly(0.6), corrections: weak(3.29) }, &small_swings(1.55), &[]);
+    let found = evaluate_budget(
+        &Apparatus { length: exactly(0.6), corrections: weak(3.29) },
+        &small_swings(1.55),
+        &[],
+    );
     assert!(found.is_ok_and(|it| it.g > 100.0));
     let support = Corrections { support_stiffness: Some(exactly(400.0)), ..Corrections::default() };
     assert_eq!(refused(support), BudgetError::SupportWithoutBob);
@@ -151,7 +155,7 @@ fn impossible_corrections_are_refused() {
 fn a_temperature_that_may_differ_is_an_uncertainty() {
     let known = with_mass(|it| (it.expansion, it.warming) = (Some(exactly(1.9e-5)), Some(about(0.0, 2.0))));
     let apparatus = Apparatus { length: about(0.6, 0.0), corrections: known };
-    let found = budget(&apparatus, &small_swings(1.55), &[]).unwrap();
+    let found = evaluate_budget(&apparatus, &small_swings(1.55), &[]).unwrap();
     let row = found.rows.iter().find(|row| row.name == "temperature").unwrap();
     assert_eq!(row.correction, Correction::Applied(0.0));
     assert!((row.uncertainty.unwrap() / (found.g * 3.8e-5) - 1.0).abs() < 1e-9, "{row:?}");
@@ -185,12 +189,12 @@ fn the_budget_is_the_scatter_of_drawn_inputs() {
         Apparatus { length: one(0.6, 2e-4), corrections }
     };
     let period = |t0: f64| MeasuredPeriod::of_small_swings(Quantity { value: t0, uncertainty: Some(0.0) });
-    let found = budget(&known(&mut |value, _| value), &period(1.55), &[]).unwrap();
+    let found = evaluate_budget(&known(&mut |value, _| value), &period(1.55), &[]).unwrap();
     let mut random = Random::seeded(38);
     let draws: Vec<f64> = (0..20_000)
         .map(|_| {
             let drawn = known(&mut |value, uncertainty| value + uncertainty * normal(&mut random));
-            budget(&drawn, &period(1.55), &[]).unwrap().g
+            evaluate_budget(&drawn, &period(1.55), &[]).unwrap().g
         })
         .collect();
     let mean = draws.iter().sum::<f64>() / 20_000.0;

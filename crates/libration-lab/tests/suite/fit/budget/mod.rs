@@ -32,7 +32,7 @@ fn with(length: Quantity, change: impl FnOnce(&mut Corrections)) -> Apparatus {
 
 /// With independent inputs.
 fn budget(apparatus: &Apparatus, period: &MeasuredPeriod) -> Result<Budget, BudgetError> {
-    libration_lab::fit::budget(apparatus, period, &[])
+    libration_lab::fit::evaluate_budget(apparatus, period, &[])
 }
 
 fn small_swings(t0: f64) -> MeasuredPeriod {

@@ -10,7 +10,7 @@ use crate::interrupt::{self, Cancellation};
 use crate::output::{FormOptions, announce};
 use crate::parallel;
 use crate::query_error::{QueryError, option};
-use libration_lab::fit::spectrum::{SpectrumError, SpectrumOptions, spectrum};
+use libration_lab::fit::spectrum::{SpectrumError, SpectrumOptions, fit_spectrum};
 use libration_lab::measurement::{Trace, Traces};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -73,7 +73,7 @@ impl SpectrumQuestion {
     fn found(&self, file: &str, traces: &Traces) -> Result<Answer, QueryError> {
         interrupt::listen()?;
         let options = SpectrumOptions { harmonics: self.harmonics, swings: self.swings };
-        let of = |trace: &Trace| spectrum(trace, &options, &Cancellation);
+        let of = |trace: &Trace| fit_spectrum(trace, &options, &Cancellation);
         let all = || traces.traces.iter().map(of).collect::<Vec<_>>();
         let results = parallel::with_progress(|| "harmonics of the swings".to_owned(), all);
         let findings = traces.findings.iter().map(finding_with_option).collect();
