@@ -15,9 +15,9 @@ from typing import Any, NamedTuple, Protocol, SupportsFloat, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _native
-from ._equations import text_of_sympy
-from ._numbers import is_uncertain, outside, plain, refuse, refuse_units
+from . import _native, _signs
+from ._equations import formula_of_sympy, motion_of_sympy, text_of_sympy
+from ._numbers import is_missing, is_uncertain, outside, plain, refuse, refuse_units, without_masks
 from ._progress import spoken
 from .errors import Interrupted
 
@@ -43,7 +43,7 @@ class Table:
         names = [str(name) for name in columns]
         for name in columns:
             refuse_units(columns[name], f"column `{name}`: ")
-        arrays = [np.atleast_1d(np.asarray(columns[name])) for name in columns]
+        arrays = [np.atleast_1d(np.asarray(without_masks(columns[name]))) for name in columns]
         if not names:
             raise ValueError(f"there are no columns: give {ARRAYS}")
         lengths = {len(array) for array in arrays}
@@ -92,7 +92,8 @@ Say: TypeAlias = bool | Callable[[str], object]
 
 
 def _cell(value: Any) -> str:
-    return "" if isinstance(value, (float, np.floating)) and np.isnan(value) else text_of(value)
+    is_nan = isinstance(value, (float, np.floating)) and np.isnan(value)
+    return "" if is_nan or is_missing(value) else text_of(value)
 
 
 def _quoted(cell: str) -> str:
@@ -148,6 +149,8 @@ class Parameter(NamedTuple):
         if self.is_measured and is_uncertain(value):
             refuse_units(value, f"{self.keyword}: ")
             return text_of(value)
+        if self.value_type == "equation" and _is_symbolic(value):
+            return motion_of_sympy(value).text
         return (formula if self.is_formula else option)(self.keyword, value)
 
 
@@ -208,6 +211,7 @@ def asked(words: str, given: Mapping[str, Any]) -> Asked:
     inherited: list[str] = []
     arguments: list[str] = []
     read: list[bytes] = []
+    _refuse_signs(words, given)
     for parameter in catalogue()[words].parameters:
         value = given.get(parameter.keyword)
         if value is None or value is False:
@@ -238,6 +242,23 @@ def asked(words: str, given: Mapping[str, Any]) -> Asked:
     return Asked((*words.split(), *options, *arguments), read[0] if read else None)
 
 
+def _refuse_signs(words: str, given: Mapping[str, Any]) -> None:
+    """Refuses symbols that are declared not to be positive where the answer may have letters."""
+    if words not in ("expand", "derive", "resonance"):
+        return
+    texts = given.get("set")
+    pairs = texts.split(",") if isinstance(texts, str) else _several(texts or [])
+    for system in filter(_is_symbolic, _several(given.get("oscillator", given.get("system")))):
+        symbols = motion_of_sympy(system).symbols
+        named = [name_of(name).partition("=")[0].strip() for it in pairs for name in _names_in(it)]
+        _signs.refuse(_signs.not_positive(symbols, named), symbols)
+
+
+def _names_in(pair: Any) -> Iterable[Any]:
+    """The names of a mapping, or that of a text such as ``k=1``."""
+    return pair if isinstance(pair, Mapping) else [pair]
+
+
 def _texts(parameter: Parameter, value: Any, read: list[bytes]) -> list[str]:
     if parameter.kind == "flag":
         if not isinstance(value, (bool, np.bool_)):
@@ -250,7 +271,7 @@ def _texts(parameter: Parameter, value: Any, read: list[bytes]) -> list[str]:
         return [TABLE]
     if parameter.example and isinstance(value, Mapping):
         between = ":" if ":" in parameter.value else ","
-        values = {name: map(parameter.text, _several(it)) for name, it in value.items()}
+        values = {name_of(it): map(parameter.text, _several(value[it])) for it in value}
         pairs = [f"{name}={between.join(texts)}" for name, texts in values.items()]
         return [",".join(pairs)] if "," in parameter.value or "…" in parameter.value else pairs
     several = _several(value)
@@ -274,7 +295,7 @@ def _several(value: Any) -> list[Any]:
     if is_uncertain(value):
         return [value]
     if isinstance(value, np.ndarray) or hasattr(value, "to_numpy"):
-        return list(np.ravel(value))
+        return list(np.ravel(without_masks(value)))
     return list(value) if isinstance(value, (list, tuple, set, frozenset, range)) else [value]
 
 
@@ -292,12 +313,17 @@ def text_of(value: Any) -> str:
         return str(value)
     if is_uncertain(value):
         return f"{float(value.nominal_value)!r}±{float(value.std_dev)!r}"
-    if hasattr(value, "free_symbols") and not value.is_number:
+    if _is_symbolic(value):
         return text_of_sympy(value)
     is_array = isinstance(value, np.ndarray) and np.ndim(value) == 0
     if isinstance(value, (float, np.floating)) or is_array or hasattr(value, "free_symbols"):
         return repr(float(value))
     raise TypeError(f"got {type(value).__name__}: give a number or a text")
+
+
+def _is_symbolic(value: Any) -> bool:
+    """True for an expression or equation of SymPy with symbols."""
+    return hasattr(value, "free_symbols") and not getattr(value, "is_number", False)
 
 
 def option(name: str, value: Any) -> str:
@@ -312,8 +338,9 @@ def option(name: str, value: Any) -> str:
 def formula(name: str, value: Any) -> str:
     """The value of a name in equations: fractions, decimals and numbers of SymPy as they are."""
     value = plain(name, value)
-    is_exact = isinstance(value, (Decimal, Fraction))
-    return str(value) if is_exact or hasattr(value, "free_symbols") else option(name, value)
+    if hasattr(value, "free_symbols"):
+        return formula_of_sympy(value)
+    return str(value) if isinstance(value, (Decimal, Fraction)) else option(name, value)
 
 
 def by_name(what: str, values: Any) -> list[tuple[str, str]]:
@@ -321,7 +348,13 @@ def by_name(what: str, values: Any) -> list[tuple[str, str]]:
     if values is not None and not isinstance(values, Mapping):
         example = '{"theta": "60deg"}' if what == "initial" else '{"k": 0.1}'
         raise TypeError(f"{what}: got {values!r}: give values by name, such as {example}")
-    return [(str(name), formula(f"{what}: {name}", it)) for name, it in (values or {}).items()]
+    given = (values or {}).items()
+    return [(name_of(name), formula(f"{what}: {name}", it)) for name, it in given]
+
+
+def name_of(name: Any) -> str:
+    """A name in equations, which may be a symbol of SymPy, or a function or derivative."""
+    return formula_of_sympy(name) if hasattr(name, "free_symbols") else str(name)
 
 
 def answered(

@@ -1,58 +1,193 @@
 """Equations of SymPy as text, with the symbols that they have."""
 
+import re
 from functools import cache
-from typing import Any
+from typing import Any, NamedTuple
 
+from ._names import FUNCTIONS, name_in_formulas
 from .errors import UsageError
 
 
 def text_of_sympy(given: Any) -> str:
-    """An equation of SymPy as text: x(t) becomes x, its derivatives x' and x''.
+    """An equation of SymPy as text, or an expression as one that is zero."""
+    return equation_of_sympy(given).text
+
+
+class Equation(NamedTuple):
+    """An equation of SymPy as formulas have it."""
+
+    text: str
+    symbols: dict[str, Any]
+    """SymPy's symbols, with their assumptions, by their names in the text."""
+
+
+def motion_of_sympy(given: Any) -> Equation:
+    """An equation of motion: x(t) becomes x, its derivatives x' and x'', and the time t.
 
     Raises
     ------
     UsageError
-        Numbers, and pieces of functions, that no formula of the package describes.
+        As for `equation_of_sympy`; a function without a derivative.
     """
-    import sympy
-
-    is_equation = isinstance(given, sympy.Equality)
-    equation: Any = given if is_equation else sympy.Eq(given, 0, evaluate=False)
-    functions = equation.atoms(sympy.core.function.AppliedUndef)
-    derivatives = sorted(equation.atoms(sympy.Derivative), key=lambda it: -it.derivative_count)
-    for it in derivatives:
-        name = it.expr.func.__name__ + "'" * it.derivative_count
-        equation = equation.xreplace({it: sympy.Symbol(name)})
-    for it in functions:
-        equation = equation.xreplace({it: sympy.Symbol(it.func.__name__)})
-    printed = _printer()().doprint
-    return f"{printed(equation.lhs)} = {printed(equation.rhs)}"
-
-
-def symbols_of_sympy(given: Any) -> dict[str, Any]:
-    """The symbols of an equation by their names, with their assumptions.
-
-    Raises
-    ------
-    UsageError
-        Two symbols with the same name and different assumptions.
-    """
-    found: dict[str, Any] = {}
-    for symbol in given.free_symbols:
-        if found.setdefault(symbol.name, symbol) != symbol:
-            raise UsageError(
-                f"two symbols are called {symbol.name}: give them different names, or the same "
-                "assumptions"
+    found = equation_of_sympy(given)
+    moving = {it.expr for it in _of_kind(given, "Derivative")}
+    for it in _of_kind(given, "AppliedUndef"):
+        if moving and it not in moving:
+            raise refused(
+                it,
+                "it has no derivative in the equation: write it out as a formula, or give a "
+                "symbol for a constant",
             )
     return found
 
 
-def constant_of_sympy(formula: str, symbols: dict[str, Any]) -> Any:
-    """A constant of the package, such as ``sqrt(2)``, as SymPy has it."""
+def equation_of_sympy(given: Any) -> Equation:
+    """An equation of SymPy, or an expression that is zero, as text with its symbols.
+
+    Raises
+    ------
+    UsageError
+        Numbers, functions, and derivatives that no formula of the package describes; names that
+        formulas read as something else; different symbols with the same name.
+    """
     import sympy
 
-    names = {"ln": sympy.log, "abs": sympy.Abs, **symbols}
-    return sympy.sympify(formula.replace("^", "**"), locals=names)
+    is_one = isinstance(given, (sympy.Equality, sympy.Expr))
+    if not is_one or getattr(given, "is_Matrix", False):
+        raise UsageError(
+            f"got {type(given).__name__} of SymPy: give an equation, such as "
+            "Eq(x(t).diff(t, 2) + x(t), 0), or an expression that is zero"
+        )
+    sides = given.args if isinstance(given, sympy.Equality) else (given, sympy.S.Zero)
+    names = _names(given)
+    text = " = ".join(_printed(side, names) for side in sides)
+    if re.search(r"\bd\w*/dt[23]?\b", text):
+        raise UsageError("a symbol dt below a fraction is read as a derivative: rename it")
+    return Equation(text, {it.name: old for old, it in names.items() if old.is_Symbol})
+
+
+def formula_of_sympy(given: Any) -> str:
+    """A number or an expression of SymPy as a formula."""
+    return _printed(given, _names(given))
+
+
+def _printed(given: Any, names: dict[Any, Any]) -> str:
+    return str(_printer()().doprint(given.xreplace(names)))
+
+
+def _of_kind(given: Any, kind: str) -> list[Any]:
+    """The applied functions, or the derivatives, in a given order."""
+    import sympy
+
+    return sorted(given.atoms(getattr(sympy.core.function, kind)), key=str)
+
+
+def _names(given: Any) -> dict[Any, Any]:
+    """The symbol in place of each derivative, function and symbol."""
+    import sympy
+
+    time = _time(given)
+    functions, found = _of_kind(given, "AppliedUndef"), dict[Any, Any]()
+    owners: dict[str, Any] = {} if time is None else {"t": time}
+    for it in [*functions, *sorted(given.atoms(sympy.Symbol) - {time}, key=str)]:
+        name = it.name if it.is_Symbol else it.func.__name__
+        # Without functions, names with primes are derivatives, as in text.
+        marks = 0 if functions else min(2, len(name) - len(name.rstrip("'")))
+        name = name_in_formulas(it, name[: len(name) - marks]) + "'" * marks
+        if owners.setdefault(name, it) != it:
+            raise _two(name, owners[name], it, time)
+        assumptions = it.assumptions0 if it.is_Symbol else {}
+        found[it] = sympy.Symbol(name, **assumptions)
+    for it in _of_kind(given, "Derivative"):
+        found[it] = sympy.Symbol(found[it.expr].name + "'" * it.derivative_count)
+    if time is not None:
+        found[time] = sympy.Symbol("t", **time.assumptions0)
+    return found
+
+
+def _two(name: str, first: Any, second: Any, time: Any) -> UsageError:
+    """The error for a name that two symbols or functions have."""
+    if first == time and str(second) != str(time):
+        return UsageError(
+            f"{second} is not the time of this equation, which is {time} and is written t in "
+            "formulas: give it another name"
+        )
+    kinds = [it.is_Symbol for it in (first, second)]
+    if any(kinds) and not all(kinds):
+        return UsageError(
+            f"a function and a symbol are called {name}: write the function with its argument "
+            "everywhere, or give the symbol another name"
+        )
+    what = "symbols" if all(kinds) else "functions"
+    return UsageError(
+        f"two {what} are called {name}: give them different names, or the same assumptions"
+    )
+
+
+def _time(given: Any) -> Any:
+    """The symbol on which all functions depend; None without functions.
+
+    Raises
+    ------
+    UsageError
+        Functions of something else, such as x(t - 1) and x(0); derivatives of something else, or
+        by something else.
+    """
+    functions = _of_kind(given, "AppliedUndef")
+    for it in functions:
+        _refuse_arguments(it)
+    for it in functions[1:]:
+        if it.args != functions[0].args:
+            raise refused(it, f"{functions[0]} depends on another symbol: give one time for both")
+    time = functions[0].args[0] if functions else None
+    for it in _of_kind(given, "Derivative"):
+        if it.expr not in functions:
+            raise refused(it, "write it with derivatives of functions alone, as .doit() does")
+        if any(by != time for by, _ in it.variable_count):
+            raise refused(it, f"give derivatives by {time}, on which {it.expr} depends")
+        if not it.derivative_count.is_Integer:
+            raise refused(it, "give the order of the derivative as a number")
+    return time
+
+
+def _refuse_arguments(it: Any) -> None:
+    """Refuses functions of anything but one symbol."""
+    function = it.func.__name__
+    if len(it.args) != 1:
+        raise refused(it, f"give a function of the time alone, such as {function}(t)")
+    (argument,) = it.args
+    if argument.is_Symbol:
+        return
+    if _of_kind(argument, "AppliedUndef"):
+        raise refused(it, f"write the function {function} out, as in sin(x(t))")
+    if not argument.free_symbols:
+        raise refused(it, "it is a value at one time: give a symbol for it")
+    raise refused(
+        it,
+        f"it is {function} at another time than {function}(t), which no equation here can have: "
+        "give all functions the same symbol, without delays or factors",
+    )
+
+
+def constant_of_sympy(formula: str, symbols: dict[str, Any]) -> Any:
+    """A constant of the package, such as ``sqrt(2)``, as SymPy has it.
+
+    Letters without a symbol, and those that Python or SymPy reads otherwise, are positive symbols.
+    """
+    import sympy
+
+    known: dict[str, Any] = {"ln": sympy.log, "abs": sympy.Abs, "sign": sympy.sign}
+    letters: dict[str, Any] = {}
+
+    def placeholder(found: re.Match[str]) -> str:
+        name = found[0]
+        if name in FUNCTIONS or name == "pi":
+            return name
+        letters[f"_{name}"] = symbols.get(name) or sympy.Symbol(name, positive=True)
+        return f"_{name}"
+
+    text = re.sub(r"(?<![\w.])[A-Za-z]\w*", placeholder, formula.replace("^", "**"))
+    return sympy.sympify(text, locals=known | letters)
 
 
 @cache
@@ -103,8 +238,23 @@ def _printer() -> Any:
         def _print_Piecewise(self, it: Any) -> str:
             return f"({self._print(_in_one_formula(it, list(it.args)))})"
 
+        def _print_Function(self, it: Any) -> str:
+            name = it.func.__name__
+            is_known = name in FUNCTIONS and it.func is getattr(sympy, name, None)
+            if not is_known or len(it.args) != 1:
+                known = ", ".join(FUNCTIONS)
+                raise refused(it, f"{name} is not a known function; the functions are {known}")
+            return f"{name}({self._print(it.args[0])})"
+
     def unknown(self: Any, it: Any) -> str:
         raise refused(it, "give its digits, or a symbol with a value")
+
+    def unwritten(self: Any, it: Any) -> str:
+        raise refused(it, "write it with sums, products, powers and functions, as .doit() does")
+
+    for name in ("Integral", "Sum", "Product", "Limit", "Subs"):
+        setattr(Printer, f"_print_{name}", unwritten)
+    setattr(Printer, "_print_Quantity", unknown)
 
     for name in ("EulerGamma", "Catalan", "GoldenRatio", "TribonacciConstant", "ImaginaryUnit"):
         setattr(Printer, f"_print_{name}", unknown)

@@ -1,7 +1,8 @@
 """Numbers as Python has them: of many types, with uncertainties or units, alone or in arrays.
 
 A number may be an int, a float, a NumPy scalar, a Decimal, a Fraction or a number of SymPy. Its
-uncertainty is left out with a warning, and a quantity with a unit is refused.
+uncertainty is left out with a warning, and a quantity with a unit is refused. Values that are
+missing, masked ones of NumPy and ``NA`` of pandas, are NaN.
 """
 
 import operator
@@ -44,7 +45,7 @@ def whole(name: str, value: Any, example: int) -> int:
     """An integer of any type."""
     refuse_units(value, f"{name}: ")
     wanted = f"a whole number, such as {example}"
-    if isinstance(value, bool):
+    if isinstance(value, bool) or is_missing(value):
         refuse(name, value, wanted)
     try:
         return operator.index(value)
@@ -65,6 +66,7 @@ def floats(name: str, values: Any) -> NDArray[np.float64]:
     refuse_units(values, f"{name}: ")
     if is_uncertain(values):
         values = plain(name, values)
+    values = without_masks(values)
     if isinstance(values, (list, tuple)):
         values = [it if type(it) in (int, float) else plain(name, it) for it in values]
     try:
@@ -89,13 +91,37 @@ def operand(name: str, value: Any) -> Any:
 
 
 def plain(name: str, value: Any) -> Any:
-    """A value without its uncertainty, of which a warning tells."""
+    """A value without its uncertainty, of which a warning tells; NaN for a missing one."""
     refuse_units(value, f"{name}: ")
+    if is_missing(value):
+        return np.nan
     if not is_uncertain(value):
         return value
     reason = "its uncertainty is not used here, only its value"
     warnings.warn(f"{name}: got {value}: {reason}", stacklevel=outside())
     return float(value.nominal_value)
+
+
+def is_missing(value: Any) -> bool:
+    """True for a number that NumPy has masked, and for ``NA`` of pandas."""
+    if isinstance(value, np.ma.MaskedArray):
+        return value.ndim == 0 and bool(np.ma.getmaskarray(value))
+    # An import of pandas takes longer than most calls.
+    return type(value).__name__ == "NAType" and type(value).__module__.startswith("pandas")
+
+
+def without_masks(values: Any) -> Any:
+    """The same values with NaN for those that are masked, in lists of arrays too.
+
+    `numpy.asarray` drops a mask, and takes the masked values for good ones.
+    """
+    if isinstance(values, np.ma.MaskedArray):
+        kept = values if values.dtype.kind == "f" else values.astype(object)
+        return kept.filled(np.nan)
+    if isinstance(values, (list, tuple)):
+        nested = (list, tuple, np.ma.MaskedArray)
+        return [without_masks(it) if isinstance(it, nested) else it for it in values]
+    return values
 
 
 def is_uncertain(value: Any) -> bool:

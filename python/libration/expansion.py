@@ -20,8 +20,8 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _ask, _native, _plot, questions
-from ._equations import symbols_of_sympy, text_of_sympy
+from . import _ask, _native, _plot, _signs, questions
+from ._equations import Equation, motion_of_sympy
 from ._numbers import Number, Numbers, floats, operand, whole
 from ._numbers import text as _text
 from ._progress import Tell, go_on, told
@@ -352,8 +352,9 @@ def expand(
     ----------
     oscillator : str or sympy.Eq or sympy.Expr
         An equation of motion, such as ``"x'' + x + a*x^3 = 0"``, a key of the catalogue, such as
-        ``"pendulum"`` or ``"van_der_pol"``, or an equation of SymPy for a function of one variable
-        (an expression is one that is zero). Parameters without a value are symbolic.
+        ``"pendulum"`` or ``"van_der_pol"``, or an equation of SymPy for a function of one symbol,
+        which is the time, whatever its name (an expression is one that is zero). Parameters without
+        a value are symbolic, and positive where a root of them is taken.
     order : int
         Up to this power of the amplitude, from 1 to 1000.
     set : dict
@@ -379,6 +380,9 @@ def expand(
     ExpansionError
         Text that is not an equation, an equation without a stable equilibrium, an invalid order
         or gauge.
+    UsageError
+        What of SymPy has no formula, such as a delay; names that formulas read as something else;
+        a symbol that is declared negative where the result takes its root.
     Interrupted
         Ctrl-C; its ``partial`` is the expansion to a lower order, if there is one.
 
@@ -400,13 +404,13 @@ def expand(
             f"oscillator: got {type(oscillator).__name__}: give the name of an oscillator, or its "
             "equation as text, such as \"x'' + sin(x) = 0\", or as SymPy has it"
         )
-    text = oscillator if isinstance(oscillator, str) else text_of_sympy(oscillator)
+    is_text = isinstance(oscillator, str)
+    text, symbols = Equation(oscillator, {}) if is_text else motion_of_sympy(oscillator)
     position = None if about is None else _ask.formula("about", about)
     is_several = np.iterable(letters) and not isinstance(letters, str)
     several = letters if is_several else _text("letters", letters, "epsilon").split(",")
     kept = [_text("letters", it, "epsilon") for it in several]
     gauge = _text("gauge", gauge, "fundamental")
-    symbols = {} if isinstance(oscillator, str) else symbols_of_sympy(oscillator)
     question = (text, _ask.by_name("set", set), kept, position)
     order = whole("order", order, 7)
     if order < 0:
@@ -414,6 +418,8 @@ def expand(
     with told(progress, "expand") as tell:
         found, stopped_by = _native.expand(question, order, gauge, tell)
     expansion = None if found is None else _expansion(found, (question, order, gauge), symbols)
+    if expansion is not None:
+        _signs.refuse_assumed(oscillator, symbols, expansion)
     go_on(stopped_by, expansion)
     assert expansion is not None
     return expansion

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from . import _native, _plot, questions
 from ._ask import Value, by_name
-from ._equations import text_of_sympy
+from ._equations import motion_of_sympy
 from ._numbers import Number, Numbers, floats, real
 from ._progress import Tell, go_on, told
 from ._record import Record, Shown, all_digits, arguments
@@ -240,7 +240,7 @@ def simulate(
     system : str or sympy.Eq or sympy.Expr
         A key of a catalogue, such as ``"double_pendulum"``, ``"damped_pendulum"``, ``"lorenz"`` or
         ``"duffing"``, or equations, such as ``"x'' + 0.1*x' + sin(x) = cos(t)"``, several with
-        ``;`` between them; or one of SymPy for a function of t.
+        ``;`` between them; or one of SymPy for a function of one symbol, which is the time.
     initial : dict
         Values at t = 0 by name, such as ``{"theta": "60deg", "theta'": 1.5}``: numbers, formulas,
         angles or quantities as text; ``{"x[i]": "sin(pi*i/33)"}`` for all of a chain. What is not
@@ -272,6 +272,8 @@ def simulate(
     SimulationError
         Invalid equations, names or times; a motion that stops at a singularity, whose part
         until there is the exception's ``partial``.
+    UsageError
+        What of SymPy has no formula, such as a delay; names that formulas read as something else.
     Interrupted
         Ctrl-C; its ``partial`` is the motion until then.
 
@@ -285,7 +287,7 @@ def simulate(
     True
     """
     if hasattr(system, "free_symbols"):
-        system = text_of_sympy(system)
+        system = motion_of_sympy(system).text
     if not isinstance(system, str):
         raise TypeError(
             f"system: got {type(system).__name__}: give the name of a system, or its equations as "

@@ -21,7 +21,7 @@ from numpy.typing import ArrayLike
 
 from . import _native, _workers, _zarr
 from ._ask import asked, catalogue, option
-from ._numbers import refuse_units
+from ._numbers import refuse_units, without_masks
 from ._plan import Plan, begin
 from ._progress import Tell, told
 from .errors import Interrupted, NoAnswer, UsageError
@@ -170,6 +170,7 @@ def _values(name: str, values: Any) -> str | list[str]:
     if isinstance(values, str):
         return values
     refuse_units(values, f"{name}: ")
+    values = without_masks(values)
     if np.ndim(values) != 1:
         dimensions = f"the values of an axis have {np.ndim(values)} dimensions"
         raise ValueError(f"{name}: {dimensions}: give a list of them")

@@ -255,3 +255,149 @@ fn uncertainties_in_per_cent_or_in_the_heading_are_those_of_a_column() {
         assert!(near(found, same), "{heading}: {found} {same}");
     }
 }
+
+/// A table with this header and these rows in a folder of its own.
+fn table(name: &str, lines: &[&str]) -> String {
+    let path = directory(&format!("class-table-{name}")).join(format!("{name}.csv"));
+    std::fs::write(&path, lines.join("\n") + "\n").unwrap();
+    path.display().to_string()
+}
+
+/// T0 of a table of amplitudes.
+fn small_angle_period(path: &str) -> f64 {
+    json(&format!("fit periods {path}"))["laws"][0]["t0_s"].as_f64().unwrap()
+}
+
+#[test]
+fn numbers_of_swings_in_any_words_divide_the_times() {
+    let rows = ["10,10,20.019", "20,10,20.148", "30,20,40.796", "40,10,20.647", "50,20,41.892"];
+    for (place, heading) in (0..).zip([
+        "number of periods",
+        "periods",
+        "num periods",
+        "No. of cycles",
+        "Anzahl der Schwingungen",
+        "Anzahl Perioden",
+        "Anzahl",
+        "Schwingungszahl",
+        "nombre de périodes",
+        "nombre d'oscillations",
+        "nb oscillations",
+        "número de oscilaciones",
+        "n° oscilaciones",
+        "numero oscillazioni",
+        "Oscillations counted",
+        "# swings",
+        "N oscillations",
+        "N periods",
+        "number of full swings",
+        "how many swings",
+    ]) {
+        let header = format!("amplitude (deg),{heading},t (s)");
+        let lines: Vec<&str> = [header.as_str()].into_iter().chain(rows).collect();
+        let t0 = small_angle_period(&table(&format!("swings-{place}"), &lines));
+        assert!((t0 - 2.0).abs() < 0.002, "{heading}: {t0}");
+    }
+}
+
+#[test]
+fn a_wrong_number_of_swings_is_refused_with_its_line() {
+    for (heading, wrong) in [("n", "0"), ("n", "-10"), ("swings", "10.3"), ("Anzahl der Schwingungen", "0")] {
+        let header = format!("amplitude (deg),{heading},t (s)");
+        let row = format!("40,{wrong},20.647");
+        let lines = [&header, "10,10,20.019", "20,10,20.148", "30,10,20.398", &row];
+        let refused = libration(&format!("fit periods {}", table("wrong-swings", &lines)));
+        assert!(
+            message(&refused).contains("line 5: the number of swings"),
+            "{heading}: {}",
+            message(&refused)
+        );
+    }
+}
+
+/// `t` is a time of several swings next to their period `T`, and `u(T)` is that of the period.
+#[test]
+fn a_small_t_is_a_time_and_a_capital_one_a_period() {
+    let rows = ["10,20.019,2.002", "20,20.148,2.015", "30,20.398,2.040", "40,20.647,2.065"];
+    for (name, header) in
+        [("t-T", "amplitude (deg),t (s),T (s)"), ("time-T", "amplitude (deg),time (s),T (s)")]
+    {
+        let lines: Vec<&str> = [header].into_iter().chain(rows).collect();
+        let t0 = small_angle_period(&table(name, &lines));
+        assert!((t0 - 2.0).abs() < 0.002, "{header}: {t0}");
+    }
+    let readings = ["10,20.019,20.02,2.002", "20,20.148,20.15,2.015", "30,20.398,20.40,2.040"];
+    let lines: Vec<&str> = ["amplitude (deg),t1 (s),t2 (s),T (s)"].into_iter().chain(readings).collect();
+    let t0 = small_angle_period(&table("t-readings", &lines));
+    assert!((t0 - 2.0).abs() < 0.002, "{t0}");
+    let with_uncertainty = ["10,20.019,2.002,0.001", "20,20.148,2.015,0.001", "30,20.398,2.040,0.001"];
+    let lines: Vec<&str> =
+        ["amplitude (deg),t (s),T (s),u(T) (s)"].into_iter().chain(with_uncertainty).collect();
+    let answer = json(&format!("fit periods {}", table("t-u", &lines)));
+    assert!(
+        answer["told_from_file"].to_string().contains("not used: column 3 (`T (s)`), column 4 (`u(T) (s)`)"),
+        "{answer}"
+    );
+    let derived = table("derived", &["L (m),T from 10 swings (s)", "0.2,0.9", "0.5,1.42", "1,2.0"]);
+    assert!(message(&libration(&format!("fit lengths {derived}"))).contains("--swings-per-reading"));
+    let ratio = table("ratio", &["amplitude (deg),T/T0", "10,1.002", "60,1.073", "90,1.18"]);
+    assert!(message(&libration(&format!("fit periods {ratio}"))).contains("not a unit of times"));
+}
+
+#[test]
+fn columns_of_angles_are_the_amplitudes_of_lengths() {
+    let rows =
+        ["20,60,0.9632", "35,50,1.2438", "50,40,1.4640", "65,30,1.6457", "80,20,1.8080", "100,10,2.0099"];
+    for (name, heading) in
+        [("auslenkung", "Auslenkung (°)"), ("initial", "initial angle (deg)"), ("winkel", "Winkel / °")]
+    {
+        let header = format!("L (cm),{heading},T (s)");
+        let lines: Vec<&str> = [header.as_str()].into_iter().chain(rows).collect();
+        let (_, told) = lengths(&table(name, &lines));
+        assert!(told.contains("read as amplitude"), "{told}");
+    }
+    let lines = ["L (m),amplitude,T (s)", "0.20,3,0.8975", "0.35,3,1.1869", "0.50,3,1.4186", "0.65,2,1.6174"];
+    let path = table("no-unit", &lines);
+    let refused = message(&libration(&format!("fit lengths {path}")));
+    assert!(refused.contains("--amplitude-unit") && refused.contains("have no unit"), "{refused}");
+    lengths(&format!("{path} --amplitude-unit deg"));
+    let full = table("full", &["peak-to-peak (deg),T (s)", "20,2.004", "40,2.015", "60,2.035"]);
+    let refused = message(&libration(&format!("fit periods {full}")));
+    assert!(refused.contains("twice the amplitude") && refused.contains("--role 1=amplitude"), "{refused}");
+}
+
+#[test]
+fn rows_that_summarise_others_are_left_out() {
+    let rows =
+        ["L (m),T (s),", "0.20,0.8975,", "0.35,1.1869,", "0.50,1.4186,", "0.65,1.6174,", "0.80,1.7943,"];
+    for label in ["écart-type", "s.d.", "Mean value", "mean (all)", "Unsicherheit", "Mw."] {
+        let row = format!("0.2944,0.4075,{label}");
+        let lines: Vec<&str> = rows.iter().copied().chain([row.as_str()]).collect();
+        let (answer, _) = lengths(&table("summary", &lines));
+        assert_eq!(answer["rows"], 5, "{label}");
+    }
+    // A team may be called Max.
+    let named = ["team,L (m),T (s)", "Anna,0.20,0.8975", "Max,0.35,1.1869", "Paul,0.50,1.4186"];
+    assert_eq!(lengths(&table("max", &named)).0["rows"], 3);
+    let bounds = [
+        "label,L (m),T (s)",
+        "a,0.20,0.8975",
+        "b,0.35,1.1869",
+        "c,0.50,1.4186",
+        "min,0.20,0.8975",
+        "max,0.50,1.4186",
+    ];
+    assert_eq!(lengths(&table("bounds", &bounds)).0["rows"], 3);
+}
+
+#[test]
+fn rows_with_typing_errors_are_named_by_their_lines() {
+    let lines =
+        ["L (cm),T (s)", "20,0.8975", "35,1.1869", "50,1.5186", "65,1.6174", "80,1.7943", "100,2.0061"];
+    let sheet = unfolded(&text(&format!("fit lengths {}", table("typo", &lines))));
+    assert!(sheet.contains("line 4 is far from the law of the others: without it g is 9.8"), "{sheet}");
+    let lines =
+        ["amplitude (deg),T (s)", "10,2.002", "20,2.015", "30,20.40", "40,2.065", "50,2.095", "60,2.146"];
+    let sheet = unfolded(&text(&format!("fit periods {}", table("typo-period", &lines))));
+    assert!(sheet.contains("without it T₀ is 1.99") && sheet.contains("(line 4)"), "{sheet}");
+}

@@ -34,6 +34,8 @@ pub struct PeriodFit {
     /// The outliers among the rows given, counted from zero, by [`PeriodsOptions::reject_outliers`] or
     /// [`DEFAULT_OUTLIER_THRESHOLD`].
     pub outliers: Vec<usize>,
+    /// T0 under the exact law without the outliers, in s, where they count.
+    pub without_outliers: Option<Uncertain>,
     /// T0 under the exact law; with a contradiction its uncertainty includes that of the model.
     pub exact: LawFit,
     /// T0 with β = 1 and with β free, where they contradict each other.
@@ -63,6 +65,13 @@ pub enum PeriodsWarning {
         /// T0 with β = 1 and with β free.
         contradiction: Contradiction,
     },
+    /// Rows that are far from the exact law and count all the same.
+    Outliers {
+        /// Number of these rows.
+        rows: usize,
+        /// T0 without them, in s.
+        without: Uncertain,
+    },
     /// The scatter of the rows.
     Scatter(ScatterWarning),
 }
@@ -75,6 +84,7 @@ impl PeriodsWarning {
             Self::MistakenUnit(MistakenUnit::Radians) => "angles_are_radians",
             Self::MistakenUnit(MistakenUnit::Degrees) => "angles_are_degrees",
             Self::ModelRefuted { .. } => "model_refuted",
+            Self::Outliers { .. } => "outliers_included",
             Self::Scatter(warning) => warning.name(),
         }
     }
@@ -97,6 +107,10 @@ impl fmt::Display for PeriodsWarning {
                      uncertainty of T₀ includes the difference"
                 )
             }
+            Self::Outliers { rows, without } => {
+                let (rows, them) = if *rows == 1 { ("a row is", "it") } else { ("rows are", "them") };
+                write!(f, "{rows} far from the exact law: without {them} T₀ is {without} s; check the numbers")
+            }
             Self::Scatter(warning) => warning.fmt(f),
         }
     }
@@ -115,6 +129,10 @@ impl PeriodFit {
         self.mistaken_unit
             .map(PeriodsWarning::MistakenUnit)
             .into_iter()
+            .chain(
+                self.without_outliers
+                    .map(|without| PeriodsWarning::Outliers { rows: self.outliers.len(), without }),
+            )
             .chain(self.refuted())
             .chain(of_scatter.map(PeriodsWarning::Scatter))
             .collect()
@@ -183,6 +201,9 @@ pub fn fit_periods(
     if table.weighting() == Weighting::Rounding {
         of_exact = fit_small_angle_period(&table, &exact)?;
     }
+    let is_included = options.reject_outliers.is_none() && !outliers.is_empty();
+    let without =
+        is_included.then(|| fit_small_angle_period(&table.without(&outliers), &exact).ok()).flatten();
     let beta = fit_excess_scale(&table, &exact);
     let uncertainty_of_rows = of_exact.t0.uncertainty;
     let contradiction = beta.as_ref().ok().and_then(|beta| contradiction(of_exact.t0, &beta.beta));
@@ -193,6 +214,7 @@ pub fn fit_periods(
     Ok(PeriodFit {
         weighting: table.weighting(),
         outliers,
+        without_outliers: without.map(|fit| fit.t0),
         exact: of_exact,
         contradiction,
         mistaken_unit,

@@ -7,6 +7,7 @@ use super::number::DecimalMark;
 use super::options::ReadOptions;
 use super::sheet::Sheet;
 use super::text::is_blank_or_comment;
+use std::borrow::Cow;
 
 /// Refuses a text with ambiguous commas, unless their meaning is given.
 pub(super) fn refuse(text: &str, sheet: &Sheet, options: &ReadOptions) -> Result<(), MeasurementError> {
@@ -67,15 +68,40 @@ fn only_thousands(rows: &[&str], delimiter: Delimiter) -> Option<String> {
     let (mut found, text) = (None, rows.join("\n"));
     for row in dialect.rows(&text) {
         for cell in row.cells.iter().filter(|cell| cell.contains(',')) {
-            let (whole, fraction) = cell.trim_start_matches(['-', '+', '−']).split_once(',')?;
-            let grouped = fraction.len() == 3 && (1..=3).contains(&whole.len()) && !whole.starts_with('0');
-            if !grouped {
+            if !may_be_thousands(cell) {
                 return None;
             }
             found.get_or_insert_with(|| cell.to_owned());
         }
     }
     found
+}
+
+/// Returns whether just three digits stand after a comma, and one to three before it that do not begin with zero.
+pub(super) fn may_be_thousands(cell: &str) -> bool {
+    let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    cell.trim().trim_start_matches(['-', '+', '−']).split_once(',').is_some_and(|(whole, fraction)| {
+        digits(whole)
+            && digits(fraction)
+            && fraction.len() == 3
+            && whole.len() <= 3
+            && !whole.starts_with('0')
+    })
+}
+
+/// The text of a workbook, whose cells have a comma only where all that do may have marks of thousands: refused, unless it is given as a decimal one.
+pub(super) fn of_cells<'a>(text: &'a str, options: &ReadOptions) -> Result<Cow<'a, str>, MeasurementError> {
+    let found = text.split(['\t', '\n']).find(|cell| may_be_thousands(cell));
+    match (found, options.decimal) {
+        (None, _) | (_, Some(DecimalMark::Point)) => Ok(text.into()),
+        (Some(number), None) => Err(thousands(number.trim())),
+        (Some(_), Some(DecimalMark::Comma)) => {
+            let in_cell =
+                |cell: &str| if may_be_thousands(cell) { cell.replace(',', ".") } else { cell.to_owned() };
+            let in_line = |line: &str| line.split('\t').map(in_cell).collect::<Vec<_>>().join("\t");
+            Ok(text.split('\n').map(in_line).collect::<Vec<_>>().join("\n").into())
+        }
+    }
 }
 
 fn thousands(number: &str) -> MeasurementError {

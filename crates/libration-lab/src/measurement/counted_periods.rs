@@ -142,6 +142,8 @@ const SEVERAL: [&str; 10] =
     ["n", "several", "many", "multiple", "mehrere", "mehrerer", "plusieurs", "diverse", "varie", "varias"];
 /// Words before the duration that was timed.
 const FOR: [&str; 8] = ["for", "für", "pour", "per", "para", "over", "über", "during"];
+/// Words between a result and what it follows from.
+const FROM: [&str; 6] = ["from", "aus", "by", "based", "depuis", "da"];
 /// Words after the number of another quantity: `T at 20 cm`.
 const OTHER_UNITS: [&str; 13] =
     ["deg", "degree", "degrees", "grad", "rad", "m", "cm", "mm", "in", "g", "kg", "fps", "hz"];
@@ -194,9 +196,17 @@ pub fn counted(heading: &str) -> CountedPeriods {
     };
     let is_mean = (0..words.len()).any(|place| is(&MEAN, &words[place]) && !is_of_number(place));
     let is_divided = words.windows(2).any(|pair| pair[0] == "/" && number(&pair[1]).is_some());
+    // A period may be what follows from the swings, or their time.
+    let is_of_symbol =
+        heading.trim_start().starts_with('T') || words.first().is_some_and(|word| word.starts_with("period"));
+    let is_derived =
+        is_of_symbol && words.windows(2).any(|pair| is(&FROM, &pair[0]) && number(&pair[1]).is_some());
     let may_be_count = (0..words.len()).any(|place| may_count(&words, place));
     let count = words.iter().enumerate().find_map(count);
     let is_part = count.is_some_and(|count| count < 1.0);
+    if is_derived {
+        return unclear();
+    }
     match count.filter(|_| !is_part) {
         Some(count) if count.total_cmp(&1.0).is_eq() || !is_mean && !is_divided => {
             return CountedPeriods::Said(count);
@@ -218,10 +228,65 @@ pub fn counted(heading: &str) -> CountedPeriods {
     if is_divided || is_several || may_be_count || words.iter().any(|word| is(&HALF, word)) {
         return unclear();
     }
-    if words.iter().any(|word| is(&PERIOD, word) && !is(&SWING, word)) {
-        CountedPeriods::Said(1.0)
-    } else {
-        CountedPeriods::Nothing
+    // A small t is any time.
+    let is_period = |word: &String| match word.as_str() {
+        "t" => heading.split(|letter: char| !letter.is_alphabetic()).any(|written| written == "T"),
+        word => is(&PERIOD, word) && !is(&SWING, word),
+    };
+    match words.iter().any(is_period) {
+        true => CountedPeriods::Said(1.0),
+        false => CountedPeriods::Nothing,
+    }
+}
+
+/// How surely the numbers under a heading without a unit are numbers of swings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum SwingNumbers {
+    /// Words that say it: `swings`, `number of periods`, `Anzahl der Schwingungen`.
+    Said,
+    /// A word that may say it: `n`, `Anzahl`, `periods`.
+    Possible,
+    /// Other words.
+    Other,
+}
+
+/// Returns whether a number may be one of swings: a positive multiple of one half.
+#[must_use]
+pub fn is_number_of_swings(number: f64) -> bool {
+    number > 0.0 && number.is_finite() && (2.0 * number).fract() == 0.0
+}
+
+/// Words for a number, and those between it and what it counts.
+const NUMBER: [&str; 17] = [
+    "n", "no", "nr", "nb", "num", "number", "numbers", "anzahl", "zahl", "nombre", "numero", "número",
+    "count", "counts", "counted", "many", "cantidad",
+];
+const OF: [&str; 19] = [
+    "of", "the", "de", "d", "des", "der", "den", "di", "del", "degli", "delle", "las", "les", "how", "deg",
+    "º", "timed", "measured", "made",
+];
+/// Numbers of swings as one word.
+const SWING_NUMBER: [&str; 5] =
+    ["schwingungszahl", "schwingungszahlen", "schwingungsanzahl", "periodenzahl", "periodenanzahl"];
+
+/// Returns whether a heading without a unit says that its numbers are those of swings.
+pub(super) fn swing_numbers(heading: &str) -> SwingNumbers {
+    let words = words(heading);
+    let is_number = |word: &str| is(&NUMBER, word);
+    let is_swings = |word: &str| word != "t" && !word.starts_with("schwingungsdauer") && is(&PERIOD, word);
+    let is_known = |word: &String| is_number(word) || is_swings(word) || is(&OF, word) || is(&BETWEEN, word);
+    let has = |of: &dyn Fn(&str) -> bool| words.iter().any(|word| of(word));
+    let is_plural = |word: &str| {
+        is_swings(word) && word.ends_with(['s', 'n', 'i']) && !["oscillation", "vibration"].contains(&word)
+    };
+    let is_period = |word: &str| ["period", "période", "período"].iter().any(|stem| word.starts_with(stem));
+    match () {
+        () if words.iter().any(|word| is(&SWING_NUMBER, word)) => SwingNumbers::Said,
+        () if words.is_empty() || !words.iter().all(is_known) => SwingNumbers::Other,
+        () if has(&is_number) && has(&is_swings) => SwingNumbers::Said,
+        () if has(&is_plural) && !has(&is_period) => SwingNumbers::Said,
+        () if has(&is_plural) || has(&is_number) => SwingNumbers::Possible,
+        () => SwingNumbers::Other,
     }
 }
 

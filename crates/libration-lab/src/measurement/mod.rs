@@ -45,7 +45,7 @@ mod written_unit;
 
 pub use choices::{Choice, Choices, Column, Finding, Suggestion, TimeStamps};
 pub use container::Format;
-pub use counted_periods::CountedPeriods;
+pub use counted_periods::{CountedPeriods, is_number_of_swings};
 pub use dialect::{Delimiter, Dialect};
 pub use error::MeasurementError;
 pub use faults::{Clock, Faults, Gap, Grid, Plateau, unwrapped};

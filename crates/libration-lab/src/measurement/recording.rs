@@ -138,7 +138,7 @@ fn several_sheets<'a>(names: impl Iterator<Item = &'a String>) -> MeasurementErr
 
 fn read_page(page: &Page<'_>, options: &ReadOptions) -> Result<Sheet, MeasurementError> {
     if let Some(dialect) = page.dialect {
-        return Sheet::read(&page.name, &page.text, dialect, options);
+        return Sheet::read(&page.name, &ambiguity::of_cells(&page.text, options)?, dialect, options);
     }
     let dialect = Dialect::sniff(&page.text, options.delimiter, options.decimal);
     if let Some((text, line)) =

@@ -53,7 +53,7 @@ pub struct Readings {
 }
 
 /// Words of rows that summarise others.
-const SUMMARY: [&str; 34] = [
+const SUMMARY: [&str; 56] = [
     "mean",
     "average",
     "avg",
@@ -88,7 +88,31 @@ const SUMMARY: [&str; 34] = [
     "somme",
     "somma",
     "suma",
+    "s.d.",
+    "écart-type",
+    "écart type",
+    "desviación estándar",
+    "deviazione standard",
+    "unsicherheit",
+    "incertitude",
+    "fehler",
+    "u",
+    "±",
+    "range",
+    "spannweite",
+    "étendue",
+    "mean value",
+    "mean values",
+    "slope",
+    "steigung",
+    "pente",
+    "pendiente",
+    "result",
+    "ergebnis",
+    "résultat",
 ];
+/// Words of rows that summarise others where both are in a table: Max is also a name.
+const BOUNDS: [&str; 2] = ["max", "min"];
 
 impl Table {
     /// The table in these bytes; of a workbook, the first sheet with two columns of numbers.
@@ -269,10 +293,18 @@ impl Table {
 
     /// The word by which a row summarises others.
     fn summary(&self, row: usize) -> Option<&str> {
-        let mut words = (0..self.width()).filter_map(|place| self.sheet.word(place, row));
-        let is_of_summary =
-            |word: &&str| SUMMARY.contains(&word.trim_end_matches([':', '=']).trim().to_lowercase().as_str());
-        words.rfind(is_of_summary)
+        let plain = |word: &str| {
+            let word = word.split('(').next().unwrap_or_default();
+            word.trim().trim_end_matches([':', '=', '.']).trim().to_lowercase()
+        };
+        let words = |row: usize| (0..self.width()).filter_map(move |place| self.sheet.word(place, row));
+        let has = |bound: &str| (0..self.sheet.rows()).any(|row| words(row).any(|word| plain(word) == bound));
+        let is_of_summary = |word: &&str| {
+            let word = plain(word);
+            SUMMARY.iter().any(|summary| summary.trim_end_matches('.') == word)
+                || BOUNDS.contains(&word.as_str()) && BOUNDS.iter().all(|bound| has(bound))
+        };
+        words(row).rfind(is_of_summary)
     }
 
     /// The rows that summarise no others.

@@ -328,3 +328,30 @@ fn intervals_of_reversible_pendulums_hold_in_a_sweep() {
         found.check(&format!("g, edges measured directly: {is_direct}"));
     }
 }
+
+/// Without uncertainties the laws of strings and bars once were compared by residuals of different quantities.
+#[test]
+fn bars_on_both_sides_of_their_centre_are_recognised_without_uncertainties() {
+    let both: Vec<f64> =
+        (0..12).map(|k| 0.02 + 0.06 * f64::from(k) + if k < 6 { 0.0 } else { 0.3 }).collect();
+    // All distances from the centre are beyond the radius of gyration.
+    let beyond = [0.02, 0.08, 0.14, 0.2, 0.8, 0.86, 0.92, 0.98];
+    for (positions, centre, error) in
+        [(&both[..], 0.5012, 0.002), (&both, 0.5012, 0.005), (&beyond, 0.498, 0.002)]
+    {
+        let mut random = Random::seeded(71);
+        let mut bars = 0;
+        for _ in 0..100 {
+            let periods: Vec<f64> =
+                positions.iter().map(|x| period(x - centre, K) + error * random.normal()).collect();
+            let columns = LengthColumns { lengths: positions, periods: &periods, ..LengthColumns::default() };
+            let fit = fitted(&columns, &LengthsOptions::default()).unwrap();
+            let is_right = (fit.gravity().value - G).abs() < 6.0 * fit.gravity().uncertainty;
+            let is_bar = fit.best().model.is_of_bars();
+            let is_told = fit.warnings.iter().any(|it| matches!(it, LengthsWarning::Undetermined { .. }));
+            assert!(is_bar && is_right || is_told, "{fit:?}");
+            bars += u32::from(is_bar);
+        }
+        assert!(bars >= 95, "{error}: {bars}");
+    }
+}

@@ -533,3 +533,55 @@ fn corrections_that_do_not_settle_are_refused() {
         assert_eq!(fitted(edge).unwrap_err(), FitError::CorrectionsTooLarge, "{edge}");
     }
 }
+
+/// The warnings about a table without uncertainties.
+fn told(lengths: &[f64], periods: &[f64]) -> Vec<LengthsWarning> {
+    let columns = LengthColumns { lengths, periods, ..LengthColumns::default() };
+    fit_lengths(&LengthTable::new(&columns).unwrap(), &LengthsOptions::default()).unwrap().warnings
+}
+
+#[test]
+fn a_row_with_a_typing_error_is_named_with_g_without_it() {
+    let given = [0.2, 0.35, 0.5, 0.65, 0.8, 1.0];
+    let periods = [0.8975, 1.1869, 1.4816, 1.6174, 1.7943, 2.0061];
+    let warnings = told(&given, &periods);
+    let found = warnings.iter().find_map(|it| match it {
+        LengthsWarning::Outlying { row, gravity } => Some((*row, gravity.value)),
+        _ => None,
+    });
+    let (row, gravity) = found.unwrap();
+    assert!(row == 2 && (gravity - 9.81).abs() < 0.01, "{warnings:?}");
+    assert!(!warnings.contains(&LengthsWarning::OffsetNeeded), "{warnings:?}");
+}
+
+/// One in a hundred tables without a mistake, by the bound of the test: of 600, more than 17 with a probability below 1e-6.
+#[test]
+fn rows_without_mistakes_are_seldom_called_outlying() {
+    let mut random = Random::seeded(5);
+    for (rows, stated) in [(5, None), (8, None), (20, None), (6, Some(0.002))] {
+        let given: Vec<f64> = (0..rows).map(|row| 0.2 + 0.9 * f64::from(row) / f64::from(rows)).collect();
+        let named = (0..600).filter(|_| {
+            let exact = given.iter().map(|length| std::f64::consts::TAU * ((length + 0.01) / 9.81).sqrt());
+            let periods: Vec<f64> = exact.map(|period| period + 0.002 * random.normal()).collect();
+            let sigma = vec![0.002; given.len()];
+            let table = table(&given, &periods, stated.map(|_: f64| &sigma[..]));
+            let fit = fit_lengths(&table, &LengthsOptions::default()).unwrap();
+            fit.warnings.iter().any(|it| matches!(it, LengthsWarning::Outlying { .. }))
+        });
+        let named = named.count();
+        assert!(named <= 17, "{rows}: {named}");
+    }
+}
+
+#[test]
+fn swapped_columns_are_told_by_the_exponent() {
+    let periods = [0.2, 0.35, 0.5, 0.65, 0.8, 1.0];
+    let given = [0.8975, 1.1869, 1.4186, 1.6174, 1.7943, 2.0061];
+    let warnings = told(&given, &periods);
+    assert!(warnings[0].to_string().contains("lengths and periods are swapped"), "{warnings:?}");
+    assert!(!warnings.contains(&LengthsWarning::OffsetNeeded), "{warnings:?}");
+    // An offset makes an exponent other than 1/2 as well, and is no other law.
+    let offset: Vec<f64> = given.iter().map(|length| 2.0061 * (length - 0.15_f64).sqrt()).collect();
+    let warnings = told(&given, &offset);
+    assert!(!warnings.iter().any(|it| matches!(it, LengthsWarning::OtherPower { .. })), "{warnings:?}");
+}

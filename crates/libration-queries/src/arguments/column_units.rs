@@ -6,7 +6,7 @@ use crate::call::in_words;
 use crate::output::number;
 use crate::query_error::QueryError;
 use libration_lab::fit::RepeatedReadings;
-use libration_lab::measurement::{Column, Readings, Table, UncertaintyKind, Unit};
+use libration_lab::measurement::{Column, Readings, Table, UncertaintyKind, Unit, is_number_of_swings};
 
 /// The units of the columns, and what was inferred from the header.
 #[derive(Clone, Debug)]
@@ -44,6 +44,8 @@ pub(crate) struct ColumnsInSi<const N: usize> {
     pub(crate) inferences: Inferences,
     /// Units in which the columns were read.
     pub(crate) units: [Unit; N],
+    /// `true` where the header or an option states the unit.
+    pub(crate) are_stated: [bool; N],
 }
 
 impl ColumnsOption {
@@ -113,6 +115,7 @@ impl<const N: usize> ColumnsInSi<N> {
             dropped: read.dropped,
             counts: units.counts,
             units: units.units,
+            are_stated: std::array::from_fn(|place| units.are_stated[place] || wanted[place].states_unit()),
             repeated,
             inferences: Inferences { sentences, columns: read_columns },
         })
@@ -133,9 +136,12 @@ struct SiRows<'a, const N: usize> {
 impl<const N: usize> SiRows<'_, N> {
     /// The same rows, whose numbers of swings are usable.
     fn checked(self) -> Result<Self, String> {
-        let bad = self.swings.iter().flatten().position(|swings| *swings <= 0.0);
+        let bad = self.swings.iter().flatten().position(|swings| !is_number_of_swings(*swings));
         match bad {
-            Some(row) => Err(format!("line {}: a number of swings is not above zero", self.read.lines[row])),
+            Some(row) => Err(format!(
+                "line {}: the number of swings is not a positive whole or half number",
+                self.read.lines[row]
+            )),
             None => Ok(self),
         }
     }

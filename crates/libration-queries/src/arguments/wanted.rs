@@ -115,6 +115,11 @@ impl Wanted {
         self.uncertainties_of.is_none().then_some(quantity)
     }
 
+    /// Returns whether an option states the unit.
+    pub(super) fn states_unit(self) -> bool {
+        self.option.is_some_and(|(_, unit)| unit.is_some())
+    }
+
     pub(super) fn uncertainties_of(self) -> Option<usize> {
         self.uncertainties_of
     }
@@ -183,7 +188,7 @@ impl Wanted {
                         self.role
                     ));
                 }
-                None if self.uncertainties_of.is_none() && text.contains(['^', '²', '/']) => {
+                None if self.uncertainties_of.is_none() && is_no_unit_of_times(&text) => {
                     return Err(format!(
                         "{place}: `{text}` is not a unit of {}: give a column of periods themselves, in s, ms, us or min",
                         self.role
@@ -193,6 +198,11 @@ impl Wanted {
             },
         })
     }
+}
+
+/// `s²`, `1/s`, and the T0 of a ratio T/T0.
+fn is_no_unit_of_times(text: &str) -> bool {
+    text.contains(['^', '²', '/']) || ["t0", "t_0", "t₀", "t_{0}"].contains(&text.to_lowercase().as_str())
 }
 
 /// The reason of a refusal, with the option that chooses columns.

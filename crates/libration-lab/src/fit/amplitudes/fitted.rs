@@ -207,7 +207,7 @@ impl Comparison<'_> {
         let chosen = &self.laws[self.chosen];
         let Some(own) = of(chosen) else { return 0.0 };
         let difference = |law: &Compared| of(law).map_or(0.0, |other| other - own);
-        let weight = |law: &Compared| libm::exp(-0.5 * law.excess.max(0.0));
+        let weight = |law: &Compared| self.weight(law);
         let weights: f64 = self.not_separated().map(weight).sum::<f64>() + weight(chosen);
         let square = |law: &Compared| difference(law) * difference(law);
         let others: f64 = self.not_separated().map(|law| weight(law) * square(law)).sum();

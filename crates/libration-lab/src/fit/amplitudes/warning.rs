@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-use crate::fit::cycles::SEPARATED;
 use crate::fit::damping_model::{DampingModel, alternatives};
 use crate::fit::scatter::ScatterWarning;
 use libration::quantity::rounded;
@@ -85,7 +84,7 @@ impl fmt::Display for AmplitudesWarning {
             Self::Scatter(warning) => warning.fmt(f),
             Self::LawsNotSeparated(laws) => write!(
                 f,
-                "the rows do not exclude {} damping (AICc within {SEPARATED}): the difference is in the uncertainty of Q, and not in \
+                "the rows do not exclude {} damping: the difference is in the uncertainty of Q, and not in \
                  that of the coefficients",
                 alternatives(laws)
             ),

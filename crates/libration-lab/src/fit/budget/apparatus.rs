@@ -97,6 +97,8 @@ pub enum PeriodDamping {
     Unknown,
     /// T0 contains the effect of linear damping with this coefficient, in 1/s.
     Contained(Quantity),
+    /// T0 contains the effect of damping of an unknown kind, by which the amplitudes fall as by linear damping with this coefficient, in 1/s.
+    Observed(f64),
     /// A fit of the damped motion gave T0, which excludes damping: the coefficient of linear damping, in 1/s, zero for other kinds.
     Fitted(f64),
 }

@@ -90,6 +90,11 @@ impl Given {
     }
 }
 
+/// Relative standard uncertainty of the coefficient of linear damping that lengthens the period as damping of an unknown kind does by which the
+/// amplitudes fall alike. To second order ω/ω0 − 1 is −γ²/2 for linear, −0.93 γ² for quadratic and −1.25 γ² for cubic damping, where γ is the relative
+/// fall of the amplitude per radian (`expand --damping-order 2`): a quarter makes that of quadratic damping 1.7 standard uncertainties.
+const UNKNOWN_KIND: f64 = 0.25;
+
 impl Inputs<'static> {
     /// A pendulum with its period.
     pub(super) fn new(apparatus: &Apparatus, period: &MeasuredPeriod) -> Result<Self, BudgetError> {
@@ -99,6 +104,9 @@ impl Inputs<'static> {
         }
         let contained = match period.damping {
             PeriodDamping::Contained(damping) => Some(damping),
+            PeriodDamping::Observed(value) => {
+                Some(Quantity { value, uncertainty: Some(UNKNOWN_KIND * value) })
+            }
             PeriodDamping::Unknown | PeriodDamping::Fitted(_) => None,
         };
         let mut given = Given::default();

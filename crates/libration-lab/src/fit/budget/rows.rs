@@ -328,6 +328,12 @@ impl Inputs<'_> {
                 let note = format!("b = {:.3e} 1/s, w = 2pi/T0", self.values.damping);
                 self.effect("damping", FORMULA, Effect::Damping, note)
             }
+            PeriodDamping::Observed(linear) => {
+                let note = format!(
+                    "b = {linear:.3e} 1/s by the fall of the amplitudes, whose law is not known; give the coefficient, w = 2pi/T0"
+                );
+                self.effect("damping", FORMULA, Effect::Damping, note)
+            }
             PeriodDamping::Fitted(linear) => {
                 let with = Values { damping: linear, ..self.values };
                 let size = self.gravity_of(&with) / self.gravity_without(&with, Effect::Damping) - 1.0;

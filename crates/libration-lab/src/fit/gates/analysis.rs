@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use super::amplitudes::Amplitudes;
 use super::directions::{Sorted, sorted};
 use super::passages::{Passages, passages};
 use super::swings::Swings;
@@ -125,6 +126,7 @@ impl Swings {
             amplitude: by_speeds
                 .as_ref()
                 .map_or(options.amplitude.map(|a| a.value), |speeds| speeds.amplitude),
+            drag: amplitudes.as_ref().map(Amplitudes::typical_drag).filter(|drag| *drag > 0.0),
             beta: by_speeds.and_then(|speeds| speeds.beta),
             warnings: vec![],
         };

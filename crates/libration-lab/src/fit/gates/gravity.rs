@@ -180,7 +180,7 @@ impl GatesFit {
     }
 
     /// Computes g with its budget; `None` without T0. The relative uncertainties of all angles and of the clock apply to the given
-    /// amplitude and to all times.
+    /// amplitude and to all times. Where the damping is unknown that by which the amplitudes fall is corrected for.
     ///
     /// # Errors
     /// Fails as [`evaluate_budget`] does.
@@ -197,6 +197,10 @@ impl GatesFit {
             // The uncertainty by the width of the bob is part of T0's already.
             Some(T0Source::Speeds) => Some(0.0),
             _ => angle_scale,
+        };
+        let damping = match (damping, self.drag) {
+            (PeriodDamping::Unknown, Some(drag)) => PeriodDamping::Observed(drag),
+            (known, _) => known,
         };
         let period = MeasuredPeriod {
             model: self.contradiction.as_ref().map(|it| it.uncertainty() / t0.value),

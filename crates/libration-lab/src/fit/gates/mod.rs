@@ -119,6 +119,9 @@ pub struct GatesFit {
     pub t0_degrees_of_freedom: f64,
     /// The amplitude whose T/T0 is that of the periods T0 comes from, in radians.
     pub amplitude: Option<f64>,
+    /// The coefficient of linear drag by which the amplitudes fall, in 1/s, which lengthens the periods and T0 by b²/8ω0²; `None` where no
+    /// amplitudes are known or they do not fall.
+    pub drag: Option<f64>,
     /// The test of the exact law, where amplitudes are known.
     pub beta: Option<Beta>,
     /// Warnings about the fit.

@@ -12,6 +12,7 @@
 mod bar;
 mod corrected;
 mod model;
+mod outlying;
 mod power_law;
 mod reversible;
 mod table;
@@ -126,11 +127,11 @@ fn as_weighted(table: &LengthTable, options: &LengthsOptions) -> Result<LengthsF
     }
     let fits = of_strings(table, options);
     match fits {
-        Ok(fits) if !is_bar(&bars, &fits, table) || options.pendulum.is_some() => {
-            of_simple(table, options, fits)
-        }
+        Ok(fits) if !is_bar(&bars, table) || options.pendulum.is_some() => of_simple(table, options, fits),
         Ok(_) => of_bars(table, options, &bars),
-        Err(FitError::PeriodsWithoutLength) if !bars.is_empty() => of_bars(table, options, &bars),
+        Err(FitError::PeriodsWithoutLength) if preferred_bar(&bars).is_some_and(is_determined) => {
+            of_bars(table, options, &bars)
+        }
         Err(error) => Err(error),
     }
 }
@@ -171,7 +172,13 @@ fn of_simple(
     let power_law = power_law::power_law(&corrected);
     let mut fit = options.with_budget(table, fits, preferred, None)?;
     (fit.power_law, fit.known_gyration) = (power_law, known_gyration);
-    fit.warnings = warning::warnings(&fit);
+    let radius = options.bob_radius();
+    let offset = |table: &LengthTable| model::fit(table, preferred, radius).ok().flatten();
+    fit.warnings = warning::warnings(
+        &fit,
+        &corrected,
+        outlying::outlying(&corrected, &offset, Some(LengthModel::OffsetAndGyration)),
+    );
     Ok(fit)
 }
 
@@ -197,16 +204,26 @@ fn preferred_bar(bars: &[LengthFit]) -> Option<&LengthFit> {
 
 const CHANCE: f64 = 0.01;
 
-/// Returns whether the rows are those of a bar: the periods fall with the distance at the shortest ones, and Akaike's criterion separates the law from
-/// that of a simple pendulum.
-fn is_bar(bars: &[LengthFit], strings: &[LengthFit], table: &LengthTable) -> bool {
+/// Returns whether the rows are those of a bar, and determine its g: the periods fall with the distance at the shortest ones or the centre of mass is
+/// between the positions, and Akaike's criterion separates the law from that of a simple pendulum.
+fn is_bar(bars: &[LengthFit], table: &LengthTable) -> bool {
     let Some(bar) = preferred_bar(bars) else { return false };
     let offset = bar.offset.map_or(0.0, |offset| offset.value);
-    let shortest = table.rows.iter().map(|row| (row.length + offset).abs()).fold(f64::INFINITY, f64::min);
+    let distances = || table.rows.iter().map(|row| row.length + offset);
+    let shortest = distances().map(f64::abs).fold(f64::INFINITY, f64::min);
     let falls = bar.gyration.is_some_and(|gyration| gyration.value > shortest * shortest);
-    let simple = strings.iter().filter(|fit| fit.model != LengthModel::OffsetAndGyration);
-    let simple = simple.filter_map(|fit| fit.aicc).fold(f64::INFINITY, f64::min);
-    falls && bar.aicc.is_some_and(|aicc| aicc + SEPARATED < simple)
+    let is_on_both_sides = distances().any(|it| it < 0.0) && distances().any(|it| it > 0.0);
+    // The criterion compares residuals of one quantity: without uncertainties the laws of bars leave those of T, of strings those of T².
+    let equal = table.of_equal_periods();
+    let simple = [LengthModel::Plain, LengthModel::Offset].into_iter();
+    let simple = simple.filter_map(|model| model::fit(&equal, model, None).ok().flatten()?.aicc_of(table));
+    let simple = simple.fold(f64::INFINITY, f64::min);
+    let is_separated = bar.aicc.is_some_and(|aicc| aicc + SEPARATED < simple);
+    is_determined(bar) && (falls || is_on_both_sides) && is_separated
+}
+
+fn is_determined(fit: &LengthFit) -> bool {
+    fit.g.relative() < warning::UNDETERMINED
 }
 
 fn of_bars(
@@ -218,7 +235,8 @@ fn of_bars(
     let corrected = options.corrected(table, preferred)?;
     let fits = if corrected == *table { uncorrected.to_vec() } else { bars(&corrected, options) };
     let mut fit = options.with_budget(table, fits, preferred, None)?;
-    fit.warnings = warning::of_bars(fit.best(), &fit.combined, options.pendulum.is_none());
+    let outlying = outlying::outlying(&corrected, &|table: &LengthTable| bar::fit(table, preferred), None);
+    fit.warnings = warning::of_bars(fit.best(), &fit.combined, options.pendulum.is_none(), outlying);
     Ok(fit)
 }
 
@@ -226,7 +244,7 @@ fn of_reversible(table: &LengthTable, options: &LengthsOptions) -> Result<Length
     let corrected = options.corrected(table, LengthModel::Reversible)?;
     let (fit, contributions) = reversible::reversible(&corrected, options.edges)?;
     let mut fit = options.with_budget(table, vec![fit], LengthModel::Reversible, Some(contributions))?;
-    fit.warnings = warning::of_bars(fit.best(), &fit.combined, false);
+    fit.warnings = warning::of_bars(fit.best(), &fit.combined, false, None);
     Ok(fit)
 }
 

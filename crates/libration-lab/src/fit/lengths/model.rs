@@ -118,6 +118,11 @@ impl LengthFit {
         self.scatter
     }
 
+    /// Akaike's criterion of a fit to the periods of this table with [one uncertainty](LengthTable::of_equal_periods).
+    pub(super) fn aicc_of(&self, table: &LengthTable) -> Option<f64> {
+        aicc(self.chi2?, table.rows.len(), self.model.parameters(), table.weighted)
+    }
+
     /// χ², or the sum of the squared residuals where no uncertainties are stated.
     pub(super) fn sum_of_squares(&self) -> f64 {
         self.chi2.unwrap_or_else(|| self.residuals.iter().map(|residual| residual * residual).sum())

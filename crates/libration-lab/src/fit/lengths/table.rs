@@ -86,6 +86,16 @@ impl LengthTable {
         (scatter < typical).then_some(Self { rows, weighted: true, ..self.clone() })
     }
 
+    /// The table with the same uncertainty of all periods, 1 s, where none are stated: laws that are fitted to it compare by their residuals in
+    /// seconds.
+    pub(super) fn of_equal_periods(&self) -> Self {
+        if self.weighted {
+            return self.clone();
+        }
+        let equal = |row: &Row| Row { period_uncertainty: 1.0, length_uncertainty: 0.0, ..*row };
+        Self { rows: self.rows.iter().map(equal).collect(), weighted: true, ..self.clone() }
+    }
+
     /// The table with the repeated readings that the uncertainties of its periods come from; they are left out where their rows are not those of
     /// the table.
     #[must_use]

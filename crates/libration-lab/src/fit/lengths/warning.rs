@@ -2,12 +2,17 @@
 
 use std::fmt;
 
-use super::{LengthFit, LengthModel, LengthsFit};
+use super::model;
+use super::table::{LengthTable, Row};
+use super::{LengthFit, LengthModel, LengthsFit, PowerLaw};
 use crate::fit::budget::CombinedUncertainty;
+use crate::fit::cycles::SEPARATED;
 use crate::fit::gravity::{GRAVITY_ON_EARTH, is_nowhere_on_earth};
 use crate::fit::mistake::GravityMistake;
 use crate::fit::scatter::{Scatter, ScatterWarning};
+use crate::fit::significance::{SIGNIFICANT, limit_of_chance};
 use crate::fit::uncertain::Uncertain;
+use crate::statistics::count;
 use libration::quantity::rounded;
 
 /// A term counts as needed when chance would make it as large less often than this: the warning is given for one in a hundred of the tables that
@@ -31,6 +36,23 @@ pub enum LengthsWarning {
     Scatter(ScatterWarning),
     /// The offset is more than ten radii of the bob.
     OffsetLargerThanBob,
+    /// The uncertainty of g is more than a quarter of it.
+    Undetermined {
+        /// The uncertainty relative to g.
+        relative: f64,
+    },
+    /// The periods grow with another power of the length than 1/2, which no offset explains as well.
+    OtherPower {
+        /// The exponent.
+        exponent: Uncertain,
+    },
+    /// The law of the other rows does not explain a row, and g without it differs.
+    Outlying {
+        /// The row of the table, counted from zero.
+        row: usize,
+        /// g without it, in m/s².
+        gravity: Uncertain,
+    },
     /// The periods are those of a bar turned about several points: they fall with the distance from the centre of mass up to this one, in m.
     PhysicalPendulum {
         /// Radius of gyration.
@@ -59,6 +81,9 @@ impl LengthsWarning {
             Self::Bent { .. } => "bent",
             Self::Scatter(warning) => warning.name(),
             Self::OffsetLargerThanBob => "offset_larger_than_bob",
+            Self::Undetermined { .. } => "gravity_undetermined",
+            Self::OtherPower { .. } => "other_power",
+            Self::Outlying { .. } => "outlying_row",
             Self::PhysicalPendulum { .. } => "physical_pendulum",
             Self::TwoCentres { .. } => "two_centres",
             Self::NowhereOnEarth { .. } => "gravity_contradicted",
@@ -85,6 +110,26 @@ impl fmt::Display for LengthsWarning {
             Self::OffsetLargerThanBob => {
                 f.write_str("the offset is much larger than the bob: check the unit of the lengths")
             }
+            Self::Undetermined { relative } => write!(
+                f,
+                "the rows do not determine g, whose uncertainty is {} % of it: look for a wrong number, and for a column that was read as another",
+                rounded(100.0 * relative, 2)
+            ),
+            Self::OtherPower { exponent } => {
+                write!(
+                    f,
+                    "the periods grow as the length to the power {exponent}, and not 1/2, which no offset of the lengths explains"
+                )?;
+                match (exponent.value - 2.0).abs() < FAR_FROM_HALF {
+                    true => f.write_str(": lengths and periods are swapped"),
+                    false => f.write_str(": check which column is which, and the amplitudes"),
+                }
+            }
+            Self::Outlying { row, gravity } => write!(
+                f,
+                "row {} is far from the law of the others: without it g is {gravity} m/s²; check its numbers",
+                row + 1
+            ),
             Self::PhysicalPendulum { gyration } => write!(
                 f,
                 "the periods fall with the distance from the centre of mass up to {:.1} mm and rise beyond: they are those of a bar turned \
@@ -110,16 +155,31 @@ impl fmt::Display for LengthsWarning {
     }
 }
 
-/// Warnings in the order in which the laws are compared, gravity last.
-pub(super) fn warnings(fit: &LengthsFit) -> Vec<LengthsWarning> {
+/// Uncertainty of g relative to it from which the rows do not determine it.
+pub(super) const UNDETERMINED: f64 = 0.25;
+/// Least distance of an exponent from 1/2 that is no matter of amplitudes and bobs.
+const FAR_FROM_HALF: f64 = 0.05;
+
+/// Warnings in the order in which the laws are compared, gravity last; `outlying` is the one about a row.
+pub(super) fn warnings(
+    fit: &LengthsFit,
+    table: &LengthTable,
+    outlying: Option<LengthsWarning>,
+) -> Vec<LengthsWarning> {
     let of = |model| fit.law(model);
     let by_chance = |fit: Option<&LengthFit>| fit.and_then(|fit| fit.p_value).unwrap_or(1.0);
     let offset = of(LengthModel::Offset);
     let bent = of(LengthModel::OffsetAndGyration);
     let scatter = offset.and_then(LengthFit::scatter);
+    let undetermined = undetermined(fit.gravity());
+    let other_power = other_power(fit, table);
+    let is_doubtful = undetermined.or(other_power).or(outlying).is_some();
     [
-        (by_chance(offset) < NEEDED).then_some(LengthsWarning::OffsetNeeded),
-        bent.filter(|fit| by_chance(Some(fit)) < NEEDED).map(bend),
+        undetermined,
+        other_power,
+        outlying,
+        (by_chance(offset) < NEEDED && !is_doubtful).then_some(LengthsWarning::OffsetNeeded),
+        bent.filter(|fit| by_chance(Some(fit)) < NEEDED && !is_doubtful).map(bend),
         scatter.and_then(|scatter: Scatter| scatter.warning("the offset")).map(LengthsWarning::Scatter),
         offset_larger_than_bob(fit),
         nowhere_on_earth(fit.gravity(), fit.combined.degrees_of_freedom),
@@ -134,12 +194,15 @@ pub(super) fn of_bars(
     fit: &LengthFit,
     combined: &CombinedUncertainty,
     is_inferred: bool,
+    outlying: Option<LengthsWarning>,
 ) -> Vec<LengthsWarning> {
     let gyration = fit.gyration.map_or(0.0, |gyration| gyration.value.sqrt());
     let scatter = fit.scatter().and_then(|scatter: Scatter| scatter.warning("the centre of mass"));
     let gravity = Uncertain { value: fit.g.value, uncertainty: combined.standard };
     [
+        undetermined(gravity),
         is_inferred.then_some(LengthsWarning::PhysicalPendulum { gyration }),
+        outlying,
         scatter.map(LengthsWarning::Scatter),
         fit.other_centre.map(|[centre, gravity]| LengthsWarning::TwoCentres { centre, gravity }),
         nowhere_on_earth(gravity, combined.degrees_of_freedom),
@@ -147,6 +210,29 @@ pub(super) fn of_bars(
     .into_iter()
     .flatten()
     .collect()
+}
+
+fn undetermined(gravity: Uncertain) -> Option<LengthsWarning> {
+    let relative = gravity.relative().abs();
+    (relative > UNDETERMINED).then_some(LengthsWarning::Undetermined { relative })
+}
+
+/// The power law, where its exponent is far from 1/2 by more than chance and its residuals are separated from those of the law with an offset, which
+/// has as many parameters.
+fn other_power(fit: &LengthsFit, table: &LengthTable) -> Option<LengthsWarning> {
+    let PowerLaw { exponent, factor, degrees_of_freedom } = fit.power_law?;
+    let distance = (exponent.value - 0.5).abs();
+    let is_far =
+        distance > FAR_FROM_HALF.max(limit_of_chance(SIGNIFICANT, degrees_of_freedom) * exponent.uncertainty);
+    let equal = table.of_equal_periods();
+    let of_offset = model::fit(&equal, LengthModel::Offset, None).ok().flatten()?.sum_of_squares();
+    let residual = |row: &Row| {
+        let small = factor.value * libm::pow(row.length, exponent.value);
+        (row.period - row.ratio * small) / row.period_uncertainty
+    };
+    let of_power: f64 = equal.rows.iter().map(|row| residual(row) * residual(row)).sum();
+    let gain = count(table.len()) * libm::log(of_offset / of_power);
+    (is_far && gain > SEPARATED).then_some(LengthsWarning::OtherPower { exponent })
 }
 
 fn bend(fit: &LengthFit) -> LengthsWarning {

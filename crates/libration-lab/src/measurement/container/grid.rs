@@ -1,6 +1,7 @@
 //! The cells of a spreadsheet as text with tabs between them, a line for each row.
 
 use super::super::MeasurementError;
+use super::super::ambiguity::may_be_thousands;
 use super::super::number::{Cell, DecimalMark, Written};
 
 /// Cells in any order, and the bytes their text will take.
@@ -22,10 +23,9 @@ impl Grid {
         self.text(row, column, &number.to_string())
     }
 
-    /// Adds words; tabs, line ends and quotes in them become blanks, and the decimal comma of a number becomes a point.
+    /// Adds words; tabs, line ends and quotes in them become blanks.
     pub fn text(&mut self, row: u32, column: u32, text: &str) -> Result<(), MeasurementError> {
         let text = text.replace(['\t', '\n', '\r', '"', '\0'], " ");
-        let text = if has_decimal_comma(&text) { text.replace(',', ".") } else { text };
         self.bytes = self.bytes.saturating_add(text.len() + 1);
         self.check(self.bytes)?;
         self.cells.push((row, column, text));
@@ -36,11 +36,17 @@ impl Grid {
         if size > self.limit { Err(MeasurementError::TooLarge { size, limit: self.limit }) } else { Ok(()) }
     }
 
-    /// The text; a cell that was added twice is what it was first. Files leave out blank cells: rows that begin with a number are all as long as
+    /// The text, with points for decimal commas unless all may be marks of thousands; a cell that was added twice is what it was first. Files leave out blank cells: rows that begin with a number are all as long as
     /// the longest of them.
     pub fn into_text(mut self) -> Result<String, MeasurementError> {
         self.cells.sort_by_key(|(row, column, _)| (*row, *column));
         self.cells.dedup_by_key(|(row, column, _)| (*row, *column));
+        let is_open = |cell: &(u32, u32, String)| has_decimal_comma(&cell.2) && !may_be_thousands(&cell.2);
+        if self.cells.iter().any(is_open) {
+            for (.., text) in self.cells.iter_mut().filter(|cell| has_decimal_comma(&cell.2)) {
+                *text = text.replace(',', ".");
+            }
+        }
         let rows = || self.cells.chunk_by(|one, next| one.0 == next.0);
         let is_of_numbers = |row: &[(u32, u32, String)]| row[0].2.parse::<f64>().is_ok();
         let ends = rows().filter(|row| is_of_numbers(row)).map(|row| row[row.len() - 1].1);

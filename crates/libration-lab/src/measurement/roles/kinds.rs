@@ -1,10 +1,10 @@
 //! Possible contents of each column, by its own heading and cells.
 
-use crate::measurement::QuantityKind;
-use crate::measurement::counted_periods::is_mean;
+use crate::measurement::counted_periods::{SwingNumbers, is_mean, is_number_of_swings, swing_numbers};
 use crate::measurement::heading::Heading;
 use crate::measurement::sheet::Channel;
 use crate::measurement::table::Table;
+use crate::measurement::{QuantityKind, Role};
 
 /// Possible contents of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,7 +31,11 @@ pub(super) enum Kind {
 
 /// Kinds of all columns.
 pub(super) fn of(table: &Table) -> Vec<Kind> {
-    table.sheet().channels.iter().map(kind).collect()
+    let channels = &table.sheet().channels;
+    let are_times =
+        |channel: &Channel| channel.heading.unit.is_some() && Role::Times.is_said_by(&channel.heading);
+    let has_times = channels.iter().any(are_times);
+    channels.iter().map(|channel| kind(channel, has_times)).collect()
 }
 
 const RESOLUTION: [&str; 5] = ["resolution", "least count", "smallest division", "auflösung", "résolution"];
@@ -41,27 +45,12 @@ const GROUP: [&str; 16] = [
     "group", "groups", "team", "student", "students", "name", "names", "class", "pair", "person", "gruppe",
     "schüler", "groupe", "gruppo", "grupo", "table",
 ];
-const SWINGS: [&str; 14] = [
-    "n",
-    "swings",
-    "oscillations",
-    "cycles",
-    "periods counted",
-    "number of swings",
-    "number of oscillations",
-    "number of periods",
-    "number of cycles",
-    "no of swings",
-    "no. of swings",
-    "no. of oscillations",
-    "schwingungen",
-    "anzahl schwingungen",
-];
 const NUMBER: [&str; 9] = ["no", "no.", "#", "nr", "nr.", "index", "row", "i", "n"];
 /// Beginnings of functions of a quantity.
 const FUNCTIONS: [&str; 8] = ["sqrt", "√", "1/", "log", "ln", "sin", "lg", "g_"];
 
-fn kind(channel: &Channel) -> Kind {
+/// The kind of a column in a table that has times with a unit, or has none.
+fn kind(channel: &Channel, has_times: bool) -> Kind {
     let heading = &channel.heading;
     let name = heading.name.to_lowercase();
     let name = name.trim_start_matches("number of ").trim();
@@ -76,7 +65,7 @@ fn kind(channel: &Channel) -> Kind {
         () if is_squared(heading) => Kind::Squares,
         () if heading.unit.is_none() && is_number_of_row(heading, channel, name) => Kind::Other,
         () if heading.unit.is_none() && is_number_of_readings(channel, name) => Kind::Other,
-        () if heading.unit.is_none() && is_of_swings(channel, name) => Kind::Swings,
+        () if heading.unit.is_none() && is_of_swings(channel, has_times) => Kind::Swings,
         () if GROUP.contains(&name) || FUNCTIONS.iter().any(|it| name.starts_with(it)) => Kind::Other,
         () if is_other_power(heading) => Kind::Other,
         () if is_mean(&heading.text) => Kind::Means,
@@ -88,8 +77,9 @@ fn kind(channel: &Channel) -> Kind {
 fn is_squared(heading: &Heading) -> bool {
     let unit = heading.unit_text.as_deref().unwrap_or_default().to_lowercase();
     let of_unit = ["s^2", "s²", "s2", "sec^2", "sec²", "s**2"].contains(&unit.as_str());
-    let of_name =
-        ["^2", "²", "**2", "squared"].iter().any(|power| heading.name.to_lowercase().contains(power));
+    let of_name = ["^2", "²", "**2", "squared", "au carré", "al cuadrado", "al quadrato", "quadrat"]
+        .iter()
+        .any(|power| heading.name.to_lowercase().contains(power));
     of_unit || of_name && heading.unit.is_none() && unit.is_empty()
 }
 
@@ -99,11 +89,27 @@ fn is_other_power(heading: &Heading) -> bool {
     heading.unit.is_none() && unit.contains(['^', '²', '³'])
 }
 
-/// Whole and half numbers under a word for swings; a zero among them is refused later, with its line. A bare n counts swings only where all are whole.
-fn is_of_swings(channel: &Channel, name: &str) -> bool {
-    let are_halves =
-        || channel.numbers().flatten().all(|number| number >= 0.0 && (2.0 * number).fract() == 0.0);
-    SWINGS.contains(&name) && (is_of_counts(channel) || name != "n" && are_halves())
+/// Numbers under words for numbers of swings, most of them whole or half: others among them are refused later, with their line. Under words that
+/// may mean another number all are whole.
+fn is_of_swings(channel: &Channel, has_times: bool) -> bool {
+    match swing_numbers(&channel.heading.text) {
+        SwingNumbers::Said => most_are_numbers(channel),
+        SwingNumbers::Possible => {
+            let is_bare_n = channel.heading.name.trim().eq_ignore_ascii_case("n");
+            if is_bare_n { most_are_whole(channel) } else { has_times && is_of_counts(channel) }
+        }
+        SwingNumbers::Other => false,
+    }
+}
+
+fn most_are_numbers(channel: &Channel) -> bool {
+    let are_numbers: Vec<bool> = channel.numbers().flatten().map(is_number_of_swings).collect();
+    2 * are_numbers.iter().filter(|it| **it).count() >= are_numbers.len()
+}
+
+fn most_are_whole(channel: &Channel) -> bool {
+    let are_whole: Vec<bool> = channel.numbers().flatten().map(|it| it >= 1.0 && it.fract() == 0.0).collect();
+    2 * are_whole.iter().filter(|it| **it).count() > are_whole.len()
 }
 
 /// `N readings`, `number of trials`.

@@ -140,6 +140,7 @@ impl Table {
         let mut search = Search { table: self, needed, kinds: kinds::of(self), roles, notes: vec![] };
         search.refuse_tables_side_by_side()?;
         search.refuse_bounds()?;
+        search.refuse_full_swings()?;
         search.assign_readings()?;
         search.assign_uncertainties()?;
         search.assign_rest();

@@ -1,6 +1,7 @@
 //! Tables that may be read in several ways, each refused with the choices that decide.
 
 use super::{ColumnRole, GivenRoles, Search};
+use crate::measurement::counted_periods::{SwingNumbers, swing_numbers};
 use crate::measurement::heading::Heading;
 use crate::measurement::{Choice, MeasurementError, Role, Suggestion};
 
@@ -59,11 +60,46 @@ impl Search<'_> {
         })
     }
 
-    /// A bare `N` next to periods is as often the number of readings as that of swings.
+    /// `peak-to-peak (deg)` is twice the amplitude.
+    pub(super) fn refuse_full_swings(&self) -> Result<(), MeasurementError> {
+        const FULL: [&str; 12] = [
+            "peak-to-peak",
+            "peak to peak",
+            "pk-pk",
+            "p-p",
+            "double amplitude",
+            "full amplitude",
+            "total angle",
+            "side to side",
+            "doppelte amplitude",
+            "spitze-spitze",
+            "crête à crête",
+            "de pico a pico",
+        ];
+        let is_full = |place: &usize| {
+            let name = self.heading(*place).name.to_lowercase();
+            FULL.iter().any(|words| name.contains(words))
+        };
+        let is_amplitude = |it: &&super::TableQuantity| matches!(it.role, Role::Angles | Role::Displacements);
+        let found = (0..self.kinds.len()).filter(|&place| self.is_free(place)).find(is_full);
+        let (Some(place), Some(quantity)) = (found, self.needed.iter().find(is_amplitude)) else {
+            return Ok(());
+        };
+        Err(MeasurementError::Undecided {
+            question: format!(
+                "{} is twice the {} by its heading: halve its numbers and rename it, or take them as they are",
+                self.describe(place),
+                quantity.name
+            ),
+            choices: vec![Suggestion::new(Choice::Role, format!("{}={}", place + 1, quantity.name))],
+        })
+    }
+
+    /// A bare `N` or `Anzahl` next to periods is as often the number of readings as that of swings.
     pub(super) fn refuse_counts_of_periods(&self, given: &GivenRoles) -> Result<(), MeasurementError> {
         let Some(&place) = self.with_role(ColumnRole::Swings).first() else { return Ok(()) };
         let is_given = given.are_all || given.roles.iter().any(|(_, role)| *role == ColumnRole::Swings);
-        let is_bare = self.heading(place).name.trim().eq_ignore_ascii_case("n");
+        let is_bare = swing_numbers(&self.heading(place).text) == SwingNumbers::Possible;
         let counts_more = self.table.sheet().channels[place].numbers().flatten().any(|number| number > 1.0);
         let is_period = |place: usize| match self.roles[place] {
             Some(ColumnRole::Reading(of)) => {

@@ -59,7 +59,10 @@ impl Search<'_> {
         let needed = self.needed[quantity];
         let of_kind = |kind: Kind| -> Vec<usize> {
             let is = |place: &usize| self.roles[*place].is_none() && self.kinds[*place] == kind;
-            (0..self.kinds.len()).filter(is).filter(|&it| says(self.heading(it), needed, kind)).collect()
+            let says = |place: &usize| {
+                says(self.heading(*place), needed, kind) || self.is_only_angle(*place, needed)
+            };
+            (0..self.kinds.len()).filter(is).filter(says).collect()
         };
         let sets = self.repeated(&of_kind(Kind::Values));
         let largest = sets.iter().map(Vec::len).max().unwrap_or(0);
@@ -69,6 +72,16 @@ impl Search<'_> {
             single(Kind::Means).or_else(|| single(Kind::Squares).filter(|_| needed.role == Role::Times))
         };
         values.or_else(other).unwrap_or_default()
+    }
+
+    /// Returns whether a unit says that a column holds angles, of which this is the only quantity.
+    fn is_only_angle(&self, place: usize, needed: TableQuantity) -> bool {
+        let of_angles = |it: &&TableQuantity| matches!(it.role, Role::Angles | Role::Displacements);
+        let heading = self.heading(place);
+        needed.role == Role::Angles
+            && self.needed.iter().filter(of_angles).count() == 1
+            && heading.unit.is_some()
+            && Role::Angles.is_said_by(heading)
     }
 
     /// The first free column of values, with those that repeat it; one that says another quantity only where there is no other.

@@ -80,7 +80,10 @@ impl Search<'_> {
             };
             return before.or_else(|| values().rfind(is_open));
         }
-        let same = values().find(|&value| heading.is_of_the_same(self.heading(value)));
+        let same = || values().filter(|&value| heading.is_of_the_same(self.heading(value)));
+        // T may be a period next to times t.
+        let written = heading.uncertainty_of.as_ref().unwrap_or(&heading.name);
+        let same = same().find(|&value| self.heading(value).name == *written).or_else(|| same().next());
         same.or_else(|| before.filter(|_| self.candidates(place).is_empty()))
     }
 

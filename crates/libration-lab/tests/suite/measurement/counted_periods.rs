@@ -87,7 +87,9 @@ fn a_run_may_be_a_number_of_periods() {
         ("t (s) x10", CountedPeriods::Unclear("t (s) x10".into())),
         ("T (s) Run 12", CountedPeriods::Said(1.0)),
         ("T (ms) ± 20", CountedPeriods::Said(1.0)),
-        ("t (s) morning", CountedPeriods::Said(1.0)),
+        // A small t is any time.
+        ("t (s) morning", CountedPeriods::Nothing),
+        ("T (s) morning", CountedPeriods::Said(1.0)),
     ] {
         let text = format!("A (deg),{heading}\n10,20.0\n20,20.1\n30,20.3\n");
         let table = Table::read(text.as_bytes(), &ReadOptions::default()).unwrap();

@@ -48,6 +48,8 @@ pub(super) struct LengthFile {
     pub(super) shared_timing: Option<Vec<f64>>,
     /// Names of the groups of the rows.
     pub(super) groups: Option<Vec<String>>,
+    /// The lines of the file that the rows came from.
+    pub(super) lines: Vec<u64>,
 }
 
 impl LengthFile {
@@ -58,6 +60,9 @@ impl LengthFile {
         self.inferences.sentences.push(text.to_owned());
     }
 }
+
+/// Amplitude in radians from which the unit is not guessed: few swing that far, and small swings in degrees have such numbers.
+const LARGE: f64 = 1.0;
 
 impl Input {
     pub(super) fn name(&self) -> String {
@@ -71,6 +76,16 @@ impl Input {
         let [lengths, periods, length_uncertainties, of_periods, amplitudes] = read.columns;
         let lengths = lengths.unwrap_or_default();
         let periods = periods.unwrap_or_default();
+        let largest =
+            amplitudes.iter().flatten().fold(0.0_f64, |largest, amplitude| largest.max(amplitude.abs()));
+        if largest > LARGE && !read.are_stated[4] {
+            return Err(QueryError::usage(
+                option("amplitude-unit"),
+                format!(
+                    "is needed: the amplitudes, up to {largest}, have no unit, and may be degrees or radians"
+                ),
+            ));
+        }
         let columns = LengthColumns {
             lengths: &lengths,
             periods: &periods,
@@ -94,14 +109,21 @@ impl Input {
             rounding,
             shared_timing: read.shared_timing,
             groups: read.groups,
+            lines: read.lines,
         })
     }
 
     fn wanted(&self) -> [Wanted; 5] {
         let (lengths, periods) = (Wanted::lengths(self.length_unit), Wanted::periods(self.counted));
         let of_both = [lengths.uncertainties(0), periods.uncertainties(1)];
-        let amplitudes =
-            Wanted::amplitudes(self.amplitude_unit).only_named(&["amplitude", "angle", "theta", "θ"]);
+        let amplitudes = Wanted::amplitudes(self.amplitude_unit).only_named(&[
+            "amplitude",
+            "angle",
+            "theta",
+            "θ",
+            "amplitud",
+            "ampiezza",
+        ]);
         [lengths, periods, of_both[0], of_both[1], amplitudes]
     }
 

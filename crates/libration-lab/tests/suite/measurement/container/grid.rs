@@ -25,3 +25,14 @@ fn cells_keep_their_places_and_far_ones_are_refused() {
     assert!(far.into_text().is_err());
     assert!(Grid::new(5).text(0, 0, "abcdef").is_err());
 }
+
+#[test]
+fn commas_before_three_digits_stay_unless_another_cell_decides() {
+    let text = |cells: &[&str]| {
+        let mut grid = Grid::new(1000);
+        (0..).zip(cells).for_each(|(row, text)| grid.text(row, 0, text).unwrap());
+        grid.into_text().unwrap()
+    };
+    assert_eq!(text(&["1,000", "900", "1,100"]), "1,000\n900\n1,100");
+    assert_eq!(text(&["1,000", "0,25"]), "1.000\n0.25");
+}
