@@ -35,8 +35,8 @@ def motion_of_sympy(given: Any) -> Equation:
         if moving and it not in moving:
             raise refused(
                 it,
-                "it has no derivative in the equation: write it out as a formula, or give a "
-                "symbol for a constant",
+                "it has no derivative in the equation: write it out as a formula, give a symbol "
+                "for a constant, or several equations as text",
             )
     return found
 
@@ -59,16 +59,18 @@ def equation_of_sympy(given: Any) -> Equation:
             "Eq(x(t).diff(t, 2) + x(t), 0), or an expression that is zero"
         )
     sides = given.args if isinstance(given, sympy.Equality) else (given, sympy.S.Zero)
-    names = _names(given)
+    time = _time(given)
+    names = _names(given, time)
     text = " = ".join(_printed(side, names) for side in sides)
     if re.search(r"\bd\w*/dt[23]?\b", text):
         raise UsageError("a symbol dt below a fraction is read as a derivative: rename it")
-    return Equation(text, {it.name: old for old, it in names.items() if old.is_Symbol})
+    symbols = {it.name: old for old, it in names.items() if _is_letter(old) and old != time}
+    return Equation(text, symbols)
 
 
 def formula_of_sympy(given: Any) -> str:
     """A number or an expression of SymPy as a formula."""
-    return _printed(given, _names(given))
+    return _printed(given, _names(given, _time(given)))
 
 
 def _printed(given: Any, names: dict[Any, Any]) -> str:
@@ -82,21 +84,28 @@ def _of_kind(given: Any, kind: str) -> list[Any]:
     return sorted(given.atoms(getattr(sympy.core.function, kind)), key=str)
 
 
-def _names(given: Any) -> dict[Any, Any]:
+def _is_letter(it: Any) -> bool:
+    """True for a symbol, and for one with an index, such as ``k[1]``."""
+    import sympy
+
+    return isinstance(it, (sympy.Symbol, sympy.Indexed))
+
+
+def _names(given: Any, time: Any) -> dict[Any, Any]:
     """The symbol in place of each derivative, function and symbol."""
     import sympy
 
-    time = _time(given)
     functions, found = _of_kind(given, "AppliedUndef"), dict[Any, Any]()
-    owners: dict[str, Any] = {} if time is None else {"t": time}
-    for it in [*functions, *sorted(given.atoms(sympy.Symbol) - {time}, key=str)]:
-        name = it.name if it.is_Symbol else it.func.__name__
+    owners: dict[str, Any] = {} if time is None else {"t": time, time.name: time}
+    letters = given.atoms(sympy.Symbol, sympy.Indexed) - {time}
+    for it in [*functions, *sorted(letters, key=str)]:
+        name = it.name if _is_letter(it) else it.func.__name__
         # Without functions, names with primes are derivatives, as in text.
         marks = 0 if functions else min(2, len(name) - len(name.rstrip("'")))
         name = name_in_formulas(it, name[: len(name) - marks]) + "'" * marks
         if owners.setdefault(name, it) != it:
             raise _two(name, owners[name], it, time)
-        assumptions = it.assumptions0 if it.is_Symbol else {}
+        assumptions = it.assumptions0 if _is_letter(it) else {}
         found[it] = sympy.Symbol(name, **assumptions)
     for it in _of_kind(given, "Derivative"):
         found[it] = sympy.Symbol(found[it.expr].name + "'" * it.derivative_count)
@@ -112,7 +121,7 @@ def _two(name: str, first: Any, second: Any, time: Any) -> UsageError:
             f"{second} is not the time of this equation, which is {time} and is written t in "
             "formulas: give it another name"
         )
-    kinds = [it.is_Symbol for it in (first, second)]
+    kinds = [_is_letter(it) for it in (first, second)]
     if any(kinds) and not all(kinds):
         return UsageError(
             f"a function and a symbol are called {name}: write the function with its argument "
@@ -172,7 +181,7 @@ def _refuse_arguments(it: Any) -> None:
 def constant_of_sympy(formula: str, symbols: dict[str, Any]) -> Any:
     """A constant of the package, such as ``sqrt(2)``, as SymPy has it.
 
-    Letters without a symbol, and those that Python or SymPy reads otherwise, are positive symbols.
+    Letters are symbols, those too that SymPy or Python would read otherwise, as E and lambda.
     """
     import sympy
 
@@ -183,7 +192,7 @@ def constant_of_sympy(formula: str, symbols: dict[str, Any]) -> Any:
         name = found[0]
         if name in FUNCTIONS or name == "pi":
             return name
-        letters[f"_{name}"] = symbols.get(name) or sympy.Symbol(name, positive=True)
+        letters[f"_{name}"] = symbols.get(name, sympy.Symbol(name))
         return f"_{name}"
 
     text = re.sub(r"(?<![\w.])[A-Za-z]\w*", placeholder, formula.replace("^", "**"))

@@ -6,18 +6,19 @@ from typing import Any
 from .errors import UsageError
 
 # As `letters.rs` of libration-numbers has them.
-_GREEK = {
-    **dict(zip("αβγδεζηθικλμνξ", "alpha beta gamma delta epsilon zeta eta theta iota kappa "
-               "lambda mu nu xi".split())),
-    **dict(zip("πρστυφχψω", "pi rho sigma tau upsilon phi chi psi omega".split())),
-    **dict(zip("ΓΔΘΛΞΣΦΨΩ", "Gamma Delta Theta Lambda Xi Sigma Phi Psi Omega".split())),
-    **dict(zip("ϵϑµϕ", "epsilon theta mu phi".split())),
-}  # fmt: skip
-_COMMANDS = {"varepsilon": "epsilon", "vartheta": "theta", "varphi": "phi"}
-FUNCTIONS = tuple(
-    "sqrt sin cos tan asin acos atan sinh cosh tanh exp ln abs sign".split()
+_GREEK = dict(
+    zip(
+        "αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΣΦΨΩϵϑµϕ",
+        (
+            "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma "
+            "tau upsilon phi chi psi omega Gamma Delta Theta Lambda Xi Sigma Phi Psi Omega "
+            "epsilon theta mu phi"
+        ).split(),
+    )
 )
-"""What formulas can call."""
+_COMMANDS = {"varepsilon": "epsilon", "vartheta": "theta", "varphi": "phi"}
+FUNCTIONS = tuple("sqrt sin cos tan asin acos atan sinh cosh tanh exp ln abs sign".split())
+"""The functions of formulas."""
 _TAKEN = {*FUNCTIONS, "arcsin", "arccos", "arctan", "log", "sgn", "pi"}
 _DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _BRACES = r"_\{[A-Za-z0-9]+\}"
@@ -65,7 +66,8 @@ def _read(name: str) -> str | None:
         letter, rest = _GREEK[name[0]], name[1:]
     else:
         letter, rest = "", name
-    return letter + re.sub(r"_\{(\w+)\}", r"_\1", rest.translate(_DIGITS))
+    rest = re.sub(r"\[([0-9]+)\]", r"\1", rest.translate(_DIGITS))
+    return letter + re.sub(r"_\{(\w+)\}", r"_\1", rest)
 
 
 def _similar(name: str) -> str:

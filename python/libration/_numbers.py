@@ -116,12 +116,15 @@ def without_masks(values: Any) -> Any:
     `numpy.asarray` drops a mask, and takes the masked values for good ones.
     """
     if isinstance(values, np.ma.MaskedArray):
-        kept = values if values.dtype.kind == "f" else values.astype(object)
+        kept: Any = values if values.dtype.kind == "f" else values.astype(object)
         return kept.filled(np.nan)
     if isinstance(values, (list, tuple)):
-        nested = (list, tuple, np.ma.MaskedArray)
-        return [without_masks(it) if isinstance(it, nested) else it for it in values]
+        return [without_masks(it) if _may_have_masks(it) else it for it in values]
     return values
+
+
+def _may_have_masks(value: Any) -> bool:
+    return type(value) in (list, tuple) or isinstance(value, np.ma.MaskedArray)
 
 
 def is_uncertain(value: Any) -> bool:

@@ -26,9 +26,11 @@ def refuse(names: list[str], symbols: dict[str, Any]) -> None:
     """Refuses the first of these symbols."""
     for name in names:
         kind = "negative" if symbols[name].is_negative else "not positive"
+        has_opposite = symbols[name].is_extended_nonpositive
+        another = f"write -{name} with a positive" if has_opposite else "give a positive"
         raise UsageError(
-            f"the symbol {name} is declared {kind}, and letters in results are positive: write "
-            f"-{name} with a positive symbol {name}, or give it a value with set"
+            f"the symbol {name} is declared {kind}, and letters in results are positive: {another} "
+            f"symbol {name}, or a value with set"
         )
 
 
@@ -57,7 +59,8 @@ def _is_assumed(name: str, given: Any, symbols: dict[str, Any], found: "Expansio
         return False
     symbol, square = symbols[name], found.omega0_squared
     # The root of a sum is not taken: it is a letter of its own, and positive where motions exist.
-    of_root = square.terms[0][1] if isinstance(square, Polynomial) and len(square.terms) == 1 else ()
+    terms = square.terms if isinstance(square, Polynomial) else ()
+    of_root = terms[0][1] if len(terms) == 1 else ()
     has_roots = any(letter in letters for letter, _ in of_root) or any(
         letter in letters and power.denominator != 1 for letter, power in powers
     )

@@ -7,7 +7,7 @@ use super::node::{Node, Tests, between};
 use super::point::BranchPoint;
 use super::space::Space;
 use super::special::{Meeting, SpecialKind, SpecialPoint, Stretch};
-use super::units::{difference, in_units, largest_swing};
+use super::units::{difference, in_units};
 use libration_motion::internals::periodic::{norm, turns_in};
 use libration_numbers::roots::{Tolerance, bisect};
 
@@ -153,7 +153,7 @@ impl Walked {
 
 impl<'a> Walk<'a> {
     pub(super) fn new(corrector: Corrector<'a>, limits: Limits, start: Node) -> Self {
-        let largest = largest_swing(&start.point);
+        let largest = corrector.family.largest_swing(&start.point);
         Self {
             corrector,
             limits,
@@ -389,7 +389,7 @@ impl<'a> Walk<'a> {
         let found = stretch.specials();
         let before = self.nodes.len();
         self.special.extend(found.into_iter().map(|it| (SpecialPoint { before, ..it.special }, it.node)));
-        self.largest = self.largest.max(largest_swing(&next.point));
+        self.largest = self.largest.max(self.corrector.family.largest_swing(&next.point));
         self.milestones.push(self.milestone(&next, self.last));
         self.nodes.push(next);
         None

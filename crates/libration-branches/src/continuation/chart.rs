@@ -278,9 +278,7 @@ impl Survey<'_> {
         branches
             .iter()
             .flat_map(|branch| branch.special.iter().map(move |special| seed(branch, special)))
-            .filter(|seed| {
-                test_of(seed).is_some() && seed.point.ranges.iter().any(|[low, high]| high - low > 1e-9)
-            })
+            .filter(|seed| test_of(seed).is_some() && !self.family.is_at_rest(&seed.point))
             .collect()
     }
 

@@ -6,7 +6,6 @@ use super::point::BranchPoint;
 use super::singular::Singular;
 use super::space::Space;
 use super::special::{SpecialKind, Test};
-use super::units::largest_swing;
 use libration_motion::internals::periodic::norm;
 use libration_numbers::algebra::Doubles;
 use libration_numbers::internals::linear::solve;
@@ -77,7 +76,7 @@ impl<'a> Trace<'a> {
         most_points: usize,
         start: (&[f64], &BranchPoint),
     ) -> Option<Self> {
-        let largest = largest_swing(start.1);
+        let largest = singular.family.largest_swing(start.1);
         let mut trace =
             Self { singular, ranges, most_points, units: vec![], largest, spots: vec![], cusps: vec![] };
         trace.units = trace.units_of(start.1);
@@ -95,7 +94,7 @@ impl<'a> Trace<'a> {
         let mut endings = [onward; 2];
         if onward != Ending::Closed {
             let turned = start.tangent.iter().map(|x| -x).collect();
-            (self.units, self.largest) = (units, largest_swing(&start.point.point));
+            (self.units, self.largest) = (units, self.singular.family.largest_swing(&start.point.point));
             self.spots = vec![Spot { tangent: turned, left: -start.left, ..start }];
             endings[0] = self.walked();
             points = self.points().into_iter().skip(1).rev().chain(points).collect();
@@ -167,7 +166,7 @@ impl<'a> Trace<'a> {
             self.cusps.push(turning.point);
         }
         *length = (*length * longer).min(STEPS[0]);
-        self.largest = self.largest.max(largest_swing(&next.point.point));
+        self.largest = self.largest.max(self.singular.family.largest_swing(&next.point.point));
         self.spots.push(next);
         self.rescale();
         None

@@ -5,7 +5,7 @@ use super::family::{Family, Image, TOLERANCES};
 use super::pieces::MotionToCheck;
 use super::point::BranchPoint;
 use super::space::Space;
-use super::units::{in_units, largest_swing};
+use super::units::in_units;
 use libration_motion::internals::periodic::{CLOSED, LOST, extrema, multiplier_errors, norm, norm_of_map};
 use libration_motion::orbit::Stability;
 use libration_motion::taylor::{OwnedStep, StateLayout};
@@ -110,7 +110,7 @@ impl Family<'_> {
             stability: Stability::Undetermined,
             error: 0.0,
         };
-        let units = self.units(&point, largest_swing(&point), 1.0);
+        let units = self.units(&point, self.largest_swing(&point), 1.0);
         let of_map = multipliers(image, &units, apart(image, motion, &units), map_error)?;
         let mut own = of_map.clone();
         if !self.is_driven() {

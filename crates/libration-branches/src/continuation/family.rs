@@ -7,9 +7,11 @@ use super::space::{Space, Symmetry};
 use super::symmetry::{has_partial_mirror, symmetry};
 use libration_motion::internals::periodic::{Flow, Variations, norm_of_map};
 use libration_motion::taylor::{IntegrationError, OwnedStep, StateLayout};
+use libration_numbers::algebra::Doubles;
 use libration_numbers::expression::Equation;
-use libration_numbers::internals::expression::Tape;
+use libration_numbers::internals::expression::{Jet, Tape};
 use libration_numbers::internals::progress::Watch;
+use std::f64::consts::TAU;
 
 /// Source of the period of a motion.
 #[derive(Debug)]
@@ -31,6 +33,8 @@ pub(super) struct Family<'w> {
     flow: Flow,
     /// The ranges of the parameters.
     ranges: Vec<[f64; 2]>,
+    /// The size of the coordinates where a motion does not show it.
+    pub(super) scale: f64,
     pub(super) watch: &'w Watch<'w>,
 }
 
@@ -87,6 +91,36 @@ pub(super) const TOLERANCES: [f64; 2] = [1e-16, 1e-15];
 /// Maximum number of steps of one motion.
 const MOST_STEPS: usize = 100_000;
 
+/// Coordinates below this are of other units than those of the others.
+const OTHER_UNITS: f64 = 1e-6;
+
+/// The size of motions under a drive far below [`OTHER_UNITS`], by the inertia: the largest rate at rest in a period, times the square of the time in
+/// which the phase is 1; otherwise 1.
+fn scale_of_drive(layout: &StateLayout, rates: &Tape, law: &DriveLaw, ranges: &[[f64; 2]]) -> f64 {
+    const TIMES: u32 = 16;
+    let largest = [0, 1].map(|end| {
+        let parameters: Vec<f64> = ranges.iter().map(|range| range[end]).collect();
+        let (period, _) = law.period(&parameters)?;
+        let at = |time: u32| {
+            let time = period * f64::from(time) / f64::from(TIMES);
+            let rest = std::iter::repeat_n(0.0, layout.numbers());
+            let inputs: Vec<f64> = rest.chain([time]).chain(parameters.iter().copied()).collect();
+            let jet = Jet::new(&Doubles, rates, &inputs).ok()?;
+            let values = (0..layout.coordinates()).map(|result| {
+                let unit = period / TAU;
+                let of_order = if layout.velocity(result).is_some() { unit * unit } else { unit };
+                jet.result(result)[0].abs() * of_order
+            });
+            Some(values.fold(0.0, f64::max))
+        };
+        (0..TIMES).map(at).try_fold(0.0_f64, |largest, it| Some(largest.max(it?)))
+    });
+    match largest.into_iter().flatten().fold(0.0, f64::max) {
+        size if size > 0.0 && size < OTHER_UNITS && largest.iter().all(Option::is_some) => size,
+        _ => 1.0,
+    }
+}
+
 impl<'w> Family<'w> {
     /// Creates the family of a driven system.
     pub(super) fn new(
@@ -125,9 +159,17 @@ impl<'w> Family<'w> {
             Beat::Drive(law) => Some(law),
             Beat::Own(_) => None,
         };
-        let (symmetry, signs) = symmetry(&flow.layout, flow.rates(), law, ranges);
+        let scale = law.map_or(1.0, |law| scale_of_drive(&flow.layout, flow.rates(), law, ranges));
+        let (symmetry, signs) = symmetry(&flow.layout, flow.rates(), law, ranges, scale);
         let ranges = ranges.to_vec();
-        Ok(Self { layout: flow.layout.clone(), symmetry, signs, beat, flow, ranges, watch })
+        Ok(Self { layout: flow.layout.clone(), symmetry, signs, beat, flow, ranges, scale, watch })
+    }
+
+    /// The family with the scale of a state, where that of its motions is not known and the state is of other units.
+    pub(super) fn at_scale_of(self, state: &[f64]) -> Self {
+        let size = state.iter().map(|x| x.abs()).fold(0.0, f64::max);
+        let is_open = self.scale.total_cmp(&1.0).is_eq() && size > 0.0 && size < OTHER_UNITS;
+        Self { scale: if is_open { size } else { self.scale }, ..self }
     }
 
     /// `true` if the only motion that is its own mirror image at all times is the equilibrium at zero.
@@ -148,7 +190,7 @@ impl<'w> Family<'w> {
             Beat::Own(_) => None,
         };
         let (changed, kept) = (counts(deviation), counts(state));
-        has_partial_mirror(&self.layout, self.flow.rates(), law, &self.ranges, [&changed, &kept])
+        has_partial_mirror(&self.layout, self.flow.rates(), law, &self.ranges, self.scale, [&changed, &kept])
     }
 
     pub(super) fn is_driven(&self) -> bool {
@@ -252,10 +294,10 @@ impl<'w> Family<'w> {
         const ASIDE: f64 = 0.1;
         const LESS: f64 = 0.7;
         let rates = self.field().and_then(|field| field.at(&state, &[value]));
-        if rates.is_some_and(|it| it.rates.iter().all(|rate| rate.abs() <= REST)) {
+        if rates.is_some_and(|it| it.rates.iter().all(|rate| rate.abs() <= REST * self.scale)) {
             let mut aside = ASIDE;
             for coordinate in &mut state[..self.layout.coordinates()] {
-                *coordinate += aside * coordinate.abs().max(1.0);
+                *coordinate += aside * coordinate.abs().max(self.scale);
                 aside *= LESS;
             }
         }

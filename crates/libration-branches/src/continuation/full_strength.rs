@@ -7,7 +7,6 @@ use super::family::{Family, TOLERANCES};
 use super::node::Node;
 use super::point::BranchPoint;
 use super::space::Space;
-use super::units::largest_swing;
 use libration_motion::orbit::Orbit;
 use libration_numbers::algebra::BigFloat;
 use libration_numbers::expression::{Equation, Expression};
@@ -42,7 +41,7 @@ impl<'w> ToFullStrength<'w> {
         let first = |strength: &f64| {
             let place = self.closed(space, state, *strength)?;
             let node = Node::near(&corrector, &place, [&along, &along], 1.0)?;
-            ((largest_swing(&node.point) / amplitude - 1.0).abs() < SAME_SWING).then_some(node)
+            ((self.family.largest_swing(&node.point) / amplitude - 1.0).abs() < SAME_SWING).then_some(node)
         };
         let start = FIRST_STRENGTHS.iter().find_map(first)?;
         let limits = Limits {

@@ -3,7 +3,7 @@
 use super::corrector::{Corrected, Corrector};
 use super::family::Image;
 use super::point::BranchPoint;
-use super::units::{difference, in_units, largest_swing};
+use super::units::{difference, in_units};
 use libration_motion::internals::periodic::norm;
 use libration_numbers::algebra::Complex;
 use libration_numbers::internals::linear::eigenvalues;
@@ -69,7 +69,7 @@ impl Node {
         for _ in 0..2 {
             let corrected = corrector.corrected(place, &in_units(across, &sizes), &sizes)?;
             let found = Self::new(corrector, corrected, along, &sizes)?;
-            sizes = corrector.family.units(&found.point, largest_swing(&found.point), width);
+            sizes = corrector.family.units(&found.point, corrector.family.largest_swing(&found.point), width);
             node = Some(found);
         }
         node

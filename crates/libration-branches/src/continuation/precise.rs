@@ -9,7 +9,6 @@ use super::precise_flow::{PreciseFlow, PreciseImage};
 use super::singular::Singular;
 use super::space::Space;
 use super::special::{SpecialKind, SpecialPoint, Test};
-use super::units::largest_swing;
 use libration_motion::internals::periodic::norm;
 use libration_numbers::algebra::{BigFloat, Doubles, Floats, Ring};
 use libration_numbers::expression::Equation;
@@ -89,7 +88,7 @@ impl SpecialPoint {
         };
         let rest = is_rest.then_some(&self.point.state[..]);
         let singular = Singular { family: &family, space, test, rest };
-        let units = family.units(&self.point, largest_swing(&self.point), width);
+        let units = family.units(&self.point, family.largest_swing(&self.point), width);
         let bits = usize::try_from(digits).unwrap_or(usize::MAX / 8) * 10 / 3 + SPARE;
         let root = Root { singular, flow, units, ring: Floats { precision: bits }, digits };
         Ok(root.found(self))

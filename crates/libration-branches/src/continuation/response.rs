@@ -102,7 +102,8 @@ impl Response {
         if let Some(at) = options.at.filter(|at| !(range[0]..=range[1]).contains(at)) {
             return Err(BranchError::Outside { at, from, to });
         }
-        let family = Family::free_or_driven(equation, &[parameter], &[range], watch)?;
+        let family = Family::free_or_driven(equation, &[parameter], &[range], watch)?
+            .at_scale_of(options.start.as_deref().unwrap_or_default());
         let needs_drive =
             options.drive_periods != 1 || !options.orders.is_empty() || options.rotation.is_some();
         if !family.is_driven() && needs_drive {
@@ -256,7 +257,7 @@ impl Search<'_> {
         }
         /// Largest difference relative to the size of the state.
         const SAME: f64 = 1e-7;
-        let size = start.unknowns.iter().map(|x| x.abs()).fold(1e-6, f64::max);
+        let size = start.unknowns.iter().map(|x| x.abs()).fold(1e-6 * self.family.scale, f64::max);
         let copies = self.copies(start, value).unwrap_or_else(|| vec![start.unknowns.clone()]);
         let is_same = |point: &BranchPoint| match self.family.is_driven() {
             true => copies.iter().any(|copy| start.space.is_near(&point.state, copy, SAME * size)),

@@ -162,7 +162,7 @@ impl Search<'_> {
     pub(super) fn smallest(&self, space: Space, state: &[f64], value: f64) -> Space {
         /// Largest defect relative to the size of the state: a closed motion differs from its mirror image by rounding errors or by far more.
         const SAME: f64 = 1e-9;
-        let size = state.iter().map(|x| x.abs()).fold(1e-6, f64::max);
+        let size = state.iter().map(|x| x.abs()).fold(1e-6 * self.family.scale, f64::max);
         let belongs = |smaller: &Space| {
             let image = self.family.image(*smaller, state, &[value], TOLERANCES[0]);
             // Without a drive the last component of the defect is the phase condition.

@@ -7,7 +7,6 @@ use super::point::BranchPoint;
 use super::search::Search;
 use super::space::{Rotation, Space};
 use super::special::{SpecialKind, SpecialPoint};
-use super::units::largest_swing;
 use libration_numbers::algebra::Doubles;
 use libration_numbers::internals::linear::null_space;
 
@@ -61,7 +60,7 @@ impl Search<'_> {
             leaving.node.corrected.image.return_map().iter().enumerate().map(turned).collect();
         let vector = null_space(&Doubles, |x| x.abs(), &matrix, 1)?.pop()?;
         let parent = &leaving.node.point;
-        let sizes = self.family.units(parent, largest_swing(parent), self.width());
+        let sizes = self.family.units(parent, self.family.largest_swing(parent), self.width());
         let largest = vector.iter().zip(&sizes).map(|(x, unit)| (x / unit).abs()).fold(0.0, f64::max);
         let mut aside: Vec<f64> = vector.iter().map(|x| distance * x / largest).collect();
         aside.resize(sizes.len(), 0.0);

@@ -26,8 +26,9 @@ pub(super) fn symmetry(
     rates: &Tape,
     law: Option<&DriveLaw>,
     ranges: &[[f64; 2]],
+    scale: f64,
 ) -> (Option<Symmetry>, Vec<f64>) {
-    let equation = Trial { layout, rates, law, ranges };
+    let equation = Trial { layout, rates, law, ranges, scale };
     let coordinates = layout.coordinates();
     let all = (Symmetry::Unshifted, vec![-1.0; coordinates]);
     let of_mirror = |mirror: Vec<f64>| match law {
@@ -48,9 +49,10 @@ pub(super) fn has_partial_mirror(
     rates: &Tape,
     law: Option<&DriveLaw>,
     ranges: &[[f64; 2]],
+    scale: f64,
     [changed, kept]: [&[bool]; 2],
 ) -> bool {
-    let equation = Trial { layout, rates, law, ranges };
+    let equation = Trial { layout, rates, law, ranges, scale };
     let fits = |mirror: &Vec<f64>| {
         let signs = equation.of_state(mirror);
         let agrees =
@@ -80,6 +82,8 @@ struct Trial<'a> {
     rates: &'a Tape,
     law: Option<&'a DriveLaw>,
     ranges: &'a [[f64; 2]],
+    /// Another size of states that are tried: at that of the motions no other term hides the drive.
+    scale: f64,
 }
 
 impl Trial<'_> {
@@ -88,7 +92,8 @@ impl Trial<'_> {
         let operations = self.rates.operations().iter().enumerate();
         let has_kinks = operations.into_iter().any(|(place, it)| kink(it) && !self.rates.is_constant(place));
         let [least, most] = if has_kinks { SCALES } else { [0, 0] };
-        (least..=most).step_by(2).map(|power| libm::ldexp(1.0, power))
+        let other = Some(self.scale).filter(|scale| *scale < 1.0);
+        (least..=most).step_by(2).map(|power| libm::ldexp(1.0, power)).chain(other)
     }
 
     /// The signs of the components of a state: a velocity has the sign of its coordinate.

@@ -6,6 +6,10 @@ use super::point::BranchPoint;
 use libration_motion::internals::periodic::norm;
 use std::f64::consts::TAU;
 
+fn largest_half_range(point: &BranchPoint) -> f64 {
+    point.ranges.iter().map(|[low, high]| 0.5 * (high - low)).fold(0.0, f64::max)
+}
+
 /// A direction as a unit vector, in scaled units.
 pub(super) fn in_units(direction: &[f64], units: &[f64]) -> Vec<f64> {
     let scaled: Vec<f64> = direction.iter().zip(units).map(|(x, unit)| x / unit).collect();
@@ -13,13 +17,20 @@ pub(super) fn in_units(direction: &[f64], units: &[f64]) -> Vec<f64> {
     scaled.into_iter().map(|x| x / size).collect()
 }
 
-/// The largest of the half-ranges of the coordinates, or 1 at an equilibrium.
-pub(super) fn largest_swing(point: &BranchPoint) -> f64 {
-    let largest = point.ranges.iter().map(|[low, high]| 0.5 * (high - low)).fold(0.0, f64::max);
-    if largest > 1e-9 { largest } else { 1.0 }
-}
+/// Motions smaller than this part of the scale of a family are equilibria.
+const AT_REST: f64 = 1e-9;
 
 impl Family<'_> {
+    /// The largest of the half-ranges of the coordinates, or the scale of the family at an equilibrium.
+    pub(super) fn largest_swing(&self, point: &BranchPoint) -> f64 {
+        if self.is_at_rest(point) { self.scale } else { largest_half_range(point) }
+    }
+
+    /// Returns `true` for an equilibrium.
+    pub(super) fn is_at_rest(&self, point: &BranchPoint) -> bool {
+        largest_half_range(point) <= AT_REST * self.scale
+    }
+
     /// The sizes of the unknowns, followed by that of the parameter: half of each coordinate's range, the corresponding velocity, and the period
     /// if it is unknown. A component that hardly moves compared with the largest one has a fraction of the largest size.
     pub(super) fn units(&self, point: &BranchPoint, largest: f64, width: f64) -> Vec<f64> {

@@ -19,6 +19,7 @@ mod pendulum_chain;
 mod precise_special_points;
 mod rotations;
 mod self_excited_branches;
+mod small_scales;
 mod stability_charts;
 mod typed;
 mod unit;

@@ -1,6 +1,6 @@
 //! `libration decay`.
 
-use crate::command::{close, directory, json, libration, message, text};
+use crate::command::{close, directory, json, libration, message, text, unfolded};
 
 #[test]
 fn the_three_laws_stand_beside_each_other() {
@@ -98,6 +98,14 @@ fn dry_friction_ends_it() {
     assert_eq!(turns.len(), 10);
     close(&turns[9]["amplitude_rad"], 0.0457993352786800781089756367415, 1e-13);
     assert!(text("decay 1rad --dry 0.05 --omega0 1").contains("stopped by dry friction after 28.905941 s"));
+    // By SciPy's DOP853 with an event: at rest after 30.43257 s at 0.0020132 rad = 0.11535°.
+    let question = "decay 90deg --dry 0.2 --linear 0.02";
+    let sheet = unfolded(&text(question));
+    assert!(sheet.contains("on its way down, after 30.43257") && sheet.contains("0.1153"), "{sheet}");
+    let answer = json(question);
+    assert_eq!(answer["ending"], "sticks");
+    assert!((answer["rest_angle_rad"].as_f64().unwrap() - 0.002_013_2).abs() < 1e-7, "{answer}");
+    assert!(text("decay 0.3 --dry 0.2 --omega0 1").contains("on its way down, after 3.1758"));
 }
 
 #[test]

@@ -32,7 +32,8 @@ pub struct Frame {
     bottom: DoubleDouble,
 }
 
-/// The duration of a swing and the amplitude at its end, or the reason why it has none.
+/// The duration of a swing and the amplitude at its end, or the reason why it has none; the time of an ending is that after the turning point, with
+/// ω0 = 1.
 pub(super) type Turn = Result<(f64, Amplitude), DecayEnding>;
 
 /// Longest swing, in undamped half periods; a longer motion does not count as a swing.
@@ -68,9 +69,9 @@ impl HalfSwing {
         };
         // Only dry friction can stop the pendulum on its way down, where it exceeds gravity.
         let is_dry = self.damping.coefficient_of(0.0) > 0.0;
-        let before_bottom = if is_dry { DecayEnding::Sticks } else { DecayEnding::Creeps };
         Ok(match frame.angle(coordinate) {
-            angle if angle <= 0.0 => Err(before_bottom),
+            angle if angle <= 0.0 && is_dry => Err(DecayEnding::StopsOnTheWay { time, angle: -angle }),
+            angle if angle <= 0.0 => Err(DecayEnding::Creeps),
             angle => Frame::amplitude(angle).map(|amplitude| (time, amplitude)),
         })
     }

@@ -50,6 +50,11 @@ impl<'a> Swings<'a> {
         self.ended.and_then(Result::ok)
     }
 
+    /// Seconds from the release to this time after the last turning point.
+    fn seconds_after(&self, duration: f64) -> f64 {
+        ((self.time + duration) / DoubleDouble::from(self.decay.pendulum.angular_frequency())).to_f64()
+    }
+
     /// The turning point after the last one, or the reason why there is none.
     fn following(&self) -> Result<Turn, IntegrationError> {
         self.amplitude.map_or(Ok(Ok((0.0, self.decay.start))), |amplitude| self.swing.after(&amplitude))
@@ -65,13 +70,18 @@ impl Iterator for Swings<'_> {
         }
         match self.following() {
             Ok(Ok((duration, amplitude))) => {
+                let time = self.seconds_after(duration);
                 self.time = self.time + duration;
                 self.amplitude = Some(amplitude);
-                let time = self.time / DoubleDouble::from(self.decay.pendulum.angular_frequency());
-                Some(Ok(TurningPoint { time: time.to_f64(), amplitude }))
+                Some(Ok(TurningPoint { time, amplitude }))
             }
             Ok(Err(ending)) => {
-                self.ended = Some(Ok(ending));
+                self.ended = Some(Ok(match ending {
+                    DecayEnding::StopsOnTheWay { time, angle } => {
+                        DecayEnding::StopsOnTheWay { time: self.seconds_after(time), angle }
+                    }
+                    other => other,
+                }));
                 None
             }
             Err(error) => {

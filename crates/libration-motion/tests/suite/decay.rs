@@ -219,15 +219,28 @@ fn dry_friction_holds_the_pendulum_in_the_end() {
 #[test]
 fn dry_friction_stops_it_before_the_bottom_too() {
     // Small swings with dry friction d go from d + s to d − s: they stop before the bottom if s is below d.
-    for (start, turning_points) in [(0.06, 1), (0.09, 1), (0.12, 2)] {
+    for (start, turning_points) in [(0.06, 1), (0.09, 1), (0.18, 2)] {
         let decay = decay(&[(0.0, 0.05)], start);
         let mut swings = decay.swings();
-        assert_eq!(
-            (swings.by_ref().count(), swings.ending()),
-            (turning_points, Some(DecayEnding::Sticks)),
-            "{start}"
+        assert_eq!(swings.by_ref().count(), turning_points, "{start}");
+        let Some(DecayEnding::StopsOnTheWay { time, angle }) = swings.ending() else { panic!("{start}") };
+        // Each half swing takes π, and the last amplitude s goes to 2d − s, but for the part that the pendulum differs in.
+        let last = start - 0.1 * f64::from(u32::try_from(turning_points).unwrap() - 1);
+        assert!((angle - (0.1 - last)).abs() < 5e-4, "{start}: {angle}");
+        assert!(
+            (time - PI * f64::from(u32::try_from(turning_points).unwrap())).abs() < 0.01,
+            "{start}: {time}"
         );
     }
+    let held = decay(&[(0.0, 0.05)], 0.12);
+    let mut held = held.swings();
+    assert_eq!((held.by_ref().count(), held.ending()), (2, Some(DecayEnding::Sticks)));
+    // By SciPy's DOP853 with an event: x″ = −sin x + 0.2 from 0.3 rad comes to rest after 3.17587 at 0.1033743 rad.
+    let swings = decay(&[(0.0, 0.2)], 0.3);
+    let mut swings = swings.swings();
+    assert_eq!(swings.by_ref().count(), 1);
+    let Some(DecayEnding::StopsOnTheWay { time, angle }) = swings.ending() else { panic!() };
+    assert!((time - 3.17587).abs() < 1e-5 && (angle - 0.103_374_3).abs() < 1e-7, "{time} {angle}");
 }
 
 #[test]

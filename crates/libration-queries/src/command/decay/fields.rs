@@ -84,11 +84,17 @@ pub(super) fn of_decay<'a>() -> Fields<Found<'a>> {
             "reason why the swings end: sticks, vanishes or creeps; null where they go on",
             |it| match it.report.ending {
                 None => Value::Null,
-                Some(DecayEnding::Sticks) => "sticks".into(),
+                Some(DecayEnding::Sticks | DecayEnding::StopsOnTheWay { .. }) => "sticks".into(),
                 Some(DecayEnding::Vanishes) => "vanishes".into(),
                 Some(_) => "creeps".into(),
             },
         ),
+        Of::number("rest_time_s", "s", "time at which dry friction stops the pendulum, or null", |it| {
+            it.report.rest().map_or(f64::NAN, |(time, _)| time)
+        }),
+        Of::number("rest_angle_rad", "rad", "distance from the bottom at which it does, or null", |it| {
+            it.report.rest().map_or(f64::NAN, |(_, angle)| angle)
+        }),
         Of::number(
             "largest_error_averaged_rad",
             "rad",

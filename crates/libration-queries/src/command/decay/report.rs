@@ -77,7 +77,7 @@ impl Report {
         let report = Self { turns, ending: swings.ending(), interrupted, slow_turns: vec![] };
         report
             .ending
-            .filter(|_| report.turns.len() == 1)
+            .filter(|ending| report.turns.len() == 1 && !matches!(ending, DecayEnding::StopsOnTheWay { .. }))
             .map_or(Ok(report), |ending| Err(no_swing(decay, ending)))
     }
 
@@ -121,6 +121,17 @@ impl Report {
             });
             Row { cycle: in_cycles(number), turn, whole }
         })
+    }
+
+    /// The time in seconds and the angle in radians at which dry friction stops the pendulum, if it does.
+    pub(super) fn rest(&self) -> Option<(f64, f64)> {
+        match self.ending? {
+            DecayEnding::Sticks => {
+                self.turns.last().map(|turn| (turn.point.time, turn.point.amplitude.radians()))
+            }
+            DecayEnding::StopsOnTheWay { time, angle } => Some((time, angle)),
+            _ => None,
+        }
     }
 
     /// The largest error (rad) of a law at a turning point, with that turning point's number.

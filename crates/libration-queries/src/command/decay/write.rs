@@ -190,6 +190,11 @@ impl Answer<'_> {
             Some(DecayEnding::Sticks) => {
                 format!("stopped by dry friction after {time}, as at every amplitude up to {sticking}°")
             }
+            Some(DecayEnding::StopsOnTheWay { time, angle }) => format!(
+                "stopped by dry friction on its way down, after {} at {}° from the bottom",
+                seconds(time, 8),
+                short(angle.to_degrees(), 6)
+            ),
             Some(DecayEnding::Vanishes) => format!("after {time} the amplitude is below 1e-100 rad"),
             Some(_) => format!(
                 "after {time} the damping is too strong for a swing: the pendulum creeps to the bottom"
