@@ -234,7 +234,8 @@ fn the_comment_says_what_order_gauge_and_reach_the_functions_have() {
 }
 
 /// Slow flows whose formulas have capitals beside small letters, words that languages reserve, π, several coordinates, and long products.
-const FLOWS: [&[&str]; 5] = [
+const FLOWS: [&[&str]; 6] = [
+    &["expand", "x'' + 2*eps*None*x' + NAN^2*x + eps*Some*x^3 = eps*Sin*cos(W*t)", "--resonance", "1/1"],
     &["expand", "x'' + 2*eps*lambda*x' + in^2*x + eps*a*x^3 = eps*F*cos(W*t)", "--resonance", "1/1"],
     &["expand", "x'' + w0^2*x + eps*R*sign(x') = eps*F*cos(W*t)", "--resonance", "1/1"],
     &["expand", "x''+m*x'+x+x^2=F*cos(W*t)", "--resonance", "1/1", "--small", "m:2,F:2", "--order", "4"],
@@ -365,4 +366,19 @@ fn slow_flows_in_fortran_are_their_formulas() {
         Command::new(place.join("program"))
     };
     assert_flows("fortran", |it| format!("{it}_real64"), program, ran);
+}
+
+/// Fortran has one name for X and x: the second function gets another.
+#[test]
+fn coordinates_that_differ_by_a_capital_have_functions_in_fortran() {
+    let flow = ["resonance", "X''+w1^2*X+eps*a*X*x=0; x''+w2^2*x+eps*b*X^2=0", "--ratios", "1:2"];
+    let code = run(&[&flow[..], &["--format", "fortran"]].concat());
+    let code = String::from_utf8(code.stdout).unwrap();
+    assert!(code.contains("function amplitude_X(") && code.contains("function amplitude_x_("), "{code}");
+    if !is_there("gfortran") {
+        return;
+    }
+    let place = directory("slow_flow_capitals");
+    std::fs::write(place.join("code"), code).unwrap();
+    built("gfortran", &["-std=f2008", "-ffree-form", "-Wall", "-Werror", "-c", "-x", "f95", "code"], &place);
 }

@@ -125,3 +125,22 @@ fn a_drive_of_a_given_frequency_determines_the_detuning() {
     assert!(setting("1").contains("frequency of the drive, which gives sigma: 1 = 1 + eps*sigma"));
     assert!(setting("W").contains("eps of order 1; W = 1 + eps*sigma"));
 }
+
+#[test]
+fn notes_name_the_terms_and_orders_that_are_missing() {
+    let text = "x''+m*x'+x+c*x^3=F*cos(W*t)";
+    let asked = |small: &str, order: &[&str]| {
+        answer(&[&["expand", text, "--resonance", "1/1", "--small", small], order].concat())
+    };
+    let raised = asked("c:1,m:2,F:2", &[]);
+    assert_eq!(raised["order"], 3);
+    assert_eq!(raised["steady_state"]["peak_amplitude"], "F/m");
+    let lower = asked("c:1,m:2,F:2", &["--order", "2"]);
+    assert_eq!(lower["steady_state"]["relation"], Value::Null);
+    assert!(lower["steady_state"]["notes"][0].as_str().unwrap().contains("need order 3"), "{lower}");
+    let without = shown(&["expand", text, "--resonance", "1/1", "--small", "c:3,m:1,F:1", "--order", "2"]);
+    assert!(without.contains("terms above order 2 are left out of x'': -c*x^3"), "{without}");
+    let free = shown(&["expand", "x''+m*x'+x+c*x^3=0", "--small", "c:1,m:2", "--order", "1"]);
+    assert!(free.contains("to order 1 the amplitude does not change"), "{free}");
+    assert!(free.contains("terms above order 1 are left out of x'': -m*x'"), "{free}");
+}

@@ -21,6 +21,7 @@ mod slow_decay;
 mod slow_flow;
 mod symbolic_expansions;
 mod symbolic_slow_flow;
+mod symbolic_steady_states;
 mod truncated_system;
 mod two_sided;
 mod typed;

@@ -102,15 +102,20 @@ impl Language {
         }
     }
 
-    /// Returns `true` if no variable may have this name.
-    fn is_reserved(self, name: &str) -> bool {
+    /// Returns `true` if the language has this name for itself.
+    fn is_word(self, name: &str) -> bool {
         let words = match self {
             Self::C => C_WORDS,
             Self::Python => PYTHON_WORDS,
             Self::Rust => RUST_WORDS,
             Self::Fortran => FORTRAN_WORDS,
         };
-        FUNCTIONS.contains(&name) || words.split(' ').any(|word| word == name)
+        words.split(' ').any(|word| word == name)
+    }
+
+    /// Returns `true` if no variable may have this name.
+    fn is_reserved(self, name: &str) -> bool {
+        FUNCTIONS.contains(&name) || self.is_word(name)
     }
 
     /// A name that is the same as another where the language does not distinguish them.
@@ -132,12 +137,24 @@ impl FreeNames {
 
     /// The name, or the same with underscores where the language reserves it or another variable has it.
     pub(crate) fn free(&mut self, name: &str) -> String {
-        let Self { language, taken } = self;
+        let language = self.language;
+        self.first_free(name, |name| language.is_reserved(name))
+    }
+
+    /// The same for a function that the program defines.
+    pub(crate) fn free_function(&mut self, name: &str) -> String {
+        let language = self.language;
+        self.first_free(name, |name| language.is_word(name))
+    }
+
+    fn first_free(&mut self, name: &str, is_refused: impl Fn(&str) -> bool) -> String {
         let mut name = name.to_owned();
-        while language.is_reserved(&name) || taken.contains(&language.folded(&name)) {
+        let mut folded = self.language.folded(&name);
+        while is_refused(&folded) || self.taken.contains(&folded) {
             name.push('_');
+            folded.push('_');
         }
-        taken.push(language.folded(&name));
+        self.taken.push(folded);
         name
     }
 }
@@ -146,11 +163,16 @@ impl FreeNames {
 const FUNCTIONS: &[&str] =
     &["frequency", "period", "displacement", "sqrt", "sin", "cos", "abs", "fabs", "pow"];
 
+// Keywords, and macros of math.h and of the compilers.
 const C_WORDS: &str = "auto break case char const continue default do double else enum extern float for goto if inline int long \
-    register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while";
+    register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while \
+    FP_ILOGB0 FP_ILOGBNAN FP_INFINITE FP_NAN FP_NORMAL FP_SUBNORMAL FP_ZERO HUGE_VAL HUGE_VALF HUGE_VALL INFINITY MATH_ERREXCEPT \
+    MATH_ERRNO M_1_PI M_2_PI M_2_SQRTPI M_E M_LN10 M_LN2 M_LOG10E M_LOG2E M_PI M_PI_2 M_PI_4 M_SQRT1_2 M_SQRT2 NAN \
+    linux math_errhandling unix";
 const PYTHON_WORDS: &str = "False None True and as assert async await break class continue def del elif else except finally for \
     from global if import in is lambda nonlocal not or pass raise return try while with yield";
+// Keywords, and variants of the prelude, which no variable shadows.
 const RUST_WORDS: &str = "Self abstract as async await become box break const continue crate do dyn else enum extern false final \
     fn for gen if impl in let loop macro match mod move mut override priv pub ref return self static struct super trait true try \
-    type typeof unsafe unsized use virtual where while yield f64";
-const FORTRAN_WORDS: &str = "real64 result oscillator";
+    type typeof unsafe unsized use virtual where while yield f64 None Some Ok Err";
+const FORTRAN_WORDS: &str = "real64 result oscillator slow_flow";

@@ -26,13 +26,14 @@ pub(super) fn write(
         })?);
     }
     let mut free = FreeNames::new(language);
-    formulas.iter().for_each(|formula| {
-        free.free(&formula.name);
-    });
+    let own: Vec<String> = formulas.iter().map(|formula| free.free_function(&formula.name)).collect();
     let symbols: BTreeSet<String> = trees.iter().flat_map(symbols).collect();
     let names = symbols.into_iter().map(|symbol| (symbol.clone(), free.free(&symbol))).collect();
-    let functions =
-        formulas.iter().zip(&trees).map(|(formula, tree)| function(language, formula, tree, &names));
+    let functions = formulas
+        .iter()
+        .zip(own)
+        .zip(&trees)
+        .map(|((formula, name), tree)| function(language, (&name, &formula.meaning), tree, &names));
     let comment = vec![equations.to_owned()];
     let program = Program { language, module: "slow_flow", comment, functions: functions.collect() };
     Ok(out.write_all(program.to_string().as_bytes())?)
@@ -42,9 +43,9 @@ fn symbols(tree: &Expression) -> BTreeSet<String> {
     tree.symbols().into_iter().map(|symbol| symbol.name).collect()
 }
 
-fn function(language: Language, formula: &NamedFormula, tree: &Expression, names: &Names) -> Function {
+fn function(language: Language, (name, meaning): (&str, &str), tree: &Expression, names: &Names) -> Function {
     let arguments = symbols(tree).iter().map(|symbol| name_of(symbol, names)).collect();
-    let mut function = Function::new(&formula.name, &formula.meaning, arguments);
+    let mut function = Function::new(name, meaning, arguments);
     function.result = written(language, tree, names);
     function
 }

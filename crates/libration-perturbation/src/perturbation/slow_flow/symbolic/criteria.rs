@@ -44,13 +44,23 @@ impl ResponseCurve<'_> {
         None
     }
 
-    /// The amplitude at which the backbone meets the curve, where the lowest order has two powers of A.
+    /// The relation on the backbone.
+    pub(super) fn on_ridge(&self, backbone: &Sum) -> Sum {
+        self.letters.substituted(self.relation, Column::Detuning, backbone, self.order)
+    }
+
+    /// The amplitude at which the backbone meets the curve, where the lowest order there has two powers of A, or three that make a square with them.
     pub(super) fn peak(&self, backbone: &Sum) -> Option<Peak> {
         let letters = self.letters;
-        let on_ridge = letters.substituted(self.relation, Column::Detuning, backbone, self.order);
-        let leading = letters.of_order(&on_ridge, 0);
-        let &[low, high] = letters.exponents(&leading, Column::Amplitude).as_slice() else { return None };
-        let root = high - low;
+        let on_ridge = self.on_ridge(backbone);
+        let first = letters.lowest_order(&on_ridge)?;
+        let leading = letters.of_order(&on_ridge, first);
+        let powers = letters.exponents(&leading, Column::Amplitude);
+        let (low, root) = match *powers.as_slice() {
+            [low, high] => (low, high - low),
+            [low, middle, high] if middle - low == high - middle => (low, middle - low),
+            _ => return None,
+        };
         let place = letters.place(Column::Amplitude);
         if on_ridge.half_powers().any(|(powers, _)| (powers[place] - 2 * low) % (2 * root) != 0) {
             return None;
@@ -60,20 +70,27 @@ impl ResponseCurve<'_> {
             powers[place] = (powers[place] - 2 * low) / root;
             factor.clone()
         });
-        let slope = letters.coefficient(&letters.of_order(&in_power, 0), Column::Amplitude, 1);
+        let leading = letters.of_order(&in_power, first);
+        let at = |power: i64| letters.coefficient(&leading, Column::Amplitude, power);
+        let steepest = if powers.len() == 3 { at(2) } else { at(1) };
         // Where the relation falls with A, the curve has a smallest amplitude there instead.
         let curvature = letters.coefficient(&letters.of_order(self.relation, 0), Column::Detuning, 2);
         let is_positive = |sum: &Sum| sum.as_single_term().map(|(_, factor)| !factor.is_negative());
-        if is_positive(&slope)? != is_positive(&curvature)? {
+        if is_positive(&steepest)? != is_positive(&curvature)? {
             return None;
         }
+        if powers.len() == 3 {
+            let power = self.square_root([&at(0), &at(1), &steepest]).filter(|_| leading == in_power)?;
+            return Some(Peak { detuning: self.at_power(backbone, &power, root, self.order), power, root });
+        }
+        let (slope, order) = (steepest, self.order - first);
         let inverse = letters.inverse(&letters.scaled(&slope, &Rational::from(-1)))?;
         let mut power = letters.zero();
         for _ in 0..=self.order + 1 {
-            let left = self.substituted(&in_power, &power)?;
-            let step = letters.product(&left, &inverse, self.order);
+            let left = self.substituted(&in_power, &power, self.order)?;
+            let step = letters.product(&left, &inverse, order);
             if step.is_zero() {
-                let detuning = self.at_power(backbone, &power, root);
+                let detuning = self.at_power(backbone, &power, root, order);
                 return Some(Peak { power, root, detuning });
             }
             power = letters.add(&power, &step);
@@ -81,15 +98,28 @@ impl ResponseCurve<'_> {
         None
     }
 
+    /// The larger root of a quadratic polynomial whose discriminant is the square of one product.
+    fn square_root(&self, [constant, linear, square]: [&Sum; 3]) -> Option<Sum> {
+        let letters = self.letters;
+        let product = letters.scaled(&letters.times(constant, square), &Rational::from(4));
+        let discriminant = letters.subtract(&letters.times(linear, linear), &product);
+        let width = letters.ring.power(&discriminant, &Rational::new(1, 2)?)?;
+        width.as_single_term()?;
+        let is_negative = square.as_single_term().is_some_and(|(_, factor)| factor.is_negative());
+        let width = letters.scaled(&width, &Rational::from(if is_negative { -1 } else { 1 }));
+        let inverse = letters.inverse(&letters.scaled(square, &Rational::from(2)))?;
+        Some(letters.times(&letters.subtract(&width, linear), &inverse))
+    }
+
     /// A sum with natural powers of the amplitude's column at a value.
-    fn substituted(&self, sum: &Sum, by: &Sum) -> Option<Sum> {
+    fn substituted(&self, sum: &Sum, by: &Sum, order: i64) -> Option<Sum> {
         let is_natural =
             self.letters.exponents(sum, Column::Amplitude).first().is_none_or(|&least| least >= 0);
-        is_natural.then(|| self.letters.substituted(sum, Column::Amplitude, by, self.order))
+        is_natural.then(|| self.letters.substituted(sum, Column::Amplitude, by, order))
     }
 
     /// A sum in powers of A at a value of a power of A.
-    fn at_power(&self, sum: &Sum, power: &Sum, root: i64) -> Option<Sum> {
+    fn at_power(&self, sum: &Sum, power: &Sum, root: i64, order: i64) -> Option<Sum> {
         let place = self.letters.place(Column::Amplitude);
         if sum.half_powers().any(|(powers, _)| powers[place] % (2 * root) != 0) {
             return None;
@@ -98,7 +128,7 @@ impl ResponseCurve<'_> {
             powers[place] /= root;
             factor.clone()
         });
-        self.substituted(&in_power, power)
+        self.substituted(&in_power, power, order)
     }
 
     /// ∂/∂A of the relation, which vanishes where the response curve turns back.
@@ -111,7 +141,7 @@ impl ResponseCurve<'_> {
     /// The drive at which the folds appear, as text, for κ·A²·((σ − b·A²)² + μ²) = D: D = 8·κ·μ³/(3·√3·|b|).
     pub(super) fn critical_drive(&self, drives: &[usize]) -> Option<String> {
         let letters = self.letters;
-        let relation = letters.of_order(self.relation, 0);
+        let relation = self.leading();
         let at = |a: i64, sigma: i64| {
             let part = letters.coefficient(&relation, Column::Amplitude, a);
             letters.coefficient(&part, Column::Detuning, sigma)
@@ -136,6 +166,23 @@ impl ResponseCurve<'_> {
         Some(self.over_slope(&above, &slope))
     }
 
+    /// The lowest order, and those of damping and drive where they are higher: the terms without σ in A² and A⁰.
+    ///
+    /// At the critical drive A² is of the order of the damping over the bend, so that corrections of the backbone are smaller.
+    fn leading(&self) -> Sum {
+        let letters = self.letters;
+        let [detuning, amplitude] = [Column::Detuning, Column::Amplitude].map(|column| letters.place(column));
+        let leading = letters.of_order(self.relation, 0);
+        [0, 2].into_iter().fold(leading, |sum, power| {
+            let is_level = |powers: &[i64]| powers[detuning] == 0 && powers[amplitude] == 2 * power;
+            let level = letters.part(self.relation, is_level);
+            match letters.lowest_order(&level) {
+                Some(order) if order > 0 => letters.add(&sum, &letters.of_order(&level, order)),
+                _ => sum,
+            }
+        })
+    }
+
     /// Checks that the relation is κ·A²·((σ − b·A²)² + μ²) − D.
     fn check_cubic(&self, relation: &Sum, [kappa, slope, square, drive]: [&Sum; 4]) -> Option<()> {
         let letters = self.letters;
@@ -157,7 +204,7 @@ impl ResponseCurve<'_> {
         let is_positive = |place: usize| self.omega0.half_powers().any(|(powers, _)| powers[place] != 0);
         let mut signed = vec![0; powers.len()];
         for (place, power) in powers.iter().enumerate() {
-            if place < natural && *power > 0 && !is_positive(place) {
+            if place < natural && *power != 0 && !is_positive(place) {
                 signed[place] = *power;
             }
         }

@@ -67,8 +67,10 @@ impl Setting {
         let frequencies = equations.springs.iter().zip(&equations.is_detuned);
         let natural_squares = frequencies.map(|(spring, is)| is.then(|| spring.clone())).collect();
         let acting_order = self.acting_order(&equations);
-        let left_out = self.left_out(&equations, order);
-        Ok((forced, Found { natural: natural.explained, drives, natural_squares, acting_order, left_out }))
+        let stated_order = self.stated_order(&equations);
+        let left_out = self.left_out(&equations, &forced, reader.variables, order);
+        let natural = natural.explained;
+        Ok((forced, Found { natural, drives, natural_squares, acting_order, stated_order, left_out }))
     }
 
     fn checked(&self, reader: &Reader<'_>, formula: &Expression) -> Result<Sum, Error> {
@@ -256,7 +258,10 @@ impl Setting {
     }
 
     /// The degrees of nonlinear terms without a small parameter, with whether they have the sign of a displacement or velocity as a factor.
-    fn large_degrees<'a>(&self, equations: &'a Equations) -> impl Iterator<Item = (i64, bool)> + use<'a> {
+    pub(super) fn large_degrees<'a>(
+        &self,
+        equations: &'a Equations,
+    ) -> impl Iterator<Item = (i64, bool)> + use<'a> {
         let (degree, order, signs) = (self.degree(), self.letters.place(Column::Order), self.signs());
         let terms =
             equations.accelerations.iter().flat_map(|sum| sum.half_powers().map(|(powers, _)| &powers[..]));
@@ -267,7 +272,10 @@ impl Setting {
     }
 
     /// The same as far as power series are known.
-    fn known_degrees<'a>(&self, equations: &'a Equations) -> impl Iterator<Item = (i64, bool)> + use<'a> {
+    pub(super) fn known_degrees<'a>(
+        &self,
+        equations: &'a Equations,
+    ) -> impl Iterator<Item = (i64, bool)> + use<'a> {
         let known = equations.known_degree.and_then(|degree| i64::try_from(degree).ok());
         let is_known = move |degree: i64| known.is_none_or(|known| degree <= known);
         self.large_degrees(equations).filter(move |(degree, _)| is_known(*degree))
@@ -281,17 +289,6 @@ impl Setting {
             false => 2 * (degree - 1),
         };
         self.known_degrees(equations).map(own).max()
-    }
-
-    /// A note on terms without a small parameter whose order is above this one.
-    fn left_out(&self, equations: &Equations, order: i64) -> Option<String> {
-        let highest = self.known_degrees(equations).map(|(degree, _)| degree - 1).max()?;
-        (highest > order).then(|| {
-            format!(
-                "terms without a small parameter are of the order of their degree less one: those of degrees above {} are left out",
-                order + 1
-            )
-        })
     }
 
     fn signs(&self) -> [usize; 2] {
@@ -316,8 +313,8 @@ impl Setting {
 }
 
 /// The equations of motion as sums.
-struct Equations {
-    accelerations: Vec<Sum>,
+pub(super) struct Equations {
+    pub(super) accelerations: Vec<Sum>,
     springs: Vec<Sum>,
     is_detuned: Vec<bool>,
     /// The degree to which power series of displacements are known; `None` without such series.
@@ -346,12 +343,14 @@ pub(super) struct Found {
     pub(super) natural_squares: Vec<Option<Sum>>,
     /// The order at which all nonlinear terms without a small parameter act on amplitude or phase.
     pub(super) acting_order: Option<i64>,
+    /// The highest order that small parameters give a term, with their powers and products.
+    pub(super) stated_order: Option<i64>,
     /// A note on terms whose order is above the highest.
     pub(super) left_out: Option<String>,
 }
 
 /// The terms by powers of displacements and velocities, the signs of the first, and their orders.
-fn terms(letters: &Letters, sum: &Sum) -> Vec<Term> {
+pub(super) fn terms(letters: &Letters, sum: &Sum) -> Vec<Term> {
     let grade = letters.place(Column::Order);
     let signs = [Column::PositionSign, Column::VelocitySign].map(|column| letters.place(column));
     let mut columns: Vec<usize> = (0..letters.coordinates)

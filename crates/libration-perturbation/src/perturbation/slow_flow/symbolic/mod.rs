@@ -23,13 +23,16 @@ mod error;
 mod evaluation;
 mod force;
 mod half_wave;
+mod left_out;
 mod letters;
+mod notes;
 mod phase_sums;
 mod result;
 mod scales;
 mod setting;
 mod states;
 mod steady;
+mod turned;
 
 use equations::Found;
 use force::DriveFrequency;
@@ -38,6 +41,7 @@ use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Progress;
 use scales::{Forced, Solved};
 use setting::Setting;
+use steady::Obstacle;
 
 pub use coupled::{CoordinateFlow, CoupledSlowFlow, coupled_slow_flow};
 pub use error::{MAX_SYMBOLIC_SLOW_ORDER, SymbolicSlowFlowError};
@@ -55,8 +59,9 @@ pub struct SymbolicSlowFlowOptions {
     /// The natural frequencies of several coordinates as whole numbers, such as 1 and 2, which they are near; none where they follow from the
     /// equations.
     pub ratios: Vec<u32>,
-    /// The highest order; where it is not given the largest order of a small parameter, and one at which every term without small parameter acts on
-    /// amplitude or phase, as far as forces with abs and sign allow it.
+    /// The highest order; where it is not given the largest order that small parameters give a term, and one at which every term without small
+    /// parameter acts on amplitude or phase, and the relation of steady states contains what couples the phase, as far as forces with abs and sign
+    /// allow it.
     pub order: Option<usize>,
 }
 
@@ -94,7 +99,18 @@ pub fn slow_flow_symbolically(
     if equation.variables().len() != 1 {
         return Err(SymbolicSlowFlowError::SeveralEquations(equation.variables().len()));
     }
-    answered(equation, options, progress, result::collected)
+    let flow = answered(equation, options, progress, result::collected)?;
+    let needed = match flow.sums.steady.obstacle {
+        Some(Obstacle::Order(needed)) if options.order.is_none() => usize::try_from(needed).ok(),
+        _ => None,
+    };
+    let higher = needed.map(|order| SymbolicSlowFlowOptions { order: Some(order), ..options.clone() });
+    match higher.map(|options| answered(equation, &options, progress, result::collected)) {
+        Some(Ok(better)) if better.steady_state.relation.is_some() => Ok(better),
+        Some(Err(SymbolicSlowFlowError::Interrupted)) => Err(SymbolicSlowFlowError::Interrupted),
+        // The order may be out of reach.
+        _ => Ok(flow),
+    }
 }
 
 /// The slow flow of the lowest higher order that has further terms, for estimates of errors: where forces have a parity, orders have none. `None`
@@ -122,7 +138,8 @@ impl Setting {
         let stated = self.highest_order();
         let first = stated.unwrap_or(0).max(2);
         let (forced, found) = self.forced(equation, first, watch)?;
-        let order = stated.into_iter().chain(found.acting_order).max().unwrap_or(first);
+        let order =
+            stated.into_iter().chain(found.acting_order).chain(found.stated_order).max().unwrap_or(first);
         let most = i64::try_from(MAX_SYMBOLIC_SLOW_ORDER).unwrap_or(order);
         Ok(forced.highest_order().unwrap_or(order).min(order).min(most))
     }

@@ -5,10 +5,11 @@ use super::equations::Found;
 use super::evaluation::{SlowFlowAt, Sums};
 use super::force::DriveFrequency;
 use super::letters::{Column, Letters, Sum};
+use super::notes::{notes, peak_note};
 use super::phase_sums::{PhaseSum, append, append_term, real_and_imaginary};
 use super::scales::{Forced, Solved};
 use super::setting::{Names, Setting};
-use super::steady::{Steady, SteadyEquations};
+use super::steady::{Obstacle, Steady, SteadyEquations};
 use libration_numbers::algebra::{Rational, Ring};
 
 /// A slow flow as formulas in plain text, which [`Expression`](libration_numbers::expression::Expression) reads.
@@ -85,7 +86,7 @@ pub struct SteadyState {
 }
 
 /// Maximum number of terms of a relation that is given.
-const MOST_TERMS: usize = 200;
+pub(super) const MOST_TERMS: usize = 200;
 
 pub(super) fn collected(
     setting: &Setting,
@@ -98,7 +99,8 @@ pub(super) fn collected(
     let names = &setting.names;
     let rates = rates(letters, &solved.rates[0]);
     let lowest = lowest_order(letters, &rates).unwrap_or(order);
-    let steady = SteadyEquations { letters, rates: rates.clone(), order, lowest }.solve();
+    let is_driven = setting.drive.is_some();
+    let steady = SteadyEquations { letters, rates: rates.clone(), order, lowest, is_driven }.solve();
     let steady_state = steady_state(setting, forced, (&rates, &steady), found, [lowest, order]);
     let per_amplitude = letters.power(Column::Amplitude, -1);
     let phase = |k: i64| multiple(k, &names.coordinates[0].phase);
@@ -175,12 +177,16 @@ fn steady_state(
     [lowest, order]: [i64; 2],
 ) -> SteadyState {
     let letters = &setting.letters;
+    let is_driven = setting.drive.is_some();
+    let amplitude = letters.place(Column::Amplitude);
+    let depends_on_amplitude = |sum: &&Sum| sum.half_powers().any(|(powers, _)| powers[amplitude] != 0);
     let text = |sum: &Option<Sum>| sum.as_ref().filter(|sum| is_short(sum)).map(|sum| letters.text(sum));
     let phase = |k: i64| multiple(k, &setting.names.coordinates[0].phase);
-    let shown = if setting.drive.is_some() { 2 } else { 1 };
+    let shown = if is_driven { 2 } else { 1 };
+    let relation = steady.relation.clone().filter(|it| is_driven || depends_on_amplitude(&it));
     let mut state = SteadyState {
         equations: rates.iter().take(shown).map(|rate| rate.text(letters, phase)).collect(),
-        relation: text(&steady.relation),
+        relation: text(&relation),
         phase: steady.phase.as_ref().and_then(|(m, parts)| {
             Some((usize::try_from(*m).ok()?, parts.each_ref().map(|it| letters.text(it))))
         }),
@@ -188,11 +194,12 @@ fn steady_state(
         determinant: text(&steady.determinant),
         ..SteadyState::default()
     };
-    if let (Some(relation), Some(_)) = (&steady.relation, &steady.phase) {
+    let is_curve = steady.phase.is_some() || steady.obstacle == Some(Obstacle::Sums);
+    if let Some(relation) = steady.relation.as_ref().filter(|_| is_curve) {
         let curve = ResponseCurve { letters, relation, order: order - lowest, omega0: &forced.omega0 };
         describe(&mut state, &curve, &found.drives, order > lowest);
     }
-    state.notes = notes(&state, setting.drive.is_some(), &steady.relation);
+    state.notes = notes(&state, is_driven, steady);
     state
 }
 
@@ -204,6 +211,9 @@ fn describe(state: &mut SteadyState, curve: &ResponseCurve<'_>, drives: &[usize]
         state.peak_amplitude = Some(root_text(curve.letters, &power, root)).filter(|_| is_short(&power));
         state.peak_detuning = detuning.filter(is_short).map(|sum| curve.letters.text(&sum));
     }
+    if state.peak_amplitude.is_none() {
+        state.notes.push(peak_note(curve, backbone.as_ref()));
+    }
     state.backbone = backbone.filter(is_short).map(|sum| curve.letters.text(&sum));
     state.folds = curve.folds().filter(is_short).map(|sum| curve.letters.text(&sum));
     state.critical_drive = curve.critical_drive(drives);
@@ -214,39 +224,6 @@ fn describe(state: &mut SteadyState, curve: &ResponseCurve<'_>, drives: &[usize]
 
 fn is_short(sum: &Sum) -> bool {
     !sum.is_beyond_limit() && sum.half_powers().count() <= MOST_TERMS
-}
-
-fn notes(state: &SteadyState, is_driven: bool, relation: &Option<Sum>) -> Vec<String> {
-    let mut notes = state.notes.clone();
-    if !is_driven {
-        if state.relation.is_none() {
-            notes.push("relation: the amplitude does not change, every amplitude is steady".to_owned());
-        }
-        notes.push("peak_amplitude, folds, critical_drive, determinant: there is no drive".to_owned());
-        return notes;
-    }
-    match (&state.relation, relation) {
-        (None, Some(_)) => {
-            notes.push(format!("relation: it has more than {MOST_TERMS} terms; use `equations`"));
-        }
-        (None, None) => notes.push(
-            "relation: the lowest order is not linear in one cosine and sine of the phase; use `equations`"
-                .to_owned(),
-        ),
-        (Some(_), _) => {}
-    }
-    if state.relation.is_some() && state.phase.is_none() {
-        notes.push(
-            "trace, determinant, phase: several harmonics of the phase occur; use `equations`".to_owned(),
-        );
-    }
-    if state.peak_amplitude.is_none() {
-        notes.push("peak_amplitude: the curve has no largest amplitude in closed form".to_owned());
-    }
-    if state.critical_drive.is_none() {
-        notes.push("critical_drive: known for linear damping, a cubic backbone and one drive".to_owned());
-    }
-    notes
 }
 
 /// The positive root of a sum.
@@ -298,23 +275,19 @@ fn explained(names: &Names, setting: &Setting, found: &Found) -> Vec<(&'static s
 /// The displacement as harmonics of W·t/p, or of ω0·t without drive, each with its multiple of φ.
 fn displacement(setting: &Setting, forced: &Forced<'_>, solved: &Solved) -> String {
     let letters = forced.letters;
-    let kink = forced.terms.iter().flatten().filter(|term| term.is_kinked()).map(|term| term.order).min();
-    let known = kink.map_or_else(
-        || solved.displacements[0].clone(),
-        |order| letters.to_order(&solved.displacements[0], order - 1),
-    );
+    let known = &solved.displacements[0];
     let [z, conjugate] = [Column::Phasor, Column::Conjugate].map(|column| letters.place(column));
     let mut turns: Vec<i64> =
         known.half_powers().map(|(powers, _)| (powers[z] - powers[conjugate]) / 2).collect();
     turns.sort_by_key(|turn| (turn.abs(), -turn));
     turns.dedup();
-    let mut harmonics = letters.exponents(&known, Column::Wave);
+    let mut harmonics = letters.exponents(known, Column::Wave);
     harmonics.retain(|&k| k >= 0);
     let q = forced.harmonics[0];
     harmonics.sort_by_key(|&k| (k != q, k));
     let mut text = String::new();
     for k in harmonics {
-        let of_wave = letters.coefficient(&known, Column::Wave, k);
+        let of_wave = letters.coefficient(known, Column::Wave, k);
         for &turn in turns.iter().filter(|&&turn| k > 0 || turn >= 0) {
             let own = letters.part(&of_wave, |powers| (powers[z] - powers[conjugate]) / 2 == turn);
             if own.is_zero() {

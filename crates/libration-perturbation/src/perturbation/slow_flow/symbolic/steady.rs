@@ -6,6 +6,7 @@
 use super::elimination::resultant;
 use super::letters::{Column, Letters, Sum};
 use super::phase_sums::PhaseSum;
+use super::turned::turned_jacobian;
 use libration_numbers::algebra::Rational;
 
 /// A′ and A·φ′ as sums in A and the phase, to an order.
@@ -16,6 +17,7 @@ pub(super) struct SteadyEquations<'a> {
     pub(super) order: i64,
     /// The lowest order of the slow flow.
     pub(super) lowest: i64,
+    pub(super) is_driven: bool,
 }
 
 /// The criteria of steady states without the phase.
@@ -33,13 +35,37 @@ pub(super) struct Steady {
     pub(super) lowest: i64,
     /// The lowest order in which the phase occurs.
     pub(super) coupling: i64,
+    /// The reason why the relation or the phase is not known.
+    pub(super) obstacle: Option<Obstacle>,
 }
+
+/// The reason why the phase is not eliminated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Obstacle {
+    /// The phase does not occur.
+    Absent,
+    /// The relation needs this order.
+    Order(i64),
+    /// Several harmonics of the phase occur at the lowest order in which it does.
+    Harmonics,
+    /// The determinant of the coefficients of cos mφ and sin mφ is a sum.
+    Sums,
+    /// The lowest order in which the phase occurs does not determine both cos mφ and sin mφ.
+    Undetermined,
+}
+
+/// Coefficients of cos mφ and sin mφ in A′ and A·φ′.
+pub(super) type Coupling = [[Sum; 2]; 2];
 
 impl SteadyEquations<'_> {
     pub(super) fn solve(&self) -> Steady {
         let ks = self.rates.iter().flat_map(|rate| rate.harmonics.keys().copied());
         let m = ks.fold(0, greatest_common_divisor);
-        let steady = if m == 0 { self.without_phase() } else { self.with_phase(m).unwrap_or_default() };
+        let steady = match m {
+            0 if self.is_driven => Steady { obstacle: Some(Obstacle::Absent), ..Steady::default() },
+            0 => self.without_phase(),
+            _ => self.with_phase(m).unwrap_or_default(),
+        };
         Steady { order: self.order, lowest: self.lowest, ..steady }
     }
 
@@ -58,17 +84,24 @@ impl SteadyEquations<'_> {
     fn with_phase(&self, m: i64) -> Option<Steady> {
         let letters = self.letters;
         let rates = self.rates.each_ref().map(|rate| rate.in_cosine_and_sine(letters, m));
-        let Some(phase) = self.phase(&rates) else {
-            return Some(Steady { relation: self.by_resultant(), ..Steady::default() });
-        };
         let coupling = self.coupling(&rates)?;
+        let matrix = self.matrix(&rates, coupling);
+        let Some(phase) = self.phase(&rates, &matrix, coupling) else {
+            return Some(self.without_inverse(m, &rates, &matrix, coupling));
+        };
+        let [trace, determinant] = self.jacobian(m, &rates, &phase);
+        // The sum of squares begins at twice the difference of the two orders, which is not above zero, and has to reach the one.
         let shift = self.lowest - coupling;
+        let needed = coupling - shift;
+        if self.order < needed {
+            let (phase, obstacle) = (Some((m, phase)), Some(Obstacle::Order(needed)));
+            return Some(Steady { phase, trace: Some(trace), coupling, obstacle, ..Steady::default() });
+        }
         let square = |a: &Sum| letters.times(a, a);
         let one = letters.number(Rational::from(1));
         let relation = letters.subtract(&letters.add(&square(&phase[0]), &square(&phase[1])), &one);
         let relation = letters.to_order(&relation, 2 * shift + self.order - self.lowest);
         let relation = self.normalised(&relation, self.order - self.lowest);
-        let [trace, determinant] = self.jacobian(m, &rates, &phase)?;
         Some(Steady {
             relation: Some(relation),
             phase: Some((m, phase)),
@@ -77,6 +110,26 @@ impl SteadyEquations<'_> {
             coupling,
             ..Steady::default()
         })
+    }
+
+    /// What is known where the lowest order is not solved for cos mφ and sin mφ.
+    fn without_inverse(&self, m: i64, rates: &[Sum; 2], matrix: &Coupling, coupling: i64) -> Steady {
+        let letters = self.letters;
+        let places = [Column::Cosine, Column::Sine].map(|column| letters.place(column));
+        let is_linear = |powers: &[i64]| places.iter().map(|&place| powers[place]).sum::<i64>() <= 2;
+        let leading = rates.each_ref().map(|rate| letters.of_order(rate, coupling));
+        let obstacle = match () {
+            () if !leading.iter().all(|rate| rate.half_powers().all(|(powers, _)| is_linear(powers))) => {
+                Obstacle::Harmonics
+            }
+            () if self.determinant(matrix).is_zero() => Obstacle::Undetermined,
+            () => Obstacle::Sums,
+        };
+        let is_turned = obstacle == Obstacle::Sums && self.order == self.lowest;
+        let jacobian = is_turned.then(|| turned_jacobian(letters, m, rates, matrix)).flatten();
+        let [trace, determinant] = jacobian.map_or([None, None], |parts| parts.map(Some));
+        let relation = self.by_resultant();
+        Steady { relation, trace, determinant, coupling, obstacle: Some(obstacle), ..Steady::default() }
     }
 
     /// The relation where several harmonics of the phase occur at the lowest order, which is the only one.
@@ -97,10 +150,9 @@ impl SteadyEquations<'_> {
         rates.iter().filter_map(|rate| letters.lowest_order(&coupled(rate))).min()
     }
 
-    /// cos mφ and sin mφ of steady states; `None` where the lowest order does not determine them.
-    fn phase(&self, rates: &[Sum; 2]) -> Option<[Sum; 2]> {
+    /// The coefficients of cos mφ and sin mφ at the lowest order in which they occur.
+    fn matrix(&self, rates: &[Sum; 2], coupling: i64) -> Coupling {
         let letters = self.letters;
-        let coupling = self.coupling(rates)?;
         let places = [Column::Cosine, Column::Sine].map(|column| letters.place(column));
         let leading = |rate: &Sum, powers: [i64; 2]| {
             let such = letters.part(&letters.of_order(rate, coupling), |own| {
@@ -110,16 +162,25 @@ impl SteadyEquations<'_> {
             let such = letters.coefficient(&such, cosine, powers[0]);
             letters.coefficient(&such, sine, powers[1])
         };
-        let matrix = rates.each_ref().map(|rate| [leading(rate, [1, 0]), leading(rate, [0, 1])]);
-        let [[a, b], [c, d]] = &matrix;
+        rates.each_ref().map(|rate| [leading(rate, [1, 0]), leading(rate, [0, 1])])
+    }
+
+    fn determinant(&self, [[a, b], [c, d]]: &Coupling) -> Sum {
+        let letters = self.letters;
+        letters.subtract(&letters.times(a, d), &letters.times(b, c))
+    }
+
+    /// cos mφ and sin mφ of steady states; `None` where the lowest order does not determine them.
+    fn phase(&self, rates: &[Sum; 2], matrix: &Coupling, coupling: i64) -> Option<[Sum; 2]> {
+        let letters = self.letters;
+        let [[a, b], [c, d]] = matrix;
         let rest = [0, 1].map(|row: usize| {
             let [by_cosine, by_sine] = &matrix[row];
             let cosine = letters.times(by_cosine, &letters.power(Column::Cosine, 1));
             let sine = letters.times(by_sine, &letters.power(Column::Sine, 1));
             letters.subtract(&rates[row], &letters.add(&cosine, &sine))
         });
-        let determinant = letters.subtract(&letters.times(a, d), &letters.times(b, c));
-        let inverse = letters.inverse(&letters.scaled(&determinant, &Rational::from(-1)))?;
+        let inverse = letters.inverse(&letters.scaled(&self.determinant(matrix), &Rational::from(-1)))?;
         let highest = self.order - coupling;
         let minor =
             |x: &Sum, u: &Sum, y: &Sum, v: &Sum| letters.subtract(&letters.times(x, u), &letters.times(y, v));
@@ -146,7 +207,7 @@ impl SteadyEquations<'_> {
     }
 
     /// Trace and determinant of the Jacobian of A′ and φ′ at steady states.
-    fn jacobian(&self, m: i64, rates: &[Sum; 2], phase: &[Sum; 2]) -> Option<[Sum; 2]> {
+    fn jacobian(&self, m: i64, rates: &[Sum; 2], phase: &[Sum; 2]) -> [Sum; 2] {
         let letters = self.letters;
         let by_amplitude = |rate: &Sum| letters.derivative(rate, Column::Amplitude);
         let by_phase = |rate: &Sum| {
@@ -164,7 +225,7 @@ impl SteadyEquations<'_> {
         let trace = letters.add(&upper[0], &lower[1]);
         let determinant =
             letters.subtract(&letters.times(&upper[0], &lower[1]), &letters.times(&upper[1], &lower[0]));
-        Some([trace, letters.to_order(&determinant, self.order + self.lowest)])
+        [trace, letters.to_order(&determinant, self.order + self.lowest)]
     }
 
     /// A sum without common powers of symbols, to an order relative to its lowest.

@@ -1,0 +1,196 @@
+//! Relations, peaks and notes of slow flows with symbolic parameters, and the orders that they need.
+
+use crate::symbolic_slow_flow::value;
+use crate::typed::equation;
+use libration::perturbation::{SymbolicSlowFlow, SymbolicSlowFlowOptions, slow_flow_symbolically};
+use libration::progress::Quiet;
+
+/// The slow flow near W = (p/q)·ω0, written p/q, for small parameters such as `c:1,m:2`.
+fn flow(text: &str, resonance: &str, small: &str, order: Option<usize>) -> SymbolicSlowFlow {
+    let resonance = resonance.split_once('/').map(|(p, q)| (p.parse().unwrap(), q.parse().unwrap()));
+    let small = small.split(',').filter_map(|text| text.split_once(':'));
+    let small = small.map(|(name, order)| (name.to_owned(), order.parse().unwrap())).collect();
+    let options = SymbolicSlowFlowOptions { small, resonance, order, ..Default::default() };
+    slow_flow_symbolically(&equation(text), &options, &Quiet).unwrap()
+}
+
+fn note<'a>(flow: &'a SymbolicSlowFlow, start: &str) -> &'a str {
+    let notes = &flow.steady_state.notes;
+    notes.iter().find(|note| note.contains(start)).unwrap_or_else(|| panic!("{start}: {notes:?}"))
+}
+
+const DUFFING: &str = "x'' + m*x' + x + c*x^3 = F*cos(W*t)";
+
+#[test]
+fn the_order_that_is_not_given_is_one_at_which_the_relation_has_drive_and_damping() {
+    let mathieu = "x'' + m*x' + (1 + h*cos(W*t))*x + c*x^3 = 0";
+    let forms = [
+        (DUFFING, "1/1", "c:1,m:2,F:2", 3, "F"),
+        (mathieu, "2/1", "c:1,m:2,h:2", 3, "h"),
+        (DUFFING, "1/2", "c:1,m:2", 3, "F"),
+        ("x'' + m*x' + x + x^3 = F*cos(W*t)", "1/1", "m:3,F:3", 4, "F"),
+        ("x'' + m*x' + x + x^3 = F*cos(W*t)", "1/1", "m:4,F:4", 6, "F"),
+        ("x'' + m*x' + x + x^2 = F*cos(W*t)", "1/1", "m:3,F:3", 4, "F"),
+        ("x'' + eps^2*m*x' + x + eps*c*x^3 = eps^2*F*cos(W*t)", "1/1", "", 3, "F"),
+        (DUFFING, "1/1", "c:1,m:1,F:2", 3, "F"),
+    ];
+    for (text, resonance, small, order, drive) in forms {
+        let found = flow(text, resonance, small, None);
+        assert_eq!(found.order, order, "{text}");
+        let steady = &found.steady_state;
+        let relation = steady.relation.as_ref().unwrap();
+        assert!(relation.contains("m^2") && relation.contains(drive), "{text}: {relation}");
+        // At a resonance of waves 2φ the determinant has the squares of the damping on both diagonals, which cancel.
+        let determinant = steady.determinant.as_ref().unwrap();
+        assert!(resonance != "1/1" || determinant.contains("m^2"), "{text}: {determinant}");
+        assert!(steady.folds.is_some(), "{text}");
+        let lower = flow(text, resonance, small, Some(order - 1)).steady_state;
+        assert_eq!((lower.relation, lower.folds, lower.determinant), (None, None, None), "{text}");
+        assert!(lower.notes[0].contains(&format!("need order {order}")), "{:?}", lower.notes);
+    }
+}
+
+/// From A′ = −m·A/2 − F/2·sin φ and the backbone: the curve ends at A = F/m. The critical drive is that of drive and damping of the first order.
+#[test]
+fn peak_and_critical_drive_do_not_depend_on_how_small_drive_and_damping_are_called() {
+    for small in ["c:1,m:1,F:1", "c:1,m:2,F:2"] {
+        let steady = flow(DUFFING, "1/1", small, None).steady_state;
+        assert_eq!(steady.peak_amplitude.as_deref(), Some("F/m"), "{small}");
+        assert_eq!(
+            steady.critical_drive.as_deref(),
+            Some("sqrt((32*m^3/9)/(sqrt(3)*abs(c)))"),
+            "{small}: {:?}",
+            steady.notes
+        );
+    }
+}
+
+/// The rates vanish up to terms of the next order, which are smaller than those of the drive by a factor of c.
+#[test]
+fn zeros_of_the_relation_are_steady_where_drive_and_damping_are_of_the_second_order() {
+    let found = flow(DUFFING, "1/1", "c:1,m:2,F:2", None);
+    let [c, drive] = [0.02, 0.000_8];
+    let of_name =
+        |name: &str| [("c", c), ("m", 0.000_5), ("F", drive)].iter().find(|it| it.0 == name).map(|it| it.1);
+    for detuning in [0.004, 0.007, 0.01] {
+        let at = found.at(&of_name, Some(1.0 + detuning)).unwrap();
+        let states = at.steady_states().unwrap();
+        assert!(!states.is_empty(), "{detuning}");
+        for state in states {
+            let [growth, turning] = at.rates(state.amplitude, state.phase);
+            let missed = growth.hypot(state.amplitude * turning);
+            assert!(missed < 0.1 * drive, "{detuning}: {state:?} {missed}");
+        }
+    }
+}
+
+#[test]
+fn terms_of_higher_order_are_noted() {
+    let noted = |small: &str, order| flow(DUFFING, "1/1", small, Some(order)).order_note.unwrap_or_default();
+    assert_eq!(noted("c:3,m:1,F:1", 2), "terms above order 2 are left out of x'': -c*x^3");
+    assert_eq!(noted("c:1,m:2,F:1", 1), "terms above order 1 are left out of x'': -m*x'");
+    assert_eq!(noted("c:1,m:2,F:2", 2), "");
+    let explicit = "x'' + eps^2*m*x'*abs(x') + x + eps*c*x^3 = eps^2*F*W^2*sin(3*W*t)";
+    let found = flow(explicit, "1/1", "", Some(1));
+    let expected = "terms above order 1 are left out of x'': eps^2*F*W^2*sin(3*W*t) - eps^2*m*x'*abs(x')";
+    assert_eq!(found.order_note.as_deref(), Some(expected));
+    let by_amplitude = flow("x'' + eps*m*(x^2 - 1)*x' + x + x^3 = 0", "", "", None);
+    assert_eq!(
+        by_amplitude.order_note.as_deref(),
+        Some("terms above order 2 are left out of x'': -eps*m*x^2*x'")
+    );
+}
+
+#[test]
+fn a_drive_that_does_not_act_is_the_reason_where_no_phase_occurs() {
+    let texts = [
+        ("x'' + eps^2*m*x' + x + eps*c*x^3 = eps^2*F*cos(W*t)", "1/1", "", 1),
+        ("x'' + x + k*x^5 + d*x*cos(W*t) = F*cos(W*t)", "1/3", "k:3,d:2", 2),
+        ("x'' + m*x' + x + c*x^3 = F*cos(W*t)", "1/1", "c:2,m:1,F:2", 1),
+    ];
+    for (text, resonance, small, order) in texts {
+        let found = flow(text, resonance, small, Some(order));
+        assert_eq!(found.steady_state.relation, None);
+        assert_eq!(found.steady_state.notes.len(), 1, "{:?}", found.steady_state.notes);
+        assert!(note(&found, "relation").contains("the phase does not occur to order"), "{text}");
+    }
+}
+
+/// x‴ of the third harmonic: c·A³/4·cos 3ψ divided by 9 − 1.
+#[test]
+fn smooth_harmonics_stand_beside_forces_with_kinks() {
+    for kink in ["x'*abs(x')", "sign(x')"] {
+        let text = format!("x'' + eps*m*{kink} + x + eps*c*x^3 = eps*F*cos(W*t)");
+        let found = flow(&text, "1/1", "", None);
+        assert_eq!(found.displacement, "A*cos(W*t + phi) + eps*c*A^3/32*cos(3*W*t + 3*phi)", "{kink}");
+        assert!(found.displacement_note.is_some());
+    }
+    let second = flow("x'' + eps^2*m*sign(x') + x + eps*c*x^3 = 0", "", "", None);
+    assert_eq!(second.order, 2);
+    let smooth = flow("x'' + x + eps*c*x^3 = 0", "", "", Some(2));
+    assert_eq!(second.displacement, smooth.displacement);
+}
+
+#[test]
+fn free_motions_that_only_decay_have_no_relation() {
+    let free = |order| flow("x'' + m*x' + x + c*x^3 = 0", "", "c:1,m:2", Some(order));
+    let (first, second) = (free(1), free(2));
+    assert_eq!(first.order_note.as_deref(), Some("terms above order 1 are left out of x'': -m*x'"));
+    let steady = "to order 1 the amplitude does not change, every amplitude is steady";
+    assert!(note(&first, "relation").ends_with(steady));
+    assert_eq!(second.steady_state.relation, None);
+    assert!(note(&second, "relation").contains("no amplitude but zero is steady"));
+    let at = second.at(&|_| Some(0.1), None).unwrap();
+    assert_eq!(at.steady_states().unwrap(), []);
+}
+
+/// The two drives are one of the amplitude √(F² + G²), turned.
+#[test]
+fn two_drives_of_one_frequency_have_peak_trace_and_determinant() {
+    let forced =
+        |drive: &str| flow(&format!("x'' + eps*(m*x' + c*x^3) + x = eps*({drive})"), "1/1", "", None);
+    let (two, one) = (forced("F*cos(W*t) + G*sin(W*t)"), forced("H*cos(W*t)"));
+    let steady = &two.steady_state;
+    assert_eq!(steady.peak_amplitude.as_deref(), Some("sqrt(F^2/m^2 + G^2/m^2)"));
+    assert_eq!(steady.trace, one.steady_state.trace);
+    assert_eq!(steady.determinant, one.steady_state.determinant);
+    assert_eq!(steady.backbone, one.steady_state.backbone);
+    assert!(!steady.notes.iter().any(|note| note.contains("several harmonics")), "{:?}", steady.notes);
+    let parametric =
+        |drive: &str| flow(&format!("x'' + eps*(m*x' + c*x^3) + (1 + eps*({drive}))*x = 0"), "2/1", "", None);
+    let (two, one) = (parametric("F*cos(W*t) + G*sin(W*t)"), parametric("H*cos(W*t)"));
+    let at = [("eps", 1.0), ("m", 0.2), ("c", 0.7), ("F", 0.3), ("G", 0.4), ("H", 0.5), ("sigma", 0.3)];
+    // The amplitude of a steady state, from the relation of one drive.
+    let found = one.at(&|name| at.iter().find(|it| it.0 == name).map(|it| it.1), Some(2.3)).unwrap();
+    for state in found.steady_states().unwrap() {
+        let at: Vec<_> = at.iter().copied().chain([("A", state.amplitude)]).collect();
+        let determinant = value(two.steady_state.determinant.as_ref().unwrap(), &at);
+        assert!((determinant - state.determinant).abs() < 1e-12, "{determinant} {state:?}");
+        assert!(value(two.steady_state.relation.as_ref().unwrap(), &at).abs() < 1e-12);
+    }
+}
+
+/// m·A + 4n/π = F at resonance.
+#[test]
+fn viscous_and_dry_friction_have_their_peak() {
+    let both = "x'' + eps*(m*x' + n*sign(x') + c*x^3) + x = eps*F*cos(W*t)";
+    let steady = flow(both, "1/1", "", None).steady_state;
+    let at = [("m", 0.3), ("n", 0.2), ("F", 0.7), ("c", 0.5)];
+    let [m, n, drive, c] = at.map(|(_, value)| value);
+    let peak = (drive - 4.0 * n / std::f64::consts::PI) / m;
+    assert!((value(steady.peak_amplitude.as_ref().unwrap(), &at) - peak).abs() < 1e-14);
+    let detuning = value(steady.peak_detuning.as_ref().unwrap(), &at);
+    assert!((detuning - 3.0 * c * peak * peak / 8.0).abs() < 1e-14);
+    let rising = flow("x'' + eps*(m*x' + n*x'^3) + x = eps*F*cos(W*t)", "1/1", "", None);
+    assert!(note(&rising, "peak_amplitude").contains("not found"));
+    let dry = flow("x'' + eps*n*sign(x') + x = eps*F*cos(W*t)", "1/1", "", None);
+    assert!(note(&dry, "peak_amplitude").contains("none is the largest"));
+}
+
+#[test]
+fn critical_drives_do_not_depend_on_the_sign_of_a_divisor() {
+    let text = "x'' + eps*(m*x' + c*x^3/k) + x = eps*F*cos(W*t)";
+    let critical = flow(text, "1/1", "", None).steady_state.critical_drive.unwrap();
+    let at = |k: f64| value(&critical, &[("m", 0.2), ("c", 0.5), ("k", k)]);
+    assert!(at(2.0) > 0.0 && at(2.0) == at(-2.0), "{critical}");
+}
