@@ -63,6 +63,11 @@ fn peak_and_critical_drive_do_not_depend_on_how_small_drive_and_damping_are_call
             steady.notes
         );
     }
+    let powers = "x'' + eps^2*m*x' + x + eps*c*x^3 = eps^2*F*cos(W*t)";
+    let critical = flow(powers, "1/1", "", None).steady_state.critical_drive.unwrap();
+    let at = [("eps", 0.3), ("m", 0.2), ("c", -0.7)];
+    let expected = libm::sqrt(0.3 * 32.0 * 0.008 / (9.0 * libm::sqrt(3.0) * 0.7));
+    assert!((value(&critical, &at) - expected).abs() < 1e-15, "{critical}");
 }
 
 /// The rates vanish up to terms of the next order, which are smaller than those of the drive by a factor of c.
@@ -78,7 +83,7 @@ fn zeros_of_the_relation_are_steady_where_drive_and_damping_are_of_the_second_or
         assert!(!states.is_empty(), "{detuning}");
         for state in states {
             let [growth, turning] = at.rates(state.amplitude, state.phase);
-            let missed = growth.hypot(state.amplitude * turning);
+            let missed = libm::hypot(growth, state.amplitude * turning);
             assert!(missed < 0.1 * drive, "{detuning}: {state:?} {missed}");
         }
     }

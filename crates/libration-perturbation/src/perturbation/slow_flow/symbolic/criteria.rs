@@ -152,10 +152,15 @@ impl ResponseCurve<'_> {
         let square = letters.times(&damping, &inverse);
         self.check_cubic(&relation, [&kappa, &slope, &square, &drive])?;
         let rate = letters.ring.power(&square, &Rational::new(3, 2)?)?;
-        let place = drives
-            .iter()
-            .copied()
-            .find(|&place| drive.as_single_term().is_some_and(|(powers, _)| powers[place] == 4))?;
+        // A symbol that other terms have too, such as eps, is not the drive.
+        let is_elsewhere = |place: usize| {
+            [&kappa, &slope, &square]
+                .iter()
+                .any(|sum| sum.half_powers().any(|(powers, _)| powers[place] != 0))
+        };
+        let (drive_powers, _) = drive.as_single_term()?;
+        let is_drive = |place: usize| drive_powers[place] == 4 && !is_elsewhere(place);
+        let place = drives.iter().copied().find(|&place| is_drive(place))?;
         let per_square = letters.times(&drive, &letters.power_at(place, -2));
         let above = letters.times(&letters.times(&kappa, &rate), &letters.inverse(&per_square)?);
         let above = letters.scaled(&above, &Rational::new(-8, 3)?);

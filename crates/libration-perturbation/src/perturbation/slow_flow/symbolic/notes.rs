@@ -1,6 +1,7 @@
 //! The reasons why formulas of steady states are not given.
 
 use super::criteria::ResponseCurve;
+use super::error::MAX_SYMBOLIC_SLOW_ORDER;
 use super::letters::{Column, Sum};
 use super::result::{MOST_TERMS, SteadyState};
 use super::steady::{Obstacle, Steady};
@@ -28,10 +29,11 @@ pub(super) fn notes(state: &SteadyState, is_driven: bool, steady: &Steady) -> Ve
     if is_long(&steady.relation, &state.relation) {
         note(too_long());
     }
-    if let Some(reason) = steady.obstacle.and_then(|it| of_obstacle(it, state, steady)) {
-        note(reason);
+    if let Some(obstacle) = steady.obstacle {
+        note(of_obstacle(obstacle, state, steady));
     }
-    if state.relation.is_some() && state.critical_drive.is_none() {
+    let is_curve = steady.obstacle.is_none_or(|it| it == Obstacle::Sums) && steady.relation.is_some();
+    if is_curve && state.critical_drive.is_none() {
         note("critical_drive: known for linear damping, a cubic backbone and one drive".to_owned());
     }
     notes
@@ -41,42 +43,46 @@ fn too_long() -> String {
     format!("relation: it has more than {MOST_TERMS} terms; use `equations`")
 }
 
-fn of_obstacle(obstacle: Obstacle, state: &SteadyState, steady: &Steady) -> Option<String> {
+/// The formulas that are missing because of the obstacle, with the reason.
+fn of_obstacle(obstacle: Obstacle, state: &SteadyState, steady: &Steady) -> String {
     let Steady { order, coupling, .. } = steady;
-    let curve = "backbone, peak_amplitude, folds, critical_drive";
-    let is_known = state.relation.is_some();
-    Some(match obstacle {
+    let most = MAX_SYMBOLIC_SLOW_ORDER;
+    let reason = match obstacle {
         Obstacle::Absent => format!(
-            "relation, phase, {curve}, trace, determinant: the phase does not occur to order {order}, at which the drive \
-             changes neither amplitude nor phase"
+            "the phase does not occur to order {order}, at which the drive changes neither amplitude nor phase"
         ),
-        Obstacle::Order(needed) => format!(
-            "relation, {curve}, determinant: the phase occurs from order {coupling} on, and these need order {needed}, or use \
-             `equations`"
-        ),
-        Obstacle::Harmonics if is_known => format!(
-            "trace, determinant, phase, {curve}: several harmonics of the phase occur; use `equations`"
-        ),
-        Obstacle::Harmonics => format!(
-            "relation, trace, determinant, phase, {curve}: several harmonics of the phase occur; use `equations`"
-        ),
-        Obstacle::Sums if state.trace.is_some() => {
-            "phase: its cosine and sine are quotients of sums; use `equations`".to_owned()
+        Obstacle::Order(needed) => {
+            let limit = match usize::try_from(needed) {
+                Ok(needed) if needed <= most => "or higher".to_owned(),
+                _ => format!("above the highest, {most}"),
+            };
+            format!(
+                "the phase occurs from order {coupling} on, and these need order {needed} {limit}; use `equations`"
+            )
         }
-        Obstacle::Sums if is_known => {
-            "trace, determinant, phase: they are quotients of sums; use `equations`".to_owned()
+        Obstacle::Harmonics => "several harmonics of the phase occur; use `equations`".to_owned(),
+        Obstacle::Sums => "no sums of products, unless the drive is one cosine; use `equations`".to_owned(),
+        Obstacle::Undetermined => {
+            "the lowest order with the phase does not determine it; use `equations`".to_owned()
         }
-        Obstacle::Sums => format!(
-            "relation, trace, determinant, phase, {curve}: they are quotients of sums, unless the drive is one sine or cosine; \
-             use `equations`"
-        ),
-        Obstacle::Undetermined if is_known => {
-            "trace, determinant, phase: the lowest order with the phase does not determine it; use `equations`".to_owned()
-        }
-        Obstacle::Undetermined => format!(
-            "relation, trace, determinant, phase, {curve}: the lowest order with the phase does not determine it; use `equations`"
-        ),
-    })
+    };
+    format!("{}: {reason}", missing(obstacle, state, steady).join(", "))
+}
+
+/// The names of formulas that are missing because of the obstacle.
+fn missing(obstacle: Obstacle, state: &SteadyState, steady: &Steady) -> Vec<&'static str> {
+    let of_relation = steady.relation.is_none() || obstacle != Obstacle::Sums;
+    let names = [
+        ("relation", steady.relation.is_none()),
+        ("phase", state.phase.is_none()),
+        ("trace", state.trace.is_none()),
+        ("determinant", state.determinant.is_none()),
+        ("backbone", of_relation),
+        ("peak_amplitude", of_relation),
+        ("folds", of_relation),
+        ("critical_drive", of_relation),
+    ];
+    names.into_iter().filter(|(_, is_missing)| *is_missing).map(|(name, _)| name).collect()
 }
 
 /// The reason why a curve has no largest amplitude, or none that is given.
