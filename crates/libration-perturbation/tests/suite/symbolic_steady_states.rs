@@ -2,8 +2,12 @@
 
 use crate::symbolic_slow_flow::value;
 use crate::typed::equation;
-use libration::perturbation::{SymbolicSlowFlow, SymbolicSlowFlowOptions, slow_flow_symbolically};
+use libration::orbit::Orbit;
+use libration::perturbation::{
+    SymbolicSlowFlow, SymbolicSlowFlowOptions, next_slow_flow, slow_flow_symbolically,
+};
 use libration::progress::Quiet;
+use std::f64::consts::TAU;
 
 /// The slow flow near W = (p/q)·ω0, written p/q, for small parameters such as `c:1,m:2`.
 fn flow(text: &str, resonance: &str, small: &str, order: Option<usize>) -> SymbolicSlowFlow {
@@ -198,4 +202,43 @@ fn critical_drives_do_not_depend_on_the_sign_of_a_divisor() {
     let critical = flow(text, "1/1", "", None).steady_state.critical_drive.unwrap();
     let at = |k: f64| value(&critical, &[("m", 0.2), ("c", 0.5), ("k", k)]);
     assert!(at(2.0) > 0.0 && at(2.0) == at(-2.0), "{critical}");
+}
+
+#[test]
+fn damping_of_the_highest_order_is_part_of_the_relation_too() {
+    for (small, order) in [("c:1,m:2,F:1", 3), ("c:2,m:3,F:1", 5)] {
+        let found = flow(DUFFING, "1/1", small, None);
+        assert_eq!(found.order, order, "{small}");
+        assert!(found.steady_state.relation.as_ref().unwrap().contains("m^2"), "{small}");
+        let lower = flow(DUFFING, "1/1", small, Some(order - 1));
+        assert!(note(&lower, "peak_amplitude").contains(&format!("from order {order} on")), "{small}");
+    }
+}
+
+/// Three states: A near F/(2σ) below the backbone, and two at the backbone, the lower of which is unstable.
+#[test]
+fn states_far_from_the_backbone_are_within_reach_where_drive_and_damping_are_of_the_second_order() {
+    let found = flow(DUFFING, "1/1", "c:1,m:2,F:2", None);
+    let options = SymbolicSlowFlowOptions {
+        small: [("c", 1), ("m", 2), ("F", 2)].map(|(name, order)| (name.to_owned(), order)).to_vec(),
+        resonance: Some((1, 1)),
+        ..Default::default()
+    };
+    let next = next_slow_flow(&equation(DUFFING), &options, &found, &Quiet).unwrap();
+    let of_name =
+        |name: &str| [("c", 0.05), ("m", 0.002), ("F", 0.003)].iter().find(|it| it.0 == name).map(|it| it.1);
+    let next = next.at(&of_name, Some(1.02)).unwrap();
+    let states = found.at(&of_name, Some(1.02)).unwrap().judged_states(Some(&next)).unwrap();
+    assert_eq!(states.left_out, []);
+    let stable: Vec<Option<bool>> = states.found.iter().map(|it| it.is_stable).collect();
+    assert_eq!(stable, [Some(true), Some(false), Some(true)], "{states:?}");
+    for it in &states.found {
+        let text = "x'' + 0.002*x' + x + 0.05*x^3 = 0.003*cos(1.02*t)";
+        let (amplitude, phase) = (it.state.amplitude, it.state.phase);
+        let start = [amplitude * libm::cos(phase), -1.02 * amplitude * libm::sin(phase)];
+        let orbit = Orbit::driven(&equation(text), &start, TAU / 1.02, &Quiet).unwrap();
+        let exact = orbit.harmonics(0).terms[1].amplitude();
+        let [error, _] = it.errors.unwrap();
+        assert!((amplitude - exact).abs() < 0.002 * exact.max(0.1) + 2.0 * error, "{it:?} {exact}");
+    }
 }

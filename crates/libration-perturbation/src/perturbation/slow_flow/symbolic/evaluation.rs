@@ -133,7 +133,9 @@ impl SlowFlowAt<'_> {
     pub(super) fn zeros(&self, dropped: i64) -> Option<Vec<SteadySolution>> {
         let steady = &self.sums.steady;
         let is_known = self.sums.drive.is_none() || steady.phase.is_some();
-        let relation = steady.relation.as_ref().filter(|_| is_known)?;
+        // Without its highest orders the relation may not contain the drive.
+        let has_drive = steady.order - dropped >= 2 * steady.coupling - steady.lowest;
+        let relation = steady.relation.as_ref().filter(|_| is_known && has_drive)?;
         let values = self.with_amplitude(1.0);
         let place = self.place(Column::Amplitude);
         let mut coefficients = vec![];
@@ -149,16 +151,24 @@ impl SlowFlowAt<'_> {
         Some(amplitudes.into_iter().map(|amplitude| self.steady_state(amplitude, dropped)).collect())
     }
 
-    /// Returns `true` if the terms of higher orders are small against those of the lowest.
+    /// Returns `true` if the terms of higher orders are small against those of the lowest, among which are the first of drive and damping.
     pub(super) fn is_reached(&self, state: &SteadySolution) -> bool {
+        let steady = &self.sums.steady;
+        let Some(relation) = &steady.relation else { return true };
         let values = self.with_amplitude(state.amplitude);
-        let size = |highest: i64| {
-            let terms =
-                self.sums.steady.relation.iter().flat_map(|relation| self.to_order(relation, highest));
-            terms.map(|(powers, factor)| term(powers, factor.to_f64(), &values).abs()).sum::<f64>()
+        let [amplitude, detuning, order] =
+            [Column::Amplitude, Column::Detuning, Column::Order].map(|column| self.place(column));
+        let least = self.to_order(relation, 0).map(|(powers, _)| powers[amplitude]).min().unwrap_or(0);
+        let is_first = |powers: &[i64]| {
+            let is_level = powers[detuning] == 0 && powers[amplitude] <= least;
+            powers[order] <= 0 || (is_level && powers[order] <= 4 * (steady.coupling - steady.lowest))
         };
-        let lowest = size(0);
-        size(self.higher_orders()) - lowest <= REACH * lowest
+        let [mut lowest, mut higher] = [0.0, 0.0];
+        for (powers, factor) in self.to_order(relation, self.higher_orders()) {
+            let size = term(powers, factor.to_f64(), &values).abs();
+            *(if is_first(powers) { &mut lowest } else { &mut higher }) += size;
+        }
+        higher <= REACH * lowest
     }
 
     fn steady_state(&self, amplitude: f64, dropped: i64) -> SteadySolution {

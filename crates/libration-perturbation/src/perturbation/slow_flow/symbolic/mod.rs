@@ -60,7 +60,7 @@ pub struct SymbolicSlowFlowOptions {
     /// equations.
     pub ratios: Vec<u32>,
     /// The highest order; where it is not given the largest order that small parameters give a term, and one at which every term without small
-    /// parameter acts on amplitude or phase, and the relation of steady states contains what couples the phase, as far as forces with abs and sign
+    /// parameter acts on amplitude or phase, and the relation of steady states contains drive and damping, as far as forces with abs and sign
     /// allow it.
     pub order: Option<usize>,
 }
@@ -100,17 +100,24 @@ pub fn slow_flow_symbolically(
         return Err(SymbolicSlowFlowError::SeveralEquations(equation.variables().len()));
     }
     let flow = answered(equation, options, progress, result::collected)?;
-    let needed = match flow.sums.steady.obstacle {
-        Some(Obstacle::Order(needed)) if options.order.is_none() => usize::try_from(needed).ok(),
-        _ => None,
-    };
-    let higher = needed.map(|order| SymbolicSlowFlowOptions { order: Some(order), ..options.clone() });
-    match higher.map(|options| answered(equation, &options, progress, result::collected)) {
-        Some(Ok(better)) if better.steady_state.relation.is_some() => Ok(better),
-        Some(Err(SymbolicSlowFlowError::Interrupted)) => Err(SymbolicSlowFlowError::Interrupted),
-        // The order may be out of reach.
-        _ => Ok(flow),
+    if options.order.is_some() {
+        return Ok(flow);
     }
+    let needed = match flow.sums.steady.obstacle {
+        Some(Obstacle::Order(needed)) => needed,
+        _ => 0,
+    };
+    // Either order may be out of reach.
+    for order in [flow.sums.steady.complete, needed] {
+        let order = usize::try_from(order).ok().filter(|order| *order > flow.order);
+        let higher = order.map(|order| SymbolicSlowFlowOptions { order: Some(order), ..options.clone() });
+        match higher.map(|options| answered(equation, &options, progress, result::collected)) {
+            Some(Ok(better)) if better.steady_state.relation.is_some() => return Ok(better),
+            Some(Err(SymbolicSlowFlowError::Interrupted)) => return Err(SymbolicSlowFlowError::Interrupted),
+            _ => {}
+        }
+    }
+    Ok(flow)
 }
 
 /// The slow flow of the lowest higher order that has further terms, for estimates of errors: where forces have a parity, orders have none. `None`

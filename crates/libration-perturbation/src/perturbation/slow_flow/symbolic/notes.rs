@@ -86,11 +86,14 @@ fn missing(obstacle: Obstacle, state: &SteadyState, steady: &Steady) -> Vec<&'st
 }
 
 /// The reason why a curve has no largest amplitude, or none that is given.
-pub(super) fn peak_note(curve: &ResponseCurve<'_>, backbone: Option<&Sum>) -> String {
+pub(super) fn peak_note(curve: &ResponseCurve<'_>, backbone: Option<&Sum>, steady: &Steady) -> String {
     let amplitude = curve.letters.place(Column::Amplitude);
     let is_level =
         |backbone: &Sum| curve.on_ridge(backbone).half_powers().all(|(powers, _)| powers[amplitude] == 0);
     let reason = match backbone {
+        _ if steady.order < steady.complete => {
+            return format!("peak_amplitude: damping enters the relation from order {} on", steady.complete);
+        }
         None => "the backbone is not known",
         Some(backbone) if is_level(backbone) => {
             "on the backbone the relation does not depend on the amplitude, so that none is the largest"

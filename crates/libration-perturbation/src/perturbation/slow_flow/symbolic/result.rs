@@ -197,14 +197,14 @@ fn steady_state(
     let is_curve = steady.phase.is_some() || steady.obstacle == Some(Obstacle::Sums);
     if let Some(relation) = steady.relation.as_ref().filter(|_| is_curve) {
         let curve = ResponseCurve { letters, relation, order: order - lowest, omega0: &forced.omega0 };
-        describe(&mut state, &curve, &found.drives, order > lowest);
+        describe(&mut state, &curve, &found.drives, steady);
     }
     state.notes = notes(&state, is_driven, steady);
     state
 }
 
 /// Backbone, peak, folds and critical drive.
-fn describe(state: &mut SteadyState, curve: &ResponseCurve<'_>, drives: &[usize], is_higher: bool) {
+fn describe(state: &mut SteadyState, curve: &ResponseCurve<'_>, drives: &[usize], steady: &Steady) {
     let backbone = curve.backbone();
     if let Some(Peak { power, root, detuning }) = backbone.as_ref().and_then(|backbone| curve.peak(backbone))
     {
@@ -212,12 +212,12 @@ fn describe(state: &mut SteadyState, curve: &ResponseCurve<'_>, drives: &[usize]
         state.peak_detuning = detuning.filter(is_short).map(|sum| curve.letters.text(&sum));
     }
     if state.peak_amplitude.is_none() {
-        state.notes.push(peak_note(curve, backbone.as_ref()));
+        state.notes.push(peak_note(curve, backbone.as_ref(), steady));
     }
     state.backbone = backbone.filter(is_short).map(|sum| curve.letters.text(&sum));
     state.folds = curve.folds().filter(is_short).map(|sum| curve.letters.text(&sum));
     state.critical_drive = curve.critical_drive(drives);
-    if is_higher && state.critical_drive.is_some() {
+    if steady.order > steady.lowest && state.critical_drive.is_some() {
         state.notes.push("critical_drive is to lowest order".to_owned());
     }
 }

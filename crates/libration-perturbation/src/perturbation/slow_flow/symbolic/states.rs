@@ -73,21 +73,21 @@ impl SlowFlowAt<'_> {
                 is_stable: (is_agreed && !is_centre).then_some(state.is_stable),
             }
         });
-        Some(SteadyStates { found: found.collect(), left_out: self.left_out(&all)? })
+        Some(SteadyStates { found: found.collect(), left_out: self.left_out(&all) })
     }
 
-    fn left_out(&self, all: &[SteadySolution]) -> Option<Vec<StateLeftOut>> {
+    fn left_out(&self, all: &[SteadySolution]) -> Vec<StateLeftOut> {
         let (lowest, order) = self.orders();
         let beyond = all.iter().filter(|state| !self.is_reached(state));
         let beyond = beyond.map(|&state| StateLeftOut { state, order, reason: LeftOutReason::BeyondReach });
-        let first = self.zeros(self.higher_orders())?;
+        let first = self.zeros(self.higher_orders()).unwrap_or_default();
         let lost = first.iter().filter(|state| self.matching(state, &first, all).is_none());
         let lost = lost.map(|&state| StateLeftOut {
             state,
             order: lowest,
             reason: LeftOutReason::OfLowestOrder { absent_at: order },
         });
-        Some(beyond.chain(lost).collect())
+        beyond.chain(lost).collect()
     }
 
     /// The same state of another order: each of the two is the nearest to the other, and their distance is small against the amplitude.

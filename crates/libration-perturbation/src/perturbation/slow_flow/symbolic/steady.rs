@@ -35,6 +35,8 @@ pub(super) struct Steady {
     pub(super) lowest: i64,
     /// The lowest order in which the phase occurs.
     pub(super) coupling: i64,
+    /// The lowest order at which the relation contains drive and damping.
+    pub(super) complete: i64,
     /// The reason why the relation or the phase is not known.
     pub(super) obstacle: Option<Obstacle>,
 }
@@ -93,9 +95,17 @@ impl SteadyEquations<'_> {
         // The sum of squares begins at twice the difference of the two orders, which is not above zero, and has to reach the one.
         let shift = self.lowest - coupling;
         let needed = coupling - shift;
+        let complete = coupling.max(self.growth(&rates).unwrap_or(0)) * 2 - self.lowest;
         if self.order < needed {
             let (phase, obstacle) = (Some((m, phase)), Some(Obstacle::Order(needed)));
-            return Some(Steady { phase, trace: Some(trace), coupling, obstacle, ..Steady::default() });
+            return Some(Steady {
+                phase,
+                trace: Some(trace),
+                coupling,
+                complete,
+                obstacle,
+                ..Steady::default()
+            });
         }
         let square = |a: &Sum| letters.times(a, a);
         let one = letters.number(Rational::from(1));
@@ -108,6 +118,7 @@ impl SteadyEquations<'_> {
             trace: Some(trace),
             determinant: Some(determinant),
             coupling,
+            complete,
             ..Steady::default()
         })
     }
@@ -140,6 +151,14 @@ impl SteadyEquations<'_> {
         }
         let relation = resultant(letters, &PhaseSum::joined(letters, &self.rates))?;
         (!relation.is_zero()).then(|| without_common_powers(letters, &relation))
+    }
+
+    /// The lowest order in which the amplitude changes without the phase.
+    fn growth(&self, rates: &[Sum; 2]) -> Option<i64> {
+        let letters = self.letters;
+        let places = [Column::Cosine, Column::Sine].map(|column| letters.place(column));
+        let still = letters.part(&rates[0], |powers| places.iter().all(|&place| powers[place] == 0));
+        letters.lowest_order(&still)
     }
 
     /// The lowest order in which the phase occurs.
