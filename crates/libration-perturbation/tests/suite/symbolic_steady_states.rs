@@ -205,6 +205,14 @@ fn critical_drives_do_not_depend_on_the_sign_of_a_divisor() {
 }
 
 #[test]
+fn orders_that_are_needed_but_out_of_reach_are_said_to_be() {
+    let dry = flow("x'' + m*sign(x') + x + c*x^3 = F*cos(W*t)", "1/1", "c:1,m:2,F:2", None);
+    assert!(note(&dry, "relation").contains("need order 3 above the highest, 2"));
+    let weak = flow(DUFFING, "1/1", "c:1,m:7,F:7", None);
+    assert!(note(&weak, "relation").contains("need order 13 above the highest, 12"));
+}
+
+#[test]
 fn damping_of_the_highest_order_is_part_of_the_relation_too() {
     for (small, order) in [("c:1,m:2,F:1", 3), ("c:2,m:3,F:1", 5)] {
         let found = flow(DUFFING, "1/1", small, None);

@@ -6,8 +6,13 @@ use super::letters::{Column, Sum};
 use super::result::{MOST_TERMS, SteadyState};
 use super::steady::{Obstacle, Steady};
 
-/// The notes on a state, after those that it has.
-pub(super) fn notes(state: &SteadyState, is_driven: bool, steady: &Steady) -> Vec<String> {
+/// The notes on a state, after those that it has; `highest` is the highest order of the flow with forces that have kinks.
+pub(super) fn notes(
+    state: &SteadyState,
+    is_driven: bool,
+    steady: &Steady,
+    highest: Option<i64>,
+) -> Vec<String> {
     let mut notes = state.notes.clone();
     let mut note = |text: String| notes.push(text);
     let is_long = |sum: &Option<Sum>, text: &Option<String>| sum.is_some() && text.is_none();
@@ -30,7 +35,8 @@ pub(super) fn notes(state: &SteadyState, is_driven: bool, steady: &Steady) -> Ve
         note(too_long());
     }
     if let Some(obstacle) = steady.obstacle {
-        note(of_obstacle(obstacle, state, steady));
+        let formulas = missing(obstacle, state, steady).join(", ");
+        note(format!("{formulas}: {}", reason(obstacle, steady, highest)));
     }
     let is_curve = steady.obstacle.is_none_or(|it| it == Obstacle::Sums) && steady.relation.is_some();
     if is_curve && state.critical_drive.is_none() {
@@ -43,19 +49,18 @@ fn too_long() -> String {
     format!("relation: it has more than {MOST_TERMS} terms; use `equations`")
 }
 
-/// The formulas that are missing because of the obstacle, with the reason.
-fn of_obstacle(obstacle: Obstacle, state: &SteadyState, steady: &Steady) -> String {
+fn reason(obstacle: Obstacle, steady: &Steady, highest: Option<i64>) -> String {
     let Steady { order, coupling, .. } = steady;
-    let most = MAX_SYMBOLIC_SLOW_ORDER;
-    let reason = match obstacle {
+    let most = i64::try_from(MAX_SYMBOLIC_SLOW_ORDER).unwrap_or(i64::MAX);
+    let most = highest.map_or(most, |highest| highest.min(most));
+    match obstacle {
         Obstacle::Absent => format!(
             "the phase does not occur to order {order}, at which the drive changes neither amplitude nor phase"
         ),
         Obstacle::Order(needed) => {
-            let limit = match usize::try_from(needed) {
-                Ok(needed) if needed <= most => "or higher".to_owned(),
-                _ => format!("above the highest, {most}"),
-            };
+            let is_possible = needed <= most;
+            let limit =
+                if is_possible { "or higher".to_owned() } else { format!("above the highest, {most}") };
             format!(
                 "the phase occurs from order {coupling} on, and these need order {needed} {limit}; use `equations`"
             )
@@ -65,8 +70,7 @@ fn of_obstacle(obstacle: Obstacle, state: &SteadyState, steady: &Steady) -> Stri
         Obstacle::Undetermined => {
             "the lowest order with the phase does not determine it; use `equations`".to_owned()
         }
-    };
-    format!("{}: {reason}", missing(obstacle, state, steady).join(", "))
+    }
 }
 
 /// The names of formulas that are missing because of the obstacle.

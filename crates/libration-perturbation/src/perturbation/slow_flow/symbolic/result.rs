@@ -199,7 +199,7 @@ fn steady_state(
         let curve = ResponseCurve { letters, relation, order: order - lowest, omega0: &forced.omega0 };
         describe(&mut state, &curve, &found.drives, steady);
     }
-    state.notes = notes(&state, is_driven, steady);
+    state.notes = notes(&state, is_driven, steady, forced.highest_order());
     state
 }
 
