@@ -13,7 +13,7 @@
 //! Reference: A. H. Nayfeh, D. T. Mook, *Nonlinear Oscillations*, Wiley 1979, chapter 6.
 
 use libration_numbers::internals::expression::{Jet, SeriesError, Tape};
-use libration_numbers::internals::linear::solve;
+use libration_numbers::internals::linear::{null_space, solve};
 use libration_numbers::{
     algebra::Ring,
     internals::algebra::{HarmonicPair, HarmonicSums, PhaseRing},
@@ -70,6 +70,38 @@ pub(super) fn third_order<N: Ring + Clone>(
     rest: &[N::Element],
     mode: &Fundamental<N::Element>,
 ) -> Result<Third<N::Element>, Obstacle> {
+    let (third, has_second) = with_free(numbers, judge, tape, rest, mode, None)?;
+    // A mode with twice the frequency, across which others are driven, may move by itself at the second order, which must not matter.
+    let has_free = has_second && judge.resonant.contains(&2);
+    for free in (0..NULL_VECTORS).filter(|_| has_free) {
+        let (other, _) = with_free(numbers, judge, tape, rest, mode, Some(free))?;
+        let pairs = [(&third.frequency, &other.frequency), (&third.growth, &other.growth)];
+        let differ = |(a, b): (&N::Element, &N::Element)| {
+            let difference = numbers.subtract(a, b);
+            !numbers.is_zero(&difference)
+                && (judge.size)(&difference) > judge.rounding * (judge.size)(a).max(LEAST)
+        };
+        if pairs.into_iter().any(differ) {
+            return Err(Obstacle::Resonance(2));
+        }
+    }
+    Ok(third)
+}
+
+/// Independent vectors that the matrix of a harmonic maps to zero where it is the frequency of one free oscillation: both phases.
+const NULL_VECTORS: usize = 2;
+/// A change of the frequency below which differences of digits are not relative to it.
+const LEAST: f64 = 1e-3;
+
+/// The third order with a free oscillation of this number at the second order, and whether the second order has twice the frequency.
+fn with_free<N: Ring + Clone>(
+    numbers: &N,
+    judge: &Judge<'_, N::Element>,
+    tape: &Tape,
+    rest: &[N::Element],
+    mode: &Fundamental<N::Element>,
+    free: Option<usize>,
+) -> Result<(Third<N::Element>, bool), Obstacle> {
     let ring = HarmonicSums { numbers: numbers.clone() };
     let none = vec![numbers.zero(); rest.len()];
     let still = state(&ring, &numbers.zero(), &[(0, rest.to_vec(), none)], rest.len());
@@ -77,9 +109,19 @@ pub(super) fn third_order<N: Ring + Clone>(
     let linear = Linear::new(&ring, &jet, tape, rest.len())?;
     let mut expansion = Expansion { ring: &ring, jet, judge, mode, linear };
     expansion.extend(&[(1, mode.cosine.clone(), mode.sine.clone())])?;
-    let second = expansion.forced(&[0, 2])?;
+    let mut second = expansion.forced(&[0, 2])?;
+    if let Some(free) = free {
+        let mut added =
+            expansion.null_vectors(&expansion.matrix(2)).ok_or(Obstacle::Resonance(2))?.swap_remove(free);
+        let sines = added.split_off(rest.len());
+        second.push((2, added, sines));
+    }
     expansion.extend(&second)?;
-    expansion.solvability()
+    let is_second = |(k, cosine, sine): &Term<N::Element>| {
+        *k == 2 && cosine.iter().chain(sine).any(|x| !numbers.is_zero(x))
+    };
+    let has_second = second.iter().any(is_second);
+    Ok((expansion.solvability()?, has_second))
 }
 
 /// x″ = −A·x + G·x′.
@@ -190,10 +232,13 @@ impl<N: Ring> Expansion<'_, N> {
             return Ok(vec![numbers.zero(); right.len()]);
         }
         let singular = Obstacle::Resonance(k);
+        let matrix = self.matrix(k);
+        if k > 0 && self.judge.resonant.contains(&k) {
+            return self.not_driving(&matrix, right, largest).ok_or(singular);
+        }
         if self.judge.resonant.contains(&k) {
             return Err(singular);
         }
-        let matrix = self.matrix(k);
         let n = self.coordinates();
         if k > 0 {
             return solve(numbers, self.judge.size, &matrix, right).ok_or(singular);
@@ -201,6 +246,39 @@ impl<N: Ring> Expansion<'_, N> {
         let mean: Vec<Vec<N::Element>> = matrix[..n].iter().map(|row| row[..n].to_vec()).collect();
         let mean = solve(numbers, self.judge.size, &mean, &right[..n]).ok_or(singular)?;
         Ok(mean.into_iter().chain((0..n).map(|_| numbers.zero())).collect())
+    }
+
+    /// A solution of singular equations whose right side does not drive the free oscillation: it is orthogonal to what the transposed matrix maps to
+    /// zero. `None` where it drives it, or several modes have the frequency.
+    fn not_driving(
+        &self,
+        matrix: &[Vec<N::Element>],
+        right: &[N::Element],
+        largest: f64,
+    ) -> Option<Vec<N::Element>> {
+        let numbers = self.ring.numbers();
+        let places = 0..matrix.len();
+        let transposed: Vec<Vec<N::Element>> =
+            places.clone().map(|i| matrix.iter().map(|row| row[i].clone()).collect()).collect();
+        let [left, free] = [self.null_vectors(&transposed)?, self.null_vectors(matrix)?];
+        // The bordered equations: the multiples of the left vectors that are left over vanish where the right side is orthogonal to them.
+        let bordered = places.clone().map(|i| {
+            let of_left = left.iter().map(|vector| vector[i].clone());
+            matrix[i].iter().cloned().chain(of_left).collect::<Vec<_>>()
+        });
+        let zeros = || (0..NULL_VECTORS).map(|_| numbers.zero());
+        let conditions = free.into_iter().map(|vector| vector.into_iter().chain(zeros()).collect::<Vec<_>>());
+        let rows: Vec<Vec<N::Element>> = bordered.chain(conditions).collect();
+        let right: Vec<N::Element> = right.iter().cloned().chain(zeros()).collect();
+        let mut solution = solve(numbers, self.judge.size, &rows, &right)?;
+        let left_over = solution.split_off(matrix.len());
+        let vanishes =
+            |x: &N::Element| numbers.is_zero(x) || (self.judge.size)(x) < self.judge.rounding * largest;
+        left_over.iter().all(vanishes).then_some(solution)
+    }
+
+    fn null_vectors(&self, matrix: &[Vec<N::Element>]) -> Option<Vec<Vec<N::Element>>> {
+        null_space(self.ring.numbers(), self.judge.size, matrix, NULL_VECTORS)
     }
 
     /// The matrix of harmonic k on cosines and sines.

@@ -327,3 +327,26 @@ fn chains_in_a_magnetic_field_have_all_their_modes() {
         assert!((found - expected).abs() < 1e-12, "{found} {expected}");
     }
 }
+
+/// The motion forces the harmonic of the other mode, but not along that mode: the shifts are those of each coordinate alone, 3/8 for x³ and −5/12 for x².
+#[test]
+fn a_resonance_that_is_forced_across_the_other_mode_does_no_harm() {
+    for (equations, shift) in [
+        ("x'' = -x - x^3; y'' = -9*y", 0.375),
+        ("x'' = -x - x^2; y'' = -4*y", -5.0 / 12.0),
+        ("x'' = -x - 0.5*x*y^2 - x^3; y'' = -9*y - 0.5*x^2*y", 0.375),
+        ("x'' = -x - x^2; y'' = -4*y - x*y - y^2/2", -5.0 / 12.0),
+        ("x'' = -1.1*x - x^3; y'' = -9.9*y", 0.375 / 1.1_f64.sqrt()),
+    ] {
+        let found = modes(equations);
+        assert!(
+            (found[0].shift.as_ref().unwrap().coefficient - shift).abs() < 1e-14,
+            "{equations}: {:?}",
+            found[0].shift
+        );
+    }
+    // Here y is driven by x² at its own frequency, and there a motion of y at twice the frequency changes that of x.
+    for equations in ["x'' = -x - x^2; y'' = -4*y - x^2", "x'' = -x - x^2 - x*y; y'' = -4*y - y^2"] {
+        assert_eq!(modes(equations)[0].shift, Err(ShiftError::Resonance(2)), "{equations}");
+    }
+}
