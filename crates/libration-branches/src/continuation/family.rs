@@ -256,8 +256,8 @@ impl<'w> Family<'w> {
             vector.into_iter().enumerate().map(|(component, x)| sign(component) * x).collect::<Vec<f64>>()
         };
         let found = self.variations(state, parameters, [0.0, duration], tolerance)?;
-        let Variations { end, by_start, by_parameters } = found;
-        let rate = signed(self.rate(&end, duration, parameters)?);
+        let Variations { end, by_start, by_parameters, rates: [_, rate] } = found;
+        let rate = signed(rate);
         let image = Image {
             defect: space.missed(&end, state, &self.signs),
             map: (0..)
@@ -283,7 +283,7 @@ impl<'w> Family<'w> {
         tolerance: f64,
     ) -> Option<Variations> {
         let found = self.flow.variations(state, parameters, times, tolerance, || self.watch.flow()).ok()?;
-        let matrices = found.by_start.iter().chain(&found.by_parameters).flatten();
+        let matrices = found.by_start.iter().chain(&found.by_parameters).chain(&found.rates[1..]).flatten();
         found.end.iter().chain(matrices).copied().all(f64::is_finite).then_some(found)
     }
 

@@ -46,9 +46,8 @@ impl Family<'_> {
             let whole = times * self.duration(space, further, parameters)?;
             let slopes = self.duration_slopes(space, parameters)?;
             let found = self.variations(state, parameters, parts.map(|part| whole * part), TOLERANCES[0])?;
-            let [from, to] = [(state, parts[0]), (&found.end[..], parts[1])]
-                .map(|(state, part)| self.rate(state, whole * part, parameters));
-            let by_whole = Piece::by_duration(&found.by_start, [&from?, &to?], parts);
+            let by_whole =
+                Piece::by_duration(&found.by_start, found.rates.each_ref().map(|it| &it[..]), parts);
             let last = further.len() - 1;
             let column = |k: usize| {
                 let own = |i: usize| if k == last { found.by_parameters[0][i] } else { 0.0 };

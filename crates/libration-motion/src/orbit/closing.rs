@@ -76,8 +76,11 @@ impl<'w> Rounds<'w> {
     pub(super) fn round(&self, state: &[f64], duration: f64) -> Result<Round, OrbitError> {
         let path = self.path(state, duration, 1e-17)?;
         let end = path.state_at(duration);
-        let monodromy = self.monodromy(state, duration)?;
-        let rate = self.rate(&end, duration)?;
+        let Variations { by_start: monodromy, rates: [_, rate], .. } =
+            self.variations(state, [0.0, duration])?;
+        if rate.iter().any(|it| it.is_nan()) {
+            return Err(OrbitError::Start { state: end, wanted: self.layout().numbers() });
+        }
         let defect = end.iter().zip(state).map(|(end, start)| end - start).collect();
         Ok(Round { path, defect, monodromy, rate })
     }
@@ -99,14 +102,14 @@ impl<'w> Rounds<'w> {
         Ok(fastest.unwrap_or(0))
     }
 
-    /// The derivatives of the state after a time with respect to the state at the start, by rows.
-    fn monodromy(&self, state: &[f64], duration: f64) -> Result<Vec<Vec<f64>>, IntegrationError> {
-        Ok(self.variations(state, [0.0, duration])?.by_start)
-    }
-
     /// The state after a time with its derivatives.
     pub(super) fn variations(&self, state: &[f64], times: [f64; 2]) -> Result<Variations, IntegrationError> {
         self.flow.variations(state, &[], times, VARIATIONS[0], || self.watch.flow())
+    }
+
+    /// Returns `true` if a force jumps.
+    pub(super) const fn has_jumps(&self) -> bool {
+        self.flow.has_jumps()
     }
 
     /// The derivatives with respect to the start with another tolerance, and the largest magnitude of each derivative on the way.

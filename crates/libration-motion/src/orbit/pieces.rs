@@ -26,13 +26,8 @@ impl Newton<'_> {
             let found = self.rounds.variations(state, times).ok()?;
             let mut by_further = vec![];
             if is_own {
-                let [from, to] = [(state, times[0]), (&found.end[..], times[1])];
-                let rates = [self.rounds.rate(from.0, from.1).ok()?, self.rounds.rate(to.0, to.1).ok()?];
-                by_further.push(Piece::by_duration(
-                    &found.by_start,
-                    rates.each_ref().map(|it| &it[..]),
-                    parts,
-                ));
+                let rates = found.rates.each_ref().map(|it| &it[..]);
+                by_further.push(Piece::by_duration(&found.by_start, rates, parts));
             }
             Some(Piece { end: found.end, by_start: found.by_start, by_further })
         };

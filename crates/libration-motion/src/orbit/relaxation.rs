@@ -33,7 +33,8 @@ pub(super) fn forgetful(
     rounds: &Rounds<'_>,
     guess: &OrbitGuess,
 ) -> Result<Option<Orbit>, OrbitError> {
-    let Some(divergence) = Divergence::new(equation) else { return Ok(None) };
+    // At a jump of a force the volume of deviations jumps too.
+    let Some(divergence) = Divergence::new(equation).filter(|_| !rounds.has_jumps()) else { return Ok(None) };
     let Some(first) = rounds.turn(0, guess, 1e-17)? else { return Ok(None) };
     let is_whole = (first.end_time() / guess.period - 1.0).abs() < SAME_PERIOD;
     let forgets = divergence.along(&first) < FORGOTTEN;

@@ -293,9 +293,10 @@ impl<'a> Newton<'a> {
         let apart: Vec<f64> = self.round.path.apart(&again).iter().map(|it| 4.0 * it).collect();
         let errors = StateErrors::new(&self.round.path, start, &grown, &apart, uncertainty);
         let autonomous = self.unknowns.period;
-        let change = self.change_of_map(&monodromy, &errors.start);
+        let change =
+            self.change_of_map(&monodromy, &errors.start) + self.change_across_jumps(&errors.start)?;
         let floquet = Floquet::new(&self.round.monodromy, &self.sizes, change, autonomous);
-        let divergence = Divergence::new(equation).filter(|_| autonomous);
+        let divergence = Divergence::new(equation).filter(|_| autonomous && !self.rounds.has_jumps());
         let logarithm = divergence.map(|divergence| divergence.along(&self.round.path));
         let floquet = floquet.map(|floquet| Floquet { logarithm, ..floquet });
         Ok(Orbit::new(equation, self.round.path, uncertainty, floquet, errors))
@@ -344,6 +345,23 @@ impl<'a> Newton<'a> {
         let own = &self.round.monodromy;
         let apart = self.norm(|i, j| own[i][j] - other[i][j]);
         4.0 * (apart / self.norm(|i, j| own[i][j]) + miss(start, &self.sizes))
+    }
+
+    /// The relative change of the monodromy matrix of a motion that passes jumps of forces, by the error of its start: jumps at other times and
+    /// other speeds change it more than the error itself.
+    fn change_across_jumps(&self, start: &[f64]) -> Result<f64, OrbitError> {
+        if !self.rounds.has_jumps() {
+            return Ok(0.0);
+        }
+        let own = &self.round.monodromy;
+        let mut change = 0.0;
+        for side in [-1.0, 1.0] {
+            let state: Vec<f64> =
+                self.at.state.iter().zip(start).map(|(x, error)| x + side * error).collect();
+            let other = self.rounds.variations(&state, [0.0, self.at.period])?.by_start;
+            change += self.norm(|i, j| own[i][j] - other[i][j]) / self.norm(|i, j| own[i][j]);
+        }
+        Ok(4.0 * change)
     }
 
     /// The norm of a matrix of derivatives with respect to the start, in units of the sizes of the orbit.

@@ -1,5 +1,7 @@
 //! The flow of a system, and the derivatives of its end with respect to its start and open parameters.
 
+use super::jumps::{Arrival, Route, followed};
+use super::modes::Modes;
 use crate::taylor::{
     Effort, IntegrationError, Moment, Solution, StateLayout, Step, System, Trajectory, with_sensitivities,
 };
@@ -16,6 +18,8 @@ pub struct Flow {
     plain: System,
     /// The system with the derivatives by each parameter and by each component of the start appended.
     with_variations: System,
+    /// The equations between the jumps of forces, if there are any.
+    modes: Option<Modes>,
     rates: Tape,
     parameters: usize,
     most_steps: usize,
@@ -30,6 +34,8 @@ pub struct Variations {
     pub by_start: Vec<Vec<f64>>,
     /// Derivatives with respect to each parameter.
     pub by_parameters: Vec<Vec<f64>>,
+    /// The rates of change of the state at the start and at the end; after a jump of a force there. NaN if a formula has no value.
+    pub rates: [Vec<f64>; 2],
 }
 
 impl Flow {
@@ -45,19 +51,26 @@ impl Flow {
         let mut inputs = layout.symbols(equation.variables());
         inputs.extend(["t"].iter().chain(parameters).map(|name| Symbol::plain(name)));
         let rates = Tape::new(&equation.derivatives().iter().collect::<Vec<_>>(), &inputs)?;
-        Ok(Self { layout, plain, with_variations, rates, parameters: parameters.len(), most_steps })
+        let modes = Modes::new(equation, parameters)?;
+        Ok(Self { layout, plain, with_variations, modes, rates, parameters: parameters.len(), most_steps })
     }
 
     /// The same flow for thousands of motions, for which machine code is generated at the first step.
     #[must_use]
     pub fn for_many_steps(self) -> Self {
         let (plain, with_variations) = (self.plain.for_many_steps(), self.with_variations.for_many_steps());
-        Self { plain, with_variations, ..self }
+        let modes = self.modes.map(Modes::for_many_steps);
+        Self { plain, with_variations, modes, ..self }
     }
 
     /// The system without its variations.
     pub const fn system(&self) -> &System {
         &self.plain
+    }
+
+    /// Returns `true` if a force jumps, so that variations jump too.
+    pub const fn has_jumps(&self) -> bool {
+        self.modes.is_some()
     }
 
     /// The derivatives of the system as a tape in the state, the time and the parameters.
@@ -99,8 +112,8 @@ impl Flow {
         tolerance: f64,
         mut each: impl FnMut() -> ControlFlow<()>,
     ) -> Result<Variations, IntegrationError> {
-        let end = self.followed(state, parameters, times, tolerance, |_| each())?;
-        Ok(self.taken_apart(&end))
+        let end = self.followed(state, parameters, times, tolerance, &mut |_| each())?;
+        Ok(self.taken_apart(end))
     }
 
     /// The end of a motion of a system without parameters with its derivatives, and the largest
@@ -117,34 +130,46 @@ impl Flow {
     ) -> Result<(Variations, Vec<Vec<f64>>), IntegrationError> {
         let numbers = self.layout.numbers();
         let mut largest = vec![vec![0.0_f64; numbers]; numbers];
-        let end = self.followed(state, &[], [0.0, duration], tolerance, |step| {
-            let here = self.taken_apart(&step.state_at(step.end().min(duration))).by_start;
-            for (largest, here) in largest.iter_mut().flatten().zip(here.iter().flatten()) {
+        let end = self.followed(state, &[], [0.0, duration], tolerance, &mut |step| {
+            let here = step.map(|step| self.by_start(&step.state_at(step.end().min(duration))));
+            for (largest, here) in largest.iter_mut().flatten().zip(here.iter().flatten().flatten()) {
                 *largest = largest.max(here.abs());
             }
             each()
         })?;
-        Ok((self.taken_apart(&end), largest))
+        Ok((self.taken_apart(end), largest))
     }
 
     fn followed(
         &self,
         state: &[f64],
         parameters: &[f64],
-        [from, to]: [f64; 2],
+        times: [f64; 2],
         tolerance: f64,
-        each: impl FnMut(&Step<'_>) -> ControlFlow<()>,
-    ) -> Result<Vec<f64>, IntegrationError> {
+        each: &mut dyn FnMut(Option<&Step<'_>>) -> ControlFlow<()>,
+    ) -> Result<Arrival, IntegrationError> {
         let numbers = self.layout.numbers();
         let mut start = vec![0.0; numbers * (1 + self.parameters + numbers)];
         for (number, value) in state.iter().enumerate() {
             start[self.address(number, 0)] = *value;
             start[self.address(number, 1 + self.parameters + number)] = 1.0;
         }
+        if let Some(modes) = &self.modes {
+            let route = Route { plain: &self.plain, effort: self.effort(tolerance), parameters, times };
+            return followed(modes, route, (state, start), each);
+        }
+        let [from, to] = times;
         let start = Moment { time: from, state: start };
         let trajectory = Trajectory { start, parameters: parameters.to_vec(), times: &[to] };
-        let solution = trajectory.integrate_stepwise(&self.with_variations, &self.effort(tolerance), each)?;
-        Ok(solution.end.state)
+        let effort = self.effort(tolerance);
+        let solution =
+            trajectory.integrate_stepwise(&self.with_variations, &effort, |step| each(Some(step)))?;
+        let all = solution.end.state;
+        let end: Vec<f64> = (0..numbers).map(|number| all[self.address(number, 0)]).collect();
+        let rates = [(state, from), (&end[..], to)].map(|(state, time)| {
+            self.rate(state, time, parameters).unwrap_or_else(|| vec![f64::NAN; numbers])
+        });
+        Ok(Arrival { all, rates })
     }
 
     /// The index of a component in the state with its variations: of the motion, copy 0, or of a derivative.
@@ -152,17 +177,23 @@ impl Flow {
         self.layout.place_in_copy(number, copy, self.parameters + self.layout.numbers())
     }
 
-    fn taken_apart(&self, all: &[f64]) -> Variations {
-        let numbers = self.layout.numbers();
-        let copy = |copy: usize| (0..numbers).map(move |number| all[self.address(number, copy)]);
-        let row = |number: usize| {
-            (0..numbers).map(|start| all[self.address(number, 1 + self.parameters + start)]).collect()
-        };
+    fn taken_apart(&self, end: Arrival) -> Variations {
+        let Arrival { all, rates } = end;
+        let numbers = 0..self.layout.numbers();
+        let of = |copy: usize| numbers.clone().map(|number| all[self.address(number, copy)]).collect();
         Variations {
-            end: copy(0).collect(),
-            by_start: (0..numbers).map(row).collect(),
-            by_parameters: (0..self.parameters).map(|number| copy(1 + number).collect()).collect(),
+            end: of(0),
+            by_start: self.by_start(&all),
+            by_parameters: (0..self.parameters).map(|number| of(1 + number)).collect(),
+            rates,
         }
+    }
+
+    /// The derivatives by the start, as the rows of a matrix.
+    fn by_start(&self, all: &[f64]) -> Vec<Vec<f64>> {
+        let numbers = 0..self.layout.numbers();
+        let entry = |number: usize, start: usize| all[self.address(number, 1 + self.parameters + start)];
+        numbers.clone().map(|number| numbers.clone().map(|start| entry(number, start)).collect()).collect()
     }
 
     /// The time derivative of a state; `None` if a formula has no value.

@@ -17,6 +17,8 @@
 mod extrema;
 mod floquet;
 mod flow;
+mod jumps;
+mod modes;
 mod multiple_shooting;
 mod newton_step;
 mod norm;

@@ -52,6 +52,14 @@ pub enum IntegrationError {
     /// A checkpoint that cannot belong to the system.
     #[error("the checkpoint belongs to another system or other events: give both as they were")]
     OtherCheckpoint,
+    /// A motion that has no derivative by its start, or none that is computed.
+    #[error("{cause} at t = {time:?}: the derivatives of the motion are not known")]
+    NoDerivative {
+        /// The cause.
+        cause: NoDerivative,
+        /// The time.
+        time: f64,
+    },
     /// An integration that began and stopped.
     #[error("{cause} at t = {:?}: the motion is known up to there", solution.end.time)]
     Stopped {
@@ -60,6 +68,24 @@ pub enum IntegrationError {
         /// The solution until the stop.
         solution: Box<Solution>,
     },
+}
+
+/// The reason why a motion across a jump of a force has no derivative by its start, or none that is computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoDerivative {
+    /// A motion that only touches a surface at which a force jumps, within the errors of the motion.
+    #[error("the motion only touches a surface at which a force jumps")]
+    Grazing,
+    /// Two surfaces that are passed together, and whose order changes the motion.
+    #[error("the motion passes two surfaces together, at both of which a force jumps,")]
+    Together,
+    /// A sliding motion whose force is not linear in the sign of friction.
+    #[error("the motion slides along a surface, where a force is not linear in its sign,")]
+    Sliding,
+    /// A jump in equations with powers that have no series at zero.
+    #[error("a force jumps, and the equations contain a power without a series at zero,")]
+    Power,
 }
 
 /// The cause of a stop of an integration.

@@ -64,7 +64,7 @@ pub use drivers::integrate::{integrate, integrate_many, integrate_many_stepwise,
 pub use drivers::owned_step::OwnedStep;
 pub use drivers::sensitivities::{Sensitivities, SensitivityError};
 pub use drivers::trajectory::Trajectory;
-pub use error::{Cause, IntegrationError};
+pub use error::{Cause, IntegrationError, NoDerivative};
 pub use events::event::{Contact, Direction, Event, Occurrence};
 pub use program::state_names::StateNameError;
 pub use program::system::System;
@@ -77,5 +77,7 @@ pub use step::tolerances::ToleranceError;
 
 use drivers::integrate::LANES;
 
+pub(crate) use drivers::phases::{Approach, NEAR_ZERO, Phase, Side, phases};
+pub(crate) use program::open_signs::OpenSigns;
 pub(crate) use program::state_names::named_state;
 pub(crate) use step::larger::larger_or_nan;

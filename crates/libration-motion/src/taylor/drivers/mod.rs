@@ -13,6 +13,7 @@ pub(super) mod look_ahead;
 pub(super) mod owned_step;
 pub(super) mod partial_solution;
 pub(super) mod passing;
+pub(crate) mod phases;
 pub(super) mod rest;
 pub(super) mod sensitivities;
 pub(super) mod stepper;

@@ -8,6 +8,7 @@ pub(crate) mod expander;
 pub(in crate::taylor) mod linearised;
 pub(in crate::taylor) mod machine_code;
 pub(in crate::taylor) mod moduli;
+pub(crate) mod open_signs;
 pub(in crate::taylor) mod passage;
 pub(in crate::taylor) mod plan;
 pub(in crate::taylor) mod quotients;

@@ -94,13 +94,16 @@ impl Moduli {
 
     /// The argument at whose zero a formula jumps, after these signs were taken out of it; `None` if it does not jump.
     pub(in crate::taylor) fn jump_in(&self, formula: &Expression) -> Option<String> {
-        let jumps = |(place, modulus): (usize, &Modulus)| {
-            let side = |side: i64| formula.substitute(&sign(place), &Expression::from(side));
-            let both = Expression::Subtract(Box::new(side(1)), Box::new(side(-1)));
-            let there = roots_of_zero(&with_zero(&both, &modulus.argument));
-            (!there.vanishes()).then(|| modulus.written.to_string())
-        };
-        self.arguments.iter().enumerate().find_map(jumps)
+        let jumping = (0..self.arguments.len()).find(|&place| self.jumps(place, formula))?;
+        Some(self.arguments[jumping].written.to_string())
+    }
+
+    /// Returns `true` if a formula, out of which these signs were taken, jumps where an argument is zero.
+    pub(in crate::taylor) fn jumps(&self, place: usize, formula: &Expression) -> bool {
+        let side = |side: i64| formula.substitute(&sign(place), &Expression::from(side));
+        let both = Expression::Subtract(Box::new(side(1)), Box::new(side(-1)));
+        let there = roots_of_zero(&with_zero(&both, &self.arguments[place].argument));
+        !there.vanishes()
     }
 
     /// Returns `true` if a power that is not an integer is taken of a symbol itself, and has no value on one side of its zero.

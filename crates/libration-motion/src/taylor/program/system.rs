@@ -234,6 +234,11 @@ impl System {
         self.passage.as_deref()
     }
 
+    /// Returns `true` if there are positions at which a force has no series.
+    pub(crate) fn has_passages(&self) -> bool {
+        self.passage.is_some()
+    }
+
     /// The equations of motion.
     pub(in crate::taylor) fn equation(&self) -> &Equation {
         &self.equation
