@@ -111,13 +111,24 @@ impl Traveller<'_> {
         self.modes.rates(&self.sides, place).map_err(|cause| self.refusal(cause))
     }
 
-    /// Integrates the variations to a time.
+    /// Integrates the variations to a time. Jumps that happen together may be closer than steps can be.
     fn travel(
         &mut self,
         to: f64,
         effort: &Effort,
         each: &mut dyn FnMut(Option<&Step<'_>>) -> ControlFlow<()>,
     ) -> Result<(), IntegrationError> {
+        /// Length relative to the time below which the motion is straight, and its deviations do not change.
+        const SHORT: f64 = 64.0 * f64::EPSILON;
+        let length = to - self.time;
+        if length.abs() <= SHORT * self.time.abs() {
+            for (number, rate) in self.rates()?.into_iter().enumerate() {
+                let address = self.address(number, 0);
+                self.all[address] += length * rate;
+            }
+            self.time = to;
+            return Ok(());
+        }
         let mode = self.modes.mode(&self.sides).map_err(|cause| self.refusal(cause))?;
         let start = Moment { time: self.time, state: self.all.clone() };
         let parameters = self.modes.values(self.parameters, &self.sides);
@@ -274,7 +285,7 @@ impl Traveller<'_> {
             let ahead = -approach.value / approach.slopes[0];
             let side = self.sides[argument];
             let outward = approach.slopes[0] * side.sign() < 0.0;
-            if is_new && outward && (0.0..=near).contains(&ahead) && self.modes.open.jumps(argument) {
+            if is_new && outward && ahead.abs() <= near && self.modes.open.jumps(argument) {
                 next[argument] = self.behind(argument)?;
             }
         }

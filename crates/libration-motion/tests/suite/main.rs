@@ -15,6 +15,7 @@ mod endings;
 mod ensemble;
 mod events;
 mod hidden_forces;
+mod jumping_forces;
 mod orbit;
 mod passages;
 mod sensitivities;

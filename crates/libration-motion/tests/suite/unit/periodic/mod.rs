@@ -1,2 +1,3 @@
+mod jumps;
 mod multiple_shooting;
 mod newton_step;
