@@ -157,9 +157,9 @@ impl Traveller<'_> {
         if jumps.iter().any(|jump| !self.is_crossed(*jump, ending)) {
             return Err(self.refusal(NoDerivative::Grazing));
         }
-        for argument in 0..next.len() {
+        for (argument, (side, next)) in self.sides.iter_mut().zip(next).enumerate() {
             if !self.modes.open.jumps(argument) {
-                self.sides[argument] = next[argument];
+                *side = *next;
             }
         }
         self.pass(&jumps, near)
@@ -240,9 +240,8 @@ impl Traveller<'_> {
             let own: Vec<f64> = (0..numbers).map(|number| on.all[self.address(number, copy)]).collect();
             let by_parameter = if copy <= self.parameters.len() { gradient[numbers + copy] } else { 0.0 };
             let late = (along(&own) + by_parameter) / speed;
-            for number in 0..numbers {
-                let address = self.address(number, copy);
-                on.all[address] += (rates[1][number] - rates[0][number]) * late;
+            for (number, (before, after)) in rates[0].iter().zip(&rates[1]).enumerate() {
+                on.all[self.address(number, copy)] += (after - before) * late;
             }
         }
         if to == Side::Zero {
