@@ -561,7 +561,7 @@ fn rows_without_mistakes_are_seldom_called_outlying() {
     for (rows, stated) in [(5, None), (8, None), (20, None), (6, Some(0.002))] {
         let given: Vec<f64> = (0..rows).map(|row| 0.2 + 0.9 * f64::from(row) / f64::from(rows)).collect();
         let named = (0..600).filter(|_| {
-            let exact = given.iter().map(|length| std::f64::consts::TAU * ((length + 0.01) / 9.81).sqrt());
+            let exact = given.iter().map(|length| TAU * ((length + 0.01) / 9.81).sqrt());
             let periods: Vec<f64> = exact.map(|period| period + 0.002 * random.normal()).collect();
             let sigma = vec![0.002; given.len()];
             let table = table(&given, &periods, stated.map(|_: f64| &sigma[..]));
@@ -580,7 +580,7 @@ fn swapped_columns_are_told_by_the_exponent() {
     let warnings = told(&given, &periods);
     assert!(warnings[0].to_string().contains("lengths and periods are swapped"), "{warnings:?}");
     assert!(!warnings.contains(&LengthsWarning::OffsetNeeded), "{warnings:?}");
-    // An offset makes an exponent other than 1/2 as well, and is no other law.
+    // An offset makes an exponent other than 1/2 as well, and makes no other law.
     let offset: Vec<f64> = given.iter().map(|length| 2.0061 * (length - 0.15_f64).sqrt()).collect();
     let warnings = told(&given, &offset);
     assert!(!warnings.iter().any(|it| matches!(it, LengthsWarning::OtherPower { .. })), "{warnings:?}");

@@ -157,7 +157,7 @@ impl fmt::Display for LengthsWarning {
 
 /// Uncertainty of g relative to it from which the rows do not determine it.
 pub(super) const UNDETERMINED: f64 = 0.25;
-/// Least distance of an exponent from 1/2 that is no matter of amplitudes and bobs.
+/// Least distance of an exponent from 1/2 that amplitudes and bobs do not explain.
 const FAR_FROM_HALF: f64 = 0.05;
 
 /// Warnings in the order in which the laws are compared, gravity last; `outlying` is the one about a row.
