@@ -32,6 +32,7 @@ mod scales;
 mod setting;
 mod states;
 mod steady;
+mod steady_state;
 mod turned;
 
 use equations::Found;
@@ -46,8 +47,9 @@ use steady::Obstacle;
 pub use coupled::{CoordinateFlow, CoupledSlowFlow, coupled_slow_flow};
 pub use error::{MAX_SYMBOLIC_SLOW_ORDER, SymbolicSlowFlowError};
 pub use evaluation::{SlowFlowAt, SteadySolution};
-pub use result::{SteadyState, SymbolicSlowFlow};
+pub use result::SymbolicSlowFlow;
 pub use states::{JudgedState, LeftOutReason, StateLeftOut, SteadyStates};
+pub use steady_state::SteadyState;
 
 /// Small parameters, resonance and order of a slow flow.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

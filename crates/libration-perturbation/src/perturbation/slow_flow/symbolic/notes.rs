@@ -3,8 +3,8 @@
 use super::criteria::ResponseCurve;
 use super::error::MAX_SYMBOLIC_SLOW_ORDER;
 use super::letters::{Column, Sum};
-use super::result::{MOST_TERMS, SteadyState};
 use super::steady::{Obstacle, Steady};
+use super::steady_state::{MOST_TERMS, SteadyState};
 
 /// The notes on a state, after those that it has; `highest` is the highest order of the flow with forces that have kinks.
 pub(super) fn notes(

@@ -6,7 +6,7 @@
 use super::elimination::resultant;
 use super::letters::{Column, Letters, Sum};
 use super::phase_sums::PhaseSum;
-use super::turned::turned_jacobian;
+use super::turned::{Coupling, turned_jacobian};
 use libration_numbers::algebra::Rational;
 
 /// A′ and A·φ′ as sums in A and the phase, to an order.
@@ -55,9 +55,6 @@ pub(super) enum Obstacle {
     /// The lowest order in which the phase occurs does not determine both cos mφ and sin mφ.
     Undetermined,
 }
-
-/// Coefficients of cos mφ and sin mφ in A′ and A·φ′.
-pub(super) type Coupling = [[Sum; 2]; 2];
 
 impl SteadyEquations<'_> {
     pub(super) fn solve(&self) -> Steady {

@@ -1,8 +1,10 @@
 //! The Jacobian where a turn of the phase only turns the coupling: the equations themselves stand for cos mφ and sin mφ.
 
 use super::letters::{Column, Letters, Sum};
-use super::steady::Coupling;
 use libration_numbers::algebra::Rational;
+
+/// Coefficients of cos mφ and sin mφ in A′ and A·φ′.
+pub(super) type Coupling = [[Sum; 2]; 2];
 
 /// Trace and determinant of the Jacobian of A′ and φ′ at steady states, for A′ = r + Aᵏ·Re(f·e^{∓imφ}) and A·φ′ = s + Aᵏ·Im(f·e^{∓imφ}) with a
 /// constant f; `None` for another coupling.
