@@ -3,7 +3,7 @@
 //!
 //! # Method
 //! An orbit is a zero of the map from its start to the difference of its end after one period, whose derivative
-//! comes from the variational equations. Two integrations to different tolerances give the error of the flow. The
+//! comes from the variational equations, which pass the jumps of forces (`jumps.rs`). Two integrations to different tolerances give the error of the flow. The
 //! error of an orbit's start is the residual, and the rounding of the start, multiplied by the inverse of the
 //! bordered matrix M − I; an orbit is accepted if it closes within ‖M‖ times that error and the error of the flow.
 //!

@@ -128,7 +128,7 @@ impl SectionOptions {
             Section::Stroboscope { period, phase } => {
                 let period = period.or_else(|| drive_period(equation));
                 let period =
-                    period.map_or_else(|| "a period of the drive".to_owned(), |it| number::seconds(it, 10));
+                    period.map_or_else(|| "period of the drive".to_owned(), |it| number::seconds(it, 10));
                 format!("once every {period}, at phase {}", number::short(*phase, 6))
             }
         }

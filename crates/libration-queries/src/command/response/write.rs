@@ -131,7 +131,7 @@ fn told(Jumping { answer, jump }: &Jumping<'_>) -> String {
     let mut to: Vec<String> = jump.to.iter().map(|it| answer.amplitude_text(answer.amplitude(it))).collect();
     to.dedup();
     if to.is_empty() {
-        return format!("{begin} leaves {from} at {value}, and no other stable solution was found.");
+        return format!("{begin} leaves {from} at {value}, and no other stable periodic motion was found.");
     }
     let rises = jump.to.iter().all(|it| answer.amplitude(it) > left);
     let verb = if rises { "jumps up" } else { "jumps down" };
