@@ -69,7 +69,7 @@
 //! | [`taylor`] | motion of any system in time, with events, errors and sensitivities | [`System`](taylor::System), [`integrate`](taylor::integrate()) |
 //! | [`orbit`] | periodic orbits: period, harmonics, Floquet multipliers | [`Orbit`](orbit::Orbit) |
 //! | [`spectrum`] | frequencies of a motion and their amplitudes | [`Spectrum`](spectrum::Spectrum) |
-//! | [`chaos`] | Poincaré sections, bifurcation diagrams, Lyapunov exponents | [`section`](chaos::compute_section()), [`lyapunov_exponent`](chaos::lyapunov_exponent) |
+//! | [`chaos`] | Poincaré sections, bifurcation diagrams, Lyapunov exponents | [`compute_section`](chaos::compute_section), [`lyapunov_exponent`](chaos::lyapunov_exponent) |
 //! | [`continuation`] | branches of periodic orbits over a parameter: folds, jumps, stability | [`Response`](continuation::Response), [`StabilityChart`](continuation::StabilityChart) |
 //! | [`melnikov`] | thresholds of chaos of a weakly perturbed pendulum; resonances | [`PerturbedPendulum`](melnikov::PerturbedPendulum), [`Melnikov`](melnikov::Melnikov) |
 //! | [`normal_modes`] | small oscillations of coupled systems, exact where possible | [`NormalModes`](normal_modes::NormalModes) |

@@ -256,10 +256,17 @@ impl<'a> Walk<'a> {
     /// canard, which follows a repelling part of the orbit for a while, can be followed from other points of the orbit only.
     fn begin_elsewhere(&mut self, units: &[f64]) -> bool {
         const LESS: f64 = 0.01;
-        let here = self.at().point.error;
-        let nodes = self.other_turns(units).unwrap_or_default().into_iter();
+        /// Largest change of the parameter, relative to the range, and of the period by which it is still this motion.
+        const SAME: f64 = 1e-6;
+        let here = &self.at().point;
+        let width = self.limits.range[1] - self.limits.range[0];
+        let is_this = |it: &Node| {
+            (it.point.parameter - here.parameter).abs() <= SAME * width
+                && (it.point.period - here.period).abs() <= SAME * here.period
+        };
+        let nodes = self.other_turns(units).unwrap_or_default().into_iter().filter(is_this);
         let best = nodes.min_by(|a, b| a.point.error.total_cmp(&b.point.error));
-        let Some(node) = best.filter(|it| it.point.error < LESS * here) else { return false };
+        let Some(node) = best.filter(|it| it.point.error < LESS * here.error) else { return false };
         let at = self.milestones.last().map_or(0.0, |last| last.at);
         self.milestones = vec![Milestone { at, tests: node.tests }];
         self.nodes.pop();

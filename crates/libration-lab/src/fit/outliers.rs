@@ -6,7 +6,7 @@ use super::period_table::{PeriodTable, Weighting};
 use crate::statistics::{deviation_by_median, median};
 
 /// Beyond five robust standard deviations a row counts as an outlier: among normal tables of a thousand rows
-/// one in 1700 has such a row, and among those of fewer than 24 rows, with [more deviations](outliers), one in a hundred.
+/// one in 1700 has such a row, and among those of fewer than 24 rows, with [more deviations](find_outliers), one in a hundred.
 pub const DEFAULT_OUTLIER_THRESHOLD: f64 = 5.0;
 
 /// Factors of the threshold for three rows and more, with which 5 robust standard deviations become what the largest residual of a normal table exceeds

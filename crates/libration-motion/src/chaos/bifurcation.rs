@@ -60,7 +60,7 @@ pub enum DiagramError {
 /// `progress` receives the number of complete columns, and a cancelled call returns these.
 ///
 /// # Errors
-/// An invalid parameter or value, or an invalid section, as for [`section`](super::section()).
+/// An invalid parameter or value, or an invalid section, as for [`compute_section`](super::compute_section).
 ///
 /// # Examples
 /// ```

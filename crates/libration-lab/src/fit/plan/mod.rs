@@ -2,7 +2,7 @@
 //!
 //! g = ω0²L, so that its relative uncertainty is that of the length, twice that of ω0, and twice that of the clock. The uncertainty of ω0 from rows
 //! with independent errors is the Cramér–Rao bound (`information.rs`), which a least-squares fit reaches; the effect of a wrong scale of the angles
-//! on ω0 is the resulting change of the fitted motion. All four are independent and add as squares, as in the [budget](super::budget()) of the
+//! on ω0 is the resulting change of the fitted motion. All four are independent and add as squares, as in the [budget](super::evaluate_budget) of the
 //! finished measurement.
 //!
 //! Reference: D. C. Rife and R. R. Boorstyn, IEEE Trans. Inf. Theory 20, 591 (1974), doi:10.1109/TIT.1974.1055282, whose bound for the
