@@ -239,7 +239,7 @@ pub fn counted(heading: &str) -> CountedPeriods {
     }
 }
 
-/// How surely the numbers under a heading without a unit are numbers of swings.
+/// The certainty with which the numbers under a heading without a unit are numbers of swings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum SwingNumbers {
     /// Words that say it: `swings`, `number of periods`, `Anzahl der Schwingungen`.

@@ -481,7 +481,7 @@ fn an_average_near_the_top_is_warned_of() {
     assert_eq!((warned(0), warned(6)), ((true, true), (false, false)));
 }
 
-/// Of few rows a wrong law fits better by a factor that the criterion alone would take for certain: it was preferred without a warning in a quarter of
+/// A wrong law fits few rows better by a factor that the criterion alone would take for certain: it was preferred without a warning in a quarter of
 /// tables of four rows.
 #[test]
 fn few_rows_do_not_exclude_the_right_law() {

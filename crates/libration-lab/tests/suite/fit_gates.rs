@@ -48,6 +48,12 @@ fn middles(edges: &[(f64, bool)]) -> Vec<f64> {
     edges.chunks_exact(2).map(|pair| 0.5 * (pair[0].0 + pair[1].0)).collect()
 }
 
+/// The fit of edges of an object with this angular width.
+fn fitted_with(times: &[f64], blocked: &[bool], width: Quantity) -> GatesFit {
+    let options = GateOptions { width: Some(width), ..GateOptions::default() };
+    fit_gates(times, Some(blocked), &options, &Quiet).unwrap()
+}
+
 fn with_width() -> GateOptions {
     GateOptions { width: Some(exactly(WIDTH)), ..GateOptions::default() }
 }
@@ -246,13 +252,7 @@ fn the_width_is_the_angle_of_the_bob_at_the_gate() {
     assert_eq!(unknown.width(), None);
     // T0 has in common with length and radius what they do to the width; with a diameter and a distance of their own, nothing.
     let (times, blocked) = split(&edges(0.0, 1e-5));
-    let fit = fit_gates(
-        &times,
-        Some(&blocked),
-        &GateOptions { width: Some(width), ..GateOptions::default() },
-        &Quiet,
-    )
-    .unwrap();
+    let fit = fitted_with(&times, &blocked, width);
     let inputs: Vec<BudgetInput> = fit.correlations(&geometry).iter().map(|both| both.between[0]).collect();
     assert_eq!(inputs, [BudgetInput::Length, BudgetInput::BobRadius]);
     let [by_length, by_radius] = [0, 1].map(|place| fit.correlations(&geometry)[place].coefficient);
@@ -280,13 +280,7 @@ fn a_gate_off_the_middle_of_the_bob_sees_a_chord() {
     let expected = moved.iter().map(|change| change * change).sum::<f64>().sqrt();
     assert!((width.uncertainty.unwrap() / expected - 1.0).abs() < 1e-3, "{width:?} {expected}");
     let (times, blocked) = split(&edges(0.0, 1e-5));
-    let fit = fit_gates(
-        &times,
-        Some(&blocked),
-        &GateOptions { width: Some(width), ..GateOptions::default() },
-        &Quiet,
-    )
-    .unwrap();
+    let fit = fitted_with(&times, &blocked, width);
     let found: Vec<f64> = fit.correlations(&geometry).iter().map(|both| both.coefficient).collect();
     assert_eq!(found.len(), 2);
     assert!((found[0] / found[1] / (moved[0] / moved[1]) - 1.0).abs() < 1e-3, "{found:?} {moved:?}");
@@ -386,8 +380,7 @@ fn a_wrong_width_is_a_row_of_the_budget() {
     let length = Quantity { value: 0.958, uncertainty: Some(1e-4) };
     let geometry = GateGeometry::new(Apparatus::of_length(length), None, None).unwrap();
     let with = |width: f64| {
-        let options = GateOptions { width: Some(exactly(width)), ..GateOptions::default() };
-        let fit = fit_gates(&times, Some(&blocked), &options, &Quiet).unwrap();
+        let fit = fitted_with(&times, &blocked, exactly(width));
         let budget = fit.gravity(&geometry, None, None, PeriodDamping::Unknown, &[]).unwrap().unwrap();
         (fit, budget)
     };
@@ -410,5 +403,28 @@ fn a_wrong_width_is_a_row_of_the_budget() {
         if (part - 1.0_f64).abs() > 0.025 {
             assert!(matches!(fit.warnings[0], GatesWarning::BetaNotOne { .. }), "{part}: {:?}", fit.warnings);
         }
+    }
+}
+
+/// T0 is that of the damped motion: without the correction g would be up to 47 of its uncertainties too small.
+#[test]
+fn gravity_is_that_without_the_damping_that_the_amplitudes_show() {
+    for damping in [0.02, 0.1, 0.2] {
+        let record =
+            GateRecord { omega0: OMEGA0, damping, release: 0.3, gate: 0.0, width: WIDTH, seconds: 40.0 };
+        let (times, blocked) = split(&jittered(&record.edges(), 1e-4, &mut Random::seeded(3)));
+        let fit = fitted_with(&times, &blocked, exactly(WIDTH));
+        let length = 9.81 / (OMEGA0 * OMEGA0);
+        let geometry = GateGeometry::new(Apparatus::of_length(exactly(length)), None, None).unwrap();
+        let of = |damping| fit.gravity(&geometry, None, None, damping, &[]).unwrap().unwrap();
+        let (observed, left) = (of(PeriodDamping::Unknown), of(PeriodDamping::Fitted(0.0)));
+        assert!((fit.drag.unwrap() / damping - 1.0).abs() < 0.05, "{damping}: {:?}", fit.drag);
+        assert!((observed.g - 9.81).abs() < 3.0 * observed.uncertainty, "{damping}: {observed:?}");
+        let effect = 0.25 * damping * damping / (OMEGA0 * OMEGA0);
+        assert!(
+            (observed.g / left.g - 1.0 - effect).abs() < 0.1 * effect,
+            "{damping}: {observed:?} {left:?}"
+        );
+        assert!(observed.uncertainty > 0.4 * effect * 9.81, "{damping}: {observed:?}");
     }
 }

@@ -91,6 +91,23 @@ impl LengthsWarning {
     }
 }
 
+impl LengthsWarning {
+    /// The text, in which a row is called by its line in a file, if the lines of all rows are given.
+    #[must_use]
+    pub fn with_lines(&self, lines: &[u64]) -> String {
+        match self {
+            Self::Outlying { row, gravity } if *row < lines.len() => {
+                format!("line {} {}", lines[*row], Self::far_from_the_others(*gravity))
+            }
+            _ => self.to_string(),
+        }
+    }
+
+    fn far_from_the_others(gravity: Uncertain) -> String {
+        format!("is far from the law of the others: without it g is {gravity} m/s²; check its numbers")
+    }
+}
+
 impl fmt::Display for LengthsWarning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -125,11 +142,9 @@ impl fmt::Display for LengthsWarning {
                     false => f.write_str(": check which column is which, and the amplitudes"),
                 }
             }
-            Self::Outlying { row, gravity } => write!(
-                f,
-                "row {} is far from the law of the others: without it g is {gravity} m/s²; check its numbers",
-                row + 1
-            ),
+            Self::Outlying { row, gravity } => {
+                write!(f, "row {} {}", row + 1, Self::far_from_the_others(*gravity))
+            }
             Self::PhysicalPendulum { gyration } => write!(
                 f,
                 "the periods fall with the distance from the centre of mass up to {:.1} mm and rise beyond: they are those of a bar turned \

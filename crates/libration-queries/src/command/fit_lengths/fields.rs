@@ -40,14 +40,7 @@ impl Answer<'_> {
             LengthsWarning::Bent { radius: Some(_) } => format!("{warning} (<--bob-radius>)"),
             LengthsWarning::OffsetLargerThanBob => format!("{warning} (<--length-unit=m|cm>)"),
             LengthsWarning::OtherPower { .. } => format!("{warning} (<--columns>)"),
-            // What was measured stands in a line of the file.
-            LengthsWarning::Outlying { row, .. } => match self.table.lines.get(*row) {
-                Some(line) => {
-                    warning.to_string().replacen(&format!("row {}", row + 1), &format!("line {line}"), 1)
-                }
-                None => warning.to_string(),
-            },
-            _ => warning.to_string(),
+            _ => warning.with_lines(&self.table.lines),
         };
         self.fit.warnings.iter().map(|warning| (warning.name(), in_words(&text(warning)))).collect()
     }

@@ -3,7 +3,7 @@ use libration::orbit::{Orbit, OrbitError};
 use libration::progress::Quiet;
 use std::f64::consts::PI;
 
-/// Where errors are large Newton's method may lead from a part of the period back to the whole, again and again.
+/// Newton's method, where errors are large, may lead from a part of the period back to the whole, again and again.
 #[test]
 fn an_orbit_that_newtons_method_leads_back_to_is_no_part_of_itself() {
     let equation = "x'' = -x - x'/3 + cos(2t)".parse().unwrap();

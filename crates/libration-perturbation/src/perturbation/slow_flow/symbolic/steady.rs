@@ -120,7 +120,7 @@ impl SteadyEquations<'_> {
         })
     }
 
-    /// What is known where the lowest order is not solved for cos mφ and sin mφ.
+    /// The formulas that remain where the lowest order is not solved for cos mφ and sin mφ.
     fn without_inverse(&self, m: i64, rates: &[Sum; 2], matrix: &Coupling, coupling: i64) -> Steady {
         let letters = self.letters;
         let places = [Column::Cosine, Column::Sine].map(|column| letters.place(column));
