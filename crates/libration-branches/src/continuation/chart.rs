@@ -42,7 +42,7 @@ impl Default for ChartOptions {
 pub struct StabilityChart {
     /// Stability of the equilibrium on a grid; `None` if the start is not an equilibrium for all parameters.
     pub rest: Option<RestStability>,
-    /// The stability boundaries of the equilibrium, then the curves of driven motions.
+    /// The curves on which a multiplier of the equilibrium is on the unit circle, then the curves of driven motions.
     pub curves: Vec<SpecialCurve>,
     /// `true` if the computation was cancelled before all curves were followed.
     pub interrupted: bool,

@@ -25,7 +25,7 @@ pub struct CurvePoint {
 pub struct SpecialCurve {
     /// Kind of the singular points on the curve.
     pub kind: SpecialKind,
-    /// `true` if the motion is the equilibrium: the curve is then a boundary of its stability, or the curve of one multiplier.
+    /// `true` if the motion is the equilibrium.
     pub at_rest: bool,
     /// Space of the orbits: their period and symmetry.
     pub space: Space,
@@ -35,6 +35,15 @@ pub struct SpecialCurve {
     pub cusps: Vec<CurvePoint>,
     /// Reasons why the curve ends, before its first point and after its last one.
     pub endings: [Ending; 2],
+}
+
+impl SpecialCurve {
+    /// `true` if the motion is stable on one side of the curve, at one of its points or more. Elsewhere a further multiplier is outside the unit
+    /// circle, and the motion is unstable on both sides.
+    #[must_use]
+    pub fn bounds_stability(&self) -> bool {
+        self.points.iter().any(|it| it.point.is_stable())
+    }
 }
 
 /// The maximum, the initial and the minimum step, in units of the motion and of the ranges.

@@ -34,6 +34,36 @@ fn a_chart_has_its_curves_with_both_parameters() {
     }
 }
 
+/// On each curve of Mathieu's equation with the damping −c a multiplier is ±1 and the other one ±e^(2πc): the equilibrium is unstable on both
+/// sides. An oscillator that is not coupled and loses or gains energy decides in the same way.
+#[test]
+fn a_curve_between_unstable_regions_is_not_a_stability_boundary() {
+    let mathieu = |damping: &str, second: &str| {
+        json(&format!(
+            "stability x''+{damping}*x'+(d+e*cos(t))*x=0{second} --map d=0.1:0.6,e=0.1:0.4 --lines 0"
+        ))
+    };
+    for (damping, second, is_boundary) in [
+        ("0.05", "", true),
+        ("0", "", true),
+        ("(-0.05)", "", false),
+        ("(-1e-6)", "", false),
+        ("0.05", ";y''+0.01*y'+2*y=0", true),
+        ("0.05", ";y''-0.01*y'+2*y=0", false),
+    ] {
+        let answer = mathieu(damping, second);
+        let curves = answer["curves"].as_array().unwrap();
+        assert!(
+            !curves.is_empty() && curves.iter().all(|it| it["boundary"] == is_boundary),
+            "{damping} {second}"
+        );
+        let is_stable = |row: &Value| row.as_array().unwrap().contains(&true.into());
+        assert_eq!(answer["rest_stable"].as_array().unwrap().iter().any(is_stable), is_boundary);
+    }
+    let told = text("stability x''=0.05*x'-(d+e*cos(t))*x --map d=0.1:0.6,e=0.1:0.4 --lines 0");
+    assert!(told.contains("equilibrium, unstable on both sides: period doubling"), "{told}");
+}
+
 #[test]
 fn driven_motions_have_no_stability_at_rest() {
     let answer = json("stability driven_pendulum --set c=0.1 --map omega=0.9:1,A=0.05:0.1 --lines 1");

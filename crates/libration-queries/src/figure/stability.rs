@@ -16,21 +16,44 @@ pub(crate) struct Chart<'a> {
 }
 
 /// The kinds of curves, at rest and of driven motions, with their names.
-const KINDS: [(SpecialKind, bool, &str); 7] = [
-    (SpecialKind::BranchPoint, true, "boundary: branch point"),
-    (SpecialKind::PeriodDoubling, true, "boundary: period doubling"),
-    (SpecialKind::NeimarkSacker, true, "boundary: Neimark–Sacker"),
-    (SpecialKind::Fold, false, "folds"),
-    (SpecialKind::SymmetryBreaking, false, "symmetry breaking"),
-    (SpecialKind::PeriodDoubling, false, "period doubling"),
-    (SpecialKind::NeimarkSacker, false, "Neimark–Sacker"),
+const KINDS: [(SpecialKind, Role, &str); 10] = [
+    (SpecialKind::BranchPoint, Role::Boundary, "boundary: branch point"),
+    (SpecialKind::PeriodDoubling, Role::Boundary, "boundary: period doubling"),
+    (SpecialKind::NeimarkSacker, Role::Boundary, "boundary: Neimark–Sacker"),
+    (SpecialKind::BranchPoint, Role::Unstable, "unstable: branch point"),
+    (SpecialKind::PeriodDoubling, Role::Unstable, "unstable: period doubling"),
+    (SpecialKind::NeimarkSacker, Role::Unstable, "unstable: Neimark–Sacker"),
+    (SpecialKind::Fold, Role::Driven, "folds"),
+    (SpecialKind::SymmetryBreaking, Role::Driven, "symmetry breaking"),
+    (SpecialKind::PeriodDoubling, Role::Driven, "period doubling"),
+    (SpecialKind::NeimarkSacker, Role::Driven, "Neimark–Sacker"),
 ];
+
+/// The meaning of a curve.
+#[derive(PartialEq)]
+enum Role {
+    /// The equilibrium is stable on one side.
+    Boundary,
+    /// The equilibrium is unstable on both sides.
+    Unstable,
+    Driven,
+}
+
+impl Role {
+    fn of(curve: &SpecialCurve) -> Self {
+        match (curve.at_rest, curve.bounds_stability()) {
+            (true, true) => Self::Boundary,
+            (true, false) => Self::Unstable,
+            (false, _) => Self::Driven,
+        }
+    }
+}
 
 pub(crate) fn stability(map: &Chart<'_>) -> Picture {
     let place = |it: &CurvePoint| (it.point.parameter, it.second);
     let mut series: Vec<Series> = stable_dots(map).into_iter().collect();
-    let is_of = |curve: &SpecialCurve, (kind, at_rest, _): &(SpecialKind, bool, &str)| {
-        curve.kind == *kind && curve.at_rest == *at_rest
+    let is_of = |curve: &SpecialCurve, (kind, role, _): &(SpecialKind, Role, &str)| {
+        curve.kind == *kind && Role::of(curve) == *role
     };
     let present = KINDS.iter().filter(|kind| map.chart.curves.iter().any(|curve| is_of(curve, kind)));
     for (number, kind) in present.enumerate() {

@@ -151,9 +151,13 @@ pub(super) fn of_curve<'a>() -> Fields<Numbered<'a>> {
             "fold, symmetry_breaking, period_doubling, neimark_sacker, or branch_point where other solutions branch off the equilibrium",
             |it| it.curve.kind.key().into(),
         ),
-        Of::value("at_rest", "", "true if it is a stability boundary of an equilibrium", |it| {
-            it.curve.at_rest.into()
-        }),
+        Of::value("at_rest", "", "true if the solution is the equilibrium", |it| it.curve.at_rest.into()),
+        Of::value(
+            "boundary",
+            "",
+            "true if the solution is stable on one side of the curve, at one of its points or more",
+            |it| it.curve.bounds_stability().into(),
+        ),
         Of::value("closed", "", "true if it is a closed curve", |it| {
             (it.curve.endings[1] == Ending::Closed).into()
         }),
@@ -203,9 +207,7 @@ pub(super) fn of_row<'a>() -> Fields<Place<'a>> {
             .numeral("curve", |it| it.of.number.to_string()),
         Of::value("kind", "", "kind of singular point, or cusp", |it| it.kind().into())
             .words("kind", |it| it.kind().replace('_', " ")),
-        Of::value("at_rest", "", "true if it is a stability boundary of an equilibrium", |it| {
-            it.of.curve.at_rest.into()
-        }),
+        Of::value("at_rest", "", "true if the solution is the equilibrium", |it| it.of.curve.at_rest.into()),
         Of::number("first", "", "value of the first parameter", |it| it.point.point.parameter)
             .rounded("first", 14),
         Of::number("second", "", "value of the second parameter", |it| it.point.second).rounded("second", 14),
@@ -215,6 +217,9 @@ pub(super) fn of_row<'a>() -> Fields<Place<'a>> {
         .numeral("to", |it| crate::output::number::at_most(it.point.point.error)),
         Of::number("amplitude_max", "", "largest displacement of the first coordinate", Place::amplitude)
             .rounded("amplitude", 8),
+        Of::value("boundary", "", "true if the solution is stable on one side of the curve there", |it| {
+            it.point.point.is_stable().into()
+        }),
     ])
 }
 

@@ -5,7 +5,7 @@ use super::fields::{AtEnd, Numbered, of_answer, of_curve, of_row};
 use crate::output::number::short;
 use crate::output::table::{Table, paragraph, write_text};
 use crate::output::{Form, csv, json};
-use libration::continuation::{Ending, SpecialKind};
+use libration::continuation::Ending;
 use std::io::{self, Write};
 
 /// Width at which lines are broken, in columns.
@@ -116,11 +116,10 @@ fn summary(curve: &Numbered<'_>) -> String {
     let (answer, points) = (curve.answer, &curve.curve.points);
     let [before, behind] = curve.curve.endings;
     let kind = match (curve.curve.kind, curve.curve.at_rest) {
-        (SpecialKind::BranchPoint, true) => "stability boundary of the equilibrium: branch point".to_owned(),
-        (SpecialKind::PeriodDoubling, true) => {
-            "stability boundary of the equilibrium: period doubling".to_owned()
+        (kind, true) if curve.curve.bounds_stability() => {
+            format!("stability boundary of the equilibrium: {kind}")
         }
-        (kind, true) => format!("stability boundary of the equilibrium: {kind}"),
+        (kind, true) => format!("equilibrium, unstable on both sides: {kind}"),
         (kind, false) => format!("{kind} of driven motions"),
     };
     let place = |point: Option<&_>| point.map_or_else(String::new, |it| answer.values_text(it));
