@@ -151,9 +151,9 @@ impl Round {
         sizes.map(|size| if size > 0.0 { size } else { 1.0 }).collect()
     }
 
-    /// The range of each state component at the ends of the steps.
+    /// The range of each state component on the steps.
     fn ranges(&self, numbers: usize) -> Vec<f64> {
-        let states: Vec<Vec<f64>> = self.path.states().collect();
+        let states: Vec<Vec<f64>> = self.path.states_on_steps().collect();
         let range = |number: usize| {
             let values = states.iter().map(|state| state[number]);
             let (low, high) =

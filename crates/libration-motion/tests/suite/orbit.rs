@@ -501,6 +501,27 @@ fn a_centre_whose_force_depends_on_the_sign_of_the_velocity_has_its_period() {
     }
 }
 
+/// The antisymmetric solution of x″ + k·sign(x) = a·sin(t + φ) that passes zero upwards at t = π − φ, from x = −a·sin s − kπs/2 + ks²/2 for
+/// s = t + φ from 0 to π: it has the largest deviation −a − kπ²/8 at s = π/2. At φ = 0 the start and every step end at the jump.
+#[test]
+fn an_orbit_that_begins_on_a_jump_of_the_force_is_found() {
+    for (a, k, phase) in
+        [(3.0, 1.0, 0.0), (3.0, 1.0, 1e-12), (3.0, 1.0, 0.3), (2.0, 0.25, 0.0), (5e-7, 1e-7, 0.0)]
+    {
+        let equation = format!("x'' + {k:?}*sign(x) = {a:?}*sin(t + {phase:?})").parse().unwrap();
+        let place = |s: f64| -a * libm::sin(s) - 0.5 * k * PI * s + 0.5 * k * s * s;
+        let start = [place(phase), -a * libm::cos(phase) - 0.5 * k * PI + k * phase];
+        let orbit = Orbit::driven(&equation, &start, TAU, &Quiet).unwrap();
+        let off = orbit.state_at(0.5 * PI - phase)[0] + a + 0.125 * k * PI * PI;
+        assert!(off.abs() < 1e-13 * a, "a = {a}, k = {k}, phase {phase}: {off:e}");
+        let multipliers = &orbit.floquet().unwrap().multipliers;
+        // By the jump of the velocity of deviations, 2k/|x′|, and free flight over half a period, twice.
+        let half = 1.0 - k * PI / (a + 0.5 * k * PI);
+        let real = 2.0 * half * half - 1.0;
+        assert!(multipliers.iter().all(|it| (it.re - real).abs() < 1e-9), "{multipliers:?} {real}");
+    }
+}
+
 /// x″ = −sign(x) falls for √(2A) in each of four quarters.
 #[test]
 fn a_force_of_one_size_has_the_period_of_free_fall() {
