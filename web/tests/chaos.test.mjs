@@ -215,6 +215,13 @@ test("a map of stability is the command's, with its edges in words", () =>
     assert.equal(await map.isVisible(), false);
   }));
 
+test("a curve between unstable regions is not called a stability boundary", () =>
+  visit(`chaos?system=x''%3D0.05*x'-(d%2Be*cos(t))*x&set=&initial=x%3D0&${QUICK}&map=d%3D0.1:0.6,e%3D0.1:0.4&lines=0`, async (room) => {
+    const map = part(room, "Stability over two parameters");
+    for (const curve of await map.locator("li").allTextContents()) assert.match(curve, /^State at rest, unstable on both sides \(period doubling\): from d = /);
+    assert.equal(await map.locator("li").count(), 2);
+  }));
+
 test("a cusp is told where folds meet, and a parameter of the map has no value beside it", () =>
   visit(`chaos?set=A%3D0.15,c%3D0.1&initial=theta%3D0&${QUICK}&map=omega%3D0.85:1,A%3D0.05:0.2&lines=1`, async (room) => {
     const words = ["stability", "driven_pendulum", "--set", "c=0.1", "--map", "omega=0.85:1,A=0.05:0.2", "--lines", "1"];

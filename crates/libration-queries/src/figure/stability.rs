@@ -76,14 +76,16 @@ pub(crate) fn stability(map: &Chart<'_>) -> Picture {
     Picture::new(&title, vec![panel]).with_parameters(of_model(map.model))
 }
 
-/// Dots where rest is stable.
+/// Dots where rest is stable; `None` if there are none.
 fn stable_dots(map: &Chart<'_>) -> Option<Series> {
     let rest = map.chart.rest.as_ref()?;
     let rows = rest.values[1].iter().zip(&rest.stable);
-    let dots = rows.flat_map(|(second, row)| {
-        let stable = rest.values[0].iter().zip(row).filter(|(_, stable)| **stable == Some(true));
-        stable.map(|(first, _)| (*first, *second))
-    });
+    let dots: Vec<_> = rows
+        .flat_map(|(second, row)| {
+            let stable = rest.values[0].iter().zip(row).filter(|(_, stable)| **stable == Some(true));
+            stable.map(|(first, _)| (*first, *second))
+        })
+        .collect();
     let look = Look { opacity: 0.6, mark: Mark::Markers(0), width: 1.2, ..style::band() };
-    Some(Series::line("stable equilibrium", look, dots.collect::<Vec<_>>()))
+    (!dots.is_empty()).then(|| Series::line("stable equilibrium", look, dots))
 }

@@ -21,6 +21,7 @@ interface Chart {
   readonly curves: readonly {
     readonly kind: string;
     readonly at_rest: boolean;
+    readonly boundary: boolean;
     readonly closed: boolean;
     readonly points: readonly Place[];
     readonly cusps: readonly Place[];
@@ -38,10 +39,10 @@ function said({ parameters, rest_stable_at: ends, curves, unresolved }: Chart): 
   return [...sentences.map((sentence) => element("p", {}, sentence)), ...(curves.length > 0 ? [list] : [])];
 }
 
-function curveSaid([first, second]: Chart["parameters"], { kind, at_rest, closed, points, cusps }: Chart["curves"][number]): string {
+function curveSaid([first, second]: Chart["parameters"], { kind, at_rest, boundary, closed, points, cusps }: Chart["curves"][number]): string {
   const at = ({ parameters: [x, y], error }: Place) => words.place(`${first} = ${short(x)}`, `${second} = ${short(y)}`, digits(error, 1));
   const [begin, end] = [points[0], points.at(-1)];
   const way = closed ? words.closed : begin === undefined || end === undefined ? "" : words.way(at(begin), at(end));
-  const name = (at_rest ? words.edges : words.kinds)[kind] ?? kind;
-  return words.curve(name, way, cusps.map(at));
+  const names = at_rest ? (boundary ? words.edges : words.unstable) : words.kinds;
+  return words.curve(names[kind] ?? kind, way, cusps.map(at));
 }

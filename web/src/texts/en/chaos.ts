@@ -137,6 +137,11 @@ export const chaos = {
       period_doubling: "Stability boundary of the state at rest (period doubling)",
       neimark_sacker: "Stability boundary of the state at rest (Neimark–Sacker bifurcation)",
     } as Readonly<Record<string, string>>,
+    unstable: {
+      branch_point: "State at rest, unstable on both sides (branch point)",
+      period_doubling: "State at rest, unstable on both sides (period doubling)",
+      neimark_sacker: "State at rest, unstable on both sides (Neimark–Sacker bifurcation)",
+    } as Readonly<Record<string, string>>,
     kinds: {
       fold: "Folds of driven motions (jumps)",
       symmetry_breaking: "Symmetry breaking of driven motions",
