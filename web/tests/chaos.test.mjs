@@ -216,7 +216,7 @@ test("a map of stability is the command's, with its edges in words", () =>
   }));
 
 test("a curve between unstable regions is not called a stability boundary", () =>
-  visit(`chaos?system=x''%3D0.05*x'-(d%2Be*cos(t))*x&set=&initial=x%3D0&${QUICK}&map=d%3D0.1:0.6,e%3D0.1:0.4&lines=0`, async (room) => {
+  visit(`chaos?system=x''%3D0.05*x'-(d%2Be*cos(t))*x&set=d%3D0.2,e%3D0.2&initial=x%3D0&${QUICK}&map=d%3D0.1:0.6,e%3D0.1:0.4&lines=0`, async (room) => {
     const map = part(room, "Stability over two parameters");
     for (const curve of await map.locator("li").allTextContents()) assert.match(curve, /^State at rest, unstable on both sides \(period doubling\): from d = /);
     assert.equal(await map.locator("li").count(), 2);
