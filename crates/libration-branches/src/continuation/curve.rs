@@ -37,12 +37,48 @@ pub struct SpecialCurve {
     pub endings: [Ending; 2],
 }
 
-impl SpecialCurve {
-    /// `true` if the motion is stable on one side of the curve, at one of its points or more. Elsewhere a further multiplier is outside the unit
-    /// circle, and the motion is unstable on both sides.
+/// The part of a curve on which the motion is stable on one side. Elsewhere a further multiplier is outside the unit circle, and the motion is unstable
+/// on both sides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BoundaryPart {
+    /// All points of the curve.
+    Whole,
+    /// Some of them.
+    Part,
+    /// None of them.
+    None,
+}
+
+impl BoundaryPart {
+    /// The name in machine-readable output.
+    #[must_use]
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Whole => "whole",
+            Self::Part => "part",
+            Self::None => "none",
+        }
+    }
+}
+
+impl CurvePoint {
+    /// Returns `true` if the motion is stable on one side of the curve: no multiplier is outside the unit circle by more than its error.
     #[must_use]
     pub fn bounds_stability(&self) -> bool {
-        self.points.iter().any(|it| it.point.is_stable())
+        self.point.is_stable()
+    }
+}
+
+impl SpecialCurve {
+    /// The part of the curve that is a stability boundary.
+    #[must_use]
+    pub fn stability_boundary(&self) -> BoundaryPart {
+        let count = self.points.iter().filter(|it| it.bounds_stability()).count();
+        match count {
+            0 => BoundaryPart::None,
+            _ if count == self.points.len() => BoundaryPart::Whole,
+            _ => BoundaryPart::Part,
+        }
     }
 }
 

@@ -103,7 +103,7 @@ mod precise;
 pub use backbone::FreeOscillation;
 pub use branch::{Branch, Ending, Origin};
 pub use chart::{ChartOptions, StabilityChart};
-pub use curve::{CurvePoint, SpecialCurve};
+pub use curve::{BoundaryPart, CurvePoint, SpecialCurve};
 pub use edges::RestStability;
 pub use error::BranchError;
 pub use jumps::Jump;

@@ -35,33 +35,42 @@ fn a_chart_has_its_curves_with_both_parameters() {
 }
 
 /// On each curve of Mathieu's equation with the damping −c a multiplier is ±1 and the other one ±e^(2πc): the equilibrium is unstable on both
-/// sides. An oscillator that is not coupled and loses or gains energy decides in the same way.
+/// sides. An oscillator that is not coupled and loses or gains energy decides in the same way; where its damping d − 0.33 changes its sign on a
+/// curve, a part of the curve is a boundary.
 #[test]
 fn a_curve_between_unstable_regions_is_not_a_stability_boundary() {
-    let mathieu = |damping: &str, second: &str| {
-        json(&format!(
-            "stability x''+{damping}*x'+(d+e*cos(t))*x=0{second} --map d=0.1:0.6,e=0.1:0.4 --lines 0"
-        ))
+    let question = |damping: &str, second: &str| {
+        format!("stability x''+{damping}*x'+(d+e*cos(t))*x=0{second} --map d=0.1:0.6,e=0.1:0.4 --lines 0")
     };
-    for (damping, second, is_boundary) in [
-        ("0.05", "", true),
-        ("0", "", true),
-        ("(-0.05)", "", false),
-        ("(-1e-6)", "", false),
-        ("0.05", ";y''+0.01*y'+2*y=0", true),
-        ("0.05", ";y''-0.01*y'+2*y=0", false),
+    for (damping, second, part) in [
+        ("0.05", "", "whole"),
+        ("0", "", "whole"),
+        ("(-0.05)", "", "none"),
+        ("(-1e-6)", "", "none"),
+        ("0.05", ";y''+0.01*y'+2*y=0", "whole"),
+        ("0.05", ";y''-0.01*y'+2*y=0", "none"),
     ] {
-        let answer = mathieu(damping, second);
+        let answer = json(&question(damping, second));
         let curves = answer["curves"].as_array().unwrap();
-        assert!(
-            !curves.is_empty() && curves.iter().all(|it| it["boundary"] == is_boundary),
-            "{damping} {second}"
-        );
+        let is_right = curves.iter().all(|it| it["stability_boundary"] == part);
+        assert!(!curves.is_empty() && is_right, "{damping} {second}");
         let is_stable = |row: &Value| row.as_array().unwrap().contains(&true.into());
-        assert_eq!(answer["rest_stable"].as_array().unwrap().iter().any(is_stable), is_boundary);
+        assert_eq!(answer["rest_stable"].as_array().unwrap().iter().any(is_stable), part == "whole");
     }
-    let told = text("stability x''=0.05*x'-(d+e*cos(t))*x --map d=0.1:0.6,e=0.1:0.4 --lines 0");
+    let told = text(&question("(-0.05)", ""));
     assert!(told.contains("equilibrium, unstable on both sides: period doubling"), "{told}");
+
+    let mixed = question("0.05", ";y''+(d-0.33)*y'+2*y=0");
+    assert!(text(&mixed).contains("equilibrium, in part a stability boundary: period doubling"));
+    for curve in json(&mixed)["curves"].as_array().unwrap() {
+        let points = curve["points"].as_array().unwrap();
+        for point in points.iter().filter(|_| curve["kind"] == "period_doubling") {
+            assert_eq!(point["boundary"], point["parameters"][0].as_f64().unwrap() > 0.33, "{point}");
+        }
+        let count = points.iter().filter(|it| it["boundary"] == true).count();
+        let part = if count == 0 { "none" } else { "part" };
+        assert!(curve["stability_boundary"] == part && count < points.len(), "{curve}");
+    }
 }
 
 #[test]

@@ -151,13 +151,10 @@ impl Round {
         sizes.map(|size| if size > 0.0 { size } else { 1.0 }).collect()
     }
 
-    /// The range of each state component on the steps.
+    /// The range of each state component. Its values at the ends of steps are not enough: where steps end at jumps of a force these may all be equal.
     fn ranges(&self, numbers: usize) -> Vec<f64> {
-        let states: Vec<Vec<f64>> = self.path.states_on_steps().collect();
-        let range = |number: usize| {
-            let values = states.iter().map(|state| state[number]);
-            let (low, high) =
-                values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
+        let range = |component: usize| {
+            let [low, high] = self.path.extrema(component);
             (high - low).max(0.0)
         };
         (0..numbers).map(range).collect()

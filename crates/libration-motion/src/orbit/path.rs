@@ -58,16 +58,6 @@ impl Path {
         self.steps.steps().iter().map(|own| own.step().state_at(own.step().end().min(self.end)))
     }
 
-    /// The states at the end of each step and at two times on it: steps that end at a jump or a kink of a force may all end at the same place.
-    pub(super) fn states_on_steps(&self) -> impl Iterator<Item = Vec<f64>> {
-        /// Parts of a step by the golden ratio, at which a motion that returns in simple fractions of the step is elsewhere.
-        const PARTS: [f64; 3] = [0.382, 0.618, 1.0];
-        self.steps.steps().iter().flat_map(|own| {
-            let (from, to) = (own.step().start(), own.step().end().min(self.end));
-            PARTS.map(|part| own.step().state_at(if part < 1.0 { from + part * (to - from) } else { to }))
-        })
-    }
-
     /// The least and the greatest value of a component.
     pub(super) fn extrema(&self, component: usize) -> Extrema {
         let [low, high] = extrema(self.steps.steps(), component, 0.0, self.end);

@@ -29,8 +29,8 @@ const KINDS: [(SpecialKind, Role, &str); 10] = [
     (SpecialKind::NeimarkSacker, Role::Driven, "Neimark–Sacker"),
 ];
 
-/// The meaning of a curve.
-#[derive(PartialEq)]
+/// The meaning of a piece of a curve.
+#[derive(Clone, Copy, PartialEq)]
 enum Role {
     /// The equilibrium is stable on one side.
     Boundary,
@@ -39,28 +39,44 @@ enum Role {
     Driven,
 }
 
-impl Role {
-    fn of(curve: &SpecialCurve) -> Self {
-        match (curve.at_rest, curve.bounds_stability()) {
-            (true, true) => Self::Boundary,
-            (true, false) => Self::Unstable,
-            (false, _) => Self::Driven,
+/// A piece of a curve with one meaning, and its points.
+struct Piece {
+    meaning: (SpecialKind, Role),
+    places: Vec<(f64, f64)>,
+}
+
+/// The pieces of a curve; each ends where the next one begins.
+fn pieces(curve: &SpecialCurve) -> Vec<Piece> {
+    let role = |it: &CurvePoint| match (curve.at_rest, it.bounds_stability()) {
+        (true, true) => Role::Boundary,
+        (true, false) => Role::Unstable,
+        (false, _) => Role::Driven,
+    };
+    let mut pieces: Vec<Piece> = vec![];
+    for run in curve.points.chunk_by(|a, b| role(a) == role(b)) {
+        if let Some(before) = pieces.last_mut() {
+            before.places.push(place(&run[0]));
         }
+        pieces.push(Piece { meaning: (curve.kind, role(&run[0])), places: run.iter().map(place).collect() });
     }
+    pieces
+}
+
+const fn place(point: &CurvePoint) -> (f64, f64) {
+    (point.point.parameter, point.second)
 }
 
 pub(crate) fn stability(map: &Chart<'_>) -> Picture {
-    let place = |it: &CurvePoint| (it.point.parameter, it.second);
     let mut series: Vec<Series> = stable_dots(map).into_iter().collect();
-    let is_of = |curve: &SpecialCurve, (kind, role, _): &(SpecialKind, Role, &str)| {
-        curve.kind == *kind && Role::of(curve) == *role
+    let pieces: Vec<Piece> = map.chart.curves.iter().flat_map(pieces).collect();
+    let is_present = |(kind, role, _): &&(SpecialKind, Role, &str)| {
+        pieces.iter().any(|piece| piece.meaning == (*kind, *role))
     };
-    let present = KINDS.iter().filter(|kind| map.chart.curves.iter().any(|curve| is_of(curve, kind)));
-    for (number, kind) in present.enumerate() {
-        let label = kind.2;
-        for (count, curve) in map.chart.curves.iter().filter(|curve| is_of(curve, kind)).enumerate() {
+    for (number, (kind, role, label)) in KINDS.iter().filter(is_present).enumerate() {
+        let alike = pieces.iter().filter(|piece| piece.meaning == (*kind, *role));
+        for (count, piece) in alike.enumerate() {
             let label = if count == 0 { label } else { "" };
-            series.push(Series::line(label, style::curve(number), curve.points.iter().map(place)));
+            series.push(Series::line(label, style::curve(number), piece.places.iter().copied()));
         }
     }
     let cusps: Vec<(f64, f64)> = map.chart.curves.iter().flat_map(|curve| &curve.cusps).map(place).collect();

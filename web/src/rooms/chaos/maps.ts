@@ -21,7 +21,7 @@ interface Chart {
   readonly curves: readonly {
     readonly kind: string;
     readonly at_rest: boolean;
-    readonly boundary: boolean;
+    readonly stability_boundary: "whole" | "part" | "none";
     readonly closed: boolean;
     readonly points: readonly Place[];
     readonly cusps: readonly Place[];
@@ -39,10 +39,17 @@ function said({ parameters, rest_stable_at: ends, curves, unresolved }: Chart): 
   return [...sentences.map((sentence) => element("p", {}, sentence)), ...(curves.length > 0 ? [list] : [])];
 }
 
-function curveSaid([first, second]: Chart["parameters"], { kind, at_rest, boundary, closed, points, cusps }: Chart["curves"][number]): string {
+function curveSaid([first, second]: Chart["parameters"], curve: Chart["curves"][number]): string {
+  const { closed, points, cusps } = curve;
   const at = ({ parameters: [x, y], error }: Place) => words.place(`${first} = ${short(x)}`, `${second} = ${short(y)}`, digits(error, 1));
   const [begin, end] = [points[0], points.at(-1)];
   const way = closed ? words.closed : begin === undefined || end === undefined ? "" : words.way(at(begin), at(end));
-  const names = at_rest ? (boundary ? words.edges : words.unstable) : words.kinds;
-  return words.curve(names[kind] ?? kind, way, cusps.map(at));
+  return words.curve(curveName(curve), way, cusps.map(at));
+}
+
+function curveName({ kind, at_rest, stability_boundary: part }: Chart["curves"][number]): string {
+  const name = words.kinds[kind] ?? kind;
+  if (at_rest) return words.atRest[part](name);
+  if (part === "none") return words.drivenUnstable(name);
+  return words.driven(kind === "fold" ? words.jump : name);
 }

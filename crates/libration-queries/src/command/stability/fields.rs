@@ -153,10 +153,10 @@ pub(super) fn of_curve<'a>() -> Fields<Numbered<'a>> {
         ),
         Of::value("at_rest", "", "true if the solution is the equilibrium", |it| it.curve.at_rest.into()),
         Of::value(
-            "boundary",
+            "stability_boundary",
             "",
-            "true if the solution is stable on one side of the curve, at one of its points or more",
-            |it| it.curve.bounds_stability().into(),
+            "part of the curve on one side of which the solution is stable: whole, part, or none, where it is unstable on both sides",
+            |it| it.curve.stability_boundary().key().into(),
         ),
         Of::value("closed", "", "true if it is a closed curve", |it| {
             (it.curve.endings[1] == Ending::Closed).into()
@@ -193,6 +193,7 @@ fn of_place<'a>() -> Fields<Place<'a>> {
             "Floquet multipliers of the whole period, real and imaginary part",
             |it| json::list(it.point.point.multipliers.iter().map(pair)),
         ),
+        boundary(),
         Of::value("start[]", "", "state at the phase zero of the drive", |it| {
             json::numbers(&it.point.point.state)
         }),
@@ -217,10 +218,17 @@ pub(super) fn of_row<'a>() -> Fields<Place<'a>> {
         .numeral("to", |it| crate::output::number::at_most(it.point.point.error)),
         Of::number("amplitude_max", "", "largest displacement of the first coordinate", Place::amplitude)
             .rounded("amplitude", 8),
-        Of::value("boundary", "", "true if the solution is stable on one side of the curve there", |it| {
-            it.point.point.is_stable().into()
-        }),
+        boundary(),
     ])
+}
+
+fn boundary<'a>() -> Field<Place<'a>> {
+    Field::value(
+        "boundary",
+        "",
+        "true if the solution is stable on one side of the curve there",
+        |it: &Place<'_>| it.point.bounds_stability().into(),
+    )
 }
 
 impl Place<'_> {

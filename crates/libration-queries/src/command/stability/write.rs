@@ -5,7 +5,7 @@ use super::fields::{AtEnd, Numbered, of_answer, of_curve, of_row};
 use crate::output::number::short;
 use crate::output::table::{Table, paragraph, write_text};
 use crate::output::{Form, csv, json};
-use libration::continuation::Ending;
+use libration::continuation::{BoundaryPart, Ending};
 use std::io::{self, Write};
 
 /// Width at which lines are broken, in columns.
@@ -115,12 +115,13 @@ impl Answer {
 fn summary(curve: &Numbered<'_>) -> String {
     let (answer, points) = (curve.answer, &curve.curve.points);
     let [before, behind] = curve.curve.endings;
-    let kind = match (curve.curve.kind, curve.curve.at_rest) {
-        (kind, true) if curve.curve.bounds_stability() => {
-            format!("stability boundary of the equilibrium: {kind}")
-        }
-        (kind, true) => format!("equilibrium, unstable on both sides: {kind}"),
-        (kind, false) => format!("{kind} of driven motions"),
+    let kind = curve.curve.kind;
+    let kind = match (curve.curve.at_rest, curve.curve.stability_boundary()) {
+        (true, BoundaryPart::Whole) => format!("stability boundary of the equilibrium: {kind}"),
+        (true, BoundaryPart::Part) => format!("equilibrium, in part a stability boundary: {kind}"),
+        (true, BoundaryPart::None) => format!("equilibrium, unstable on both sides: {kind}"),
+        (false, BoundaryPart::None) => format!("{kind} of unstable driven motions"),
+        (false, _) => format!("{kind} of driven motions"),
     };
     let place = |point: Option<&_>| point.map_or_else(String::new, |it| answer.values_text(it));
     let ends = match behind {
