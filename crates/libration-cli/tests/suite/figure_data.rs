@@ -586,6 +586,21 @@ fn edges_of_stability_of_mathieus_equation() {
     }
 }
 
+/// An oscillator that is not coupled gains energy up to d = 0.33, where the tongue of Mathieu's equation is no boundary.
+#[test]
+fn parts_of_curves_that_bound_stability_have_their_own_look() {
+    let system = "stability|x''+0.05*x'+(d+e*cos(t))*x=0;y''+(d-0.33)*y'+2*y=0|--lines|0|--map|";
+    let drawing = drawn(&format!("{system}d=0.25:0.6,e=0.1:0.4"), "--figure");
+    let [boundary, unstable] = [FIRST, THIRD].map(|colour| drawing.curves(0, colour));
+    assert_eq!([boundary.len(), unstable.len()], [1, 1]);
+    assert!(boundary[0].iter().all(|(d, _)| *d > 0.33) && unstable[0].iter().any(|(d, _)| *d < 0.3));
+    let is_joint = |place: &&Place| unstable[0].contains(place);
+    assert_eq!(boundary[0].iter().filter(is_joint).count(), 1);
+    let entry = |drawing: &Drawing| drawing.of_class("name").contains(&"stable equilibrium");
+    assert!(entry(&drawing));
+    assert!(!entry(&drawn(&format!("{system}d=0.25:0.3,e=0.1:0.4"), "--figure")));
+}
+
 #[test]
 fn points_of_a_bifurcation_diagram() {
     // x″ + x′ + x = A cos t tends to x = A sin t, whose velocity is A at each period of the drive.

@@ -73,6 +73,17 @@ fn a_curve_between_unstable_regions_is_not_a_stability_boundary() {
     }
 }
 
+/// The folds of a driven pendulum are the same next to an oscillator that is not coupled, and those of unstable motions if it gains energy.
+#[test]
+fn folds_of_unstable_motions_are_named() {
+    let folds = |second: &str| {
+        let system = format!("x''+0.1*x'+sin(x)=A*cos(w*t);{second}");
+        text(&format!("stability {system} --map w=0.85:1,A=0.05:0.2 --lines 1"))
+    };
+    assert!(folds("y''+0.01*y'+2*y=0").contains("fold of driven motions,"));
+    assert!(folds("y''-0.01*y'+2*y=0").contains("fold of unstable driven motions,"));
+}
+
 #[test]
 fn driven_motions_have_no_stability_at_rest() {
     let answer = json("stability driven_pendulum --set c=0.1 --map omega=0.9:1,A=0.05:0.1 --lines 1");
