@@ -5,11 +5,13 @@ use libration::pendulum::Pendulum;
 use libration::quantity::Angle;
 use libration::systems::{Model, Observables};
 use libration::taylor::{
-    Effort, Event, Moment, MomentErrors, Occurrence, SampledErrors, Sensitivities, Start, StateErrors,
-    System, integrate_both_ways, integrate_from,
+    Contact, Effort, Event, Moment, MomentErrors, Occurrence, SampledErrors, Sensitivities, Start,
+    StateErrors, System, integrate_both_ways, integrate_from,
 };
 use libration_testing::golden::{Row, Table};
+use libration_testing::random::Random;
 use libration_testing::sweep;
+use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
 /// The errors of one sample: the actual and the stated one of each component.
@@ -177,17 +179,7 @@ fn errors_of_events_hold() {
     let quarter = pendulum.released_from(Angle::from_radians(2.5).unwrap()).unwrap().period() / 4.0;
     let start = system.start(&[("theta", 2.5)]).unwrap();
     for tolerance in TOLERANCES {
-        let effort = Effort::to_tolerance(tolerance);
-        let mut errors = StateErrors::new(&system, &start, &effort);
-        let mut found: Vec<(Occurrence, MomentErrors)> = vec![];
-        integrate_from(&system, &Start::State(start.clone()), &[100.0], &effort, |accepted| {
-            errors.follow(accepted);
-            for event in accepted.events() {
-                found.push((event.clone(), errors.of_event(accepted, event).unwrap()));
-            }
-            ControlFlow::Continue(())
-        })
-        .unwrap();
+        let found = events_with_errors(&system, start.state.clone(), 100.0, tolerance);
         assert!(found.len() > 30);
         for (Occurrence { event, time, state, contact }, error) in found {
             let number = (time / quarter).round();
@@ -207,6 +199,110 @@ fn errors_of_events_hold() {
             assert!((state[0].abs() - angle).abs() <= error.state[0], "{event} {time}: {state:?} {error:?}");
         }
     }
+}
+
+/// Formulas of x = cos(t + φ) with kinks and jumps, at which steps end: each contact is found once, with its kind, and inside its errors.
+#[test]
+fn events_at_kinks_are_found_once() {
+    // The formula, and its contacts where x falls and rises, in the order of the motion, through certain values.
+    type Contacts = [Option<(f64, Contact)>; 2];
+    let both = |value: f64, contacts: [Contact; 2]| contacts.map(|contact| Some((value, contact)));
+    let (touches, passes) = ([Contact::Grazing; 2], [Contact::Falling, Contact::Rising]);
+    let formulas: [(&str, Contacts); 9] = [
+        ("abs(x)", both(0.0, touches)),
+        ("abs(x - 0.3)*(x + 2)^2", both(0.3, touches)),
+        ("max(x, 0.5) - 0.5", [Some((0.5, Contact::Falling)), None]),
+        ("min(x, 0.1) - 0.1", [None, Some((0.1, Contact::Rising))]),
+        ("x*abs(x)", both(0.0, passes)),
+        ("abs(x)*x^2", both(0.0, touches)),
+        ("sign(x + 0.2)", both(-0.2, passes)),
+        ("sign(x) + x", both(0.0, passes)),
+        ("x*(x + 0.3) - abs(x*(x + 0.3))", [Some((-0.3, Contact::Rising)), Some((0.0, Contact::Rising))]),
+    ];
+    let mut random = Random::seeded(53);
+    for (formula, contacts) in formulas {
+        let system = System::new(&"x'' = -x".parse().unwrap()).unwrap();
+        let system = system.with_events(&[Event::zero_of(formula.parse().unwrap())]).unwrap();
+        for tolerance in TOLERANCES {
+            let phase = random.between(0.0, 6.0);
+            let sign = if random.between(-1.0, 1.0) < 0.0 { -1.0 } else { 1.0 };
+            let state = vec![libm::cos(phase), -libm::sin(phase)];
+            let end = sign * random.between(10.0, 40.0);
+            let found = events_with_errors(&system, state, end, tolerance);
+            let mut wanted: Vec<(f64, (f64, Contact))> = vec![];
+            for (at, side) in
+                contacts.into_iter().zip([sign, -sign]).filter_map(|(at, side)| Some((at?, side)))
+            {
+                let times =
+                    (-10..10).map(|turn| 2.0 * PI * f64::from(turn) - phase + side * libm::acos(at.0));
+                let passed = times.filter(|time| time * sign > 0.0 && time.abs() < end.abs());
+                wanted.extend(passed.map(|time| (time, at)));
+            }
+            wanted.sort_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
+            assert_eq!(found.len(), wanted.len(), "{formula} {phase} to {end}: {found:?} {wanted:?}");
+            for ((event, error), (time, (zero, contact))) in found.iter().zip(wanted) {
+                let off = (event.time - time).abs();
+                assert!(off <= error.time, "{formula} {phase} {tolerance:e}: {event:?} {time} {error:?}");
+                assert!(error.time < 1e6 * tolerance.max(1e-16), "{formula} {phase}: {event:?} {error:?}");
+                let off = (event.state[0] - zero).abs();
+                assert!(off <= error.state[0], "{formula} {phase}: {event:?} {error:?}");
+                assert_eq!(event.contact, contact, "{formula} {phase} to {end}: {event:?}");
+            }
+        }
+    }
+}
+
+/// A zero at the very end of a motion, or within the tolerance behind it, is an event, once.
+#[test]
+fn zeros_at_the_end_of_a_motion_are_found() {
+    let mut random = Random::seeded(54);
+    for formula in ["x", "abs(x)", "x*abs(x)", "max(x, 0)", "x + x^2"] {
+        let system = System::new(&"x'' = -x".parse().unwrap()).unwrap();
+        let system = system.with_events(&[Event::zero_of(formula.parse().unwrap())]).unwrap();
+        for case in 0..20 {
+            let phase = random.between(0.1, 1.5);
+            let state = vec![libm::sin(phase), -libm::cos(phase)];
+            for (end, sooner) in
+                [(phase, false), (phase.next_up(), false), (phase.next_down(), false), (phase - 1e-6, true)]
+            {
+                let found = events_with_errors(&system, state.clone(), end, 1e-13);
+                assert_eq!(found.len(), usize::from(!sooner), "{formula} {case} {phase}: {found:?}");
+                for (event, error) in found {
+                    assert!(
+                        (event.time - phase).abs() <= error.time + 2e-16,
+                        "{formula}: {event:?} {error:?}"
+                    );
+                    let returns =
+                        formula == "abs(x)" && end > event.time && event.contact == Contact::Grazing;
+                    assert!(
+                        event.contact == Contact::Falling || returns,
+                        "{formula} {phase} {end}: {event:?}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// The events of a motion from the time zero, with their errors.
+fn events_with_errors(
+    system: &System,
+    state: Vec<f64>,
+    end: f64,
+    tolerance: f64,
+) -> Vec<(Occurrence, MomentErrors)> {
+    let (start, effort) = (Moment { time: 0.0, state }, Effort::to_tolerance(tolerance));
+    let mut errors = StateErrors::new(system, &start, &effort);
+    let mut found = vec![];
+    integrate_from(system, &Start::State(start), &[end], &effort, |accepted| {
+        errors.follow(accepted);
+        for event in accepted.events() {
+            found.push((event.clone(), errors.of_event(accepted, event).unwrap()));
+        }
+        ControlFlow::Continue(())
+    })
+    .unwrap();
+    found
 }
 
 /// A motion that is symmetric in time has the same errors before and after its start, and the start has none.
@@ -402,7 +498,7 @@ fn formulas_at_the_end_of_their_domain_state_no_small_error() {
     let observed = observables(&model, &["sqrt(x)", "sign(x - 1/2)", "log(x + 1)"]);
     let start = Moment { time: 0.0, state: vec![1.0, 0.0] };
     // The state is −1 + 1e-17, −1/2 and 1/2 at these times, to the last digit.
-    let times = [std::f64::consts::PI / 3.0, 2.0, std::f64::consts::PI];
+    let times = [PI / 3.0, 2.0, PI];
     let [samples, _] = rows(&model.system().unwrap(), &start, &times, 1e-12, &observed);
     let errors: Vec<&Vec<f64>> = samples.iter().map(|(_, errors)| &errors.formulas).collect();
     assert!(errors[0][1] >= 1.0 && errors[0][0] < 1e-12, "{errors:?}");
@@ -509,5 +605,40 @@ fn motions_with_kinks_are_determined_where_they_come_to_rest() {
         let error = errors.unwrap_or_else(|| panic!("{equation}: not determined"))[component];
         assert!((state[component] - exact).abs() <= error, "{equation}: {state:?} ± {error:e}");
         assert!(error < 1e-11, "{equation}: {error:e}");
+    }
+}
+
+/// Forces that jump at the same surface, once as a simple zero of a nonlinear formula and once as one of a linear formula, have the same motion.
+#[test]
+fn jumps_at_curved_arguments_are_where_these_vanish() {
+    let pairs = [
+        ("sign(x*(x + 0.3))", "sign(x)*sign(x + 0.3)"),
+        ("sign(x^3 - 0.125)", "sign(x - 0.5)"),
+        ("sign(exp(2*x) - 0.5)", "sign(x + log(2)/2)"),
+        ("sign((x + 2)^7 - 128)", "sign(x)"),
+        ("sign(x + 1/2 - 1/(x + 7/2))", "sign(x + 2 - sqrt(13)/2)"),
+    ];
+    for (curved, linear) in pairs {
+        for tolerance in TOLERANCES {
+            let [curved_end, linear_end] = [curved, linear].map(|jump| {
+                let system = System::new(&format!("x'' = -x - 0.3*{jump}").parse().unwrap()).unwrap();
+                let start = system.start(&[("x", 2.0), ("x'", 0.3)]).unwrap();
+                let effort = Effort::to_tolerance(tolerance);
+                let mut errors = StateErrors::new(&system, &start, &effort);
+                let end = integrate_from(&system, &Start::State(start), &[15.0], &effort, |accepted| {
+                    errors.follow(accepted);
+                    ControlFlow::Continue(())
+                });
+                let end = end.unwrap().end;
+                let errors = errors.at(&end).unwrap();
+                (end.state, errors)
+            });
+            for number in 0..2 {
+                let off = (curved_end.0[number] - linear_end.0[number]).abs();
+                let allowed = curved_end.1[number] + linear_end.1[number];
+                assert!(off <= allowed, "{curved} {tolerance:e}: {off:e} {allowed:e}");
+                assert!(allowed < 1e4 * tolerance.max(1e-16), "{curved} {tolerance:e}: {allowed:e}");
+            }
+        }
     }
 }

@@ -3,7 +3,7 @@
 use crate::taylor::program::linearised::{Linearised, ROUNDING};
 use crate::taylor::{Contact, Moment, Occurrence, System};
 use libration_numbers::{
-    expression::{Expression, Symbol},
+    expression::{Expression, Function, Symbol},
     internals::expression::Tape,
 };
 
@@ -37,15 +37,40 @@ pub(in crate::taylor) struct Passing {
 }
 
 impl Crossing {
-    /// The formula of an event; `None` if it contains open parameters without a value.
-    pub(in crate::taylor) fn new(system: &System, event: &Occurrence) -> Option<Self> {
-        let (layout, equation) = (system.layout(), system.equation());
+    /// The arguments of the |…| in the formula of an event, one of which may be zero there, at a kink, and last the formula itself; none if
+    /// it contains open parameters without a value.
+    pub(in crate::taylor) fn all(system: &System, event: &Occurrence) -> Vec<Self> {
         let formula = &system.events()[event.event].formula;
         // If a formula touches zero, its rate of change passes through zero.
-        let passes = match event.contact {
-            Contact::Grazing => rate_of_change(system, formula),
-            _ => equation.with_rates(formula),
+        let own = match event.contact {
+            Contact::Grazing => Self::new(system, &rate_of_change(system, formula)),
+            _ => Self::new(system, formula),
         };
+        let Some(own) = own else { return vec![] };
+        let kinks = arguments(formula).into_iter().filter_map(|argument| Self::new(system, argument));
+        kinks.chain([own]).collect()
+    }
+
+    /// The first of these formulas that is zero in a state, to rounding errors, or else the last.
+    pub(in crate::taylor) fn zero_at<'a>(
+        formulas: &'a mut [Self],
+        at: &Moment,
+        sizes: &[f64],
+    ) -> Option<&'a mut Self> {
+        /// Half a unit in the last place of each input, and as much for the formula.
+        const MARGIN: f64 = 4.0;
+        let is_zero = |formula: &mut Self| {
+            let Passing { rest, error, rate, .. } = formula.passing(at, sizes);
+            rest <= MARGIN * (error + ROUNDING * (rate * at.time).abs())
+        };
+        let last = formulas.len().checked_sub(1)?;
+        let first = formulas[..last].iter_mut().position(is_zero);
+        Some(&mut formulas[first.unwrap_or(last)])
+    }
+
+    fn new(system: &System, formula: &Expression) -> Option<Self> {
+        let (layout, equation) = (system.layout(), system.equation());
+        let passes = equation.with_rates(formula);
         let symbols = layout.symbols(equation.variables());
         let inputs: Vec<Symbol> = symbols.into_iter().chain([Symbol::plain("t")]).collect();
         let all: Vec<&Expression> = [&passes].into_iter().chain(equation.derivatives()).collect();
@@ -73,6 +98,15 @@ impl Crossing {
         let error = self.formulas.error(0) + ROUNDING * of_series;
         Passing { gradient: gradient.to_vec(), rate, rest: self.formulas.value(0).abs(), error, speeds }
     }
+}
+
+/// The arguments of the |…| and signs in a formula.
+fn arguments(formula: &Expression) -> Vec<&Expression> {
+    let own = match formula {
+        Expression::Call(Function::Abs | Function::Sign, argument) => Some(&**argument),
+        _ => None,
+    };
+    own.into_iter().chain(formula.parts().flat_map(arguments)).collect()
 }
 
 /// The rate of change of a formula along the motion, as a formula.

@@ -94,23 +94,25 @@ impl StateErrors {
         let sizes = (0..self.scales.len()).map(|number| terms(step, number, 0, length));
         let sizes: Vec<f64> = sizes.collect();
         let (beside, scale) = (length / 1024.0, self.steps.sqrt());
-        let crossing = self.crossing(stepper.expander.system, event)?;
-        let mut at = |time: f64| crossing.passing(&Moment { time, state: step.state_at(time) }, &sizes);
-        let passing = at(event.time);
+        let formulas = self.crossings(stepper.expander.system, event);
+        let moment = |time: f64| Moment { time, state: step.state_at(time) };
+        let formula = Crossing::zero_at(formulas, &moment(event.time), &sizes)?;
+        let mut at = |time: f64| formula.passing(&moment(time), &sizes);
+        let there = at(event.time);
         let bend = (at(event.time + beside).rate - at(event.time - beside).rate) / (2.0 * beside);
-        Some(Passage::new(spread, passing, bend, scale))
+        Some(Passage::new(spread, there, bend, scale))
     }
 
-    fn crossing(&mut self, system: &System, event: &Occurrence) -> Option<&mut Crossing> {
+    fn crossings(&mut self, system: &System, event: &Occurrence) -> &mut [Crossing] {
         let touches = |contact: Contact| contact == Contact::Grazing;
-        let same = |(number, contact, _): &(usize, Contact, Option<Crossing>)| {
+        let same = |(number, contact, _): &(usize, Contact, Vec<Crossing>)| {
             *number == event.event && touches(*contact) == touches(event.contact)
         };
         let place = self.crossings.iter().position(same).unwrap_or_else(|| {
-            self.crossings.push((event.event, event.contact, Crossing::new(system, event)));
+            self.crossings.push((event.event, event.contact, Crossing::all(system, event)));
             self.crossings.len() - 1
         });
-        self.crossings[place].2.as_mut()
+        &mut self.crossings[place].2
     }
 }
 

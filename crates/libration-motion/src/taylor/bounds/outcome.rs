@@ -19,7 +19,8 @@ impl Outcome {
     pub(in crate::taylor) fn new(system: &System, survey: &Survey) -> Option<Self> {
         let end = &survey.solution.end;
         let Some(event) = &survey.ending else { return Some(Self::at_given_time(end)) };
-        let passing = Crossing::new(system, event)?.passing(end, &survey.sizes);
+        let mut formulas = Crossing::all(system, event);
+        let passing = Crossing::zero_at(&mut formulas, end, &survey.sizes)?.passing(end, &survey.sizes);
         Some(Self::of_passing(&passing, end))
     }
 

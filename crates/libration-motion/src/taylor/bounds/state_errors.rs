@@ -61,7 +61,7 @@ pub struct StateErrors {
     passes: bool,
     /// Forces with jumps and bends.
     pub(in crate::taylor) pieces: Option<Pieces>,
-    pub(in crate::taylor) crossings: Vec<(usize, Contact, Option<Crossing>)>,
+    pub(in crate::taylor) crossings: Vec<(usize, Contact, Vec<Crossing>)>,
     /// Formulas whose errors are estimated as well.
     pub(in crate::taylor) formulas: Option<Gradients>,
     /// Number of steps that have added to the errors.

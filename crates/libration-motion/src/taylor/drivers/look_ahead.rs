@@ -2,6 +2,7 @@
 
 use super::stepper::{SHORTEST, StepEnds, Stepper, unit_for};
 use crate::taylor::Cause;
+use crate::taylor::step::block::Row;
 use crate::taylor::step::ends::Ends;
 use crate::taylor::step::larger::larger_or_nan;
 use crate::taylor::step::step_length::{log2_time_scale, step_lengths};
@@ -245,6 +246,10 @@ impl<const N: usize> Kernel for Lengths<'_, '_, N> {
         let signs = moduli.map(|(modulus, _)| expander.sign(block, modulus));
         let shown = |event: &usize| expander.system.sharp(*event).is_none_or(|formula| !formula.ends);
         let events = (0..expander.system.events().len()).filter(shown).map(|event| expander.event(event));
-        step_lengths(block, signs.chain(events), allowances, effort.absolute, *log2_part_of_radius)
+        let as_long = signs.chain(events).map(|row| (row, 0.0));
+        // The positions at which a force jumps have no error beyond rounding, whatever the tolerance.
+        let shorter = |&row: &Row| (row, effort.log2_longer(f64::EPSILON).min(0.0));
+        let others = as_long.chain(expander.plan.curved.iter().map(shorter));
+        step_lengths(block, others, allowances, effort.absolute, *log2_part_of_radius)
     }
 }

@@ -19,6 +19,8 @@ pub(in crate::taylor) struct PartialSolution<'a> {
     /// Number of events that were known before the last step.
     events_before: usize,
     contacts: Vec<Contacts>,
+    /// The formula of each event that contains a |…|, for its rounding error.
+    kinked: Vec<Option<Linearised>>,
     steps: usize,
 }
 
@@ -26,7 +28,24 @@ impl<'a> PartialSolution<'a> {
     pub(in crate::taylor) fn new(number: usize, trajectory: &'a Trajectory<'a>, system: &'a System) -> Self {
         let samples = Vec::with_capacity(trajectory.times.len());
         let contacts = vec![Contacts::NONE; system.events().len()];
-        Self { number, system, trajectory, samples, events: vec![], events_before: 0, contacts, steps: 0 }
+        let first_sign = system.tape().inputs() - system.moduli();
+        let has_sign = |formula: &Linearised| formula.inputs().any(|input| input >= first_sign);
+        let kinked = |event: usize| Some(linearised(system, event)).filter(has_sign);
+        let is_smooth = |event: usize| system.sharp(event).is_none();
+        let kinked =
+            (0..contacts.len()).map(|event| Some(event).filter(|&event| is_smooth(event)).and_then(kinked));
+        let kinked = kinked.collect();
+        Self {
+            number,
+            system,
+            trajectory,
+            samples,
+            events: vec![],
+            events_before: 0,
+            contacts,
+            kinked,
+            steps: 0,
+        }
     }
 
     /// Continues with the state of the events at a checkpoint.
@@ -121,6 +140,8 @@ impl<'a> PartialSolution<'a> {
         tolerance: f64,
     ) -> Option<Moment> {
         let length = step.end() - step.start();
+        let goal = self.trajectory.times.last().copied().unwrap_or(step.end());
+        let is_last = (goal - step.end()) * length.signum() <= 0.0;
         let mut found: Vec<(f64, usize, Contact)> = vec![];
         for (event, contacts) in self.contacts.iter_mut().enumerate() {
             let whole = || Part { start: step.start(), length, coefficients: formula(event) };
@@ -128,8 +149,15 @@ impl<'a> PartialSolution<'a> {
                 Some(sharp) => sharp.parts(step, &self.trajectory.parameters, tolerance),
                 None => vec![whole()],
             };
-            for Part { start, length, coefficients } in parts {
-                let stretch = Stretch { coefficients: &coefficients, start, length, tolerance };
+            let begin = || Moment { time: step.start(), state: step.state_at(step.start()) };
+            let rounding = self.kinked[event]
+                .as_mut()
+                .map(|formula| rounding(formula, self.system, event, &begin(), &self.trajectory.parameters));
+            let parts_left = (0..parts.len()).rev();
+            for (Part { start, length, coefficients }, left) in parts.into_iter().zip(parts_left) {
+                let is_last = is_last && left == 0;
+                let stretch =
+                    Stretch { coefficients: &coefficients, start, length, tolerance, rounding, is_last };
                 let error_at_start = || event_error_at_start(self.system, self.trajectory, event);
                 let all = contacts.zeros_in(&stretch, error_at_start).into_iter();
                 let wanted = all.filter(|(_, contact)| self.system.events()[event].counts(*contact));
@@ -158,14 +186,24 @@ impl<'a> PartialSolution<'a> {
     }
 }
 
+/// The formula of an event, as a function of the state.
+fn linearised(system: &System, event: usize) -> Linearised {
+    Linearised::new(system.tape(), [system.event(event)].into_iter(), system.layout().numbers())
+}
+
+/// The rounding error of the formula of an event in a state, in which it is evaluated.
+fn rounding(of: &mut Linearised, system: &System, event: usize, at: &Moment, parameters: &[f64]) -> f64 {
+    // The effect of a rounding error is the same for either sign of a |…|.
+    let signs = vec![1.0; system.moduli()];
+    of.evaluate(&[&at.state[..], &[at.time], parameters, &signs].concat());
+    of.error(system.event(event))
+}
+
 /// The error of an event's formula at the start, from rounding and half a unit in the last place of each component.
 fn event_error_at_start(system: &System, trajectory: &Trajectory<'_>, event: usize) -> f64 {
     let Trajectory { start, parameters, .. } = trajectory;
-    let formula = system.coordinates() + system.moduli() + event;
-    let mut formulas = Linearised::new(system.tape(), [formula].into_iter(), start.state.len());
-    // The effect of a rounding error is the same for either sign of a |…|.
-    let signs = vec![1.0; system.moduli()];
-    formulas.evaluate(&[&start.state[..], &[start.time], parameters, &signs].concat());
-    let typed = start.state.iter().zip(formulas.slopes(formula));
-    formulas.error(formula) + typed.map(|(value, slope)| half_ulp(*value) * slope.abs()).sum::<f64>()
+    let mut formula = linearised(system, event);
+    let rounding = rounding(&mut formula, system, event, start, parameters);
+    let typed = start.state.iter().zip(formula.slopes(system.event(event)));
+    rounding + typed.map(|(value, slope)| half_ulp(*value) * slope.abs()).sum::<f64>()
 }

@@ -121,8 +121,7 @@ impl Boundary<Row> {
         let contact = |forbidden: f64| {
             let mut distance = series.clone();
             distance[0] -= forbidden;
-            let stretch = Stretch { coefficients: &distance, start: 0.0, length: 1.0, tolerance };
-            stretch.first_contact()
+            Stretch::new(&distance, tolerance).first_contact()
         };
         match self.forbidden {
             Forbidden::Zero => contact(0.0),

@@ -1,8 +1,9 @@
 //! Zeros of a formula along a motion, computed on the polynomial of each step.
 //!
 //! Between the zeros of its derivative a polynomial has at most one zero, and sign changes in Bernstein's
-//! basis miss none of these. The side of zero on which the formula is, is passed from step to step, so that a
-//! zero at the end of one step, which rounding may shift to the next step, is neither missed nor found twice.
+//! basis miss none of these. The side of zero on which the formula is, is passed from step to step. A formula
+//! that is close to zero at the end of a step, as at every zero of a |…|, keeps its side until the next step shows
+//! whether it crosses zero or returns; only at the end of the motion it counts as a crossing.
 //!
 //! # Method
 //! An event is a zero of a formula on the tape of the system. Formulas with steep terms have separate series for parts of a step, which are
@@ -36,9 +37,19 @@ pub(in crate::taylor) struct Stretch<'a> {
     pub(in crate::taylor) length: f64,
     /// The error of the formula relative to its change.
     pub(in crate::taylor) tolerance: f64,
+    /// The rounding error of a formula with a |…|, at whose zeros steps end.
+    pub(in crate::taylor) rounding: Option<f64>,
+    /// `true` if the motion ends with this step.
+    pub(in crate::taylor) is_last: bool,
 }
 
-impl Stretch<'_> {
+impl<'a> Stretch<'a> {
+    /// A step of unit length of a formula without |…|.
+    pub(in crate::taylor) fn new(coefficients: &'a [f64], tolerance: f64) -> Self {
+        let (rounding, is_last) = (None, false);
+        Self { coefficients, start: 0.0, length: 1.0, tolerance, rounding, is_last }
+    }
+
     fn at(&self, tau: f64) -> f64 {
         self.coefficients.iter().rev().fold(0.0, |sum, c| sum * tau + c)
     }
@@ -49,14 +60,43 @@ impl Stretch<'_> {
 
     /// The distance from zero below which a value counts as zero.
     fn blur(&self) -> f64 {
-        self.tolerance.max(4.0 * f64::EPSILON) * self.coefficients.iter().map(|c| c.abs()).sum::<f64>()
+        let kink = self.rounding.map_or(0.0, |rounding| rounding + self.change_in_ulp());
+        self.tolerance.max(4.0 * f64::EPSILON) * size(self.coefficients) + kink
+    }
+
+    /// A bound of the change of the formula within a unit in the last place of the time.
+    fn change_in_ulp(&self) -> f64 {
+        let largest = self.start.abs().max(self.time(1.0).abs());
+        let slopes: Vec<f64> = self.slopes().collect();
+        f64::EPSILON * largest / self.length.abs() * size(&slopes)
+    }
+
+    /// The fraction of the step within which a contact is as close to zero as the blur.
+    fn width(&self) -> f64 {
+        4.0 * self.tolerance.max(f64::EPSILON).sqrt()
+    }
+
+    /// The contact at this position, if the next step, or the end of this one, cannot show it better: an extremum next to a kink is none.
+    fn touch(&self, position: f64, blur: f64) -> Option<(f64, Contact)> {
+        let is_at_kink =
+            self.rounding.is_some() && 1.0 - position <= self.width() && self.at(1.0).abs() <= blur;
+        (position > 0.0 && !is_at_kink).then(|| (self.time(position), Contact::Grazing))
+    }
+
+    /// Returns `true` if the formula is zero in the whole step, to rounding errors.
+    fn vanishes(&self) -> bool {
+        let is_constant = size(&self.coefficients[1..]) <= 0.0;
+        is_constant && self.coefficients[0].abs() <= self.rounding.unwrap_or(0.0)
     }
 
     /// The positions at which the derivative changes its sign.
     fn extrema(&self) -> Vec<f64> {
-        let factors = (1..).map(f64::from);
-        let slopes: Vec<f64> = self.coefficients[1..].iter().zip(factors).map(|(c, n)| n * c).collect();
-        sign_changes(&slopes)
+        sign_changes(&self.slopes().collect::<Vec<_>>())
+    }
+
+    /// The coefficients of the derivative.
+    fn slopes(&self) -> impl Iterator<Item = f64> {
+        self.coefficients[1..].iter().zip((1..).map(f64::from)).map(|(c, n)| n * c)
     }
 
     /// The sign of the first extremum, or of the end, that is farther from zero than this error.
@@ -89,8 +129,7 @@ impl Stretch<'_> {
 
     /// Returns `true` if the formula is farther from zero than the blur in the whole step.
     fn keeps_away(&self, blur: f64) -> bool {
-        let rest: f64 = self.coefficients[1..].iter().map(|c| c.abs()).sum();
-        if self.coefficients[0].abs() > rest + blur {
+        if self.coefficients[0].abs() > size(&self.coefficients[1..]) + blur {
             return true;
         }
         let form = bernstein(self.coefficients);
@@ -113,12 +152,16 @@ impl Contacts {
             (self.side, self.near) = (None, false);
             return vec![];
         }
-        let blur = stretch.blur();
-        if blur == 0.0 {
+        if stretch.length.abs() <= 0.0 {
+            return vec![];
+        }
+        if stretch.vanishes() {
             return self.comes_to_rest(stretch);
         }
+        let blur = stretch.blur();
         let mut found = self.at_start(stretch, blur, error_at_start);
-        if stretch.keeps_away(blur) {
+        let is_kinked = stretch.rounding.is_some();
+        if !(self.near && is_kinked) && stretch.keeps_away(blur) {
             self.near = false;
             return found;
         }
@@ -127,13 +170,24 @@ impl Contacts {
         if let Some((time, _)) = found.last() {
             self.last = *time;
         }
+        found.extend(self.at_end(stretch));
         found
+    }
+
+    /// The crossing of a formula that is close to zero at the end of the motion, which no further step shows.
+    fn at_end(&self, stretch: &Stretch<'_>) -> Option<(f64, Contact)> {
+        let end = stretch.time(1.0);
+        let is_open = stretch.is_last && self.near && !self.just_found(stretch, end);
+        let side = self.side.filter(|_| is_open)?;
+        let approaches = stretch.slopes().sum::<f64>() * side < 0.0;
+        (approaches || stretch.rounding.is_some()).then_some((end, crossing(-side)))
     }
 
     /// Handles a formula that vanishes throughout a step: the event is the transition to zero.
     fn comes_to_rest(&mut self, stretch: &Stretch<'_>) -> Vec<(f64, Contact)> {
         self.begun = true;
-        let known = self.just_found(stretch);
+        let known = self.just_found(stretch, stretch.start);
+        self.near = false;
         let side = self.side.take().filter(|_| !known);
         side.map(|side| (stretch.start, crossing(-side))).into_iter().collect()
     }
@@ -146,50 +200,56 @@ impl Contacts {
         error_at_start: impl Fn() -> f64,
     ) -> Vec<(f64, Contact)> {
         let first = stretch.coefficients[0];
-        let leaves = stretch.coefficients.iter().find(|c| **c != 0.0).map_or(0.0, |c| c.signum());
         let begun = std::mem::replace(&mut self.begun, true);
         let Some(side) = self.side else {
-            let error = if begun { f64::NAN } else { error_at_start() };
-            let is_zero = error < f64::INFINITY && first.abs() <= error;
-            self.side = if is_zero { stretch.side_beyond(error) } else { Some(leaves) };
-            return if is_zero { vec![(stretch.start, Contact::Start)] } else { vec![] };
+            let error = if begun { blur } else { error_at_start() };
+            let error = if error.is_finite() { error } else { 0.0 };
+            let is_zero = first.abs() <= error;
+            self.side = if is_zero { stretch.side_beyond(error) } else { Some(first.signum()) };
+            return if is_zero && !begun { vec![(stretch.start, Contact::Start)] } else { vec![] };
         };
-        if first.abs() > blur && first * side < 0.0 {
+        if first.abs() > blur && first * side < 0.0 && !(self.near && stretch.rounding.is_some()) {
             // A formula with a jump.
             self.side = Some(-side);
             return vec![(stretch.start, crossing(-side))];
         }
-        let leaves_again = stretch.coefficients[1] * side > 0.0;
-        let returns = self.near && leaves_again && first.abs() <= blur && !self.just_found(stretch);
-        if returns { vec![(stretch.start, Contact::Grazing)] } else { vec![] }
+        vec![]
     }
 
-    /// Returns `true` if the start of a step is within the blur of the last zero.
-    fn just_found(&self, stretch: &Stretch<'_>) -> bool {
-        let width = 4.0 * stretch.tolerance.max(f64::EPSILON).sqrt() * stretch.length.abs();
-        (stretch.start - self.last).abs() <= width
+    /// Returns `true` if a time is within the blur of the last zero.
+    fn just_found(&self, stretch: &Stretch<'_>, time: f64) -> bool {
+        (time - self.last).abs() <= stretch.width() * stretch.length.abs()
     }
 
-    /// Finds the contacts after the start, from extremum to extremum.
+    /// Finds the contacts after the start, from extremum to extremum, and the one at the start that the last step left open.
     fn inside(&mut self, stretch: &Stretch<'_>, blur: f64, found: &mut Vec<(f64, Contact)>) {
         let Some(mut side) = self.side else { return };
         let mut before = 0.0;
-        let mut touched = None;
+        let is_kinked = stretch.rounding.is_some();
+        let first = &stretch.coefficients[..2];
+        let is_near = is_kinked || first[0].abs() <= blur && first[1] * side > 0.0;
+        let is_open = self.near && is_near && found.is_empty() && !self.just_found(stretch, stretch.start);
+        let mut touched = is_open.then_some(0.0);
         let nodes = stretch.extrema().into_iter().map(|node| (node, true)).chain([(1.0, false)]);
         for (node, is_extremum) in nodes {
             let value = stretch.at(node);
-            if is_extremum && value.abs() <= blur {
-                touched = touched.or(Some(node));
+            let is_near = value.abs() <= blur;
+            if is_near && is_extremum {
+                // At a kink the series of the formula has a double zero up to rounding errors.
+                touched = touched.filter(|tau| *tau > 0.0 || is_kinked).or(Some(node));
+            } else if is_near && is_kinked {
+                // The end: the next step shows what follows.
             } else if value * side > 0.0 {
                 found.extend(touched.take().map(|tau| (stretch.time(tau), Contact::Grazing)));
-            } else if value * side < 0.0 {
+            } else {
                 side = -side;
-                let zero = touched.take().unwrap_or_else(|| self.zero(stretch, before, node, side));
+                let inner = touched.take().filter(|&tau| tau > 0.0);
+                let zero = inner.unwrap_or_else(|| self.zero(stretch, before, node, side));
                 found.push((stretch.time(zero), crossing(side)));
             }
             before = node;
         }
-        found.extend(touched.map(|tau| (stretch.time(tau), Contact::Grazing)));
+        found.extend(touched.and_then(|tau| stretch.touch(tau, blur)));
         self.side = Some(side);
     }
 
@@ -197,6 +257,11 @@ impl Contacts {
     fn zero(&self, stretch: &Stretch<'_>, before: f64, node: f64, side: f64) -> f64 {
         if stretch.at(before) * side >= 0.0 { before } else { stretch.zero_between(before, node) }
     }
+}
+
+/// The sum of the magnitudes of some coefficients.
+fn size(coefficients: &[f64]) -> f64 {
+    coefficients.iter().map(|c| c.abs()).sum()
 }
 
 /// The kind of zero after which a formula has this sign.

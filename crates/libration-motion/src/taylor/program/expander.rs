@@ -12,7 +12,7 @@ use crate::taylor::events::steep::{Steep, steep_places};
 use crate::taylor::program::Program;
 use crate::taylor::step::block::{Block, Row};
 use libration_kernels::dispatch::{Kernel, dispatch_lanes};
-use libration_numbers::internals::expression::Evaluator;
+use libration_numbers::internals::expression::{Evaluator, Operation, Tape};
 use libration_numbers::{algebra::Ring, internals::algebra::prepared_reciprocal};
 
 /// The inputs of the tape other than the state.
@@ -102,7 +102,7 @@ impl<'a> Expander<'a> {
 
     /// The formula of an event.
     pub(in crate::taylor) fn event(&self, event: usize) -> Row {
-        self.plan.program.results[self.system.coordinates() + self.system.moduli() + event]
+        self.plan.program.results[self.system.event(event)]
     }
 
     /// The accelerations in a state, the same in all lanes but for the other inputs.
@@ -182,7 +182,27 @@ fn plan(system: &System, order: usize, lanes: usize) -> Plan {
     let steep = steep.map(|it| it.moved(program.places[it.of])).chain(divisors).collect();
     let machine_code = || MachineCode::new(lanes, system.is_for_many_steps());
     let (beginning, expansion) = (machine_code(), machine_code());
-    Plan { order, lanes, program, boundaries, steep, beginning, expansion }
+    let arguments = &system.tape().results()[system.coordinates()..formulas];
+    let is_curved = |&&place: &&usize| !is_linear(system.tape(), place, system.layout().numbers());
+    let curved = arguments.iter().filter(is_curved).map(|&place| program.places[place]).collect();
+    Plan { order, lanes, program, boundaries, steep, curved, beginning, expansion }
+}
+
+/// Returns `true` if a formula of a tape is linear in the first inputs, the state, and in the time.
+fn is_linear(tape: &Tape, place: usize, numbers: usize) -> bool {
+    let linear = |place: usize| is_linear(tape, place, numbers);
+    let constant = |place: usize| match tape.operations()[place] {
+        Operation::Input(number) => number > numbers,
+        _ => tape.is_constant(place),
+    };
+    match tape.operations()[place] {
+        Operation::Input(_) => true,
+        Operation::Negate(a) => linear(a),
+        Operation::Add(a, b) | Operation::Subtract(a, b) => linear(a) && linear(b),
+        Operation::Multiply(a, b) => constant(a) && linear(b) || constant(b) && linear(a),
+        Operation::Divide(a, b) => linear(a) && constant(b),
+        _ => tape.is_constant(place),
+    }
 }
 
 /// Computes the inputs, and the zeroth coefficients if they are not known; compiled for each instruction set.

@@ -41,6 +41,9 @@ pub struct Plan {
     pub(in crate::taylor) boundaries: Vec<Boundary<Row>>,
     /// Values of which the accelerations are steep functions.
     pub(in crate::taylor) steep: Vec<Steep<Row>>,
+    /// The arguments of |…| that are not linear in the state. Truncated after the same step, their series have larger errors than those of the
+    /// state, so that a change of sign may be missed: a force with sign(x³ − 1/8) was wrong after the first one.
+    pub(in crate::taylor) curved: Vec<Row>,
     /// Code for the zeroth coefficients of all rows except functions and their operands.
     pub(in crate::taylor) beginning: MachineCode,
     /// Code for the coefficients of higher order.

@@ -224,6 +224,11 @@ impl System {
         &self.events
     }
 
+    /// The place of the formula of an event on the tape.
+    pub(in crate::taylor) fn event(&self, event: usize) -> usize {
+        self.coordinates() + self.moduli() + event
+    }
+
     /// The formula of an event whose series has to be computed in parts of a step.
     pub(in crate::taylor) fn sharp(&self, event: usize) -> Option<&SharpFormula> {
         self.sharp[event].as_ref()

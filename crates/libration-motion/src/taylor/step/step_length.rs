@@ -79,18 +79,20 @@ const LAST: usize = 4;
 /// Number of first coefficients that determine the size.
 const FIRST: usize = 3;
 
-/// The lengths of the steps for the series of the state and of some other rows, positive; infinite for finite series.
+/// The lengths of the steps for the series of the state and of some other rows, positive; infinite for finite series. The other
+/// rows are given with the factor by which their steps may be longer, as a base-2 logarithm.
 #[inline(always)]
 pub(in crate::taylor) fn step_lengths<const N: usize>(
     block: &Block<N>,
-    others: impl Iterator<Item = Row>,
+    others: impl Iterator<Item = (Row, f64)>,
     allowances: &[Allowance],
     absolute: f64,
     log2_part: f64,
 ) -> [f64; N] {
     let mut radius = radius_of_state(block, usize::MAX, allowances, absolute);
-    for row in others {
-        radius = radius.smaller(&log2_radius(&Sizes::new(&block[row], &block[row][0])));
+    for (row, longer) in others {
+        let own = log2_radius(&Sizes::new(&block[row], &block[row][0]));
+        radius = radius.smaller(&own.longer(&[longer; N]));
     }
     let radius = radius.known();
     lanes(|lane| {
