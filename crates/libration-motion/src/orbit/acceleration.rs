@@ -18,6 +18,14 @@ pub struct Acceleration {
     pub(super) is_reversible: bool,
 }
 
+/// The rounding errors of the acceleration on a closed path.
+pub(super) struct Roundings {
+    /// The largest error, relative to the largest acceleration.
+    pub(super) relative: f64,
+    /// The change of the energy by errors of the acceleration on half of the path, or by the rounding of a position.
+    pub(super) energy: f64,
+}
+
 /// Number of states at which the rounding error is measured.
 const LOOKS: usize = 8;
 /// Precision in bits that resolves the rounding of double precision.
@@ -52,13 +60,29 @@ impl Acceleration {
         self.tape.overflows_at(state)
     }
 
-    /// The largest acceleration on a path, and the largest relative error of it from rounding of the position and of the operations.
-    pub(super) fn largest_and_rounding(&self, path: &Path) -> [f64; 2] {
+    /// The rounding errors of the acceleration on a closed path.
+    pub(super) fn roundings(&self, path: &Path) -> Roundings {
         let states: Vec<Vec<f64>> = path.states().collect();
-        let largest = states.iter().map(|state| self.at(state).abs()).fold(0.0, f64::max);
-        let some = states.iter().step_by(states.len().div_ceil(LOOKS));
-        let errors = some.map(|state| self.error(state).unwrap_or(f64::INFINITY));
-        [largest, errors.fold(0.0, f64::max) / largest]
+        let accelerations: Vec<f64> = states.iter().map(|state| self.at(state).abs()).collect();
+        let apart = states.len().div_ceil(LOOKS);
+        let some = states.iter().step_by(apart);
+        let errors: Vec<f64> =
+            some.map(|state| self.error(state).unwrap_or_else(|| self.noise(state))).collect();
+        let [largest, error] = [&accelerations, &errors].map(|it| it.iter().copied().fold(0.0, f64::max));
+        let number = states.len();
+        let of_step = |i: usize| {
+            // The step that ends at this state begins at the previous one, the first at the last.
+            let before = (i + number - 1) % number;
+            let way = (states[i][0] - states[before][0]).abs();
+            let round = f64::EPSILON * accelerations[i].max(accelerations[before]);
+            let measured =
+                [i, before].map(|it| errors[it / apart].max(errors[(it / apart + 1) % errors.len()]));
+            way * round.max(measured[0]).max(measured[1])
+        };
+        let of_place = |i: usize| f64::EPSILON * (states[i][0] * accelerations[i]).abs();
+        let energy = 0.5 * (0..number).map(of_step).sum::<f64>();
+        let energy = (0..number).map(of_place).fold(energy, f64::max);
+        Roundings { relative: error / largest, energy }
     }
 
     /// The difference between the acceleration in double precision and that at a position which
@@ -80,6 +104,15 @@ impl Acceleration {
         }
         let own = BigFloat::from_f64(self.at(state), PRECISION)?;
         Some((above.result(0)[0].clone() - own).to_f64().abs())
+    }
+
+    /// The change of the acceleration in double precision by a unit in the last place of the position and by rounding, where
+    /// numbers of many bits have no value, as an exponential of a million; infinite if a value is missing.
+    fn noise(&self, state: &[f64]) -> f64 {
+        let own = self.at(state);
+        let change = |units: f64| (self.at(&[state[0] * (1.0 + units * f64::EPSILON), state[1]]) - own).abs();
+        let noise = f64::EPSILON * own.abs() + change(1.0) + change(-1.0);
+        if noise.is_finite() { noise } else { f64::INFINITY }
     }
 
     /// Returns `true` if the argument of a |…| or a sign is zero in one of two states, or has opposite signs in them.

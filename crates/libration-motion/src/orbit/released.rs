@@ -13,7 +13,7 @@
 //! An orbit is accepted if it misses its start by at most 32 times the change with another
 //! tolerance plus the rounding of its start; a release with a damping of 1e-10 is rejected.
 
-use super::acceleration::Acceleration;
+use super::acceleration::{Acceleration, Roundings};
 use super::error::{Lost, OrbitError, finished};
 use super::path::{Path, sign_change, until};
 use super::periodic::{Orbit, StateErrors};
@@ -141,22 +141,23 @@ impl<'a> Release<'a> {
         force > 0.0 && libm::fmax(force * self.start.abs(), force * force) < LEAST
     }
 
-    /// The orbit with its uncertainty, from other steps and from the rounding of the acceleration, relative to the largest one, by e anywhere on
-    /// the way. Rounding changes energies by e times acceleration and swing, as a change of the amplitude does, and the period by e.
+    /// The orbit with its uncertainty, from other steps and from the rounding of the acceleration. Rounding changes the energy, as a change of
+    /// the amplitude does, by the errors of the acceleration times the way on which they occur, and the period by the relative error.
     fn judged(&self, around: Around) -> Result<Orbit, OrbitError> {
         let period = around.full.end_time();
         // Steps of other orders and lengths have other rounding errors.
         let again = self.once_around(self.start, 1e-16)?;
         let other_half = if self.acceleration.is_free_of_velocity { 2.0 * around.half } else { period };
         let spread = (period - again.full.end_time()).abs().max((period - other_half).abs());
-        let [largest, measured] = self.acceleration.largest_and_rounding(&around.full);
+        let Roundings { relative, energy } = self.acceleration.roundings(&around.full);
         let other_side = around.full.state_at(around.half)[0];
         let swing = (self.start - other_side).abs();
         let place = f64::EPSILON * self.start.abs().max(other_side.abs()) / swing;
-        let rounding = measured.max(place).max(f64::EPSILON);
+        let rounding = relative.max(place).max(f64::EPSILON);
         let first = self.acceleration.at(&[self.start, 0.0]).abs();
-        let grown = 2.0 + self.condition(period, swing.copysign(other_side - self.start)) * largest / first;
-        let uncertainty = 16.0 * spread + 4.0 * rounding * grown * period;
+        let moved = energy / first / swing;
+        let condition = self.condition(&around.full, swing.copysign(other_side - self.start), first);
+        let uncertainty = 16.0 * spread + 4.0 * (2.0 * rounding + condition * moved) * period;
         let [end, other_end] = [&around, &again].map(|it| it.full.state_at(it.full.end_time())[0]);
         let flow = (end - other_end).abs() + f64::EPSILON * self.start.abs().max(other_side.abs());
         if !self.acceleration.is_reversible && (end - self.start).abs() > CLOSED * flow {
@@ -169,18 +170,24 @@ impl<'a> Release<'a> {
 
     /// The relative change of the period per change of the amplitude relative to the swing, estimated from a neighbouring motion: infinite if
     /// the neighbour is a motion of another kind. Next to a kink no better estimate is available, and both sides are used.
-    fn condition(&self, period: f64, swing: f64) -> f64 {
+    fn condition(&self, path: &Path, swing: f64, first: f64) -> f64 {
         // Small compared with any distance from a separatrix at which double precision is used, large compared with its errors.
         const PART: f64 = 1e-8;
+        // The largest kinetic energy is an eighth of acceleration and swing if the acceleration doubles from the middle to the end; on a potential
+        // wall a small part of the swing changes the energy by all of it.
+        const STEEP: f64 = 8.0;
         // A neighbour whose period differs by one per cent at that distance is a motion of another kind.
         const OTHER: f64 = 1e-2;
         let sides: &[f64] = if self.acceleration.is_smooth() { &[1.0] } else { &[1.0, -1.0] };
+        let period = path.end_time();
+        let kinetic = path.states().map(|state| 0.5 * state[1] * state[1]).fold(0.0, f64::max);
+        let part = PART * libm::fmin(1.0, STEEP * kinetic / first / swing.abs());
         let change = |side: &f64| {
-            let neighbour = self.once_around(self.start + side * PART * swing, 1e-16);
+            let neighbour = self.once_around(self.start + side * part * swing, 1e-16);
             neighbour.map_or(f64::INFINITY, |around| (1.0 - around.full.end_time() / period).abs())
         };
         let largest = sides.iter().map(change).fold(0.0, f64::max);
-        if largest < OTHER { largest / PART } else { f64::INFINITY }
+        if largest < OTHER { largest / part } else { f64::INFINITY }
     }
 
     fn sure(&self, orbit: Orbit) -> Result<Orbit, OrbitError> {

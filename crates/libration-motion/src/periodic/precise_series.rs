@@ -58,16 +58,18 @@ pub fn precise_step(precision: usize, series: &[Vec<BigFloat>], size: isize) -> 
 }
 
 /// The number of powers of two by which a step is too long for its terms to decrease by [`FALL`] from the third quarter to the last: small terms
-/// may still grow, as those of eˣ do up to the order x, and a sum that ends among these is not close to its limit.
+/// may still grow, as those of eˣ do up to the order x, and a sum that ends among these is not close to its limit. In a step that is far too
+/// long the last terms of both quarters are the largest; a quarter is an even number of terms, so that both exist or vanish by symmetry.
 fn excess(exponents: &[(f64, f64)], order: f64, log2_length: f64) -> f64 {
     /// Powers of two per term.
     const FALL: f64 = 1.5;
-    let quarter = 0.25 * order;
-    let largest = |from: f64, to: f64| {
-        let within = exponents.iter().filter(|(n, _)| (from..to).contains(n));
+    let quarter = 2.0 * libm::floor(0.125 * order);
+    let largest = |after: f64, to: f64| {
+        let within = exponents.iter().filter(|(n, _)| after < *n && *n <= to);
         within.map(|(n, exponent)| exponent + n * log2_length).fold(f64::NEG_INFINITY, f64::max)
     };
-    let (third, last) = (largest(2.0 * quarter, 3.0 * quarter), largest(3.0 * quarter, f64::INFINITY));
+    let middle = order - quarter;
+    let (third, last) = (largest(middle - quarter, middle), largest(middle, order));
     if third == f64::NEG_INFINITY { 0.0 } else { f64::max(0.0, (last - third) / quarter + FALL) }
 }
 

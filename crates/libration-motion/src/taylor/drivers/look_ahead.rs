@@ -64,10 +64,13 @@ impl<const N: usize> Stepper<'_, N> {
 
     /// The cause of the missing step, corrected by the state. Next to a singularity at a finite time steps end long before this.
     fn cause_where_it_is(&self, lane: usize, cause: Cause) -> Cause {
+        if self.is_far(lane) { Cause::OutOfRange } else { cause }
+    }
+
+    fn is_far(&self, lane: usize) -> bool {
         /// Size of the state above which it counts as divergent: coefficients of order 63 in a unit of 64 steps may be 1e113 times as large.
         const FAR: f64 = 1e190;
-        let is_far = self.block.state(lane).any(|number| number.abs() > FAR);
-        if is_far { Cause::OutOfRange } else { cause }
+        self.block.state(lane).any(|number| number.abs() > FAR)
     }
 
     /// Expands the steps; at the beginning of a motion a second time, if its time scale requires another unit.
@@ -86,7 +89,49 @@ impl<const N: usize> Stepper<'_, N> {
             self.block.unit[lane] = unit_for(exp2(scales[lane]));
             fits = false;
         }
-        if fits { outcomes } else { self.expand() }
+        let outcomes = if fits { outcomes } else { self.expand() };
+        self.expand_in_smaller_units(outcomes)
+    }
+
+    /// Expands again, in smaller units, the steps whose coefficients overflow: where a force is far below the last bit, the first terms show no
+    /// time scale, and before a potential wall the unit is that of the free flight that ended there.
+    fn expand_in_smaller_units(&mut self, mut outcomes: [Result<(), Cause>; N]) -> [Result<(), Cause>; N] {
+        /// Factor between two units, 2⁻¹⁶: it changes coefficients of order 63 by a factor of
+        /// 1e-303, so that no coefficient underflows in the first unit in which none overflows.
+        const SMALLER: f64 = 1.0 / 65_536.0;
+        /// Number of units: a force of 1e-308 in a state of size one suggests a unit that is too large by 2¹⁰⁰.
+        const UNITS: usize = 16;
+        for _ in 0..UNITS {
+            if self.block.last_coefficients().all(|last| !any(last, |c| !c.is_finite())) {
+                break;
+            }
+            let overflows: [bool; N] = std::array::from_fn(|lane| self.overflows(lane));
+            if !overflows.contains(&true) {
+                break;
+            }
+            for lane in (0..N).filter(|&lane| overflows[lane]) {
+                self.block.unit[lane] *= SMALLER;
+            }
+            outcomes = self.expand();
+        }
+        outcomes
+    }
+
+    /// Returns `true` if the coefficients of a moving lane grow until numbers exceed their range; at a singularity they have no values from
+    /// the first one on.
+    fn overflows(&self, lane: usize) -> bool {
+        /// Growth of coefficients after the first two, in the state or in a part of a formula, that shows an overflow.
+        const GROWN: f64 = 1e20;
+        let moves = (self.goal[lane] - self.block.start[lane]).abs() > 0.0;
+        if self.is_regular(lane) || !moves || self.is_far(lane) {
+            return false;
+        }
+        let largest = |series: &[[f64; N]]| {
+            let finite = series.iter().map(|c| c[lane].abs()).filter(|c| c.is_finite());
+            finite.fold(0.0, f64::max)
+        };
+        let mut rows = self.block.rows().map(|row| row.split_at(2));
+        rows.any(|(first, later)| largest(later) > GROWN * largest(first)) && !self.passes(lane)
     }
 
     fn expand(&mut self) -> [Result<(), Cause>; N] {

@@ -45,6 +45,13 @@ impl<const N: usize> Stepper<'_, N> {
         }
     }
 
+    /// Returns `true` if a step over a zero replaces a step without series.
+    pub(in crate::taylor) fn passes(&self, lane: usize) -> bool {
+        let is_passed = |zero| self.stretch_over(lane, zero).is_some();
+        self.expander.system.passage().is_some()
+            && self.zero_ahead(lane, Err(Cause::Singularity)).is_some_and(is_passed)
+    }
+
     /// The resolution of times near the start of a step, with room for some steps.
     fn resolution(&self, lane: usize) -> f64 {
         const STEPS: f64 = 64.0;

@@ -120,6 +120,11 @@ impl<const N: usize> Block<N> {
         &self[self.row(number)]
     }
 
+    /// The series of the state components and of all parts of the formulas.
+    pub(in crate::taylor) fn rows(&self) -> impl Iterator<Item = &[[f64; N]]> {
+        self.coefficients.numbers().as_chunks().0.chunks_exact(self.terms)
+    }
+
     /// The last coefficients of all state components.
     #[inline(always)]
     pub(in crate::taylor) fn last_coefficients(&self) -> impl Iterator<Item = &[f64; N]> {

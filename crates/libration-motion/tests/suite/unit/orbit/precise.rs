@@ -25,3 +25,13 @@ fn a_force_below_the_last_bit_where_a_step_begins_is_felt_where_it_grows() {
     let energy = libm::exp(5.0) - 5.0;
     assert!((libm::exp(end.to_f64()) - end.to_f64() - energy).abs() < 1e-12);
 }
+
+/// On the way to −2973 e^x falls to 1e-1291: the terms of the series are tiny, but grow up to the order by which x changes, which alone limits
+/// the steps. With steps in proportion to 1/x the limit of 600 would be reached at −2000.
+#[test]
+fn steps_far_from_a_wall_are_as_long_as_near_it() {
+    let [duration, end] = half_period("x'' = 1 - exp(x)", &BigFloat::from_integer(8, 128));
+    let [half, energy] = [0.5 * 154.462_811_649_999_126, libm::exp(8.0) - 8.0];
+    assert!((duration.to_f64() - half).abs() < 1e-13, "{duration:?}");
+    assert!((end.to_f64() + energy).abs() < 1e-12, "{end:?}");
+}
