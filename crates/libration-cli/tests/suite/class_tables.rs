@@ -401,3 +401,132 @@ fn rows_with_typing_errors_are_named_by_their_lines() {
     let sheet = unfolded(&text(&format!("fit periods {}", table("typo-period", &lines))));
     assert!(sheet.contains("without it T₀ is 1.99") && sheet.contains("(line 4)"), "{sheet}");
 }
+
+/// Periods of 2π√(L/g), g = 9.81 m/s², times a number of swings, to a hundredth of a second.
+fn times(lengths: &[f64], swings: f64) -> Vec<String> {
+    let time = |length: &f64| swings * std::f64::consts::TAU * (length / 9.81).sqrt();
+    lengths.iter().map(|length| format!("{length},{:.2}", time(length))).collect()
+}
+
+#[test]
+fn the_lengths_decide_if_a_heading_numbers_swings_or_readings() {
+    let lengths = [0.2, 0.35, 0.5, 0.8, 1.0];
+    for (name, heading, swings) in [
+        ("t5_of_five", "L (m),T5 (s)", 5.0),
+        ("t5_of_one", "L (m),T5 (s)", 1.0),
+        ("t20", "L,t20", 20.0),
+        ("t2", "L (m),T2 (s)", 2.0),
+    ] {
+        let rows = times(&lengths, swings);
+        let lines = [vec![heading], rows.iter().map(String::as_str).collect()].concat();
+        let answer = json(&format!("fit lengths {}", table(name, &lines)));
+        let gravity = answer["gravity_m_per_s2"].as_f64().unwrap();
+        assert!((gravity / 9.81 - 1.0).abs() < 0.03, "{heading}: {gravity}");
+        assert_eq!(answer["read_columns"][1]["swings"], swings, "{answer}");
+        let told = answer["told_from_file"].to_string();
+        assert!(told.contains("would give g far from 9.8 m/s² (--swings-per-reading)"), "{told}");
+    }
+}
+
+#[test]
+fn a_number_in_a_heading_that_lengths_do_not_decide_is_asked_for() {
+    let periods = ["theta (deg),T5 (s)", "5,7.10", "10,7.12", "20,7.15", "30,7.22"];
+    let path = table("numbered_periods", &periods);
+    let refused = libration(&format!("fit periods {path}"));
+    assert_eq!(refused.status.code(), Some(1));
+    let said = unfolded(&message(&refused));
+    assert!(said.contains("give --swings-per-reading 5 or --swings-per-reading 1"), "{said}");
+    json(&format!("fit periods {path} --swings-per-reading=5"));
+    // Centimetres without a unit: 10 swings of 20 cm last as long as one of 20 m.
+    let centimetres = ["L,T10", "20,8.97", "50,14.19", "100,20.06"];
+    let squares = ["L (m),T2", "0.2,0.805", "0.3,1.207", "0.4,1.610"];
+    for (name, lines) in [("centimetres", &centimetres), ("squares_as_t2", &squares)] {
+        let refused = libration(&format!("fit lengths {}", table(name, lines)));
+        assert_eq!(refused.status.code(), Some(1), "{name}");
+        assert!(message(&refused).contains("--swings-per-reading "), "{}", message(&refused));
+    }
+}
+
+/// Two tables of the same readings give the same g, uncertainty and coverage factor.
+#[track_caller]
+fn agree(one: &str, other: &str) {
+    let [one, other] = [one, other].map(|path| json(&format!("fit lengths {path}")));
+    for name in ["gravity_m_per_s2", "gravity_uncertainty_m_per_s2", "coverage_factor"] {
+        let [one, other] = [&one, &other].map(|answer| answer[name].as_f64().unwrap());
+        assert!((one / other - 1.0).abs() < 1e-6, "{name}: {one} {other}");
+    }
+}
+
+/// Means and standard deviations of the readings in the first table, to nine decimals.
+#[test]
+fn means_with_standard_deviations_are_as_good_as_their_readings() {
+    let readings: [[f64; 4]; 5] = [
+        [0.2, 0.8991, 0.9121, 0.8846],
+        [0.35, 1.1901, 1.1733, 1.1992],
+        [0.5, 1.4181, 1.4322, 1.4093],
+        [0.75, 1.7333, 1.7512, 1.7398],
+        [1.0, 2.0012, 1.9903, 2.0187],
+    ];
+    let line = |row: &[f64; 4]| row.map(|it| it.to_string()).join(",");
+    let summary = |row: &[f64; 4]| {
+        let [length, rest @ ..] = row;
+        let mean = rest.iter().sum::<f64>() / 3.0;
+        let squares: f64 = rest.iter().map(|it| (it - mean) * (it - mean)).sum();
+        format!("{length},{mean:.9},{:.9},3", (squares / 2.0).sqrt())
+    };
+    let of = |name: &str, header: &str, row: &dyn Fn(&[f64; 4]) -> String| {
+        let rows: Vec<String> = readings.iter().map(row).collect();
+        table(name, &[vec![header], rows.iter().map(String::as_str).collect()].concat())
+    };
+    let all = of("all_readings", "L (m),T1 (s),T2 (s),T3 (s)", &line);
+    let known = of("summaries", "L (m),T (s),sd (s),n", &summary);
+    agree(&all, &known);
+    let answer = json(&format!("fit lengths {known}"));
+    let told = answer["told_from_file"].to_string();
+    assert!(told.contains("read as standard deviation of single readings of the period: column 3"), "{told}");
+    assert!(told.contains("(10 degrees of freedom)"), "{told}");
+    assert_eq!(answer["read_columns"][3]["role"], "readings");
+    agree(&known, &format!("{known} --role 3=period-deviation --role 4=readings"));
+    for (wrong, cells) in [("number", "0.01,2.5"), ("deviation", "-0.01,3")] {
+        let lines = [
+            "L (m),T (s),sd (s),number of readings",
+            "0.2,0.9,0.01,3",
+            &format!("0.5,1.4,{cells}"),
+            "1,2,0.01,3",
+        ];
+        let roles = "--role 3=period-deviation --role 4=readings";
+        let refused = libration(&format!("fit lengths {} {roles}", table(&format!("bad_{wrong}"), &lines)));
+        assert_eq!(refused.status.code(), Some(1), "{wrong}");
+        assert!(message(&refused).contains("line 3: the "), "{}", message(&refused));
+    }
+}
+
+#[test]
+fn rows_that_repeat_others_count_once_and_are_named() {
+    let rows = ["0.2,0.893", "0.35,1.189", "0.5,1.427", "0.75,1.731", "1,2.011"];
+    let once = table("rows_once", &[&["L (m),T (s)"], &rows[..]].concat());
+    let twice = table("rows_twice", &[&["L (m),T (s)"], &rows[..], &rows[..]].concat());
+    let each: Vec<&str> = rows.iter().flat_map(|row| [*row, *row]).collect();
+    let each = table("rows_each", &[&["L (m),T (s)"], &each[..]].concat());
+    for (path, said) in [
+        (&twice, "lines 7 to 11 repeat lines 2 to 6, number by number: they count once"),
+        (&each, "each row stands in 2 lines: it counts once"),
+    ] {
+        agree(&once, path);
+        let answer = json(&format!("fit lengths {path}"));
+        assert_eq!(answer["rows"], 5);
+        assert!(answer["told_from_file"].to_string().contains(said), "{answer}");
+    }
+}
+
+#[test]
+fn a_negative_length_of_a_simple_pendulum_is_named() {
+    let rows = ["L (m),T (s)", "0.2,0.897", "-0.35,1.187", "0.5,1.418", "0.75,1.737", "1,2.006"];
+    let refused = libration(&format!("fit lengths {}", table("negative_length", &rows)));
+    assert_eq!(refused.status.code(), Some(1));
+    let said = unfolded(&message(&refused));
+    assert!(
+        said.contains("row 2: the length -0.35 m is negative") && said.contains("correct the sign"),
+        "{said}"
+    );
+}

@@ -134,6 +134,23 @@ fn times_of_a_photogate_are_recognised() {
     assert!(text(&format!("inspect {}", path.display())).contains("libration fit gates"));
 }
 
+/// A light barrier that is dark for 6 of 140 rows: the command that the refusal names reads it.
+#[test]
+fn a_recorded_gate_signal_is_sent_to_the_fit_of_gates() {
+    let row =
+        |row: u32| format!("{}.{:02},{}\n", row / 100, row % 100, if (row + 60) % 140 < 6 { 0 } else { 5 });
+    let path =
+        file("inspect-signal", &format!("Time (s),Voltage (V)\n{}", (0..3000).map(row).collect::<String>()));
+    for options in ["", "--angle 2 --angle-unit deg"] {
+        let output = libration(&format!("fit trace {} --length 0.5m {options}", path.display()));
+        assert_eq!(output.status.code(), Some(1), "{options}");
+        let said = message(&output);
+        assert!(said.contains("use libration fit gates with --signal 2"), "{options}: {said}");
+    }
+    let fit = json(&format!("fit gates {} --signal 2", path.display()));
+    assert!((fit["mean_period_s"].as_f64().unwrap() / 2.8 - 1.0).abs() < 1e-6, "{fit}");
+}
+
 #[test]
 fn files_that_cannot_be_read_are_refused_with_the_place_and_the_option() {
     for (name, text, options, part) in [

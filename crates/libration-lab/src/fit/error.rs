@@ -80,6 +80,19 @@ pub enum FitError {
         /// Standard uncertainty in metres.
         uncertainty: f64,
     },
+    /// The only negative length of a table of a simple pendulum.
+    #[error(
+        "row {row}: the length {length:?} m is negative, and the periods are those of a simple pendulum with {positive:?} m: correct the sign, or fit a bar turned \
+         about both sides"
+    )]
+    SignOfLength {
+        /// Row, counted from one.
+        row: usize,
+        /// Length in metres.
+        length: f64,
+        /// Its absolute value.
+        positive: f64,
+    },
     /// A length in a table that is not a positive finite number.
     #[error(
         "row {row}: the length {length:?} m is not a positive number: remove the row, or fit a bar turned about both sides"

@@ -31,6 +31,7 @@ pub(crate) mod law;
 mod lengths;
 mod mistake;
 mod normal_gravity;
+mod numbered_time;
 mod outliers;
 mod period_table;
 mod periods;
@@ -69,11 +70,14 @@ pub use lengths::{
 pub use libration::decay::DampingKind;
 pub use mistake::GravityMistake;
 pub use normal_gravity::{NormalGravityError, normal_gravity};
+pub use numbered_time::swings_of_numbered_time;
 pub use outliers::{DEFAULT_OUTLIER_THRESHOLD, find_outliers};
 pub use period_table::{PeriodTable, Uncertainties, Weighting};
 pub use periods::{PeriodFit, PeriodsOptions, PeriodsWarning, fit_periods};
 pub use quality::Quality;
-pub use readings::{MeanReading, RepeatedReadings, effective_degrees_of_freedom, shared_rounding};
+pub use readings::{
+    MeanReading, ReadingSummary, RepeatedReadings, effective_degrees_of_freedom, shared_rounding,
+};
 pub use scatter::{Enlargement, Scatter, ScatterVerdict, ScatterWarning};
 pub use significance::{SIGNIFICANT, limit_of_chance};
 pub use small_angle_period::{LawFit, fit_small_angle_period};

@@ -88,11 +88,32 @@ impl RepeatedReadings {
     #[must_use]
     pub fn new(rows: &[Vec<f64>], step: f64) -> Option<Self> {
         let groups: Vec<Group> = rows.iter().map(|row| Group::new(row)).collect();
+        let outliers = outliers(rows, &groups, step);
+        Self::of_groups(&groups, step, outliers)
+    }
+
+    /// The same of rows of which only mean, standard deviation and number of the readings are known; `None` where no row has two readings.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration_lab::fit::{ReadingSummary, RepeatedReadings};
+    ///
+    /// let summary = |mean| ReadingSummary { mean, deviation: 0.02_f64.sqrt(), count: 2 };
+    /// let known = RepeatedReadings::of_summaries(&[summary(1.1), summary(3.0)], 0.01).unwrap();
+    /// let readings = RepeatedReadings::new(&[vec![1.0, 1.2], vec![3.1, 2.9]], 0.01).unwrap();
+    /// assert!((known.rows[0].uncertainty / readings.rows[0].uncertainty - 1.0).abs() < 1e-12);
+    /// ```
+    #[must_use]
+    pub fn of_summaries(rows: &[ReadingSummary], step: f64) -> Option<Self> {
+        let groups: Vec<Group> = rows.iter().map(ReadingSummary::group).collect();
+        Self::of_groups(&groups, step, vec![])
+    }
+
+    fn of_groups(groups: &[Group], step: f64, outliers: Vec<(usize, usize)>) -> Option<Self> {
         if groups.iter().all(|group| group.dof == 0) {
             return None;
         }
-        let outliers = outliers(rows, &groups, step);
-        let unlike = with_outlier(&groups, step, &outliers);
+        let unlike = with_outlier(groups, step, &outliers);
         let differ = unlike.is_none() && differ(groups.iter(), step);
         let alike =
             Pool::of(groups.iter().enumerate().filter(|(row, _)| Some(*row) != unlike).map(|it| it.1));
@@ -176,6 +197,29 @@ pub fn shared_rounding(readings: &RepeatedReadings, coefficients: &[f64]) -> f64
         sum * sum - squares
     };
     errors.chunk_by(|one, other| one.0.total_cmp(&other.0).is_eq()).map(of_step).sum()
+}
+
+/// Readings of a row of which only these are known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ReadingSummary {
+    /// The mean.
+    pub mean: f64,
+    /// The standard deviation of a single reading.
+    pub deviation: f64,
+    /// Number of readings.
+    pub count: usize,
+}
+
+impl ReadingSummary {
+    fn group(&self) -> Group {
+        let dof = self.count.saturating_sub(1);
+        Group {
+            mean: self.mean,
+            count: self.count.max(1),
+            dof,
+            squares: self.deviation * self.deviation * count(dof),
+        }
+    }
 }
 
 /// The readings of a row.

@@ -1,6 +1,7 @@
 //! Number of periods that each time of a column lasts, by its heading: `10T`, `half period (s)`, `time of 20 oscillations`.
 
 use super::heading::without_stated;
+use super::numbered_time;
 use super::table::Table;
 use super::{Column, MeasurementError};
 
@@ -9,6 +10,8 @@ use super::{Column, MeasurementError};
 pub enum CountedPeriods {
     /// The stated number: 0.5 for half periods, 1 where the heading speaks of a period or of T.
     Said(f64),
+    /// A number from two on after the symbol of a time, as in `T5`: the number of periods, or that of a reading.
+    Numbered(f64),
     /// No number is stated.
     Nothing,
     /// A number or a part that may be meant so, as in `T10` or `10 swings`: the heading as it is written.
@@ -31,12 +34,18 @@ impl Table {
     /// ```
     pub fn counted_periods(&self, column: &Column) -> Result<CountedPeriods, MeasurementError> {
         let sheet = self.sheet();
-        let heading = &sheet.channels[sheet.place(column)?].heading;
+        let place = sheet.place(column)?;
+        let heading = &sheet.channels[place].heading;
         let text = match heading.stated_uncertainty {
             Some(_) => &without_stated(&heading.text.replace("+/-", "±").replace("+-", "±")).0,
             None => &heading.text,
         };
-        Ok(counted_in(text, heading.run.as_deref().unwrap_or_default()))
+        let of_heading = counted_in(text, heading.run.as_deref().unwrap_or_default());
+        Ok(match numbered_time::number(text) {
+            Some(_) if numbered_time::is_of_reading(self, place) => counted(numbered_time::symbol(text)),
+            Some(number) if number > 1.0 => CountedPeriods::Numbered(number),
+            _ => of_heading,
+        })
     }
 }
 
@@ -147,7 +156,7 @@ const FROM: [&str; 6] = ["from", "aus", "by", "based", "depuis", "da"];
 /// Words after the number of another quantity: `T at 20 cm`.
 const OTHER_UNITS: [&str; 13] =
     ["deg", "degree", "degrees", "grad", "rad", "m", "cm", "mm", "in", "g", "kg", "fps", "hz"];
-const UNITS_OF_TIME: [&str; 4] = ["s", "sec", "ms", "min"];
+pub(super) const UNITS_OF_TIME: [&str; 4] = ["s", "sec", "ms", "min"];
 /// Words for a mean: the mean of several periods is one period.
 const MEAN: [&str; 12] = [
     "mean",
@@ -290,12 +299,12 @@ pub(super) fn swing_numbers(heading: &str) -> SwingNumbers {
     }
 }
 
-fn is(list: &[&str], word: &str) -> bool {
+pub(super) fn is(list: &[&str], word: &str) -> bool {
     list.contains(&word)
 }
 
 /// The positive number that a word is, in digits or not.
-fn number(word: &str) -> Option<f64> {
+pub(super) fn number(word: &str) -> Option<f64> {
     let of_word =
         |word: &str| IN_WORDS.iter().find(|(_, words)| words.contains(&word)).map(|(number, _)| *number);
     let multiple =
@@ -336,7 +345,7 @@ pub(super) fn is_mean(heading: &str) -> bool {
 }
 
 /// Letters, numbers and strokes in lower case, each on its own: `10T/s` is `10`, `t`, `/`, `s`.
-fn words(text: &str) -> Vec<String> {
+pub(super) fn words(text: &str) -> Vec<String> {
     let text = text.to_lowercase().replace('°', " deg ");
     let kind = |letter: char| match letter {
         '0'..='9' | '.' | ',' => 1,

@@ -198,6 +198,16 @@ pub enum MeasurementError {
         "{0} holds times, and no other column can be an angle: a trace needs angles, angular velocities or positions"
     )]
     OnlyTimes(String),
+    /// A column at two levels, in place of angles.
+    #[error(
+        "{column} is at one of two levels in nearly all rows, as the signal of a light barrier: it has the times of passages, and no angles"
+    )]
+    GateSignal {
+        /// Its number and name.
+        column: String,
+        /// Its number, from one.
+        number: usize,
+    },
     /// Times that go back again and again.
     #[error(
         "{goes_back} of {rows} times are less than the one before: they are not times of a photogate; are they periods?"

@@ -27,10 +27,16 @@ pub fn probability_beyond(t: f64, dof: usize) -> f64 {
 
 /// The same for any degrees of freedom, cut down to a whole number, of one at least; infinite ones are allowed.
 pub(crate) fn probability_beyond_any(t: f64, dof: f64) -> f64 {
-    match dof.floor().max(1.0) {
+    match whole(dof) {
         whole if whole < MANY => probability_beyond(t, to_count(whole)),
         _ => libm::erfc(t.abs() / std::f64::consts::SQRT_2),
     }
+}
+
+/// Degrees of freedom cut down to a whole number, of one at least: 10 less its rounding errors are 10.
+fn whole(dof: f64) -> f64 {
+    const ROUNDING: f64 = 1e-9;
+    (dof * (1.0 + ROUNDING)).floor().max(1.0)
 }
 
 /// Degrees of freedom from which the quantile is the normal one with its first correction: the next is below 1e-8.
@@ -42,7 +48,7 @@ const MANY: f64 = 1e4;
 /// # Accuracy
 /// 1e-8 relative for probabilities from 1e-3 to one half.
 pub fn quantile(probability: f64, dof: f64) -> f64 {
-    let whole = dof.floor().max(1.0);
+    let whole = whole(dof);
     if whole < MANY {
         return root(|t| probability_beyond(t, to_count(whole)) > probability);
     }

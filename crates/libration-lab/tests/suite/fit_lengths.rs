@@ -585,3 +585,36 @@ fn swapped_columns_are_told_by_the_exponent() {
     let warnings = told(&given, &offset);
     assert!(!warnings.iter().any(|it| matches!(it, LengthsWarning::OtherPower { .. })), "{warnings:?}");
 }
+
+/// One sign is wrong in each of 100 tables of strings with an offset; 100 tables of bars have one point on the other side of the centre.
+#[test]
+fn a_wrong_sign_is_told_from_a_bar_by_the_periods() {
+    let mut random = Random::seeded(38);
+    for draw in 0..100 {
+        let row = draw % 6;
+        let lengths: Vec<f64> = (2..8).map(|k| 0.1 * f64::from(k)).collect();
+        let signed: Vec<f64> =
+            lengths.iter().enumerate().map(|(i, length)| if i == row { -length } else { *length }).collect();
+        let offset = 0.02 * random.normal();
+        let string = |length: &f64| TAU * ((length + offset) / 9.81).sqrt();
+        let bar = |length: &f64| TAU * ((length * length + 0.083) / (9.81 * length)).sqrt();
+        let mut fitted = |period: &dyn Fn(&f64) -> f64, uncertainties: Option<&[f64]>| {
+            let periods: Vec<f64> =
+                lengths.iter().map(|length| period(length) + 0.003 * random.normal()).collect();
+            let columns = LengthColumns {
+                lengths: &signed,
+                periods: &periods,
+                period_uncertainties: uncertainties,
+                ..LengthColumns::default()
+            };
+            fit_lengths(&LengthTable::new(&columns).unwrap(), &LengthsOptions::default())
+        };
+        for uncertainties in [None, Some(&[0.003; 6][..])] {
+            let error = fitted(&string, uncertainties).unwrap_err();
+            let FitError::SignOfLength { row: named, positive, .. } = error else { panic!("{error:?}") };
+            assert_eq!((named, positive), (row + 1, lengths[row]));
+            let fit = fitted(&bar, uncertainties).unwrap();
+            assert!(fit.best().model.is_of_bars(), "{draw}");
+        }
+    }
+}

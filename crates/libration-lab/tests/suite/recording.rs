@@ -247,6 +247,48 @@ fn a_photogate_gives_its_times_and_states() {
     assert_eq!(odd.to_string(), "line 2: 2 is not a state of a photogate: give 1 or blocked, 0 or unblocked");
 }
 
+/// A recording with these values every 5 ms, as a file.
+fn sampled(heading: &str, value: impl Fn(f64) -> f64) -> String {
+    let row = |row: u16| format!("{:.3},{:.3}\n", 0.005 * f64::from(row), value(0.005 * f64::from(row)));
+    format!("t (s),{heading}\n{}", (0..2000).map(row).collect::<String>())
+}
+
+/// A light barrier is dark for 30 ms twice in a period of 1.4 s; the flanks of the last one take two rows.
+#[test]
+fn a_signal_of_two_levels_is_one_of_a_gate_and_no_angle() {
+    let phase = |t: f64| (t + 0.3) % 0.7;
+    let dark = |t: f64, [out, dark]: [f64; 2]| if phase(t) < 0.03 { dark } else { out };
+    let flank = |t: f64| 5.0 * (phase(t) / 0.01).clamp(0.0, 1.0) * ((0.3 - phase(t)) / 0.01).clamp(0.0, 1.0);
+    for file in [
+        sampled("Voltage (V)", |t| dark(t, [5.0, 0.0])),
+        sampled("signal", |t| dark(t, [0.0, 1.0])),
+        sampled("Angle (deg)", |t| dark(t, [5.0, 0.1]) + 0.1 * (40.0 * t).sin()),
+        sampled("U (V)", flank),
+    ] {
+        let error = traces(&file, &Choices::default()).unwrap_err();
+        assert!(matches!(error, MeasurementError::GateSignal { number: 2, .. }), "{error}");
+    }
+    let chosen = Choices { angle: Some(Column::Number(2)), unit: Some(Unit::Degree), ..Choices::default() };
+    let error = traces(&sampled("Voltage (V)", |t| dark(t, [5.0, 0.0])), &chosen).unwrap_err();
+    assert!(matches!(error, MeasurementError::GateSignal { .. }), "{error}");
+}
+
+/// A swing, one that is cut off at a third of its height, one to 179.9°, and a small one with few steps of its encoder.
+#[test]
+fn angles_that_rest_at_their_ends_are_no_signals_of_gates() {
+    use libration::pendulum::Pendulum;
+    let sine = |t: f64| 20.0 * (TAU * t / 1.4).sin();
+    let high = Pendulum::new(0.2, 9.81).unwrap().released_from("179.9deg".parse().unwrap()).unwrap();
+    for file in [
+        sampled("angle (deg)", sine),
+        sampled("angle (deg)", |t| sine(t).clamp(-6.7, 6.7)),
+        sampled("angle (deg)", |t| high.state_at(t).angle.to_degrees()),
+        sampled("angle (deg)", |t| (sine(t) / 20.0).round()),
+    ] {
+        assert_eq!(traces(&file, &Choices::default()).unwrap().traces.len(), 1);
+    }
+}
+
 #[test]
 fn an_old_workbook_is_read_by_its_sheets() {
     let book = recording(include_bytes!("../data/workbook.xls"));

@@ -5,8 +5,10 @@ use super::{ChosenColumns, ColumnsOption, CountedOptions, Inferences, TableFit, 
 use crate::call::in_words;
 use crate::output::number;
 use crate::query_error::QueryError;
-use libration_lab::fit::RepeatedReadings;
-use libration_lab::measurement::{Column, Readings, Table, UncertaintyKind, Unit, is_number_of_swings};
+use libration_lab::fit::{ReadingSummary, RepeatedReadings, swings_of_numbered_time};
+use libration_lab::measurement::{
+    Column, Readings, RepeatedRows, Role, Table, UncertaintyKind, Unit, is_number_of_swings,
+};
 
 /// The units of the columns, and what was inferred from the header.
 #[derive(Clone, Debug)]
@@ -80,16 +82,27 @@ impl<const N: usize> ColumnsInSi<N> {
             .columns
             .iter()
             .cloned()
-            .chain([chosen.column_of_swings.clone().into_iter().collect()])
+            .chain(
+                [&chosen.column_of_swings, &chosen.column_of_readings].map(|it| it.iter().cloned().collect()),
+            )
             .collect();
         let read = table.readings(&asked).map_err(|error| error.to_string())?;
-        let units = ColumnUnits::from_headings(table, chosen, wanted)?;
-        let swings = read.quantities.last().filter(|_| chosen.column_of_swings.is_some());
-        let swings = swings.map(|swings| swings.iter().map(|it| it[0]).collect());
-        let rows = SiRows { table, chosen, wanted, units: &units, read: &read, swings };
+        let labels = |read: &Readings| {
+            let labels = chosen.column_of_groups.as_ref().map(|column| table.labels(column, &read.rows));
+            labels.transpose().map_err(|error| error.to_string())
+        };
+        let names = labels(&read)?;
+        let (read, repeated_rows) = read.once(names.as_deref());
+        let units = ColumnUnits::from_headings(table, chosen, wanted, &read)?;
+        let numbers = |place: usize, column: &Option<Column>| -> Option<Vec<f64>> {
+            column.as_ref().map(|_| read.quantities[place].iter().map(|it| it[0]).collect())
+        };
+        let swings = numbers(N, &chosen.column_of_swings);
+        let numbers_of_readings = numbers(N + 1, &chosen.column_of_readings);
+        let rows = SiRows { table, chosen, wanted, units: &units, read: &read, swings, numbers_of_readings };
         let rows = rows.checked()?;
         let repeated: [Option<RepeatedReadings>; N] = std::array::from_fn(|place| rows.repeated(place));
-        let groups = chosen.column_of_groups.as_ref().map(|column| table.labels(column, &read.rows));
+        let groups = labels(&read)?;
         let sheet = table.chosen_sheet().map(|name| format!("sheet `{name}` is read"));
         let of_readings = (0..N).flat_map(|place| rows.described(place, repeated[place].as_ref()));
         let is_repeated =
@@ -98,6 +111,7 @@ impl<const N: usize> ColumnsInSi<N> {
         let sentences = sheet
             .into_iter()
             .chain(table.notes())
+            .chain(repeated_rows.iter().map(repeats))
             .chain(chosen.notes.iter().cloned())
             .chain(units.inferences.iter().cloned())
             .chain(of_headings)
@@ -110,7 +124,7 @@ impl<const N: usize> ColumnsInSi<N> {
             columns: std::array::from_fn(|place| rows.column(place, &repeated)),
             rounding: std::array::from_fn(|place| rows.rounding(place)),
             shared_timing: (0..N).find_map(|place| rows.shared_timing(place)),
-            groups: groups.transpose().map_err(|error| error.to_string())?,
+            groups,
             lines: read.lines.clone(),
             dropped: read.dropped,
             counts: units.counts,
@@ -131,19 +145,42 @@ struct SiRows<'a, const N: usize> {
     read: &'a Readings,
     /// The number of swings of each row, by a column.
     swings: Option<Vec<f64>>,
+    /// The number of readings of each row, by a column.
+    numbers_of_readings: Option<Vec<f64>>,
 }
 
 impl<const N: usize> SiRows<'_, N> {
     /// The same rows, whose numbers of swings are usable.
     fn checked(self) -> Result<Self, String> {
         let bad = self.swings.iter().flatten().position(|swings| !is_number_of_swings(*swings));
-        match bad {
-            Some(row) => Err(format!(
+        let is_whole = |number: &f64| *number >= 1.0 && number.fract() == 0.0 && *number < 1e6;
+        let none = self.numbers_of_readings.iter().flatten().position(|number| !is_whole(number));
+        let line = |row: usize| self.read.lines[row];
+        match (bad, none) {
+            (Some(row), _) => Err(format!(
                 "line {}: the number of swings is not a positive whole or half number",
-                self.read.lines[row]
+                line(row)
             )),
-            None => Ok(self),
+            (None, Some(row)) => {
+                Err(format!("line {}: the number of readings is not a positive whole number", line(row)))
+            }
+            (None, None) => match self.bad_deviation() {
+                Some(row) => {
+                    Err(format!("line {}: the standard deviation of the readings is negative", line(row)))
+                }
+                None => Ok(self),
+            },
         }
+    }
+
+    /// The first row with a negative standard deviation of its readings.
+    fn bad_deviation(&self) -> Option<usize> {
+        let are_deviations = |place: &usize| self.chosen.kinds[*place] == UncertaintyKind::Deviation;
+        let columns =
+            (0..N).filter(are_deviations).filter(|place| self.wanted[*place].uncertainties_of.is_some());
+        let negative =
+            |of: usize| self.read.quantities[of].iter().position(|it| it.iter().any(|&it| it < 0.0));
+        columns.filter_map(negative).min()
     }
 
     /// Number of periods that a time lasts; one for what is not a time.
@@ -173,17 +210,36 @@ impl<const N: usize> SiRows<'_, N> {
 
     /// Repeated readings of values, as those of one period.
     fn repeated(&self, place: usize) -> Option<RepeatedReadings> {
-        let is_value = self.wanted[place].uncertainties_of.is_none() && self.chosen.columns[place].len() > 1;
-        if !is_value {
+        if self.wanted[place].uncertainties_of.is_some() {
             return None;
         }
         let rows = 0..self.read.lines.len();
         let readings: Vec<Vec<f64>> = rows.map(|row| self.readings(place, row)).collect();
-        let mut found = RepeatedReadings::new(&readings, self.step(place))?;
+        let mut found = match self.summaries(place, &readings) {
+            Some(summaries) => RepeatedReadings::of_summaries(&summaries, self.step(place))?,
+            None if self.chosen.columns[place].len() > 1 => {
+                RepeatedReadings::new(&readings, self.step(place))?
+            }
+            None => return None,
+        };
         for (row, mean) in found.rows.iter_mut().enumerate() {
             *mean = mean.times(1.0 / self.swings_of(place, row));
         }
         Some(found)
+    }
+
+    /// Means, standard deviations and numbers of readings, where columns hold them.
+    fn summaries(&self, place: usize, means: &[Vec<f64>]) -> Option<Vec<ReadingSummary>> {
+        let numbers = self.numbers_of_readings.as_ref()?;
+        let is_deviation = |of: &usize| {
+            self.wanted[*of].uncertainties_of == Some(place)
+                && self.chosen.kinds[*of] == UncertaintyKind::Deviation
+                && !self.chosen.columns[*of].is_empty()
+        };
+        let column = (0..N).find(is_deviation)?;
+        let deviations = self.written(column, place, |written| self.units.units[column].to_si(written));
+        let rows = means.iter().zip(deviations).zip(numbers);
+        Some(rows.map(|((mean, deviation), number)| summary(mean[0], deviation, *number)).collect())
     }
 
     /// Standard uncertainties by rounding.
@@ -244,8 +300,11 @@ impl<const N: usize> SiRows<'_, N> {
         let (kind, unit) = (self.chosen.kinds[place], self.units.units[place]);
         let own = self.read.uncertainties[of].as_ref().filter(|_| !self.chosen.columns[of].is_empty());
         let written: Vec<f64> = match (self.chosen.columns[place].is_empty(), repeated, own) {
-            (false, ..) => self.written(place, of, |written| kind.standard(unit.to_si(written))),
-            (true, Some(repeated), _) => {
+            (false, None, _) => self.written(place, of, |written| kind.standard(unit.to_si(written))),
+            (false, Some(_), _) if kind != UncertaintyKind::Deviation => {
+                self.written(place, of, |written| kind.standard(unit.to_si(written)))
+            }
+            (_, Some(repeated), _) => {
                 return Some(repeated.rows.iter().map(|row| row.uncertainty).collect());
             }
             (true, None, Some(own)) => own.iter().map(|it| self.units.units[of].to_si(*it)).collect(),
@@ -349,6 +408,16 @@ impl<const N: usize> SiRows<'_, N> {
     }
 }
 
+/// A row of readings of which `number`, a whole number below a million, are known by their mean and standard deviation.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "checked to be a whole number in range"
+)]
+fn summary(mean: f64, deviation: f64, number: f64) -> ReadingSummary {
+    ReadingSummary { mean, deviation, count: number as usize }
+}
+
 #[expect(clippy::cast_precision_loss, reason = "a number of columns")]
 fn count(things: usize) -> f64 {
     things as f64
@@ -356,9 +425,14 @@ fn count(things: usize) -> f64 {
 
 impl<const N: usize> ColumnUnits<N> {
     /// The units of the columns that are chosen; uncertainties without a unit have that of their values.
-    fn from_headings(table: &Table, chosen: &ChosenColumns<N>, wanted: &[Wanted; N]) -> Result<Self, String> {
+    fn from_headings(
+        table: &Table,
+        chosen: &ChosenColumns<N>,
+        wanted: &[Wanted; N],
+        read: &Readings,
+    ) -> Result<Self, String> {
         let (mut units, mut counts, mut inferences) = (wanted.map(Wanted::usual), [1.0; N], Vec::new());
-        let (mut are_stated, mut fractions) = ([false; N], [None; N]);
+        let (mut are_stated, mut fractions, all) = ([false; N], [None; N], wanted);
         for (place, (columns, wanted)) in chosen.columns.iter().zip(wanted).enumerate() {
             let usual = wanted.uncertainties_of.map_or(units[place], |of| units[of]);
             for (number, column) in columns.iter().enumerate() {
@@ -376,7 +450,15 @@ impl<const N: usize> ColumnUnits<N> {
                 let is_open =
                     |counted: &CountedOptions| chosen.column_of_swings.is_none() || counted.said().is_some();
                 let counted = wanted.counted.filter(is_open);
-                let counted = counted.map(|counted| counted.count(table, column, usual)).transpose()?;
+                let by_lengths = |number: f64| {
+                    // `T2` without a unit may be a square.
+                    let may_be_square = number < 3.0 && of_unit.is_none();
+                    let lengths = lengths(all, read, &units, &are_stated).filter(|_| !may_be_square)?;
+                    let times = read.quantities[place].iter().map(|it| unit.to_si(it[0]));
+                    swings_of_numbered_time(number, &lengths.into_iter().zip(times).collect::<Vec<_>>())
+                };
+                let counted =
+                    counted.map(|counted| counted.count(table, column, usual, by_lengths)).transpose()?;
                 let (count, of_count) = counted.unwrap_or((1.0, None));
                 let is_as_before = unit == units[place] && count.total_cmp(&counts[place]).is_eq();
                 if number > 0 && !is_as_before {
@@ -393,6 +475,35 @@ impl<const N: usize> ColumnUnits<N> {
             }
         }
         Ok(Self { units, counts, are_stated, fractions, inferences })
+    }
+}
+
+/// The lengths of the rows in metres, where a table has them: with a stated unit, or so short that they may be metres.
+fn lengths<const N: usize>(
+    wanted: &[Wanted; N],
+    read: &Readings,
+    units: &[Unit; N],
+    are_stated: &[bool; N],
+) -> Option<Vec<f64>> {
+    /// Longest pendulum of a table without a unit of its lengths, in metres: shorter than those of most tables in centimetres.
+    const LONGEST: f64 = 5.0;
+    let is_length = |it: &Wanted| it.role == Role::Lengths && it.uncertainties_of.is_none();
+    let place = wanted.iter().position(is_length)?;
+    let first = |readings: &Vec<f64>| Some(units[place].to_si(*readings.first()?));
+    let lengths: Option<Vec<f64>> = read.quantities[place].iter().map(first).collect();
+    let is_stated = are_stated[place] || wanted[place].states_unit();
+    lengths.filter(|lengths| is_stated || lengths.iter().all(|length| *length < LONGEST))
+}
+
+/// A sentence about rows that repeat others.
+fn repeats(rows: &RepeatedRows) -> String {
+    match rows {
+        RepeatedRows::Passage { lines: [first, last], of: [first_of, last_of] } => {
+            format!(
+                "lines {first} to {last} repeat lines {first_of} to {last_of}, number by number: they count once"
+            )
+        }
+        RepeatedRows::Each(times) => format!("each row stands in {times} lines: it counts once"),
     }
 }
 

@@ -38,12 +38,14 @@ impl CountedOptions {
         }
     }
 
-    /// The number of periods that the times of a column last, with a sentence where it is not one; `usual` where nothing states it.
+    /// The number of periods that the times of a column last, with a sentence where it is not one; `usual` where nothing states it. The lengths decide
+    /// by `by_lengths` what the number in a heading such as `T5` is.
     pub(super) fn count(
         self,
         table: &Table,
         column: &Column,
         usual: f64,
+        by_lengths: impl Fn(f64) -> Option<f64>,
     ) -> Result<(f64, Option<String>), String> {
         let place = table.describe(column).map_err(|error| error.to_string())?;
         let written = table.counted_periods(column).map_err(|error| error.to_string())?;
@@ -63,6 +65,24 @@ impl CountedOptions {
             (Some((_, count)), _) => (count, sentence(count)),
             (None, CountedPeriods::Said(count)) => (count, sentence(count)),
             (None, CountedPeriods::Nothing) => (usual, sentence(usual)),
+            (None, CountedPeriods::Numbered(count)) if is_same(count, usual) => (usual, sentence(usual)),
+            (None, CountedPeriods::Numbered(number)) => {
+                let squares =
+                    if is_same(number, 2.0) { "; squares have the heading `T^2 (s^2)`" } else { "" };
+                let swings = by_lengths(number).ok_or_else(|| {
+                    format!(
+                        "{place} may hold times of {number} swings, or of one swing in the reading of that number: give \
+                         <--swings-per-reading={number}> or <--swings-per-reading=1>{squares}"
+                    )
+                })?;
+                let other = if is_same(swings, 1.0) { number } else { 1.0 };
+                let sentence = format!(
+                    "{place} holds times of {}: with {} the lengths would give g far from 9.8 m/s² (<--swings-per-reading>)",
+                    periods(swings),
+                    periods(other)
+                );
+                (swings, Some(sentence))
+            }
             (None, CountedPeriods::Unclear(_)) => {
                 return Err(format!(
                     "{place} may hold times of several periods or of parts of one: give the number by <--swings-per-reading>, or \

@@ -51,7 +51,7 @@ impl ReadColumn {
             });
             readings.chain(uncertainties).collect::<Vec<_>>()
         });
-        let others = [("swings", &roles.swings), ("group", &roles.group)];
+        let others = [("swings", &roles.swings), ("readings", &roles.readings), ("group", &roles.group)];
         let others = others.into_iter().filter_map(|(role, it)| it.as_ref().map(|it| column(it, role, None)));
         let unused = roles.unused.iter().map(|it| column(it, "ignore", None));
         let mut all: Vec<Self> = of_quantities.chain(others).chain(unused).flatten().collect();

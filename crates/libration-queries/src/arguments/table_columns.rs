@@ -16,7 +16,7 @@ pub(crate) struct ColumnsOption {
     /// Columns of both quantities, of the uncertainties of both, and of further ones, by number or name; - for none [default: as headings, units and values say]
     #[arg(long, value_name = "COLUMN,…", value_delimiter = ',')]
     columns: Vec<String>,
-    /// Role of a column: a quantity, as in 2=period (several columns are repeated readings); its uncertainty, as in 3=period-uncertainty, period-half-width or period-resolution; swings, group, ignore
+    /// Role of a column: a quantity, as in 2=period (several columns are repeated readings); its uncertainty, as in 3=period-uncertainty, period-half-width, period-resolution or, of means of several readings, period-deviation; swings, readings, group, ignore
     #[arg(long, value_name = "COLUMN=ROLE", conflicts_with = "columns")]
     role: Vec<String>,
 }
@@ -41,6 +41,8 @@ pub(crate) struct ChosenColumns<const N: usize> {
     /// Numbers of swings of a reading by a column of quotients.
     pub(super) swings: [Option<f64>; N],
     pub(super) column_of_swings: Option<Column>,
+    /// Numbers of readings, of which the values are means.
+    pub(super) column_of_readings: Option<Column>,
     pub(super) column_of_groups: Option<Column>,
     /// Inferences, and columns that are not used.
     pub(super) notes: Vec<String>,
@@ -161,6 +163,7 @@ fn chosen<const N: usize>(
         are_squares: std::array::from_fn(|place| of(place).are_squares),
         swings: std::array::from_fn(|place| of(place).swings),
         column_of_swings: roles.swings.clone(),
+        column_of_readings: roles.readings.clone(),
         column_of_groups: roles.group.clone(),
         notes: if is_inferred { notes(table, wanted, roles) } else { vec![] },
         roles: ReadColumn::all(table, wanted, roles),
@@ -228,6 +231,7 @@ fn notes<const N: usize>(table: &Table, wanted: &[Wanted; N], roles: &TableRoles
     let unused = (!roles.unused.is_empty())
         .then(|| format!("not used: {} (<--role> gives a column another role)", describe(&roles.unused)));
     read.chain(other("numbers of swings", &roles.swings))
+        .chain(other("numbers of readings", &roles.readings))
         .chain(other("groups", &roles.group))
         .chain(roles.notes.iter().cloned())
         .chain(unused)
@@ -240,6 +244,7 @@ fn described(kind: UncertaintyKind) -> &'static str {
         UncertaintyKind::Standard => "standard uncertainty",
         UncertaintyKind::HalfWidth => "half-width",
         UncertaintyKind::Resolution => "resolution",
+        UncertaintyKind::Deviation => "standard deviation of single readings",
     }
 }
 

@@ -122,6 +122,11 @@ fn as_weighted(table: &LengthTable, options: &LengthsOptions) -> Result<LengthsF
     if let Some((row, length)) = table.negative().filter(|_| bars.is_empty()) {
         return Err(FitError::LengthOfRow { row, length });
     }
+    if options.pendulum.is_none()
+        && let Some((row, length)) = mistaken_sign(table, options, &bars)
+    {
+        return Err(FitError::SignOfLength { row, length, positive: length.abs() });
+    }
     if options.pendulum == Some(LengthsPendulum::Bar) || table.negative().is_some() {
         return of_bars(table, options, &bars);
     }
@@ -204,6 +209,32 @@ fn preferred_bar(bars: &[LengthFit]) -> Option<&LengthFit> {
 
 const CHANCE: f64 = 0.01;
 
+/// The only negative length, by row from one, where the periods are not those of a bar that is turned about points on both sides: Akaike's criterion does not
+/// separate that from a simple pendulum with the absolute value, or its radius of gyration is small.
+fn mistaken_sign(table: &LengthTable, options: &LengthsOptions, bars: &[LengthFit]) -> Option<(usize, f64)> {
+    /// Points of a uniform bar are at most √3 radii of gyration from its centre. Of a string with an offset δ of its lengths L the radius comes out as √(δL).
+    const FARTHEST: f64 = 2.0;
+    let negative =
+        table.negative().filter(|_| table.rows.iter().filter(|it| it.length < 0.0).count() == 1)?;
+    let positive = table.of_positive_lengths();
+    of_strings(&positive, options).ok()?;
+    let shortest = positive.rows.iter().map(|row| row.length).fold(f64::INFINITY, f64::min);
+    let is_of_bar = |fit: &LengthFit| {
+        let is_separated = fit.aicc.is_some_and(|aicc| aicc + SEPARATED < aicc_of_strings(&positive));
+        is_separated && fit.gyration.is_some_and(|gyration| FARTHEST * gyration.value.sqrt() > shortest)
+    };
+    (!preferred_bar(bars).is_some_and(is_of_bar)).then_some(negative)
+}
+
+/// The least criterion of the laws of a simple pendulum. It compares residuals of one quantity: without uncertainties the laws of bars leave those of T, of
+/// strings those of T².
+fn aicc_of_strings(table: &LengthTable) -> f64 {
+    let equal = table.of_equal_periods();
+    let simple = [LengthModel::Plain, LengthModel::Offset].into_iter();
+    let simple = simple.filter_map(|model| model::fit(&equal, model, None).ok().flatten()?.aicc_of(table));
+    simple.fold(f64::INFINITY, f64::min)
+}
+
 /// Returns whether the rows are those of a bar, and determine its g: the periods fall with the distance at the shortest ones or the centre of mass is
 /// between the positions, and Akaike's criterion separates the law from that of a simple pendulum.
 fn is_bar(bars: &[LengthFit], table: &LengthTable) -> bool {
@@ -213,12 +244,7 @@ fn is_bar(bars: &[LengthFit], table: &LengthTable) -> bool {
     let shortest = distances().map(f64::abs).fold(f64::INFINITY, f64::min);
     let falls = bar.gyration.is_some_and(|gyration| gyration.value > shortest * shortest);
     let is_on_both_sides = distances().any(|it| it < 0.0) && distances().any(|it| it > 0.0);
-    // The criterion compares residuals of one quantity: without uncertainties the laws of bars leave those of T, of strings those of T².
-    let equal = table.of_equal_periods();
-    let simple = [LengthModel::Plain, LengthModel::Offset].into_iter();
-    let simple = simple.filter_map(|model| model::fit(&equal, model, None).ok().flatten()?.aicc_of(table));
-    let simple = simple.fold(f64::INFINITY, f64::min);
-    let is_separated = bar.aicc.is_some_and(|aicc| aicc + SEPARATED < simple);
+    let is_separated = bar.aicc.is_some_and(|aicc| aicc + SEPARATED < aicc_of_strings(table));
     is_determined(bar) && (falls || is_on_both_sides) && is_separated
 }
 

@@ -157,6 +157,12 @@ impl LengthTable {
         Some((negative + 1, self.rows[negative].length))
     }
 
+    /// The table with the absolute values of its lengths.
+    pub(super) fn of_positive_lengths(&self) -> Self {
+        let positive = |row: &Row| Row { length: row.length.abs(), ..*row };
+        Self { rows: self.rows.iter().map(positive).collect(), ..self.clone() }
+    }
+
     /// The periods of small swings at these lengths, T/R, in seconds.
     pub fn small_angle_periods(&self) -> impl Iterator<Item = f64> {
         self.rows.iter().map(|row| row.period / row.ratio)

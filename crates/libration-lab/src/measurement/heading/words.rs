@@ -103,7 +103,7 @@ impl Words {
 }
 
 /// Notations for the uncertainty of the quantity that follows, as one word.
-const UNCERTAINTY: [&str; 23] = [
+const UNCERTAINTY: [&str; 25] = [
     "uncertainty",
     "uncertainties",
     "uncert",
@@ -117,6 +117,8 @@ const UNCERTAINTY: [&str; 23] = [
     "stddev",
     "sd",
     "sem",
+    "se",
+    "stderr",
     "unsicherheit",
     "messunsicherheit",
     "fehler",
@@ -157,6 +159,33 @@ pub(in crate::measurement) fn without_uncertainty(name: &str) -> (String, bool) 
     let is_uncertainty = parts.iter().any(|part| is_sign(part));
     let kept = parts.into_iter().filter(|part| !part.is_empty() && *part != "of" && !is_sign(part));
     (kept.collect::<Vec<_>>().join(" "), is_uncertainty)
+}
+
+/// Returns whether a heading speaks of the standard deviation of readings: `sd`, `σ(T)`, `Standardabweichung`, and not of that of a mean.
+pub(in crate::measurement) fn is_deviation(heading: &str) -> bool {
+    const DEVIATION: [&str; 8] =
+        ["sd", "std", "stdev", "stddev", "σ", "sigma", "standardabweichung", "deviation"];
+    const OF_MEAN: [&str; 12] = [
+        "mean",
+        "error",
+        "err",
+        "uncertainty",
+        "unc",
+        "u",
+        "se",
+        "sem",
+        "mittelwert",
+        "mittelwerts",
+        "moyenne",
+        "media",
+    ];
+    let lower = heading.to_lowercase().replace('σ', "σ ").replace("s.d.", "sd").replace("s.e.m.", "sem");
+    let phrases =
+        ["deviazione standard", "desviación estándar", "desviación típica", "écart-type", "écart type"];
+    let lower = phrases.iter().fold(lower, |lower, words| lower.replace(words, "sd"));
+    let words: Vec<&str> = lower.split(|letter: char| !letter.is_alphabetic()).collect();
+    let has = |list: &[&str]| words.iter().any(|word| list.contains(word));
+    has(&DEVIATION) && !has(&OF_MEAN)
 }
 
 /// `Δθ`, `delta theta`, `u_theta` → θ. A Δ of times is as often an interval, which is neither time nor uncertainty.

@@ -19,16 +19,20 @@ impl ColumnRole {
     /// # Errors
     /// A word of no role, with those that would do.
     pub fn parse(word: &str, needed: &[TableQuantity]) -> Result<Self, MeasurementError> {
-        let kinds = [UncertaintyKind::Standard, UncertaintyKind::HalfWidth, UncertaintyKind::Resolution];
         let of_quantities = (0..needed.len()).flat_map(|quantity| {
             let of_kind = move |kind: UncertaintyKind| {
                 (format!("{}-{}", needed[quantity].name, kind.word()), Self::Uncertainty(quantity, kind))
             };
             [(needed[quantity].name.to_owned(), Self::Reading(quantity))]
                 .into_iter()
-                .chain(kinds.map(of_kind))
+                .chain(UncertaintyKind::ALL.map(of_kind))
         });
-        let others = [("swings", Self::Swings), ("group", Self::Group), ("ignore", Self::Ignored)];
+        let others = [
+            ("swings", Self::Swings),
+            ("readings", Self::Readings),
+            ("group", Self::Group),
+            ("ignore", Self::Ignored),
+        ];
         let all: Vec<(String, Self)> =
             of_quantities.chain(others.map(|(word, role)| (word.to_owned(), role))).collect();
         let found = all.iter().find(|(name, _)| name.eq_ignore_ascii_case(word.trim()));

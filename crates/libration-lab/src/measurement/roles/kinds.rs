@@ -23,6 +23,8 @@ pub(super) enum Kind {
     HalfWidths,
     /// Numbers of swings.
     Swings,
+    /// Numbers of readings.
+    NumbersOfReadings,
     /// Names of groups, one of which at least several rows have.
     Group,
     /// Words, numbers of rows, functions of other columns.
@@ -64,7 +66,7 @@ fn kind(channel: &Channel, has_times: bool) -> Kind {
         () if heading.is_uncertainty => Kind::Uncertainties,
         () if is_squared(heading) => Kind::Squares,
         () if heading.unit.is_none() && is_number_of_row(heading, channel, name) => Kind::Other,
-        () if heading.unit.is_none() && is_number_of_readings(channel, name) => Kind::Other,
+        () if heading.unit.is_none() && is_number_of_readings(channel, name) => Kind::NumbersOfReadings,
         () if heading.unit.is_none() && is_of_swings(channel, has_times) => Kind::Swings,
         () if GROUP.contains(&name) || FUNCTIONS.iter().any(|it| name.starts_with(it)) => Kind::Other,
         () if is_other_power(heading) => Kind::Other,
@@ -112,14 +114,16 @@ fn most_are_whole(channel: &Channel) -> bool {
     2 * are_whole.iter().filter(|it| **it).count() > are_whole.len()
 }
 
-/// `N readings`, `number of trials`.
+/// `N readings`, `No. of trials`, `Anzahl Messungen`.
 fn is_number_of_readings(channel: &Channel, name: &str) -> bool {
     const READINGS: [&str; 6] = ["readings", "trials", "measurements", "repetitions", "messungen", "mesures"];
-    let words = name.trim_start_matches("number of").trim_start_matches(['n', 'o', '.', '#', ' ']);
-    READINGS.contains(&words) && is_of_counts(channel)
+    const NUMBER: [&str; 9] = ["n", "no", "nr", "number", "of", "anzahl", "der", "nombre", "de"];
+    let mut words = name.split(|letter: char| " ._#".contains(letter)).filter(|word| !word.is_empty());
+    let is_of_readings = words.next_back().is_some_and(|last| READINGS.contains(&last));
+    is_of_readings && words.all(|word| NUMBER.contains(&word)) && is_of_counts(channel)
 }
 
-fn is_of_counts(channel: &Channel) -> bool {
+pub(super) fn is_of_counts(channel: &Channel) -> bool {
     channel.numbers().flatten().all(|number| number >= 1.0 && number.fract() == 0.0)
 }
 

@@ -4,10 +4,11 @@
 //! Roles that are given stay. A quantity takes the columns whose names or units say it; of several the largest set of repeated readings
 //! (`readings`), which have one name but for a number and agree within half of each other. A quantity that no heading names takes the
 //! first column of values that is left. Columns of uncertainties go with the quantity that their headings name (`uncertainties`); where two
-//! assignments are as good, the table is refused. Means, squares and other functions of the readings are left out, as are columns of words.
+//! assignments are as good, the table is refused. A standard deviation next to a number of readings is that of single ones. Means, squares and other functions of the readings are left out, as are columns of words.
 
 mod given;
 mod kinds;
+mod number_of_readings;
 mod questions;
 mod readings;
 mod uncertainties;
@@ -40,10 +41,13 @@ pub enum UncertaintyKind {
     HalfWidth,
     /// The step of a display, to which values are rounded.
     Resolution,
+    /// The standard deviation of single readings, of which the value is the mean.
+    Deviation,
 }
 
 impl UncertaintyKind {
-    /// The standard uncertainty: a half-width over √3, half a step over √3 (Guide to the Expression of Uncertainty in Measurement, 4.3.7).
+    /// The standard uncertainty: a half-width over √3, half a step over √3 (Guide to the Expression of Uncertainty in Measurement, 4.3.7); that of a single
+    /// reading where it is a standard deviation.
     ///
     /// # Examples
     /// ```
@@ -53,19 +57,23 @@ impl UncertaintyKind {
     #[must_use]
     pub fn standard(self, written: f64) -> f64 {
         match self {
-            Self::Standard => written,
+            Self::Standard | Self::Deviation => written,
             Self::HalfWidth => written / 3.0_f64.sqrt(),
             Self::Resolution => written / 12.0_f64.sqrt(),
         }
     }
 
-    /// The end of its word in options: `uncertainty`, `half-width`, `resolution`.
+    /// All of them.
+    pub(super) const ALL: [Self; 4] = [Self::Standard, Self::HalfWidth, Self::Resolution, Self::Deviation];
+
+    /// The end of its word in options: `uncertainty`, `half-width`, `resolution`, `deviation`.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
             Self::Standard => "uncertainty",
             Self::HalfWidth => "half-width",
             Self::Resolution => "resolution",
+            Self::Deviation => "deviation",
         }
     }
 }
@@ -79,6 +87,8 @@ pub enum ColumnRole {
     Uncertainty(usize, UncertaintyKind),
     /// The number of swings that each time of the row lasts.
     Swings,
+    /// The number of readings of which each value of the row is the mean.
+    Readings,
     /// Names of groups, one for each row.
     Group,
     /// Nothing that is used.
@@ -105,6 +115,8 @@ pub struct TableRoles {
     pub quantities: Vec<QuantityColumns>,
     /// The column of numbers of swings.
     pub swings: Option<Column>,
+    /// The column of numbers of readings, where uncertainties are standard deviations of single ones.
+    pub readings: Option<Column>,
     /// The column of names of groups.
     pub group: Option<Column>,
     /// Columns that are not used and that no option names.
@@ -143,6 +155,7 @@ impl Table {
         search.refuse_full_swings()?;
         search.assign_readings()?;
         search.assign_uncertainties()?;
+        search.assign_number_of_readings()?;
         search.assign_rest();
         search.refuse_counts_of_periods(given)?;
         Ok(search.found())
@@ -205,15 +218,9 @@ impl Search<'_> {
         let columns = |role| self.with_role(role).into_iter().map(column).collect::<Vec<_>>();
         let of_quantity = |quantity: usize| {
             let readings = self.with_role(ColumnRole::Reading(quantity));
-            let uncertainties =
-                [UncertaintyKind::Standard, UncertaintyKind::HalfWidth, UncertaintyKind::Resolution]
-                    .into_iter()
-                    .find_map(|kind| {
-                        Some((
-                            column(*self.with_role(ColumnRole::Uncertainty(quantity, kind)).first()?),
-                            kind,
-                        ))
-                    });
+            let uncertainties = UncertaintyKind::ALL.into_iter().find_map(|kind| {
+                Some((column(*self.with_role(ColumnRole::Uncertainty(quantity, kind)).first()?), kind))
+            });
             QuantityColumns {
                 are_squares: !readings.is_empty()
                     && readings.iter().all(|&place| self.kinds[place] == Kind::Squares),
@@ -225,6 +232,7 @@ impl Search<'_> {
         TableRoles {
             quantities: (0..self.needed.len()).map(of_quantity).collect(),
             swings: columns(ColumnRole::Swings).first().cloned(),
+            readings: columns(ColumnRole::Readings).first().cloned(),
             group: columns(ColumnRole::Group).first().cloned(),
             unused: (0..self.roles.len()).filter(|&it| self.roles[it].is_none()).map(column).collect(),
             notes: self.notes,

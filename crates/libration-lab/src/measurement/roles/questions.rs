@@ -3,6 +3,7 @@
 use super::{ColumnRole, GivenRoles, Search};
 use crate::measurement::counted_periods::{SwingNumbers, swing_numbers};
 use crate::measurement::heading::Heading;
+use crate::measurement::heading::words::is_deviation;
 use crate::measurement::{Choice, MeasurementError, Role, Suggestion};
 
 impl Search<'_> {
@@ -101,13 +102,12 @@ impl Search<'_> {
         let is_given = given.are_all || given.roles.iter().any(|(_, role)| *role == ColumnRole::Swings);
         let is_bare = swing_numbers(&self.heading(place).text) == SwingNumbers::Possible;
         let counts_more = self.table.sheet().channels[place].numbers().flatten().any(|number| number > 1.0);
-        let is_period = |place: usize| match self.roles[place] {
-            Some(ColumnRole::Reading(of)) => {
-                self.needed[of].role == Role::Times && is_named_period(self.heading(place))
-            }
-            _ => false,
+        let is_scatter = |place: usize| {
+            let of = self.roles[place];
+            matches!(of, Some(ColumnRole::Uncertainty(..))) && is_deviation(&self.heading(place).text)
         };
-        if is_given || !is_bare || !counts_more || !(0..self.kinds.len()).any(is_period) {
+        let has_scatter = (0..self.kinds.len()).any(is_scatter);
+        if is_given || !is_bare || !counts_more || !(self.has_named_periods() || has_scatter) {
             return Ok(());
         }
         let choice = |role: &str| Suggestion::new(Choice::Role, format!("{}={role}", place + 1));
@@ -116,7 +116,7 @@ impl Search<'_> {
                 "{} may be the number of swings that each time lasts, or that of readings",
                 self.describe(place)
             ),
-            choices: ["swings", "ignore"].map(choice).to_vec(),
+            choices: ["swings", if has_scatter { "readings" } else { "ignore" }].map(choice).to_vec(),
         })
     }
 }
@@ -142,7 +142,7 @@ fn bound(heading: &Heading) -> Option<(String, bool)> {
 }
 
 /// `T`, `T1`, `period`: the time of one swing, and not of several.
-fn is_named_period(heading: &Heading) -> bool {
+pub(super) fn is_named_period(heading: &Heading) -> bool {
     let symbol =
         heading.name.trim_end_matches(|letter: char| letter.is_ascii_digit() || "_ {}".contains(letter));
     symbol == "T" || heading.name.to_lowercase().starts_with("period")

@@ -2,7 +2,7 @@
 
 use super::kinds::Kind;
 use super::{ColumnRole, Search, UncertaintyKind};
-use crate::measurement::heading::words::without_uncertainty;
+use crate::measurement::heading::words::{is_deviation, without_uncertainty};
 use crate::measurement::{Choice, MeasurementError, Role, Suggestion};
 
 impl Search<'_> {
@@ -50,6 +50,11 @@ impl Search<'_> {
 
     fn give(&mut self, place: usize, value: usize) {
         let (Some(quantity), Some(kind)) = (self.quantity_of(value), self.kind_of(place)) else { return };
+        let is_of_single = kind == UncertaintyKind::Standard
+            && self.kinds[value] != Kind::Squares
+            && is_deviation(&self.heading(place).text)
+            && self.number_of_readings().is_some();
+        let kind = if is_of_single { UncertaintyKind::Deviation } else { kind };
         let is_repeated = self.readings_of(quantity) > 1.0 && kind != UncertaintyKind::Resolution;
         if is_repeated {
             let note = format!(

@@ -3,6 +3,7 @@
 use super::super::choices::{Choice, Choices, Finding, Suggestion};
 use super::super::heading::Measures;
 use super::super::sheet::Sheet;
+use super::super::two_levels::changes_between_two_levels;
 use super::super::{Column, MeasurementError, Observable, QuantityKind};
 use super::gyroscope;
 use super::runs::Group;
@@ -57,6 +58,9 @@ impl Group<'_> {
     fn columns(&self, choices: &Choices, findings: &mut Vec<Finding>) -> Result<Columns, MeasurementError> {
         let time = self.time(choices, findings)?;
         let value = self.value(time, choices, findings)?;
+        if let Value::Column(place, _) = value {
+            self.no_gate_signal(place)?;
+        }
         let uncertainty = self.uncertainty(value, choices, findings)?;
         let numbering = self.members.iter().copied().find(|&place| self.heading_is(place, QuantityKind::Run));
         Ok(Columns { run: self.run.clone(), time, value, uncertainty, numbering })
@@ -165,6 +169,17 @@ impl Group<'_> {
         }
     }
 
+    /// Refuses a column that changes between two levels.
+    fn no_gate_signal(&self, place: usize) -> Result<(), MeasurementError> {
+        let numbers: Vec<f64> = self.sheet.channels[place].numbers().flatten().collect();
+        match changes_between_two_levels(&numbers) {
+            true => {
+                Err(MeasurementError::GateSignal { column: self.sheet.describe(place), number: place + 1 })
+            }
+            false => Ok(()),
+        }
+    }
+
     fn positions(&self, time: usize, choices: &Choices) -> Result<Value, MeasurementError> {
         let axis = |chosen: Option<&Column>, quantity, choice| match self.chosen(chosen)? {
             Some(place) => Ok(place),
@@ -252,6 +267,7 @@ impl Group<'_> {
                 ))
             }
             [place] => {
+                self.no_gate_signal(place)?;
                 let question = format!("it is not clear what {} holds", self.sheet.describe(place));
                 Err(MeasurementError::Undecided { question, choices: what_it_holds() })
             }
@@ -281,6 +297,9 @@ impl Group<'_> {
                     ),
                     choices: vec![at(Choice::X, x), at(Choice::Y, y)],
                 }
+            }
+            (&[only], _) if self.no_gate_signal(only).is_err() => {
+                MeasurementError::GateSignal { column: self.sheet.describe(only), number: only + 1 }
             }
             (others, _) => {
                 let question = "no column is named an angle, an angular velocity or a position";

@@ -98,3 +98,29 @@ fn a_run_may_be_a_number_of_periods() {
     assert_eq!(counted_in("T (s)", "10 swings"), CountedPeriods::Said(10.0));
     assert_eq!(counted_in("T (s)", "Group 12"), CountedPeriods::Said(1.0));
 }
+
+/// The header of a table, and what it says of the times in a column.
+#[test]
+fn a_number_after_the_symbol_is_that_of_swings_or_of_a_reading() {
+    let single = CountedPeriods::Said(1.0);
+    for (header, column, counted) in [
+        ("L (m),T5 (s)", 2, CountedPeriods::Numbered(5.0)),
+        ("L (m),t20 / s", 2, CountedPeriods::Numbered(20.0)),
+        ("L (m),T_{10}", 2, CountedPeriods::Numbered(10.0)),
+        ("L (m),Time 3 (s)", 2, CountedPeriods::Numbered(3.0)),
+        ("L (m),T10_1 (s),T10_2 (s)", 3, CountedPeriods::Numbered(10.0)),
+        ("L (m),T5 (s),T10 (s)", 2, CountedPeriods::Numbered(5.0)),
+        ("L (m),T1 (s)", 2, single.clone()),
+        ("L (m),T0 (s)", 2, single.clone()),
+        ("L (m),T1 (s),T2 (s),T3 (s)", 4, single.clone()),
+        ("L (m),T9 (s),T10 (s)", 3, single.clone()),
+        ("L (m),t9 (s),t10 (s)", 3, CountedPeriods::Nothing),
+        ("L (m),T 20 cm (s)", 2, single),
+        ("L (m),5T (s)", 2, CountedPeriods::Said(5.0)),
+    ] {
+        let numbers = ["0.25"; 4][..=header.matches(',').count()].join(",");
+        let text = format!("{header}\n{numbers}\n{numbers}\n");
+        let table = Table::read(text.as_bytes(), &ReadOptions::default()).unwrap();
+        assert_eq!(table.counted_periods(&Column::Number(column)), Ok(counted), "{header}");
+    }
+}

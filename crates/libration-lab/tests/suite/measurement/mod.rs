@@ -7,6 +7,7 @@ mod faults;
 mod fitted_pivot;
 mod heading;
 mod number;
+mod repeated_rows;
 mod roles;
 mod signal;
 mod traces;

@@ -309,3 +309,38 @@ fn a_bare_count_next_to_periods_is_asked_about() {
     // The measurements of each length are numbered.
     assert_eq!(swings("L (m),N,T (s)\n0.25,1,1.0\n0.25,2,1.01\n0.5,1,1.42\n0.5,2,1.41\n"), None);
 }
+
+#[test]
+fn standard_deviations_next_to_a_number_of_readings_are_of_single_ones() {
+    let kind = |header: &str, count: &str| {
+        let row = |value: &str| format!("0.{value},1.{value},0.0{value},{count}");
+        let table = read(&format!("{header}\n{}\n{}\n", row("25"), row("36")));
+        let roles = roles(&table, &[LENGTH, PERIOD]).unwrap();
+        (roles.quantities[1].uncertainties.as_ref().map(|it| it.1), roles.readings.as_ref().map(number))
+    };
+    for (header, expected) in [
+        ("L (m),T (s),sd (s),n", (UncertaintyKind::Deviation, Some(4))),
+        ("L (m),T (s),SD,N", (UncertaintyKind::Deviation, Some(4))),
+        ("L (m),T (s),σ_T (s),n", (UncertaintyKind::Deviation, Some(4))),
+        ("L (m),10T (s),s.d.,n", (UncertaintyKind::Deviation, Some(4))),
+        ("L (m),t (s),standard deviation (s),No. of trials", (UncertaintyKind::Deviation, Some(4))),
+        ("L (m),T (s),Standardabweichung (s),Anzahl der Messungen", (UncertaintyKind::Deviation, Some(4))),
+        // Those of a mean are not divided, nor what no column counts.
+        ("L (m),T (s),SE (s),number of readings", (UncertaintyKind::Standard, None)),
+        ("L (m),T (s),sem (s),number of readings", (UncertaintyKind::Standard, None)),
+        ("L (m),T (s),u(T) (s),number of readings", (UncertaintyKind::Standard, None)),
+        ("L (m),T (s),sd of mean (s),number of readings", (UncertaintyKind::Standard, None)),
+        ("L (m),T (s),standard error (s),number of readings", (UncertaintyKind::Standard, None)),
+        ("L (m),T (s),sd (s),mass", (UncertaintyKind::Standard, None)),
+    ] {
+        assert_eq!(kind(header, "5"), (Some(expected.0), expected.1), "{header}");
+    }
+    // n next to times may be the number of swings.
+    let times = read("L (m),t (s),sd (s),n\n0.25,10.0,0.1,10\n0.36,12.0,0.1,10\n");
+    let error = roles(&times, &[LENGTH, PERIOD]).unwrap_err().to_string();
+    assert!(error.contains("4=swings") && error.contains("4=readings"), "{error}");
+    let deviation = ColumnRole::parse("period-deviation", &[LENGTH, PERIOD]).unwrap();
+    let given = GivenRoles { roles: vec![(Column::Number(3), deviation)], are_all: false };
+    let alone = of_header("L (m),T (s),scatter").roles(&[LENGTH, PERIOD], &given).unwrap_err().to_string();
+    assert!(alone.contains("COLUMN=readings"), "{alone}");
+}

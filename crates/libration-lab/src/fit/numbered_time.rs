@@ -1,0 +1,30 @@
+//! The number in a heading such as `T5`, which is that of the swings or of a reading, decided by lengths.
+
+use super::gravity::GRAVITY_ON_EARTH;
+use std::f64::consts::TAU;
+
+/// Factor within which a table of lengths and periods gives g in each row: two hypotheses of which one multiplies the periods by two or more exclude
+/// each other, and an offset of the lengths, amplitudes and reaction times leave g within it.
+const WITHIN: f64 = 2.0;
+
+/// The number of swings that each of these times lasts, in seconds, with a pendulum of this length in metres: `number` or one. `None` where both give g
+/// far from that on Earth, or where rows differ in that.
+///
+/// # Examples
+/// ```
+/// use libration_lab::fit::swings_of_numbered_time;
+///
+/// // Five swings of pendulums of 25 cm and 1 m.
+/// assert_eq!(swings_of_numbered_time(5.0, &[(0.25, 5.02), (1.0, 10.03)]), Some(5.0));
+/// assert_eq!(swings_of_numbered_time(5.0, &[(0.25, 1.00), (1.0, 2.01)]), Some(1.0));
+/// assert_eq!(swings_of_numbered_time(5.0, &[(0.25, 2.51), (1.0, 5.01)]), None);
+/// ```
+#[must_use]
+pub fn swings_of_numbered_time(number: f64, rows: &[(f64, f64)]) -> Option<f64> {
+    let usual = f64::midpoint(GRAVITY_ON_EARTH[0], GRAVITY_ON_EARTH[1]);
+    let explains = |swings: &f64| {
+        let gravity = |(length, time): &(f64, f64)| TAU * TAU * length * swings * swings / (time * time);
+        !rows.is_empty() && rows.iter().map(gravity).all(|it| (usual / WITHIN..usual * WITHIN).contains(&it))
+    };
+    [number, 1.0].into_iter().find(explains)
+}

@@ -1,0 +1,55 @@
+//! Headings of a time with a number after its symbol: `T5 (s)`, `t_{10} / s`, `Time 3`, `T (20) in s`.
+//!
+//! The number is that of a reading where columns of the same symbol are numbered one after the other; in a column on its own it is as often the number
+//! of swings.
+
+use super::counted_periods::{UNITS_OF_TIME, is, number as in_digits, words};
+use super::table::Table;
+
+/// Names of times and periods.
+const TIMES: [&str; 12] = [
+    "t",
+    "time",
+    "zeit",
+    "temps",
+    "tempo",
+    "tiempo",
+    "period",
+    "periode",
+    "période",
+    "periodo",
+    "período",
+    "schwingungsdauer",
+];
+
+/// The whole number after the symbol of a time.
+pub(super) fn number(heading: &str) -> Option<f64> {
+    let words = words(heading);
+    let (symbol, rest) = words.split_first().filter(|(symbol, _)| is(&TIMES, symbol))?;
+    let (first, rest) = rest.split_first()?;
+    // `T5_2` is the second reading of five swings.
+    let rest = rest.split_first().filter(|(again, _)| in_digits(again).is_some()).map_or(rest, |it| it.1);
+    let is_unit = |word: &String| matches!(word.as_str(), "/" | "in" | "seconds") || is(&UNITS_OF_TIME, word);
+    let whole = in_digits(first).filter(|it| it.fract() == 0.0 && !symbol.is_empty())?;
+    rest.iter().all(is_unit).then_some(whole)
+}
+
+/// The heading up to its first digit.
+pub(super) fn symbol(heading: &str) -> &str {
+    heading.split(|letter: char| letter.is_ascii_digit()).next().unwrap_or_default()
+}
+
+/// Returns whether the number in the heading of this column is that of a reading: another column of the same symbol has the next one, or the one
+/// before.
+pub(super) fn is_of_reading(table: &Table, place: usize) -> bool {
+    let channels = &table.sheet().channels;
+    let of = |place: usize| {
+        let heading = &channels[place].heading;
+        let symbol = words(&heading.text).first().cloned();
+        let is_value = !heading.is_uncertainty && channels[place].count() > 0;
+        number(&heading.text).filter(|_| is_value).zip(symbol)
+    };
+    let Some((number, symbol)) = of(place) else { return false };
+    let is_next = |(other, name): (f64, String)| name == symbol && ((other - number).abs() - 1.0).abs() < 0.5;
+    (0..channels.len()).filter_map(of).any(is_next)
+}

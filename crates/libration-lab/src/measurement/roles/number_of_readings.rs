@@ -1,0 +1,63 @@
+//! The column with the number of readings of which each row holds the mean and the standard deviation.
+
+use super::kinds::{Kind, is_of_counts};
+use super::questions::is_named_period;
+use super::{ColumnRole, Search, UncertaintyKind};
+use crate::measurement::counted_periods::{SwingNumbers, counted, swing_numbers};
+use crate::measurement::heading::Heading;
+use crate::measurement::{Choice, CountedPeriods, MeasurementError, Role, Suggestion};
+
+impl Search<'_> {
+    /// The place of the column with numbers of readings: one that is given, or named so, or a bare `n` next to periods, which are no times of n swings.
+    pub(super) fn number_of_readings(&self) -> Option<usize> {
+        let given = self.with_role(ColumnRole::Readings).first().copied();
+        let open = || (0..self.kinds.len()).filter(|&place| self.roles[place].is_none());
+        let named = || open().find(|&place| self.kinds[place] == Kind::NumbersOfReadings);
+        let is_bare = |place: &usize| {
+            self.kinds[*place] == Kind::Swings
+                && swing_numbers(&self.heading(*place).text) == SwingNumbers::Possible
+                && is_of_counts(&self.table.sheet().channels[*place])
+        };
+        let are_swings = !self.with_role(ColumnRole::Swings).is_empty();
+        let bare = || open().find(is_bare).filter(|_| self.says_swings() && !are_swings);
+        given.or_else(named).or_else(bare)
+    }
+
+    /// Returns whether a column of readings is headed as a period, and not as a time.
+    pub(super) fn has_named_periods(&self) -> bool {
+        self.has_times(is_named_period)
+    }
+
+    /// Returns whether a heading says the number of swings of its times: `T`, `10T`.
+    fn says_swings(&self) -> bool {
+        self.has_times(|heading| matches!(counted(&heading.text), CountedPeriods::Said(_)))
+    }
+
+    fn has_times(&self, is_so: impl Fn(&Heading) -> bool) -> bool {
+        let is_time = |place: usize| match self.roles[place] {
+            Some(ColumnRole::Reading(of)) => {
+                self.needed[of].role == Role::Times && is_so(self.heading(place))
+            }
+            _ => false,
+        };
+        (0..self.kinds.len()).any(is_time)
+    }
+
+    /// Gives the column its role where standard deviations need it.
+    pub(super) fn assign_number_of_readings(&mut self) -> Result<(), MeasurementError> {
+        let is_deviation = |role: &Option<ColumnRole>| {
+            matches!(role, Some(ColumnRole::Uncertainty(_, UncertaintyKind::Deviation)))
+        };
+        let Some(place) = self.roles.iter().position(is_deviation) else { return Ok(()) };
+        let Some(number) = self.number_of_readings() else {
+            let choices = vec![Suggestion::new(Choice::Role, "COLUMN=readings")];
+            let question = format!(
+                "{} holds standard deviations of single readings, whose number is needed",
+                self.describe(place)
+            );
+            return Err(MeasurementError::Undecided { question, choices });
+        };
+        self.roles[number] = Some(ColumnRole::Readings);
+        Ok(())
+    }
+}
