@@ -47,8 +47,8 @@ def fit_amplitudes(
         name; - for none [default: as headings, units and values say].
     role : number or text, or several, optional
         Role of a column: a quantity, as in 2=period (several columns are repeated readings); its
-        uncertainty, as in 3=period-uncertainty, period-half-width or period-resolution; swings,
-        group, ignore.
+        uncertainty, as in 3=period-uncertainty, period-half-width, period-resolution or, of means
+        of several readings, period-deviation; swings, readings, group, ignore.
     against : {"time", "swings"}, optional
         Quantity of the first column [default: as its header says].
     amplitude_unit : {"rad", "deg", "m", "cm", "mm", "in", "counts"}, optional

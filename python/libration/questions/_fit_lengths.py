@@ -61,8 +61,8 @@ def fit_lengths(
         name; - for none [default: as headings, units and values say].
     role : number or text, or several, optional
         Role of a column: a quantity, as in 2=period (several columns are repeated readings); its
-        uncertainty, as in 3=period-uncertainty, period-half-width or period-resolution; swings,
-        group, ignore.
+        uncertainty, as in 3=period-uncertainty, period-half-width, period-resolution or, of means
+        of several readings, period-deviation; swings, readings, group, ignore.
     group : int or str, optional
         Column of the names of groups, whose results are compared and averaged [default: a column
         whose header says so].

@@ -44,8 +44,8 @@ def fit_response(
         name; - for none [default: as headings, units and values say].
     role : number or text, or several, optional
         Role of a column: a quantity, as in 2=period (several columns are repeated readings); its
-        uncertainty, as in 3=period-uncertainty, period-half-width or period-resolution; swings,
-        group, ignore.
+        uncertainty, as in 3=period-uncertainty, period-half-width, period-resolution or, of means
+        of several readings, period-deviation; swings, readings, group, ignore.
     frequency_unit : {"Hz", "kHz", "rad/s", "deg/s"}, optional
         Unit of the frequencies and of their uncertainties [default: that of the header].
     amplitude_unit : {"rad", "deg", "m", "cm", "mm", "in", "counts"}, optional
