@@ -262,7 +262,7 @@ fn a_signal_of_two_levels_is_one_of_a_gate_and_no_angle() {
     for file in [
         sampled("Voltage (V)", |t| dark(t, [5.0, 0.0])),
         sampled("signal", |t| dark(t, [0.0, 1.0])),
-        sampled("Angle (deg)", |t| dark(t, [5.0, 0.1]) + 0.1 * (40.0 * t).sin()),
+        sampled("Angle (deg)", |t| dark(t, [5.0, 0.1]) + 0.1 * libm::sin(40.0 * t)),
         sampled("U (V)", flank),
     ] {
         let error = traces(&file, &Choices::default()).unwrap_err();
@@ -277,7 +277,7 @@ fn a_signal_of_two_levels_is_one_of_a_gate_and_no_angle() {
 #[test]
 fn angles_that_rest_at_their_ends_are_no_signals_of_gates() {
     use libration::pendulum::Pendulum;
-    let sine = |t: f64| 20.0 * (TAU * t / 1.4).sin();
+    let sine = |t: f64| 20.0 * libm::sin(TAU * t / 1.4);
     let high = Pendulum::new(0.2, 9.81).unwrap().released_from("179.9deg".parse().unwrap()).unwrap();
     for file in [
         sampled("angle (deg)", sine),
