@@ -45,7 +45,7 @@ pub enum BoundaryPart {
     Whole,
     /// Some of them.
     Part,
-    /// None of them.
+    /// No point of the curve.
     None,
 }
 

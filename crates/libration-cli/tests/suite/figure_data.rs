@@ -586,7 +586,7 @@ fn edges_of_stability_of_mathieus_equation() {
     }
 }
 
-/// An oscillator that is not coupled gains energy up to d = 0.33, where the tongue of Mathieu's equation is no boundary.
+/// An oscillator that is not coupled gains energy up to d = 0.33, where the tongue of Mathieu's equation does not bound stability.
 #[test]
 fn parts_of_curves_that_bound_stability_have_their_own_look() {
     let system = "stability|x''+0.05*x'+(d+e*cos(t))*x=0;y''+(d-0.33)*y'+2*y=0|--lines|0|--map|";

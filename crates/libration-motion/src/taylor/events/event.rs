@@ -2,7 +2,8 @@
 
 use libration_numbers::expression::Expression;
 
-/// A formula of coordinates, velocities and time whose zeros are searched.
+/// A formula of coordinates, velocities and time whose zeros are searched. If it stays at zero, as max(x, 0) does,
+/// the event is the time at which it becomes zero. A zero at the end of the motion counts as a crossing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Event {
     /// The formula.
