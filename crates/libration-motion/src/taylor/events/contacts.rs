@@ -241,7 +241,7 @@ impl Contacts {
                 // The end: the next step shows what follows.
             } else if value * side > 0.0 {
                 found.extend(touched.take().map(|tau| (stretch.time(tau), Contact::Grazing)));
-            } else {
+            } else if value * side < 0.0 {
                 side = -side;
                 let inner = touched.take().filter(|&tau| tau > 0.0);
                 let zero = inner.unwrap_or_else(|| self.zero(stretch, before, node, side));
