@@ -235,8 +235,8 @@ const FURTHER: &[&str] = &[
     "expand|x''+2*eps*mu*x'+k*x+eps*a*x^3=eps*F*cos(W*t)|--resonance|1/1",
     "expand|x''+eps*x'/5+x+eps*x^3=eps*cos(W*t)/2|--resonance|1/1|--set|eps=0.1|--evaluate|1.03",
     "expand|x''+eps*(x'/5+x^3)+x=eps*cos(W*t)|--resonance|1/1|--order|3|--set|eps=0.1|--evaluate|1.3",
-    // A map with a place that is not resolved.
-    "stability|x''+(a+m*cos(t))*x+x^3=0|--map|a=-1:5,m=0:8|--lines|0",
+    // A map with places that are not resolved: the damping jumps at a = 0.
+    "stability|x''+0.1*sign(a)*x'+(0.8+m*cos(t))*x+x^3=0|--map|a=-1:2,m=0:0.3|--lines|0",
     "backbone|x''=-x-x^2|--amplitudes|0.1,0.2,3",
     "backbone|x''=-x-x^3|--amplitudes|1",
     "orbit|x''=(1-x^2)*x'-x|--initial|x=0.5",

@@ -3,6 +3,7 @@
 use super::heading::without_stated;
 use super::numbered_time;
 use super::table::Table;
+use super::words::{UNITS_OF_TIME, is, number, words};
 use super::{Column, MeasurementError};
 
 /// Number of periods that each time lasts, as stated in a heading.
@@ -133,19 +134,6 @@ const BETWEEN: [&str; 29] = [
     "kleine",
     "kleinen",
 ];
-/// Numbers in words.
-const IN_WORDS: [(f64, &[&str]); 10] = [
-    (1.0, &["one", "eine", "einer"]),
-    (2.0, &["two", "zwei", "deux", "due", "dos"]),
-    (3.0, &["three", "drei", "trois", "tre", "tres"]),
-    (4.0, &["four", "vier", "quatre", "quattro", "cuatro"]),
-    (5.0, &["five", "fünf", "cinq", "cinque", "cinco"]),
-    (10.0, &["ten", "zehn", "dix", "dieci", "diez"]),
-    (12.0, &["twelve", "zwölf", "dozen", "dutzend"]),
-    (20.0, &["twenty", "zwanzig", "vingt", "venti", "veinte"]),
-    (50.0, &["fifty", "fünfzig", "cinquante", "cinquanta", "cincuenta"]),
-    (100.0, &["hundred", "hundert", "cent", "cento", "cien"]),
-];
 /// Words for a number that another column or nothing states.
 const SEVERAL: [&str; 10] =
     ["n", "several", "many", "multiple", "mehrere", "mehrerer", "plusieurs", "diverse", "varie", "varias"];
@@ -156,7 +144,6 @@ const FROM: [&str; 6] = ["from", "aus", "by", "based", "depuis", "da"];
 /// Words after the number of another quantity: `T at 20 cm`.
 const OTHER_UNITS: [&str; 13] =
     ["deg", "degree", "degrees", "grad", "rad", "m", "cm", "mm", "in", "g", "kg", "fps", "hz"];
-pub(super) const UNITS_OF_TIME: [&str; 4] = ["s", "sec", "ms", "min"];
 /// Words for a mean: the mean of several periods is one period.
 const MEAN: [&str; 12] = [
     "mean",
@@ -299,20 +286,6 @@ pub(super) fn swing_numbers(heading: &str) -> SwingNumbers {
     }
 }
 
-pub(super) fn is(list: &[&str], word: &str) -> bool {
-    list.contains(&word)
-}
-
-/// The positive number that a word is, in digits or not.
-pub(super) fn number(word: &str) -> Option<f64> {
-    let of_word =
-        |word: &str| IN_WORDS.iter().find(|(_, words)| words.contains(&word)).map(|(number, _)| *number);
-    let multiple =
-        ["fold", "fache", "fachen", "fach"].iter().find_map(|end| of_word(word.strip_suffix(end)?));
-    let digits = word.trim_matches(['.', ',']).replace(',', ".").parse().ok();
-    digits.or(of_word(word)).or(multiple).filter(|number| *number > 0.0 && number.is_finite())
-}
-
 /// The length in periods of what these words begin with: of a period, or of half of one.
 fn length_of(words: &[String]) -> Option<f64> {
     let (first, rest) = words.split_first()?;
@@ -342,19 +315,4 @@ fn may_count(words: &[String], place: usize) -> bool {
 /// Returns whether a heading speaks of a mean.
 pub(super) fn is_mean(heading: &str) -> bool {
     words(heading).iter().any(|word| word != "per" && MEAN.contains(&word.as_str()))
-}
-
-/// Letters, numbers and strokes in lower case, each on its own: `10T/s` is `10`, `t`, `/`, `s`.
-pub(super) fn words(text: &str) -> Vec<String> {
-    let text = text.to_lowercase().replace('°', " deg ");
-    let kind = |letter: char| match letter {
-        '0'..='9' | '.' | ',' => 1,
-        letter if letter.is_alphabetic() => 2,
-        '/' | '½' => 3,
-        _ => 0,
-    };
-    let letters: Vec<char> = text.chars().collect();
-    let pieces = letters.chunk_by(|&a, &b| kind(a) == kind(b) && kind(a) != 3);
-    let is_word = |piece: &&[char]| kind(piece[0]) != 0 && piece.iter().any(|letter| !".,".contains(*letter));
-    pieces.filter(is_word).map(|piece| piece.iter().collect()).collect()
 }

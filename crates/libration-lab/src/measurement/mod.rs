@@ -44,6 +44,7 @@ mod text;
 mod trace;
 pub(crate) mod traces;
 mod two_levels;
+mod words;
 mod written_unit;
 
 pub use choices::{Choice, Choices, Column, Finding, Suggestion, TimeStamps};

@@ -3,8 +3,8 @@
 //! The number is that of a reading where columns of the same symbol are numbered one after the other; in a column on its own it is as often the number
 //! of swings.
 
-use super::counted_periods::{UNITS_OF_TIME, is, number as in_digits, words};
 use super::table::Table;
+use super::words::{UNITS_OF_TIME, is, number as in_digits, words};
 
 /// Names of times and periods.
 const TIMES: [&str; 12] = [
