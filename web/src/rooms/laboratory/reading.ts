@@ -64,12 +64,15 @@ export function reading(name: string, found: Inspection, go: (key: Key) => void)
 
 /** What a recorded swing and the passages of a gate leave open, with a button for each choice. */
 export function undecided(name: string, { undecided: swing, undecided_gate: gate }: Inspection, settings: Settings): HTMLElement[] {
-  return [...open(words.undecided, name, swing?.why, settings), ...open(words.undecidedGate, name, gate?.why, settings)];
+  const offered = new Set<string | null>();
+  return [...open(words.undecided, name, swing?.why, settings, offered), ...open(words.undecidedGate, name, gate?.why, settings, offered)];
 }
 
-function open(sentence: (name: string, why: string) => string, name: string, why: string | undefined, settings: Settings): HTMLElement[] {
+/** A question with its choices, but those that another one offers already. */
+function open(sentence: (name: string, why: string) => string, name: string, why: string | undefined, settings: Settings, offered: Set<string | null>): HTMLElement[] {
   if (why === undefined) return [];
-  const choices = remedies(why, "inspect", settings);
+  const choices = remedies(why, "inspect", settings).filter((choice) => !offered.has(choice.textContent));
+  choices.forEach((choice) => offered.add(choice.textContent));
   // Without a choice there is nothing that a press could decide.
   const attributes = choices.length > 0 ? {} : { class: "error" };
   return [element("p", attributes, sentence(name, plain(why, labelIn("inspect")))), element("p", { class: "buttons" }, ...choices)];
