@@ -3,29 +3,21 @@
 //! The number is that of a reading where columns of the same symbol are numbered one after the other; in a column on its own it is as often the number
 //! of swings.
 
+use super::QuantityKind;
+use super::heading::named;
 use super::table::Table;
 use super::words::{UNITS_OF_TIME, is, number as in_digits, words};
 
-/// Names of times and periods.
-const TIMES: [&str; 12] = [
-    "t",
-    "time",
-    "zeit",
-    "temps",
-    "tempo",
-    "tiempo",
-    "period",
-    "periode",
-    "période",
-    "periodo",
-    "período",
-    "schwingungsdauer",
-];
+/// Names of periods.
+const PERIODS: [&str; 6] = ["period", "periode", "période", "periodo", "período", "schwingungsdauer"];
 
 /// The whole number after the symbol of a time.
 pub(super) fn number(heading: &str) -> Option<f64> {
     let words = words(heading);
-    let (symbol, rest) = words.split_first().filter(|(symbol, _)| is(&TIMES, symbol))?;
+    let (symbol, rest) = words.split_first()?;
+    if named(symbol) != QuantityKind::Time && !is(&PERIODS, symbol) {
+        return None;
+    }
     let (first, rest) = rest.split_first()?;
     // `T5_2` is the second reading of five swings.
     let rest = rest.split_first().filter(|(again, _)| in_digits(again).is_some()).map_or(rest, |it| it.1);

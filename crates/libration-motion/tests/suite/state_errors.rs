@@ -252,6 +252,33 @@ fn events_at_kinks_are_found_once() {
     }
 }
 
+/// Steep formulas and roots with kinks, of x = cos t, whose series hold in parts of a step or not at all.
+#[test]
+fn steep_formulas_with_kinks_have_all_their_zeros() {
+    let around = |value: f64| [libm::acos(value), libm::acos(-value)];
+    let (inner, outer) = (0.7 - libm::acosh(2.0) / 400.0, 0.7 + libm::acosh(2.0) / 400.0);
+    let steep = libm::log(1e5) / 300.0;
+    for (formula, quarters) in [
+        ("cosh(400*(abs(x) - 0.7)) - 2", [around(outer), around(inner)].concat()),
+        ("exp(-300*abs(x)) - 1e-5", around(steep).to_vec()),
+        // The formula becomes zero and stays so.
+        ("sqrt(max(x, 0))", vec![PI / 2.0]),
+    ] {
+        let system = System::new(&"x'' = -x".parse().unwrap()).unwrap();
+        let system = system.with_events(&[Event::zero_of(formula.parse().unwrap())]).unwrap();
+        for tolerance in TOLERANCES {
+            let found = events_with_errors(&system, vec![1.0, 0.0], PI, tolerance);
+            let mut wanted = quarters.clone();
+            wanted.sort_by(f64::total_cmp);
+            assert_eq!(found.len(), wanted.len(), "{formula} {tolerance:e}: {found:?}");
+            for ((event, error), time) in found.iter().zip(wanted) {
+                assert!((event.time - time).abs() <= error.time, "{formula}: {event:?} {time} {error:?}");
+                assert!(error.time < 1e6 * tolerance.max(1e-16), "{formula}: {event:?} {error:?}");
+            }
+        }
+    }
+}
+
 /// A zero at the very end of a motion, or within the tolerance behind it, is an event, once.
 #[test]
 fn zeros_at_the_end_of_a_motion_are_found() {

@@ -12,6 +12,7 @@ pub(super) use stated::without_stated;
 pub(super) use unit::Measures;
 pub use unit::{Unit, UnknownUnit};
 use words::Words;
+pub(super) use words::named;
 
 /// Quantity of the numbers of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

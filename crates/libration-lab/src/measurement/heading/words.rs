@@ -211,7 +211,7 @@ fn without_index(words: &str) -> (String, Option<String>) {
 }
 
 /// The quantity of this name.
-fn named(words: &str) -> QuantityKind {
+pub(in crate::measurement) fn named(words: &str) -> QuantityKind {
     NAMES
         .iter()
         .find(|(_, names)| names.contains(&words))

@@ -51,17 +51,18 @@ impl Crossing {
         kinks.chain([own]).collect()
     }
 
-    /// The first of these formulas that is zero in a state, to rounding errors, or else the last.
+    /// The first of these formulas that is zero in a state, to rounding errors or within this time of it, or else the last.
     pub(in crate::taylor) fn zero_at<'a>(
         formulas: &'a mut [Self],
         at: &Moment,
         sizes: &[f64],
+        apart: f64,
     ) -> Option<&'a mut Self> {
         /// Half a unit in the last place of each input, and as much for the formula.
         const MARGIN: f64 = 4.0;
         let is_zero = |formula: &mut Self| {
             let Passing { rest, error, rate, .. } = formula.passing(at, sizes);
-            rest <= MARGIN * (error + ROUNDING * (rate * at.time).abs())
+            rest <= MARGIN * (error + ROUNDING * (rate * at.time).abs()) + (rate * apart).abs()
         };
         let last = formulas.len().checked_sub(1)?;
         let first = formulas[..last].iter_mut().position(is_zero);

@@ -3,6 +3,7 @@
 use super::crossing::{Crossing, Passing};
 use super::roundings_of_steps::terms;
 use super::spread::Spread;
+use crate::taylor::events::sharp::SHORTEST_PART;
 use crate::taylor::program::linearised::ROUNDING;
 use crate::taylor::{AcceptedStep, Contact, Moment, Occurrence, StateErrors, System};
 
@@ -96,7 +97,7 @@ impl StateErrors {
         let (beside, scale) = (length / 1024.0, self.steps.sqrt());
         let formulas = self.crossings(stepper.expander.system, event);
         let moment = |time: f64| Moment { time, state: step.state_at(time) };
-        let formula = Crossing::zero_at(formulas, &moment(event.time), &sizes)?;
+        let formula = Crossing::zero_at(formulas, &moment(event.time), &sizes, SHORTEST_PART * length)?;
         let mut at = |time: f64| formula.passing(&moment(time), &sizes);
         let there = at(event.time);
         let bend = (at(event.time + beside).rate - at(event.time - beside).rate) / (2.0 * beside);

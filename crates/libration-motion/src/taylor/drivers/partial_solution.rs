@@ -19,7 +19,7 @@ pub(in crate::taylor) struct PartialSolution<'a> {
     /// Number of events that were known before the last step.
     events_before: usize,
     contacts: Vec<Contacts>,
-    /// The formula of each event that contains a |…|, for its rounding error.
+    /// The formula of each event that contains a |…| and has one series in a step, for its rounding error.
     kinked: Vec<Option<Linearised>>,
     steps: usize,
 }
@@ -28,13 +28,7 @@ impl<'a> PartialSolution<'a> {
     pub(in crate::taylor) fn new(number: usize, trajectory: &'a Trajectory<'a>, system: &'a System) -> Self {
         let samples = Vec::with_capacity(trajectory.times.len());
         let contacts = vec![Contacts::NONE; system.events().len()];
-        let first_sign = system.tape().inputs() - system.moduli();
-        let has_sign = |formula: &Linearised| formula.inputs().any(|input| input >= first_sign);
-        let kinked = |event: usize| Some(linearised(system, event)).filter(has_sign);
-        let is_smooth = |event: usize| system.sharp(event).is_none();
-        let kinked =
-            (0..contacts.len()).map(|event| Some(event).filter(|&event| is_smooth(event)).and_then(kinked));
-        let kinked = kinked.collect();
+        let kinked = (0..contacts.len()).map(|event| kinked(system, event)).collect();
         Self {
             number,
             system,
@@ -184,6 +178,15 @@ impl<'a> PartialSolution<'a> {
     pub(in crate::taylor) fn stopped(self, cause: Cause, end: Moment) -> Result<Solution, IntegrationError> {
         Err(IntegrationError::Stopped { cause, solution: Box::new(self.finished(end)) })
     }
+}
+
+/// The formula of an event that contains a |…| or a sign and has one series in a step: others differ by orders of magnitude within it.
+fn kinked(system: &System, event: usize) -> Option<Linearised> {
+    if system.moduli() == 0 || system.sharp(event).is_some() {
+        return None;
+    }
+    let first_sign = system.tape().inputs() - system.moduli();
+    Some(linearised(system, event)).filter(|formula| formula.inputs().any(|input| input >= first_sign))
 }
 
 /// The formula of an event, as a function of the state.

@@ -48,6 +48,8 @@ struct Waiting {
 const ORDER: usize = 18;
 /// Maximum number of halvings, after which a part is accepted: there the formula jumps, has a pole or no value.
 const MOST_HALVINGS: u32 = 40;
+/// Length of the shortest parts as a fraction of the step, 2⁻⁴⁰ for that number of halvings.
+pub(in crate::taylor) const SHORTEST_PART: f64 = 9.094_947_017_729_282e-13;
 /// Maximum number of parts that are examined; the rest is accepted. A formula
 /// that is non-zero in a part 2⁻⁴⁰ of a step needs about 80, a pole 900.
 const MOST_PARTS: usize = 2000;
@@ -83,6 +85,14 @@ impl SharpFormula {
             tried += 1;
             let is_last = part.halvings == 0 || tried > MOST_PARTS;
             let jet = self.jet(step, parameters, part);
+            if jet.is_none() && self.vanishes(step, parameters, part) {
+                parts.push(Part {
+                    start: part.start,
+                    length: part.length,
+                    coefficients: vec![0.0; step.terms],
+                });
+                continue;
+            }
             let cut = match &jet {
                 _ if is_last => None,
                 Some(jet) => self.cut(jet, step, parameters, part, allowed),
@@ -175,6 +185,12 @@ impl SharpFormula {
         let sides = [(part.start, part.start - AWAY * part.length), (end, end + AWAY * part.length)];
         let grows = sides.map(|(near, far)| value(near) > GROWTH * value(far));
         !self.agrees(jet, step, parameters, part, NOTHING) && (0..2).all(|side| grows[side] || at_end[side])
+    }
+
+    /// Returns `true` if the formula is zero in the whole part, as a root of max(x, 0), which has no series there.
+    fn vanishes(&self, step: &Step<'_>, parameters: &[f64], part: Waiting) -> bool {
+        let mut times = looks().map(|look| part.start + look * part.length).chain([part.start]);
+        times.all(|time| self.value(step, parameters, time).abs() <= 0.0)
     }
 
     fn has_values(&self, step: &Step<'_>, parameters: &[f64], part: Waiting) -> bool {
