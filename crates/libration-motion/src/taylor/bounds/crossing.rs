@@ -1,6 +1,7 @@
 //! The formula of an event at its zero.
 
 use crate::taylor::program::linearised::{Linearised, ROUNDING};
+use crate::taylor::program::moduli::root_of_square;
 use crate::taylor::{Contact, Moment, Occurrence, System};
 use libration_numbers::{
     expression::{Expression, Function, Symbol},
@@ -47,7 +48,7 @@ impl Crossing {
             _ => Self::new(system, formula),
         };
         let Some(own) = own else { return vec![] };
-        let kinks = arguments(formula).into_iter().filter_map(|argument| Self::new(system, argument));
+        let kinks = arguments(formula).into_iter().filter_map(|argument| Self::new(system, &argument));
         kinks.chain([own]).collect()
     }
 
@@ -101,10 +102,13 @@ impl Crossing {
     }
 }
 
-/// The arguments of the |…| and signs in a formula.
-fn arguments(formula: &Expression) -> Vec<&Expression> {
+/// The arguments of the |…| and signs in a formula, roots of squares included.
+fn arguments(formula: &Expression) -> Vec<Expression> {
     let own = match formula {
-        Expression::Call(Function::Abs | Function::Sign, argument) => Some(&**argument),
+        Expression::Call(Function::Sqrt, base) if let Some(size) = root_of_square(base) => {
+            return arguments(&size);
+        }
+        Expression::Call(Function::Abs | Function::Sign, argument) => Some(Expression::clone(argument)),
         _ => None,
     };
     own.into_iter().chain(formula.parts().flat_map(arguments)).collect()

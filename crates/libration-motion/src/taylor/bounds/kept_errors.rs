@@ -54,6 +54,7 @@ impl StateErrors {
 }
 
 fn push_spread(numbers: &mut Vec<f64>, spread: &Spread) {
+    numbers.extend(spread.units.iter().map(|unit| f64::from(*unit)));
     numbers.extend(&spread.squares.entries);
     numbers.extend(&spread.flow.entries);
 }
@@ -84,7 +85,10 @@ impl Kept<'_> {
     }
 
     fn spread(&mut self) -> Option<Spread> {
-        Some(Spread { squares: self.matrix()?, flow: self.matrix()?, ..Spread::none(self.size) })
+        #[expect(clippy::cast_possible_truncation, reason = "the limits are far inside the range of i32")]
+        let unit = |unit: f64| unit.clamp(-1e6, 1e6) as i32;
+        let units = self.list(self.size)?.into_iter().map(unit).collect();
+        Some(Spread { units, squares: self.matrix()?, flow: self.matrix()?, ..Spread::none(self.size) })
     }
 
     fn middle(&mut self, system: &System) -> Option<Middle> {

@@ -5,7 +5,6 @@
 
 use super::growth::{distance, growths};
 use super::matrix::Matrix;
-use super::propagator::sign_in_step;
 use super::roundings_of_steps::{Formulas, RoundedStep, terms};
 use super::spread::Spread;
 use crate::taylor::program::linearised::Linearised;
@@ -56,7 +55,7 @@ impl Middle {
     pub(in crate::taylor) fn new(formulas: &mut Formulas, accepted: &AcceptedStep<'_>, end: f64) -> Self {
         let (stepper, step) = (accepted.stepper(), accepted.step());
         let (system, numbers) = (stepper.expander.system, 0..step.numbers());
-        let signs: Vec<f64> = (0..system.moduli()).map(|modulus| sign_in_step(stepper, modulus)).collect();
+        let signs = stepper.signs(0);
         let rates = |time: f64| numbers.clone().map(|number| step.slope_at(number, time)).collect();
         let length = end - step.start();
         Self {
@@ -181,7 +180,7 @@ impl Pieces {
         before.pass(&growth);
         spread.pass(&growth);
         spread.blur(&last.added);
-        spread.squares.add(1.0, &before.squares);
+        spread.add(before);
         spread
     }
 }

@@ -133,8 +133,8 @@ impl Propagator {
                 }
                 *lost = larger_or_nan(*lost, forces.error(coordinate));
             }
-            for modulus in (0..stepper.surroundings.signs.len()).filter(|&modulus| is_stuck(stepper, modulus))
-            {
+            // Friction keeps the argument of a |…| at zero: its sign is then between −1 and 1.
+            for (modulus, _) in stepper.signs(0).iter().enumerate().filter(|(_, sign)| sign.abs() < 1.0) {
                 if let Some(number) = stepper.expander.system.driven_in_modulus(modulus) {
                     rates.row_mut(number).fill(0.0);
                 }
@@ -171,15 +171,5 @@ fn set_inputs(stepper: &Stepper<'_, 1>, step: &Step<'_>, time: f64, inputs: &mut
     inputs.extend((0..step.numbers()).map(value));
     inputs.push(time);
     inputs.extend(stepper.surroundings.parameters.iter().map(|value| value[0]));
-    inputs.extend((0..stepper.surroundings.signs.len()).map(|modulus| sign_in_step(stepper, modulus)));
-}
-
-/// The sign with which the series of the step was computed.
-pub(in crate::taylor) fn sign_in_step(stepper: &Stepper<'_, 1>, modulus: usize) -> f64 {
-    stepper.block[stepper.expander.sign(&stepper.block, modulus)][0][0]
-}
-
-/// Returns `true` if friction keeps the argument of a |…| at zero: its sign is then between −1 and 1.
-fn is_stuck(stepper: &Stepper<'_, 1>, modulus: usize) -> bool {
-    sign_in_step(stepper, modulus).abs() < 1.0
+    inputs.extend(stepper.signs(0));
 }

@@ -6,6 +6,7 @@ use super::matrix::Matrix;
 use crate::taylor::program::linearised::{Linearised, ROUNDING};
 use crate::taylor::step::larger::larger_or_nan;
 use crate::taylor::{AcceptedStep, Effort, Moment, Start, StateLayout, Step, System, integrate_from};
+use libration_kernels::elementary::count;
 
 /// A step of a motion.
 #[derive(Clone, Debug)]
@@ -139,10 +140,18 @@ impl Formulas {
 fn errors(step: &Step<'_>, length: f64, forces: &[f64]) -> Vec<f64> {
     // The first power has no other error than that of the force; for a coordinate it is the velocity, which is known in two words.
     let first = |number: usize| if step.layout.velocity(number).is_some() { 3 } else { 2 };
-    let mut errors: Vec<f64> =
-        (0..step.numbers()).map(|number| ROUNDING * terms(step, number, first(number), length)).collect();
+    let mut errors: Vec<f64> = (0..step.numbers())
+        .map(|number| ROUNDING * terms(step, number, first(number), length) + underflow(step, number))
+        .collect();
     add_forces(step, length, forces, &mut errors);
     errors
+}
+
+/// The error of a component in a step whose terms are below the range of numbers with all digits: half a unit in the last place of each,
+/// and as much inherited from the term before.
+pub(in crate::taylor) fn underflow(step: &Step<'_>, number: usize) -> f64 {
+    let changes = (0..2).any(|n| step.coefficient(number, n) != 0.0);
+    if changes { libm::ldexp(count(step.terms), -1074) } else { 0.0 }
 }
 
 /// Adds the effect of rounding errors of the forces.

@@ -13,7 +13,7 @@ use super::crossing::Crossing;
 use super::matrix::Matrix;
 use super::pieces::{Boundary, Middle, Pieces};
 use super::propagator::Propagator;
-use super::roundings_of_steps::{add_forces, add_unseen, terms};
+use super::roundings_of_steps::{add_forces, add_unseen, terms, underflow};
 use super::spread::Spread;
 use crate::taylor::drivers::gradients::Gradients;
 use crate::taylor::drivers::stepper::Stepper;
@@ -248,7 +248,7 @@ impl StateErrors {
             let sizes = SizesOfTerms::new(step, number, length);
             // Steps that pass a position without a series have two terms and a separate error.
             let own = || if self.passes { self.tolerance * terms(step, number, 1, length) } else { 0.0 };
-            *added = rounding * sizes.rounded + sizes.left_out.unwrap_or_else(own);
+            *added = rounding * sizes.rounded + sizes.left_out.unwrap_or_else(own) + underflow(step, number);
         }
     }
 
@@ -288,7 +288,8 @@ impl StateErrors {
                 accelerated.map_or(0.0, |coordinate| self.scales[coordinate] / length)
             }
         };
-        self.scales[number].max(PART * other)
+        // Numbers below the range of those with all digits are determined with their errors.
+        self.scales[number].max(PART * other).max(f64::MIN_POSITIVE)
     }
 
     /// Stores the errors at the end of the last step.

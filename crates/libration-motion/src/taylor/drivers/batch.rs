@@ -225,7 +225,8 @@ impl<const N: usize> Lane<'_, N> {
             return Ok(());
         }
         let step = stepper.step(lane);
-        let end = solution.take(&step, |event| stepper.event(event, lane), stepper.effort.relative);
+        let signs = stepper.signs(lane);
+        let end = solution.take(&step, |event| stepper.event(event, lane), &signs, stepper.effort.relative);
         let taken = LaneStep { step, stepper, solution, lane };
         let stop = match observer {
             Observer::Progress(_) => false,

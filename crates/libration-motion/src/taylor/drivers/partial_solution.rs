@@ -1,7 +1,7 @@
 //! The solution of one trajectory during its computation.
 
 use crate::taylor::events::contacts::{Contacts, Stretch};
-use crate::taylor::events::sharp::Part;
+use crate::taylor::events::sharp::{Part, SHIFTED};
 use crate::taylor::program::linearised::{Linearised, half_ulp};
 use crate::taylor::{
     Cause, Checkpoint, Contact, Effort, EventCheckpoint, IntegrationError, Moment, Occurrence, Solution,
@@ -19,7 +19,7 @@ pub(in crate::taylor) struct PartialSolution<'a> {
     /// Number of events that were known before the last step.
     events_before: usize,
     contacts: Vec<Contacts>,
-    /// The formula of each event that contains a |…| and has one series in a step, for its rounding error.
+    /// The formula of each event that contains a |…|, for its rounding error.
     kinked: Vec<Option<Linearised>>,
     steps: usize,
 }
@@ -106,17 +106,19 @@ impl<'a> PartialSolution<'a> {
         passes
     }
 
-    /// Records the samples and events of a step, given the series of the formulas of events; returns the end of the motion if an event ends it.
+    /// Records the samples and events of a step, given the series of the formulas of events and the sign of the argument of each |…|; returns
+    /// the end of the motion if an event ends it.
     pub(in crate::taylor) fn take(
         &mut self,
         step: &Step<'_>,
         formula: impl Fn(usize) -> Vec<f64>,
+        signs: &[f64],
         tolerance: f64,
     ) -> Option<Moment> {
         self.steps += 1;
         self.events_before = self.events.len();
         let terminal =
-            if self.contacts.is_empty() { None } else { self.find_events(step, formula, tolerance) };
+            if self.contacts.is_empty() { None } else { self.find_events(step, formula, signs, tolerance) };
         let last = terminal.as_ref().map_or(step.end(), |end| end.time);
         let inside = |time: f64| if step.end() < step.start() { time >= last } else { time <= last };
         while let Some(&time) = self.trajectory.times.get(self.samples.len())
@@ -131,25 +133,30 @@ impl<'a> PartialSolution<'a> {
         &mut self,
         step: &Step<'_>,
         formula: impl Fn(usize) -> Vec<f64>,
+        signs: &[f64],
         tolerance: f64,
     ) -> Option<Moment> {
         let length = step.end() - step.start();
         let goal = self.trajectory.times.last().copied().unwrap_or(step.end());
         let is_last = (goal - step.end()) * length.signum() <= 0.0;
+        let constants = [&self.trajectory.parameters[..], signs].concat();
         let mut found: Vec<(f64, usize, Contact)> = vec![];
         for (event, contacts) in self.contacts.iter_mut().enumerate() {
             let whole = || Part { start: step.start(), length, coefficients: formula(event) };
-            let parts = match self.system.sharp(event) {
-                Some(sharp) => sharp.parts(step, &self.trajectory.parameters, tolerance),
-                None => vec![whole()],
-            };
-            let begin = || Moment { time: step.start(), state: step.state_at(step.start()) };
-            let rounding = self.kinked[event]
-                .as_mut()
-                .map(|formula| rounding(formula, self.system, event, &begin(), &self.trajectory.parameters));
-            let parts_left = (0..parts.len()).rev();
-            for (Part { start, length, coefficients }, left) in parts.into_iter().zip(parts_left) {
-                let is_last = is_last && left == 0;
+            let sharp = self.system.sharp(event);
+            let parts = sharp.map_or_else(|| vec![whole()], |sharp| sharp.parts(step, &constants, tolerance));
+            let last = parts.len().saturating_sub(1);
+            for (number, Part { start, length, coefficients }) in parts.into_iter().enumerate() {
+                // Steps end at the zeros of |…|: only the first part and the last one of a formula in several parts have a kink.
+                let ends = [(number == 0, step.start()), (number == last && last > 0, step.end())];
+                let kink = ends.into_iter().find(|(is_end, _)| *is_end).map(|(_, time)| time);
+                let rounding = kink.zip(self.kinked[event].as_mut()).map(|(time, formula)| {
+                    let at = Moment { time, state: step.state_at(time) };
+                    let of_state = sharp.map_or(0.0, |sharp| sharp.rounding(step, &constants, time, SHIFTED));
+                    let rounding = of_state + rounding(formula, self.system, event, &at, &constants);
+                    if rounding.is_finite() { rounding } else { 0.0 }
+                });
+                let is_last = is_last && number == last;
                 let stretch =
                     Stretch { coefficients: &coefficients, start, length, tolerance, rounding, is_last };
                 let error_at_start = || event_error_at_start(self.system, self.trajectory, event);
@@ -180,13 +187,11 @@ impl<'a> PartialSolution<'a> {
     }
 }
 
-/// The formula of an event that contains a |…| or a sign and has one series in a step: others differ by orders of magnitude within it.
+/// The formula of an event that contains a |…| or a sign.
 fn kinked(system: &System, event: usize) -> Option<Linearised> {
-    if system.moduli() == 0 || system.sharp(event).is_some() {
-        return None;
-    }
     let first_sign = system.tape().inputs() - system.moduli();
-    Some(linearised(system, event)).filter(|formula| formula.inputs().any(|input| input >= first_sign))
+    let is_kinked = |formula: &Linearised| formula.inputs().any(|input| input >= first_sign);
+    (system.moduli() > 0).then(|| linearised(system, event)).filter(is_kinked)
 }
 
 /// The formula of an event, as a function of the state.
@@ -194,11 +199,9 @@ fn linearised(system: &System, event: usize) -> Linearised {
     Linearised::new(system.tape(), [system.event(event)].into_iter(), system.layout().numbers())
 }
 
-/// The rounding error of the formula of an event in a state, in which it is evaluated.
-fn rounding(of: &mut Linearised, system: &System, event: usize, at: &Moment, parameters: &[f64]) -> f64 {
-    // The effect of a rounding error is the same for either sign of a |…|.
-    let signs = vec![1.0; system.moduli()];
-    of.evaluate(&[&at.state[..], &[at.time], parameters, &signs].concat());
+/// The rounding error of the formula of an event in a state, with these open parameters and signs.
+fn rounding(of: &mut Linearised, system: &System, event: usize, at: &Moment, constants: &[f64]) -> f64 {
+    of.evaluate(&[&at.state[..], &[at.time], constants].concat());
     of.error(system.event(event))
 }
 
@@ -206,7 +209,9 @@ fn rounding(of: &mut Linearised, system: &System, event: usize, at: &Moment, par
 fn event_error_at_start(system: &System, trajectory: &Trajectory<'_>, event: usize) -> f64 {
     let Trajectory { start, parameters, .. } = trajectory;
     let mut formula = linearised(system, event);
-    let rounding = rounding(&mut formula, system, event, start, parameters);
+    // The effect of a rounding error is the same for either sign of a |…|.
+    let constants = [&parameters[..], &vec![1.0; system.moduli()]].concat();
+    let rounding = rounding(&mut formula, system, event, start, &constants);
     let typed = start.state.iter().zip(formula.slopes(system.event(event)));
     rounding + typed.map(|(value, slope)| half_ulp(*value) * slope.abs()).sum::<f64>()
 }

@@ -147,6 +147,12 @@ impl<'a, const N: usize> Stepper<'a, N> {
         scaled(series.map(|c| c[lane]), length)
     }
 
+    /// The sign of the argument of each |…| with which the series of the step was computed.
+    pub(in crate::taylor) fn signs(&self, lane: usize) -> Vec<f64> {
+        let sign = |modulus: usize| self.block[self.expander.sign(&self.block, modulus)][0][lane];
+        (0..self.expander.system.moduli()).map(sign).collect()
+    }
+
     /// The time and state at the end of a step.
     pub(in crate::taylor) fn end(&self, lane: usize) -> Moment {
         let state = self.next.iter().map(|ends| ends.high[lane] + ends.low[lane]).collect();

@@ -55,11 +55,13 @@ pub(in crate::taylor) const SHORTEST_PART: f64 = 9.094_947_017_729_282e-13;
 const MOST_PARTS: usize = 2000;
 /// Largest difference between the series of a formula and its values, relative to the largest of them, unless the tolerance is smaller.
 const MISFIT: f64 = 1e-9;
+/// Number of rounding errors of the state in the series of a part, which are about another centre.
+pub(in crate::taylor) const SHIFTED: f64 = 16.0;
 /// Fraction of a part beyond which a turn counts as its end.
 const INSIDE: f64 = 0.999;
 
 impl SharpFormula {
-    /// The formula; `None` if the series of whole steps represent it.
+    /// The formula, which contains the sign of the argument of each |…| in its place; `None` if the series of whole steps represent it.
     pub(in crate::taylor) fn new(formula: &Expression, inputs: &[Symbol]) -> Option<Self> {
         let tape = Tape::new(&[formula], inputs).ok()?;
         let mut steep = steep_places(&tape, 1, ORDER);
@@ -72,9 +74,9 @@ impl SharpFormula {
         (ends || !steep.is_empty()).then_some(Self { tape, steep, ends })
     }
 
-    /// The parts of a step in each of which the series of the formula holds to
-    /// the tolerance. None where the formula has no value in double precision.
-    pub(in crate::taylor) fn parts(&self, step: &Step<'_>, parameters: &[f64], tolerance: f64) -> Vec<Part> {
+    /// The parts of a step in each of which the series of the formula, with these open parameters and signs, holds
+    /// to the tolerance. None where the formula has no value in double precision.
+    pub(in crate::taylor) fn parts(&self, step: &Step<'_>, constants: &[f64], tolerance: f64) -> Vec<Part> {
         let allowed = tolerance.clamp(ROUNDING, MISFIT);
         let (start, length) = (step.start(), step.end() - step.start());
         let mut parts = vec![];
@@ -84,8 +86,8 @@ impl SharpFormula {
         while let Some(part) = waiting.pop_front() {
             tried += 1;
             let is_last = part.halvings == 0 || tried > MOST_PARTS;
-            let jet = self.jet(step, parameters, part);
-            if jet.is_none() && self.vanishes(step, parameters, part) {
+            let jet = self.jet(step, constants, part);
+            if jet.is_none() && self.vanishes(step, constants, part) {
                 parts.push(Part {
                     start: part.start,
                     length: part.length,
@@ -95,14 +97,16 @@ impl SharpFormula {
             }
             let cut = match &jet {
                 _ if is_last => None,
-                Some(jet) => self.cut(jet, step, parameters, part, allowed),
-                None => self.has_values(step, parameters, part).then_some(0.5),
+                Some(jet) => self.cut(jet, step, constants, part, allowed),
+                None => self.has_values(step, constants, part).then_some(0.5),
             };
             match (cut, jet) {
                 (Some(cut), _) => waiting.extend(part.cut_at(cut)),
                 (None, Some(jet)) => {
-                    let has_pole = is_last && self.has_pole(&jet, step, parameters, part);
-                    let coefficients = if has_pole { vec![] } else { jet.result(0).to_vec() };
+                    let coefficients = match is_last && !self.agrees(&jet, step, constants, part, allowed) {
+                        true => self.in_shortest_part(&jet, step, constants, part),
+                        false => jet.result(0).to_vec(),
+                    };
                     parts.push(Part { start: part.start, length: part.length, coefficients });
                 }
                 (None, None) => {}
@@ -117,14 +121,14 @@ impl SharpFormula {
         &self,
         jet: &Jet<'_, Doubles>,
         step: &Step<'_>,
-        parameters: &[f64],
+        constants: &[f64],
         part: Waiting,
         allowed: f64,
     ) -> Option<f64> {
         let turns = self.steep.iter().filter_map(|steep| steep.first_turn_of(jet.series(steep.of)));
         match turns.reduce(f64::min) {
             Some(turn) if turn < INSIDE => Some(turn),
-            _ => (!self.agrees(jet, step, parameters, part, allowed)).then_some(0.5),
+            _ => (!self.agrees(jet, step, constants, part, allowed)).then_some(0.5),
         }
     }
 
@@ -133,31 +137,52 @@ impl SharpFormula {
         &self,
         jet: &Jet<'_, Doubles>,
         step: &Step<'_>,
-        parameters: &[f64],
+        constants: &[f64],
         part: Waiting,
         allowed: f64,
     ) -> bool {
+        /// Largest effect of the rounding errors of the state, relative to the values elsewhere in the part: next to a pole it is larger.
+        const POLE: f64 = 1e6;
         let series = jet.result(0);
-        let mut largest = series[0].abs();
-        let mut worst = (0.0, part.start);
+        let (mut largest, mut others) = (series[0].abs(), 0.0);
+        let mut worst = (0.0, part.start, 0.0);
         for look in looks() {
             let time = part.start + look * part.length;
             // The fraction is computed from the time, which is rounded.
             let look = (time - part.start) / part.length;
-            let value = self.value(step, parameters, time);
+            let value = self.value(step, constants, time);
             let error = (value - series.iter().rev().fold(0.0, |sum, c| sum * look + c)).abs();
             largest = larger_or_nan(largest, value.abs());
-            worst = if error <= worst.0 { worst } else { (error, time) };
+            let looked = (error, time, value.abs());
+            let other = if error <= worst.0 { looked } else { std::mem::replace(&mut worst, looked) };
+            others = larger_or_nan(others, other.2);
         }
-        let (error, time) = worst;
-        largest.is_finite() && (error <= allowed * largest || error <= self.rounding(step, parameters, time))
+        let (error, time, _) = worst;
+        let is_rounding = || {
+            let rounding = self.rounding(step, constants, time, 1.0);
+            error <= rounding && rounding <= POLE * others
+        };
+        largest.is_finite() && (error <= allowed * largest || is_rounding())
     }
 
-    /// The effect of the rounding errors of a state on the formula.
-    fn rounding(&self, step: &Step<'_>, parameters: &[f64], time: f64) -> f64 {
+    /// The effect on the formula of deviations of a state by this number of rounding errors.
+    pub(in crate::taylor) fn rounding(
+        &self,
+        step: &Step<'_>,
+        constants: &[f64],
+        time: f64,
+        errors: f64,
+    ) -> f64 {
+        let values = self.values_nearby(step, constants, time, errors);
+        let value = values.first().copied().unwrap_or(0.0);
+        0.5 * values.iter().map(|other| (other - value).abs()).sum::<f64>()
+    }
+
+    /// The values of the formula in a state and in states that deviate from it by this number of rounding errors in one component, those that
+    /// exist: next to the end of its domain, a formula has values in some of them.
+    fn values_nearby(&self, step: &Step<'_>, constants: &[f64], time: f64, errors: f64) -> Vec<f64> {
         let state = step.state_at(time);
-        let value = self.value_in(&state, time, parameters);
-        let moved = |number: usize| {
+        let moved = |number: usize, errors: f64| {
             let size: f64 = (0..step.terms)
                 .scan(1.0, |power, n| {
                     let term = (step.coefficient(number, n) * *power).abs();
@@ -166,45 +191,71 @@ impl SharpFormula {
                 })
                 .sum();
             let mut state = state.clone();
-            state[number] += ROUNDING * size;
-            (self.value_in(&state, time, parameters) - value).abs()
+            state[number] += errors * ROUNDING * size;
+            self.value_in(&state, time, constants)
         };
-        (0..state.len()).map(moved).sum()
+        let moves = (0..state.len()).flat_map(|number| [moved(number, errors), moved(number, -errors)]);
+        let all = [self.value_in(&state, time, constants)].into_iter().chain(moves);
+        all.filter(|value| value.is_finite()).collect()
+    }
+
+    /// The coefficients of a part that cannot be halved any more: those of a straight line, where the formula jumps or has a root, and none at a
+    /// pole.
+    fn in_shortest_part(
+        &self,
+        jet: &Jet<'_, Doubles>,
+        step: &Step<'_>,
+        constants: &[f64],
+        part: Waiting,
+    ) -> Vec<f64> {
+        if self.has_pole(jet, step, constants, part) {
+            return vec![];
+        }
+        let value = |time: f64| self.values_nearby(step, constants, time, SHIFTED).first().copied();
+        match [value(part.start), value(part.start + part.length)] {
+            [Some(first), Some(last)] => {
+                let mut line = vec![0.0; step.terms];
+                line[..2].copy_from_slice(&[first, last - first]);
+                line
+            }
+            _ => jet.result(0).to_vec(),
+        }
     }
 
     /// Returns `true` if the series do not represent the formula, and its values at both ends of a
     /// part are much larger than at a distance of a million parts from them, which excludes a jump.
-    fn has_pole(&self, jet: &Jet<'_, Doubles>, step: &Step<'_>, parameters: &[f64], part: Waiting) -> bool {
+    fn has_pole(&self, jet: &Jet<'_, Doubles>, step: &Step<'_>, constants: &[f64], part: Waiting) -> bool {
         const NOTHING: f64 = 0.1;
         const AWAY: f64 = 1e6;
         const GROWTH: f64 = 32.0;
         let [from, to] = [step.start(), step.end()];
-        let value = |time: f64| self.value(step, parameters, time.clamp(from.min(to), from.max(to))).abs();
+        let value = |time: f64| self.value(step, constants, time.clamp(from.min(to), from.max(to))).abs();
         let end = part.start + part.length;
-        let at_end = [part.start - from, to - end].map(|way| way.abs() <= part.length.abs());
+        // The first and the last part, and those next to them, whose series end at the pole.
+        let at_end = [part.start - from, to - end].map(|way| way.abs() <= 2.0 * part.length.abs());
         let sides = [(part.start, part.start - AWAY * part.length), (end, end + AWAY * part.length)];
         let grows = sides.map(|(near, far)| value(near) > GROWTH * value(far));
-        !self.agrees(jet, step, parameters, part, NOTHING) && (0..2).all(|side| grows[side] || at_end[side])
+        !self.agrees(jet, step, constants, part, NOTHING) && (0..2).all(|side| grows[side] || at_end[side])
     }
 
     /// Returns `true` if the formula is zero in the whole part, as a root of max(x, 0), which has no series there.
-    fn vanishes(&self, step: &Step<'_>, parameters: &[f64], part: Waiting) -> bool {
+    fn vanishes(&self, step: &Step<'_>, constants: &[f64], part: Waiting) -> bool {
         let mut times = looks().map(|look| part.start + look * part.length).chain([part.start]);
-        times.all(|time| self.value(step, parameters, time).abs() <= 0.0)
+        times.all(|time| self.value(step, constants, time).abs() <= 0.0)
     }
 
-    fn has_values(&self, step: &Step<'_>, parameters: &[f64], part: Waiting) -> bool {
+    fn has_values(&self, step: &Step<'_>, constants: &[f64], part: Waiting) -> bool {
         let mut times = looks().map(|look| part.start + look * part.length).chain([part.start]);
-        times.any(|time| self.value(step, parameters, time).is_finite())
+        times.any(|time| self.value(step, constants, time).is_finite())
     }
 
     /// The value of the formula; NaN if it has none.
-    fn value(&self, step: &Step<'_>, parameters: &[f64], time: f64) -> f64 {
-        self.value_in(&step.state_at(time), time, parameters)
+    fn value(&self, step: &Step<'_>, constants: &[f64], time: f64) -> f64 {
+        self.value_in(&step.state_at(time), time, constants)
     }
 
-    fn value_in(&self, state: &[f64], time: f64, parameters: &[f64]) -> f64 {
-        let inputs = [state, &[time], parameters].concat();
+    fn value_in(&self, state: &[f64], time: f64, constants: &[f64]) -> f64 {
+        let inputs = [state, &[time], constants].concat();
         Jet::new(&Doubles, &self.tape, &inputs).map_or(f64::NAN, |jet| jet.result(0)[0])
     }
 
@@ -212,15 +263,15 @@ impl SharpFormula {
     fn jet(
         &self,
         step: &Step<'_>,
-        parameters: &[f64],
+        constants: &[f64],
         Waiting { start, length, .. }: Waiting,
     ) -> Option<Jet<'_, Doubles>> {
         let states: Vec<Vec<f64>> =
             (0..step.numbers()).map(|number| moved(step, number, start, length)).collect();
         let coefficient = |n: usize| {
             let time = [start, length].get(n).copied().unwrap_or(0.0);
-            let constants = parameters.iter().map(|value| if n == 0 { *value } else { 0.0 });
-            states.iter().map(|series| series[n]).chain([time]).chain(constants).collect::<Vec<f64>>()
+            let fixed = constants.iter().map(|value| if n == 0 { *value } else { 0.0 });
+            states.iter().map(|series| series[n]).chain([time]).chain(fixed).collect::<Vec<f64>>()
         };
         let mut jet = Jet::new(&Doubles, &self.tape, &coefficient(0)).ok()?;
         for n in 1..step.terms {

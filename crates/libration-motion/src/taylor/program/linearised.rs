@@ -112,7 +112,8 @@ impl Linearised {
             if error > 0.0 { slope.abs() * error } else { 0.0 }
         };
         let inherited: f64 = by.iter().flatten().map(inherited).sum();
-        self.errors[place] = inherited + if is_exact { 0.0 } else { value.abs() };
+        let own = if is_exact { 0.0 } else { value.abs().max(self.underflow(place)) };
+        self.errors[place] = inherited + own;
         let (before, own) = self.slopes.split_at_mut(self.numbers * place);
         let own = &mut own[..self.numbers];
         let of = |operand: usize| &before[self.numbers * operand..self.numbers * (operand + 1)];
@@ -129,6 +130,19 @@ impl Linearised {
             }
             // The values of inputs and numbers do not change.
             _ => {}
+        }
+    }
+
+    /// The least rounding error of an operation whose value may be below the range of numbers with all digits, in units of [`ROUNDING`].
+    fn underflow(&self, place: usize) -> f64 {
+        let is_zero = |operand: usize| self.values[operand] == 0.0;
+        match self.tape.operations()[place] {
+            Operation::Multiply(a, b) if is_zero(a) || is_zero(b) => 0.0,
+            Operation::Divide(a, _) | Operation::Power(a, _) if is_zero(a) => 0.0,
+            Operation::Multiply(..) | Operation::Divide(..) | Operation::Power(..) | Operation::Exp(_) => {
+                f64::MIN_POSITIVE
+            }
+            _ => 0.0,
         }
     }
 

@@ -34,6 +34,9 @@ impl Moduli {
                 let argument = self.taken_out(a);
                 self.sign_of(&argument, a)
             }
+            Expression::Call(Function::Sqrt, base) if let Some(size) = root_of_square(base) => {
+                self.taken_out(&size)
+            }
             Expression::Call(Function::Sqrt, base) => {
                 self.root(base, |base| Expression::Call(Function::Sqrt, Box::new(base)))
             }
@@ -113,6 +116,21 @@ impl Moduli {
 
     pub(in crate::taylor) fn into_arguments(self) -> Vec<Modulus> {
         self.arguments
+    }
+}
+
+/// The square root of an even power, which has a kink at its zero as |u| has.
+pub(in crate::taylor) fn root_of_square(base: &Expression) -> Option<Expression> {
+    let size = |of: &Expression| Expression::Call(Function::Abs, Box::new(of.clone()));
+    match base {
+        Expression::Multiply(a, b) if a == b => Some(size(a)),
+        Expression::Power(of, exponent) => {
+            let half = exponent.to_rational()?.divided_by_power_of_two(1);
+            (half.is_integer() && !half.is_negative()).then(|| {
+                Expression::Power(Box::new(size(of)), Box::new(Expression::Number(half))).simplified()
+            })
+        }
+        _ => None,
     }
 }
 

@@ -139,8 +139,8 @@ impl System {
         inputs.push(Symbol::plain("t"));
         inputs.extend(parameters.iter().cloned());
         let written = inputs.clone();
-        let sharp = watched.iter().map(|formula| SharpFormula::new(formula, &inputs)).collect();
         inputs.extend(moduli.signs());
+        let sharp = in_moduli.iter().map(|formula| SharpFormula::new(formula, &inputs)).collect();
         let bases = (0..state.len()).filter(|&number| moduli.has_power_of(&state[number])).collect();
         let arguments = moduli.into_arguments();
         let passage = Passage::new(equation.derivatives(), &arguments, bases, &watched, &written)?;
