@@ -20,17 +20,8 @@ impl Setting {
         watch: &Watch<'_>,
     ) -> Result<(Forced<'_>, Found), Error> {
         let letters = &self.letters;
-        let reader = Reader {
-            letters,
-            variables: equation.variables(),
-            symbols: &self.symbols,
-            drive: self.drive.as_ref(),
-            // The cubic term of a power series tells whether the amplitude is small.
-            degree: usize::try_from(order.max(2)).unwrap_or(0) + 1,
-            is_cut_off: Cell::new(false),
-        };
-        let read = equation.accelerations().iter().map(|formula| self.checked(&reader, formula));
-        let mut accelerations: Vec<Sum> = read.collect::<Result<_, _>>()?;
+        let reader = self.reader(equation, order);
+        let mut accelerations = self.accelerations(&reader, equation)?;
         let springs = self.springs(&accelerations)?;
         let (harmonics, drive_harmonic) = self.harmonics(&springs)?;
         let wave = letters.place(Column::Wave);
@@ -53,7 +44,8 @@ impl Setting {
         };
         let is_detuned = self.is_detuned(&forced, &springs);
         let degree = reader.is_cut_off.get().then_some(reader.degree);
-        let equations = Equations { accelerations, springs, is_detuned, known_degree: degree };
+        let is_series = reader.is_series.get();
+        let equations = Equations { accelerations, springs, is_detuned, known_degree: degree, is_series };
         let grade = match (equations.has_detuning(self.drive.is_some()), self.detuning_order) {
             (false, _) => None,
             (true, Some(stated)) => Some(stated),
@@ -71,6 +63,33 @@ impl Setting {
         let left_out = self.left_out(&equations, &forced, reader.variables, order);
         let natural = natural.explained;
         Ok((forced, Found { natural, drives, natural_squares, acting_order, stated_order, left_out }))
+    }
+
+    fn reader<'a>(&'a self, equation: &'a Equation, order: i64) -> Reader<'a> {
+        Reader {
+            letters: &self.letters,
+            variables: equation.variables(),
+            symbols: &self.symbols,
+            drive: self.drive.as_ref(),
+            order,
+            // The cubic term of a power series tells whether the amplitude is small.
+            degree: usize::try_from(order.max(2)).unwrap_or(0) + 1,
+            is_cut_off: Cell::new(false),
+            is_series: Cell::new(false),
+        }
+    }
+
+    fn accelerations(&self, reader: &Reader<'_>, equation: &Equation) -> Result<Vec<Sum>, Error> {
+        equation.accelerations().iter().map(|formula| self.checked(reader, formula)).collect()
+    }
+
+    /// Returns `true` if the symbol of the drive frequency is also one of the natural frequencies.
+    pub(super) fn is_drive_natural(&self, equation: &Equation) -> Result<bool, Error> {
+        let accelerations = self.accelerations(&self.reader(equation, 1), equation)?;
+        let drive = self.letters.place(Column::Drive);
+        let mut linear =
+            accelerations.iter().enumerate().map(|(coordinate, sum)| self.linear(sum, coordinate));
+        Ok(linear.any(|spring| spring.half_powers().any(|(powers, _)| powers[drive] != 0)))
     }
 
     fn checked(&self, reader: &Reader<'_>, formula: &Expression) -> Result<Sum, Error> {
@@ -319,6 +338,8 @@ pub(super) struct Equations {
     is_detuned: Vec<bool>,
     /// The degree to which power series of displacements are known; `None` without such series.
     known_degree: Option<usize>,
+    /// `true` with power series in small parameters.
+    pub(super) is_series: bool,
 }
 
 impl Equations {

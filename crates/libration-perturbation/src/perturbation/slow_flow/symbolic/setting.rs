@@ -43,6 +43,21 @@ pub(super) struct Setting {
 impl Setting {
     pub(super) fn new(equation: &Equation, options: &SymbolicSlowFlowOptions) -> Result<Self, Error> {
         equation.refuse_first_order()?;
+        let setting = Self::with_drive(equation, options, false)?;
+        match &setting.drive {
+            Some(DriveFrequency::Symbol(_)) if setting.is_drive_natural(equation)? => {
+                Self::with_drive(equation, options, true)
+            }
+            _ => Ok(setting),
+        }
+    }
+
+    /// `is_natural` for a drive whose symbol is also one of the natural frequencies: in coefficients it then is a symbol as any other.
+    fn with_drive(
+        equation: &Equation,
+        options: &SymbolicSlowFlowOptions,
+        is_natural: bool,
+    ) -> Result<Self, Error> {
         let variables = equation.variables();
         let drive = DriveFrequency::of(equation.accelerations())?;
         let resonance = resonance(options.resonance, drive.is_some())?;
@@ -50,7 +65,7 @@ impl Setting {
         let mut open: Vec<String> = equation.parameters().into_iter().collect();
         let names = Names::new(&open, variables, drive.as_ref());
         if let Some(DriveFrequency::Symbol(frequency)) = &drive {
-            open.retain(|name| name != frequency);
+            open.retain(|name| name != frequency || is_natural);
         }
         let small = small(&open, options, &names)?;
         open.sort_by_key(|name| small.iter().all(|(other, _)| other != name));

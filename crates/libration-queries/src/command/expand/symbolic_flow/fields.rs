@@ -120,6 +120,15 @@ fn of_steady() -> Fields<SteadyState> {
             "formula of the amplitude of the drive above which there are folds, to lowest order",
             |it| it.critical_drive.clone().into(),
         ),
+        Of::value("drive_amplitude", "", "formula of this amplitude in the symbols of the drive", |it| {
+            it.drive_amplitude.clone().into()
+        }),
+        Of::value("limit_cycle_amplitude", "", "without drive, formula of A on the only limit cycle", |it| {
+            it.cycle_amplitude.clone().into()
+        }),
+        Of::value("limit_cycle_frequency", "rad/s", "formula of the frequency of this limit cycle", |it| {
+            it.cycle_frequency.clone().into()
+        }),
         Of::value("trace", "", "trace of the Jacobian of dA/dt and dphi/dt at steady states", |it| {
             it.trace.clone().into()
         }),
@@ -216,6 +225,8 @@ pub(super) fn formulas(answer: &Answer) -> Vec<NamedFormula> {
         ("peak_detuning", steady.peak_detuning.as_ref()),
         ("folds", steady.folds.as_ref()),
         ("critical_drive", steady.critical_drive.as_ref()),
+        ("limit_cycle_amplitude", steady.cycle_amplitude.as_ref()),
+        ("limit_cycle_frequency", steady.cycle_frequency.as_ref()),
         ("trace", steady.trace.as_ref()),
         ("determinant", steady.determinant.as_ref()),
     ];

@@ -49,7 +49,11 @@ impl Expand {
         match (is_plain && has_symbols).then(|| self.answer_symbolic_flow(&mut answer)) {
             Some(Ok(())) => Ok(out.write_all(&answer)?),
             Some(Err(better)) if better.is_cancelled() || is_driven => Err(better),
-            _ => Err(refused),
+            Some(Err(_)) => {
+                let hint = "<--small> with small parameters and their orders, such as <--small> mu:1, gives the slow flow with symbols";
+                Err(refused.with_hint(hint))
+            }
+            None => Err(refused),
         }
     }
 
