@@ -587,3 +587,40 @@ fn errors_with_a_varying_inertia_fall_with_the_power_of_eps() {
     let values = [("mu", 0.3), ("w0", 1.2), ("a", 0.9), ("F", 0.8)];
     assert_errors_fall((text, (1, 1)), 1..=2, &values, (0.04, 0.2));
 }
+
+/// About 1 the double well has w0² = 2, x″ = −2u − 3u² − u³ with u = x − 1, and the frequency √2·(1 − 3A²/8 + …): (9·a3·w² − 10·a2²)/(24·w³).
+#[test]
+fn slow_flows_are_about_any_equilibrium() {
+    let about = |text: &str, place: &str| {
+        let options = SymbolicSlowFlowOptions {
+            about: Some(place.parse().unwrap()),
+            order: Some(2),
+            ..options("1/1", "m:2,F:2", 2)
+        };
+        slow_flow_symbolically(&equation(text), &options, &Quiet).unwrap()
+    };
+    let well = about("x'' + m*x' - x + x^3 = F*cos(W*t)", "1");
+    let shifted = flow("u'' + m*u' + 2*u + 3*u^2 + u^3 = F*cos(W*t)", "1/1", "m:2,F:2", 2);
+    assert_eq!(well.amplitude_rate, shifted.amplitude_rate);
+    assert_eq!(well.phase_rate, shifted.phase_rate);
+    assert_eq!(well.displacement, format!("1 + {}", shifted.displacement));
+    assert_eq!((well.equilibrium.as_str(), shifted.equilibrium.as_str()), ("1", "0"));
+    let at = [("F", 0.0), ("A", 0.3), ("phi", 0.0), ("sigma", 0.0), ("w0", std::f64::consts::SQRT_2)];
+    let expected = (9.0 * 2.0 - 90.0) * 0.09 / (24.0 * 2.0 * std::f64::consts::SQRT_2);
+    assert_near(value(&well.phase_rate, &at), expected, 1.0, "frequency");
+    let letters = about("x'' + m*x' - a*x + b*x^3 = F*cos(W*t)", "sqrt(a/b)");
+    let at = [
+        ("F", 0.0),
+        ("A", 0.3),
+        ("phi", 0.0),
+        ("sigma", 0.0),
+        ("a", 1.0),
+        ("b", 1.0),
+        ("w0", libm::sqrt(2.0)),
+    ];
+    assert_near(value(&letters.phase_rate, &at), expected, 1.0, "letters");
+    let options =
+        SymbolicSlowFlowOptions { about: Some("2".parse().unwrap()), ..options("1/1", "m:2,F:2", 2) };
+    let refused = slow_flow_symbolically(&equation("x'' + m*x' - x + x^3 = F*cos(W*t)"), &options, &Quiet);
+    assert!(matches!(refused, Err(SymbolicSlowFlowError::Equilibrium(_))), "{refused:?}");
+}

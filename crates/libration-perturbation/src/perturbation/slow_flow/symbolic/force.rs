@@ -11,6 +11,8 @@ pub(super) struct Reader<'a> {
     pub(super) letters: &'a Letters,
     /// The displacements.
     pub(super) variables: &'a [String],
+    /// The equilibrium, which is added to a displacement; `None` for 0.
+    pub(super) equilibrium: Option<Sum>,
     /// Symbols with their columns and their orders.
     pub(super) symbols: &'a [(String, usize, i64)],
     /// The drive frequency, whose wave is e^{is} here.
@@ -125,7 +127,11 @@ impl Reader<'_> {
     fn symbol(&self, symbol: &Symbol) -> Result<Sum, Error> {
         if let Some(coordinate) = self.variables.iter().position(|name| *name == symbol.name) {
             let column = if symbol.primes == 0 { Column::Position } else { Column::Velocity };
-            return Ok(self.letters.power_at(self.letters.place_of(column, coordinate), 1));
+            let moving = self.letters.power_at(self.letters.place_of(column, coordinate), 1);
+            return Ok(match &self.equilibrium {
+                Some(equilibrium) if symbol.primes == 0 => self.letters.add(equilibrium, &moving),
+                _ => moving,
+            });
         }
         let known = self.symbols.iter().find(|(name, ..)| *name == symbol.name);
         if let (None, Some(DriveFrequency::Symbol(name))) = (known, self.drive)

@@ -37,6 +37,8 @@ pub struct SymbolicSlowFlow {
     pub phase_rate: String,
     /// The displacement.
     pub displacement: String,
+    /// The equilibrium.
+    pub equilibrium: String,
     /// Restrictions of the displacement.
     pub displacement_note: Option<&'static str>,
     /// Steady states.
@@ -89,7 +91,8 @@ pub(super) fn collected(
         letters: explained(names, setting, found),
         amplitude_rate: rates[0].text(letters, phase),
         phase_rate: rates[1].times(letters, &per_amplitude).text(letters, phase),
-        displacement: displacement(setting, forced, solved),
+        displacement: displacement(setting, forced, solved, found.equilibrium.as_ref()),
+        equilibrium: found.equilibrium.as_ref().map_or_else(|| "0".to_owned(), ToString::to_string),
         displacement_note: is_kinked.then_some("harmonics of forces with abs or sign are left out"),
         steady_state,
         sums: Sums {
@@ -264,7 +267,12 @@ fn explained(names: &Names, setting: &Setting, found: &Found) -> Vec<(&'static s
 }
 
 /// The displacement as harmonics of W·t/p, or of ω0·t without drive, each with its multiple of φ.
-fn displacement(setting: &Setting, forced: &Forced<'_>, solved: &Solved) -> String {
+fn displacement(
+    setting: &Setting,
+    forced: &Forced<'_>,
+    solved: &Solved,
+    equilibrium: Option<&Sum>,
+) -> String {
     let letters = forced.letters;
     let known = &solved.displacements[0];
     let [z, conjugate] = [Column::Phasor, Column::Conjugate].map(|column| letters.place(column));
@@ -276,7 +284,7 @@ fn displacement(setting: &Setting, forced: &Forced<'_>, solved: &Solved) -> Stri
     harmonics.retain(|&k| k >= 0);
     let q = forced.harmonics[0];
     harmonics.sort_by_key(|&k| (k != q, k));
-    let mut text = String::new();
+    let mut text = equilibrium.map_or_else(String::new, ToString::to_string);
     for k in harmonics {
         let of_wave = letters.coefficient(known, Column::Wave, k);
         for &turn in turns.iter().filter(|&&turn| k > 0 || turn >= 0) {

@@ -5,7 +5,7 @@ use super::error::{LARGEST_RESONANCE, SymbolicSlowFlowError as Error};
 use super::force::DriveFrequency;
 use super::letters::Letters;
 use super::steady::greatest_common_divisor;
-use libration_numbers::expression::Equation;
+use libration_numbers::expression::{Equation, Expression};
 
 /// Names of the result that the symbols of the equation do not have.
 #[derive(Clone, Debug)]
@@ -38,6 +38,8 @@ pub(super) struct Setting {
     /// The one small parameter that multiplies detunings as well.
     pub(super) bookkeeping: Option<usize>,
     pub(super) detuning_order: Option<i64>,
+    /// The equilibrium of one coordinate; `None` for 0.
+    pub(super) about: Option<Expression>,
 }
 
 impl Setting {
@@ -84,7 +86,8 @@ impl Setting {
         let bookkeeping = (small.len() == 1).then_some(0);
         let stated = small.iter().find(|(name, _)| names.is_detuning(name)).map(|(_, order)| *order);
         let detuning_order = stated.or_else(|| bookkeeping.map(|place| order(&open[place])));
-        Ok(Self { names, letters, drive, resonance, ratios, symbols, bookkeeping, detuning_order })
+        let about = options.about.clone().filter(|_| variables.len() == 1);
+        Ok(Self { names, letters, drive, resonance, ratios, symbols, bookkeeping, detuning_order, about })
     }
 
     /// The highest order of a parameter.

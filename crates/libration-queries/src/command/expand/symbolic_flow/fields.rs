@@ -32,6 +32,9 @@ fn of_setting() -> Fields<Answer> {
             "p/q of W = (p/q)·ω0 + eps·sigma, drive over natural frequency; null without drive",
             |it| it.flow.resonance.map(|(p, q)| format!("{p}/{q}")).into(),
         ),
+        Of::value("equilibrium", "", "formula of the equilibrium, from which A is counted", |it| {
+            it.flow.equilibrium.as_str().into()
+        }),
         Of::value("natural_frequency", "", "formula of ω0, symbols being positive", |it| {
             it.flow.natural_frequency.as_str().into()
         }),

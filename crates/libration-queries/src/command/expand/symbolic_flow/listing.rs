@@ -50,7 +50,11 @@ fn setting(answer: &Answer) -> String {
         let name = if is_open { "" } else { "frequency of the drive, which gives sigma: " };
         format!("; {name}{frequency} = {formula}")
     });
-    format!("slow flow to order {}: {small}{natural}{}", flow.order, drive.collect::<String>())
+    let about = match flow.equilibrium.as_str() {
+        "0" => String::new(),
+        equilibrium => format!(" about {} = {equilibrium}", answer.subject.variable),
+    };
+    format!("slow flow{about} to order {}: {small}{natural}{}", flow.order, drive.collect::<String>())
 }
 
 fn line(out: &mut dyn Write, name: &str, formula: &str) -> io::Result<()> {
