@@ -233,7 +233,6 @@ const FURTHER: &[&str] = &[
     // A slow flow with symbols, and one with numbers.
     "resonance|x''+k*x+c*x+eps*x*y=0;y''+w2^2*y+eps*x^2=eps*F*cos(W*t)|--ratios|1:2|--resonance|2/1",
     "expand|x''+2*eps*mu*x'+k*x+eps*a*x^3=eps*F*cos(W*t)|--resonance|1/1",
-    "expand|x''+w0^2*x=eps*(1-b*x^2)*x'|--order|2",
     "expand|x''+eps*x'/5+x+eps*x^3=eps*cos(W*t)/2|--resonance|1/1|--set|eps=0.1|--evaluate|1.03",
     "expand|x''+eps*(x'/5+x^3)+x=eps*cos(W*t)|--resonance|1/1|--order|3|--set|eps=0.1|--evaluate|1.3",
     // A map with places that are not resolved: the damping jumps at a = 0.

@@ -129,9 +129,12 @@ fn of_steady() -> Fields<SteadyState> {
         Of::value("limit_cycle_amplitude", "", "without drive, formula of A on the only limit cycle", |it| {
             it.cycle_amplitude.clone().into()
         }),
-        Of::value("limit_cycle_frequency", "rad/s", "formula of the frequency of this limit cycle", |it| {
-            it.cycle_frequency.clone().into()
-        }),
+        Of::value(
+            "limit_cycle_frequency",
+            "",
+            "formula of the angular frequency of this limit cycle",
+            |it| it.cycle_frequency.clone().into(),
+        ),
         Of::value("trace", "", "trace of the Jacobian of dA/dt and dphi/dt at steady states", |it| {
             it.trace.clone().into()
         }),
