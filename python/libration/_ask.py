@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _native, _signs
-from ._equations import formula_of_sympy, motion_of_sympy, text_of_sympy
+from ._equations import formula_of_sympy, is_of_sympy, motion_of_sympy, text_of_sympy
 from ._numbers import is_missing, is_uncertain, outside, plain, refuse, refuse_units, without_masks
 from ._progress import spoken
 from .errors import Interrupted
@@ -149,7 +149,7 @@ class Parameter(NamedTuple):
         if self.is_measured and is_uncertain(value):
             refuse_units(value, f"{self.keyword}: ")
             return text_of(value)
-        if self.value_type == "equation" and _is_symbolic(value):
+        if self.value_type == "equation" and is_of_sympy(value):
             return motion_of_sympy(value).text
         return (formula if self.is_formula else option)(self.keyword, value)
 
@@ -248,8 +248,9 @@ def _refuse_signs(words: str, given: Mapping[str, Any]) -> None:
         return
     texts = given.get("set")
     pairs = texts.split(",") if isinstance(texts, str) else _several(texts or [])
-    for system in filter(_is_symbolic, _several(given.get("oscillator", given.get("system")))):
-        symbols = motion_of_sympy(system).symbols
+    system = given.get("oscillator", given.get("system"))
+    for equations in filter(is_of_sympy, [system] if is_of_sympy(system) else _several(system)):
+        symbols = motion_of_sympy(equations).symbols
         named = [name_of(name).partition("=")[0].strip() for it in pairs for name in _names_in(it)]
         _signs.refuse(_signs.not_positive(symbols, named), symbols)
 
@@ -274,7 +275,8 @@ def _texts(parameter: Parameter, value: Any, read: list[bytes]) -> list[str]:
         values = {name_of(it): map(parameter.text, _several(value[it])) for it in value}
         pairs = [f"{name}={between.join(texts)}" for name, texts in values.items()]
         return [",".join(pairs)] if "," in parameter.value or "…" in parameter.value else pairs
-    several = _several(value)
+    is_system = parameter.value_type == "equation" and is_of_sympy(value)
+    several = [value] if is_system else _several(value)
     for it in several:
         refuse_units(it, f"{parameter.keyword}: ")
     if parameter.example and not all(isinstance(it, (str, Mapping)) for it in several):
@@ -313,17 +315,12 @@ def text_of(value: Any) -> str:
         return str(value)
     if is_uncertain(value):
         return f"{float(value.nominal_value)!r}±{float(value.std_dev)!r}"
-    if _is_symbolic(value):
+    if is_of_sympy(value):
         return text_of_sympy(value)
     is_array = isinstance(value, np.ndarray) and np.ndim(value) == 0
     if isinstance(value, (float, np.floating)) or is_array or hasattr(value, "free_symbols"):
         return repr(float(value))
     raise TypeError(f"got {type(value).__name__}: give a number or a text")
-
-
-def _is_symbolic(value: Any) -> bool:
-    """True for an expression or equation of SymPy with symbols."""
-    return hasattr(value, "free_symbols") and not getattr(value, "is_number", False)
 
 
 def option(name: str, value: Any) -> str:

@@ -14,7 +14,7 @@ def text_of_sympy(given: Any) -> str:
 
 
 class Equation(NamedTuple):
-    """An equation of SymPy as formulas have it."""
+    """An equation of SymPy, or several, as formulas have them."""
 
     text: str
     symbols: dict[str, Any]
@@ -22,7 +22,7 @@ class Equation(NamedTuple):
 
 
 def motion_of_sympy(given: Any) -> Equation:
-    """An equation of motion: x(t) becomes x, its derivatives x' and x'', and the time t.
+    """Equations of motion: x(t) becomes x, its derivatives x' and x'', and the time t.
 
     Raises
     ------
@@ -30,19 +30,20 @@ def motion_of_sympy(given: Any) -> Equation:
         As for `equation_of_sympy`; a function without a derivative.
     """
     found = equation_of_sympy(given)
-    moving = {it.expr for it in _of_kind(given, "Derivative")}
-    for it in _of_kind(given, "AppliedUndef"):
+    together = _together(given)
+    moving = {it.expr for it in _of_kind(together, "Derivative")}
+    for it in _of_kind(together, "AppliedUndef"):
         if moving and it not in moving:
             raise refused(
                 it,
                 "it has no derivative in the equation: write it out as a formula, give a symbol "
-                "for a constant, or several equations as text",
+                "for a constant, or a list with an equation for each function",
             )
     return found
 
 
 def equation_of_sympy(given: Any) -> Equation:
-    """An equation of SymPy, or an expression that is zero, as text with its symbols.
+    """An equation of SymPy, an expression that is zero, or a list of them, as text with its symbols.
 
     Raises
     ------
@@ -52,20 +53,42 @@ def equation_of_sympy(given: Any) -> Equation:
     """
     import sympy
 
-    is_one = isinstance(given, (sympy.Equality, sympy.Expr))
-    if not is_one or getattr(given, "is_Matrix", False):
-        raise UsageError(
-            f"got {type(given).__name__} of SymPy: give an equation, such as "
-            "Eq(x(t).diff(t, 2) + x(t), 0), or an expression that is zero"
+    together = _together(given)
+    for it in together:
+        is_one = isinstance(it, (sympy.Equality, sympy.Expr))
+        if not is_one or getattr(it, "is_Matrix", False):
+            raise UsageError(
+                f"got {type(it).__name__} of SymPy: give an equation, such as "
+                "Eq(x(t).diff(t, 2) + x(t), 0), or an expression that is zero"
+            )
+    time = _time(together)
+    names = _names(together, time)
+    text = "; ".join(
+        " = ".join(
+            _printed(side, names)
+            for side in (it.args if isinstance(it, sympy.Equality) else (it, sympy.S.Zero))
         )
-    sides = given.args if isinstance(given, sympy.Equality) else (given, sympy.S.Zero)
-    time = _time(given)
-    names = _names(given, time)
-    text = " = ".join(_printed(side, names) for side in sides)
+        for it in together
+    )
     if re.search(r"\bd\w*/dt[23]?\b", text):
         raise UsageError("a symbol dt below a fraction is read as a derivative: rename it")
     symbols = {it.name: old for old, it in names.items() if _is_letter(old) and old != time}
     return Equation(text, symbols)
+
+
+def is_of_sympy(given: Any) -> bool:
+    """True for an equation or expression of SymPy with symbols, and for a list of them."""
+    if isinstance(given, (list, tuple)):
+        return bool(given) and all(map(is_of_sympy, given))
+    return hasattr(given, "free_symbols") and not getattr(given, "is_number", False)
+
+
+def _together(given: Any) -> Any:
+    """One equation, or several, as a tuple of SymPy."""
+    import sympy
+
+    is_several = isinstance(given, (list, tuple, sympy.Tuple))
+    return sympy.Tuple(*given) if is_several else sympy.Tuple(given)
 
 
 def formula_of_sympy(given: Any) -> str:

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from . import _native, _plot, questions
 from ._ask import Value, by_name
-from ._equations import motion_of_sympy
+from ._equations import is_of_sympy, motion_of_sympy
 from ._numbers import Number, Numbers, floats, real
 from ._progress import Tell, go_on, told
 from ._record import Record, Shown, all_digits, arguments
@@ -222,7 +222,7 @@ class _Times:
 
 
 def simulate(
-    system: "str | sympy.Eq | sympy.Expr",
+    system: "str | sympy.Eq | sympy.Expr | list[sympy.Eq | sympy.Expr]",
     initial: Mapping[str, Value],
     times: Numbers,
     *,
@@ -237,10 +237,11 @@ def simulate(
 
     Parameters
     ----------
-    system : str or sympy.Eq or sympy.Expr
+    system : str or sympy.Eq or sympy.Expr, or a list of these of SymPy
         A key of a catalogue, such as ``"double_pendulum"``, ``"damped_pendulum"``, ``"lorenz"`` or
         ``"duffing"``, or equations, such as ``"x'' + 0.1*x' + sin(x) = cos(t)"``, several with
-        ``;`` between them; or one of SymPy for a function of one symbol, which is the time.
+        ``;`` between them; or one of SymPy for a function of one symbol, which is the time; or a
+        list with one for each function.
     initial : dict
         Values at t = 0 by name, such as ``{"theta": "60deg", "theta'": 1.5}``: numbers, formulas,
         angles or quantities as text; ``{"x[i]": "sin(pi*i/33)"}`` for all of a chain. What is not
@@ -286,12 +287,12 @@ def simulate(
     >>> bool(sol.errors[0].max() < 1e-11)
     True
     """
-    if hasattr(system, "free_symbols"):
+    if hasattr(system, "free_symbols") or is_of_sympy(system):
         system = motion_of_sympy(system).text
     if not isinstance(system, str):
         raise TypeError(
             f"system: got {type(system).__name__}: give the name of a system, or its equations as "
-            "text, such as \"x'' + sin(x) = 0\", or an equation as SymPy has it"
+            "text, such as \"x'' + sin(x) = 0\", or an equation or a list of them as SymPy has it"
         )
     wanted = np.atleast_1d(floats("times", times))
     if wanted.ndim != 1:

@@ -206,6 +206,27 @@ def test_values_and_their_names_may_be_of_sympy():
         lb.expand("x'' + x + a*x^3 = 0", set={"a": Symbol("k+1")})
 
 
+def test_a_system_is_a_list_with_an_equation_for_each_function():
+    w, a = sympy.symbols("w a", positive=True)
+    other = Function("y")(T)
+    system = [
+        sympy.Eq(X.diff(T, 2) + w**2 * X + a * X * other, 0),
+        other.diff(T, 2) + 4 * w**2 * other + a * X**2,
+    ]
+    text = "x'' + w^2*x + a*x*y = 0; y'' + 4*w^2*y + a*x^2 = 0"
+    values, start = {"w": 1, "a": "1/5"}, {"x": 1, "y": 0.5}
+    found = lb.simulate(system, start, [1.0, 2.0], set=values)
+    assert np.array_equal(found.y, lb.simulate(text, start, [1.0, 2.0], set=values).y)
+    flow = questions.resonance(tuple(system), small="a:1")
+    by_text = questions.resonance(text, small="a:1")
+    assert flow["coordinates"] == by_text["coordinates"]
+    with pytest.raises(errors.UsageError, match="or a list with an equation for each function"):
+        lb.simulate(system[:1], start, [1.0], set=values)
+    negative = Symbol("k", negative=True)
+    with pytest.raises(errors.UsageError, match="k"):
+        questions.resonance([X.diff(T, 2) + negative * X, other.diff(T, 2) + other + X])
+
+
 def test_constants_keep_letters_that_sympy_reads_otherwise():
     for name in ("E", "S", "I", "N", "lambda", "beta"):
         found = lb.expand(f"x'' + x + sin({name})*x^3 = 0", 3).frequency.to_sympy()

@@ -341,7 +341,9 @@ fn a_force_at_rest_that_is_not_zero_and_others_that_cannot_be_averaged_are_refus
     assert!(said("x'' + w0^2*x + g + eps*x^3 = 0", "", "", 1).contains("`-g`"));
     assert!(said("x'' + c*x' + w0^2*x + eps*x^3 = 0", "", "", 1).contains("`-c` before the velocity"));
     assert!(said("x'' - w0^2*x + eps*x^3 = 0", "", "", 1).contains("no oscillation"));
-    assert!(said("x'' + w0^2*x + eps*x/(1+x^2) = 0", "", "", 1).contains("not a polynomial"));
+    assert!(said("x'' + w0^2*x + eps*x/(x+x^2) = 0", "", "", 1).contains("not a polynomial"));
+    assert!(said("x'' + w0^2*x + eps*x/(a+b) = 0", "", "", 1).contains("not a polynomial"));
+    assert!(said("x'' + w0^2*x + eps*x/(1+x^2) = 0", "", "", 1).contains("write the polynomial"));
     assert!(said("x'' + w0^2*x + eps*sign(x') = 0", "", "", 2).contains("averaged to order 1"));
     assert!(said("x'' + w0^2*x + eps*sin(x) = 0", "", "", 1).contains("write the polynomial"));
     assert!(said("x'' + w0^2*x + sqrt(eps)*x^3 = 0", "", "", 1).contains("not a polynomial"));
@@ -522,4 +524,103 @@ fn states_that_the_series_does_not_reach_are_left_out_by_name() {
             assert!(found.is_stable.is_none_or(|it| it == is_stable), "order {order}: {states:?}");
         }
     }
+}
+
+/// At exact resonance one symbol stands for both frequencies: the formulas are those with two, and the detuning is zero where it has a value.
+#[test]
+fn the_drive_frequency_may_be_the_symbol_of_the_natural_one() {
+    for (spring, resonance) in [("w^2", "1/1"), ("4*w^2", "1/2")] {
+        let of = |drive: &str| {
+            let force = if resonance == "1/1" { "eps*F*w^2" } else { "F" };
+            let text =
+                format!("x'' + eps*m*x' + {spring}*x + eps*a*x^2 + eps*b*x^3 = {force}*cos({drive}*t)");
+            flow(&text, resonance, "", 2)
+        };
+        let [same, other] = ["w", "v"].map(of);
+        assert_eq!(same.amplitude_rate, other.amplitude_rate);
+        assert_eq!(same.phase_rate, other.phase_rate);
+        assert_eq!(same.displacement, other.displacement.replace("*v*t", "*w*t").replace("(v*t", "(w*t"));
+        assert_eq!(same.drive_frequency.as_deref(), Some("w + eps*sigma"));
+        assert!(same.at(&|_| Some(0.7), None).unwrap().detuning().abs() < 1e-15);
+    }
+    let sum = flow("x'' + eps*m*x' + (k + w^2)*x = eps*F*cos(w*t)", "1/1", "", 1);
+    assert_eq!(sum.amplitude_rate, "-eps*m*A/2 - eps*F/(2*w0)*sin(phi)");
+}
+
+#[test]
+fn waves_of_numeric_frequencies_have_one_number() {
+    let mathieu = flow("x'' + (1 + eps*h*cos(2*t))*x + eps*a*x^3 = 0", "2/1", "", 1);
+    let expected = "A*cos(t + phi) + eps*h*A/16*cos(3*t + phi) + eps*a*A^3/32*cos(3*t + 3*phi)";
+    assert_eq!(mathieu.displacement, expected);
+    let free = flow("x'' + 4*x + eps*a*x^3 = 0", "", "", 1);
+    assert_eq!(free.displacement, "A*cos(2*t + phi) + eps*a*A^3/128*cos(6*t + 3*phi)");
+}
+
+/// The polynomials are the binomial and exponential series by hand.
+#[test]
+fn quotients_roots_and_functions_of_small_terms_are_power_series() {
+    let driven = |force: &str| flow(&format!("x'' + eps*m*x' + {force} = eps*F*cos(W*t)"), "1/1", "", 2);
+    let pairs = [
+        ("w^2*x/(1 + eps*a*x^2)", "w^2*x*(1 - eps*a*x^2 + eps^2*a^2*x^4)"),
+        ("w^2*x*sqrt(1 + 2*eps*a*x)", "w^2*x*(1 + eps*a*x - eps^2*a^2*x^2/2)"),
+        ("w^2*x*(k + eps*x')^(-2)*k^2", "w^2*x*(1 - 2*eps*x'/k + 3*eps^2*x'^2/k^2)"),
+        ("w^2*x*exp(-eps*a*x)", "w^2*x*(1 - eps*a*x + eps^2*a^2*x^2/2)"),
+        ("w^2*x/(1 + eps*h*cos(2*W*t))", "w^2*x*(1 - eps*h*cos(2*W*t) + eps^2*h^2*cos(2*W*t)^2)"),
+    ];
+    for (force, polynomial) in pairs {
+        let [found, expected] = [force, polynomial].map(driven);
+        assert_eq!(found.amplitude_rate, expected.amplitude_rate, "{force}");
+        assert_eq!(found.phase_rate, expected.phase_rate, "{force}");
+        assert_eq!(found.displacement, expected.displacement, "{force}");
+        assert!(found.order_note.unwrap().contains("power series in the small parameters"), "{force}");
+    }
+    // Of the displacement alone, as of other functions, the amplitude is small.
+    let softening = flow("x'' + w^2*x/sqrt(1 + x^2) = 0", "", "", 2);
+    assert_eq!(softening.phase_rate, "-3*w*A^2/16");
+    assert_eq!(flow("x'' + k*x*(1 - l/sqrt(1 + x^2)) = 0", "", "", 2).phase_rate, "3*k*l*A^2/(16*w0)");
+}
+
+/// Nayfeh & Mook (1979), section 4.1, with an inertia that depends on the displacement.
+#[test]
+fn errors_with_a_varying_inertia_fall_with_the_power_of_eps() {
+    let text = "(1 + eps*x^2)*x'' + 2*eps*mu*x' + eps*x*x'^2 + w0^2*x + eps*a*x^3 = eps*F*cos(W*t)";
+    let values = [("mu", 0.3), ("w0", 1.2), ("a", 0.9), ("F", 0.8)];
+    assert_errors_fall((text, (1, 1)), 1..=2, &values, (0.04, 0.2));
+}
+
+/// About 1 the double well has w0² = 2, x″ = −2u − 3u² − u³ with u = x − 1, and the frequency √2·(1 − 3A²/8 + …): (9·a3·w² − 10·a2²)/(24·w³).
+#[test]
+fn slow_flows_are_about_any_equilibrium() {
+    let about = |text: &str, place: &str| {
+        let options = SymbolicSlowFlowOptions {
+            about: Some(place.parse().unwrap()),
+            order: Some(2),
+            ..options("1/1", "m:2,F:2", 2)
+        };
+        slow_flow_symbolically(&equation(text), &options, &Quiet).unwrap()
+    };
+    let well = about("x'' + m*x' - x + x^3 = F*cos(W*t)", "1");
+    let shifted = flow("u'' + m*u' + 2*u + 3*u^2 + u^3 = F*cos(W*t)", "1/1", "m:2,F:2", 2);
+    assert_eq!(well.amplitude_rate, shifted.amplitude_rate);
+    assert_eq!(well.phase_rate, shifted.phase_rate);
+    assert_eq!(well.displacement, format!("1 + {}", shifted.displacement));
+    assert_eq!((well.equilibrium.as_str(), shifted.equilibrium.as_str()), ("1", "0"));
+    let at = [("F", 0.0), ("A", 0.3), ("phi", 0.0), ("sigma", 0.0), ("w0", std::f64::consts::SQRT_2)];
+    let expected = (9.0 * 2.0 - 90.0) * 0.09 / (24.0 * 2.0 * std::f64::consts::SQRT_2);
+    assert_near(value(&well.phase_rate, &at), expected, 1.0, "frequency");
+    let letters = about("x'' + m*x' - a*x + b*x^3 = F*cos(W*t)", "sqrt(a/b)");
+    let at = [
+        ("F", 0.0),
+        ("A", 0.3),
+        ("phi", 0.0),
+        ("sigma", 0.0),
+        ("a", 1.0),
+        ("b", 1.0),
+        ("w0", libm::sqrt(2.0)),
+    ];
+    assert_near(value(&letters.phase_rate, &at), expected, 1.0, "letters");
+    let options =
+        SymbolicSlowFlowOptions { about: Some("2".parse().unwrap()), ..options("1/1", "m:2,F:2", 2) };
+    let refused = slow_flow_symbolically(&equation("x'' + m*x' - x + x^3 = F*cos(W*t)"), &options, &Quiet);
+    assert!(matches!(refused, Err(SymbolicSlowFlowError::Equilibrium(_))), "{refused:?}");
 }

@@ -250,3 +250,93 @@ fn states_far_from_the_backbone_are_within_reach_where_drive_and_damping_are_of_
         assert!((amplitude - exact).abs() < 0.002 * exact.max(0.1) + 2.0 * error, "{it:?} {exact}");
     }
 }
+
+/// The linear oscillator has its largest amplitude F/(m·√(1 − m²/4)), where F is of higher order than m.
+#[test]
+fn a_drive_of_higher_order_than_the_damping_has_a_peak() {
+    // With c of the second order its term is of the fourth, as m⁴ is.
+    for (small, detuning) in [("c:1,m:1,F:2", "-m^2/4 + 3*F^2*c/(8*m^2)"), ("c:2,m:1,F:2", "-m^2/4")] {
+        let steady = flow(DUFFING, "1/1", small, None).steady_state;
+        assert_eq!(steady.peak_amplitude.as_deref(), Some("F/m"), "{small}: {:?}", steady.notes);
+        assert_eq!(steady.peak_detuning.as_deref(), Some(detuning), "{small}");
+    }
+    let linear = flow("x'' + m*x' + x = F*cos(W*t)", "1/1", "m:1,F:2", Some(5)).steady_state;
+    assert_eq!(linear.peak_amplitude.as_deref(), Some("sqrt(F^2/4 + F^2/m^2)"));
+    // A drive of lower order than the damping has its peak at amplitudes that are not reached.
+    let steep = flow(DUFFING, "1/1", "c:1,m:3,F:1", None);
+    assert_eq!(steep.steady_state.peak_amplitude, None);
+}
+
+/// The relation has the square of the drive's amplitude, whatever its symbols; at a steady state with numbers the rates vanish.
+#[test]
+fn a_drive_of_several_symbols_has_critical_value_and_phase() {
+    let forced =
+        |drive: &str| flow(&format!("x'' + eps*(m*x' + c*x^3) + x = eps*({drive})"), "1/1", "", None);
+    let one = forced("H*cos(W*t)").steady_state;
+    let drives = [
+        ("F*G*cos(W*t)", "F*G"),
+        ("(F + G)*cos(W*t)", "F + G"),
+        ("(F - G/2)*cos(W*t)", "2*F - G"),
+        ("F*cos(W*t) - G*sin(W*t)", "sqrt(F^2 + G^2)"),
+        ("3*F*W^2*cos(W*t)", "F"),
+    ];
+    for (drive, amplitude) in drives {
+        let found = forced(drive);
+        let steady = &found.steady_state;
+        assert_eq!(steady.drive_amplitude.as_deref(), Some(amplitude));
+        let at = [("m", 0.2), ("c", 0.7)];
+        let [critical, expected] = [steady, &one].map(|it| value(it.critical_drive.as_ref().unwrap(), &at));
+        let factor = match amplitude {
+            "F" => 3.0,
+            "2*F - G" => 0.5,
+            _ => 1.0,
+        };
+        assert!((factor * critical - expected).abs() < 1e-14, "{drive}: {critical} {expected}");
+        let of_name = |name: &str| {
+            [("eps", 0.1), ("m", 0.2), ("c", 0.7), ("F", 0.9), ("G", 0.4)]
+                .iter()
+                .find(|it| it.0 == name)
+                .map(|it| it.1)
+        };
+        let at = found.at(&of_name, Some(1.01)).unwrap();
+        let states = at.steady_states().unwrap();
+        assert!(!states.is_empty(), "{drive}");
+        for state in states {
+            let [growth, turning] = at.rates(state.amplitude, state.phase);
+            assert!(growth.abs() + turning.abs() < 1e-12, "{drive}: {state:?} {growth} {turning}");
+        }
+        let (_, [cosine, sine]) = steady.phase.as_ref().unwrap();
+        let state = at.steady_states().unwrap()[0];
+        let values = [("m", 0.2), ("c", 0.7), ("F", 0.9), ("G", 0.4), ("A", state.amplitude), ("sigma", 0.1)];
+        assert!((value(cosine, &values) - libm::cos(state.phase)).abs() < 1e-12, "{drive}: {cosine}");
+        assert!((value(sine, &values) - libm::sin(state.phase)).abs() < 1e-12, "{drive}: {sine}");
+    }
+}
+
+/// A and Ω by the integrated cycle are missed by ε³ and ε⁴, as the next order of A is even and that of Ω odd in general.
+#[test]
+fn limit_cycles_have_amplitude_and_frequency_as_formulas() {
+    let cycle = |text: &str, order| flow(text, "", "", Some(order)).steady_state;
+    let plain = cycle("x'' + w0^2*x = eps*(1 - b*x^2)*x'", 2);
+    assert_eq!(plain.cycle_amplitude.as_deref(), Some("2/sqrt(b)"));
+    assert_eq!(plain.cycle_frequency.as_deref(), Some("w0 - eps^2/(16*w0)"));
+    let irrational = cycle("x'' + 2*x = eps*(1 - x^2)*x'", 2);
+    assert_eq!(irrational.cycle_frequency.as_deref(), Some("w0 - eps^2/(16*w0)"));
+    let growing = cycle("x'' + w0^2*x = eps*(1 + x^2)*x'", 1);
+    assert_eq!((growing.cycle_amplitude, growing.cycle_frequency), (None, None));
+    let text = "x'' + w0^2*x = eps*(m*x' - c*x'^3 + a*x^2 + b*x^3)";
+    let steady = cycle(text, 3);
+    let missed = [0.08, 0.04].map(|eps: f64| {
+        let at = [("eps", eps), ("w0", 1.3), ("m", 0.8), ("c", 0.5), ("a", 0.4), ("b", 0.3)];
+        let numeric =
+            "x'' + 1.69*x = EPS*(0.8*x' - 0.5*x'^3 + 0.4*x^2 + 0.3*x^3)".replace("EPS", &eps.to_string());
+        let amplitude = value(steady.cycle_amplitude.as_ref().unwrap(), &at);
+        let orbit = Orbit::limit_cycle(&equation(&numeric), &[amplitude, 0.0], &Quiet).unwrap();
+        let frequency = value(steady.cycle_frequency.as_ref().unwrap(), &at);
+        [amplitude - orbit.harmonics(0).terms[1].amplitude(), frequency - orbit.frequency()]
+    });
+    for (place, power) in [(0, 3.0), (1, 4.0)] {
+        let exponent = libm::log2((missed[0][place] / missed[1][place]).abs());
+        assert!(exponent > power - 0.3, "{missed:?} {exponent}");
+    }
+}

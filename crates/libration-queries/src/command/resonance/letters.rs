@@ -63,6 +63,7 @@ impl ResonanceQuestion {
             resonance: self.resonance.as_deref().map(drive_resonance).transpose()?,
             ratios: self.ratios.as_deref().map(frequency_ratios).transpose()?.unwrap_or_default(),
             order: self.order,
+            about: None,
         };
         interrupt::listen()?;
         let flow = parallel::with_progress(

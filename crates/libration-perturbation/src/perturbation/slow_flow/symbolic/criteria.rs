@@ -54,22 +54,16 @@ impl ResponseCurve<'_> {
         let letters = self.letters;
         let on_ridge = self.on_ridge(backbone);
         let first = letters.lowest_order(&on_ridge)?;
+        let order = self.order - first;
         let leading = letters.of_order(&on_ridge, first);
         let powers = letters.exponents(&leading, Column::Amplitude);
         let (low, root) = match *powers.as_slice() {
             [low, high] => (low, high - low),
             [low, middle, high] if middle - low == high - middle => (low, middle - low),
+            [high] if self.is_small_root(&on_ridge, first, high) => (0, high),
             _ => return None,
         };
-        let place = letters.place(Column::Amplitude);
-        if on_ridge.half_powers().any(|(powers, _)| (powers[place] - 2 * low) % (2 * root) != 0) {
-            return None;
-        }
-        // The amplitude's column now holds the power of A.
-        let in_power = letters.changed(&on_ridge, |powers, factor| {
-            powers[place] = (powers[place] - 2 * low) / root;
-            factor.clone()
-        });
+        let in_power = self.in_power(&on_ridge, low, root)?;
         let leading = letters.of_order(&in_power, first);
         let at = |power: i64| letters.coefficient(&leading, Column::Amplitude, power);
         let steepest = if powers.len() == 3 { at(2) } else { at(1) };
@@ -83,19 +77,62 @@ impl ResponseCurve<'_> {
             let power = self.square_root([&at(0), &at(1), &steepest]).filter(|_| leading == in_power)?;
             return Some(Peak { detuning: self.at_power(backbone, &power, root, self.order), power, root });
         }
-        let (slope, order) = (steepest, self.order - first);
+        let power = self.zero(&in_power, first)?;
+        Some(Peak { detuning: self.at_power(backbone, &power, root, order), power, root })
+    }
+
+    /// The power of A, and which it is, at which a relation without σ is zero, where its lowest order has two powers of A.
+    pub(super) fn only_amplitude(&self) -> Option<(Sum, i64)> {
+        let leading = self.letters.of_order(self.relation, 0);
+        let powers = self.letters.exponents(&leading, Column::Amplitude);
+        let [low, high] = *powers.as_slice() else { return None };
+        let in_power = self.in_power(self.relation, low, high - low)?;
+        Some((self.zero(&in_power, 0)?, high - low))
+    }
+
+    /// A sum over the power `low` of A, with the power `root` of A in the column of A; `None` where others occur.
+    fn in_power(&self, sum: &Sum, low: i64, root: i64) -> Option<Sum> {
+        let place = self.letters.place(Column::Amplitude);
+        if sum.half_powers().any(|(powers, _)| (powers[place] - 2 * low) % (2 * root) != 0) {
+            return None;
+        }
+        Some(self.letters.changed(sum, |powers, factor| {
+            powers[place] = (powers[place] - 2 * low) / root;
+            factor.clone()
+        }))
+    }
+
+    /// The zero of a polynomial in the column of A by its linear term of the lowest order, `first`.
+    fn zero(&self, polynomial: &Sum, first: i64) -> Option<Sum> {
+        let letters = self.letters;
+        let slope = letters.coefficient(&letters.of_order(polynomial, first), Column::Amplitude, 1);
         let inverse = letters.inverse(&letters.scaled(&slope, &Rational::from(-1)))?;
         let mut power = letters.zero();
         for _ in 0..=self.order + 1 {
-            let left = self.substituted(&in_power, &power, self.order)?;
-            let step = letters.product(&left, &inverse, order);
+            let left = self.substituted(polynomial, &power, self.order)?;
+            let step = letters.product(&left, &inverse, self.order - first);
             if step.is_zero() {
-                let detuning = self.at_power(backbone, &power, root, order);
-                return Some(Peak { power, root, detuning });
+                return Some(power);
             }
             power = letters.add(&power, &step);
         }
         None
+    }
+
+    /// Returns `true` if damping, of the lowest order and in the power `high` of A, is balanced by a drive of higher order without A: A is small
+    /// then, and the other terms have to be smaller than these two.
+    fn is_small_root(&self, on_ridge: &Sum, first: i64, high: i64) -> bool {
+        let letters = self.letters;
+        let drive = letters.coefficient(on_ridge, Column::Amplitude, 0);
+        let Some(order) = letters.lowest_order(&drive).filter(|_| high > 0) else { return false };
+        // A^high has the order of the drive over that of the damping.
+        let (place, grade) = (letters.place(Column::Amplitude), letters.place(Column::Order));
+        let is_smaller =
+            |powers: &[i64]| powers[grade] * high + (order - first) * powers[place] > 2 * order * high;
+        on_ridge.half_powers().all(|(powers, _)| {
+            let is_balance = powers[place] == 0 || (powers[place] == 2 * high && powers[grade] == 2 * first);
+            is_balance || is_smaller(powers)
+        })
     }
 
     /// The larger root of a quadratic polynomial whose discriminant is the square of one product.
@@ -119,7 +156,7 @@ impl ResponseCurve<'_> {
     }
 
     /// A sum in powers of A at a value of a power of A.
-    fn at_power(&self, sum: &Sum, power: &Sum, root: i64, order: i64) -> Option<Sum> {
+    pub(super) fn at_power(&self, sum: &Sum, power: &Sum, root: i64, order: i64) -> Option<Sum> {
         let place = self.letters.place(Column::Amplitude);
         if sum.half_powers().any(|(powers, _)| powers[place] % (2 * root) != 0) {
             return None;
@@ -138,8 +175,8 @@ impl ResponseCurve<'_> {
         folds.to_constant().is_none().then_some(folds)
     }
 
-    /// The drive at which the folds appear, as text, for κ·A²·((σ − b·A²)² + μ²) = D: D = 8·κ·μ³/(3·√3·|b|).
-    pub(super) fn critical_drive(&self, drives: &[usize]) -> Option<String> {
+    /// The amplitude of the drive, and its value from which on there are folds, as texts, for κ·A²·((σ − b·A²)² + μ²) = D: D = 8·κ·μ³/(3·√3·|b|).
+    pub(super) fn critical_drive(&self, drives: &[usize]) -> Option<[String; 2]> {
         let letters = self.letters;
         let relation = self.leading();
         let at = |a: i64, sigma: i64| {
@@ -153,22 +190,59 @@ impl ResponseCurve<'_> {
         self.check_cubic(&relation, [&kappa, &slope, &square, &drive])?;
         let rate = letters.ring.power(&square, &Rational::new(3, 2)?)?;
         // A symbol that other terms have too, such as eps, is not the drive.
-        let is_elsewhere = |place: usize| {
+        let is_elsewhere = |place: &usize| {
             [&kappa, &slope, &square]
                 .iter()
-                .any(|sum| sum.half_powers().any(|(powers, _)| powers[place] != 0))
+                .any(|sum| sum.half_powers().any(|(powers, _)| powers[*place] != 0))
         };
-        let (drive_powers, _) = drive.as_single_term()?;
-        let is_drive = |place: usize| drive_powers[place] == 4 && !is_elsewhere(place);
-        let place = drives.iter().copied().find(|&place| is_drive(place))?;
-        let per_square = letters.times(&drive, &letters.power_at(place, -2));
+        let own: Vec<usize> = drives.iter().copied().filter(|place| !is_elsewhere(place)).collect();
+        let (amplitude, per_square) = self.drive_amplitude(&drive, &own)?;
         let above = letters.times(&letters.times(&kappa, &rate), &letters.inverse(&per_square)?);
         let above = letters.scaled(&above, &Rational::new(-8, 3)?);
         // Without damping every drive has folds, and without a bend none.
         if slope.is_zero() || square.is_zero() {
             return None;
         }
-        Some(self.over_slope(&above, &slope))
+        Some([amplitude, self.over_slope(&above, &slope)])
+    }
+
+    /// The amplitude of a drive in its symbols as text, and the factor of the square of this amplitude.
+    fn drive_amplitude(&self, drive: &Sum, symbols: &[usize]) -> Option<(String, Sum)> {
+        let letters = self.letters;
+        let (first, factor) = drive.half_powers().next()?;
+        let factor = factor.clone();
+        let mut rest = first.clone();
+        symbols.iter().for_each(|&place| rest[place] = 0);
+        let rest = letters.ring.term(rest, factor);
+        let square = letters.times(drive, &letters.inverse(&rest)?);
+        let is_own = |(place, power): (usize, &i64)| *power == 0 || symbols.contains(&place);
+        if square.to_constant().is_some()
+            || !square.half_powers().all(|(powers, _)| powers.iter().enumerate().all(is_own))
+        {
+            return None;
+        }
+        let amplitude = self.root_of_square(&square).map(|root| letters.text(&root));
+        Some((amplitude.unwrap_or_else(|| format!("sqrt({})", letters.text(&square))), rest))
+    }
+
+    /// The sum whose square this is; `None` for another.
+    fn root_of_square(&self, square: &Sum) -> Option<Sum> {
+        let letters = self.letters;
+        let half = Rational::new(1, 2)?;
+        let squares = letters.part(square, |powers| powers.iter().all(|power| power % 4 == 0));
+        let mut sum = letters.zero();
+        for (powers, factor) in squares.half_powers() {
+            let root = letters.ring.power(&letters.ring.term(powers.clone(), factor.clone()), &half)?;
+            // The sign is that of the product with the terms before.
+            let minus = letters.subtract(&sum, &root);
+            let both = letters.add(&sum, &root);
+            let missing =
+                |sum: &Sum| letters.subtract(square, &letters.times(sum, sum)).half_powers().count();
+            sum = if missing(&minus) < missing(&both) { minus } else { both };
+        }
+        let is_negative = letters.text(&sum).starts_with('-');
+        let sum = letters.scaled(&sum, &Rational::from(if is_negative { -1 } else { 1 }));
+        letters.subtract(square, &letters.times(&sum, &sum)).is_zero().then_some(sum)
     }
 
     /// The lowest order, and those of damping and drive where they are higher: the terms without σ in A² and A⁰.

@@ -20,17 +20,8 @@ impl Setting {
         watch: &Watch<'_>,
     ) -> Result<(Forced<'_>, Found), Error> {
         let letters = &self.letters;
-        let reader = Reader {
-            letters,
-            variables: equation.variables(),
-            symbols: &self.symbols,
-            drive: self.drive.as_ref(),
-            // The cubic term of a power series tells whether the amplitude is small.
-            degree: usize::try_from(order.max(2)).unwrap_or(0) + 1,
-            is_cut_off: Cell::new(false),
-        };
-        let read = equation.accelerations().iter().map(|formula| self.checked(&reader, formula));
-        let mut accelerations: Vec<Sum> = read.collect::<Result<_, _>>()?;
+        let mut reader = self.reader(equation, order);
+        let mut accelerations = self.accelerations(&mut reader, equation)?;
         let springs = self.springs(&accelerations)?;
         let (harmonics, drive_harmonic) = self.harmonics(&springs)?;
         let wave = letters.place(Column::Wave);
@@ -53,7 +44,8 @@ impl Setting {
         };
         let is_detuned = self.is_detuned(&forced, &springs);
         let degree = reader.is_cut_off.get().then_some(reader.degree);
-        let equations = Equations { accelerations, springs, is_detuned, known_degree: degree };
+        let is_series = reader.is_series.get();
+        let equations = Equations { accelerations, springs, is_detuned, known_degree: degree, is_series };
         let grade = match (equations.has_detuning(self.drive.is_some()), self.detuning_order) {
             (false, _) => None,
             (true, Some(stated)) => Some(stated),
@@ -68,9 +60,49 @@ impl Setting {
         let natural_squares = frequencies.map(|(spring, is)| is.then(|| spring.clone())).collect();
         let acting_order = self.acting_order(&equations);
         let stated_order = self.stated_order(&equations);
-        let left_out = self.left_out(&equations, &forced, reader.variables, order);
+        let variables = deviations(&reader);
+        let left_out = self.left_out(&equations, &forced, &variables, order);
         let natural = natural.explained;
-        Ok((forced, Found { natural, drives, natural_squares, acting_order, stated_order, left_out }))
+        let equilibrium = reader.equilibrium;
+        Ok((
+            forced,
+            Found { natural, equilibrium, drives, natural_squares, acting_order, stated_order, left_out },
+        ))
+    }
+
+    fn reader<'a>(&'a self, equation: &'a Equation, order: i64) -> Reader<'a> {
+        Reader {
+            letters: &self.letters,
+            variables: equation.variables(),
+            equilibrium: None,
+            symbols: &self.symbols,
+            drive: self.drive.as_ref(),
+            order,
+            // The cubic term of a power series tells whether the amplitude is small.
+            degree: usize::try_from(order.max(2)).unwrap_or(0) + 1,
+            is_cut_off: Cell::new(false),
+            is_series: Cell::new(false),
+        }
+    }
+
+    /// The equilibrium; `None` for 0.
+    fn equilibrium(&self, reader: &Reader<'_>) -> Result<Option<Sum>, Error> {
+        self.about.as_ref().map(|about| reader.read(about)).transpose()
+    }
+
+    fn accelerations(&self, reader: &mut Reader<'_>, equation: &Equation) -> Result<Vec<Sum>, Error> {
+        reader.equilibrium = self.equilibrium(reader)?;
+        let reader = &*reader;
+        equation.accelerations().iter().map(|formula| self.checked(reader, formula)).collect()
+    }
+
+    /// Returns `true` if the symbol of the drive frequency is also one of the natural frequencies.
+    pub(super) fn is_drive_natural(&self, equation: &Equation) -> Result<bool, Error> {
+        let accelerations = self.accelerations(&mut self.reader(equation, 1), equation)?;
+        let drive = self.letters.place(Column::Drive);
+        let mut linear =
+            accelerations.iter().enumerate().map(|(coordinate, sum)| self.linear(sum, coordinate));
+        Ok(linear.any(|spring| spring.half_powers().any(|(powers, _)| powers[drive] != 0)))
     }
 
     fn checked(&self, reader: &Reader<'_>, formula: &Expression) -> Result<Sum, Error> {
@@ -312,6 +344,15 @@ impl Setting {
     }
 }
 
+/// The names of what moves: the coordinates, or their deviations from an equilibrium.
+fn deviations(reader: &Reader<'_>) -> Vec<String> {
+    let of = |name: &String| match &reader.equilibrium {
+        Some(equilibrium) => format!("({name} - ({equilibrium}))"),
+        None => name.clone(),
+    };
+    reader.variables.iter().map(of).collect()
+}
+
 /// The equations of motion as sums.
 pub(super) struct Equations {
     pub(super) accelerations: Vec<Sum>,
@@ -319,6 +360,8 @@ pub(super) struct Equations {
     is_detuned: Vec<bool>,
     /// The degree to which power series of displacements are known; `None` without such series.
     known_degree: Option<usize>,
+    /// `true` with power series in small parameters.
+    pub(super) is_series: bool,
 }
 
 impl Equations {
@@ -337,6 +380,8 @@ struct NaturalFrequency {
 pub(super) struct Found {
     /// ω0², where ω0 has a name of its own.
     pub(super) natural: Option<Sum>,
+    /// The equilibrium; `None` for 0.
+    pub(super) equilibrium: Option<Sum>,
     /// Columns of the amplitudes of drives.
     pub(super) drives: Vec<usize>,
     /// The squares of the natural frequencies that differ from their multiples of ω0, by coordinates.

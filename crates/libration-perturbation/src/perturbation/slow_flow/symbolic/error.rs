@@ -59,8 +59,9 @@ pub enum SymbolicSlowFlowError {
     DriveFrequency(String),
     /// A formula that is not a polynomial.
     #[error(
-        "`{0}` is not a polynomial in displacement, velocity and symbols: denominators must be products of symbols, functions those of the \
-         displacement alone that vanish with it or have power series about zero, abs and sign those of displacement or velocity"
+        "`{0}` is not a polynomial in displacement, velocity and symbols: denominators must be products of symbols, with or without \
+         terms that are small or vanish with the displacement, functions those of such terms with power series about zero, abs and sign those of \
+         displacement or velocity"
     )]
     NotPolynomial(String),
     /// A power series without end where the amplitude is not small.

@@ -182,7 +182,10 @@ impl SlowFlowAt<'_> {
         let trace = value(&steady.trace, steady.order);
         let determinant = value(&steady.determinant, steady.order + steady.lowest);
         let phase = steady.phase.as_ref().map_or(0.0, |(m, parts)| {
-            let [cosine, sine] = parts.each_ref().map(|it| to_order(it, steady.order - steady.coupling));
+            // Both have the sign of their denominator.
+            let sign = steady.denominator.as_ref().map_or(1.0, |below| number(below, &values).signum());
+            let [cosine, sine] =
+                parts.each_ref().map(|it| sign * to_order(it, steady.order - steady.coupling));
             libm::remainder(libm::atan2(sine, cosine) / double(*m), TAU)
         });
         let is_stable = trace < 0.0 && (steady.determinant.is_none() || determinant > 0.0);

@@ -11,14 +11,20 @@ pub(super) struct Reader<'a> {
     pub(super) letters: &'a Letters,
     /// The displacements.
     pub(super) variables: &'a [String],
+    /// The equilibrium, which is added to a displacement; `None` for 0.
+    pub(super) equilibrium: Option<Sum>,
     /// Symbols with their columns and their orders.
     pub(super) symbols: &'a [(String, usize, i64)],
     /// The drive frequency, whose wave is e^{is} here.
     pub(super) drive: Option<&'a DriveFrequency>,
+    /// The order to which power series in small terms are taken.
+    pub(super) order: i64,
     /// The highest degree of power series in the displacement.
     pub(super) degree: usize,
     /// `true` if a power series was cut off.
     pub(super) is_cut_off: Cell<bool>,
+    /// `true` if a power series in small parameters was cut off.
+    pub(super) is_series: Cell<bool>,
 }
 
 /// The frequency W of the drive.
@@ -109,8 +115,7 @@ impl Reader<'_> {
             Expression::Subtract(a, b) => letters.subtract(&self.read(a)?, &self.read(b)?),
             Expression::Multiply(a, b) => letters.times(&self.read(a)?, &self.read(b)?),
             Expression::Divide(a, b) => {
-                let below = self.constant(b).ok_or_else(|| Error::NotPolynomial(formula.to_string()))?;
-                let inverse = letters.inverse(&below);
+                let inverse = self.fractional_power(&self.read(b)?, &Rational::from(-1));
                 let inverse = inverse.ok_or_else(|| Error::NotPolynomial(formula.to_string()))?;
                 letters.times(&self.read(a)?, &inverse)
             }
@@ -122,22 +127,20 @@ impl Reader<'_> {
     fn symbol(&self, symbol: &Symbol) -> Result<Sum, Error> {
         if let Some(coordinate) = self.variables.iter().position(|name| *name == symbol.name) {
             let column = if symbol.primes == 0 { Column::Position } else { Column::Velocity };
-            return Ok(self.letters.power_at(self.letters.place_of(column, coordinate), 1));
+            let moving = self.letters.power_at(self.letters.place_of(column, coordinate), 1);
+            return Ok(match &self.equilibrium {
+                Some(equilibrium) if symbol.primes == 0 => self.letters.add(equilibrium, &moving),
+                _ => moving,
+            });
         }
-        if let Some(DriveFrequency::Symbol(name)) = self.drive
+        let known = self.symbols.iter().find(|(name, ..)| *name == symbol.name);
+        if let (None, Some(DriveFrequency::Symbol(name))) = (known, self.drive)
             && *name == symbol.name
         {
             return Ok(self.letters.power(Column::Drive, 1));
         }
-        let known = self.symbols.iter().find(|(name, ..)| *name == symbol.name);
         let (_, place, order) = known.ok_or_else(|| Error::NotPolynomial(symbol.name.clone()))?;
         Ok(self.letters.times(&self.letters.power_at(*place, 1), &self.letters.power(Column::Order, *order)))
-    }
-
-    /// A formula without displacement, velocity and time.
-    fn constant(&self, formula: &Expression) -> Option<Sum> {
-        let moving = |symbol: &Symbol| self.variables.contains(&symbol.name) || symbol.name == "t";
-        if formula.symbols().iter().any(moving) { None } else { self.read(formula).ok() }
     }
 
     fn raised(&self, base: &Expression, exponent: &Expression) -> Result<Sum, Error> {
@@ -146,10 +149,7 @@ impl Reader<'_> {
         let value = self.read(base)?;
         match exponent.to_natural().and_then(|natural| usize::try_from(natural).ok()) {
             Some(natural) if natural <= 64 => Ok(self.letters.raised(&value, natural, i64::from(i16::MAX))),
-            _ => {
-                let value = self.constant(base).ok_or_else(refused)?;
-                self.letters.ring.power(&value, &exponent).ok_or_else(refused)
-            }
+            _ => self.fractional_power(&value, &exponent).ok_or_else(refused),
         }
     }
 
@@ -162,8 +162,9 @@ impl Reader<'_> {
         match function {
             Function::Abs | Function::Sign if self.variables.len() > 1 => Err(Error::SeveralKinks),
             Function::Abs | Function::Sign => self.kink(function, &argument).ok_or_else(refused),
-            Function::Sqrt if self.constant(of).is_some() => {
-                self.letters.ring.value(Function::Sqrt, &argument).ok_or_else(refused)
+            Function::Sqrt => {
+                let half = Rational::new(1, 2).ok_or_else(refused)?;
+                self.fractional_power(&argument, &half).ok_or_else(refused)
             }
             _ => self.power_series(function, &argument).ok_or_else(refused),
         }
@@ -202,28 +203,73 @@ impl Reader<'_> {
         Some(if function == Function::Abs { letters.times(argument, &sign) } else { sign })
     }
 
+    /// A power that is not natural: of a constant product exactly, of its sum with small terms as the binomial series.
+    fn fractional_power(&self, base: &Sum, exponent: &Rational) -> Option<Sum> {
+        let letters = self.letters;
+        let moving = self.moving();
+        let order = letters.place(Column::Order);
+        let is_still = |powers: &[i64]| moving.iter().all(|&place| powers[place] == 0);
+        let still = letters.part(base, |powers| powers[order] == 0 && is_still(powers));
+        // The order of a constant product is one of its powers.
+        let constant = if still.is_zero() { base.clone() } else { still };
+        let (powers, _) = constant.as_single_term()?;
+        let power = match is_still(powers) {
+            true => letters.ring.power(&constant, exponent)?,
+            false => return None,
+        };
+        let rest = letters.subtract(base, &constant);
+        if rest.is_zero() {
+            return Some(power);
+        }
+        let relative = letters.times(&rest, &letters.inverse(&constant)?);
+        let mut coefficient = Rational::from(1);
+        let series = (0..=i64::try_from(self.degree).ok()?).map(|n| {
+            let next = exponent.clone() - Rational::from(n);
+            let following =
+                coefficient.clone() * next * Rational::new(1, n + 1).unwrap_or_else(|| Rational::from(0));
+            std::mem::replace(&mut coefficient, following)
+        });
+        Some(letters.times(&power, &self.small_series(series, &relative)?))
+    }
+
     /// The power series of a function about zero.
     fn power_series(&self, function: Function, argument: &Sum) -> Option<Sum> {
-        let letters = self.letters;
-        let moving = [Column::Position, Column::Velocity].map(|column| letters.places(column)).concat();
-        let still = letters.part(argument, |powers| moving.iter().all(|&place| powers[place] == 0));
-        if !still.is_zero() {
-            return None;
-        }
-        self.is_cut_off.set(true);
         let symbol = Symbol::plain("u");
         let formula = Expression::Call(function, Box::new(Expression::Symbol(symbol.clone())));
         let series = formula.taylor_series(&Rationals, &symbol, &Rational::from(0), self.degree + 1)?;
+        self.small_series(series.into_iter(), argument)
+    }
+
+    /// Σ cₙ·uⁿ of a sum whose terms are small, by their orders or as they are displacements or velocities.
+    fn small_series(&self, series: impl Iterator<Item = Rational>, argument: &Sum) -> Option<Sum> {
+        let letters = self.letters;
+        let order = letters.place(Column::Order);
+        let moving = [Column::Position, Column::Velocity].map(|column| letters.places(column)).concat();
+        let degree = |powers: &[i64]| moving.iter().map(|&place| powers[place]).sum::<i64>();
+        let is_graded = argument.half_powers().all(|(powers, _)| powers[order] > 0);
+        if argument.half_powers().any(|(powers, _)| powers[order] <= 0 && degree(powers) <= 0) {
+            return None;
+        }
+        let cut_off = if is_graded { &self.is_series } else { &self.is_cut_off };
+        cut_off.set(true);
+        let highest = 2 * i64::try_from(self.degree).ok()?;
         let mut sum = letters.zero();
         let mut power = letters.number(Rational::from(1));
         for coefficient in series {
             sum = letters.add(&sum, &letters.scaled(&power, &coefficient));
-            let next = letters.times(&power, argument);
-            power = letters.part(&next, |powers| {
-                moving.iter().map(|&place| powers[place]).sum::<i64>()
-                    <= 2 * i64::try_from(self.degree).unwrap_or(0)
-            });
+            let next = letters.product(&power, argument, self.order);
+            power = letters.part(&next, |powers| is_graded || degree(powers) <= highest);
         }
         Some(sum)
+    }
+
+    /// The columns of what is not constant.
+    fn moving(&self) -> Vec<usize> {
+        let own =
+            [Column::Drive, Column::Wave, Column::Imaginary, Column::PositionSign, Column::VelocitySign];
+        let mut places: Vec<usize> = own.map(|column| self.letters.place(column)).to_vec();
+        places
+            .extend([Column::Position, Column::Velocity].map(|column| self.letters.places(column)).concat());
+        places
     }
 }

@@ -28,6 +28,12 @@ impl Setting {
     ) -> Option<String> {
         let by_amplitude = self.large_degrees(equations).next().is_some();
         let mut notes: Vec<String> = self.plain_left_out(equations, order).into_iter().collect();
+        if equations.is_series {
+            notes.push(format!(
+                "terms above order {order} are left out, those of power series in the small parameters among them"
+            ));
+            return Some(notes.join("; "));
+        }
         for (acceleration, variable) in equations.accelerations.iter().zip(variables) {
             let is_beyond = |term: &Term| {
                 let degree = term.powers.iter().flatten().sum::<usize>().saturating_sub(1);

@@ -37,7 +37,7 @@ mod turned;
 
 use equations::Found;
 use force::DriveFrequency;
-use libration_numbers::expression::Equation;
+use libration_numbers::expression::{Equation, Expression};
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Progress;
 use scales::{Forced, Solved};
@@ -61,6 +61,8 @@ pub struct SymbolicSlowFlowOptions {
     /// The natural frequencies of several coordinates as whole numbers, such as 1 and 2, which they are near; none where they follow from the
     /// equations.
     pub ratios: Vec<u32>,
+    /// The equilibrium of one coordinate, from which the displacement is counted, such as √(a/b); none for 0.
+    pub about: Option<Expression>,
     /// The highest order; where it is not given the largest order that small parameters give a term, and one at which every term without small
     /// parameter acts on amplitude or phase, and the relation of steady states contains drive and damping, as far as forces with abs and sign
     /// allow it.

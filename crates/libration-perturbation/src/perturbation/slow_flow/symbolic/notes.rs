@@ -34,8 +34,10 @@ pub(super) fn notes(
     if is_long(&steady.relation, &state.relation) {
         note(too_long());
     }
-    if let Some(obstacle) = steady.obstacle {
-        let formulas = missing(obstacle, state, steady).join(", ");
+    let missing = |obstacle| missing(obstacle, state, steady).join(", ");
+    if let Some((obstacle, formulas)) =
+        steady.obstacle.map(|it| (it, missing(it))).filter(|(_, formulas)| !formulas.is_empty())
+    {
         note(format!("{formulas}: {}", reason(obstacle, steady, highest)));
     }
     let is_curve = steady.obstacle.is_none_or(|it| it == Obstacle::Sums) && steady.relation.is_some();

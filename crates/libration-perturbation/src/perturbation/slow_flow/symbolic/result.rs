@@ -37,6 +37,8 @@ pub struct SymbolicSlowFlow {
     pub phase_rate: String,
     /// The displacement.
     pub displacement: String,
+    /// The equilibrium.
+    pub equilibrium: String,
     /// Restrictions of the displacement.
     pub displacement_note: Option<&'static str>,
     /// Steady states.
@@ -89,7 +91,8 @@ pub(super) fn collected(
         letters: explained(names, setting, found),
         amplitude_rate: rates[0].text(letters, phase),
         phase_rate: rates[1].times(letters, &per_amplitude).text(letters, phase),
-        displacement: displacement(setting, forced, solved),
+        displacement: displacement(setting, forced, solved, found.equilibrium.as_ref()),
+        equilibrium: found.equilibrium.as_ref().map_or_else(|| "0".to_owned(), ToString::to_string),
         displacement_note: is_kinked.then_some("harmonics of forces with abs or sign are left out"),
         steady_state,
         sums: Sums {
@@ -158,7 +161,11 @@ fn steady_state(
         equations: rates.iter().take(shown).map(|rate| rate.text(letters, phase)).collect(),
         relation: text(&relation),
         phase: steady.phase.as_ref().and_then(|(m, parts)| {
-            Some((usize::try_from(*m).ok()?, parts.each_ref().map(|it| letters.text(it))))
+            let divided = |part: &Sum| match &steady.denominator {
+                Some(below) => format!("({})/({})", letters.text(part), letters.text(below)),
+                None => letters.text(part),
+            };
+            Some((usize::try_from(*m).ok()?, parts.each_ref().map(divided)))
         }),
         trace: text(&steady.trace),
         determinant: text(&steady.determinant),
@@ -168,6 +175,10 @@ fn steady_state(
     if let Some(relation) = steady.relation.as_ref().filter(|_| is_curve) {
         let curve = ResponseCurve { letters, relation, order: order - lowest, omega0: &forced.omega0 };
         describe(&mut state, &curve, &found.drives, steady);
+    }
+    if let Some(relation) = relation.as_ref().filter(|_| !is_driven) {
+        let curve = ResponseCurve { letters, relation, order: order - lowest, omega0: &forced.omega0 };
+        describe_cycle(&mut state, &curve, &rates[1], order);
     }
     state.notes = notes(&state, is_driven, steady, forced.highest_order());
     state
@@ -186,10 +197,23 @@ fn describe(state: &mut SteadyState, curve: &ResponseCurve<'_>, drives: &[usize]
     }
     state.backbone = backbone.filter(is_short).map(|sum| curve.letters.text(&sum));
     state.folds = curve.folds().filter(is_short).map(|sum| curve.letters.text(&sum));
-    state.critical_drive = curve.critical_drive(drives);
+    if let Some([amplitude, value]) = curve.critical_drive(drives) {
+        (state.drive_amplitude, state.critical_drive) = (Some(amplitude), Some(value));
+    }
     if steady.order > steady.lowest && state.critical_drive.is_some() {
         state.notes.push("critical_drive is to lowest order".to_owned());
     }
+}
+
+/// Amplitude and frequency of the only limit cycle.
+fn describe_cycle(state: &mut SteadyState, curve: &ResponseCurve<'_>, turning: &PhaseSum, order: i64) {
+    let letters = curve.letters;
+    let is_negative = |power: &Sum| power.as_single_term().is_some_and(|(_, factor)| factor.is_negative());
+    let Some((power, root)) = curve.only_amplitude().filter(|(power, _)| !is_negative(power)) else { return };
+    let rate = letters.times(&turning.in_cosine_and_sine(letters, 1), &letters.power(Column::Amplitude, -1));
+    let rate = curve.at_power(&rate, &power, root, order);
+    state.cycle_frequency = rate.filter(is_short).map(|rate| letters.text(&letters.add(curve.omega0, &rate)));
+    state.cycle_amplitude = Some(root_text(letters, &power, root)).filter(|_| is_short(&power));
 }
 
 fn is_short(sum: &Sum) -> bool {
@@ -243,7 +267,12 @@ fn explained(names: &Names, setting: &Setting, found: &Found) -> Vec<(&'static s
 }
 
 /// The displacement as harmonics of W·t/p, or of ω0·t without drive, each with its multiple of φ.
-fn displacement(setting: &Setting, forced: &Forced<'_>, solved: &Solved) -> String {
+fn displacement(
+    setting: &Setting,
+    forced: &Forced<'_>,
+    solved: &Solved,
+    equilibrium: Option<&Sum>,
+) -> String {
     let letters = forced.letters;
     let known = &solved.displacements[0];
     let [z, conjugate] = [Column::Phasor, Column::Conjugate].map(|column| letters.place(column));
@@ -255,7 +284,7 @@ fn displacement(setting: &Setting, forced: &Forced<'_>, solved: &Solved) -> Stri
     harmonics.retain(|&k| k >= 0);
     let q = forced.harmonics[0];
     harmonics.sort_by_key(|&k| (k != q, k));
-    let mut text = String::new();
+    let mut text = equilibrium.map_or_else(String::new, ToString::to_string);
     for k in harmonics {
         let of_wave = letters.coefficient(known, Column::Wave, k);
         for &turn in turns.iter().filter(|&&turn| k > 0 || turn >= 0) {
@@ -291,16 +320,29 @@ fn append_wave(text: &mut String, setting: &Setting, forced: &Forced<'_>, own: &
 
 /// The phase of the k-th harmonic of s.
 pub(super) fn fast_angle(setting: &Setting, forced: &Forced<'_>, k: i64) -> String {
+    let letters = forced.letters;
     let (frequency, whole) = match &setting.drive {
-        Some(DriveFrequency::Number(number)) => {
-            (forced.letters.number(number.clone()).to_string(), forced.drive_harmonic)
+        Some(DriveFrequency::Number(number)) => (letters.number(number.clone()), forced.drive_harmonic),
+        Some(DriveFrequency::Symbol(name)) => {
+            return angle(&fraction(k, forced.drive_harmonic), name);
         }
-        Some(DriveFrequency::Symbol(name)) => (name.clone(), forced.drive_harmonic),
-        None => (forced.omega0.to_string(), forced.harmonics[0]),
+        None => (forced.omega0.clone(), forced.harmonics[0]),
     };
-    let factor = Rational::new(k, whole).unwrap_or_else(|| Rational::from(0));
+    let factor = fraction(k, whole);
+    match frequency.to_constant() {
+        Some(number) => angle(&(factor * number), "1"),
+        None => angle(&factor, &frequency.to_string()),
+    }
+}
+
+fn fraction(above: i64, below: i64) -> Rational {
+    Rational::new(above, below).unwrap_or_else(|| Rational::from(0))
+}
+
+/// A multiple of a frequency times t; empty for none.
+fn angle(factor: &Rational, frequency: &str) -> String {
     let is_product = frequency.contains(['/', '+', ' ']);
-    let frequency = if is_product { format!("({frequency})") } else { frequency };
+    let frequency = if is_product { format!("({frequency})") } else { frequency.to_owned() };
     match (factor.to_string().as_str(), frequency.as_str()) {
         ("0", _) => String::new(),
         ("1", "1") => "t".to_owned(),

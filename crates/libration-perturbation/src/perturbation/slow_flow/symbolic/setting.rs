@@ -5,7 +5,7 @@ use super::error::{LARGEST_RESONANCE, SymbolicSlowFlowError as Error};
 use super::force::DriveFrequency;
 use super::letters::Letters;
 use super::steady::greatest_common_divisor;
-use libration_numbers::expression::Equation;
+use libration_numbers::expression::{Equation, Expression};
 
 /// Names of the result that the symbols of the equation do not have.
 #[derive(Clone, Debug)]
@@ -38,11 +38,28 @@ pub(super) struct Setting {
     /// The one small parameter that multiplies detunings as well.
     pub(super) bookkeeping: Option<usize>,
     pub(super) detuning_order: Option<i64>,
+    /// The equilibrium of one coordinate; `None` for 0.
+    pub(super) about: Option<Expression>,
 }
 
 impl Setting {
     pub(super) fn new(equation: &Equation, options: &SymbolicSlowFlowOptions) -> Result<Self, Error> {
         equation.refuse_first_order()?;
+        let setting = Self::with_drive(equation, options, false)?;
+        match &setting.drive {
+            Some(DriveFrequency::Symbol(_)) if setting.is_drive_natural(equation)? => {
+                Self::with_drive(equation, options, true)
+            }
+            _ => Ok(setting),
+        }
+    }
+
+    /// `is_natural` for a drive whose symbol is also one of the natural frequencies: in coefficients it then is a symbol as any other.
+    fn with_drive(
+        equation: &Equation,
+        options: &SymbolicSlowFlowOptions,
+        is_natural: bool,
+    ) -> Result<Self, Error> {
         let variables = equation.variables();
         let drive = DriveFrequency::of(equation.accelerations())?;
         let resonance = resonance(options.resonance, drive.is_some())?;
@@ -50,7 +67,7 @@ impl Setting {
         let mut open: Vec<String> = equation.parameters().into_iter().collect();
         let names = Names::new(&open, variables, drive.as_ref());
         if let Some(DriveFrequency::Symbol(frequency)) = &drive {
-            open.retain(|name| name != frequency);
+            open.retain(|name| name != frequency || is_natural);
         }
         let small = small(&open, options, &names)?;
         open.sort_by_key(|name| small.iter().all(|(other, _)| other != name));
@@ -69,7 +86,8 @@ impl Setting {
         let bookkeeping = (small.len() == 1).then_some(0);
         let stated = small.iter().find(|(name, _)| names.is_detuning(name)).map(|(_, order)| *order);
         let detuning_order = stated.or_else(|| bookkeeping.map(|place| order(&open[place])));
-        Ok(Self { names, letters, drive, resonance, ratios, symbols, bookkeeping, detuning_order })
+        let about = options.about.clone().filter(|_| variables.len() == 1);
+        Ok(Self { names, letters, drive, resonance, ratios, symbols, bookkeeping, detuning_order, about })
     }
 
     /// The highest order of a parameter.

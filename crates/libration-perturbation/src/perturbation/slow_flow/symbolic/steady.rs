@@ -27,6 +27,8 @@ pub(super) struct Steady {
     pub(super) relation: Option<Sum>,
     /// cos mφ and sin mφ, with m.
     pub(super) phase: Option<(i64, [Sum; 2])>,
+    /// What both are to be divided by, where it is a sum.
+    pub(super) denominator: Option<Sum>,
     /// Trace and determinant of the Jacobian of A′ and φ′; without phase that of A′ only.
     pub(super) trace: Option<Sum>,
     pub(super) determinant: Option<Sum>,
@@ -137,7 +139,36 @@ impl SteadyEquations<'_> {
         let jacobian = is_turned.then(|| turned_jacobian(letters, m, rates, matrix)).flatten();
         let [trace, determinant] = jacobian.map_or([None, None], |parts| parts.map(Some));
         let relation = self.by_resultant();
-        Steady { relation, trace, determinant, coupling, obstacle: Some(obstacle), ..Steady::default() }
+        let quotients = trace.is_some().then(|| self.quotients(rates, matrix));
+        let (phase, denominator) =
+            quotients.map(|[cosine, sine, below]| ((m, [cosine, sine]), below)).unzip();
+        let obstacle = Some(obstacle);
+        Steady { relation, phase, denominator, trace, determinant, coupling, obstacle, ..Steady::default() }
+    }
+
+    /// Numerators of cos mφ and sin mφ with their denominator, without order, where the lowest order is the only one.
+    fn quotients(&self, rates: &[Sum; 2], matrix: &Coupling) -> [Sum; 3] {
+        let letters = self.letters;
+        let places = [Column::Cosine, Column::Sine].map(|column| letters.place(column));
+        let [p, q] = rates
+            .each_ref()
+            .map(|rate| letters.part(rate, |powers| places.iter().all(|&place| powers[place] == 0)));
+        let [[a, b], [c, d]] = matrix;
+        let minor =
+            |x: &Sum, u: &Sum, y: &Sum, v: &Sum| letters.subtract(&letters.times(x, u), &letters.times(y, v));
+        let all = [minor(b, &q, d, &p), minor(c, &p, a, &q), self.determinant(matrix)];
+        let least = |place: usize| {
+            let powers = all.iter().flat_map(Sum::half_powers).map(|(powers, _)| powers[place]);
+            powers.min().unwrap_or(0)
+        };
+        let least: Vec<i64> = (0..letters.ring.letters().len()).map(least).collect();
+        all.each_ref().map(|sum| {
+            letters.changed(sum, |powers, factor| {
+                powers.iter_mut().zip(&least).for_each(|(power, least)| *power -= least);
+                powers[letters.place(Column::Order)] = 0;
+                factor.clone()
+            })
+        })
     }
 
     /// The relation where several harmonics of the phase occur at the lowest order, which is the only one.

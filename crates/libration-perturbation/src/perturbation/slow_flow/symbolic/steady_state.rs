@@ -10,6 +10,10 @@ pub struct SteadyState {
     pub relation: Option<String>,
     /// cos mφ and sin mφ at steady states, with m.
     pub phase: Option<(usize, [String; 2])>,
+    /// Without drive, A on the only limit cycle.
+    pub cycle_amplitude: Option<String>,
+    /// The frequency of this limit cycle.
+    pub cycle_frequency: Option<String>,
     /// σ of the largest amplitude.
     pub backbone: Option<String>,
     /// The largest amplitude of the response curve.
@@ -20,6 +24,8 @@ pub struct SteadyState {
     pub folds: Option<String>,
     /// The amplitude of the drive from which on there are folds, to lowest order.
     pub critical_drive: Option<String>,
+    /// The formula of this amplitude in the symbols of the drive, such as F or F1 + F2.
+    pub drive_amplitude: Option<String>,
     /// The trace of the Jacobian of A′ and φ′; without drive ∂A′/∂A.
     pub trace: Option<String>,
     /// The determinant of the Jacobian.

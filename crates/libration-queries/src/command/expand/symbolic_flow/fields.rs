@@ -32,6 +32,9 @@ fn of_setting() -> Fields<Answer> {
             "p/q of W = (p/q)·ω0 + eps·sigma, drive over natural frequency; null without drive",
             |it| it.flow.resonance.map(|(p, q)| format!("{p}/{q}")).into(),
         ),
+        Of::value("equilibrium", "", "formula of the equilibrium, from which A is counted", |it| {
+            it.flow.equilibrium.as_str().into()
+        }),
         Of::value("natural_frequency", "", "formula of ω0, symbols being positive", |it| {
             it.flow.natural_frequency.as_str().into()
         }),
@@ -119,6 +122,18 @@ fn of_steady() -> Fields<SteadyState> {
             "",
             "formula of the amplitude of the drive above which there are folds, to lowest order",
             |it| it.critical_drive.clone().into(),
+        ),
+        Of::value("drive_amplitude", "", "formula of this amplitude in the symbols of the drive", |it| {
+            it.drive_amplitude.clone().into()
+        }),
+        Of::value("limit_cycle_amplitude", "", "without drive, formula of A on the only limit cycle", |it| {
+            it.cycle_amplitude.clone().into()
+        }),
+        Of::value(
+            "limit_cycle_frequency",
+            "",
+            "formula of the angular frequency of this limit cycle",
+            |it| it.cycle_frequency.clone().into(),
         ),
         Of::value("trace", "", "trace of the Jacobian of dA/dt and dphi/dt at steady states", |it| {
             it.trace.clone().into()
@@ -216,6 +231,8 @@ pub(super) fn formulas(answer: &Answer) -> Vec<NamedFormula> {
         ("peak_detuning", steady.peak_detuning.as_ref()),
         ("folds", steady.folds.as_ref()),
         ("critical_drive", steady.critical_drive.as_ref()),
+        ("limit_cycle_amplitude", steady.cycle_amplitude.as_ref()),
+        ("limit_cycle_frequency", steady.cycle_frequency.as_ref()),
         ("trace", steady.trace.as_ref()),
         ("determinant", steady.determinant.as_ref()),
     ];

@@ -5,6 +5,7 @@ use crate::call::in_words;
 use crate::output::number::{short, to_its_error};
 use crate::output::series::wrapped;
 use crate::output::table::write_text;
+use libration::expression::Expression;
 use libration::perturbation::{JudgedState, StateLeftOut, SteadySolution};
 use std::io::{self, Write};
 
@@ -43,11 +44,17 @@ fn setting(answer: &Answer) -> String {
     let natural =
         natural.map_or(String::new(), |(_, square)| format!("; {} = {square}", flow.natural_frequency));
     let drive = flow.drive.iter().zip(&flow.drive_frequency).map(|(frequency, formula)| {
-        let is_symbol = frequency.starts_with(|first: char| first.is_alphabetic());
-        let name = if is_symbol { "" } else { "frequency of the drive, which gives sigma: " };
+        let symbols = formula.parse::<Expression>().map(|formula| formula.symbols()).unwrap_or_default();
+        let is_open = frequency.starts_with(|first: char| first.is_alphabetic())
+            && symbols.iter().all(|symbol| symbol.name != *frequency);
+        let name = if is_open { "" } else { "frequency of the drive, which gives sigma: " };
         format!("; {name}{frequency} = {formula}")
     });
-    format!("slow flow to order {}: {small}{natural}{}", flow.order, drive.collect::<String>())
+    let about = match flow.equilibrium.as_str() {
+        "0" => String::new(),
+        equilibrium => format!(" about {} = {equilibrium}", answer.subject.variable),
+    };
+    format!("slow flow{about} to order {}: {small}{natural}{}", flow.order, drive.collect::<String>())
 }
 
 fn line(out: &mut dyn Write, name: &str, formula: &str) -> io::Result<()> {
@@ -56,13 +63,18 @@ fn line(out: &mut dyn Write, name: &str, formula: &str) -> io::Result<()> {
 
 fn write_steady(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     let steady = &answer.flow.steady_state;
+    let drive =
+        steady.drive_amplitude.as_ref().filter(|text| text.contains(|it: char| !it.is_alphanumeric()));
+    let critical = drive.map_or("critical drive = ".to_owned(), |drive| format!("critical drive {drive} = "));
     let formulas = [
+        ("limit cycle, A = ", &steady.cycle_amplitude),
+        ("limit cycle, frequency = ", &steady.cycle_frequency),
         ("relation, zero: ", &steady.relation),
         ("backbone, sigma = ", &steady.backbone),
         ("peak amplitude = ", &steady.peak_amplitude),
         ("peak at sigma = ", &steady.peak_detuning),
         ("folds, zero: ", &steady.folds),
-        ("critical drive = ", &steady.critical_drive),
+        (&critical, &steady.critical_drive),
         ("trace = ", &steady.trace),
         ("determinant = ", &steady.determinant),
     ];

@@ -55,6 +55,8 @@ fn failure(error: &SymbolicSlowFlowError) -> QueryError {
                 "{error}; <libration simulate> follows the motion, <libration response> the response curve"
             ),
         ),
+        Error::NoOscillation(_) => QueryError::no_result("slow flow", error)
+            .with_hint("<--about> names another equilibrium, such as <--about> 1"),
         _ => QueryError::no_result("slow flow", error),
     }
 }

@@ -45,10 +45,16 @@ impl Expand {
             let open = equation.parameters();
             open.len() > 1 || open.contains(BOOKKEEPING)
         });
+        let has_small =
+            self.oscillator.asked().is_ok_and(|asked| asked.equation.parameters().contains(BOOKKEEPING));
         let mut answer = vec![];
         match (is_plain && has_symbols).then(|| self.answer_symbolic_flow(&mut answer)) {
             Some(Ok(())) => Ok(out.write_all(&answer)?),
             Some(Err(better)) if better.is_cancelled() || is_driven => Err(better),
+            Some(Err(_)) if !has_small => {
+                let hint = "<--small> with small parameters and their orders, such as <--small> mu:1, gives the slow flow with symbols";
+                Err(refused.with_hint(hint))
+            }
             _ => Err(refused),
         }
     }
@@ -77,15 +83,12 @@ impl Expand {
             return Err(QueryError::usage(option("gauge"), reason));
         }
         let (held, asked) = self.held_back()?;
-        if asked.about.is_some() {
-            let reason = "a slow flow with symbols is given about x = 0: shift the displacement";
-            return Err(QueryError::usage(option("about"), reason));
-        }
         let options = SymbolicSlowFlowOptions {
             small: held.small.clone(),
             resonance: self.resonance.as_deref().map(drive_resonance).transpose()?,
             order: self.order,
             ratios: vec![],
+            about: asked.about.clone(),
         };
         let equation = asked.equation.clone();
         let how_far = || "slow flow".to_owned();
