@@ -34,7 +34,8 @@
 //! equation (`symmetry.rs`). Folds, flips and Neimark–Sacker points (products of multipliers equal to one) are zeros of test functions along the
 //! branch; they are computed to the last digits, and again with another tolerance, and the difference is the error (`special.rs`). A test
 //! function that is noise, such as a determinant of a conservative system, has no sign. Secondary branches are followed in the larger space
-//! until they return to a smaller one; the branch on which another branch ends is followed too (`response.rs`).
+//! until they return to a smaller one, and those of doubled periods until deviations grow a thousandfold in a period; the branch on which
+//! another branch ends is followed too (`response.rs`).
 //!
 //! A point is accepted if the motion, integrated over its whole period by the equation alone, returns within the grown
 //! error of its start (`description.rs`). If deviations grow more than 5e9-fold, so that rounding errors exceed 1e-6,
