@@ -63,7 +63,7 @@ pub enum Ending {
     SlowDrive,
     /// The motion has a billion times the size of the first one.
     Unbounded,
-    /// Deviations grow more than 1000-fold in a period of a branch of period-doubled motions.
+    /// Deviations grow more than 1000-fold in a doubled period of eight or more drive periods or turns.
     Sensitive,
     /// The corrector failed at the minimum step.
     Lost,
@@ -231,7 +231,13 @@ impl<'a> Walk<'a> {
                 return None;
             }
             *length *= 0.5;
-            return (*length < STEPS[1]).then_some(Ending::Lost);
+            if *length >= STEPS[1] {
+                return None;
+            }
+            let Some((node, step)) = self.across_change_of_stops(&units) else { return Some(Ending::Lost) };
+            *length = step;
+            self.restart_at(node);
+            return None;
         };
         if !established {
             let [from, to] = [&self.at().point, &next.point].map(|point| point.parameter);
@@ -263,6 +269,41 @@ impl<'a> Walk<'a> {
             return Some(self.accept(end, &units).unwrap_or(Ending::Closed));
         }
         self.accept(next, &units)
+    }
+
+    /// The nearest node on the other side of a motion at which the number of stops of a force that jumps changes, with its distance: the branch
+    /// is continuous there, but its direction is not, and next to it deviations have no derivatives.
+    fn across_change_of_stops(&self, units: &[f64]) -> Option<(Node, f64)> {
+        const LENGTHS: [f64; 4] = [1e-6, 1e-5, 1e-4, 1e-3];
+        /// Largest distance of the node relative to the step.
+        const NEAR: f64 = 10.0;
+        /// Largest angle between the directions on both sides.
+        const TURN: f64 = 1.5;
+        let last = self.at();
+        if !self.corrector.family.has_jumps() {
+            return None;
+        }
+        let tangent = in_units(&last.direction, units);
+        let at = |length: f64| {
+            let step = |j: usize| last.place()[j] + units[j] * length * tangent[j];
+            let guess: Vec<f64> = (0..tangent.len()).map(step).collect();
+            let corrected = self.corrector.corrected(&guess, &tangent, units)?;
+            let is_near = norm(&difference(&corrected.place, last.place(), units)) <= NEAR * length;
+            let node = is_near.then(|| Node::new(&self.corrector, corrected, &last.direction, units))??;
+            let cosine: f64 = in_units(&node.direction, units).iter().zip(&tangent).map(|(a, b)| a * b).sum();
+            (cosine >= libm::cos(TURN)).then_some((node, length))
+        };
+        LENGTHS.into_iter().find_map(at)
+    }
+
+    /// Continues with a node beyond the last one; the range between them is not resolved.
+    fn restart_at(&mut self, node: Node) {
+        let [from, to] = [self.at(), &node].map(|node| node.point.parameter);
+        self.unresolved.push([from.min(to), from.max(to)]);
+        let at = self.milestones.last().map_or(0.0, |last| last.at);
+        self.milestones = vec![Milestone { at, tests: node.tests }];
+        self.largest = self.largest.max(self.corrector.family.largest_swing(&node.point));
+        self.nodes.push(node);
     }
 
     /// Restarts the last motion at its turning point with the smallest error, if that error is far smaller, and returns `true` if it does. A

@@ -76,10 +76,12 @@ impl Search<'_> {
             return None;
         }
         let space = self.smallest(leaving.space, unknowns, *value);
-        /// Largest growth of deviations in a period up to which doubled periods are followed: farther on, and on the
+        /// Largest growth of deviations in a period up to which long doubled periods are followed: farther on, and on the
         /// branches that leave them, motions are unstable, and each takes twice the work of the one before.
         const SENSITIVE: f64 = 1e3;
-        let largest_growth = if leaving.origin == Origin::PeriodDoubling { SENSITIVE } else { f64::INFINITY };
+        const LONG: u32 = 8;
+        let is_long = leaving.origin == Origin::PeriodDoubling && space.drive_periods() >= LONG;
+        let largest_growth = if is_long { SENSITIVE } else { f64::INFINITY };
         let limits =
             Limits { largest_growth, initial_step: FIRST.min(2.0 * distance), ..self.limits(&start, space) };
         let mut walked = Walk::new(self.corrector(space), limits, start).walked(leaving.origin);
