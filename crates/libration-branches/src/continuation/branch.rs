@@ -63,6 +63,8 @@ pub enum Ending {
     SlowDrive,
     /// The motion has a billion times the size of the first one.
     Unbounded,
+    /// Deviations grow more than 1000-fold in a doubled period of eight or more drive periods or turns.
+    Sensitive,
     /// The corrector failed at the minimum step.
     Lost,
     /// Cancelled by the caller.
@@ -76,12 +78,15 @@ pub(super) struct Limits {
     pub(super) range: [f64; 2],
     pub(super) most_points: usize,
     pub(super) longest_period: f64,
+    /// The magnitude of a multiplier at which the branch ends.
+    pub(super) largest_growth: f64,
+    pub(super) initial_step: f64,
 }
 
 /// The maximum and the minimum step, in units of the motion and of the range.
 const STEPS: [f64; 2] = [0.12, 1e-7];
 /// The initial step.
-const FIRST: f64 = 0.02;
+pub(super) const FIRST: f64 = 0.02;
 /// Maximum step at which a fold is distinguished from a crossing of branches.
 const SHORT: f64 = 0.01;
 /// The minimum step of the halvings that exclude hidden special points.
@@ -107,6 +112,8 @@ pub(super) struct Walk<'a> {
     special: Vec<(SpecialPoint, Node)>,
     /// The length of the last step.
     last: f64,
+    /// The number of nodes when the last one was begun at its other turning points.
+    restarted: usize,
     /// The size of the first motion, at least one.
     scale: f64,
     /// The branch point at which this branch ends on another one.
@@ -164,6 +171,7 @@ impl<'a> Walk<'a> {
             unresolved: vec![],
             special: vec![],
             last: 0.0,
+            restarted: 0,
             meeting: None,
             hopf: None,
         }
@@ -186,7 +194,7 @@ impl<'a> Walk<'a> {
     }
 
     fn followed(&mut self) -> Ending {
-        let mut length = FIRST;
+        let mut length = self.limits.initial_step;
         while self.nodes.len() < self.limits.most_points {
             if self.corrector.family.watch.reached(self.nodes.len()).is_err() {
                 return Ending::Interrupted;
@@ -205,7 +213,9 @@ impl<'a> Walk<'a> {
     fn step(&mut self, length: &mut f64) -> Option<Ending> {
         let width = self.limits.range[1] - self.limits.range[0];
         let units = self.corrector.family.units(&self.at().point, self.largest, width);
-        let next = self.next(&units, *length).and_then(|(next, turn, off)| {
+        let found = self.next(&units, *length);
+        let is_lost = found.is_none();
+        let next = found.and_then(|(next, turn, off)| {
             let stretch = Stretch { corrector: &self.corrector, ends: [self.at(), &next], units: &units };
             if *length > SHORT && (stretch.may_meet_other_branch() || stretch.may_cross_other_branch()) {
                 return None;
@@ -217,11 +227,17 @@ impl<'a> Walk<'a> {
             (established || *length <= RESOLVED).then_some((next, turn, off, established))
         });
         let Some((next, turn, off, established)) = next else {
-            if *length < SHORT && self.begin_elsewhere(&units) {
+            if is_lost && *length < SHORT && self.begin_elsewhere(&units) {
                 return None;
             }
             *length *= 0.5;
-            return (*length < STEPS[1]).then_some(Ending::Lost);
+            if *length >= STEPS[1] {
+                return None;
+            }
+            let Some((node, step)) = self.across_change_of_stops(&units) else { return Some(Ending::Lost) };
+            *length = step;
+            self.restart_at(node);
+            return None;
         };
         if !established {
             let [from, to] = [&self.at().point, &next.point].map(|point| point.parameter);
@@ -238,6 +254,9 @@ impl<'a> Walk<'a> {
         if size(&next.point) > UNBOUNDED * self.scale {
             return Some(Ending::Unbounded);
         }
+        if next.point.multipliers.first().is_some_and(|it| it.abs() > self.limits.largest_growth) {
+            return Some(Ending::Sensitive);
+        }
         if !(low..=high).contains(&parameter) {
             let boundary = if parameter < low { low } else { high };
             let Some(end) = self.at_parameter(&next, &units, boundary) else { return Some(Ending::Lost) };
@@ -252,13 +271,52 @@ impl<'a> Walk<'a> {
         self.accept(next, &units)
     }
 
+    /// The nearest node on the other side of a motion at which the number of stops of a force that jumps changes, with its distance: the branch
+    /// is continuous there, but its direction is not, and next to it deviations have no derivatives.
+    fn across_change_of_stops(&self, units: &[f64]) -> Option<(Node, f64)> {
+        const LENGTHS: [f64; 4] = [1e-6, 1e-5, 1e-4, 1e-3];
+        /// Largest distance of the node relative to the step.
+        const NEAR: f64 = 10.0;
+        /// Largest angle between the directions on both sides.
+        const TURN: f64 = 1.5;
+        let last = self.at();
+        if !self.corrector.family.has_jumps() {
+            return None;
+        }
+        let tangent = in_units(&last.direction, units);
+        let at = |length: f64| {
+            let step = |j: usize| last.place()[j] + units[j] * length * tangent[j];
+            let guess: Vec<f64> = (0..tangent.len()).map(step).collect();
+            let corrected = self.corrector.corrected(&guess, &tangent, units)?;
+            let is_near = norm(&difference(&corrected.place, last.place(), units)) <= NEAR * length;
+            let node = is_near.then(|| Node::new(&self.corrector, corrected, &last.direction, units))??;
+            let cosine: f64 = in_units(&node.direction, units).iter().zip(&tangent).map(|(a, b)| a * b).sum();
+            (cosine >= libm::cos(TURN)).then_some((node, length))
+        };
+        LENGTHS.into_iter().find_map(at)
+    }
+
+    /// Continues with a node beyond the last one; the range between them is not resolved.
+    fn restart_at(&mut self, node: Node) {
+        let [from, to] = [self.at(), &node].map(|node| node.point.parameter);
+        self.unresolved.push([from.min(to), from.max(to)]);
+        let at = self.milestones.last().map_or(0.0, |last| last.at);
+        self.milestones = vec![Milestone { at, tests: node.tests }];
+        self.largest = self.largest.max(self.corrector.family.largest_swing(&node.point));
+        self.nodes.push(node);
+    }
+
     /// Restarts the last motion at its turning point with the smallest error, if that error is far smaller, and returns `true` if it does. A
     /// canard, which follows a repelling part of the orbit for a while, can be followed from other points of the orbit only.
     fn begin_elsewhere(&mut self, units: &[f64]) -> bool {
         const LESS: f64 = 0.01;
         /// Largest change of the parameter, relative to the range, and of the period by which it is still this motion.
         const SAME: f64 = 1e-6;
-        let here = &self.at().point;
+        let here = self.at().point.clone();
+        let is_exact = LESS * here.error <= f64::EPSILON * size(&here);
+        if is_exact || std::mem::replace(&mut self.restarted, self.nodes.len()) == self.nodes.len() {
+            return false;
+        }
         let width = self.limits.range[1] - self.limits.range[0];
         let is_this = |it: &Node| {
             (it.point.parameter - here.parameter).abs() <= SAME * width

@@ -76,6 +76,14 @@ impl Family<'_> {
         Some(Whole { steps, defect, closing })
     }
 
+    /// The ranges of the coordinates of a motion; `None` if it cannot be integrated.
+    pub(super) fn ranges_of(&self, space: Space, unknowns: &[f64], value: f64) -> Option<Vec<[f64; 2]>> {
+        let duration = self.duration(space, unknowns, &[value])?;
+        let motion = self.whole(space, unknowns, &[value], TOLERANCES[1])?;
+        let period = if space.mirrored { 2.0 * duration } else { duration };
+        Some(ranges(&self.layout, &motion.steps, space, period))
+    }
+
     /// A motion at some parameters with a known error; its `parameter` is the first of them.
     pub(super) fn point(
         &self,

@@ -193,6 +193,11 @@ impl<'w> Family<'w> {
         has_partial_mirror(&self.layout, self.flow.rates(), law, &self.ranges, self.scale, [&changed, &kept])
     }
 
+    /// `true` if a force jumps.
+    pub(super) const fn has_jumps(&self) -> bool {
+        self.flow.has_jumps()
+    }
+
     pub(super) fn is_driven(&self) -> bool {
         self.field().is_none()
     }

@@ -1,6 +1,6 @@
 //! Continuation of a balanced free oscillation to the response under the full drive and damping.
 
-use super::branch::{Limits, Origin, Walk};
+use super::branch::{FIRST, Limits, Origin, Walk};
 use super::corrector::Corrector;
 use super::energy_balance::EnergyBalance;
 use super::family::{Family, TOLERANCES};
@@ -48,6 +48,8 @@ impl<'w> ToFullStrength<'w> {
             range: [0.5 * start.point.parameter, 1.0],
             most_points: MOST_POINTS,
             longest_period: f64::INFINITY,
+            largest_growth: f64::INFINITY,
+            initial_step: FIRST,
         };
         let branch = Walk::new(corrector, limits, start).walked(Origin::FreeOscillation).branch;
         branch.points.last().filter(|it| it.parameter.to_bits() == 1.0_f64.to_bits()).cloned()

@@ -23,7 +23,8 @@
 //! the start and the parameter, including the derivative of the period, so that the drive frequency is a parameter like others. A branch is
 //! followed from point to point along its tangent, with Newton's method perpendicular to it. The step is shortened if the prediction was far off
 //! or the direction turns, which keeps neighbouring branches apart. `established.rs` tests whether a step may have skipped a special point;
-//! parameter ranges in which even the minimum steps do not exclude that are listed.
+//! parameter ranges in which even the minimum steps do not exclude that are listed. Where a force jumps, a branch is
+//! continued beyond the motion at which the number of stops changes, next to which deviations have no derivatives.
 //!
 //! At each end of the range, or at one given value, branches begin with the motion that Newton's method finds from the start, and with further
 //! motions near estimates by harmonic balance (`further_starts.rs`). Not searched are motions with many harmonics, other periods, isolas
@@ -34,7 +35,8 @@
 //! equation (`symmetry.rs`). Folds, flips and Neimark–Sacker points (products of multipliers equal to one) are zeros of test functions along the
 //! branch; they are computed to the last digits, and again with another tolerance, and the difference is the error (`special.rs`). A test
 //! function that is noise, such as a determinant of a conservative system, has no sign. Secondary branches are followed in the larger space
-//! until they return to a smaller one; the branch on which another branch ends is followed too (`response.rs`).
+//! until they return to a smaller one, and those of eight or more periods until deviations grow a thousandfold in one; the branch on which
+//! another branch ends is followed too (`response.rs`).
 //!
 //! A point is accepted if the motion, integrated over its whole period by the equation alone, returns within the grown
 //! error of its start (`description.rs`). If deviations grow more than 5e9-fold, so that rounding errors exceed 1e-6,

@@ -140,7 +140,7 @@ impl Search<'_> {
         let mut landings =
             same.map(|(space, pair)| landing(&self.corrector(space), pair, value, self.width()));
         if !is_driven {
-            return landings.any(|point| start.has_period(&point, SAME));
+            return landings.any(|point| self.is_cycle(start, value, &point, SAME));
         }
         let Some(copies) = self.copies(start, value) else { return false };
         let size = start.unknowns.iter().map(|x| x.abs()).fold(0.0, f64::max);

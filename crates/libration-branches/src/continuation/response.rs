@@ -261,7 +261,7 @@ impl Search<'_> {
         let copies = self.copies(start, value).unwrap_or_else(|| vec![start.unknowns.clone()]);
         let is_same = |point: &BranchPoint| match self.family.is_driven() {
             true => copies.iter().any(|copy| start.space.is_near(&point.state, copy, SAME * size)),
-            false => start.has_period(point, SAME),
+            false => self.is_cycle(start, value, point, SAME),
         };
         let ends = branches.iter().flat_map(|branch| [branch.points.first(), branch.points.last()]).flatten();
         ends.filter(|point| point.parameter.to_bits() == value.to_bits()).any(is_same)

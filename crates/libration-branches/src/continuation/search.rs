@@ -1,6 +1,6 @@
 //! Search for branches: a system over a parameter range, with the options of the response.
 
-use super::branch::{Ending, Limits, Origin, Walk, Walked};
+use super::branch::{Ending, FIRST, Limits, Origin, Walk, Walked};
 use super::corrector::Corrector;
 use super::error::BranchError;
 use super::family::{Family, TOLERANCES};
@@ -30,8 +30,8 @@ pub(super) struct Start {
 
 impl Start {
     /// Returns `true` if a cycle without a drive has the period of a point within a relative difference. The number of turns may differ along a
-    /// branch, as the first coordinate gains maxima, and the turn with which a cycle begins is arbitrary.
-    pub(super) fn has_period(&self, point: &BranchPoint, difference: f64) -> bool {
+    /// branch, as the first coordinate gains maxima.
+    fn has_period(&self, point: &BranchPoint, difference: f64) -> bool {
         let turns = f64::from(self.space.drive_periods());
         let period = self.unknowns.last().map_or(f64::NAN, |turn| turn * turns);
         (point.period - period).abs() <= difference * period
@@ -39,6 +39,25 @@ impl Start {
 }
 
 impl Search<'_> {
+    /// Returns `true` if a cycle without a drive has the period of a point, and the ranges of its coordinates or of their mirror image, within a
+    /// relative difference: the turn with which a cycle begins is arbitrary.
+    pub(super) fn is_cycle(&self, start: &Start, value: f64, point: &BranchPoint, difference: f64) -> bool {
+        let Self { family, .. } = self;
+        if !start.has_period(point, difference) {
+            return false;
+        }
+        let Some(ranges) = family.ranges_of(start.space, &start.unknowns, value) else { return true };
+        let sizes = ranges.iter().chain(&point.ranges).map(|[low, high]| high - low);
+        let far = difference * sizes.fold(0.0, f64::max);
+        let is_near = |a: [f64; 2], b: [f64; 2]| a.iter().zip(b).all(|(a, b)| (a - b).abs() <= far);
+        let mirrored = |number: usize, [low, high]: [f64; 2]| {
+            if family.signs[number] < 0.0 { [-high, -low] } else { [low, high] }
+        };
+        let pairs = || ranges.iter().copied().zip(point.ranges.iter().copied()).enumerate();
+        pairs().all(|(_, (own, other))| is_near(own, other))
+            || pairs().all(|(number, (own, other))| is_near(mirrored(number, own), other))
+    }
+
     /// The equations at a value of the parameter.
     pub(super) fn at(&self, value: f64) -> Result<Equation, OrbitError> {
         let exact = BigFloat::from_f64(value, 53).map(|it| Expression::Number(it.to_rational()));
@@ -112,6 +131,8 @@ impl Search<'_> {
             range: self.range,
             most_points: self.options.most_points,
             longest_period: SLOW * periods * least,
+            largest_growth: f64::INFINITY,
+            initial_step: FIRST,
         }
     }
 
@@ -160,19 +181,22 @@ impl Search<'_> {
     }
 
     pub(super) fn smallest(&self, space: Space, state: &[f64], value: f64) -> Space {
-        /// Largest defect relative to the size of the state: a closed motion differs from its mirror image by rounding errors or by far more.
-        const SAME: f64 = 1e-9;
-        let size = state.iter().map(|x| x.abs()).fold(1e-6 * self.family.scale, f64::max);
-        let belongs = |smaller: &Space| {
-            let image = self.family.image(*smaller, state, &[value], TOLERANCES[0]);
-            // Without a drive the last component of the defect is the phase condition.
-            let numbers = self.family.layout.numbers();
-            image.is_some_and(|it| it.defect[..numbers].iter().all(|d| d.abs() <= SAME * size))
-        };
-        match space.within(self.family.symmetry).into_iter().find(belongs) {
+        let mut smaller = space.within(self.family.symmetry).into_iter();
+        match smaller.find(|it| self.belongs_to(*it, state, value)) {
             Some(smaller) => self.smallest(smaller, state, value),
             None => space,
         }
+    }
+
+    /// Returns `true` if a closed motion is one of a space.
+    pub(super) fn belongs_to(&self, space: Space, state: &[f64], value: f64) -> bool {
+        /// Largest defect relative to the size of the state: a closed motion differs from its mirror image by rounding errors or by far more.
+        const SAME: f64 = 1e-9;
+        let size = state.iter().map(|x| x.abs()).fold(1e-6 * self.family.scale, f64::max);
+        let image = self.family.image(space, state, &[value], TOLERANCES[0]);
+        // Without a drive the last component of the defect is the phase condition.
+        let numbers = self.family.layout.numbers();
+        image.is_some_and(|it| it.defect[..numbers].iter().all(|d| d.abs() <= SAME * size))
     }
 
     /// The branch through a motion at a value, in both directions.

@@ -1,6 +1,6 @@
 //! Secondary branches, from symmetry breaking and period doubling.
 
-use super::branch::{Branch, Origin, Walk, Walked};
+use super::branch::{Branch, FIRST, Limits, Origin, Walk, Walked};
 use super::description::squared;
 use super::node::Node;
 use super::point::BranchPoint;
@@ -14,6 +14,8 @@ use libration_numbers::internals::linear::null_space;
 pub(super) struct Leaving {
     origin: Origin,
     space: Space,
+    /// The space of the primary branch.
+    primary: Space,
     node: Node,
 }
 
@@ -37,18 +39,21 @@ impl Search<'_> {
             SpecialKind::PeriodDoubling => Some(Origin::PeriodDoubling),
             _ => None,
         };
-        let space = walked.branch.space.doubled();
+        let (primary, space) = (walked.branch.space, walked.branch.space.doubled());
         let leaving = |(special, node): &(SpecialPoint, Node)| {
-            Some((generation + 1, Leaving { origin: origin(special.kind)?, space, node: node.clone() }))
+            Some((
+                generation + 1,
+                Leaving { origin: origin(special.kind)?, space, primary, node: node.clone() },
+            ))
         };
         walked.specials.iter().filter_map(leaving).collect()
     }
 
     /// The secondary branch, along the deviation that the map turns into its opposite.
     pub(super) fn switched(&self, leaving: &Leaving) -> Option<Walked> {
-        /// Initial distances in scaled units, in the order of the trials: far enough from the
-        /// primary branch to determine the side, and nearer if a motion is not found there.
-        const ASIDE: [f64; 3] = [1e-2, 3e-3, 1e-3];
+        /// Initial distances in scaled units, in the order of the trials: far enough from the primary branch to determine
+        /// the side, and nearer if a motion is not found there, as on cycles of many turns, whose maps bend strongly.
+        const ASIDE: [f64; 9] = [1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6];
         ASIDE.into_iter().find_map(|aside| self.switched_aside(leaving, aside))
     }
 
@@ -67,11 +72,19 @@ impl Search<'_> {
         let place: Vec<f64> = leaving.node.place().iter().zip(&aside).map(|(x, d)| x + d).collect();
         let start = Node::near(&self.corrector(leaving.space), &place, [&aside, &aside], self.width())?;
         let (value, unknowns) = start.place().split_last()?;
+        if self.belongs_to(leaving.primary, unknowns, *value) {
+            return None;
+        }
         let space = self.smallest(leaving.space, unknowns, *value);
-        let corrector = self.corrector(space);
-        let start = Node::near(&corrector, start.place(), [&aside, &aside], self.width())?;
-        let limits = self.limits(&start, leaving.space);
-        let mut walked = Walk::new(corrector, limits, start).walked(leaving.origin);
+        /// Largest growth of deviations in a period up to which long doubled periods are followed: farther on, and on the
+        /// branches that leave them, motions are unstable, and each takes twice the work of the one before.
+        const SENSITIVE: f64 = 1e3;
+        const LONG: u32 = 8;
+        let is_long = leaving.origin == Origin::PeriodDoubling && space.drive_periods() >= LONG;
+        let largest_growth = if is_long { SENSITIVE } else { f64::INFINITY };
+        let limits =
+            Limits { largest_growth, initial_step: FIRST.min(2.0 * distance), ..self.limits(&start, space) };
+        let mut walked = Walk::new(self.corrector(space), limits, start).walked(leaving.origin);
         walked.branch.begin_with(leaving.node.point.clone());
         Some(walked)
     }

@@ -125,7 +125,13 @@ fn check_points(oscillator: &Oscillator, branch: &Branch) {
         let size = 1.0 + state[0].abs().max(state[1].abs());
         let label = format!("{} at w = {:?}", oscillator.text, point.parameter);
         assert!(off <= 1e-5 * size * growth.max(1.0), "{label} misses its start by {off:e}");
-        if (growth - 1.0).abs() > OPEN {
+        // Next to a motion that grazes a kink the multipliers change within the differences of the starts.
+        let is_open = || {
+            let beside = [2e-6, -2e-6].map(|aside| [state[0] + aside * size, state[1]]);
+            let others = beside.map(|state| largest(oscillator.map(state, point.parameter, periods).1));
+            others.iter().any(|other| (growth - 1.0).abs() <= (growth - other).abs())
+        };
+        if (growth - 1.0).abs() > OPEN && !is_open() {
             assert_eq!(point.is_stable(), growth < 1.0, "{label}: the largest multiplier is {growth}");
         }
     }

@@ -313,3 +313,17 @@ fn a_motion_that_no_single_integration_closes_is_followed() {
         }
     }
 }
+
+#[test]
+fn a_branch_under_dry_friction_passes_the_change_of_the_number_of_stops() {
+    for equation in
+        ["x'' + 0.5*x' + x + 0.3*sign(x') = 0.5*cos(w*t)", "x'' + 0.1*x' + x + 0.3*sign(x') = 0.5*cos(w*t)"]
+    {
+        let response =
+            Response::over(&equation.parse().unwrap(), "w", [0.2, 2.0], &ResponseOptions::default(), &Quiet)
+                .unwrap();
+        assert_eq!(response.branches.len(), 1, "{equation}");
+        let branch = &response.branches[0];
+        assert_eq!([branch.beginning, branch.ending], [Ending::RangeEnd; 2], "{equation}");
+    }
+}

@@ -205,3 +205,39 @@ fn a_cycle_of_a_later_coordinate_is_found_from_rest() {
     // That of van der Pol's equation, as above.
     assert!((period - 6.6632868593231301897).abs() < 1e-12 && branch.ending == Ending::RangeEnd, "{period}");
 }
+
+#[test]
+fn cycles_of_many_turns_double_their_period_and_are_followed() {
+    let lorenz = "x' = 10*(y - x); y' = x*(rho - z) - y; z' = x*y - 8/3*z";
+    let options =
+        ResponseOptions { at: Some(150.0), start: Some(vec![0.1, 0.0, 0.0]), ..ResponseOptions::default() };
+    let response = over(lorenz, "rho", [130.0, 170.0], &options);
+    let of_turns =
+        |turns: u32| response.branches.iter().filter(move |it| it.space.drive_periods() == turns).collect();
+    let (pair, quadruple): (Vec<&Branch>, Vec<&Branch>) = (of_turns(6), of_turns(12));
+    let ([pair], [quadruple]) = (&pair[..], &quadruple[..]) else { panic!("{response:?}") };
+    // By shooting with SciPy's DOP853.
+    let [first, second] = [pair, quadruple].map(|it| special(it, SpecialKind::PeriodDoubling));
+    assert!(first.len() == 1 && (first[0] - 147.150294744).abs() < 1e-9, "{first:?}");
+    assert!(second.len() == 1 && (second[0] - 146.8728).abs() < 1e-5, "{second:?}");
+    assert!(pair.ending == Ending::RangeEnd && quadruple.ending == Ending::Sensitive);
+    let last = quadruple.points.last().unwrap().multipliers[0].abs();
+    assert!((100.0..1000.0).contains(&last), "{last}");
+}
+
+/// r′ = r(1 − r²)(m² − r²)(9 − r²)/10, φ′ = 1: a motion from r = 1.9 goes to the cycle r = 3 for m = 1.8, and to r = 1 for m = 2.2.
+#[test]
+fn cycles_with_one_period_are_distinguished_by_their_ranges() {
+    let growth = "(1 - x^2 - y^2)*(m^2 - x^2 - y^2)*(9 - x^2 - y^2)/10";
+    let equation = format!("x' = x*{growth} - y; y' = y*{growth} + x");
+    let options = ResponseOptions { start: Some(vec![1.9, 0.0]), ..ResponseOptions::default() };
+    let response = over(&equation, "m", [1.8, 2.2], &options);
+    let radius = |branch: &Branch| branch.points[0].amplitude(0, false);
+    let mut radii: Vec<f64> = response.branches.iter().map(radius).collect();
+    radii.sort_by(f64::total_cmp);
+    assert!(
+        radii.len() == 2 && (radii[0] - 1.0).abs() < 1e-12 && (radii[1] - 3.0).abs() < 1e-12,
+        "{radii:?}"
+    );
+    assert!(response.branches.iter().flat_map(|it| &it.points).all(|it| (it.period - TAU).abs() < 1e-11));
+}

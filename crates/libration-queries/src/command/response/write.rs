@@ -182,7 +182,10 @@ fn summary(branch: &Numbered<'_>) -> String {
         false => "",
     };
     let even = if rotates { " from uniform rotation" } else { "" };
-    let is_at_a_value = matches!(branch.branch.ending, Ending::RangeEnd | Ending::Lost | Ending::Unbounded);
+    let is_at_a_value = matches!(
+        branch.branch.ending,
+        Ending::RangeEnd | Ending::Lost | Ending::Sensitive | Ending::Unbounded
+    );
     let end = points.last().filter(|_| is_at_a_value);
     let at = end.map_or_else(String::new, |point| {
         format!(
