@@ -1,6 +1,7 @@
 //! Bars that are turned about several points, and reversible pendulums, against T²h = 4π²(k² + h²)/g, and many draws of errors.
 
 use std::f64::consts::TAU;
+use std::ops::Range;
 
 use crate::random::Random;
 use libration::quantity::Quantity;
@@ -247,10 +248,14 @@ impl Coverage {
 
     fn check(&self, what: &str) {
         // The standard deviation is 1.1 % of 400 draws, and 2.2 % of 100.
-        let of = |usual, full, own| Limits { usual, full, own };
-        of(0.87..1.001, 0.91..0.991, 0.92..0.981)
-            .check(self.within[1] / self.draws, &format!("{what}, 95 %"));
-        of(0.53..0.84, 0.59..0.78, 0.62..0.741).check(self.within[0] / self.draws, &format!("{what}, 68 %"));
+        self.check_with(what, [0.87..1.001, 0.91..0.991, 0.92..0.981]);
+        let limits = Limits { usual: 0.53..0.84, full: 0.59..0.78, own: 0.62..0.741 };
+        limits.check(self.within[0] / self.draws, &format!("{what}, 68 %"));
+    }
+
+    /// Checks the intervals of 95 % alone.
+    fn check_with(&self, what: &str, [usual, full, own]: [Range<f64>; 3]) {
+        Limits { usual, full, own }.check(self.within[1] / self.draws, &format!("{what}, 95 %"));
     }
 }
 
@@ -287,8 +292,50 @@ fn intervals_of_bars_hold_in_a_sweep() {
             found[1].count(best.offset.unwrap(), -centre, dof);
             found[2].count(best.gyration.unwrap(), k * k, dof);
         }
-        for (coverage, what) in found.iter().zip(["g", "centre", "k²"]) {
-            coverage.check(&format!("{what}, stated: {is_stated}"));
+        let [g, centre, gyration] = &found;
+        g.check(&format!("g, stated: {is_stated}"));
+        gyration.check(&format!("k², stated: {is_stated}"));
+        if is_stated {
+            centre.check("centre, stated");
+        } else {
+            // Errors of the lengths, which the rows do not quite exclude, would move it: its interval is too wide.
+            centre.check_with("centre, from the scatter", [0.87..1.001, 0.91..1.001, 0.92..1.001]);
+        }
+    }
+}
+
+/// Next to the centre the period changes by up to 25 ms in a millimetre. In an independent simulation of 400 tables for each case the intervals of
+/// g held in 93 to 98 % and those of the centre in 90 % or more, against 81 to 89 % and 26 to 38 % with equal weights. By the binomial distribution 93 %
+/// of 100 tables are fewer than 84 in one case of 1800, and 90 % fewer than 78 in one of 8800.
+#[test]
+fn intervals_of_bars_without_uncertainties_hold_for_errors_of_the_lengths_in_a_sweep() {
+    let mut random = Random::seeded(sweep::seed(19));
+    let one_side: Vec<f64> = (0..12).map(|k| 0.05 + 0.039 * f64::from(k)).collect();
+    let whole: Vec<f64> =
+        (0..12).map(|k| 0.02 + 0.084 * f64::from(k) + if k < 6 { 0.0 } else { 0.036 }).collect();
+    let options = LengthsOptions { pendulum: Some(LengthsPendulum::Bar), ..LengthsOptions::default() };
+    for (positions, centre) in [(&one_side, 0.0), (&whole, 0.5)] {
+        for of_period in [0.0, 0.003] {
+            let mut found: [Coverage; 2] = Default::default();
+            for _ in 0..sweep::number(100, 400) {
+                let exact: Vec<f64> = positions.iter().map(|x| period(x - centre, K)).collect();
+                let periods = noisy(&exact, of_period, &mut random);
+                let given = noisy(positions, 1e-3, &mut random);
+                let columns =
+                    LengthColumns { lengths: &given, periods: &periods, ..LengthColumns::default() };
+                let fit = fitted(&columns, &options).unwrap();
+                let (best, dof) = (fit.best(), fit.best().uncertainty_degrees_of_freedom());
+                found[0].count(best.g, G, dof);
+                // Without a fitted centre, which chance makes as large, it is at the zero of the scale.
+                if let Some(offset) = best.offset {
+                    found[1].count(offset, -centre, dof);
+                }
+            }
+            let case = format!("centre at {centre}, σ of T {of_period}");
+            found[0].check_with(&format!("g, {case}"), [0.84..1.001, 0.89..1.001, 0.9..0.996]);
+            if centre > 0.0 {
+                found[1].check_with(&format!("centre, {case}"), [0.78..1.001, 0.84..1.001, 0.84..1.001]);
+            }
         }
     }
 }

@@ -3,11 +3,15 @@
 //! With y = (T/2πR)² the law is y = (h + κ/h)/g, κ = k² being the square of the radius of gyration about the centre of mass, and h = |L + δ| the distance
 //! of the pivot from it: δ is zero where positions are measured from the centre, and minus the position of the centre where they are measured from
 //! a mark, such as an end of the bar. Both sides of the centre then count. At h = k the period is least.
+//!
+//! Next to the centre the period changes by up to 25 ms in a millimetre. Where no uncertainties are stated, errors of the positions and of the periods
+//! are told apart by their effect on the rows (`variance_components.rs`).
 
 use nalgebra::{DMatrix, DVector};
 
 use super::model::{LengthFit, LengthModel, Solution};
 use super::table::{LengthTable, Row};
+use super::variance_components::{OfRatio, SHARES, most_likely};
 use crate::statistics::levenberg_marquardt::{Effort, Linearised, ResidualsError, minimum};
 use crate::statistics::student::probability_beyond_any;
 use crate::statistics::{Design, count, is_settled, weighted_least_squares};
@@ -34,10 +38,12 @@ pub(super) fn fit(table: &LengthTable, model: LengthModel) -> Option<LengthFit> 
         _ => vec![0.0],
     };
     let mut found: Vec<Found> =
-        starts.into_iter().filter_map(|offset| at_minimum(table, model, offset)).collect();
+        starts.into_iter().filter_map(|offset| at_minimum(table, model, offset, 0.0)).collect();
     found.sort_by(|one, other| one.chi2.total_cmp(&other.chi2));
     let (best, others) = found.split_first()?;
-    let fit = best.solution.described_bar(table, model, &best.fitted)?;
+    let likely = if table.weighted { None } else { most_likely_ratio(table, model, best) };
+    let described = likely.as_ref().unwrap_or(best);
+    let fit = described.solution.described_bar(table, model, &described.fitted)?;
     let other_centre = others.iter().find(|other| is_rival(&fit, best, other)).map(Found::centre_and_gravity);
     Some(LengthFit { other_centre, ..fit })
 }
@@ -51,8 +57,33 @@ fn is_rival(fit: &LengthFit, best: &Found, other: &Found) -> bool {
     is_other && fit.unit_variance().is_some_and(|variance| other.chi2 - best.chi2 < 4.0 * variance)
 }
 
-/// The probability that chance makes as large an improvement by a free centre over one at zero; `None` without a degree of freedom.
+/// The fit with the most likely ratio of the variances of lengths and periods, where none are stated, with the uncertainty of the ratio; `None`
+/// without a degree of freedom.
+fn most_likely_ratio(table: &LengthTable, model: LengthModel, equal: &Found) -> Option<Found> {
+    if table.rows.len() <= model.parameters() {
+        return None;
+    }
+    let parameters = DVector::from_column_slice(&equal.solution.coefficients);
+    let bar = Bar::of(&parameters);
+    let squares = table.rows.iter().map(|row| bar.slope_of_period(table, row)).map(|slope| slope * slope);
+    let mean = squares.sum::<f64>() / count(table.rows.len());
+    let ratio = |share: f64| (share / ((1.0 - share) * mean)).sqrt();
+    let mut fits: Vec<Found> =
+        SHARES.iter().filter_map(|&share| at_minimum(table, model, bar.offset, ratio(share))).collect();
+    let views: Vec<OfRatio<'_>> = fits.iter().map(Found::of_ratio).collect();
+    let (index, covariance) = most_likely(&views)?;
+    let mut found = fits.swap_remove(index);
+    found.solution.covariance = covariance;
+    Some(found)
+}
+
+/// The probability that chance makes as large an improvement by a free centre over one at zero; without uncertainties, where the two laws have weights
+/// of their own, the probability that it makes the position as large. `None` without a degree of freedom.
 pub(super) fn improvement_by_chance(at_zero: &LengthFit, free: &LengthFit) -> Option<f64> {
+    if let (None, Some(offset)) = (free.chi2, free.offset) {
+        let deviations = (offset.value / offset.uncertainty).abs();
+        return Some(probability_beyond_any(deviations, free.uncertainty_degrees_of_freedom()));
+    }
     let improvement = (at_zero.sum_of_squares() - free.sum_of_squares()).max(0.0);
     let deviations = (improvement / free.unit_variance()?).sqrt();
     Some(probability_beyond_any(deviations, free.uncertainty_degrees_of_freedom()))
@@ -66,6 +97,11 @@ struct Found {
 }
 
 impl Found {
+    fn of_ratio(&self) -> OfRatio<'_> {
+        let Solution { coefficients, covariance, variances, .. } = &self.solution;
+        OfRatio { coefficients, covariance, variances, chi2: self.chi2 }
+    }
+
     /// The position of the centre of mass, and g.
     fn centre_and_gravity(&self) -> [f64; 2] {
         [-self.solution.coefficients.get(2).copied().unwrap_or_default(), 1.0 / self.solution.coefficients[0]]
@@ -127,14 +163,15 @@ fn of_period(table: &LengthTable, row: &Row) -> f64 {
     2.0 * row.square() * uncertainty / row.period
 }
 
-fn at_minimum(table: &LengthTable, model: LengthModel, offset: f64) -> Option<Found> {
+/// The minimum next to an offset; without uncertainties with this ratio of the standard deviations of lengths and periods, in m/s.
+fn at_minimum(table: &LengthTable, model: LengthModel, offset: f64, ratio: f64) -> Option<Found> {
     let start = linear(table, offset)?;
     let mut parameters = DVector::from_vec(match model {
         LengthModel::BarOffset => vec![start[0], start[1], offset],
         _ => start.to_vec(),
     });
     for _ in 0..MOST_ROUNDS {
-        let deviations = deviations(table, &parameters);
+        let deviations = deviations(table, &parameters, ratio);
         let least = minimum(parameters.clone(), EFFORT, |it| linearised(table, it, &deviations)).ok()?;
         if !least.parameters.iter().take(2).all(|&it| it > 0.0) {
             return None;
@@ -147,7 +184,9 @@ fn at_minimum(table: &LengthTable, model: LengthModel, offset: f64) -> Option<Fo
         let jacobian = &least.linearised.jacobian;
         let columns =
             DMatrix::from_fn(jacobian.nrows(), jacobian.ncols(), |i, k| jacobian[(i, k)] * deviations[i]);
-        if least.converged && is_settled(parameters.as_slice(), &coefficients, &covariance, 1.0) {
+        let dof = count(table.rows.len() - coefficients.len());
+        let variance = if table.weighted { 1.0 } else { chi2 / dof };
+        if least.converged && is_settled(parameters.as_slice(), &coefficients, &covariance, variance) {
             return Some(Found {
                 solution: Solution { coefficients, columns, covariance, variances },
                 fitted,
@@ -159,14 +198,18 @@ fn at_minimum(table: &LengthTable, model: LengthModel, offset: f64) -> Option<Fo
     None
 }
 
-/// Standard deviations of y with those of the lengths folded in.
-fn deviations(table: &LengthTable, parameters: &DVector<f64>) -> Vec<f64> {
+/// Standard deviations of y with those of the lengths folded in; without uncertainties relative to their geometric mean, so that sums of squares of
+/// different ratios compare as likelihoods.
+fn deviations(table: &LengthTable, parameters: &DVector<f64>, ratio: f64) -> Vec<f64> {
     let bar = Bar::of(parameters);
-    let deviation = |row: &Row| {
-        let of_length = if table.weighted { bar.slope(row.length) * row.length_uncertainty } else { 0.0 };
-        libm::hypot(of_period(table, row), of_length)
-    };
-    table.rows.iter().map(deviation).collect()
+    if table.weighted {
+        let of_length = |row: &Row| bar.slope(row.length) * row.length_uncertainty;
+        return table.rows.iter().map(|row| libm::hypot(of_period(table, row), of_length(row))).collect();
+    }
+    let factors = table.rows.iter().map(|row| libm::hypot(1.0, ratio * bar.slope_of_period(table, row)));
+    let factors: Vec<f64> = factors.collect();
+    let mean = libm::exp(factors.iter().map(|&it| libm::log(it)).sum::<f64>() / count(factors.len()));
+    table.rows.iter().zip(factors).map(|(row, factor)| of_period(table, row) * factor / mean).collect()
 }
 
 fn linearised(
@@ -214,5 +257,10 @@ impl Bar {
     fn slope(&self, length: f64) -> f64 {
         let height = length + self.offset;
         height.signum() * (self.inverse - self.inertia / (height * height))
+    }
+
+    /// dT/dh where no uncertainties are stated.
+    fn slope_of_period(&self, table: &LengthTable, row: &Row) -> f64 {
+        self.slope(row.length) / of_period(table, row)
     }
 }

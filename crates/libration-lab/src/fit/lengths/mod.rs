@@ -16,6 +16,7 @@ mod outlying;
 mod power_law;
 mod reversible;
 mod table;
+mod variance_components;
 mod warning;
 
 pub use model::{LengthFit, LengthModel};
