@@ -43,6 +43,7 @@ impl Names {
             Some(row) => name_cells(row, text, dialect, width)?,
             None => (vec![String::new(); width], Vec::new()),
         };
+        let cells = merged(cells, &mut above);
         let groups = groups(&cells, &mut above);
         let heading = |(place, name): (usize, &String)| {
             Heading::read(
@@ -141,6 +142,32 @@ fn joined(cells: &[String]) -> Vec<String> {
         }
     }
     names
+}
+
+/// `Length (cm),Period (s),,` over `,Trial 1,Trial 2,Trial 3`: cells of a worksheet that were merged, some over both rows, others over several columns.
+fn merged(names: Vec<String>, above: &mut Vec<Row>) -> Vec<String> {
+    let titles: Vec<String> =
+        above.last().map(|row| row.cells.iter().map(String::from).collect()).unwrap_or_default();
+    let title = |place: usize| titles.get(place).map_or("", String::as_str).trim();
+    let is_over_both = |place: usize| names[place].is_empty() && !title(place).is_empty();
+    let has_unit = |place: usize| Heading::read(title(place), None, None).unit.is_some();
+    let is_merged =
+        (0..names.len()).any(is_over_both) && (0..names.len()).any(has_unit) && titles.len() <= names.len();
+    if !is_merged {
+        return names;
+    }
+    above.pop();
+    let mut current = "";
+    let combined = |(place, name): (usize, &String)| {
+        if !title(place).is_empty() {
+            current = title(place);
+        }
+        if name.is_empty() {
+            return std::mem::take(&mut current).into();
+        }
+        Heading::under_title(name, current)
+    };
+    names.iter().enumerate().map(combined).collect()
 }
 
 /// Titles over groups of columns, as Tracker writes them when it exports several tracks at once.

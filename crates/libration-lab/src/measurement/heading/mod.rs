@@ -91,6 +91,16 @@ impl Heading {
         }
     }
 
+    /// The text of a heading below a title, whose unit it has: `Period Trial 1 (s)` of `Trial 1` below `Period (s)`.
+    pub(super) fn under_title(text: &str, title: &str) -> String {
+        match split_unit(title) {
+            (name, Some(unit), _) if Self::read(text, None, None).unit.is_none() => {
+                format!("{name} {text} ({unit})").trim().into()
+            }
+            (name, _, _) => format!("{name} {text}").trim().into(),
+        }
+    }
+
     /// Takes the unit that the cells have.
     pub(super) fn set_unit(&mut self, unit: Unit) {
         self.quantity = quantity(self.quantity, Some(unit), None);

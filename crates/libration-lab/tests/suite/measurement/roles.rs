@@ -269,6 +269,33 @@ fn units_may_have_a_row_of_their_own() {
 }
 
 /// Rows of sums and means in German, French and Spanish, and by signs.
+/// Cells of a worksheet that were merged over two rows or several columns have their text in the first one.
+#[test]
+fn headings_below_titles_have_their_units() {
+    let rows = "20,0.90,0.91,0.89\n40,1.27,1.28,1.26\n";
+    for (header, expected) in [
+        (
+            "Length (cm),Period (s),,\n,Trial 1,Trial 2,Trial 3",
+            ["Length (cm)", "Period Trial 1 (s)", "Period Trial 2 (s)", "Period Trial 3 (s)"],
+        ),
+        ("l [cm];10T / s;;\n;a;b;c", ["l [cm]", "10T a (s)", "10T b (s)", "10T c (s)"]),
+        // A title over one column belongs to no other.
+        ("Length (cm),,,\n,T1 (s),T2 (s),T3 (s)", ["Length (cm)", "T1 (s)", "T2 (s)", "T3 (s)"]),
+        (
+            "Length (cm),Period,,\n,a (s),b (s),c (s)",
+            ["Length (cm)", "Period a (s)", "Period b (s)", "Period c (s)"],
+        ),
+        ("Anna,group 3,,\n,x,y,z", ["", "x", "y", "z"]),
+    ] {
+        let rows = if header.contains(';') { rows.replace(',', ";") } else { rows.into() };
+        let table = read(&format!("{header}\n{rows}"));
+        assert_eq!(table.names(), expected, "{header}");
+    }
+    let table = read(&format!("Length (cm),Period (s),,\n,Trial 1,Trial 2,Trial 3\n{rows}"));
+    let [(length, _), (period, _)] = found(&table, &[LENGTH, PERIOD]);
+    assert_eq!((length, period), (vec![1], vec![2, 3, 4]));
+}
+
 #[test]
 fn rows_of_sums_and_means_are_left_out_in_other_languages() {
     for word in ["Ø", "MW", "Σ", "Summe", "somme", "promedio", "x̄", "Durchschnitt:"] {
