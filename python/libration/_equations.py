@@ -43,7 +43,7 @@ def motion_of_sympy(given: Any) -> Equation:
 
 
 def equation_of_sympy(given: Any) -> Equation:
-    """An equation of SymPy, an expression that is zero, or a list of them, as text with its symbols.
+    """An equation of SymPy, an expression that is zero, or a list of them, as text and symbols.
 
     Raises
     ------
