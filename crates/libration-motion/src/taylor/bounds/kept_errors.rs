@@ -88,7 +88,9 @@ impl Kept<'_> {
         #[expect(clippy::cast_possible_truncation, reason = "the limits are far inside the range of i32")]
         let unit = |unit: f64| unit.clamp(-1e6, 1e6) as i32;
         let units = self.list(self.size)?.into_iter().map(unit).collect();
-        Some(Spread { units, squares: self.matrix()?, flow: self.matrix()?, ..Spread::none(self.size) })
+        let mut spread = Spread::none(self.size);
+        (spread.units, spread.squares, spread.flow) = (units, self.matrix()?, self.matrix()?);
+        Some(spread)
     }
 
     fn middle(&mut self, system: &System) -> Option<Middle> {

@@ -14,7 +14,7 @@ pub(in crate::taylor) struct Spread {
     pub(in crate::taylor) squares: Matrix,
     /// The derivatives of the state by the state at the start.
     pub(in crate::taylor) flow: Matrix,
-    pub(in crate::taylor) product: Matrix,
+    product: Matrix,
 }
 
 /// The largest exponent of a standard deviation in its unit: its fourth power is inside the range of numbers.

@@ -87,14 +87,6 @@ impl SharpFormula {
             tried += 1;
             let is_last = part.halvings == 0 || tried > MOST_PARTS;
             let jet = self.jet(step, constants, part);
-            if jet.is_none() && self.vanishes(step, constants, part) {
-                parts.push(Part {
-                    start: part.start,
-                    length: part.length,
-                    coefficients: vec![0.0; step.terms],
-                });
-                continue;
-            }
             let cut = match &jet {
                 _ if is_last => None,
                 Some(jet) => self.cut(jet, step, constants, part, allowed),
@@ -236,12 +228,6 @@ impl SharpFormula {
         let sides = [(part.start, part.start - AWAY * part.length), (end, end + AWAY * part.length)];
         let grows = sides.map(|(near, far)| value(near) > GROWTH * value(far));
         !self.agrees(jet, step, constants, part, NOTHING) && (0..2).all(|side| grows[side] || at_end[side])
-    }
-
-    /// Returns `true` if the formula is zero in the whole part, as a root of max(x, 0), which has no series there.
-    fn vanishes(&self, step: &Step<'_>, constants: &[f64], part: Waiting) -> bool {
-        let mut times = looks().map(|look| part.start + look * part.length).chain([part.start]);
-        times.all(|time| self.value(step, constants, time).abs() <= 0.0)
     }
 
     fn has_values(&self, step: &Step<'_>, constants: &[f64], part: Waiting) -> bool {

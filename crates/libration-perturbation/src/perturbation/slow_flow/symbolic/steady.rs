@@ -27,7 +27,7 @@ pub(super) struct Steady {
     pub(super) relation: Option<Sum>,
     /// cos mφ and sin mφ, with m.
     pub(super) phase: Option<(i64, [Sum; 2])>,
-    /// What both are to be divided by, where it is a sum.
+    /// The common divisor of both, where it is a sum.
     pub(super) denominator: Option<Sum>,
     /// Trace and determinant of the Jacobian of A′ and φ′; without phase that of A′ only.
     pub(super) trace: Option<Sum>,
