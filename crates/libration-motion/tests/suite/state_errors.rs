@@ -329,8 +329,9 @@ fn zeros_at_the_end_of_a_motion_are_found() {
 fn errors_of_small_states_hold() {
     type State = fn(f64) -> [f64; 2];
     // x = ε e^(−t), y = δ cos t in one system; a state that is lost in underflow and grows again.
-    let known: [(&str, [f64; 2], State, f64); 4] = [
+    let known: [(&str, [f64; 2], State, f64); 5] = [
         ("x' = -x; y' = -y", [1.0, 1e-150], |t| [libm::exp(-t), 1e-150 * libm::exp(-t)], f64::INFINITY),
+        ("x'' = -x", [1e-320, 0.0], |t| [1e-320 * libm::cos(t), -1e-320 * libm::sin(t)], f64::INFINITY),
         ("x'' = -x", [1e-250, 0.0], |t| [1e-250 * libm::cos(t), -1e-250 * libm::sin(t)], f64::INFINITY),
         (
             "x' = -x; y' = sin(t)*y",

@@ -147,11 +147,11 @@ fn errors(step: &Step<'_>, length: f64, forces: &[f64]) -> Vec<f64> {
     errors
 }
 
-/// The error of a component in a step whose terms are below the range of numbers with all digits: half a unit in the last place of each,
-/// and as much inherited from the term before.
+/// The error of a component in a step whose terms are below the range of numbers with all digits: 16 units in the last place of each, since
+/// the roundings of a term grow with the terms after it. In steps of an oscillator from 1e-320 the error is up to two units for each term.
 pub(in crate::taylor) fn underflow(step: &Step<'_>, number: usize) -> f64 {
     let changes = (0..2).any(|n| step.coefficient(number, n) != 0.0);
-    if changes { libm::ldexp(count(step.terms), -1074) } else { 0.0 }
+    if changes { libm::ldexp(count(step.terms), -1070) } else { 0.0 }
 }
 
 /// Adds the effect of rounding errors of the forces.

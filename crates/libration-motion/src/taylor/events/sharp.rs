@@ -223,8 +223,7 @@ impl SharpFormula {
         let [from, to] = [step.start(), step.end()];
         let value = |time: f64| self.value(step, constants, time.clamp(from.min(to), from.max(to))).abs();
         let end = part.start + part.length;
-        // The first and the last part, and those next to them, whose series end at the pole.
-        let at_end = [part.start - from, to - end].map(|way| way.abs() <= 2.0 * part.length.abs());
+        let at_end = [part.start - from, to - end].map(|way| way.abs() <= part.length.abs());
         let sides = [(part.start, part.start - AWAY * part.length), (end, end + AWAY * part.length)];
         let grows = sides.map(|(near, far)| value(near) > GROWTH * value(far));
         !self.agrees(jet, step, constants, part, NOTHING) && (0..2).all(|side| grows[side] || at_end[side])
