@@ -219,15 +219,34 @@ class Answer(Fields):
                 columns[name] = column
         return columns
 
-    def picture(self, size: str | None = None) -> Picture:
-        """The picture that the command draws, as SVG.
+    def picture(
+        self,
+        size: str | None = None,
+        *,
+        no_title: bool = False,
+        curve_labels: bool = False,
+        angles: str | None = None,
+    ) -> Picture:
+        """The picture that the command draws, as SVG; `Picture.save` writes PDF and PNG, too.
 
         Parameters
         ----------
         size : str
             Its purpose: "page", "column" or "slide".
+        no_title : bool
+            Leave out the title and the parameters under it, for a figure with a caption.
+        curve_labels : bool
+            Write the names of curves next to them where there is room.
+        angles : str
+            Unit of the angles along the axes: "degrees" or "radians".
         """
-        return Picture(self._asked, "figure", size)
+        layout = {
+            "size": size,
+            "no_title": no_title,
+            "curve_labels": curve_labels,
+            "angles": angles,
+        }
+        return Picture(self._asked, "figure", layout)
 
     def to_format(self, format: str) -> str:
         """The formulas as text, where the command has ``--format``: `expand` and `resonance`.

@@ -24,9 +24,9 @@ class Picture:
     __slots__ = ("_asked", "_option", "svg")
 
     def __init__(
-        self, question: Asked, option: str, size: str | None = None, progress: Any = False
+        self, question: Asked, option: str, layout: Mapping[str, Any], progress: Any = False
     ) -> None:
-        self._asked = question._replace(words=_sized(question, size))
+        self._asked = question._replace(words=_laid_out(question, layout))
         self._option = option
         self.svg = self._drawn("-", [], progress)
         """The picture as text."""
@@ -44,7 +44,7 @@ class Picture:
         return f"<picture of {self._asked.command}, {len(self.svg)} bytes of SVG>"
 
     def save(self, file: Path) -> None:
-        """Writes it to a file whose name ends in .svg or .png."""
+        """Writes it to a file whose name ends in .svg, .pdf or .png."""
         self._drawn(os.fspath(file), [])
 
     def to_dict(self) -> dict[str, Any]:
@@ -55,13 +55,13 @@ class Picture:
         return fields
 
 
-def _sized(question: Asked, size: str | None) -> tuple[str, ...]:
-    if size is None:
-        return question.words
+def _laid_out(question: Asked, layout: Mapping[str, Any]) -> tuple[str, ...]:
+    given = {name.replace("_", "-"): value for name, value in layout.items() if value}
+    options = [f"--{name}" if value is True else f"--{name}={value}" for name, value in given.items()]
     count = len(question.command.split())
-    return (*question.words[:count], f"--size={size}", *question.words[count:])
+    return (*question.words[:count], *options, *question.words[count:])
 
 
 def drawn(words: str, given: Mapping[str, Any]) -> Picture:
     """The picture of a command, with the arguments of a function."""
-    return Picture(asked(words, given), "output", None, given.get("progress") or False)
+    return Picture(asked(words, given), "output", {}, given.get("progress") or False)

@@ -174,6 +174,15 @@ def test_the_picture_of_the_command_is_there_too(decay, tmp_path):
     assert "bytes of SVG" in repr(picture)
     picture.save(tmp_path / "decay.svg")
     assert (tmp_path / "decay.svg").read_text() == picture.svg
+    picture.save(tmp_path / "decay.pdf")
+    assert (tmp_path / "decay.pdf").read_bytes().startswith(b"%PDF-")
+
+
+def test_the_picture_of_the_command_is_laid_out_for_a_journal(decay):
+    usual = decay.picture().svg
+    assert 'class="title"' in usual and "degrees<" in usual
+    laid_out = decay.picture(no_title=True, curve_labels=True, angles="radians").svg
+    assert 'class="title"' not in laid_out and "rad<" in laid_out
 
 
 def test_series_are_drawn():

@@ -105,7 +105,7 @@ pub mod internals {
         pub use crate::figure::parameters::{amplitude, said};
     }
     pub mod figure_size {
-        pub use crate::figure::size::{Side, side};
+        pub use crate::figure::layout::{Side, side};
     }
     #[cfg(not(target_family = "wasm"))]
     pub mod font {

@@ -2,6 +2,7 @@
 
 use crate::animation;
 use crate::chart::{Panel, Picture};
+use crate::curve_names::{self, Curve};
 use crate::describe;
 use crate::format::{PictureFormat, TooSmall};
 use crate::frame::{Cell, Frame, NAME_GAP, PADDING, TICK_BASE, TICK_GAP, TITLE};
@@ -25,19 +26,48 @@ const HALF_DIGIT: f64 = 0.365;
 ///
 /// [`TooSmall`] if the format cannot hold the axes with their labels.
 pub fn draw(picture: &Picture, format: &PictureFormat) -> Result<Scene, TooSmall> {
-    let frame = Frame::new(picture, format)?;
     let em = format.text;
-    let panels = picture.panels.iter().zip(&frame.cells);
-    Ok(Scene {
+    let mut named = if format.names_curves { curve_names::candidates(picture) } else { vec![] };
+    loop {
+        // The legend has the other names, and its height decides where the axes are.
+        let laid_out = curve_names::above_axes(picture, &named, format.has_title);
+        let frame = Frame::new(&laid_out, format)?;
+        let names = curve_names::placed(picture, &frame, em, &named);
+        if names.len() == named.len() {
+            return Ok(scene(picture, &laid_out, &frame, format, names));
+        }
+        named = names.into_iter().map(|(curve, _)| curve).collect();
+    }
+}
+
+/// The scene of a picture; `laid_out` has the texts that are above the axes.
+fn scene(
+    picture: &Picture,
+    laid_out: &Picture,
+    frame: &Frame,
+    format: &PictureFormat,
+    names: Vec<(Curve, Shape)>,
+) -> Scene {
+    let em = format.text;
+    let mut panels: Vec<Vec<Shape>> = picture
+        .panels
+        .iter()
+        .zip(&frame.cells)
+        .map(|(panel, cell)| of_panel(panel, cell, frame, em))
+        .collect();
+    for (curve, name) in names {
+        panels[curve.panel].push(name);
+    }
+    Scene {
         width: format.width,
         height: frame.height * em,
         title: picture.title.clone(),
         description: describe::picture(picture),
-        words: words(picture, &frame, em),
-        panels: panels.map(|(panel, cell)| of_panel(panel, cell, &frame, em)).collect(),
-        moving: animation::moving(picture, &frame, em),
+        words: words(laid_out, frame, em),
+        panels,
+        moving: animation::moving(picture, frame, em),
         seconds: picture.animation.as_ref().map_or(0.0, |animation| animation.seconds),
-    })
+    }
 }
 
 /// Title, parameters and legends.

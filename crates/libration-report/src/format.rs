@@ -1,4 +1,4 @@
-//! Size of a picture and of its letters: for a column, a page or a slide.
+//! Size of a picture and of its letters, for a column, a page or a slide, and what is written next to its curves.
 
 use thiserror::Error;
 
@@ -10,7 +10,7 @@ const TWELVE_POINTS: f64 = 16.0;
 /// Approximate width of the text on a page.
 const PAGE: f64 = 170.0 * UNITS_PER_MM;
 
-/// The size of a picture, in units of 1/96 inch, and of its letters.
+/// The size of a picture, in units of 1/96 inch, the size of its letters, and its texts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PictureFormat {
     /// Width of the picture.
@@ -19,15 +19,20 @@ pub struct PictureFormat {
     pub height: Option<f64>,
     /// The size of the letters.
     pub text: f64,
+    /// `true` if the title and the parameters are above the picture; a figure with a caption needs neither.
+    pub has_title: bool,
+    /// `true` if a curve has its name next to it, where there is room, and not in the legend.
+    pub names_curves: bool,
 }
 
 impl PictureFormat {
     /// A picture as wide as the text of a page, with letters of 12 points.
-    pub const PAGE: Self = Self { width: PAGE, height: None, text: TWELVE_POINTS };
+    pub const PAGE: Self =
+        Self { width: PAGE, height: None, text: TWELVE_POINTS, has_title: true, names_curves: false };
     /// A picture as wide as a column of a journal, 80 mm, with letters of 12 points.
-    pub const COLUMN: Self = Self { width: 80.0 * UNITS_PER_MM, height: None, text: TWELVE_POINTS };
+    pub const COLUMN: Self = Self { width: 80.0 * UNITS_PER_MM, ..Self::PAGE };
     /// A slide, 16 to 9, with letters of 20 points.
-    pub const SLIDE: Self = Self { width: 1280.0, height: Some(720.0), text: 80.0 / 3.0 };
+    pub const SLIDE: Self = Self { width: 1280.0, height: Some(720.0), text: 80.0 / 3.0, ..Self::PAGE };
 }
 
 impl Default for PictureFormat {

@@ -1,4 +1,4 @@
-//! Width of text, and positions at which long text is broken.
+//! Width of text, positions at which long text is broken, and the size of subscripts and superscripts.
 
 use super::advances::RUNS;
 
@@ -7,12 +7,74 @@ pub(crate) const ASCENT: f64 = 0.76;
 /// Distance between base lines, as a fraction of the font size.
 pub(crate) const LINE: f64 = 1.2;
 
+/// The size of subscripts and superscripts as a fraction of the letter size: 8.4 of 12 points. The font's own `₀` is two fifths as high as a
+/// letter, which is too small in print.
+const SMALL: f64 = 0.7;
+/// Heights of the base lines of superscripts and subscripts above that of the text, as fractions of the letter size.
+const RAISED: f64 = 0.33;
+const LOWERED: f64 = -0.17;
+/// The characters that are drawn small, each with the one that is drawn.
+const SUPERSCRIPTS: [(char, char); 12] = [
+    ('⁰', '0'),
+    ('¹', '1'),
+    ('²', '2'),
+    ('³', '3'),
+    ('⁴', '4'),
+    ('⁵', '5'),
+    ('⁶', '6'),
+    ('⁷', '7'),
+    ('⁸', '8'),
+    ('⁹', '9'),
+    ('⁺', '+'),
+    ('⁻', '−'),
+];
+/// The code point of `₀`; those of the other digits follow.
+const SUBSCRIPT_ZERO: u32 = 0x2080;
+
+/// A part of a text whose letters have one size and one base line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// The letters to draw.
+    pub letters: String,
+    /// The size of the letters as a fraction of that of the text.
+    pub scale: f64,
+    /// The height of the base line above that of the text, as a fraction of the size of the text.
+    pub rise: f64,
+}
+
+/// The text in parts of one size: digits and signs in subscripts and superscripts are letters of their own.
+pub fn runs(text: &str) -> Vec<Run> {
+    let mut runs: Vec<Run> = vec![];
+    for letter in text.chars() {
+        let (letter, scale, rise) = drawn(letter);
+        match runs.last_mut() {
+            Some(run) if run.rise.total_cmp(&rise).is_eq() => run.letters.push(letter),
+            _ => runs.push(Run { letters: letter.to_string(), scale, rise }),
+        }
+    }
+    runs
+}
+
+/// The character that is drawn, its size and its height.
+fn drawn(letter: char) -> (char, f64, f64) {
+    if let Some((_, drawn)) = SUPERSCRIPTS.iter().find(|(written, _)| *written == letter) {
+        return (*drawn, SMALL, RAISED);
+    }
+    let digit = u32::from(letter).checked_sub(SUBSCRIPT_ZERO).and_then(|digit| char::from_digit(digit, 10));
+    digit.map_or((letter, 1.0, 0.0), |digit| (digit, SMALL, LOWERED))
+}
+
 /// The width of a text in `DejaVu Sans` of this size.
 pub fn width(text: &str, size: f64) -> f64 {
     text.chars().map(|letter| size * advance(letter)).sum()
 }
 
 fn advance(letter: char) -> f64 {
+    let (letter, scale, _) = drawn(letter);
+    scale * of_full_size(letter)
+}
+
+fn of_full_size(letter: char) -> f64 {
     let code = u32::from(letter);
     let run = RUNS.iter().rfind(|(first, _)| *first <= code);
     let found = run.and_then(|(first, widths)| widths.get(usize::try_from(code - first).ok()?));

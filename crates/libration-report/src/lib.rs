@@ -18,8 +18,10 @@ pub mod style;
 pub mod svg;
 
 mod advances;
+mod angles;
 mod animation;
 mod clip;
+mod curve_names;
 mod describe;
 mod draw;
 mod frame;
@@ -30,7 +32,7 @@ mod numbers;
 mod ticks;
 
 pub use draw::draw;
-pub use letters::width as text_width;
+pub use letters::{Run, runs, width as text_width};
 
 /// Internals that the test suite uses; they may change at any time.
 #[doc(hidden)]

@@ -30,10 +30,39 @@ pub const DARK: [(&str, &str); 9] = [
 const DASHES: [&[f64]; 5] =
     [&[], &[8.0, 3.5], &[2.5, 2.5], &[10.0, 3.0, 2.5, 3.0], &[13.0, 3.0, 2.5, 3.0, 2.5, 3.0]];
 
+/// Red, green and blue of a colour written as `#RRGGBB`; black, if it is written otherwise.
+pub fn rgb(colour: &str) -> [u8; 3] {
+    let part = |from: usize| colour.get(from..from + 2).and_then(|hex| u8::from_str_radix(hex, 16).ok());
+    [1, 3, 5].map(|from| part(from).unwrap_or(0))
+}
+
 /// The look of the curve with this index.
 pub fn curve(number: usize) -> Look {
     let mark = Mark::Line(DASHES[number % DASHES.len()]);
     Look { colour: COLOURS[number % COLOURS.len()], width: 1.9, opacity: 1.0, mark }
+}
+
+/// The looks of curves by the names of their families, such as a series with one, two and three terms: a family has one colour, and its curves
+/// differ by their dashes. A family of more than five curves goes on in other colours.
+pub fn of_families<'a>(families: impl IntoIterator<Item = &'a str>) -> Vec<Look> {
+    let mut known: Vec<&str> = vec![];
+    let mut used: Vec<(usize, usize)> = vec![];
+    for family in families {
+        let first = known.iter().position(|name| *name == family).unwrap_or_else(|| {
+            known.push(family);
+            known.len() - 1
+        });
+        let wish =
+            |step: usize| ((first + step / DASHES.len()) % COLOURS.len(), (first + step) % DASHES.len());
+        let free = (0..COLOURS.len() * DASHES.len()).map(wish).find(|look| !used.contains(look));
+        used.push(free.unwrap_or_else(|| wish(0)));
+    }
+    let look = |(colour, dashes): (usize, usize)| Look {
+        colour: COLOURS[colour],
+        mark: Mark::Line(DASHES[dashes]),
+        ..curve(0)
+    };
+    used.into_iter().map(look).collect()
 }
 
 /// The look of a set of markers with this index.

@@ -1,5 +1,6 @@
 //! A scene as SVG, with a view box, a title, a description, and colours for light and dark pages.
 
+use crate::letters;
 use crate::scene::{Anchor, Form, Moving, MovingForm, Place, Scene, Shape, ShapeRole, Text};
 use crate::style::{DARK, PAPER};
 use std::fmt::Write;
@@ -180,8 +181,30 @@ fn text(text: &Text, class: &str, colour: &str) -> String {
     format!(
         "<text class=\"{class}\" x=\"{x}\" y=\"{y}\" font-size=\"{}\" text-anchor=\"{anchor}\" fill=\"{colour}\"{turn}>{}</text>\n",
         rounded(text.size),
-        escaped(&text.content)
+        spans(text)
     )
+}
+
+/// The letters, with subscripts and superscripts smaller and on base lines of their own.
+fn spans(text: &Text) -> String {
+    let mut base = 0.0;
+    let mut spans = String::new();
+    for run in letters::runs(&text.content) {
+        let here = -run.rise * text.size;
+        let down = here - base;
+        base = here;
+        let letters = escaped(&run.letters);
+        spans += &match (run.scale < 1.0, down.abs() > 0.0) {
+            (false, false) => letters,
+            (false, true) => format!("<tspan dy=\"{}\">{letters}</tspan>", rounded(down)),
+            (true, _) => format!(
+                "<tspan font-size=\"{}\" dy=\"{}\">{letters}</tspan>",
+                rounded(run.scale * text.size),
+                rounded(down)
+            ),
+        };
+    }
+    spans
 }
 
 /// Joins corners that coincide after rounding.

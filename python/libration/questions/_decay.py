@@ -25,6 +25,9 @@ def decay(
     size: Literal["page", "column", "slide"] | None = None,
     width: Quantity | None = None,
     height: Quantity | None = None,
+    no_title: bool = False,
+    curve_labels: bool = False,
+    angles: Literal["degrees", "radians"] | None = None,
     length: Quantity | None = None,
     gravity: Quantity | None = None,
     omega0: Value | None = None,
@@ -62,8 +65,8 @@ def decay(
     damping_order : int, optional
         Power of the damping to which the slow flow is expanded [default: 2].
     figure : str or path, optional
-        Draw amplitude and period against time to FILE.svg or FILE.png instead of listing the
-        cycles.
+        Draw amplitude and period against time to FILE.svg, FILE.pdf or FILE.png instead of listing
+        the cycles.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
@@ -72,6 +75,12 @@ def decay(
         ``size``].
     height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
+    no_title : bool
+        Leave out the title and the parameters under it, for a figure with a caption.
+    curve_labels : bool
+        Write the names of curves next to them where there is room, and the others in the legend.
+    angles : {"degrees", "radians"}, optional
+        Unit of the angles along the axes [default: the usual one of the picture].
     length : quantity, optional
         Length of the pendulum, such as 1m or 57cm; plain numbers are metres [default: 1m].
     gravity : quantity, optional

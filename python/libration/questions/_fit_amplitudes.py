@@ -32,6 +32,9 @@ def fit_amplitudes(
     size: Literal["page", "column", "slide"] | None = None,
     width: Quantity | None = None,
     height: Quantity | None = None,
+    no_title: bool = False,
+    curve_labels: bool = False,
+    angles: Literal["degrees", "radians"] | None = None,
     progress: Say = False,
 ) -> Fit:
     """Amplitudes or turning points against time or number of swings: damping law, its coefficients,
@@ -81,7 +84,7 @@ def fit_amplitudes(
         The damping: dry, linear, quadratic, a sum such as dry+linear, or auto for the simplest law
         that the rows do not exclude [default: auto].
     figure : str or path, optional
-        Draw the data, the law and the residuals to FILE.svg or FILE.png.
+        Draw the data, the law and the residuals to FILE.svg, FILE.pdf or FILE.png.
     report : str or path, optional
         Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next
         to it.
@@ -93,6 +96,12 @@ def fit_amplitudes(
         ``size``].
     height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
+    no_title : bool
+        Leave out the title and the parameters under it, for a figure with a caption.
+    curve_labels : bool
+        Write the names of curves next to them where there is room, and the others in the legend.
+    angles : {"degrees", "radians"}, optional
+        Unit of the angles along the axes [default: the usual one of the picture].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.
 

@@ -34,6 +34,9 @@ def fit_lengths(
     size: Literal["page", "column", "slide"] | None = None,
     width: Quantity | None = None,
     height: Quantity | None = None,
+    no_title: bool = False,
+    curve_labels: bool = False,
+    angles: Literal["degrees", "radians"] | None = None,
     bob_radius: Quantity | None = None,
     bob: str | None = None,
     bob_mass: Quantity | None = None,
@@ -102,7 +105,7 @@ def fit_lengths(
         Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have
         been taken for 30.
     figure : str or path, optional
-        Draw the data, the line and the residuals to FILE.svg or FILE.png.
+        Draw the data, the line and the residuals to FILE.svg, FILE.pdf or FILE.png.
     report : str or path, optional
         Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next
         to it.
@@ -114,6 +117,12 @@ def fit_lengths(
         ``size``].
     height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
+    no_title : bool
+        Leave out the title and the parameters under it, for a figure with a caption.
+    curve_labels : bool
+        Write the names of curves next to them where there is room, and the others in the legend.
+    angles : {"degrees", "radians"}, optional
+        Unit of the angles along the axes [default: the usual one of the picture].
     bob_radius : quantity, optional
         Radius of the bob, a ball, such as 20.0(1)mm.
     bob : str, optional

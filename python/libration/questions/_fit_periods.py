@@ -32,6 +32,9 @@ def fit_periods(
     size: Literal["page", "column", "slide"] | None = None,
     width: Quantity | None = None,
     height: Quantity | None = None,
+    no_title: bool = False,
+    curve_labels: bool = False,
+    angles: Literal["degrees", "radians"] | None = None,
     length: Quantity | None = None,
     bob_radius: Quantity | None = None,
     bob: str | None = None,
@@ -96,7 +99,7 @@ def fit_periods(
     formulas : str, or several, optional
         Keys of formulas (``libration formulas`` lists them).
     figure : str or path, optional
-        Draw the data, the laws and the residuals to FILE.svg or FILE.png.
+        Draw the data, the laws and the residuals to FILE.svg, FILE.pdf or FILE.png.
     report : str or path, optional
         Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next
         to it.
@@ -108,6 +111,12 @@ def fit_periods(
         ``size``].
     height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
+    no_title : bool
+        Leave out the title and the parameters under it, for a figure with a caption.
+    curve_labels : bool
+        Write the names of curves next to them where there is room, and the others in the legend.
+    angles : {"degrees", "radians"}, optional
+        Unit of the angles along the axes [default: the usual one of the picture].
     length : quantity, optional
         Distance from the pivot to the centre of the bob, with its uncertainty, such as
         0.57m±0.004m, or "0.57m±5mm rectangular" for a half-width: gives gravity.

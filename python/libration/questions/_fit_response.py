@@ -29,6 +29,9 @@ def fit_response(
     size: Literal["page", "column", "slide"] | None = None,
     width: Quantity | None = None,
     height: Quantity | None = None,
+    no_title: bool = False,
+    curve_labels: bool = False,
+    angles: Literal["degrees", "radians"] | None = None,
     progress: Say = False,
 ) -> Fit:
     """Amplitudes and phases of a driven oscillator against frequency: natural frequency, damping
@@ -69,7 +72,7 @@ def fit_response(
     measured : {"peak", "fundamental"}, optional
         The quantity measured as the amplitude [default: peak].
     figure : str or path, optional
-        Draw the data and the curve, its unstable part dashed, to FILE.svg or FILE.png.
+        Draw the data and the curve, its unstable part dashed, to FILE.svg, FILE.pdf or FILE.png.
     report : str or path, optional
         Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next
         to it.
@@ -81,6 +84,12 @@ def fit_response(
         ``size``].
     height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
+    no_title : bool
+        Leave out the title and the parameters under it, for a figure with a caption.
+    curve_labels : bool
+        Write the names of curves next to them where there is room, and the others in the legend.
+    angles : {"degrees", "radians"}, optional
+        Unit of the angles along the axes [default: the usual one of the picture].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.
 

@@ -19,6 +19,9 @@ def inspect(
     size: Literal["page", "column", "slide"] | None = None,
     width: Quantity | None = None,
     height: Quantity | None = None,
+    no_title: bool = False,
+    curve_labels: bool = False,
+    angles: Literal["degrees", "radians"] | None = None,
     time: int | str | None = None,
     time_unit: str | None = None,
     angle: int | str | None = None,
@@ -63,7 +66,7 @@ def inspect(
     swings : int, optional
         Number of swings in a window, at least three [default: 5].
     figure : str or path, optional
-        Draw the spectrum with the pendulum's harmonics to FILE.svg or FILE.png.
+        Draw the spectrum with the pendulum's harmonics to FILE.svg, FILE.pdf or FILE.png.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
@@ -72,6 +75,12 @@ def inspect(
         ``size``].
     height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
+    no_title : bool
+        Leave out the title and the parameters under it, for a figure with a caption.
+    curve_labels : bool
+        Write the names of curves next to them where there is room, and the others in the legend.
+    angles : {"degrees", "radians"}, optional
+        Unit of the angles along the axes [default: the usual one of the picture].
     time : int or str, optional
         Column of times, by number or name.
     time_unit : str, optional

@@ -22,6 +22,9 @@ def lyapunov(
     size: Literal["page", "column", "slide"] | None = None,
     width: Quantity | None = None,
     height: Quantity | None = None,
+    no_title: bool = False,
+    curve_labels: bool = False,
+    angles: Literal["degrees", "radians"] | None = None,
     progress: Say = False,
 ) -> Answer:
     """The largest Lyapunov exponent: how fast neighbouring motions diverge, and whether the motion
@@ -46,7 +49,8 @@ def lyapunov(
     tolerance : float or str, optional
         The relative error allowed in each step [default: 1e-13].
     figure : str or path, optional
-        Draw the convergence of the exponent to FILE.svg or FILE.png instead of listing it.
+        Draw the convergence of the exponent to FILE.svg, FILE.pdf or FILE.png instead of listing
+        it.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
@@ -55,6 +59,12 @@ def lyapunov(
         ``size``].
     height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
+    no_title : bool
+        Leave out the title and the parameters under it, for a figure with a caption.
+    curve_labels : bool
+        Write the names of curves next to them where there is room, and the others in the legend.
+    angles : {"degrees", "radians"}, optional
+        Unit of the angles along the axes [default: the usual one of the picture].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.
 

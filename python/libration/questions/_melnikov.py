@@ -19,6 +19,9 @@ def melnikov(
     size: Literal["page", "column", "slide"] | None = None,
     width: Quantity | None = None,
     height: Quantity | None = None,
+    no_title: bool = False,
+    curve_labels: bool = False,
+    angles: Literal["degrees", "radians"] | None = None,
     progress: Say = False,
 ) -> Answer:
     """Conditions for chaotic motion of a weakly perturbed pendulum: the Melnikov function with its
@@ -40,8 +43,8 @@ def melnikov(
     max_drive_periods : int, optional
         The largest number of periods of the drive, q, of a resonance p:q [default: 5].
     figure : str or path, optional
-        Draw the function, and the resonances on the curve of frequencies, to FILE.svg or FILE.png
-        instead of listing them.
+        Draw the function, and the resonances on the curve of frequencies, to FILE.svg, FILE.pdf or
+        FILE.png instead of listing them.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
@@ -50,6 +53,12 @@ def melnikov(
         ``size``].
     height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
+    no_title : bool
+        Leave out the title and the parameters under it, for a figure with a caption.
+    curve_labels : bool
+        Write the names of curves next to them where there is room, and the others in the legend.
+    angles : {"degrees", "radians"}, optional
+        Unit of the angles along the axes [default: the usual one of the picture].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.
 

@@ -21,6 +21,9 @@ def modes(
     size: Literal["page", "column", "slide"] | None = None,
     width: Quantity | None = None,
     height: Quantity | None = None,
+    no_title: bool = False,
+    curve_labels: bool = False,
+    angles: Literal["degrees", "radians"] | None = None,
     progress: Say = False,
 ) -> Answer:
     """The normal modes of a system about an equilibrium: frequencies and shapes, exact where
@@ -46,7 +49,7 @@ def modes(
     coordinate : coordinate, optional
         The coordinate of the amplitude [default: the first].
     figure : str or path, optional
-        Draw the shapes to FILE.svg or FILE.png.
+        Draw the shapes to FILE.svg, FILE.pdf or FILE.png.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
@@ -55,6 +58,12 @@ def modes(
         ``size``].
     height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
+    no_title : bool
+        Leave out the title and the parameters under it, for a figure with a caption.
+    curve_labels : bool
+        Write the names of curves next to them where there is room, and the others in the legend.
+    angles : {"degrees", "radians"}, optional
+        Unit of the angles along the axes [default: the usual one of the picture].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.
 

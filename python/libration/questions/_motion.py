@@ -21,6 +21,9 @@ def motion(
     size: Literal["page", "column", "slide"] | None = None,
     width: Quantity | None = None,
     height: Quantity | None = None,
+    no_title: bool = False,
+    curve_labels: bool = False,
+    angles: Literal["degrees", "radians"] | None = None,
     length: Quantity | None = None,
     gravity: Quantity | None = None,
     progress: Say = False,
@@ -43,7 +46,7 @@ def motion(
     compare : str, or several, optional
         Approximate motions to compare with: small-angle, fourier-3, fourier-5, fourier-7.
     figure : str or path, optional
-        Draw the motion to FILE.svg or FILE.png instead of listing it.
+        Draw the motion to FILE.svg, FILE.pdf or FILE.png instead of listing it.
     animate : bool
         Animate the pendulum next to its curve (an SVG animation, for browsers).
     size : {"page", "column", "slide"}, optional
@@ -54,6 +57,12 @@ def motion(
         ``size``].
     height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
+    no_title : bool
+        Leave out the title and the parameters under it, for a figure with a caption.
+    curve_labels : bool
+        Write the names of curves next to them where there is room, and the others in the legend.
+    angles : {"degrees", "radians"}, optional
+        Unit of the angles along the axes [default: the usual one of the picture].
     length : quantity, optional
         Length of the pendulum, such as 1m or 57cm; plain numbers are metres [default: 1m].
     gravity : quantity, optional

@@ -21,6 +21,9 @@ def orbit(
     size: Literal["page", "column", "slide"] | None = None,
     width: Quantity | None = None,
     height: Quantity | None = None,
+    no_title: bool = False,
+    curve_labels: bool = False,
+    angles: Literal["degrees", "radians"] | None = None,
     progress: Say = False,
 ) -> Answer:
     """A periodic orbit: its period, harmonics, Floquet multipliers and stability, with errors.
@@ -49,7 +52,8 @@ def orbit(
         The coordinate whose value at the start is kept, in a family of orbits near a guess
         [default: the farthest from zero].
     figure : str or path, optional
-        Draw the orbit to FILE.svg or FILE.png, in time and in the plane of coordinate and velocity.
+        Draw the orbit to FILE.svg, FILE.pdf or FILE.png, in time and in the plane of coordinate and
+        velocity.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
@@ -58,6 +62,12 @@ def orbit(
         ``size``].
     height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
+    no_title : bool
+        Leave out the title and the parameters under it, for a figure with a caption.
+    curve_labels : bool
+        Write the names of curves next to them where there is room, and the others in the legend.
+    angles : {"degrees", "radians"}, optional
+        Unit of the angles along the axes [default: the usual one of the picture].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.
 

@@ -24,6 +24,9 @@ def resonance(
     size: Literal["page", "column", "slide"] | None = None,
     width: Quantity | None = None,
     height: Quantity | None = None,
+    no_title: bool = False,
+    curve_labels: bool = False,
+    angles: Literal["degrees", "radians"] | None = None,
     progress: Say = False,
 ) -> Answer:
     """Slow changes of the modes of a system near equilibrium: the normal form with its resonances,
@@ -63,8 +66,8 @@ def resonance(
     detuning : float or str, optional
         Divisors below this fraction of the least frequency count as resonances [default: 0.1].
     figure : str or path, optional
-        Draw the amplitudes in time to FILE.svg or FILE.png instead of listing the terms; needs
-        ``initial``.
+        Draw the amplitudes in time to FILE.svg, FILE.pdf or FILE.png instead of listing the terms;
+        needs ``initial``.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
@@ -73,6 +76,12 @@ def resonance(
         ``size``].
     height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
+    no_title : bool
+        Leave out the title and the parameters under it, for a figure with a caption.
+    curve_labels : bool
+        Write the names of curves next to them where there is room, and the others in the legend.
+    angles : {"degrees", "radians"}, optional
+        Unit of the angles along the axes [default: the usual one of the picture].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.
 

@@ -27,6 +27,9 @@ def response(
     size: Literal["page", "column", "slide"] | None = None,
     width: Quantity | None = None,
     height: Quantity | None = None,
+    no_title: bool = False,
+    curve_labels: bool = False,
+    angles: Literal["degrees", "radians"] | None = None,
     progress: Say = False,
 ) -> Answer:
     """The periodic responses of a driven system, or limit cycles, over a parameter: amplitude,
@@ -70,7 +73,8 @@ def response(
         Sweep the parameter slowly up and down through N values by integration, too [default: 48
         where a picture is drawn, else none].
     figure : str or path, optional
-        Draw amplitude against parameter to FILE.svg or FILE.png instead of listing the points.
+        Draw amplitude against parameter to FILE.svg, FILE.pdf or FILE.png instead of listing the
+        points.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
@@ -79,6 +83,12 @@ def response(
         ``size``].
     height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
+    no_title : bool
+        Leave out the title and the parameters under it, for a figure with a caption.
+    curve_labels : bool
+        Write the names of curves next to them where there is room, and the others in the legend.
+    angles : {"degrees", "radians"}, optional
+        Unit of the angles along the axes [default: the usual one of the picture].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.
 

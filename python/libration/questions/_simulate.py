@@ -32,6 +32,9 @@ def simulate(
     size: Literal["page", "column", "slide"] | None = None,
     width: Quantity | None = None,
     height: Quantity | None = None,
+    no_title: bool = False,
+    curve_labels: bool = False,
+    angles: Literal["degrees", "radians"] | None = None,
     output: Path | None = None,
     resume: Path | None = None,
     progress: Say = False,
@@ -81,8 +84,8 @@ def simulate(
     no_errors : bool
         Do not estimate the errors of the states, which saves time.
     figure : str or path, optional
-        Draw the coordinates and the formulas of ``columns`` against time to FILE.svg or FILE.png
-        instead of listing the samples.
+        Draw the coordinates and the formulas of ``columns`` against time to FILE.svg, FILE.pdf or
+        FILE.png instead of listing the samples.
     axes : number or text, or several, optional
         Draw one state variable against another instead of the coordinates against time, such as
         theta,theta'.
@@ -96,6 +99,12 @@ def simulate(
         ``size``].
     height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
+    no_title : bool
+        Leave out the title and the parameters under it, for a figure with a caption.
+    curve_labels : bool
+        Write the names of curves next to them where there is room, and the others in the legend.
+    angles : {"degrees", "radians"}, optional
+        Unit of the angles along the axes [default: the usual one of the picture].
     output : str or path, optional
         Write the output to a file, which is replaced only when complete, or to a stream; the
         extensions .json and .csv choose the format, - is standard output.

@@ -22,6 +22,9 @@ def stability(
     size: Literal["page", "column", "slide"] | None = None,
     width: Quantity | None = None,
     height: Quantity | None = None,
+    no_title: bool = False,
+    curve_labels: bool = False,
+    angles: Literal["degrees", "radians"] | None = None,
     progress: Say = False,
 ) -> Answer:
     """Stability over two parameters: stability boundaries of an equilibrium, curves of folds,
@@ -51,7 +54,7 @@ def stability(
         Number of lines in each direction on which driven motions are followed; 0 for the
         equilibrium alone [default: 3].
     figure : str or path, optional
-        Draw the map to FILE.svg or FILE.png instead of listing the curves.
+        Draw the map to FILE.svg, FILE.pdf or FILE.png instead of listing the curves.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
@@ -60,6 +63,12 @@ def stability(
         ``size``].
     height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
+    no_title : bool
+        Leave out the title and the parameters under it, for a figure with a caption.
+    curve_labels : bool
+        Write the names of curves next to them where there is room, and the others in the legend.
+    angles : {"degrees", "radians"}, optional
+        Unit of the angles along the axes [default: the usual one of the picture].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.
 

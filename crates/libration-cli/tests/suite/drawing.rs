@@ -114,7 +114,7 @@ impl Drawing {
             seconds: 0.0,
         };
         let mut members: Vec<(Vec<usize>, Vec<usize>)> = vec![];
-        let (mut is_panel, mut is_moving) = (false, false);
+        let (mut is_panel, mut is_moving, mut is_text) = (false, false, false);
         for (name, attributes, text) in elements(svg) {
             match name {
                 "svg" => {
@@ -139,7 +139,16 @@ impl Drawing {
                         members.last_mut().unwrap().1.push(drawing.texts.len());
                     }
                     drawing.texts.push(Text::read(&attributes, text));
+                    is_text = true;
                 }
+                "tspan" | "/tspan" if is_text => {
+                    let last = drawing.texts.last_mut().unwrap();
+                    last.content += &match attributes.get("font-size") {
+                        Some(_) => small(&unescaped(text), number(&attributes, "dy") > 0.0),
+                        None => unescaped(text),
+                    };
+                }
+                "/text" => is_text = false,
                 "path" => {
                     let colour = match attributes["fill"] {
                         "none" => attributes["stroke"],
@@ -212,6 +221,19 @@ impl Drawing {
         shapes.filter(|shape| shape.class == "bars").flat_map(|shape| &shape.points)
     }
 
+    /// Returns `true` if a curve of the panel runs through a rectangle (left, top, right, bottom) of the canvas.
+    pub(crate) fn is_crossed(&self, panel: usize, [left, top, right, bottom]: [f64; 4]) -> bool {
+        let shapes = self.panels[panel].shapes.iter().map(|&shape| &self.shapes[shape]);
+        let holds = |(x, y): Place| x > left && x < right && y > top && y < bottom;
+        let is_through = |pair: &[Place]| {
+            let part = |step: i32| f64::from(step) / 100.0;
+            let between = |from: f64, to: f64, step| from + part(step) * (to - from);
+            (0..=100)
+                .any(|step| holds((between(pair[0].0, pair[1].0, step), between(pair[0].1, pair[1].1, step))))
+        };
+        shapes.filter(|shape| shape.class == "curve").any(|shape| shape.points.windows(2).any(is_through))
+    }
+
     fn of_colour<'a>(&'a self, panel: usize, colour: &'a str) -> impl Iterator<Item = &'a Shape> {
         let shapes = self.panels[panel].shapes.iter().map(|&shape| &self.shapes[shape]);
         shapes.filter(move |shape| shape.colour.eq_ignore_ascii_case(colour))
@@ -238,12 +260,25 @@ fn middle(points: &[Place]) -> Place {
     (ends(|point| point.0), ends(|point| point.1))
 }
 
+fn unescaped(text: &str) -> String {
+    let signs = [("&lt;", "<"), ("&gt;", ">"), ("&quot;", "\""), ("&amp;", "&")];
+    signs.iter().fold(text.to_owned(), |text, (written, sign)| text.replace(written, sign))
+}
+
+/// The characters of subscripts or superscripts for digits and signs that are drawn small.
+fn small(text: &str, is_below: bool) -> String {
+    const DRAWN: &str = "0123456789+−";
+    let written =
+        if is_below { "₀₁₂₃₄₅₆₇₈₉" } else { "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻" };
+    let place = |letter| DRAWN.chars().position(|drawn| drawn == letter).unwrap();
+    text.chars().map(|letter| written.chars().nth(place(letter)).unwrap()).collect()
+}
+
 impl Text {
     fn read(attributes: &BTreeMap<&str, &str>, text: &str) -> Self {
-        let signs = [("&lt;", "<"), ("&gt;", ">"), ("&quot;", "\""), ("&amp;", "&")];
         Self {
             class: attributes["class"].to_owned(),
-            content: signs.iter().fold(text.to_owned(), |text, (written, sign)| text.replace(written, sign)),
+            content: unescaped(text),
             anchor: attributes["text-anchor"].to_owned(),
             at: (number(attributes, "x"), number(attributes, "y")),
             size: number(attributes, "font-size"),

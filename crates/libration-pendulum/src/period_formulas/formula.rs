@@ -92,6 +92,16 @@ impl Named for PeriodFormula {
 }
 
 impl PeriodFormula {
+    /// The series or iteration of which the formula is a member, such as `power_series` for `power_series_3` and `bernoulli`; the key of a
+    /// formula that stands alone.
+    #[must_use]
+    pub fn family(&self) -> &str {
+        let keys = || std::iter::once(&self.key).chain(&self.also).map(String::as_str);
+        let numbered = |key: &&str| key.ends_with(|letter: char| letter.is_ascii_digit());
+        let is_digit = |letter: char| letter.is_ascii_digit();
+        keys().find(numbered).map_or(&self.key, |key| key.trim_end_matches(is_digit).trim_end_matches('_'))
+    }
+
     /// The formula's T/T0 as an `f64`, to a few ulp; NaN where the formula or the period is not defined.
     #[must_use]
     pub fn period_ratio(&self, amplitude: &Angle) -> f64 {

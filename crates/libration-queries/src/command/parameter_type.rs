@@ -6,7 +6,7 @@ use super::sweep::{Axis, shard::Shard};
 use crate::arguments::{
     AngleList, AngleSet, CoordinateName, EquationText, ParameterRange, ParameterSpan, Times, Tolerances,
 };
-use crate::figure::size::Side;
+use crate::figure::layout::Side;
 use clap::Arg;
 use libration::comparison::SeriesQuantity;
 use libration::continuation::ResonanceOrder;

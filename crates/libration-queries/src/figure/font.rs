@@ -1,14 +1,15 @@
-//! The letters of a PNG: a part of `DejaVu Sans` that is within the command, so that every system draws the same.
+//! The letters of PNG and PDF: a part of `DejaVu Sans` that is within the command, so that every system draws the same.
 
+use libration_report::runs;
 use tiny_skia::{Path, PathBuilder, Transform};
-use ttf_parser::{Face, OutlineBuilder};
+use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
 /// Latin, Greek and Cyrillic letters and the signs of formulas, by `pyftsubset` from `DejaVu Sans` 2.37.
-const FONT: &[u8] = include_bytes!("../../assets/DejaVuSans.ttf");
+pub(super) const FONT: &[u8] = include_bytes!("../../assets/DejaVuSans.ttf");
 
 /// The font, ready to draw.
 #[expect(missing_debug_implementations, reason = "a face is shown by what it draws")]
-pub struct Font(Face<'static>);
+pub struct Font(pub(super) Face<'static>);
 
 impl Font {
     /// Nothing if the font within the command were damaged.
@@ -18,20 +19,35 @@ impl Font {
 
     /// The outline of a text of size 1 that begins at the origin, upside down as on a canvas, and its width.
     pub fn outline(&self, text: &str) -> (Option<Path>, f32) {
-        let scale = f32::from(self.0.units_per_em()).recip();
         let (mut all, mut at) = (PathBuilder::new(), 0.0);
-        for letter in text.chars() {
-            let glyph = self.0.glyph_index(letter).unwrap_or_default();
-            let mut pen = Pen(PathBuilder::new());
-            self.0.outline_glyph(glyph, &mut pen);
-            let place = Transform::from_row(scale, 0.0, 0.0, -scale, at, 0.0);
-            if let Some(path) = pen.0.finish().and_then(|path| path.transform(place)) {
-                all.push_path(&path);
+        for run in runs(text) {
+            let (scale, rise) = (single(run.scale), single(run.rise));
+            let size = scale * f32::from(self.0.units_per_em()).recip();
+            for letter in run.letters.chars() {
+                let (glyph, advance) = self.glyph(letter);
+                let mut pen = Pen(PathBuilder::new());
+                self.0.outline_glyph(glyph, &mut pen);
+                let place = Transform::from_row(size, 0.0, 0.0, -size, at, -rise);
+                if let Some(path) = pen.0.finish().and_then(|path| path.transform(place)) {
+                    all.push_path(&path);
+                }
+                at += scale * advance;
             }
-            at += scale * f32::from(self.0.glyph_hor_advance(glyph).unwrap_or_default());
         }
         (all.finish(), at)
     }
+
+    /// The glyph of a letter and its advance width, as a fraction of the font size.
+    pub(super) fn glyph(&self, letter: char) -> (GlyphId, f32) {
+        let glyph = self.0.glyph_index(letter).unwrap_or_default();
+        let advance = f32::from(self.0.glyph_hor_advance(glyph).unwrap_or_default());
+        (glyph, advance / f32::from(self.0.units_per_em()))
+    }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "a picture needs no more digits")]
+pub(super) fn single(value: f64) -> f32 {
+    value as f32
 }
 
 struct Pen(PathBuilder);

@@ -1,8 +1,8 @@
 //! The pictures: what each one shows, how large it is, and the file it is written to.
 //!
 //! # Method
-//! Pictures are data of `libration-report`, drawn as SVG there and as PNG by tiny-skia (`png.rs`); in a page, which draws pictures by itself,
-//! `no_png.rs` replaces it.
+//! Pictures are data of `libration-report`, drawn as SVG there, as PNG by tiny-skia (`png.rs`) and as PDF by pdf-writer (`pdf.rs`); in a page,
+//! which draws pictures by itself, `svg_only.rs` replaces both.
 
 pub(crate) mod amplitudes;
 pub(crate) mod animation;
@@ -38,11 +38,13 @@ pub(crate) mod names;
 pub(crate) mod cusps;
 #[cfg(not(target_family = "wasm"))]
 pub(crate) mod font;
+pub(crate) mod layout;
 pub(crate) mod parameters;
-#[cfg_attr(target_family = "wasm", path = "no_png.rs")]
+#[cfg_attr(target_family = "wasm", path = "svg_only.rs")]
+pub(crate) mod pdf;
+#[cfg_attr(target_family = "wasm", path = "svg_only.rs")]
 pub(crate) mod png;
-pub(crate) mod size;
 
+pub(crate) use layout::Layout;
 pub(crate) use libration_report::chart;
 use libration_report::{range, style};
-pub(crate) use size::Sizes;

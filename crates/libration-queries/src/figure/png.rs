@@ -1,8 +1,8 @@
 //! A scene as PNG, drawn by tiny-skia.
 
-use super::font::Font;
+use super::font::{Font, single};
 use libration_report::scene::{Anchor, Form, Place, Scene, Shape, Text};
-use libration_report::style::PAPER;
+use libration_report::style::{PAPER, rgb};
 use tiny_skia::{
     FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, StrokeDash, Transform,
 };
@@ -117,18 +117,11 @@ fn stroke(width: f64, dashes: &[f64]) -> Stroke {
     }
 }
 
-/// The colour of `#RRGGBB`; black, if it were none.
 fn colour(text: &str, opacity: f64) -> tiny_skia::Color {
-    let part = |from: usize| text.get(from..from + 2).and_then(|hex| u8::from_str_radix(hex, 16).ok());
-    let [red, green, blue] = [1, 3, 5].map(|from| part(from).unwrap_or(0));
+    let [red, green, blue] = rgb(text);
     let mut colour = tiny_skia::Color::from_rgba8(red, green, blue, 255);
     colour.apply_opacity(single(opacity));
     colour
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "a picture needs no more digits")]
-fn single(value: f64) -> f32 {
-    value as f32
 }
 
 #[expect(

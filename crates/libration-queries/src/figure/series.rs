@@ -1,13 +1,14 @@
 //! The errors of partial sums: against the amplitude, with the radius of convergence, or against the last power kept.
 
-use super::chart::{Axis, Panel, Picture, Series, Units};
+use super::chart::{Axis, Look, Panel, Picture, Series, Units};
 use super::cusps::sizes;
 use super::style;
 use crate::output::number::short;
 
-/// The name of a curve and its signed errors.
+/// The name of a curve, the kind of approximation, and its signed errors.
 pub(crate) struct Line {
     pub(crate) label: String,
+    pub(crate) family: &'static str,
     pub(crate) errors: Vec<(f64, f64)>,
 }
 
@@ -52,8 +53,9 @@ pub(crate) fn against_amplitude(
     setting: &SeriesSetting,
 ) -> Picture {
     let abscissa = &setting.abscissa;
+    let looks = style::of_families(lines.iter().map(|line| line.family));
     let mut series: Vec<Series> =
-        lines.iter().enumerate().map(|(n, line)| curve(n, line, abscissa)).collect();
+        lines.iter().zip(looks).map(|(line, look)| curve(look, line, abscissa)).collect();
     if let Some((radius, label)) = radius {
         let ends = [setting.lowest, setting.highest].map(|error| (abscissa.value(radius), error));
         let label = format!("{label}, {}", abscissa.shown(radius));
@@ -64,9 +66,9 @@ pub(crate) fn against_amplitude(
     picture(x, series, setting)
 }
 
-fn curve(number: usize, line: &Line, abscissa: &Abscissa) -> Series {
+fn curve(look: Look, line: &Line, abscissa: &Abscissa) -> Series {
     let errors: Vec<(f64, f64)> = line.errors.iter().map(|(x, error)| (abscissa.value(*x), *error)).collect();
-    Series::line(&line.label, style::curve(number), sizes(&errors))
+    Series::line(&line.label, look, sizes(&errors))
 }
 
 /// Errors against the last power kept.

@@ -35,11 +35,11 @@ pub(crate) struct Backbone {
     /// The order of the perturbation series
     #[arg(long, default_value = "9", value_parser = arguments::count::<MAX_ORDER>)]
     order: usize,
-    /// Draw the curves to FILE.svg or FILE.png instead of listing the points
+    /// Draw the curves to FILE.svg, FILE.pdf or FILE.png instead of listing the points
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
-    sizes: figure::Sizes,
+    layout: figure::Layout,
     #[command(flatten)]
     form: FormOptions,
 }
@@ -97,7 +97,7 @@ impl Backbone {
                 .iter()
                 .map(|(name, value)| format!("{} = {value}", figure::names::symbol(name)));
             let picture = picture.with_parameters(values);
-            drawn.push(figure::file::write(path, &picture, &self.sizes)?);
+            drawn.push(figure::file::write(path, &picture, &self.layout)?);
         }
         match self.form.form() {
             Form::Json => write::json(out, &answer)?,

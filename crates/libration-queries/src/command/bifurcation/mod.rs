@@ -55,11 +55,11 @@ pub(crate) struct Bifurcation {
     /// The state variable that the picture shows [default: the first coordinate, or its velocity if it is an angle]
     #[arg(long, value_name = "NAME", requires = "figure")]
     axis: Option<CoordinateName>,
-    /// Draw the diagram to FILE.svg or FILE.png instead of listing the points
+    /// Draw the diagram to FILE.svg, FILE.pdf or FILE.png instead of listing the points
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
-    sizes: figure::Sizes,
+    layout: figure::Layout,
     #[command(flatten)]
     form: FormOptions,
 }
@@ -118,7 +118,7 @@ impl Bifurcation {
                     &diagram.sweeps,
                     &StateAxis::new(&model, self.axis(&model)?),
                 );
-                vec![figure::file::write(path, &picture, &self.sizes)?]
+                vec![figure::file::write(path, &picture, &self.layout)?]
             }
             None => vec![],
         };

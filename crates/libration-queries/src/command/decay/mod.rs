@@ -48,11 +48,11 @@ pub(crate) struct Decay {
     extent: Extent,
     #[command(flatten)]
     slow_flow: SlowFlowOptions,
-    /// Draw amplitude and period against time to FILE.svg or FILE.png instead of listing the cycles
+    /// Draw amplitude and period against time to FILE.svg, FILE.pdf or FILE.png instead of listing the cycles
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
-    sizes: figure::Sizes,
+    layout: figure::Layout,
     #[command(flatten)]
     pendulum: PendulumOptions,
     /// The frequency ω0 = √(g/l) of small swings, such as 1rad/s, instead of length and gravity
@@ -95,7 +95,7 @@ impl Decay {
                     cycles.map(|Cycle { middle, duration, .. }| MeasuredCycle { middle, duration }).collect();
                 let picture = figure::decay::dying_swings(&decay, slow.as_ref(), &turns, &cycles);
                 let picture = picture.with_parameters(self.made_with(&decay));
-                vec![figure::file::write(path, &picture, &self.sizes)?]
+                vec![figure::file::write(path, &picture, &self.layout)?]
             }
             None => vec![],
         };

@@ -18,7 +18,8 @@ const FIRST_FIGURE: [&str; 8] =
 #[command(after_help = "Examples:
   libration figure errors --output errors.svg
   libration figure errors --formulas bernoulli,carvalhaes_suppes \\
-    --from 60deg --output errors.png")]
+    --from 60deg --output errors.png
+  libration figure errors --near-top --no-title --output figure1.pdf")]
 pub(super) struct Errors {
     #[command(flatten)]
     formulas: FormulaChoice,
@@ -34,6 +35,9 @@ pub(super) struct Errors {
     /// The largest error shown
     #[arg(long, default_value = "10", value_parser = arguments::positive)]
     highest: f64,
+    /// Add a panel with the errors against π − θ₀ on a logarithmic axis
+    #[arg(long)]
+    near_top: bool,
     #[command(flatten)]
     pub(super) options: PictureOptions,
 }
@@ -51,8 +55,9 @@ impl Errors {
         }
         let formulas = self.curves()?;
         interrupt::listen()?;
-        let curves = formulas.into_iter().map(curve).collect();
-        Ok(errors(curves, Frame { from, to, lowest: self.lowest, highest: self.highest }))
+        let curves: Vec<Curve> = formulas.into_iter().map(curve).collect();
+        let (lowest, highest, has_top) = (self.lowest, self.highest, self.near_top);
+        Ok(errors(&curves, Frame { from, to, lowest, highest, has_top }))
     }
 
     fn curves(&self) -> Result<Vec<PeriodFormula>, QueryError> {
@@ -65,9 +70,6 @@ impl Errors {
 }
 
 fn curve(formula: PeriodFormula) -> Curve {
-    let label = formula.name().to_owned();
-    let error = move |degrees| {
-        Angle::from_degrees(degrees).map_or(f64::NAN, |angle| formula.fractional_error(&angle))
-    };
-    Curve { label, error: Box::new(error) }
+    let (label, family) = (formula.name().to_owned(), formula.family().to_owned());
+    Curve { label, family, error: Box::new(move |angle| formula.fractional_error(angle)) }
 }

@@ -9,7 +9,7 @@ mod series;
 mod spectrum;
 pub(crate) mod trajectories;
 
-use crate::figure::{Sizes, file};
+use crate::figure::{Layout, file};
 use crate::interrupt;
 use crate::output::description::Answers;
 use crate::output::{FormOptions, announce};
@@ -49,11 +49,11 @@ enum Subject {
 /// The options of every picture.
 #[derive(Clone, Debug, clap::Args)]
 struct PictureOptions {
-    /// The file to write, FILE.svg or FILE.png
+    /// The file to write, FILE.svg, FILE.pdf or FILE.png
     #[arg(id = "figure", long = "output", short = 'o', value_name = "FILE", value_parser = file::drawable)]
     output: PathBuf,
     #[command(flatten)]
-    sizes: Sizes,
+    layout: Layout,
     #[command(flatten)]
     form: FormOptions,
 }
@@ -68,7 +68,7 @@ impl Figure {
             Subject::Series(subject) => ("series", &subject.options, subject.picture()?),
             Subject::Trajectories(subject) => ("trajectories", &subject.options, subject.picture()?),
         };
-        let drawn = file::write(&options.output, &picture, &options.sizes)?;
+        let drawn = file::write(&options.output, &picture, &options.layout)?;
         report::write(out, options.form.form(), name, &options.output, &picture)?;
         announce(out, options.form.form(), &[drawn])?;
         interrupt::ended_early("the curves")

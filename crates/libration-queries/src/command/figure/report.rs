@@ -1,6 +1,6 @@
 //! Content of a picture as numbers: a summary to read, or every point as JSON or CSV.
 
-use crate::figure::chart::{Picture, Series};
+use crate::figure::chart::{Picture, Point, Series};
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
@@ -18,17 +18,21 @@ pub(super) fn write(
 ) -> io::Result<()> {
     match form {
         Form::Json => {
-            let fields = of_series();
+            let fields = of_curves();
             let head = of_picture().record(&(name, path));
-            json::document_with_list(out, head, "series", series(picture).map(|it| fields.record(it)))
+            json::document_with_list(out, head, "series", curves(picture).map(|it| fields.record(&it)))
         }
         Form::Csv => write_csv(out, picture),
         Form::Table => write_summary(out, picture),
     }
 }
 
-fn series(picture: &Picture) -> impl Iterator<Item = &Series> {
-    picture.panels.iter().flat_map(|panel| &panel.series)
+/// A series with the number of its panel, from 1 at the top.
+type Curve<'a> = (usize, &'a Series);
+
+fn curves(picture: &Picture) -> impl Iterator<Item = Curve<'_>> {
+    let of_panel = |(panel, series)| std::iter::repeat(panel).zip(series);
+    (1..).zip(picture.panels.iter().map(|panel| &panel.series)).flat_map(of_panel)
 }
 
 /// The name of the picture and its file.
@@ -40,49 +44,56 @@ fn of_picture<'a>() -> Fields<(&'a str, &'a Path)> {
     ])
 }
 
-fn of_series() -> Fields<Series> {
-    type Of = Field<Series>;
+fn of_curves<'a>() -> Fields<Curve<'a>> {
+    type Of<'a> = Field<Curve<'a>>;
     Fields::from([
-        Of::value("label", "", "name of the curve in the legend", |it| it.label.as_str().into())
-            .words("shown", |it| it.label.clone()),
-        Of::value("points[][]", "", "coordinates of the points, x and y, in the units of the axes", |it| {
-            json::list(it.points.iter().map(|point| json::numbers(&[point.x, point.y])))
-        })
-        .numeral("points", |it| it.points.len().to_string()),
+        Of::value("panel", "", "number of the panel, from 1 at the top", |(panel, _)| (*panel).into()),
+        Of::value("label", "", "name of the curve in the legend", |(_, it)| it.label.as_str().into())
+            .words("shown", |(_, it)| it.label.clone()),
+        Of::value(
+            "points[][]",
+            "",
+            "coordinates of the points, x and y, in the units of the axes",
+            |(_, it)| json::list(it.points.iter().map(|point| json::numbers(&[point.x, point.y]))),
+        )
+        .numeral("points", |(_, it)| it.points.len().to_string()),
     ])
 }
 
-/// A point with the name of its curve.
-fn of_point<'a>() -> Fields<(&'a str, f64, f64)> {
-    type Of<'a> = Field<(&'a str, f64, f64)>;
+/// A point with its curve.
+fn of_points<'a>() -> Fields<(Curve<'a>, &'a Point)> {
+    type Of<'a> = Field<(Curve<'a>, &'a Point)>;
     Fields::from([
-        Of::value("series", "", "name of the curve in the legend", |it| it.0.into()),
-        Of::number("x", "", "position on the horizontal axis, in the unit of that axis", |it| it.1),
-        Of::number("y", "", "position on the vertical axis, in the unit of that axis", |it| it.2),
+        Of::value("panel", "", "number of the panel, from 1 at the top", |((panel, _), _)| (*panel).into()),
+        Of::value("series", "", "name of the curve in the legend", |((_, it), _)| it.label.as_str().into()),
+        Of::number("x", "", "position on the horizontal axis, in the unit of that axis", |(_, point)| {
+            point.x
+        }),
+        Of::number("y", "", "position on the vertical axis, in the unit of that axis", |(_, point)| point.y),
     ])
 }
 
 pub(super) fn answers() -> Vec<Answers> {
-    let json = [of_picture().described(""), of_series().described("series[].")];
-    vec![Answers { command: "figure", option: "", json: json.concat(), csv: of_point().described_in_csv() }]
+    let json = [of_picture().described(""), of_curves().described("series[].")];
+    vec![Answers { command: "figure", option: "", json: json.concat(), csv: of_points().described_in_csv() }]
 }
 
 fn write_csv(out: &mut dyn Write, picture: &Picture) -> io::Result<()> {
-    let fields = of_point();
+    let fields = of_points();
     csv::line(out, &fields.csv_names())?;
-    for series in series(picture) {
-        for point in &series.points {
-            csv::line(out, &fields.csv_cells(&(&series.label, point.x, point.y)))?;
+    for curve in curves(picture) {
+        for point in &curve.1.points {
+            csv::line(out, &fields.csv_cells(&(curve, point)))?;
         }
     }
     Ok(())
 }
 
 fn write_summary(out: &mut dyn Write, picture: &Picture) -> io::Result<()> {
-    let fields = of_series();
+    let fields = of_curves();
     let mut table = Table::new(fields.columns());
-    for series in series(picture).filter(|series| !series.label.is_empty()) {
-        table.row(out, fields.cells(series))?;
+    for curve in curves(picture).filter(|(_, series)| !series.label.is_empty()) {
+        table.row(out, fields.cells(&curve))?;
     }
     table.finish(out)
 }

@@ -54,6 +54,8 @@ const END: f64 = 1.02;
 const HIGHEST: f64 = 10.0;
 /// Amplitudes at which a curve is computed.
 const SAMPLES: u32 = 240;
+/// Halves of the first step: the error of one correction, a fourth power, falls to 2⁻²⁴ of what it is there, below 1e-16 for the pendulum.
+const HALVES: usize = 6;
 /// More curves than a picture can keep apart.
 const MOST_AMPLITUDES: usize = 12;
 
@@ -150,6 +152,7 @@ impl Series {
                 .iter()
                 .filter_map(|step| Some((count(step.power), resolved_error(step.sum, &exact)?)));
             lines.push(Line {
+                family: "amplitude",
                 label: format!("{} = {}", setting.abscissa.symbol, setting.abscissa.shown(amplitude)),
                 errors: errors.collect(),
             });
@@ -180,14 +183,19 @@ impl Subject {
         parallel::unless_cancelled("the exact values", |progress| relation.exact_from(amplitude, progress))
     }
 
-    /// Even steps from zero up to where motions end, or go around another equilibrium too.
+    /// Even steps up to where motions end, or go around another equilibrium too; the first one is halved, so that errors run down to the axis.
     fn sampled(&self, to: f64) -> Vec<Sample> {
         let (relation, done) = (self.relation(), AtomicUsize::new(0));
-        let how_far = || format!("{} of at most {SAMPLES} amplitudes", done.load(Ordering::Relaxed));
+        let step = to / f64::from(SAMPLES);
+        let halves = std::iter::successors(Some(0.5 * step), |half| Some(0.5 * half)).take(HALVES);
+        let mut amplitudes: Vec<f64> = halves.collect();
+        amplitudes.reverse();
+        amplitudes.extend((1..=SAMPLES).map(|number| step * f64::from(number)));
+        let how_far =
+            || format!("{} of at most {} amplitudes", done.load(Ordering::Relaxed), amplitudes.len());
         let sample = || {
             let progress = |_: Status| parallel::update(&how_far);
-            let amplitudes = (1..=SAMPLES).map(|step| to * f64::from(step) / f64::from(SAMPLES));
-            let counted = amplitudes.inspect(|_| {
+            let counted = amplitudes.iter().copied().inspect(|_| {
                 done.fetch_add(1, Ordering::Relaxed);
             });
             counted.map_while(|amplitude| Sample::at(&relation, amplitude, &progress)).collect()
@@ -205,21 +213,22 @@ fn lines(
 ) -> Vec<Line> {
     /// Degrees of the approximant, of which the order allows some.
     const DEGREES: [usize; 4] = [8, 6, 4, 2];
-    let line = |label: String, value: &dyn Fn(&Sample) -> f64| {
+    let line = |family: &'static str, label: String, value: &dyn Fn(&Sample) -> f64| {
         let error = |sample: &Sample| Some((sample.amplitude, resolved_error(value(sample), &sample.exact)?));
-        Line { label, errors: sampled.iter().filter_map(error).collect() }
+        Line { label, family, errors: sampled.iter().filter_map(error).collect() }
     };
     let symbol = &setting.abscissa.symbol;
     let mut lines: Vec<Line> = powers
         .iter()
         .map(|&power| {
-            line(format!("to {symbol}{}", superscript(power)), &|sample| sum_to(&sample.evaluation, power))
+            let label = format!("to {symbol}{}", superscript(power));
+            line("partial sum", label, &|sample| sum_to(&sample.evaluation, power))
         })
         .collect();
     let found = DEGREES.into_iter().find_map(|degree| Some((degree, relation.approximant(degree)?)));
     if let Some((degree, approximant)) = found {
         let label = format!("Padé [{degree}/{degree}]");
-        lines.push(line(label, &|sample| approximant.value_at(sample.amplitude)));
+        lines.push(line("Padé", label, &|sample| approximant.value_at(sample.amplitude)));
     }
     lines
 }

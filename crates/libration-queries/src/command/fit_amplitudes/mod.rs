@@ -46,14 +46,14 @@ pub(crate) struct FitAmplitudes {
     /// The damping: dry, linear, quadratic, a sum such as dry+linear, or auto for the simplest law that the rows do not exclude
     #[arg(long, value_name = "DAMPING", default_value = "auto")]
     model: DampingChoice,
-    /// Draw the data, the law and the residuals to FILE.svg or FILE.png
+    /// Draw the data, the law and the residuals to FILE.svg, FILE.pdf or FILE.png
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     /// Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next to it
     #[arg(long, value_name = "FILE", value_parser = document::name)]
     report: Option<PathBuf>,
     #[command(flatten)]
-    sizes: figure::Sizes,
+    layout: figure::Layout,
     #[command(flatten)]
     form: FormOptions,
 }
@@ -71,7 +71,7 @@ impl FitAmplitudes {
         let mut written = vec![];
         if let Some(path) = &self.figure {
             let picture = figure::amplitudes::fitted(&file.measured, &fit);
-            written.push(figure::file::write(path, &picture, &self.sizes)?);
+            written.push(figure::file::write(path, &picture, &self.layout)?);
         }
         let answer = Answer { file: &file, fit: &fit };
         if let Some(path) = &self.report {

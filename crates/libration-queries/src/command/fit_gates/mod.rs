@@ -59,14 +59,14 @@ pub(crate) struct FitGates {
     /// Amplitude of the release, a quarter period before the first passage, such as 20deg
     #[arg(long, value_name = "ANGLE", value_parser = crate::arguments::angle)]
     amplitude: Option<Angle>,
-    /// Draw the periods against time to FILE.svg or FILE.png
+    /// Draw the periods against time to FILE.svg, FILE.pdf or FILE.png
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     /// Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next to it
     #[arg(long, value_name = "FILE", value_parser = document::name)]
     report: Option<PathBuf>,
     #[command(flatten)]
-    sizes: figure::Sizes,
+    layout: figure::Layout,
     #[command(flatten)]
     form: FormOptions,
     #[command(flatten)]
@@ -101,7 +101,7 @@ impl FitGates {
         let budget = self.budget(&fit, geometry.as_ref())?;
         let mut written = vec![];
         if let Some(path) = &self.figure {
-            written.push(figure::file::write(path, &figure::gates::periods(&fit), &self.sizes)?);
+            written.push(figure::file::write(path, &figure::gates::periods(&fit), &self.layout)?);
         }
         let findings: Vec<String> = read.findings.iter().map(finding_with_option).collect();
         let incomplete = read.incomplete;

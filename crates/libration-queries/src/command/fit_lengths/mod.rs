@@ -56,14 +56,14 @@ pub(crate) struct FitLengths {
     /// Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have been taken for 30
     #[arg(long, value_name = "PART", value_parser = crate::arguments::part)]
     clock: Option<f64>,
-    /// Draw the data, the line and the residuals to FILE.svg or FILE.png
+    /// Draw the data, the line and the residuals to FILE.svg, FILE.pdf or FILE.png
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     /// Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next to it
     #[arg(long, value_name = "FILE", value_parser = document::name)]
     report: Option<PathBuf>,
     #[command(flatten)]
-    sizes: figure::Sizes,
+    layout: figure::Layout,
     #[command(flatten)]
     form: FormOptions,
     #[command(flatten)]
@@ -123,7 +123,7 @@ impl FitLengths {
         let mut written = vec![];
         if let Some(path) = &self.figure {
             let picture = figure::lengths::fitted(&table.measured, fit.best(), radius);
-            written.push(figure::file::write(path, &picture, &self.sizes)?);
+            written.push(figure::file::write(path, &picture, &self.layout)?);
         }
         let groups = groups_of(&table, &fit, &options);
         let normal = self.place.normal_gravity()?;

@@ -47,14 +47,14 @@ pub(crate) struct FitPeriods {
     reject_outliers: Option<f64>,
     #[command(flatten)]
     formulas: FormulaChoice,
-    /// Draw the data, the laws and the residuals to FILE.svg or FILE.png
+    /// Draw the data, the laws and the residuals to FILE.svg, FILE.pdf or FILE.png
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     /// Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next to it
     #[arg(long, value_name = "FILE", value_parser = document::name)]
     report: Option<PathBuf>,
     #[command(flatten)]
-    sizes: figure::Sizes,
+    layout: figure::Layout,
     #[command(flatten)]
     form: FormOptions,
     #[command(flatten)]
@@ -89,7 +89,7 @@ impl FitPeriods {
         let mut written = vec![];
         if let Some(path) = &self.figure {
             let picture = figure::periods::fitted(&measured.without(left_out), &fit);
-            written.push(figure::file::write(path, &picture, &self.sizes)?);
+            written.push(figure::file::write(path, &picture, &self.layout)?);
         }
         let groups = self.groups(&measured, &fit);
         let answer = Answer {

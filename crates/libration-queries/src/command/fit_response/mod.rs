@@ -43,14 +43,14 @@ pub(crate) struct FitResponse {
     /// The quantity measured as the amplitude
     #[arg(long, value_enum, default_value = "peak")]
     measured: Measured,
-    /// Draw the data and the curve, its unstable part dashed, to FILE.svg or FILE.png
+    /// Draw the data and the curve, its unstable part dashed, to FILE.svg, FILE.pdf or FILE.png
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     /// Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next to it
     #[arg(long, value_name = "FILE", value_parser = document::name)]
     report: Option<PathBuf>,
     #[command(flatten)]
-    sizes: figure::Sizes,
+    layout: figure::Layout,
     #[command(flatten)]
     form: FormOptions,
 }
@@ -82,7 +82,7 @@ impl FitResponse {
         let mut written = vec![];
         if let Some(path) = &self.figure {
             let picture = fitted_response::fitted(&file.measured, fit.best(), &curve);
-            written.push(figure::file::write(path, &picture, &self.sizes)?);
+            written.push(figure::file::write(path, &picture, &self.layout)?);
         }
         let answer = Answer { file: &file, fit: &fit, curve: &curve };
         if let Some(path) = &self.report {

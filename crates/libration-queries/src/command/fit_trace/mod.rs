@@ -51,11 +51,11 @@ pub(crate) struct FitTrace {
     /// Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next to it
     #[arg(long, value_name = "FILE", value_parser = document::name)]
     report: Option<PathBuf>,
-    /// Draw the data, the fitted motion and the residuals to FILE.svg or FILE.png
+    /// Draw the data, the fitted motion and the residuals to FILE.svg, FILE.pdf or FILE.png
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
-    sizes: figure::Sizes,
+    layout: figure::Layout,
     #[command(flatten)]
     form: FormOptions,
     #[command(flatten)]
@@ -70,7 +70,7 @@ impl FitTrace {
         let answer = self.fitted(&measured)?;
         let mut written = vec![];
         if let Some(path) = &self.figure {
-            written.push(figure::file::write(path, &report::pictures::of_all(&answer), &self.sizes)?);
+            written.push(figure::file::write(path, &report::pictures::of_all(&answer), &self.layout)?);
         }
         if let Some(path) = &self.report {
             written.push(document::write(path, &report::document(&answer))?);

@@ -54,11 +54,11 @@ pub(crate) struct Lyapunov {
     /// The relative error allowed in each step
     #[arg(long, default_value = "1e-13", value_parser = positive)]
     tolerance: f64,
-    /// Draw the convergence of the exponent to FILE.svg or FILE.png instead of listing it
+    /// Draw the convergence of the exponent to FILE.svg, FILE.pdf or FILE.png instead of listing it
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
-    sizes: figure::Sizes,
+    layout: figure::Layout,
     #[command(flatten)]
     form: FormOptions,
 }
@@ -84,7 +84,7 @@ impl Lyapunov {
         let drawn = match &self.figure {
             Some(path) => {
                 let picture = figure::lyapunov::convergence(&model, &answer.initial, &answer.found);
-                vec![figure::file::write(path, &picture, &self.sizes)?]
+                vec![figure::file::write(path, &picture, &self.layout)?]
             }
             None => vec![],
         };

@@ -46,11 +46,11 @@ pub(crate) struct MelnikovQuestion {
     /// The largest number of periods of the drive, q, of a resonance p:q
     #[arg(long, alias = "orders", value_name = "Q", default_value = "5", value_parser = count::<MOST_PERIODS>)]
     max_drive_periods: usize,
-    /// Draw the function, and the resonances on the curve of frequencies, to FILE.svg or FILE.png instead of listing them
+    /// Draw the function, and the resonances on the curve of frequencies, to FILE.svg, FILE.pdf or FILE.png instead of listing them
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
-    sizes: figure::Sizes,
+    layout: figure::Layout,
     #[command(flatten)]
     form: FormOptions,
 }
@@ -78,7 +78,7 @@ impl MelnikovQuestion {
         let answer = self.found()?;
         let drawn = match &self.figure {
             Some(path) => {
-                vec![figure::file::write(path, &figure::melnikov::melnikov(&answer.shown()), &self.sizes)?]
+                vec![figure::file::write(path, &figure::melnikov::melnikov(&answer.shown()), &self.layout)?]
             }
             None => vec![],
         };

@@ -38,11 +38,11 @@ pub(crate) struct Modes {
     equilibrium: EquilibriumOptions,
     #[command(flatten)]
     follow: FollowOptions,
-    /// Draw the shapes to FILE.svg or FILE.png
+    /// Draw the shapes to FILE.svg, FILE.pdf or FILE.png
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
-    sizes: figure::Sizes,
+    layout: figure::Layout,
     #[command(flatten)]
     form: FormOptions,
 }
@@ -71,7 +71,7 @@ impl Modes {
         let drawn = match &self.figure {
             Some(path) => {
                 let picture = figure::modes::shapes(&answer.model, &answer.modes);
-                vec![figure::file::write(path, &picture, &self.sizes)?]
+                vec![figure::file::write(path, &picture, &self.layout)?]
             }
             None => vec![],
         };
@@ -111,7 +111,7 @@ impl Modes {
                     followed.coordinate,
                     &followed.found,
                 );
-                vec![figure::file::write(path, &picture, &self.sizes)?]
+                vec![figure::file::write(path, &picture, &self.layout)?]
             }
             None => vec![],
         };

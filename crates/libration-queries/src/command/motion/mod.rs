@@ -37,14 +37,14 @@ pub(crate) struct Motion {
     /// Approximate motions to compare with: small-angle, fourier-3, fourier-5, fourier-7
     #[arg(long, value_name = "KEY,KEY", value_delimiter = ',', value_parser = ApproximateMotion::by_key)]
     compare: Vec<ApproximateMotion>,
-    /// Draw the motion to FILE.svg or FILE.png instead of listing it
+    /// Draw the motion to FILE.svg, FILE.pdf or FILE.png instead of listing it
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     /// Animate the pendulum next to its curve (an SVG animation, for browsers)
     #[arg(long, requires = "figure")]
     animate: bool,
     #[command(flatten)]
-    sizes: figure::Sizes,
+    layout: figure::Layout,
     #[command(flatten)]
     pendulum: PendulumOptions,
     #[command(flatten)]
@@ -79,7 +79,7 @@ impl Motion {
                     true => figure::animation::of_motion(picture, &motion, times.ends()),
                     false => picture,
                 };
-                vec![figure::file::write(path, &picture, &self.sizes)?]
+                vec![figure::file::write(path, &picture, &self.layout)?]
             }
             None => vec![],
         };

@@ -53,11 +53,11 @@ pub(crate) struct OrbitQuestion {
     /// The coordinate whose value at the start is kept, in a family of orbits near a guess [default: the farthest from zero]
     #[arg(long, value_name = "NAME", requires = "period")]
     hold: Option<CoordinateName>,
-    /// Draw the orbit to FILE.svg or FILE.png, in time and in the plane of coordinate and velocity
+    /// Draw the orbit to FILE.svg, FILE.pdf or FILE.png, in time and in the plane of coordinate and velocity
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
-    sizes: figure::Sizes,
+    layout: figure::Layout,
     #[command(flatten)]
     form: FormOptions,
 }
@@ -88,7 +88,7 @@ impl OrbitQuestion {
         let drawn = match &self.figure {
             Some(path) => {
                 let picture = figure::orbit::orbit(&answer.model, &answer.orbit);
-                vec![figure::file::write(path, &picture, &self.sizes)?]
+                vec![figure::file::write(path, &picture, &self.layout)?]
             }
             None => vec![],
         };

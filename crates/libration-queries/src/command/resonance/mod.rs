@@ -74,11 +74,11 @@ pub(crate) struct ResonanceQuestion {
     /// Divisors below this fraction of the least frequency count as resonances
     #[arg(long, value_name = "PART", default_value = "0.1", value_parser = part)]
     detuning: f64,
-    /// Draw the amplitudes in time to FILE.svg or FILE.png instead of listing the terms; needs --initial
+    /// Draw the amplitudes in time to FILE.svg, FILE.pdf or FILE.png instead of listing the terms; needs --initial
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable, requires = "initial")]
     figure: Option<PathBuf>,
     #[command(flatten)]
-    sizes: figure::Sizes,
+    layout: figure::Layout,
     #[command(flatten)]
     formats: FormatOptions,
     #[command(flatten)]
@@ -130,7 +130,7 @@ impl ResonanceQuestion {
                 vec![figure::file::write(
                     path,
                     &figure::resonance::amplitudes(&answer.shown()?),
-                    &self.sizes,
+                    &self.layout,
                 )?]
             }
             None => vec![],

@@ -98,11 +98,11 @@ pub(crate) struct ResponseQuestion {
     /// Sweep the parameter slowly up and down through N values by integration, too [default: 48 where a picture is drawn, else none]
     #[arg(long, value_name = "N", value_parser = count::<MOST_VALUES>)]
     sweeps: Option<usize>,
-    /// Draw amplitude against parameter to FILE.svg or FILE.png instead of listing the points
+    /// Draw amplitude against parameter to FILE.svg, FILE.pdf or FILE.png instead of listing the points
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
-    sizes: figure::Sizes,
+    layout: figure::Layout,
     #[command(flatten)]
     form: FormOptions,
 }
@@ -134,7 +134,7 @@ impl ResponseQuestion {
         let drawn = match &self.figure {
             Some(path) => {
                 let picture = figure::response::response(&answer.curve());
-                vec![figure::file::write(path, &picture, &self.sizes)?]
+                vec![figure::file::write(path, &picture, &self.layout)?]
             }
             None => vec![],
         };

@@ -48,11 +48,11 @@ pub(crate) struct PoincareQuestion {
     /// The two state variables that the picture shows [default: a coordinate and its velocity]
     #[arg(long, value_name = "NAME,NAME", requires = "figure")]
     axes: Option<String>,
-    /// Draw the section to FILE.svg or FILE.png instead of listing the points
+    /// Draw the section to FILE.svg, FILE.pdf or FILE.png instead of listing the points
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
-    sizes: figure::Sizes,
+    layout: figure::Layout,
     #[command(flatten)]
     form: FormOptions,
 }
@@ -88,7 +88,7 @@ impl PoincareQuestion {
             Some(path) => {
                 let axes = self.axes(&model)?.map(|place| StateAxis::new(&model, place));
                 let picture = figure::section::section(&model, &answer.starts, &answer.sections, &axes);
-                vec![figure::file::write(path, &picture, &self.sizes)?]
+                vec![figure::file::write(path, &picture, &self.layout)?]
             }
             None => vec![],
         };

@@ -114,7 +114,7 @@ pub(crate) struct Simulate {
     /// Do not estimate the errors of the states, which saves time
     #[arg(long)]
     no_errors: bool,
-    /// Draw the coordinates and the formulas of --columns against time to FILE.svg or FILE.png instead of listing the samples
+    /// Draw the coordinates and the formulas of --columns against time to FILE.svg, FILE.pdf or FILE.png instead of listing the samples
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     /// Draw one state variable against another instead of the coordinates against time, such as theta,theta'
@@ -124,7 +124,7 @@ pub(crate) struct Simulate {
     #[arg(long, requires = "figure", conflicts_with = "axes")]
     animate: bool,
     #[command(flatten)]
-    sizes: figure::Sizes,
+    layout: figure::Layout,
     /// Write the output to a file, which is replaced only when complete, or to a stream; the extensions .json and .csv choose the
     /// format, - is standard output
     #[arg(long, short, value_name = "FILE")]
@@ -178,7 +178,7 @@ impl Simulate {
         let axes = axes.transpose()?.map(|places| places.map(|place| StateAxis::new(&model, place)));
         let figure = self.figure.as_deref().map(|path| run::Figure {
             path,
-            sizes: &self.sizes,
+            layout: &self.layout,
             axes,
             animate: self.animate,
         });

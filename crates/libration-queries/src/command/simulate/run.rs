@@ -27,7 +27,7 @@ use std::path::Path;
 #[derive(Debug)]
 pub(super) struct Figure<'a> {
     pub(super) path: &'a Path,
-    pub(super) sizes: &'a figure::Sizes,
+    pub(super) layout: &'a figure::Layout,
     /// Axes of the picture, if it does not show the coordinates against time.
     pub(super) axes: Option<[StateAxis; 2]>,
     /// `true` if the bodies move next to the curves.
@@ -84,7 +84,7 @@ impl SimulatedMotion<'_> {
                     None if figure.animate => trace.animated(self.model, start),
                     None => trace.picture(self.model, start),
                 };
-                vec![figure::file::write(figure.path, &picture, figure.sizes)?]
+                vec![figure::file::write(figure.path, &picture, figure.layout)?]
             }
             _ => vec![],
         };

@@ -56,11 +56,11 @@ pub(crate) struct StabilityQuestion {
     /// Number of lines in each direction on which driven motions are followed; 0 for the equilibrium alone
     #[arg(long, value_name = "N", default_value = "3", value_parser = at_most::<MOST_LINES>)]
     lines: usize,
-    /// Draw the map to FILE.svg or FILE.png instead of listing the curves
+    /// Draw the map to FILE.svg, FILE.pdf or FILE.png instead of listing the curves
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
-    sizes: figure::Sizes,
+    layout: figure::Layout,
     #[command(flatten)]
     form: FormOptions,
 }
@@ -79,7 +79,7 @@ impl StabilityQuestion {
         let drawn = match &self.figure {
             Some(path) => {
                 let picture = figure::stability::stability(&answer.map());
-                vec![figure::file::write(path, &picture, &self.sizes)?]
+                vec![figure::file::write(path, &picture, &self.layout)?]
             }
             None => vec![],
         };

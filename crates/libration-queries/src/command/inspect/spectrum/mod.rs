@@ -35,11 +35,11 @@ pub(super) struct SpectrumQuestion {
     /// Number of swings in a window, at least three
     #[arg(long, value_name = "N", requires = "spectrum", default_value = "5", value_parser = arguments::count::<MOST_SWINGS>)]
     swings: usize,
-    /// Draw the spectrum with the pendulum's harmonics to FILE.svg or FILE.png
+    /// Draw the spectrum with the pendulum's harmonics to FILE.svg, FILE.pdf or FILE.png
     #[arg(long, value_name = "FILE", requires = "spectrum", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
-    sizes: figure::Sizes,
+    layout: figure::Layout,
 }
 
 /// The harmonics of the traces of a file.
@@ -62,7 +62,7 @@ impl SpectrumQuestion {
         let traces = recording.traces(file)?;
         let answer = self.found(&file.display().to_string(), &traces)?;
         let drawn = match &self.figure {
-            Some(path) => vec![figure::file::write(path, &measured_spectra(&answer.found), &self.sizes)?],
+            Some(path) => vec![figure::file::write(path, &measured_spectra(&answer.found), &self.layout)?],
             None => vec![],
         };
         answer.write(out, form.form())?;

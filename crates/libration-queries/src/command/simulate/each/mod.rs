@@ -67,7 +67,7 @@ impl Simulate {
             motions: known.collect(),
         };
         let drawn = match &self.figure {
-            Some(path) => vec![figure::file::write(path, &answer.picture(axes.as_ref()), &self.sizes)?],
+            Some(path) => vec![figure::file::write(path, &answer.picture(axes.as_ref()), &self.layout)?],
             None => vec![],
         };
         self.write_each(&answer, drawn, out)?;

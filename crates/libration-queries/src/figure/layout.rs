@@ -1,4 +1,4 @@
-//! Size of a picture: that of a page, a column or a slide, or sides of its own.
+//! Layout of a picture: the size of a page, a column or a slide, or sides of its own; title, names of curves and units of angles.
 
 use super::chart::Picture;
 use crate::query_error::{Parameter, QueryError, option};
@@ -7,9 +7,9 @@ use libration_report::format::{PictureFormat, TooSmall, UNITS_PER_MM};
 use libration_report::scene::Scene;
 use std::fmt;
 
-/// The options for the size of a picture.
+/// The options for the layout of a picture.
 #[derive(Clone, Debug, clap::Args)]
-pub(crate) struct Sizes {
+pub(crate) struct Layout {
     /// Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type
     #[arg(long, value_enum, default_value = "page", requires = "figure")]
     size: Preset,
@@ -19,6 +19,15 @@ pub(crate) struct Sizes {
     /// Height of the picture [default: chosen to suit the picture]
     #[arg(long, value_name = "LENGTH", value_parser = side, requires = "figure")]
     height: Option<Side>,
+    /// Leave out the title and the parameters under it, for a figure with a caption
+    #[arg(long, requires = "figure")]
+    no_title: bool,
+    /// Write the names of curves next to them where there is room, and the others in the legend
+    #[arg(long, requires = "figure")]
+    curve_labels: bool,
+    /// Unit of the angles along the axes [default: the usual one of the picture]
+    #[arg(long, value_enum, requires = "figure")]
+    angles: Option<Angles>,
 }
 
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
@@ -26,6 +35,12 @@ enum Preset {
     Page,
     Column,
     Slide,
+}
+
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum Angles {
+    Degrees,
+    Radians,
 }
 
 /// A length with the unit it was given in.
@@ -51,8 +66,8 @@ const UNITS: [Unit; 3] =
 /// Larger pictures take gigabytes as a PNG.
 const LARGEST: f64 = 4000.0;
 
-impl Sizes {
-    /// The picture laid out in the size requested, if that holds it.
+impl Layout {
+    /// The picture laid out as requested, if the size holds it.
     pub(super) fn scene(&self, picture: &Picture) -> Result<Scene, QueryError> {
         let format = self.format();
         let refused = |side: Parameter, asked: Option<Side>, usual: f64, least: f64| {
@@ -62,12 +77,27 @@ impl Sizes {
                 format!("{asked} is too small for this picture and its labels: give at least {least}");
             QueryError::no_result(side, reason).with_suggestion(Some(least.to_string()))
         };
-        draw(picture, &format).map_err(|error| match error {
+        let converted = self.with_angles(picture);
+        draw(converted.as_ref().unwrap_or(picture), &format).map_err(|error| match error {
             TooSmall::Width(least) => refused(option("width"), self.width, format.width, least),
             TooSmall::Height(least) => {
                 refused(option("height"), self.height, format.height.unwrap_or(0.0), least)
             }
         })
+    }
+
+    /// The picture with its angles in the unit requested; `None` if it has none.
+    fn with_angles(&self, picture: &Picture) -> Option<Picture> {
+        match self.angles? {
+            Angles::Degrees => picture.in_degrees(),
+            Angles::Radians => picture.in_radians(),
+        }
+    }
+
+    /// The remark that an option has no effect on this picture.
+    pub(super) fn remark(&self, picture: &Picture) -> &'static str {
+        let is_idle = self.angles.is_some() && self.with_angles(picture).is_none();
+        if is_idle { "; there are no angles along its axes" } else { "" }
     }
 
     fn format(&self) -> PictureFormat {
@@ -76,6 +106,7 @@ impl Sizes {
             Preset::Column => PictureFormat::COLUMN,
             Preset::Slide => PictureFormat::SLIDE,
         };
+        let usual = PictureFormat { has_title: !self.no_title, names_curves: self.curve_labels, ..usual };
         let height = self.height.map(Side::in_units);
         match self.width {
             // A width of one's own leaves the height to the picture.
