@@ -61,6 +61,9 @@ pub enum Ending {
     /// The period of the drive exceeds a hundred times its least value, or without a drive the period of
     /// the motion exceeds a hundred times its first one: the branch continues towards frequency zero.
     SlowDrive,
+    /// Without a drive, the motion takes ever longer for the same path at the same parameter: the path comes to an equilibrium, as that of a
+    /// homoclinic orbit does.
+    InfinitePeriod,
     /// The motion has a billion times the size of the first one.
     Unbounded,
     /// Deviations grow more than 1000-fold in a doubled period of eight or more drive periods or turns.
@@ -251,6 +254,9 @@ impl<'a> Walk<'a> {
         if next.point.period > self.limits.longest_period {
             return Some(Ending::SlowDrive);
         }
+        if self.slows_down(&next.point) {
+            return Some(Ending::InfinitePeriod);
+        }
         if size(&next.point) > UNBOUNDED * self.scale {
             return Some(Ending::Unbounded);
         }
@@ -269,6 +275,25 @@ impl<'a> Walk<'a> {
             return Some(self.accept(end, &units).unwrap_or(Ending::Closed));
         }
         self.accept(next, &units)
+    }
+
+    /// Returns `true` if a motion without a drive differs from the last one in its period alone. Next to a homoclinic orbit the parameter differs
+    /// from its limit by a factor that falls exponentially with the period: beyond this point it is rounding, which has folds everywhere.
+    fn slows_down(&self, next: &BranchPoint) -> bool {
+        /// Changes of the parameter that are rounding. Folds were found in rounding from 1 to 3 units on.
+        const ROUNDINGS: f64 = 16.0;
+        /// Largest change of the path, relative to its size, and least change of the period. A family at one parameter, as that of a conservative
+        /// system, changes its size by a step.
+        const SAME: f64 = 1e-6;
+        let last = &self.at().point;
+        let width = self.limits.range[1] - self.limits.range[0];
+        let still = ROUNDINGS * f64::EPSILON * (next.parameter.abs() + width);
+        let ends = last.ranges.iter().zip(&next.ranges).flat_map(|(a, b)| [a[0] - b[0], a[1] - b[1]]);
+        let moved = ends.fold(0.0, |most: f64, change| most.max(change.abs()));
+        !self.corrector.family.is_driven()
+            && (next.parameter - last.parameter).abs() <= still
+            && next.period > (1.0 + SAME) * last.period
+            && moved <= SAME * self.largest
     }
 
     /// The nearest node on the other side of a motion at which the number of stops of a force that jumps changes, with its distance: the branch

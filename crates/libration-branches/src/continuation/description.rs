@@ -155,8 +155,8 @@ pub(super) fn multipliers(
     const APART: f64 = 16.0;
     let map = image.return_map();
     let own = eigenvalues(map)?;
-    let errors =
-        multiplier_errors(map, &units[..map.len()], &own, APART * (apart + f64::EPSILON) + map_error);
+    let of_flow = APART * (apart + f64::EPSILON) * image.cancellation(units);
+    let errors = multiplier_errors(map, &units[..map.len()], &own, of_flow + map_error);
     Some(own.into_iter().zip(errors).collect())
 }
 

@@ -5,7 +5,7 @@ use super::error::BranchError;
 use super::field::{Field, Rates, returned};
 use super::space::{Space, Symmetry};
 use super::symmetry::{has_partial_mirror, symmetry};
-use libration_motion::internals::periodic::{Flow, Variations, norm_of_map};
+use libration_motion::internals::periodic::{Flow, Variations, norm, norm_of_map};
 use libration_motion::taylor::{IntegrationError, OwnedStep, StateLayout};
 use libration_numbers::algebra::Doubles;
 use libration_numbers::expression::Equation;
@@ -78,6 +78,21 @@ impl Image {
         let (own, other) = (self.return_map(), other.return_map());
         let norm = |entry: &dyn Fn(usize, usize) -> f64| norm_of_map(own.len(), units, entry);
         norm(&|i, j| own[i][j] - other[i][j]) / norm(&|i, j| own[i][j])
+    }
+
+    /// The size of the terms that the return map is a difference of, relative to its own norm, in scaled units; at least 1. Without a drive a
+    /// deviation along the motion is subtracted, which exceeds the others where the motion passes near an equilibrium.
+    pub(super) fn cancellation(&self, units: &[f64]) -> f64 {
+        let Some(returned) = &self.returned else { return 1.0 };
+        let numbers = returned.len();
+        let rate = || self.map[..numbers].iter().map(|row| row[numbers]);
+        let slopes = &self.map[numbers][..numbers];
+        let across: f64 = rate().zip(slopes).map(|(a, b)| a * b).sum();
+        let scaled_rate: Vec<f64> = rate().zip(units).map(|(x, unit)| x / unit).collect();
+        let scaled_slopes: Vec<f64> = slopes.iter().zip(units).map(|(x, unit)| x * unit).collect();
+        let along = norm(&scaled_rate) * norm(&scaled_slopes) / across.abs();
+        let whole = norm_of_map(numbers, units, |i, j| self.map[i][j]);
+        f64::max(1.0, (1.0 + along) * whole / norm_of_map(numbers, units, |i, j| returned[i][j]))
     }
 
     /// The map whose eigenvalues are the multipliers; without a drive, the 1 of a deviation along the motion is a 0 there.

@@ -1,5 +1,6 @@
 //! Limit cycles over a parameter, compared with closed forms and with shooting by another integrator.
 
+use libration::algebra::Complex;
 use libration::continuation::{Branch, BranchError, Ending, Origin, Response, ResponseOptions, SpecialKind};
 use libration::expression::Equation;
 use libration::orbit::Stability;
@@ -240,4 +241,49 @@ fn cycles_with_one_period_are_distinguished_by_their_ranges() {
         "{radii:?}"
     );
     assert!(response.branches.iter().flat_map(|it| &it.points).all(|it| (it.period - TAU).abs() < 1e-11));
+}
+
+/// The divergence m + x of x′ = y, y′ = my + x − x² + xy, integrated over a cycle by Runge and Kutta's method: the logarithm of its multiplier.
+fn logarithm_of_multiplier(m: f64, start: &[f64], period: f64) -> f64 {
+    const STEPS: u32 = 40_000;
+    let rates = |[x, y, _]: [f64; 3]| [y, m * y + x - x * x + x * y, m + x];
+    let moved = |u: [f64; 3], k: [f64; 3], h: f64| [0, 1, 2].map(|i| u[i] + h * k[i]);
+    let step = period / f64::from(STEPS);
+    let mut state = [start[0], start[1], 0.0];
+    for _ in 0..STEPS {
+        let first = rates(state);
+        let second = rates(moved(state, first, 0.5 * step));
+        let third = rates(moved(state, second, 0.5 * step));
+        let fourth = rates(moved(state, third, step));
+        state = [0, 1, 2]
+            .map(|i| state[i] + step / 6.0 * (first[i] + 2.0 * second[i] + 2.0 * third[i] + fourth[i]));
+    }
+    state[2]
+}
+
+/// The cycle of x′ = y, y′ = my + x − x² + xy grows from the Hopf point m = −1 to the homoclinic orbit of the equilibrium at the origin. The
+/// parameter of that orbit is the zero of the distance between its stable and unstable manifolds (SciPy, DOP853, 1e-13).
+#[test]
+fn a_cycle_that_becomes_a_homoclinic_orbit_ends_there() {
+    let options =
+        ResponseOptions { at: Some(-0.9), start: Some(vec![0.8, 0.0]), ..ResponseOptions::default() };
+    let response = over("x' = y; y' = m*y + x - x^2 + x*y", "m", [-1.0, -0.75], &options);
+    let [branch] = &response.branches[..] else { panic!("{} branches", response.branches.len()) };
+    assert_eq!((branch.ending, special(branch, SpecialKind::Fold).len()), (Ending::InfinitePeriod, 0));
+    assert_eq!((branch.special.len(), special(branch, SpecialKind::Hopf).len()), (1, 1), "{response:?}");
+    let last = branch.points.last().unwrap();
+    assert!((last.parameter + 0.864_545_247_421_5).abs() < 1e-12 && last.period > 50.0, "{last:?}");
+    // Nearer to the equilibrium an integration from one start follows another orbit.
+    let followed = branch.points.iter().filter(|point| point.period < 25.0);
+    for point in followed.filter(|point| point.period > 6.5).step_by(7) {
+        let expected = libm::exp(logarithm_of_multiplier(point.parameter, &point.state, point.period));
+        let off = |it: &Complex| (*it - Complex::from(expected)).abs() / expected;
+        let off = point.multipliers.iter().map(off).fold(1.0, f64::min);
+        assert!(off < 1e-7, "{point:?} {expected:e}");
+    }
+    let beyond = branch.points.iter().filter(|point| point.period > 25.0);
+    for (own, error) in beyond.flat_map(|point| point.multipliers.iter().zip(&point.multiplier_errors)) {
+        // The other multiplier is below 1e-6 there.
+        assert!((own.re - 1.0).abs() < 1e-12 || own.abs() < error + 1e-6, "{own:?} {error:e}");
+    }
 }

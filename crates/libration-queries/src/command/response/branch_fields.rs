@@ -111,7 +111,7 @@ pub(super) fn of_branch<'a>() -> Fields<Numbered<'a>> {
         Of::value(
             "ending",
             "",
-            "reason why it ends after its last point: range_end, closed, branch_point, rest, slow_drive, unbounded, sensitive, point_limit, lost or interrupted",
+            "reason why it ends after its last point: range_end, closed, branch_point, rest, slow_drive, infinite_period, unbounded, sensitive, point_limit, lost or interrupted",
             |it| ending(it.branch.ending)[0].into(),
         ),
         Of::value("beginning", "", "reason why it ends before its first point, in the same words", |it| {
@@ -241,6 +241,7 @@ pub(super) fn ending(ending: Ending) -> [&'static str; 2] {
         Ending::BranchPoint => ["branch_point", "ends in another branch"],
         Ending::Rest => ["rest", "ends at an equilibrium"],
         Ending::SlowDrive => ["slow_drive", "continues to zero frequency"],
+        Ending::InfinitePeriod => ["infinite_period", "comes to an orbit of infinite period"],
         Ending::Unbounded => ["unbounded", "grows to a billion times its size"],
         Ending::Sensitive => ["sensitive", "is followed until deviations grow 1000-fold in a period,"],
         Ending::PointLimit => ["point_limit", "ends at the largest number of points"],

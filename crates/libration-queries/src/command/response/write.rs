@@ -184,7 +184,7 @@ fn summary(branch: &Numbered<'_>) -> String {
     let even = if rotates { " from uniform rotation" } else { "" };
     let is_at_a_value = matches!(
         branch.branch.ending,
-        Ending::RangeEnd | Ending::Lost | Ending::Sensitive | Ending::Unbounded
+        Ending::RangeEnd | Ending::Lost | Ending::Sensitive | Ending::Unbounded | Ending::InfinitePeriod
     );
     let end = points.last().filter(|_| is_at_a_value);
     let at = end.map_or_else(String::new, |point| {

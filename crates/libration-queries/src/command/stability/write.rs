@@ -148,7 +148,9 @@ fn said(ending: Ending) -> &'static str {
     match ending {
         Ending::RangeEnd | Ending::Closed => "",
         Ending::BranchPoint => " (it ends in another curve)",
-        Ending::Rest | Ending::SlowDrive | Ending::Sensitive | Ending::Lost => " (it could not be continued)",
+        Ending::Rest | Ending::SlowDrive | Ending::InfinitePeriod | Ending::Sensitive | Ending::Lost => {
+            " (it could not be continued)"
+        }
         Ending::PointLimit => " (the largest number of points)",
         Ending::Unbounded => " (grows without bound)",
         Ending::Interrupted => " (interrupted)",
