@@ -40,7 +40,7 @@ pub extern "C" fn sum_of_angles(count: u32) -> f64 {
     answers::sum_of_angles(count)
 }
 
-/// Returns whether this module keeps its promises on the processor that runs it.
+/// Returns `true` if this module keeps its promises on the processor that runs it.
 #[expect(unsafe_code, reason = "a name for the host")]
 #[unsafe(no_mangle)]
 pub extern "C" fn rounds_once() -> bool {

@@ -57,7 +57,7 @@ pub(crate) fn written(name: &str, bytes: &[u8]) {
     unsafe { page_written(name.as_ptr(), name.len(), bytes.as_ptr(), bytes.len()) }
 }
 
-/// Returns whether the command may continue: the page handles the messages that it has received meanwhile, which takes a moment.
+/// Returns `true` if the command may continue: the page handles the messages that it has received meanwhile, which takes a moment.
 pub(crate) fn goes_on() -> bool {
     page_goes_on() != 0
 }

@@ -53,7 +53,7 @@ fn stated(table: &PeriodTable) -> Columns {
     [Some(column(table, |row| row.amplitude_uncertainty)), is_stated.then_some(of_periods)]
 }
 
-/// Returns whether the periods follow the exact law where the amplitudes are multiplied by this factor, with an uncertainty of β below the given one.
+/// Returns `true` if the periods follow the exact law where the amplitudes are multiplied by this factor, with an uncertainty of β below the given one.
 fn follows_exact_law(table: &PeriodTable, factor: f64, uncertainties: Columns, most_uncertain: f64) -> bool {
     let [of_amplitudes, of_periods] = uncertainties;
     let of_amplitudes =

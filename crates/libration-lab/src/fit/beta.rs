@@ -62,7 +62,7 @@ impl Beta {
         self.factor.deviation_from(1.0)
     }
 
-    /// Returns whether that distance is more than chance: [`SIGNIFICANT`] standard uncertainties, or as improbable a distance by Student's
+    /// Returns `true` if that distance is more than chance: [`SIGNIFICANT`] standard uncertainties, or as improbable a distance by Student's
     /// distribution.
     #[must_use]
     pub fn differs_from_one(&self) -> bool {

@@ -120,7 +120,7 @@ impl PeriodTable {
         self.rows.len()
     }
 
-    /// Returns whether there are no rows.
+    /// Returns `true` if there are no rows.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()

@@ -162,7 +162,7 @@ impl RepeatedReadings {
         if self.is_by_itself(row) { self.rows[row].count - 1 } else { self.degrees_of_freedom }
     }
 
-    /// Returns whether the uncertainty of a row comes from its own scatter.
+    /// Returns `true` if the uncertainty of a row comes from its own scatter.
     fn is_by_itself(&self, row: usize) -> bool {
         self.rows[row].is_unlike || (self.differ && self.rows[row].count > 1)
     }

@@ -172,7 +172,7 @@ impl Scatter {
         }
     }
 
-    /// Returns whether chance explains the scatter.
+    /// Returns `true` if chance explains the scatter.
     #[must_use]
     pub fn verdict(self) -> ScatterVerdict {
         let as_large = match self.readings {

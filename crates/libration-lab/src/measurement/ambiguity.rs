@@ -77,7 +77,7 @@ fn only_thousands(rows: &[&str], delimiter: Delimiter) -> Option<String> {
     found
 }
 
-/// Returns whether just three digits stand after a comma, and one to three before it that do not begin with zero.
+/// Returns `true` if just three digits stand after a comma, and one to three before it that do not begin with zero.
 pub(super) fn may_be_thousands(cell: &str) -> bool {
     let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
     cell.trim().trim_start_matches(['-', '+', '−']).split_once(',').is_some_and(|(whole, fraction)| {

@@ -173,7 +173,7 @@ pub fn counted_in(heading: &str, run: &str) -> CountedPeriods {
     }
 }
 
-/// Returns whether what seems to name a run speaks of periods, or begins with a number.
+/// Returns `true` if what seems to name a run speaks of periods, or begins with a number.
 fn counts_periods(run: &str) -> bool {
     let words = words(run);
     let begins = |word: &String| {
@@ -246,7 +246,7 @@ pub(super) enum SwingNumbers {
     Other,
 }
 
-/// Returns whether a number may be one of swings: a positive multiple of one half.
+/// Returns `true` if a number may be one of swings: a positive multiple of one half.
 #[must_use]
 pub fn is_number_of_swings(number: f64) -> bool {
     number > 0.0 && number.is_finite() && (2.0 * number).fract() == 0.0
@@ -265,7 +265,7 @@ const OF: [&str; 19] = [
 const SWING_NUMBER: [&str; 5] =
     ["schwingungszahl", "schwingungszahlen", "schwingungsanzahl", "periodenzahl", "periodenanzahl"];
 
-/// Returns whether a heading without a unit says that its numbers are those of swings.
+/// Returns `true` if a heading without a unit says that its numbers are those of swings.
 pub(super) fn swing_numbers(heading: &str) -> SwingNumbers {
     let words = words(heading);
     let is_number = |word: &str| is(&NUMBER, word);
@@ -298,7 +298,7 @@ fn length_of(words: &[String]) -> Option<f64> {
     }
 }
 
-/// Returns whether a word may be a number of periods: one from ten on, since smaller ones after a symbol number the trials, one for which something
+/// Returns `true` if a word may be a number of periods: one from ten on, since smaller ones after a symbol number the trials, one for which something
 /// was timed, or the first word; not that of another quantity.
 fn may_count(words: &[String], place: usize) -> bool {
     let next = words.get(place + 1);
@@ -312,7 +312,7 @@ fn may_count(words: &[String], place: usize) -> bool {
     number(&words[place]).is_some_and(|number| !is_of_other && !is_counted && may(number))
 }
 
-/// Returns whether a heading speaks of a mean.
+/// Returns `true` if a heading speaks of a mean.
 pub(super) fn is_mean(heading: &str) -> bool {
     words(heading).iter().any(|word| word != "per" && MEAN.contains(&word.as_str()))
 }

@@ -93,7 +93,7 @@ impl Row {
         self.kinds(mark).filter(|cell| cell.is_number()).count()
     }
 
-    /// Returns whether the row has a number, and no cell of text.
+    /// Returns `true` if the row has a number, and no cell of text.
     pub(super) fn is_of_numbers(&self, mark: DecimalMark) -> bool {
         self.numbers(mark) > 0 && self.kinds(mark).all(|cell| cell != Cell::Text)
     }

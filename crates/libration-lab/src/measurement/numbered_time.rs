@@ -31,7 +31,7 @@ pub(super) fn symbol(heading: &str) -> &str {
     heading.split(|letter: char| letter.is_ascii_digit()).next().unwrap_or_default()
 }
 
-/// Returns whether the number in the heading of this column is that of a reading: another column of the same symbol has the next one, or the one
+/// Returns `true` if the number in the heading of this column is that of a reading: another column of the same symbol has the next one, or the one
 /// before.
 pub(super) fn is_of_reading(table: &Table, place: usize) -> bool {
     let channels = &table.sheet().channels;

@@ -79,7 +79,7 @@ impl Role {
         named(heading).and_then(|measured| self.other_than(measured))
     }
 
-    /// Returns whether the unit of a heading, or without one its name, says that its column holds this.
+    /// Returns `true` if the unit of a heading, or without one its name, says that its column holds this.
     pub(super) fn is_said_by(self, heading: &Heading) -> bool {
         let measured = match (heading.unit, &heading.unit_text) {
             (Some(unit), _) => Some(unit.measures()),

@@ -71,7 +71,7 @@ impl Channel {
         })
     }
 
-    /// Returns whether the column has at least two numbers and each is above the one before.
+    /// Returns `true` if the column has at least two numbers and each is above the one before.
     pub(super) fn increases(&self) -> bool {
         let numbers: Vec<f64> = self.numbers().flatten().collect();
         self.words.is_empty() && numbers.len() > 1 && numbers.windows(2).all(|pair| pair[0] < pair[1])

@@ -92,7 +92,7 @@ fn with_line_feeds(text: Cow<'_, str>) -> Cow<'_, str> {
     text.replace("\r\n", "\n").replace('\r', "\n").into()
 }
 
-/// Returns whether a line is blank or a comment.
+/// Returns `true` if a line is blank or a comment.
 pub(super) fn is_blank_or_comment(line: &str) -> bool {
     let line = line.trim_start();
     line.is_empty() || line.starts_with(COMMENT)

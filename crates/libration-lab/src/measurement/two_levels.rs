@@ -11,7 +11,7 @@ const MOST_IN_FLANK: usize = 2;
 /// Least number of changes of level: two passages.
 const LEAST_CHANGES: usize = 4;
 
-/// Returns whether nearly all of the numbers are at one of two levels, which change at least four times.
+/// Returns `true` if nearly all of the numbers are at one of two levels, which change at least four times.
 pub(super) fn changes_between_two_levels(numbers: &[f64]) -> bool {
     let ends = (f64::INFINITY, f64::NEG_INFINITY);
     let (low, high) = numbers.iter().fold(ends, |(low, high), it| (low.min(*it), high.max(*it)));

@@ -16,7 +16,7 @@ const IN_WORDS: [(f64, &[&str]); 10] = [
 /// Units of time.
 pub(super) const UNITS_OF_TIME: [&str; 4] = ["s", "sec", "ms", "min"];
 
-/// Returns whether a word is one of these.
+/// Returns `true` if a word is one of these.
 pub(super) fn is(list: &[&str], word: &str) -> bool {
     list.contains(&word)
 }

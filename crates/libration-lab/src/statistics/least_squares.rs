@@ -132,7 +132,7 @@ pub fn weighted_least_squares(
     least_squares(&matrix, &values)
 }
 
-/// Returns whether parameters whose weights are renewed in rounds have settled: the last round changed them by less than a millionth of their standard
+/// Returns `true` if parameters whose weights are renewed in rounds have settled: the last round changed them by less than a millionth of their standard
 /// deviations, or by rounding. The covariance is that where rows with unit weight have this variance.
 pub(crate) fn is_settled(last: &[f64], next: &[f64], covariance: &DMatrix<f64>, variance: f64) -> bool {
     /// A change relative to the standard deviation.

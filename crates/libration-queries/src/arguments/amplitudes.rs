@@ -63,7 +63,7 @@ impl AmplitudeOptions {
         [&self.period, &self.ratio, &self.excess].into_iter().any(|given| !given.is_empty())
     }
 
-    /// Returns whether the amplitudes depend on the pendulum.
+    /// Returns `true` if the amplitudes depend on the pendulum.
     pub(crate) fn depend_on_the_pendulum(&self) -> bool {
         !self.period.is_empty()
     }

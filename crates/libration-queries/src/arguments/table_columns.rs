@@ -65,7 +65,7 @@ impl ColumnsOption {
         Self { columns: vec![], role }
     }
 
-    /// Returns whether an option names columns or roles.
+    /// Returns `true` if an option names columns or roles.
     pub(crate) fn are_given(&self) -> bool {
         !self.columns.is_empty() || !self.role.is_empty()
     }

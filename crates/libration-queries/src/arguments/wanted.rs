@@ -115,7 +115,7 @@ impl Wanted {
         self.uncertainties_of.is_none().then_some(quantity)
     }
 
-    /// Returns whether an option states the unit.
+    /// Returns `true` if an option states the unit.
     pub(super) fn states_unit(self) -> bool {
         self.option.is_some_and(|(_, unit)| unit.is_some())
     }

@@ -50,7 +50,7 @@ impl FoundSides {
     }
 }
 
-/// Returns whether every other row is above all of the rest.
+/// Returns `true` if every other row is above all of the rest.
 fn alternate(values: &[f64]) -> bool {
     let [even, odd] = [0, 1].map(|first| extent(values.iter().skip(first).step_by(2)));
     values.len() > 3 && (even.0 > odd.1 || odd.0 > even.1)

@@ -138,7 +138,7 @@ impl Values {
         Self { length, t0, amplitude, ..*self }
     }
 
-    /// Returns whether g is that of a bob of no size on a string without mass in vacuum.
+    /// Returns `true` if g is that of a bob of no size on a string without mass in vacuum.
     pub(in crate::fit) fn correct_nothing(&self) -> bool {
         let all = [
             self.bob.radius,

@@ -205,7 +205,7 @@ impl Budget {
         Uncertain { value: self.g, uncertainty: self.uncertainty }
     }
 
-    /// Returns whether g is nearly linear over the uncertainties of its inputs: the shift of its mean is below a tenth of the uncertainty.
+    /// Returns `true` if g is nearly linear over the uncertainties of its inputs: the shift of its mean is below a tenth of the uncertainty.
     /// Otherwise the uncertainty is rough (Guide to the Expression of Uncertainty in Measurement, 5.1.2, note).
     #[must_use]
     pub fn is_linear(&self) -> bool {

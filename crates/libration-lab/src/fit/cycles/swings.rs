@@ -72,7 +72,7 @@ fn whole_turn(observable: Observable) -> f64 {
     }
 }
 
-/// Returns whether the angle goes a whole turn without turning back.
+/// Returns `true` if the angle goes a whole turn without turning back.
 fn turns_over(trace: &Trace) -> bool {
     trace.observable() == Observable::Angle && range(trace.values()) >= TAU
 }

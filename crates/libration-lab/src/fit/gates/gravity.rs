@@ -153,7 +153,7 @@ impl GateGeometry {
 }
 
 impl GatesFit {
-    /// Returns whether the times leave nothing of the uncertainty of a period, as where they are few or exactly even: it is then not known.
+    /// Returns `true` if the times leave nothing of the uncertainty of a period, as where they are few or exactly even: it is then not known.
     #[must_use]
     pub fn is_exact(&self, period: Uncertain) -> bool {
         /// Part of a period that is rounding.

@@ -48,7 +48,7 @@ pub(super) fn fit(table: &LengthTable, model: LengthModel) -> Option<LengthFit> 
     Some(LengthFit { other_centre, ..fit })
 }
 
-/// Returns whether the rows do not exclude another minimum: its sum of squares is larger by less than that of two standard uncertainties.
+/// Returns `true` if the rows do not exclude another minimum: its sum of squares is larger by less than that of two standard uncertainties.
 fn is_rival(fit: &LengthFit, best: &Found, other: &Found) -> bool {
     /// Positions of one minimum that is reached from several trials agree to far less.
     const SAME: f64 = 1e-6;

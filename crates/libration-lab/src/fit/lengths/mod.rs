@@ -236,7 +236,7 @@ fn aicc_of_strings(table: &LengthTable) -> f64 {
     simple.fold(f64::INFINITY, f64::min)
 }
 
-/// Returns whether the rows are those of a bar, and determine its g: the periods fall with the distance at the shortest ones or the centre of mass is
+/// Returns `true` if the rows are those of a bar, and determine its g: the periods fall with the distance at the shortest ones or the centre of mass is
 /// between the positions, and Akaike's criterion separates the law from that of a simple pendulum.
 fn is_bar(bars: &[LengthFit], table: &LengthTable) -> bool {
     let Some(bar) = preferred_bar(bars) else { return false };

@@ -43,7 +43,7 @@ impl LengthModel {
     /// Laws of a bar turned about several points.
     pub const OF_BARS: [Self; 2] = [Self::Bar, Self::BarOffset];
 
-    /// Returns whether the law is that of a physical pendulum, with κ as large as the squares of the distances.
+    /// Returns `true` if the law is that of a physical pendulum, with κ as large as the squares of the distances.
     #[must_use]
     pub fn is_of_bars(self) -> bool {
         matches!(self, Self::Bar | Self::BarOffset | Self::Reversible)
@@ -234,7 +234,7 @@ impl Search<'_> {
         Ok(None)
     }
 
-    /// Returns whether an offset between this one and that of a bob that touches the pivot agrees with the bob as well, as below 1.3 radii, where a
+    /// Returns `true` if an offset between this one and that of a bob that touches the pivot agrees with the bob as well, as below 1.3 radii, where a
     /// pendulum that is a little longer is slower by less than one without a bob would be.
     fn has_another(&self, found: &Solution, radius: f64, shortest: f64) -> bool {
         let touching = radius - shortest;

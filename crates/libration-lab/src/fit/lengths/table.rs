@@ -145,7 +145,7 @@ impl LengthTable {
         self.rows.len()
     }
 
-    /// Returns whether there are no rows.
+    /// Returns `true` if there are no rows.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
@@ -168,7 +168,7 @@ impl LengthTable {
         self.rows.iter().map(|row| row.period / row.ratio)
     }
 
-    /// Returns whether the rows count by their uncertainties; otherwise all count alike, and their scatter is the uncertainty.
+    /// Returns `true` if the rows count by their uncertainties; otherwise all count alike, and their scatter is the uncertainty.
     #[must_use]
     pub fn is_weighted(&self) -> bool {
         self.weighted

@@ -138,7 +138,7 @@ impl Scatters {
         Self { amplitude: amplitude.max(least), phase: phase.max(least_phase), ..self }
     }
 
-    /// Returns whether another scatter is the same within this part.
+    /// Returns `true` if another scatter is the same within this part.
     pub(super) fn is_near(&self, other: &Self, part: f64) -> bool {
         let near = |one: f64, other: f64| (one / other - 1.0).abs() <= part;
         self.law == other.law && near(self.amplitude, other.amplitude) && near(self.phase, other.phase)

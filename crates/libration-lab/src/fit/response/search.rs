@@ -50,7 +50,7 @@ pub(super) struct Found {
 }
 
 impl Found {
-    /// Returns whether another search ended at the same parameters, within a tenth of their standard deviations.
+    /// Returns `true` if another search ended at the same parameters, within a tenth of their standard deviations.
     pub(super) fn is_at(&self, other: &Self) -> bool {
         let off = |k: usize| (self.parameters[k] - other.parameters[k]).abs();
         (0..self.parameters.len()).all(|k| off(k) < 0.1 * other.covariance[(k, k)].sqrt())

@@ -89,13 +89,13 @@ impl ResponseTable {
         self.rows.len()
     }
 
-    /// Returns whether there are no rows.
+    /// Returns `true` if there are no rows.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
     }
 
-    /// Returns whether the rows count by their uncertainties; otherwise all count alike, and their scatter is the uncertainty.
+    /// Returns `true` if the rows count by their uncertainties; otherwise all count alike, and their scatter is the uncertainty.
     #[must_use]
     pub fn is_weighted(&self) -> bool {
         self.errors == AmplitudeErrors::Stated
@@ -107,13 +107,13 @@ impl ResponseTable {
         self.errors
     }
 
-    /// Returns whether there are phases.
+    /// Returns `true` if there are phases.
     #[must_use]
     pub fn has_phases(&self) -> bool {
         self.rows.iter().any(|row| row.phase.is_some())
     }
 
-    /// Returns whether the given phases are those by which responses lead, so that nearly all of them are negative.
+    /// Returns `true` if the given phases are those by which responses lead, so that nearly all of them are negative.
     #[must_use]
     pub fn leads(&self) -> bool {
         self.leads

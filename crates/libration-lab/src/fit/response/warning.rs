@@ -113,7 +113,7 @@ pub(super) fn warnings(table: &ResponseTable, fit: &ResponsesFit) -> Vec<Respons
     .collect()
 }
 
-/// Returns whether all responses are on one side of the phase of a right angle.
+/// Returns `true` if all responses are on one side of the phase of a right angle.
 fn is_one_sided(table: &ResponseTable, fit: &ResponseFit) -> bool {
     let (parameters, law) = (fit.parameters(), OneHarmonic(fit.model));
     let coefficients = &parameters[..parameters.len() - 1];

@@ -71,7 +71,7 @@ const USUALLY: f64 = 7.0;
 /// Errors in windows of amplitudes that fall by a third to each side: relative to a harmonic itself, and to the first one.
 const INEXACT: [f64; 2] = [1e-3, 1e-5];
 
-/// Returns whether a difference of this many uncertainties is more than chance, where these have this many degrees of freedom.
+/// Returns `true` if a difference of this many uncertainties is more than chance, where these have this many degrees of freedom.
 fn is_significant(deviation: Option<f64>, degrees_of_freedom: usize, harmonics: usize) -> bool {
     let chance = BY_CHANCE * (USUALLY / count(harmonics)).min(1.0);
     let limit = quantile(chance, count(degrees_of_freedom));

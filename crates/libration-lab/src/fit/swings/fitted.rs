@@ -106,7 +106,7 @@ impl SwingsFit {
         )
     }
 
-    /// Returns whether T0 with β free differs from that of the whole motion by more than the two methods may differ.
+    /// Returns `true` if T0 with β free differs from that of the whole motion by more than the two methods may differ.
     fn is_contradicted_by(&self, beta: &Beta) -> bool {
         let period = self.fit.small_angle_period().value;
         (beta.t0.value - period).abs() > LEAST_CONTRADICTION * period
@@ -132,7 +132,7 @@ impl SwingsFit {
         Some([sizes().reduce(f64::max)?, sizes().reduce(f64::min)?])
     }
 
-    /// Returns whether the scale of the angles was fitted.
+    /// Returns `true` if the scale of the angles was fitted.
     #[must_use]
     pub fn scale_is_fitted(&self) -> bool {
         self.fit.parameter(ParameterKind::Scale).is_some()

@@ -29,7 +29,7 @@ impl SwingsFit {
         (!explained).then_some(beta)
     }
 
-    /// Returns whether the residuals of the motion are so large that its parameters mean little.
+    /// Returns `true` if the residuals of the motion are so large that its parameters mean little.
     pub(super) fn is_poor(&self) -> bool {
         /// Residuals relative to the swing, in root mean squares; errors of reading are a hundredth of it or so.
         const POOR: f64 = 0.1;

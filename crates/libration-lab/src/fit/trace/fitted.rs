@@ -170,7 +170,7 @@ impl TraceFit {
         rows.map(|(row, part)| part * sum(row)).sum::<f64>().max(0.0).sqrt()
     }
 
-    /// Returns whether the damping takes energy at all speeds that the pendulum had, within two standard uncertainties. A single
+    /// Returns `true` if the damping takes energy at all speeds that the pendulum had, within two standard uncertainties. A single
     /// coefficient may be negative: the friction of a bearing can become less at higher speed.
     #[must_use]
     pub fn dissipates(&self) -> bool {
@@ -184,7 +184,7 @@ impl TraceFit {
         })
     }
 
-    /// Returns whether no coefficient of damping is negative by more than two standard uncertainties.
+    /// Returns `true` if no coefficient of damping is negative by more than two standard uncertainties.
     #[must_use]
     pub fn dissipates_by_each_term(&self) -> bool {
         self.negative_terms().is_empty()

@@ -30,7 +30,7 @@ pub fn loss(residuals: &[f64], scale: f64) -> f64 {
     residuals.iter().map(one).sum()
 }
 
-/// Returns whether a residual is that of an outlier.
+/// Returns `true` if a residual is that of an outlier.
 pub fn is_outlier(residual: f64, scale: f64) -> bool {
     scale > 0.0 && residual.abs() > OUTLIER * scale
 }

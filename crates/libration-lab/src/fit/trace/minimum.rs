@@ -179,7 +179,7 @@ pub(super) fn linearised(
 }
 
 impl Descent {
-    /// Returns whether the motion has lost the data: that of another pendulum leaves about all of their scatter.
+    /// Returns `true` if the motion has lost the data: that of another pendulum leaves about all of their scatter.
     pub(super) fn is_lost(&self) -> bool {
         self.unexplained > HOPELESS
     }
@@ -189,7 +189,7 @@ impl Descent {
         TraceFitError::Unexplained { percent: 100.0 * self.unexplained }
     }
 
-    /// Returns whether it is known to leave only noise.
+    /// Returns `true` if it is known to leave only noise.
     pub(super) fn leaves_noise(&self) -> bool {
         let residuals = |rows: &Vec<Rows>| rows.iter().map(Rows::residuals).collect::<Vec<Vec<f64>>>();
         self.rows.as_ref().is_some_and(|rows| Autocorrelation::of_series(&residuals(rows)).is_noise())

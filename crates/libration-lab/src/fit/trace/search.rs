@@ -72,7 +72,7 @@ pub fn from_scratch(
     }
 }
 
-/// Returns whether the search failed. The model has failed instead where it describes the beginning and fails later on; the search has succeeded
+/// Returns `true` if the search failed. The model has failed instead where it describes the beginning and fails later on; the search has succeeded
 /// where the motion is in phase with all parts of the data, or where another search leads to the same end.
 fn is_lost(found: &Followed, known: Option<&Descent>) -> bool {
     found.end.unexplained > GOOD
@@ -81,7 +81,7 @@ fn is_lost(found: &Followed, known: Option<&Descent>) -> bool {
         && !known.is_some_and(|known| are_alike(known, &found.end))
 }
 
-/// Returns whether two searches have led to the same minimum, in which the motion is in phase.
+/// Returns `true` if two searches have led to the same minimum, in which the motion is in phase.
 pub(super) fn are_alike(one: &Descent, other: &Descent) -> bool {
     !one.is_lost() && (one.sum_of_squares / other.sum_of_squares - 1.0).abs() < ALIKE
 }

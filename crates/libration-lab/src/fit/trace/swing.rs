@@ -313,7 +313,7 @@ pub(super) fn turning_point(
     solution.events.iter().find(|event| is_turn(event)).map(|turn| [turn.time, turn.state[0]])
 }
 
-/// Returns whether the velocity changes its sign: it may be zero at the start, or touch zero where friction stops the motion.
+/// Returns `true` if the velocity changes its sign: it may be zero at the start, or touch zero where friction stops the motion.
 fn is_turn(event: &Occurrence) -> bool {
     matches!(event.contact, Contact::Rising | Contact::Falling)
 }

@@ -22,7 +22,7 @@ impl DateFormats {
         self.styles.push(format);
     }
 
-    /// Returns whether cells of this style show dates or times of day.
+    /// Returns `true` if cells of this style show dates or times of day.
     pub(super) fn is_date(&self, style: u16) -> bool {
         let format = self.styles.get(usize::from(style)).copied().unwrap_or(0);
         // The formats that need not be written in the file.

@@ -77,7 +77,7 @@ impl Grid {
     }
 }
 
-/// Returns whether a text is a number with a decimal comma, perhaps with a unit or an uncertainty.
+/// Returns `true` if a text is a number with a decimal comma, perhaps with a unit or an uncertainty.
 fn has_decimal_comma(text: &str) -> bool {
     let is_number = |mark| Cell::parse(text, mark).is_number() || Written::parse(text, mark).is_some();
     text.contains(',') && is_number(DecimalMark::Comma)

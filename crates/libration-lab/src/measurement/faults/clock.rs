@@ -90,7 +90,7 @@ impl Clock {
         Some(Self { interval, grid, gaps, ..clock })
     }
 
-    /// Returns whether the intervals vary, and not by rounding.
+    /// Returns `true` if the intervals vary, and not by rounding.
     #[must_use]
     pub fn is_uneven(&self) -> bool {
         // What a reader is told. A twentieth of the interval is some millimetres of the path of a bob at 30 rows in a second.

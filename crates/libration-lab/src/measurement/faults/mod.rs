@@ -97,7 +97,7 @@ impl Faults {
         rows
     }
 
-    /// Returns whether there is nothing to report.
+    /// Returns `true` if there is nothing to report.
     #[must_use]
     pub fn is_clean(&self) -> bool {
         self.sentences(&[], "").is_empty()

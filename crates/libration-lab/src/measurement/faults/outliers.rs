@@ -133,7 +133,7 @@ impl<'a> Curve<'a> {
         blocks.find(|block| self.stands_alone(block.clone(), scales))
     }
 
-    /// Returns whether every row of the block is far off its neighbours outside, and the nearest of these are not.
+    /// Returns `true` if every row of the block is far off its neighbours outside, and the nearest of these are not.
     fn stands_alone(&mut self, block: Range<usize>, scales: &[f64]) -> bool {
         if block.end > self.is_marked.len() || block.clone().any(|row| self.is_marked[row]) {
             return false;

@@ -55,7 +55,7 @@ fn stems(name: &str) -> Vec<&str> {
 }
 
 impl Heading {
-    /// Returns whether the unit is of the same kind as that of another column, or the column has none of its own.
+    /// Returns `true` if the unit is of the same kind as that of another column, or the column has none of its own.
     fn may_measure_as(&self, other: &Self) -> bool {
         match (self.unit, other.unit) {
             (Some(own), Some(other)) => own.measures() == other.measures(),

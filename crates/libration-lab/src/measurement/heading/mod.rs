@@ -108,19 +108,19 @@ impl Heading {
         self.unit_text = Some(unit.to_string());
     }
 
-    /// Returns whether the numbers are this quantity itself.
+    /// Returns `true` if the numbers are this quantity itself.
     #[doc(hidden)]
     pub fn is(&self, quantity: QuantityKind) -> bool {
         self.quantity == quantity && !self.is_uncertainty
     }
 
-    /// Returns whether the heading speaks of an uncertainty without naming its quantity: `±`, `error (deg)`.
+    /// Returns `true` if the heading speaks of an uncertainty without naming its quantity: `±`, `error (deg)`.
     #[doc(hidden)]
     pub fn is_bare_uncertainty(&self) -> bool {
         self.is_uncertainty && words::without_uncertainty(&self.name).0.is_empty()
     }
 
-    /// Returns whether both name the same quantity, uncertainty or not.
+    /// Returns `true` if both name the same quantity, uncertainty or not.
     pub(super) fn is_of_the_same(&self, other: &Self) -> bool {
         let plain = |heading: &Self| {
             let name = heading.uncertainty_of.as_ref().unwrap_or(&heading.name);
@@ -129,7 +129,7 @@ impl Heading {
         !plain(self).is_empty() && plain(self) == plain(other)
     }
 
-    /// Returns whether the heading bears this name, with or without the unit.
+    /// Returns `true` if the heading bears this name, with or without the unit.
     pub(super) fn is_named(&self, asked: &str) -> bool {
         let plain = |text: &str| text.trim().to_lowercase();
         let asked = plain(asked);

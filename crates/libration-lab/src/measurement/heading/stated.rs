@@ -70,7 +70,7 @@ impl Heading {
         })
     }
 
-    /// Returns whether the heading speaks of relative uncertainties and not of their unit.
+    /// Returns `true` if the heading speaks of relative uncertainties and not of their unit.
     pub(in crate::measurement) fn is_relative_without_unit(&self) -> bool {
         let lower = self.text.to_lowercase();
         let says = ["relativ", "rel.", "rel ", "fractional"].iter().any(|word| lower.contains(word));

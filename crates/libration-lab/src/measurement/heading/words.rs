@@ -161,7 +161,7 @@ pub(in crate::measurement) fn without_uncertainty(name: &str) -> (String, bool) 
     (kept.collect::<Vec<_>>().join(" "), is_uncertainty)
 }
 
-/// Returns whether a heading speaks of the standard deviation of readings: `sd`, `σ(T)`, `Standardabweichung`, and not of that of a mean.
+/// Returns `true` if a heading speaks of the standard deviation of readings: `sd`, `σ(T)`, `Standardabweichung`, and not of that of a mean.
 pub(in crate::measurement) fn is_deviation(heading: &str) -> bool {
     const DEVIATION: [&str; 8] =
         ["sd", "std", "stdev", "stddev", "σ", "sigma", "standardabweichung", "deviation"];
@@ -225,7 +225,7 @@ fn named_as_acceleration(words: &str) -> bool {
     STEMS.iter().any(|stem| words.contains(stem)) && !ANGULAR.iter().any(|stem| words.contains(stem))
 }
 
-/// Returns whether a text is a unit of accelerations as instruments spell them.
+/// Returns `true` if a text is a unit of accelerations as instruments spell them.
 pub fn is_of_acceleration(unit: &str) -> bool {
     let plain: String = unit.to_lowercase().chars().filter(|letter| !letter.is_whitespace()).collect();
     ["m/s²", "m/s^2", "m/s2", "m/s/s", "m·s⁻²", "ms⁻²", "ms^-2", "m*s^-2", "cm/s²", "cm/s^2"]

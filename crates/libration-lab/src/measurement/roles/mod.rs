@@ -163,7 +163,7 @@ impl Table {
 }
 
 impl Table {
-    /// Returns whether headings name these columns of a quantity.
+    /// Returns `true` if headings name these columns of a quantity.
     #[must_use]
     pub fn heads(&self, quantity: &TableQuantity, columns: &QuantityColumns) -> bool {
         let first = columns.readings.first().and_then(|column| self.sheet().place(column).ok());
@@ -196,7 +196,7 @@ impl Search<'_> {
         (0..self.roles.len()).filter(|&place| self.roles[place] == Some(role)).collect()
     }
 
-    /// Returns whether a column of values is free.
+    /// Returns `true` if a column of values is free.
     fn is_free(&self, place: usize) -> bool {
         self.roles[place].is_none() && self.kinds[place] == Kind::Values
     }

@@ -23,12 +23,12 @@ impl Search<'_> {
         given.or_else(named).or_else(bare)
     }
 
-    /// Returns whether a column of readings is headed as a period, and not as a time.
+    /// Returns `true` if a column of readings is headed as a period, and not as a time.
     pub(super) fn has_named_periods(&self) -> bool {
         self.has_times(is_named_period)
     }
 
-    /// Returns whether a heading says the number of swings of its times: `T`, `10T`.
+    /// Returns `true` if a heading says the number of swings of its times: `T`, `10T`.
     fn says_swings(&self) -> bool {
         self.has_times(|heading| matches!(counted(&heading.text), CountedPeriods::Said(_)))
     }

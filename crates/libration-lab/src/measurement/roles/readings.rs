@@ -74,7 +74,7 @@ impl Search<'_> {
         values.or_else(other).unwrap_or_default()
     }
 
-    /// Returns whether a unit says that a column holds angles, of which this is the only quantity.
+    /// Returns `true` if a unit says that a column holds angles, of which this is the only quantity.
     fn is_only_angle(&self, place: usize, needed: TableQuantity) -> bool {
         let of_angles = |it: &&TableQuantity| matches!(it.role, Role::Angles | Role::Displacements);
         let heading = self.heading(place);
@@ -115,7 +115,7 @@ impl Search<'_> {
         sets.into_iter().map(|(_, set)| set).collect()
     }
 
-    /// Returns whether two columns have values within a factor of each other.
+    /// Returns `true` if two columns have values within a factor of each other.
     fn agree(&self, one: usize, other: usize) -> bool {
         self.ratio(&[one], other).is_some_and(|ratio| (1.0 / ALIKE..ALIKE).contains(&ratio))
     }
@@ -161,7 +161,7 @@ impl Search<'_> {
     }
 }
 
-/// Returns whether a heading says that its column holds this quantity, or its squares.
+/// Returns `true` if a heading says that its column holds this quantity, or its squares.
 fn says(heading: &Heading, needed: TableQuantity, kind: Kind) -> bool {
     let name = heading.name.to_lowercase();
     if let Some(beginnings) = needed.only_named {

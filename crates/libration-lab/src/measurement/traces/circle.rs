@@ -66,7 +66,7 @@ impl Circle {
         Self { x, y, radius, scatter, radius_uncertainty: 0.0, covariance: [[0.0; 2]; 2] }
     }
 
-    /// Returns whether larger y is further down: the bob is fastest at the bottom.
+    /// Returns `true` if larger y is further down: the bob is fastest at the bottom.
     pub(super) fn y_is_down(&self, points: &[(f64, f64)]) -> bool {
         let weighted = points.windows(2).map(|pair| {
             let (dx, dy) = (pair[1].0 - pair[0].0, pair[1].1 - pair[0].1);

@@ -151,7 +151,7 @@ fn groups_of(read: &LengthFile, fit: &LengthsFit, options: &LengthsOptions) -> O
     Groups::fitted(read.groups.as_ref()?, &groups::GRAVITY, shared.sum::<f64>().sqrt(), of_rows)
 }
 
-/// Returns whether a contribution is that of the rows themselves.
+/// Returns `true` if a contribution is that of the rows themselves.
 fn is_own(contribution: &Contribution) -> bool {
     matches!(contribution.input, BudgetInput::Slope)
 }

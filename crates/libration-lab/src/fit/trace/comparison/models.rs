@@ -108,7 +108,7 @@ impl<'a> Candidate<'a> {
         self.problem.model.layout.terms()
     }
 
-    /// Returns whether the model is in phase with the data.
+    /// Returns `true` if the model is in phase with the data.
     fn follows(&self) -> bool {
         self.fit.as_ref().is_ok_and(|fit| fit.unexplained <= HOPELESS)
     }
