@@ -1,4 +1,4 @@
-//! The pendulum as a laboratory knows it: lengths and masses with their uncertainties.
+//! The apparatus: lengths and masses of the pendulum with their uncertainties.
 
 use super::{PlaceOptions, bob, correlation, text};
 use crate::query_error::{QueryError, option};
@@ -127,7 +127,7 @@ impl DampingOptions {
 }
 
 impl ApparatusOptions {
-    /// The length; none when gravity is not requested.
+    /// The length; `None` if gravity is not requested.
     pub(crate) fn length(&self) -> Option<Quantity> {
         self.length
     }
@@ -147,7 +147,7 @@ impl ApparatusOptions {
         &self.correlation
     }
 
-    /// The apparatus; none when no length is given, without which there is no gravity.
+    /// The apparatus; `None` without a length, without which gravity is not determined.
     ///
     /// # Errors
     /// Fails for a correction of gravity without the length.
@@ -162,7 +162,7 @@ impl ApparatusOptions {
         }
     }
 
-    /// Normal gravity at the place; none where no latitude is given.
+    /// Normal gravity at the place of measurement; `None` without a latitude.
     ///
     /// # Errors
     /// Fails for a place that is not on the Earth, and without the length.

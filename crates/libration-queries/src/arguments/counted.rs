@@ -25,7 +25,7 @@ impl CountedOptions {
         self.reaction_time
     }
 
-    /// The standard uncertainty of what all timings share.
+    /// The standard uncertainty of the common error of all timings.
     pub(super) fn shared_timing(self) -> Option<f64> {
         self.shared_timing
     }
@@ -38,8 +38,8 @@ impl CountedOptions {
         }
     }
 
-    /// The number of periods that the times of a column last, with a sentence where it is not one; `usual` where nothing states it. The lengths decide
-    /// by `by_lengths` what the number in a heading such as `T5` is.
+    /// The number of periods in the times of a column, with a sentence if it is not one; `usual` if nothing states it. `by_lengths` decides from
+    /// the lengths what the number in a heading such as `T5` means.
     pub(super) fn count(
         self,
         table: &Table,

@@ -76,7 +76,7 @@ impl RecordingOptions {
         self.recording_in(path, &read_bytes(path)?)
     }
 
-    /// The same of a file whose bytes are known.
+    /// The recording of a file whose bytes are known.
     pub(crate) fn recording_in(&self, path: &Path, bytes: &[u8]) -> Result<Recording, QueryError> {
         Recording::read(bytes, &self.dialect.options()).map_err(|error| failure(path, &error))
     }

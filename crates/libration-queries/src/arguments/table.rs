@@ -1,4 +1,4 @@
-//! A table of measurements: how its file is written, which columns are meant, in which units.
+//! Tables of measurements: layout of the file, columns and units.
 
 use super::read_bytes;
 use super::undecided::what_would_decide;
@@ -77,7 +77,7 @@ fn header(text: &str) -> Result<Header, String> {
     }
 }
 
-/// A column by number or name; none for -.
+/// A column by number or name; `None` for `-`.
 pub(crate) fn optional_column(text: &str) -> Option<Column> {
     let text = text.trim();
     (text != "-").then(|| text.parse().unwrap_or_else(|never| match never {}))

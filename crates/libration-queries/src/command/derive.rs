@@ -182,7 +182,7 @@ impl Derive {
         derivation(self.swing()?.as_ref()).map(|derivation| (derivation, true)).map_err(failure)
     }
 
-    /// The reader's swing, if there is one.
+    /// The swing for which numbers are requested, if there is one.
     fn swing(&self) -> Result<Option<Swing>, QueryError> {
         let Some(displacement) = &self.amplitude else { return Ok(None) };
         let angle = displacement.to_angle();
@@ -288,7 +288,7 @@ fn failure(error: DerivationError) -> QueryError {
 }
 
 impl SeriesOptions {
-    /// Each method has something to choose that others have not.
+    /// Refuses options that belong to other methods.
     fn refuse(&self, method: Method) -> Result<(), QueryError> {
         const SERIES: &[Method] = &[Method::Perturbation, Method::Averaging, Method::LimitCycle];
         let given = [

@@ -60,7 +60,7 @@ impl List {
         self.entries.iter().any(|word| ![OSCILLATORS, SYSTEMS].contains(&word.trim()))
     }
 
-    /// The entries of each word, none of them twice.
+    /// The entries for each word, without repetition.
     fn chosen(&self) -> Result<Chosen, QueryError> {
         let mut chosen = Chosen::default();
         if self.entries.is_empty() {

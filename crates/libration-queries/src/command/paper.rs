@@ -63,7 +63,7 @@ impl Paper {
     }
 }
 
-/// A number is meant whole, words may be part of a label.
+/// Returns `true` if a label has this number as a whole, or these words as a part.
 fn is_named(label: &str, asked: &str) -> bool {
     let bare = |text: &str| text.trim().trim_matches(['(', ')']).to_lowercase();
     bare(label) == bare(asked) || (!label.starts_with('(') && label.to_lowercase().contains(&bare(asked)))

@@ -41,7 +41,7 @@ pub enum ParameterType {
     Numbers,
     /// The key of an oscillator or a system, or equations.
     Equation,
-    /// The name of a coordinate or of another component of the state.
+    /// The name of a coordinate or of another state component.
     Coordinate,
     /// A formula of the state.
     Formula,
@@ -51,9 +51,9 @@ pub enum ParameterType {
     File,
     /// A column, line or sheet of a table, by its number or name.
     Column,
-    /// A key, or another short text with a notation of its own.
+    /// A key, or another short text with its own notation.
     Key,
-    /// Other text, whose notation the type does not say.
+    /// Other text, whose notation the type does not describe.
     Text,
 }
 

@@ -74,7 +74,7 @@ fn amplitudes(text: &str) -> Result<Choices, String> {
     amplitudes.map(Choices).map_err(|error| error.to_string())
 }
 
-/// A choice, and whether it is the best.
+/// A choice; `true` with the best one.
 struct Choice<'a> {
     swings: &'a PlannedSwings,
     is_best: bool,

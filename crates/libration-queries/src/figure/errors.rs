@@ -42,7 +42,7 @@ pub(crate) fn errors(curves: Vec<Curve>, frame: Frame) -> Picture {
     Picture::new("Fractional error of formulas for the period", vec![panel])
 }
 
-/// Even steps, and the approach to the right end, where formulas and period may be infinite.
+/// Even steps, and steps that approach the right end, where formulas and period may be infinite.
 fn amplitudes(frame: Frame) -> impl Iterator<Item = f64> {
     let step = (frame.to - frame.from) / f64::from(SAMPLES);
     let even = (0..SAMPLES).map(move |k| frame.from + step * f64::from(k));

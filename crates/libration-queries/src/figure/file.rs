@@ -1,4 +1,4 @@
-//! The file a picture is written to: its ending says whether SVG or PNG.
+//! The file of a picture: its extension decides between SVG and PNG.
 
 use super::chart::Picture;
 use super::{Sizes, png};
@@ -21,7 +21,7 @@ pub(crate) fn drawable(text: &str) -> Result<PathBuf, String> {
         .to_owned())
 }
 
-/// Draws the picture in its size into its file, and says so in a sentence.
+/// Draws the picture in its size into its file, and announces it.
 pub(crate) fn write(path: &Path, picture: &Picture, sizes: &Sizes) -> Result<String, QueryError> {
     if picture.animation.is_some() && is(path, "png") {
         let reason = format!("{} cannot be animated: give a file name ending in .svg", path.display());

@@ -1,4 +1,4 @@
-//! The shapes of normal modes: the part of each coordinate.
+//! The shapes of normal modes: the component of each coordinate.
 
 use super::chart::{Axis, Panel, Picture, Series, Units};
 use super::names::{subject, symbol};

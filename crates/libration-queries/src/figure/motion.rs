@@ -89,7 +89,7 @@ fn values<'a>(series: impl IntoIterator<Item = &'a Series>) -> impl Iterator<Ite
     series.into_iter().flat_map(|series| series.points.iter().map(|point| point.y))
 }
 
-/// Values from one end to the other in a number of equal steps.
+/// Values from one end to the other in equal steps.
 fn evenly(from: f64, to: f64, steps: u32) -> impl Iterator<Item = f64> {
     (0..=steps).map(move |step| from + (to - from) * f64::from(step) / f64::from(steps))
 }

@@ -12,7 +12,7 @@ use libration::systems::Model;
 pub(crate) struct Amplitudes<'a> {
     pub(crate) model: &'a Model,
     pub(crate) initial: &'a [f64],
-    /// Seconds between two places.
+    /// Seconds between two positions.
     pub(crate) interval: f64,
     /// All amplitudes at each time, by the slow flow.
     pub(crate) slow: Vec<Vec<Complex>>,
@@ -20,7 +20,7 @@ pub(crate) struct Amplitudes<'a> {
     pub(crate) seen: Vec<Vec<Complex>>,
 }
 
-/// Number of places from one dot to the next.
+/// Number of positions from one dot to the next.
 const DOTS: usize = 4;
 
 /// One line and one row of dots for each mode.

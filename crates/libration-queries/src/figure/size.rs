@@ -1,4 +1,4 @@
-//! Size of a picture: that of a page, a column or a slide, or sides of its own.
+//! Size of a picture: that of a page, a column or a slide, or given sides.
 
 use super::chart::Picture;
 use crate::query_error::{Parameter, QueryError, option};
@@ -44,15 +44,15 @@ struct Unit {
 
 const PIXEL: Unit = Unit { name: "", size: 1.0 };
 const MILLIMETRE: Unit = Unit { name: "mm", size: UNITS_PER_MM };
-/// Units by the endings of lengths, of which the last one that fits counts.
+/// Units by the endings of lengths; the last one that matches counts.
 const UNITS: [Unit; 3] =
     [Unit { name: "px", size: 1.0 }, MILLIMETRE, Unit { name: "cm", size: 10.0 * UNITS_PER_MM }];
 
-/// Larger pictures take gigabytes as a PNG.
+/// Largest side of a picture: larger ones take gigabytes as a PNG.
 const LARGEST: f64 = 4000.0;
 
 impl Sizes {
-    /// The picture laid out in the size requested, if that holds it.
+    /// The picture laid out in the requested size, if there is enough room.
     pub(super) fn scene(&self, picture: &Picture) -> Result<Scene, QueryError> {
         let format = self.format();
         let refused = |side: Parameter, asked: Option<Side>, usual: f64, least: f64| {

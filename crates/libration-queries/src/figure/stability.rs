@@ -92,7 +92,7 @@ pub(crate) fn stability(map: &Chart<'_>) -> Picture {
     Picture::new(&title, vec![panel]).with_parameters(of_model(map.model))
 }
 
-/// Dots where rest is stable; `None` if there are none.
+/// Dots where the equilibrium is stable; `None` if there are none.
 fn stable_dots(map: &Chart<'_>) -> Option<Series> {
     let rest = map.chart.rest.as_ref()?;
     let rows = rest.values[1].iter().zip(&rest.stable);

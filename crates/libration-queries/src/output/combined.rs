@@ -31,7 +31,7 @@ pub(crate) fn columns() -> Vec<Column> {
     of_input().columns()
 }
 
-/// The cells of the inputs that g depends on, and of what they are together.
+/// The cells of the inputs of g, and of their total.
 pub(crate) fn rows(combined: &CombinedUncertainty) -> Vec<Vec<String>> {
     let fields = of_input();
     let known = inputs(combined).into_iter().filter(|input| input.each.sensitivity != 0.0);
@@ -60,7 +60,7 @@ fn degrees(of_freedom: f64) -> String {
     }
 }
 
-/// The two ways of the Guide to the Expression of Uncertainty in Measurement.
+/// The two types of evaluation in the Guide to the Expression of Uncertainty in Measurement.
 pub(super) const KINDS: &str =
     "A where it is evaluated from the scatter of measurements, B from other knowledge";
 
@@ -74,7 +74,7 @@ fn inputs(combined: &CombinedUncertainty) -> Vec<Input<'_>> {
     combined.contributions.iter().map(|each| Input { combined, each }).collect()
 }
 
-/// The expanded uncertainty and what it comes from.
+/// The expanded uncertainty and its contributions.
 pub(crate) fn of_uncertainty() -> Fields<CombinedUncertainty> {
     let correlations = |it: &CombinedUncertainty| of_correlation().records(&it.correlations);
     with_correlations(Field::nested("budget_correlations[].", &of_correlation(), correlations))

@@ -9,7 +9,7 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-/// Results of groups of one quantity.
+/// Results of the groups of one quantity.
 #[derive(Clone, Debug)]
 pub(crate) struct Groups {
     rows: Vec<GroupRow>,
@@ -17,7 +17,7 @@ pub(crate) struct Groups {
     names: &'static Names,
 }
 
-/// A group with its result, or why there is none.
+/// A group with its result, or the reason why there is none.
 #[derive(Clone, Debug)]
 struct GroupRow {
     name: String,
@@ -52,7 +52,7 @@ pub(crate) const T0: Names = Names {
 };
 
 impl Groups {
-    /// Fits each group of rows; `shared` is the standard uncertainty of what they have in common. None of a single group.
+    /// Fits each group of rows; `shared` is the standard uncertainty of their common errors. `None` for a single group.
     pub(crate) fn fitted(
         groups: &[String],
         names: &'static Names,
@@ -124,7 +124,7 @@ impl Groups {
     }
 }
 
-/// The fields of groups, which are left out of JSON where there are none.
+/// The fields of groups, omitted from JSON if there are none.
 pub(crate) fn fields<'a>(names: &'static Names) -> Fields<Option<&'a Groups>> {
     type Of<'a> = Field<Option<&'a Groups>>;
     let rows: fn(&Option<&'a Groups>) -> Option<Value> =

@@ -1,4 +1,4 @@
-//! The reason why a query has no result, as data: its kind, the parameters that it is about, the message, and what would help.
+//! The reason why a query has no result, as data: its kind, its parameters, the message, and a remedy.
 //!
 //! A message names other parameters and queries by [`Parameter`] and marks (see [`text`]), so that the command, Python and the page each
 //! write them in their own words.
@@ -28,9 +28,9 @@ pub enum Kind {
     NoResult,
     /// A file does not exist: exit status 1.
     MissingFile,
-    /// The work was ended early, and what was finished is written: exit status 130.
+    /// Cancelled, with the finished part written: exit status 130.
     Cancelled,
-    /// The result cannot be written: exit status 1, or 0 when the reader has gone.
+    /// The result cannot be written: exit status 1, or 0 if the reader has closed the pipe.
     Output(Error),
 }
 
@@ -50,7 +50,7 @@ struct Content {
     item: Option<String>,
 }
 
-/// The subject of a message, which stands before it.
+/// The subject of a message, which precedes it.
 #[derive(Debug)]
 pub(crate) enum About {
     Nothing,
@@ -133,7 +133,7 @@ impl QueryError {
         Self::new(Kind::Cancelled, About::Nothing, &reason.to_string())
     }
 
-    /// The same error with the queries that have a result in its place.
+    /// The same error with queries that have a result instead.
     pub(crate) fn with_remedies(self, remedies: &[Remedy]) -> Self {
         let sentences: Vec<_> = remedies.iter().map(|it| sentence(*it)).collect();
         if sentences.is_empty() { self } else { self.with_hint(&sentences.join("; ")) }
@@ -149,7 +149,7 @@ impl QueryError {
         Self(Box::new(Content { suggestion: value, ..*self.0 }))
     }
 
-    /// The same error with the item of a parameter `NAME=VALUE` that it is about.
+    /// The same error with the item of a parameter `NAME=VALUE` to which it refers.
     pub(crate) fn with_item(self, name: Option<&str>) -> Self {
         Self(Box::new(Content { item: name.map(str::to_owned), ..*self.0 }))
     }
@@ -187,7 +187,7 @@ impl QueryError {
         &self.0.kind
     }
 
-    /// The parameters that the error is about, empty where it is about none.
+    /// The parameters to which the error refers; may be empty.
     #[must_use]
     pub fn parameters(&self) -> &[Parameter] {
         match &self.0.about {
@@ -281,7 +281,7 @@ impl QueryError {
         matches!(self.0.kind, Kind::Cancelled)
     }
 
-    /// `true` if the reader of the output has gone.
+    /// `true` if the reader of the output has closed the pipe.
     #[must_use]
     pub fn is_closed_pipe(&self) -> bool {
         matches!(&self.0.kind, Kind::Output(error) if error.kind() == ErrorKind::BrokenPipe)
@@ -336,7 +336,7 @@ pub fn refusal(error: &clap::Error) -> String {
     }
 }
 
-/// The command that may be meant by a first word that is none: an amplitude, or the name of a file.
+/// The command probably intended if the first word is not one: that for an amplitude, or for the name of a file.
 fn command_for(error: &clap::Error) -> Option<String> {
     let Some(ContextValue::String(word)) = error.get(ContextKind::InvalidSubcommand) else { return None };
     let is_amplitude = |text: &str| text.trim().parse::<Angle>().is_ok();
@@ -367,7 +367,7 @@ fn refused_parameters(error: &clap::Error) -> Vec<Parameter> {
     }
 }
 
-/// The reason for a value that is not among those of a parameter.
+/// The reason for a value that is not among the choices of a parameter.
 fn unknown_value(error: &clap::Error) -> Option<String> {
     let Some(ContextValue::String(given)) = error.get(ContextKind::InvalidValue) else { return None };
     let Some(ContextValue::Strings(valid)) = error.get(ContextKind::ValidValue) else { return None };

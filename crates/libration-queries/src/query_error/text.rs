@@ -1,4 +1,4 @@
-//! Messages that name parameters and queries, for front ends with words of their own.
+//! Messages that name parameters and queries, in the wording of each front end.
 //!
 //! In a text `<--over>` marks an option, `<--order=3>` an option with a value, `<--decimal=.|,>` one with values of which each would do, and
 //! `<libration expand>` a query.
@@ -23,14 +23,14 @@ enum Part {
 pub trait Words {
     /// The name of a parameter.
     fn parameter(&self, parameter: &Parameter) -> String;
-    /// The name of a query, of which these are the words: `fit trace`.
+    /// The name of a query with these words: `fit trace`.
     fn query(&self, words: &str) -> String;
     /// A value, in quotes where a shell needs them.
     fn value(&self, value: &str) -> String {
         let is_plain = value.chars().all(|it| it.is_ascii_alphanumeric() || "=.,-_/".contains(it));
         if is_plain { value.to_owned() } else { format!("\"{value}\"") }
     }
-    /// A parameter with a value, or with several of which each would do.
+    /// A parameter with a value, or with several alternative values.
     fn setting(&self, parameter: &Parameter, values: &[String]) -> String {
         let values: Vec<_> = values.iter().map(|value| self.value(value)).collect();
         format!("{} {}", self.parameter(parameter), alternatives(&values))
@@ -51,7 +51,7 @@ impl Words for CommandWords {
     }
 }
 
-/// The words of the command line between characters of the private use area, for front ends that put names of their own in their place.
+/// The words of the command line between characters of the private use area, for front ends that replace them by other names.
 ///
 /// U+E000 and U+E001 enclose a parameter with its values, or a query; U+E002 encloses each value. These characters have no width.
 #[derive(Clone, Copy, Debug)]

@@ -64,7 +64,7 @@ pub(crate) struct Bifurcation {
     form: FormOptions,
 }
 
-/// The order in which the values are gone through.
+/// The order in which the parameter takes its values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 enum Order {
     /// As given
@@ -75,7 +75,7 @@ enum Order {
     Both,
 }
 
-/// The diagram, with what is needed to write it.
+/// The diagram, with the settings of its output.
 pub(crate) struct Diagram<'a> {
     pub(crate) model: &'a Model,
     pub(crate) options: &'a SectionOptions,
@@ -131,7 +131,7 @@ impl Bifurcation {
         without_points.map_or(Ok(()), Err)
     }
 
-    /// The place in the state of what the picture shows.
+    /// The index of the state component in the picture.
     fn axis(&self, model: &Model) -> Result<usize, QueryError> {
         match &self.axis {
             Some(name) => place_in_state(model, &option("axis"), name),
@@ -166,7 +166,7 @@ impl Bifurcation {
         Ok(joined(&pieces, columns))
     }
 
-    /// The work in pieces that know nothing of each other.
+    /// Independent pieces of the work.
     fn pieces(&self) -> Vec<Piece> {
         let values = &self.over.values;
         let sweep = |name, values: Vec<f64>| Piece { name, values, continuation: Continuation::LastState };
@@ -186,14 +186,14 @@ impl Bifurcation {
     }
 }
 
-/// Values that one thread goes through.
+/// Values for one thread.
 struct Piece {
     name: &'static str,
     values: Vec<f64>,
     continuation: Continuation,
 }
 
-/// The columns of pieces with the same name, one behind the other.
+/// The columns of pieces with the same name, one after the other.
 fn joined(pieces: &[Piece], columns: Vec<Vec<DiagramColumn>>) -> Vec<Sweep> {
     let mut sweeps: Vec<Sweep> = vec![];
     for (piece, columns) in pieces.iter().zip(columns) {

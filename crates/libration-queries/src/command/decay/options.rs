@@ -66,7 +66,7 @@ pub(super) struct SlowFlowOptions {
 }
 
 impl SlowFlowOptions {
-    /// The powers of amplitude and damping, if it is requested.
+    /// The requested orders in amplitude and damping; `None` without a slow flow.
     pub(super) fn orders(self) -> Option<[usize; 2]> {
         Some([self.order?, self.damping_order.unwrap_or(DAMPING_ORDER)])
     }

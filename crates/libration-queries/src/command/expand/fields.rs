@@ -227,7 +227,7 @@ pub(super) fn answers() -> Answers {
     Answers { command: "expand", option: "", json, csv }
 }
 
-/// The coefficients of all series, in the order of JSON; of harmonics in an amplitude without the cosines or sines, whichever vanish.
+/// The coefficients of all series, in the order of JSON; of harmonics in an amplitude without the cosines or the sines that all vanish.
 pub(super) fn coefficients<C: series::Coefficient>(expansion: &Expansion<C>) -> Vec<Coefficient<'_>> {
     let mut all = vec![];
     let mut add = |quantity: String, variable, series: Series| {

@@ -45,7 +45,7 @@ pub(super) fn write_head<C: Coefficient>(out: &mut dyn Write, answer: &Answer<C>
     write_text(out, "", &setting(answer))
 }
 
-/// The symbols that stand for the variable.
+/// The symbols of the variables.
 pub(super) struct Symbols<'a> {
     pub(super) variable: &'a str,
     latex: String,
@@ -117,7 +117,7 @@ fn meaning<C>(expansion: &Expansion<C>, symbols: &Symbols<'_>) -> String {
     }
 }
 
-/// A note that there are further harmonics in the same powers.
+/// A note on further harmonics in the same powers.
 pub(super) fn left_out<C>(expansion: &Expansion<C>) -> Option<String> {
     let highest = expansion.harmonics.iter().map(|harmonic| harmonic.k).max();
     let above = highest.filter(|_| !expansion.has_all_harmonics)?;
@@ -167,7 +167,7 @@ fn mirrored<C: Coefficient>(expansion: &Expansion<C>) -> bool {
     expansion.x_max.iter().zip(&expansion.x_min).all(|(max, min)| max.is_opposite_of(min))
 }
 
-/// The root in whose units displacements are given, when it is not 1.
+/// The root that is the unit of displacements, if it is not 1.
 fn unit<C: Coefficient>(expansion: &Expansion<C>) -> String {
     match expansion.unit_squared.written(Precision::Exact).as_str() {
         "1" => String::new(),

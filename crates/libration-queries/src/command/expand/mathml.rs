@@ -44,7 +44,7 @@ fn ratio(above: &str, below: &str) -> String {
     element("mfrac", &[&element("mi", &[above]), &name(below)])
 }
 
-/// The root in whose units displacements are given, when it is not 1.
+/// The root that is the unit of displacements, if it is not 1.
 fn unit<C: Coefficient>(answer: &Answer<C>) -> String {
     match answer.expansion.unit_squared.written(Precision::Exact).as_str() {
         "1" => String::new(),

@@ -122,10 +122,10 @@ pub(crate) struct Expand {
     form: FormOptions,
 }
 
-/// The order to which an expansion is listed.
+/// Order up to which an expansion is listed.
 const LISTED: usize = 7;
 
-/// The small parameter where none is named.
+/// The small parameter if none is named.
 pub(super) const BOOKKEEPING: &str = "eps";
 
 pub(crate) fn answers() -> Vec<Answers> {

@@ -192,7 +192,7 @@ fn write_listing(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     Ok(())
 }
 
-/// `·√k`, nothing for k = 1.
+/// `·√k`, or an empty text for k = 1.
 fn root_of_strength(law: &ScalingLaw) -> String {
     let strength = law.force().strength();
     match strength {

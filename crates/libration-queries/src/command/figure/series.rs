@@ -1,4 +1,4 @@
-//! `libration figure series`: how far partial sums of a series are from the exact value.
+//! `libration figure series`: errors of partial sums of a series.
 
 use super::PictureOptions;
 use crate::arguments::{self, Chosen, OscillatorOptions};
@@ -158,7 +158,7 @@ impl Series {
     }
 }
 
-/// The error that there is nothing to draw yet.
+/// The error of a run cancelled before there is anything to draw.
 fn early() -> QueryError {
     QueryError::cancelled("interrupted before the first error was known: nothing is drawn")
 }
@@ -180,7 +180,7 @@ impl Subject {
         parallel::unless_cancelled("the exact values", |progress| relation.exact_from(amplitude, progress))
     }
 
-    /// Even steps from zero up to where motions end, or go around another equilibrium too.
+    /// Even steps from zero to the amplitude at which motions end or enclose another equilibrium.
     fn sampled(&self, to: f64) -> Vec<Sample> {
         let (relation, done) = (self.relation(), AtomicUsize::new(0));
         let how_far = || format!("{} of at most {SAMPLES} amplitudes", done.load(Ordering::Relaxed));
@@ -203,7 +203,7 @@ fn lines(
     powers: &[usize],
     setting: &SeriesSetting,
 ) -> Vec<Line> {
-    /// Degrees of the approximant, of which the order allows some.
+    /// Degrees of the approximant, as far as the order allows.
     const DEGREES: [usize; 4] = [8, 6, 4, 2];
     let line = |label: String, value: &dyn Fn(&Sample) -> f64| {
         let error = |sample: &Sample| Some((sample.amplitude, resolved_error(value(sample), &sample.exact)?));
@@ -272,7 +272,7 @@ fn powers(relation: &SeriesComparison<'_>) -> Vec<usize> {
     powers
 }
 
-/// The error of a value, where it is larger than what is uncertain about the exact one.
+/// The error of a value, if it exceeds the uncertainty of the exact value.
 fn resolved_error(value: f64, exact: &ExactValue) -> Option<f64> {
     Some(value - exact.value).filter(|error| error.abs() > exact.uncertainty)
 }

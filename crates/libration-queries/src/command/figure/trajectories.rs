@@ -67,7 +67,7 @@ const POINTS: usize = 6000;
 /// Motions of more steps are too long for a spectrum, as they would take gigabytes.
 const MOST_STEPS: usize = 200_000;
 
-/// The relative error of a step is far below what a picture shows.
+/// Relative error of a step, far below the resolution of a picture.
 const EFFORT: Effort = Effort::to_tolerance(1e-12);
 
 /// A motion to be integrated.
@@ -220,7 +220,7 @@ impl Run {
     }
 }
 
-/// Adds to each label the numbers of its start that are not those of all.
+/// Adds to each label the initial values that differ between the motions.
 fn label_starts(runs: &mut [Run]) {
     let starts: Vec<Vec<String>> = runs.iter().map(Run::numbers_of_start).collect();
     let shared = common(&starts);

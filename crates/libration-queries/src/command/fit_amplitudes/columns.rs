@@ -33,7 +33,7 @@ const NUMBERS: [&str; 18] = [
 /// Names of times, in lower case.
 const TIMES: [&str; 6] = ["t", "time", "zeit", "temps", "tiempo", "tempo"];
 
-/// The quantity that the name of a column says.
+/// The quantity named by the heading of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Named {
     Position(Against),
@@ -49,7 +49,7 @@ pub(super) struct Roles {
 }
 
 impl Roles {
-    /// Finds the columns; `None` where no name of a position is known.
+    /// Finds the columns; `None` if no heading names a position.
     pub(super) fn of(table: &Table) -> Option<Self> {
         let columns: Vec<Column> = (1..=table.width()).map(Column::Number).collect();
         let find =
@@ -80,7 +80,7 @@ pub(super) const POSITION: &str = "position";
 pub(super) const SWING_NUMBER: &str = "swing-number";
 pub(super) const PERIOD: &str = "period";
 
-/// The position that the name of a column says; `None` where it says another quantity or nothing.
+/// The position named by the heading of a column; `None` if it names another quantity or nothing.
 pub(super) fn against(table: &Table, column: &Column) -> Option<Against> {
     match named(table, column) {
         Named::Position(against) => Some(against),

@@ -25,7 +25,7 @@ pub(super) struct Coefficient {
     pub(super) rate_unit: String,
 }
 
-/// A row with what the law says of it.
+/// A row with its predicted value.
 struct Measurement {
     position: f64,
     value: f64,

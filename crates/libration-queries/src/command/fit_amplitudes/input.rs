@@ -84,7 +84,7 @@ impl Input {
         self.checked(against, read.units[1], read.columns, read.dropped, read.inferences)
     }
 
-    /// The measurements of these columns, as the options and units say.
+    /// The measurements of these columns, with the options and units applied.
     fn checked(
         &self,
         against: Against,
@@ -132,7 +132,7 @@ impl Input {
         Ok(AmplitudeFile { measured, dropped, inferences })
     }
 
-    /// The rows whose time or number of swings is in the range, with a sentence about the others.
+    /// The rows whose time or number of swings is in the range, with a note on the others.
     fn within(
         &self,
         columns: [Option<Vec<f64>>; 6],
@@ -174,7 +174,7 @@ impl Input {
         [positions, amplitudes, of_both[0], of_both[1], further[0], further[1]]
     }
 
-    /// The quantity of the first column: as the option says, else its header.
+    /// The quantity of the first column: from the option, else from its header.
     fn against(
         &self,
         roles: Option<&Roles>,

@@ -1,4 +1,4 @@
-//! `libration fit gates`: times of a photogate, cleaned, and what they say about the period.
+//! `libration fit gates`: times of a photogate, cleaned, and the period that they determine.
 
 mod fields;
 mod report;

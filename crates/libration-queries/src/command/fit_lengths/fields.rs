@@ -56,7 +56,7 @@ impl Answer<'_> {
         }
     }
 
-    /// The offset of the law that is preferred, or what keeps it open.
+    /// The offset of the preferred law, or the reason why it is undecided.
     fn offset(&self) -> Result<Uncertain, String> {
         self.fit.best().offset.ok_or_else(|| match self.fit.best().model.is_of_bars() {
             true => "the positions are measured from the centre of mass".to_owned(),

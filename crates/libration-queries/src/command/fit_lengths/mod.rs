@@ -137,7 +137,7 @@ impl FitLengths {
     }
 }
 
-/// Gravity of each group, where the rows have groups; everything but the fitted line is shared.
+/// Gravity of each group, if the rows have groups; they share everything except the fitted line.
 fn groups_of(read: &LengthFile, fit: &LengthsFit, options: &LengthsOptions) -> Option<Groups> {
     let contributions = fit.combined.contributions.iter();
     let shared = contributions.filter(|it| !is_own(it)).map(|it| it.change() * it.change());
@@ -151,7 +151,7 @@ fn groups_of(read: &LengthFile, fit: &LengthsFit, options: &LengthsOptions) -> O
     Groups::fitted(read.groups.as_ref()?, &groups::GRAVITY, shared.sum::<f64>().sqrt(), of_rows)
 }
 
-/// Returns `true` if a contribution is that of the rows themselves.
+/// Returns `true` if a contribution comes from the rows themselves.
 fn is_own(contribution: &Contribution) -> bool {
     matches!(contribution.input, BudgetInput::Slope)
 }

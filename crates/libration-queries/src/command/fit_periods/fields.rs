@@ -22,7 +22,7 @@ pub(super) struct Answer<'a> {
     pub(super) normal: Option<NormalGravity>,
 }
 
-/// A law with its key, and its fit or why there is none.
+/// A law with its key, and its fit or the reason why there is none.
 pub(super) struct KeyedLaw<'a> {
     key: &'a str,
     fit: Result<&'a LawFit, &'a FitError>,

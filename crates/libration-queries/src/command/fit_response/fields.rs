@@ -26,13 +26,13 @@ pub(super) struct Parameter {
     unit: String,
 }
 
-/// An answer on the curve, with the number of its branch from 1.
+/// A response on the curve, with the number of its branch from 1.
 pub(super) struct OnCurve {
     branch: usize,
     point: FittedCurvePoint,
 }
 
-/// A row with what the fit says of it.
+/// A row with its fitted values.
 pub(super) struct Measurement<'a> {
     pub(super) frequency: f64,
     pub(super) amplitude: f64,

@@ -43,7 +43,7 @@ enum Errors {
 pub(super) struct ResponseFile {
     pub(super) measured: Measured,
     pub(super) dropped: usize,
-    /// The units that the header says.
+    /// The units stated in the header.
     pub(super) inferences: Inferences,
     pub(super) unit: &'static str,
 }

@@ -60,7 +60,7 @@ impl Formulas {
         Ok(catalogue::write(out, self.form.form(), &entries)?)
     }
 
-    /// The formulas that keep the tolerance, each with the amplitude up to which it does.
+    /// The formulas that meet the tolerance, each with the amplitude up to which it does.
     fn sufficient(&self, formulas: &[PeriodFormula], tolerance: f64) -> Result<Vec<Entry>, QueryError> {
         let table = error_table::error_table(formulas)?;
         let place = |key: &str| table.formulas().position(|formula| formula.key() == key);

@@ -1,4 +1,4 @@
-//! `libration inspect`: what a file of measurements holds.
+//! `libration inspect`: the contents of a file of measurements.
 
 mod answer;
 mod fields;

@@ -63,7 +63,7 @@ pub(crate) struct Lyapunov {
     form: FormOptions,
 }
 
-/// The exponent with what was asked.
+/// The exponent with the query.
 pub(crate) struct Answer<'a> {
     pub(crate) model: &'a Model,
     pub(crate) initial: Vec<f64>,

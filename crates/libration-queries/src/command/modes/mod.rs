@@ -1,4 +1,4 @@
-//! `libration modes`: small oscillations of a system, and how they change with the amplitude.
+//! `libration modes`: small oscillations of a system, and their change with the amplitude.
 
 mod fields;
 mod follow;

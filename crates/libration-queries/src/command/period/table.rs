@@ -1,4 +1,4 @@
-//! Many amplitudes: one row each, with the errors of the formulas requested.
+//! A table of many amplitudes: one row each, with the errors of the formulas requested.
 
 use super::fields::{self, DIGITS, Estimate, SMALL_ANGLE_PERIOD, Swing};
 use super::{Period, estimates};
@@ -79,7 +79,7 @@ impl Swings<'_> {
         json::end_document(out, Record::new())
     }
 
-    /// Hands the texts of the amplitudes on, each of several with something between them, in their order.
+    /// Passes on the texts of the amplitudes, several at a time with a separator, in their order.
     fn in_pieces<'a>(
         &self,
         formulas: &'a [PeriodFormula],

@@ -1,4 +1,4 @@
-//! `libration resonance`: the slow flow of coupled modes near rest, and how they exchange their energy.
+//! `libration resonance`: the slow flow of coupled modes near equilibrium, and their exchange of energy.
 
 mod fields;
 mod letters;
@@ -85,7 +85,7 @@ pub(crate) struct ResonanceQuestion {
     form: FormOptions,
 }
 
-/// The order of a normal form where none is given: the lowest at which frequencies change with the amplitudes.
+/// Default order of a normal form: the lowest at which frequencies change with the amplitudes.
 const USUAL_ORDER: usize = 3;
 
 /// The result to write.
@@ -141,7 +141,7 @@ impl ResonanceQuestion {
 }
 
 impl Answer {
-    /// The content of the picture: two exchanges, or forty periods where there is none.
+    /// The time range of the picture: two exchanges, or forty periods if there is no exchange.
     fn shown(&self) -> Result<Amplitudes<'_>, QueryError> {
         const PERIODS: f64 = 40.0;
         const SAMPLES: usize = 240;

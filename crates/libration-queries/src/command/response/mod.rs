@@ -1,4 +1,4 @@
-//! `libration response`: the periodic answers of a driven system, or the limit cycles of a self-excited one, over a parameter.
+//! `libration response`: the periodic responses of a driven system, or the limit cycles of a self-excited one, over a parameter.
 
 mod branch_fields;
 mod fields;
@@ -26,17 +26,17 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 pub(crate) use fields::answers;
 
-/// Most periods of the drive in one of an answer.
+/// Largest number of drive periods in a response.
 const MOST_PERIODS: usize = 100;
-/// Most digits of a special point: each digit is a part of the order of a series.
+/// Largest number of digits of a special point: the order of the series grows with each digit.
 const MOST_DIGITS: usize = 100;
-/// Most values of a sweep.
+/// Largest number of values in a sweep.
 const MOST_VALUES: usize = 10_000;
-/// Values of the sweeps in a picture: the dots of one do not touch across a column.
+/// Number of values of the sweeps in a picture: their dots do not touch each other in a column.
 const DOTS: usize = 48;
-/// Most turns of an answer.
+/// Largest number of turns of a response.
 const MOST_TURNS: i32 = 100;
-/// Most times that branches leave branches: a cascade is 4.669 times shorter each time.
+/// Largest depth of secondary branches: in a cascade each range is 4.669 times shorter than the one before.
 const MOST_GENERATIONS: usize = 6;
 
 /// The periodic responses of a driven system, or limit cycles, over a parameter: amplitude, stability, folds and jumps, symmetry breakings, period doublings
@@ -118,7 +118,7 @@ pub(crate) struct Answer {
     pub(crate) model: Model,
     pub(crate) parameter: String,
     pub(crate) range: [f64; 2],
-    /// The coordinate whose amplitude is meant.
+    /// The coordinate whose amplitude is shown.
     pub(crate) coordinate: usize,
     pub(crate) response: Response,
     /// The precise values of the special points of each branch, where requested and known.
@@ -189,7 +189,7 @@ impl ResponseQuestion {
         response.map_err(|error| failure(error, model))
     }
 
-    /// The slow sweeps, if they are requested or belong to the picture.
+    /// The slow sweeps, if they are requested or part of the picture.
     fn sweeps(&self, model: &Model, response: &Response) -> Result<Vec<Sweep>, QueryError> {
         if self.sweeps.is_some() && !response.driven {
             return Err(QueryError::usage(

@@ -20,7 +20,7 @@ impl SimulatedMotion<'_> {
         first < 0.0 && last > 0.0
     }
 
-    /// Refuses what only motions in one direction have.
+    /// Refuses options that need a motion in one direction.
     pub(super) fn check_both_ways(&self, is_drawn: bool) -> Result<(), QueryError> {
         let times: Vec<f64> = self.times.iter().collect();
         if let Some(pair) = times.windows(2).find(|pair| pair[1] < pair[0]) {
@@ -74,7 +74,7 @@ impl SimulatedMotion<'_> {
         Ok(Outcome { ending, state, drawn: vec![] })
     }
 
-    /// The motion with the drift of its energy on either side and the uncertainty of that; `watch` sees each step.
+    /// The motion with the drift of its energy on either side and the uncertainty of the drift; `watch` receives each step.
     pub(super) fn integrate_both_ways(
         &self,
         system: &System,

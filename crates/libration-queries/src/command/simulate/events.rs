@@ -16,7 +16,7 @@ pub(super) struct Watched {
 struct Kind {
     name: String,
     formula: Expression,
-    /// The coordinate on whose curve it is marked.
+    /// The coordinate on whose curve the event is marked.
     coordinate: usize,
     direction: Direction,
     /// Count of the event at which the motion ends.
@@ -45,7 +45,7 @@ enum Way {
     Falling,
 }
 
-/// An event as it is written.
+/// An event record for the output.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Happening {
     pub(super) time: f64,
@@ -53,7 +53,7 @@ pub(super) struct Happening {
     pub(super) state: Vec<f64>,
     /// The values of the columns that were requested.
     pub(super) columns: Option<Vec<f64>>,
-    /// Errors of time, state and columns, where they are estimated; NaN where they are not determined.
+    /// Errors of time, state and columns, if they are estimated; NaN if they are not determined.
     pub(super) errors: Option<MomentErrors>,
 }
 
@@ -97,7 +97,7 @@ impl Watched {
         self.kinds.iter().map(event).collect()
     }
 
-    /// The event with its name, and how it touched zero if not by passing it.
+    /// The event record with its name, and the kind of contact if zero is touched and not crossed.
     pub(super) fn happening(&self, occurrence: &Occurrence) -> Happening {
         let name = &self.kinds[occurrence.event].name;
         let kind = match occurrence.contact {
@@ -123,7 +123,7 @@ impl Watched {
 }
 
 impl Kind {
-    /// The name, and what counts where not all does.
+    /// The name, with the direction if not all crossings count.
     fn full_name(&self) -> String {
         let way = match self.direction {
             Direction::Any => "",
@@ -148,7 +148,7 @@ impl UntilOptions {
     }
 }
 
-/// The event for each coordinate, whose name is added where there are several.
+/// The event of each coordinate, whose name is added if there are several.
 fn of_each(model: &Model, name: &str, formula: fn(&Coordinate) -> Expression) -> Vec<Kind> {
     let several = model.coordinates().len() > 1;
     let kind = |(coordinate, it): (usize, &Coordinate)| {
@@ -163,7 +163,7 @@ fn turning(coordinate: &Coordinate) -> Expression {
     Expression::Symbol(Symbol::plain(&coordinate.name).with_primes(1))
 }
 
-/// The place of rest is passed; for angles in every turn.
+/// The crossing of the equilibrium; for angles in every turn.
 fn crossing(coordinate: &Coordinate) -> Expression {
     let place = Box::new(Expression::symbol(&coordinate.name));
     // The shortest decimal of a finite number is a formula.

@@ -200,7 +200,7 @@ impl Simulate {
         ending.into_result(self.output.as_deref().filter(|_| form != Form::Table))
     }
 
-    /// Refuses what does not go with derivatives of the motion.
+    /// Refuses options that are incompatible with sensitivities.
     fn refuse_beside_sensitivities(&self) -> Result<(), QueryError> {
         let refused = |about: Parameter, reason: &str| Err(QueryError::usage(about, reason));
         match () {
@@ -217,7 +217,7 @@ impl Simulate {
         }
     }
 
-    /// The reason why no errors are estimated, if none are.
+    /// The reason why errors are not estimated; `None` if they are.
     fn reason_for_no_errors(&self) -> Option<&'static str> {
         match () {
             () if self.each.is_some() => Some("--each"),
@@ -243,7 +243,7 @@ impl Simulate {
     }
 }
 
-/// Writes the output into its file, and with a CSV file the record for its continuation; then how it ended, and what was drawn.
+/// Writes the output to its file, and with a CSV file the record for its continuation; then the ending, and the names of pictures.
 fn write_file(
     motion: SimulatedMotion<'_>,
     form: Form,

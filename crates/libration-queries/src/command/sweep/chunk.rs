@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// The kept fields of the result at a point, or the error: exit status and reason.
 pub(crate) type Outcome = Result<Vec<f64>, (u8, String)>;
 
-/// The outcomes at the points of a chunk, in their order. `None` when the run is cancelled before.
+/// The outcomes at the points of a chunk, in their order. `None` if the run is cancelled before their end.
 pub(crate) fn outcomes(plan: &Plan, chunk: usize) -> Option<Vec<Outcome>> {
     counted_outcomes(plan, chunk, &AtomicUsize::new(0))
 }
@@ -32,7 +32,7 @@ pub(super) fn counted_outcomes(plan: &Plan, chunk: usize, done: &AtomicUsize) ->
     plan.grid.points_of(chunk).map(outcome).collect()
 }
 
-/// A line for each point, below a line of names: the place, the numbers, status and message.
+/// A line for each point, below a line of names: the indices, the numbers, status and message.
 pub(crate) fn csv(plan: &Plan, chunk: usize, outcomes: &[Outcome]) -> io::Result<Vec<u8>> {
     let mut text = header(plan)?;
     let columns = plan.columns().len();

@@ -23,7 +23,7 @@ pub(crate) fn answer(words: &[String]) -> Result<Value, QueryError> {
     })
 }
 
-/// A point works for the sweep, which alone tells how far it is.
+/// The host of a point, whose progress is shown by the sweep alone.
 struct Point(Arc<Call>);
 
 impl Host for Point {

@@ -46,7 +46,7 @@ impl Progress {
         Ok(progress)
     }
 
-    /// The missing parts, in words: the shards, where all were of one division, or the number of chunks.
+    /// The missing parts in words: the shards, if all belong to one division, or the number of chunks.
     pub(crate) fn missing(&self) -> Option<String> {
         let missing: Vec<usize> = (0..self.chunks).filter(|chunk| !self.done.contains(chunk)).collect();
         let first = missing.first()?;

@@ -1,4 +1,4 @@
-//! The question of a sweep: the words of a command line in which `{NAME}` stands for the value of an axis.
+//! The query of a sweep: the words of a command line in which `{NAME}` stands for the value of an axis.
 
 use super::axis::Axis;
 use crate::arguments::SystemOptions;
@@ -11,8 +11,8 @@ use clap::{ArgMatches, Command, FromArgMatches};
 pub struct Template(pub Vec<String>);
 
 impl Template {
-    /// The words with a place for each axis: where they have `{NAME}`, or as the option or argument of this name, or as an initial value
-    /// or a parameter of the system.
+    /// The words with a position for each axis: `{NAME}` in the words, or the option or argument with this name, or an initial value or a parameter
+    /// of the system.
     pub fn new(words: &[String], axes: &[Axis]) -> Result<Self, QueryError> {
         let command = command([]);
         let mut template = Self(words.to_vec());
@@ -74,7 +74,7 @@ impl Template {
         }
     }
 
-    /// The numbers of a state of the system that is asked about.
+    /// The names of the components of the state of the system.
     fn state_names(
         &self,
         asked: &Asked<'_>,
@@ -102,7 +102,7 @@ impl Template {
 /// The command of a sweep.
 struct Asked<'a> {
     command: &'a Command,
-    /// Name as it is typed.
+    /// Name as typed.
     name: String,
     /// Number of words of the name.
     words: usize,
@@ -135,7 +135,7 @@ enum Place {
     Argument,
 }
 
-/// The place at which the command takes a value of this name.
+/// The position at which the command takes a value with this name.
 fn place_in(command: &Command, name: &str) -> Option<Place> {
     if let Some(option) = options(command).find(|option| *option == name) {
         return Some(Place::Option(option.to_owned()));

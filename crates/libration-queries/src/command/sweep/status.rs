@@ -1,4 +1,4 @@
-//! `libration sweep status`: how far a sweep is.
+//! `libration sweep status`: the progress of a sweep.
 
 use super::join::opened;
 use super::plan::Plan;

@@ -19,7 +19,7 @@ type Of<A, T> = fn(&A) -> T;
 /// A field of a result `A`.
 pub struct Field<A> {
     plan: Plan,
-    /// Its value, then the texts that people see in its place.
+    /// The value, then the texts that are shown in its place.
     contents: Vec<Content<A>>,
 }
 
@@ -39,7 +39,7 @@ impl<A> Field<A> {
         Self::new(name, unit, meaning, Content::Number(value))
     }
 
-    /// A number, or the reason why there is none; null without a note where the reason is empty.
+    /// A number, or the reason why it is unknown; null without a note if the reason is empty.
     pub fn known(
         name: &'static str,
         unit: &'static str,
@@ -59,7 +59,7 @@ impl<A> Field<A> {
         Self::new(name, unit, meaning, Content::Nullable(value))
     }
 
-    /// A number that is left out of JSON where there is none.
+    /// A number that is omitted from JSON if it is unknown.
     pub fn present(
         name: &'static str,
         unit: &'static str,
@@ -79,7 +79,7 @@ impl<A> Field<A> {
         Self::new(name, unit, meaning, Content::Value(value))
     }
 
-    /// The same, left out of JSON where there is none.
+    /// A value that is omitted from JSON if there is none.
     pub(crate) fn present_value(
         name: &'static str,
         unit: &'static str,
@@ -89,12 +89,12 @@ impl<A> Field<A> {
         Self::new(name, unit, meaning, Content::PresentValue(value))
     }
 
-    /// A value with fields of its own, to which `place` leads: `name[].` to those of each object of a list, `name.` to those of one.
+    /// A value with nested fields, to which `place` leads: `name[].` to those of each object of a list, `name.` to those of one.
     pub(crate) fn nested<B>(place: &'static str, fields: &Fields<B>, value: Of<A, Value>) -> Self {
         Self::with_parts(place, fields, Content::Value(value))
     }
 
-    /// The same, left out of JSON where there is nothing.
+    /// Nested fields that are omitted from JSON if there are none.
     pub(crate) fn present_nested<B>(
         place: &'static str,
         fields: &Fields<B>,
@@ -135,7 +135,7 @@ impl<A> Field<A> {
         self
     }
 
-    /// Sets the text that tables have in place of an empty value.
+    /// Sets the text of empty values in tables.
     pub(crate) fn or(mut self, blank: &'static str) -> Self {
         self.plan.blank = blank;
         self
@@ -146,7 +146,7 @@ impl<A> Field<A> {
         self
     }
 
-    /// The place of a text among its contents.
+    /// The index of a text among the contents.
     fn place_of(&mut self, text: Of<A, String>) -> usize {
         self.contents.push(Content::Text(text));
         self.contents.len() - 1
@@ -166,7 +166,7 @@ impl<A> Field<A> {
         self.column(title, Look::Degrees(digits))
     }
 
-    /// A column of numbers that are written in a way of their own.
+    /// A column of numbers with a format of their own.
     pub(crate) fn numeral(mut self, title: &'static str, text: Of<A, String>) -> Self {
         let place = self.place_of(text);
         self.column(title, Look::Numeral(place))

@@ -18,7 +18,7 @@ pub(in super::super) fn cycles<'a>(answer: &'a Answer<'a>) -> Vec<Numbered<'a>> 
     cycles.map(|((trace, cycle), number)| Numbered { answer, number, trace, cycle }).collect()
 }
 
-/// The columns where there is one trace; where there are several, [`TRACE`] is the last.
+/// The columns for one trace; for several, [`TRACE`] is the last.
 pub(in super::super) const COLUMNS: [&str; 7] =
     ["cycle", "start / s", "period / s", "± / s", "amplitude / °", "± / °", TRACE];
 pub(in super::super) const TRACE: &str = "trace";

@@ -13,7 +13,7 @@ use serde_json::Value;
 pub(super) struct Line<'a> {
     trace: &'a str,
     observable: Observable,
-    /// Number of the window from 1 with its time; none for the mean.
+    /// Number of the window, from 1, with its time; `None` for the mean.
     window: Option<(usize, f64)>,
     /// Frequency of the first harmonic, in Hz.
     fundamental: f64,

@@ -1,4 +1,4 @@
-//! The motions of a table on all cores, as many side by side as there are lanes.
+//! Integration of the motions of a table on all cores, as many together as there are lanes.
 
 use super::super::ending::Ending;
 use super::super::motion::SimulatedMotion;
@@ -17,7 +17,7 @@ use std::thread::available_parallelism;
 pub(super) struct Followed<'a> {
     pub(super) solution: Solution,
     pub(super) ending: Ending,
-    /// The drift of the energy and its uncertainty, or why there is none.
+    /// The drift of the energy and its uncertainty, or the reason why it is unknown.
     pub(super) drift: Result<[f64; 2], String>,
     pub(super) trace: Option<Trace<'a>>,
 }
@@ -68,7 +68,7 @@ fn pieces<'m, 'a>(motions: &'m [Listed<'a>]) -> Vec<Piece<'m, 'a>> {
 }
 
 impl<'a> Piece<'_, 'a> {
-    /// `None` for what has not begun when it is to end.
+    /// Integrates the motions; `None` for those that had not begun when the run was cancelled.
     fn follow(&self, drawn: bool, progress: &Progress) -> Vec<Option<Followed<'a>>> {
         let followed = match self.motions[0].1.motion.goes_both_ways() {
             true => self.motions.iter().map(|(_, listed)| both_ways(listed, progress)).collect(),
@@ -182,7 +182,7 @@ struct Progress {
 }
 
 impl Progress {
-    /// Adds what is new of a motion that has come to a time.
+    /// Adds the progress of a motion up to a time.
     fn tell(&self, told: &mut u64, time: f64) {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to 1000")]
         let now = (1000.0 * (time / self.last).clamp(0.0, 1.0)) as u64;

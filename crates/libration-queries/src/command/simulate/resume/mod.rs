@@ -1,4 +1,4 @@
-//! An earlier result that is to be gone on from.
+//! An earlier result to be continued.
 //!
 //! Of what was written only that counts which the end of a step covers that does not depend on the last of the times; what is behind it,
 //! whole or cut short, is computed again, so that the result is that of one run to its last byte.
@@ -36,9 +36,9 @@ const LARGEST: usize = 1 << 30;
 #[derive(Debug)]
 pub(super) struct Earlier {
     question: Question,
-    /// Part that is kept of it; `None` when it did not come through its first step.
+    /// The part of it that is kept; `None` if the earlier run did not complete its first step.
     known: Option<(Mark, Rows)>,
-    /// The unfinished file of a run that was ended by force, if that is what is gone on from.
+    /// The unfinished file of a killed run, if the result is continued from that.
     _leftover: Option<Leftover>,
 }
 
@@ -82,8 +82,7 @@ pub(super) enum ResumeError {
 }
 
 impl Earlier {
-    /// Finds what there is of a result to this question: the file, or what a run that was ended by force has left beside its place,
-    /// whichever goes farther.
+    /// Finds an earlier result of this query: the file, or the one left by a killed run next to it, whichever extends farther.
     pub(super) fn find(path: &Path, question: &Question, times: &Times) -> Result<Self, QueryError> {
         let target = match destination::resolved(path) {
             Ok(Destination::File(target)) => target,
@@ -154,7 +153,7 @@ impl Earlier {
         Ok(Self { question: state.question, known, _leftover: None })
     }
 
-    /// The start, if none is requested or it is the same.
+    /// The initial state, unless a different one is requested.
     pub(super) fn initial(&self, asked: Option<Initial>) -> Result<Initial, QueryError> {
         match asked {
             Some(asked) if asked.state != self.question.initial => {
@@ -166,12 +165,12 @@ impl Earlier {
         }
     }
 
-    /// The mark from which it is continued.
+    /// The mark at which the continuation begins.
     pub(super) fn mark(&self) -> Option<&Mark> {
         self.known.as_ref().map(|(mark, _)| mark)
     }
 
-    /// Shows one row after the other, as far as they are kept.
+    /// Passes on the kept rows one after the other.
     pub(super) fn each(
         &self,
         take: impl FnMut(&Happening) -> Result<(), QueryError>,
@@ -197,7 +196,7 @@ fn check_times(rows: &Rows, mark: &Mark, times: &Times) -> Result<Checksum, Resu
     })
 }
 
-/// The reason why a file is not continued.
+/// The reason why a file cannot be continued.
 #[derive(Debug)]
 enum Unusable {
     /// The file cannot be read.

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 pub(crate) enum Rows {
     /// Rows in memory, in the order of time.
     List(Vec<Happening>),
-    /// Rows in the first lines of a CSV file, the first of which has the names.
+    /// Rows in the first lines of a CSV file, the first of which contains the names.
     Csv { path: PathBuf, bytes: u64, contents: Contents },
 }
 
@@ -31,7 +31,7 @@ pub(crate) struct Contents {
 #[derive(Clone, Copy, Debug)]
 struct Cells {
     contents: Contents,
-    /// Number of columns of formulas after the state; they are computed again.
+    /// Number of columns of formulas after the state; their values are computed again.
     columns: usize,
 }
 
@@ -59,7 +59,7 @@ impl Rows {
         Some(Self::List(rows))
     }
 
-    /// Shows one row after the other.
+    /// Passes on one row after the other.
     pub(super) fn each<E: From<ResumeError>>(
         &self,
         mut take: impl FnMut(&Happening) -> Result<(), E>,
@@ -113,7 +113,7 @@ fn of_record(value: &Value) -> Option<Happening> {
 }
 
 impl Cells {
-    /// The cells below these names; `None` where the errors do not follow the columns as they should.
+    /// The cells below these names; `None` if the columns of errors do not match the others.
     fn below(names: &[u8], contents: Contents) -> Option<Self> {
         let Contents { numbers, with_errors, with_events } = contents;
         let names = csv::cells(std::str::from_utf8(names).ok()?.strip_suffix('\n')?);

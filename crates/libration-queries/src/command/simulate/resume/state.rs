@@ -10,7 +10,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// The question and how far the result is certain; nowhere before the first step that only its own length ends.
+/// The query, and the time up to which the result is final; `None` before the first step whose length does not depend on the end.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct State {
     pub(crate) question: Question,
@@ -64,7 +64,7 @@ pub(super) fn check_schema(document: &Value) -> Result<(), ResumeError> {
     }
 }
 
-/// Writes again and again how far an unfinished file is known, for the case that the run is ended by force.
+/// Records regularly up to where an unfinished file is final, in case the run is killed.
 #[derive(Debug)]
 pub(crate) struct Keeper {
     path: PathBuf,
@@ -72,7 +72,7 @@ pub(crate) struct Keeper {
 }
 
 impl Keeper {
-    /// Longest work that may be lost.
+    /// Longest work that may be lost when the run is killed.
     const PAUSE: Duration = Duration::from_secs(1);
 
     /// Creates the keeper of the state file next to an unfinished file.
