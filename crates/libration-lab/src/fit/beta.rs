@@ -48,7 +48,7 @@ impl Beta {
         Self { t0, correlation, ..self.with_factor(factor) }
     }
 
-    /// Returns the same with a β to which errors were added whose size is known.
+    /// The β after multiplication by a factor of known uncertainty.
     pub(super) fn with_factor(self, factor: Uncertain) -> Self {
         let [scatter, all] = [self.factor, factor].map(|it| it.uncertainty);
         let known = (all * all - scatter * scatter).max(0.0).sqrt();

@@ -27,7 +27,7 @@ pub struct Contradiction {
     pub values: [f64; 2],
     /// Their difference in standard uncertainties.
     pub deviation: f64,
-    /// Degrees of freedom of those; infinite where they are known.
+    /// Degrees of freedom of the standard uncertainties; infinite if they are known.
     pub degrees_of_freedom: f64,
 }
 

@@ -1,7 +1,6 @@
 //! Headings of a time with a number after its symbol: `T5 (s)`, `t_{10} / s`, `Time 3`, `T (20) in s`.
 //!
-//! The number is that of a reading where columns of the same symbol are numbered one after the other; in a column on its own it is as often the number
-//! of swings.
+//! The number is that of a reading if columns of the same symbol have successive numbers; in a single column it is as often the number of swings.
 
 use super::QuantityKind;
 use super::heading::named;

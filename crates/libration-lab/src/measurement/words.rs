@@ -31,7 +31,7 @@ pub(super) fn number(word: &str) -> Option<f64> {
     digits.or(of_word(word)).or(multiple).filter(|number| *number > 0.0 && number.is_finite())
 }
 
-/// Letters, numbers and strokes in lower case, each on its own: `10T/s` is `10`, `t`, `/`, `s`.
+/// Letters, numbers and strokes in lower case, each separate: `10T/s` is `10`, `t`, `/`, `s`.
 pub(super) fn words(text: &str) -> Vec<String> {
     let text = text.to_lowercase().replace('°', " deg ");
     let kind = |letter: char| match letter {

@@ -12,15 +12,15 @@ use crate::statistics::{akaike, count};
 /// All laws that could be fitted, and the choice among them.
 pub(super) struct Comparison<'a> {
     pub(super) law: Law<'a>,
-    /// Laws with one kind of damping or more, simpler ones first, and by their misfit among those of one number.
+    /// Laws with at least one kind of damping: simpler ones first, and laws of the same number of kinds by their misfit.
     pub(super) laws: Vec<Compared>,
-    /// Place of the law that is reported.
+    /// Index of the law that is reported.
     pub(super) chosen: usize,
     /// `true` if the reported law was given.
     pub(super) is_given: bool,
-    /// Place of the simplest law that the rows do not separate from the best one.
+    /// Index of the simplest law that the rows do not separate from the best one.
     pub(super) preferred: usize,
-    /// Excess from which the rows separate a law from the best one.
+    /// Excess above which the rows separate a law from the best one.
     separated: f64,
 }
 
@@ -140,7 +140,7 @@ fn compared(table: &AmplitudeTable, found: &[Found]) -> Vec<Compared> {
     laws
 }
 
-/// The F test of the last term, by the scatter, so that uncertainties that are all wrong by one factor do not matter.
+/// Probability by the F test of the last term. It uses the scatter, so that a common factor of all uncertainties does not matter.
 fn chance(law: &Found, all: &[Found], dof: usize) -> Option<f64> {
     let simpler = all.iter().filter(|it| it.terms.count() + 1 == law.terms.count());
     let simpler = simpler.filter(|it| it.terms.is_part_of(law.terms)).map(|it| it.chi2);

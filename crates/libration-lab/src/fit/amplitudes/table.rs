@@ -32,7 +32,7 @@ pub enum UnstatedErrors {
     /// The same error of all amplitudes.
     #[default]
     Absolute,
-    /// The same part of each amplitude.
+    /// The same relative error of all amplitudes.
     Relative,
 }
 
@@ -105,7 +105,7 @@ pub(super) struct Row {
     /// +1 or −1.
     pub(super) side: f64,
     pub(super) position_uncertainty: f64,
-    /// 1 where it is not stated.
+    /// 1 if it is not stated.
     pub(super) value_uncertainty: f64,
     pub(super) swing: Option<f64>,
     pub(super) period: Option<f64>,

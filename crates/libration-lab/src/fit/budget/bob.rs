@@ -94,7 +94,7 @@ impl Bob {
         self.size().radius_of_ball()
     }
 
-    /// Refuses sizes that no such bob has.
+    /// Refuses impossible sizes.
     ///
     /// # Errors
     /// A cylinder or cap without height, a cap higher than its ball, a ring whose hole is not smaller than itself.

@@ -46,7 +46,7 @@ pub enum GatesError {
         name: &'static str,
         /// The given value.
         value: f64,
-        /// A limit from above, if there is one.
+        /// An upper limit, if there is one.
         below: &'static str,
     },
 }

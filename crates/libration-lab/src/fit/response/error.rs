@@ -54,7 +54,7 @@ pub enum ResponseFitError {
         /// Quantity without uncertainties.
         missing: &'static str,
     },
-    /// Stated uncertainties are required, and none are given.
+    /// Stated uncertainties are required, but none are given.
     #[error(
         "no uncertainties of the amplitudes are given: give a column of them, or absolute or relative errors"
     )]

@@ -32,7 +32,7 @@ pub struct ResponseColumns<'a> {
     pub amplitude_uncertainties: Option<&'a [f64]>,
     /// Standard deviations of the phases, in radians; positive.
     pub phase_uncertainties: Option<&'a [f64]>,
-    /// Errors of the amplitudes where no uncertainties of them are given.
+    /// Errors of the amplitudes if their uncertainties are not given.
     pub unstated_errors: AmplitudeErrors,
 }
 
@@ -101,7 +101,7 @@ impl ResponseTable {
         self.errors == AmplitudeErrors::Stated
     }
 
-    /// The errors by which the amplitudes count.
+    /// The errors that determine the weights of the amplitudes.
     #[must_use]
     pub fn amplitude_errors(&self) -> AmplitudeErrors {
         self.errors
@@ -113,7 +113,7 @@ impl ResponseTable {
         self.rows.iter().any(|row| row.phase.is_some())
     }
 
-    /// Returns `true` if the given phases are those by which responses lead, so that nearly all of them are negative.
+    /// Returns `true` if the given phases are leads, so that nearly all of them are negative.
     #[must_use]
     pub fn leads(&self) -> bool {
         self.leads
@@ -226,8 +226,8 @@ impl Row {
         })
     }
 
-    /// The misses, which vanish when the required drive is the acting one: the difference of their amplitudes, and that of the phases times
-    /// the amplitude.
+    /// The misses, which vanish if the required drive is the acting one: the difference of the amplitudes, and that of the phases times the
+    /// amplitude.
     pub(super) fn misses(&self, required: Complex, drive: f64) -> Vec<f64> {
         let size = required.abs();
         let off = |phase: f64| size * (required * Complex::unit(-phase)).argument();

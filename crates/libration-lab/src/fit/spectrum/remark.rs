@@ -21,14 +21,14 @@ pub enum SpectrumRemark {
     },
     /// An even harmonic, which no pendulum has.
     Even {
-        /// Its order.
+        /// The order of the harmonic.
         n: usize,
-        /// Its amplitude relative to the first harmonic.
+        /// The amplitude of the harmonic relative to the first.
         part: Uncertain,
     },
     /// More or less of an odd harmonic in phase than the pendulum has.
     Odd {
-        /// Its order.
+        /// The order of the harmonic.
         n: usize,
         /// Ratio of the measured harmonic to that of theory.
         ratio: Uncertain,
@@ -37,7 +37,7 @@ pub enum SpectrumRemark {
     },
     /// An odd harmonic that is a quarter of its period off.
     Quadrature {
-        /// Its order.
+        /// The order of the harmonic.
         n: usize,
         /// Quadrature relative to the first harmonic.
         part: Uncertain,
@@ -63,8 +63,8 @@ pub enum SpectrumRemark {
     },
 }
 
-/// Probability of chance for the usual number of harmonics, that of three standard deviations of a normal error; lower in proportion
-/// where there are more.
+/// Probability of chance for the usual number of harmonics, that of three standard deviations of a normal error; proportionally lower for more
+/// harmonics.
 const BY_CHANCE: f64 = 2.7e-3;
 const USUALLY: f64 = 7.0;
 
@@ -82,7 +82,7 @@ fn is_significant(deviation: Option<f64>, degrees_of_freedom: usize, harmonics: 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Swing {
     pub(super) observable: Observable,
-    /// Its first harmonic.
+    /// The first harmonic.
     pub(super) first: f64,
     /// The rate at which the amplitude falls (rad/s) over the frequency (rad/s).
     pub(super) decay: f64,

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-/// The formats of numbers that the styles of a workbook have, in order, and which of them show dates.
+/// The number formats in the styles of a workbook, in order; `true` for those of dates.
 #[derive(Clone, Debug, Default)]
 pub(super) struct DateFormats {
     styles: Vec<u16>,

@@ -45,7 +45,7 @@ impl Page<'static> {
     }
 }
 
-/// The tables of a file; what they hold together is within the limit of bytes.
+/// The tables of a file, whose total size is limited.
 pub(super) fn pages(bytes: &[u8], limit: usize) -> Result<(Format, Vec<Page<'_>>), MeasurementError> {
     if bytes.len() > limit {
         return Err(MeasurementError::TooLarge { size: bytes.len(), limit });
