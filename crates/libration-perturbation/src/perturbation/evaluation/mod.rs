@@ -31,9 +31,8 @@ pub(crate) use stride::stride;
 
 /// A power series Σ cₙxⁿ at one x, term by term. Terms with cₙ = 0 are left out, the constant term excepted.
 ///
-/// # Accuracy
-/// Terms, sums and distances between sums are rounded once, from sums that are wrong by less than 1e-60 of their
-/// largest term. x is taken as the exact `f64`.
+/// # Accuracy Terms, sums and distances between sums are rounded once, from sums with an error below 1e-60 of
+/// their largest term. x is taken as the exact `f64`.
 ///
 /// # Examples
 /// ```
@@ -164,7 +163,7 @@ impl SeriesEvaluation {
 /// Bits of the sums.
 const PRECISION: usize = 256;
 
-/// An `f64` as it is.
+/// An `f64` as a long float.
 fn float(x: f64) -> BigFloat {
     BigFloat::from_words(DoubleDouble::from(x), PRECISION)
 }

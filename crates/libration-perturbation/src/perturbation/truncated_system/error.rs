@@ -12,10 +12,10 @@ pub enum TruncatedSystemError {
     /// An even power in the force.
     #[error("the force has a term in x^{power}; odd harmonics alone need an odd force")]
     EvenTerm {
-        /// Its exponent.
+        /// The exponent.
         power: usize,
     },
-    /// Nothing but the linear term.
+    /// Only the linear term.
     #[error("up to x^{degree} the force is linear; keep at least its next term")]
     Linear {
         /// Degree at which the force was cut off.
@@ -39,7 +39,7 @@ pub enum TruncatedSystemError {
         /// The amplitude that was given.
         amplitude: f64,
     },
-    /// Some were not found.
+    /// Some solutions were not found.
     #[error(
         "{found} of the {expected} solutions were found; where some coincide try an amplitude a little off"
     )]

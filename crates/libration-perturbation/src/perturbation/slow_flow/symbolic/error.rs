@@ -28,7 +28,7 @@ pub enum SymbolicSlowFlowError {
         /// The symbolic parameters.
         open: Vec<String>,
     },
-    /// Nothing is small.
+    /// No small parameter.
     #[error(
         "nothing is small: name the small parameters and their orders, such as mu:1,F:1, or write eps before the small terms"
     )]
