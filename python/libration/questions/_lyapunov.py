@@ -24,8 +24,8 @@ def lyapunov(
     height: Quantity | None = None,
     progress: Say = False,
 ) -> Answer:
-    """The largest Lyapunov exponent: how fast neighbouring motions diverge, and whether the motion
-    is chaotic.
+    """The largest Lyapunov exponent: the rate at which neighbouring motions diverge, and whether
+    the motion is chaotic.
 
     Parameters
     ----------

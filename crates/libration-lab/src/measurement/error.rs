@@ -200,7 +200,7 @@ pub enum MeasurementError {
     OnlyTimes(String),
     /// A column with two levels, in place of angles.
     #[error(
-        "{column} is at one of two levels in nearly all rows, as the signal of a light barrier: it has the times of passages, and no angles"
+        "{column} is at one of two levels in nearly all rows, as the signal of a light barrier: it contains the times of passages, not angles"
     )]
     GateSignal {
         /// The number and name of the column.

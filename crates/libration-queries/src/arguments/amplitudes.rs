@@ -16,13 +16,13 @@ pub(crate) struct AmplitudeOptions {
     /// Read the amplitudes from a file, one per line; - for standard input
     #[arg(long, value_name = "FILE")]
     from_file: Option<PathBuf>,
-    /// The amplitude that has this period, such as 2.1s or 2.10(1)s: with an uncertainty, the amplitude has one too
+    /// The amplitude with this period, such as 2.1s or 2.10(1)s; an uncertainty of the period gives one of the amplitude
     #[arg(long, value_name = "PERIOD", value_parser = text::period_with_uncertainty)]
     period: Vec<Quantity>,
-    /// The amplitude whose period is this multiple of that of small swings, T/T₀
+    /// The amplitude with this ratio of its period to that of small swings, T/T₀
     #[arg(long, value_name = "T/T0", value_parser = text::number_with_uncertainty)]
     ratio: Vec<Quantity>,
-    /// The amplitude whose period exceeds that of small swings by this part of it, T/T₀ − 1; keeps all digits of small amplitudes
+    /// The amplitude whose period exceeds that of small swings by this fraction, T/T₀ − 1; keeps all digits of small amplitudes
     #[arg(long, value_name = "EXCESS", value_parser = text::number_with_uncertainty)]
     excess: Vec<Quantity>,
 }

@@ -17,7 +17,7 @@ pub(crate) struct ApparatusOptions {
     /// Relative uncertainty of the scale of all angles, such as 0.01 or 1%
     #[arg(long, value_name = "PART", value_parser = text::part, requires = "length")]
     angle_scale: Option<f64>,
-    /// Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have been taken for 30
+    /// Relative uncertainty of the clock or frame rate, such as 0.1% if 29.97 frames/s may have been taken as 30
     #[arg(long, value_name = "PART", value_parser = text::part, requires = "length")]
     clock: Option<f64>,
     /// Correlation coefficient of two inputs, such as length,bob-radius=0.9
@@ -58,7 +58,8 @@ pub(crate) struct CorrectionOptions {
     /// Coefficient of thermal expansion of the pendulum, such as 12(1)e-6/K for steel
     #[arg(long, value_name = "EXPANSION", value_parser = text::expansion_with_uncertainty, requires = "warmer")]
     expansion: Option<Quantity>,
-    /// Temperature of the pendulum in the swings less that when its length was measured, such as 3K±1K, or -3K if it was colder
+    /// Temperature of the pendulum during the swings minus that during the measurement of its length, such as 3K±1K, or -3K if it was
+    /// colder
     #[arg(long, value_name = "KELVINS", value_parser = text::temperature_difference, requires = "expansion", allow_hyphen_values = true)]
     warmer: Option<Quantity>,
     /// Horizontal stiffness of the support, such as 20(2)N/mm: with the mass of the bob, L is longer by m g/K

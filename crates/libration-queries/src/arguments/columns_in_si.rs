@@ -128,6 +128,6 @@ fn repeats(rows: &RepeatedRows) -> String {
                 "lines {first} to {last} repeat lines {first_of} to {last_of}, number by number: they count once"
             )
         }
-        RepeatedRows::Each(times) => format!("each row stands in {times} lines: it counts once"),
+        RepeatedRows::Each(times) => format!("each row is repeated in {times} lines: it counts once"),
     }
 }

@@ -8,13 +8,13 @@ pub(crate) struct CountedOptions {
     /// The times are half periods, from one side to the other
     #[arg(long, conflicts_with = "swings_per_reading")]
     half_periods: bool,
-    /// Each time lasts this many swings, full periods [default: as the header says, such as 10T or time for 10 swings, else 1]
+    /// Number of swings, full periods, in each time [default: from the header, such as 10T or time for 10 swings, else 1]
     #[arg(long, alias = "periods-per-row", value_name = "N", value_parser = super::positive)]
     swings_per_reading: Option<f64>,
-    /// Standard uncertainty of a single timing by hand, such as 0.1s; repeated readings have it in their scatter
+    /// Standard uncertainty of a single timing by hand, such as 0.1s; for repeated readings it is part of their scatter
     #[arg(long, value_name = "TIME", value_parser = super::text::time)]
     reaction_time: Option<f64>,
-    /// Standard uncertainty of what all timings share, such as 0.05s for an observer who stops late
+    /// Standard uncertainty of the error common to all timings, such as 0.05s for an observer who stops late
     #[arg(long, value_name = "TIME", value_parser = super::text::time)]
     shared_timing: Option<f64>,
 }

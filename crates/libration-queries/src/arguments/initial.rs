@@ -71,8 +71,8 @@ impl InitialOptions {
 /// Option for the initial states of several motions.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct SeveralInitialOptions {
-    /// Coordinates and velocities at the start, such as theta=60deg,theta'=0; those not given start at rest; give it several
-    /// times for several motions
+    /// Coordinates and velocities at the start, such as theta=60deg,theta'=0; those not given start at rest; repeat the option for
+    /// several motions
     #[arg(long, value_name = "NAME=VALUE,…")]
     initial: Vec<String>,
 }

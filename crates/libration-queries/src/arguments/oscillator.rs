@@ -21,7 +21,7 @@ pub(crate) struct OscillatorOptions {
     /// The value of a parameter: a number, or a formula such as 1/2; may be given several times
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,
-    /// The equilibrium, where there are several [default: the stable one nearest to zero]
+    /// The equilibrium, if there are several [default: the stable one nearest to zero]
     #[arg(long, value_name = "X")]
     about: Option<String>,
 }

@@ -19,7 +19,7 @@ pub(crate) struct SectionOptions {
     /// Take a point once per period of this length, in seconds [default: the period of the drive]
     #[arg(long, value_name = "T", value_parser = positive, conflicts_with = "at")]
     period: Option<f64>,
-    /// Take it at this fraction of the period, from 0 to 1
+    /// Take the points at this fraction of the period, from 0 to 1
     #[arg(long, default_value = "0", value_parser = phase, conflicts_with = "at")]
     phase: f64,
     /// Take a point whenever this formula of coordinates, velocities and t changes its sign

@@ -26,7 +26,7 @@ pub(crate) struct SystemOptions {
 pub(crate) struct PendulumSystemOptions {
     #[command(flatten)]
     system: SystemOptions,
-    /// Length of the rods of a named pendulum, such as 1m or 57cm [default: what `libration list` says]
+    /// Length of the rods of a named pendulum, such as 1m or 57cm [default: see `libration list`]
     #[arg(long, value_parser = length)]
     length: Option<f64>,
     /// Acceleration of free fall of a named pendulum, such as 9.81m/s^2

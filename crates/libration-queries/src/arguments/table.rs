@@ -152,7 +152,7 @@ pub(crate) enum DisplacementUnit {
     Cm,
     Mm,
     In,
-    /// Values of a converter or of anything else, volts for instance
+    /// Values of a converter or in any other unit, such as volts
     Counts,
 }
 

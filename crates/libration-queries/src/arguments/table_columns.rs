@@ -13,7 +13,8 @@ use libration_lab::measurement::{
 /// Options for the columns of two quantities, their uncertainties, and further columns.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct ColumnsOption {
-    /// Columns of both quantities, of the uncertainties of both, and of further ones, by number or name; - for none [default: as headings, units and values say]
+    /// Columns of both quantities, of the uncertainties of both, and of further ones, by number or name; - for none [default: from
+    /// headings, units and values]
     #[arg(long, value_name = "COLUMN,…", value_delimiter = ',')]
     columns: Vec<String>,
     /// Role of a column: a quantity, as in 2=period (several columns are repeated readings); its uncertainty, as in 3=period-uncertainty, period-half-width, period-resolution or, of means of several readings, period-deviation; swings, readings, group, ignore
@@ -24,7 +25,7 @@ pub(crate) struct ColumnsOption {
 /// The option for a column of groups.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct GroupOption {
-    /// Column of the names of groups, whose results are compared and averaged [default: a column whose header says so]
+    /// Column of the names of groups, whose results are compared and averaged [default: a column named so in the header]
     #[arg(long, value_name = "COLUMN", value_parser = super::table::column)]
     pub(crate) group: Option<Column>,
 }

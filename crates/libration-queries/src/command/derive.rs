@@ -54,7 +54,8 @@ pub(crate) struct Derive {
     /// Leave out the results, as exercises, and give them as solutions at the end
     #[arg(long)]
     exercises: bool,
-    /// Compare an answer to an exercise: the number of the formula, and what stands for its question mark, such as `3.1=omega0^2*(1-theta0^2/8)`
+    /// Compare an answer to an exercise: the number of the formula, and the formula for its question mark, such as
+    /// `3.1=omega0^2*(1-theta0^2/8)`
     #[arg(long, value_name = "NUMBER=FORMULA")]
     answer: Option<String>,
     /// Format of the derivation
@@ -77,7 +78,7 @@ struct SeriesOptions {
     /// Averaging: the highest power of the small parameter, 1 to 4 [default: 2]
     #[arg(long, value_parser = arguments::count::<HIGHEST_DAMPING_ORDER>)]
     damping_order: Option<usize>,
-    /// Averaging, limit-cycle: the small symbol, where several have no value
+    /// Averaging, limit-cycle: the small symbol, if several have no value
     #[arg(long, value_name = "LETTER")]
     small: Option<String>,
     /// Perturbation: meaning of the expansion parameter, such as energy or A1=1,A3=-1 [default: fundamental]
@@ -86,7 +87,7 @@ struct SeriesOptions {
     /// Series: the value of a parameter; may be given several times
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,
-    /// Perturbation: the equilibrium, where there are several
+    /// Perturbation: the equilibrium, if there are several
     #[arg(long, value_name = "X")]
     about: Option<String>,
 }
@@ -104,7 +105,7 @@ enum Method {
     /// Amplitude and phase under weak damping or excitation, power by power
     #[value(alias = "damping")]
     Averaging,
-    /// Amplitude, frequency and form of a limit cycle, by powers of its excitation
+    /// Amplitude, frequency and form of a limit cycle, in powers of its excitation
     LimitCycle,
 }
 
@@ -114,7 +115,7 @@ enum Format {
     Markdown,
     /// A document for pdflatex
     Latex,
-    /// A page that stands alone, formulas in MathML
+    /// A self-contained page with formulas in MathML
     Html,
     /// A Jupyter notebook, whose cells check each formula again with Python's fractions and floats
     Ipynb,

@@ -155,10 +155,10 @@ fn of_entry() -> Fields<Entry> {
         Of::value("parameters", "", "parameters with their default values", |it| {
             it.text(oscillators::defaults, systems::defaults)
         }),
-        Of::value("domain", "", "what it holds for, where it oscillates", |it| {
+        Of::value("domain", "", "domain, for oscillators that in which they oscillate", |it| {
             it.text(|it| it.domain.to_owned(), |it| it.domain.to_owned())
         }),
-        Of::value("source", "", "where the equations are from", |it| {
+        Of::value("source", "", "source of the equations", |it| {
             it.text(|it| it.source.to_owned(), |it| it.source.to_owned())
         }),
     ];

@@ -11,7 +11,7 @@ use libration::catalogue::NamedParameter;
 use libration::oscillator::{NamedOscillator, catalogue};
 use std::io::{self, Write};
 
-/// The built-in oscillators: equations, parameters, where they oscillate, and sources
+/// The built-in oscillators: equations, parameters, domains of oscillation, and sources
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration oscillators

@@ -62,7 +62,7 @@ pub(crate) fn groups() -> [(&'static str, Vec<Query>); 6] {
                 ),
                 query(
                     "formulas",
-                    "period formulas: sources, accuracy, where each holds",
+                    "period formulas: sources, accuracy, domains",
                     formulas::Formulas::answer,
                     formulas::answers,
                 ),
@@ -127,7 +127,7 @@ pub(crate) fn groups() -> [(&'static str, Vec<Query>); 6] {
                 ),
                 query(
                     "modes",
-                    "normal modes, and how they change with the amplitude",
+                    "normal modes, and their change with the amplitude",
                     modes::Modes::answer,
                     modes::answers,
                 ),
@@ -218,5 +218,5 @@ pub(crate) static FAMILIES: [[&str; 4]; 1] = [[
   libration fit gates examples/gate_synthetic.csv --amplitude 0.9
   libration fit trace examples/swing_synthetic.csv --length 0.56m±0.002m
   libration fit response examples/response_synthetic.csv
-  libration inspect examples/swing_synthetic.csv   # what a file holds",
+  libration inspect examples/swing_synthetic.csv   # contents of a file",
 ]];

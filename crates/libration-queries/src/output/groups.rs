@@ -155,7 +155,7 @@ fn of_row(names: &'static Names) -> Fields<GroupRow> {
         Of::known(
             names.fields[1],
             names.unit,
-            "standard uncertainty of what it does not share with the other groups",
+            "standard uncertainty by errors that are not common to all groups",
             |it| it.result.clone().map(|it| it.uncertainty),
         )
         .rounded(names.columns[1], 2)
@@ -182,9 +182,12 @@ fn of_mean(names: &'static Names) -> Fields<Groups> {
         Of::nullable(names.fields[2], names.unit, "its expanded uncertainty", |it| {
             mean(it, GroupMean::expanded)
         }),
-        Of::nullable(names.fields[3], names.unit, "standard uncertainty of what all groups share", |it| {
-            mean(it, |mean| mean.shared)
-        }),
+        Of::nullable(
+            names.fields[3],
+            names.unit,
+            "standard uncertainty by errors common to all groups",
+            |it| mean(it, |mean| mean.shared),
+        ),
         Of::nullable("birge_ratio", "1", "scatter of the groups over their uncertainties", |it| {
             mean(it, |mean| mean.scatter.birge_ratio())
         }),

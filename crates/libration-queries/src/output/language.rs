@@ -7,7 +7,7 @@ use libration::algebra::Rational;
 pub(crate) enum Format {
     /// The same as --latex
     Latex,
-    /// Formulas in MathML, one a line
+    /// Formulas in MathML, one per line
     Mathml,
     /// Functions in C
     C,

@@ -125,7 +125,7 @@ impl Inputs<'_> {
     }
 
     fn shared_timing(&self) -> BudgetRow {
-        let note = "what all readings by hand share, as an observer who stops late".into();
+        let note = "an error common to all readings by hand, as of an observer who stops late".into();
         let row =
             self.input("shared timing", "2 u(t)/(n T0)", BudgetInput::SharedTiming, Evaluation::Judgement);
         BudgetRow { note, ..row }

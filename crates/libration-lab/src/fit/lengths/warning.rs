@@ -116,7 +116,7 @@ impl fmt::Display for LengthsWarning {
             ),
             Self::Bent { radius: Some(radius) } => write!(
                 f,
-                "T² against L is not straight: as with a ball of radius {:.1} mm; give the radius of the bob",
+                "T² against L is not straight, as for a ball of radius {:.1} mm: give the radius of the bob",
                 1e3 * radius
             ),
             Self::Bent { radius: None } => f.write_str(

@@ -67,8 +67,8 @@ pub enum SlowFlowError {
     },
     /// Kinks in the velocity without the symmetry that puts both half swings on the same footing.
     #[error(
-        "a force with abs or sign of the velocity is averaged where the acceleration is the opposite at the opposite displacement and \
-         velocity, and here it is not proved to be"
+        "averaging a force with abs or sign of the velocity needs an acceleration that changes its sign with displacement and velocity, \
+         which is not proved here"
     )]
     KinkedAndAsymmetric,
     /// The amplitude cannot mean this.

@@ -41,7 +41,7 @@ pub enum TruncatedSystemError {
     },
     /// Some solutions were not found.
     #[error(
-        "{found} of the {expected} solutions were found; where some coincide try an amplitude a little off"
+        "{found} of the {expected} solutions were found; if some coincide, try a slightly different amplitude"
     )]
     Missing {
         /// Number of solutions found.

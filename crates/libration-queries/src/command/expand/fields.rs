@@ -41,7 +41,7 @@ pub(super) struct Coefficient<'a> {
 pub(super) fn of_expansion<C: series::Coefficient>() -> Fields<Answer<C>> {
     type Of<C> = Field<Answer<C>>;
     let letters = Fields::from([
-        Of::<C>::value("letters[]", "", "symbolic parameters, which stand in the coefficients", |it| {
+        Of::<C>::value("letters[]", "", "symbolic parameters, which appear in the coefficients", |it| {
             it.letters.as_ref().map_or(vec![], |letters| letters.names.clone()).into()
         }),
         Of::<C>::present_value(

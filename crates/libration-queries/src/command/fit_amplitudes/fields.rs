@@ -193,7 +193,7 @@ fn before_the_result<'a>() -> Fields<Answer<'a>> {
 fn of_result<'a>() -> Fields<Answer<'a>> {
     type Of<'a> = Field<Answer<'a>>;
     Fields::from([
-        Of::value("law", "", "damping that the result is from", |it| it.fit.law().damping.to_string().into()),
+        Of::value("law", "", "damping of the reported result", |it| it.fit.law().damping.to_string().into()),
         Of::number("first_amplitude", "", "fitted amplitude at the first row", |it| {
             it.fit.law().first_amplitude.value
         }),

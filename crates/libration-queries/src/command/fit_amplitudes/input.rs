@@ -21,7 +21,7 @@ pub(super) struct Input {
     file: PathBuf,
     #[command(flatten)]
     columns: ColumnsOption,
-    /// Quantity of the first column [default: as its header says]
+    /// Quantity of the first column [default: from its header]
     #[arg(long, value_enum)]
     against: Option<Against>,
     /// Unit of the amplitudes and of their uncertainties [default: that of the header, else rad]
@@ -30,10 +30,10 @@ pub(super) struct Input {
     /// Distance from the pivot to the point that is read: horizontal displacements then give angles
     #[arg(long, value_name = "LENGTH", value_parser = length)]
     length: Option<f64>,
-    /// Amplitudes, or turning points of both sides on one scale [default: both where rows alternate or have both signs]
+    /// Amplitudes, or turning points of both sides on one scale [default: both sides if rows alternate or have both signs]
     #[arg(long, value_enum)]
     sides: Option<SidesChoice>,
-    /// Errors of all amplitudes where no uncertainties are stated: the same absolute error, or the same part of each amplitude
+    /// Errors of all amplitudes if no uncertainties are stated: the same absolute error, or the same relative error
     #[arg(long, value_enum, default_value = "absolute")]
     errors: Errors,
     /// Ignore rows before this time, or number of swings

@@ -42,9 +42,7 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
     Fields::from([
         Of::value("passages", "1", "passages of the bob", |it| it.fit.passages.into()),
         Of::value("edges", "", "true if the times are edges, two for each passage", |it| it.fit.edges.into()),
-        Of::value("unpaired_edges", "1", "edges without the other of their passage", |it| {
-            it.fit.unpaired.into()
-        }),
+        Of::value("unpaired_edges", "1", "edges without a partner", |it| it.fit.unpaired.into()),
         Of::value("double_triggers", "1", "passages too close to others, left out", |it| {
             it.fit.double_triggers.into()
         }),

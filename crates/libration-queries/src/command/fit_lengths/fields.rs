@@ -88,7 +88,7 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
         }),
         Of::nested("read_columns[].", &of_columns(), |it| of_columns().records(&it.table.inferences.columns)),
         Of::value("weighting", "", "weights of the rows", |it| it.weighting().into()),
-        Of::value("law", "", "law that the data prefer, which gravity is from", |it| {
+        Of::value("law", "", "law that the data prefer, from which gravity is computed", |it| {
             it.fit.best().model.name().into()
         }),
         Of::number("gravity_m_per_s2", "m/s²", "acceleration of free fall", |it| it.fit.best().g.value),

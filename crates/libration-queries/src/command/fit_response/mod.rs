@@ -37,7 +37,7 @@ of sweeps up and down are fitted together.")]
 pub(crate) struct FitResponse {
     #[command(flatten)]
     input: Input,
-    /// The oscillator [default: the simplest consistent with the rows; a pendulum where amplitudes are angles]
+    /// The oscillator [default: the simplest consistent with the rows; a pendulum if amplitudes are angles]
     #[arg(long, value_enum)]
     model: Option<ModelChoice>,
     /// The quantity measured as the amplitude

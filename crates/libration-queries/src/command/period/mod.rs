@@ -24,7 +24,7 @@ pub(crate) use fields::answers;
   libration period 60deg
   libration period 179.999999deg --length 57cm --gravity 9.81m/s^2
   libration period pi-1e-300 --json
-  libration period --period '2.10(1)s'    # the amplitude that has it
+  libration period --period '2.10(1)s'    # its amplitude
   libration period 1deg:179deg:1deg --formulas bernoulli,kidd_fogg
   libration period 10deg:170deg:10deg --csv    # with every formula
   printf '60deg\\n1.2\\npi-1e-6\\n' | libration period --from-file - --csv")]

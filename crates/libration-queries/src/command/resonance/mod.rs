@@ -56,15 +56,15 @@ pub(crate) struct ResonanceQuestion {
     equilibrium: EquilibriumOptions,
     #[command(flatten)]
     initial: InitialOptions,
-    /// Highest order in the amplitudes [default: 3], or with symbols in the small parameters [default: their largest, and one
-    /// at which all terms without small parameter act]
+    /// Highest order in the amplitudes [default: 3], or with symbols in the small parameters [default: the largest of these, and at
+    /// least one at which all terms without small parameter act]
     #[arg(long, value_name = "N", value_parser = count::<LARGEST_ORDER>)]
     order: Option<usize>,
-    /// Small parameters with their orders, of equations with symbols, such as a:1,mu:2 [default: eps, where it occurs]
+    /// Small parameters with their orders, of equations with symbols, such as a:1,mu:2 [default: eps, if it occurs]
     #[arg(long, value_name = "NAME:ORDER,…")]
     small: Option<String>,
-    /// The natural frequencies of equations with symbols as whole numbers that they are near, such as 1:2 [default: what
-    /// equal symbols or numbers imply]
+    /// Approximate ratios of the natural frequencies of equations with symbols, such as 1:2 [default: those implied by equal symbols or
+    /// numbers]
     #[arg(long, value_name = "N:N…")]
     ratios: Option<String>,
     /// Resonance of a drive cos(W*t) in equations with symbols: W = (P/Q)·ω, over the natural frequency of the first

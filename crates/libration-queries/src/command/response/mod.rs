@@ -77,10 +77,10 @@ pub(crate) struct ResponseQuestion {
     /// Number of periods of the drive in one period of the response, for subharmonic responses
     #[arg(long, value_name = "N", default_value = "1", value_parser = count::<MOST_PERIODS>)]
     drive_periods: usize,
-    /// Number of turns of the angle of --coordinate in one period, for rotating responses; backwards where negative
+    /// Number of turns of the angle of --coordinate in one period, for rotating responses; negative for backward rotation
     #[arg(long, value_name = "N", value_parser = turns, allow_negative_numbers = true)]
     turns: Option<i32>,
-    /// Search for sub- and superharmonic responses too: numbers of oscillations per periods of the drive, such as 1/3,1/2
+    /// Search for sub- and superharmonic responses too: oscillations per drive periods, such as 1/3,1/2
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     orders: Vec<ResonanceOrder>,
     /// The value at which solutions are searched, for isolated closed branches (isolas) within the range [default: the ends of the range]
@@ -95,7 +95,7 @@ pub(crate) struct ResponseQuestion {
     /// Compute the parameter at special points to this number of digits, up to 100
     #[arg(long, value_name = "N", value_parser = count::<MOST_DIGITS>)]
     digits: Option<usize>,
-    /// Sweep the parameter slowly up and down through N values by integration, too [default: 48 where a picture is drawn, else none]
+    /// Also sweep the parameter slowly up and down through N values by integration [default: 48 if a picture is drawn, else none]
     #[arg(long, value_name = "N", value_parser = count::<MOST_VALUES>)]
     sweeps: Option<usize>,
     /// Draw amplitude against parameter to FILE.svg or FILE.png instead of listing the points

@@ -23,7 +23,7 @@ use std::path::PathBuf;
     --set c=1/2 --initial theta=0.2 --intervals 10 --shard 2/2 --output b
   libration sweep join a b --output exponents.csv")]
 pub(crate) struct Join {
-    /// The directories of the shards; one where all have written to the same
+    /// The directories of the shards; a single one if all have written to it
     #[arg(value_name = "DIR", required = true)]
     directories: Vec<PathBuf>,
     /// The file, whose extension chooses its format: .csv or .json [default: CSV on the standard output]

@@ -84,19 +84,20 @@ struct Run {
     /// The command and its options, as after `libration`; --json is implied
     #[arg(value_name = "COMMAND", required = true)]
     question: Vec<String>,
-    /// An axis and its values: A=1:1.5:0.01, theta=1deg:9deg:1deg or n=1,2,5; with semicolons where values have commas
+    /// An axis and its values: A=1:1.5:0.01, theta=1deg:9deg:1deg or n=1,2,5; separated by semicolons if values contain commas
     #[arg(long, value_name = "NAME=VALUES", value_parser = axis, required = true)]
     over: Vec<Axis>,
     /// The directory for the chunks; a sweep begun there is continued
     #[arg(long, short, value_name = "DIR")]
     output: PathBuf,
-    /// Keep this number of the result, by its path in JSON: exponent, results[0].ratio, samples[-1].state[0], points[0:100].state[1], with a name as angle=samples[-1].state[0] [default: all that stand alone]
+    /// Keep this number of the result, by its path in JSON: exponent, results[0].ratio, samples[-1].state[0], points[0:100].state[1],
+    /// with a name as in angle=samples[-1].state[0] [default: all numbers outside lists]
     #[arg(long, value_name = "[NAME=]PATH")]
     keep: Vec<String>,
     /// Compute this part of the sweep only, such as 3/64
     #[arg(long, value_name = "K/N", value_parser = shard)]
     shard: Option<Shard>,
-    /// Number of points in a chunk, at most [default: about 256 chunks]
+    /// Largest number of points in a chunk [default: about 256 chunks]
     #[arg(long, value_name = "N", value_parser = count::<MOST_POINTS>)]
     chunk: Option<usize>,
 }

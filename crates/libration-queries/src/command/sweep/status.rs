@@ -18,7 +18,7 @@ use std::path::PathBuf;
   libration sweep period --over amplitude=10deg:170deg:10deg --output periods
   libration sweep status periods")]
 pub(crate) struct Status {
-    /// The directories of the shards; one where all write to the same
+    /// The directories of the shards; a single one if all write to it
     #[arg(value_name = "DIR", required = true)]
     directories: Vec<PathBuf>,
     #[command(flatten)]

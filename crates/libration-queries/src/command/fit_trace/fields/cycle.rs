@@ -45,7 +45,7 @@ pub(in super::super) fn of_cycle<'a>() -> Fields<Numbered<'a>> {
             it.cycle.amplitude.uncertainty
         }),
         Of::value("outlier", "", "true if the period is far from the law", |it| it.cycle.outlier.into()),
-        Of::present_value("trace", "1", "number of the trace, from 0, where there are several", |it| {
+        Of::present_value("trace", "1", "number of the trace, from 0, if there are several", |it| {
             (it.answer.measured.traces.len() > 1).then(|| it.trace.into())
         })
         .words(COLUMNS[6], |it| it.answer.measured.traces[it.trace].name().to_owned()),

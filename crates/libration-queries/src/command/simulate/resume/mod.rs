@@ -45,7 +45,7 @@ pub(super) struct Earlier {
 /// The reason why a result cannot be continued.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub(super) enum ResumeError {
-    #[error("{} is missing, which records the system and where the integration stands: give a file that <libration simulate> with <--output> wrote, with its .state file next to it", .0.display())]
+    #[error("{} is missing, which records the system and the state of the integration: give a file that <libration simulate> with <--output> wrote, with its .state file next to it", .0.display())]
     NoState(PathBuf),
     #[error("{} is not a record of an integration: give a file that <libration simulate> with <--output> wrote", .0.display())]
     NotAState(PathBuf),
