@@ -704,7 +704,7 @@ class LimitCycle:
         return self.right(n, self.motion(n, self.amplitudes[: n - 1] + [amplitude]))
 
     def forces(self, n, known):
-        """Values of the amplitude one power below, as many as decide a polynomial in it."""
+        """Asserts the force for as many amplitudes one power below as decide a polynomial in them."""
         for choice in range(12 if n == 1 else 3):
             assert self.with_open(n, Q(choice, 3)) == phased(known(PHASE, Q(choice, 3))), self.with_open(n, Q(choice, 3))
 
@@ -760,7 +760,7 @@ def same_fraction(*sides):
 
 
 def same_series(terms, *sides):
-    """Power series with the same coefficients, at least this many of which are known."""
+    """Asserts that series agree in all coefficients, and have at least this many."""
     sides = [side.c if isinstance(side, Series) else [exact(side)] + [Q(0)] * (terms - 1) for side in sides]
     assert min(map(len, sides)) >= terms, "too few terms"
     for other in sides[1:]:
