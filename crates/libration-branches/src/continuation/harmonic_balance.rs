@@ -34,7 +34,7 @@ struct Samples {
 }
 
 /// The highest derivatives of the coordinates at samples, and their slopes by components of the state.
-struct Rates {
+struct SampledRates {
     values: Vec<Values>,
     slopes: Vec<Vec<Values>>,
 }
@@ -260,7 +260,7 @@ impl<'f> HarmonicBalance<'f> {
             .arrange((0..self.family.layout.coordinates()).map(|it| value(it, 0)), |it| value(it, 1))
     }
 
-    fn rates(&mut self, motion: &[f64], number: usize, size: f64) -> Option<Rates> {
+    fn rates(&mut self, motion: &[f64], number: usize, size: f64) -> Option<SampledRates> {
         /// Change of a component, relative to the size of the motion, for a difference with half of the digits.
         const ASIDE: f64 = 1e-7;
         let samples = &self.samples[number];
@@ -280,7 +280,7 @@ impl<'f> HarmonicBalance<'f> {
             slopes.push(there.iter().zip(&values).map(slope).collect());
             inputs[component] = before;
         }
-        Some(Rates { values, slopes })
+        Some(SampledRates { values, slopes })
     }
 
     fn highest(&mut self, inputs: &[Values]) -> Option<Vec<Values>> {
