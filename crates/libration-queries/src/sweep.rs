@@ -1,7 +1,7 @@
 //! Sweeps for programs that keep the results themselves: the plan, and the kept numbers of the points of a chunk.
 
 use crate::call::{self, Call};
-use crate::command::{self, SweepAsked, SweepAxis, SweepPlanned};
+use crate::command::{self, SweepAxis, SweepPlanned, SweepRequest};
 use crate::host::Host;
 use crate::query_error::{QueryError, option};
 use std::fmt::Display;
@@ -70,7 +70,7 @@ impl SweepPlan {
     ) -> Result<Self, QueryError> {
         call::within(&Call::new(vec![], host), || {
             let axes = axes.iter().map(|(name, values)| axis(name, values)).collect::<Result<_, _>>()?;
-            SweepPlanned::new(SweepAsked { question, axes, keep, chunk }).map(Self)
+            SweepPlanned::new(SweepRequest { question, axes, keep, chunk }).map(Self)
         })
     }
 

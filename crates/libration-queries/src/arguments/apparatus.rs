@@ -115,13 +115,13 @@ impl CorrectionOptions {
 /// The damping of a period that contains it.
 #[derive(Clone, Copy, Debug, clap::Args)]
 #[command(next_help_heading = "Apparatus, for gravity and the budget of its uncertainty")]
-pub(crate) struct DampingOptions {
+pub(crate) struct LinearDampingOption {
     /// Coefficient of linear damping, such as 0.030(1)/s: the amplitude falls as exp(-b t/2) [default: not corrected]
     #[arg(long, alias = "linear-damping", value_name = "RATE", value_parser = text::rate_with_uncertainty, requires = "length")]
     linear: Option<Quantity>,
 }
 
-impl DampingOptions {
+impl LinearDampingOption {
     pub(crate) fn damping(self) -> PeriodDamping {
         self.linear.map_or(PeriodDamping::Unknown, PeriodDamping::Contained)
     }

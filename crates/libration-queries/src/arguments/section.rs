@@ -27,7 +27,7 @@ pub(crate) struct SectionOptions {
     at: Option<Expression>,
     /// Direction in which the formula crosses zero
     #[arg(long, value_name = "SIDE", default_value = "rising", requires = "at")]
-    direction: Side,
+    direction: CrossingSide,
     /// Number of points to discard as transient [default: 100, but 0 for a section with --at]
     #[arg(long, value_name = "N", value_parser = whole)]
     skip: Option<usize>,
@@ -44,7 +44,7 @@ pub(crate) struct SectionOptions {
 
 /// The direction in which a formula crosses zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Side {
+enum CrossingSide {
     /// From negative to positive
     Rising,
     /// From positive to negative
@@ -53,12 +53,12 @@ enum Side {
     Any,
 }
 
-impl From<Side> for Direction {
-    fn from(side: Side) -> Self {
+impl From<CrossingSide> for Direction {
+    fn from(side: CrossingSide) -> Self {
         match side {
-            Side::Rising => Self::Rising,
-            Side::Falling => Self::Falling,
-            Side::Any => Self::Any,
+            CrossingSide::Rising => Self::Rising,
+            CrossingSide::Falling => Self::Falling,
+            CrossingSide::Any => Self::Any,
         }
     }
 }

@@ -17,7 +17,7 @@ pub(crate) struct DialectOptions {
     delimiter: Option<Separator>,
     /// Decimal point or decimal comma
     #[arg(long, value_enum)]
-    decimal: Option<Mark>,
+    decimal: Option<DecimalOption>,
     /// Line that names the columns: detect, present, absent, or its number
     #[arg(long, value_parser = header, default_value = "detect", hide_default_value = true)]
     header: Header,
@@ -32,7 +32,7 @@ enum Separator {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Mark {
+enum DecimalOption {
     Point,
     Comma,
 }
@@ -53,8 +53,8 @@ impl DialectOptions {
             Separator::Space => Delimiter::Whitespace,
         });
         let decimal = self.decimal.map(|mark| match mark {
-            Mark::Point => DecimalMark::Point,
-            Mark::Comma => DecimalMark::Comma,
+            DecimalOption::Point => DecimalMark::Point,
+            DecimalOption::Comma => DecimalMark::Comma,
         });
         ReadOptions { delimiter, decimal, header: self.header, ..ReadOptions::default() }
     }

@@ -60,7 +60,7 @@ pub(crate) struct Derive {
     answer: Option<String>,
     /// Format of the derivation
     #[arg(long, value_enum, default_value = "markdown")]
-    format: Format,
+    format: DerivationFormat,
     /// Write to this file instead of standard output
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -110,7 +110,7 @@ enum Method {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Format {
+enum DerivationFormat {
     /// Markdown with formulas in LaTeX
     Markdown,
     /// A document for pdflatex
@@ -155,9 +155,9 @@ impl Derive {
         })?;
         let judgement = exercises.judge(number.trim(), answer).map_err(|error| refused(error.to_string()))?;
         match self.format {
-            Format::Markdown => Ok(libration_derivation::judgement_to_markdown(&judgement)),
-            Format::Html => Ok(libration_derivation::judgement_to_html(&judgement)),
-            Format::Latex | Format::Ipynb => {
+            DerivationFormat::Markdown => Ok(libration_derivation::judgement_to_markdown(&judgement)),
+            DerivationFormat::Html => Ok(libration_derivation::judgement_to_html(&judgement)),
+            DerivationFormat::Latex | DerivationFormat::Ipynb => {
                 let reason = "the judgement of an answer is in Markdown or HTML: leave it out";
                 Err(QueryError::usage(option("format"), reason))
             }
@@ -326,7 +326,7 @@ impl Method {
     }
 }
 
-impl Format {
+impl DerivationFormat {
     fn write(self, derivation: &Derivation) -> String {
         match self {
             Self::Markdown => libration_derivation::to_markdown(derivation),

@@ -39,8 +39,7 @@ pub(crate) mod sweep;
 mod systems;
 
 pub(crate) use sweep::{
-    Asked as SweepAsked, Axis as SweepAxis, Plan as SweepPlanned, axis as sweep_axis,
-    outcomes as sweep_outcomes,
+    Axis as SweepAxis, Plan as SweepPlanned, SweepRequest, axis as sweep_axis, outcomes as sweep_outcomes,
 };
 
 use crate::arguments::{protect_negative_values, sweep_options_first};

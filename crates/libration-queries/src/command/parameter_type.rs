@@ -6,7 +6,7 @@ use super::sweep::{Axis, shard::Shard};
 use crate::arguments::{
     AngleList, AngleSet, CoordinateName, EquationText, ParameterRange, ParameterSpan, Times, Tolerances,
 };
-use crate::figure::size::Side;
+use crate::figure::size::PictureSide;
 use clap::Arg;
 use libration::comparison::SeriesQuantity;
 use libration::continuation::ResonanceOrder;
@@ -98,7 +98,7 @@ fn entries() -> [(ParameterType, Vec<TypeId>); 12] {
     [
         (ParameterType::Integer, vec![id::<u16>(), id::<u64>(), id::<usize>(), id::<i32>()]),
         (ParameterType::Number, vec![id::<f64>(), id::<Tolerances>(), id::<ResonanceOrder>()]),
-        (ParameterType::Quantity, vec![id::<Quantity>(), id::<Side>()]),
+        (ParameterType::Quantity, vec![id::<Quantity>(), id::<PictureSide>()]),
         (ParameterType::Angle, vec![id::<Angle>(), id::<Displacement>()]),
         (
             ParameterType::Numbers,

@@ -122,7 +122,7 @@ pub(super) fn described() -> Vec<Description> {
 
 /// Writes the list in a JSON result.
 pub(super) fn write_list(out: &mut dyn Write, chosen: &[&NamedSystem]) -> io::Result<()> {
-    let (fields, mut list) = (of_system(), json::List::default());
+    let (fields, mut list) = (of_system(), json::ListWriter::default());
     list.begin(out, "systems")?;
     chosen.iter().try_for_each(|named| list.item(out, fields.record(*named)))?;
     list.end(out)

@@ -94,14 +94,14 @@ pub(crate) fn of_motion(picture: Picture, motion: &Motion, (from, to): (f64, f64
 
 /// The coordinates of a motion at some times.
 #[derive(Debug)]
-pub struct Sampled<'a> {
+pub struct SampledCoordinates<'a> {
     /// The times of the samples.
     pub times: &'a [f64],
     /// One list for each coordinate.
     pub values: &'a [Vec<f64>],
 }
 
-impl Sampled<'_> {
+impl SampledCoordinates<'_> {
     /// A coordinate between two samples, on a straight line.
     pub fn value(&self, coordinate: usize, time: f64) -> f64 {
         let values = &self.values[coordinate];

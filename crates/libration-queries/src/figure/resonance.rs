@@ -9,7 +9,7 @@ use libration::algebra::Complex;
 use libration::systems::Model;
 
 /// The content of the picture.
-pub(crate) struct Amplitudes<'a> {
+pub(crate) struct ModeAmplitudes<'a> {
     pub(crate) model: &'a Model,
     pub(crate) initial: &'a [f64],
     /// Seconds between two positions.
@@ -24,7 +24,7 @@ pub(crate) struct Amplitudes<'a> {
 const DOTS: usize = 4;
 
 /// One line and one row of dots for each mode.
-pub(crate) fn amplitudes(of: &Amplitudes<'_>) -> Picture {
+pub(crate) fn amplitudes(of: &ModeAmplitudes<'_>) -> Picture {
     let modes = of.slow.first().map_or(0, Vec::len);
     let places = |path: &[Vec<Complex>], mode: usize| -> Vec<(f64, f64)> {
         path.iter().enumerate().map(|(k, all)| (of.interval * count(k), all[mode].abs())).collect()

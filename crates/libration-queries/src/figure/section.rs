@@ -18,7 +18,7 @@ pub(crate) struct StateAxis {
 }
 
 /// The columns for one direction through the values of a parameter.
-pub(crate) struct Sweep {
+pub(crate) struct DiagramSweep {
     pub(crate) name: &'static str,
     pub(crate) columns: Vec<DiagramColumn>,
 }
@@ -48,10 +48,15 @@ pub(crate) fn section(
 }
 
 /// The diagram: one number of the state against the parameter, one colour a sweep.
-pub(crate) fn bifurcation(model: &Model, parameter: &str, sweeps: &[Sweep], up: &StateAxis) -> Picture {
+pub(crate) fn bifurcation(
+    model: &Model,
+    parameter: &str,
+    sweeps: &[DiagramSweep],
+    up: &StateAxis,
+) -> Picture {
     let columns = || sweeps.iter().flat_map(|sweep| &sweep.columns);
     let all: usize = columns().map(|column| column.section.points.len()).sum();
-    let of_sweep = |(number, sweep): (usize, &Sweep)| {
+    let of_sweep = |(number, sweep): (usize, &DiagramSweep)| {
         let columns = sweep.columns.iter();
         let points = columns.flat_map(|column| {
             column.section.points.iter().map(|point| (column.value, up.value(&point.state)))

@@ -1,6 +1,6 @@
 //! The coordinates of a system, and formulas, in time.
 
-use super::animation::Sampled;
+use super::animation::SampledCoordinates;
 use super::chart::{Axis, Panel, Picture, Series, Units};
 use super::names::{formula, subject, symbol};
 use super::parameters::{Angles, of_model, of_start};
@@ -92,7 +92,7 @@ impl<'a> Trace<'a> {
 
     /// The same with the bodies that move.
     pub(crate) fn animated(&self, model: &Model, start: &[f64]) -> Picture {
-        let sampled = Sampled { times: &self.times, values: &self.values };
+        let sampled = SampledCoordinates { times: &self.times, values: &self.values };
         let units = units(model);
         sampled.animated(self.picture(model, start), model, |coordinate| {
             let unit = model.coordinates()[coordinate].unit.as_str();

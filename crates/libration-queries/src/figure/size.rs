@@ -15,10 +15,10 @@ pub(crate) struct Sizes {
     size: Preset,
     /// Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by --size]
     #[arg(long, value_name = "LENGTH", value_parser = side, requires = "figure")]
-    width: Option<Side>,
+    width: Option<PictureSide>,
     /// Height of the picture [default: chosen to suit the picture]
     #[arg(long, value_name = "LENGTH", value_parser = side, requires = "figure")]
-    height: Option<Side>,
+    height: Option<PictureSide>,
 }
 
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
@@ -30,7 +30,7 @@ enum Preset {
 
 /// A length with the unit it was given in.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Side {
+pub struct PictureSide {
     length: f64,
     unit: &'static Unit,
 }
@@ -55,9 +55,10 @@ impl Sizes {
     /// The picture laid out in the requested size, if there is enough room.
     pub(super) fn scene(&self, picture: &Picture) -> Result<Scene, QueryError> {
         let format = self.format();
-        let refused = |side: Parameter, asked: Option<Side>, usual: f64, least: f64| {
-            let asked = asked.unwrap_or(Side { length: (usual / UNITS_PER_MM).round(), unit: &MILLIMETRE });
-            let least = Side { length: (least / asked.unit.size - 1e-6).ceil(), ..asked };
+        let refused = |side: Parameter, asked: Option<PictureSide>, usual: f64, least: f64| {
+            let asked =
+                asked.unwrap_or(PictureSide { length: (usual / UNITS_PER_MM).round(), unit: &MILLIMETRE });
+            let least = PictureSide { length: (least / asked.unit.size - 1e-6).ceil(), ..asked };
             let reason =
                 format!("{asked} is too small for this picture and its labels: give at least {least}");
             QueryError::no_result(side, reason).with_suggestion(Some(least.to_string()))
@@ -76,7 +77,7 @@ impl Sizes {
             Preset::Column => PictureFormat::COLUMN,
             Preset::Slide => PictureFormat::SLIDE,
         };
-        let height = self.height.map(Side::in_units);
+        let height = self.height.map(PictureSide::in_units);
         match self.width {
             // A width of one's own leaves the height to the picture.
             Some(width) => PictureFormat { width: width.in_units(), height, ..usual },
@@ -85,25 +86,25 @@ impl Sizes {
     }
 }
 
-impl Side {
+impl PictureSide {
     /// The length in the units of a picture.
     pub fn in_units(self) -> f64 {
         self.length * self.unit.size
     }
 }
 
-impl fmt::Display for Side {
+impl fmt::Display for PictureSide {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}{}", self.length, self.unit.name)
     }
 }
 
 /// A side of a picture, up to a poster's.
-pub fn side(text: &str) -> Result<Side, String> {
+pub fn side(text: &str) -> Result<PictureSide, String> {
     let text = text.trim();
     let unit = UNITS.iter().find(|unit| text.ends_with(unit.name)).unwrap_or(&PIXEL);
     let number = text[..text.len() - unit.name.len()].trim().parse().ok();
-    let side = number.map(|length| Side { length, unit });
+    let side = number.map(|length| PictureSide { length, unit });
     side.filter(|side| side.length > 0.0 && side.in_units() <= LARGEST).ok_or_else(|| {
         let most = (LARGEST / UNITS_PER_MM).floor();
         format!("give a length above 0, such as 80mm, 12cm or 600 (pixels), at most {LARGEST} or {most}mm")

@@ -5,7 +5,7 @@ use super::field::{Field, Fields};
 use super::json::Record;
 use super::normal_gravity::NormalGravity;
 use super::table::{Column, Table};
-use super::warnings::Named;
+use super::warnings::NamedWarning;
 use super::{combined, number};
 use libration::quantity::Quantity;
 use libration_lab::fit::{Budget, BudgetRow, CombinedUncertainty, Correction};
@@ -54,7 +54,7 @@ pub(crate) fn lines(
 }
 
 /// The warnings about g and its uncertainty, with stable names.
-pub(crate) fn warnings(budget: &Budget) -> Vec<Named> {
+pub(crate) fn warnings(budget: &Budget) -> Vec<NamedWarning> {
     budget.warnings().iter().map(|warning| (warning.name(), warning.to_string())).collect()
 }
 

@@ -102,7 +102,7 @@ pub fn document_with_list(
     items: impl Iterator<Item = Record>,
 ) -> io::Result<()> {
     begin_document(out, head)?;
-    let mut list = List::default();
+    let mut list = ListWriter::default();
     list.begin(out, name)?;
     for item in items {
         list.item(out, item)?;
@@ -142,11 +142,11 @@ pub(crate) const BETWEEN_ITEMS: &[u8] = b",\n";
 
 /// A list in a result that is written part by part, one item a line.
 #[derive(Debug, Default)]
-pub(crate) struct List {
+pub(crate) struct ListWriter {
     has_items: bool,
 }
 
-impl List {
+impl ListWriter {
     pub(crate) fn begin(&mut self, out: &mut dyn Write, name: &str) -> io::Result<()> {
         write!(out, ",{}:[", Value::from(name))
     }

@@ -38,10 +38,10 @@ pub enum Kind {
 ///
 /// Its text is the message in the words of the command, in which very long quotations are shortened.
 #[derive(Debug)]
-pub struct QueryError(Box<Content>);
+pub struct QueryError(Box<ErrorContent>);
 
 #[derive(Debug)]
-struct Content {
+struct ErrorContent {
     kind: Kind,
     about: About,
     message: Text,
@@ -93,7 +93,7 @@ impl QueryError {
     pub const INTERRUPTED: u8 = 130;
 
     fn new(kind: Kind, about: About, message: &str) -> Self {
-        Self(Box::new(Content {
+        Self(Box::new(ErrorContent {
             kind,
             about,
             message: Text::marked(message),
@@ -141,24 +141,24 @@ impl QueryError {
 
     /// The same error with a hint, in which parameters and queries are marked.
     pub(crate) fn with_hint(self, hint: &str) -> Self {
-        Self(Box::new(Content { hint: Some(Text::marked(hint)), ..*self.0 }))
+        Self(Box::new(ErrorContent { hint: Some(Text::marked(hint)), ..*self.0 }))
     }
 
     /// The same error with a value of its parameter that would do.
     pub(crate) fn with_suggestion(self, value: Option<String>) -> Self {
-        Self(Box::new(Content { suggestion: value, ..*self.0 }))
+        Self(Box::new(ErrorContent { suggestion: value, ..*self.0 }))
     }
 
     /// The same error with the item of a parameter `NAME=VALUE` to which it refers.
     pub(crate) fn with_item(self, name: Option<&str>) -> Self {
-        Self(Box::new(Content { item: name.map(str::to_owned), ..*self.0 }))
+        Self(Box::new(ErrorContent { item: name.map(str::to_owned), ..*self.0 }))
     }
 
     /// The same error with the names that a query has for its arguments, by those of their values in the help.
     pub(crate) fn named(self, name_of: &dyn Fn(&str) -> Option<String>) -> Self {
         let About::Parameters(parameters) = &self.0.about else { return self };
         let about = About::Parameters(parameters.iter().cloned().map(|it| it.named(name_of)).collect());
-        Self(Box::new(Content { about, ..*self.0 }))
+        Self(Box::new(ErrorContent { about, ..*self.0 }))
     }
 
     /// The error in arguments, without the advice of a terminal to ask for help.
@@ -178,7 +178,7 @@ impl QueryError {
         };
         let about = if parameters.is_empty() { About::Nothing } else { About::Parameters(parameters) };
         let hint = command_for(error).map(|hint| Text::marked(&hint));
-        Self(Box::new(Content { hint, ..*Self::new(Kind::Usage, about, &reason).0 }))
+        Self(Box::new(ErrorContent { hint, ..*Self::new(Kind::Usage, about, &reason).0 }))
     }
 
     /// The kind of the error.
@@ -298,7 +298,7 @@ impl std::error::Error for QueryError {}
 
 impl From<Error> for QueryError {
     fn from(error: Error) -> Self {
-        Self(Box::new(Content {
+        Self(Box::new(ErrorContent {
             kind: Kind::Output(error),
             about: About::Nothing,
             message: Text::default(),

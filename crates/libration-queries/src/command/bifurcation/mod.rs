@@ -6,7 +6,7 @@ use crate::arguments::{
     CoordinateName, InitialOptions, ParameterRange, SectionOptions, SystemOptions, parameter_range,
     place_in_state, section_failure,
 };
-use crate::figure::section::{StateAxis, Sweep};
+use crate::figure::section::{DiagramSweep, StateAxis};
 use crate::output::{FormOptions, announce};
 use crate::query_error::{QueryError, option};
 use crate::{figure, interrupt, parallel};
@@ -49,7 +49,7 @@ pub(crate) struct Bifurcation {
     initial: InitialOptions,
     /// Start each motion where the previous one ended, taking the values in this order
     #[arg(long, value_name = "ORDER")]
-    sweep: Option<Order>,
+    sweep: Option<SweepOrder>,
     #[command(flatten)]
     section: SectionOptions,
     /// The state variable that the picture shows [default: the first coordinate, or its velocity if it is an angle]
@@ -66,7 +66,7 @@ pub(crate) struct Bifurcation {
 
 /// The order in which the parameter takes its values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Order {
+enum SweepOrder {
     /// As given
     Up,
     /// In reverse
@@ -83,7 +83,7 @@ pub(crate) struct Diagram<'a> {
     pub(crate) points: Points,
     pub(crate) angles: Vec<bool>,
     pub(crate) parameter: &'a ParameterRange,
-    pub(crate) sweeps: Vec<Sweep>,
+    pub(crate) sweeps: Vec<DiagramSweep>,
 }
 
 impl Bifurcation {
@@ -140,7 +140,12 @@ impl Bifurcation {
         }
     }
 
-    fn sweeps(&self, model: &Model, place: &Section, start: &Moment) -> Result<Vec<Sweep>, QueryError> {
+    fn sweeps(
+        &self,
+        model: &Model,
+        place: &Section,
+        start: &Moment,
+    ) -> Result<Vec<DiagramSweep>, QueryError> {
         let family = Family {
             equation: model.equation(),
             parameter: &self.over.name,
@@ -173,9 +178,9 @@ impl Bifurcation {
         let up = || sweep("up", values.clone());
         let down = || sweep("down", values.iter().rev().copied().collect());
         match self.sweep {
-            Some(Order::Up) => vec![up()],
-            Some(Order::Down) => vec![down()],
-            Some(Order::Both) => vec![up(), down()],
+            Some(SweepOrder::Up) => vec![up()],
+            Some(SweepOrder::Down) => vec![down()],
+            Some(SweepOrder::Both) => vec![up(), down()],
             None => {
                 let continuation = Continuation::SameStart;
                 let piece =
@@ -194,12 +199,12 @@ struct Piece {
 }
 
 /// The columns of pieces with the same name, one after the other.
-fn joined(pieces: &[Piece], columns: Vec<Vec<DiagramColumn>>) -> Vec<Sweep> {
-    let mut sweeps: Vec<Sweep> = vec![];
+fn joined(pieces: &[Piece], columns: Vec<Vec<DiagramColumn>>) -> Vec<DiagramSweep> {
+    let mut sweeps: Vec<DiagramSweep> = vec![];
     for (piece, columns) in pieces.iter().zip(columns) {
         match sweeps.last_mut() {
             Some(sweep) if sweep.name == piece.name => sweep.columns.extend(columns),
-            _ => sweeps.push(Sweep { name: piece.name, columns }),
+            _ => sweeps.push(DiagramSweep { name: piece.name, columns }),
         }
     }
     sweeps

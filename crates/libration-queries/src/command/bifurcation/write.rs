@@ -1,6 +1,6 @@
 //! The points of a bifurcation diagram as table, JSON and CSV.
 
-use super::{Diagram, Sweep};
+use super::{Diagram, DiagramSweep};
 use crate::output::description::{self, Answers, descriptions};
 use crate::output::field::{Field, Fields};
 use crate::output::json;
@@ -42,7 +42,7 @@ impl Diagram<'_> {
     }
     /// Returns `true` if each sweep has all values.
     pub(super) fn is_complete(&self) -> bool {
-        self.sweeps.iter().all(|sweep: &Sweep| sweep.columns.len() == self.parameter.values.len())
+        self.sweeps.iter().all(|sweep: &DiagramSweep| sweep.columns.len() == self.parameter.values.len())
     }
 
     /// The first reason for a missing point; `None` if there are points.

@@ -149,7 +149,7 @@ fn lines<C: Coefficient>(
     if let Some(frequency) = answer.frequency() {
         lines.push(("Ω = ".to_owned(), notation.series(frequency, variable)));
     }
-    for Part { letter, k, series } in parts(expansion) {
+    for HarmonicPart { letter, k, series } in parts(expansion) {
         let name = format!("{letter}{}", subscript(k));
         lines.push((format!("{name} = {unit}"), bracketed(&unit, notation.series(series, variable))));
     }
@@ -180,23 +180,23 @@ fn bracketed(unit: &str, text: String) -> String {
 }
 
 /// The series of cos kτ, called a, or of sin kτ, called b.
-pub(super) struct Part<'a, C> {
+pub(super) struct HarmonicPart<'a, C> {
     pub(super) letter: &'static str,
     pub(super) k: usize,
     pub(super) series: &'a [C],
 }
 
 /// The parts of harmonics that are present, and the first one in any case.
-pub(super) fn parts<C: Coefficient>(expansion: &Expansion<C>) -> Vec<Part<'_, C>> {
+pub(super) fn parts<C: Coefficient>(expansion: &Expansion<C>) -> Vec<HarmonicPart<'_, C>> {
     let first = letter_of(expansion);
-    let present = |it: &Part<'_, C>| {
+    let present = |it: &HarmonicPart<'_, C>| {
         (it.letter, it.k) == (first, 1) || it.series.iter().any(|coefficient| !coefficient.is_zero())
     };
     expansion.harmonics.iter().flat_map(both).filter(present).collect()
 }
 
-fn both<C>(harmonic: &HarmonicSeries<C>) -> [Part<'_, C>; 2] {
-    let part = |letter, series| Part { letter, k: harmonic.k, series };
+fn both<C>(harmonic: &HarmonicSeries<C>) -> [HarmonicPart<'_, C>; 2] {
+    let part = |letter, series| HarmonicPart { letter, k: harmonic.k, series };
     [part("a", &harmonic.cos), part("b", &harmonic.sin)]
 }
 
@@ -297,7 +297,7 @@ pub(super) fn write_latex<C: Coefficient>(out: &mut dyn Write, answer: &Answer<C
     if let Some(frequency) = answer.frequency() {
         writeln!(out, "  \\Omega &= {} \\\\", notation.series(frequency, &symbols.latex))?;
     }
-    for Part { letter, k, series } in parts(expansion) {
+    for HarmonicPart { letter, k, series } in parts(expansion) {
         writeln!(out, "  {letter}_{{{k}}} &= {unit}{} \\\\", scaled(series))?;
     }
     writeln!(out, "  x_{{\\max}} &= {unit}{} \\\\", scaled(&expansion.x_max))?;

@@ -19,7 +19,7 @@ const FIRST_FIGURE: [&str; 8] =
   libration figure errors --output errors.svg
   libration figure errors --formulas bernoulli,carvalhaes_suppes \\
     --from 60deg --output errors.png")]
-pub(super) struct Errors {
+pub(super) struct ErrorsFigure {
     #[command(flatten)]
     formulas: FormulaChoice,
     /// The amplitude at the left end
@@ -38,7 +38,7 @@ pub(super) struct Errors {
     pub(super) options: PictureOptions,
 }
 
-impl Errors {
+impl ErrorsFigure {
     pub(super) fn picture(&self) -> Result<Picture, QueryError> {
         let (from, to) = (self.from.degrees(), self.to.degrees());
         if !(0.0 <= from && from < to && to <= 180.0) {

@@ -3,7 +3,7 @@
 use super::PictureOptions;
 use crate::arguments::{self, Chosen, OscillatorOptions};
 use crate::figure::chart::Picture;
-use crate::figure::series::{Abscissa, Line, SeriesSetting, against_amplitude, against_terms};
+use crate::figure::series::{Abscissa, ErrorCurve, SeriesSetting, against_amplitude, against_terms};
 use crate::output::number::count;
 use crate::output::series::{subscript, superscript};
 use crate::query_error::{Parameter, QueryError, option};
@@ -67,7 +67,7 @@ impl Series {
         }
         let chosen = self.oscillator.chosen()?;
         interrupt::listen()?;
-        let subject = Subject {
+        let subject = SeriesSubject {
             oscillator: chosen.oscillator.clone(),
             expansion: self.expansion(&chosen)?,
             quantity: self.quantity,
@@ -102,7 +102,7 @@ impl Series {
     fn in_amplitude(
         &self,
         chosen: &Chosen,
-        subject: &Subject,
+        subject: &SeriesSubject,
         powers: &[usize],
         setting: SeriesSetting,
     ) -> Result<Picture, QueryError> {
@@ -130,7 +130,7 @@ impl Series {
     fn in_terms(
         &self,
         chosen: &Chosen,
-        subject: &Subject,
+        subject: &SeriesSubject,
         setting: SeriesSetting,
     ) -> Result<Picture, QueryError> {
         if self.amplitudes.len() > MOST_AMPLITUDES {
@@ -149,7 +149,7 @@ impl Series {
                 .steps()
                 .iter()
                 .filter_map(|step| Some((count(step.power), resolved_error(step.sum, &exact)?)));
-            lines.push(Line {
+            lines.push(ErrorCurve {
                 label: format!("{} = {}", setting.abscissa.symbol, setting.abscissa.shown(amplitude)),
                 errors: errors.collect(),
             });
@@ -164,13 +164,13 @@ fn early() -> QueryError {
 }
 
 /// The subject of the picture.
-struct Subject {
+struct SeriesSubject {
     oscillator: Oscillator,
     expansion: Expansion,
     quantity: SeriesQuantity,
 }
 
-impl Subject {
+impl SeriesSubject {
     fn relation(&self) -> SeriesComparison<'_> {
         SeriesComparison::new(&self.oscillator, &self.expansion, self.quantity)
     }
@@ -202,15 +202,15 @@ fn lines(
     sampled: &[Sample],
     powers: &[usize],
     setting: &SeriesSetting,
-) -> Vec<Line> {
+) -> Vec<ErrorCurve> {
     /// Degrees of the approximant, as far as the order allows.
     const DEGREES: [usize; 4] = [8, 6, 4, 2];
     let line = |label: String, value: &dyn Fn(&Sample) -> f64| {
         let error = |sample: &Sample| Some((sample.amplitude, resolved_error(value(sample), &sample.exact)?));
-        Line { label, errors: sampled.iter().filter_map(error).collect() }
+        ErrorCurve { label, errors: sampled.iter().filter_map(error).collect() }
     };
     let symbol = &setting.abscissa.symbol;
-    let mut lines: Vec<Line> = powers
+    let mut lines: Vec<ErrorCurve> = powers
         .iter()
         .map(|&power| {
             line(format!("to {symbol}{}", superscript(power)), &|sample| sum_to(&sample.evaluation, power))

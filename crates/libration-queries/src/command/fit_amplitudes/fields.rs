@@ -5,7 +5,7 @@ use crate::arguments::of_columns;
 use crate::call::in_words;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
-use crate::output::warnings::{self, Named};
+use crate::output::warnings::{self, NamedWarning};
 use crate::output::{json, number, scatter};
 use libration_lab::fit::amplitudes::{
     AmplitudesFit, AmplitudesWarning, DampingCoefficient, LawOfAmplitudes, Position, Sides, UnstatedErrors,
@@ -41,7 +41,7 @@ const ONE_SIDE: &str = "the rows are amplitudes of one side, which do not determ
 
 impl Answer<'_> {
     /// The warnings with the options that help.
-    pub(super) fn warnings(&self) -> Vec<Named> {
+    pub(super) fn warnings(&self) -> Vec<NamedWarning> {
         let text = |warning: &AmplitudesWarning| match warning {
             AmplitudesWarning::LawRefuted { .. } | AmplitudesWarning::TooFewRowsToCompare => {
                 format!("{warning} (<--model>)")

@@ -5,7 +5,7 @@ mod report;
 mod write;
 
 use crate::arguments::{
-    ApparatusOptions, DampingOptions, RecordingOptions, finding_with_option, one_amplitude,
+    ApparatusOptions, LinearDampingOption, RecordingOptions, finding_with_option, one_amplitude,
 };
 use crate::document;
 use crate::figure;
@@ -72,7 +72,7 @@ pub(crate) struct FitGates {
     #[command(flatten)]
     apparatus: ApparatusOptions,
     #[command(flatten)]
-    damping: DampingOptions,
+    damping: LinearDampingOption,
     #[command(flatten)]
     reading: RecordingOptions,
 }

@@ -7,7 +7,7 @@ use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::groups::{self, Groups};
 use crate::output::normal_gravity::{self, NormalGravity};
-use crate::output::warnings::{self, Named};
+use crate::output::warnings::{self, NamedWarning};
 use crate::output::{budget, combined, json, number, scatter};
 use libration_lab::fit::{GravityMistake, LengthFit, LengthsFit, LengthsWarning, Uncertain};
 
@@ -21,7 +21,7 @@ pub(super) struct Answer<'a> {
 
 impl Answer<'_> {
     /// The warnings with the options that help, and names that stay.
-    pub(super) fn warnings(&self) -> Vec<Named> {
+    pub(super) fn warnings(&self) -> Vec<NamedWarning> {
         let half = self.table.half_periods;
         let text = |warning: &LengthsWarning| match warning {
             LengthsWarning::NowhereOnEarth { mistake: Some(GravityMistake::HalfPeriodsAsWhole) } if !half => {

@@ -4,7 +4,7 @@ use super::input::ResponseFile;
 use crate::arguments::of_columns;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
-use crate::output::warnings::{self, Named};
+use crate::output::warnings::{self, NamedWarning};
 use crate::output::{json, number, scatter};
 use libration_lab::fit::Uncertain;
 use libration_lab::fit::response::{
@@ -40,7 +40,7 @@ pub(super) struct Measurement<'a> {
 }
 
 impl Answer<'_> {
-    pub(super) fn warnings(&self) -> Vec<Named> {
+    pub(super) fn warnings(&self) -> Vec<NamedWarning> {
         self.fit.warnings.iter().map(|warning| (warning.name(), warning.to_string())).collect()
     }
 

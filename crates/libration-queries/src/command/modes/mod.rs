@@ -10,7 +10,7 @@ use crate::interrupt;
 use crate::output::{Form, FormOptions, announce};
 use crate::parallel;
 use crate::query_error::{QueryError, argument, option};
-use follow::{FollowOptions, Followed};
+use follow::{FollowOptions, FollowedMode};
 use libration::nonlinear_modes::{NonlinearMode, NonlinearModeError};
 use libration::normal_modes::NormalModes;
 use libration::systems::Model;
@@ -102,7 +102,7 @@ impl Modes {
             NonlinearModeError::AtRest(_) => QueryError::usage(option("coordinate"), error),
             _ => QueryError::no_result(option("follow"), error),
         })?;
-        let followed = Followed { model, mode, coordinate, found };
+        let followed = FollowedMode { model, mode, coordinate, found };
         let drawn = match &self.figure {
             Some(path) => {
                 let picture = figure::nonlinear_modes::backbone(

@@ -12,7 +12,7 @@ use fields::{Estimate, Swing};
 use libration::period_formulas::{PeriodFormula, fractional_errors};
 use libration::quantity::Angle;
 use std::io::Write;
-use table::Swings;
+use table::SwingsTable;
 
 pub(crate) use fields::answers;
 
@@ -35,7 +35,7 @@ pub(crate) struct Period {
     formulas: FormulaChoice,
     /// The order of the formulas
     #[arg(long, value_enum, default_value = "error")]
-    sort: Order,
+    sort: FormulaOrder,
     #[command(flatten)]
     pendulum: PendulumOptions,
     #[command(flatten)]
@@ -43,7 +43,7 @@ pub(crate) struct Period {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Order {
+enum FormulaOrder {
     /// Smallest error first
     Error,
     /// As in the catalogue
@@ -58,7 +58,7 @@ impl Period {
         };
         let amplitudes = self.amplitudes.read(&pendulum, of_small_swings)?;
         interrupt::listen()?;
-        let swings = Swings { question: self, amplitudes: &amplitudes, pendulum: &pendulum };
+        let swings = SwingsTable { question: self, amplitudes: &amplitudes, pendulum: &pendulum };
         match self.form.form() {
             Form::Json => swings.write_json(out)?,
             Form::Csv => swings.write_csv(out)?,
@@ -73,7 +73,7 @@ impl Period {
 
     /// The estimates of the formulas, in the order requested.
     fn sorted<'a>(&self, mut estimates: Vec<Estimate<'a>>) -> Vec<Estimate<'a>> {
-        if self.sort == Order::Error {
+        if self.sort == FormulaOrder::Error {
             estimates.sort_by(|a, b| a.fractional_error.abs().total_cmp(&b.fractional_error.abs()));
         }
         estimates

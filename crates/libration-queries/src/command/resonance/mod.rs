@@ -5,7 +5,7 @@ mod letters;
 mod write;
 
 use crate::arguments::{EquilibriumOptions, InitialOptions, SystemOptions, count, part};
-use crate::figure::resonance::Amplitudes;
+use crate::figure::resonance::ModeAmplitudes;
 use crate::output::language::FormatOptions;
 use crate::output::{FormOptions, announce};
 use crate::query_error::{QueryError, argument, option};
@@ -142,7 +142,7 @@ impl ResonanceQuestion {
 
 impl Answer {
     /// The time range of the picture: two exchanges, or forty periods if there is no exchange.
-    fn shown(&self) -> Result<Amplitudes<'_>, QueryError> {
+    fn shown(&self) -> Result<ModeAmplitudes<'_>, QueryError> {
         const PERIODS: f64 = 40.0;
         const SAMPLES: usize = 240;
         let missing =
@@ -158,7 +158,7 @@ impl Answer {
         let seen = self.form.seen_path(self.model.equation(), state, interval, SAMPLES, &Quiet);
         let seen = seen.map_err(none)?;
         let slow = self.form.slow_path(&seen[0], interval, SAMPLES, &Quiet).map_err(none)?;
-        Ok(Amplitudes { model: &self.model, initial: state, interval, slow, seen })
+        Ok(ModeAmplitudes { model: &self.model, initial: state, interval, slow, seen })
     }
 }
 

@@ -3,7 +3,7 @@
 use super::motion::SimulatedMotion;
 use super::report::{AnswerWriter, Summary};
 use super::resume::State;
-use super::run::{Outcome, ended};
+use super::run::{RunOutcome, ended};
 use crate::interrupt;
 use crate::query_error::{QueryError, option};
 use libration::systems::Energy;
@@ -47,7 +47,7 @@ impl SimulatedMotion<'_> {
         system: &System,
         report: &mut dyn AnswerWriter,
         out: &mut dyn Write,
-    ) -> Result<Outcome, QueryError> {
+    ) -> Result<RunOutcome, QueryError> {
         let energy = self.model.energy();
         let (start, times) = (self.beginning(), self.times.iter().collect::<Vec<_>>());
         let new = || SampledErrors::new(system, &start, &self.effort(), &times, self.gradients());
@@ -71,7 +71,7 @@ impl SimulatedMotion<'_> {
         }
         report.end(&summary, out)?;
         out.flush()?;
-        Ok(Outcome { ending, state, drawn: vec![] })
+        Ok(RunOutcome { ending, state, drawn: vec![] })
     }
 
     /// The motion with the drift of its energy on either side and the uncertainty of the drift; `watch` receives each step.

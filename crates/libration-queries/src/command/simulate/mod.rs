@@ -30,7 +30,7 @@ use events::{UntilOptions, Watched};
 use libration::systems::Model;
 use motion::SimulatedMotion;
 use resume::{Earlier, Keeper, Question};
-use run::Outcome;
+use run::RunOutcome;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -184,7 +184,7 @@ impl Simulate {
         });
         let (ending, written) = match &self.output {
             None => {
-                let Outcome { ending, drawn, .. } = motion.write(form, figure, out, None)?;
+                let RunOutcome { ending, drawn, .. } = motion.write(form, figure, out, None)?;
                 (ending, drawn)
             }
             Some(path) => {
@@ -253,7 +253,7 @@ fn write_file(
     let mut file = NewFile::create(path)?;
     let places = file.places().filter(|_| form == Form::Csv);
     let keeper = places.as_ref().map(|[_, unfinished]| Keeper::new(state_of(unfinished)));
-    let Outcome { ending, state, drawn } = motion.write(form, figure, &mut file, keeper)?;
+    let RunOutcome { ending, state, drawn } = motion.write(form, figure, &mut file, keeper)?;
     // An unfinished file that was gone on from is left to be removed now.
     drop(motion);
     file.finish()?;

@@ -35,7 +35,7 @@ pub(super) struct Figure<'a> {
 }
 
 /// The outcome of the run.
-pub(super) struct Outcome {
+pub(super) struct RunOutcome {
     pub(super) ending: Ending,
     /// State needed to continue.
     pub(super) state: State,
@@ -51,7 +51,7 @@ impl SimulatedMotion<'_> {
         figure: Option<Figure<'_>>,
         out: &mut dyn Write,
         keeper: Option<Keeper>,
-    ) -> Result<Outcome, QueryError> {
+    ) -> Result<RunOutcome, QueryError> {
         interrupt::listen()?;
         self.check_times(figure.is_some())?;
         let system = self.system()?;
@@ -88,7 +88,7 @@ impl SimulatedMotion<'_> {
             }
             _ => vec![],
         };
-        Ok(Outcome { ending, state, drawn })
+        Ok(RunOutcome { ending, state, drawn })
     }
 
     /// Refuses times that cannot be reached, or that are incompatible with other options.

@@ -36,7 +36,7 @@ pub(crate) struct KeptField {
 
 /// A requested sweep: words, values along the axes, paths to the kept fields, and the largest number of points of a chunk.
 #[derive(Debug)]
-pub(crate) struct Asked<'a> {
+pub(crate) struct SweepRequest<'a> {
     pub(crate) question: &'a [String],
     pub(crate) axes: Vec<Axis>,
     pub(crate) keep: &'a [String],
@@ -45,8 +45,8 @@ pub(crate) struct Asked<'a> {
 
 impl Plan {
     /// Runs a few points until one has a result, from which the kept fields follow.
-    pub(crate) fn new(asked: Asked<'_>) -> Result<Self, QueryError> {
-        let Asked { question, axes, keep, chunk } = asked;
+    pub(crate) fn new(asked: SweepRequest<'_>) -> Result<Self, QueryError> {
+        let SweepRequest { question, axes, keep, chunk } = asked;
         if let Some((place, axis)) = (axes.iter().enumerate())
             .find(|(place, axis)| axes[..*place].iter().any(|other| other.name == axis.name))
         {

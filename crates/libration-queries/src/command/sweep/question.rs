@@ -23,8 +23,8 @@ impl Template {
                 continue;
             }
             match place_in(asked.command, &axis.name) {
-                Some(Place::Option(name)) => template.add_option(&name, placeholder(&axis.name)),
-                Some(Place::Argument) => template.0.insert(asked.words, placeholder(&axis.name)),
+                Some(AxisPosition::Option(name)) => template.add_option(&name, placeholder(&axis.name)),
+                Some(AxisPosition::Argument) => template.0.insert(asked.words, placeholder(&axis.name)),
                 None => others.push(axis),
             }
         }
@@ -77,7 +77,7 @@ impl Template {
     /// The names of the components of the state of the system.
     fn state_names(
         &self,
-        asked: &Asked<'_>,
+        asked: &SweptCommand<'_>,
         axes: &[Axis],
         unplaced: &Axis,
     ) -> Result<Vec<String>, QueryError> {
@@ -100,7 +100,7 @@ impl Template {
 }
 
 /// The command of a sweep.
-struct Asked<'a> {
+struct SweptCommand<'a> {
     command: &'a Command,
     /// Name as typed.
     name: String,
@@ -108,11 +108,11 @@ struct Asked<'a> {
     words: usize,
 }
 
-fn asked<'a>(command: &'a Command, words: &[String]) -> Result<Asked<'a>, QueryError> {
-    let mut asked = Asked { command, name: String::new(), words: 0 };
+fn asked<'a>(command: &'a Command, words: &[String]) -> Result<SweptCommand<'a>, QueryError> {
+    let mut asked = SweptCommand { command, name: String::new(), words: 0 };
     while let Some(inner) = words.get(asked.words).and_then(|word| asked.command.find_subcommand(word)) {
         let name = format!("{} {}", asked.name, inner.get_name()).trim_start().to_owned();
-        asked = Asked { command: inner, name, words: asked.words + 1 };
+        asked = SweptCommand { command: inner, name, words: asked.words + 1 };
     }
     let has_json = asked.command.get_arguments().any(|argument| argument.get_long() == Some("json"));
     if has_json {
@@ -130,15 +130,15 @@ fn asked<'a>(command: &'a Command, words: &[String]) -> Result<Asked<'a>, QueryE
     Err(QueryError::usage(argument("COMMAND"), reason))
 }
 
-enum Place {
+enum AxisPosition {
     Option(String),
     Argument,
 }
 
 /// The position at which the command takes a value with this name.
-fn place_in(command: &Command, name: &str) -> Option<Place> {
+fn place_in(command: &Command, name: &str) -> Option<AxisPosition> {
     if let Some(option) = options(command).find(|option| *option == name) {
-        return Some(Place::Option(option.to_owned()));
+        return Some(AxisPosition::Option(option.to_owned()));
     }
     let mut arguments = command.get_positionals();
     // Several files are FILES, of which each point has one.
@@ -149,7 +149,7 @@ fn place_in(command: &Command, name: &str) -> Option<Place> {
             .split('|')
             .any(|own| own.eq_ignore_ascii_case(name) || own.eq_ignore_ascii_case(&format!("{name}s")))
     };
-    arguments.next().filter(|argument| is_named(argument)).map(|_| Place::Argument)
+    arguments.next().filter(|argument| is_named(argument)).map(|_| AxisPosition::Argument)
 }
 
 /// The options that take a value.

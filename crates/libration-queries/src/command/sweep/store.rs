@@ -1,6 +1,6 @@
 //! The directory of a sweep: its plan, its shards, and a file for each chunk, written completely or not at all.
 
-use super::chunk::{self, Outcome};
+use super::chunk::{self, PointOutcome};
 use super::plan::Plan;
 use super::shard::Shard;
 use crate::output::json::SCHEMA;
@@ -121,7 +121,7 @@ impl Store {
     }
 
     /// Writes a chunk, which is on the disk when this returns.
-    pub(crate) fn write(&self, chunk: usize, outcomes: &[Outcome]) -> Result<(), QueryError> {
+    pub(crate) fn write(&self, chunk: usize, outcomes: &[PointOutcome]) -> Result<(), QueryError> {
         file::write(&self.path(chunk), &chunk::csv(&self.plan, chunk, outcomes)?)
     }
 

@@ -10,7 +10,7 @@ pub(crate) use list::Fields;
 
 use content::Content;
 use look::Look;
-use plan::{Plan, key_of};
+use plan::{FieldPlan, key_of};
 use serde_json::Value;
 
 /// A function that gives the value of a field of a result `A`.
@@ -18,7 +18,7 @@ type Of<A, T> = fn(&A) -> T;
 
 /// A field of a result `A`.
 pub struct Field<A> {
-    plan: Plan,
+    plan: FieldPlan,
     /// The value, then the texts that are shown in its place.
     contents: Vec<Content<A>>,
 }
@@ -31,7 +31,7 @@ impl<A> std::fmt::Debug for Field<A> {
 
 impl<A> Field<A> {
     fn new(name: &'static str, unit: &'static str, meaning: &'static str, content: Content<A>) -> Self {
-        Self { plan: Plan::new(name, unit, meaning), contents: vec![content] }
+        Self { plan: FieldPlan::new(name, unit, meaning), contents: vec![content] }
     }
 
     /// A number.
@@ -104,12 +104,15 @@ impl<A> Field<A> {
     }
 
     fn with_parts<B>(place: &'static str, fields: &Fields<B>, content: Content<A>) -> Self {
-        Self { plan: Plan::only_described(key_of(place), fields.described(place)), contents: vec![content] }
+        Self {
+            plan: FieldPlan::only_described(key_of(place), fields.described(place)),
+            contents: vec![content],
+        }
     }
 
     /// A note on the fields before it, in the note of JSON.
     pub(crate) fn note(note: Of<A, Option<String>>) -> Self {
-        Self { plan: Plan::only_described("", vec![]), contents: vec![Content::Note(note)] }
+        Self { plan: FieldPlan::only_described("", vec![]), contents: vec![Content::Note(note)] }
     }
 
     /// A field that appears in tables and sheets alone.

@@ -13,7 +13,7 @@ const NAME: &str = "NAME";
 
 /// A field without its value.
 #[derive(Default)]
-pub(super) struct Plan {
+pub(super) struct FieldPlan {
     pub(super) key: &'static str,
     unit: &'static str,
     meaning: &'static str,
@@ -30,7 +30,7 @@ pub(super) struct Plan {
     lines: Vec<Shown>,
 }
 
-impl Plan {
+impl FieldPlan {
     /// Lists and objects, whose names contain the path to their parts, `name[]` or `name.NAME`, appear in JSON only.
     pub(super) fn new(name: &'static str, unit: &'static str, meaning: &'static str) -> Self {
         let key = key_of(name);
@@ -89,11 +89,11 @@ impl Plan {
 
 /// The fields of a result in their order.
 #[derive(Default)]
-pub(super) struct Plans(Vec<Plan>);
+pub(super) struct Plans(Vec<FieldPlan>);
 
 impl Plans {
     /// Adds a further field whose values come after `before` others.
-    pub(super) fn push(&mut self, mut plan: Plan, before: usize) {
+    pub(super) fn push(&mut self, mut plan: FieldPlan, before: usize) {
         plan.behind(before);
         self.0.push(plan);
     }
@@ -105,7 +105,7 @@ impl Plans {
 
     /// Keeps the fields for a table with these columns, in their order.
     pub(super) fn keep_for_table(&mut self, titles: &[&str]) {
-        let place = |plan: &Plan| {
+        let place = |plan: &FieldPlan| {
             let title = plan.columns.first()?.title;
             titles.iter().position(|other| *other == title)
         };
@@ -124,7 +124,7 @@ impl Plans {
         self.added_for(NAME, record, values)
     }
 
-    fn in_csv(&self) -> impl Iterator<Item = &Plan> {
+    fn in_csv(&self) -> impl Iterator<Item = &FieldPlan> {
         self.0.iter().filter(|plan| plan.in_csv.is_some())
     }
 
@@ -165,8 +165,9 @@ impl Plans {
     }
 
     pub(super) fn cells(&self, values: Values<'_>) -> Vec<String> {
-        let of_plan =
-            |plan: &Plan| plan.columns.iter().map(|shown| plan.text(&shown.look, values)).collect::<Vec<_>>();
+        let of_plan = |plan: &FieldPlan| {
+            plan.columns.iter().map(|shown| plan.text(&shown.look, values)).collect::<Vec<_>>()
+        };
         self.0.iter().flat_map(of_plan).collect()
     }
 
@@ -176,7 +177,7 @@ impl Plans {
 
     /// The lines of a sheet.
     pub(super) fn lines(&self, values: Values<'_>) -> Vec<(&'static str, String)> {
-        let of_plan = |plan: &Plan| {
+        let of_plan = |plan: &FieldPlan| {
             let line = |shown: &Shown| (shown.title, plan.text(&shown.look, values));
             plan.lines.iter().map(line).collect::<Vec<_>>()
         };
@@ -190,7 +191,7 @@ impl Plans {
     }
 
     pub(super) fn described_in_csv(&self) -> Vec<Description> {
-        let described = |plan: &Plan| Some(Description::new(plan.in_csv?, plan.unit, plan.meaning));
+        let described = |plan: &FieldPlan| Some(Description::new(plan.in_csv?, plan.unit, plan.meaning));
         self.0.iter().filter_map(described).collect()
     }
 }

@@ -34,7 +34,7 @@ pub(super) fn write<C: Coefficient>(
 }
 
 /// The series, in powers of one variable, from which functions are made.
-struct Series<'a, C> {
+struct CodeSeries<'a, C> {
     /// The argument in whose powers they are.
     argument: &'static str,
     frequency: &'a [C],
@@ -42,7 +42,7 @@ struct Series<'a, C> {
     harmonics: Vec<(usize, bool, &'a [C])>,
 }
 
-impl<'a, C: Coefficient> Series<'a, C> {
+impl<'a, C: Coefficient> CodeSeries<'a, C> {
     /// The series in powers of the largest displacement or, for a limit cycle, of its parameter.
     fn new(answer: &'a Answer<C>) -> Self {
         let expansion = &answer.expansion;
@@ -95,7 +95,7 @@ fn comment<C: Coefficient>(answer: &Answer<C>, validity: &str) -> Vec<String> {
 }
 
 fn functions<C: Coefficient>(answer: &Answer<C>, language: Language) -> Vec<Function> {
-    let series = Series::new(answer);
+    let series = CodeSeries::new(answer);
     let letters = answer.letters.as_ref().map_or(vec![], |letters| {
         let constants = letters.constants.iter().map(|(name, _)| name.clone());
         letters.names.iter().cloned().chain(constants).collect()
@@ -110,7 +110,7 @@ struct Writer<'a, C> {
     answer: &'a Answer<C>,
     language: Language,
     names: &'a Names,
-    series: &'a Series<'a, C>,
+    series: &'a CodeSeries<'a, C>,
 }
 
 impl<C: Coefficient> Writer<'_, C> {

@@ -17,11 +17,11 @@ pub(super) struct Answer {
     flow: SymbolicSlowFlow,
     /// Small parameters with their orders.
     small: Vec<(String, usize)>,
-    values: Option<Values>,
+    values: Option<FlowValues>,
 }
 
 /// The slow flow with numbers for all symbols.
-pub(super) struct Values {
+pub(super) struct FlowValues {
     drive_frequency: Option<f64>,
     detuning: f64,
     /// `None` if the relation is not known.

@@ -1,6 +1,6 @@
 //! The slow flow with symbolic parameters as the result of `libration expand`.
 
-use super::{Answer, Values, failure, listing};
+use super::{Answer, FlowValues, failure, listing};
 use crate::arguments::{OscillatorOptions, drive_resonance, small_orders};
 use crate::command::expand::subject::Subject;
 use crate::command::expand::{BOOKKEEPING, Expand};
@@ -127,7 +127,7 @@ impl Expand {
         flow: &SymbolicSlowFlow,
         held: &HeldBack,
         next: impl Fn() -> Option<SymbolicSlowFlow>,
-    ) -> Result<Option<Values>, QueryError> {
+    ) -> Result<Option<FlowValues>, QueryError> {
         let drive =
             self.evaluate.as_deref().map(|text| number(text).ok_or_else(|| not_a_number("evaluate", text)));
         let drive = drive.transpose()?;
@@ -140,7 +140,7 @@ impl Expand {
             Ok(at) => {
                 let next = next();
                 let next = next.as_ref().and_then(|flow| flow.at(&of_name, drive).ok());
-                Ok(Some(Values {
+                Ok(Some(FlowValues {
                     drive_frequency: at.drive_frequency(),
                     detuning: at.detuning(),
                     states: at.judged_states(next.as_ref()),
