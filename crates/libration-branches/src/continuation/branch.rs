@@ -67,7 +67,7 @@ pub enum Ending {
     Sensitive,
     /// The corrector failed at the minimum step.
     Lost,
-    /// Cancelled by the caller.
+    /// Cancellation by the caller.
     Interrupted,
 }
 

@@ -193,7 +193,8 @@ impl<'f> HarmonicBalance<'f> {
     /// The motion to which Newton's method leads, and `true` if it has settled; `None` if its changes stay large.
     fn solved(&mut self, mut motion: Vec<f64>) -> Option<(Vec<f64>, bool)> {
         const MOST_ROUNDS: usize = 8;
-        /// Round from which the changes have to be small. Far above all motions of a cubic spring a round takes away a third: starts below have to do.
+        /// Round from which the changes have to be small. From a start far above all motions of a cubic spring a round takes away only a third of the
+        /// amplitude: such a start is given up, for those at smaller amplitudes.
         const FROM_ROUND: usize = 3;
         const SMALL: f64 = 0.3;
         /// Largest change in a round, relative to the size of the motion.

@@ -9,7 +9,7 @@ use super::heading::Unit;
 /// A column, by its number counted from one or by its name without regard to case.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Column {
-    /// Counted from one.
+    /// Number of the column, from 1.
     Number(usize),
     /// The name as in the header, with or without its unit.
     Name(String),

@@ -38,7 +38,7 @@ pub enum MeasurementError {
     /// A row with another number of cells than the others.
     #[error("line {line} has {found} cells where {expected} were expected: complete or remove the row")]
     Ragged {
-        /// Counted from one.
+        /// Number of the line, from 1.
         line: u64,
         /// Cells in the row.
         found: usize,
@@ -50,7 +50,7 @@ pub enum MeasurementError {
         "line {line} names {names} columns, the rows below have {columns}: complete the header, or specify that there is none"
     )]
     HeaderWidth {
-        /// Counted from one.
+        /// Number of the line, from 1.
         line: u64,
         /// Names.
         names: usize,
@@ -62,13 +62,13 @@ pub enum MeasurementError {
         "line {line} is neither a header nor a row of numbers like those below it: correct it, or specify the header line"
     )]
     NeitherHeaderNorNumbers {
-        /// Counted from one.
+        /// Number of the line, from 1.
         line: u64,
     },
     /// A cell over several lines.
     #[error("line {line} begins a quoted cell that is not closed on the same line: close the quote")]
     UnclosedQuote {
-        /// Counted from one.
+        /// Number of the line, from 1.
         line: u64,
     },
     /// A column whose cells have incompatible units.
@@ -82,9 +82,9 @@ pub enum MeasurementError {
     /// A cell that is not a finite number.
     #[error("line {line}, column {column}: `{cell}` is not a finite number: write it as 1.25 or 1.25e-3")]
     NotANumber {
-        /// Counted from one.
+        /// Number of the line, from 1.
         line: u64,
-        /// Counted from one.
+        /// Number of the column, from 1.
         column: usize,
         /// The cell, shortened.
         cell: String,
@@ -154,7 +154,7 @@ pub enum MeasurementError {
         "line {line}: the time {after} follows {before}, and not only there: put the rows in the order of time, or split the runs"
     )]
     TimeGoesBack {
-        /// Counted from one.
+        /// Number of the line, from 1.
         line: u64,
         /// The earlier time, as in the file.
         before: f64,
@@ -164,7 +164,7 @@ pub enum MeasurementError {
     /// A number that is not a state of a photogate.
     #[error("line {line}: {found} is not a state of a photogate: give 1 or blocked, 0 or unblocked")]
     NotAState {
-        /// Counted from one.
+        /// Number of the line, from 1.
         line: u64,
         /// The number, as in the file.
         found: f64,

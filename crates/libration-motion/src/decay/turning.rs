@@ -9,7 +9,8 @@ pub(super) struct TurningMotion {
     pub(super) distance: f64,
 }
 
-/// Speed, relative to the acceleration by gravity, below which gravity is constant: to 1e-10 of itself, over a distance that is 1e-10 as large.
+/// Speed, relative to the acceleration by gravity, below which gravity counts as constant: the distance to rest is of the order of its square, and
+/// gravity changes on it by 1e-10 of its value.
 const SLOW: f64 = 1e-5;
 
 /// The passage from rest to a small speed, which is returned too.

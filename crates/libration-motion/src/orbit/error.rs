@@ -143,7 +143,7 @@ pub enum OrbitError {
     /// An orbit that cannot be integrated to its end.
     #[error(transparent)]
     Integration(IntegrationError),
-    /// Cancelled by the caller.
+    /// Cancellation by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

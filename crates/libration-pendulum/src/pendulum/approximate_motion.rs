@@ -170,7 +170,7 @@ pub enum ApproximateMotionError {
         "the approximate motions are for a pendulum released from rest, and this one starts with {0} rad/s: leave out the velocity or the comparison"
     )]
     NotFromRest(f64),
-    /// Released from the upright position or beyond.
+    /// A release from the upright position or beyond.
     #[error(
         "the approximate motions are for a release between −π and π, and this one starts at {0} rad: give a smaller angle or leave out the \
          comparison"

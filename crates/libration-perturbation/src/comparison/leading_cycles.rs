@@ -46,7 +46,7 @@ pub struct LeadingLimitCycles {
     pub equilibrium: f64,
     /// The least and the greatest amplitude looked at.
     pub searched: [f64; 2],
-    /// The orbits end there, at a separatrix or where the force has no value.
+    /// `true` if the orbits end at the greater of these amplitudes, at a separatrix or where the force has no value.
     pub family_ends: bool,
     /// The signs of the work at these two; zero if the work is zero within its error.
     pub signs: [f64; 2],
@@ -72,7 +72,7 @@ pub enum LeadingLimitCyclesError {
     /// No orbit about the equilibrium.
     #[error("no orbit about the equilibrium is found: {0}")]
     Orbit(#[from] OrbitError),
-    /// Cancelled by the caller.
+    /// Cancellation by the caller.
     #[error("interrupted")]
     Interrupted,
 }

@@ -30,7 +30,7 @@ pub(crate) struct Excitation<'a, R: PhaseRing> {
     pub(crate) slope: Number<R>,
     /// The total degree of the acceleration in x and x′.
     pub(crate) degree: usize,
-    /// The acceleration is odd: x′ and x have odd harmonics only.
+    /// `true` if the acceleration is odd: x′ and x have odd harmonics only.
     pub(crate) symmetric: bool,
 }
 

@@ -34,7 +34,7 @@ pub struct Selected<N> {
     pub(crate) slope: N,
     /// The total degree of the acceleration in x and x′.
     pub(crate) degree: usize,
-    /// The acceleration is odd.
+    /// `true` if the acceleration is odd.
     pub(crate) symmetric: bool,
 }
 

@@ -43,7 +43,7 @@ pub struct QueryError(Box<ErrorContent>);
 #[derive(Debug)]
 struct ErrorContent {
     kind: Kind,
-    about: About,
+    about: ErrorSubject,
     message: Text,
     hint: Option<Text>,
     suggestion: Option<String>,
@@ -52,37 +52,37 @@ struct ErrorContent {
 
 /// The subject of a message, which precedes it.
 #[derive(Debug)]
-pub(crate) enum About {
+pub(crate) enum ErrorSubject {
     Nothing,
     Parameters(Vec<Parameter>),
     Other(String),
 }
 
-impl From<&str> for About {
+impl From<&str> for ErrorSubject {
     fn from(subject: &str) -> Self {
         Self::Other(subject.to_owned())
     }
 }
 
-impl From<&String> for About {
+impl From<&String> for ErrorSubject {
     fn from(subject: &String) -> Self {
         Self::Other(subject.clone())
     }
 }
 
-impl From<&Parameter> for About {
+impl From<&Parameter> for ErrorSubject {
     fn from(parameter: &Parameter) -> Self {
         Self::Parameters(vec![parameter.clone()])
     }
 }
 
-impl From<Parameter> for About {
+impl From<Parameter> for ErrorSubject {
     fn from(parameter: Parameter) -> Self {
         Self::Parameters(vec![parameter])
     }
 }
 
-impl<const N: usize> From<[Parameter; N]> for About {
+impl<const N: usize> From<[Parameter; N]> for ErrorSubject {
     fn from(parameters: [Parameter; N]) -> Self {
         Self::Parameters(parameters.into())
     }
@@ -92,7 +92,7 @@ impl QueryError {
     /// The exit status of a command that was interrupted, as shells have it.
     pub const INTERRUPTED: u8 = 130;
 
-    fn new(kind: Kind, about: About, message: &str) -> Self {
+    fn new(kind: Kind, about: ErrorSubject, message: &str) -> Self {
         Self(Box::new(ErrorContent {
             kind,
             about,
@@ -104,33 +104,33 @@ impl QueryError {
     }
 
     /// An error in a value of the query.
-    pub(crate) fn usage(about: impl Into<About>, reason: impl Display) -> Self {
+    pub(crate) fn usage(about: impl Into<ErrorSubject>, reason: impl Display) -> Self {
         Self::new(Kind::Usage, about.into(), &reason.to_string())
     }
 
     /// An error in the query as a whole.
     pub fn misuse(reason: impl Display) -> Self {
-        Self::new(Kind::Usage, About::Nothing, &reason.to_string())
+        Self::new(Kind::Usage, ErrorSubject::Nothing, &reason.to_string())
     }
 
     /// The absence of a result, and its subject.
-    pub(crate) fn no_result(about: impl Into<About>, reason: impl Display) -> Self {
+    pub(crate) fn no_result(about: impl Into<ErrorSubject>, reason: impl Display) -> Self {
         Self::new(Kind::NoResult, about.into(), &reason.to_string())
     }
 
     /// The absence of a result, in a sentence without a subject.
     pub(crate) fn failed(reason: impl Display) -> Self {
-        Self::new(Kind::NoResult, About::Nothing, &reason.to_string())
+        Self::new(Kind::NoResult, ErrorSubject::Nothing, &reason.to_string())
     }
 
     /// The absence of an input file.
     pub(crate) fn missing_file(reason: impl Display) -> Self {
-        Self::new(Kind::MissingFile, About::Nothing, &reason.to_string())
+        Self::new(Kind::MissingFile, ErrorSubject::Nothing, &reason.to_string())
     }
 
     /// An early end that was requested.
     pub(crate) fn cancelled(reason: impl Display) -> Self {
-        Self::new(Kind::Cancelled, About::Nothing, &reason.to_string())
+        Self::new(Kind::Cancelled, ErrorSubject::Nothing, &reason.to_string())
     }
 
     /// The same error with queries that have a result instead.
@@ -156,8 +156,9 @@ impl QueryError {
 
     /// The same error with the names that a query has for its arguments, by those of their values in the help.
     pub(crate) fn named(self, name_of: &dyn Fn(&str) -> Option<String>) -> Self {
-        let About::Parameters(parameters) = &self.0.about else { return self };
-        let about = About::Parameters(parameters.iter().cloned().map(|it| it.named(name_of)).collect());
+        let ErrorSubject::Parameters(parameters) = &self.0.about else { return self };
+        let about =
+            ErrorSubject::Parameters(parameters.iter().cloned().map(|it| it.named(name_of)).collect());
         Self(Box::new(ErrorContent { about, ..*self.0 }))
     }
 
@@ -176,7 +177,8 @@ impl QueryError {
             }
             None => first_paragraphs(error),
         };
-        let about = if parameters.is_empty() { About::Nothing } else { About::Parameters(parameters) };
+        let about =
+            if parameters.is_empty() { ErrorSubject::Nothing } else { ErrorSubject::Parameters(parameters) };
         let hint = command_for(error).map(|hint| Text::marked(&hint));
         Self(Box::new(ErrorContent { hint, ..*Self::new(Kind::Usage, about, &reason).0 }))
     }
@@ -191,8 +193,8 @@ impl QueryError {
     #[must_use]
     pub fn parameters(&self) -> &[Parameter] {
         match &self.0.about {
-            About::Parameters(parameters) => parameters,
-            About::Nothing | About::Other(_) => &[],
+            ErrorSubject::Parameters(parameters) => parameters,
+            ErrorSubject::Nothing | ErrorSubject::Other(_) => &[],
         }
     }
 
@@ -213,8 +215,8 @@ impl QueryError {
     pub fn message(&self, words: &dyn Words) -> String {
         let message = clean(&self.0.message.in_words(words));
         match &self.0.about {
-            About::Other(subject) => format!("{}: {message}", clean(subject)),
-            About::Nothing | About::Parameters(_) => message,
+            ErrorSubject::Other(subject) => format!("{}: {message}", clean(subject)),
+            ErrorSubject::Nothing | ErrorSubject::Parameters(_) => message,
         }
     }
 
@@ -251,8 +253,8 @@ impl QueryError {
             _ => message.extend(self.0.message.to_json()),
         }
         let subject = match (&self.0.kind, &self.0.about) {
-            (Kind::Output(_), _) | (_, About::Nothing | About::Parameters(_)) => String::new(),
-            (_, About::Other(subject)) => clean(subject),
+            (Kind::Output(_), _) | (_, ErrorSubject::Nothing | ErrorSubject::Parameters(_)) => String::new(),
+            (_, ErrorSubject::Other(subject)) => clean(subject),
         };
         let hint = self.0.hint.as_ref().map_or_else(Vec::new, Text::to_json);
         let suggestion = self.suggestion().unwrap_or_default();
@@ -300,7 +302,7 @@ impl From<Error> for QueryError {
     fn from(error: Error) -> Self {
         Self(Box::new(ErrorContent {
             kind: Kind::Output(error),
-            about: About::Nothing,
+            about: ErrorSubject::Nothing,
             message: Text::default(),
             hint: None,
             suggestion: None,

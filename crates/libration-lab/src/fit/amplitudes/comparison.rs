@@ -76,7 +76,8 @@ impl<'a> Comparison<'a> {
         others.map(|(_, law)| law).filter(|law| law.excess <= self.separated)
     }
 
-    /// The Akaike weight of a law, for an excess as improbable as this one is with the degrees of freedom of the rows.
+    /// The Akaike weight of a law: e^(−Δ/2), where the excess Δ is scaled so that the limit of separation, which depends on the degrees of freedom,
+    /// becomes that of known scatter.
     pub(super) fn weight(&self, law: &Compared) -> f64 {
         libm::exp(-0.5 * law.excess.max(0.0) * SEPARATED / self.separated)
     }

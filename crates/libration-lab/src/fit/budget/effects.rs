@@ -52,7 +52,7 @@ pub(in crate::fit) struct Values {
     /// Density of the bob; computed from mass and size where it is zero.
     pub(super) bob_density: f64,
     pub(super) rod_mass: f64,
-    /// Length of the rod; to the surface of the bob where it is zero.
+    /// Length of the rod; zero for a rod that reaches to the surface of the bob.
     pub(super) rod_length: f64,
     pub(super) air_density: f64,
     /// Factor by which the added mass is multiplied.

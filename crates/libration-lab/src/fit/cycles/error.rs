@@ -57,7 +57,7 @@ pub enum CyclesError {
         /// Fraction of the variance of T/T0 that is noise of the amplitudes.
         noise_part: f64,
     },
-    /// Cancelled by the caller.
+    /// Cancellation by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
     /// Too few extremes to determine the fall of the amplitude.

@@ -30,7 +30,7 @@ pub(super) struct Fall<'a> {
     pub(super) weights: Vec<f64>,
     /// Largest step of the integration.
     pub(super) substep: f64,
-    /// Checked at each evaluation of a law.
+    /// Cancellation, checked at each evaluation of a law.
     pub(super) watch: &'a Watch<'a>,
 }
 

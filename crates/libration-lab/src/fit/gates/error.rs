@@ -36,7 +36,7 @@ pub enum GatesError {
         /// Number of passages that begin a whole period of one pendulum.
         accepted: usize,
     },
-    /// Cancelled by the caller.
+    /// Cancellation by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
     /// An impossible width or amplitude.

@@ -1,7 +1,7 @@
 //! Cycles between passages of the bottom as rows of the law, with the errors of the edges that they share.
 //!
-//! The middle of two edges and their distance are independent where the edges are: the one is an error of the time of a passage, the other
-//! of its amplitude, which counts in both half swings next to the passage.
+//! If the errors of two edges are independent and equally large, so are those of their middle and of their distance. The error of the middle is
+//! one of the time of a passage; that of the distance is one of its amplitude, which counts in both half swings next to the passage.
 
 use super::amplitudes::Amplitudes;
 use super::swings::Swings;

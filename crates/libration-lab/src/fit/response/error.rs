@@ -94,7 +94,7 @@ pub enum ResponseFitError {
         "no {0} response close to the rows was found: the search did not converge from any of its starts"
     )]
     NoConvergence(ResponseModel),
-    /// Cancelled by the caller.
+    /// Cancellation by the caller.
     #[error("interrupted before a fit was found")]
     Interrupted,
 }

@@ -38,7 +38,7 @@ pub enum SpectrumError {
         /// Number of windows.
         windows: usize,
     },
-    /// Cancelled by the caller.
+    /// Cancellation by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

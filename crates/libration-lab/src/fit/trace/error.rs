@@ -62,7 +62,7 @@ pub enum TraceFitError {
         /// The kind of the parameter.
         parameter: ParameterKind,
     },
-    /// Cancelled by the caller.
+    /// Cancellation by the caller.
     #[error("the fit was interrupted")]
     Interrupted,
 }

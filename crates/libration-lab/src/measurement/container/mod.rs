@@ -34,7 +34,7 @@ pub enum Format {
 pub(super) struct Page<'a> {
     pub(super) name: String,
     pub(super) text: Cow<'a, str>,
-    /// Known where the text was made from the cells of a workbook.
+    /// The dialect, if the text was made from the cells of a workbook.
     pub(super) dialect: Option<Dialect>,
 }
 

@@ -8,7 +8,7 @@ pub(crate) struct Style {
     pub(crate) name: &'static str,
     pub(crate) delimiter: &'static str,
     pub(crate) decimal_comma: bool,
-    /// Quotes around every cell.
+    /// `true` for quotes around every cell.
     pub(crate) quoted: bool,
     /// Text above the header, line ends included.
     pub(crate) before: &'static str,

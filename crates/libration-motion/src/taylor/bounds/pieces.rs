@@ -47,7 +47,7 @@ pub(in crate::taylor) enum Transition {
     Smooth,
     /// A force jumps, at a time that is rounded.
     Jump { flow: Matrix, late: Vec<f64> },
-    /// Several forces jump, or one whose argument hardly passes zero.
+    /// Jumps whose effect is not known: of several forces, or of one whose argument hardly passes zero.
     Unknown,
 }
 

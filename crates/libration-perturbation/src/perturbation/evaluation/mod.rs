@@ -1,4 +1,4 @@
-//! A series in numbers: term by term, with what is known of the rest.
+//! A series in numbers: terms and partial sums, with a bound or an estimate of the remainder.
 //!
 //! # Method
 //! Partial sums are floats of 256 bits and rounded once. Remainders are proven where a series with positive coefficients bounds the series or

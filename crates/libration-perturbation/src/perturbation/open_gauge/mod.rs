@@ -166,7 +166,7 @@ pub enum OpenGaugeError {
         /// The exponent.
         power: u32,
     },
-    /// Cancelled by the caller.
+    /// Cancellation by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

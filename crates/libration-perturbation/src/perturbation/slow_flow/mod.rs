@@ -100,7 +100,7 @@ pub struct SlowFlow {
     /// Power of the parameter up to which A′ and ψ′ are complete: polynomials in A without terms beyond [`order`](Self::order). Zero where
     /// the force without the small terms is not linear, or the small terms are not polynomials in displacement and velocity.
     pub whole_powers: usize,
-    /// The force has kinks where the motion turns: the displacement at ψ + π is the opposite of that at ψ.
+    /// `true` if the force has kinks where the motion turns: the displacement at ψ + π is the opposite of that at ψ.
     pub half_swing: bool,
 }
 

@@ -14,7 +14,7 @@ pub struct WeakForce {
     pub oscillator: Oscillator,
     /// The acceleration, a formula of x, x′ and ε that is analytic; with kinks at x′ = 0 that for x′ < 0.
     pub acceleration: Expression,
-    /// The acceleration has kinks where the motion turns.
+    /// `true` if the acceleration has kinks where the motion turns.
     pub kinked: bool,
 }
 

@@ -49,7 +49,7 @@ pub enum TruncatedSystemError {
         /// Number of solutions that exist.
         expected: usize,
     },
-    /// Cancelled by the caller.
+    /// Cancellation by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

@@ -156,7 +156,7 @@ impl Bifurcation {
         let (effort, done) = (self.section.effort(), AtomicUsize::new(0));
         let all: usize = pieces.iter().map(|piece| piece.values.len()).sum();
         let how_far = || format!("{} of {all} values", done.load(Ordering::Relaxed));
-        let work = |piece: &Piece| {
+        let work = |piece: &ParameterPiece| {
             let before = Cell::new(0);
             let progress = |status: Status| {
                 done.fetch_add(status.done - before.replace(status.done), Ordering::Relaxed);
@@ -172,9 +172,10 @@ impl Bifurcation {
     }
 
     /// Independent pieces of the work.
-    fn pieces(&self) -> Vec<Piece> {
+    fn pieces(&self) -> Vec<ParameterPiece> {
         let values = &self.over.values;
-        let sweep = |name, values: Vec<f64>| Piece { name, values, continuation: Continuation::LastState };
+        let sweep =
+            |name, values: Vec<f64>| ParameterPiece { name, values, continuation: Continuation::LastState };
         let up = || sweep("up", values.clone());
         let down = || sweep("down", values.iter().rev().copied().collect());
         match self.sweep {
@@ -183,8 +184,11 @@ impl Bifurcation {
             Some(SweepOrder::Both) => vec![up(), down()],
             None => {
                 let continuation = Continuation::SameStart;
-                let piece =
-                    |values: &[f64]| Piece { name: "same start", values: values.to_vec(), continuation };
+                let piece = |values: &[f64]| ParameterPiece {
+                    name: "same start",
+                    values: values.to_vec(),
+                    continuation,
+                };
                 values.chunks(PIECE).map(piece).collect()
             }
         }
@@ -192,14 +196,14 @@ impl Bifurcation {
 }
 
 /// Values for one thread.
-struct Piece {
+struct ParameterPiece {
     name: &'static str,
     values: Vec<f64>,
     continuation: Continuation,
 }
 
 /// The columns of pieces with the same name, one after the other.
-fn joined(pieces: &[Piece], columns: Vec<Vec<DiagramColumn>>) -> Vec<DiagramSweep> {
+fn joined(pieces: &[ParameterPiece], columns: Vec<Vec<DiagramColumn>>) -> Vec<DiagramSweep> {
     let mut sweeps: Vec<DiagramSweep> = vec![];
     for (piece, columns) in pieces.iter().zip(columns) {
         match sweeps.last_mut() {

@@ -181,7 +181,7 @@ impl SeriesSubject {
     }
 
     /// Even steps from zero to the amplitude at which motions end or enclose another equilibrium.
-    fn sampled(&self, to: f64) -> Vec<Sample> {
+    fn sampled(&self, to: f64) -> Vec<AmplitudeSample> {
         let (relation, done) = (self.relation(), AtomicUsize::new(0));
         let how_far = || format!("{} of at most {SAMPLES} amplitudes", done.load(Ordering::Relaxed));
         let sample = || {
@@ -190,7 +190,7 @@ impl SeriesSubject {
             let counted = amplitudes.inspect(|_| {
                 done.fetch_add(1, Ordering::Relaxed);
             });
-            counted.map_while(|amplitude| Sample::at(&relation, amplitude, &progress)).collect()
+            counted.map_while(|amplitude| AmplitudeSample::at(&relation, amplitude, &progress)).collect()
         };
         parallel::with_progress(how_far, sample)
     }
@@ -199,14 +199,16 @@ impl SeriesSubject {
 /// The errors of the partial sums, and of a Padé approximant for comparison.
 fn lines(
     relation: &SeriesComparison<'_>,
-    sampled: &[Sample],
+    sampled: &[AmplitudeSample],
     powers: &[usize],
     setting: &SeriesSetting,
 ) -> Vec<ErrorCurve> {
     /// Degrees of the approximant, as far as the order allows.
     const DEGREES: [usize; 4] = [8, 6, 4, 2];
-    let line = |label: String, value: &dyn Fn(&Sample) -> f64| {
-        let error = |sample: &Sample| Some((sample.amplitude, resolved_error(value(sample), &sample.exact)?));
+    let line = |label: String, value: &dyn Fn(&AmplitudeSample) -> f64| {
+        let error = |sample: &AmplitudeSample| {
+            Some((sample.amplitude, resolved_error(value(sample), &sample.exact)?))
+        };
         ErrorCurve { label, errors: sampled.iter().filter_map(error).collect() }
     };
     let symbol = &setting.abscissa.symbol;
@@ -278,13 +280,13 @@ fn resolved_error(value: f64, exact: &ExactValue) -> Option<f64> {
 }
 
 /// An amplitude with the exact value there.
-struct Sample {
+struct AmplitudeSample {
     amplitude: f64,
     exact: ExactValue,
     evaluation: SeriesEvaluation,
 }
 
-impl Sample {
+impl AmplitudeSample {
     fn at(relation: &SeriesComparison<'_>, amplitude: f64, progress: &dyn Progress) -> Option<Self> {
         let exact = relation.exact_at(amplitude, progress).ok().filter(|exact| exact.encloses.is_none())?;
         Some(Self { amplitude, exact, evaluation: relation.evaluation_at(amplitude) })

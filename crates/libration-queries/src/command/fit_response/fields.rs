@@ -20,7 +20,7 @@ pub(super) struct Answer<'a> {
 }
 
 /// A parameter of the preferred model.
-pub(super) struct Parameter {
+pub(super) struct FittedParameter {
     name: &'static str,
     estimate: Uncertain,
     unit: String,
@@ -57,9 +57,10 @@ impl Answer<'_> {
     }
 
     /// The parameters in the order of the covariance.
-    fn parameters(&self) -> Vec<Parameter> {
+    fn parameters(&self) -> Vec<FittedParameter> {
         let (best, unit) = (self.fit.best(), self.file.unit);
-        let parameter = |name, estimate, unit: &str| Parameter { name, estimate, unit: unit.to_owned() };
+        let parameter =
+            |name, estimate, unit: &str| FittedParameter { name, estimate, unit: unit.to_owned() };
         let cubic = best.cubic.map(|cubic| parameter("kappa", cubic, &format!("1/(s^2 {unit}^2)")));
         [parameter("omega0", best.natural_frequency, "rad/s"), parameter("c", best.damping, "1/s")]
             .into_iter()
@@ -198,8 +199,8 @@ fn value(estimate: Uncertain) -> String {
     text.split(" ±").next().unwrap_or_default().to_owned()
 }
 
-fn of_parameter() -> Fields<Parameter> {
-    type Of = Field<Parameter>;
+fn of_parameter() -> Fields<FittedParameter> {
+    type Of = Field<FittedParameter>;
     Fields::from([
         Of::value("name", "", "omega0, c, kappa or A, of the preferred model", |it| it.name.into()),
         Of::number("value", "", "in its unit", |it| it.estimate.value),

@@ -42,7 +42,7 @@ pub(crate) struct FitResponse {
     model: Option<ModelChoice>,
     /// The quantity measured as the amplitude
     #[arg(long, value_enum, default_value = "peak")]
-    measured: Measured,
+    measured: MeasuredQuantity,
     /// Draw the data and the curve, its unstable part dashed, to FILE.svg or FILE.png
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
@@ -63,7 +63,7 @@ enum ModelChoice {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Measured {
+enum MeasuredQuantity {
     /// The largest displacement
     Peak,
     /// The harmonic with the frequency of the drive, as of a lock-in amplifier
@@ -95,8 +95,8 @@ impl FitResponse {
     fn fitted(&self, file: &ResponseFile) -> Result<(ResponsesFit, FittedCurve), QueryError> {
         let progress = |_: Status| parallel::update(&how_far);
         let measured = match self.measured {
-            Measured::Peak => MeasuredAmplitude::Peak,
-            Measured::Fundamental => MeasuredAmplitude::Fundamental,
+            MeasuredQuantity::Peak => MeasuredAmplitude::Peak,
+            MeasuredQuantity::Fundamental => MeasuredAmplitude::Fundamental,
         };
         let fit = fit_response(&file.measured.table, &self.models(file), measured, &progress);
         let fit = fit.map_err(|error| self.failure(&error))?;

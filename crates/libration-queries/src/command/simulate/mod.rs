@@ -29,7 +29,7 @@ use ending::Ending;
 use events::{UntilOptions, Watched};
 use libration::systems::Model;
 use motion::SimulatedMotion;
-use resume::{Earlier, Keeper, Question};
+use resume::{Earlier, Keeper, RunParameters};
 use run::RunOutcome;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -176,7 +176,7 @@ impl Simulate {
         let axes =
             self.axes.as_deref().map(|names| arguments::places_in_state(&model, &option("axes"), names));
         let axes = axes.transpose()?.map(|places| places.map(|place| StateAxis::new(&model, place)));
-        let figure = self.figure.as_deref().map(|path| run::Figure {
+        let figure = self.figure.as_deref().map(|path| run::MotionPicture {
             path,
             sizes: &self.sizes,
             axes,
@@ -228,8 +228,8 @@ impl Simulate {
     }
 
     /// The question about a motion that begins in this state.
-    fn question(&self, model: &Model, watched: &Watched, initial: Vec<f64>) -> Question {
-        Question {
+    fn question(&self, model: &Model, watched: &Watched, initial: Vec<f64>) -> RunParameters {
+        RunParameters {
             system: model.key().map(str::to_owned),
             equations: model.equation().to_string(),
             state: model.state_names(),
@@ -247,7 +247,7 @@ impl Simulate {
 fn write_file(
     motion: SimulatedMotion<'_>,
     form: Form,
-    figure: Option<run::Figure<'_>>,
+    figure: Option<run::MotionPicture<'_>>,
     path: &Path,
 ) -> Result<(Ending, Vec<String>), QueryError> {
     let mut file = NewFile::create(path)?;

@@ -1,7 +1,7 @@
 //! A motion with the quantities requested for it.
 
 use super::events::Watched;
-use super::resume::{Earlier, Mark, Question};
+use super::resume::{Earlier, Mark, RunParameters};
 use crate::arguments::{Initial, Times, Tolerances};
 use libration::systems::{Model, Observables};
 use libration::taylor::{Effort, Gradients, Moment, Sensitivities};
@@ -9,7 +9,7 @@ use libration::taylor::{Effort, Gradients, Moment, Sensitivities};
 /// A motion to be integrated, with the quantities requested for it.
 pub(super) struct SimulatedMotion<'a> {
     pub(super) model: &'a Model,
-    pub(super) question: Question,
+    pub(super) question: RunParameters,
     pub(super) initial: Initial,
     pub(super) times: &'a Times,
     pub(super) tolerances: &'a Tolerances,

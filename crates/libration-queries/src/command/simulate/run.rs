@@ -25,7 +25,7 @@ use std::path::Path;
 
 /// A picture of the motion.
 #[derive(Debug)]
-pub(super) struct Figure<'a> {
+pub(super) struct MotionPicture<'a> {
     pub(super) path: &'a Path,
     pub(super) sizes: &'a figure::Sizes,
     /// Axes of the picture, if it does not show the coordinates against time.
@@ -48,7 +48,7 @@ impl SimulatedMotion<'_> {
     pub(super) fn write(
         &self,
         form: Form,
-        figure: Option<Figure<'_>>,
+        figure: Option<MotionPicture<'_>>,
         out: &mut dyn Write,
         keeper: Option<Keeper>,
     ) -> Result<RunOutcome, QueryError> {

@@ -40,7 +40,7 @@ pub struct SteadySolution {
     pub trace: f64,
     /// The determinant of the Jacobian; 0 without drive.
     pub determinant: f64,
-    /// Small deviations decay.
+    /// `true` if small deviations decay.
     pub is_stable: bool,
 }
 

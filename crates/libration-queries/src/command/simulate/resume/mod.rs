@@ -22,7 +22,7 @@ use std::path::{Path, PathBuf};
 
 pub(super) use checksum::Checksum;
 pub(super) use mark::Mark;
-pub(super) use question::{Difference, Question};
+pub(super) use question::{Difference, RunParameters};
 use state::check_schema;
 pub(super) use state::{Keeper, State};
 
@@ -35,7 +35,7 @@ const LARGEST: usize = 1 << 30;
 /// The content of an earlier result.
 #[derive(Debug)]
 pub(super) struct Earlier {
-    question: Question,
+    question: RunParameters,
     /// The part of it that is kept; `None` if the earlier run did not complete its first step.
     known: Option<(Mark, Rows)>,
     /// The unfinished file of a killed run, if the result is continued from that.
@@ -83,7 +83,7 @@ pub(super) enum ResumeError {
 
 impl Earlier {
     /// Finds an earlier result of this query: the file, or the one left by a killed run next to it, whichever extends farther.
-    pub(super) fn find(path: &Path, question: &Question, times: &Times) -> Result<Self, QueryError> {
+    pub(super) fn find(path: &Path, question: &RunParameters, times: &Times) -> Result<Self, QueryError> {
         let target = match destination::resolved(path) {
             Ok(Destination::File(target)) => target,
             _ => path.to_owned(),
@@ -108,7 +108,7 @@ impl Earlier {
         })
     }
 
-    fn read(path: &Path, question: &Question, times: &Times) -> Result<Self, Unusable> {
+    fn read(path: &Path, question: &RunParameters, times: &Times) -> Result<Self, Unusable> {
         let mut first = [0; 1];
         let read = File::open(path).and_then(|mut file| file.read(&mut first));
         match read {
@@ -122,7 +122,7 @@ impl Earlier {
         }
     }
 
-    fn of_csv(path: &Path, question: &Question, times: &Times) -> Result<Self, ResumeError> {
+    fn of_csv(path: &Path, question: &RunParameters, times: &Times) -> Result<Self, ResumeError> {
         let state = State::read(&leftover::state_of(path))?;
         question.check(&state.question)?;
         let known = state.mark.map(|mark| (mark.clone(), Rows::of_csv(path, &mark, question)));
@@ -135,7 +135,7 @@ impl Earlier {
         Ok(Self { question: state.question, known, _leftover: None })
     }
 
-    fn of_json(path: &Path, question: &Question, times: &Times) -> Result<Self, Unusable> {
+    fn of_json(path: &Path, question: &RunParameters, times: &Times) -> Result<Self, Unusable> {
         let bytes = arguments::read_at_most(path, LARGEST).map_err(Unusable::Failed)?;
         let document: Value =
             serde_json::from_slice(&bytes).map_err(|error| ResumeError::NotJson(error.to_string()))?;

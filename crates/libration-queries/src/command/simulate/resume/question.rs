@@ -6,7 +6,7 @@ use serde_json::Value;
 
 /// The parameters that decide the numbers of a motion, except the times.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Question {
+pub(crate) struct RunParameters {
     /// The key of the system; `None` for equations as typed.
     pub(crate) system: Option<String>,
     /// Equations with the values of all parameters.
@@ -55,7 +55,7 @@ fn listed(names: &[String]) -> String {
     if names.is_empty() { "none".to_owned() } else { names.join(", ") }
 }
 
-impl Question {
+impl RunParameters {
     /// Checks that an earlier result is the beginning of the result of this run, apart from the initial state.
     pub(crate) fn check(&self, earlier: &Self) -> Result<(), Difference> {
         if earlier.equations != self.equations || earlier.state != self.state {
@@ -84,7 +84,7 @@ impl Question {
     }
 
     pub(super) fn fields() -> Fields<Self> {
-        type Of = Field<Question>;
+        type Of = Field<RunParameters>;
         Fields::from([
             Of::value("system", "", "compared by --resume: key of the system, or null", |it| {
                 it.system.clone().into()

@@ -1,6 +1,6 @@
 //! The samples and events of an earlier result, one after the other.
 
-use super::{Checksum, Mark, Question, ResumeError};
+use super::{Checksum, Mark, ResumeError, RunParameters};
 use crate::command::simulate::events::Happening;
 use crate::output::csv;
 use libration::taylor::MomentErrors;
@@ -37,7 +37,7 @@ struct Cells {
 
 impl Rows {
     /// The rows of a CSV file that a mark counts.
-    pub(super) fn of_csv(path: &Path, mark: &Mark, question: &Question) -> Self {
+    pub(super) fn of_csv(path: &Path, mark: &Mark, question: &RunParameters) -> Self {
         let contents = Contents {
             numbers: mark.checkpoint.state.len(),
             with_errors: question.errors,
