@@ -234,6 +234,7 @@ impl<const N: usize> Stepper<'_, N> {
 
     /// The latest end at which series that seem to be polynomials do not overflow.
     fn end_of_finite_states(&self, lane: usize) -> Result<f64, Cause> {
+        /// Halvings after which the longest span, 1.8e308, is 1e-23.
         const HALVINGS: usize = 1100;
         let start = self.block.start[lane];
         let ends = std::iter::successors(Some(self.goal[lane]), |end| Some(start + 0.5 * (end - start)));

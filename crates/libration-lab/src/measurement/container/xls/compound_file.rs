@@ -4,7 +4,9 @@
 const LAST_SECTOR: u32 = 0xffff_fff9;
 /// Streams shorter than this are in the small sectors.
 const SMALL_BELOW: usize = 4096;
+/// Bytes of a sector of a short stream.
 const SMALL_SECTOR: usize = 64;
+/// Bytes of an entry of the directory.
 const ENTRY: usize = 128;
 
 /// The parts of the file that lead to its streams.

@@ -10,6 +10,7 @@ impl Checksum {
 
     /// Updates the checksum with further bytes.
     pub fn include(&mut self, bytes: &[u8]) {
+        /// The prime of the FNV hash with 64 bits.
         const PRIME: u64 = 0x0000_0100_0000_01b3;
         self.0 = bytes.iter().fold(self.0, |sum, byte| (sum ^ u64::from(*byte)).wrapping_mul(PRIME));
     }
