@@ -29,7 +29,7 @@ pub struct MeanReading {
     pub uncertainty: f64,
     /// The contribution of the scatter to the uncertainty.
     pub by_scatter: f64,
-    /// The same by the scatter of this row alone where the rows scatter differently, otherwise `by_scatter`.
+    /// The contribution of the scatter of this row alone if the rows scatter differently, otherwise `by_scatter`.
     pub by_own_scatter: f64,
     /// The contribution of rounding; zero if it is part of the scatter.
     pub by_rounding: f64,

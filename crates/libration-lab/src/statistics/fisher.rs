@@ -12,7 +12,7 @@ pub fn probability_beyond(ratio: f64, above: usize, below: usize) -> f64 {
     probability_beyond_any(ratio, count(above), count(below))
 }
 
-/// The same for degrees of freedom that need not be whole.
+/// The same probability for degrees of freedom that need not be whole.
 pub(crate) fn probability_beyond_any(ratio: f64, above: f64, below: f64) -> f64 {
     if ratio <= 0.0 {
         return 1.0;

@@ -360,7 +360,7 @@ fn chi2_by_the_bars(found: &Cycles) -> f64 {
     squares / dof
 }
 
-/// The same with noise added in which each value keeps so much of the one before; one standard deviation of 0.003 rad.
+/// The trace with noise of standard deviation 0.003 rad added, each value of which is `memory` times the one before and a fresh part.
 fn with_memory(trace: &Trace, memory: f64, random: &mut Random) -> Trace {
     let fresh = 0.003 * (1.0 - memory * memory).sqrt();
     let mut error = 0.003 * random.normal();

@@ -155,7 +155,7 @@ fn stated_uncertainties_cover_the_truth_in_a_sweep() {
     three.check(all, "together");
 }
 
-/// Likewise with four, of 5 draws and of 16, and two tails of 5e-7. The top of this resonance was not reached, so that phases tell the damping.
+/// A sum of n draws is χ² with 4n degrees of freedom, of 5 draws or of 16, and each of two tails has the probability 5e-7. The top of this resonance was not reached, so that phases tell the damping.
 #[test]
 fn stated_uncertainties_cover_a_cubic_coefficient_in_a_sweep() {
     let limits = Limits { usual: 2.36..67.3, full: 22.9..135.4, own: 30.0..98.0 };

@@ -67,7 +67,7 @@ fn assert_honest(name: &str, record: &GateRecord, jitter: f64, seeds: u64) {
     }
 }
 
-/// The same of other seeds too, with limits of the mean square and of the part within two.
+/// The claim for other seeds too, with limits of the mean square and of the part within two.
 fn assert_honest_in_a_sweep(record: &GateRecord, jitter: f64, number: u64, [square, within]: [Limits; 2]) {
     let seed = sweep::seed(1);
     for (of, found) in ["T0", "β"].into_iter().zip(deviations(record, jitter, seed..seed + number)) {
@@ -132,7 +132,7 @@ fn the_test_of_the_exact_law_is_as_uncertain_as_it_says_in_a_sweep() {
     assert_honest_in_a_sweep(&record, 2e-5, sweep::number(16, 60), [square, within]);
 }
 
-/// The same for whole minutes, large amplitudes and strong damping.
+/// Records of whole minutes, with large amplitudes and with strong damping.
 #[test]
 #[ignore = "takes minutes"]
 fn long_records_are_as_uncertain_as_they_say() {

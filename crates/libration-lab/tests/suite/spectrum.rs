@@ -120,7 +120,7 @@ const ONE_PLACE: [Limits; 2] = [
     Limits { usual: 9.0..21.0, full: 74.0..101.0, own: 88.0..101.0 },
 ];
 
-/// The same of six places and two kinds of noise together, which the hypothesis takes to be independent.
+/// Limits for six places and two kinds of noise together, which the hypothesis takes to be independent.
 const ALL_PLACES: [Limits; 2] = [
     Limits { usual: 115.0..208.0, full: 692.0..939.0, own: 692.0..939.0 },
     Limits { usual: 194.0..241.0, full: 1049.0..1198.0, own: 1049.0..1198.0 },

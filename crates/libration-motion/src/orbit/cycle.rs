@@ -115,7 +115,7 @@ fn cycle_unless(
     Ok(found)
 }
 
-/// The same, where the motion first returns within a difference; an unstable cycle is one that it passes.
+/// The cycle where the motion first returns within a difference; an unstable cycle is one that it passes.
 fn cycle_at_return(
     returned: f64,
     family: impl Fn(&Rounds<'_>, f64) -> Result<Option<Orbit>, OrbitError>,

@@ -231,7 +231,7 @@ impl Backbone {
         self.point(displacement, 0.0, progress)
     }
 
-    /// The same for a line in a picture: the frequency of the orbit may have a relative error of 10⁻⁶.
+    /// The frequencies for a line in a picture: the frequency of the orbit may have a relative error of 10⁻⁶.
     #[must_use]
     pub fn drawn_at(&self, displacement: &Displacement, progress: &dyn Progress) -> BackbonePoint {
         const DRAWN: f64 = 1e-6;

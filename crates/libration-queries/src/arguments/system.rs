@@ -101,7 +101,7 @@ impl PendulumSystemOptions {
         self.model_over(None)
     }
 
-    /// The same with one more parameter that has a value.
+    /// The model with one more parameter that has a value.
     pub(crate) fn model_over(&self, parameter: Option<(&str, f64)>) -> Result<Model, QueryError> {
         let names: Vec<_> = parameter.iter().map(|it| it.0).collect();
         let varied = Varied { names: &names, giver: &option("over") };

@@ -13,7 +13,7 @@ pub(crate) fn name(model: &Model) -> String {
     }
 }
 
-/// The same in the middle of a sentence.
+/// The name of a model in the middle of a sentence.
 pub(crate) fn subject(model: &Model) -> String {
     let name = name(model);
     // "Lorenz's convection" has its article.

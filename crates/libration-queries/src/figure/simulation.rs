@@ -90,7 +90,7 @@ impl<'a> Trace<'a> {
         }
     }
 
-    /// The same with the bodies that move.
+    /// The picture with the bodies that move.
     pub(crate) fn animated(&self, model: &Model, start: &[f64]) -> Picture {
         let sampled = SampledCoordinates { times: &self.times, values: &self.values };
         let units = units(model);

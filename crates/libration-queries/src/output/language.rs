@@ -141,7 +141,7 @@ impl FreeNames {
         self.first_free(name, |name| language.is_reserved(name))
     }
 
-    /// The same for a function that the program defines.
+    /// The free name for a function that the program defines.
     pub(crate) fn free_function(&mut self, name: &str) -> String {
         let language = self.language;
         self.first_free(name, |name| language.is_word(name))

@@ -109,7 +109,7 @@ impl Values {
         growth * Self { length, rod_length, ..*self }.factor_of_length(left_out)
     }
 
-    /// The same at the length that the pendulum has in the swings.
+    /// The factor at the length that the pendulum has in the swings.
     fn factor_of_length(&self, left_out: Option<Effect>) -> f64 {
         let on = |effect: Effect| if left_out == Some(effect) { 0.0 } else { 1.0 };
         let (mass, length) = (self.rod_over_bob(), self.rod_length_over_length());
@@ -221,17 +221,17 @@ impl Values {
         if is_ball { 2.25 * self.layer() / self.bob.radius } else { 0.0 }
     }
 
-    /// δ.
+    /// δ, the thickness of the layer of air that moves with the bob, in m.
     pub(super) fn layer(&self) -> f64 {
         (2.0 * VISCOSITY_OF_AIR * self.period() / TAU).sqrt()
     }
 
-    /// μ.
+    /// μ, the mass of the rod over that of the bob; zero for an unknown mass.
     pub(super) fn rod_over_bob(&self) -> f64 {
         if self.bob_mass > 0.0 { self.rod_mass / self.bob_mass } else { 0.0 }
     }
 
-    /// λ.
+    /// λ, the length of the rod over that of the pendulum.
     pub(super) fn rod_length_over_length(&self) -> f64 {
         let length = if self.rod_length > 0.0 { self.rod_length } else { self.length - self.bob.reach() };
         length / self.length

@@ -45,7 +45,7 @@ pub(super) struct Found {
     /// The misfit that is minimised: χ², or where no uncertainties are stated −2 times the logarithm of the likelihood.
     pub(super) misfit: f64,
     pub(super) rows: Vec<FoundRow>,
-    /// `true` if hardly anything was to change in the last round.
+    /// `true` if the changes of the last round were small enough.
     pub(super) settled: bool,
 }
 

@@ -55,7 +55,7 @@ fn workbook_with(rows: &str, parts: &[(&str, &[u8])]) -> Vec<u8> {
     archive(&[&own, parts].concat())
 }
 
-/// The same with two styles: numbers, and times of day.
+/// A workbook with two styles: numbers, and times of day.
 fn workbook(rows: &str) -> Vec<u8> {
     let styles = format!(
         "<styleSheet xmlns=\"{SPACE}\"><cellXfs count=\"2\"><xf numFmtId=\"0\"/><xf numFmtId=\"21\"/></cellXfs></styleSheet>"

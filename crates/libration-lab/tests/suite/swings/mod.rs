@@ -25,7 +25,7 @@ fn trace(swing: &Synthetic) -> Trace {
     swing.trace(&mut Random::seeded(1))
 }
 
-/// The same with other times and values, row by row.
+/// The trace with other times and values, row by row.
 fn changed(trace: &Trace, change: impl Fn(usize, f64, f64) -> (f64, f64)) -> Trace {
     let rows = trace.times().iter().zip(trace.values()).enumerate();
     let (times, values) = rows.map(|(row, (time, value))| change(row, *time, *value)).unzip();

@@ -193,7 +193,7 @@ fn at_rest(way: f64, scale: f64) -> f64 {
 /// Smallest effect of a jump on a step, relative to the distance that a component covers; a smaller one is rounding.
 const SMALLEST_JUMP: f64 = 1e-10;
 
-/// The same where an argument of a |…| changes its sign, relative to the largest size of the component: four roundings.
+/// Smallest effect of a jump where an argument of a |…| changes its sign, relative to the largest size of the component: four roundings.
 const ROUNDED_JUMP: f64 = 4.0 * f64::EPSILON;
 
 /// Largest error of the time of a zero, relative to the adjacent steps, at which the zero counts as passed.

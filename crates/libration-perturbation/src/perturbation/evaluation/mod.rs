@@ -113,7 +113,7 @@ impl SeriesEvaluation {
         Self { at: x, steps: steps.collect() }
     }
 
-    /// The same with proven remainders: `remainder_after` gives a bound on the remainder after the terms up to a power.
+    /// The same terms with proven remainders: `remainder_after` gives a bound on the remainder after the terms up to a power.
     #[must_use]
     pub fn with_bound(mut self, remainder_after: impl Fn(usize) -> f64) -> Self {
         for step in &mut self.steps {

@@ -58,7 +58,7 @@ impl Collocation {
         libm::pow(last, -1.0 / count(self.degree() - 1))
     }
 
-    /// The same with x measured in other units: the force g(s·x)/s.
+    /// The collocation with x measured in other units: the force g(s·x)/s.
     pub(super) fn in_units_of(&self, scale: f64) -> Self {
         let powers = std::iter::successors(Some(1.0), |power| Some(power * scale * scale));
         let force = self.force.iter().zip(powers).map(|(term, power)| term * power);

@@ -44,7 +44,7 @@ impl Answer {
         Some(Self { subject, harmonics: law.harmonics(HARMONICS), law, at: None })
     }
 
-    /// The same with the frequency at an amplitude.
+    /// The law with the frequency at an amplitude.
     pub(super) fn at(self, text: &str) -> Result<Self, QueryError> {
         let refusal = |reason: String| QueryError::usage(option("evaluate"), reason);
         let amplitude =
