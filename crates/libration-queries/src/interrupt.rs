@@ -10,7 +10,7 @@ use crate::query_error::QueryError;
 use libration::progress::{Progress, Status};
 use std::ops::ControlFlow;
 
-/// The run can be cancelled from now on.
+/// Makes the run cancellable from now on.
 pub(crate) fn listen() -> Result<(), QueryError> {
     call::current()
         .host()

@@ -24,7 +24,7 @@ use libration::taylor::{Effort, Moment, Solution, System, Trajectory, integrate_
 
 /// Simulated swings, from the largest to the smallest amplitude.
 const NODES: u32 = 12;
-/// Cycles of each. The first and the last that are measured do not count: beyond their passages no extreme is known.
+/// Number of cycles of each simulated swing. The first and the last that are measured do not count: beyond their passages no extreme is known.
 const CYCLES: f64 = 6.0;
 /// The most rows in a simulated period: with more the local fits have no error.
 const MOST_ROWS: f64 = 100.0;

@@ -48,7 +48,7 @@ pub struct Term<N> {
     pub(in crate::perturbation) wave: HarmonicPair<N>,
 }
 
-/// kτ-th harmonics of the derivative.
+/// The derivative with respect to τ, harmonic by harmonic.
 pub(super) fn slope_of<F: Ring>(
     sums: &HarmonicSums<F>,
     a: &HarmonicSum<F::Element>,
