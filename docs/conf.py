@@ -1,4 +1,4 @@
-"""How the pages of this folder are made; `scripts/docs` builds them."""
+"""Configuration of the pages in this folder; `scripts/docs` builds them."""
 
 import os
 import shutil

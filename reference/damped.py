@@ -111,7 +111,7 @@ def spring(kappa, l=mpfr(1), g=mpfr(1)):
 
 
 def double(m1, m2, l1, l2, g=mpfr(1)):
-    """By solving the two equations of Lagrange as a linear system."""
+    """Accelerations by solving the two equations of Lagrange as a linear system."""
 
     def force(t, q, v, sign):
         c, s = cos(q[0] - q[1]), sin(q[0] - q[1])

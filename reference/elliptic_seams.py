@@ -62,7 +62,7 @@ def arguments():
 
 
 def neighbours(x, reach):
-    """x and so many f64 to each side."""
+    """x and a number of f64 to each side."""
     down, up = [x], [x]
     for _ in range(reach):
         down.append(math.nextafter(down[-1], -math.inf))

@@ -16,7 +16,7 @@ def midpoint(f, t, y, length, substeps):
 
 
 class Extrapolation:
-    """Steps are refined until two columns agree to the tolerance, and halved where so many columns do not."""
+    """Steps are refined until two columns agree to the tolerance, and halved if the columns do not suffice."""
 
     def __init__(self, tolerance, columns):
         self.tolerance, self.columns = tolerance, columns

@@ -40,7 +40,7 @@ def period_in_sine_squared():
 
 
 def period_in_amplitude():
-    """The same composed with k^2 = (1 - cos theta0)/2 as a series in theta0^2."""
+    """The series composed with k^2 = (1 - cos theta0)/2 as a series in theta0^2."""
     sine_squared = [Fraction(0)] + [Fraction((-1) ** (n + 1), 2 * factorial(2 * n)) for n in range(1, TERMS)]
     power, total = [Fraction(1)] + [Fraction(0)] * (TERMS - 1), [Fraction(0)] * TERMS
     for coefficient in period_in_sine_squared():
@@ -269,7 +269,7 @@ crossover,molina,bernoulli,"""
 
 
 def condition(kind, first, second, value):
-    """What vanishes at the claimed amplitudes."""
+    """The function that vanishes at the claimed amplitudes."""
     if kind == "zero":
         return lambda x: error(first, x)
     if kind == "tolerance":

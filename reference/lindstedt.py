@@ -25,7 +25,7 @@ def without_resonance(rest, degree):
 
 
 def fundamental(x):
-    """What stands before cos(tau)."""
+    """The coefficient of cos(tau)."""
     return sum((x[k] * comb(k, k // 2) / 2 ** (k - 1) for k in range(1, len(x), 2)), fmpq(0))
 
 
@@ -68,7 +68,7 @@ class Laurent:
         return fmpq(0) if index % 2 or index < 0 else self.polynomial[index // 2]
 
     def __add__(self, other):
-        """Of polynomials whose degrees have the same parity."""
+        """Sum of polynomials whose degrees have the same parity."""
         low, high = sorted((self, other), key=lambda it: it.degree)
         return Laurent(high.polynomial + low.polynomial.left_shift((high.degree - low.degree) // 2), high.degree)
 
@@ -105,12 +105,12 @@ def van_der_pol(order):
 
 
 def bend(x, n):
-    """What stands before nu^n in x - x^3/3."""
+    """The coefficient of nu^n in x - x^3/3."""
     return x[n] + cube(x, n).times(fmpq(-1, 3))
 
 
 def cube(x, n):
-    """What stands before nu^n in x^3."""
+    """The coefficient of nu^n in x^3."""
     total = Laurent(ZERO, 1)
     for i in range(n + 1):
         pair = sum_of(x[j] * x[i - j] for j in range(i + 1))

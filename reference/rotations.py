@@ -16,7 +16,7 @@ def times(a, b, n):
 
 
 def moved(c, amplitude, w, start, periods):
-    """The state, and its derivatives by both numbers of the start as columns, after so many periods of the drive."""
+    """The state, and its derivatives by both numbers of the start as columns, after a number of drive periods."""
     theta, v = start
     tangents = [[mpf(1), mpf(0)], [mpf(0), mpf(1)]]
     time, h = mpf(0), 2 * pi / w / STEPS
@@ -91,9 +91,9 @@ QUESTIONS = [
 ]
 
 HEADER = """\
-# Answers of the driven pendulum theta'' + c theta' + sin(theta) = A cos(w t) that go around. Source: reference/rotations.py (Taylor shooting in 40
-# digits). Licence: MIT OR Apache-2.0. kind: an answer at w, or a fold or period doubling over w. turns, drive_periods: whole turns in so many
-# periods of the drive. theta, velocity: the state at t = 0. trace: that of the monodromy matrix. 30 digits.
+# Rotating solutions of the driven pendulum theta'' + c theta' + sin(theta) = A cos(w t). Source: reference/rotations.py (Taylor shooting in 40
+# digits). Licence: MIT OR Apache-2.0. kind: a solution (answer) at w, or a fold or period doubling over w. turns, drive_periods: whole turns in this
+# number of drive periods. theta, velocity: the state at t = 0. trace: that of the monodromy matrix. 30 digits.
 kind,c,A,turns,drive_periods,w,theta,velocity,trace"""
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""How motions change with parameters and initial values: python reference/sensitivities.py > crates/libration-testing/data/sensitivities.csv
+"""Changes of motions with parameters and initial values: python reference/sensitivities.py > crates/libration-testing/data/sensitivities.csv
 
 Central differences of motions by extrapolation of the midpoint rule (extrapolation.py) in mpmath floats of 60 digits, each step refined
 until two columns agree to 1e-50; shifts of 1e-14 err by 1e-28 of the third derivative. Needs: pip install mpmath. Takes a minute.

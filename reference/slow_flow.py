@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How the turning points of damped oscillators follow each other, from first integrals.
+"""Successive turning points of damped oscillators, from first integrals.
 
     python reference/slow_flow.py > crates/libration-testing/data/slow_flow.csv
 
@@ -76,7 +76,7 @@ def drag(force):
 
 
 def friction(force):
-    """What the potential loses is taken by friction on the way."""
+    """The potential energy lost between turning points is the work of friction."""
     potential = integral(force)
     way = lambda image: times(add(A, image), {(0, 1): Fraction(-1)})
     return lambda image: add(composed(potential, A), scaled(composed(potential, scaled(image, -1)), -1), way(image))

@@ -76,7 +76,7 @@ def expansion(letters, inverse, order, force):
 
 
 def joined(p):
-    """With z y = 1."""
+    """The y with z y = 1."""
     found = {}
     for (e, k, m, *more), c in p.items():
         low = min(k, m)

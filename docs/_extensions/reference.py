@@ -68,7 +68,7 @@ def warn_of_missing_names(app, env):
 
 
 def public_names(module):
-    """What a module offers under names that can be documented: of objects that an outer module offers too, the outer name alone."""
+    """The objects of a module under names that can be documented: of objects that an outer module offers too, the outer name alone."""
     for name in set(module.__all__) - {"__version__"}:
         item = getattr(module, name)
         full = f"{module.__name__}.{name}"

@@ -25,7 +25,7 @@ PICTURES = ROOT / "docs/_static"
 
 
 def folded(angle):
-    """In the turn from −π to π."""
+    """The angle in the turn from −π to π."""
     return (angle + np.pi) % (2 * np.pi) - np.pi
 
 
@@ -57,7 +57,7 @@ def bifurcation():
 
 
 def exponents():
-    """How fast neighbours of double pendulums that are released from rest diverge within 50 s."""
+    """Divergence of neighbouring double pendulums within 50 s after release from rest."""
     angles = np.radians((np.arange(SIDE) + 0.5) * 360 / SIDE - 180)
     found = timed(
         "exponents",
@@ -74,7 +74,7 @@ def exponents():
 
 
 def basins():
-    """Which periodic motion of a driven pendulum is reached from where: 300 × 300 starts, 80 periods of the drive later."""
+    """Periodic motions that a driven pendulum reaches from 300 × 300 starts, 80 periods of the drive later."""
     found = timed(
         "basins",
         "section driven_pendulum --set c=0.2,A=1.66,omega=1 --skip 80 --points 2",

@@ -60,15 +60,15 @@ class Table:
 Value: TypeAlias = str | SupportsFloat | Fraction
 """A number, in SI units where it has a unit, or a text such as ``"60deg"`` or ``"1/2"``."""
 Given: TypeAlias = Value | Sequence[Value] | NDArray[Any]
-"""One or several, or a text as the command takes it, such as ``"0:10:0.1"``."""
+"""One value or several, or a text as the command takes it, such as ``"0:10:0.1"``."""
 Angle: TypeAlias = Value
-"""In radians, or a text with its unit, such as ``"60deg"``."""
+"""An angle in radians, or a text with its unit, such as ``"60deg"``."""
 Quantity: TypeAlias = Value
-"""In SI units, or a text with its unit and uncertainty, such as ``"0.57m±0.004m"``."""
+"""A quantity in SI units, or a text with unit and uncertainty, such as ``"0.57m±0.004m"``."""
 Coordinate: TypeAlias = str
 """The name of a coordinate or velocity."""
 Values: TypeAlias = Mapping[str, Given] | str
-"""By name."""
+"""Values by name."""
 Path: TypeAlias = str | os.PathLike[str]
 
 
@@ -109,19 +109,19 @@ class Parameter(NamedTuple):
     kind: str
     """"argument", "option" or "flag"."""
     value: str
-    """What stands for its value in the help, such as ``NAME=VALUE``."""
+    """Placeholder of its value in the help, such as ``NAME=VALUE``."""
     is_required: bool
     is_repeated: bool
     choices: list[str]
     meaning: str
     value_type: str
-    """Such as "integer"; `libration_queries::ParameterType` lists them."""
+    """Type, such as "integer"; `libration_queries::ParameterType` lists them."""
     is_measured: bool = False
     """True for a measured quantity, whose uncertainty goes into the results."""
 
     @property
     def keyword(self) -> str:
-        """Its name in Python."""
+        """The name in Python."""
         name = self.name.replace("-", "_")
         return f"{name}_" if name in ("from", "lambda") else name
 
@@ -192,21 +192,21 @@ def _parameter(words: str, given: Sequence[Any]) -> Parameter:
 
 
 class Asked(NamedTuple):
-    """A question as it went down."""
+    """A query as it is recorded."""
 
     words: tuple[str, ...]
-    """Those of the command line, without the form of the answer."""
+    """The parameters of the command line, without the form of the result."""
     input: bytes | None
 
     @property
     def command(self) -> str:
-        """The words of the question itself."""
+        """The words of the query itself."""
         two = " ".join(self.words[:2])
         return two if two in catalogue() else self.words[0]
 
 
 def asked(words: str, given: Mapping[str, Any]) -> Asked:
-    """The words of a command line; what is None is left to the command."""
+    """The words of a command line; parameters that are None are left to the command."""
     options: list[str] = []
     inherited: list[str] = []
     arguments: list[str] = []
@@ -243,7 +243,7 @@ def asked(words: str, given: Mapping[str, Any]) -> Asked:
 
 
 def _refuse_signs(words: str, given: Mapping[str, Any]) -> None:
-    """Refuses symbols that are declared not to be positive where the answer may have letters."""
+    """Refuses symbols that are declared not to be positive if the result may have symbols."""
     if words not in ("expand", "derive", "resonance"):
         return
     texts = given.get("set")
@@ -293,7 +293,7 @@ def _texts(parameter: Parameter, value: Any, read: list[bytes]) -> list[str]:
 
 
 def _several(value: Any) -> list[Any]:
-    """What is given, one by one."""
+    """The given items, one by one."""
     if is_uncertain(value):
         return [value]
     if isinstance(value, np.ndarray) or hasattr(value, "to_numpy"):
@@ -302,7 +302,7 @@ def _several(value: Any) -> list[Any]:
 
 
 def text_of(value: Any) -> str:
-    """As the command reads it: all digits of numbers, ``0.57±0.004`` for a value with its
+    """A value as the command reads it: all digits of numbers, ``0.57±0.004`` for a value with its
     uncertainty, the text of an equation of SymPy.
     """
     if isinstance(value, str):

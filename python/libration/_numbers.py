@@ -27,7 +27,7 @@ def number(name: str, value: Any) -> float | str:
 
 
 def real(name: str, value: Any, wanted: str = "a number") -> float:
-    """A number; an infinite one where it is beyond the floats."""
+    """A number; infinite if it is beyond the range of floats."""
     value = plain(name, value)
     kind = getattr(value, "dtype", np.dtype(object)).kind
     is_number = hasattr(value, "__float__") and kind in "iufO" and np.ndim(value) == 0
@@ -91,7 +91,7 @@ def operand(name: str, value: Any) -> Any:
 
 
 def plain(name: str, value: Any) -> Any:
-    """A value without its uncertainty, of which a warning tells; NaN for a missing one."""
+    """A value without its uncertainty, with a warning about it; NaN for a missing value."""
     refuse_units(value, f"{name}: ")
     if is_missing(value):
         return np.nan
@@ -111,7 +111,7 @@ def is_missing(value: Any) -> bool:
 
 
 def without_masks(values: Any) -> Any:
-    """The same values with NaN for those that are masked, in lists of arrays too.
+    """The values with NaN for masked ones, in lists of arrays too.
 
     `numpy.asarray` drops a mask, and takes the masked values for good ones.
     """

@@ -21,7 +21,7 @@ class Plan:
     """The command of a sweep and the numbers kept: enough to compute any of its chunks anywhere."""
 
     text: str
-    """As the library writes it."""
+    """The plan as the library writes it."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "_fields", json.loads(self.text))
@@ -31,25 +31,25 @@ class Plan:
 
     @property
     def pieces(self) -> tuple[int, ...]:
-        """How many chunks there are along each axis."""
+        """Number of chunks along each axis."""
         return tuple(-(-length // own) for length, own in zip(self["shape"], self["chunk_shape"]))
 
     @property
     def chunks(self) -> int:
-        """How many chunks there are."""
+        """Number of chunks."""
         return int(np.prod(self.pieces))
 
     def place(self, number: int) -> tuple[int, ...]:
-        """The place of a chunk along each axis."""
+        """The index of a chunk along each axis."""
         return tuple(int(it) for it in np.unravel_index(number, self.pieces))
 
     def block(self, number: int) -> tuple[int, ...]:
-        """How many values a chunk has along each axis."""
+        """Number of values of a chunk along each axis."""
         cut = zip(self.place(number), self["chunk_shape"], self["shape"])
         return tuple(min(own, length - place * own) for place, own, length in cut)
 
     def is_done(self, store: Path, number: int) -> bool:
-        """Whether a chunk is in the store: the status is written when all else is."""
+        """True if a chunk is in the store: its status is written last."""
         return (store / self.answers()[-1].file(self.place(number))).exists()
 
     def answers(self) -> list[Variable]:

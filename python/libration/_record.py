@@ -1,4 +1,4 @@
-"""What the results of this package have in common."""
+"""Common methods of the results of this package."""
 
 import html
 from dataclasses import fields
@@ -8,7 +8,7 @@ import numpy as np
 
 
 class Record:
-    """Equal where all fields are, arrays by their numbers; printed with all digits."""
+    """A record: equal if all fields are, arrays by their numbers; printed with all digits."""
 
     __slots__ = ()
 
@@ -32,7 +32,7 @@ def all_digits() -> Any:
 
 
 def arguments(given: dict[str, Any]) -> str:
-    """As a call has them."""
+    """The fields as arguments of a call."""
     return ", ".join(f"{name}={value!r}" for name, value in given.items())
 
 

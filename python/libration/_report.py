@@ -37,7 +37,7 @@ class Result(NamedTuple):
     unit: str
 
     def __str__(self) -> str:
-        """As many digits as the uncertainty leaves, the uncertainty in per cent too."""
+        """The value with the digits of its uncertainty, and the uncertainty in per cent."""
         unit = "" if self.unit in ("", "1") else f" {self.unit}"
         if self.uncertainty is None or not 0 < self.uncertainty < np.inf:
             return f"{self.value:.6g}{unit}"
@@ -77,7 +77,7 @@ def report(title: str, fit: Mapping[str, Any], units: Mapping[str, str]) -> str:
 
 
 def _chosen(fit: Mapping[str, Any]) -> Mapping[str, Any]:
-    """The model or the law that the results are of, among those that were compared."""
+    """The model or law of the results, among those compared."""
     wanted = {"model": fit.get("preferred"), "law": fit.get("law"), "key": "exact"}
     candidates = [*fit.get("models", []), *fit.get("laws", [])]
     of = [it for it in candidates for name, value in wanted.items() if it.get(name, "") == value]
@@ -85,7 +85,7 @@ def _chosen(fit: Mapping[str, Any]) -> Mapping[str, Any]:
 
 
 def _place(fit: Mapping[str, Any]) -> str:
-    """The path of what is compared in the names of fields."""
+    """The path of the compared models in the names of fields."""
     return "models[]." if "models" in fit else "laws[]."
 
 

@@ -12,16 +12,16 @@ from .errors import NoAnswer
 
 KEPT = "complete chunks are kept, and the same call continues from there"
 PAUSE = 0.1
-"""Seconds between two looks at whether Ctrl-C was pressed."""
+"""Seconds between two checks for Ctrl-C."""
 
 
 def cores() -> int:
-    """How many this process may use."""
+    """The number of processors available to this process."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 class _Stopped(Exception):
-    """Nobody waits for the chunk any more."""
+    """The result of the chunk is no longer needed."""
 
 
 def on_this_machine(plan: Plan, store: Path, missing: list[int]) -> Iterator[int]:
@@ -45,7 +45,7 @@ def on_this_machine(plan: Plan, store: Path, missing: list[int]) -> Iterator[int
 
 
 def on_cluster(client: Any, plan: Plan, store: Path, missing: list[int]) -> Iterator[int]:
-    """The same on a cluster. The chunks of a worker that dies are given to others."""
+    """The number of points of each finished chunk, on a cluster; chunks of dead workers go to others."""
     from distributed import CancelledError, KilledWorker
     from distributed import as_completed as completed
     from distributed.comm.core import CommClosedError
@@ -72,4 +72,4 @@ def on_cluster(client: Any, plan: Plan, store: Path, missing: list[int]) -> Iter
 
 
 RETRIES = 10
-"""So often a chunk is given to another worker."""
+"""The number of times that a chunk is given to another worker."""

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 
 class Variable(NamedTuple):
-    """An array of a store: its dimensions, and how it is cut."""
+    """An array of a store: its dimensions and chunks."""
 
     name: str
     dimensions: tuple[str, ...]
@@ -30,11 +30,11 @@ class Variable(NamedTuple):
 
     @property
     def fill(self) -> Any:
-        """What stands where nothing is written."""
+        """The value of elements that are not written."""
         return {"float64": np.nan, "int8": -1, "string": ""}[self.kind]
 
     def metadata(self) -> dict[str, Any]:
-        """Its file ``zarr.json``."""
+        """The file ``zarr.json`` of the array."""
         codecs = {
             "float64": {"name": "bytes", "configuration": {"endian": "little"}},
             "int8": {"name": "bytes"},
@@ -107,12 +107,12 @@ def write(store: Path, path: str, content: bytes) -> None:
 
 
 def workshop(store: Path) -> Path:
-    """The directory of unfinished files, next to the store, which never holds half a file."""
+    """The directory of unfinished files next to the store, which never contains half a file."""
     return store.with_name(f".{store.name}.unfinished")
 
 
 def clear(store: Path) -> None:
-    """Removes what killed processes have left."""
+    """Removes the unfinished files of killed processes."""
     unfinished = workshop(store)
     for draft in unfinished.glob("*.part"):
         draft.unlink(missing_ok=True)

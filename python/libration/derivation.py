@@ -32,7 +32,7 @@ class Derivation:
 
     @property
     def title(self) -> str:
-        """Its first line."""
+        """The first line."""
         return self.markdown.splitlines()[0].lstrip("# ")
 
     def __str__(self) -> str:

@@ -92,4 +92,4 @@ class Interrupted(KeyboardInterrupt):
     def __init__(self, partial: Any = None) -> None:
         super().__init__("interrupted; what was done is the attribute `partial` of this exception")
         self.partial = partial
-        """What was done, of the type of the call's result."""
+        """The finished part, of the type of the call's result."""

@@ -44,7 +44,7 @@ class Series:
     """A power series: ``coefficients[n]`` stands before the n-th power of a variable."""
 
     coefficients: tuple[Coefficient, ...]
-    """By ascending powers, from the zeroth: fractions where they are exact, else decimals."""
+    """Coefficients by ascending powers, from the zeroth: fractions if exact, else decimals."""
     variable: str
     """The name of the variable, such as ``"A"``."""
 
@@ -104,9 +104,9 @@ class GaugeSeries:
     frequency: Series
     """Ω/ω0."""
     cos: dict[int, Series]
-    """Of cos kΩt, by k."""
+    """Coefficients of cos kΩt, by k."""
     sin: dict[int, Series]
-    """Of sin kΩt, by k."""
+    """Coefficients of sin kΩt, by k."""
     x_max: Series
     """The largest displacement."""
     x_min: Series
@@ -127,7 +127,7 @@ class Evaluation(Record, Shown):
     infinite where the series is not known to converge.
     """
     is_proven: bool
-    """Whether the remainder is a theorem, or an estimate from the decay of the terms."""
+    """True if the remainder is proven; False for an estimate from the decay of the terms."""
     powers: NDArray[np.int64]
     """The powers of the terms that are not zero."""
     terms: NDArray[np.float64]
@@ -179,7 +179,7 @@ class Expansion(Record):
     gauge: str | None
     """Meaning of ε; None for a limit cycle."""
     gauge_series: GaugeSeries
-    """The same by powers of ε, or of the strength."""
+    """The series in powers of ε, or of the strength."""
     phase_origin: str
     """State of the motion at t = 0: "turning_point", "passage" or "first_harmonic"."""
     equilibrium: Coefficient
@@ -576,7 +576,7 @@ def _fraction(text: str) -> Fraction:
 
 
 def _integer(text: str) -> int:
-    """As `int` reads it, which refuses more than 4300 digits."""
+    """An integer as `int` reads it, without the limit of 4300 digits."""
     digits = text.lstrip("-")
     value = 0
     for start in range(0, len(digits), 4000):

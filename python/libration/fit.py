@@ -38,14 +38,14 @@ class Measured(NamedTuple):
 
     @property
     def s(self) -> float:
-        """Its standard uncertainty."""
+        """The standard uncertainty."""
         return self.std_dev
 
     def __float__(self) -> float:
         return self.nominal_value
 
     def __str__(self) -> str:
-        """With two digits of the uncertainty."""
+        """The value with two digits of the uncertainty."""
         if not 0 < self.std_dev < np.inf:
             return f"{self.nominal_value!r}+/-{self.std_dev!r}"
         return "+/-".join(_report.rounded(*self))
@@ -99,7 +99,7 @@ class Fit(Answer):
         return {it["name"]: measured(it["value"], it["uncertainty"]) for it in found}
 
     def residuals(self) -> Rows:
-        """Of a fitted motion: time, value, fitted value and residual of each row, in SI units."""
+        """Rows of a fitted motion: time, value, fitted value and residual, in SI units."""
         lines = csv.DictReader(self._again(["--csv"]).splitlines())
         return Rows([{name: _number(name, cell) for name, cell in it.items()} for it in lines])
 

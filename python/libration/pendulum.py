@@ -55,9 +55,9 @@ class Pendulum(Shown):
     """
 
     length: float
-    """In metres."""
+    """The length in metres."""
     gravity: float = _native.STANDARD_GRAVITY
-    """In m/s²."""
+    """The acceleration of free fall in m/s²."""
     angular_frequency: float = field(init=False, repr=False, compare=False)
     """√(gravity/length), that of small swings, in rad/s."""
     small_angle_period: float = field(init=False, repr=False, compare=False)
@@ -132,9 +132,9 @@ class State(NamedTuple):
     """The angle and the velocity of a pendulum."""
 
     angle: Any
-    """In radians, unwrapped: it grows with each turn."""
+    """The angle in radians, unwrapped: it grows with each turn."""
     velocity: Any
-    """In rad/s."""
+    """The angular velocity in rad/s."""
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, State):
@@ -164,15 +164,15 @@ class Harmonics(Record):
     fundamental: float
     """Ω in rad/s; 0 where there is no period."""
     mean_velocity: float
-    """In rad/s: ±Ω in rotation, else 0."""
+    """The mean velocity in rad/s: ±Ω in rotation, else 0."""
     epoch: float
-    """In seconds: of a positive turning point, in rotation of a passage of the bottom."""
+    """Time in seconds of a positive turning point, in rotation of a passage of the bottom."""
     n: NDArray[np.int64]
     """Multiples of the fundamental."""
     angle: NDArray[np.float64]
-    """In rad, each to 0.56 ulp."""
+    """Coefficients of the angle in rad, each to 0.56 ulp."""
     velocity: NDArray[np.float64]
-    """In rad/s."""
+    """Coefficients of the velocity in rad/s."""
 
     def __len__(self) -> int:
         return len(self.n)

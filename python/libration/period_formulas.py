@@ -33,15 +33,15 @@ class PeriodFormula:
     """
 
     key: str
-    """Its name in the catalogue."""
+    """The name in the catalogue."""
     name: str = field(init=False, repr=False, compare=False)
-    """Its usual name."""
+    """The usual name."""
     authors: str = field(init=False, repr=False, compare=False)
-    """Its authors."""
+    """The authors."""
     year: int | None = field(init=False, repr=False, compare=False)
-    """Of publication, where it is known."""
+    """The year of publication, if it is known."""
     source: str = field(init=False, repr=False, compare=False)
-    """Its source; one that was not verified begins with "attributed to"."""
+    """The source; one that was not verified begins with "attributed to"."""
     latex: str = field(init=False, repr=False, compare=False)
     """The formula for T/T0, as LaTeX."""
     domain: str = field(init=False, repr=False, compare=False)

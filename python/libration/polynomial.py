@@ -64,7 +64,7 @@ class Polynomial:
         return " + ".join(_product(*term) for term in self.terms).replace("+ -", "- ") or "0"
 
     def to_sympy(self) -> "sympy.Expr":
-        """The same with SymPy's numbers and symbols: those of the equation, else positive ones."""
+        """The polynomial in SymPy, with the symbols of the equation, else with positive ones."""
         import sympy
 
         letters = {it: sympy.Symbol(it, positive=True) for it in self.letters} | {**self.symbols}

@@ -38,7 +38,7 @@ class States(Record):
     """States at some times; ``states["theta"]`` is a number of each state by its name."""
 
     t: NDArray[np.float64]
-    """In seconds, or in the unit of time of the equations."""
+    """The time in seconds, or in the unit of time of the equations."""
     y: NDArray[np.float64]
     """The last axis counts the numbers of a state."""
     names: tuple[str, ...]
@@ -60,7 +60,7 @@ class Events(States):
     """The times and states of an event."""
 
     contact: tuple[str, ...]
-    """How the formula became zero: "rising", "falling", "grazing" or "start"."""
+    """Kind of the zero: "rising", "falling", "grazing" or "start"."""
     errors: NDArray[np.float64] | None = None
     """Estimated error of each number of ``y``; None without an estimate."""
     t_errors: NDArray[np.float64] | None = None
@@ -80,7 +80,7 @@ class Simulation(States, Shown):
     equation: str
     """The equations of motion, with the values of their parameters."""
     units: tuple[str, ...]
-    """Of the numbers of a state; empty where they are not known."""
+    """Units of the components of a state; empty if they are not known."""
     events: dict[str, Events]
     """The events by their formulas."""
     steps: int
@@ -88,7 +88,7 @@ class Simulation(States, Shown):
     end: float
     """The last time that was reached: that of the event that ended the motion, if one did."""
     success: bool
-    """Whether the motion came to its end: the last time, or the event that was to end it."""
+    """True if the motion reached its end: the last time, or its terminal event."""
     message: str
     """The end of the motion, in words."""
     errors: NDArray[np.float64] | None
@@ -317,7 +317,7 @@ def simulate(
 
 
 def _looked_for(events: Any) -> dict[str, str]:
-    """What counts of each event."""
+    """The direction and kind of each event that counts."""
     is_one = isinstance(events, str) or not np.iterable(events)
     is_directed = isinstance(events, Mapping)
     found = dict(events) if is_directed else dict.fromkeys([events] if is_one else events, "any")

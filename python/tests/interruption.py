@@ -8,7 +8,7 @@ import libration as lb
 
 
 def alarmed(seconds, call):
-    """What a call gives during which a signal comes that is as good as Ctrl-C."""
+    """The result of a call during which a signal equivalent to Ctrl-C arrives."""
 
     def interrupt(*_):
         raise KeyboardInterrupt
@@ -23,7 +23,7 @@ def alarmed(seconds, call):
 
 
 def interrupted_after(seconds, call):
-    """What a call raises that is interrupted so soon."""
+    """The exception of a call that is interrupted so soon."""
     with pytest.raises(lb.Interrupted) as caught:
         alarmed(seconds, call)
     return caught.value

@@ -1,4 +1,4 @@
-"""What ufuncs make of arrays: shapes, types, memory, flags, threads."""
+"""Arrays in ufuncs: shapes, types, memory, flags, threads."""
 
 import copy
 import pickle

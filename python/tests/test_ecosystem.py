@@ -1,4 +1,4 @@
-"""Beside the packages that arrays come in."""
+"""Arrays of other packages."""
 
 import numpy as np
 import pytest

@@ -26,7 +26,7 @@ STARTS = {
 
 
 def read_back(it):
-    """What the text of an object makes, after ``from libration import *; from numpy import *``."""
+    """The object of a text, after ``from libration import *; from numpy import *``."""
     names = {name: getattr(lb, name) for name in lb.__all__}
     return eval(repr(it), {**vars(np), **names, "Fraction": Fraction})
 

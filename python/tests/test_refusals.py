@@ -1,4 +1,4 @@
-"""What a reader of the documentation may mistype: each message names the argument in Python's
+"""Mistakes of a reader of the documentation: each message names the argument in Python's
 words, and says what would work.
 """
 

@@ -1,4 +1,4 @@
-"""In the place of SciPy's functions, for 0 ≤ m ≤ 1: the same arguments and results, and SciPy's own
+"""Replacements of SciPy's functions, for 0 ≤ m ≤ 1: the same arguments and results, and SciPy's own
 tests.
 """
 

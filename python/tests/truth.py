@@ -1,4 +1,4 @@
-"""What the functions are, by mpmath: nothing here was made by this library."""
+"""Values of the functions by mpmath: nothing here was made by this library."""
 
 import mpmath as mp
 import numpy as np

@@ -1,4 +1,4 @@
-"""What a type checker shall find: read by mypy and pyright, not run."""
+"""Types that a checker must find: read by mypy and pyright, not run."""
 
 from decimal import Decimal
 from fractions import Fraction

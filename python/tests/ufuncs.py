@@ -40,7 +40,7 @@ def inputs(ufunc, shape=1000, seed=0):
 
 
 def outputs(found):
-    """What a ufunc has found, as a tuple."""
+    """The results of a ufunc, as a tuple."""
     return found if isinstance(found, tuple) else (found,)
 
 

@@ -1,4 +1,4 @@
-//! Questions to every part of the mathematics and to the pictures, with answers as numbers.
+//! Queries to every part of the mathematics and to the pictures, with their results as numbers.
 
 use std::f64::consts::PI;
 
@@ -18,7 +18,7 @@ use libration_report::{draw, style, svg};
 /// Reason why there are no results.
 pub type Failure = Box<dyn std::error::Error>;
 
-/// All answers, always in the same order.
+/// All results, always in the same order.
 ///
 /// # Errors
 /// A question that none of the libraries should refuse.
@@ -47,7 +47,7 @@ impl Iterator for Draws {
     }
 }
 
-/// Over all amplitudes, and down to a complement of 3·2⁻¹⁰⁰⁰.
+/// Periods over all amplitudes, and down to a complement of 3·2⁻¹⁰⁰⁰.
 fn periods() -> Result<Vec<f64>, Failure> {
     let amplitudes: Vec<f64> = Draws(1).take(1000).map(|part| PI * part).collect();
     let powers = std::iter::successors(Some(3.0), |power| Some(0.5 * power));
@@ -62,7 +62,7 @@ fn periods() -> Result<Vec<f64>, Failure> {
     Ok(answers)
 }
 
-/// Swings of one amplitude and of many, prepared or not, turns, and the motion that never comes back.
+/// Swings of one amplitude and of many, prepared or not, rotations, and the motion on the separatrix.
 fn motions() -> Result<Vec<f64>, Failure> {
     let times: Vec<f64> = Draws(3).take(1000).map(|part| 5000.0 * part).collect();
     let pendulum = Pendulum::from_angular_frequency(3.2)?;

@@ -1,4 +1,4 @@
-//! The same questions asked natively and on wasm32: `scripts/wasm32` compares the answers bit for bit.
+//! The same computations natively and on wasm32: `scripts/wasm32` compares the results bit for bit.
 
 mod answers;
 
@@ -19,7 +19,7 @@ pub extern "C" fn count() -> usize {
     kept().len()
 }
 
-/// The bits of an answer, zero behind the last.
+/// The bits of a result, zero after the last.
 #[expect(unsafe_code, reason = "a name for the host")]
 #[unsafe(no_mangle)]
 pub extern "C" fn bits(index: usize) -> u64 {
@@ -40,7 +40,7 @@ pub extern "C" fn sum_of_angles(count: u32) -> f64 {
     answers::sum_of_angles(count)
 }
 
-/// Returns whether this module keeps its promises on the processor that runs it.
+/// Returns `true` if this module keeps its promises on the processor that runs it.
 #[expect(unsafe_code, reason = "a name for the host")]
 #[unsafe(no_mangle)]
 pub extern "C" fn rounds_once() -> bool {

@@ -1,4 +1,4 @@
-//! Prints the answers of this machine, one number of 16 hexadecimal digits a line.
+//! Prints the results of this machine, one number of 16 hexadecimal digits on each line.
 
 use libration_wasm32::{Failure, answers, sum_of_angles, sum_of_periods};
 use std::io::Write;

@@ -28,7 +28,7 @@ fn periods(bencher: Bencher<'_, '_>) {
     bencher.counter(ItemsCount::new(COUNT)).bench_local(|| pendulum::period_ratios(&amplitudes, &mut ratios));
 }
 
-/// Many times at one amplitude.
+/// States of one motion at many times.
 #[divan::bench(args = [0.5, 2.0, 3.12])]
 fn states_of_one_motion(bencher: Bencher<'_, '_>, amplitude: f64) {
     let pendulum = Pendulum::from_angular_frequency(1.0).expect("one is a frequency");

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 /// Progress display of commands that take long and report no progress themselves.
 pub(crate) struct Heartbeat {
-    /// Closed when the work has ended.
+    /// The channel that is closed at the end of the work.
     at_work: std::sync::mpsc::Sender<()>,
     beating: Option<JoinHandle<()>>,
 }

@@ -18,6 +18,7 @@ impl Aligned {
     /// A vector of `count` zeros.
     #[must_use]
     pub fn zeros(count: usize) -> Self {
+        /// Bytes of a cache line.
         const LINE: usize = 64;
         const MOST: usize = LINE / size_of::<f64>() - 1;
         let memory = vec![0.0; count + MOST];

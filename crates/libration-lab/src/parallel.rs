@@ -6,8 +6,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, mpsc};
 use std::thread::{available_parallelism, scope};
 
-/// The results for all items, in their order. Which core did which, and how many there are, changes nothing; the
-/// caller is consulted by this thread, as often as if there were one.
+/// The results for all items, in their order, independent of the number of cores; the caller is consulted by
+/// this thread, as often as on a single core.
 pub fn map<T: Sync, R: Send>(
     items: &[T],
     watch: &Watch<'_>,

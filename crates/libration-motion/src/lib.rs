@@ -29,7 +29,7 @@ pub mod internals {
         };
     }
     pub mod decay {
-        pub use crate::decay::half_swing::{EFFORT, Frame, HalfSwing};
+        pub use crate::decay::half_swing::{EFFORT, GrowingCoordinate, HalfSwing};
     }
     pub mod orbit {
         pub use crate::orbit::{

@@ -158,11 +158,11 @@ pub(crate) fn program(py: Python<'_>, arguments: Vec<OsString>) -> u8 {
 
 /// Name, kind ("argument", "option" or "flag"), placeholder of the value, whether it is
 /// required, whether it may be repeated, the choices, the meaning, the type of the value.
-type Given = (String, &'static str, String, bool, bool, Vec<String>, String, &'static str);
+type ParameterData = (String, &'static str, String, bool, bool, Vec<String>, String, &'static str);
 
 /// All queries: words, purpose, remarks, parameters.
 #[pyfunction]
-pub(crate) fn questions() -> Vec<(String, String, String, Vec<Given>)> {
+pub(crate) fn questions() -> Vec<(String, String, String, Vec<ParameterData>)> {
     let given = |it: Parameter| {
         let kind = match it.kind {
             ParameterKind::Argument => "argument",

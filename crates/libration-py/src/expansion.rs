@@ -40,13 +40,13 @@ enum Found {
 
 /// Arguments: an equation or a key, values of parameters, parameters that stay symbolic, the equilibrium.
 #[derive(FromPyObject)]
-pub(crate) struct Question(String, Vec<(String, String)>, Vec<String>, Option<String>);
+pub(crate) struct ExpansionArguments(String, Vec<(String, String)>, Vec<String>, Option<String>);
 
 /// The expansion, or its completed part and the exception that stopped it.
 #[pyfunction]
 pub(crate) fn expand(
     py: Python<'_>,
-    question: Question,
+    question: ExpansionArguments,
     order: usize,
     gauge: &str,
     progress: Option<Py<PyAny>>,
@@ -58,7 +58,7 @@ pub(crate) fn expand(
     Ok((found.map(NativeExpansion), progress.stopped_by()))
 }
 
-impl Question {
+impl ExpansionArguments {
     fn oscillator(&self) -> PyResult<NumbersOrLetters> {
         let equation = self.equation()?;
         let about = self.3.as_deref().map(str::parse::<Expression>).transpose();

@@ -36,7 +36,7 @@ fn refused(py: Python<'_>, error: &NoPendulum) -> PyErr {
 pub(crate) struct NativeMotion(Motion);
 
 /// n, and the coefficients of angle and velocity.
-type Terms<'py> = (Bound<'py, PyArray1<i64>>, Numbers<'py>, Numbers<'py>);
+type HarmonicArrays<'py> = (Bound<'py, PyArray1<i64>>, Numbers<'py>, Numbers<'py>);
 type Numbers<'py> = Bound<'py, PyArray1<f64>>;
 
 #[pymethods]
@@ -91,7 +91,12 @@ impl NativeMotion {
     }
 
     /// Fundamental, mean velocity, epoch, and the terms.
-    fn harmonics<'py>(&self, py: Python<'py>, tolerance: f64, limit: usize) -> ((f64, f64, f64), Terms<'py>) {
+    fn harmonics<'py>(
+        &self,
+        py: Python<'py>,
+        tolerance: f64,
+        limit: usize,
+    ) -> ((f64, f64, f64), HarmonicArrays<'py>) {
         let FourierSeries { fundamental, mean_velocity, epoch, terms } =
             py.detach(|| self.0.harmonics(tolerance, limit));
         let number: Vec<i64> = terms.iter().map(|it| i64::try_from(it.n).unwrap_or(i64::MAX)).collect();

@@ -21,7 +21,7 @@ use crate::quantity::warn_of_whole_radians;
 /// Arguments: equations or a key, values of parameters, names and values of the start,
 /// events with their directions, the event that ends the motion, the tolerance.
 #[derive(FromPyObject)]
-pub(crate) struct Question(
+pub(crate) struct SimulationArguments(
     String,
     Vec<(String, String)>,
     Vec<(String, String)>,
@@ -52,7 +52,7 @@ struct Errors {
 #[pyfunction]
 pub(crate) fn simulate(
     py: Python<'_>,
-    question: Question,
+    question: SimulationArguments,
     times: PyReadonlyArray1<'_, f64>,
     errors: bool,
     progress: Option<Py<PyAny>>,
@@ -95,7 +95,9 @@ struct Asked {
 }
 
 impl Asked {
-    fn new(Question(system, values, initial, events, until, tolerance): &Question) -> PyResult<Self> {
+    fn new(
+        SimulationArguments(system, values, initial, events, until, tolerance): &SimulationArguments,
+    ) -> PyResult<Self> {
         let model = model(system, values)?;
         let borrowed: Vec<(&str, &str)> = initial.iter().map(|(name, value)| (&**name, &**value)).collect();
         let start = model.initial(&borrowed).map_err(refusal::<SimulationError>)?;

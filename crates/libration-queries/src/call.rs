@@ -1,4 +1,4 @@
-//! The question that a thread works for, with what belongs to it alone, so that questions side by side do not mix.
+//! The run to which a thread belongs, with its data, so that simultaneous runs do not mix.
 //!
 //! # Method
 //! The data of one run are in its `Call`, which each thread that works for it knows (`call::within`), so that simultaneous runs do not mix and end
@@ -16,7 +16,7 @@ thread_local! {
     static CURRENT: RefCell<Option<Arc<Call>>> = const { RefCell::new(None) };
 }
 
-/// A question while it is answered.
+/// A query while it runs.
 pub struct Call {
     host: Arc<dyn Host>,
     /// Arguments as they were given.
@@ -62,7 +62,7 @@ impl Call {
         }
     }
 
-    /// Keeps the output for a file, so that nothing else stands there.
+    /// Keeps the standard output for a file, so that nothing else is written to it.
     pub(crate) fn take_output(&self) {
         self.is_output_taken.store(true, Ordering::Relaxed);
     }
@@ -97,7 +97,7 @@ pub fn current() -> Arc<Call> {
     CURRENT.with_borrow(Option::clone).unwrap_or_else(|| Call::new(vec![], Arc::new(Nobody)))
 }
 
-/// The sentence with the names of this thread's front end in place of its marks.
+/// The sentence with the names of this thread's front end in place of the marks.
 pub(crate) fn in_words(marked: &str) -> String {
     Text::marked(marked).in_words(current().host().words())
 }
@@ -125,7 +125,7 @@ impl Output {
         Self(current())
     }
 
-    /// Returns `true` if a file is written there in place of the result.
+    /// Returns `true` if a file is written to the standard output in place of the result.
     pub(crate) fn is_taken(&self) -> bool {
         self.0.is_output_taken.load(Ordering::Relaxed)
     }

@@ -1,9 +1,7 @@
 //! Environment of a run.
 //!
-//! # Method
-//! `libration_queries::ask` takes the words of a command line and a host: a program on a terminal (`program.rs`), Python, the page or a test. Streams,
-//! signals and the width of the output belong to the host; a run touches nothing else of the process but the files that it is told to read and
-//! write.
+//! # Method `libration_queries::ask` takes the words of a command line and a host: a program on a terminal (`program.rs`), Python, the page or a
+//! test. Streams, signals and the width of the output belong to the host; apart from these, a run uses only the files that it reads and writes.
 
 use crate::query_error::text::{CommandWords, Words};
 use std::fs::File;
@@ -13,8 +11,8 @@ use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 /// The environment of a run: receives its result, provides its standard input and files, and may cancel it.
 ///
-/// Its methods are called on the thread that starts the run and on those that work for it. The default methods do nothing: no input, no
-/// notes, no progress, and no cancellation; files and the time are those of the system.
+/// Its methods are called on the thread that starts the run and on its worker threads. The default methods do nothing: no input, no notes, no
+/// progress, and no cancellation; files and the time are those of the system.
 ///
 /// # Examples
 /// ```
@@ -39,7 +37,7 @@ use std::time::{Duration, SystemTime, UNIX_EPOCH};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait Host: Send + Sync {
-    /// Takes the next part of the result, or of the file that stands in its place.
+    /// Takes the next part of the result, or of the file that replaces it.
     ///
     /// # Errors
     /// Where no more can be taken, which ends the result.
@@ -64,7 +62,7 @@ pub trait Host: Send + Sync {
         false
     }
 
-    /// Takes a file that the question has written, as a whole.
+    /// Takes a complete file that the query has written.
     ///
     /// # Errors
     /// Where it cannot be taken, which is then why there is no result.
@@ -88,7 +86,7 @@ pub trait Host: Send + Sync {
         &CommandWords
     }
 
-    /// Receives the progress of long work from time to time; `None` when that work has ended.
+    /// Receives the progress of long work from time to time; `None` after it.
     fn progress(&self, how_far: Option<&str>) {
         let _ = how_far;
     }
@@ -101,7 +99,7 @@ pub trait Host: Send + Sync {
         Ok(())
     }
 
-    /// Returns `true` while a long run may go on. Called often, also by the thread that has started the run.
+    /// Returns `true` while a long run may continue. Called often, also by the thread that has started the run.
     fn goes_on(&self) -> bool {
         true
     }

@@ -1,4 +1,4 @@
-//! Cancellation of a run, which keeps what is done.
+//! Cancellation of a run, whose finished part is kept.
 //!
 //! # Method
 //! Every library call that may take long updates a `libration::progress::Progress` at each step, order or piece; that of the command consults the
@@ -10,7 +10,7 @@ use crate::query_error::QueryError;
 use libration::progress::{Progress, Status};
 use std::ops::ControlFlow;
 
-/// The run can be cancelled from now on.
+/// Makes the run cancellable from now on.
 pub(crate) fn listen() -> Result<(), QueryError> {
     call::current()
         .host()
@@ -37,7 +37,7 @@ impl Progress for Cancellation {
     }
 }
 
-/// The error of a cancelled run of which `what` was computed is written; success if it is not cancelled.
+/// The error of a cancelled run whose finished part, `what`, is written; `Ok` if it is not cancelled.
 pub(crate) fn ended_early(what: &str) -> Result<(), QueryError> {
     match is_cancelled() {
         true => Err(QueryError::cancelled(format!("interrupted: {what} up to then are written"))),

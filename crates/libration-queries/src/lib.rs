@@ -70,7 +70,7 @@ pub use sweep::{AxisValues, SweepChunk, SweepPlan};
 #[doc(hidden)]
 pub mod internals {
     pub mod animation {
-        pub use crate::figure::animation::{Playing, Sampled};
+        pub use crate::figure::animation::{Playing, SampledCoordinates};
     }
     pub mod call {
         pub use crate::call::{Call, Nobody, current, within};
@@ -105,7 +105,7 @@ pub mod internals {
         pub use crate::figure::parameters::{amplitude, said};
     }
     pub mod figure_size {
-        pub use crate::figure::layout::{Side, side};
+        pub use crate::figure::layout::{PictureSide, side};
     }
     #[cfg(not(target_family = "wasm"))]
     pub mod font {

@@ -1,4 +1,4 @@
-//! Work on other threads: independent pieces on all cores, and a line of progress beside long work.
+//! Parallel work: independent pieces on all cores, with a progress line during long work.
 
 use crate::output::progress::ProgressLine;
 use crate::{call, interrupt};
@@ -20,7 +20,7 @@ const PAUSE: Duration = Duration::from_millis(50);
 /// `false` where the calling thread does all work itself, and shows progress where the work checks for cancellation.
 const HAS_THREADS: bool = cfg!(not(target_family = "wasm"));
 
-/// The results for all items, in their order. Which core did which, and how many there are, changes nothing.
+/// The results for all items, in their order; they do not depend on the number of cores.
 pub fn map<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) -> Vec<R> {
     let done = Mutex::new(Vec::with_capacity(items.len()));
     locked(&done).resize_with(items.len(), || None);
@@ -32,13 +32,13 @@ pub fn map<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) -> Vec<
     done.into_iter().map(|result| result.expect("every piece is done")).collect()
 }
 
-/// The results so far; pieces of work panic outside of their lock.
+/// The results so far; pieces of work panic outside their lock.
 fn locked<R>(done: &Mutex<R>) -> MutexGuard<'_, R> {
     done.lock().expect("no piece of work panics")
 }
 
-/// Passes the results for `places` indices on in their order, while the next ones are computed on all cores; until passing one on fails, or
-/// the run is cancelled. No core is more than a few indices ahead.
+/// Passes on the results for `places` indices in their order, while the next ones are computed on all cores, until passing one on fails or the run
+/// is cancelled. Cores are at most a few indices ahead.
 pub fn in_order<R: Send, E>(
     places: usize,
     work: impl Fn(usize) -> R + Sync,
@@ -125,8 +125,7 @@ fn next_order(to_do: &Mutex<Receiver<usize>>) -> Option<usize> {
     to_do.lock().ok()?.recv().ok()
 }
 
-/// The results for the items, in their order, but for those that are not done when the run is cancelled; meanwhile a line of progress counts
-/// `what`.
+/// The results for the items, in their order, except those not finished when the run is cancelled; a progress line counts `what` meanwhile.
 pub fn map_unless_cancelled<T: Sync, R: Send>(
     items: &[T],
     what: &str,
@@ -146,13 +145,13 @@ pub fn map_unless_cancelled<T: Sync, R: Send>(
     results
 }
 
-/// The result of some work; `None` if the run is cancelled before.
+/// The result of some work; `None` if the run is cancelled before its end.
 pub fn unless_cancelled<R: Send>(what: &str, work: impl FnOnce(&dyn Progress) -> R + Send) -> Option<R> {
     let how_far = || what.to_owned();
     with_progress(how_far, || unless_cancelled_at(&how_far, work))
 }
 
-/// Does the same, and shows as progress how often the work has checked for cancellation: the number of steps, values or orders done, in `unit`.
+/// The result of some work, with the number of its checks for cancellation as progress: the number of steps, values or orders done, in `unit`.
 pub(crate) fn unless_cancelled_counted<R: Send>(
     what: &str,
     unit: &str,
@@ -206,7 +205,7 @@ thread_local! {
     static ALONE: RefCell<Option<ProgressLine>> = const { RefCell::new(None) };
 }
 
-/// Updates the progress of a run; `Break` if the run is cancelled. Where no other thread shows a line of progress, it is shown here.
+/// Updates the progress of a run; `Break` if the run is cancelled. The progress line is shown here if no other thread shows it.
 pub(crate) fn update(how_far: &dyn Fn() -> String) -> ControlFlow<()> {
     if !HAS_THREADS {
         ALONE.with_borrow_mut(|line| line.iter_mut().for_each(|line| line.show(how_far)));
@@ -214,14 +213,14 @@ pub(crate) fn update(how_far: &dyn Fn() -> String) -> ControlFlow<()> {
     interrupt::check()
 }
 
-/// Does some work on a thread of its own while a line of progress is shown.
+/// Does some work on its own thread while a progress line is shown.
 pub(crate) fn with_progress<R: Send>(how_far: impl Fn() -> String, work: impl FnOnce() -> R + Send) -> R {
     let (mut work, mut result) = (Some(work), None);
     beside_progress(&how_far, &mut || result = work.take().map(|work| work()));
     result.expect("the work has ended")
 }
 
-/// Does the work once on a thread of its own.
+/// Does the work once on its own thread.
 fn beside_progress(how_far: &dyn Fn() -> String, work: &mut (dyn FnMut() + Send)) {
     if !HAS_THREADS {
         let outer = ALONE.replace(Some(ProgressLine::new()));

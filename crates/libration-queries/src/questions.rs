@@ -8,17 +8,17 @@ use std::ffi::OsString;
 /// A question of the command.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Question {
-    /// The words behind the name of the program: `decay`, `fit trace`.
+    /// The words after the name of the program: `decay`, `fit trace`.
     pub words: String,
     /// Purpose of the command, in a line.
     pub about: String,
-    /// Remarks, empty where there are none.
+    /// Remarks; may be empty.
     pub remarks: String,
     /// Parameters in the order of the help.
     pub parameters: Vec<Parameter>,
 }
 
-/// Something that a question is given.
+/// A parameter of a query.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Parameter {
     /// Name of an option without its dashes: `damping-order`; name of an argument in small letters: `amplitude`.
@@ -33,7 +33,7 @@ pub struct Parameter {
     pub is_required: bool,
     /// `true` if it may be given several times.
     pub is_repeated: bool,
-    /// All that it may be, where that is a list.
+    /// All allowed values, if they are a list.
     pub choices: Vec<String>,
     /// Meaning of the parameter, with its default.
     pub meaning: String,
@@ -42,7 +42,7 @@ pub struct Parameter {
 /// The way in which a parameter is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ParameterKind {
-    /// A word of its own, in the order of the arguments.
+    /// A positional argument.
     Argument,
     /// An option `--name=value`.
     Option,
@@ -66,7 +66,7 @@ pub fn questions() -> Vec<Question> {
     leaves(&command, "", |it| !it.is_hide_set())
 }
 
-/// The name of the argument whose value is called so in the help, in the question that the words of a command line ask.
+/// The name of the argument whose value has this name in the help, in the query of a command line.
 pub(crate) fn argument_name(words: &[OsString], value: &str) -> Option<String> {
     let word = |place: usize| words.get(place).and_then(|it| it.to_str()).unwrap_or_default();
     let (one, two) = (word(0).to_owned(), format!("{} {}", word(0), word(1)));
@@ -78,7 +78,7 @@ pub(crate) fn argument_name(words: &[OsString], value: &str) -> Option<String> {
     question.parameters.into_iter().find(is_it).map(|it| it.name)
 }
 
-/// The commands below this one that can be asked by themselves, as far as they are shown.
+/// The runnable commands below this one, if they are shown.
 fn leaves(command: &Command, words: &str, is_shown: fn(&Command) -> bool) -> Vec<Question> {
     let below = command.get_subcommands().filter(|it| it.get_name() != "help" && is_shown(it));
     let each = below.flat_map(|it| {
@@ -125,7 +125,7 @@ fn parameter(arg: &Arg) -> Parameter {
     }
 }
 
-/// The help, with the default behind it.
+/// The help, followed by the default.
 fn meaning(arg: &Arg) -> String {
     let help = arg.get_long_help().or_else(|| arg.get_help()).map(ToString::to_string).unwrap_or_default();
     let defaults: Vec<_> = arg.get_default_values().iter().map(|it| it.to_string_lossy()).collect();

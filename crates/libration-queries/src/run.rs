@@ -15,7 +15,7 @@ use std::io::Write;
 use std::path::Path;
 use std::sync::Arc;
 
-/// A run of a query, for front ends that parse the words of a command line with commands of their own.
+/// A run of a query, for front ends that add commands of their own.
 #[derive(Debug)]
 pub struct Run(Arc<Call>);
 
@@ -25,7 +25,7 @@ impl Run {
         Self(Call::new(arguments.into_iter().collect(), host))
     }
 
-    /// The words as `command` reads them; the host receives the notes on how they were read.
+    /// The words as matched by `command`; the host receives notes on inferred settings.
     ///
     /// # Errors
     /// The help, or the refusal by clap.
@@ -41,7 +41,7 @@ impl Run {
         self.write_by(file, |out| command::write(matches, out))
     }
 
-    /// Writes what a command of a front end gives, in the same way.
+    /// Writes the output of a front end's own command in the same way.
     ///
     /// # Errors
     /// Those of the command, and files that cannot be written.

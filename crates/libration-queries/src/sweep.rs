@@ -1,7 +1,7 @@
-//! Sweeps for programs that keep the results themselves: the plan, and what is kept of the results at the points of a chunk.
+//! Sweeps for programs that keep the results themselves: the plan, and the kept numbers of the points of a chunk.
 
 use crate::call::{self, Call};
-use crate::command::{self, SweepAsked, SweepAxis, SweepPlanned};
+use crate::command::{self, SweepAxis, SweepPlanned, SweepRequest};
 use crate::host::Host;
 use crate::query_error::{QueryError, option};
 use std::fmt::Display;
@@ -36,7 +36,7 @@ pub struct SweepPlan(SweepPlanned);
 /// The values of an axis.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum AxisValues {
-    /// Text as `--over` takes it after the name: `1:1.5:0.01` or `60deg,90deg`.
+    /// Text of `--over` after the name: `1:1.5:0.01` or `60deg,90deg`.
     Text(String),
     /// Each as the question is given it.
     List(Vec<String>),
@@ -45,11 +45,11 @@ pub enum AxisValues {
 /// The kept fields at the points of a chunk, which are in the order of the grid: the last axis varies fastest.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SweepChunk {
-    /// The numbers of the first point, then of the next; NaN where there is none.
+    /// The numbers of the first point, then of the next; NaN for missing ones.
     pub numbers: Vec<f64>,
     /// Status of each point: 0 with a result, or the exit status without.
     pub status: Vec<u8>,
-    /// Error message of each point; empty where there is a result.
+    /// Error message of each point; empty if there is a result.
     pub messages: Vec<String>,
 }
 
@@ -70,7 +70,7 @@ impl SweepPlan {
     ) -> Result<Self, QueryError> {
         call::within(&Call::new(vec![], host), || {
             let axes = axes.iter().map(|(name, values)| axis(name, values)).collect::<Result<_, _>>()?;
-            SweepPlanned::new(SweepAsked { question, axes, keep, chunk }).map(Self)
+            SweepPlanned::new(SweepRequest { question, axes, keep, chunk }).map(Self)
         })
     }
 

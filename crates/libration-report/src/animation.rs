@@ -16,7 +16,7 @@ const RAIL: f64 = 3.0 * BODY;
 /// All moving shapes of a picture, in coordinates of the canvas.
 pub(crate) fn moving(picture: &Picture, frame: &Frame, em: f64) -> Vec<Moving> {
     let Some((animation, square)) = picture.animation.as_ref().zip(frame.stage) else { return vec![] };
-    let stage = Stage { middle: square.middle, reach: 0.5 * square.side - BODY, em };
+    let stage = BodyStage { middle: square.middle, reach: 0.5 * square.side - BODY, em };
     let bodies = match &animation.mechanism {
         Mechanism::Plane(bodies) => stage.plane(bodies),
         Mechanism::Rails(places) => stage.rails(places),
@@ -26,14 +26,14 @@ pub(crate) fn moving(picture: &Picture, frame: &Frame, em: f64) -> Vec<Moving> {
 }
 
 /// The square in which bodies move.
-struct Stage {
+struct BodyStage {
     middle: Place,
     /// Largest distance of the middle of a body from the middle of the square.
     reach: f64,
     em: f64,
 }
 
-impl Stage {
+impl BodyStage {
     fn place(&self, right: f64, up: f64) -> Place {
         (self.em * (self.middle.0 + right), self.em * (self.middle.1 - up))
     }

@@ -31,9 +31,9 @@ fn followed() -> MutexGuard<'static, Option<Followed>> {
     FOLLOWED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Begins the motions that the words so far ask for, as `simulate … --each` does; the exit status. Of their system: how many there are, how
-/// many coordinates, how many bodies, the period of the drive (NaN without one); as text the names of the numbers of a state and their units,
-/// a line each with a tabulator between.
+/// Begins the motions of the words so far, as `simulate … --each` does; returns the exit status. Of their system: how many there are, how many
+/// coordinates, how many bodies, the period of the drive (NaN without one); as text the names of the numbers of a state and their units, a line
+/// each with a tabulator between.
 #[expect(unsafe_code, reason = "a name for the page")]
 #[unsafe(no_mangle)]
 pub extern "C" fn ensemble() -> u8 {
@@ -66,8 +66,8 @@ fn begin(model: &Model, mut ensemble: Ensemble) {
     *followed() = Some(Followed { ensemble, bodies, time: 0.0, states });
 }
 
-/// The states at a time in s, not before those that were requested before: of each motion the numbers of its state, one behind the other, NaN
-/// where it has ended.
+/// The states at a time in s, at or after the last requested one: the components of the state of each motion, one motion after the other, NaN for
+/// ended ones.
 #[expect(unsafe_code, reason = "a name for the page")]
 #[unsafe(no_mangle)]
 pub extern "C" fn advance(time: f64) {
@@ -77,7 +77,7 @@ pub extern "C" fn advance(time: f64) {
     }
 }
 
-/// Positions of the bodies in these states: of each motion, of each body, its place and that on which it hangs, each to the right and upwards.
+/// Positions of the bodies in these states: for each body of each motion its position and that from which it hangs, each to the right and upwards.
 #[expect(unsafe_code, reason = "a name for the page")]
 #[unsafe(no_mangle)]
 pub extern "C" fn bodies() {
@@ -91,7 +91,7 @@ pub extern "C" fn bodies() {
     exchange().numbers = all.flat_map(|body| [body.place, body.pivot]).flatten().collect();
 }
 
-/// The motions that have ended: as text the cause of the first; how many.
+/// The motions that have ended: the cause of the first as text; returns their number.
 #[expect(unsafe_code, reason = "a name for the page")]
 #[unsafe(no_mangle)]
 pub extern "C" fn ended() -> usize {

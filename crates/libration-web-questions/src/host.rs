@@ -1,4 +1,4 @@
-//! The page as the one who asks: its files are in memory, its clock is the browser's.
+//! The page as the host of a run: its files are in memory, its clock is that of the browser.
 
 use crate::page;
 use libration_queries::{Host, InputFile, MarkedWords, Words};
@@ -12,11 +12,11 @@ use std::time::Duration;
 #[derive(Debug)]
 pub(crate) struct PageHost {
     files: BTreeMap<PathBuf, Vec<u8>>,
-    /// Time at which the page is next asked whether the command may continue.
+    /// Time of the next question to the page about a cancellation.
     due: Mutex<Duration>,
 }
 
-/// Interval between two times that it is asked.
+/// Interval between these questions.
 const PAUSE: Duration = Duration::from_millis(50);
 
 impl PageHost {

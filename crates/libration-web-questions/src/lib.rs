@@ -35,7 +35,7 @@ pub extern "C" fn argument() {
     GIVEN.lock().unwrap_or_else(PoisonError::into_inner).words.push(word.into());
 }
 
-/// The bytes of the exchange are the name of a file, as long as is said, and behind it what the file holds.
+/// The bytes of the exchange are the name of a file, of the given length, followed by its contents.
 #[expect(unsafe_code, reason = "a name for the page")]
 #[unsafe(no_mangle)]
 pub extern "C" fn file(name_length: usize) {
@@ -45,7 +45,7 @@ pub extern "C" fn file(name_length: usize) {
     GIVEN.lock().unwrap_or_else(PoisonError::into_inner).files.insert(name.into(), holds);
 }
 
-/// Answers the question; its exit status.
+/// Runs the query; returns its exit status.
 #[expect(unsafe_code, reason = "a name for the page")]
 #[unsafe(no_mangle)]
 pub extern "C" fn ask() -> u8 {

@@ -21,7 +21,7 @@ unsafe extern "C" {
     safe fn page_milliseconds() -> f64;
 }
 
-/// The next part of the answer.
+/// The next part of the result.
 pub(crate) fn output(bytes: &[u8]) {
     // SAFETY: the page copies these bytes before it returns.
     unsafe { page_output(bytes.as_ptr(), bytes.len()) }
@@ -57,7 +57,7 @@ pub(crate) fn written(name: &str, bytes: &[u8]) {
     unsafe { page_written(name.as_ptr(), name.len(), bytes.as_ptr(), bytes.len()) }
 }
 
-/// Returns whether the command may continue: the page handles the messages that it has received meanwhile, which takes a moment.
+/// Returns `true` if the command may continue: the page handles the messages received meanwhile, which takes a moment.
 pub(crate) fn goes_on() -> bool {
     page_goes_on() != 0
 }

@@ -1,4 +1,4 @@
-//! The place where the page and the module leave texts and numbers for each other.
+//! The memory in which the page and the module exchange texts and numbers.
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -30,7 +30,7 @@ impl Exchange {
         String::from_utf8(std::mem::take(&mut self.given)).map_err(|error| error.to_string())
     }
 
-    /// Leaves numbers, or the reason why there are none; whether there are.
+    /// Leaves numbers, or the reason why there are none; `true` if there are numbers.
     pub fn answer(&mut self, answer: Result<Vec<f64>, String>) -> bool {
         let answered = answer.is_ok();
         (self.numbers, self.text) = match answer {

@@ -12,7 +12,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 static IS_FUSED: AtomicBool = AtomicBool::new(false);
 
-/// Says that the function which the page has given rounds once.
+/// Tells the module that the function given by the page rounds once.
 #[expect(unsafe_code, reason = "a name for the page")]
 #[unsafe(no_mangle)]
 pub extern "C" fn use_fused() {

@@ -1,4 +1,4 @@
-//! The motion that the page shows, and approximate ones next to it.
+//! The motion shown by the page, and approximate ones next to it.
 
 use crate::exchange::exchange;
 use libration::pendulum::{ApproximateMotion, Motion, Pendulum, PendulumError, Regime};
@@ -9,7 +9,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 struct Shown {
     pendulum: Pendulum,
     motion: Motion,
-    /// The amplitude that approximate motions need, or the reason why there is none.
+    /// The amplitude for approximate motions, or the reason why there is none.
     amplitude: Result<f64, String>,
 }
 
@@ -43,7 +43,7 @@ pub extern "C" fn launch(length: f64, gravity: f64, velocity: f64) -> bool {
     }))
 }
 
-/// The motion, or the quantity that is wrong and why.
+/// The motion, or the reason why one of its quantities is wrong.
 fn launched(angle: &str, length: f64, gravity: f64, velocity: f64) -> Result<Shown, (&'static str, String)> {
     let angle: Angle = angle.parse().map_err(|error| ("angle", reason(error)))?;
     let pendulum = Pendulum::new(length, gravity).map_err(|error| (quantity(&error), reason(error)))?;
@@ -141,8 +141,8 @@ pub extern "C" fn approximation(place: usize, first: f64, step: f64, count: u32)
     })
 }
 
-/// The harmonics that are not below a tolerance in rad, at most `limit` of them: fundamental angular frequency, mean velocity, epoch, then n,
-/// coefficient of the angle and of the velocity of each.
+/// The harmonics that are not below a tolerance in rad, at most `limit` of them: fundamental angular frequency, mean velocity, epoch, then for each
+/// its order and the coefficients of the angle and of the velocity.
 #[expect(unsafe_code, reason = "a name for the page")]
 #[unsafe(no_mangle)]
 pub extern "C" fn harmonics(tolerance: f64, limit: usize) -> bool {

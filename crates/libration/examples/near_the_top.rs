@@ -1,4 +1,4 @@
-//! A pendulum released at rest 1e-12 rad from the upright position: how long it hesitates, and how it falls.
+//! A pendulum released at rest 1e-12 rad from the upright position: the duration near the top, and the fall.
 //!
 //!     cargo run --release -p libration --example near_the_top
 #![expect(clippy::print_stdout, reason = "an example shows its answer")]
@@ -24,7 +24,7 @@ fn ratio(pendulum: &Pendulum, motion: &Motion) -> f64 {
     motion.period() / pendulum.small_angle_period()
 }
 
-/// The fall to the bottom, a quarter period, beside δ·cosh ω0t, which holds while the pendulum is still nearly upright.
+/// The fall to the bottom, a quarter period, compared with δ·cosh ω0t, which holds while the pendulum is nearly upright.
 fn print_fall(pendulum: &Pendulum, motion: &Motion) {
     println!("    t / s    pi - angle / rad   1e-12 cosh(w0 t)    velocity / (rad/s)");
     let step_of_time = motion.period() / 32.0;

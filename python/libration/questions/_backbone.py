@@ -38,11 +38,11 @@ def backbone(
         A key of the catalogue, such as ``pendulum`` or ``van_der_pol``, or an equation, such as
         "x'' + x + x^3 = 0" or "\\ddot{x} + \\sin x = 0" [default: pendulum].
     amplitudes : number or text, or several
-        Amplitudes START:STOP:STEP or a,b,…; with a unit where the variable is an angle.
+        Amplitudes START:STOP:STEP or a,b,…; with a unit if the variable is an angle.
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     about : number or text, optional
-        The equilibrium, where there are several [default: the stable one nearest to zero].
+        The equilibrium, if there are several [default: the stable one nearest to zero].
     order : int, optional
         The order of the perturbation series [default: 9].
     figure : str or path, optional

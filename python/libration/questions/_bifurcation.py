@@ -53,7 +53,7 @@ def bifurcation(
     period : float or str, optional
         Take a point once per period of this length, in seconds [default: the period of the drive].
     phase : float or str, optional
-        Take it at this fraction of the period, from 0 to 1 [default: 0].
+        Take the points at this fraction of the period, from 0 to 1 [default: 0].
     at : formula, optional
         Take a point whenever this formula of coordinates, velocities and t changes its sign.
     direction : {"rising", "falling", "any"}, optional

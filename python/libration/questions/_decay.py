@@ -60,8 +60,8 @@ def decay(
     until : float or str, optional
         Follow the cycles completed by this time, such as 60s; plain numbers are seconds.
     order : int, optional
-        Compare with the slow flow too, its amplitude law to this power of the amplitude (whole
-        powers of the velocity).
+        Compare with the slow flow too, up to this power of the amplitude (for whole powers of the
+        velocity).
     damping_order : int, optional
         Power of the damping to which the slow flow is expanded [default: 2].
     figure : str or path, optional

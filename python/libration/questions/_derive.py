@@ -45,14 +45,14 @@ def derive(
     damping_order : int, optional
         Averaging: the highest power of the small parameter, 1 to 4 [default: 2].
     small : number or text, optional
-        Averaging, limit-cycle: the small symbol, where several have no value.
+        Averaging, limit-cycle: the small symbol, if several have no value.
     gauge : str, optional
         Perturbation: meaning of the expansion parameter, such as energy or A1=1,A3=-1 [default:
         fundamental].
     set : dict, optional
         Series: the value of a parameter; may be given several times.
     about : number or text, optional
-        Perturbation: the equilibrium, where there are several.
+        Perturbation: the equilibrium, if there are several.
     amplitude : angle, optional
         Show the numbers at this amplitude, such as 40deg; for other oscillators, a plain number.
     length : quantity, optional
@@ -63,7 +63,7 @@ def derive(
     exercises : bool
         Leave out the results, as exercises, and give them as solutions at the end.
     answer : number or text, optional
-        Compare an answer to an exercise: the number of the formula, and what stands for its
+        Compare an answer to an exercise: the number of the formula, and the formula for its
         question mark, such as ``3.1=omega0^2*(1-theta0^2/8)``.
     format : {"markdown", "latex", "html", "ipynb"}, optional
         Format of the derivation [default: markdown].

@@ -49,11 +49,11 @@ def expand(
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     about : number or text, optional
-        The equilibrium, where there are several [default: the stable one nearest to zero].
+        The equilibrium, if there are several [default: the stable one nearest to zero].
     letters : number or text, or several, optional
         Symbolic parameters of a built-in oscillator, separated by commas.
     order : int, optional
-        The highest power of the expansion parameter [default: 7; 31 with ``evaluate``, 15 where no
+        The highest power of the expansion parameter [default: 7; 31 with ``evaluate``, 15 if no
         powers vanish].
     gauge : str, optional
         Meaning of the expansion parameter [default: fundamental, of a slow flow ``x_max``].
@@ -61,16 +61,16 @@ def expand(
         Give the slow flow under weak damping or excitation to this power of its strength [default:
         2].
     small : number or text, or several, optional
-        The symbol of this strength, where several have no value; the symbolic strength of a named
-        system. Several small parameters with their orders, such as a2:1,a3:2,mu:2,F:2, for a slow
-        flow with symbols [default: eps, where it occurs].
+        The symbol of this strength, if several have no value or the system is a named one; for a
+        slow flow with symbols, small parameters with their orders, such as a2:1,a3:2,mu:2,F:2
+        [default: eps, if it occurs].
     resonance : number or text, optional
         Give the slow flow of a driven oscillator near W = (P/Q)·ω0, drive over natural frequency:
         1/1 primary, 1/3 superharmonic, 3/1 subharmonic resonance.
     evaluate : number or text, optional
         Evaluate the series term by term at this amplitude, the largest displacement from the
-        equilibrium, such as 0.5, or 40deg where the variable is an angle; for a limit cycle, at
-        this value of its parameter.
+        equilibrium, such as 0.5, or 40deg if the variable is an angle; for a limit cycle, at this
+        value of its parameter.
     quantity : str, optional
         The quantity to evaluate: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3, the
         coefficient of cos 3Ωt or sin 3Ωt [default: period].

@@ -38,7 +38,7 @@ def figure_series(
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     about : number or text, optional
-        The equilibrium, where there are several [default: the stable one nearest to zero].
+        The equilibrium, if there are several [default: the stable one nearest to zero].
     order : int, optional
         The order of the expansion; partial sums are shown up to the powers 2, 4, 8, … below it
         [default: 33].

@@ -41,13 +41,13 @@ def figure_trajectories(
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     length : float or str, optional
-        Length of the rods of a named pendulum, such as 1m or 57cm [default: what ``libration list``
-        says].
+        Length of the rods of a named pendulum, such as 1m or 57cm [default: see ``libration
+        list``].
     gravity : float or str, optional
         Acceleration of free fall of a named pendulum, such as 9.81m/s^2.
     initial : dict, or several, optional
         Coordinates and velocities at the start, such as theta=60deg,theta'=0; those not given start
-        at rest; give it several times for several motions.
+        at rest; repeat the option for several motions.
     over : dict, optional
         A parameter and its values, with a motion for each, such as c=0.05,0.2,2 or A=1:1.2:0.1.
     from_ : float or str, optional

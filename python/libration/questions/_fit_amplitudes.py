@@ -47,24 +47,24 @@ def fit_amplitudes(
         uncertainties; - for standard input.
     columns : number or text, or several, optional
         Columns of both quantities, of the uncertainties of both, and of further ones, by number or
-        name; - for none [default: as headings, units and values say].
+        name; - for none [default: from headings, units and values].
     role : number or text, or several, optional
         Role of a column: a quantity, as in 2=period (several columns are repeated readings); its
         uncertainty, as in 3=period-uncertainty, period-half-width, period-resolution or, of means
         of several readings, period-deviation; swings, readings, group, ignore.
     against : {"time", "swings"}, optional
-        Quantity of the first column [default: as its header says].
+        Quantity of the first column [default: from its header].
     amplitude_unit : {"rad", "deg", "m", "cm", "mm", "in", "counts"}, optional
         Unit of the amplitudes and of their uncertainties [default: that of the header, else rad].
     length : float or str, optional
         Distance from the pivot to the point that is read: horizontal displacements then give
         angles.
     sides : {"one", "both"}, optional
-        Amplitudes, or turning points of both sides on one scale [default: both where rows alternate
-        or have both signs].
+        Amplitudes, or turning points of both sides on one scale [default: both sides if rows
+        alternate or have both signs].
     errors : {"absolute", "relative"}, optional
-        Errors of all amplitudes where no uncertainties are stated: the same absolute error, or the
-        same part of each amplitude [default: absolute].
+        Errors of all amplitudes if no uncertainties are stated: the same absolute error, or the
+        same relative error [default: absolute].
     from_ : float or str, optional
         Ignore rows before this time, or number of swings.
     to : float or str, optional

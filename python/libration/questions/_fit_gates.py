@@ -80,11 +80,11 @@ def fit_gates(
         Meaning of the times: edges (blocked, free, …) or whole passages [default: detected from
         their pattern].
     diameter : quantity, optional
-        Diameter of what passes the gate with its middle [default: the bob is what passes it, by its
-        radius, cut where the gate is].
+        Diameter of the object whose middle passes the gate [default: that of the bob at the height
+        of the gate, from its radius].
     shape : {"ball", "flag"}, optional
-        Shape of what has this diameter: a ball, or a flat flag with edges parallel to the rod
-        [default: ball].
+        Shape of the object with this diameter: a ball, or a flat flag with edges parallel to the
+        rod [default: ball].
     gate_distance : quantity, optional
         Distance of the gate from the pivot [default: the length of the pendulum].
     amplitude : angle, optional
@@ -133,8 +133,8 @@ def fit_gates(
     expansion : quantity, optional
         Coefficient of thermal expansion of the pendulum, such as 12(1)e-6/K for steel.
     warmer : quantity, optional
-        Temperature of the pendulum in the swings less that when its length was measured, such as
-        3K±1K, or -3K if it was colder.
+        Temperature of the pendulum during the swings minus that during the measurement of its
+        length, such as 3K±1K, or -3K if it was colder.
     support_stiffness : quantity, optional
         Horizontal stiffness of the support, such as 20(2)N/mm: with the mass of the bob, L is
         longer by m g/K.
@@ -143,8 +143,8 @@ def fit_gates(
     angle_scale : float or str, optional
         Relative uncertainty of the scale of all angles, such as 0.01 or 1%.
     clock : float or str, optional
-        Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have
-        been taken for 30.
+        Relative uncertainty of the clock or frame rate, such as 0.1% if 29.97 frames/s may have
+        been taken as 30.
     correlation : str, or several, optional
         Correlation coefficient of two inputs, such as length,bob-radius=0.9.
     latitude : float or str, optional
@@ -186,9 +186,10 @@ def fit_gates(
     to : float or str, optional
         Ignore rows after this time.
     even_times : bool
-        Take the times in the file to be rounded, and use the equally spaced ones they come from.
+        Take the times in the file as rounded, and use the equally spaced times from which they
+        come.
     times_as_written : bool
-        Use the times as written, even where they look like rounded, equally spaced ones.
+        Use the times as written, even if they look like rounded, equally spaced ones.
     run : number or text, or several, optional
         The run: its name, or its number as in ``Run #3``; several as 1,2,6.
     sheet : int or str, optional

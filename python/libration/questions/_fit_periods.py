@@ -65,27 +65,27 @@ def fit_periods(
         A table of amplitudes and periods, optionally with uncertainties; - for standard input.
     columns : number or text, or several, optional
         Columns of both quantities, of the uncertainties of both, and of further ones, by number or
-        name; - for none [default: as headings, units and values say].
+        name; - for none [default: from headings, units and values].
     role : number or text, or several, optional
         Role of a column: a quantity, as in 2=period (several columns are repeated readings); its
         uncertainty, as in 3=period-uncertainty, period-half-width, period-resolution or, of means
         of several readings, period-deviation; swings, readings, group, ignore.
     group : int or str, optional
         Column of the names of groups, whose results are compared and averaged [default: a column
-        whose header says so].
+        named so in the header].
     amplitude_unit : {"rad", "deg"}, optional
         Unit of the amplitudes and of their uncertainties [default: that of the header, else rad].
     half_periods : bool
         The times are half periods, from one side to the other.
     swings_per_reading : float or str, optional
-        Each time lasts this many swings, full periods [default: as the header says, such as 10T or
-        time for 10 swings, else 1].
+        Number of swings, full periods, in each time [default: from the header, such as 10T or time
+        for 10 swings, else 1].
     reaction_time : float or str, optional
-        Standard uncertainty of a single timing by hand, such as 0.1s; repeated readings have it in
-        their scatter.
+        Standard uncertainty of a single timing by hand, such as 0.1s; for repeated readings it is
+        part of their scatter.
     shared_timing : float or str, optional
-        Standard uncertainty of what all timings share, such as 0.05s for an observer who stops
-        late.
+        Standard uncertainty of the error common to all timings, such as 0.05s for an observer who
+        stops late.
     sheet : int or str, optional
         Sheet of a workbook or file of an archive, by number or name.
     delimiter : {"comma", "semicolon", "tab", "space"}, optional
@@ -142,8 +142,8 @@ def fit_periods(
     expansion : quantity, optional
         Coefficient of thermal expansion of the pendulum, such as 12(1)e-6/K for steel.
     warmer : quantity, optional
-        Temperature of the pendulum in the swings less that when its length was measured, such as
-        3K±1K, or -3K if it was colder.
+        Temperature of the pendulum during the swings minus that during the measurement of its
+        length, such as 3K±1K, or -3K if it was colder.
     support_stiffness : quantity, optional
         Horizontal stiffness of the support, such as 20(2)N/mm: with the mass of the bob, L is
         longer by m g/K.
@@ -152,8 +152,8 @@ def fit_periods(
     angle_scale : float or str, optional
         Relative uncertainty of the scale of all angles, such as 0.01 or 1%.
     clock : float or str, optional
-        Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have
-        been taken for 30.
+        Relative uncertainty of the clock or frame rate, such as 0.1% if 29.97 frames/s may have
+        been taken as 30.
     correlation : str, or several, optional
         Correlation coefficient of two inputs, such as length,bob-radius=0.9.
     latitude : float or str, optional

@@ -44,7 +44,7 @@ def fit_response(
         - for standard input.
     columns : number or text, or several, optional
         Columns of both quantities, of the uncertainties of both, and of further ones, by number or
-        name; - for none [default: as headings, units and values say].
+        name; - for none [default: from headings, units and values].
     role : number or text, or several, optional
         Role of a column: a quantity, as in 2=period (several columns are repeated readings); its
         uncertainty, as in 3=period-uncertainty, period-half-width, period-resolution or, of means
@@ -56,8 +56,8 @@ def fit_response(
     phase_unit : {"rad", "deg"}, optional
         Unit of the phases and of their uncertainties [default: that of the header, else rad].
     errors : {"absolute", "relative"}, optional
-        Errors of all amplitudes where no uncertainties are stated: the same absolute error, or the
-        same part of each amplitude [default: absolute].
+        Errors of all amplitudes if no uncertainties are stated: the same absolute error, or the
+        same relative error [default: absolute].
     sheet : int or str, optional
         Sheet of a workbook or file of an archive, by number or name.
     delimiter : {"comma", "semicolon", "tab", "space"}, optional
@@ -67,8 +67,8 @@ def fit_response(
     header : int or str, optional
         Line that names the columns: detect, present, absent, or its number.
     model : {"linear", "pendulum", "duffing"}, optional
-        The oscillator [default: the simplest consistent with the rows; a pendulum where amplitudes
-        are angles].
+        The oscillator [default: the simplest consistent with the rows; a pendulum if amplitudes are
+        angles].
     measured : {"peak", "fundamental"}, optional
         The quantity measured as the amplitude [default: peak].
     figure : str or path, optional

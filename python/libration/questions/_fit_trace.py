@@ -84,7 +84,7 @@ def fit_trace(
     robust : bool
         Give less weight to rows far from the fitted motion (robust fit).
     free_scale : bool
-        Fit the scale of the angles too, from how the period depends on the amplitude.
+        Fit the scale of the angles too, from the dependence of the period on the amplitude.
     report : str or path, optional
         Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next
         to it.
@@ -129,8 +129,8 @@ def fit_trace(
     expansion : quantity, optional
         Coefficient of thermal expansion of the pendulum, such as 12(1)e-6/K for steel.
     warmer : quantity, optional
-        Temperature of the pendulum in the swings less that when its length was measured, such as
-        3K±1K, or -3K if it was colder.
+        Temperature of the pendulum during the swings minus that during the measurement of its
+        length, such as 3K±1K, or -3K if it was colder.
     support_stiffness : quantity, optional
         Horizontal stiffness of the support, such as 20(2)N/mm: with the mass of the bob, L is
         longer by m g/K.
@@ -139,8 +139,8 @@ def fit_trace(
     angle_scale : float or str, optional
         Relative uncertainty of the scale of all angles, such as 0.01 or 1%.
     clock : float or str, optional
-        Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have
-        been taken for 30.
+        Relative uncertainty of the clock or frame rate, such as 0.1% if 29.97 frames/s may have
+        been taken as 30.
     correlation : str, or several, optional
         Correlation coefficient of two inputs, such as length,bob-radius=0.9.
     latitude : float or str, optional
@@ -179,9 +179,10 @@ def fit_trace(
     to : float or str, optional
         Ignore rows after this time.
     even_times : bool
-        Take the times in the file to be rounded, and use the equally spaced ones they come from.
+        Take the times in the file as rounded, and use the equally spaced times from which they
+        come.
     times_as_written : bool
-        Use the times as written, even where they look like rounded, equally spaced ones.
+        Use the times as written, even if they look like rounded, equally spaced ones.
     run : number or text, or several, optional
         The run: its name, or its number as in ``Run #3``; several as 1,2,6.
     sheet : int or str, optional

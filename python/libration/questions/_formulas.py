@@ -17,8 +17,7 @@ def formulas(
     formulas: str | Sequence[str] | None = None,
     progress: Say = False,
 ) -> Answer:
-    """The catalogue of formulas for the period: which one is good enough, how far each holds, where
-    one overtakes another.
+    """The catalogue of formulas for the period: their errors, ranges of validity and crossovers.
 
     Parameters
     ----------

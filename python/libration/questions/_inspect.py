@@ -45,8 +45,8 @@ def inspect(
     header: int | str | None = None,
     progress: Say = False,
 ) -> Answer:
-    """The contents of a file of measurements: its columns with quantities and units, its faults,
-    and what would be fitted.
+    """The contents of a file of measurements: columns with quantities and units, faults, and the
+    proposed fit.
 
     Everything is detected in the file; each finding names the option that overrides it, and the
     fits take the same options. Where a file leaves something open, it is described together with
@@ -112,9 +112,10 @@ def inspect(
     to : float or str, optional
         Ignore rows after this time.
     even_times : bool
-        Take the times in the file to be rounded, and use the equally spaced ones they come from.
+        Take the times in the file as rounded, and use the equally spaced times from which they
+        come.
     times_as_written : bool
-        Use the times as written, even where they look like rounded, equally spaced ones.
+        Use the times as written, even if they look like rounded, equally spaced ones.
     run : number or text, or several, optional
         The run: its name, or its number as in ``Run #3``; several as 1,2,6.
     sheet : int or str, optional

@@ -27,8 +27,8 @@ def lyapunov(
     angles: Literal["degrees", "radians"] | None = None,
     progress: Say = False,
 ) -> Answer:
-    """The largest Lyapunov exponent: how fast neighbouring motions diverge, and whether the motion
-    is chaotic.
+    """The largest Lyapunov exponent: the rate at which neighbouring motions diverge, and whether
+    the motion is chaotic.
 
     Parameters
     ----------

@@ -27,7 +27,7 @@ def modes(
     progress: Say = False,
 ) -> Answer:
     """The normal modes of a system about an equilibrium: frequencies and shapes, exact where
-    possible, and how they change with the amplitude.
+    possible, and their change with the amplitude.
 
     Shapes are scaled so that their largest part is 1. With a the amplitude of that coordinate, the
     frequency is Ω = ω + κa² as long as a is small.

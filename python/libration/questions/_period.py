@@ -32,12 +32,12 @@ def period(
     from_file : str or path, optional
         Read the amplitudes from a file, one per line; - for standard input.
     period : quantity, or several, optional
-        The amplitude that has this period, such as 2.1s or 2.10(1)s: with an uncertainty, the
-        amplitude has one too.
+        The amplitude with this period, such as 2.1s or 2.10(1)s; an uncertainty of the period gives
+        one of the amplitude.
     ratio : quantity, or several, optional
-        The amplitude whose period is this multiple of that of small swings, T/T₀.
+        The amplitude with this ratio of its period to that of small swings, T/T₀.
     excess : quantity, or several, optional
-        The amplitude whose period exceeds that of small swings by this part of it, T/T₀ − 1; keeps
+        The amplitude whose period exceeds that of small swings by this fraction, T/T₀ − 1; keeps
         all digits of small amplitudes.
     formulas : str, or several, optional
         Keys of formulas (``libration formulas`` lists them).

@@ -48,7 +48,7 @@ def plan(
     clock : float or str, optional
         Relative uncertainty of the clock or frame rate [default: 0].
     gravity : float or str, optional
-        Acceleration of free fall, about [default: 9.80665m/s^2].
+        Approximate acceleration of free fall [default: 9.80665m/s^2].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.
 

@@ -53,13 +53,14 @@ def resonance(
         for all of a chain; those not given start at rest.
     order : int, optional
         Highest order in the amplitudes [default: 3], or with symbols in the small parameters
-        [default: their largest, and one at which all terms without small parameter act].
+        [default: the largest of these, and at least one at which all terms without small parameter
+        act].
     small : number or text, or several, optional
         Small parameters with their orders, of equations with symbols, such as a:1,mu:2 [default:
-        eps, where it occurs].
+        eps, if it occurs].
     ratios : number or text, optional
-        The natural frequencies of equations with symbols as whole numbers that they are near, such
-        as 1:2 [default: what equal symbols or numbers imply].
+        Approximate ratios of the natural frequencies of equations with symbols, such as 1:2
+        [default: those implied by equal symbols or numbers].
     resonance : number or text, optional
         Resonance of a drive cos(W*t) in equations with symbols: W = (P/Q)·ω, over the natural
         frequency of the first coordinate.

@@ -56,10 +56,10 @@ def response(
         [default: 1].
     turns : int, optional
         Number of turns of the angle of ``coordinate`` in one period, for rotating responses;
-        backwards where negative.
+        negative for backward rotation.
     orders : float or str, or several, optional
-        Search for sub- and superharmonic responses too: numbers of oscillations per periods of the
-        drive, such as 1/3,1/2.
+        Search for sub- and superharmonic responses too: oscillations per drive periods, such as
+        1/3,1/2.
     at : float or str, optional
         The value at which solutions are searched, for isolated closed branches (isolas) within the
         range [default: the ends of the range].
@@ -70,8 +70,8 @@ def response(
     digits : int, optional
         Compute the parameter at special points to this number of digits, up to 100.
     sweeps : int, optional
-        Sweep the parameter slowly up and down through N values by integration, too [default: 48
-        where a picture is drawn, else none].
+        Also sweep the parameter slowly up and down through N values by integration [default: 48 if
+        a picture is drawn, else none].
     figure : str or path, optional
         Draw amplitude against parameter to FILE.svg, FILE.pdf or FILE.png instead of listing the
         points.

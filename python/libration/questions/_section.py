@@ -43,11 +43,11 @@ def section(
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     initial : dict, or several, optional
         Coordinates and velocities at the start, such as theta=60deg,theta'=0; those not given start
-        at rest; give it several times for several motions.
+        at rest; repeat the option for several motions.
     period : float or str, optional
         Take a point once per period of this length, in seconds [default: the period of the drive].
     phase : float or str, optional
-        Take it at this fraction of the period, from 0 to 1 [default: 0].
+        Take the points at this fraction of the period, from 0 to 1 [default: 0].
     at : formula, optional
         Take a point whenever this formula of coordinates, velocities and t changes its sign.
     direction : {"rising", "falling", "any"}, optional

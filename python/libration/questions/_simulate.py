@@ -52,8 +52,8 @@ def simulate(
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     length : float or str, optional
-        Length of the rods of a named pendulum, such as 1m or 57cm [default: what ``libration list``
-        says].
+        Length of the rods of a named pendulum, such as 1m or 57cm [default: see ``libration
+        list``].
     gravity : float or str, optional
         Acceleration of free fall of a named pendulum, such as 9.81m/s^2.
     initial : dict, optional

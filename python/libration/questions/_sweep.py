@@ -27,18 +27,18 @@ def sweep(
     question : number or text, or several
         The command and its options, as after ``libration``; ``json`` is implied.
     over : dict
-        An axis and its values: A=1:1.5:0.01, theta=1deg:9deg:1deg or n=1,2,5; with semicolons where
-        values have commas.
+        An axis and its values: A=1:1.5:0.01, theta=1deg:9deg:1deg or n=1,2,5; separated by
+        semicolons if values contain commas.
     output : str or path
         The directory for the chunks; a sweep begun there is continued.
     keep : number or text, or several, optional
         Keep this number of the result, by its path in JSON: exponent, results[0].ratio,
-        samples[-1].state[0], points[0:100].state[1], with a name as angle=samples[-1].state[0]
-        [default: all that stand alone].
+        samples[-1].state[0], points[0:100].state[1], with a name as in angle=samples[-1].state[0]
+        [default: all numbers outside lists].
     shard : str, optional
         Compute this part of the sweep only, such as 3/64.
     chunk : int, optional
-        Number of points in a chunk, at most [default: about 256 chunks].
+        Largest number of points in a chunk [default: about 256 chunks].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.
 

@@ -21,7 +21,7 @@ def sweep_join(
     Parameters
     ----------
     directories : str or path, or several
-        The directories of the shards; one where all have written to the same.
+        The directories of the shards; a single one if all have written to it.
     output : str or path, optional
         The file, whose extension chooses its format: .csv or .json [default: CSV on the standard
         output].

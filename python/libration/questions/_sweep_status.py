@@ -18,7 +18,7 @@ def sweep_status(
     Parameters
     ----------
     directories : str or path, or several
-        The directories of the shards; one where all write to the same.
+        The directories of the shards; a single one if all write to it.
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.
 

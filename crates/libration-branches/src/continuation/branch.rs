@@ -70,7 +70,7 @@ pub enum Ending {
     Sensitive,
     /// The corrector failed at the minimum step.
     Lost,
-    /// Cancelled by the caller.
+    /// Cancellation by the caller.
     Interrupted,
 }
 
@@ -277,11 +277,12 @@ impl<'a> Walk<'a> {
         self.accept(next, &units)
     }
 
-    /// Returns `true` if a motion without a drive differs from the last one in its period alone. Next to a homoclinic orbit the parameter differs
-    /// from its limit by a factor that falls exponentially with the period: beyond this point it is rounding, which has folds everywhere.
+    /// Returns `true` if a motion without a drive differs from the last one in its period alone. Next to a homoclinic orbit the distance of the
+    /// parameter from its limit falls exponentially with the period, until it is rounding, which has folds everywhere.
     fn slows_down(&self, next: &BranchPoint) -> bool {
-        /// Changes of the parameter that are rounding. Folds were found in rounding from 1 to 3 units on.
-        const ROUNDINGS: f64 = 16.0;
+        /// Changes of the parameter at which the motion is the limit, in units of rounding: at 4096 the multipliers of the cycle of the tests are off
+        /// by 1e-4, at 16 by 0.1, and from 3 on folds are found.
+        const ROUNDINGS: f64 = 4096.0;
         /// Largest change of the path, relative to its size, and least change of the period. A family at one parameter, as that of a conservative
         /// system, changes its size by a step.
         const SAME: f64 = 1e-6;

@@ -100,6 +100,7 @@ impl Corrector<'_> {
 /// Returns `true` if an orbit closes within the rounding error of its state. No correction improves it,
 /// and at an equilibrium where other branches begin the correction of a rounding error is unbounded.
 fn is_rounding(image: &Image, place: &[f64], units: &[f64]) -> bool {
+    /// A component of the image is the sum of several rounded terms.
     const ROUNDINGS: f64 = 4.0;
     let largest =
         |numbers: &[f64]| numbers.iter().zip(units).map(|(x, unit)| (x / unit).abs()).fold(0.0, f64::max);

@@ -43,7 +43,7 @@ pub struct SpecialCurve {
 pub enum BoundaryPart {
     /// All points of the curve.
     Whole,
-    /// Some of them.
+    /// Some of the points of the curve.
     Part,
     /// No point of the curve.
     None,

@@ -186,7 +186,8 @@ impl<'a> Grid<'a> {
 /// A value of a parameter with a test function.
 type Point = (f64, f64);
 
-/// Smallest size of the torus function in errors by those of the multipliers: it is a product of as many small factors as there are pairs.
+/// The sign of the torus function counts from this multiple of the error that it inherits from the multipliers. That error is of first order in
+/// one factor; the function is a product of a factor for each pair, several of which may be small.
 const TORUS_NOISE: f64 = 4.0;
 
 /// A point with the opposite sign next to an end of a line, on which the function of one sign is nearer to zero at the end than at the next point.

@@ -72,7 +72,7 @@ pub enum BranchError {
          write the equation of one that oscillates first, or give another start"
     )]
     NotFollowed,
-    /// Cancelled before the first point.
+    /// Cancellation before the first point.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

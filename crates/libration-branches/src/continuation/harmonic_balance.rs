@@ -34,7 +34,7 @@ struct Samples {
 }
 
 /// The highest derivatives of the coordinates at samples, and their slopes by components of the state.
-struct Rates {
+struct SampledRates {
     values: Vec<Values>,
     slopes: Vec<Vec<Values>>,
 }
@@ -193,7 +193,8 @@ impl<'f> HarmonicBalance<'f> {
     /// The motion to which Newton's method leads, and `true` if it has settled; `None` if its changes stay large.
     fn solved(&mut self, mut motion: Vec<f64>) -> Option<(Vec<f64>, bool)> {
         const MOST_ROUNDS: usize = 8;
-        /// Round from which the changes have to be small. Far above all motions of a cubic spring a round takes away a third: starts below have to do.
+        /// Round from which the changes have to be small. From a start far above all motions of a cubic spring a round takes away only a third of the
+        /// amplitude: such a start is given up, for those at smaller amplitudes.
         const FROM_ROUND: usize = 3;
         const SMALL: f64 = 0.3;
         /// Largest change in a round, relative to the size of the motion.
@@ -260,7 +261,7 @@ impl<'f> HarmonicBalance<'f> {
             .arrange((0..self.family.layout.coordinates()).map(|it| value(it, 0)), |it| value(it, 1))
     }
 
-    fn rates(&mut self, motion: &[f64], number: usize, size: f64) -> Option<Rates> {
+    fn rates(&mut self, motion: &[f64], number: usize, size: f64) -> Option<SampledRates> {
         /// Change of a component, relative to the size of the motion, for a difference with half of the digits.
         const ASIDE: f64 = 1e-7;
         let samples = &self.samples[number];
@@ -280,7 +281,7 @@ impl<'f> HarmonicBalance<'f> {
             slopes.push(there.iter().zip(&values).map(slope).collect());
             inputs[component] = before;
         }
-        Some(Rates { values, slopes })
+        Some(SampledRates { values, slopes })
     }
 
     fn highest(&mut self, inputs: &[Values]) -> Option<Vec<Values>> {

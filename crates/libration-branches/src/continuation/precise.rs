@@ -90,12 +90,12 @@ impl SpecialPoint {
         let singular = Singular { family: &family, space, test, rest };
         let units = family.units(&self.point, family.largest_swing(&self.point), width);
         let bits = usize::try_from(digits).unwrap_or(usize::MAX / 8) * 10 / 3 + SPARE;
-        let root = Root { singular, flow, units, ring: Floats { precision: bits }, digits };
+        let root = PreciseSearch { singular, flow, units, ring: Floats { precision: bits }, digits };
         Ok(root.found(self))
     }
 }
 
-struct Root<'a> {
+struct PreciseSearch<'a> {
     singular: Singular<'a>,
     flow: PreciseFlow<'a>,
     units: Vec<f64>,
@@ -103,7 +103,7 @@ struct Root<'a> {
     digits: u32,
 }
 
-impl Root<'_> {
+impl PreciseSearch<'_> {
     fn found(&self, special: &SpecialPoint) -> Option<PreciseSpecial> {
         let state = &special.point.state;
         let free = if self.singular.rest.is_some() { &[][..] } else { state };

@@ -117,7 +117,7 @@ impl Response {
 
 /// Branches followed so far, and those left to follow.
 #[derive(Default)]
-struct Found {
+struct FollowedBranches {
     branches: Vec<Branch>,
     leaving: Vec<(usize, Leaving)>,
     /// Points where a branch met another one, which then has no further branch to switch to there.
@@ -128,7 +128,7 @@ struct Found {
 
 impl Search<'_> {
     fn response(&self) -> Result<Response, BranchError> {
-        let mut found = Found::default();
+        let mut found = FollowedBranches::default();
         let mut missing: Vec<(f64, BranchError)> = vec![];
         let [low, high] = self.range;
         let places = self.options.at.map_or(vec![(low, 1.0), (high, -1.0)], |at| vec![(at, 1.0)]);
@@ -171,7 +171,7 @@ impl Search<'_> {
     /// Follows the branches through motions at a value that are not yet on a branch.
     fn begin(
         &self,
-        found: &mut Found,
+        found: &mut FollowedBranches,
         missing: &mut Vec<(f64, BranchError)>,
         (value, into): (f64, f64),
         starts: Vec<Start>,
@@ -189,12 +189,12 @@ impl Search<'_> {
         }
     }
 
-    fn follow_all(&self, found: &mut Found) {
+    fn follow_all(&self, found: &mut FollowedBranches) {
         while !self.family.watch.is_stopped() && self.follow_next(found) {}
     }
 
     /// Adds a branch, with the branches that leave it and the meetings at its ends.
-    fn keep(&self, found: &mut Found, walked: Walked, generation: usize) {
+    fn keep(&self, found: &mut FollowedBranches, walked: Walked, generation: usize) {
         found.leaving.extend(self.leaving(&walked, generation));
         found.met.extend(walked.meetings.iter().map(|it| (walked.branch.space, it.clone())));
         found.open.extend(walked.meetings.into_iter().map(|it| (generation, it)));
@@ -203,7 +203,7 @@ impl Search<'_> {
 
     /// Follows a branch that leaves another one, or one on which another branch ends; returns `false` if none is left. The search terminates: a
     /// branch that leaves another one has a higher generation, and one on which another branch ends has the same generation and a smaller space.
-    fn follow_next(&self, found: &mut Found) -> bool {
+    fn follow_next(&self, found: &mut FollowedBranches) -> bool {
         if let Some((generation, start)) = found.leaving.pop() {
             if !found.met.iter().any(|(space, meeting)| self.is_met(&start, *space, meeting.parameter))
                 && let Some(walked) = self.switched(&start)

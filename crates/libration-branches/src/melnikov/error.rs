@@ -55,7 +55,7 @@ pub enum MelnikovError {
         /// Reason why the value is rejected.
         reason: String,
     },
-    /// Cancelled by the caller.
+    /// Cancellation by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

@@ -12,6 +12,7 @@ use libration_motion::taylor::{Effort, Event, Moment, System, integrate};
 use libration_numbers::expression::{Equation, Expression, Symbol};
 use libration_numbers::internals::progress::Watch;
 
+/// Tolerance below the rounding error of an `f64`, so that the truncation of the series does not count.
 const TOLERANCE: f64 = 1e-16;
 /// Longest time to the bottom, in units of 1/ω0: several times that of a motion that started at 1e-9 of the saddle.
 const LONGEST: f64 = 100.0;

@@ -12,6 +12,7 @@ use libration_numbers::{
 
 /// Number of times in a period of the drive.
 const PLACES: usize = 96;
+/// Number of harmonics, a quarter of that of times: only harmonics from the 72nd on are taken for one of these.
 const HARMONICS: usize = 24;
 /// Largest distance from the upright position, beyond which the perturbation is not weak.
 const FARTHEST: f64 = 1.5;

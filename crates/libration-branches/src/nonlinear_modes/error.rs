@@ -26,7 +26,7 @@ pub enum NonlinearModeError {
     /// Amplitudes that are not positive or not ascending.
     #[error("the amplitude {0:?} is not positive or not in order: give positive numbers in ascending order")]
     Amplitudes(f64),
-    /// Cancelled by the caller.
+    /// Cancellation by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

@@ -98,7 +98,7 @@ impl NonlinearMode {
         progress: &dyn Progress,
     ) -> Result<Self, NonlinearModeError> {
         let watch = &Watch::new(progress);
-        let family = Family::new(equation, modes, number, coordinate, watch)?;
+        let family = ModeFamily::new(equation, modes, number, coordinate, watch)?;
         let mut last = 0.0;
         for amplitude in amplitudes {
             if !(*amplitude > last && amplitude.is_finite()) {
@@ -128,7 +128,7 @@ impl NonlinearMode {
 }
 
 /// Quantities that are constant along the mode.
-struct Family<'a> {
+struct ModeFamily<'a> {
     equation: &'a Equation,
     mode: &'a Mode,
     rest: &'a [f64],
@@ -136,7 +136,7 @@ struct Family<'a> {
     watch: &'a Watch<'a>,
 }
 
-impl<'a> Family<'a> {
+impl<'a> ModeFamily<'a> {
     fn new(
         equation: &'a Equation,
         modes: &'a NormalModes,

@@ -27,7 +27,7 @@ pub enum NormalFormError {
         "at the equilibrium the accelerations have no power series: they have a kink or a jump there, or are not finite"
     )]
     NoSeries,
-    /// Cancelled by the caller.
+    /// Cancellation by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

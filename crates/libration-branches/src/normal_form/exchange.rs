@@ -45,7 +45,7 @@ pub enum ExchangeError {
     TooFar,
     /// Amplitudes that are constant.
     #[error(
-        "to this order the amplitudes stay as they are from this state, though two modes are in resonance: a higher order may show an exchange"
+        "to this order the amplitudes from this state are constant, although two modes are in resonance: a higher order may show an exchange"
     )]
     Steady,
     /// Amplitudes that do not return in time.

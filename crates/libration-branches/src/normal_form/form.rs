@@ -114,7 +114,8 @@ impl NormalForm {
             let tower = linear.numbers.base.clone();
             let number = |x: &Vec<_>| tower.number(x);
             let judge = Judge { number: &number, smallest };
-            expand(&linear, &judge, &tape, order, &watch.part()).map(|found| Found::exact(&tower, found))
+            expand(&linear, &judge, &tape, order, &watch.part())
+                .map(|found| NumericalExpansion::exact(&tower, found))
         });
         let found = match exact {
             Some(Ok(found)) => found,
@@ -124,7 +125,7 @@ impl NormalForm {
                 // Zero up to rounding.
                 let judge = Judge { number: &|x: &f64| *x, smallest: smallest.max(1e-9 * least) };
                 let found = expand(&linear, &judge, &tape, order, watch).map_err(failure)?;
-                Found::in_digits(found)
+                NumericalExpansion::in_digits(found)
             }
         };
         Ok(Self {
@@ -204,13 +205,13 @@ fn value(polynomial: &Polynomial<Complex>, amplitudes: &[Complex]) -> Complex {
 }
 
 /// An expansion in floating-point numbers, with the texts of exact coefficients.
-struct Found {
+struct NumericalExpansion {
     slow: Vec<SlowTerm>,
     divisors: Vec<Divisor>,
     transform: Vec<Polynomial<Complex>>,
 }
 
-impl Found {
+impl NumericalExpansion {
     fn exact(tower: &Tower, found: Expansion<Tower>) -> Self {
         let text = |z: &Quadratic<Vec<_>>| Some(complex_text(tower, &z.plain, &z.root));
         Self::new(found, &|x| tower.number(x), &text)

@@ -106,8 +106,8 @@ fn with_free<N: Ring + Clone>(
     let none = vec![numbers.zero(); rest.len()];
     let still = state(&ring, &numbers.zero(), &[(0, rest.to_vec(), none)], rest.len());
     let jet = Jet::new(&ring, tape, &still)?;
-    let linear = Linear::new(&ring, &jet, tape, rest.len())?;
-    let mut expansion = Expansion { ring: &ring, jet, judge, mode, linear };
+    let linear = LinearEquations::new(&ring, &jet, tape, rest.len())?;
+    let mut expansion = LindstedtExpansion { ring: &ring, jet, judge, mode, linear };
     expansion.extend(&[(1, mode.cosine.clone(), mode.sine.clone())])?;
     let mut second = expansion.forced(&[0, 2])?;
     if let Some(free) = free {
@@ -125,12 +125,12 @@ fn with_free<N: Ring + Clone>(
 }
 
 /// x″ = −A·x + G·x′.
-struct Linear<E> {
+struct LinearEquations<E> {
     stiffness: Vec<Vec<E>>,
     velocity: Vec<Vec<E>>,
 }
 
-impl<E: Clone> Linear<E> {
+impl<E: Clone> LinearEquations<E> {
     fn new<N: Ring<Element = E>>(
         ring: &HarmonicSums<N>,
         jet: &Jet<'_, HarmonicSums<N>>,
@@ -178,15 +178,15 @@ fn state<N: Ring>(
     (0..coordinates).map(position).chain((0..coordinates).map(velocity)).collect()
 }
 
-struct Expansion<'a, N: Ring> {
+struct LindstedtExpansion<'a, N: Ring> {
     ring: &'a HarmonicSums<N>,
     jet: Jet<'a, HarmonicSums<N>>,
     judge: &'a Judge<'a, N::Element>,
     mode: &'a Fundamental<N::Element>,
-    linear: Linear<N::Element>,
+    linear: LinearEquations<N::Element>,
 }
 
-impl<N: Ring> Expansion<'_, N> {
+impl<N: Ring> LindstedtExpansion<'_, N> {
     fn coordinates(&self) -> usize {
         self.mode.cosine.len()
     }

@@ -510,7 +510,7 @@ fn rows_that_repeat_others_count_once_and_are_named() {
     let each = table("rows_each", &[&["L (m),T (s)"], &each[..]].concat());
     for (path, said) in [
         (&twice, "lines 7 to 11 repeat lines 2 to 6, number by number: they count once"),
-        (&each, "each row stands in 2 lines: it counts once"),
+        (&each, "each row is repeated in 2 lines: it counts once"),
     ] {
         agree(&once, path);
         let answer = json(&format!("fit lengths {path}"));

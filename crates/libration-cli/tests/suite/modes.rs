@@ -196,7 +196,7 @@ fn both_pictures_label_their_axes() {
         std::fs::read_to_string(path).unwrap()
     };
     let shapes = picture("modes double_pendulum", "modes.svg");
-    for label in ["part in the mode", ">θ₁<", "mode 2, ω = 1.84776"] {
+    for label in ["component in the mode", ">θ₁<", "mode 2, ω = 1.84776"] {
         assert!(shapes.contains(label), "{label}");
     }
     let curve = picture("backbone pendulum --amplitudes 10deg:170deg:20deg", "backbone.svg");

@@ -241,7 +241,7 @@ fn a_response_that_repeats_earlier_says_so() {
     };
     assert!(notes("--drive-periods 6").contains("repeats after 1 of 6 periods of the drive"));
     assert!(notes("--period 12.566").contains("repeats after 1 of 2 periods"));
-    assert!(notes("--period 10").contains("--period: the force after 10.0 is not the force before"));
+    assert!(notes("--period 10").contains("--period: the force does not repeat after 10.0"));
     assert_eq!(notes("--drive-periods 1"), "");
     // This one has three periods of the drive in its own.
     let subharmonic = "orbit x''+0.05*x'+x+x^3=5*cos(9*t) --drive-periods 3 --initial x=3";

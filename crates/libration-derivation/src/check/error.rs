@@ -123,7 +123,7 @@ pub enum DerivationError {
     /// An invalid pendulum.
     #[error(transparent)]
     Pendulum(#[from] PendulumError),
-    /// Cancelled before the first step.
+    /// Cancellation before the first step.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

@@ -38,7 +38,7 @@ class Series:
         a, b = list(self.c), list(series(other, len(self)).c)
         while b and b[0] == 0:
             if a[:1] != [0]:
-                raise ZeroDivisionError("the quotient is no power series")
+                raise ZeroDivisionError("the quotient is not a power series")
             a, b = a[1:], b[1:]
         quotient = []
         for k in range(min(len(a), len(b))):
@@ -291,7 +291,7 @@ class Polynomial(dict):
     __radd__, __rmul__ = __add__, __mul__
 
     def put(self, values):
-        """With polynomials in the place of letters."""
+        """Substitutes polynomials for letters."""
         result = Polynomial()
         for product, factor in self.items():
             term = polynomial(factor)
@@ -345,7 +345,7 @@ class Ansatz:
         return result
 
     def gives(self, n, k, expected, new=None):
-        """Whether a condition is this; `new` is the coefficient that it fixes, and may have been told before."""
+        """True if a condition is this; `new` is the coefficient that it fixes, and may have been told before."""
         told = self.known.pop(new, None)
         assert self.condition(n, k) == polynomial(expected), self.condition(n, k)
         if told is not None:
@@ -355,7 +355,7 @@ class Ansatz:
                 self.known[product[0]] = polynomial(0)
 
     def fixes(self, n, k, name, value):
-        """Whether a condition is satisfied by this coefficient, which is known from now on."""
+        """True if this coefficient, which is known from now on, satisfies a condition."""
         self.known[name] = polynomial(value)
         assert self.condition(n, k) == {}, self.condition(n, k)
 
@@ -478,7 +478,7 @@ class Phased(dict):
 
     def __truediv__(self, other):
         [((e, p, k, s), factor)] = phased(other).items()
-        assert (p, k, s) == (0, 0, 0), "the quotient is no sum"
+        assert (p, k, s) == (0, 0, 0), "the quotient is not a sum"
         return self * Phased({(-e, 0, 0, 0): 1 / Q(factor)})
 
     def __rtruediv__(self, other):
@@ -514,7 +514,7 @@ class Phased(dict):
         return result - result.at(0)
 
     def at(self, half_turns):
-        """The value where the phase is so many times pi."""
+        """The value at a phase in units of pi."""
         result = Phased()
         for (e, p, k, s), a in self.items():
             if s == 0 and (p == 0 or half_turns > 0):
@@ -559,7 +559,7 @@ class SlowFlow:
         return {key: by_phase.get(key, phased(0)) + by_amplitude.get(key, phased(0)) for key in {**by_phase, **by_amplitude}}
 
     def rest(self, place):
-        """What the equation of motion is, where it should be zero, as far as the motion is known."""
+        """The left side of the equation of motion, which should be zero, as far as the motion is known."""
         wide = (place[0] + 1, place[1])
         x, v = self.x, self.rate(self.x, wide)
         result = self.rate(v, place).get(place, phased(0)) + self.omega**2 * x.get(place, phased(0))
@@ -571,7 +571,7 @@ class SlowFlow:
         return result
 
     def forces(self, n, j, known):
-        """What lower powers bring to the right side."""
+        """The contributions of lower powers to the right side."""
         self.right, self.place = -self.rest((n, j)), (n, j)
         assert self.right == phased(known(PI, PHASE)), self.right
 
@@ -591,7 +591,7 @@ class SlowFlow:
         self.w[n, j] = value
 
     def moves(self, n, j, value):
-        """Whether the motion satisfies the equation, begins at rest, and goes on as it began."""
+        """True if the motion satisfies the equation, begins at rest, and goes on as it began."""
         x = self.x[n, j] = phased(value(PI, PHASE))
         assert self.rest((n, j)) == {}, self.rest((n, j))
         v = self.rate(self.x, (n, j)).get((n, j), phased(0))
@@ -605,7 +605,7 @@ class SlowFlow:
         assert v == phased(value(PI, PHASE)), v
 
     def law(self, coefficients, law):
-        """Whether a sum of powers has these coefficients, with several fractions for the letters and in the place of pi."""
+        """True if a sum of powers has these coefficients, with several fractions for the letters and in the place of pi."""
         for choice in range(3):
             p, a, c = Q(7 + choice, 3), Q(5 - choice, 2), Q(3, 11 + choice)
             known = sum(
@@ -654,7 +654,7 @@ class SlowFlow:
         return result
 
     def cycle_square(self, square):
-        """Whether A' vanishes where A^2 is this series."""
+        """True if A' vanishes where A^2 is this series."""
         terms = len(square(variable(20)))
         self.square = square(variable(terms))
         over_a = {(n - 1, j): value for (n, j), value in self.a.items()}
@@ -688,7 +688,7 @@ class LimitCycle:
         return [sum((f[i] * g[m - i] for i in range(m + 1) if i < len(f) and m - i < len(g)), phased(0)) for m in range(n + 1)]
 
     def right(self, n, x):
-        """What these powers of the motion bring to the right side of the next one."""
+        """The contributions of these powers of the motion to the right side of the next one."""
         second = [y.slope().slope() for y in x]
         result = -self.product(self.product(self.w, self.w, n), second, n)[n]
         v = self.product(self.w, [y.slope() for y in x], n)
@@ -704,7 +704,7 @@ class LimitCycle:
         return self.right(n, self.motion(n, self.amplitudes[: n - 1] + [amplitude]))
 
     def forces(self, n, known):
-        """Whatever the amplitude one power below is: a polynomial in it is decided by so many choices."""
+        """Asserts the force for as many amplitudes one power below as decide a polynomial in them."""
         for choice in range(12 if n == 1 else 3):
             assert self.with_open(n, Q(choice, 3)) == phased(known(PHASE, Q(choice, 3))), self.with_open(n, Q(choice, 3))
 
@@ -736,7 +736,7 @@ class LimitCycle:
 
 
 def padded(x):
-    """With one coefficient more, which must not count."""
+    """The evaluation with one more coefficient, which must not change it."""
     return Series(x.c + [Q(0)])
 
 
@@ -760,7 +760,7 @@ def same_fraction(*sides):
 
 
 def same_series(terms, *sides):
-    """Power series with the same coefficients, which are known to so many at least."""
+    """Asserts that series agree in all coefficients, and have at least this many."""
     sides = [side.c if isinstance(side, Series) else [exact(side)] + [Q(0)] * (terms - 1) for side in sides]
     assert min(map(len, sides)) >= terms, "too few terms"
     for other in sides[1:]:

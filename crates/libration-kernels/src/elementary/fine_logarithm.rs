@@ -37,7 +37,7 @@ pub struct FineLogarithm {
 /// The parts of ln x for x from 2.3e-308 to 1e307; arbitrary values for other x.
 #[inline(always)]
 pub fn fine_logarithm(x: DoubleDouble) -> FineLogarithm {
-    let Reduced { exponent, q } = Reduced::new(x);
+    let ReducedArgument { exponent, q } = ReducedArgument::new(x);
     let square = q.square();
     let mut sum = tail(square);
     let mut i = LEADING.len();
@@ -49,12 +49,12 @@ pub fn fine_logarithm(x: DoubleDouble) -> FineLogarithm {
 }
 
 /// x = 2ᵉ·(1 + q)/(1 − q), |q| ≤ (√2−1)/(√2+1).
-struct Reduced {
+struct ReducedArgument {
     exponent: f64,
     q: DoubleDouble,
 }
 
-impl Reduced {
+impl ReducedArgument {
     #[inline(always)]
     fn new(x: DoubleDouble) -> Self {
         let (exponent, scale) = exponent_and_scale(x.hi);
@@ -94,7 +94,7 @@ impl FineLogarithms {
         let mut it =
             Self { exponents: [0.0; BLOCK], quotients: Words::ZERO, squares: Words::ZERO, sums: Words::ZERO };
         for i in 0..BLOCK {
-            let Reduced { exponent, q } = Reduced::new(numbers.get(i));
+            let ReducedArgument { exponent, q } = ReducedArgument::new(numbers.get(i));
             let square = q.square();
             it.exponents[i] = exponent;
             it.quotients.set(i, q);

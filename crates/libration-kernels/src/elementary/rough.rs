@@ -10,7 +10,9 @@ const POWER: [f64; 5] = [1.00000008, 0.69312103, 0.24022107, 0.05592204, 0.00967
 /// log₂ x for x ≥ 0 within 2e-4; −∞ for zero. Subnormal numbers count as about 2⁻¹⁰²³.
 #[inline(always)]
 pub fn log2(x: f64) -> f64 {
+    /// The bits of the mantissa.
     const MANTISSA: u64 = (1 << 52) - 1;
+    /// 2⁵²: the next numbers differ by 1.
     const TWO_TO_52: f64 = 4503599627370496.0;
     let bits = x.to_bits();
     let mantissa = f64::from_bits((bits & MANTISSA) | 1.0_f64.to_bits());

@@ -25,12 +25,12 @@ pub struct Complete {
 
 /// The complete integrals of the modulus k with its complement k′.
 pub fn complete(modulus: DoubleDouble, complementary: DoubleDouble) -> Complete {
-    dispatch(OfWords(modulus, complementary))
+    dispatch(CompleteOfWords(modulus, complementary))
 }
 
-struct OfWords(DoubleDouble, DoubleDouble);
+struct CompleteOfWords(DoubleDouble, DoubleDouble);
 
-impl Kernel for OfWords {
+impl Kernel for CompleteOfWords {
     type Output = Complete;
     #[inline(always)]
     fn run(self) -> Complete {

@@ -1,4 +1,4 @@
-//! Amplitudes in a unit other than the stated one: as numbers of the right unit they follow the exact law.
+//! Amplitudes in a unit other than the stated one: with the right unit the periods follow the exact law.
 
 use std::f64::consts::PI;
 
@@ -8,8 +8,8 @@ use super::period_table::Row;
 use super::period_table::{PeriodTable, Uncertainties};
 
 const DEGREES_PER_RADIAN: f64 = 180.0 / PI;
-/// β of small angles in radians that are called degrees is (180/π)² = 3283, and anything above 1000 of no other making; of degrees that are
-/// called radians it is one over that.
+/// Smallest β of small angles in radians that were taken as degrees: it is (180/π)² = 3283, and nothing else makes β so large. For degrees taken as
+/// radians it is the reciprocal.
 const BETA_OF_RADIANS: f64 = 1000.0;
 /// Largest deviation of β from 1 with the right unit, unless it is within three of its uncertainties.
 const BETA_OF_A_PENDULUM: f64 = 0.15;
@@ -53,7 +53,7 @@ fn stated(table: &PeriodTable) -> Columns {
     [Some(column(table, |row| row.amplitude_uncertainty)), is_stated.then_some(of_periods)]
 }
 
-/// Returns whether the periods follow the exact law where the amplitudes are multiplied by this factor, with an uncertainty of β below the given one.
+/// Returns `true` if the periods follow the exact law where the amplitudes are multiplied by this factor, with an uncertainty of β below the given one.
 fn follows_exact_law(table: &PeriodTable, factor: f64, uncertainties: Columns, most_uncertain: f64) -> bool {
     let [of_amplitudes, of_periods] = uncertainties;
     let of_amplitudes =

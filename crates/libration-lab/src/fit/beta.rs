@@ -48,7 +48,7 @@ impl Beta {
         Self { t0, correlation, ..self.with_factor(factor) }
     }
 
-    /// Returns the same with a β to which errors were added whose size is known.
+    /// The β after multiplication by a factor of known uncertainty.
     pub(super) fn with_factor(self, factor: Uncertain) -> Self {
         let [scatter, all] = [self.factor, factor].map(|it| it.uncertainty);
         let known = (all * all - scatter * scatter).max(0.0).sqrt();
@@ -62,7 +62,7 @@ impl Beta {
         self.factor.deviation_from(1.0)
     }
 
-    /// Returns whether that distance is more than chance: [`SIGNIFICANT`] standard uncertainties, or as improbable a distance by Student's
+    /// Returns `true` if that distance is more than chance: [`SIGNIFICANT`] standard uncertainties, or as improbable a distance by Student's
     /// distribution.
     #[must_use]
     pub fn differs_from_one(&self) -> bool {

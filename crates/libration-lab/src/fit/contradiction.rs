@@ -27,7 +27,7 @@ pub struct Contradiction {
     pub values: [f64; 2],
     /// Their difference in standard uncertainties.
     pub deviation: f64,
-    /// Degrees of freedom of those; infinite where they are known.
+    /// Degrees of freedom of the standard uncertainties; infinite if they are known.
     pub degrees_of_freedom: f64,
 }
 
@@ -44,7 +44,7 @@ impl Contradiction {
         self.half_width() / 3.0_f64.sqrt()
     }
 
-    /// Returns whether the difference is beyond chance, so that the model is refuted.
+    /// Returns `true` if the difference is beyond chance, so that the model is refuted.
     #[must_use]
     pub fn refutes(&self) -> bool {
         self.deviation > limit_of_chance(SIGNIFICANT, self.degrees_of_freedom)

@@ -51,7 +51,7 @@ impl DampingModel {
         Self(DampingKind::ALL.map(|other| other == term))
     }
 
-    /// Returns whether the model has this kind.
+    /// Returns `true` if the model has this kind.
     #[must_use]
     pub fn has(self, term: DampingKind) -> bool {
         self.iter().any(|other| other == term)
@@ -68,7 +68,7 @@ impl DampingModel {
         self.iter().count()
     }
 
-    /// Returns whether all kinds of this model are in the other one too.
+    /// Returns `true` if all kinds of this model are in the other one too.
     #[must_use]
     pub fn is_part_of(self, other: Self) -> bool {
         self.iter().all(|term| other.has(term))

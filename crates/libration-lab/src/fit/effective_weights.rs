@@ -12,7 +12,7 @@ pub trait Weighted {
     /// Factor of the slope of the law: T0, or T0β.
     fn scale(&self) -> f64;
 
-    /// The largest change of the scale that is negligible: rounding makes a smaller one, and would do so again in the next round.
+    /// The largest change of the scale that is negligible: rounding errors are smaller, and recur in each round.
     fn negligible(&self) -> f64;
 }
 

@@ -90,7 +90,7 @@ pub enum FitError {
         row: usize,
         /// Length in metres.
         length: f64,
-        /// Its absolute value.
+        /// The absolute value.
         positive: f64,
     },
     /// A length in a table that is not a positive finite number.
@@ -154,7 +154,7 @@ pub enum FitError {
         /// Largest distance from the pivot to the centre of the bob, in metres.
         distance: f64,
     },
-    /// A bob with which the periods do not determine the offset: none or several agree with them.
+    /// A bob with which the periods do not determine the offset: no value of it agrees with them, or several do.
     #[error(
         "with a bob of radius {radius:?} m, which nearly reaches the pivot, the periods do not determine the offset of the lengths: \
          check the radius"

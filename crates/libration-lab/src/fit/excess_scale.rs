@@ -17,8 +17,8 @@ use crate::statistics::{LinearFit, Undetermined, count, weighted_least_squares};
 pub struct ExcessScaleFit {
     /// β with uncertainties from those of the rows, [enlarged](Scatter) where they scatter more; without them from the scatter.
     pub beta: Beta,
-    /// The uncertainty of β by the scatter in any case: the standard deviation if all uncertainties were wrong by one factor, above
-    /// or below one. `None` without a degree of freedom.
+    /// The uncertainty of β by the scatter alone: the standard deviation if all uncertainties have the wrong scale, by a factor
+    /// above or below one. `None` without a degree of freedom.
     pub uncertainty_scaled: Option<f64>,
     /// The sum of the squared residuals over their effective variances; `None` without uncertainties.
     pub chi2: Option<f64>,

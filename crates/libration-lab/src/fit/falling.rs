@@ -1,7 +1,7 @@
 //! A falling amplitude by its rate of fall.
 
-/// The amplitudes at these positions, increasing ones, from the amplitude at the first, by the classical Runge–Kutta method with steps of at most
-/// this size. The rate is that of the fall; no amplitude is below zero.
+/// The amplitudes at these increasing positions, from the amplitude at the first, by the classical Runge–Kutta method with steps of at most this
+/// size. The rate is that of the decrease; amplitudes are not below zero.
 pub(super) fn falling(
     first: f64,
     positions: impl IntoIterator<Item = f64>,

@@ -7,8 +7,8 @@ use super::uncertain::Uncertain;
 /// (2013), doi:10.1002/grl.50838.
 pub const GRAVITY_ON_EARTH: [f64; 2] = [9.7639, 9.8337];
 
-/// Returns whether gravity is outside [`GRAVITY_ON_EARTH`] by more than three of its standard uncertainties, or as improbable a distance by
-/// Student's distribution with their degrees of freedom, which happens by chance to a right one less often than once in 700 times.
+/// Returns `true` if gravity is outside [`GRAVITY_ON_EARTH`] by more than three of its standard uncertainties, or by an equally improbable distance
+/// in Student's distribution with their degrees of freedom; for a right value the probability is below 1/700.
 #[must_use]
 pub fn is_nowhere_on_earth(gravity: Uncertain, degrees_of_freedom: f64) -> bool {
     let [least, greatest] = GRAVITY_ON_EARTH;

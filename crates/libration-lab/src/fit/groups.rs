@@ -9,17 +9,17 @@ use super::scatter::Scatter;
 use super::uncertain::Uncertain;
 use crate::statistics::{count, student};
 
-/// A group stands out where chance makes the farthest group as far in fewer than one class in a hundred.
+/// Probability, in a class, below which the distance of the farthest group is not explained by chance, so that it stands out.
 const BY_CHANCE: f64 = 0.01;
 
 /// Result of a group.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GroupResult {
-    /// Its name.
+    /// The name of the group.
     pub name: String,
     /// Number of its rows.
     pub rows: usize,
-    /// Its value, with the standard uncertainty of what it does not share with other groups.
+    /// Its value, with the standard uncertainty of the contributions that are not common to all groups.
     pub value: Uncertain,
     /// Degrees of freedom of that uncertainty.
     pub degrees_of_freedom: f64,
@@ -36,12 +36,13 @@ pub struct GroupMean {
     pub scatter: Scatter,
     /// Effective degrees of freedom of the standard uncertainty.
     pub degrees_of_freedom: f64,
-    /// Index of the group that is farther from the mean of the others than chance explains; none of two groups, which differ from each other.
+    /// Index of the group that is farther from the mean of the others than chance explains; `None` for two groups, which only differ from each
+    /// other.
     pub standing_out: Option<usize>,
 }
 
 impl GroupMean {
-    /// The mean of two groups or more with uncertainties above zero; `shared` is the standard uncertainty of what all of them have in common.
+    /// The mean of two groups or more with uncertainties above zero; `shared` is the standard uncertainty of their common errors.
     ///
     /// # Examples
     /// ```

@@ -6,10 +6,10 @@ use super::error::FitError;
 use super::period_table::Row;
 use libration::pendulum::period_ratio;
 
-/// The step of the central difference is this part of the distance from 0 or π: its error is then about 1e-8
-/// of the slope, which only enters the weights.
+/// Step of the central difference, relative to the distance from 0 or π: the error is then about 1e-8 of the
+/// slope, which only enters the weights.
 const RELATIVE_STEP: f64 = 1e-4;
-/// Below this amplitude the step is that of this amplitude, lest R drown in its rounding.
+/// Amplitude below which the step is that of this amplitude, so that R does not vanish in its rounding.
 const SMALL_AMPLITUDE: f64 = 0.05;
 
 /// T/T0 as a function of the amplitude, under a name.
@@ -90,7 +90,7 @@ pub struct Point {
 }
 
 impl Point {
-    /// The effective variance when T changes by `scale`·R′ with the amplitude; zero when there are no weights.
+    /// The effective variance if T changes by `scale`·R′ with the amplitude; zero without weights.
     pub fn variance(&self, scale: f64) -> f64 {
         let from_amplitude = scale * self.slope * self.row.amplitude_uncertainty;
         self.row.period_uncertainty * self.row.period_uncertainty + from_amplitude * from_amplitude

@@ -11,11 +11,11 @@ use super::uncertain::Uncertain;
 pub enum GravityMistake {
     /// Centimetres that were read as metres: 100.
     CentimetresAsMetres,
-    /// Ten swings that were counted as one, or metres that were read as centimetres: 1/100.
+    /// Ten swings counted as one, or metres read as centimetres: 1/100.
     TenSwingsAsOne,
-    /// Half periods that were taken for whole ones: 4.
+    /// Half periods taken as whole ones: 4.
     HalfPeriodsAsWhole,
-    /// Whole periods that were taken for half ones: 1/4.
+    /// Whole periods taken as half ones: 1/4.
     WholePeriodsAsHalf,
     /// 25 frames a second that were taken for 30: (30/25)².
     FramesOf25As30,
@@ -26,7 +26,7 @@ pub enum GravityMistake {
 }
 
 impl GravityMistake {
-    /// All of them.
+    /// All mistakes.
     pub const ALL: [Self; 7] = [
         Self::CentimetresAsMetres,
         Self::TenSwingsAsOne,
@@ -75,7 +75,7 @@ impl GravityMistake {
         (relative < libm::log(only.factor()).abs() / 3.0).then_some(only)
     }
 
-    /// Gravity where the place is not known: the middle of [`GRAVITY_ON_EARTH`], each value in that range as probable as any other.
+    /// Gravity at an unknown place: the middle of [`GRAVITY_ON_EARTH`], with all values in that range equally probable.
     #[must_use]
     pub fn anywhere_on_earth() -> Uncertain {
         let [least, greatest] = GRAVITY_ON_EARTH;

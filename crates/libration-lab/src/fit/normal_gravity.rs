@@ -29,7 +29,7 @@ const CENTRIFUGAL: f64 = 0.003_449_786_003_08;
 
 /// Standard uncertainty of gravity by the local anomaly in lowland, in m/s².
 const ANOMALY_IN_LOWLAND: f64 = 3e-4;
-/// The same in mountains, and where the height is not known.
+/// The uncertainty by that anomaly in mountains, and where the height is not known.
 const ANOMALY_IN_MOUNTAINS: f64 = 1e-3;
 /// Height in metres above which a place counts as in mountains.
 const HEIGHT_OF_MOUNTAINS: f64 = 500.0;

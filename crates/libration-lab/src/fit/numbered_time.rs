@@ -1,14 +1,14 @@
-//! The number in a heading such as `T5`, which is that of the swings or of a reading, decided by lengths.
+//! The number in a heading such as `T5`, interpreted by the lengths as that of the swings or of a reading.
 
 use super::gravity::GRAVITY_ON_EARTH;
 use std::f64::consts::TAU;
 
-/// Factor within which a table of lengths and periods gives g in each row: two hypotheses of which one multiplies the periods by two or more exclude
-/// each other, and an offset of the lengths, amplitudes and reaction times leave g within it.
+/// Factor within which a table of lengths and periods must give g in each row: two hypotheses whose periods differ by a factor of two or more
+/// exclude each other, and an offset of the lengths, amplitudes and reaction times leave g within it.
 const WITHIN: f64 = 2.0;
 
-/// The number of swings that each of these times lasts, in seconds, with a pendulum of this length in metres: `number` or one. `None` where both give g
-/// far from that on Earth, or where rows differ in that.
+/// The number of swings in each of these times, in seconds, of a pendulum with this length in metres: `number` or one. `None` if both give g far
+/// from that on Earth, or if rows contradict each other.
 ///
 /// # Examples
 /// ```

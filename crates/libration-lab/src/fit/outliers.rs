@@ -5,12 +5,13 @@ use super::law::Law;
 use super::period_table::{PeriodTable, Weighting};
 use crate::statistics::{deviation_by_median, median};
 
-/// Beyond five robust standard deviations a row counts as an outlier: among normal tables of a thousand rows
-/// one in 1700 has such a row, and among those of fewer than 24 rows, with [more deviations](find_outliers), one in a hundred.
+/// Number of robust standard deviations beyond which a row is an outlier: among normal tables of a thousand rows one in 1700
+/// has such a row, and among those of fewer than 24 rows, with [more deviations](find_outliers), one in a hundred.
 pub const DEFAULT_OUTLIER_THRESHOLD: f64 = 5.0;
 
-/// Factors of the threshold for three rows and more, with which 5 robust standard deviations become what the largest residual of a normal table exceeds
-/// in one table in a hundred: by 400 000 tables of each number of rows (200 000 from twelve rows on). The median of few residuals is often very small.
+/// Factors of the threshold for three rows and more. With them 5 robust standard deviations become the value that the largest residual of a normal
+/// table exceeds in one table in a hundred: by 400 000 tables of each number of rows (200 000 from twelve rows on). The median of few residuals is
+/// often very small.
 const OF_FEW_ROWS: [f64; 21] = [
     22.7, 3.21, 3.72, 2.0, 2.16, 1.59, 1.65, 1.37, 1.42, 1.27, 1.28, 1.18, 1.19, 1.13, 1.13, 1.09, 1.09,
     1.05, 1.05, 1.02, 1.02,

@@ -58,7 +58,7 @@ pub struct Row {
     pub(super) amplitude: f64,
     pub(super) period: f64,
     pub(super) amplitude_uncertainty: f64,
-    /// Zero when the weights come from the scatter.
+    /// Zero if the weights come from the scatter.
     pub(super) period_uncertainty: f64,
 }
 
@@ -98,16 +98,16 @@ impl PeriodTable {
         Ok(Self { rows, weighting, readings: None, rounding: None })
     }
 
-    /// The table with the repeated readings that the uncertainties of its periods come from, whose degrees of freedom those of T0 have. They are
-    /// left out where their rows are not those of the table.
+    /// Adds the repeated readings from which the uncertainties of the periods come, and with them the degrees of freedom of T0; ignored if their
+    /// rows are not those of the table.
     #[must_use]
     pub fn with_readings(self, readings: RepeatedReadings) -> Self {
         let readings = Some(readings).filter(|it| it.rows.len() == self.rows.len());
         Self { readings, ..self }
     }
 
-    /// The table with standard uncertainties of the periods by their rounding, in seconds, which count where no others are stated and the rows
-    /// scatter less. They are left out where they are not one positive number for each row.
+    /// Adds standard uncertainties of the periods by their rounding, in seconds, used if no others are stated and the rows scatter less; ignored
+    /// unless they are one positive number for each row.
     #[must_use]
     pub fn with_rounding(self, rounding: Vec<f64>) -> Self {
         let is_usable = rounding.len() == self.rows.len() && rounding.iter().all(|it| *it > 0.0);
@@ -120,7 +120,7 @@ impl PeriodTable {
         self.rows.len()
     }
 
-    /// Returns whether there are no rows.
+    /// Returns `true` if there are no rows.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
@@ -155,7 +155,7 @@ impl PeriodTable {
         self.readings.as_ref()
     }
 
-    /// The table with its periods as uncertain as their rounding makes them, where their scatter is less than that and nothing else is known.
+    /// The table with uncertainties of its periods by their rounding, if the scatter is smaller and nothing else is known.
     pub(super) fn weighted_by_rounding(&self, scatter: f64) -> Option<Self> {
         let rounding = self.rounding.as_ref().filter(|_| self.weighting == Weighting::Scatter)?;
         let mean = crate::statistics::root_mean_square(rounding.iter().copied());

@@ -19,8 +19,8 @@ use std::fmt;
 /// Options for the fit of a table.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PeriodsOptions {
-    /// Leaves out the rows whose distance from the exact law is more than this many robust standard deviations;
-    /// every row is kept when not given, and outliers are only counted.
+    /// Leaves out the rows farther from the exact law than this many robust standard deviations; if `None`,
+    /// every row is kept, and outliers are only counted.
     pub reject_outliers: Option<f64>,
 }
 
@@ -34,7 +34,7 @@ pub struct PeriodFit {
     /// The outliers among the rows given, counted from zero, by [`PeriodsOptions::reject_outliers`] or
     /// [`DEFAULT_OUTLIER_THRESHOLD`].
     pub outliers: Vec<usize>,
-    /// T0 under the exact law without the outliers, in s, where they count.
+    /// T0 under the exact law without the outliers, in s, if they were fitted and matter.
     pub without_outliers: Option<Uncertain>,
     /// T0 under the exact law; with a contradiction its uncertainty includes that of the model.
     pub exact: LawFit,
@@ -120,7 +120,7 @@ impl PeriodFit {
     /// Warnings about the law and the rows, the gravest first.
     #[must_use]
     pub fn warnings(&self) -> Vec<PeriodsWarning> {
-        /// Uncertainty relative to T0 below which it is rounding, with rows that are alike.
+        /// Largest relative uncertainty of T0, for rows with equal values, that counts as rounding.
         const ROUNDING: f64 = 1e-12;
         let of_scatter = self.exact.scatter().and_then(|scatter| scatter.warning("T₀"));
         let is_without =
@@ -144,7 +144,7 @@ impl PeriodFit {
         Some(PeriodsWarning::ModelRefuted { beta, contradiction })
     }
 
-    /// The change of T0 relative to itself where each period is longer by this, in seconds, row by row; `None` for another number of rows.
+    /// The relative change of T0 if each period is longer by its shift, in seconds, row by row; `None` for another number of rows.
     #[must_use]
     pub fn relative_shift(&self, shifts: &[f64]) -> Option<f64> {
         if shifts.len() != self.table.len() {
@@ -226,7 +226,7 @@ pub fn fit_periods(
     })
 }
 
-/// Compares T0 with β = 1 and with β free, which come from the same rows: they contradict each other where β is far from 1.
+/// Compares T0 with β = 1 and with β free from the same rows: they contradict each other if β is far from 1.
 fn contradiction(of_exact: Uncertain, free: &Beta) -> Option<Contradiction> {
     let degrees_of_freedom = free.degrees_of_freedom;
     let estimate = |name: &str, t0| Estimate { name: name.to_owned(), t0, degrees_of_freedom };

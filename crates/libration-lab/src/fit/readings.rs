@@ -16,8 +16,8 @@ use crate::statistics::{chi_squared, count, fisher, mean, student};
 const BY_CHANCE: f64 = 0.01;
 /// An outlier makes a row scatter unlike the others where chance makes it scatter as much in fewer than one table in ten thousand.
 const BY_BLUNDER: f64 = 1e-4;
-/// Rows are taken to scatter differently where chance makes their variances as different in fewer than one table in five: at one in twenty, 90.8 % of
-/// the intervals of 95 % for g hold of five rows of three readings whose variances rise 25 times, at one in five 93.1 %.
+/// Probability below which the variances of rows are taken as different, rather than different by chance: at one in twenty, 90.8 % of the intervals
+/// of 95 % for g hold of five rows of three readings whose variances rise 25 times, at one in five 93.1 %.
 const DIFFERENT_BY_CHANCE: f64 = 0.2;
 
 /// The mean of the readings of a row.
@@ -25,24 +25,24 @@ const DIFFERENT_BY_CHANCE: f64 = 0.2;
 pub struct MeanReading {
     /// The mean.
     pub mean: f64,
-    /// Its standard uncertainty, with rounding where that counts.
+    /// The standard uncertainty of the row, with rounding if it matters.
     pub uncertainty: f64,
-    /// The part of the uncertainty that comes from the scatter.
+    /// The contribution of the scatter to the uncertainty.
     pub by_scatter: f64,
-    /// The same by the scatter of this row alone where the rows scatter differently, otherwise `by_scatter`.
+    /// The contribution of the scatter of this row alone if the rows scatter differently, otherwise `by_scatter`.
     pub by_own_scatter: f64,
-    /// The part that comes from rounding; zero where that is part of the scatter.
+    /// The contribution of rounding; zero if it is part of the scatter.
     pub by_rounding: f64,
     /// The mean in steps of the display, to the nearest whole one.
     pub steps: f64,
     /// Number of readings.
     pub count: usize,
-    /// `true` if the row scatters more than the others, so that its uncertainty is its own.
+    /// `true` if the row scatters more than the others, so that its uncertainty comes from its own readings.
     pub is_unlike: bool,
 }
 
 impl MeanReading {
-    /// The same of a quantity that is this part of the reading, as a period is a tenth of ten.
+    /// The mean of a quantity that is this fraction of the reading: a period is a tenth of ten.
     #[must_use]
     pub fn times(self, factor: f64) -> Self {
         Self {
@@ -63,11 +63,11 @@ pub struct RepeatedReadings {
     pub rows: Vec<MeanReading>,
     /// The standard deviation of a reading, pooled over the rows that scatter alike; over all where the rows scatter differently.
     pub deviation: f64,
-    /// Its degrees of freedom.
+    /// The degrees of freedom of the row.
     pub degrees_of_freedom: usize,
-    /// `true` if the rows scatter differently: they count alike, and the uncertainty of a result is that of the scatter of each row.
+    /// `true` if the rows scatter differently: they have equal weights, and the uncertainty of a result comes from the scatter of each row.
     pub differ: bool,
-    /// The standard uncertainty by rounding, where it is added.
+    /// The standard uncertainty by rounding, if it is added.
     pub rounding: Option<f64>,
     /// Readings far from the others of their row: row and reading, counted from zero. They are not removed.
     pub outliers: Vec<(usize, usize)>,
@@ -92,7 +92,7 @@ impl RepeatedReadings {
         Self::of_groups(&groups, step, outliers)
     }
 
-    /// The same of rows of which only mean, standard deviation and number of the readings are known; `None` where no row has two readings.
+    /// Evaluates rows of which only mean, standard deviation and number of the readings are known; `None` if no row has two readings.
     ///
     /// # Examples
     /// ```
@@ -162,14 +162,14 @@ impl RepeatedReadings {
         if self.is_by_itself(row) { self.rows[row].count - 1 } else { self.degrees_of_freedom }
     }
 
-    /// Returns whether the uncertainty of a row comes from its own scatter.
+    /// Returns `true` if the uncertainty of a row comes from its own scatter.
     fn is_by_itself(&self, row: usize) -> bool {
         self.rows[row].is_unlike || (self.differ && self.rows[row].count > 1)
     }
 }
 
-/// Effective degrees of freedom, after Welch and Satterthwaite, of Σ cᵢxᵢ with the variance `total`, where xᵢ are these means with these c; rows that
-/// scatter alike share one s. Infinite where nothing of the variance comes from scatter.
+/// Effective degrees of freedom, after Welch and Satterthwaite, of Σ cᵢxᵢ with the variance `total`, where xᵢ are these means with these c; rows
+/// with the same scatter share one s. Infinite if no part of the variance comes from scatter.
 #[must_use]
 pub fn effective_degrees_of_freedom(readings: &RepeatedReadings, coefficients: &[f64], total: f64) -> f64 {
     let part = |(row, c): (usize, &f64)| {
@@ -184,8 +184,8 @@ pub fn effective_degrees_of_freedom(readings: &RepeatedReadings, coefficients: &
     if spread > 0.0 { total * total / spread } else { f64::INFINITY }
 }
 
-/// The part of the variance of Σ cᵢxᵢ, where xᵢ are these means with these c, that comes from rows rounded to the same step: they have one error of
-/// rounding, and not each its own.
+/// The part of the variance of Σ cᵢxᵢ, where xᵢ are these means with these c, that comes from rows rounded to the same step: they share one
+/// rounding error.
 #[must_use]
 pub fn shared_rounding(readings: &RepeatedReadings, coefficients: &[f64]) -> f64 {
     let error = |(row, c): (&MeanReading, &f64)| (row.steps, c * row.by_rounding);
@@ -199,7 +199,7 @@ pub fn shared_rounding(readings: &RepeatedReadings, coefficients: &[f64]) -> f64
     errors.chunk_by(|one, other| one.0.total_cmp(&other.0).is_eq()).map(of_step).sum()
 }
 
-/// Readings of a row of which only these are known.
+/// Summary of the readings of a row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReadingSummary {
     /// The mean.
@@ -278,8 +278,8 @@ fn with_outlier(groups: &[Group], step: f64, outliers: &[(usize, usize)]) -> Opt
     (is_only && is_more(row) && !differ(others(row), step)).then_some(row)
 }
 
-/// Returns `true` if the rows scatter differently, by Bartlett's test over all of them: a variance below that of rounding counts as that. `false` where
-/// rounding makes most of the scatter.
+/// Returns `true` if the rows scatter differently, by Bartlett's test over all of them with variances of at least that of rounding. `false` if
+/// rounding causes most of the scatter.
 fn differ<'a>(groups: impl Iterator<Item = &'a Group>, step: f64) -> bool {
     let rounding = step * step / 12.0;
     let tested = groups.filter(|group| group.dof > 0);
@@ -296,8 +296,8 @@ fn differ<'a>(groups: impl Iterator<Item = &'a Group>, step: f64) -> bool {
     chi_squared::probability_beyond(ratio / correction, variances.len() - 1) < DIFFERENT_BY_CHANCE
 }
 
-/// The readings whose distance from the others of their row is more than chance makes the largest: Student's t with the scatter of all other
-/// readings, which is not taken below that of rounding.
+/// The readings whose distance from the others of their row exceeds the largest that chance explains: Student's t with the scatter of all other
+/// readings, at least that of rounding.
 fn outliers(rows: &[Vec<f64>], groups: &[Group], step: f64) -> Vec<(usize, usize)> {
     let all = Pool::of(groups.iter());
     let tested: usize = groups.iter().filter(|group| group.dof > 0).map(|group| group.count).sum();

@@ -26,7 +26,7 @@ pub(super) struct ReadingsOfFit<'a> {
 }
 
 impl<'a> ReadingsOfFit<'a> {
-    /// The readings of a fit with these columns, whose rows count by these variances; `covariance` is the one by the weights.
+    /// The readings of a fit with these columns, with these variances as weights; `covariance` is that of the weighted fit.
     pub(super) fn new(
         readings: &'a RepeatedReadings,
         factors: Vec<f64>,
@@ -86,7 +86,7 @@ impl<'a> ReadingsOfFit<'a> {
         self.covariance * weighted
     }
 
-    /// The variance of a value less the one by which it counts.
+    /// The variance of a value minus the one used in its weight.
     fn excess(&self, row: usize) -> f64 {
         let reading = &self.readings.rows[row];
         let [own, pooled] = [reading.by_own_scatter, reading.by_scatter].map(|it| it * self.factors[row]);

@@ -13,8 +13,8 @@ use crate::statistics::chi_squared::probability_beyond;
 use crate::statistics::{count, fisher};
 use libration::quantity::rounded;
 
-/// A scatter counts as different from the stated one when chance makes it so large, or so small, less often than this: in one
-/// table in a hundred whose uncertainties are right.
+/// Probability below which a scatter counts as different from the stated one: that of so large, or so small, a scatter in a
+/// table whose uncertainties are right.
 const BY_CHANCE: f64 = 0.01;
 
 /// Result of the comparison of the rows' scatter with their stated uncertainties.
@@ -28,7 +28,7 @@ pub enum ScatterVerdict {
     Less,
 }
 
-/// The Birge ratio that an uncertainty has been multiplied by, and the reason why it is above one.
+/// The Birge ratio by which an uncertainty is multiplied, and the reason why it is above one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Enlargement {
     /// The rows scatter by more than chance explains.
@@ -60,16 +60,16 @@ impl fmt::Display for Enlargement {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum ScatterWarning {
-    /// The rows scatter more than stated, as one table in a hundred does with right uncertainties.
+    /// The rows scatter more than stated, with a probability of one in a hundred for right uncertainties.
     More {
         /// The Birge ratio.
         ratio: f64,
     },
-    /// The rows scatter less than stated, as one table in a hundred does with right uncertainties.
+    /// The rows scatter less than stated, with a probability of one in a hundred for right uncertainties.
     Less {
         /// The Birge ratio.
         ratio: f64,
-        /// Quantity that takes up an error common to all rows.
+        /// Quantity that absorbs an error common to all rows.
         common: &'static str,
     },
     /// No uncertainties are stated and the rows do not scatter: by less than 1e-12 of themselves, which is rounding.
@@ -109,7 +109,7 @@ impl fmt::Display for ScatterWarning {
     }
 }
 
-/// χ² that is expected of rows whose variances are estimates.
+/// χ² expected for rows whose variances are estimates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct ExpectedChi2 {
     /// The expected value by those estimates.
@@ -125,7 +125,7 @@ pub(super) struct ExpectedChi2 {
 pub struct Scatter {
     chi2: f64,
     dof: usize,
-    /// χ² as repeated readings make it expected, where they give the uncertainties.
+    /// χ² expected from repeated readings, if they give the uncertainties.
     readings: Option<ExpectedChi2>,
 }
 
@@ -136,8 +136,8 @@ impl Scatter {
         chi2.filter(|chi2| dof > 0 && chi2.is_finite()).map(|chi2| Self { chi2, dof, readings: None })
     }
 
-    /// The same of rows whose uncertainties come from repeated readings with these degrees of freedom, if they are finite: they are measured and not
-    /// judged, so that they are enlarged only where chance does not explain the scatter, by an F test.
+    /// The scatter of rows whose uncertainties come from repeated readings with these degrees of freedom, if they are finite: such uncertainties
+    /// are measured and not judged, so that they are enlarged only if chance does not explain the scatter, by an F test.
     #[must_use]
     pub fn of_readings(self, degrees_of_freedom: f64) -> Self {
         self.expected(ExpectedChi2 {
@@ -147,9 +147,9 @@ impl Scatter {
         })
     }
 
-    /// The same of rows whose readings make this χ² expected.
+    /// The scatter of rows whose readings give this expected χ².
     pub(super) fn expected(self, expected: ExpectedChi2) -> Self {
-        /// Degrees of freedom from which the F test is that of χ².
+        /// Degrees of freedom above which the F test is that of χ².
         const MOST: f64 = 1e4;
         let of_value = expected.of_value.clamp(1.0, MOST);
         let readings = expected.of_value.is_finite().then_some(ExpectedChi2 { of_value, ..expected });
@@ -162,8 +162,8 @@ impl Scatter {
         self.chi2_per_dof().sqrt()
     }
 
-    /// Factor of the uncertainties of the fit: the Birge ratio where it is above one, otherwise one; with repeated readings one where chance explains
-    /// the scatter.
+    /// Factor of the uncertainties of the fit: the Birge ratio if it is above one, otherwise one; with repeated readings one if chance explains the
+    /// scatter.
     #[must_use]
     pub fn enlargement(self) -> f64 {
         match self.readings {
@@ -172,7 +172,7 @@ impl Scatter {
         }
     }
 
-    /// Returns whether chance explains the scatter.
+    /// Returns `true` if chance explains the scatter.
     #[must_use]
     pub fn verdict(self) -> ScatterVerdict {
         let as_large = match self.readings {
@@ -211,7 +211,7 @@ impl Scatter {
         })
     }
 
-    /// Returns a warning where chance does not explain the scatter; `common` is the quantity that takes up an error common to all rows.
+    /// Returns a warning if chance does not explain the scatter; `common` is the quantity that absorbs an error common to all rows.
     #[must_use]
     pub fn warning(self, common: &'static str) -> Option<ScatterWarning> {
         let ratio = self.birge_ratio();
@@ -223,7 +223,7 @@ impl Scatter {
     }
 }
 
-/// The factor on the uncertainties of a fit with this χ², where there is one.
+/// The factor of the uncertainties of a fit with this χ², if there is one.
 pub(super) fn enlargement(chi2: Option<f64>, dof: usize) -> f64 {
     Scatter::new(chi2, dof).map_or(1.0, Scatter::enlargement)
 }

@@ -2,8 +2,8 @@
 
 use crate::statistics::student::quantile;
 
-/// A difference of more standard uncertainties than this is not taken for chance: among normal errors one in 370 is as large, so
-/// that of the ten or so comparisons made for one measurement one in some forty is a false alarm.
+/// Number of standard uncertainties above which a difference is not explained by chance: among normal errors one in 370 is as
+/// large, so that of about ten comparisons made for one measurement one in some forty is a false alarm.
 pub const SIGNIFICANT: f64 = 3.0;
 
 /// The number of standard uncertainties, found from a scatter with these degrees of freedom, that chance exceeds as seldom as a normal error exceeds

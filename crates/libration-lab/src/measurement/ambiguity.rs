@@ -1,4 +1,4 @@
-//! Commas that may stand between cells or within numbers: distinguished where the file does it, refused where it does not.
+//! Commas that may separate cells or decimals: distinguished if the file allows it, otherwise refused.
 
 use super::MeasurementError;
 use super::choices::{Choice, Suggestion};
@@ -38,7 +38,8 @@ pub(super) fn refuse(text: &str, sheet: &Sheet, options: &ReadOptions) -> Result
     }
 }
 
-/// Digits and commas right between them, as in `0,5,1,2`: no blank, point, sign after a comma or quote tells what a comma is.
+/// Returns `true` for digits and single commas between them, as in `0,5,1,2`: no blank, point, sign after a comma or quote shows the meaning of a
+/// comma.
 fn of_whole_numbers(row: &str) -> bool {
     let row = row.trim();
     let digits = |cell: &str| !cell.is_empty() && cell.bytes().all(|byte| byte.is_ascii_digit());
@@ -77,7 +78,7 @@ fn only_thousands(rows: &[&str], delimiter: Delimiter) -> Option<String> {
     found
 }
 
-/// Returns whether just three digits stand after a comma, and one to three before it that do not begin with zero.
+/// Returns `true` if exactly three digits follow a comma, and one to three precede it that do not begin with zero.
 pub(super) fn may_be_thousands(cell: &str) -> bool {
     let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
     cell.trim().trim_start_matches(['-', '+', '−']).split_once(',').is_some_and(|(whole, fraction)| {
@@ -89,7 +90,7 @@ pub(super) fn may_be_thousands(cell: &str) -> bool {
     })
 }
 
-/// The text of a workbook, whose cells have a comma only where all that do may have marks of thousands: refused, unless it is given as a decimal one.
+/// The text of a workbook; refused if its only commas may be marks of thousands, unless the decimal mark is given.
 pub(super) fn of_cells<'a>(text: &'a str, options: &ReadOptions) -> Result<Cow<'a, str>, MeasurementError> {
     let found = text.split(['\t', '\n']).find(|cell| may_be_thousands(cell));
     match (found, options.decimal) {

@@ -1,4 +1,4 @@
-//! The units of single cells, as in a column of `10cm` and `1.2m`: one for each column, to which all its numbers are brought.
+//! The units of single cells, as in a column of `10cm` and `1.2m`: one for each column, to which all its numbers are converted.
 
 use super::Unit;
 use super::dialect::Row;
@@ -19,12 +19,13 @@ impl CellUnits {
         }
     }
 
-    /// The unit of the first cell of a column that has one.
+    /// The unit of the first cell of a column with a unit.
     pub(super) fn first(&self, column: usize) -> Option<Unit> {
         self.0[column].iter().flatten().next().copied()
     }
 
-    /// Brings all numbers of a column and their uncertainties to this unit; or says what is mixed: numbers with and without a unit, or units of different quantities.
+    /// Converts all numbers of a column and their uncertainties to this unit; the error states the mixture: numbers with and without a unit, or
+    /// units of different quantities.
     pub(super) fn bring(
         &self,
         column: usize,

@@ -9,7 +9,7 @@ use super::heading::Unit;
 /// A column, by its number counted from one or by its name without regard to case.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Column {
-    /// Counted from one.
+    /// Number of the column, from 1.
     Number(usize),
     /// The name as in the header, with or without its unit.
     Name(String),
@@ -29,8 +29,8 @@ impl FromStr for Column {
 pub struct Choices {
     /// The sheet, by its name or its number counted from one.
     pub sheet: Option<Column>,
-    /// The run: what follows `Run #` in the header, or the number in the column that numbers runs; several with commas
-    /// between them.
+    /// The run: the text after `Run #` in the header, or the number in the column of runs; several separated by
+    /// commas.
     pub run: Option<String>,
     /// The column of times.
     pub time: Option<Column>,
@@ -52,7 +52,7 @@ pub struct Choices {
     pub pivot: Option<(f64, f64)>,
     /// The column of uncertainties of angles or angular velocities.
     pub uncertainty: Option<Column>,
-    /// The column that says whether a photogate is blocked.
+    /// The column of the states of a photogate, blocked or not.
     pub gate: Option<Column>,
     /// The column of a continuous signal whose dips or peaks are passages of a gate.
     pub signal: Option<Column>,
@@ -60,16 +60,16 @@ pub struct Choices {
     pub from: Option<f64>,
     /// Leave out rows after this time.
     pub to: Option<f64>,
-    /// Times to use where those of the file are rounded.
+    /// The times to use if those of the file are rounded.
     pub stamps: Option<TimeStamps>,
 }
 
-/// Times to use where those of the file are rounded.
+/// The times to use if those of the file are rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TimeStamps {
-    /// The times as they are written.
+    /// The times as written.
     AsWritten,
-    /// The even times of which they are roundings.
+    /// The equally spaced times of which they are roundings.
     Even,
 }
 
@@ -111,7 +111,7 @@ pub enum Choice {
     Gate,
     /// The column of a continuous signal.
     Signal,
-    /// Times as they are written, even where they are roundings of even ones.
+    /// Times as written, even if they are roundings of equally spaced ones.
     TimesAsWritten,
     /// The columns of a table of results.
     Columns,

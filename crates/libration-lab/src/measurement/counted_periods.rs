@@ -15,7 +15,7 @@ pub enum CountedPeriods {
     Numbered(f64),
     /// No number is stated.
     Nothing,
-    /// A number or a part that may be meant so, as in `T10` or `10 swings`: the heading as it is written.
+    /// A number or a part that may be meant as a number of periods, as in `T10` or `10 swings`: the heading as written.
     Unclear(String),
 }
 
@@ -86,7 +86,7 @@ const PERIOD: [&str; 33] = [
     "vibration",
     "vibrations",
 ];
-/// Words that are a count where a number stands before them, and otherwise as often half a period.
+/// Words that are a count after a number, and otherwise as often half a period.
 const SWING: [&str; 2] = ["swings", "swing"];
 const HALF: [&str; 9] = ["half", "halbe", "halben", "halber", "demi", "semi", "mezza", "mezze", "½"];
 const HALF_PERIOD: [&str; 11] = [
@@ -134,12 +134,12 @@ const BETWEEN: [&str; 29] = [
     "kleine",
     "kleinen",
 ];
-/// Words for a number that another column or nothing states.
+/// Words for a number that is stated in another column or not at all.
 const SEVERAL: [&str; 10] =
     ["n", "several", "many", "multiple", "mehrere", "mehrerer", "plusieurs", "diverse", "varie", "varias"];
 /// Words before the duration that was timed.
 const FOR: [&str; 8] = ["for", "für", "pour", "per", "para", "over", "über", "during"];
-/// Words between a result and what it follows from.
+/// Words between a result and its origin.
 const FROM: [&str; 6] = ["from", "aus", "by", "based", "depuis", "da"];
 /// Words after the number of another quantity: `T at 20 cm`.
 const OTHER_UNITS: [&str; 13] =
@@ -173,7 +173,7 @@ pub fn counted_in(heading: &str, run: &str) -> CountedPeriods {
     }
 }
 
-/// Returns whether what seems to name a run speaks of periods, or begins with a number.
+/// Returns `true` if the supposed name of a run refers to periods, or begins with a number.
 fn counts_periods(run: &str) -> bool {
     let words = words(run);
     let begins = |word: &String| {
@@ -238,21 +238,21 @@ pub fn counted(heading: &str) -> CountedPeriods {
 /// The certainty with which the numbers under a heading without a unit are numbers of swings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum SwingNumbers {
-    /// Words that say it: `swings`, `number of periods`, `Anzahl der Schwingungen`.
+    /// Words that state it: `swings`, `number of periods`, `Anzahl der Schwingungen`.
     Said,
-    /// A word that may say it: `n`, `Anzahl`, `periods`.
+    /// A word that may state it: `n`, `Anzahl`, `periods`.
     Possible,
     /// Other words.
     Other,
 }
 
-/// Returns whether a number may be one of swings: a positive multiple of one half.
+/// Returns `true` if a number may be one of swings: a positive multiple of one half.
 #[must_use]
 pub fn is_number_of_swings(number: f64) -> bool {
     number > 0.0 && number.is_finite() && (2.0 * number).fract() == 0.0
 }
 
-/// Words for a number, and those between it and what it counts.
+/// Words for a number, and words between it and the counted things.
 const NUMBER: [&str; 17] = [
     "n", "no", "nr", "nb", "num", "number", "numbers", "anzahl", "zahl", "nombre", "numero", "número",
     "count", "counts", "counted", "many", "cantidad",
@@ -265,7 +265,7 @@ const OF: [&str; 19] = [
 const SWING_NUMBER: [&str; 5] =
     ["schwingungszahl", "schwingungszahlen", "schwingungsanzahl", "periodenzahl", "periodenanzahl"];
 
-/// Returns whether a heading without a unit says that its numbers are those of swings.
+/// The classification of a heading without a unit as one of numbers of swings.
 pub(super) fn swing_numbers(heading: &str) -> SwingNumbers {
     let words = words(heading);
     let is_number = |word: &str| is(&NUMBER, word);
@@ -286,7 +286,7 @@ pub(super) fn swing_numbers(heading: &str) -> SwingNumbers {
     }
 }
 
-/// The length in periods of what these words begin with: of a period, or of half of one.
+/// The length in periods of the unit with which these words begin: of a period, or of half of one.
 fn length_of(words: &[String]) -> Option<f64> {
     let (first, rest) = words.split_first()?;
     match first.as_str() {
@@ -298,8 +298,8 @@ fn length_of(words: &[String]) -> Option<f64> {
     }
 }
 
-/// Returns whether a word may be a number of periods: one from ten on, since smaller ones after a symbol number the trials, one for which something
-/// was timed, or the first word; not that of another quantity.
+/// Returns `true` if a word may be a number of periods: one from ten on, since smaller ones after a symbol number the trials; or one after which a
+/// timed quantity follows, or the first word; not the number of another quantity.
 fn may_count(words: &[String], place: usize) -> bool {
     let next = words.get(place + 1);
     let is_of_other = next.is_some_and(|next| is(&OTHER_UNITS, next));
@@ -312,7 +312,7 @@ fn may_count(words: &[String], place: usize) -> bool {
     number(&words[place]).is_some_and(|number| !is_of_other && !is_counted && may(number))
 }
 
-/// Returns whether a heading speaks of a mean.
+/// Returns `true` if a heading speaks of a mean.
 pub(super) fn is_mean(heading: &str) -> bool {
     words(heading).iter().any(|word| word != "per" && MEAN.contains(&word.as_str()))
 }

@@ -72,9 +72,9 @@ pub struct Dialect {
 pub(super) struct Row {
     pub(super) line: u64,
     pub(super) cells: StringRecord,
-    /// The units of cells that had one, which is taken off; empty where cells have none.
+    /// The units removed from cells; empty if no cell has one.
     pub(super) units: Vec<Option<Unit>>,
-    /// The uncertainties of cells that had one, likewise.
+    /// The uncertainties removed from cells; empty if no cell has one.
     pub(super) uncertainties: Vec<Option<f64>>,
 }
 
@@ -93,7 +93,7 @@ impl Row {
         self.kinds(mark).filter(|cell| cell.is_number()).count()
     }
 
-    /// Returns whether the row has a number, and no cell of text.
+    /// Returns `true` if the row has a number, and no cell of text.
     pub(super) fn is_of_numbers(&self, mark: DecimalMark) -> bool {
         self.numbers(mark) > 0 && self.kinds(mark).all(|cell| cell != Cell::Text)
     }
@@ -109,7 +109,7 @@ impl Dialect {
         Self { delimiter, mark, units: false }
     }
 
-    /// The same, with units in its cells if this text has a column of which most cells have one.
+    /// The dialect with units in its cells, if this text has a column of which most cells have one.
     pub(super) fn with_units_of(self, text: &str) -> Self {
         let units = self.units || self.has_units(&sample(text));
         Self { units, ..self }
@@ -131,8 +131,8 @@ impl Dialect {
         balance.into_iter().any(|(more, with_unit)| more > 0 && with_unit >= 2)
     }
 
-    /// The dialect under which the most sample rows are rows of at least two numbers, or failing that the most cells
-    /// are numbers; of several that do equally well the first. What is given stays.
+    /// The dialect in which most sample rows are rows of at least two numbers or, if there are none, most cells are
+    /// numbers; the first of several equal ones. Given settings are kept.
     pub(super) fn sniff(text: &str, delimiter: Option<Delimiter>, mark: Option<DecimalMark>) -> Self {
         let sample = sample(text);
         let mut best = (Self::new(Delimiter::Whitespace, DecimalMark::Point), None);
@@ -155,8 +155,8 @@ impl Dialect {
         delimiters.into_iter().flat_map(move |delimiter| marks.map(|mark| Self::new(delimiter, mark)))
     }
 
-    /// The number of rows of two numbers or more, of cells with numbers, and of rows of one number. Above the first row of numbers there are names,
-    /// which may be numbered too.
+    /// The number of rows of two numbers or more, of cells with numbers, and of rows of one number. The names above the first row of numbers may
+    /// contain numbers too.
     fn merit(self, sample: &str) -> (usize, usize, usize) {
         let (mut rows, mut cells, mut above, mut single) = (0, 0, 0, 0);
         for row in self.rows(sample) {
@@ -170,7 +170,7 @@ impl Dialect {
     }
 }
 
-/// The first lines that hold something.
+/// The first lines with content.
 pub(super) fn sample(text: &str) -> String {
     let lines = text.lines().filter(|line| !is_blank_or_comment(line)).take(SAMPLE);
     lines.collect::<Vec<_>>().join("\n")
@@ -193,7 +193,7 @@ impl Dialect {
     }
 }
 
-/// The row with plain numbers in the place of those with units and uncertainties.
+/// The row with plain numbers in place of those with units and uncertainties.
 fn without_units(row: Row, mark: DecimalMark) -> Row {
     let split = |cell| {
         let plain = Written { number: cell, uncertainty: None, unit: None };

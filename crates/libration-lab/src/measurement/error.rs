@@ -7,7 +7,7 @@ use libration::quantity::alternatives;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MeasurementError {
-    /// Relative uncertainties whose heading does not say of what size.
+    /// Relative uncertainties whose heading does not state the unit of their values.
     #[error(
         "{place} holds relative uncertainties, and its heading does not say whether in % or as fractions: write % into it, or multiply them by the values"
     )]
@@ -38,7 +38,7 @@ pub enum MeasurementError {
     /// A row with another number of cells than the others.
     #[error("line {line} has {found} cells where {expected} were expected: complete or remove the row")]
     Ragged {
-        /// Counted from one.
+        /// Number of the line, from 1.
         line: u64,
         /// Cells in the row.
         found: usize,
@@ -50,28 +50,28 @@ pub enum MeasurementError {
         "line {line} names {names} columns, the rows below have {columns}: complete the header, or specify that there is none"
     )]
     HeaderWidth {
-        /// Counted from one.
+        /// Number of the line, from 1.
         line: u64,
         /// Names.
         names: usize,
         /// Columns.
         columns: usize,
     },
-    /// Numbers above the first good row.
+    /// Numbers above the first complete row.
     #[error(
         "line {line} is neither a header nor a row of numbers like those below it: correct it, or specify the header line"
     )]
     NeitherHeaderNorNumbers {
-        /// Counted from one.
+        /// Number of the line, from 1.
         line: u64,
     },
     /// A cell over several lines.
     #[error("line {line} begins a quoted cell that is not closed on the same line: close the quote")]
     UnclosedQuote {
-        /// Counted from one.
+        /// Number of the line, from 1.
         line: u64,
     },
-    /// A column whose cells have units that do not go together.
+    /// A column whose cells have incompatible units.
     #[error("{column} has {found}: write all of them in one unit")]
     MixedUnits {
         /// The column, as messages name it.
@@ -82,9 +82,9 @@ pub enum MeasurementError {
     /// A cell that is not a finite number.
     #[error("line {line}, column {column}: `{cell}` is not a finite number: write it as 1.25 or 1.25e-3")]
     NotANumber {
-        /// Counted from one.
+        /// Number of the line, from 1.
         line: u64,
-        /// Counted from one.
+        /// Number of the column, from 1.
         column: usize,
         /// The cell, shortened.
         cell: String,
@@ -118,10 +118,10 @@ pub enum MeasurementError {
         /// The names available.
         available: String,
     },
-    /// Not one row is complete in the columns requested.
+    /// No row is complete in the columns requested.
     #[error("none of the {0} rows has a number in every requested column: give other columns")]
     NothingComplete(usize),
-    /// Too few columns of numbers for what is needed.
+    /// Fewer columns of numbers than needed.
     #[error("{names} are needed, and the table has {numbers} column{} of numbers", if *.numbers == 1 { "" } else { "s" })]
     TooFewColumns {
         /// The quantities needed.
@@ -134,14 +134,14 @@ pub enum MeasurementError {
     TooMany {
         /// The kind of items.
         what: &'static str,
-        /// Their number.
+        /// The number of columns.
         count: usize,
-        /// Their place.
+        /// The position of the cell.
         place: String,
         /// Largest number that is allowed.
         limit: usize,
     },
-    /// Something that the file does not decide.
+    /// A setting that the file does not determine.
     #[error("{question}: give {}", listed(.choices, &assigned))]
     Undecided {
         /// The open question, with its reason.
@@ -154,7 +154,7 @@ pub enum MeasurementError {
         "line {line}: the time {after} follows {before}, and not only there: put the rows in the order of time, or split the runs"
     )]
     TimeGoesBack {
-        /// Counted from one.
+        /// Number of the line, from 1.
         line: u64,
         /// The earlier time, as in the file.
         before: f64,
@@ -164,7 +164,7 @@ pub enum MeasurementError {
     /// A number that is not a state of a photogate.
     #[error("line {line}: {found} is not a state of a photogate: give 1 or blocked, 0 or unblocked")]
     NotAState {
-        /// Counted from one.
+        /// Number of the line, from 1.
         line: u64,
         /// The number, as in the file.
         found: f64,
@@ -183,29 +183,29 @@ pub enum MeasurementError {
     /// Values that are not a trace.
     #[error(transparent)]
     Trace(#[from] super::TraceError),
-    /// A column whose heading says that it holds something other than requested.
+    /// A column whose heading states a content other than the requested one.
     #[error("{column} holds {found} by its header, where {expected} are needed: give other columns")]
     HoldsOther {
-        /// Its number and name.
+        /// The number and name of the column.
         column: String,
         /// The quantity by its header.
         found: &'static str,
         /// The role for which it was chosen.
         expected: super::Role,
     },
-    /// Times, and nothing that was measured at them.
+    /// Times without measured values.
     #[error(
         "{0} holds times, and no other column can be an angle: a trace needs angles, angular velocities or positions"
     )]
     OnlyTimes(String),
-    /// A column at two levels, in place of angles.
+    /// A column with two levels, in place of angles.
     #[error(
-        "{column} is at one of two levels in nearly all rows, as the signal of a light barrier: it has the times of passages, and no angles"
+        "{column} is at one of two levels in nearly all rows, as the signal of a light barrier: it contains the times of passages, not angles"
     )]
     GateSignal {
-        /// Its number and name.
+        /// The number and name of the column.
         column: String,
-        /// Its number, from one.
+        /// The number of the column, from one.
         number: usize,
     },
     /// Times that go back again and again.
@@ -224,7 +224,7 @@ pub enum MeasurementError {
          be taken from it"
     )]
     NoPassages {
-        /// Its number and name.
+        /// The number and name of the column.
         column: String,
     },
     /// Accelerations, from which alone neither angle nor angular velocity follows.
@@ -234,10 +234,10 @@ pub enum MeasurementError {
          from the pivot, its direction and its sign: record the gyroscope, whose angular velocity needs none of them"
     )]
     Accelerations {
-        /// Its number and name.
+        /// The number and name of the column.
         column: String,
     },
-    /// Times so coarse that rows share them, and that are no roundings of even ones.
+    /// Times so coarse that rows share them, and that are not roundings of equally spaced ones.
     #[error(
         "{run}the times have {digits} significant digits, so several rows share one time, and no evenly spaced times round to them, as where rows \
          are missing: export the times with more digits"
@@ -248,7 +248,7 @@ pub enum MeasurementError {
         /// Number of digits.
         digits: usize,
     },
-    /// Times that are not roundings of even ones.
+    /// Times that are not roundings of equally spaced ones.
     #[error("{run}the times are not evenly spaced times that were rounded: keep them as written")]
     NotEven {
         /// The run, with a colon, or an empty text.
@@ -259,9 +259,9 @@ pub enum MeasurementError {
     NothingBetween {
         /// The run, with a colon, or an empty text.
         run: String,
-        /// In seconds.
+        /// The first time, in seconds.
         first: f64,
-        /// In seconds.
+        /// The last time, in seconds.
         last: f64,
     },
     /// A unit that does not fit its quantity.
@@ -277,7 +277,7 @@ pub enum MeasurementError {
 }
 
 impl MeasurementError {
-    /// The message, with choices as a front end writes them: `setting` writes a choice with the values of which each would do.
+    /// The message, with choices as a front end writes them: `setting` writes a choice with its alternative values.
     #[must_use]
     pub fn message(&self, setting: &dyn Fn(Choice, &[&str]) -> String) -> String {
         match self {
@@ -317,7 +317,7 @@ fn assigned(choice: Choice, values: &[&str]) -> String {
     format!("{choice}={}", alternatives(values))
 }
 
-/// One of these says what a number of the file is in radians.
+/// Returns `true` for choices of the unit or scale of values.
 fn is_the_scale(choice: Choice) -> bool {
     matches!(choice, Choice::Unit | Choice::CountsPerTurn)
 }

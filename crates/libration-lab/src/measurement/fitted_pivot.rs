@@ -1,22 +1,22 @@
-//! The error of angles by a pivot that is uncertain: where it is wrong, all of them are wrong together.
+//! The error of angles caused by an uncertain pivot, common to all of them.
 
-/// The pivot about which the angles of positions are, and how they depend on where it is: the centre of the circle through the positions, or a place
-/// that was given and that contradicts the positions.
+/// The pivot of the angles of positions, with the derivatives of the angles: the centre of the circle through the positions, or a given position
+/// that contradicts them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FittedPivot {
-    /// Place of the pivot, in the unit of the positions.
+    /// Position of the pivot, in the unit of the positions.
     pub place: [f64; 2],
-    /// Covariance of the place, in the square of that unit.
+    /// Covariance of the position, in the square of that unit.
     pub covariance: [[f64; 2]; 2],
-    /// Derivatives of each angle with respect to the place, in radians per unit.
+    /// Derivatives of each angle with respect to the position, in radians per unit.
     pub derivatives: Vec<[f64; 2]>,
-    /// The centre of the circle through the positions, where the place was given and is not that centre. The difference is then the half-width of a
-    /// rectangular distribution, whose covariance is above.
+    /// The centre of the circle through the positions, if a different position was given. The difference is then the half-width of a rectangular
+    /// distribution, whose covariance is above.
     pub contradicted_by: Option<[f64; 2]>,
 }
 
 impl FittedPivot {
-    /// Changes of the angles for two independent errors of the place, each of one standard deviation.
+    /// Changes of the angles for two independent errors of the position, each of one standard deviation.
     #[must_use]
     pub fn errors(&self) -> [Vec<f64>; 2] {
         // The lower triangle whose product with its transpose is the covariance.
@@ -30,7 +30,7 @@ impl FittedPivot {
         [along([first, both]), along([0.0, second])]
     }
 
-    /// `true` if both are the same centre of one circle, or the same place that was given.
+    /// `true` if both are the centre of the same circle, or the same given position.
     #[must_use]
     pub fn is_shared_with(&self, other: &Self) -> bool {
         if self.contradicted_by.is_some() && other.contradicted_by.is_some() {

@@ -15,7 +15,7 @@ use libration::quantity::short;
 pub struct Gates {
     /// Times in seconds, in the order of the file.
     pub times: Vec<f64>,
-    /// `true` for each time at which the gate became blocked, where the file says it.
+    /// `true` for each time at which the gate became blocked, if the file states it.
     pub blocked: Option<Vec<bool>>,
     /// The line of each time, counted from one.
     pub lines: Vec<u64>,
@@ -28,8 +28,7 @@ pub struct Gates {
 impl Recording {
     /// The times of a photogate: the column of times, or the only column, with the state of the gate next to it.
     ///
-    /// # Errors
-    /// Columns that the file does not decide, cells that are no numbers or states, no time at all, times that go back again and again.
+    /// # Errors Columns that the file does not determine, cells that are neither numbers nor states, no times, times that go back repeatedly.
     pub fn gate_times(&self, choices: &Choices) -> Result<Gates, MeasurementError> {
         self.in_one_sheet(choices, |sheet| gates_of(sheet, choices))
     }
@@ -83,7 +82,7 @@ fn is_asked(time: f64, choices: &Choices) -> bool {
 struct SignalRows {
     times: Vec<f64>,
     values: Vec<f64>,
-    /// Their rows in the sheet.
+    /// The rows of the times in the sheet.
     rows: Vec<usize>,
     incomplete: usize,
 }
@@ -144,7 +143,7 @@ fn gates_of_signal(
     Ok(Gates { times, blocked, lines, incomplete: read.incomplete, findings })
 }
 
-/// Refuses a trace next to its times, which is not a table of a gate, and any other measured column, if the times come as evenly as samples do.
+/// Refuses times with a trace, which are not a table of a gate, and those with any other measured column if they are as evenly spaced as samples.
 fn refuse_samples(sheet: &Sheet, time: usize) -> Result<(), MeasurementError> {
     let is_traced = |place: usize| {
         let heading = &sheet.channels[place].heading;
@@ -193,15 +192,15 @@ fn refuse_samples(sheet: &Sheet, time: usize) -> Result<(), MeasurementError> {
     })
 }
 
-/// Samples come with steps that are alike to a hundredth. The passages of a gate do too where it stands at the centre and the
-/// amplitude stays: it takes another column next to them to ask.
+/// Returns `true` if the steps are equal to a hundredth, as those of samples. Steps between passages of a gate may be so too,
+/// at the centre and for a constant amplitude; therefore another column is required.
 fn has_even_steps(times: &[f64]) -> bool {
     let steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let Some(usual) = lower_median(steps.clone()).filter(|_| steps.len() > 2) else { return false };
     steps.iter().filter(|&step| (step - usual).abs() > 0.01 * usual.abs()).count() * 10 < steps.len()
 }
 
-/// A clock may be set back once, or a row be out of place; a column of periods goes up and down.
+/// Refuses times that go back repeatedly: a clock may be set back once, or a row be out of place, but a column of periods goes up and down.
 fn refuse_what_is_no_clock(times: &[f64]) -> Result<(), MeasurementError> {
     let (goes_back, rows) = (times.windows(2).filter(|pair| pair[1] < pair[0]).count(), times.len());
     if goes_back > usize::max(1, rows / 10) {
@@ -256,7 +255,7 @@ fn state_column(
     Ok(found)
 }
 
-/// The unit said, the one written, or seconds where a pendulum can have such periods.
+/// The given unit, the one in the header, or seconds if a pendulum can have such periods.
 fn unit(
     sheet: &Sheet,
     place: usize,
@@ -287,7 +286,7 @@ fn which_unit(question: String) -> MeasurementError {
 /// Half periods of pendulums, in seconds: of one of 2.5 mm, and of one of 3.6 km.
 const HALF_PERIODS: std::ops::RangeInclusive<f64> = 0.05..=60.0;
 
-/// The larger half of the steps are half periods, whether the times are passages or edges.
+/// Refuses seconds if the steps are impossible half periods: the larger half of the steps are half periods, for passages and edges alike.
 fn refuse_unlikely_seconds(sheet: &Sheet, place: usize) -> Result<(), MeasurementError> {
     let mut times: Vec<f64> = sheet.channels[place].numbers().flatten().collect();
     times.sort_by(f64::total_cmp);

@@ -62,7 +62,7 @@ impl Names {
     }
 }
 
-/// A last line that holds nothing but units, with a line as long above it.
+/// A last line of units only, with a line of the same length above it.
 fn units_below(above: &mut Vec<Row>) -> Option<Row> {
     let [.., names, units] = &above[..] else { return None };
     let known = |cell: &str| bare(cell).parse::<Unit>().is_ok();
@@ -71,7 +71,7 @@ fn units_below(above: &mut Vec<Row>) -> Option<Row> {
     if are_units && names.filled() >= units.filled() { above.pop() } else { None }
 }
 
-/// The last comment above the numbers, if it names what is known here in as many cells.
+/// The last comment above the numbers, if it contains known names in the right number of cells.
 fn in_comment(text: &str, width: usize, dialect: Dialect, first_line: u64) -> Option<Row> {
     let lines = (1..first_line).zip(text.lines()).filter(|(_, line)| line.trim_start().starts_with(COMMENT));
     let (line, comment) = lines.last()?;
@@ -83,8 +83,8 @@ fn in_comment(text: &str, width: usize, dialect: Dialect, first_line: u64) -> Op
         .then_some(row)
 }
 
-/// Names of the columns, and the names beyond the last column. Words that blanks have torn apart are joined at brackets and strokes, or where there
-/// is but one blank between them; other names beyond the last column have no numbers below them.
+/// Names of the columns, and the names beyond the last column. Words separated by blanks are joined at brackets and strokes, or across single
+/// blanks; other names beyond the last column have no numbers below them.
 fn name_cells(
     row: &Row,
     text: &str,
@@ -117,7 +117,7 @@ fn between_wide_blanks(row: &Row, text: &str) -> Option<Vec<String>> {
     Some(spaced.split("  ").map(str::trim).filter(|name| !name.is_empty()).map(String::from).collect())
 }
 
-/// `t_1, θ_1, t_2, θ_2` are two runs, since each has times of its own; `t, θ_1, θ_2` are not.
+/// Numbers the runs: `t_1, θ_1, t_2, θ_2` are two runs, since each has separate times; `t, θ_1, θ_2` are not.
 fn number_runs(headings: &mut [Heading]) {
     let of_times = |heading: &Heading| heading.index.clone().filter(|_| heading.is(QuantityKind::Time));
     let times: Vec<String> = headings.iter().filter_map(of_times).collect();

@@ -69,7 +69,7 @@ fn row_at(rows: &[Row], line: u64) -> Result<usize, MeasurementError> {
     })
 }
 
-/// A quote that is not closed makes one cell of all that follows.
+/// Refuses very long cells: an unclosed quote makes one cell of everything after it.
 fn refuse_long_cells(rows: &[Row]) -> Result<(), MeasurementError> {
     match rows.iter().find(|row| row.cells.iter().any(|cell| cell.contains('\n'))) {
         Some(row) => Err(MeasurementError::UnclosedQuote { line: row.line }),
@@ -79,9 +79,9 @@ fn refuse_long_cells(rows: &[Row]) -> Result<(), MeasurementError> {
 
 /// Width of the rows with numbers.
 struct Extent {
-    /// Cells up to the last one that is filled in any of them, those longer than most aside.
+    /// Number of cells up to the last one that is filled in any row, except for rows longer than most.
     filled: usize,
-    /// Cells of most of them, with the empty ones at the end.
+    /// Number of cells of most rows, with the empty ones at the end.
     length: usize,
 }
 
@@ -107,7 +107,7 @@ impl Extent {
     }
 }
 
-/// The first row with numbers where most rows have them, and nothing else there.
+/// The first row with numbers in the columns in which most rows have them, and no other content in these.
 fn first_of_numbers(rows: &[Row], width: usize, mark: DecimalMark) -> Option<usize> {
     let mut balance = vec![0_i64; width];
     for row in rows.iter().filter(|row| row.numbers(mark) > 0) {
@@ -128,7 +128,7 @@ fn first_of_numbers(rows: &[Row], width: usize, mark: DecimalMark) -> Option<usi
     })
 }
 
-/// Rows of numbers above the first good row would be left out in silence.
+/// Refuses rows of numbers above the first complete row, which would be left out silently.
 fn refuse_numbers(above: &[Row], mark: DecimalMark) -> Result<(), MeasurementError> {
     let last = above.len().saturating_sub(1);
     let is_bad = |(place, row): &(usize, &Row)| {

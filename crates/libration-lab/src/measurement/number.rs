@@ -7,9 +7,9 @@ use super::Unit;
 pub enum Cell {
     /// A number.
     Number(f64),
-    /// Nothing, or a word for it.
+    /// Empty, or a word for a missing value.
     Missing,
-    /// Something else.
+    /// Any other text.
     Text,
 }
 
@@ -23,7 +23,7 @@ pub enum DecimalMark {
 }
 
 impl Cell {
-    /// A finite decimal number with this mark, nothing or a mark for nothing, or any other text.
+    /// A finite decimal number with this mark, a missing value, or any other text.
     pub fn parse(cell: &str, mark: DecimalMark) -> Self {
         let cell = cell.trim();
         if ["", "-", "nan", "na", "n/a", "#n/a", "null"]
@@ -50,14 +50,14 @@ impl Cell {
 pub(super) struct Written<'a> {
     /// The number.
     pub(super) number: &'a str,
-    /// Its uncertainty, in the unit of the number.
+    /// The uncertainty, in the unit of the number.
     pub(super) uncertainty: Option<f64>,
-    /// Its unit.
+    /// The unit.
     pub(super) unit: Option<Unit>,
 }
 
 impl<'a> Written<'a> {
-    /// The parts of a cell; none of a plain number and of other texts.
+    /// The parts of a cell; `None` for a plain number and for other texts.
     pub(super) fn parse(cell: &'a str, mark: DecimalMark) -> Option<Self> {
         let cell = cell.trim();
         match SIGNS.iter().find_map(|sign| cell.split_once(sign)) {
@@ -90,7 +90,7 @@ fn with_sign<'a>(number: &'a str, uncertainty: &'a str, mark: DecimalMark) -> Op
     is_of_one.then_some(Written { number, uncertainty: Some(uncertainty), unit })
 }
 
-/// `1.234(5)`, `1.234(5) s`: the digits in brackets stand for the last ones of the number.
+/// `1.234(5)`, `1.234(5) s`: the digits in brackets are the uncertainty of the last digits.
 fn with_brackets(cell: &str, mark: DecimalMark) -> Option<Written<'_>> {
     let (number, rest) = cell.split_once('(')?;
     let (digits, unit) = rest.split_once(')')?;
@@ -118,7 +118,7 @@ fn known(unit: &str) -> Option<Unit> {
     unit.parse().ok().filter(|unit| !matches!(unit, Unit::Count | Unit::Pixel))
 }
 
-/// A decimal comma stands between digits, once, and there is no point: all else may be a mark of thousands.
+/// A number with a decimal comma, which stands once between digits, without a point: other commas may be marks of thousands.
 fn with_comma(cell: &str) -> Option<f64> {
     let cell = cell.replace('−', "-");
     let Some((whole, fraction)) = cell.split_once(',') else {
@@ -136,7 +136,7 @@ fn plain_number(text: &str) -> Option<f64> {
     number.filter(|_| text.chars().all(numeric))
 }
 
-/// Number of decimals of a number as it is written.
+/// Number of decimals of a number as written.
 pub(super) fn decimals(number: &str) -> u16 {
     let (digits, power) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
     let after = digits.split_once(['.', ',']).map_or(0, |(_, fraction)| fraction.trim_end().len());

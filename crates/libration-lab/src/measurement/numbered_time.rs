@@ -1,7 +1,6 @@
 //! Headings of a time with a number after its symbol: `T5 (s)`, `t_{10} / s`, `Time 3`, `T (20) in s`.
 //!
-//! The number is that of a reading where columns of the same symbol are numbered one after the other; in a column on its own it is as often the number
-//! of swings.
+//! The number is that of a reading if columns of the same symbol have successive numbers; in a single column it is as often the number of swings.
 
 use super::QuantityKind;
 use super::heading::named;
@@ -31,7 +30,7 @@ pub(super) fn symbol(heading: &str) -> &str {
     heading.split(|letter: char| letter.is_ascii_digit()).next().unwrap_or_default()
 }
 
-/// Returns whether the number in the heading of this column is that of a reading: another column of the same symbol has the next one, or the one
+/// Returns `true` if the number in the heading of this column is that of a reading: another column of the same symbol has the next one, or the one
 /// before.
 pub(super) fn is_of_reading(table: &Table, place: usize) -> bool {
     let channels = &table.sheet().channels;

@@ -13,7 +13,7 @@ pub enum Header {
     Present,
     /// No row names the columns.
     Absent,
-    /// This line names the columns, counted from one; lines above it are left out.
+    /// The line of the names of the columns, counted from one; lines above it are left out.
     Line(u64),
 }
 

@@ -1,4 +1,4 @@
-//! A file of measurements: what it is, its sheets, and what was inferred from it.
+//! A file of measurements: its kind, its sheets, and the settings inferred from it.
 
 use super::ambiguity;
 use super::choices::{Choices, Finding, Suggestion};
@@ -26,7 +26,7 @@ use libration::quantity::excerpt;
 pub struct Recording {
     format: Format,
     sheets: Vec<Sheet>,
-    /// Tables that hold no columns of numbers, and why.
+    /// Tables without columns of numbers, with the reasons.
     left_out: Vec<(String, MeasurementError)>,
 }
 
@@ -57,13 +57,13 @@ impl Recording {
         self.format
     }
 
-    /// Its tables; a text file has one.
+    /// The tables of the file; a text file has one.
     #[must_use]
     pub fn sheets(&self) -> &[Sheet] {
         &self.sheets
     }
 
-    /// The chosen sheet, else the first one with two columns of numbers, else the first one; and how many sheets there are.
+    /// The chosen sheet, else the first one with two columns of numbers, else the first one; and the number of sheets.
     pub(super) fn into_sheet(mut self, asked: Option<&Column>) -> Result<(Sheet, usize), MeasurementError> {
         let count = self.sheets.len();
         if let Some(asked) = asked {

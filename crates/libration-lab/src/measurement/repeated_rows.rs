@@ -15,14 +15,14 @@ const MOST_ROWS: usize = 2000;
 /// Rows that repeat others, as lines of the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum RepeatedRows {
-    /// A passage that repeats another one.
+    /// A repeated passage.
     Passage {
         /// First and last line of the copy.
         lines: [u64; 2],
         /// First and last line of the passage that it repeats.
         of: [u64; 2],
     },
-    /// All rows stand in this number of lines each, one after the other.
+    /// Each row is repeated in this number of successive lines.
     Each(usize),
 }
 
@@ -108,7 +108,7 @@ fn values(keys: &[RowKey]) -> usize {
     first.len()
 }
 
-/// The number of lines, from two on, in which each row stands.
+/// The number of successive lines, two or more, in which each row is repeated.
 fn times_of_each(keys: &[RowKey]) -> Option<usize> {
     let times = keys.iter().take_while(|key| **key == keys[0]).count();
     let is_each = times > 1

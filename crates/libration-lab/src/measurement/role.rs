@@ -1,4 +1,4 @@
-//! Role of a chosen column, and the statements of a heading about it: a unit, or another quantity.
+//! Role of a chosen column, and the information in its heading: a unit, or another quantity.
 
 use super::heading::{Heading, Measures};
 use super::{QuantityKind, Unit};
@@ -15,7 +15,7 @@ pub enum Role {
     Angles,
     /// Frequencies, in turns or radians per time.
     Frequencies,
-    /// Displacements of any kind: angles, lengths, or what an instrument makes of them.
+    /// Displacements of any kind: angles, lengths, or readings of an instrument.
     Displacements,
 }
 
@@ -26,7 +26,7 @@ pub enum WrittenUnit {
     Nothing,
     /// A unit that fits the role of the column.
     Known(Unit),
-    /// Something where a unit would be, as it is written.
+    /// A text in place of a unit, as written.
     Unknown(String),
 }
 
@@ -42,7 +42,7 @@ impl fmt::Display for Role {
     }
 }
 
-/// Names in lower case that a table of results has, other than those of recordings.
+/// Names in lower case in tables of results, other than those in recordings.
 const NAMES: [(Role, &[&str]); 3] = [
     (Role::Times, &["period", "periods", "half period", "periode", "période", "periodo", "schwingungsdauer"]),
     (Role::Lengths, &["l", "length", "lengths", "länge", "longueur", "lunghezza", "longitud"]),
@@ -50,7 +50,7 @@ const NAMES: [(Role, &[&str]); 3] = [
 ];
 
 impl Role {
-    /// Quantity that the column holds by its heading, when that is not this role.
+    /// Quantity of the column according to its heading, if it is not this role.
     pub(super) fn contradicted_by(self, heading: &Heading) -> Option<&'static str> {
         self.contradicted_by_unit(heading).or_else(|| self.contradicted_by_name(heading))
     }
@@ -79,7 +79,7 @@ impl Role {
         named(heading).and_then(|measured| self.other_than(measured))
     }
 
-    /// Returns whether the unit of a heading, or without one its name, says that its column holds this.
+    /// Returns `true` if the heading gives the column this role by its unit or, without one, by its name.
     pub(super) fn is_said_by(self, heading: &Heading) -> bool {
         let measured = match (heading.unit, &heading.unit_text) {
             (Some(unit), _) => Some(unit.measures()),

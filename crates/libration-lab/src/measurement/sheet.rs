@@ -17,7 +17,7 @@ pub struct Channel {
     pub(super) cells: Vec<Cell>,
     /// Every cell that is neither a number nor missing, with its row.
     pub(super) words: Vec<(usize, String)>,
-    /// The uncertainty that each cell has of its own.
+    /// The uncertainties contained in cells.
     pub(super) uncertainties: Vec<Option<f64>>,
     /// Largest number of decimals of its numbers.
     pub(super) decimals: u16,
@@ -38,7 +38,7 @@ impl Channel {
         self.numbers().flatten().count()
     }
 
-    /// Number of cells that are empty, or say that nothing was measured.
+    /// Number of cells that are empty, or marked as missing.
     #[must_use]
     pub fn blanks(&self) -> usize {
         self.cells.len() - self.count() - self.words.len()
@@ -50,7 +50,7 @@ impl Channel {
         &self.words
     }
 
-    /// The cell as a label: a word, or a number in short; none where it is missing.
+    /// The cell as a label: a word, or a number in short form; `None` if it is missing.
     pub(super) fn label(&self, row: usize) -> Option<String> {
         match self.cells[row] {
             Cell::Number(number) => Some(number.to_string()),
@@ -71,7 +71,7 @@ impl Channel {
         })
     }
 
-    /// Returns whether the column has at least two numbers and each is above the one before.
+    /// Returns `true` if the column has at least two numbers and each is above the one before.
     pub(super) fn increases(&self) -> bool {
         let numbers: Vec<f64> = self.numbers().flatten().collect();
         self.words.is_empty() && numbers.len() > 1 && numbers.windows(2).all(|pair| pair[0] < pair[1])
@@ -81,13 +81,13 @@ impl Channel {
 /// A table of a recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sheet {
-    /// Its name in a workbook or an archive; empty for a text file.
+    /// The name in a workbook or an archive; empty for a text file.
     pub name: String,
     /// Delimiter of its cells and notation of its numbers.
     pub dialect: Dialect,
-    /// The line that names the columns, where there is one.
+    /// The line of the names of the columns, if there is one.
     pub header_line: Option<u64>,
-    /// The line that is both header and first row, where there is one.
+    /// The line that contains both header and first row, if there is one.
     pub divided_line: Option<u64>,
     /// The lines above the header, which are left out.
     pub preamble: Vec<(u64, String)>,
@@ -130,7 +130,7 @@ impl Sheet {
         Ok(sheet)
     }
 
-    /// Brings the numbers of each column whose cells have units to the unit of its header, or of its first cell.
+    /// Converts the numbers of each column whose cells have units to the unit of its header, or of its first cell.
     fn take_units(&mut self, units: &CellUnits) -> Result<(), MeasurementError> {
         for place in 0..self.channels.len() {
             let Some(first) = units.first(place) else { continue };
@@ -170,7 +170,7 @@ impl Sheet {
         Ok(())
     }
 
-    /// The sheet with the lines of its file, whose header and first row were one.
+    /// The sheet with the lines of a file whose header and first row share a line.
     pub(super) fn with_header_in_first_row(mut self, divided: u64) -> Self {
         let of_file = |line: u64| if line > divided { line - 1 } else { line };
         self.lines.iter_mut().for_each(|line| *line = of_file(*line));
@@ -184,7 +184,7 @@ impl Sheet {
         self.lines.len()
     }
 
-    /// The place of a column, from zero.
+    /// The index of a column, from zero.
     ///
     /// # Errors
     /// No such column, or a name that several bear.
@@ -229,7 +229,7 @@ impl Sheet {
         }
     }
 
-    /// The number in a cell, or nothing.
+    /// The number in a cell; `None` if it is missing.
     pub(super) fn number(&self, place: usize, row: usize) -> Result<Option<f64>, MeasurementError> {
         match self.channels[place].cells[row] {
             Cell::Number(number) => Ok(Some(number)),

@@ -11,7 +11,7 @@ use crate::statistics::{NORMAL_PER_MEDIAN_DEVIATION, median};
 /// Least height in standard deviations of the noise. Normal noise exceeds half of it in one of 3·10⁶ rows.
 const LEAST_CLEARNESS: f64 = 10.0;
 
-/// Least height as a part of the largest: peaks along the string of a pendulum fall to a quarter when its amplitude falls to half.
+/// Least height as a fraction of the largest: peaks along the string of a pendulum fall to a quarter when its amplitude falls to half.
 const LEAST_HEIGHT: f64 = 0.25;
 
 /// Longest step between two rows with an edge between them, in median steps: a straight line does not bridge a gap.
@@ -39,8 +39,8 @@ pub struct SignalPassage {
 }
 
 impl SignalPassages {
-    /// The passages in the rows of a signal, whose times increase; `None` if fewer than three last for two rows or more and stand out from the noise,
-    /// or there are not as many times as values.
+    /// The passages in a signal at increasing times; `None` if fewer than three last for two rows or more and exceed the noise, or the numbers of
+    /// times and values differ.
     #[must_use]
     pub fn in_signal(times: &[f64], values: &[f64]) -> Option<Self> {
         if times.len() != values.len() {
@@ -67,7 +67,7 @@ impl SignalPassages {
     }
 }
 
-/// The middle one of each value and its neighbours: the value itself on a flank, and no wrong row that stands alone.
+/// The median of each value and its neighbours: the value itself on a flank, without isolated wrong rows.
 fn without_spikes(values: &[f64]) -> Vec<f64> {
     let middle = |[a, b, c]: [f64; 3]| a.max(b).min(a.min(b).max(c));
     let all = values.windows(3).map(|it| middle([it[0], it[1], it[2]]));
@@ -107,7 +107,7 @@ impl Signal<'_> {
         passages
     }
 
-    /// The passage with its highest row here; `None` if it is too low, or not whole in the record.
+    /// The passage whose highest row is here; `None` if it is too low, or incomplete in the record.
     fn passage(&self, row: usize) -> Option<SignalPassage> {
         if self.heights[row] < self.least {
             return None;

@@ -29,7 +29,7 @@ pub struct Table {
 /// The numbers of the chosen columns, in the rows that have them all.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Selection {
-    /// One vector for each chosen column, all of one length.
+    /// One vector for each chosen column, all of equal length.
     pub columns: Vec<Vec<f64>>,
     /// The line each row came from, counted from one.
     pub lines: Vec<u64>,
@@ -42,7 +42,7 @@ pub struct Selection {
 pub struct Readings {
     /// The readings of each quantity, row by row.
     pub quantities: Vec<Vec<Vec<f64>>>,
-    /// The uncertainties that the cells of each quantity have of their own, where all have one.
+    /// The uncertainties contained in the cells of each quantity, if all cells have one.
     pub uncertainties: Vec<Option<Vec<f64>>>,
     /// The line each row came from, counted from one.
     pub lines: Vec<u64>,
@@ -123,7 +123,7 @@ impl Table {
         Self::read_sheet(bytes, options, None)
     }
 
-    /// The same of a sheet that is chosen by its name or its number.
+    /// The table of a sheet, chosen by its name or its number.
     ///
     /// # Errors
     /// Those of [`Recording::read`]; no such sheet.
@@ -139,7 +139,7 @@ impl Table {
         Ok(Self { sheet, names, sheets })
     }
 
-    /// The place of a column, from zero.
+    /// The index of a column, from zero.
     ///
     /// # Errors
     /// No such column, or a name that several bear.
@@ -197,8 +197,8 @@ impl Table {
         Ok(selection)
     }
 
-    /// The readings of several quantities, each in one column or more, row by row; rows without a reading of one of them are dropped and
-    /// counted. A quantity without columns has none.
+    /// The readings of several quantities, each in one column or more, row by row; rows without a reading of one of them are dropped and counted. A
+    /// quantity without columns has no readings.
     ///
     /// # Errors
     /// Those of [`select`](Self::select).
@@ -244,7 +244,7 @@ impl Table {
         Ok(rows.iter().map(|&row| channel.label(row).unwrap_or_default()).collect())
     }
 
-    /// The last digit of the numbers in a column, in the unit of the column; none where it has no numbers.
+    /// The last digit of the numbers in a column, in the unit of the column; `None` without numbers.
     ///
     /// # Errors
     /// No such column.
@@ -253,7 +253,7 @@ impl Table {
         Ok(libm::exp10(-f64::from(channel.decimals)))
     }
 
-    /// The uncertainty of all values of a column, where its heading states it: `T (s) ± 0.004`.
+    /// The uncertainty of all values of a column, if its heading states it: `T (s) ± 0.004`.
     ///
     /// # Errors
     /// No such column.
@@ -261,7 +261,8 @@ impl Table {
         Ok(self.sheet.channels[self.sheet.place(column)?].heading.stated_uncertainty)
     }
 
-    /// The fraction of another quantity that one stands for in a column of relative uncertainties: 0.01 for `u(T) in %`; `None` for other columns.
+    /// The fraction of another quantity to which 1 corresponds in a column of relative uncertainties: 0.01 for `u(T) in %`; `None` for other
+    /// columns.
     ///
     /// # Errors
     /// No such column; relative uncertainties without a sign of their unit.
@@ -274,7 +275,7 @@ impl Table {
         Ok(heading.fraction())
     }
 
-    /// Lines of rows that summarise others, as their word `mean` says, with that word; they are left out.
+    /// Lines of summary rows, marked by a word such as `mean`, with that word; they are left out.
     #[must_use]
     pub fn summaries(&self) -> Vec<(u64, &str)> {
         let summary = |row| Some((self.sheet.lines[row], self.summary(row)?));
@@ -291,7 +292,7 @@ impl Table {
         divided.into_iter().chain(self.summaries().into_iter().map(summary)).collect()
     }
 
-    /// The word by which a row summarises others.
+    /// The word that marks a summary row.
     fn summary(&self, row: usize) -> Option<&str> {
         let plain = |word: &str| {
             let word = word.split('(').next().unwrap_or_default();
@@ -319,7 +320,7 @@ impl Table {
         Ok(numbers.into_iter().flatten().collect())
     }
 
-    /// The numbers of a row, or nothing when one of them is missing.
+    /// The numbers of a row; `None` if one of them is missing.
     fn numbers(&self, row: usize, places: &[usize]) -> Result<Option<Vec<f64>>, MeasurementError> {
         let numbers: Vec<Option<f64>> =
             places.iter().map(|&place| self.sheet.number(place, row)).collect::<Result<_, _>>()?;

@@ -56,7 +56,7 @@ fn utf16(unit: fn([u8; 2]) -> u16, bytes: &[u8]) -> Result<Cow<'static, str>, Me
     text.ok().filter(|_| odd.is_empty()).map(Cow::Owned).ok_or(MeasurementError::NotText("broken UTF-16"))
 }
 
-/// A file with letters of UTF-8 and bytes that are none is broken, not of another encoding.
+/// The text of a file in UTF-8 or Windows-1252; one with both letters of UTF-8 and invalid bytes is broken, not of another encoding.
 fn utf8_or_windows(bytes: &[u8]) -> Result<(Cow<'_, str>, Encoding), MeasurementError> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     if let Ok(text) = str::from_utf8(bytes) {
@@ -70,7 +70,7 @@ fn utf8_or_windows(bytes: &[u8]) -> Result<(Cow<'_, str>, Encoding), Measurement
     }
 }
 
-/// The letter of a byte in Windows-1252, in which five bytes mean nothing. Table: Unicode Consortium, `CP1252.TXT`, version 2.01.
+/// The letter of a byte in Windows-1252, in which five bytes are undefined. Table: Unicode Consortium, `CP1252.TXT`, version 2.01.
 fn windows_1252(byte: u8) -> Option<char> {
     const FROM_0X80: [char; 32] = [
         '€', '\0', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\0', 'Ž', '\0', '\0', '‘', '’',
@@ -82,7 +82,7 @@ fn windows_1252(byte: u8) -> Option<char> {
     }
 }
 
-/// Every line end as one line feed, or a carriage return before it.
+/// The text with each line end as a line feed, or a carriage return and a line feed.
 fn with_line_feeds(text: Cow<'_, str>) -> Cow<'_, str> {
     let bytes = text.as_bytes();
     let is_bare = |at: usize| bytes[at] == b'\r' && bytes.get(at + 1) != Some(&b'\n');
@@ -92,7 +92,7 @@ fn with_line_feeds(text: Cow<'_, str>) -> Cow<'_, str> {
     text.replace("\r\n", "\n").replace('\r', "\n").into()
 }
 
-/// Returns whether a line is blank or a comment.
+/// Returns `true` if a line is blank or a comment.
 pub(super) fn is_blank_or_comment(line: &str) -> bool {
     let line = line.trim_start();
     line.is_empty() || line.starts_with(COMMENT)

@@ -1,4 +1,4 @@
-//! A trace: what an instrument saw of one swing, in the order of time.
+//! A trace: measured values of one swing, in the order of time.
 
 use super::FittedPivot;
 
@@ -15,9 +15,9 @@ pub enum TraceError {
     /// A time that is not after the one before.
     #[error("the time {after:?} s follows {before:?} s: give times that increase")]
     TimesNotIncreasing {
-        /// In seconds.
+        /// The time before, in seconds.
         before: f64,
-        /// In seconds.
+        /// The time after it, in seconds.
         after: f64,
     },
     /// An uncertainty that is not positive.
@@ -56,7 +56,7 @@ pub struct Trace {
 }
 
 impl Trace {
-    /// The trace of these columns; `name` says whose they are, for people.
+    /// The trace of these columns, with a name for messages.
     ///
     /// # Errors
     /// Columns of different lengths or empty, numbers that are not finite, times that do not increase, uncertainties
@@ -94,25 +94,25 @@ impl Trace {
         })
     }
 
-    /// The same under another name.
+    /// The trace under another name.
     #[must_use]
     pub fn named(self, name: &str) -> Self {
         Self { name: name.to_owned(), ..self }
     }
 
-    /// The same, all times of which may be too long or too short by this part of them: one standard deviation.
+    /// The trace with this relative standard uncertainty of the scale of its times.
     #[must_use]
     pub fn with_clock_uncertainty(self, clock_uncertainty: f64) -> Self {
         Self { clock_uncertainty, ..self }
     }
 
-    /// Relative standard uncertainty of the scale of all times; zero where it is not known.
+    /// Relative standard uncertainty of the scale of all times; zero if it is not known.
     #[must_use]
     pub fn clock_uncertainty(&self) -> f64 {
         self.clock_uncertainty
     }
 
-    /// The same, whose angles are those about a pivot that was fitted.
+    /// The trace with angles about a fitted pivot.
     ///
     /// # Errors
     /// More or fewer derivatives than rows.
@@ -124,7 +124,7 @@ impl Trace {
         Ok(Self { fitted_pivot: Some(pivot), ..self })
     }
 
-    /// The pivot, where it was fitted to positions or contradicts them.
+    /// The pivot, if it was fitted to positions or contradicts them.
     #[must_use]
     pub fn fitted_pivot(&self) -> Option<&FittedPivot> {
         self.fitted_pivot.as_ref()
@@ -173,7 +173,7 @@ impl Trace {
         self.times.len()
     }
 
-    /// The rows that `keep` says, by their numbers from zero.
+    /// The rows selected by `keep`, which gets their indices from zero.
     ///
     /// # Errors
     /// No row is left.

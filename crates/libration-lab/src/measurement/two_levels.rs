@@ -2,16 +2,16 @@
 
 use crate::statistics::count;
 
-/// Part of the range about each of its ends that counts as a level. A sine is there in 41 % of its rows.
+/// Fraction of the range at each of its ends that counts as a level. A sine is there in 41 % of its rows.
 const LEVEL: f64 = 0.1;
-/// Largest part of the rows between the levels: 18 % of a swing to 179.99°, which rests longest, are between ±144°.
+/// Largest fraction of the rows between the levels: of a swing to 179.99°, which stays longest near its ends, 18 % are between ±144°.
 const MOST_BETWEEN: f64 = 0.05;
 /// Largest number of rows between the levels at each change, on average: a flank of a light barrier has one or two.
 const MOST_IN_FLANK: usize = 2;
 /// Least number of changes of level: two passages.
 const LEAST_CHANGES: usize = 4;
 
-/// Returns whether nearly all of the numbers are at one of two levels, which change at least four times.
+/// Returns `true` if nearly all of the numbers are at one of two levels, which change at least four times.
 pub(super) fn changes_between_two_levels(numbers: &[f64]) -> bool {
     let ends = (f64::INFINITY, f64::NEG_INFINITY);
     let (low, high) = numbers.iter().fold(ends, |(low, high), it| (low.min(*it), high.max(*it)));

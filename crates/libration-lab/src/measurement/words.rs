@@ -16,7 +16,7 @@ const IN_WORDS: [(f64, &[&str]); 10] = [
 /// Units of time.
 pub(super) const UNITS_OF_TIME: [&str; 4] = ["s", "sec", "ms", "min"];
 
-/// Returns whether a word is one of these.
+/// Returns `true` if a word is one of these.
 pub(super) fn is(list: &[&str], word: &str) -> bool {
     list.contains(&word)
 }
@@ -31,7 +31,7 @@ pub(super) fn number(word: &str) -> Option<f64> {
     digits.or(of_word(word)).or(multiple).filter(|number| *number > 0.0 && number.is_finite())
 }
 
-/// Letters, numbers and strokes in lower case, each on its own: `10T/s` is `10`, `t`, `/`, `s`.
+/// Letters, numbers and strokes in lower case, each separate: `10T/s` is `10`, `t`, `/`, `s`.
 pub(super) fn words(text: &str) -> Vec<String> {
     let text = text.to_lowercase().replace('°', " deg ");
     let kind = |letter: char| match letter {

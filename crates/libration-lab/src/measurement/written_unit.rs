@@ -6,7 +6,7 @@ use super::table::Table;
 use super::{Column, MeasurementError};
 
 impl Table {
-    /// The unit that is written over a column of such values.
+    /// The unit in the heading of a column of such values.
     ///
     /// # Errors
     /// No such column; a heading that says that the column holds something else, or uncertainties.
@@ -30,7 +30,7 @@ impl Table {
         }
     }
 
-    /// The unit that is written over a column that the user has chosen for such values, whatever its name is.
+    /// The unit in the heading of a column that the user has chosen for such values, whatever its name.
     ///
     /// # Errors
     /// No such column; a unit of something else.

@@ -12,7 +12,7 @@ pub fn of_scatter(mean_square: f64, data: f64, parameters: usize) -> Option<f64>
     cost(data, count(parameters + 1)).map(|cost| misfit_of_scatter(mean_square, data) + cost)
 }
 
-/// n ln(mean square); as if the least number remained where nothing is left.
+/// n ln(mean square); a mean square of zero counts as the smallest number.
 pub(crate) fn misfit_of_scatter(mean_square: f64, data: f64) -> f64 {
     data * libm::log(mean_square.max(f64::MIN_POSITIVE))
 }

@@ -1,4 +1,4 @@
-//! A number of things as a number.
+//! Numbers of things as floating-point numbers.
 
 /// The nearest `f64`.
 #[expect(clippy::cast_precision_loss, reason = "nothing in memory has 2^53 rows")]

@@ -12,7 +12,7 @@ pub fn probability_beyond(ratio: f64, above: usize, below: usize) -> f64 {
     probability_beyond_any(ratio, count(above), count(below))
 }
 
-/// The same for degrees of freedom that need not be whole.
+/// The same probability for degrees of freedom that need not be whole.
 pub(crate) fn probability_beyond_any(ratio: f64, above: f64, below: f64) -> f64 {
     if ratio <= 0.0 {
         return 1.0;
@@ -31,6 +31,7 @@ pub(crate) fn probability_beyond_any(ratio: f64, above: f64, below: f64) -> f64 
 fn incomplete_beta(x: f64, a: f64, b: f64) -> f64 {
     /// Terms after which the fraction has converged up to a thousand degrees of freedom.
     const TERMS: usize = 500;
+    /// The number that replaces a vanishing denominator in Lentz's method.
     const SMALL: f64 = 1e-300;
     let away = |value: f64| if value.abs() < SMALL { SMALL } else { value };
     let mut d = 1.0 / away(1.0 - (a + b) * x / (a + 1.0));

@@ -6,7 +6,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// The part of its length that rounding errors leave of a column that the columns before it span: 64 units in the last place.
+/// Length below which a column that the preceding columns span is zero, relative to its original length: 64 units in the last place.
 pub const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// Reason why data do not determine coefficients.
@@ -32,7 +32,7 @@ pub struct Design {
 }
 
 impl Design {
-    /// Factors a matrix whose columns are exact to this part of their lengths, [`ROUNDING`] where they are not computed by anything worse.
+    /// Factors a matrix whose columns are exact to this fraction of their lengths, [`ROUNDING`] if they contain only rounding errors.
     pub fn new(matrix: &DMatrix<f64>, exactness: f64) -> Result<Self, Undetermined> {
         if matrix.is_empty() || matrix.nrows() < matrix.ncols() {
             return Err(Undetermined::TooFewRows);
@@ -57,12 +57,12 @@ impl Design {
         Ok(Self { orthogonal, inverse })
     }
 
-    /// (XᵀX)⁻¹Xᵀ: a row for each coefficient, by which it answers to the values.
+    /// (XᵀX)⁻¹Xᵀ: a row for each coefficient, with its derivatives with respect to the values.
     pub fn pseudo_inverse(&self) -> DMatrix<f64> {
         &self.inverse * self.orthogonal.transpose()
     }
 
-    /// (XᵀX)⁻¹: the covariance of the coefficients where that of the errors is one, in products of their units.
+    /// (XᵀX)⁻¹: the covariance of the coefficients for unit variance of the errors, in products of their units.
     pub(crate) fn covariance(&self) -> DMatrix<f64> {
         &self.inverse * self.inverse.transpose()
     }
@@ -132,8 +132,8 @@ pub fn weighted_least_squares(
     least_squares(&matrix, &values)
 }
 
-/// Returns whether parameters whose weights are renewed in rounds have settled: the last round changed them by less than a millionth of their standard
-/// deviations, or by rounding. The covariance is that where rows with unit weight have this variance.
+/// Returns `true` if parameters whose weights are renewed in rounds have settled: the last round changed them by less than a millionth of their
+/// standard deviations, or by rounding. The covariance is that for rows with this variance at unit weight.
 pub(crate) fn is_settled(last: &[f64], next: &[f64], covariance: &DMatrix<f64>, variance: f64) -> bool {
     /// A change relative to the standard deviation.
     const NEGLIGIBLE: f64 = 1e-6;

@@ -10,7 +10,7 @@ use std::cell::{Cell, RefCell};
 pub struct Linearised {
     /// Values of the model less the data, each times its weight: one over its standard deviation.
     pub residuals: DVector<f64>,
-    /// Their derivatives: a row for each residual, a column for each parameter.
+    /// The derivatives of the residuals: a row for each residual, a column for each parameter.
     pub jacobian: DMatrix<f64>,
 }
 
@@ -35,22 +35,22 @@ pub struct Minimum {
 /// Tolerance and limit of a search.
 #[derive(Clone, Copy, Debug)]
 pub struct Effort {
-    /// The relative change of the sum of squares that counts as none, and of the parameters where that is less than 1e-10; not less than the accuracy
-    /// of the residuals.
+    /// Relative change of the sum of squares that counts as zero, and of the parameters if it is less than 1e-10; at least the accuracy of the
+    /// residuals.
     pub tolerance: f64,
     /// Evaluations for each parameter and one more, as MINPACK counts them.
     pub patience: usize,
 }
 
 /// Maximum length of the first step in multiples of that of the parameters, each in units of its change by a residual of one. Moré takes 100 and
-/// advises 0.1 to 100: a motion that is followed over many periods is linear in short steps only. Fits of swings end alike with 0.1, 1, 10 and 100
-/// (the recordings of `fit/trace/search.rs`).
+/// advises 0.1 to 100: a motion over many periods is linear in short steps only. Fits of swings give the same results with 0.1, 1, 10 and 100 (the
+/// recordings of `fit/trace/search.rs`).
 const STEP_BOUND: f64 = 10.0;
-/// A step by a smaller part of the parameters is none, however rough the search: those of a swing next to the top are exact to it when a
+/// Relative size of a step of the parameters that counts as zero, however rough the search: those of a swing next to the top are exact to it when a
 /// thousandth of the sum of squares is still far away.
 const SMALL_STEP: f64 = 1e-10;
-/// A linear model promises so small a part of the tolerance of the sum of squares where another step is not worth an evaluation: a
-/// tolerance of 1e-11 of a million rows leaves the parameters within 1e-4 of their uncertainties then.
+/// Predicted decrease of the sum of squares, relative to the tolerance, below which another step is not worth an evaluation: a tolerance of 1e-11
+/// of a million rows then leaves the parameters within 1e-4 of their uncertainties.
 const SETTLED: f64 = 1e-3;
 /// Residuals outside the domain of the model, so large that the search turns back.
 const OUT_OF_DOMAIN: f64 = 1e9;
@@ -98,14 +98,14 @@ struct Search<F> {
     evaluate: F,
     parameters: DVector<f64>,
     linearised: Linearised,
-    /// Result of the last good step, to which a bad one returns.
+    /// Result of the last accepted step, to which a rejected one returns.
     accepted: RefCell<Option<(DVector<f64>, Linearised)>>,
     /// The relative change of the sum of squares that a linear model promises at the end.
     settled: f64,
     end: Cell<Option<End>>,
 }
 
-/// Reason why a search ends before its method does.
+/// Reason why a search ends before the method does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum End {
     Stopped,
@@ -143,7 +143,7 @@ where
         self.end.get().is_none().then(|| self.linearised.residuals.clone())
     }
 
-    /// Asked for at the start and after each good step.
+    /// The Jacobian at the accepted parameters, evaluated at the start and after each accepted step.
     fn jacobian(&self) -> Option<DMatrix<f64>> {
         if self.linearised.promises() <= self.settled {
             self.end.set(Some(End::Settled));
@@ -154,7 +154,7 @@ where
 }
 
 impl Linearised {
-    /// Part by which the sum of squares would fall to its least value if the model were linear.
+    /// Relative decrease of the sum of squares to its least value in the linear model.
     pub(crate) fn promises(&self) -> f64 {
         let sum = self.residuals.norm_squared();
         if sum > 0.0 && self.jacobian.nrows() >= self.jacobian.ncols() {

@@ -1,7 +1,7 @@
 //! Statistics of samples for fits and for the reading of files: means, medians, least squares, distributions, criteria.
 //!
-//! # Method
-//! `nalgebra` is used without its products for large matrices, which round as the processor likes, so that fits give the same bits everywhere.
+//! # Method `nalgebra` is used without its products for large matrices, whose rounding depends on the processor, so that fits give the same bits
+//! everywhere.
 
 pub(crate) mod count;
 pub(crate) mod least_squares;

@@ -25,7 +25,7 @@ pub fn probability_beyond(t: f64, dof: usize) -> f64 {
     (1.0 - inside).clamp(0.0, 1.0)
 }
 
-/// The same for any degrees of freedom, cut down to a whole number, of one at least; infinite ones are allowed.
+/// The probability for any degrees of freedom, truncated to a whole number of at least one; infinite ones are allowed.
 pub(crate) fn probability_beyond_any(t: f64, dof: f64) -> f64 {
     match whole(dof) {
         whole if whole < MANY => probability_beyond(t, to_count(whole)),
@@ -33,17 +33,17 @@ pub(crate) fn probability_beyond_any(t: f64, dof: f64) -> f64 {
     }
 }
 
-/// Degrees of freedom cut down to a whole number, of one at least: 10 less its rounding errors are 10.
+/// Degrees of freedom truncated to a whole number of at least one: 10 minus rounding errors is 10.
 fn whole(dof: f64) -> f64 {
     const ROUNDING: f64 = 1e-9;
     (dof * (1.0 + ROUNDING)).floor().max(1.0)
 }
 
-/// Degrees of freedom from which the quantile is the normal one with its first correction: the next is below 1e-8.
+/// Degrees of freedom above which the quantile is the normal one with its first correction: the next is below 1e-8.
 const MANY: f64 = 1e4;
 
-/// The t that |t| exceeds with this probability. Degrees of freedom are cut down to a whole number (Guide to the Expression of
-/// Uncertainty in Measurement, G.4.1), of one at least; infinite ones are allowed.
+/// The t that |t| exceeds with this probability. Degrees of freedom are truncated to a whole number (Guide to the Expression
+/// of Uncertainty in Measurement, G.4.1) of at least one; infinite ones are allowed.
 ///
 /// # Accuracy
 /// 1e-8 relative for probabilities from 1e-3 to one half.

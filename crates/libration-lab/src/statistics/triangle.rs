@@ -1,11 +1,11 @@
-//! Many rows of a problem of least squares as few: X = Q·R, and R with Qᵀ of the residuals has the same sums of products.
+//! Reduction of the rows of a least squares problem: X = Q·R, and R with Qᵀ of the residuals has the same sums of products.
 
 use nalgebra::DMatrix;
 
-/// Rows that are taken at a time: what is left of those before is a small part of them, and all fit into the nearest memory.
+/// Number of rows reduced at a time: the remainder of the preceding ones is a small part of them, and all fit into the nearest cache.
 const TOGETHER: usize = 256;
 
-/// The triangle of a matrix, by Householder's reflections of some rows after the other.
+/// The triangle of a matrix, by Householder's reflections of groups of rows.
 pub fn triangle(matrix: &DMatrix<f64>) -> DMatrix<f64> {
     let (rows, columns) = matrix.shape();
     let mut left = DMatrix::zeros(0, columns);

@@ -106,7 +106,7 @@ fn result(table: &Table<'_>) -> (Uncertain, f64) {
     (mean.total(), mean.degrees_of_freedom)
 }
 
-/// Number of tables, and the parts of them whose intervals of 95 % and of 68.27 % contain the truth.
+/// Number of tables, and the fractions of their intervals of 95 % and of 68.27 % that contain the truth.
 fn coverage(quantity: &str, design: &str) -> (usize, f64, f64) {
     let (mut all, mut within) = (0, [0, 0]);
     for table in tables().iter().filter(|table| table.quantity == quantity && table.design == design) {
@@ -154,7 +154,7 @@ fn intervals_hold_with_a_blunder_among_the_readings() {
     }
 }
 
-/// The reading that is off by 1 s or more is named, and in all tables no more than one in a hundred right ones.
+/// A reading that is off by 1 s or more is named; of right ones, at most one in a hundred is.
 #[test]
 fn blunders_are_named_and_few_other_readings() {
     let (mut named, mut wrong, mut false_alarms, mut right) = (0, 0, 0, 0);

@@ -81,7 +81,7 @@ fn a_continuation_begins_within_the_trace() {
     assert_eq!(continued.decay.damping(), &fit.decay_damping().unwrap());
 }
 
-/// Dry friction takes 2d/ω0² = 0.0111 rad in a half swing and holds below d/ω0² = 0.0056.
+/// Dry friction takes 2d/ω0² = 0.0111 rad in a half swing, and holds below d/ω0² = 0.0056.
 #[test]
 fn a_swing_with_dry_friction_is_followed_to_its_end() {
     let dry = Synthetic { dry: 0.05, linear: 0.0, amplitude: 0.3, rows: 350, noise: 0.001, ..SWING };

@@ -1,5 +1,4 @@
-//! β under each law of damping with little noise: what damping does to the periods in second order, and what the local fits miss, is
-//! removed.
+//! β under each law of damping with little noise: the second-order effect of damping on the periods and the errors of the local fits are removed.
 
 use std::f64::consts::{PI, TAU};
 
@@ -78,7 +77,8 @@ fn beta_is_one_under_each_law_of_damping_in_a_sweep() {
     limits.check(f64::from(period_near), "|z| of T0 of at most 2.5");
 }
 
-/// Dry friction with 0.002° of noise, which had β low by up to 9.8 standard uncertainties, and the advice to look for a wrong scale.
+/// Dry friction with 0.002° of noise: without the correction β was low by up to 9.8 standard uncertainties, with the advice to look for a wrong
+/// scale.
 #[test]
 fn no_scale_is_called_wrong_under_dry_and_quadratic_friction() {
     let mut random = Random::seeded(11);

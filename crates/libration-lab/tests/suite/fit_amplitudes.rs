@@ -1,4 +1,5 @@
-//! Falling amplitudes against closed forms, against motions that SciPy integrated (`reference/damped_amplitudes.py`), and many draws of errors.
+//! Falling amplitudes compared with closed forms, with motions integrated by SciPy (`reference/damped_amplitudes.py`), and with many draws of
+//! errors.
 
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
@@ -57,7 +58,7 @@ impl Case {
         self.coefficients.into_iter().filter(|it| *it > 0.0).collect()
     }
 
-    /// The period of small swings, as it is observed with damping.
+    /// The observed period of small swings, with damping.
     fn period(&self) -> f64 {
         let half = 0.5 * self.coefficients[1];
         TAU / (self.omega0 * self.omega0 - half * half).sqrt()
@@ -67,7 +68,7 @@ impl Case {
         AmplitudesOptions { damping, period: Some(Quantity { value: self.period(), uncertainty: None }) }
     }
 
-    /// 2πE/ΔE at an amplitude by the loss in a cycle without damping, which is summed here over θ = A sin φ.
+    /// 2πE/ΔE at an amplitude from the loss in an undamped cycle, summed over θ = A sin φ.
     fn quality(&self, amplitude: f64) -> f64 {
         const STEPS: u32 = 2000;
         let loss: f64 = (0..STEPS)
@@ -95,7 +96,7 @@ fn assert_near(found: f64, truth: f64, relative: f64, what: &str) {
     assert!((found / truth - 1.0).abs() < relative, "{what}: {found} and not {truth}");
 }
 
-/// Averaging over a cycle errs by less than 0.2/Q², which is the tolerance, with the rounding of the table and of the derivatives.
+/// Averaging over a cycle has an error below 0.2/Q², which is the tolerance, with the rounding of the table and of the derivatives.
 #[test]
 fn amplitudes_of_integrated_motions_give_their_coefficients_back() {
     for (number, case) in cases().iter().enumerate() {
@@ -142,7 +143,7 @@ fn numbers_of_swings_give_the_quality_factor_without_a_period() {
     }
 }
 
-/// Turning points that are counted one by one are half swings apart.
+/// Consecutive turning points are half swings apart.
 #[test]
 fn numbers_of_turning_points_are_those_of_half_swings() {
     let case = &cases()[5];
@@ -244,7 +245,7 @@ fn turning_points_on_a_scale_give_its_zero() {
     assert!(fit.quality.is_none() && (fit.decay.value / 100.0 - 1.0).abs() < 0.02, "{:?}", fit.decay);
 }
 
-/// Errors that are the same for all rows of a side are not taken for a decay, and errors of amplitudes near zero not for the other side.
+/// A common error of all rows of a side is not taken for a decay, and errors of amplitudes near zero not for the other side.
 #[test]
 fn sides_are_inferred_from_values_and_not_from_noise() {
     let sides = |values: &[f64]| {
@@ -413,7 +414,7 @@ fn coverage(number: u64, is_chosen_by_rows: bool, stated: Stated) -> [Coverage; 
     found
 }
 
-/// ω0/c; at the first row where the damping is not linear.
+/// ω0/c; the value at the first row if the damping is not linear.
 fn linear_quality(case: &Case) -> f64 {
     match case.law() == DampingModel::only(DampingKind::Linear) {
         true => case.omega0 / case.coefficients[1],
@@ -481,8 +482,8 @@ fn an_average_near_the_top_is_warned_of() {
     assert_eq!((warned(0), warned(6)), ((true, true), (false, false)));
 }
 
-/// A wrong law fits few rows better by a factor that the criterion alone would take for certain: it was preferred without a warning in a quarter of
-/// tables of four rows.
+/// A wrong law fits few rows better by a factor that the criterion alone would accept: it was preferred without a warning in a quarter of tables of
+/// four rows.
 #[test]
 fn few_rows_do_not_exclude_the_right_law() {
     let rate = 0.015;

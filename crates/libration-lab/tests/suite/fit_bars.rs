@@ -1,4 +1,4 @@
-//! Bars that are turned about several points, and reversible pendulums, against T²h = 4π²(k² + h²)/g, and many draws of errors.
+//! Bars turned about several points, and reversible pendulums, compared with T²h = 4π²(k² + h²)/g, and many draws of errors.
 
 use std::f64::consts::TAU;
 use std::ops::Range;
@@ -170,7 +170,7 @@ fn a_simple_pendulum_with_a_ball_is_no_bar() {
     assert_eq!(bars, 0);
 }
 
-/// ln T = ln a + n ln L with n = 1/2 and a = 2π/√g of a simple pendulum; with an offset n is another.
+/// ln T = ln a + n ln L with n = 1/2 and a = 2π/√g for a simple pendulum; with an offset n differs.
 #[test]
 fn a_power_law_has_the_exponent_one_half_without_an_offset() {
     let positions: Vec<f64> = (1..=10).map(|k| 0.12 * f64::from(k)).collect();
@@ -376,7 +376,7 @@ fn intervals_of_reversible_pendulums_hold_in_a_sweep() {
     }
 }
 
-/// Without uncertainties the laws of strings and bars once were compared by residuals of different quantities.
+/// Without uncertainties the laws of strings and bars were formerly compared by residuals of different quantities.
 #[test]
 fn bars_on_both_sides_of_their_centre_are_recognised_without_uncertainties() {
     let both: Vec<f64> =

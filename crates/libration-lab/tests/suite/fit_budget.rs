@@ -15,7 +15,7 @@ fn about(value: f64, uncertainty: f64) -> Quantity {
     Quantity { value, uncertainty: Some(uncertainty) }
 }
 
-/// Everything is given and uncertain.
+/// An apparatus with all inputs and their uncertainties.
 fn whole_apparatus() -> Apparatus {
     let corrections = Corrections {
         bob: Some(Bob::ball(about(0.03, 0.0003))),

@@ -31,7 +31,7 @@ fn refused(trace: &Trace) -> CyclesError {
     fit_cycles(trace, &CyclesOptions::default(), &Quiet).unwrap_err()
 }
 
-/// Without noise what is left is the bias of the local fits, and what damping does to the period in second order.
+/// Without noise the remaining errors are the bias of the local fits, and the second-order effect of damping on the period.
 #[test]
 fn without_noise_every_cycle_obeys_the_exact_law() {
     let cases = [
@@ -223,7 +223,7 @@ fn what_has_no_cycles_is_refused_kindly() {
     assert_eq!(refused(&resting), CyclesError::NothingSwings(0.25));
 }
 
-/// The noise of the amplitudes is then all that T/T0 changes by, and a straight line through it would say β = 0.
+/// T/T0 then changes only by the noise of the amplitudes, and a straight line through it would give β = 0.
 #[test]
 fn amplitudes_that_only_scatter_leave_beta_open() {
     let steady = Synthetic { linear: 0.0, noise: 0.003, ..Synthetic::USUAL };
@@ -274,7 +274,7 @@ fn refusals_count_in_singular_and_plural() {
     assert!(cycles.starts_with("1 cycle of"), "{cycles}");
 }
 
-/// Swings of a pendulum without damping, or of something with a constant period, as the computer has them.
+/// Swings of an undamped pendulum, or of an oscillation with a constant period, without errors of measurement.
 fn exact(amplitude: f64, step: f64, seconds: f64, value: impl Fn(f64) -> f64) -> Trace {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousand rows")]
     let rows = (seconds / step) as u32;
@@ -310,8 +310,8 @@ fn exact_swings_have_cycles_however_they_are_sampled_in_a_sweep() {
     assert!(failures.is_empty(), "{}\n{}", failures.len(), failures.join("\n"));
 }
 
-/// A pendulum whose cycles last longer or shorter by chance than the noise of its values tells: a string that slips, or frames
-/// that come when they like.
+/// A pendulum whose cycles vary by more than the noise of its values explains: a string that slips, or frames at irregular
+/// times.
 #[test]
 fn cycles_scatter_by_their_stated_uncertainties() {
     let steady = Synthetic { noise: 0.001, ..Synthetic::USUAL };
@@ -360,7 +360,7 @@ fn chi2_by_the_bars(found: &Cycles) -> f64 {
     squares / dof
 }
 
-/// The same with noise added in which each value keeps so much of the one before; one standard deviation of 0.003 rad.
+/// The trace with noise of standard deviation 0.003 rad added, each value of which is `memory` times the one before and a fresh part.
 fn with_memory(trace: &Trace, memory: f64, random: &mut Random) -> Trace {
     let fresh = 0.003 * (1.0 - memory * memory).sqrt();
     let mut error = 0.003 * random.normal();
@@ -392,8 +392,8 @@ fn bars_of_cycles_heed_noise_that_remembers() {
     }
 }
 
-/// Angles on a scale that is wrong, for a long time: no cycle is far from the law, but all depart from it together, to which
-/// the noise of passages is so opposed that its size is found tenfold.
+/// Angles on a wrong scale for a long time: no cycle is far from the law, but all depart from it together, opposite to the
+/// noise of passages, whose size was found ten times too large.
 #[test]
 fn bars_of_cycles_are_not_those_of_a_slow_departure_from_the_law() {
     for (seed, scale) in [(1, 0.9), (2, 0.95), (3, 1.08)] {
@@ -445,7 +445,7 @@ fn angles_beyond_a_turn_are_told_from_swings_over_the_top() {
     assert_eq!(beyond_a_turn(&velocities.trace(&mut Random::seeded(1))), None);
 }
 
-/// At the first question, at the last, and between: of passages and extremes, and of the fits.
+/// Cancellation at the first check, at the last, and between: for passages and extremes, and for the fits.
 #[test]
 fn cycles_stop_at_any_question() {
     let trace = Synthetic { noise: 0.002, ..Synthetic::USUAL }.trace(&mut Random::seeded(1));

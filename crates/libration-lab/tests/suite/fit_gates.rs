@@ -1,4 +1,4 @@
-//! Times of a photogate with known truth: edges by the integrator, jittered, some missing, some twice.
+//! Times of a photogate with known truth: edges by the integrator, with jitter, missing and double ones.
 
 use libration::progress::{Interrupted, Quiet, Status};
 use libration::quantity::Quantity;
@@ -33,7 +33,7 @@ fn edges(gate: f64, jitter: f64) -> Vec<(f64, bool)> {
     edges_from(RELEASE, gate, jitter)
 }
 
-/// The same from another release.
+/// The edges after another release.
 fn edges_from(release: f64, gate: f64, jitter: f64) -> Vec<(f64, bool)> {
     let record = GateRecord { omega0: OMEGA0, damping: 0.02, release, gate, width: WIDTH, seconds: 60.0 };
     jittered(&record.edges(), jitter, &mut Random::seeded(7))
@@ -129,7 +129,7 @@ fn the_amplitude_of_the_release_gives_t0() {
     }
 }
 
-/// Times without information on their scatter: exactly even ones, as simulated ones are, and those of three passages.
+/// Times without information on their scatter: exactly even ones, as in simulations, and those of three passages.
 #[test]
 fn times_that_do_not_tell_their_scatter_are_said_to() {
     let even: Vec<f64> = (0..20).flat_map(|k| [2.0 * f64::from(k), 2.0 * f64::from(k) + 1.2]).collect();
@@ -234,7 +234,7 @@ fn edges_without_the_other_one_are_told() {
     assert!(fit.unpaired > 0);
 }
 
-/// 25 mm seen from 1 m, a chord of the circle that the middle goes on; the relative uncertainties are 3 and 4 parts in a thousand.
+/// 25 mm seen from 1 m, a chord of the circle of the middle; the relative uncertainties are 3 and 4 parts in a thousand.
 #[test]
 fn the_width_is_the_angle_of_the_bob_at_the_gate() {
     let about = |value: f64, part: f64| Quantity { value, uncertainty: Some(part * value) };
@@ -314,7 +314,7 @@ fn what_blocks_the_gate_is_below_the_pivot_and_reaches_the_gate() {
     assert_eq!(tried(Some(0.25), None, Some(0.75_f64.next_up())), Ok(()));
 }
 
-/// From 132°, where the period is 1.6 times that of small swings, which most passages have in the end.
+/// A release at 132°, where the period is 1.6 times that of small swings, which most later passages have.
 #[test]
 fn passages_of_large_amplitudes_are_no_double_triggers() {
     let (times, blocked) = split(&edges_from(2.3, 0.0, 1e-6));
@@ -324,8 +324,8 @@ fn passages_of_large_amplitudes_are_no_double_triggers() {
     agrees(&fit, 1e-3);
 }
 
-/// A gate near the turning point: there the passages of one side come later and later as the amplitude falls, and its periods are
-/// too long, those of the other side too short.
+/// A gate near the turning point: the passages of one side come later as the amplitude falls, so that its periods are too long, and those of the
+/// other side too short.
 #[test]
 fn periods_of_one_side_below_t0_are_no_error() {
     let (times, blocked) = split(&edges_from(0.3, 0.14, 1e-6));
@@ -373,7 +373,8 @@ fn fits_of_gates_stop_at_any_question() {
     }
 }
 
-/// A width 1 to 5 % too large or too small refutes the model: the first thing that is said, a row of the budget, and at most 2.5 uncertainties.
+/// A width 1 to 5 % too large or too small refutes the model: it is the first warning and a row of the budget, and g is off by at most 2.5
+/// uncertainties.
 #[test]
 fn a_wrong_width_is_a_row_of_the_budget() {
     let (times, blocked) = split(&edges(0.0, 1e-5));

@@ -1,4 +1,4 @@
-//! Periods against length: lines with known g and offset, and what bends them.
+//! Periods against length: lines with known g and offset, and effects that bend them.
 
 use std::f64::consts::TAU;
 
@@ -18,7 +18,7 @@ fn exactly(value: f64) -> Quantity {
     Quantity { value, uncertainty: None }
 }
 
-/// With a ball of this radius.
+/// Options with a ball of this radius.
 fn with_ball(radius: Quantity) -> LengthsOptions {
     let corrections = Corrections { bob: Some(Bob::ball(radius)), ..Corrections::default() };
     LengthsOptions { corrections, ..LengthsOptions::default() }
@@ -28,7 +28,7 @@ fn ten_lengths() -> Vec<f64> {
     (1..=10).map(|k| 0.12 * f64::from(k)).collect()
 }
 
-/// T of a ball of this radius whose centre is so much below the end of the length.
+/// T of a ball of this radius whose centre is this far below the end of the length.
 fn period(length: f64, offset: f64, radius: f64) -> f64 {
     let whole = length + offset;
     TAU * ((whole + 0.4 * radius * radius / whole) / G).sqrt()
@@ -160,7 +160,7 @@ fn tables_that_tell_nothing_are_refused() {
     assert!(matches!(refuse(&[1.0, 2.0], &[2.0]), FitError::LengthMismatch { .. }));
 }
 
-/// χ² of ten degrees of freedom is as large as wanted.
+/// A fit whose χ² of ten degrees of freedom has the wanted value.
 fn scattered(per_dof: f64) -> LengthsFit {
     let given: Vec<f64> = (1..=12).map(|k| 0.1 * f64::from(k)).collect();
     // Orthogonal to a constant and a line, in y = (T/2π)².
@@ -243,7 +243,7 @@ fn a_table_is_weighted_where_its_periods_have_uncertainties() {
     assert!(!table(&given, &periods, None).is_weighted());
 }
 
-/// Half periods make g four times as large, and whole ones that were doubled a quarter; 2.9 times are no such mistake.
+/// Half periods make g four times as large, and doubled whole ones a quarter; a factor of 2.9 is not such a mistake.
 #[test]
 fn a_gravity_found_nowhere_is_explained_by_the_count_of_periods_where_that_can_be() {
     let given = ten_lengths();
@@ -285,7 +285,7 @@ fn a_bend_the_other_way_is_no_bob() {
     assert!(found.iter().any(|warning| warning.to_string().contains("bends the other way")));
 }
 
-/// Strings with a ball of 25 mm, which is called one of 20 cm: an offset explains the periods, and puts the ball about the pivot.
+/// Strings with a ball of 25 mm, stated as 20 cm: an offset explains the periods, but puts the ball about the pivot.
 #[test]
 fn a_bob_about_its_pivot_is_refused() {
     let given = [0.15, 0.25, 0.35, 0.45, 0.55];
@@ -299,7 +299,7 @@ fn a_bob_about_its_pivot_is_refused() {
     assert!(radius > distance && distance < 0.18, "{refused:?}");
 }
 
-/// Whatever the radius says, the straight line puts the bob no more than 0.175 m below the pivot of the shortest pendulum.
+/// For any radius, the straight line puts the bob at most 0.175 m below the pivot of the shortest pendulum.
 #[test]
 fn a_bob_that_is_too_large_is_refused_for_that_however_large_it_is() {
     let given = [0.15, 0.25, 0.35, 0.45, 0.55];
@@ -323,7 +323,7 @@ fn a_bob_right_below_its_pivot_is_found_there() {
     assert!((best.offset.unwrap().value - 0.005).abs() < 1e-9, "{best:?}");
 }
 
-/// From 1.05 to 1.3 radii, where two offsets go with the periods.
+/// From 1.05 to 1.3 radii, where two offsets agree with the periods.
 #[test]
 fn offsets_of_a_bob_that_nearly_touches_the_pivot_are_not_chosen_from() {
     let given = [0.1, 0.105, 0.11, 0.115, 0.12, 0.125];
@@ -347,7 +347,7 @@ fn different_lengths_are_not_said_to_be_the_same() {
     assert_eq!(bar.best().model, LengthModel::Bar);
 }
 
-/// The rounding of the periods counts where the rows scatter less, for every caller, and not where they scatter more.
+/// The rounding of the periods counts if the rows scatter less, for every caller, and does not if they scatter more.
 #[test]
 fn the_rounding_of_periods_is_their_uncertainty_where_rows_scatter_less() {
     let lengths_given = [0.2, 0.4, 0.6, 0.8, 1.0];
@@ -445,7 +445,7 @@ fn without_rod(length: f64) -> f64 {
     TAU * ((linear + root) / (2.0 * square)).sqrt()
 }
 
-/// Each input that is given changes g as a fit with another value of it does.
+/// Each given input changes g as a fit with another value of it does.
 #[test]
 fn sensitivities_of_a_table_are_those_of_the_fit() {
     let given = ten_lengths();

@@ -1,4 +1,4 @@
-//! Fits of driven oscillators against sweeps that scipy integrated, closed forms, and many draws of errors.
+//! Fits of driven oscillators compared with sweeps integrated by SciPy, closed forms, and many draws of errors.
 
 use crate::random::Random;
 use crate::synthetic_response::DrivenPendulum;
@@ -80,7 +80,7 @@ fn exact_sweeps_give_their_parameters_back() {
     }
 }
 
-/// The sum of the squares of parameters less the truth, by the covariance: a χ² with as many degrees of freedom.
+/// The squared distance of the parameters from the truth, by the covariance: a χ² with as many degrees of freedom.
 fn distance_squared(fit: &ResponseFit, truth: &[f64]) -> f64 {
     let off: Vec<f64> = values(fit).iter().zip(truth).map(|(found, truth)| found - truth).collect();
     let size = off.len();
@@ -155,7 +155,7 @@ fn stated_uncertainties_cover_the_truth_in_a_sweep() {
     three.check(all, "together");
 }
 
-/// Likewise with four, of 5 draws and of 16, and two tails of 5e-7. The top of this resonance was not reached, so that phases tell the damping.
+/// A sum of n draws is χ² with 4n degrees of freedom, of 5 draws or of 16, and each of two tails has the probability 5e-7. The top of this resonance was not reached, so that phases tell the damping.
 #[test]
 fn stated_uncertainties_cover_a_cubic_coefficient_in_a_sweep() {
     let limits = Limits { usual: 2.36..67.3, full: 22.9..135.4, own: 30.0..98.0 };
@@ -285,7 +285,7 @@ fn closed_form_of_the_linear_oscillator() {
     }
 }
 
-/// Far from the resonance amplitudes hardly depend on the damping, here of 0.1: what is said of it is a bound.
+/// Far from the resonance amplitudes hardly depend on the damping, here 0.1: the result is a bound.
 #[test]
 fn a_damping_that_amplitudes_leave_open_is_bounded() {
     let frequencies = [1.0, 1.1, 1.2, 1.3, 2.8, 2.9, 3.0, 3.1];
@@ -325,7 +325,7 @@ fn warned(columns: &[Vec<f64>; 4], change: impl Fn(&mut Vec<f64>, &mut Vec<f64>)
     fit_response(&table, &[ResponseModel::Pendulum], MeasuredAmplitude::Peak, &Quiet).unwrap().warnings
 }
 
-/// The unstable answer at 2.5 rad/s has the largest angle 0.9 about: between the two stable ones.
+/// The unstable response at 2.5 rad/s has a largest angle of about 0.9, between the two stable ones.
 #[test]
 fn a_row_between_the_folds_is_told() {
     let names =

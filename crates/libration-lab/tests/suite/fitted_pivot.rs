@@ -1,4 +1,4 @@
-//! Positions of a bob with noise, whose pivot is fitted: what the angles about it owe to its place enters every answer.
+//! Positions of a bob with noise, whose pivot is fitted: its uncertainty enters every result.
 
 use libration::progress::Quiet;
 use std::f64::consts::TAU;
@@ -83,7 +83,7 @@ fn errors_about_a_fitted_pivot_are_as_large_as_their_uncertainties() {
     }
 }
 
-/// About the true pivot the same noise leaves far less open than about a fitted one.
+/// With the true pivot the same noise leaves a much smaller uncertainty than with a fitted one.
 #[test]
 fn a_fitted_pivot_makes_the_offset_uncertain() {
     let about_fitted = positions(10.0 * DEGREE, 5e-4, 1);
@@ -99,7 +99,7 @@ fn a_fitted_pivot_makes_the_offset_uncertain() {
     assert!(of(&about_fitted) > 1.5 * of(&about_known));
 }
 
-/// Two parts of one recording have one pivot, whose error does not become less by taking it twice.
+/// Two parts of one recording have one pivot, whose error is not reduced by using it twice.
 #[test]
 fn parts_about_one_pivot_share_its_error() {
     let whole = positions(10.0 * DEGREE, 5e-4, 2);
@@ -197,7 +197,7 @@ fn beta_through_parts_about_one_pivot_is_as_uncertain_as_the_pivot_leaves_it() {
     );
 }
 
-/// Their errors are independent, and less remains of them in the mean.
+/// Their errors are independent, so that they are smaller in the mean.
 #[test]
 fn beta_through_recordings_with_pivots_of_their_own_is_better_known() {
     let swing = Synthetic { linear: 0.05, ..HALF_AS_OFTEN }.trace(&mut Random::seeded(1));

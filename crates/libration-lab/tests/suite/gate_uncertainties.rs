@@ -58,8 +58,8 @@ fn deviations(record: &GateRecord, jitter: f64, seeds: Range<u64>) -> [Deviation
     [Deviations(fits.iter().map(of_t0).collect()), Deviations(of_beta)]
 }
 
-/// Standard deviations are as large as said, and two of them contain the truth. A part of the uncertainty of T0, 2.5e-6 of it, is of what speeds
-/// leave out and does not scatter, as large as two thirds of the rest from 1.5 rad: hence the lower limit.
+/// Standard deviations have the stated size, and two of them contain the truth. A part of the uncertainty of T0, 2.5e-6 of it, is that of
+/// approximations in the speeds and does not scatter, as large as two thirds of the rest from 1.5 rad: hence the lower limit.
 fn assert_honest(name: &str, record: &GateRecord, jitter: f64, seeds: u64) {
     for (of, found) in ["T0", "β"].into_iter().zip(deviations(record, jitter, 1..seeds + 1)) {
         let (rms, within, mean) = (found.rms(), found.within(2.0), found.mean());
@@ -67,7 +67,7 @@ fn assert_honest(name: &str, record: &GateRecord, jitter: f64, seeds: u64) {
     }
 }
 
-/// The same of other seeds too, with limits of the mean square and of the part within two.
+/// The claim for other seeds too, with limits of the mean square and of the part within two.
 fn assert_honest_in_a_sweep(record: &GateRecord, jitter: f64, number: u64, [square, within]: [Limits; 2]) {
     let seed = sweep::seed(1);
     for (of, found) in ["T0", "β"].into_iter().zip(deviations(record, jitter, seed..seed + number)) {
@@ -77,7 +77,7 @@ fn assert_honest_in_a_sweep(record: &GateRecord, jitter: f64, number: u64, [squa
     }
 }
 
-/// Without any jitter the law is all that is left, and its rows scatter by parts in 1e7.
+/// Without jitter only the error of the law remains, and its rows scatter by parts in 1e7.
 #[test]
 fn what_amplitudes_by_speeds_leave_out_is_stated_in_a_sweep() {
     let cases = [0.3, 0.5, 0.9, 1.5, 2.0, 2.3, 2.6, 2.8].into_iter().flat_map(|release| {
@@ -132,7 +132,7 @@ fn the_test_of_the_exact_law_is_as_uncertain_as_it_says_in_a_sweep() {
     assert_honest_in_a_sweep(&record, 2e-5, sweep::number(16, 60), [square, within]);
 }
 
-/// The same for whole minutes, large amplitudes and strong damping.
+/// Records of whole minutes, with large amplitudes and with strong damping.
 #[test]
 #[ignore = "takes minutes"]
 fn long_records_are_as_uncertain_as_they_say() {

@@ -1,4 +1,4 @@
-//! The evidence for the laboratory: recordings of every kind, damaged ones, and fits of swings whose truth is known.
+//! The evidence for the laboratory: recordings of every kind, damaged ones, and fits of swings with known truth.
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its table should stop there")]
 #![expect(clippy::float_cmp, reason = "exact values and equal bits are what some tests claim")]
 

@@ -1,4 +1,4 @@
-//! Expected results of a plan, compared with fits of simulated recordings and by themselves.
+//! Expected results of a plan, compared with fits of simulated recordings and with each other.
 
 use libration::pendulum::Amplitude;
 use libration::progress::Quiet;
@@ -84,7 +84,7 @@ const RECORDING: PlannedRecording = PlannedRecording {
     clock: 0.0,
 };
 
-/// u(Ω)² = 24σ²/(A²NT²), beside which the amplitude counts only by the eighth of its square.
+/// u(Ω)² = 24σ²/(A²NT²); the amplitude enters only with an eighth of its square.
 #[test]
 fn small_undamped_swings_reach_the_bound_of_rife_and_boorstyn() {
     for (swings, degrees) in [(5, 1.0), (40, 0.5)] {

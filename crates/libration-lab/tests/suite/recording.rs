@@ -1,4 +1,4 @@
-//! Files as instruments write them: what is told from them, and what is chosen instead.
+//! Files of instruments: inferred settings, and given ones.
 
 use libration::quantity::{Angle, Dimension, parse};
 use libration_lab::measurement::{

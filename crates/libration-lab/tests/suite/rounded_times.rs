@@ -1,4 +1,4 @@
-//! Swings whose times a table on a screen has rounded to three significant digits: T0 is right within what is stated.
+//! Swings whose times are rounded to three significant digits, as in a table on a screen: T0 is right within its uncertainty.
 
 use crate::random::Random;
 use libration::pendulum::Pendulum;
@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 
 const OMEGA0: f64 = 4.2;
 
-/// 55 s of a swing of 40° with noise of 0.2°, filmed at this rate and begun so long before the first frame.
+/// 55 s of a swing of 40° with noise of 0.2°, filmed at this rate, with the beginning this long before the first frame.
 fn trace(rate: f64, begin: f64) -> Trace {
     let motion =
         Pendulum::from_angular_frequency(OMEGA0).unwrap().released_from("40deg".parse().unwrap()).unwrap();

@@ -1,4 +1,4 @@
-//! The source tree: what is tested stands in it, and the tests stand here.
+//! Rules for the source tree: modules have their tests in this suite.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! Harmonics of swings with known truth: exact ones, noise of known kinds, distorted instruments.
+//! Harmonics of swings with known truth: without errors, with noise of known kinds, and with distorting instruments.
 
 use std::f64::consts::PI;
 
@@ -68,7 +68,7 @@ fn without_damping_and_noise_harmonics_are_the_exact_ones() {
     }
 }
 
-/// Amplitudes that fall by a third and more while harmonics are measured.
+/// Amplitudes that fall by a third and more during the measurement of harmonics.
 #[test]
 fn falling_amplitudes_leave_the_harmonics_of_the_pendulum() {
     for linear in [0.02, 0.1] {
@@ -120,7 +120,7 @@ const ONE_PLACE: [Limits; 2] = [
     Limits { usual: 9.0..21.0, full: 74.0..101.0, own: 88.0..101.0 },
 ];
 
-/// The same of six places and two kinds of noise together, which the hypothesis takes to be independent.
+/// Limits for six places and two kinds of noise together, which the hypothesis takes to be independent.
 const ALL_PLACES: [Limits; 2] = [
     Limits { usual: 115.0..208.0, full: 692.0..939.0, own: 692.0..939.0 },
     Limits { usual: 194.0..241.0, full: 1049.0..1198.0, own: 1049.0..1198.0 },
@@ -248,7 +248,7 @@ fn uneven_rows_gaps_and_outliers_do_not_matter() {
     assert!((found.noise / 1e-3 - 1.0).abs() < 0.1, "{}", found.noise);
 }
 
-/// Ten rows in a period leave four harmonics: half of ten, less one half.
+/// Ten rows in a period resolve four harmonics: half of ten, minus one half.
 #[test]
 fn harmonics_beyond_half_the_sampling_rate_are_not_told() {
     let found = of(&Synthetic { step: 0.215, rows: 200, noise: 1e-3, ..Synthetic::USUAL }, 8);
@@ -303,7 +303,7 @@ fn what_has_no_harmonics_is_refused() {
     assert_eq!(refused(&torn), SpectrumError::NoWindow { windows: 1 });
 }
 
-/// All that a window of three swings has beside its harmonics is spanned by their columns.
+/// The columns of the harmonics span all other signals in a window of three swings.
 #[test]
 fn windows_of_three_swings_take_all_residuals_for_noise() {
     let trace = Synthetic { rows: 370, noise: 1e-3, ..Synthetic::USUAL }.trace(&mut Random::seeded(11));

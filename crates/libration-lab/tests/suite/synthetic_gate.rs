@@ -1,4 +1,4 @@
-//! Edges of a photogate that a damped pendulum passes, as the integrator has them.
+//! Edges of a photogate passed by a damped pendulum, by the integrator.
 
 use libration::taylor::{Direction, Effort, Event, Moment, System, integrate};
 
@@ -12,7 +12,7 @@ pub(crate) struct GateRecord {
     /// Damping rate of the velocity, per second.
     pub(crate) damping: f64,
     pub(crate) release: f64,
-    /// The angle at which it stands.
+    /// The angle of the gate.
     pub(crate) gate: f64,
     /// Width of the bob, as an angle.
     pub(crate) width: f64,
@@ -20,7 +20,7 @@ pub(crate) struct GateRecord {
 }
 
 impl GateRecord {
-    /// 2π/ω0, as the damping lengthens it.
+    /// 2π/ω0, as lengthened by the damping.
     pub(crate) fn t0(&self) -> f64 {
         std::f64::consts::TAU / libm::sqrt(self.omega0 * self.omega0 - 0.25 * self.damping * self.damping)
     }
@@ -45,7 +45,7 @@ impl GateRecord {
     }
 }
 
-/// With normal errors of this standard deviation.
+/// Edges with normal errors of this standard deviation.
 pub(crate) fn jittered(edges: &[(f64, bool)], jitter: f64, random: &mut Random) -> Vec<(f64, bool)> {
     edges.iter().map(|&(time, blocked)| (time + jitter * random.normal(), blocked)).collect()
 }

@@ -1,4 +1,4 @@
-//! Traces of damped pendulums with known truth, as an instrument would give them.
+//! Traces of damped pendulums with known truth, with the errors of instruments.
 
 use libration::taylor::{Effort, Moment, System, integrate};
 use libration_lab::measurement::{Observable, Trace};
@@ -14,7 +14,7 @@ pub(crate) struct Synthetic {
     pub(crate) linear: f64,
     pub(crate) quadratic: f64,
     pub(crate) amplitude: f64,
-    /// At the release.
+    /// Velocity at the release.
     pub(crate) velocity: f64,
     pub(crate) observable: Observable,
     pub(crate) offset: f64,
@@ -22,7 +22,7 @@ pub(crate) struct Synthetic {
     pub(crate) rows: u32,
     /// The standard deviation of normal noise.
     pub(crate) noise: f64,
-    /// Values are multiples of it, where it is above zero.
+    /// Step of the scale, of which values are multiples; zero for none.
     pub(crate) quantum: f64,
 }
 

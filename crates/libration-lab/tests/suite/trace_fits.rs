@@ -1,4 +1,4 @@
-//! Fits of traces against traces of known truth: motions of `systems`, made imperfect as instruments do.
+//! Fits of traces compared with known truth: motions of `systems` with the imperfections of instruments.
 
 use libration::progress::Quiet;
 use std::cell::Cell;
@@ -28,9 +28,9 @@ struct Truth {
     cycles: f64,
     rows_per_cycle: f64,
     noise: f64,
-    /// Values are rounded to multiples of this.
+    /// Step of the scale, of which values are multiples.
     resolution: f64,
-    /// The part of the frames that are lost.
+    /// Fraction of lost frames.
     lost: f64,
 }
 
@@ -51,7 +51,7 @@ impl Truth {
         }
     }
 
-    /// Amplitudes of 5° to 170°, damping that takes a few to some thirty percent of the amplitude.
+    /// A pendulum with an amplitude of 5° to 170°, and damping that takes a few to about thirty percent of the amplitude.
     fn random(random: &mut Random) -> Self {
         let omega0 = random.between(1.0, 7.0);
         let amplitude = random.between(0.09, 3.0);
@@ -115,7 +115,7 @@ impl Truth {
         Trace::new("synthetic", self.observable, times, values, None).unwrap()
     }
 
-    /// The true value of a parameter; the first row may have been lost, so that the first state is that of another time.
+    /// The true value of a parameter; if the first row was lost, the first state is that of another time.
     fn value(&self, parameter: &Parameter) -> Option<f64> {
         match parameter.kind {
             ParameterKind::NaturalFrequency => Some(self.omega0),
@@ -139,7 +139,8 @@ fn deviation(fit: &TraceFit, kind: ParameterKind, truth: f64) -> f64 {
     (parameter.estimate.value - truth) / parameter.estimate.uncertainty
 }
 
-/// Counts of the intervals that held the truth: for each kind of parameter, the number of intervals, and of those that held it at 68 % and at 95 %.
+/// Counts of the intervals that contain the truth: for each kind of parameter, the number of intervals, and of those that contain it at 68 % and at
+/// 95 %.
 #[derive(Debug, Default)]
 struct Coverage(Vec<(ParameterKind, [u32; 3])>);
 
@@ -155,7 +156,7 @@ impl Coverage {
         }
     }
 
-    /// The parts of all intervals that held the truth.
+    /// The fractions of all intervals that contain the truth.
     fn parts(&self) -> [f64; 2] {
         let all = self.0.iter().fold([0; 3], |sum, (_, one)| [0, 1, 2].map(|place| sum[place] + one[place]));
         [1, 2].map(|place| f64::from(all[place]) / f64::from(all[0]))
@@ -377,7 +378,7 @@ fn damping_that_pushes_is_told_from_friction_that_falls_with_the_speed() {
     }
 }
 
-/// Noise of which each value remembers the one before.
+/// Noise with a correlation between successive values.
 fn with_memory(trace: &Trace, memory: f64, noise: f64, random: &mut Random) -> Trace {
     let mut error = 0.0;
     let mut next = || {
@@ -388,7 +389,7 @@ fn with_memory(trace: &Trace, memory: f64, noise: f64, random: &mut Random) -> T
     Trace::new("with memory", Observable::Angle, trace.times().to_vec(), values, None).unwrap()
 }
 
-/// Coverage of the intervals of ω0 with noise that is correlated from row to row, in parts of all.
+/// Coverage of the intervals of ω0 with noise that is correlated between rows, in fractions of all.
 fn coverage_with_memory(traces: u32, seed: u64, memory: impl Fn(&mut Random) -> f64) -> [f64; 2] {
     let mut random = Random::seeded(seed);
     let mut coverage = Coverage::default();

@@ -18,11 +18,11 @@ const G: f64 = 9.81;
 #[derive(Clone, Copy, Debug)]
 enum Variances {
     Equal,
-    /// Uniform logarithms between 1 and this.
+    /// Variances with uniform logarithms between 1 and this.
     Random(f64),
     /// 1 or this.
     Two(f64),
-    /// From 1 in the first row to this in the last one.
+    /// Variances from 1 in the first row to this in the last one.
     Rising(f64),
 }
 
@@ -38,7 +38,7 @@ impl Variances {
     }
 }
 
-/// Tables whose interval of 95 % contains the truth, tables with a warning that the rows scatter more, and all.
+/// Numbers of tables whose interval of 95 % contains the truth, of tables with a warning that the rows scatter more, and of all.
 #[derive(Clone, Copy, Debug, Default)]
 struct Tally {
     within: usize,

@@ -30,7 +30,7 @@ const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// The number of least periods in the common period 2πn/ω of the sines and cosines, as far as it is found; 1 for
 /// equations whose values do not depend on the time.
 pub(super) fn repetitions(equation: &Equation, frequency: &Expression, times: i32) -> i32 {
-    let Some(trials) = Trials::new(equation, frequency, times) else { return 1 };
+    let Some(trials) = RationalTrials::new(equation, frequency, times) else { return 1 };
     if trials.hold(|ring, period| Some(ring.multiply(period, &BigFloat::from_f64(GOLDEN, ring.precision)?))) {
         return 1;
     }
@@ -44,13 +44,13 @@ pub(super) fn repetitions(equation: &Equation, frequency: &Expression, times: i3
 }
 
 /// The rational functions in place of the right-hand sides, with ω as the first.
-struct Trials {
+struct RationalTrials {
     tape: Tape,
     symbols: usize,
     times: i32,
 }
 
-impl Trials {
+impl RationalTrials {
     fn new(equation: &Equation, frequency: &Expression, times: i32) -> Option<Self> {
         let mut rest = vec![];
         let rates: Vec<Expression> =

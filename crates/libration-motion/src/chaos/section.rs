@@ -79,7 +79,7 @@ pub enum SectionEnding {
     #[error("the motion no longer crosses the surface")]
     NoCrossing,
     /// The motion did not cross the surface at all.
-    #[error("the motion does not cross the surface in the time over which it was followed")]
+    #[error("the motion does not cross the surface within the integrated time")]
     NeverCrossed,
 }
 

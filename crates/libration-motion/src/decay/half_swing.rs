@@ -20,13 +20,13 @@ use libration_pendulum::pendulum::Amplitude;
 #[derive(Clone, Debug)]
 pub struct HalfSwing {
     damping: Damping,
-    from_bottom: Frame,
-    pub from_top: Frame,
+    from_bottom: GrowingCoordinate,
+    pub from_top: GrowingCoordinate,
 }
 
 /// A coordinate that grows during the swing, with its equation of motion.
 #[derive(Clone, Debug)]
-pub struct Frame {
+pub struct GrowingCoordinate {
     pub system: System,
     /// The coordinate of the bottom: zero or π.
     bottom: DoubleDouble,
@@ -43,7 +43,7 @@ pub const EFFORT: Effort = Effort { relative: 1e-17, absolute: 0.0, most_steps: 
 
 impl HalfSwing {
     pub fn new(damping: &Damping) -> Self {
-        let frame = |gravity, bottom| Frame { system: system(gravity, damping), bottom };
+        let frame = |gravity, bottom| GrowingCoordinate { system: system(gravity, damping), bottom };
         let sine = Expression::Call(Function::Sin, Box::new(Expression::Symbol(Symbol::plain("x"))));
         Self {
             damping: damping.clone(),
@@ -72,14 +72,14 @@ impl HalfSwing {
         Ok(match frame.angle(coordinate) {
             angle if angle <= 0.0 && is_dry => Err(DecayEnding::StopsOnTheWay { time, angle: -angle }),
             angle if angle <= 0.0 => Err(DecayEnding::Creeps),
-            angle => Frame::amplitude(angle).map(|amplitude| (time, amplitude)),
+            angle => GrowingCoordinate::amplitude(angle).map(|amplitude| (time, amplitude)),
         })
     }
 
     /// The time and position at which the pendulum comes to rest; `None` if it does not within `longest`.
     fn turn(
         &self,
-        frame: &Frame,
+        frame: &GrowingCoordinate,
         start: &Moment,
         longest: f64,
     ) -> Result<Option<(f64, f64)>, IntegrationError> {
@@ -106,7 +106,7 @@ impl HalfSwing {
     }
 
     /// The time and position at which the pendulum comes to rest, if it does so in this step or shortly after it.
-    fn turn_in(&self, step: &Step, frame: &Frame) -> Option<(f64, f64)> {
+    fn turn_in(&self, step: &Step, frame: &GrowingCoordinate) -> Option<(f64, f64)> {
         let end = step.state_at(step.end());
         if end[1] <= 0.0 {
             let time = zero_of_velocity(step);
@@ -121,7 +121,7 @@ impl HalfSwing {
     }
 }
 
-impl Frame {
+impl GrowingCoordinate {
     /// The deceleration by gravity, positive beyond the bottom.
     fn gravity(&self, coordinate: f64) -> f64 {
         libm::sin(self.angle(coordinate))

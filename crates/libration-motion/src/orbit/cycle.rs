@@ -3,7 +3,7 @@
 use super::closing::Rounds;
 use super::drift::{MOST_LEAPS, leap};
 use super::error::{Lost, OrbitError, finished};
-use super::family::{Family, through_start};
+use super::family::{FamilyCondition, through_start};
 use super::near::OrbitGuess;
 use super::path::turn_in;
 use super::periodic::Orbit;
@@ -75,7 +75,12 @@ impl Orbit {
         watch: &Watch<'_>,
     ) -> Result<(OrbitKind, Self), OrbitError> {
         let through = |rounds: &Rounds<'_>, period: f64| {
-            through_start(equation, rounds, &OrbitGuess { state: start.to_vec(), period }, Family::Asked)
+            through_start(
+                equation,
+                rounds,
+                &OrbitGuess { state: start.to_vec(), period },
+                FamilyCondition::Asked,
+            )
         };
         cycle_unless(through, equation, start, watch)
     }
@@ -110,7 +115,7 @@ fn cycle_unless(
     Ok(found)
 }
 
-/// The same, where the motion first returns within a difference; an unstable cycle is one that it passes.
+/// The cycle where the motion first returns within a difference; an unstable cycle is one that it passes.
 fn cycle_at_return(
     returned: f64,
     family: impl Fn(&Rounds<'_>, f64) -> Result<Option<Orbit>, OrbitError>,

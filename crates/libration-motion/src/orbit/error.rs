@@ -38,9 +38,7 @@ pub enum OrbitError {
     #[error("the period is {0:?}: give a finite number above zero")]
     Period(f64),
     /// A period after which the drive is not what it was.
-    #[error(
-        "the force after {0:?} is not the force before: give the period of the drive, or a multiple of it"
-    )]
+    #[error("the force does not repeat after {0:?}: give the period of the drive, or a multiple of it")]
     NotOfDrive(f64),
     /// A missing period.
     #[error("no period is known: give the period of the drive, or a guess of that of the orbit")]
@@ -145,7 +143,7 @@ pub enum OrbitError {
     /// An orbit that cannot be integrated to its end.
     #[error(transparent)]
     Integration(IntegrationError),
-    /// Cancelled by the caller.
+    /// Cancellation by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

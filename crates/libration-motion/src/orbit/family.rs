@@ -9,7 +9,7 @@ use libration_numbers::expression::Equation;
 
 /// The condition under which an orbit counts as a member of a family.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Family {
+pub(super) enum FamilyCondition {
     /// No condition: since the energy is conserved, every orbit belongs to a family.
     Known,
     /// A neighbouring orbit must close too, since an isolated cycle could pass through the start.
@@ -28,7 +28,7 @@ pub(super) fn through_start(
     equation: &Equation,
     rounds: &Rounds<'_>,
     guess: &OrbitGuess,
-    family: Family,
+    family: FamilyCondition,
 ) -> Result<Option<Orbit>, OrbitError> {
     let Ok(path) = rounds.path(&guess.state, guess.period, 1e-12) else { return Ok(None) };
     let opposite = path.state_at(0.5 * guess.period);
@@ -37,7 +37,7 @@ pub(super) fn through_start(
         return Ok(None);
     }
     let Some(orbit) = closes(equation, rounds, guess)? else { return Ok(None) };
-    if family == Family::Asked {
+    if family == FamilyCondition::Asked {
         let beside = |(here, there): (&f64, &f64)| here + ASIDE * (there - here);
         let state = guess.state.iter().zip(&opposite).map(beside).collect();
         let neighbour = OrbitGuess { state, period: orbit.period() };

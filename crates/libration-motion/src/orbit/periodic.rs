@@ -12,19 +12,19 @@ pub struct Orbit {
     path: Path,
     uncertainty: f64,
     floquet: Option<Floquet>,
-    errors: StateErrors,
+    errors: OrbitErrors,
 }
 
 /// The errors of the states of an orbit, component by component.
 #[derive(Clone, Debug)]
-pub(super) struct StateErrors {
+pub(super) struct OrbitErrors {
     /// The error of the start.
     pub(super) start: Vec<f64>,
     /// The largest error on the orbit, at the same fraction of the period.
     pub(super) way: Vec<f64>,
 }
 
-impl StateErrors {
+impl OrbitErrors {
     /// The errors on a path, from the error of its start as it grows, from another path, and from the error of the period.
     pub(super) fn new(path: &Path, start: Vec<f64>, grown: &[f64], apart: &[f64], period: f64) -> Self {
         let rates = path.largest_rates(start.len());
@@ -42,7 +42,7 @@ impl Orbit {
         path: Path,
         uncertainty: f64,
         floquet: Option<Floquet>,
-        errors: StateErrors,
+        errors: OrbitErrors,
     ) -> Self {
         Self { variables: equation.variables().to_vec(), path, uncertainty, floquet, errors }
     }

@@ -17,7 +17,7 @@ use std::slice;
 
 /// Position and velocity.
 #[derive(Clone, Debug)]
-struct State {
+struct PreciseState {
     x: BigFloat,
     velocity: BigFloat,
 }
@@ -76,7 +76,7 @@ impl<'a> Motion<'a> {
     /// The motion after release from rest at a position; `start` is the time from which its steps count.
     pub fn half_period(&self, place: &BigFloat, start: f64) -> Result<HalfPeriod, HalfPeriodError> {
         let size = place.exponent().unwrap_or(0);
-        let mut state = State { x: place.clone(), velocity: self.ring.zero() };
+        let mut state = PreciseState { x: place.clone(), velocity: self.ring.zero() };
         let (mut steps, mut duration) = (vec![], self.ring.zero());
         let mut nearness = Nearness::default();
         for _ in 0..MOST_STEPS {
@@ -103,7 +103,7 @@ impl<'a> Motion<'a> {
             let elapsed = BigFloat::from_f64(length, self.ring.precision).ok_or(HalfPeriodError::Unable)?;
             duration = duration + elapsed.clone();
             steps.push(owned_step(&series, begin, start + duration.to_f64(), length));
-            state = State {
+            state = PreciseState {
                 x: precise_sum(&series.x, &elapsed),
                 velocity: precise_sum(&series.velocity, &elapsed),
             };
@@ -111,13 +111,13 @@ impl<'a> Motion<'a> {
         Err(HalfPeriodError::Unable)
     }
 
-    fn has_value_nearby(&self, state: &State) -> bool {
+    fn has_value_nearby(&self, state: &PreciseState) -> bool {
         let state = [state.x.to_f64(), state.velocity.to_f64()];
         Jet::new(&Doubles, self.tape, &state).is_ok_and(|jet| jet.result(0)[0].is_finite())
     }
 
     /// The series at a state; `None` if the acceleration has no value.
-    fn series(&self, state: &State) -> Option<Series> {
+    fn series(&self, state: &PreciseState) -> Option<Series> {
         let motion = (&StateLayout::one_coordinate(), self.tape);
         let state = [state.x.clone(), state.velocity.clone()];
         let series = precise_series(self.ring, motion, self.order, &state, &[])?;
@@ -128,7 +128,7 @@ impl<'a> Motion<'a> {
     /// The length of a step, shortened until double precision agrees.
     fn tried(
         &self,
-        state: &State,
+        state: &PreciseState,
         series: &Series,
         length: f64,
         size: isize,
@@ -143,7 +143,7 @@ impl<'a> Motion<'a> {
     }
 
     /// The difference between the end of a step in double precision and the sums of the series; `None` if double precision has no values.
-    fn misfit(&self, state: &State, series: &Series, length: f64) -> Option<[f64; 2]> {
+    fn misfit(&self, state: &PreciseState, series: &Series, length: f64) -> Option<[f64; 2]> {
         const MOST_STEPS: usize = 10_000;
         let start = Moment { time: 0.0, state: vec![state.x.to_f64(), state.velocity.to_f64()] };
         let effort = Effort { most_steps: MOST_STEPS, ..Effort::to_tolerance(1e-16) };

@@ -13,7 +13,7 @@ use super::divergence::Divergence;
 use super::error::OrbitError;
 use super::near::OrbitGuess;
 use super::path::Path;
-use super::periodic::{Orbit, StateErrors};
+use super::periodic::{Orbit, OrbitErrors};
 use crate::periodic::Floquet;
 use libration_numbers::expression::Equation;
 
@@ -59,7 +59,7 @@ pub(super) fn forgetful(
     let start_errors = vec![4.0 * (missed + f64::EPSILON * start.state[0].abs()), 0.0];
     let apart: Vec<f64> = apart.iter().map(|it| 4.0 * it).collect();
     let grown = start_errors.clone();
-    let errors = StateErrors::new(&path, start_errors, &grown, &apart, uncertainty);
+    let errors = OrbitErrors::new(&path, start_errors, &grown, &apart, uncertainty);
     // The error of the integral over many steps is proportional to its size.
     let floquet = Floquet::of_cycle(divergence.along(&path), LOGARITHM);
     Ok(Some(Orbit::new(equation, path, uncertainty, Some(floquet), errors)))

@@ -16,7 +16,7 @@
 use super::acceleration::{Acceleration, Roundings};
 use super::error::{Lost, OrbitError, finished};
 use super::path::{Path, sign_change, until};
-use super::periodic::{Orbit, StateErrors};
+use super::periodic::{Orbit, OrbitErrors};
 use super::place::ReleasePlace;
 use super::precise::{HalfPeriod, HalfPeriodError, Motion};
 use crate::taylor::{Cause, Effort, IntegrationError, Moment, Step, System};
@@ -164,7 +164,7 @@ impl<'a> Release<'a> {
             return Err(OrbitError::NotClosed { start: self.start, end });
         }
         let apart: Vec<f64> = around.full.apart(&again.full).iter().map(|it| 16.0 * it).collect();
-        let errors = StateErrors::new(&around.full, vec![0.0; 2], &[0.0; 2], &apart, uncertainty);
+        let errors = OrbitErrors::new(&around.full, vec![0.0; 2], &[0.0; 2], &apart, uncertainty);
         Ok(Orbit::new(self.equation, around.full, uncertainty, None, errors))
     }
 
@@ -323,7 +323,7 @@ impl Halves {
 impl Halves {
     /// The orbit from steps that were rounded from many bits.
     fn orbit(equation: &Equation, path: Path, uncertainty: f64) -> Orbit {
-        let errors = StateErrors::new(&path, vec![0.0; 2], &[0.0; 2], &[0.0; 2], uncertainty);
+        let errors = OrbitErrors::new(&path, vec![0.0; 2], &[0.0; 2], &[0.0; 2], uncertainty);
         Orbit::new(equation, path, uncertainty, None, errors)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::closing::Rounds;
 use super::error::{OrbitError, finished};
-use super::family::{Family, through_start};
+use super::family::{FamilyCondition, through_start};
 use super::near::OrbitGuess;
 use super::periodic::Orbit;
 use crate::taylor::StateLayout;
@@ -113,7 +113,7 @@ impl OrbitSearch {
             Ok((OrbitKind::Near, orbit))
         };
         let through = || {
-            let family = if self.conserves_energy { Family::Known } else { Family::Asked };
+            let family = if self.conserves_energy { FamilyCondition::Known } else { FamilyCondition::Asked };
             finished(through_start(equation, &Rounds::new(equation, watch)?, &guess, family), watch)
         };
         match through()? {

@@ -16,7 +16,7 @@ use super::divergence::Divergence;
 use super::error::{Lost, OrbitError, finished};
 use super::least_period::over_least_period;
 use super::near::OrbitGuess;
-use super::periodic::{Orbit, StateErrors};
+use super::periodic::{Orbit, OrbitErrors};
 use crate::periodic::{CLOSED, Floquet, LOST, NewtonStep, Stability, norm_of_map};
 use libration_numbers::expression::Equation;
 use libration_numbers::internals::progress::Watch;
@@ -291,7 +291,7 @@ impl<'a> Newton<'a> {
         let grown: Vec<f64> =
             largest.iter().map(|row| row.iter().zip(&start).map(|(a, b)| a * b).sum()).collect();
         let apart: Vec<f64> = self.round.path.apart(&again).iter().map(|it| 4.0 * it).collect();
-        let errors = StateErrors::new(&self.round.path, start, &grown, &apart, uncertainty);
+        let errors = OrbitErrors::new(&self.round.path, start, &grown, &apart, uncertainty);
         let autonomous = self.unknowns.period;
         let change =
             self.change_of_map(&monodromy, &errors.start) + self.change_across_jumps(&errors.start)?;

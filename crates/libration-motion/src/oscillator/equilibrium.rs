@@ -33,7 +33,7 @@ pub(super) struct Equilibrium {
 
 /// Approximate positions at which the force at rest vanishes.
 pub(super) struct Candidates {
-    /// Sorted by distance from zero, at equal distance the positive one first.
+    /// The positions in order of their distance from zero; of two at equal distance the positive one is first.
     pub(super) near: Vec<f64>,
     /// The error that is returned if none of the candidates is a zero.
     pub(super) none: OscillatorError,

@@ -69,7 +69,7 @@ impl Model {
         let (names, units) = (self.state_names(), self.state_units());
         let mut given: Vec<Option<f64>> = vec![None; names.len()];
         for (name, value) in values {
-            let values = match Family::of(name) {
+            let values = match IndexedComponents::of(name) {
                 Some(family) => family.values(value, &names)?,
                 None => {
                     let place = place_of(name, &names)?;
@@ -104,13 +104,13 @@ fn place_of(name: &str, names: &[String]) -> Result<usize, InitialStateError> {
 }
 
 /// Several components of a state at once: `x[i]`, or `x[i]'`.
-struct Family<'a> {
+struct IndexedComponents<'a> {
     name: &'a str,
     letter: &'a str,
     primes: &'a str,
 }
 
-impl<'a> Family<'a> {
+impl<'a> IndexedComponents<'a> {
     /// The family of a name; `None` for a single component such as `x[3]`.
     fn of(name: &'a str) -> Option<Self> {
         let (name, rest) = name.trim().split_once('[')?;

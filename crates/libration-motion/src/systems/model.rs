@@ -26,12 +26,12 @@ pub struct Model {
     equation: Equation,
     coordinates: Vec<Coordinate>,
     values: Vec<(String, Expression)>,
-    known: Option<Known>,
+    known: Option<NamedProperties>,
 }
 
 /// Properties that only named systems have, with values substituted.
 #[derive(Clone, Debug)]
-struct Known {
+struct NamedProperties {
     energy: Option<Expression>,
     power: Option<Expression>,
     drive_frequency: Option<Expression>,
@@ -40,7 +40,7 @@ struct Known {
 }
 
 /// Values of parameters, which may be formulas.
-type Values<'a> = &'a [(&'a str, Expression)];
+type ParameterValues<'a> = &'a [(&'a str, Expression)];
 
 impl Model {
     /// A named system, or else an oscillator of the other catalogue, with values for
@@ -48,7 +48,7 @@ impl Model {
     ///
     /// # Errors
     /// An unknown key; a value for a name that is not a parameter, or one that is not constant.
-    pub fn by_key(key: &str, values: Values, open: &[&str]) -> Result<Self, ModelError> {
+    pub fn by_key(key: &str, values: ParameterValues, open: &[&str]) -> Result<Self, ModelError> {
         match (NamedSystem::by_key(key), NamedOscillator::by_key(key)) {
             (Ok(named), _) => Self::named(named, values, open),
             (Err(_), Ok(oscillator)) => Self::oscillator(oscillator, values, open),
@@ -62,7 +62,7 @@ impl Model {
     ///
     /// # Errors
     /// A value for a name that is not a parameter, or one that is not constant.
-    pub fn named(named: &NamedSystem, values: Values, open: &[&str]) -> Result<Self, ModelError> {
+    pub fn named(named: &NamedSystem, values: ParameterValues, open: &[&str]) -> Result<Self, ModelError> {
         let Counted { equations, values: given, count } = Counted::new(named, values)?;
         let given: Vec<(&str, Expression)> =
             given.iter().map(|(name, value)| (name.as_str(), value.clone())).collect();
@@ -85,7 +85,7 @@ impl Model {
             if named.count.is_some() { each_like(&coordinates, &equation) } else { coordinates };
         let place = |[right, up]: [&str; 2]| Ok::<_, ModelError>([put_in(right)?, put_in(up)?]);
         let bodies = named.bodies.iter().map(|body| Ok([place(body.place)?, place(body.pivot)?]));
-        let known = Known {
+        let known = NamedProperties {
             bodies: bodies.collect::<Result<_, ModelError>>()?,
             energy: Some(named.energy).filter(|it| !it.is_empty()).map(put_in).transpose()?,
             power: Some(named.power).filter(|it| !it.is_empty()).map(put_in).transpose()?,
@@ -99,7 +99,11 @@ impl Model {
     ///
     /// # Errors
     /// A value for a name that is not a parameter, or one that is not constant.
-    pub fn oscillator(named: &NamedOscillator, values: Values, open: &[&str]) -> Result<Self, ModelError> {
+    pub fn oscillator(
+        named: &NamedOscillator,
+        values: ParameterValues,
+        open: &[&str],
+    ) -> Result<Self, ModelError> {
         let defaults = named.parameters.iter().map(|it| (it.name, it.default));
         let (equation, values) = filled(named.equation, values, defaults, open)?;
         let mut coordinates = by_names(&equation);
@@ -114,7 +118,7 @@ impl Model {
     ///
     /// # Errors
     /// Text that is not an equation of motion; a value for a name that is not a parameter, or one that is not constant.
-    pub fn typed(equations: &str, values: Values, open: &[&str]) -> Result<Self, ModelError> {
+    pub fn typed(equations: &str, values: ParameterValues, open: &[&str]) -> Result<Self, ModelError> {
         let (equation, values) = filled(equations, values, [].into_iter(), open)?;
         let coordinates = by_names(&equation);
         Ok(Self { key: None, title: "equations of motion", equation, coordinates, values, known: None })
@@ -254,10 +258,12 @@ impl Model {
     /// The reason why there is none.
     pub fn energy(&self) -> Result<Energy, EnergyError> {
         match &self.known {
-            Some(Known { energy: Some(energy), power: Some(power), .. }) => match power.vanishes() {
-                true => Energy::of_formula(&self.equation, energy),
-                false => Err(EnergyError::NotConserved { power: power.to_string() }),
-            },
+            Some(NamedProperties { energy: Some(energy), power: Some(power), .. }) => {
+                match power.vanishes() {
+                    true => Energy::of_formula(&self.equation, energy),
+                    false => Err(EnergyError::NotConserved { power: power.to_string() }),
+                }
+            }
             _ => Energy::of_forces(&self.equation),
         }
     }
@@ -273,7 +279,7 @@ fn hanging(angle: &Symbol) -> [[Expression; 2]; 2] {
 /// The equation with the given values, and default ones for all others that are not left open.
 fn filled<'a>(
     text: &str,
-    given: Values,
+    given: ParameterValues,
     defaults: impl Iterator<Item = (&'a str, &'a str)>,
     open: &[&str],
 ) -> Result<(Equation, Vec<(String, Expression)>), EquationError> {

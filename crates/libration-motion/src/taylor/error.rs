@@ -113,7 +113,7 @@ pub enum Cause {
     /// A state component at zero, at which a root allows the motion to stay or to leave at any time, as in x′ = √|x|.
     #[error("the motion can stay where it is or leave at any time, which the equations do not decide,")]
     Undecided,
-    /// Cancelled by the caller.
+    /// Cancellation by the caller.
     #[error("the integration was interrupted")]
     Interrupted,
 }

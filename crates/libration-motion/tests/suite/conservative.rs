@@ -1,4 +1,4 @@
-//! Named systems with conserved energy: stars, planets and chains, against the thirty digits of `conservative.csv`.
+//! Named systems with conserved energy: stars, planets and chains, compared with the thirty digits of `conservative.csv`.
 
 use libration::expression::Expression;
 use libration::progress::Quiet;

@@ -1,4 +1,4 @@
-//! Damped pendulums: turning points in thirty digits, first integrals, closed forms, and the range of averaging.
+//! Damped pendulums compared with turning points in thirty digits, first integrals and closed forms; and the range of averaging.
 
 use libration::decay::{
     Damping, Decay, DecayEnding, DecayError, EnvelopeLaw, PowerLawTerm, TurningPoint, cycle_integral,

@@ -172,7 +172,7 @@ fn the_time_of_a_touch_is_right_to_what_is_stated() {
     }
 }
 
-/// Motions with neighbours that end, as that of sqrt(x) below zero, or with too many steps to integrate a neighbour of each.
+/// Motions some of whose neighbours end, as for sqrt(x) below zero, and motions with too many steps for the integration of each step's neighbour.
 #[test]
 fn where_roundings_are_not_followed_more_is_stated_of_the_rest() {
     for (equation, last) in [("x' = -sqrt(x); y'' = -y", 10.0), ("x'' = -x/4; y'' = -y", 4e5)] {

@@ -361,7 +361,7 @@ fn velocities_that_are_almost_zero_do_not_matter() {
     }
 }
 
-/// x = 5 cos t passes x = 2 twice, where most of the formulas underflow on both sides of a peak.
+/// x = 5 cos t passes x = 2 twice; most of the formulas underflow on both sides of a peak.
 #[test]
 fn formulas_that_are_felt_in_a_small_part_of_a_step_have_their_zeros() {
     let half_width = (libm::log(2.0) / 20_000.0).sqrt();

@@ -174,7 +174,7 @@ fn rayleighs_cycle_has_van_der_pols_period() {
     }
 }
 
-/// Two methods for a cycle agree where both are certain: Newton's method, and a single turn after which the start has no influence.
+/// Two methods for a cycle agree when both are certain: Newton's method, and a single turn after which the start has no influence.
 #[test]
 fn the_two_ways_to_a_cycle_meet() {
     // The logarithms are −35 and −47 there: on either side of −40.
@@ -782,7 +782,7 @@ fn a_driven_orbit_over_a_kink_with_a_power_is_found_soon() {
     assert!(off.iter().all(|off| off.abs() < 1e-6), "{off:?}");
 }
 
-/// Van der Pol's cycle beside a motion that comes to rest, whichever is first.
+/// Van der Pol's cycle together with a motion that comes to rest, in either order.
 #[test]
 fn a_coordinate_at_rest_hides_no_cycle() {
     for (resting, start) in

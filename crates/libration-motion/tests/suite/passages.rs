@@ -230,7 +230,7 @@ fn a_pendulum_damped_by_a_broken_power_turns_where_decay_says() {
     }
 }
 
-/// x = x′ = 0 is an equilibrium, and stays one.
+/// x = x′ = 0 is an equilibrium, and remains one.
 #[test]
 fn rest_is_rest() {
     for formula in [

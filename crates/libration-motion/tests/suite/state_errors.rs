@@ -142,7 +142,7 @@ fn errors_of_motions_in_closed_form_hold() {
     }
 }
 
-/// From next to the top, where the error is soon as large as the angle: as long as an error is stated, it holds.
+/// Starts next to the top, from which the error is soon as large as the angle: as long as an error is stated, it holds.
 #[test]
 fn pendulums_from_next_to_the_top_are_determined_as_far_as_is_said() {
     let pendulum = Pendulum::from_angular_frequency(1.0).unwrap();

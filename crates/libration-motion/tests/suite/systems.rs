@@ -1,4 +1,4 @@
-//! Motions of the named systems, against the forty digits of `damped.csv`.
+//! Motions of the named systems, compared with the forty digits of `damped.csv`.
 
 use libration::expression::Expression;
 use libration::progress::Quiet;

@@ -12,18 +12,18 @@ const SPARE_BITS: usize = 48;
 
 /// The least common denominators of the last two orders with nonzero numbers.
 #[derive(Clone, Debug)]
-pub(super) struct Growth {
+pub(super) struct DenominatorGrowth {
     before: UBig,
     last: UBig,
 }
 
-impl Default for Growth {
+impl Default for DenominatorGrowth {
     fn default() -> Self {
         Self { before: UBig::ONE, last: UBig::ONE }
     }
 }
 
-impl Growth {
+impl DenominatorGrowth {
     /// Expected denominator of the next order, if it grows as before.
     pub(super) fn expected(&self) -> UBig {
         let common = (&self.last).gcd(&self.before);

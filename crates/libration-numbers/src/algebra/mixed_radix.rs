@@ -15,12 +15,12 @@ pub const CONFIRMING_PRIMES: usize = 5;
 /// Reference: H. L. Garner, *The residue number system*, IRE Trans. Electron. Comput. EC-8, 140 (1959).
 #[derive(Clone, Debug, Default)]
 pub struct MixedRadix {
-    pub places: Vec<Place>,
+    pub places: Vec<RadixPrime>,
 }
 
 /// A prime, with the products of the primes before it.
 #[derive(Clone, Debug)]
-pub struct Place {
+pub struct RadixPrime {
     pub field: PrimeField,
     /// p₀⋯pⱼ₋₁ modulo this prime, by j, in Montgomery form.
     products: Vec<u32>,
@@ -39,7 +39,7 @@ impl MixedRadix {
             product = field.product(product, field.integer(place.field.prime()));
         }
         let inverse = field.inverse(product).expect("the primes differ");
-        self.places.push(Place { field, products, inverse });
+        self.places.push(RadixPrime { field, products, inverse });
     }
 
     pub(super) fn len(&self) -> usize {
@@ -150,7 +150,7 @@ impl Ends {
     }
 }
 
-impl Place {
+impl RadixPrime {
     fn next_digits(&self, digits: &[Residues], residues: &Residues, factor: u32) -> Residues {
         dispatch_slices(NextDigits { place: self, digits, residues, factor })
     }
@@ -158,7 +158,7 @@ impl Place {
 
 /// The digits for one prime from the digits for the primes before it.
 struct NextDigits<'a> {
-    place: &'a Place,
+    place: &'a RadixPrime,
     digits: &'a [Residues],
     residues: &'a Residues,
     factor: u32,

@@ -19,14 +19,14 @@ pub(super) const PRODUCTS: usize = 8;
 /// every prime.
 #[derive(Clone, Debug)]
 pub struct PrimeFields {
-    lanes: Lanes,
+    lanes: PrimeLanes,
     /// 1/n for small n.
     inverses: Vec<Residues>,
 }
 
 /// The fields, each constant as an array over the primes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Lanes {
+pub(super) struct PrimeLanes {
     primes: Residues,
     negative_inverses: Residues,
     units: Residues,
@@ -46,7 +46,7 @@ fn each<T: Copy + Default>(mut number: impl FnMut(usize) -> T) -> [T; LANES] {
     all
 }
 
-impl Lanes {
+impl PrimeLanes {
     fn new(primes: Residues) -> Self {
         let fields = primes.map(PrimeField::new);
         Self {
@@ -106,11 +106,11 @@ pub(super) fn accumulated(sums: &Sums, a: &Residues, b: &Residues) -> Sums {
 
 impl PrimeFields {
     pub fn new(primes: Residues) -> Self {
-        let lanes = Lanes::new(primes);
+        let lanes = PrimeLanes::new(primes);
         Self { lanes, inverses: small_inverses(&lanes) }
     }
 
-    pub(super) fn lanes(&self) -> &Lanes {
+    pub(super) fn lanes(&self) -> &PrimeLanes {
         &self.lanes
     }
 
@@ -141,7 +141,7 @@ impl PrimeFields {
     }
 }
 
-fn inverse(lanes: &Lanes, a: &Residues) -> Option<Residues> {
+fn inverse(lanes: &PrimeLanes, a: &Residues) -> Option<Residues> {
     a.iter().all(|&a| a != 0).then(|| {
         let (mut result, mut square) = (lanes.units, *a);
         let exponents = lanes.primes.map(|prime| prime - 2);
@@ -155,7 +155,7 @@ fn inverse(lanes: &Lanes, a: &Residues) -> Option<Residues> {
 }
 
 /// 1/0 = 0, 1/1, 1/2, …, all computed from the inverse of one factorial.
-fn small_inverses(lanes: &Lanes) -> Vec<Residues> {
+fn small_inverses(lanes: &PrimeLanes) -> Vec<Residues> {
     let mut integers = vec![[0; LANES]];
     let mut factorials = vec![lanes.units];
     for n in 1..KEPT_INVERSES {
@@ -238,17 +238,17 @@ impl Ring for PrimeFields {
     }
 
     fn convolution(&self, a: &[Residues], b: &[Residues]) -> Residues {
-        dispatch_slices(Convolution { lanes: &self.lanes, a, b })
+        dispatch_slices(ResidueConvolution { lanes: &self.lanes, a, b })
     }
 }
 
-struct Convolution<'a> {
-    lanes: &'a Lanes,
+struct ResidueConvolution<'a> {
+    lanes: &'a PrimeLanes,
     a: &'a [Residues],
     b: &'a [Residues],
 }
 
-impl Kernel for Convolution<'_> {
+impl Kernel for ResidueConvolution<'_> {
     type Output = Residues;
 
     #[inline(always)]

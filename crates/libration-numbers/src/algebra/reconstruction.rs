@@ -16,7 +16,7 @@
 
 use std::collections::BTreeMap;
 
-use super::expected_denominators::{Common, Growth};
+use super::expected_denominators::{Common, DenominatorGrowth};
 use super::mixed_radix::MixedRadix;
 use super::{LANES, PrimeFields, Rational, Residues};
 
@@ -96,7 +96,7 @@ struct Fractions {
     done: usize,
     numbers: Vec<Rational>,
     /// The growth of the denominators in each family.
-    denominators: BTreeMap<usize, Growth>,
+    denominators: BTreeMap<usize, DenominatorGrowth>,
 }
 
 impl Fractions {

@@ -1,11 +1,11 @@
 //! Loops over values at points of a circle, modulo eight primes at once.
 
-use super::prime_fields::{LANES, Lanes, PRODUCTS, Residues, Sums, accumulated};
+use super::prime_fields::{LANES, PRODUCTS, PrimeLanes, Residues, Sums, accumulated};
 use libration_kernels::dispatch::Kernel;
 
 /// aⱼ·bⱼ.
 pub(super) struct Pointwise<'a> {
-    pub(super) lanes: &'a Lanes,
+    pub(super) lanes: &'a PrimeLanes,
     pub(super) a: &'a [Residues],
     pub(super) b: &'a [Residues],
 }
@@ -25,7 +25,7 @@ impl Kernel for Pointwise<'_> {
 
 /// aⱼ·c.
 pub(super) struct Scaled<'a> {
-    pub(super) lanes: &'a Lanes,
+    pub(super) lanes: &'a PrimeLanes,
     pub(super) a: &'a [Residues],
     pub(super) factor: &'a Residues,
 }
@@ -45,7 +45,7 @@ impl Kernel for Scaled<'_> {
 
 /// Σ aⱼ·bⱼ over pairs of sums, taking four pairs at a time so that each result is loaded and stored once for four.
 pub(super) struct SumOfProducts<'a> {
-    pub(super) lanes: &'a Lanes,
+    pub(super) lanes: &'a PrimeLanes,
     pub(super) pairs: &'a [(&'a [Residues], &'a [Residues])],
     pub(super) points: usize,
 }
@@ -77,7 +77,7 @@ impl Kernel for SumOfProducts<'_> {
 
 /// The contribution of one harmonic to a weighted sum.
 pub(super) struct Harmonic<'a> {
-    pub(super) lanes: &'a Lanes,
+    pub(super) lanes: &'a PrimeLanes,
     pub(super) weighted: &'a [Residues],
     pub(super) table: &'a [Residues],
     pub(super) k: usize,
@@ -106,7 +106,7 @@ pub(super) type Term<'a> = (&'a [Residues], usize, Residues);
 
 /// The values of a sum of some harmonics.
 pub(super) struct SumOfHarmonics<'a> {
-    pub(super) lanes: &'a Lanes,
+    pub(super) lanes: &'a PrimeLanes,
     pub(super) terms: &'a [Term<'a>],
     pub(super) points: usize,
 }

@@ -14,7 +14,7 @@ use super::error::{Fault, ParseError};
 use super::letters::{dotted, greek_name, primes, subscript, superscript};
 use super::{Symbol, decimal};
 use crate::algebra::Rational;
-use derivative::Fraction;
+use derivative::FractionNotation;
 pub(super) use index::IndexRange;
 
 /// Maximum length of a formula or of equations, in bytes.
@@ -122,7 +122,7 @@ impl<'a> Lexer<'a> {
         if next == '\\' {
             return self.command();
         }
-        if let Some(derivative) = (next == 'd').then(|| self.derivative(&Fraction::Slash)).flatten() {
+        if let Some(derivative) = (next == 'd').then(|| self.derivative(&FractionNotation::Slash)).flatten() {
             return derivative;
         }
         if superscript(next).is_some() || next == '⁻' {

@@ -60,7 +60,7 @@ impl Node {
     }
 }
 
-type Pair = fn(Box<Expression>, Box<Expression>) -> Expression;
+type BinaryConstructor = fn(Box<Expression>, Box<Expression>) -> Expression;
 
 pub(super) struct Parser<'a> {
     text: &'a str,
@@ -137,7 +137,7 @@ impl<'a> Parser<'a> {
     fn sum(&mut self) -> Result<Node, ParseError> {
         let mut left = self.signed(Self::product)?;
         loop {
-            let join: Pair = if self.take('+') {
+            let join: BinaryConstructor = if self.take('+') {
                 Expression::Add
             } else if self.take('-') {
                 Expression::Subtract
@@ -338,7 +338,7 @@ impl<'a> Parser<'a> {
         Ok(node)
     }
 
-    fn joined(&self, join: Pair, left: Node, right: Node) -> Result<Node, ParseError> {
+    fn joined(&self, join: BinaryConstructor, left: Node, right: Node) -> Result<Node, ParseError> {
         let levels = left.levels.max(right.levels);
         self.grown(levels, join(Box::new(left.tree), Box::new(right.tree)))
     }

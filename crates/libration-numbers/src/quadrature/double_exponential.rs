@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use super::{Integral, equal_steps};
 
+/// Number of points in a unit of the variable before the substitution.
 const STEPS_PER_UNIT: f64 = 16.0;
 /// Number of points on each side: at the last ones x is 2e-22 from an end.
 const STEPS: i32 = 56;

@@ -50,7 +50,7 @@ const DOUBTFUL: f64 = 1e-2;
 /// R. Piessens et al., QUADPACK, Springer 1983, doi:10.1007/978-3-642-61786-7.
 pub fn gauss_kronrod(mut f: impl FnMut(f64) -> f64) -> Integral {
     let f = &mut f;
-    let mut parts = vec![Part::new(Rules::over(f, 0.0, 1.0), [0.0, 1.0], PATIENCE)];
+    let mut parts = vec![Subinterval::new(Rules::over(f, 0.0, 1.0), [0.0, 1.0], PATIENCE)];
     loop {
         let size: f64 = parts.iter().map(|part| part.rules.size).sum();
         let error: f64 = parts.iter().map(|part| part.rules.difference()).sum();
@@ -75,20 +75,20 @@ pub fn gauss_kronrod(mut f: impl FnMut(f64) -> f64) -> Integral {
     }
 }
 
-fn total(parts: &[Part]) -> f64 {
+fn total(parts: &[Subinterval]) -> f64 {
     parts.iter().map(|part| part.rules.kronrod).sum()
 }
 
 /// A part of the whole interval.
 #[derive(Clone, Copy, Debug)]
-struct Part {
+struct Subinterval {
     rules: Rules,
     ends: [f64; 2],
     /// Number of times that the part may still be halved without gain.
     patience: u32,
 }
 
-impl Part {
+impl Subinterval {
     fn new(rules: Rules, ends: [f64; 2], patience: u32) -> Self {
         Self { rules, ends, patience }
     }

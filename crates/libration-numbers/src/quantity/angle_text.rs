@@ -55,12 +55,12 @@ pub(super) fn exact_angle(text: &str) -> Result<PiCombination, QuantityError> {
 }
 
 /// An error to which the text is still to be added.
-enum Fault {
+enum AngleFault {
     Unreadable(&'static str),
     OutOfRange(&'static str),
 }
 
-impl Fault {
+impl AngleFault {
     fn about(self, text: &str) -> QuantityError {
         match self {
             Self::Unreadable(hint) => QuantityError::UnreadableAngle { text: excerpt(text), hint },
@@ -69,14 +69,14 @@ impl Fault {
     }
 }
 
-fn terms(text: &str) -> Result<(Term, Option<Term>), Fault> {
+fn terms(text: &str) -> Result<(AngleTerm, Option<AngleTerm>), AngleFault> {
     if text.len() > LONGEST_TEXT {
-        return Err(Fault::Unreadable(HOW_TO_WRITE));
+        return Err(AngleFault::Unreadable(HOW_TO_WRITE));
     }
     let plain = text.trim().replace('−', "-").replace('π', "pi").to_ascii_lowercase();
     let (first, second) = split_at_second_sign(&plain);
-    let second = if second.is_empty() { None } else { Some(Term::parse(second)?) };
-    Ok((Term::parse(first)?, second))
+    let second = if second.is_empty() { None } else { Some(AngleTerm::parse(second)?) };
+    Ok((AngleTerm::parse(first)?, second))
 }
 
 /// The first term, and the second with its sign; the sign of an exponent is ignored.
@@ -88,7 +88,7 @@ fn split_at_second_sign(text: &str) -> (&str, &str) {
     text.split_at(second.unwrap_or(text.len()))
 }
 
-enum Unit {
+enum AngleUnit {
     Unsaid,
     Radians,
     Degrees,
@@ -96,14 +96,14 @@ enum Unit {
 }
 
 /// A signed number with its unit.
-struct Term {
+struct AngleTerm {
     number: Decimal,
     divisor: RBig,
-    unit: Unit,
+    unit: AngleUnit,
 }
 
-impl Term {
-    fn parse(text: &str) -> Result<Self, Fault> {
+impl AngleTerm {
+    fn parse(text: &str) -> Result<Self, AngleFault> {
         let (negative, unsigned) = match text.strip_prefix('-') {
             Some(rest) => (true, rest),
             None => (false, text.strip_prefix('+').unwrap_or(text)),
@@ -112,25 +112,25 @@ impl Term {
         let one = || Decimal::split_from("1").map(|(one, _)| (one, unsigned));
         let (number, rest) = Decimal::split_from(unsigned)
             .or_else(|| if unsigned.starts_with("pi") { one() } else { None })
-            .ok_or(Fault::Unreadable(HOW_TO_WRITE))?;
+            .ok_or(AngleFault::Unreadable(HOW_TO_WRITE))?;
         let (unit, divisor) = unit_and_divisor(rest.trim())?;
         Ok(Self { number: if negative { number.negated() } else { number }, divisor, unit })
     }
 
-    fn alone(&self) -> Result<Angle, Fault> {
+    fn alone(&self) -> Result<Angle, AngleFault> {
         match self.unit {
-            Unit::Unsaid | Unit::Radians => {
-                Angle::from_radians(self.number.nearest()).map_err(|_| Fault::OutOfRange(TOO_LARGE))
+            AngleUnit::Unsaid | AngleUnit::Radians => {
+                Angle::from_radians(self.number.nearest()).map_err(|_| AngleFault::OutOfRange(TOO_LARGE))
             }
-            Unit::Degrees | Unit::Pi => in_range(&self.exact()),
+            AngleUnit::Degrees | AngleUnit::Pi => in_range(&self.exact()),
         }
     }
 
-    fn followed_by(&self, second: &Self) -> Result<PiCombination, Fault> {
+    fn followed_by(&self, second: &Self) -> Result<PiCombination, AngleFault> {
         match (&self.unit, &second.unit) {
-            (Unit::Unsaid | Unit::Radians, _) => return Err(Fault::Unreadable(HOW_TO_WRITE)),
-            (Unit::Degrees, Unit::Unsaid) => return Err(Fault::Unreadable(SAY_THE_UNIT)),
-            (Unit::Degrees | Unit::Pi, _) => {}
+            (AngleUnit::Unsaid | AngleUnit::Radians, _) => return Err(AngleFault::Unreadable(HOW_TO_WRITE)),
+            (AngleUnit::Degrees, AngleUnit::Unsaid) => return Err(AngleFault::Unreadable(SAY_THE_UNIT)),
+            (AngleUnit::Degrees | AngleUnit::Pi, _) => {}
         }
         let (a, b) = (self.exact(), second.exact());
         Ok(PiCombination { pi_multiple: a.pi_multiple + b.pi_multiple, rest: a.rest + b.rest })
@@ -139,21 +139,21 @@ impl Term {
     fn exact(&self) -> PiCombination {
         let number = self.number.exact() / &self.divisor;
         match self.unit {
-            Unit::Unsaid | Unit::Radians => PiCombination { pi_multiple: RBig::ZERO, rest: number },
-            Unit::Degrees => DEGREE.times(number),
-            Unit::Pi => PiCombination { pi_multiple: number, rest: RBig::ZERO },
+            AngleUnit::Unsaid | AngleUnit::Radians => PiCombination { pi_multiple: RBig::ZERO, rest: number },
+            AngleUnit::Degrees => DEGREE.times(number),
+            AngleUnit::Pi => PiCombination { pi_multiple: number, rest: RBig::ZERO },
         }
     }
 }
 
 /// The unit after a number, and the divisor of a multiple of π.
-fn unit_and_divisor(text: &str) -> Result<(Unit, RBig), Fault> {
+fn unit_and_divisor(text: &str) -> Result<(AngleUnit, RBig), AngleFault> {
     let unit = match text {
-        "" => Unit::Unsaid,
-        "rad" | "radian" | "radians" => Unit::Radians,
-        "deg" | "degree" | "degrees" | "°" => Unit::Degrees,
-        _ if text.starts_with(',') => return Err(Fault::Unreadable(DECIMAL_COMMA)),
-        _ => return Ok((Unit::Pi, divisor_of_pi(text).ok_or(Fault::Unreadable(HOW_TO_WRITE))?)),
+        "" => AngleUnit::Unsaid,
+        "rad" | "radian" | "radians" => AngleUnit::Radians,
+        "deg" | "degree" | "degrees" | "°" => AngleUnit::Degrees,
+        _ if text.starts_with(',') => return Err(AngleFault::Unreadable(DECIMAL_COMMA)),
+        _ => return Ok((AngleUnit::Pi, divisor_of_pi(text).ok_or(AngleFault::Unreadable(HOW_TO_WRITE))?)),
     };
     Ok((unit, RBig::ONE))
 }
@@ -170,14 +170,14 @@ fn divisor_of_pi(text: &str) -> Option<RBig> {
 }
 
 /// The angle, if its turns can be counted and its words are normal numbers.
-fn in_range(angle: &PiCombination) -> Result<Angle, Fault> {
+fn in_range(angle: &PiCombination) -> Result<Angle, AngleFault> {
     if angle.value().to_words().hi.abs() > LARGEST_RADIANS {
-        return Err(Fault::OutOfRange(TOO_LARGE));
+        return Err(AngleFault::OutOfRange(TOO_LARGE));
     }
     let exactly_at_an_end = angle.is_multiple_of_pi();
     let angle = angle.to_angle();
     if !exactly_at_an_end && angle.in_turn().abs().min(angle.complement()) < SMALLEST {
-        return Err(Fault::OutOfRange(TOO_SMALL));
+        return Err(AngleFault::OutOfRange(TOO_SMALL));
     }
     Ok(angle)
 }

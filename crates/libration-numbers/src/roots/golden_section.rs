@@ -31,6 +31,7 @@ pub fn maximum_between(f: &mut dyn FnMut(f64) -> f64, a: f64, b: f64, tolerance:
 /// A point at which a function has the opposite sign, given three points at which it has the same sign and is nearest to zero at the middle one;
 /// `None` if no such point is found between the outer ones.
 pub fn other_sign_between(points: [Point; 3], f: impl Fn(f64) -> f64) -> Option<Point> {
+    /// Golden sections after which the interval is 5e-7 of the first one.
     const ROUNDS: u32 = 30;
     let sign = points[1].1.signum();
     let [low, middle, high] = points.map(|(_, value)| sign * value);

@@ -16,12 +16,12 @@ use libration_numbers::{
 };
 
 /// A coefficient as numerator and denominator.
-type Ratio = (f64, f64);
+type CoefficientFraction = (f64, f64);
 
 /// Coefficients of a1, a3, a5, a7 in θ0, θ0³, θ0⁵, θ0⁷: eqs (30), (29), (48)–(50) and the next order, which is
 /// the expansion of the exact `a_n = 8(−1)ⁿ q^(n+1/2) / ((2n+1)(1 + q^(2n+1)))` (computed with FLINT).
 #[doc(hidden)]
-pub const HARMONICS: [[Ratio; 4]; 4] = [
+pub const HARMONICS: [[CoefficientFraction; 4]; 4] = [
     [(1.0, 1.0), (1.0, 192.0), (17.0, 61440.0), (1487.0, 82575360.0)],
     [(0.0, 1.0), (-1.0, 192.0), (-1.0, 3072.0), (-133.0, 5898240.0)],
     [(0.0, 1.0), (0.0, 1.0), (1.0, 20480.0), (1.0, 196608.0)],
@@ -30,7 +30,7 @@ pub const HARMONICS: [[Ratio; 4]; 4] = [
 
 /// Coefficients of Ω/ω0 in 1, θ0², θ0⁴, θ0⁶: eqs (31) and (51).
 #[doc(hidden)]
-pub const FREQUENCY: [Ratio; 4] = [(1.0, 1.0), (-1.0, 16.0), (1.0, 3072.0), (-23.0, 737280.0)];
+pub const FREQUENCY: [CoefficientFraction; 4] = [(1.0, 1.0), (-1.0, 16.0), (1.0, 3072.0), (-23.0, 737280.0)];
 
 /// An approximate motion after release from rest, made by [`ApproximateMotion::by_key`] or taken from
 /// [`ApproximateMotion::CATALOGUE`].
@@ -157,7 +157,7 @@ impl ApproximateMotion {
 }
 
 /// The polynomial with these coefficients, by Horner's rule.
-fn series(coefficients: &[Ratio], x: f64) -> f64 {
+fn series(coefficients: &[CoefficientFraction], x: f64) -> f64 {
     coefficients.iter().rev().fold(0.0, |sum, (numerator, denominator)| sum * x + numerator / denominator)
 }
 
@@ -170,7 +170,7 @@ pub enum ApproximateMotionError {
         "the approximate motions are for a pendulum released from rest, and this one starts with {0} rad/s: leave out the velocity or the comparison"
     )]
     NotFromRest(f64),
-    /// Released from the upright position or beyond.
+    /// A release from the upright position or beyond.
     #[error(
         "the approximate motions are for a release between −π and π, and this one starts at {0} rad: give a smaller angle or leave out the \
          comparison"

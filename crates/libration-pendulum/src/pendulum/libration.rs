@@ -138,7 +138,7 @@ fn orbit(
 }
 
 /// |θ| in the turn as a doubled arctangent, the sign of θ, and θ′.
-struct Swing {
+struct SwingState {
     half: DoubledArctangent,
     sign: f64,
     velocity: f64,
@@ -148,7 +148,7 @@ impl SwingQuotients {
     /// The swing from the theta values a, b, c, d for θ₁ … θ₄ at the nearest quarter, with B = b/d in the circular expansion and B = d/b in the
     /// hyperbolic one: next to an even quarter tan(θ/2) ∝ a/c and θ′ ∝ B, next to an odd quarter tan(θ/2) ∝ B and θ′ ∝ −a/c.
     #[inline(always)]
-    fn swing<S: Side>(&self, phase: &Phase, values: &ThetaValues) -> Swing {
+    fn swing<S: Side>(&self, phase: &Phase, values: &ThetaValues) -> SwingState {
         let (above, below) = S::beside(values);
         let ThetaValues { first, third, .. } = *values;
         let odd = phase.is_odd();
@@ -156,7 +156,7 @@ impl SwingQuotients {
         let factor = pick(odd, self.tangent[1], self.tangent[0]);
         let tangent = scaled_by(factor, pick(odd, above, first));
         let speed = pick(odd, self.velocity[1], self.velocity[0]);
-        Swing {
+        SwingState {
             half: DoubledArctangent::from_quotient(magnitude(tangent), pick(odd, below, third)),
             sign: 1f64.copysign(sign * tangent.hi),
             velocity: sign * quotient(speed, pick(odd, -first, above), pick(odd, third, below)),

@@ -242,7 +242,7 @@ impl<U: Unwrap> Kernel for Each<'_, U> {
     #[inline(always)]
     fn run(self) {
         let Self { table, unwrap, motion, times, angles, velocities } = self;
-        let mut stages = Stages::ZERO;
+        let mut stages = PreparedStages::ZERO;
         let blocks = times.chunks(BLOCK).zip(angles.chunks_mut(BLOCK)).zip(velocities.chunks_mut(BLOCK));
         for ((times, angles), velocities) in blocks {
             fetch_ahead(times);
@@ -263,14 +263,14 @@ impl<U: Unwrap> Kernel for Each<'_, U> {
 
 /// Results of each stage of a block for the next, kept in memory so that the compiler vectorises the loops.
 #[repr(align(64))]
-struct Stages {
+struct PreparedStages {
     gone: [f64; BLOCK],
     rest: [f64; BLOCK],
     sums: [[f64; 4]; BLOCK],
     bases: [[f64; 2]; BLOCK],
 }
 
-impl Stages {
+impl PreparedStages {
     const ZERO: Self =
         Self { gone: [0.0; BLOCK], rest: [0.0; BLOCK], sums: [[0.0; 4]; BLOCK], bases: [[0.0; 2]; BLOCK] };
 

@@ -29,7 +29,7 @@ impl Quick {
 
     /// [`Self::new`] of each amplitude of a block, bit for bit; `None` for an invalid amplitude too.
     pub fn block(amplitudes: &[Option<SwingAmplitude>]) -> [Option<Self>; BLOCK] {
-        dispatch_slices(Block(amplitudes))
+        dispatch_slices(AmplitudeBlock(amplitudes))
     }
 
     /// formula/exact − 1, if all values within the error bound round to the same number.
@@ -58,12 +58,12 @@ impl Kernel for One {
     }
 }
 
-struct Block<'a>(&'a [Option<SwingAmplitude>]);
+struct AmplitudeBlock<'a>(&'a [Option<SwingAmplitude>]);
 
 /// One radian, which stands in for invalid amplitudes and for those outside the tested range.
 const INSTEAD: SwingAmplitude = SwingAmplitude::FromBottom(DoubleDouble::ONE);
 
-impl Kernel for Block<'_> {
+impl Kernel for AmplitudeBlock<'_> {
     type Output = [Option<Quick>; BLOCK];
     #[inline(always)]
     fn run(self) -> Self::Output {

@@ -11,7 +11,7 @@ pub struct Approximant {
 }
 
 impl Approximant {
-    /// Its value; infinite or NaN at a pole.
+    /// The value; infinite or NaN at a pole.
     #[must_use]
     pub fn value_at(&self, amplitude: f64) -> f64 {
         libm::pow(amplitude, self.first) * self.pade.value_at(libm::pow(amplitude, self.stride))

@@ -72,7 +72,7 @@ pub enum BackboneError {
     /// Parameters that have no value.
     #[error("no value is given for {0}: give one, such as {0}=0.1")]
     WithoutValue(String),
-    /// A limit cycle in the place of a family.
+    /// A limit cycle instead of a family.
     #[error(
         "the motion settles on a limit cycle, whose frequency depends on the strength {0} and not on an amplitude: expand it in {0} instead"
     )]
@@ -117,14 +117,14 @@ pub struct OrbitFrequency {
     pub uncertainty: f64,
     /// The displacement from the centre at the other turning point.
     pub other_side: f64,
-    /// Another equilibrium that the orbit goes around, if there is one: then it is not of the family that the series is for.
+    /// Another equilibrium that the orbit encloses, if there is one: the orbit is then not of the family of the series.
     pub encloses: Option<f64>,
 }
 
 /// The frequency of a series.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SeriesFrequency {
-    /// The sum of all its terms.
+    /// The sum of all terms.
     pub frequency: f64,
     /// Bound or estimate of the omitted terms, in the same unit.
     pub remainder: Remainder,
@@ -178,13 +178,13 @@ impl Backbone {
         Ok(Self { equation: equation.clone(), centre, series })
     }
 
-    /// The place that amplitudes count from.
+    /// The position from which amplitudes are measured.
     #[must_use]
     pub fn centre(&self) -> f64 {
         self.centre.as_ref().map_or(0.0, Constant::to_f64)
     }
 
-    /// Returns `true` if the centre is an equilibrium, and not zero for lack of one.
+    /// Returns `true` if the centre is an equilibrium; `false` if it is zero because there is none.
     #[must_use]
     pub const fn has_equilibrium(&self) -> bool {
         self.centre.is_some()
@@ -231,7 +231,7 @@ impl Backbone {
         self.point(displacement, 0.0, progress)
     }
 
-    /// The same for a line in a picture: the frequency of the orbit may have a relative error of 10⁻⁶.
+    /// The frequencies for a line in a picture: the frequency of the orbit may have a relative error of 10⁻⁶.
     #[must_use]
     pub fn drawn_at(&self, displacement: &Displacement, progress: &dyn Progress) -> BackbonePoint {
         const DRAWN: f64 = 1e-6;

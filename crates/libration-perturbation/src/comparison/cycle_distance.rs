@@ -1,4 +1,4 @@
-//! The distance of a limit cycle, as its series gives it, from the orbit to which Newton's method comes from there.
+//! The distance of a limit cycle of a series from the orbit found by Newton's method from it.
 
 use super::exact::ExactValueError;
 use super::{SeriesComparison, SeriesQuantity};
@@ -34,8 +34,8 @@ impl CycleDistance {
 }
 
 impl SeriesComparison<'_> {
-    /// The distance of the limit cycle at a strength of its excitation from the orbit to which Newton's method comes from the series, to the order of
-    /// the expansion; `None` for series in an amplitude.
+    /// The distance of the limit cycle at a strength of its excitation from the orbit found by Newton's method from the series, to the order of the
+    /// expansion; `None` for series in an amplitude.
     ///
     /// # Errors
     /// A strength of zero, and no orbit to which Newton's method comes.
@@ -97,7 +97,7 @@ fn displacement(waves: &[(usize, [f64; 2])], phase: f64) -> [f64; 2] {
     })
 }
 
-/// The largest difference in a period, counted so that the fundamental of the orbit has no sine either.
+/// The largest difference in a period, with the time measured so that the fundamental of the orbit has no sine either.
 fn largest_difference(orbit: &Orbit, waves: &[(usize, [f64; 2])], equilibrium: f64) -> f64 {
     /// The number of phases in a period: between two of them a difference with harmonics up to 32 falls by 2 % at most from its maximum.
     const PHASES: u32 = 512;

@@ -1,4 +1,4 @@
-//! Other equilibria that an orbit goes around.
+//! Other equilibria enclosed by an orbit.
 
 use libration_numbers::algebra::Doubles;
 use libration_numbers::roots::{Tolerance, bisect};
@@ -7,9 +7,9 @@ use libration_numbers::{
     internals::expression::{Jet, Tape},
 };
 
-/// An equilibrium other than the centre between two turning points, the nearest to the centre on its side that shows: beyond it the
-/// force at rest drives away from the centre. It is looked for at even distances from the centre, and at each 2^(1/16) times the one
-/// before, so that a well shows that is small compared with the orbit.
+/// An equilibrium other than the centre between two turning points, the nearest to the centre on its side that is detected: beyond it the static
+/// force points away from the centre. The search uses even distances from the centre, and each 2^(1/16) times the one before, so that a well that
+/// is small compared with the orbit is detected.
 pub fn other_equilibrium(equation: &Equation, centre: f64, turning_points: [f64; 2]) -> Option<f64> {
     let name = equation.variables().first()?;
     let inputs = [Symbol::plain(name), Symbol::plain(name).with_primes(1)];
@@ -39,13 +39,13 @@ fn on_one_side(force: &impl Fn(f64) -> f64, centre: f64, reach: f64) -> Option<f
     None
 }
 
-/// Parts of the way to the turning point, which is none of them, in order.
+/// Fractions of the distance to the turning point, below one, in order.
 fn parts() -> Vec<f64> {
-    /// A zero of the force between two of the parts is seen where the force is of the other sign at one of them: two zeros nearer than the 256th
-    /// part of the way, or than a 23rd part of their distance from rest, may be missed.
+    /// Number of even fractions. A zero of the force between two of them is detected if the force has the other sign at one of them: two zeros
+    /// nearer than the 256th part of the distance, or than a 23rd part of their distance from the equilibrium, may be missed.
     const EVEN: u32 = 256;
     const AN_OCTAVE: u32 = 16;
-    /// Number of halvings, down to 1e-6 of the way.
+    /// Number of halvings, down to 1e-6 of the distance.
     const OCTAVES: u32 = 20;
     let even = (1..EVEN).map(|k| f64::from(k) / f64::from(EVEN));
     let halves = (1..=OCTAVES * AN_OCTAVE).map(|k| libm::exp2(-f64::from(k) / f64::from(AN_OCTAVE)));

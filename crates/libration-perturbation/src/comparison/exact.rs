@@ -1,4 +1,4 @@
-//! Values of periodic motions that know nothing of series.
+//! Values of periodic motions, computed without series.
 
 use super::SeriesQuantity;
 use super::enclosed::other_equilibrium;
@@ -26,8 +26,8 @@ pub struct ExactValue {
     pub uncertainty: f64,
     /// Method of computation.
     pub method: Method,
-    /// Another equilibrium that the motion goes around, if there is one: then it is not of the family that series about the
-    /// equilibrium are for.
+    /// Another equilibrium that the motion encloses, if there is one: the motion is then not of the family of series about
+    /// the equilibrium.
     pub encloses: Option<f64>,
 }
 
@@ -57,7 +57,7 @@ pub enum ExactValueError {
         "at the displacement {0:?} from the equilibrium the force does not point back: give a smaller amplitude"
     )]
     NotRestoring(f64),
-    /// A motion that does not come back.
+    /// A motion that does not return.
     #[error(
         "a release at the displacement {0:?} from the equilibrium does not come to rest on the other side and return: give a smaller amplitude"
     )]
@@ -70,11 +70,11 @@ pub enum ExactValueError {
     Orbit(#[from] OrbitError),
 }
 
-/// Units in the last place by which a closed form may be wrong: of the period ratio, which is promised to 0.56, with what is compared
-/// with it, and of harmonics.
+/// Error bound of a closed form in units in the last place: for the period ratio, which is promised to 0.56, with the rounding of the reference,
+/// and for harmonics.
 const ULP_OF_PERIOD: f64 = 2.0;
 const ULP_OF_HARMONICS: f64 = 18.0;
-/// Harmonics below this have errors of the size that those of this size have.
+/// Size of harmonics below which the error no longer falls.
 const SMALL_HARMONIC: f64 = 1e-12;
 /// Roundings of Ω0, of the ratio and of its inverse.
 const ROUNDINGS: f64 = 4.0 * f64::EPSILON;
@@ -244,8 +244,8 @@ impl OrbitMotion {
         ExactValue { value, uncertainty, method: Method::Integration, encloses: self.encloses }
     }
 
-    /// The amplitude of the harmonic k, with the sign that it has as the coefficient of cos kΩt; of a limit cycle as if the time
-    /// were counted so that there is no sin Ωt, of a mirrored motion as the coefficient of sin kΩt without cos Ωt.
+    /// The amplitude of the harmonic k, with its sign as the coefficient of cos kΩt; of a limit cycle with the time measured so
+    /// that there is no sin Ωt, of a mirrored motion as the coefficient of sin kΩt without cos Ωt.
     fn cosine(&self, k: usize, unit: f64) -> (f64, f64) {
         let harmonics = self.orbit.harmonics(0);
         let term = |n: usize| harmonics.terms.get(n).copied().unwrap_or_default();

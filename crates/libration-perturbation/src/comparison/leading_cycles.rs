@@ -46,9 +46,9 @@ pub struct LeadingLimitCycles {
     pub equilibrium: f64,
     /// The least and the greatest amplitude looked at.
     pub searched: [f64; 2],
-    /// The orbits end there, at a separatrix or where the force has no value.
+    /// `true` if the orbits end at the greater of these amplitudes, at a separatrix or where the force has no value.
     pub family_ends: bool,
-    /// The sign of the work at these two; zero where it is zero as far as is known.
+    /// The signs of the work at these two; zero if the work is zero within its error.
     pub signs: [f64; 2],
     /// The cycles, from the smallest on.
     pub cycles: Vec<LeadingLimitCycle>,
@@ -72,7 +72,7 @@ pub enum LeadingLimitCyclesError {
     /// No orbit about the equilibrium.
     #[error("no orbit about the equilibrium is found: {0}")]
     Orbit(#[from] OrbitError),
-    /// Cancelled by the caller.
+    /// Cancellation by the caller.
     #[error("interrupted")]
     Interrupted,
 }
@@ -136,8 +136,7 @@ impl LeadingLimitCycles {
         })
     }
 
-    /// Returns `true` if the force does no work at either end of the range and has no cycle: the energy it takes equals the energy it gives
-    /// over every orbit.
+    /// Returns `true` if the force does no work at either end of the range and has no cycle: on every orbit it supplies as much energy as it takes.
     #[must_use]
     pub fn is_without_work(&self) -> bool {
         self.cycles.is_empty() && self.signs.iter().all(|sign| *sign == 0.0)
@@ -155,8 +154,8 @@ struct Scan {
 const RATIO: f64 = 1.25;
 const SMALLEST: f64 = 1e-4;
 const LARGEST: f64 = 1e4;
-/// Halvings of the way to where the orbits end: next to a separatrix what is left of it is 1e-3, and a cycle beyond has an exponent
-/// that terms of higher order change.
+/// Halvings of the distance to the end of the orbits: next to a separatrix 1e-3 of it remain, and a cycle beyond has an exponent that terms of
+/// higher order change.
 const TOWARDS_THE_END: usize = 8;
 
 impl Scan {
@@ -210,7 +209,7 @@ fn cycles(
     Ok(found)
 }
 
-/// The work at its extremum between two places of one sign, if it comes towards zero there.
+/// The work at its extremum between two positions of equal sign, if it approaches zero there.
 fn extremum(
     work: &WorkOverOrbits<'_>,
     [below, above]: [Work; 2],

@@ -1,5 +1,5 @@
-//! Perturbation series beside exact values that know nothing of them: elliptic functions for the pendulum, the
-//! integrated equation of motion for other oscillators.
+//! Perturbation series compared with exact values computed without them: elliptic functions for the pendulum,
+//! the integrated equation of motion for other oscillators.
 //!
 //! ```
 //! # extern crate libration_perturbation as libration;

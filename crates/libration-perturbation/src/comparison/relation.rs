@@ -1,5 +1,5 @@
-//! A quantity of periodic motions as a function of the amplitude: its series, its exact values, and how far the
-//! series goes.
+//! A quantity of periodic motions as a function of the amplitude: its series, its exact values, and the range
+//! of the series.
 
 use std::f64::consts::PI;
 
@@ -52,7 +52,7 @@ pub enum Radius {
 }
 
 impl Radius {
-    /// The radius, or the estimate of it.
+    /// The radius, or its estimate.
     #[must_use]
     pub fn value(&self) -> f64 {
         match self {
@@ -101,7 +101,7 @@ impl<'a> SeriesComparison<'a> {
     }
 
     /// The series in numbers. Remainders are proven for period, frequency and harmonics of the pendulum, and for period and frequency where the
-    /// force is a polynomial of the displacement, up to an amplitude from which on no bound is known; elsewhere they are estimates.
+    /// force is a polynomial of the displacement, below an amplitude above which no bound is known; otherwise they are estimates.
     #[must_use]
     pub fn evaluation_at(&self, amplitude: f64) -> SeriesEvaluation {
         let evaluation = SeriesEvaluation::new(&self.series, amplitude);
@@ -121,7 +121,7 @@ impl<'a> SeriesComparison<'a> {
         }
     }
 
-    /// The evaluation with the bounds for a polynomial force, where there are any.
+    /// The evaluation with the bounds for a polynomial force, if there are any.
     fn bounded_by_majorant(&self, evaluation: SeriesEvaluation) -> SeriesEvaluation {
         let Some(majorant) = self.period_majorant() else { return evaluation };
         let bound = match self.quantity {
@@ -152,8 +152,8 @@ impl<'a> SeriesComparison<'a> {
         Convergence::estimate(&self.series).map(Radius::Estimated)
     }
 
-    /// The Padé approximant of equal degrees above and below in the powers that are present, with what all terms have
-    /// in common in front; `None` when the coefficients do not suffice.
+    /// The Padé approximant with numerator and denominator of equal degrees in the powers that occur, times the
+    /// common factor of all terms; `None` if there are too few coefficients.
     #[must_use]
     pub fn approximant(&self, degree: usize) -> Option<Approximant> {
         let present: Vec<usize> = (0..self.series.len()).filter(|n| !self.series[*n].is_zero()).collect();
@@ -164,7 +164,7 @@ impl<'a> SeriesComparison<'a> {
         Some(Approximant { pade, first: count(first), stride: count(stride.max(1)) })
     }
 
-    /// The value without the series, as the motion itself has it, at exactly this `f64`. Harmonics of limit cycles are in the
+    /// The value of the motion itself, without the series, at exactly this `f64`. Harmonics of limit cycles are in the
     /// expansion's units.
     ///
     /// # Accuracy
@@ -178,7 +178,7 @@ impl<'a> SeriesComparison<'a> {
         self.exact_from(&displacement, progress)
     }
 
-    /// The same at an amplitude, or a strength, that is known to more digits than an `f64` has.
+    /// The value at an amplitude, or a strength, that is known to more digits than those of an `f64`.
     ///
     /// # Accuracy
     /// As [`ExactValue::uncertainty`] says.
@@ -193,7 +193,7 @@ impl<'a> SeriesComparison<'a> {
         ExactMotion::new(self.oscillator, self.expansion, amplitude, progress)?.value(self.quantity)
     }
 
-    /// The value by elliptic functions; `None` for all but the pendulum.
+    /// The value by elliptic functions; `None` except for the pendulum.
     pub(super) fn exact_without_motion(
         &self,
         amplitude: &Displacement,

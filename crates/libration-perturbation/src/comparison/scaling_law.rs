@@ -147,7 +147,7 @@ fn gamma_arguments(exponent: &Rational) -> [Rational; 2] {
     [over(plus(3), &twice), over(Rational::from(1), &plus(1))]
 }
 
-/// The time from x = 1 to 1 − y² with the speed √(1 − xᵖ⁺¹), and what its integral misses.
+/// The time from x = 1 to 1 − y² with the speed √(1 − xᵖ⁺¹), and the error of its integral.
 fn quarter(p: f64, y: f64) -> (f64, f64) {
     let speed = |y: f64| libm::sqrt(-libm::expm1((p + 1.0) * libm::log1p(-y * y)));
     let integral = double_exponential(|part| {

@@ -1,4 +1,4 @@
-//! The slow flow of a damped pendulum beside its integration: the amplitude and the phase at any time, and where the swings turn.
+//! The slow flow of a damped pendulum compared with its integration: the amplitude and the phase at any time, and the turning points.
 //!
 //! Time counts in 1/ω0, so that θ″ + ε·Σ cₙθ′|θ′|ⁿ⁻¹ + sin θ = 0 at ε = 1 is expanded, or with ε for the coefficient where there is only one.
 
@@ -45,9 +45,9 @@ pub struct SlowDecay {
 pub struct SlowState {
     /// Time in seconds after the release.
     pub time: f64,
-    /// Amplitude in radians; NaN once the slow flow has none.
+    /// Amplitude in radians; NaN when the slow flow has none.
     pub amplitude: f64,
-    /// ψ in radians: the pendulum turns at multiples of π; NaN likewise.
+    /// ψ in radians: the pendulum turns at multiples of π; NaN when the slow flow has none.
     pub phase: f64,
 }
 
@@ -167,7 +167,7 @@ const SMALL: &str = "epsilon";
 /// Step in units of 1/ω0. Its error is the fifth power of the relative decrease of the amplitude in it, over 120: for a hundredth 1e-12,
 /// which is far below c² and A² at any damping and amplitude.
 const STEP: f64 = PI / 64.0;
-/// Newton's rule squares what the phase misses by, some part of the damping.
+/// Largest number of Newton steps; each squares the error of the phase, initially a multiple of the damping.
 const MOST_STEPS: usize = 20;
 
 /// Σₖ pₖ(A) εᵏ by powers of A.
@@ -218,7 +218,7 @@ fn power(exponent: f64) -> Result<Expression, SlowDecayError> {
     })
 }
 
-/// A finite number as it is.
+/// A finite number as a formula.
 fn number(value: f64) -> Expression {
     let exact = BigFloat::from_f64(value, 64).map_or_else(|| Rational::from(0), |value| value.to_rational());
     Expression::Number(exact)

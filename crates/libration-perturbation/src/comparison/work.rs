@@ -30,10 +30,10 @@ pub struct Work {
     pub(super) other_side: f64,
     pub(super) period: f64,
     pub(super) period_uncertainty: f64,
-    /// W, which may be wrong by `uncertainty`.
+    /// W, with an error of at most `uncertainty`.
     pub value: f64,
     pub uncertainty: f64,
-    /// dW/dE, which may be wrong by `slope_uncertainty`.
+    /// dW/dE, with an error of at most `slope_uncertainty`.
     pub(super) slope: f64,
     pub(super) slope_uncertainty: f64,
     /// dE/dA, the force at the turning point.

@@ -1,7 +1,6 @@
 //! A model's series in floats, where its numbers are not rational, computed twice to know how many digits hold.
 //!
-//! # Method
-//! The same engine runs on floats, at growing precision until two runs agree to 40 digits in every coefficient, and the result says so. A
+//! # Method The computation runs on floats, at growing precision until two runs agree to 40 digits in every coefficient, and the result says so. A
 //! coefficient that shrinks as the precision grows is the remainder of a cancellation, and zero.
 
 use super::limit_cycle::first_sine;
@@ -17,7 +16,7 @@ use libration_numbers::{
     internals::algebra::HarmonicSums,
 };
 
-/// Decimal digits of an answer in floats.
+/// Decimal digits of a result in floats.
 pub(crate) const DIGITS: usize = 40;
 
 /// Bits for this many digits.
@@ -31,8 +30,8 @@ pub(crate) type Prepared = (Model<BigFloat>, BigFloat);
 /// The series with ω0² and the equilibrium.
 pub(crate) type Approximated = (SeriesSet<Rational>, Rational, Rational);
 
-/// The series once two precisions agree to [`DIGITS`]; when it is interrupted while they are compared, to the order that both
-/// have. `None` when none do, or there are no series.
+/// The series when two precisions agree to [`DIGITS`]; if the comparison is cancelled, to the order that both have. `None` if
+/// no precisions agree, or there are no series.
 pub(crate) fn approximate_series(
     prepare: &dyn Fn(Floats) -> Option<Prepared>,
     watch: &Watch<'_>,
@@ -86,7 +85,7 @@ fn digits_as_bits() -> isize {
     isize::try_from(bits(DIGITS)).unwrap_or(isize::MAX)
 }
 
-/// Replaces what cancellation leaves by zero, and rounds to the digits that are kept.
+/// Replaces remainders of cancellations by zero, and rounds to the digits that are kept.
 fn cleaned(x: &BigFloat) -> BigFloat {
     let noise = x.exponent().is_none_or(|exponent| exponent < -digits_as_bits());
     let kept = x.rounded_to(bits(DIGITS));
@@ -100,8 +99,8 @@ struct Rounded<'a> {
     precision: usize,
 }
 
-/// The number that two precisions give: where they agree to [`DIGITS`], that of the finer one; zero where it shrinks
-/// with the error of rounding, and so is what a cancellation leaves; `None` else.
+/// The number determined by two precisions: that of the finer one if they agree to [`DIGITS`]; zero if it shrinks
+/// with the rounding error, as the remainder of a cancellation does; otherwise `None`.
 fn settled(coarse: Rounded<'_>, fine: Rounded<'_>) -> Option<Rational> {
     let gap = (fine.number.clone() - coarse.number.clone()).exponent();
     let size = fine.number.exponent();

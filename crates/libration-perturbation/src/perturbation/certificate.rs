@@ -21,8 +21,8 @@ use libration_numbers::{
 };
 
 /// Returns `true` if frequency and turning points of x″ = F(x) agree exactly with the reversion of the potential: both turning
-/// points have the same potential energy, and the period at that energy is T/T0. In the variable of the series,
-/// whatever the gauge; series are compared by `same`. `None` when a number is not in the ring, or the check is interrupted.
+/// points have the same potential energy, and the period at that energy is T/T0. The series are in the variable of any gauge,
+/// and compared by `same`. `None` when a number is not in the ring, or the check is interrupted.
 pub fn agrees_with_the_potential<R: Ring>(
     ring: &R,
     model: &Model<R::Element>,
@@ -110,7 +110,7 @@ fn plane_of_states<F: Ring>(
     }
 }
 
-/// Fractions, and one square root that is none.
+/// Fractions, and one irrational square root.
 struct Fractions {
     ring: QuadraticField<Rationals>,
 }
@@ -138,8 +138,8 @@ impl Fractions {
     }
 }
 
-/// Returns `true` if plain rational arithmetic, harmonic by harmonic, gives the same numbers; where ω0 or the unit of a limit cycle is not
-/// rational, arithmetic of fractions with its root. `None` when it is cancelled.
+/// Returns `true` if plain rational arithmetic, harmonic by harmonic, gives the same numbers; if ω0 or the unit of a limit cycle is not rational,
+/// the arithmetic of fractions with its root. `None` if it is cancelled.
 pub(crate) fn agrees_with_plain_rationals(
     model: &Model<Rational>,
     set: &SeriesSet<Rational>,

@@ -10,7 +10,7 @@
 use libration_numbers::algebra::{Rational, Ring};
 use libration_numbers::internals::expression::{Jet, Tape};
 
-/// c₀ = 0, c₁ = 1, c₂, … up to `order`; `values` are those of the tape's places at the equilibrium.
+/// c₀ = 0, c₁ = 1, c₂, … up to `order`; `values` are those of the slots of the tape at the equilibrium.
 /// `None` when a number is not in the ring.
 pub(crate) fn displacement<R: Ring>(
     ring: &R,

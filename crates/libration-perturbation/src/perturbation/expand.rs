@@ -332,7 +332,7 @@ impl<'a> Question<'a> {
 /// The largest degree of a polynomial that is expanded about a limit cycle.
 const MAX_DEGREE: usize = 64;
 
-/// The acceleration with x counted from a place.
+/// The acceleration with x measured from a position.
 fn counted_from(acceleration: &Expression, x: &Symbol, place: Option<&Rational>) -> Expression {
     match place.filter(|place| !place.is_zero()) {
         None => acceleration.clone(),

@@ -1,4 +1,4 @@
-//! The answer: all series of a family of periodic motions or of a limit cycle, in exact fractions.
+//! The result: all series of a family of periodic motions or of a limit cycle, in exact fractions.
 
 use super::gauge::Gauge;
 use super::phase_origin::PhaseOrigin;
@@ -18,7 +18,7 @@ pub struct Expansion<C = Rational> {
     pub phase_origin: PhaseOrigin,
     /// Precision of the coefficients: exact, or to a number of digits.
     pub precision: Precision,
-    /// The equilibrium about which the motion goes.
+    /// The equilibrium of the motion.
     pub equilibrium: C,
     /// ω0², the square of the frequency of small oscillations.
     pub omega0_squared: C,
@@ -26,17 +26,17 @@ pub struct Expansion<C = Rational> {
     pub frequency_ratio: Vec<C>,
     /// The harmonics that are present, by ascending k.
     pub harmonics: Vec<HarmonicSeries<C>>,
-    /// `true` if the harmonics that are not given begin beyond the order. Where a force has two sides they do not: there are infinitely many
-    /// harmonics in the same powers.
+    /// `true` if the omitted harmonics are of higher order. They are not for a force with two sides: there are infinitely many harmonics in the
+    /// same powers.
     pub has_all_harmonics: bool,
-    /// Harmonics and turning points are given in units of the square root of this; it is 1 but for limit cycles
-    /// whose amplitude is not rational.
+    /// Square of the unit of harmonics and turning points; it is 1 except for limit cycles whose amplitude is
+    /// not rational.
     pub unit_squared: C,
-    /// The largest displacement, about a centre for ε of the sign that A₁ has; from a turning point on it is that at Ωt = 0.
+    /// The largest displacement, for a centre with ε of the sign of A₁; if the phase is counted from a turning point it is that at Ωt = 0.
     pub x_max: Vec<C>,
-    /// The smallest displacement, about a centre for ε of the sign that A₁ has; from a turning point on it is that at Ωt = π.
+    /// The smallest displacement, for a centre with ε of the sign of A₁; if the phase is counted from a turning point it is that at Ωt = π.
     pub x_min: Vec<C>,
-    /// The same by powers of the largest displacement; not for limit cycles, whose amplitude is not free.
+    /// The series in powers of the largest displacement; `None` for limit cycles, whose amplitude is determined.
     pub of_amplitude: Option<AmplitudeSeries<C>>,
     /// The same by powers of half the distance between the turning points, for asymmetric wells.
     pub of_half_swing: Option<AmplitudeSeries<C>>,
@@ -54,7 +54,7 @@ pub enum ExpansionVariable {
 }
 
 impl ExpansionVariable {
-    /// Its name.
+    /// The name of the variable.
     #[must_use]
     pub fn name(&self) -> &str {
         match self {
@@ -77,7 +77,7 @@ impl ExpansionVariable {
 pub enum Precision {
     /// Every coefficient is the number itself.
     Exact,
-    /// Some coefficients are not rational: each is right to this many digits.
+    /// Some coefficients are not rational: each is correct to this many digits.
     Digits(usize),
 }
 
@@ -109,10 +109,10 @@ pub struct AmplitudeSeries<C = Rational> {
 /// fresh primes of 30 bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Certificate {
-    /// All coefficients were computed again in plain rational arithmetic: they are proven.
+    /// All coefficients were computed again in plain rational arithmetic, and are thus proven.
     PlainRationals,
-    /// Frequency and turning points obey the relation that the reversion of the potential gives, which proves how
-    /// one depends on the other; the single series rest on the fresh primes.
+    /// Frequency and turning points obey the relation given by the reversion of the potential, which proves the
+    /// dependence of one on the other; the single series are confirmed by fresh primes.
     Potential,
     /// The period by powers of the amplitude agrees exactly with that along the curves of the first integral, which proves it;
     /// the rest rests on the fresh primes.
@@ -121,19 +121,19 @@ pub enum Certificate {
     FreshPrimes,
     /// Nothing is proven: the coefficients were computed twice, with different numbers of digits.
     TwoPrecisions,
-    /// Coefficients with powers of π; to 30 digits they are those that a quadrature gives.
+    /// Coefficients with powers of π, which agree to 30 digits with those of a quadrature.
     Quadrature,
-    /// The coefficients have letters; they were computed in plain fractions, and with fractions in the place of the
-    /// letters they are those of the expansion modulo primes.
+    /// Coefficients with symbols, computed in plain fractions; with fractions in place of the symbols they equal
+    /// those of the expansion modulo primes.
     Substitution,
-    /// Coefficients with names for constants; with their values they are, to 30 digits, those of the expansion in digits.
+    /// Coefficients with names for constants, which agree to 30 digits with those of the expansion in decimal numbers.
     Digits,
-    /// Coefficients with letters whose check was interrupted, or which have no other method.
+    /// Coefficients with symbols whose check was cancelled, or for which there is no other method.
     Unchecked,
 }
 
 impl Certificate {
-    /// Returns `true` if an exact check proves at least how the frequency depends on the amplitude.
+    /// Returns `true` if an exact check proves at least the dependence of the frequency on the amplitude.
     #[must_use]
     pub fn is_proof(self) -> bool {
         matches!(self, Self::PlainRationals | Self::Potential | Self::FirstIntegral)
@@ -147,7 +147,7 @@ impl<C> Expansion<C> {
         self.harmonics.iter().find(|harmonic| harmonic.k == k)
     }
 
-    /// Puts the series of a set over a ring under the names of an answer.
+    /// Puts the series of a set over a ring under the names of a result.
     pub(crate) fn new<R: Ring<Element = C>>(
         ring: &R,
         heading: Heading<C>,
@@ -190,7 +190,7 @@ impl<C> Expansion<C> {
     }
 }
 
-/// Everything that a result states besides its series.
+/// All data of a result except its series.
 #[derive(Clone, Debug)]
 pub(crate) struct Heading<C = Rational> {
     pub(crate) order: usize,

@@ -30,10 +30,10 @@ pub(crate) fn extremes<R: Ring>(ring: &R, family: &Family<R::Element>) -> Option
     Some((extreme(ring, &combined(R::add))?, extreme(ring, &combined(R::subtract))?))
 }
 
-/// The harmonics whose number is even, or odd.
+/// The even or the odd harmonics.
 struct Harmonics<E> {
     k: Vec<i64>,
-    /// Cosines and sines by order, from the highest harmonic down; nothing where all are zero.
+    /// Cosines and sines by order, from the highest harmonic down; empty if all are zero.
     coefficients: [Vec<Vec<E>>; 2],
 }
 
@@ -55,7 +55,7 @@ impl<E: Clone> Harmonics<E> {
     }
 }
 
-/// The part of displacement and derivatives dʲx/dτʲ/j! at τ = 0 that some harmonics have: one derivative more than the series has powers.
+/// The contribution of some harmonics to displacement and derivatives dʲx/dτʲ/j! at τ = 0: one derivative more than the series has powers.
 fn taylor<R: Ring>(
     ring: &R,
     family: &Family<R::Element>,

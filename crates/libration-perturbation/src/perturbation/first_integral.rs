@@ -21,7 +21,7 @@ use libration_numbers::{
 /// An oscillator in the numbers of a ring.
 pub(crate) struct PlaneOfStates<'a, F: Ring> {
     pub(crate) tape: &'a Tape,
-    /// The values of the tape's places at the equilibrium.
+    /// The values of the slots of the tape at the equilibrium.
     pub(crate) values: Vec<F::Element>,
     pub(crate) omega0_squared: F::Element,
     pub(crate) omega0: F::Element,

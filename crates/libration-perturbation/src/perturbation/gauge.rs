@@ -1,4 +1,4 @@
-//! The gauge: what the expansion parameter ε means.
+//! The gauge: the definition of the expansion parameter ε.
 
 use std::fmt;
 use std::str::FromStr;
@@ -21,7 +21,7 @@ pub enum Gauge {
     Energy,
     /// ε = 8√q with the nome q; for the pendulum.
     Nome,
-    /// The coefficient of cos Ωt is A₁ε + A₂ε² + …, with the list A₁, A₂, …; what follows it is zero.
+    /// The coefficient of cos Ωt is A₁ε + A₂ε² + …, with the list A₁, A₂, …; further coefficients are zero.
     Coefficients(Vec<Rational>),
 }
 
@@ -45,7 +45,7 @@ impl fmt::Display for Gauge {
     }
 }
 
-/// Reads a name, or a list such as `A1=1,A3=-1/2` in any order; what is not listed is zero.
+/// Reads a name, or a list such as `A1=1,A3=-1/2` in any order; coefficients that are not listed are zero.
 impl FromStr for Gauge {
     type Err = ParseGaugeError;
 

@@ -3,7 +3,7 @@
 use super::lindstedt::Family;
 use libration_numbers::algebra::Ring;
 
-/// Two series: what is next to τ = 0 and what is next to τ = π.
+/// Two series: that at τ = 0 and that at τ = π.
 pub(crate) type BothTurns<E> = (Vec<E>, Vec<E>);
 
 /// The displacements at τ = 0 and τ = π: about a centre, the turning points.

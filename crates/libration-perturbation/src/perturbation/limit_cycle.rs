@@ -30,7 +30,7 @@ pub(crate) struct Excitation<'a, R: PhaseRing> {
     pub(crate) slope: Number<R>,
     /// The total degree of the acceleration in x and x′.
     pub(crate) degree: usize,
-    /// The acceleration is odd: x′ and x have odd harmonics only.
+    /// `true` if the acceleration is odd: x′ and x have odd harmonics only.
     pub(crate) symmetric: bool,
 }
 
@@ -67,7 +67,7 @@ fn start<'a, R: PhaseRing>(
     Jet::new(ring, tape, &inputs).ok()
 }
 
-/// Nothing new for x and x′; μ itself is of first order.
+/// Returns the next coefficients of the inputs: zero for x and x′; μ itself is of first order.
 fn next_inputs<R: PhaseRing>(ring: &R, n: usize) -> Option<[R::Element; 3]> {
     let mu = if n == 1 { ring.rational(&1.into())? } else { ring.zero() };
     Some([ring.zero(), ring.zero(), mu])
@@ -160,7 +160,7 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
         Some(())
     }
 
-    /// Takes in the harmonics of the next order.
+    /// Adds the harmonics of the next order.
     fn keep(&mut self, highest: usize, answers: Vec<(usize, HarmonicPair<Number<R>>)>) {
         let zero = self.ring.numbers().zero();
         let nothing = || vec![zero.clone(); self.solved];
@@ -178,7 +178,7 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
         }
     }
 
-    /// The acceleration of the next order, after the open amplitude of cos τ is chosen so that it has no sin τ.
+    /// The acceleration of the next order, with the undetermined amplitude of cos τ chosen so that it has no sin τ.
     fn settle_amplitude(&mut self) -> Option<R::Element> {
         let (ring, numbers, n) = (self.ring, self.ring.numbers(), self.solved);
         self.jet.extend(&next_inputs(ring, n)?).ok()?;
@@ -228,7 +228,7 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
         self.ring.harmonics(rest, wanted).into_iter().map(scaled).collect()
     }
 
-    /// Σ Wₙ₋ⱼ·xⱼₖ over 0 < j < n, and over j = 0 where k ≠ 1 and it is nothing.
+    /// Σ Wₙ₋ⱼ·xⱼₖ over 0 < j < n, and over j = 0 if k ≠ 1, where it is zero.
     fn mixed(&self, k: usize) -> HarmonicPair<Number<R>> {
         let (numbers, n) = (self.ring.numbers(), self.solved);
         let sum = |x: &[Number<R>]| numbers.convolution(&self.squared[1..n], &x[1..n]);

@@ -31,7 +31,7 @@ use libration_numbers::{
 pub(crate) struct Centre<'a, R: PhaseRing> {
     /// The acceleration as a function of x and x′.
     pub(crate) tape: &'a Tape,
-    /// The zeroth coefficient of every place of the tape: its value at the equilibrium.
+    /// The zeroth coefficient of every slot of the tape: its value at the equilibrium.
     pub(crate) values: Vec<R::Element>,
     /// ω0².
     pub(crate) omega0_squared: Number<R>,
@@ -87,7 +87,7 @@ pub(crate) struct Family<E> {
 }
 
 /// The family x = xₑ + Σ εⁿxₙ(τ), n ≤ N, whose first harmonic is Σ Aₙεⁿ cos τ or sin τ; `fundamental` is 0, A₁, …, up to N.
-/// Interrupted, the family ends with the last order that was solved. `None` when a number is not in the ring.
+/// If cancelled, the family ends with the last order that was solved. `None` when a number is not in the ring.
 pub(crate) fn family<R: PhaseRing>(
     ring: &R,
     centre: Centre<'_, R>,
@@ -177,7 +177,7 @@ impl<'a, R: PhaseRing> Expansion<'a, R> {
         Some(())
     }
 
-    /// Takes in the harmonics of the next order.
+    /// Adds the harmonics of the next order.
     fn keep(&mut self, answers: Vec<(usize, Number<R>)>) {
         let zero = self.ring.numbers().zero();
         self.harmonics.resize(self.solved + 1, vec![zero.clone(); self.solved]);

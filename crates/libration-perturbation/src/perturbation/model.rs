@@ -1,4 +1,4 @@
-//! An oscillator about its equilibrium as the engine wants it: a tape and exact numbers, or what stands for them.
+//! An oscillator about its equilibrium in the form of the computation: a tape and exact numbers, or their substitutes.
 
 use super::conservative;
 use super::gauge::Gauge;
@@ -34,7 +34,7 @@ pub struct Selected<N> {
     pub(crate) slope: N,
     /// The total degree of the acceleration in x and x′.
     pub(crate) degree: usize,
-    /// The acceleration is odd.
+    /// `true` if the acceleration is odd.
     pub(crate) symmetric: bool,
 }
 
@@ -43,7 +43,7 @@ pub struct Selected<N> {
 pub struct Model<N> {
     /// The acceleration as a function of x, x′ and, for limit cycles, the parameter μ.
     pub tape: Tape,
-    /// The values of the tape's places at the equilibrium; none for limit cycles.
+    /// The values of the slots of the tape at the equilibrium; empty for limit cycles.
     pub values: Vec<N>,
     pub omega0_squared: N,
     pub uses_velocity: bool,
@@ -60,8 +60,8 @@ impl<N> Model<N> {
         }
     }
 
-    /// All series, over a ring into which the model's numbers are taken by `number`, and their roots by `root`; when it is
-    /// interrupted, to the order that was solved. `None` when one of them is not in the ring.
+    /// All series, over a ring into which `number` converts the numbers of the model and `root` their roots; if it is
+    /// cancelled, up to the last order that was solved. `None` if one of them is not in the ring.
     pub(crate) fn series<R: PhaseRing>(
         &self,
         ring: &R,
@@ -135,7 +135,7 @@ impl<N> Model<N> {
         conservative::displacement(ring, &self.tape, values, omega0_squared, order)
     }
 
-    /// 0, A₁, A₂, …; for the gauges that have a name those of the fundamental one.
+    /// 0, A₁, A₂, …; for named gauges those of the fundamental one.
     fn fundamental<R: Ring>(&self, ring: &R, gauge: &Gauge) -> Option<Vec<R::Element>> {
         let mut list = vec![ring.zero(); self.order + 1];
         match gauge {
@@ -151,7 +151,7 @@ impl<N> Model<N> {
 }
 
 impl Model<Rational> {
-    /// Numbers whose roots the computation takes, where the roots are not rational.
+    /// Numbers with irrational roots that the computation needs.
     pub(crate) fn irrational_roots(&self) -> impl Iterator<Item = &Rational> {
         let unit = match &self.motion {
             Motion::LimitCycle(selected) => Some(&selected.unit_squared),
@@ -202,7 +202,7 @@ fn in_units<R: Ring>(
     Some(family)
 }
 
-/// The values of a tape's places at x, x′ = 0; `None` when they are not in the ring.
+/// The values of the slots of a tape at x, x′ = 0; `None` if they are not in the ring.
 pub fn values_at<R: Ring>(ring: &R, tape: &Tape, x: R::Element) -> Option<Vec<R::Element>> {
     let jet = Jet::new(ring, tape, &[x, ring.zero()]).ok()?;
     Some(jet.values().cloned().collect())

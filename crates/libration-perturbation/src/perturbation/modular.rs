@@ -122,7 +122,7 @@ impl Images for ModelImages<'_> {
     }
 }
 
-/// The root itself where it is a fraction, else one of the two in the field.
+/// The root itself if it is a fraction, otherwise one of the two in the field.
 fn root(field: &PrimeField, square: &Rational) -> Option<u32> {
     match square.square_root() {
         Some(root) => field.fraction(&root),

@@ -7,6 +7,6 @@ pub enum PhaseOrigin {
     TurningPoint,
     /// The motion passes the equilibrium; all harmonics are sines.
     Passage,
-    /// Its first harmonic has a maximum; the others are cosines and sines.
+    /// A maximum of the first harmonic; the others are cosines and sines.
     FirstHarmonic,
 }

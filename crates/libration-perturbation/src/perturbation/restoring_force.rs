@@ -8,9 +8,9 @@ use libration_numbers::{
 };
 
 /// The coefficients g₁, g₂, … of the restoring force g(y) = −F(xₑ + y) by powers of the displacement y from the
-/// equilibrium, as many as requested: what [`OpenGauge`](super::OpenGauge) and
-/// [`TruncatedSystem`](super::TruncatedSystem) begin with. `None` when the velocity enters the force, or a coefficient
-/// is not rational.
+/// equilibrium, as many as requested: the input of [`OpenGauge`](super::OpenGauge) and
+/// [`TruncatedSystem`](super::TruncatedSystem). `None` when the velocity enters the force, or a coefficient is not
+/// rational.
 ///
 /// # Examples
 /// ```

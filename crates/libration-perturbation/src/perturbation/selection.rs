@@ -108,8 +108,8 @@ impl Condition {
         Some((below.coarsened(), above))
     }
 
-    /// The fraction of least denominator in ever smaller intervals about the change of sign, once it is a root: of
-    /// fractions, so that each step of the bisection has one to try.
+    /// The fraction of least denominator in ever smaller intervals about the change of sign, if it is a root: the
+    /// bisection has one to try in each step.
     fn rational_root(&self, low: &Rational, high: &Rational) -> Option<Rational> {
         let (mut low, mut high) = (low.clone(), high.clone());
         if low == high {
@@ -132,11 +132,11 @@ impl Condition {
 /// The limit cycle that attracts for a weak self-excitation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Attracting {
-    /// The one whose amplitude has this square.
+    /// A cycle whose amplitude has this square.
     At(Rational),
-    /// One whose amplitude has a square that is not a fraction of moderate size.
+    /// A cycle whose squared amplitude is not a fraction of moderate size.
     Irrational,
-    /// No attracting cycle, though there may be some that repel.
+    /// No attracting cycle; there may be repelling ones.
     None { repelling: usize },
 }
 

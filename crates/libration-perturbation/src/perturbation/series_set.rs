@@ -1,5 +1,5 @@
-//! All series of one family of motions, over any ring: harmonics, turning points, and everything as functions of
-//! the amplitude.
+//! All series of one family of motions, over any ring: harmonics, turning points, and all quantities as
+//! functions of the amplitude.
 
 use super::half_turns::BothTurns;
 use super::lindstedt::{Family, Wave};
@@ -75,8 +75,8 @@ impl<E: Clone> SeriesSet<E> {
         }
     }
 
-    /// The least order of an expansion that contains each number, in the order of [`Self::numbers`], where this one goes to `order`; series
-    /// by one variable are a family.
+    /// The least order of an expansion that contains each number, in the order of [`Self::numbers`], if this one extends to `order`; series in one
+    /// variable are a family.
     pub(crate) fn places(&self, order: usize) -> Vec<Place> {
         let of = |family: usize, series: &[E]| places_of(family, series.len(), order);
         let of_variable = |family: usize, of_own: &OfAmplitude<E>| OfAmplitude {
@@ -115,7 +115,7 @@ impl<E: Clone> SeriesSet<E> {
         self
     }
 
-    /// The part of the set that another, of a lower order, has as well.
+    /// The part of the set that another one, of a lower order, has too.
     pub(crate) fn in_common_with(self, lower: &Self) -> Self {
         let orders = self.order().saturating_sub(lower.order());
         let mut common = self.without_last(orders);
@@ -137,7 +137,7 @@ impl<E: Clone> SeriesSet<E> {
         self.x_max.len().saturating_sub(1)
     }
 
-    /// The same set with other numbers, taken in the order of [`Self::numbers`]; `None` when they are too few.
+    /// The set with other numbers, taken in the order of [`Self::numbers`]; `None` if there are too few.
     pub(crate) fn with_numbers<T>(&self, mut numbers: impl Iterator<Item = T>) -> Option<SeriesSet<T>> {
         let mut list = |length: usize| (0..length).map(|_| numbers.next()).collect::<Option<Vec<T>>>();
         let frequency = list(self.frequency.len())?;
@@ -173,7 +173,7 @@ impl<E: Clone> OfAmplitude<E> {
     }
 }
 
-/// The places of the terms of a series, whose last term belongs to the order of the expansion.
+/// The positions of the terms of a series, whose last term has the order of the expansion.
 fn places_of(family: usize, length: usize, order: usize) -> Vec<Place> {
     let place = |n: usize| Place { order: (n + order + 1).saturating_sub(length), family };
     (0..length).map(place).collect()

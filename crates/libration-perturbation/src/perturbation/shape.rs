@@ -1,4 +1,4 @@
-//! Symmetries of motions, known before they are computed.
+//! Symmetries of motions that are known before the motions are computed.
 
 use super::extremes::extremes;
 use super::half_turns::{BothTurns, half_turns};
@@ -10,7 +10,7 @@ use libration_numbers::{algebra::Ring, internals::algebra::HarmonicPair};
 /// The symmetry of the motions of a family.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
-    /// Limit cycles, whose amplitude is not free.
+    /// Limit cycles, whose amplitude is determined.
     Cycle,
     /// Even in time about both turning points.
     Asymmetric,
@@ -20,7 +20,7 @@ pub enum Shape {
     Mirrored,
 }
 
-/// The shape of the motions of an oscillator whose acceleration is odd, or not.
+/// The shape of the motions of an oscillator, given the parity of its acceleration.
 pub(crate) fn shape_of(kind: &Kind, odd: bool) -> Shape {
     match kind {
         Kind::LimitCycle { .. } => Shape::Cycle,

@@ -1,4 +1,4 @@
-//! Expansions with names for constants, compared with the same in digits and with published coefficients.
+//! Expansions with named constants, compared with decimal ones and with published coefficients.
 
 use crate::typed::{equation, oscillator};
 use libration::expression::Expression;

@@ -1,4 +1,4 @@
-//! Slow flows of coupled oscillators against averages by quadrature, exact frequencies, and the integrated motion.
+//! Slow flows of coupled oscillators compared with averages by quadrature, exact frequencies, and the integrated motion.
 
 use crate::symbolic_slow_flow::value;
 use crate::typed::equation;

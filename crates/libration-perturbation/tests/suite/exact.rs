@@ -1,5 +1,5 @@
-//! Exact values and the uncertainties they state, against energy integrals in 120 digits, on both sides of separatrices, up to 1e-12 from
-//! them and on them.
+//! Exact values and their stated uncertainties compared with energy integrals in 120 digits, on both sides of separatrices, up to 1e-12 from them
+//! and on them.
 
 use std::f64::consts::TAU;
 
@@ -42,8 +42,8 @@ fn displacement(text: &str) -> Displacement {
     read(text).unwrap()
 }
 
-/// The error is below what is stated, but for four roundings of what it is compared with, and what is stated is a few of the last
-/// digits of a size, however near the separatrix.
+/// Asserts that the error is below the stated one, apart from four roundings of the reference, and that the stated error is a few units in the last
+/// digit of a size, at any distance from the separatrix.
 fn assert_holds(exact: &ExactValue, truth: f64, size: f64, what: &str) {
     let error = (exact.value - truth).abs();
     let stated = exact.uncertainty;
@@ -154,7 +154,7 @@ fn a_backbone_takes_the_decimal_too() {
     assert!(curve.at(f64::INFINITY, &Quiet).orbit.is_err());
 }
 
-/// From small swings to next to the end of the well.
+/// Amplitudes from small swings to the end of the well.
 #[test]
 fn the_curve_in_a_picture_has_six_digits() {
     let wells = [

@@ -1,4 +1,4 @@
-//! Perturbation expansions against FLINT's tables, closed forms, and themselves in other gauges.
+//! Perturbation expansions compared with FLINT's tables, closed forms, and each other in different gauges.
 
 use crate::typed::oscillator;
 use libration::algebra::Rational;

@@ -1,4 +1,4 @@
-//! Limit cycles over exact orbits, beside integrations of the whole equation with a small parameter, and closed forms.
+//! Limit cycles over exact orbits, compared with integrations of the whole equation with a small parameter, and closed forms.
 
 use libration::comparison::{LeadingLimitCycle, LeadingLimitCycles, LeadingLimitCyclesError};
 use libration::orbit::Orbit;

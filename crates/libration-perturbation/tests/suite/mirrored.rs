@@ -147,7 +147,7 @@ fn the_turning_points_are_opposite_in_every_gauge() {
     assert!(expand(&oscillator, 7, &Gauge::Energy, &Quiet).is_err());
 }
 
-/// Next to the symmetry there is none: a motion that is not mirrored decays or grows.
+/// Equations near the symmetry, but without it: their motions decay or grow.
 #[test]
 fn what_is_nearly_mirrored_is_refused() {
     for text in [

@@ -1,4 +1,4 @@
-//! The open gauge and the expansion agree for any oscillator and any gauge: one keeps symbols, the other counts modulo primes.
+//! The open gauge and the expansion agree for any oscillator and any gauge: the first keeps symbols, the second computes modulo primes.
 
 use libration::algebra::{Rational, Variable};
 use libration::oscillator::Oscillator;

@@ -1,4 +1,4 @@
-//! Perturbation series compared with periodic orbits, which know nothing of series.
+//! Perturbation series compared with periodic orbits, which are computed without series.
 
 use libration::expression::Equation;
 use libration::orbit::Orbit;

@@ -1,4 +1,4 @@
-//! Proven remainders of period and frequency for polynomial forces, against the integrated motion.
+//! Proven remainders of period and frequency for polynomial forces, compared with the integrated motion.
 
 use crate::typed::oscillator;
 use libration::comparison::{ExactMotion, SeriesComparison, SeriesQuantity};
@@ -7,7 +7,7 @@ use libration::perturbation::{Certainty, Gauge, PeriodMajorant, expand};
 use libration::progress::Quiet;
 use libration::quantity::Displacement;
 
-/// Parts of the limit, and the motion at each, which no order of a series changes.
+/// Fractions of the limit, and the motion at each, which does not depend on the order of a series.
 fn motions<const N: usize>(oscillator: &Oscillator, limit: f64, shares: [f64; N]) -> [(f64, ExactMotion); N] {
     let expansion = expand(oscillator, 3, &Gauge::Fundamental, &Quiet).unwrap();
     shares.map(|share| {
@@ -53,7 +53,7 @@ fn the_error_is_below_the_bound_up_to_the_limit() {
     }
 }
 
-/// At the limit and one ulp next to it.
+/// Amplitudes at the limit and one ulp next to it.
 #[test]
 fn there_is_no_bound_from_the_limit_on() {
     let force = ["1", "0", "-1"].map(|text| text.parse().unwrap());
@@ -79,7 +79,7 @@ fn there_is_no_bound_from_the_limit_on() {
     }
 }
 
-/// Forces with even terms, and the amplitude from which on there is no bound: in the second by mpmath, in the others by hand.
+/// Forces with even terms, and the amplitude above which there is no bound: in the second by mpmath, in the others by hand.
 const ANY_FORCES: [(&str, f64); 5] = [
     // −x − x² has its separatrix at x = −1, of the energy 1/6, which x = 1/2 has too.
     ("x'' = -x - x^2", 0.5),
@@ -135,7 +135,7 @@ fn the_error_is_below_the_bound_for_any_polynomial_force() {
     }
 }
 
-/// A bound whose bounding well is the well itself differs from the remainder by the signs of S²(A) alone.
+/// A bound whose bounding well is the well itself differs from the remainder only by the signs of S²(A).
 #[test]
 fn the_bound_of_an_asymmetric_well_is_near_what_is_missing() {
     let oscillator = oscillator("x'' = -x + x^2");

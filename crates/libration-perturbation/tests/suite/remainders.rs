@@ -35,7 +35,7 @@ fn harmonics_of_the_pendulum_have_coefficients_of_one_sign() {
     }
 }
 
-/// The same equation in a form that is integrated and not looked up: one motion at each amplitude, whatever is asked of it.
+/// The same equation in a form that is integrated: one motion at each amplitude, for all quantities.
 #[test]
 fn errors_of_the_pendulum_are_below_their_bounds() {
     let pendulum = pendulum();
@@ -66,7 +66,7 @@ fn errors_of_the_pendulum_are_below_their_bounds() {
     }
 }
 
-/// At the top and one ulp next to it, at zero, and where nothing is a number.
+/// Amplitudes at the top and one ulp next to it, at zero, and without a value.
 #[test]
 fn bounds_of_harmonics_end_at_the_top() {
     let pendulum = pendulum();
@@ -112,8 +112,7 @@ struct Tally {
     refused: usize,
 }
 
-/// Nothing is random here: the claim is about these checks, and about those of the default run among them, so that there are no false
-/// alarms.
+/// Nothing is random here: the claim is about these checks, including those of the default run, so that there are no false alarms.
 #[test]
 fn estimates_hold_in_99_of_100_checks_of_a_sweep() {
     let mut tally = Tally::default();

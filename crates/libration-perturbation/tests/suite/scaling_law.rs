@@ -1,4 +1,4 @@
-//! The law of forces in proportion to one power, beside closed forms and orbits.
+//! The law of forces proportional to one power, compared with closed forms and orbits.
 
 use libration::comparison::ScalingLaw;
 use libration::elliptic::Modulus;

@@ -1,4 +1,4 @@
-//! Series in numbers: partial sums, bounds of what is missing, radii of convergence, Padé approximants.
+//! Series in numbers: partial sums, bounds on the remainder, radii of convergence, Padé approximants.
 
 use std::f64::consts::PI;
 

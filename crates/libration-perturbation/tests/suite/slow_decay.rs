@@ -1,4 +1,4 @@
-//! The slow flow of damped pendulums beside their turning points by integration.
+//! The slow flow of damped pendulums compared with their turning points by integration.
 
 use libration::comparison::{SlowDecay, SlowDecayError};
 use libration::decay::{Damping, Decay, PowerLawTerm, TurningPoint};
@@ -54,7 +54,7 @@ fn errors_fall_with_the_orders() {
     }
 }
 
-/// In the unit 1/ω0 it is the same motion.
+/// With 1/ω0 as the unit of time it is the same motion.
 #[test]
 fn the_frequency_is_a_unit_of_time() {
     let [slow, fast] = [(1.0, 0.1), (5.0, 0.1)].map(|(omega0, c)| {

@@ -1,4 +1,4 @@
-//! Weak damping and excitation against closed forms, first integrals, limit cycles and the integrated motion.
+//! Weak damping and excitation compared with closed forms, first integrals, limit cycles and the integrated motion.
 
 use crate::typed::equation;
 use libration::algebra::{PiSum, Rational};
@@ -161,7 +161,7 @@ fn limit_cycles_are_where_the_amplitude_stays() {
     }
 }
 
-/// Limit cycles with a nonlinear force, against the orbit found by integration: its largest displacement, frequency and multiplier.
+/// Limit cycles with a nonlinear force, compared with the integrated orbit: its largest displacement, frequency and multiplier.
 #[test]
 fn limit_cycles_are_those_of_integration() {
     const POWER: usize = 4;
@@ -216,7 +216,7 @@ fn what_conserves_energy_has_no_slow_change() {
     }
 }
 
-/// Runge and Kutta's fourth order for A and ψ, in steps so small that it does not matter.
+/// The fourth-order Runge–Kutta method for A and ψ, with steps small enough for a negligible error.
 fn followed(rates: impl Fn(f64) -> [f64; 2], start: f64, time: f64) -> [f64; 2] {
     const STEPS: u32 = 1000;
     let h = time / f64::from(STEPS);
@@ -233,7 +233,7 @@ fn followed(rates: impl Fn(f64) -> [f64; 2], start: f64, time: f64) -> [f64; 2] 
     state
 }
 
-/// Time and displacement where the motion from rest at an amplitude turns, next to a time.
+/// Time and displacement of the turning point, near a given time, of the motion from rest at an amplitude.
 fn turning_point(text: &str, c: f64, start: f64, near: f64) -> (f64, f64) {
     let equation = equation(text).with(&[("c", format!("{c:e}").parse::<Expression>().unwrap())]).unwrap();
     let system = System::new(&equation).unwrap();

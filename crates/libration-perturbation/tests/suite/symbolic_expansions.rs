@@ -1,4 +1,4 @@
-//! Expansions with letters against expansions with numbers, published coefficients and closed forms.
+//! Expansions with symbols compared with expansions with numbers, published coefficients and closed forms.
 
 use crate::typed::equation;
 use libration::algebra::{LaurentPolynomial, LetterPower, Rational};

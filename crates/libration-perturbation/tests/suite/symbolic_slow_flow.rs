@@ -1,4 +1,4 @@
-//! Slow flows with symbolic parameters against `SymPy`, textbooks, and the integrated motion.
+//! Slow flows with symbolic parameters compared with `SymPy`, textbooks, and the integrated motion.
 
 use crate::typed::equation;
 use libration::expression::{Expression, Symbol};

@@ -225,8 +225,8 @@ fn absurd_amplitudes_do_no_harm() {
     }
 }
 
-/// The mean over a thousand phases of the whole period, of which the sine of degree 5 makes harmonics up to 30 in the square. Source of the
-/// last digits of two of them: a sum of squares in Python, 0.566 and 0.839 at 1 rad.
+/// The mean over a thousand phases of the whole period; the sine of degree 5 makes harmonics up to 30 in the square. Source of the last digits of
+/// two of them: a sum of squares in Python, 0.566 and 0.839 at 1 rad.
 #[test]
 fn residuals_are_the_root_mean_square_over_the_period() {
     for (powers, degree, amplitude) in [(3, 3, 1.0), (3, 3, 0.75), (5, 3, 1.0), (9, 5, 1.5), (30, 3, 2.0)] {

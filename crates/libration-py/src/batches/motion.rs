@@ -77,13 +77,13 @@ fn runs<K: PartialEq>(count: usize, key: impl Fn(usize) -> K) -> impl Iterator<I
 }
 
 /// Outputs for angles and velocities.
-type Found<'a> = (&'a mut [f64], &'a mut [f64]);
+type OutputSlices<'a> = (&'a mut [f64], &'a mut [f64]);
 
 fn released(
     times: &[f64],
     amplitudes: &[f64],
     frequency: f64,
-    (angles, velocities): Found<'_>,
+    (angles, velocities): OutputSlices<'_>,
 ) -> Result<(), LengthMismatch> {
     match Pendulum::from_angular_frequency(frequency) {
         Ok(_) => states(amplitudes, frequency, times, angles, velocities),
@@ -95,7 +95,7 @@ fn launched(
     times: &[f64],
     frequency: f64,
     start: (f64, f64),
-    (angles, velocities): Found<'_>,
+    (angles, velocities): OutputSlices<'_>,
 ) -> Result<(), LengthMismatch> {
     match motion(frequency, start) {
         Some(motion) => motion.states_at(times, angles, velocities),
@@ -108,7 +108,7 @@ fn motion(frequency: f64, (angle, velocity): (f64, f64)) -> Option<Motion> {
     pendulum.launched(Angle::from_radians(angle).ok()?, velocity).ok()
 }
 
-fn no_motion((angles, velocities): Found<'_>) -> Result<(), LengthMismatch> {
+fn no_motion((angles, velocities): OutputSlices<'_>) -> Result<(), LengthMismatch> {
     angles.fill(f64::NAN);
     velocities.fill(f64::NAN);
     Ok(())

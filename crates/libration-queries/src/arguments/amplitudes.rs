@@ -1,4 +1,4 @@
-//! The amplitudes a question is about: angles, lists and ranges of angles, a file of them, or those of given periods.
+//! The amplitudes of a query: angles, lists and ranges of angles, a file of them, or those with given periods.
 
 use super::{bare, lines, text};
 use crate::query_error::{QueryError, argument, option};
@@ -6,7 +6,7 @@ use libration::pendulum::{Amplitude, InferredAmplitude, Pendulum, PendulumError}
 use libration::quantity::{Angle, AngleRange, BareRadians, Quantity, RangeError, angles};
 use std::path::{Path, PathBuf};
 
-/// The options that say which amplitudes.
+/// Options for the amplitudes.
 #[derive(Clone, Debug, clap::Args)]
 #[group(required = true, multiple = false)]
 pub(crate) struct AmplitudeOptions {
@@ -16,13 +16,13 @@ pub(crate) struct AmplitudeOptions {
     /// Read the amplitudes from a file, one per line; - for standard input
     #[arg(long, value_name = "FILE")]
     from_file: Option<PathBuf>,
-    /// The amplitude that has this period, such as 2.1s or 2.10(1)s: with an uncertainty, the amplitude has one too
+    /// The amplitude with this period, such as 2.1s or 2.10(1)s; an uncertainty of the period gives one of the amplitude
     #[arg(long, value_name = "PERIOD", value_parser = text::period_with_uncertainty)]
     period: Vec<Quantity>,
-    /// The amplitude whose period is this multiple of that of small swings, T/T₀
+    /// The amplitude with this ratio of its period to that of small swings, T/T₀
     #[arg(long, value_name = "T/T0", value_parser = text::number_with_uncertainty)]
     ratio: Vec<Quantity>,
-    /// The amplitude whose period exceeds that of small swings by this part of it, T/T₀ − 1; keeps all digits of small amplitudes
+    /// The amplitude whose period exceeds that of small swings by this fraction, T/T₀ − 1; keeps all digits of small amplitudes
     #[arg(long, value_name = "EXCESS", value_parser = text::number_with_uncertainty)]
     excess: Vec<Quantity>,
 }
@@ -34,11 +34,11 @@ pub(crate) enum AngleSet {
     Range(AngleRange),
 }
 
-/// Amplitudes, all of them known to be below π.
+/// Amplitudes, all of them below π.
 #[derive(Debug)]
 pub(crate) struct Amplitudes {
     sets: Vec<AngleSet>,
-    /// The uncertainties of amplitudes that follow from periods, one for each; otherwise none.
+    /// The uncertainties of amplitudes inferred from periods, one for each; otherwise empty.
     uncertainties: Vec<f64>,
 }
 
@@ -63,7 +63,7 @@ impl AmplitudeOptions {
         [&self.period, &self.ratio, &self.excess].into_iter().any(|given| !given.is_empty())
     }
 
-    /// Returns whether the amplitudes depend on the pendulum.
+    /// Returns `true` if the amplitudes depend on the pendulum.
     pub(crate) fn depend_on_the_pendulum(&self) -> bool {
         !self.period.is_empty()
     }
@@ -92,7 +92,7 @@ impl Amplitudes {
         (0..self.len()).filter_map(|place| self.get(place))
     }
 
-    /// The amplitude at a place, from zero, and its uncertainty if it follows from a period.
+    /// The amplitude at an index, and its uncertainty if it is inferred from a period.
     pub(crate) fn get(&self, place: usize) -> Option<(Amplitude, Option<f64>)> {
         let mut in_set = place;
         for set in &self.sets {
@@ -149,7 +149,7 @@ fn angle_set(text: &str) -> Result<AngleSet, RangeError> {
     Ok(set)
 }
 
-/// Reads the angles of a file, and says of the first one that may have been meant in degrees how it is taken.
+/// Reads the angles of a file, with a note on the unit of the first one that may have been meant in degrees.
 fn angles_in_file(path: &Path) -> Result<Vec<Angle>, QueryError> {
     let text = lines::text(path)?;
     let read = |line: &str| line.parse().map(|angle: Angle| (angle, BareRadians::in_text(line).is_some()));

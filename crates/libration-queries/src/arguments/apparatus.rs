@@ -1,4 +1,4 @@
-//! The pendulum as a laboratory knows it: lengths and masses with their uncertainties.
+//! The apparatus: lengths and masses of the pendulum with their uncertainties.
 
 use super::{PlaceOptions, bob, correlation, text};
 use crate::query_error::{QueryError, option};
@@ -17,7 +17,7 @@ pub(crate) struct ApparatusOptions {
     /// Relative uncertainty of the scale of all angles, such as 0.01 or 1%
     #[arg(long, value_name = "PART", value_parser = text::part, requires = "length")]
     angle_scale: Option<f64>,
-    /// Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have been taken for 30
+    /// Relative uncertainty of the clock or frame rate, such as 0.1% if 29.97 frames/s may have been taken as 30
     #[arg(long, value_name = "PART", value_parser = text::part, requires = "length")]
     clock: Option<f64>,
     /// Correlation coefficient of two inputs, such as length,bob-radius=0.9
@@ -58,7 +58,8 @@ pub(crate) struct CorrectionOptions {
     /// Coefficient of thermal expansion of the pendulum, such as 12(1)e-6/K for steel
     #[arg(long, value_name = "EXPANSION", value_parser = text::expansion_with_uncertainty, requires = "warmer")]
     expansion: Option<Quantity>,
-    /// Temperature of the pendulum in the swings less that when its length was measured, such as 3K±1K, or -3K if it was colder
+    /// Temperature of the pendulum during the swings minus that during the measurement of its length, such as 3K±1K, or -3K if it was
+    /// colder
     #[arg(long, value_name = "KELVINS", value_parser = text::temperature_difference, requires = "expansion", allow_hyphen_values = true)]
     warmer: Option<Quantity>,
     /// Horizontal stiffness of the support, such as 20(2)N/mm: with the mass of the bob, L is longer by m g/K
@@ -114,20 +115,20 @@ impl CorrectionOptions {
 /// The damping of a period that contains it.
 #[derive(Clone, Copy, Debug, clap::Args)]
 #[command(next_help_heading = "Apparatus, for gravity and the budget of its uncertainty")]
-pub(crate) struct DampingOptions {
+pub(crate) struct LinearDampingOption {
     /// Coefficient of linear damping, such as 0.030(1)/s: the amplitude falls as exp(-b t/2) [default: not corrected]
     #[arg(long, alias = "linear-damping", value_name = "RATE", value_parser = text::rate_with_uncertainty, requires = "length")]
     linear: Option<Quantity>,
 }
 
-impl DampingOptions {
+impl LinearDampingOption {
     pub(crate) fn damping(self) -> PeriodDamping {
         self.linear.map_or(PeriodDamping::Unknown, PeriodDamping::Contained)
     }
 }
 
 impl ApparatusOptions {
-    /// The length; none when gravity is not requested.
+    /// The length; `None` if gravity is not requested.
     pub(crate) fn length(&self) -> Option<Quantity> {
         self.length
     }
@@ -147,7 +148,7 @@ impl ApparatusOptions {
         &self.correlation
     }
 
-    /// The apparatus; none when no length is given, without which there is no gravity.
+    /// The apparatus; `None` without a length, without which gravity is not determined.
     ///
     /// # Errors
     /// Fails for a correction of gravity without the length.
@@ -162,7 +163,7 @@ impl ApparatusOptions {
         }
     }
 
-    /// Normal gravity at the place; none where no latitude is given.
+    /// Normal gravity at the place of measurement; `None` without a latitude.
     ///
     /// # Errors
     /// Fails for a place that is not on the Earth, and without the length.

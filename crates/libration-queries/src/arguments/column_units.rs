@@ -6,7 +6,7 @@ use crate::call::in_words;
 use libration_lab::fit::swings_of_numbered_time;
 use libration_lab::measurement::{Column, Readings, Role, Table, Unit};
 
-/// The units of the columns, and what was inferred from the header.
+/// The units of the columns, and the inferences from the header.
 #[derive(Clone, Debug)]
 pub(super) struct ColumnUnits<const N: usize> {
     pub(super) units: [Unit; N],
@@ -14,13 +14,13 @@ pub(super) struct ColumnUnits<const N: usize> {
     pub(super) counts: [f64; N],
     /// `true` where a header states the unit.
     pub(super) are_stated: [bool; N],
-    /// The fraction of the values that one stands for in columns of relative uncertainties.
+    /// Fractions of the values to which 1 corresponds in columns of relative uncertainties.
     pub(super) fractions: [Option<f64>; N],
     pub(super) inferences: Vec<String>,
 }
 
 impl<const N: usize> ColumnUnits<N> {
-    /// The units of the columns that are chosen; uncertainties without a unit have that of their values.
+    /// The units of the chosen columns; uncertainties without a unit have that of their values.
     pub(super) fn from_headings(
         table: &Table,
         chosen: &ChosenColumns<N>,
@@ -74,7 +74,7 @@ impl<const N: usize> ColumnUnits<N> {
     }
 }
 
-/// The lengths of the rows in metres, where a table has them: with a stated unit, or so short that they may be metres.
+/// The lengths of the rows in metres, if the table has them: with a stated unit, or so short that they may be metres.
 fn lengths<const N: usize>(
     wanted: &[Wanted; N],
     read: &Readings,

@@ -5,7 +5,7 @@ use crate::query_error::{Parameter, QueryError};
 use libration::expression::Expression;
 use libration::systems::{Model, Observables};
 
-/// The formulas of an option; those without a name are called as they are written.
+/// The formulas of an option; those without a name are named by their text.
 pub(crate) fn columns(argument: &Parameter, text: &str, model: &Model) -> Result<Observables, QueryError> {
     let usage = |reason: String| QueryError::usage(argument, reason);
     let mut formulas: Vec<(&str, Expression)> = vec![];

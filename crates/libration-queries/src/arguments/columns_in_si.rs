@@ -20,7 +20,7 @@ pub(crate) struct ColumnsInSi<const N: usize> {
     pub(crate) lines: Vec<u64>,
     /// Number of incomplete rows.
     pub(crate) dropped: usize,
-    /// Standard uncertainties of periods by what all timings share, row by row.
+    /// Standard uncertainties of the periods by the common error of all timings, row by row.
     pub(crate) shared_timing: Option<Vec<f64>>,
     /// Number of periods that the times of each column lasted, where no column numbers them.
     pub(crate) counts: [f64; N],
@@ -35,7 +35,7 @@ pub(crate) struct ColumnsInSi<const N: usize> {
 }
 
 impl ColumnsOption {
-    /// The chosen columns in units of the SI. A refusal names the fit that the headings are for, where that is another than `command`.
+    /// The chosen columns in SI units. A refusal names the fit that suits the headings, if it is not `command`.
     pub(crate) fn read<const N: usize>(
         &self,
         file: &str,
@@ -56,7 +56,7 @@ impl ColumnsOption {
 }
 
 impl<const N: usize> ColumnsInSi<N> {
-    /// The chosen columns of a table, or why they are not what is wanted.
+    /// The chosen columns of a table, or the reason why they do not suit the fit.
     pub(crate) fn from_table(
         table: &Table,
         chosen: &ChosenColumns<N>,
@@ -128,6 +128,6 @@ fn repeats(rows: &RepeatedRows) -> String {
                 "lines {first} to {last} repeat lines {first_of} to {last_of}, number by number: they count once"
             )
         }
-        RepeatedRows::Each(times) => format!("each row stands in {times} lines: it counts once"),
+        RepeatedRows::Each(times) => format!("each row is repeated in {times} lines: it counts once"),
     }
 }

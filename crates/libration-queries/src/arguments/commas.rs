@@ -1,6 +1,6 @@
-//! Lists with commas between their items, which may be formulas: `max(x, 0), y`.
+//! Lists separated by commas, whose items may be formulas: `max(x, 0), y`.
 
-/// The parts between commas that stand in no brackets.
+/// The parts between commas outside brackets.
 pub(crate) fn at_commas(text: &str) -> Vec<&str> {
     let mut open = 0_i32;
     let outside = |letter: char| {

@@ -1,4 +1,4 @@
-//! Inputs that are known by what they have in common: `length,bob-radius=0.9`.
+//! Correlations of inputs through their common causes: `length,bob-radius=0.9`.
 
 use libration_lab::fit::{BudgetInput, Correlation};
 

@@ -8,13 +8,13 @@ pub(crate) struct CountedOptions {
     /// The times are half periods, from one side to the other
     #[arg(long, conflicts_with = "swings_per_reading")]
     half_periods: bool,
-    /// Each time lasts this many swings, full periods [default: as the header says, such as 10T or time for 10 swings, else 1]
+    /// Number of swings, full periods, in each time [default: from the header, such as 10T or time for 10 swings, else 1]
     #[arg(long, alias = "periods-per-row", value_name = "N", value_parser = super::positive)]
     swings_per_reading: Option<f64>,
-    /// Standard uncertainty of a single timing by hand, such as 0.1s; repeated readings have it in their scatter
+    /// Standard uncertainty of a single timing by hand, such as 0.1s; for repeated readings it is part of their scatter
     #[arg(long, value_name = "TIME", value_parser = super::text::time)]
     reaction_time: Option<f64>,
-    /// Standard uncertainty of what all timings share, such as 0.05s for an observer who stops late
+    /// Standard uncertainty of the error common to all timings, such as 0.05s for an observer who stops late
     #[arg(long, value_name = "TIME", value_parser = super::text::time)]
     shared_timing: Option<f64>,
 }
@@ -25,7 +25,7 @@ impl CountedOptions {
         self.reaction_time
     }
 
-    /// The standard uncertainty of what all timings share.
+    /// The standard uncertainty of the common error of all timings.
     pub(super) fn shared_timing(self) -> Option<f64> {
         self.shared_timing
     }
@@ -38,8 +38,8 @@ impl CountedOptions {
         }
     }
 
-    /// The number of periods that the times of a column last, with a sentence where it is not one; `usual` where nothing states it. The lengths decide
-    /// by `by_lengths` what the number in a heading such as `T5` is.
+    /// The number of periods in the times of a column, with a sentence if it is not one; `usual` if nothing states it. `by_lengths` decides from
+    /// the lengths what the number in a heading such as `T5` means.
     pub(super) fn count(
         self,
         table: &Table,

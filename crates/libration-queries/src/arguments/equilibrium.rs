@@ -20,7 +20,7 @@ impl EquilibriumOptions {
         self.about.is_some()
     }
 
-    /// The coordinates that are given, the others where they are at rest.
+    /// The given coordinates; the others have their equilibrium values.
     pub(crate) fn guess(&self, model: &Model) -> Result<Vec<f64>, QueryError> {
         let mut guess: Vec<f64> = model.coordinates().iter().map(|coordinate| coordinate.at_rest).collect();
         let about = self.about.as_deref().unwrap_or_default();

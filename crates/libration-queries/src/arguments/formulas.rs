@@ -12,12 +12,12 @@ pub(crate) struct FormulaChoice {
 }
 
 impl FormulaChoice {
-    /// The formulas requested; none if none was.
+    /// The formulas requested; empty if none was.
     pub(crate) fn chosen(&self) -> &[PeriodFormula] {
         &self.formulas
     }
 
-    /// The formulas requested; the whole catalogue if none was.
+    /// The formulas requested; the whole catalogue if none was requested.
     pub(crate) fn chosen_or_all(&self) -> &[PeriodFormula] {
         if self.formulas.is_empty() { catalogue() } else { &self.formulas }
     }

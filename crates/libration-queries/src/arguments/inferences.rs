@@ -19,7 +19,7 @@ pub(crate) struct ReadColumn {
     number: usize,
     /// The word of the option for roles.
     role: String,
-    /// The index of its quantity among what is wanted.
+    /// The index of its quantity among the wanted ones.
     wanted: Option<usize>,
     unit: Option<Unit>,
     is_unit_stated: bool,
@@ -59,7 +59,7 @@ impl ReadColumn {
         all
     }
 
-    /// The column with the unit of its quantity, whether a header states it, and the number of swings of times that no column numbers.
+    /// The column with the unit of its quantity, whether a header states it, and the number of swings in times without a column of numbers.
     pub(super) fn with_units<const N: usize>(
         &self,
         wanted: &[Wanted; N],

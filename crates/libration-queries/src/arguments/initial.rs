@@ -6,7 +6,7 @@ use crate::query_error::{QueryError, option};
 use libration::quantity::RoundedComplement;
 use libration::systems::{InitialState, Model};
 
-/// The option that says where a motion begins.
+/// Option for the initial state of a motion.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct InitialOptions {
     /// Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33) for all of a chain; those not given start
@@ -18,7 +18,7 @@ pub(crate) struct InitialOptions {
 /// The purpose for which a state is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Meant {
-    /// Possibly a state at rest, whose equilibrium is analysed.
+    /// A state that may be at rest, whose equilibrium is analysed.
     Rest,
     /// Initial state of a motion.
     Motion,
@@ -29,7 +29,7 @@ enum Meant {
 pub(crate) struct Initial {
     /// Coordinates, then velocities.
     pub(crate) state: Vec<f64>,
-    /// Names and values of the numbers that were not given and are those of rest.
+    /// Names and values of the components that were not given and have their values at rest.
     pub(crate) assumed: Vec<(String, f64)>,
 }
 
@@ -45,13 +45,13 @@ impl InitialOptions {
         Initial::read(text, model, Meant::Motion)
     }
 
-    /// The state of the model that is asked about, perhaps a state of rest.
+    /// The requested state of the model, perhaps a state at rest.
     pub(crate) fn read_at_rest(&self, model: &Model) -> Result<Initial, QueryError> {
         let text = self.initial.as_deref().ok_or_else(|| missing(model))?;
         Initial::read(text, model, Meant::Rest)
     }
 
-    /// The state with further names and values, which have reasons of their own not to be one.
+    /// The state with further names and values, each of which may be refused with a reason.
     pub(crate) fn read_with(
         &self,
         values: &[(&str, &str)],
@@ -68,17 +68,17 @@ impl InitialOptions {
     }
 }
 
-/// The option that says where several motions begin.
+/// Option for the initial states of several motions.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct SeveralInitialOptions {
-    /// Coordinates and velocities at the start, such as theta=60deg,theta'=0; those not given start at rest; give it several
-    /// times for several motions
+    /// Coordinates and velocities at the start, such as theta=60deg,theta'=0; those not given start at rest; repeat the option for
+    /// several motions
     #[arg(long, value_name = "NAME=VALUE,…")]
     initial: Vec<String>,
 }
 
 impl SeveralInitialOptions {
-    /// The states that are meant; at least one.
+    /// The requested states; at least one.
     pub(crate) fn read(&self, model: &Model) -> Result<Vec<Initial>, QueryError> {
         if self.initial.is_empty() {
             return Err(missing(model));
@@ -112,7 +112,7 @@ fn items<'a>(text: &'a str, model: &Model) -> Result<Vec<(&'a str, &'a str)>, Qu
     at_commas(text).into_iter().filter(|item| !item.trim().is_empty()).map(item).collect()
 }
 
-/// Says how angles without a unit are understood, and what is lost of angles next to the upright position, where that may surprise.
+/// Writes notes on angles without a unit, and on the digits that angles next to the upright position lose.
 fn say_of_angles(items: &[(&str, &str)], model: &Model, meant: Meant) {
     for (_, value) in items.iter().filter(|(name, _)| model.is_angle(name)) {
         super::bare::say(value);

@@ -1,4 +1,4 @@
-//! The bytes of a file that the command is given: never more than are wanted, whatever the file is.
+//! The bytes of an input file, limited in number whatever the file is.
 
 use crate::call;
 use crate::host::InputFile;
@@ -7,13 +7,13 @@ use libration_lab::measurement::ReadOptions;
 use std::io::{self, Read};
 use std::path::Path;
 
-/// The bytes of a file or, for `-`, of the input, as many as a table may have.
+/// The bytes of a file or, for `-`, of the standard input, as many as a table may have.
 pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, QueryError> {
     read_at_most(path, ReadOptions::DEFAULT_SIZE_LIMIT)
 }
 
-/// The same with another limit. A file that says its size is refused before it is read; pipes and devices say none, and are
-/// read as far as the limit.
+/// The bytes with another limit. A file whose size is known is refused before it is read; pipes and devices are read up to
+/// the limit.
 pub(crate) fn read_at_most(path: &Path, limit: usize) -> Result<Vec<u8>, QueryError> {
     let cannot = |error: io::Error| {
         let reason = format!("cannot read {}: {error}", path.display());

@@ -1,4 +1,4 @@
-//! Some entries of a catalogue, or all of them.
+//! Selected entries of a catalogue.
 
 use crate::query_error::{QueryError, argument};
 use std::fmt::Display;
@@ -12,7 +12,7 @@ pub(crate) struct KeyOptions {
 }
 
 impl KeyOptions {
-    /// The entries with these keys; all of the catalogue where none is requested.
+    /// The entries with these keys; the whole catalogue if none is requested.
     pub(crate) fn chosen<T, E: Display>(
         &self,
         catalogue: impl IntoIterator<Item = T>,

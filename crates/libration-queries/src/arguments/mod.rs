@@ -47,7 +47,7 @@ mod wanted;
 
 pub(crate) use amplitudes::{AmplitudeOptions, Amplitudes, AngleSet};
 pub(crate) use angle_list::{AngleList, angle_list};
-pub(crate) use apparatus::{ApparatusOptions, CorrectionOptions, DampingOptions};
+pub(crate) use apparatus::{ApparatusOptions, CorrectionOptions, LinearDampingOption};
 pub(crate) use bare::say as say_radians;
 pub(crate) use columns::columns;
 pub(crate) use columns_in_si::ColumnsInSi;

@@ -1,4 +1,4 @@
-//! A table of motions: in each row the values of parameters and the initial values of one motion, below their names.
+//! A table of motions: each row has the values of parameters and the initial values of one motion, below their names.
 
 use super::system::GivenSystem;
 use super::values::plain_name;
@@ -13,7 +13,7 @@ const MOST_MOTIONS: usize = 1_000_000;
 /// Title of columns of names, such as `light`.
 const NAME: &str = "name";
 
-/// A table whose rows have a cell in each column.
+/// A table in which every row has as many cells as there are columns.
 #[derive(Debug)]
 pub(crate) struct MotionTable {
     pub(crate) columns: Vec<MotionColumn>,
@@ -41,7 +41,7 @@ pub(crate) enum Meaning {
 pub(crate) struct MotionRow {
     /// The number of its line in the file.
     pub(crate) line: usize,
-    /// Cells as they are written.
+    /// Cells as text.
     pub(crate) cells: Vec<String>,
 }
 
@@ -72,7 +72,7 @@ impl MotionTable {
         Ok(table)
     }
 
-    /// Says how the first angle without a unit is understood that may surprise.
+    /// Writes a note on the first angle without a unit that may have been meant in degrees.
     fn say_bare_angle(&self, system: &GivenSystem<'_>) {
         let angles = system.angles();
         let cells = self.rows.iter().flat_map(|row| self.cells_of(row, Meaning::Initial));
@@ -82,7 +82,7 @@ impl MotionTable {
         }
     }
 
-    /// The cells of a row under columns of one meaning, with their titles.
+    /// The cells of a row under the columns with one meaning, with their titles.
     pub(crate) fn cells_of<'a>(
         &'a self,
         row: &'a MotionRow,

@@ -2,7 +2,7 @@
 
 use std::ops::Deref;
 
-/// The key of a catalogue, or an equation as it is typed.
+/// The key of a catalogue, or an equation as typed.
 #[derive(Clone, Debug)]
 pub(crate) struct EquationText(String);
 

@@ -21,7 +21,7 @@ pub(crate) struct OscillatorOptions {
     /// The value of a parameter: a number, or a formula such as 1/2; may be given several times
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,
-    /// The equilibrium, where there are several [default: the stable one nearest to zero]
+    /// The equilibrium, if there are several [default: the stable one nearest to zero]
     #[arg(long, value_name = "X")]
     about: Option<String>,
 }
@@ -30,17 +30,17 @@ pub(crate) struct OscillatorOptions {
 #[derive(Clone, Debug)]
 pub(crate) struct Chosen<O = Oscillator> {
     pub(crate) oscillator: O,
-    /// Its key in the catalogue.
+    /// The key in the catalogue.
     pub(crate) key: Option<&'static str>,
     /// Title of the oscillator.
     pub(crate) title: String,
     /// The parameters that have got a value.
     pub(crate) values: Vec<(String, String)>,
-    /// Equation as it was read, where it is written more freely than it is written back.
+    /// The equation as it was read, if its text differs from the plain spelling.
     pub(crate) read_as: Option<String>,
 }
 
-/// An oscillator whose parameters have values, or one with letters.
+/// An oscillator whose parameters have values, or one with symbolic parameters.
 #[derive(Clone, Debug)]
 pub(crate) enum ChosenWithLetters {
     Numbers(Chosen),
@@ -51,7 +51,7 @@ pub(crate) enum ChosenWithLetters {
 #[derive(Clone, Debug)]
 pub(crate) struct Asked {
     pub(crate) equation: Equation,
-    /// The equilibrium that is meant.
+    /// The requested equilibrium.
     pub(crate) about: Option<Expression>,
     pub(crate) key: Option<&'static str>,
     pub(crate) title: String,
@@ -105,7 +105,7 @@ impl OscillatorOptions {
         Ok(asked.with(oscillator))
     }
 
-    /// The oscillator with values for all its parameters, when none is to stay a letter.
+    /// The oscillator with values for all its parameters, unless some remain symbolic.
     pub(crate) fn chosen_without(&self, letters: &[String]) -> Result<Chosen, QueryError> {
         match letters {
             [] => self.chosen(),
@@ -119,8 +119,8 @@ impl OscillatorOptions {
         }
     }
 
-    /// The oscillator, with letters where parameters have no value; these keep none. The inner error is that of a strength that is left
-    /// open, for which a slow flow may be the result.
+    /// The oscillator, with symbols for parameters that have no value. The inner error is that of a symbolic strength, for which a slow flow may be
+    /// the result.
     pub(crate) fn chosen_with_letters(
         &self,
         letters: &[String],
@@ -138,7 +138,7 @@ impl OscillatorOptions {
         }
     }
 
-    /// The equation, whether it is an oscillator or not.
+    /// The requested equation, which may not be an oscillator.
     pub(crate) fn asked(&self) -> Result<Asked, QueryError> {
         self.asked_with_letters(&[])
     }
@@ -232,7 +232,7 @@ impl Asked {
     }
 }
 
-/// A place on the axis of the variable: a formula of numbers and parameters, or an angle where the variable is one.
+/// A value of the variable: a formula of numbers and parameters, or an angle if the variable is one.
 fn place(text: &str, equation: &Equation, given: &[(String, Expression)]) -> Result<Expression, QueryError> {
     let refusal = |reason: String| QueryError::usage(option("about"), reason);
     let variable = equation.variables().first().map_or("", String::as_str);
@@ -276,7 +276,7 @@ fn of_catalogue(
     equation.map_err(|error| QueryError::usage(option("letters"), error))
 }
 
-/// The values that were given, and the catalogue's for the other parameters.
+/// The given values, and those of the catalogue for the other parameters.
 fn values_used(named: Option<&NamedOscillator>, given: &[(String, Expression)]) -> Vec<(String, String)> {
     let defaults = named.into_iter().flat_map(|named| {
         named.parameters.iter().filter(|parameter| Some(parameter.name) != named.expansion_parameter)

@@ -1,4 +1,4 @@
-//! A parameter and the range it is followed over: `omega=0.3:1.4`.
+//! A parameter with the range over which it is followed: `omega=0.3:1.4`.
 
 use super::commas::at_commas;
 use super::parameter_range::constant;
@@ -23,7 +23,7 @@ pub(crate) fn parameter_span(text: &str) -> Result<ParameterSpan, String> {
     Ok(ParameterSpan { name: plain_name(name), range: [end(from)?, end(to)?] })
 }
 
-/// Reads two of them, `NAME=FROM:TO,NAME=FROM:TO`.
+/// Reads two spans, `NAME=FROM:TO,NAME=FROM:TO`.
 pub(crate) fn two_parameter_spans(text: &str) -> Result<[ParameterSpan; 2], String> {
     let refusal = || "give two parameters, as omega=1:3,a=0:0.5".to_owned();
     let [first, second] = at_commas(text)[..] else { return Err(refusal()) };

@@ -1,4 +1,4 @@
-//! The place of a measurement, and the normal gravity there.
+//! The place of a measurement, and its normal gravity.
 
 use super::text;
 use crate::query_error::{QueryError, option};
@@ -17,7 +17,7 @@ pub(crate) struct PlaceOptions {
 }
 
 impl PlaceOptions {
-    /// Normal gravity at the place; none where no latitude is given.
+    /// Normal gravity at the place; `None` without a latitude.
     ///
     /// # Errors
     /// Fails for a place that is not on the Earth.

@@ -1,9 +1,9 @@
-//! Notes on how equations were read that are written more freely than they are written back.
+//! Notes on the reading of equations whose text differs from the plain spelling.
 
 use crate::call;
 use libration::expression::Equation;
 
-/// Says how a text is understood, unless it is plain.
+/// Writes a note on the reading of a text, unless it has the plain spelling.
 pub(super) fn say(text: &str) {
     if let Some(reading) = Equation::read_as(text) {
         call::current().note(&format!("the equation is read as {reading}"));

@@ -57,10 +57,10 @@ pub(crate) struct RecordingOptions {
     /// Ignore rows after this time
     #[arg(long, value_name = "TIME", value_parser = super::finite_time)]
     to: Option<f64>,
-    /// Take the times in the file to be rounded, and use the equally spaced ones they come from
+    /// Take the times in the file as rounded, and use the equally spaced times from which they come
     #[arg(long, conflicts_with = "times_as_written")]
     even_times: bool,
-    /// Use the times as written, even where they look like rounded, equally spaced ones
+    /// Use the times as written, even if they look like rounded, equally spaced ones
     #[arg(long)]
     times_as_written: bool,
     /// The run: its name, or its number as in `Run #3`; several as 1,2,6
@@ -76,7 +76,7 @@ impl RecordingOptions {
         self.recording_in(path, &read_bytes(path)?)
     }
 
-    /// The same of a file whose bytes are known.
+    /// The recording of a file whose bytes are known.
     pub(crate) fn recording_in(&self, path: &Path, bytes: &[u8]) -> Result<Recording, QueryError> {
         Recording::read(bytes, &self.dialect.options()).map_err(|error| failure(path, &error))
     }

@@ -13,13 +13,13 @@ use std::f64::consts::TAU;
 /// More points than this are never requested.
 const MOST_POINTS: usize = 10_000_000;
 
-/// The options that say where and how many.
+/// Options for the surface of a section and the number of its points.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct SectionOptions {
     /// Take a point once per period of this length, in seconds [default: the period of the drive]
     #[arg(long, value_name = "T", value_parser = positive, conflicts_with = "at")]
     period: Option<f64>,
-    /// Take it at this fraction of the period, from 0 to 1
+    /// Take the points at this fraction of the period, from 0 to 1
     #[arg(long, default_value = "0", value_parser = phase, conflicts_with = "at")]
     phase: f64,
     /// Take a point whenever this formula of coordinates, velocities and t changes its sign
@@ -27,7 +27,7 @@ pub(crate) struct SectionOptions {
     at: Option<Expression>,
     /// Direction in which the formula crosses zero
     #[arg(long, value_name = "SIDE", default_value = "rising", requires = "at")]
-    direction: Side,
+    direction: CrossingSide,
     /// Number of points to discard as transient [default: 100, but 0 for a section with --at]
     #[arg(long, value_name = "N", value_parser = whole)]
     skip: Option<usize>,
@@ -44,7 +44,7 @@ pub(crate) struct SectionOptions {
 
 /// The direction in which a formula crosses zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Side {
+enum CrossingSide {
     /// From negative to positive
     Rising,
     /// From positive to negative
@@ -53,12 +53,12 @@ enum Side {
     Any,
 }
 
-impl From<Side> for Direction {
-    fn from(side: Side) -> Self {
+impl From<CrossingSide> for Direction {
+    fn from(side: CrossingSide) -> Self {
         match side {
-            Side::Rising => Self::Rising,
-            Side::Falling => Self::Falling,
-            Side::Any => Self::Any,
+            CrossingSide::Rising => Self::Rising,
+            CrossingSide::Falling => Self::Falling,
+            CrossingSide::Any => Self::Any,
         }
     }
 }
@@ -77,7 +77,7 @@ impl SectionOptions {
         }
     }
 
-    /// The same with the parameters' values in the formula, which may name nothing that the system does not have.
+    /// The section with the values of the parameters in its formula, which may contain only names of the system.
     pub(crate) fn known_section(&self, model: &Model) -> Result<Section, QueryError> {
         let mut section = self.section(model);
         if let Section::Crossing { formula, .. } = &mut section {
@@ -94,7 +94,7 @@ impl SectionOptions {
         Points { skipped, ..points }
     }
 
-    /// The same for what remains after a transient.
+    /// The number of points after a transient.
     pub(crate) fn points_of_attractor(&self, kept: usize) -> Points {
         const TRANSIENT: usize = 100;
         Points { skipped: self.skip.unwrap_or(TRANSIENT), recorded: self.points.unwrap_or(kept) }
@@ -104,7 +104,7 @@ impl SectionOptions {
         Effort::to_tolerance(self.tolerance)
     }
 
-    /// The state as it is written: with the angles folded, if that is wanted.
+    /// The state as it is printed, with angles folded if requested.
     pub(crate) fn shown(&self, state: &[f64], angles: &[bool]) -> Vec<f64> {
         if self.fold { folded_state(state, angles) } else { state.to_vec() }
     }
@@ -174,7 +174,7 @@ pub(crate) fn places_in_state(
     }
 }
 
-/// The failure that says what is wrong with which argument.
+/// The error with the argument to which it belongs.
 pub(crate) fn section_failure(error: SectionError) -> QueryError {
     match error {
         SectionError::NoPeriod => QueryError::usage(option("period"), error),

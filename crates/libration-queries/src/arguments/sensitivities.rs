@@ -1,4 +1,4 @@
-//! Variables by which a motion is differentiated: names of parameters and of initial values.
+//! Variables with respect to which a motion is differentiated: names of parameters and of initial values.
 
 use super::system::GivenSystem;
 use super::values::plain_name;
@@ -7,7 +7,7 @@ use libration::expression::Expression;
 use libration::systems::Model;
 use libration::taylor::Sensitivities;
 
-/// The sensitivities of the model's motions to the variables named; `None` where none is named.
+/// The sensitivities of the motions of a model to the named variables; `None` if there are no names.
 pub(crate) fn sensitivities(
     names: &[String],
     system: &GivenSystem<'_>,

@@ -21,7 +21,7 @@ pub(super) struct SiRows<'a, const N: usize> {
 }
 
 impl<const N: usize> SiRows<'_, N> {
-    /// The same rows, whose numbers of swings are usable.
+    /// The rows, if their numbers of swings are usable.
     pub(super) fn checked(self) -> Result<Self, String> {
         let bad = self.swings.iter().flatten().position(|swings| !is_number_of_swings(*swings));
         let is_whole = |number: &f64| *number >= 1.0 && number.fract() == 0.0 && *number < 1e6;
@@ -54,7 +54,7 @@ impl<const N: usize> SiRows<'_, N> {
         columns.filter_map(negative).min()
     }
 
-    /// Number of periods that a time lasts; one for what is not a time.
+    /// Number of periods in a time; one for other quantities.
     fn swings_of(&self, place: usize, row: usize) -> f64 {
         match &self.swings {
             Some(swings) if self.wanted[place].counted.is_some_and(|it| it.said().is_none()) => swings[row],
@@ -79,7 +79,7 @@ impl<const N: usize> SiRows<'_, N> {
         if self.chosen.are_squares[place] { 0.0 } else { step }
     }
 
-    /// Repeated readings of values, as those of one period.
+    /// The repeated readings of a column, converted to single periods.
     pub(super) fn repeated(&self, place: usize) -> Option<RepeatedReadings> {
         if self.wanted[place].uncertainties_of.is_some() {
             return None;
@@ -119,7 +119,7 @@ impl<const N: usize> SiRows<'_, N> {
         (0..self.read.lines.len()).map(|row| of_reading / self.swings_of(place, row)).collect()
     }
 
-    /// Standard uncertainties of periods by what all timings share.
+    /// Standard uncertainties of periods by the common error of all timings.
     pub(super) fn shared_timing(&self, place: usize) -> Option<Vec<f64>> {
         let of_reading = self.wanted[place].counted.filter(|_| self.wanted[place].uncertainties_of.is_none());
         let of_reading = of_reading?.shared_timing()?;
@@ -161,7 +161,7 @@ impl<const N: usize> SiRows<'_, N> {
         Some(rows.map(value).collect())
     }
 
-    /// Standard uncertainties: of a column, else of repeated readings, else those of the cells.
+    /// Standard uncertainties: from a column, else from repeated readings, else from the cells.
     fn uncertainties(
         &self,
         place: usize,
@@ -203,7 +203,7 @@ impl<const N: usize> SiRows<'_, N> {
         numbers.map(one).collect()
     }
 
-    /// Size of a single reading, or its square where that is what the column holds.
+    /// Magnitude of a single reading, or its square if the column contains squares.
     fn quantity(&self, place: usize, row: usize) -> f64 {
         let reading = self.readings(place, row)[0].abs();
         if self.chosen.are_squares[place] { reading * reading } else { reading }
@@ -279,7 +279,7 @@ impl<const N: usize> SiRows<'_, N> {
     }
 }
 
-/// A row of readings of which `number`, a whole number below a million, are known by their mean and standard deviation.
+/// A row of `number` readings (a whole number below a million) that are known by their mean and standard deviation.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,

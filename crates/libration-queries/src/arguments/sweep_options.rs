@@ -5,7 +5,7 @@ use std::ffi::OsString;
 /// The options of a sweep that take a value.
 const OPTIONS: [&str; 6] = ["--over", "--output", "-o", "--keep", "--shard", "--chunk"];
 
-/// Brings the options of a sweep before its question, which begins behind `--` then; all that stands behind a `--` is the question's.
+/// Moves the options of a sweep before its query, which then begins after `--`; everything after an existing `--` belongs to the query.
 pub fn sweep_options_first(arguments: Vec<OsString>) -> Vec<OsString> {
     let word =
         |place: usize| arguments.get(place).and_then(|word: &OsString| word.to_str()).unwrap_or_default();

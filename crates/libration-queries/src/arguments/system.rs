@@ -21,12 +21,12 @@ pub(crate) struct SystemOptions {
     set: Vec<String>,
 }
 
-/// A system that may be a pendulum of some length, under some gravity.
+/// Options for a system that may be a pendulum with a length and gravity.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct PendulumSystemOptions {
     #[command(flatten)]
     system: SystemOptions,
-    /// Length of the rods of a named pendulum, such as 1m or 57cm [default: what `libration list` says]
+    /// Length of the rods of a named pendulum, such as 1m or 57cm [default: see `libration list`]
     #[arg(long, value_parser = length)]
     length: Option<f64>,
     /// Acceleration of free fall of a named pendulum, such as 9.81m/s^2
@@ -54,7 +54,7 @@ impl SystemOptions {
         self.model_with(&values(&self.set)?, open, Varied { names: open, giver })
     }
 
-    /// The model whose parameters may stay symbols.
+    /// The model, whose parameters may remain symbolic.
     pub(crate) fn model_with_letters(&self) -> Result<Model, QueryError> {
         let model = self.incomplete_model(&values(&self.set)?, &[]);
         model.map_err(|error| failure(error, Varied { names: &[], giver: &option("set") }))
@@ -65,7 +65,7 @@ impl SystemOptions {
         Ok(self.model_with_letters()?.state_names())
     }
 
-    /// The model with these values and open parameters, one of which `--over` varies.
+    /// The model with these values and open parameters, one of which is varied by `--over`.
     fn model_with(
         &self,
         values: &[(String, Expression)],
@@ -101,7 +101,7 @@ impl PendulumSystemOptions {
         self.model_over(None)
     }
 
-    /// The same with one more parameter that has a value.
+    /// The model with one more parameter that has a value.
     pub(crate) fn model_over(&self, parameter: Option<(&str, f64)>) -> Result<Model, QueryError> {
         let names: Vec<_> = parameter.iter().map(|it| it.0).collect();
         let varied = Varied { names: &names, giver: &option("over") };
@@ -188,7 +188,7 @@ impl GivenSystem<'_> {
         self.options.incomplete_model(&[&self.values, values].concat(), &[])
     }
 
-    /// The model with these parameters open, whatever options say of them.
+    /// The model with these parameters open, whatever values the options give them.
     pub(crate) fn model_with_open(&self, open: &[&str], giver: &Parameter) -> Result<Model, QueryError> {
         let others = self.values.iter().filter(|(name, _)| !open.contains(&name.as_str()));
         self.options.model_with(&others.cloned().collect::<Vec<_>>(), open, Varied { names: open, giver })
@@ -202,7 +202,7 @@ struct Varied<'a> {
     giver: &'a Parameter,
 }
 
-/// The error with the option that it is about: the one that gave the parameter, or the system itself.
+/// The error with its option: the one that gave the parameter, or the system itself.
 fn failure(error: ModelError, varied: Varied<'_>) -> QueryError {
     let parameter = match &error {
         ModelError::Equation(
@@ -220,7 +220,7 @@ fn failure(error: ModelError, varied: Varied<'_>) -> QueryError {
     QueryError::usage(about, &error).with_item(parameter)
 }
 
-/// Adds to a reason why there is no motion that the drive of the system is zero, where it is.
+/// Adds a zero drive amplitude of the system to the reason why there is no motion.
 pub(crate) fn with_idle_drive(reason: impl Display, model: &Model) -> String {
     match &model.idle_drives()[..] {
         [] => reason.to_string(),

@@ -1,4 +1,4 @@
-//! A table of measurements: how its file is written, which columns are meant, in which units.
+//! Tables of measurements: layout of the file, columns and units.
 
 use super::read_bytes;
 use super::undecided::what_would_decide;
@@ -17,7 +17,7 @@ pub(crate) struct DialectOptions {
     delimiter: Option<Separator>,
     /// Decimal point or decimal comma
     #[arg(long, value_enum)]
-    decimal: Option<Mark>,
+    decimal: Option<DecimalOption>,
     /// Line that names the columns: detect, present, absent, or its number
     #[arg(long, value_parser = header, default_value = "detect", hide_default_value = true)]
     header: Header,
@@ -32,7 +32,7 @@ enum Separator {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Mark {
+enum DecimalOption {
     Point,
     Comma,
 }
@@ -53,8 +53,8 @@ impl DialectOptions {
             Separator::Space => Delimiter::Whitespace,
         });
         let decimal = self.decimal.map(|mark| match mark {
-            Mark::Point => DecimalMark::Point,
-            Mark::Comma => DecimalMark::Comma,
+            DecimalOption::Point => DecimalMark::Point,
+            DecimalOption::Comma => DecimalMark::Comma,
         });
         ReadOptions { delimiter, decimal, header: self.header, ..ReadOptions::default() }
     }
@@ -77,7 +77,7 @@ fn header(text: &str) -> Result<Header, String> {
     }
 }
 
-/// A column by number or name; none for -.
+/// A column by number or name; `None` for `-`.
 pub(crate) fn optional_column(text: &str) -> Option<Column> {
     let text = text.trim();
     (text != "-").then(|| text.parse().unwrap_or_else(|never| match never {}))
@@ -152,7 +152,7 @@ pub(crate) enum DisplacementUnit {
     Cm,
     Mm,
     In,
-    /// Values of a converter or of anything else, volts for instance
+    /// Values of a converter or in any other unit, such as volts
     Counts,
 }
 

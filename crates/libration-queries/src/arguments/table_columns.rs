@@ -10,10 +10,11 @@ use libration_lab::measurement::{
     UncertaintyKind,
 };
 
-/// Options for the columns of two quantities, of the uncertainties of both, and of what else there may be.
+/// Options for the columns of two quantities, their uncertainties, and further columns.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct ColumnsOption {
-    /// Columns of both quantities, of the uncertainties of both, and of further ones, by number or name; - for none [default: as headings, units and values say]
+    /// Columns of both quantities, of the uncertainties of both, and of further ones, by number or name; - for none [default: from
+    /// headings, units and values]
     #[arg(long, value_name = "COLUMN,…", value_delimiter = ',')]
     columns: Vec<String>,
     /// Role of a column: a quantity, as in 2=period (several columns are repeated readings); its uncertainty, as in 3=period-uncertainty, period-half-width, period-resolution or, of means of several readings, period-deviation; swings, readings, group, ignore
@@ -24,24 +25,24 @@ pub(crate) struct ColumnsOption {
 /// The option for a column of groups.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct GroupOption {
-    /// Column of the names of groups, whose results are compared and averaged [default: a column whose header says so]
+    /// Column of the names of groups, whose results are compared and averaged [default: a column named so in the header]
     #[arg(long, value_name = "COLUMN", value_parser = super::table::column)]
     pub(crate) group: Option<Column>,
 }
 
-/// Chosen columns, in the order of what is wanted.
+/// Chosen columns, in the order of the wanted quantities.
 #[derive(Clone, Debug)]
 pub(crate) struct ChosenColumns<const N: usize> {
     /// Columns of each quantity, or the one of its uncertainties.
     pub(super) columns: [Vec<Column>; N],
     /// Kinds of the uncertainties.
     pub(super) kinds: [UncertaintyKind; N],
-    /// Quantities of which the columns hold squares.
+    /// `true` for quantities whose columns contain squares.
     pub(super) are_squares: [bool; N],
     /// Numbers of swings of a reading by a column of quotients.
     pub(super) swings: [Option<f64>; N],
     pub(super) column_of_swings: Option<Column>,
-    /// Numbers of readings, of which the values are means.
+    /// Column of the numbers of readings of which the values are means.
     pub(super) column_of_readings: Option<Column>,
     pub(super) column_of_groups: Option<Column>,
     /// Inferences, and columns that are not used.
@@ -65,12 +66,12 @@ impl ColumnsOption {
         Self { columns: vec![], role }
     }
 
-    /// Returns whether an option names columns or roles.
+    /// Returns `true` if an option names columns or roles.
     pub(crate) fn are_given(&self) -> bool {
         !self.columns.is_empty() || !self.role.is_empty()
     }
 
-    /// The columns, in the order of what is wanted; values of two quantities first.
+    /// The columns in the order of the wanted quantities, the values of two quantities first.
     pub(crate) fn choose<const N: usize>(
         &self,
         file: &str,
@@ -136,12 +137,12 @@ impl ColumnsOption {
     }
 }
 
-/// Index of the quantity at a place of what is wanted.
+/// Index of the quantity at a position among the wanted ones.
 fn index_of<const N: usize>(wanted: &[Wanted; N], place: usize) -> usize {
     wanted[..place].iter().filter(|it| it.uncertainties_of().is_none()).count()
 }
 
-/// The columns at the places of what is wanted.
+/// The columns at the positions of the wanted quantities.
 fn chosen<const N: usize>(
     table: &Table,
     wanted: &[Wanted; N],
@@ -171,12 +172,12 @@ fn chosen<const N: usize>(
     }
 }
 
-/// A fit of a table whose headings name both of its quantities.
+/// A fit to a table whose headings name both of its quantities.
 #[derive(Clone, Debug)]
 pub(crate) struct TableFit {
     /// Words of the command.
     pub(crate) command: &'static str,
-    /// Roles of the columns, or what keeps them open.
+    /// Roles of the columns, or the reasons why they are undecided.
     pub(crate) read_as: Inferences,
 }
 

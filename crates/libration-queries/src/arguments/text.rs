@@ -1,4 +1,4 @@
-//! Quantities from the command line, each checked where it stands.
+//! Quantities from the command line, each checked with its argument.
 
 use super::bare;
 use crate::call;
@@ -10,7 +10,7 @@ pub(crate) fn angle(text: &str) -> Result<Angle, QuantityError> {
     Ok(angle)
 }
 
-/// An angle as it is written.
+/// An angle as typed.
 pub(crate) fn displacement(text: &str) -> Result<Displacement, QuantityError> {
     let displacement = Displacement::from_angle_text(text)?;
     bare::say(text);
@@ -72,7 +72,7 @@ pub(super) fn expansion_with_uncertainty(text: &str) -> Result<Quantity, String>
     quantity_above_zero(text, Dimension::Expansion)
 }
 
-/// A difference of temperatures of either sign, with the uncertainty it was given.
+/// A temperature difference of either sign, with the given uncertainty.
 pub(super) fn temperature_difference(text: &str) -> Result<Quantity, QuantityError> {
     parse(text, Dimension::TemperatureDifference)
 }
@@ -84,12 +84,12 @@ pub(super) fn latitude(text: &str) -> Result<f64, QuantityError> {
     Ok(value_alone(text, latitude))
 }
 
-/// An elevation in metres, which may be below the sea.
+/// An elevation in metres, which may be below sea level.
 pub(super) fn elevation(text: &str) -> Result<f64, QuantityError> {
     Ok(value_alone(text, parse(text, Dimension::Length)?))
 }
 
-/// A part of one, such as 0.01 or 1%.
+/// A fraction, such as 0.01 or 1%.
 pub(crate) fn part(text: &str) -> Result<f64, String> {
     let (number, unit) = with_percent(text);
     let part = number.parse::<f64>().ok().map(|number| number * unit);
@@ -126,7 +126,7 @@ pub(crate) fn fractional_error(text: &str) -> Result<f64, String> {
         .ok_or_else(|| "give a finite number above zero, such as 1e-3 or 0.1%".to_owned())
 }
 
-/// A number as text, and what it is multiplied with.
+/// A number as text, and the factor by which it is multiplied.
 fn with_percent(text: &str) -> (&str, f64) {
     let text = text.trim();
     text.strip_suffix('%').map_or((text, 1.0), |number| (number.trim_end(), 0.01))

@@ -1,4 +1,4 @@
-//! The times a motion is asked at.
+//! The times at which a motion is evaluated.
 
 use super::{lines, text};
 use crate::call;
@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// Number of steps in a period where no times are given.
 const STEPS: u32 = 24;
 
-/// The options that say at which times.
+/// Options for the times.
 #[derive(Clone, Debug, clap::Args)]
 #[group(multiple = false)]
 pub(crate) struct TimeOptions {
@@ -41,7 +41,7 @@ impl TimeOptions {
 }
 
 impl Times {
-    /// A period of the motion; of small swings, where it has none.
+    /// One period of the motion, or of small swings if it has none.
     fn one_period(pendulum: &Pendulum, motion: &Motion) -> Self {
         let own = Some(motion.period()).filter(|period| period.is_finite());
         let period = own.unwrap_or(pendulum.small_angle_period());
@@ -63,7 +63,7 @@ impl Times {
         }
     }
 
-    /// The one that is named last.
+    /// The last time as given.
     pub(crate) fn last(&self) -> f64 {
         match self {
             Self::List(times) => times.last().copied().unwrap_or(0.0),
@@ -111,7 +111,7 @@ impl Uncertain {
         Ok(time.value)
     }
 
-    /// Notes how many of all times have an uncertainty, in one sentence.
+    /// Writes one note on the number of times that have an uncertainty.
     fn say(&self, all: usize) {
         let sentence = match self.0.load(Ordering::Relaxed) {
             0 => return,

@@ -1,4 +1,4 @@
-//! Tolerance of an integration: one for all coordinates, or some of their own.
+//! Integration tolerances: one for all coordinates, or separate ones for some.
 
 use super::values::plain_name;
 use crate::query_error::{QueryError, option};
@@ -42,7 +42,7 @@ impl Tolerances {
         Effort::to_tolerance(self.usual)
     }
 
-    /// The system with those that coordinates have of their own.
+    /// The system with the separate tolerances of coordinates.
     pub(crate) fn put_on(&self, system: System) -> Result<System, QueryError> {
         let own: Vec<(&str, f64)> = self.own.iter().map(|(name, own)| (name.as_str(), *own)).collect();
         system.with_tolerances(&own).map_err(|error| QueryError::usage(option("tolerance"), error))

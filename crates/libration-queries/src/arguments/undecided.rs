@@ -3,7 +3,7 @@
 use libration::quantity::alternatives;
 use libration_lab::measurement::{Choice, MeasurementError};
 
-/// The reason why a file is refused, with marks of the options that would decide.
+/// The reason why a file is refused, with marks for the options that would decide.
 pub(crate) fn what_would_decide(error: &MeasurementError) -> String {
     let message = error.message(&setting);
     match error {
@@ -24,7 +24,7 @@ pub(crate) fn what_would_decide(error: &MeasurementError) -> String {
     }
 }
 
-/// The mark of a choice with its values, of which the names of sheets may hold what ends a mark.
+/// The mark of a choice with its values. Names of sheets may contain the character that ends a mark.
 fn setting(choice: Choice, values: &[&str]) -> String {
     match values.iter().any(|value| value.contains(['<', '>', '|'])) {
         true => format!("<--{choice}> {}", alternatives(values)),

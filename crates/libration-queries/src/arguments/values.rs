@@ -4,12 +4,12 @@ use super::commas::at_commas;
 use crate::query_error::{QueryError, option};
 use libration::expression::Expression;
 
-/// Reads `NAME=VALUE` items, several of them in one text with commas between.
+/// Reads `NAME=VALUE` items, several of which may be in one text, separated by commas.
 pub(super) fn values(items: &[String]) -> Result<Vec<(String, Expression)>, QueryError> {
     items.iter().flat_map(|items| at_commas(items)).map(value).collect()
 }
 
-/// The same as the library takes them.
+/// The values in the form that the library takes.
 pub(super) fn borrowed(values: &[(String, Expression)]) -> Vec<(&str, Expression)> {
     values.iter().map(|(name, value)| (name.as_str(), value.clone())).collect()
 }

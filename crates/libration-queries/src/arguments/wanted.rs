@@ -1,4 +1,4 @@
-//! Quantities expected in the columns of a table, and their units: given by an option, else written in the header, else those of the SI.
+//! Quantities expected in the columns of a table, and their units: from an option, else from the header, else SI units.
 
 use super::CountedOptions;
 use libration_lab::measurement::{Column, MeasurementError, Role, Table, TableQuantity, Unit, WrittenUnit};
@@ -6,21 +6,21 @@ use libration_lab::measurement::{Column, MeasurementError, Role, Table, TableQua
 /// The quantity expected in a column, and the options given for it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wanted {
-    /// Its name, as roles have it.
+    /// The name of the quantity in roles.
     pub(super) name: &'static str,
     pub(super) role: Role,
-    /// Beginnings of headings without which it is not inferred.
+    /// Beginnings of headings without which the column is not inferred.
     pub(super) only_named: Option<&'static [&'static str]>,
-    /// The option of the unit, and the unit where it is said.
+    /// The option for the unit, and the unit if it is given.
     pub(super) option: Option<(&'static str, Option<Unit>)>,
-    /// Index of the column of which these are the uncertainties.
+    /// Index of the column to which these uncertainties belong.
     pub(super) uncertainties_of: Option<usize>,
     /// Options for times that may last several periods.
     pub(super) counted: Option<CountedOptions>,
 }
 
 impl Wanted {
-    /// Periods, from times that may last several of them.
+    /// Periods, from times that may consist of several periods.
     pub(crate) fn periods(counted: CountedOptions) -> Self {
         Self {
             name: "period",
@@ -109,13 +109,13 @@ impl Wanted {
         Self { only_named: Some(beginnings), ..self }
     }
 
-    /// The quantity; none of uncertainties.
+    /// The quantity; `None` for uncertainties.
     pub(super) fn quantity(self) -> Option<TableQuantity> {
         let quantity = TableQuantity { name: self.name, role: self.role, only_named: self.only_named };
         self.uncertainties_of.is_none().then_some(quantity)
     }
 
-    /// Returns whether an option states the unit.
+    /// Returns `true` if an option states the unit.
     pub(super) fn states_unit(self) -> bool {
         self.option.is_some_and(|(_, unit)| unit.is_some())
     }
@@ -124,7 +124,7 @@ impl Wanted {
         self.uncertainties_of
     }
 
-    /// The uncertainties of what the column at this place holds.
+    /// The uncertainties of the column at this index.
     pub(crate) fn uncertainties(self, of: usize) -> Self {
         Self { uncertainties_of: Some(of), ..self }
     }
@@ -146,7 +146,7 @@ impl Wanted {
         }
     }
 
-    /// The fraction of the values that one stands for in a column of relative uncertainties.
+    /// The fraction of the values to which 1 corresponds in a column of relative uncertainties.
     pub(super) fn fraction(self, table: &Table, column: &Column) -> Result<Option<f64>, String> {
         match self.uncertainties_of {
             Some(_) => table.fraction(column).map_err(refusal),
@@ -154,7 +154,7 @@ impl Wanted {
         }
     }
 
-    /// The unit of a column, with a sentence where the header says one.
+    /// The unit of a column, with a sentence if it comes from the header.
     pub(super) fn unit(
         self,
         table: &Table,

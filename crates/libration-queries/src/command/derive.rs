@@ -54,12 +54,13 @@ pub(crate) struct Derive {
     /// Leave out the results, as exercises, and give them as solutions at the end
     #[arg(long)]
     exercises: bool,
-    /// Compare an answer to an exercise: the number of the formula, and what stands for its question mark, such as `3.1=omega0^2*(1-theta0^2/8)`
+    /// Compare an answer to an exercise: the number of the formula, and the formula for its question mark, such as
+    /// `3.1=omega0^2*(1-theta0^2/8)`
     #[arg(long, value_name = "NUMBER=FORMULA")]
     answer: Option<String>,
     /// Format of the derivation
     #[arg(long, value_enum, default_value = "markdown")]
-    format: Format,
+    format: DerivationFormat,
     /// Write to this file instead of standard output
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -77,7 +78,7 @@ struct SeriesOptions {
     /// Averaging: the highest power of the small parameter, 1 to 4 [default: 2]
     #[arg(long, value_parser = arguments::count::<HIGHEST_DAMPING_ORDER>)]
     damping_order: Option<usize>,
-    /// Averaging, limit-cycle: the small symbol, where several have no value
+    /// Averaging, limit-cycle: the small symbol, if several have no value
     #[arg(long, value_name = "LETTER")]
     small: Option<String>,
     /// Perturbation: meaning of the expansion parameter, such as energy or A1=1,A3=-1 [default: fundamental]
@@ -86,7 +87,7 @@ struct SeriesOptions {
     /// Series: the value of a parameter; may be given several times
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,
-    /// Perturbation: the equilibrium, where there are several
+    /// Perturbation: the equilibrium, if there are several
     #[arg(long, value_name = "X")]
     about: Option<String>,
 }
@@ -104,17 +105,17 @@ enum Method {
     /// Amplitude and phase under weak damping or excitation, power by power
     #[value(alias = "damping")]
     Averaging,
-    /// Amplitude, frequency and form of a limit cycle, by powers of its excitation
+    /// Amplitude, frequency and form of a limit cycle, in powers of its excitation
     LimitCycle,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Format {
+enum DerivationFormat {
     /// Markdown with formulas in LaTeX
     Markdown,
     /// A document for pdflatex
     Latex,
-    /// A page that stands alone, formulas in MathML
+    /// A self-contained page with formulas in MathML
     Html,
     /// A Jupyter notebook, whose cells check each formula again with Python's fractions and floats
     Ipynb,
@@ -154,9 +155,9 @@ impl Derive {
         })?;
         let judgement = exercises.judge(number.trim(), answer).map_err(|error| refused(error.to_string()))?;
         match self.format {
-            Format::Markdown => Ok(libration_derivation::judgement_to_markdown(&judgement)),
-            Format::Html => Ok(libration_derivation::judgement_to_html(&judgement)),
-            Format::Latex | Format::Ipynb => {
+            DerivationFormat::Markdown => Ok(libration_derivation::judgement_to_markdown(&judgement)),
+            DerivationFormat::Html => Ok(libration_derivation::judgement_to_html(&judgement)),
+            DerivationFormat::Latex | DerivationFormat::Ipynb => {
                 let reason = "the judgement of an answer is in Markdown or HTML: leave it out";
                 Err(QueryError::usage(option("format"), reason))
             }
@@ -182,7 +183,7 @@ impl Derive {
         derivation(self.swing()?.as_ref()).map(|derivation| (derivation, true)).map_err(failure)
     }
 
-    /// The reader's swing, if there is one.
+    /// The swing for which numbers are requested, if there is one.
     fn swing(&self) -> Result<Option<Swing>, QueryError> {
         let Some(displacement) = &self.amplitude else { return Ok(None) };
         let angle = displacement.to_angle();
@@ -288,7 +289,7 @@ fn failure(error: DerivationError) -> QueryError {
 }
 
 impl SeriesOptions {
-    /// Each method has something to choose that others have not.
+    /// Refuses options that belong to other methods.
     fn refuse(&self, method: Method) -> Result<(), QueryError> {
         const SERIES: &[Method] = &[Method::Perturbation, Method::Averaging, Method::LimitCycle];
         let given = [
@@ -325,7 +326,7 @@ impl Method {
     }
 }
 
-impl Format {
+impl DerivationFormat {
     fn write(self, derivation: &Derivation) -> String {
         match self {
             Self::Markdown => libration_derivation::to_markdown(derivation),

@@ -1,4 +1,4 @@
-//! `libration fields`: what the fields of results mean.
+//! `libration fields`: meanings of the fields of results.
 
 use super::all_fields;
 use crate::output::description::{Answers, Description, Row, descriptions};
@@ -76,7 +76,7 @@ impl FieldsQuestion {
         Ok(())
     }
 
-    /// The results requested; `fit` stands for all fits.
+    /// The results requested; `fit` means all fits.
     fn chosen(&self) -> Result<Vec<Answers>, QueryError> {
         let asked: Vec<&str> = self.command.iter().flat_map(|words| words.split_whitespace()).collect();
         let is_asked = |it: &Answers| {

@@ -1,4 +1,4 @@
-//! Parts of a report that all fits have: headline, what was measured, picture, tables, budget, method and origin.
+//! Common parts of the reports of all fits: headline, measurements, picture, tables, budget, method and origin.
 
 use crate::document::{Block, Document, DocumentFigure, DocumentTable, Section, provenance};
 use crate::figure::chart::Picture;
@@ -17,7 +17,7 @@ pub(super) struct FitReport {
     pub(super) normal: Option<NormalGravity>,
     /// Warnings about the result.
     pub(super) warnings: Vec<String>,
-    /// Names and values of what was read and found.
+    /// Names and values of inputs and results.
     pub(super) facts: Vec<(&'static str, String)>,
     pub(super) picture: Vec<Block>,
     /// The results of single groups.
@@ -64,7 +64,7 @@ pub(super) fn gravity(gravity: f64, uncertainty: &CombinedUncertainty) -> String
     format!("g = {value} (k = {})", number::rounded(uncertainty.coverage_factor(), 2))
 }
 
-/// The same of another quantity, whose uncertainty is doubled.
+/// The entry of another quantity, with its doubled uncertainty.
 pub(super) fn doubled(name: &str, it: Uncertain, unit: &str) -> String {
     format!("{name} = {} (k = 2)", number::with_uncertainty(it.value, 2.0 * it.uncertainty, unit))
 }
@@ -86,7 +86,7 @@ pub(super) fn table(caption: &str, words: &[&str], numbers: &[&str], rows: Vec<V
     of_columns(caption, columns, rows)
 }
 
-/// A table with these columns; none without rows.
+/// A table with these columns; `None` without rows.
 pub(super) fn of_columns(caption: &str, columns: Vec<Column>, rows: Vec<Vec<String>>) -> Vec<Block> {
     if rows.is_empty() {
         return vec![];
@@ -128,7 +128,7 @@ const INPUTS: &str = "Input by input: its value x with its standard uncertainty 
                       expanded uncertainty is U = k·u(g) with Student's k for 95 % and the effective degrees of freedom after Welch and \
                       Satterthwaite (Guide to the Expression of Uncertainty in Measurement, JCGM 100:2008).";
 
-/// A number with as many digits as its uncertainty gives it, or seven.
+/// A number with the digits that its uncertainty determines, or seven.
 pub(super) fn known(value: f64, uncertainty: Option<f64>) -> Vec<String> {
     match uncertainty.filter(|uncertainty| *uncertainty > 0.0) {
         Some(uncertainty) => {

@@ -36,7 +36,7 @@ pub(crate) struct List {
 
 /// Entries of both catalogues.
 #[derive(Default)]
-struct Chosen {
+struct ChosenEntries {
     oscillators: Vec<&'static NamedOscillator>,
     systems: Vec<&'static NamedSystem>,
 }
@@ -60,9 +60,9 @@ impl List {
         self.entries.iter().any(|word| ![OSCILLATORS, SYSTEMS].contains(&word.trim()))
     }
 
-    /// The entries of each word, none of them twice.
-    fn chosen(&self) -> Result<Chosen, QueryError> {
-        let mut chosen = Chosen::default();
+    /// The entries for each word, without repetition.
+    fn chosen(&self) -> Result<ChosenEntries, QueryError> {
+        let mut chosen = ChosenEntries::default();
         if self.entries.is_empty() {
             chosen.add(OSCILLATORS)?;
             chosen.add(SYSTEMS)?;
@@ -72,7 +72,7 @@ impl List {
     }
 }
 
-impl Chosen {
+impl ChosenEntries {
     fn add(&mut self, word: &str) -> Result<(), QueryError> {
         match word {
             OSCILLATORS => oscillator::catalogue().iter().for_each(|it| self.add_oscillator(it)),
@@ -100,9 +100,9 @@ impl Chosen {
         }
     }
 
-    fn entries(&self) -> Vec<Entry> {
-        let oscillators = self.oscillators.iter().map(|it| Entry::Oscillator(it));
-        oscillators.chain(self.systems.iter().map(|it| Entry::System(it))).collect()
+    fn entries(&self) -> Vec<CatalogueEntry> {
+        let oscillators = self.oscillators.iter().map(|it| CatalogueEntry::Oscillator(it));
+        oscillators.chain(self.systems.iter().map(|it| CatalogueEntry::System(it))).collect()
     }
 }
 
@@ -117,12 +117,12 @@ fn unknown(oscillator: &UnknownKey, system: &UnknownKey) -> QueryError {
 }
 
 /// An entry of either catalogue.
-enum Entry {
+enum CatalogueEntry {
     Oscillator(&'static NamedOscillator),
     System(&'static NamedSystem),
 }
 
-impl Entry {
+impl CatalogueEntry {
     /// One of two texts.
     fn text(
         &self,
@@ -137,8 +137,8 @@ impl Entry {
 }
 
 /// The columns of CSV.
-fn of_entry() -> Fields<Entry> {
-    type Of = Field<Entry>;
+fn of_entry() -> Fields<CatalogueEntry> {
+    type Of = Field<CatalogueEntry>;
     let fields = [
         Of::value("catalogue", "", "oscillators or systems", |it| {
             it.text(|_| OSCILLATORS.to_owned(), |_| SYSTEMS.to_owned())
@@ -155,10 +155,10 @@ fn of_entry() -> Fields<Entry> {
         Of::value("parameters", "", "parameters with their default values", |it| {
             it.text(oscillators::defaults, systems::defaults)
         }),
-        Of::value("domain", "", "what it holds for, where it oscillates", |it| {
+        Of::value("domain", "", "domain, for oscillators that in which they oscillate", |it| {
             it.text(|it| it.domain.to_owned(), |it| it.domain.to_owned())
         }),
-        Of::value("source", "", "where the equations are from", |it| {
+        Of::value("source", "", "source of the equations", |it| {
             it.text(|it| it.source.to_owned(), |it| it.source.to_owned())
         }),
     ];
@@ -170,14 +170,14 @@ pub(crate) fn answers() -> Vec<Answers> {
     vec![Answers { command: "list", option: "", json, csv: of_entry().described_in_csv() }]
 }
 
-fn write_json(out: &mut dyn Write, chosen: &Chosen) -> io::Result<()> {
+fn write_json(out: &mut dyn Write, chosen: &ChosenEntries) -> io::Result<()> {
     json::begin_document(out, Record::new())?;
     oscillators::write_list(out, &chosen.oscillators)?;
     systems::write_list(out, &chosen.systems)?;
     json::end_document(out, Record::new())
 }
 
-fn write_sheets(out: &mut dyn Write, chosen: &Chosen) -> io::Result<()> {
+fn write_sheets(out: &mut dyn Write, chosen: &ChosenEntries) -> io::Result<()> {
     oscillators::write_sheets(out, &chosen.oscillators)?;
     if !chosen.oscillators.is_empty() && !chosen.systems.is_empty() {
         writeln!(out)?;
@@ -186,7 +186,7 @@ fn write_sheets(out: &mut dyn Write, chosen: &Chosen) -> io::Result<()> {
 }
 
 /// The keys and titles of each catalogue that is not empty.
-fn write_tables(out: &mut dyn Write, chosen: &Chosen) -> io::Result<()> {
+fn write_tables(out: &mut dyn Write, chosen: &ChosenEntries) -> io::Result<()> {
     let oscillators = chosen.oscillators.iter().map(|it| (it.key, it.title)).collect();
     let systems = chosen.systems.iter().map(|it| (it.key, it.title)).collect();
     let tables: [(&str, Vec<_>); 2] = [("oscillator", oscillators), ("system", systems)];

@@ -39,8 +39,7 @@ pub(crate) mod sweep;
 mod systems;
 
 pub(crate) use sweep::{
-    Asked as SweepAsked, Axis as SweepAxis, Plan as SweepPlanned, axis as sweep_axis,
-    outcomes as sweep_outcomes,
+    Axis as SweepAxis, Plan as SweepPlanned, SweepRequest, axis as sweep_axis, outcomes as sweep_outcomes,
 };
 
 use crate::arguments::{protect_negative_values, sweep_options_first};
@@ -56,7 +55,7 @@ use std::io::Write;
 
 const ABOUT: &str = "The pendulum at any amplitude, and the oscillators and systems beyond it: exact results, each with its error";
 
-/// The width of every help, whatever the terminal, so that examples can be copied as they are printed.
+/// The width of all help texts, independent of the terminal, so that examples can be copied as they are printed.
 const HELP_WIDTH: usize = 80;
 
 const EXAMPLES: &str = "\
@@ -156,12 +155,12 @@ pub(crate) fn matches(command: &mut Command, arguments: Vec<OsString>) -> Result
     command.try_get_matches_from_mut(protect_negative_values(named))
 }
 
-/// The words of a command line as the command line of all queries reads them.
+/// The matches of a command line in the command line of all queries.
 pub(crate) fn matches_of_query(arguments: Vec<OsString>) -> Result<ArgMatches, QueryError> {
     with_command(|command| matches(command, arguments)).map_err(|error| QueryError::refused(&error))
 }
 
-/// Gives the command line of all queries to `work`; it is built once on each thread.
+/// Passes the command line of all queries to `work`; it is built once on each thread.
 pub(crate) fn with_command<R>(work: impl FnOnce(&mut Command) -> R) -> R {
     COMMAND.with(|shared| match shared.try_borrow_mut() {
         Ok(mut shared) => work(&mut shared),

@@ -11,7 +11,7 @@ use libration::catalogue::NamedParameter;
 use libration::oscillator::{NamedOscillator, catalogue};
 use std::io::{self, Write};
 
-/// The built-in oscillators: equations, parameters, where they oscillate, and sources
+/// The built-in oscillators: equations, parameters, domains of oscillation, and sources
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration oscillators
@@ -97,7 +97,7 @@ pub(super) fn described() -> Vec<Description> {
 
 /// Writes the list in an answer in JSON.
 pub(super) fn write_list(out: &mut dyn Write, chosen: &[&NamedOscillator]) -> io::Result<()> {
-    let (fields, mut list) = (of_oscillator(), json::List::default());
+    let (fields, mut list) = (of_oscillator(), json::ListWriter::default());
     list.begin(out, "oscillators")?;
     chosen.iter().try_for_each(|named| list.item(out, fields.record(*named)))?;
     list.end(out)

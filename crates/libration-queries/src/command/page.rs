@@ -32,7 +32,7 @@ impl Page {
     }
 }
 
-/// Writes the page, if the command has one, to a file.
+/// Writes the page to a file, if the command contains one.
 pub fn write(page: Option<&[u8]>, path: &Path) -> Result<(), QueryError> {
     let page = page.ok_or_else(|| {
         QueryError::failed(

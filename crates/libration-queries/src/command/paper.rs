@@ -63,7 +63,7 @@ impl Paper {
     }
 }
 
-/// A number is meant whole, words may be part of a label.
+/// Returns `true` if a label has this number as a whole, or these words as a part.
 fn is_named(label: &str, asked: &str) -> bool {
     let bare = |text: &str| text.trim().trim_matches(['(', ')']).to_lowercase();
     bare(label) == bare(asked) || (!label.starts_with('(') && label.to_lowercase().contains(&bare(asked)))
@@ -88,7 +88,7 @@ fn of_statement() -> Fields<Row> {
     type Of = Field<Row>;
     Fields::from([
         Of::value("document", "", "black-vel or cote", |row| row.document.key().into()),
-        Of::value("label", "", "number of the equation, or where the statement stands", |row| {
+        Of::value("label", "", "number of the equation, or position of the statement", |row| {
             row.label.as_str().into()
         }),
         Of::value("claim", "", "claim in words", |row| row.claim.as_str().into()),
@@ -98,7 +98,7 @@ fn of_statement() -> Fields<Row> {
         })
         .only_csv(),
         Of::value("paraphrase", "", PARAPHRASE, |row| row.paraphrase.into()).only_json(),
-        Of::value("read_from", "", "text that the statement was read from", |row| {
+        Of::value("read_from", "", "text from which the statement was read", |row| {
             row.document.read_from().into()
         })
         .only_json(),

@@ -6,7 +6,7 @@ use super::sweep::{Axis, shard::Shard};
 use crate::arguments::{
     AngleList, AngleSet, CoordinateName, EquationText, ParameterRange, ParameterSpan, Times, Tolerances,
 };
-use crate::figure::layout::Side;
+use crate::figure::layout::PictureSide;
 use clap::Arg;
 use libration::comparison::SeriesQuantity;
 use libration::continuation::ResonanceOrder;
@@ -41,7 +41,7 @@ pub enum ParameterType {
     Numbers,
     /// The key of an oscillator or a system, or equations.
     Equation,
-    /// The name of a coordinate or of another component of the state.
+    /// The name of a coordinate or of another state component.
     Coordinate,
     /// A formula of the state.
     Formula,
@@ -51,9 +51,9 @@ pub enum ParameterType {
     File,
     /// A column, line or sheet of a table, by its number or name.
     Column,
-    /// A key, or another short text with a notation of its own.
+    /// A key, or another short text with its own notation.
     Key,
-    /// Other text, whose notation the type does not say.
+    /// Other text, whose notation the type does not describe.
     Text,
 }
 
@@ -98,7 +98,7 @@ fn entries() -> [(ParameterType, Vec<TypeId>); 12] {
     [
         (ParameterType::Integer, vec![id::<u16>(), id::<u64>(), id::<usize>(), id::<i32>()]),
         (ParameterType::Number, vec![id::<f64>(), id::<Tolerances>(), id::<ResonanceOrder>()]),
-        (ParameterType::Quantity, vec![id::<Quantity>(), id::<Side>()]),
+        (ParameterType::Quantity, vec![id::<Quantity>(), id::<PictureSide>()]),
         (ParameterType::Angle, vec![id::<Angle>(), id::<Displacement>()]),
         (
             ParameterType::Numbers,

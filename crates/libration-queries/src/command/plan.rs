@@ -47,7 +47,7 @@ pub(crate) struct PlanQuestion {
     /// Relative uncertainty of the clock or frame rate
     #[arg(long, value_name = "PART", default_value = "0", value_parser = arguments::part)]
     clock: f64,
-    /// Acceleration of free fall, about
+    /// Approximate acceleration of free fall
     #[arg(long, default_value = "9.80665m/s^2", value_parser = arguments::gravity)]
     gravity: f64,
     #[command(flatten)]
@@ -74,7 +74,7 @@ fn amplitudes(text: &str) -> Result<Choices, String> {
     amplitudes.map(Choices).map_err(|error| error.to_string())
 }
 
-/// A choice, and whether it is the best.
+/// A choice; `true` with the best one.
 struct Choice<'a> {
     swings: &'a PlannedSwings,
     is_best: bool,

@@ -16,14 +16,14 @@ use std::io::Write;
 /// A query: its words, its line in the help, its parameters, its run, its fields.
 pub(crate) struct Query {
     pub(crate) words: &'static str,
-    /// `HIDDEN` for queries that share their first word, whose line is in `FAMILIES`, and for those under an earlier name.
+    /// `HIDDEN` for queries that share their first word, whose line is in `FAMILIES`, and for former names.
     pub(crate) line: &'static str,
     pub(crate) with_parameters: fn(Command) -> Command,
     pub(crate) write: WriteResult,
     pub(crate) fields: fn() -> Vec<Answers>,
 }
 
-/// The line of a query that has none in the help.
+/// The line of a query that is not listed in the help.
 pub(crate) const HIDDEN: &str = "";
 
 /// Writes the result for parameters that were read.
@@ -62,7 +62,7 @@ pub(crate) fn groups() -> [(&'static str, Vec<Query>); 6] {
                 ),
                 query(
                     "formulas",
-                    "period formulas: sources, accuracy, where each holds",
+                    "period formulas: sources, accuracy, domains",
                     formulas::Formulas::answer,
                     formulas::answers,
                 ),
@@ -127,7 +127,7 @@ pub(crate) fn groups() -> [(&'static str, Vec<Query>); 6] {
                 ),
                 query(
                     "modes",
-                    "normal modes, and how they change with the amplitude",
+                    "normal modes, and their change with the amplitude",
                     modes::Modes::answer,
                     modes::answers,
                 ),
@@ -206,7 +206,7 @@ pub(crate) fn groups() -> [(&'static str, Vec<Query>); 6] {
     ]
 }
 
-/// Queries that share their first word: the word, its line in the help, what they do, examples.
+/// Queries that share their first word: the word, its line in the help, its description, examples.
 pub(crate) static FAMILIES: [[&str; 4]; 1] = [[
     "fit",
     "fit of periods, lengths, amplitudes, gates, swings, responses",
@@ -218,5 +218,5 @@ pub(crate) static FAMILIES: [[&str; 4]; 1] = [[
   libration fit gates examples/gate_synthetic.csv --amplitude 0.9
   libration fit trace examples/swing_synthetic.csv --length 0.56m±0.002m
   libration fit response examples/response_synthetic.csv
-  libration inspect examples/swing_synthetic.csv   # what a file holds",
+  libration inspect examples/swing_synthetic.csv   # contents of a file",
 ]];

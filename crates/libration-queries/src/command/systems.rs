@@ -101,7 +101,7 @@ fn of_parameter() -> Fields<NamedParameter> {
     ])
 }
 
-/// The text, if it is not empty.
+/// The text, unless it is empty.
 fn known(text: &'static str) -> Option<&'static str> {
     Some(text).filter(|text| !text.is_empty())
 }
@@ -120,9 +120,9 @@ pub(super) fn described() -> Vec<Description> {
     of_system().described("systems[].")
 }
 
-/// Writes the list in an answer in JSON.
+/// Writes the list in a JSON result.
 pub(super) fn write_list(out: &mut dyn Write, chosen: &[&NamedSystem]) -> io::Result<()> {
-    let (fields, mut list) = (of_system(), json::List::default());
+    let (fields, mut list) = (of_system(), json::ListWriter::default());
     list.begin(out, "systems")?;
     chosen.iter().try_for_each(|named| list.item(out, fields.record(*named)))?;
     list.end(out)

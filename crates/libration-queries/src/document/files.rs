@@ -8,7 +8,7 @@ use libration_report::svg;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-/// `true` where documents have no pictures next to them, as in the page, which is smaller without the other formats.
+/// `true` if documents have no pictures in separate files, as in the page, which is smaller without the other formats.
 const IS_ONE_FILE: bool = cfg!(target_family = "wasm");
 
 /// Reads the name of a document, which ends in `.html`, `.htm`, `.md` or `.tex`.
@@ -25,7 +25,7 @@ pub(crate) fn name(text: &str) -> Result<PathBuf, String> {
         .to_owned())
 }
 
-/// Writes the document, and says so in a sentence; with Markdown each picture becomes an SVG file next to it, with LaTeX a PNG file.
+/// Writes the document, and announces it; with Markdown each picture becomes an SVG file next to it, with LaTeX a PNG file.
 pub(crate) fn write(path: &Path, document: &Document) -> Result<String, QueryError> {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let ending = if IS_ONE_FILE {
@@ -59,7 +59,7 @@ fn picture(figure: &DocumentFigure, ending: &str) -> Result<Vec<u8>, QueryError>
     }
 }
 
-/// Writes all files next to their places before the first one is put into its own.
+/// Writes all files under temporary names before the first one is renamed.
 fn place(files: &[(PathBuf, Vec<u8>)]) -> Result<(), QueryError> {
     let mut written = vec![];
     for (path, bytes) in files {

@@ -1,11 +1,11 @@
-//! A document as one HTML file that needs nothing else: its pictures are inside.
+//! A document as one self-contained HTML file, with its pictures inside.
 
 use super::{Block, Document, DocumentFigure, DocumentTable, Section, latex};
 use crate::output::table::Column;
 use libration_report::svg;
 
-/// Readable on a telephone and on paper. Tables fit where they stand: their cells are broken, and on the screen of a telephone
-/// each row of a wide table becomes a list.
+/// Style for telephones and paper. Tables fit the width: their cells are broken, and on the screen of a telephone each row of
+/// a wide table becomes a list.
 pub const STYLE: &str = "\
 :root{color-scheme:light}
 body{font:17px/1.5 system-ui,'DejaVu Sans',Arial,sans-serif;color:#1a1a1a;background:#fff;max-width:56rem;margin:0 auto;\
@@ -45,7 +45,7 @@ thead th{border-bottom:2px solid #888;white-space:normal}
 figcaption,caption{color:#bbb}.aside{background:#2a2114}th,td,h2{border-color:#444}.many td::before{color:#aaa}}
 ";
 
-/// Buttons below tables copy them: for word processors as a table, or as LaTeX. Without scripts there are no buttons.
+/// Script of the buttons below tables, which copy them as a table for word processors, or as LaTeX. Without scripts there are no buttons.
 pub const SCRIPT: &str = "\
 for (const bar of document.querySelectorAll('.copy')) {
   const table = bar.parentNode.querySelector('table');
@@ -71,7 +71,7 @@ for (const bar of document.querySelectorAll('.copy')) {
 const POLICY: &str =
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:";
 
-/// Columns of a table whose rows are no longer lines on the screen of a telephone.
+/// Number of columns above which the rows of a table become lists on the screen of a telephone.
 const MANY: usize = 4;
 
 /// Letters of a cell that is kept on one line.
@@ -144,7 +144,7 @@ fn row(columns: &[Column], cells: &[String]) -> String {
     format!("<tr>{cells}</tr>\n")
 }
 
-/// Numbers stand on the right, and short text is not broken.
+/// The class of a column: numbers are aligned to the right, and short text is not broken.
 fn class(column: &Column, is_short: bool) -> &'static str {
     match (column.is_of_numbers(), is_short) {
         (true, _) => " class=\"number\"",

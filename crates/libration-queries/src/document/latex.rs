@@ -16,12 +16,12 @@ const PREAMBLE: &str = r"\documentclass[a4paper,11pt]{article}
 
 /// Letters of a line of a table; a table with longer rows breaks the text of its wide columns.
 const LETTERS: usize = 100;
-/// Letters from which on a column may be broken.
+/// Number of letters above which a column may be broken.
 const WIDE: usize = 24;
-/// Letters beyond which a column gets no more of the line.
+/// Number of letters above which a column gets no larger share of the line.
 const WIDEST: usize = 40;
 
-/// The whole document; `file_of` says which file a picture is in.
+/// The whole document; `file_of` gives the file of a picture.
 pub(super) fn page(document: &Document, file_of: &dyn Fn(&DocumentFigure) -> String) -> String {
     let title = in_latex(&document.title);
     let sections = document.sections.iter().map(|section| {
@@ -67,7 +67,7 @@ fn long_table(table: &DocumentTable) -> String {
     )
 }
 
-/// The columns as LaTeX describes them: those with long text share what the others leave of the line.
+/// The column specification in LaTeX: columns with long text share the part of the line that the others leave.
 fn sides(table: &DocumentTable) -> String {
     let letters = |place: usize| {
         let cells = table.rows.iter().filter_map(|row| row.get(place)).map(|cell| cell.chars().count());
@@ -111,7 +111,7 @@ pub fn tabular(table: &DocumentTable) -> String {
     )
 }
 
-/// The text with what LaTeX would take for its own, and letters its fonts do not have, in its own spelling.
+/// The text with the special characters of LaTeX, and letters missing in its fonts, escaped.
 fn in_latex(text: &str) -> String {
     text.chars().map(letter).collect()
 }

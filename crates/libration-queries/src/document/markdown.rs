@@ -3,7 +3,7 @@
 use super::{Block, Document, DocumentFigure, DocumentTable};
 use std::borrow::Cow;
 
-/// The whole page; `file_of` says which file a picture is in.
+/// The whole page; `file_of` gives the file of a picture.
 pub(super) fn page(document: &Document, file_of: &dyn Fn(&DocumentFigure) -> String) -> String {
     let mut page = format!("# {}\n", escaped(&document.title));
     for section in &document.sections {
@@ -50,7 +50,7 @@ pub fn table(table: &DocumentTable) -> String {
     lines.join("\n")
 }
 
-/// The text with a backslash before what Markdown would take for its own.
+/// The text with special characters of Markdown escaped.
 fn escaped(text: &str) -> Cow<'_, str> {
     const OWN: [char; 9] = ['\\', '`', '*', '_', '[', ']', '<', '>', '#'];
     if !text.contains(OWN) {

@@ -1,5 +1,5 @@
-//! Documents to read and to print: sections with words, tables and pictures, as one HTML file, or as Markdown or
-//! LaTeX with the pictures next to it.
+//! Documents to read and to print: sections with text, tables and pictures, as one HTML file, or as Markdown or
+//! LaTeX with the pictures in separate files.
 
 mod files;
 pub(crate) mod html;
@@ -21,16 +21,16 @@ use libration_report::scene::Scene;
 pub struct Document {
     /// The title.
     pub title: String,
-    /// Its parts.
+    /// The sections.
     pub sections: Vec<Section>,
 }
 
-/// A part of a document under its own title.
+/// A part of a document with a title.
 #[derive(Clone, Debug)]
 pub struct Section {
     /// The title.
     pub title: &'static str,
-    /// The blocks it is made of.
+    /// The blocks of the section.
     pub blocks: Vec<Block>,
 }
 
@@ -51,7 +51,7 @@ pub enum Block {
     Figure(DocumentFigure),
 }
 
-/// A table with a line above that says what it shows; the first column names the row.
+/// A table with a caption above it; the first column names the row.
 #[derive(Clone, Debug)]
 pub struct DocumentTable {
     /// The line above.
@@ -65,7 +65,7 @@ pub struct DocumentTable {
 /// A picture with its caption.
 #[derive(Clone, Debug)]
 pub struct DocumentFigure {
-    /// Part of the name of its file, where it has one of its own.
+    /// Part of the name of its file, if it has a separate one.
     pub name: String,
     /// Caption, which describes the figure also for readers who cannot see it.
     pub caption: String,
@@ -86,7 +86,7 @@ impl DocumentFigure {
 }
 
 impl Section {
-    /// The section of these blocks, if there are any.
+    /// The section of these blocks; `None` if there are none.
     pub(crate) fn new(title: &'static str, blocks: Vec<Block>) -> Option<Self> {
         (!blocks.is_empty()).then_some(Self { title, blocks })
     }

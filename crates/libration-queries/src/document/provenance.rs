@@ -21,7 +21,7 @@ pub(crate) fn provenance() -> Block {
     })
 }
 
-/// Seconds since 1970; those of `SOURCE_DATE_EPOCH` where it is set, so that the same report can be made twice.
+/// Seconds since 1970; those of `SOURCE_DATE_EPOCH` if it is set, so that a report is reproducible.
 fn now() -> u64 {
     let given = std::env::var("SOURCE_DATE_EPOCH").ok().and_then(|seconds| seconds.trim().parse().ok());
     given.unwrap_or_else(|| call::current().host().now().as_secs())
@@ -44,7 +44,7 @@ pub fn date(seconds: u64) -> String {
     format!("{year:04}-{month:02}-{day:02} {hours:02}:{minutes:02} UTC")
 }
 
-/// The word as a shell takes it for one word.
+/// The word quoted for a shell.
 pub fn quoted(word: &str) -> String {
     let plain = |letter: char| letter.is_alphanumeric() || "_-./=+:,@%±^".contains(letter);
     match !word.is_empty() && word.chars().all(plain) {

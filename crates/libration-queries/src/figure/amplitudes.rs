@@ -15,7 +15,7 @@ pub(crate) struct Measured {
     pub(crate) table: AmplitudeTable,
 }
 
-/// Laws whose criterion is within this of the least one are drawn too.
+/// Laws whose criterion exceeds the least one by at most this are drawn too.
 const DRAWN: f64 = 4.0;
 
 /// The measurements with the laws through them.
@@ -78,7 +78,7 @@ fn residuals(measured: &Measured, law: &LawOfAmplitudes, x: Axis) -> Panel {
     }
 }
 
-/// The amplitudes of the rows: those of the law, and what is left of the values.
+/// The amplitudes of the rows: those of the law, and the residuals of the values.
 fn amplitudes(measured: &Measured, law: &LawOfAmplitudes, scale: f64) -> Vec<Point> {
     let rows = measured.table.amplitudes(law.zero.map_or(0.0, |zero| zero.value));
     let point = |((position, amplitude), deviation): ((f64, f64), f64)| Point {

@@ -1,4 +1,4 @@
-//! A motion that is shown as it goes on, next to its curves.
+//! An animated motion next to its curves.
 
 use super::chart::{Animation, Hanging, Mechanism, MovingDot, Picture};
 use crate::output::number;
@@ -8,7 +8,7 @@ use libration::taylor::Moment;
 
 /// Frame rate that screens need for a movement without jerks.
 const FRAMES_PER_SECOND: f64 = 30.0;
-/// Longer ones run faster than they are, so that files stay below a few hundred kilobytes.
+/// Longest duration in seconds; longer motions are shown faster, so that files stay below a few hundred kilobytes.
 const LONGEST: f64 = 30.0;
 const SHORTEST: f64 = 1.0;
 
@@ -22,7 +22,7 @@ pub struct Playing {
 }
 
 impl Playing {
-    /// The playing from one time to another, which may be before it.
+    /// The animation from one time to another, which may be earlier.
     pub fn new(from: f64, to: f64) -> Self {
         let span = to - from;
         let seconds = span.abs();
@@ -48,7 +48,7 @@ impl Playing {
         (0..=frames).map(|frame| self.from + self.span * f64::from(frame) / f64::from(frames)).collect()
     }
 
-    /// A statement of the speed, if it is not the true one.
+    /// A statement of the speed, if it is not real time.
     fn said(&self) -> Option<String> {
         let said = |factor: f64, how: &str| format!("shown {} times as {how}", number::short(factor, 3));
         match self.speed {
@@ -94,14 +94,14 @@ pub(crate) fn of_motion(picture: Picture, motion: &Motion, (from, to): (f64, f64
 
 /// The coordinates of a motion at some times.
 #[derive(Debug)]
-pub struct Sampled<'a> {
+pub struct SampledCoordinates<'a> {
     /// The times of the samples.
     pub times: &'a [f64],
     /// One list for each coordinate.
     pub values: &'a [Vec<f64>],
 }
 
-impl Sampled<'_> {
+impl SampledCoordinates<'_> {
     /// A coordinate between two samples, on a straight line.
     pub fn value(&self, coordinate: usize, time: f64) -> f64 {
         let values = &self.values[coordinate];

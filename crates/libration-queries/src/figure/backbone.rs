@@ -24,7 +24,7 @@ fn largest(points: &[BackbonePoint]) -> f64 {
     points.iter().map(|point| point.amplitude).fold(0.0, f64::max)
 }
 
-/// The series is drawn as far as it leaves the orbits by this part of their range.
+/// Fraction of the range of the orbits up to which the series is drawn beyond them.
 const BEYOND: f64 = 0.5;
 
 /// Orbits as markers at the amplitudes requested, on a curve of orbits through the sampled points, with the series and its radius of
@@ -70,7 +70,7 @@ pub(crate) fn backbone(
     Picture::new(&format!("Backbone: {}", setting.title), vec![Panel { x, y, series: shown, share: 1.0 }])
 }
 
-/// The range of the orbits and some room for what leaves it.
+/// The range of the orbits with a margin for the series.
 fn frequencies(orbits: &[(f64, f64)]) -> Axis {
     let (low, high) = around(orbits.iter().map(|(frequency, _)| *frequency));
     let low = if low > 0.0 && low < BEYOND * (high - low) { 0.0 } else { low.max(0.0) };

@@ -64,7 +64,7 @@ fn amplitudes(
     laws.into_iter().chain(slow).chain([turns]).collect()
 }
 
-/// The times of the cycles of the slow flow, each at its middle, as far as the axis goes.
+/// The times of the cycles of the slow flow, each at its middle, within the axis.
 fn slow_cycles(slow: &SlowDecay, cycles: usize) -> Series {
     let turns = slow.turning_points(2 * cycles + 1);
     let whole = turns.windows(3).step_by(2);
@@ -72,7 +72,7 @@ fn slow_cycles(slow: &SlowDecay, cycles: usize) -> Series {
     Series::line("cycles of the slow flow", style::curve(3), points)
 }
 
-/// The time of a cycle stands at its middle.
+/// The periods of the cycles, each at the middle of its cycle.
 fn periods(decay: &Decay, slow: Option<&SlowDecay>, cycles: &[MeasuredCycle], times: &[f64]) -> Vec<Series> {
     let (pendulum, envelope) = (decay.pendulum(), decay.envelope(EnvelopeLaw::Averaged));
     let exact = times.iter().filter_map(|&time| {

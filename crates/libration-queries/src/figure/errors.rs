@@ -56,7 +56,7 @@ fn signed(curve: &Curve, angles: Vec<(f64, Option<Angle>)>, progress: &dyn Progr
     asked.map(|(x, angle)| (x, angle.map_or(f64::NAN, |angle| (curve.error)(&angle)))).collect()
 }
 
-/// Even steps, and the approach to the right end, where formulas and period may be infinite.
+/// Even steps, and steps that approach the right end, where formulas and period may be infinite.
 fn amplitudes(frame: Frame) -> Vec<(f64, Option<Angle>)> {
     let step = (frame.to - frame.from) / f64::from(SAMPLES);
     let even = (0..SAMPLES).map(|k| frame.from + step * f64::from(k));

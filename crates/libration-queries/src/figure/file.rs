@@ -1,4 +1,4 @@
-//! The file a picture is written to: its ending says whether SVG, PDF or PNG.
+//! The file of a picture: its extension decides between SVG, PDF and PNG.
 
 use super::chart::Picture;
 use super::{Layout, pdf, png};
@@ -21,7 +21,7 @@ pub(crate) fn drawable(text: &str) -> Result<PathBuf, String> {
         .to_owned())
 }
 
-/// Draws the picture in its size into its file, and says so in a sentence.
+/// Draws the picture in its size into its file, and announces it.
 pub(crate) fn write(path: &Path, picture: &Picture, layout: &Layout) -> Result<String, QueryError> {
     let is_svg = is(path, "svg") || path == Path::new("-");
     if picture.animation.is_some() && !is_svg {

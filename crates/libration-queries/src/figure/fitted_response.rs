@@ -1,4 +1,4 @@
-//! A measured response: amplitudes, and phases where there are any, with the curve that is fitted, its unstable part dashed.
+//! A measured response: amplitudes, and phases if measured, with the fitted curve, whose unstable part is dashed.
 
 use super::chart::{Axis, Panel, Picture, Point, Series, Units};
 use super::parameters::found;

@@ -1,4 +1,4 @@
-//! The letters of PNG and PDF: a part of `DejaVu Sans` that is within the command, so that every system draws the same.
+//! The letters of PNG and PDF: a part of `DejaVu Sans` within the command, so that every system draws the same.
 
 use libration_report::runs;
 use tiny_skia::{Path, PathBuilder, Transform};
@@ -12,7 +12,7 @@ pub(super) const FONT: &[u8] = include_bytes!("../../assets/DejaVuSans.ttf");
 pub struct Font(pub(super) Face<'static>);
 
 impl Font {
-    /// Nothing if the font within the command were damaged.
+    /// Loads the font; `None` if it were damaged.
     pub fn new() -> Option<Self> {
         Face::parse(FONT, 0).ok().map(Self)
     }

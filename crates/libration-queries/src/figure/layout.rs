@@ -15,10 +15,10 @@ pub(crate) struct Layout {
     size: Preset,
     /// Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by --size]
     #[arg(long, value_name = "LENGTH", value_parser = side, requires = "figure")]
-    width: Option<Side>,
+    width: Option<PictureSide>,
     /// Height of the picture [default: chosen to suit the picture]
     #[arg(long, value_name = "LENGTH", value_parser = side, requires = "figure")]
-    height: Option<Side>,
+    height: Option<PictureSide>,
     /// Leave out the title and the parameters under it, for a figure with a caption
     #[arg(long, requires = "figure")]
     no_title: bool,
@@ -45,7 +45,7 @@ enum Angles {
 
 /// A length with the unit it was given in.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Side {
+pub struct PictureSide {
     length: f64,
     unit: &'static Unit,
 }
@@ -59,20 +59,21 @@ struct Unit {
 
 const PIXEL: Unit = Unit { name: "", size: 1.0 };
 const MILLIMETRE: Unit = Unit { name: "mm", size: UNITS_PER_MM };
-/// Units by the endings of lengths, of which the last one that fits counts.
+/// Units by the endings of lengths; the last one that matches counts.
 const UNITS: [Unit; 3] =
     [Unit { name: "px", size: 1.0 }, MILLIMETRE, Unit { name: "cm", size: 10.0 * UNITS_PER_MM }];
 
-/// Larger pictures take gigabytes as a PNG.
+/// Largest side of a picture: larger ones take gigabytes as a PNG.
 const LARGEST: f64 = 4000.0;
 
 impl Layout {
-    /// The picture laid out as requested, if the size holds it.
+    /// The picture laid out as requested, if there is enough room.
     pub(super) fn scene(&self, picture: &Picture) -> Result<Scene, QueryError> {
         let format = self.format();
-        let refused = |side: Parameter, asked: Option<Side>, usual: f64, least: f64| {
-            let asked = asked.unwrap_or(Side { length: (usual / UNITS_PER_MM).round(), unit: &MILLIMETRE });
-            let least = Side { length: (least / asked.unit.size - 1e-6).ceil(), ..asked };
+        let refused = |side: Parameter, asked: Option<PictureSide>, usual: f64, least: f64| {
+            let asked =
+                asked.unwrap_or(PictureSide { length: (usual / UNITS_PER_MM).round(), unit: &MILLIMETRE });
+            let least = PictureSide { length: (least / asked.unit.size - 1e-6).ceil(), ..asked };
             let reason =
                 format!("{asked} is too small for this picture and its labels: give at least {least}");
             QueryError::no_result(side, reason).with_suggestion(Some(least.to_string()))
@@ -107,7 +108,7 @@ impl Layout {
             Preset::Slide => PictureFormat::SLIDE,
         };
         let usual = PictureFormat { has_title: !self.no_title, names_curves: self.curve_labels, ..usual };
-        let height = self.height.map(Side::in_units);
+        let height = self.height.map(PictureSide::in_units);
         match self.width {
             // A width of one's own leaves the height to the picture.
             Some(width) => PictureFormat { width: width.in_units(), height, ..usual },
@@ -116,25 +117,25 @@ impl Layout {
     }
 }
 
-impl Side {
+impl PictureSide {
     /// The length in the units of a picture.
     pub fn in_units(self) -> f64 {
         self.length * self.unit.size
     }
 }
 
-impl fmt::Display for Side {
+impl fmt::Display for PictureSide {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}{}", self.length, self.unit.name)
     }
 }
 
 /// A side of a picture, up to a poster's.
-pub fn side(text: &str) -> Result<Side, String> {
+pub fn side(text: &str) -> Result<PictureSide, String> {
     let text = text.trim();
     let unit = UNITS.iter().find(|unit| text.ends_with(unit.name)).unwrap_or(&PIXEL);
     let number = text[..text.len() - unit.name.len()].trim().parse().ok();
-    let side = number.map(|length| Side { length, unit });
+    let side = number.map(|length| PictureSide { length, unit });
     side.filter(|side| side.length > 0.0 && side.in_units() <= LARGEST).ok_or_else(|| {
         let most = (LARGEST / UNITS_PER_MM).floor();
         format!("give a length above 0, such as 80mm, 12cm or 600 (pixels), at most {LARGEST} or {most}mm")

@@ -18,7 +18,7 @@ pub(crate) struct Measured {
     pub(crate) table: LengthTable,
 }
 
-/// The measurements with a law through them; the radius of the bob where it is known.
+/// The measurements with a fitted law; with the radius of the bob if it is known.
 pub(crate) fn fitted(measured: &Measured, fit: &LengthFit, radius: Option<f64>) -> Picture {
     if fit.model.is_of_bars() {
         return bar(measured, fit);
@@ -98,7 +98,7 @@ fn below(x: Axis, residuals: Vec<Point>) -> Panel {
     }
 }
 
-/// T² of small swings, from where it is zero.
+/// T² of small swings, from its zero.
 fn line(fit: &LengthFit, radius: Option<f64>, from: f64, to: f64) -> Series {
     let offset = fit.offset.map_or(0.0, |offset| offset.value);
     let gyration =

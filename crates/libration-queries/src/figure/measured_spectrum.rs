@@ -12,7 +12,7 @@ pub(crate) struct MeasuredSpectrum {
     pub(crate) spectrum: Spectrum,
 }
 
-/// The unit of harmonics, and by what they are multiplied where people read them: angles are shown in degrees.
+/// The unit of harmonics, and the factor to it: angles are shown in degrees.
 pub(crate) fn unit_scale(observable: Observable) -> (&'static str, f64) {
     match observable {
         Observable::Angle => ("rad", 1_f64.to_degrees()),

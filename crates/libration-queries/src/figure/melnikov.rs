@@ -24,7 +24,7 @@ pub(crate) struct Perturbed<'a> {
     pub(crate) resonances: &'a [DriveResonance],
 }
 
-/// One panel above the other; the second where there are resonances.
+/// Panels one above the other; the second only if there are resonances.
 pub(crate) fn melnikov(of: &Perturbed<'_>) -> Picture {
     let mut panels = vec![function(of.separatrices)];
     if !of.resonances.is_empty() {

@@ -1,4 +1,4 @@
-//! The pictures: what each one shows, how large it is, and the file it is written to.
+//! The pictures: contents, sizes and files.
 //!
 //! # Method
 //! Pictures are data of `libration-report`, drawn as SVG there, as PNG by tiny-skia (`png.rs`) and as PDF by pdf-writer (`pdf.rs`); in a page,

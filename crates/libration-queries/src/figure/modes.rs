@@ -1,4 +1,4 @@
-//! The shapes of normal modes: the part of each coordinate.
+//! The shapes of normal modes: the component of each coordinate.
 
 use super::chart::{Axis, Panel, Picture, Series, Units};
 use super::names::{subject, symbol};
@@ -21,7 +21,7 @@ pub(crate) fn shapes(model: &Model, modes: &NormalModes) -> Picture {
     }
     let names = modes.variables.iter().map(|name| symbol(name)).collect();
     let x = Axis::linear("coordinate", 0.5, last + 0.5).in_units(Units::Names(names));
-    let y = Axis::linear("part in the mode", -1.1, 1.1);
+    let y = Axis::linear("component in the mode", -1.1, 1.1);
     let title = format!("Normal modes of {}", subject(model));
     Picture::new(&title, vec![Panel { x, y, series, share: 1.0 }]).with_parameters(of_model(model))
 }

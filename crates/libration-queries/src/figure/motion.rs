@@ -10,7 +10,7 @@ use libration::pendulum::{ApproximateMotion, Motion};
 const SAMPLES: u32 = 800;
 
 /// A release from rest: the label of its amplitude, the amplitude (rad) and the motion.
-pub(crate) struct Release {
+pub(crate) struct DrawnRelease {
     pub(crate) label: String,
     pub(crate) amplitude: f64,
     pub(crate) motion: Motion,
@@ -23,7 +23,7 @@ pub(crate) struct Approximation<'a> {
 }
 
 /// θ/θ0 at several amplitudes against the small-angle cosine; the motions belong to a pendulum with T0 = 1.
-pub(crate) fn releases(releases: &[Release], periods: f64) -> Picture {
+pub(crate) fn releases(releases: &[DrawnRelease], periods: f64) -> Picture {
     let times: Vec<f64> = evenly(0.0, periods, SAMPLES).collect();
     let cosine = ApproximateMotion::CATALOGUE[0];
     let phase = |time: f64| std::f64::consts::TAU * time;
@@ -89,7 +89,7 @@ fn values<'a>(series: impl IntoIterator<Item = &'a Series>) -> impl Iterator<Ite
     series.into_iter().flat_map(|series| series.points.iter().map(|point| point.y))
 }
 
-/// Values from one end to the other in a number of equal steps.
+/// Values from one end to the other in equal steps.
 fn evenly(from: f64, to: f64, steps: u32) -> impl Iterator<Item = f64> {
     (0..=steps).map(move |step| from + (to - from) * f64::from(step) / f64::from(steps))
 }

@@ -44,7 +44,7 @@ impl Motions<'_> {
         Picture::new(&title, panels).with_parameters(of_model(self.model))
     }
 
-    /// One number of the state against another.
+    /// One state component against another.
     pub(crate) fn in_plane(&self, [across, up]: &[StateAxis; 2]) -> Picture {
         let values = |trace: &Trace<'_>, shown: &StateAxis| trace.values[shown.place].clone();
         let curve = |(number, (label, trace)): (usize, &(String, &Trace<'_>))| {

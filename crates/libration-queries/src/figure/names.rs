@@ -2,7 +2,7 @@
 
 use libration::systems::Model;
 
-/// The name of a system in a title: equations that were typed are themselves, or their coordinates if they are long.
+/// The name of a system in a title: the equations as typed, or their coordinates if they are long.
 pub(crate) fn name(model: &Model) -> String {
     const SHORT: usize = 70;
     let equation = model.equation().to_string();
@@ -13,7 +13,7 @@ pub(crate) fn name(model: &Model) -> String {
     }
 }
 
-/// The same in the middle of a sentence.
+/// The name of a model in the middle of a sentence.
 pub(crate) fn subject(model: &Model) -> String {
     let name = name(model);
     // "Lorenz's convection" has its article.
@@ -47,7 +47,7 @@ pub(crate) fn symbol(name: &str) -> String {
     }
 }
 
-/// A formula as an axis shows it: `θ₁` for theta1; a text that is not a name stays as it is written.
+/// A formula as printed at an axis: `θ₁` for theta1; a text that is not a name stays as it is.
 pub(crate) fn formula(written: &str) -> String {
     let is_name = written.chars().all(|letter| letter.is_alphanumeric() || letter == '\'');
     if is_name { symbol(written) } else { written.replace('\'', "′") }

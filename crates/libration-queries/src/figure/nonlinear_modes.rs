@@ -1,4 +1,4 @@
-//! Frequency of a normal mode against its amplitude: stable orbits solid, unstable ones dashed, the series of small amplitudes.
+//! Frequency of a normal mode against its amplitude: stable orbits solid, unstable ones dashed, with the series for small amplitudes.
 
 use super::chart::{Axis, Look, Mark, Panel, Picture, Series, Units};
 use super::names::{subject, symbol};
@@ -8,7 +8,7 @@ use super::style;
 use libration::nonlinear_modes::{ModePoint, NonlinearMode};
 use libration::systems::Model;
 
-/// The dashes of what is unstable.
+/// The dashes of unstable parts.
 const DASHES: &[f64] = &[5.0, 4.0];
 
 /// Frequency against amplitude, angles in degrees.

@@ -9,14 +9,14 @@ use crate::output::number::short;
 use libration::orbit::Orbit;
 use libration::systems::Model;
 
-/// Points of a curve where nothing is steep.
+/// Number of points of a smooth curve.
 const SAMPLES: u32 = 400;
 /// Largest number of halvings of an interval in which the curve leaves its chord by more than `SEEN` of its whole extent: relaxation
 /// oscillations jump in a thousandth of their period.
 const HALVINGS: u32 = 6;
 const SEEN: f64 = 5e-4;
 
-/// One panel above the other, one colour a coordinate. What has no velocity is drawn against the first coordinate.
+/// Panels one above the other, with one colour for each coordinate. A coordinate without velocity is drawn against the first coordinate.
 pub(crate) fn orbit(model: &Model, orbit: &Orbit) -> Picture {
     let period = orbit.period();
     let states = states(orbit);
@@ -50,7 +50,7 @@ pub(crate) fn orbit(model: &Model, orbit: &Orbit) -> Picture {
         .with_parameters([of_model(model), vec![told]].concat())
 }
 
-/// The states over a period, closer to each other where they change fast.
+/// The states over a period, denser where they change fast.
 fn states(orbit: &Orbit) -> Vec<(f64, Vec<f64>)> {
     let at = |time: f64| (time, orbit.state_at(time));
     let time = |step: u32| orbit.period() * f64::from(step) / f64::from(SAMPLES);
@@ -79,7 +79,7 @@ fn states(orbit: &Orbit) -> Vec<(f64, Vec<f64>)> {
     states
 }
 
-/// The labels of the axes: the names where there is one coordinate, else those that the coordinates have in common.
+/// The labels of the axes: the names for one coordinate, else common labels.
 fn labels(model: &Model) -> (String, String) {
     let (names, units) = (model.state_names(), model.state_units());
     match (model.coordinates().len(), model.layout().velocity(0)) {

@@ -27,7 +27,7 @@ pub fn said(name: &str, value: f64, unit: &str) -> String {
     format!("{} = {} {}", symbol(name), shown(value), unit.replace("^2", "²")).trim_end().to_owned()
 }
 
-/// A result with its uncertainty, where it is known.
+/// A result with its uncertainty, if it is known.
 pub(crate) fn found(name: &str, value: impl Into<Quantity>, unit: &str) -> String {
     let value: Quantity = value.into();
     match value.uncertainty {
@@ -41,7 +41,7 @@ pub(crate) fn found(name: &str, value: impl Into<Quantity>, unit: &str) -> Strin
     }
 }
 
-/// The values of a system's parameters, except those that are zero and leave something out.
+/// The values of a system's parameters, except zeros that remove a term.
 pub(crate) fn of_model(model: &Model) -> Vec<String> {
     let units =
         model.key().and_then(|key| NamedSystem::by_key(key).ok()).map_or(&[][..], |named| named.parameters);
@@ -53,14 +53,14 @@ pub(crate) fn of_model(model: &Model) -> Vec<String> {
     model.values().iter().filter_map(parameter).collect()
 }
 
-/// The unit in which the angles of a start are written: that of the axes of the picture.
+/// The unit of the angles of an initial state: that of the axes of the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Angles {
     Degrees,
     Radians,
 }
 
-/// The state a motion begins in, if it is of few numbers: `θ₁(0) = 60°`. What is at rest is not named.
+/// The initial state, if it has few components: `θ₁(0) = 60°`. Components at rest are omitted.
 pub(crate) fn of_start(model: &Model, state: &[f64], angles: Angles) -> Vec<String> {
     let named = model.state_names().into_iter().zip(model.state_units()).zip(state);
     let moved: Vec<_> = named.filter(|(_, value)| value.abs() > 0.0).collect();
@@ -75,7 +75,7 @@ pub(crate) fn of_start(model: &Model, state: &[f64], angles: Angles) -> Vec<Stri
     if moved.len() > MOST_OF_START { vec![] } else { moved.iter().map(number).collect() }
 }
 
-/// The coefficients of a damping, each with the power of the velocity it belongs to.
+/// The coefficients of a damping, each with its power of the velocity.
 pub(crate) fn of_damping(damping: &Damping) -> Vec<String> {
     let term = |term: &PowerLawTerm| {
         let power = [0_usize, 1, 2, 3].into_iter().zip([0.0, 1.0, 2.0, 3.0]);

@@ -44,7 +44,7 @@ pub(crate) fn fitted(measurements: &[Measurement], fit: &PeriodFit) -> Picture {
     picture.with_parameters([found("T₀", fit.exact.t0, "s")])
 }
 
-/// The two laws, drawn behind the measurements.
+/// The two laws, drawn below the measurements.
 fn laws(fit: &PeriodFit, from: f64, to: f64) -> Vec<Series> {
     let degrees = |step| from + (to - from) * f64::from(step) / f64::from(SAMPLES);
     let curve = |law: Law, t0: f64| {

@@ -64,7 +64,7 @@ fn repeated<'a>(
     })
 }
 
-/// The same for motions that come in two directions.
+/// The same curve for motions in both directions.
 fn both_ways<'a>(label: &'a str, look: &'a Look, points: &[(f64, f64)]) -> Vec<Series> {
     let back: Vec<(f64, f64)> = points.iter().map(|(angle, velocity)| (-angle, -velocity)).collect();
     repeated(label, look, points).chain(repeated("", look, &back)).collect()

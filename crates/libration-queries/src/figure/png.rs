@@ -12,7 +12,7 @@ const PIXELS_PER_UNIT: f64 = 300.0 / 96.0;
 /// A larger side would take gigabytes.
 const MOST_PIXELS: f64 = 9600.0;
 
-/// The bytes of a PNG file; why there are none, if there are.
+/// The bytes of a PNG file, or the reason why there are none.
 pub(crate) fn file(scene: &Scene) -> Result<Vec<u8>, String> {
     let canvas = Canvas::new(scene).ok_or("there is not enough memory for a picture of this size")?;
     canvas.drawn(scene).encode_png().map_err(|error| error.to_string())

@@ -9,10 +9,10 @@ use libration::algebra::Complex;
 use libration::systems::Model;
 
 /// The content of the picture.
-pub(crate) struct Amplitudes<'a> {
+pub(crate) struct ModeAmplitudes<'a> {
     pub(crate) model: &'a Model,
     pub(crate) initial: &'a [f64],
-    /// Seconds between two places.
+    /// Seconds between two positions.
     pub(crate) interval: f64,
     /// All amplitudes at each time, by the slow flow.
     pub(crate) slow: Vec<Vec<Complex>>,
@@ -20,11 +20,11 @@ pub(crate) struct Amplitudes<'a> {
     pub(crate) seen: Vec<Vec<Complex>>,
 }
 
-/// Number of places from one dot to the next.
+/// Number of positions from one dot to the next.
 const DOTS: usize = 4;
 
 /// One line and one row of dots for each mode.
-pub(crate) fn amplitudes(of: &Amplitudes<'_>) -> Picture {
+pub(crate) fn amplitudes(of: &ModeAmplitudes<'_>) -> Picture {
     let modes = of.slow.first().map_or(0, Vec::len);
     let places = |path: &[Vec<Complex>], mode: usize| -> Vec<(f64, f64)> {
         path.iter().enumerate().map(|(k, all)| (of.interval * count(k), all[mode].abs())).collect()

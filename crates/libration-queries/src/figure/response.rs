@@ -7,7 +7,7 @@ use super::style;
 use libration::continuation::{Branch, BranchPoint, FreeOscillation, SpecialKind, Sweep, SweepPoint};
 use libration::systems::Model;
 
-/// The dashes of what is unstable.
+/// The dashes of unstable parts.
 const DASHES: &[f64] = &[5.0, 4.0];
 const KINDS: [SpecialKind; 7] = [
     SpecialKind::Fold,
@@ -61,7 +61,7 @@ impl ResponseCurve<'_> {
     }
 }
 
-/// The branches, with the backbone behind them where there is one.
+/// The branches, with the backbone below them if there is one.
 pub(crate) fn response(curve: &ResponseCurve<'_>) -> Picture {
     let unit = if curve.is_angle() { 1_f64.to_degrees() } else { 1.0 };
     let mut series = vec![];

@@ -9,7 +9,7 @@ use libration::chaos::{DiagramColumn, PoincareSection, angles, folded};
 use libration::systems::Model;
 use std::f64::consts::PI;
 
-/// One number of the state: what the axis is called, and whether it is an angle, folded into a turn.
+/// One state component: the label of its axis, and `true` if it is an angle, folded into a turn.
 #[derive(Clone, Debug)]
 pub(crate) struct StateAxis {
     pub(crate) place: usize,
@@ -17,13 +17,13 @@ pub(crate) struct StateAxis {
     pub(crate) is_angle: bool,
 }
 
-/// The columns of one way through the values of a parameter.
-pub(crate) struct Sweep {
+/// The columns for one direction through the values of a parameter.
+pub(crate) struct DiagramSweep {
     pub(crate) name: &'static str,
     pub(crate) columns: Vec<DiagramColumn>,
 }
 
-/// The section: one number of the state against another, one colour a motion.
+/// The section: one state component against another, one colour for each motion.
 pub(crate) fn section(
     model: &Model,
     starts: &[Vec<f64>],
@@ -48,10 +48,15 @@ pub(crate) fn section(
 }
 
 /// The diagram: one number of the state against the parameter, one colour a sweep.
-pub(crate) fn bifurcation(model: &Model, parameter: &str, sweeps: &[Sweep], up: &StateAxis) -> Picture {
+pub(crate) fn bifurcation(
+    model: &Model,
+    parameter: &str,
+    sweeps: &[DiagramSweep],
+    up: &StateAxis,
+) -> Picture {
     let columns = || sweeps.iter().flat_map(|sweep| &sweep.columns);
     let all: usize = columns().map(|column| column.section.points.len()).sum();
-    let of_sweep = |(number, sweep): (usize, &Sweep)| {
+    let of_sweep = |(number, sweep): (usize, &DiagramSweep)| {
         let columns = sweep.columns.iter();
         let points = columns.flat_map(|column| {
             column.section.points.iter().map(|point| (column.value, up.value(&point.state)))
@@ -71,7 +76,7 @@ pub(crate) fn bifurcation(model: &Model, parameter: &str, sweeps: &[Sweep], up: 
 }
 
 impl StateAxis {
-    /// The number of the state at this place.
+    /// The state component with this index.
     pub(crate) fn new(model: &Model, place: usize) -> Self {
         let label = axis_label(&model.state_names()[place], &model.state_units()[place]);
         let is_angle = angles(model.equation()).get(place) == Some(&true);
@@ -93,14 +98,14 @@ impl StateAxis {
         self.label.split(" / ").next().unwrap_or_default()
     }
 
-    /// The values as they are, with ticks at parts of π for angles.
+    /// The unfolded values, with ticks at multiples of π for angles.
     pub(super) fn unfolded_axis(&self, values: impl Iterator<Item = f64>) -> Axis {
         let (low, high) = around(values);
         let axis = Axis::linear(&self.label, low, high);
         if self.is_angle { axis.in_units(Units::HalfTurns(PI)) } else { axis }
     }
 
-    /// The whole turn for an angle that goes almost around, otherwise what the values need.
+    /// The whole turn for an angle that goes almost around, otherwise the range of the values.
     fn axis(&self, values: impl Iterator<Item = f64>) -> Axis {
         let (low, high) = around(values);
         let turns = self.is_angle && high - low > PI;

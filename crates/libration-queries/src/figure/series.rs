@@ -6,7 +6,7 @@ use super::style;
 use crate::output::number::short;
 
 /// The name of a curve, the kind of approximation, and its signed errors.
-pub(crate) struct Line {
+pub(crate) struct ErrorCurve {
     pub(crate) label: String,
     pub(crate) family: &'static str,
     pub(crate) errors: Vec<(f64, f64)>,
@@ -47,7 +47,7 @@ impl Abscissa {
 
 /// Errors against the amplitude in radians or in the oscillator's own unit.
 pub(crate) fn against_amplitude(
-    lines: &[Line],
+    lines: &[ErrorCurve],
     radius: Option<(f64, &str)>,
     to: f64,
     setting: &SeriesSetting,
@@ -66,13 +66,13 @@ pub(crate) fn against_amplitude(
     picture(x, series, setting)
 }
 
-fn curve(look: Look, line: &Line, abscissa: &Abscissa) -> Series {
+fn curve(look: Look, line: &ErrorCurve, abscissa: &Abscissa) -> Series {
     let errors: Vec<(f64, f64)> = line.errors.iter().map(|(x, error)| (abscissa.value(*x), *error)).collect();
     Series::line(&line.label, look, sizes(&errors))
 }
 
 /// Errors against the last power kept.
-pub(crate) fn against_terms(lines: &[Line], setting: &SeriesSetting) -> Picture {
+pub(crate) fn against_terms(lines: &[ErrorCurve], setting: &SeriesSetting) -> Picture {
     let mut series = vec![];
     for (number, line) in lines.iter().enumerate() {
         let points: Vec<(f64, f64)> =

@@ -1,6 +1,6 @@
 //! The coordinates of a system, and formulas, in time.
 
-use super::animation::Sampled;
+use super::animation::SampledCoordinates;
 use super::chart::{Axis, Panel, Picture, Series, Units};
 use super::names::{formula, subject, symbol};
 use super::parameters::{Angles, of_model, of_start};
@@ -15,7 +15,7 @@ pub(crate) const POINTS: u32 = 6000;
 /// More marks on one curve would hide it.
 const MOST_MARKS: usize = 1000;
 
-/// The coordinates and the values of formulas at evenly spaced times, filled in as the integration goes on.
+/// The coordinates and the values of formulas at evenly spaced times, added during the integration.
 #[derive(Debug)]
 pub(crate) struct Trace<'a> {
     observables: Option<&'a Observables>,
@@ -43,7 +43,7 @@ impl<'a> Trace<'a> {
         self.end * f64::from(place) / f64::from(POINTS)
     }
 
-    /// Takes the state of a sample that was computed before.
+    /// Takes the state of a sample of the earlier result.
     pub(crate) fn earlier(&mut self, moment: &Moment) {
         self.push(moment);
         while self.next <= POINTS && self.time(self.next).abs() <= moment.time.abs() {
@@ -60,7 +60,7 @@ impl<'a> Trace<'a> {
         }
     }
 
-    /// Leaves out what lies behind a time.
+    /// Removes everything after a time.
     pub(crate) fn cut(&mut self, end: f64) {
         let kept = self.times.partition_point(|time| time.abs() <= end.abs());
         self.times.truncate(kept);
@@ -90,9 +90,9 @@ impl<'a> Trace<'a> {
         }
     }
 
-    /// The same with the bodies that move.
+    /// The picture with the bodies that move.
     pub(crate) fn animated(&self, model: &Model, start: &[f64]) -> Picture {
-        let sampled = Sampled { times: &self.times, values: &self.values };
+        let sampled = SampledCoordinates { times: &self.times, values: &self.values };
         let units = units(model);
         sampled.animated(self.picture(model, start), model, |coordinate| {
             let unit = model.coordinates()[coordinate].unit.as_str();
@@ -119,7 +119,7 @@ impl<'a> Trace<'a> {
         Picture::new(&format!("Motion of {}", subject(model)), panels).with_parameters(made_with)
     }
 
-    /// One number of the state against another.
+    /// One state component against another.
     pub(crate) fn plane(&self, model: &Model, start: &[f64], [across, up]: &[StateAxis; 2]) -> Picture {
         let values = |shown: &StateAxis| self.values[shown.place].iter().copied();
         let path = Series::line("", style::curve(0), values(across).zip(values(up)));

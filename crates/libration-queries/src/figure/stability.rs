@@ -40,24 +40,27 @@ enum Role {
 }
 
 /// A piece of a curve with one meaning, and its points.
-struct Piece {
+struct CurvePiece {
     meaning: (SpecialKind, Role),
     places: Vec<(f64, f64)>,
 }
 
 /// The pieces of a curve; each ends where the next one begins.
-fn pieces(curve: &SpecialCurve) -> Vec<Piece> {
+fn pieces(curve: &SpecialCurve) -> Vec<CurvePiece> {
     let role = |it: &CurvePoint| match (curve.at_rest, it.bounds_stability()) {
         (true, true) => Role::Boundary,
         (true, false) => Role::Unstable,
         (false, _) => Role::Driven,
     };
-    let mut pieces: Vec<Piece> = vec![];
+    let mut pieces: Vec<CurvePiece> = vec![];
     for run in curve.points.chunk_by(|a, b| role(a) == role(b)) {
         if let Some(before) = pieces.last_mut() {
             before.places.push(place(&run[0]));
         }
-        pieces.push(Piece { meaning: (curve.kind, role(&run[0])), places: run.iter().map(place).collect() });
+        pieces.push(CurvePiece {
+            meaning: (curve.kind, role(&run[0])),
+            places: run.iter().map(place).collect(),
+        });
     }
     pieces
 }
@@ -68,7 +71,7 @@ const fn place(point: &CurvePoint) -> (f64, f64) {
 
 pub(crate) fn stability(map: &Chart<'_>) -> Picture {
     let mut series: Vec<Series> = stable_dots(map).into_iter().collect();
-    let pieces: Vec<Piece> = map.chart.curves.iter().flat_map(pieces).collect();
+    let pieces: Vec<CurvePiece> = map.chart.curves.iter().flat_map(pieces).collect();
     let is_present = |(kind, role, _): &&(SpecialKind, Role, &str)| {
         pieces.iter().any(|piece| piece.meaning == (*kind, *role))
     };
@@ -92,7 +95,7 @@ pub(crate) fn stability(map: &Chart<'_>) -> Picture {
     Picture::new(&title, vec![panel]).with_parameters(of_model(map.model))
 }
 
-/// Dots where rest is stable; `None` if there are none.
+/// Dots where the equilibrium is stable; `None` if there are none.
 fn stable_dots(map: &Chart<'_>) -> Option<Series> {
     let rest = map.chart.rest.as_ref()?;
     let rows = rest.values[1].iter().zip(&rest.stable);

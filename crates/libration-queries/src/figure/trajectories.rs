@@ -1,4 +1,4 @@
-//! Several motions of a system in one picture: against time, one number of the state against another, or their spectra.
+//! Several motions of a system in one picture: against time, one state component against another, or their spectra.
 
 use super::chart::{Axis, Panel, Picture, Series};
 use super::names::subject;
@@ -34,7 +34,7 @@ pub(crate) fn against_time(model: &Model, motions: &[Sampled], shown: &StateAxis
     Picture::new(&format!("Motion of {}", subject(model)), vec![panel])
 }
 
-/// One number of the state against another.
+/// One state component against another.
 pub(crate) fn in_plane(model: &Model, motions: &[Sampled], [across, up]: &[StateAxis; 2]) -> Picture {
     let series = curves(motions, |motion| motion.values(across).zip(motion.values(up)).collect());
     let axis =
@@ -44,7 +44,7 @@ pub(crate) fn in_plane(model: &Model, motions: &[Sampled], [across, up]: &[State
     Picture { aspect: 0.8, ..Picture::new(&title, vec![panel]) }
 }
 
-/// Spectra of one number of the state, from frequency zero to where all of them have fallen to what a line leaves far from it.
+/// Spectra of one state component, from zero frequency to the one at which all have fallen to the level of the flanks of a line.
 pub(crate) fn spectra(model: &Model, spectra: &[(String, Spectrum)], shown: &StateAxis) -> Picture {
     let points = || spectra.iter().flat_map(|(_, spectrum)| spectrum.points());
     let highest = points().map(|(_, amplitude)| amplitude).fold(0.0, f64::max);

@@ -5,13 +5,13 @@ use super::field::{Field, Fields};
 use super::json::Record;
 use super::normal_gravity::NormalGravity;
 use super::table::{Column, Table};
-use super::warnings::Named;
+use super::warnings::NamedWarning;
 use super::{combined, number};
 use libration::quantity::Quantity;
 use libration_lab::fit::{Budget, BudgetRow, CombinedUncertainty, Correction};
 use std::io::{self, Write};
 
-/// The budget as two tables: the effects (name, correction, contribution, kind, formula, and with what), and the inputs.
+/// The budget as two tables: the effects (name, correction, contribution, kind, formula, correlations), and the inputs.
 pub(crate) fn write_table(out: &mut dyn Write, budget: &Budget) -> io::Result<()> {
     write_tables(out, &budget.rows, &budget.combined)
 }
@@ -31,7 +31,7 @@ pub(crate) fn write_tables(
     combined::write_table(out, uncertainty)
 }
 
-/// g from a length, its expanded uncertainty, and what is doubtful about both, as lines of a sheet.
+/// g from a length, its expanded uncertainty, and warnings on both, as lines of a sheet.
 pub(crate) fn lines(
     budget: &Budget,
     length: Quantity,
@@ -54,16 +54,16 @@ pub(crate) fn lines(
 }
 
 /// The warnings about g and its uncertainty, with stable names.
-pub(crate) fn warnings(budget: &Budget) -> Vec<Named> {
+pub(crate) fn warnings(budget: &Budget) -> Vec<NamedWarning> {
     budget.warnings().iter().map(|warning| (warning.name(), warning.to_string())).collect()
 }
 
-/// The effects and the inputs of the uncertainty of g, behind other fields.
+/// The effects on g and the inputs of its uncertainty, after other fields.
 pub(crate) fn added_to(record: Record, budget: &Budget) -> Record {
     combined::of_uncertainty().added_to(rows_added_to(record, &budget.rows), &budget.combined)
 }
 
-/// The effects alone, behind other fields.
+/// The effects alone, after other fields.
 pub(crate) fn rows_added_to(record: Record, effects: &[BudgetRow]) -> Record {
     of_rows().added_to(record, &effects)
 }
@@ -82,7 +82,7 @@ pub(crate) fn described() -> Vec<Description> {
     [rows_described(), combined::of_uncertainty().described("")].concat()
 }
 
-/// `correction` is null where none is applied, `usual_size` says how large it would be.
+/// Fields of an effect: `correction` is null if none is applied, and `usual_size` is its size if it were applied.
 fn of_effect() -> Fields<BudgetRow> {
     type Of = Field<BudgetRow>;
     Fields::from([
@@ -130,7 +130,7 @@ pub(crate) fn columns() -> Vec<Column> {
     of_effect().for_table(&COLUMNS).columns()
 }
 
-/// The cells of all rows, and of what they are together.
+/// The cells of all rows, and of their total.
 pub(crate) fn rows(effects: &[BudgetRow], uncertainty: &CombinedUncertainty) -> Vec<Vec<String>> {
     let fields = of_effect().for_table(&COLUMNS);
     let total = number::rounded(uncertainty.standard, 2);

@@ -31,7 +31,7 @@ pub(crate) fn columns() -> Vec<Column> {
     of_input().columns()
 }
 
-/// The cells of the inputs that g depends on, and of what they are together.
+/// The cells of the inputs of g, and of their total.
 pub(crate) fn rows(combined: &CombinedUncertainty) -> Vec<Vec<String>> {
     let fields = of_input();
     let known = inputs(combined).into_iter().filter(|input| input.each.sensitivity != 0.0);
@@ -60,21 +60,21 @@ fn degrees(of_freedom: f64) -> String {
     }
 }
 
-/// The two ways of the Guide to the Expression of Uncertainty in Measurement.
+/// The two types of evaluation in the Guide to the Expression of Uncertainty in Measurement.
 pub(super) const KINDS: &str =
     "A where it is evaluated from the scatter of measurements, B from other knowledge";
 
 /// An input of an uncertainty.
-struct Input<'a> {
+struct InputRow<'a> {
     combined: &'a CombinedUncertainty,
     each: &'a Contribution,
 }
 
-fn inputs(combined: &CombinedUncertainty) -> Vec<Input<'_>> {
-    combined.contributions.iter().map(|each| Input { combined, each }).collect()
+fn inputs(combined: &CombinedUncertainty) -> Vec<InputRow<'_>> {
+    combined.contributions.iter().map(|each| InputRow { combined, each }).collect()
 }
 
-/// The expanded uncertainty and what it comes from.
+/// The expanded uncertainty and its contributions.
 pub(crate) fn of_uncertainty() -> Fields<CombinedUncertainty> {
     let correlations = |it: &CombinedUncertainty| of_correlation().records(&it.correlations);
     with_correlations(Field::nested("budget_correlations[].", &of_correlation(), correlations))
@@ -131,8 +131,8 @@ fn of_correlation() -> Fields<Correlation> {
     ])
 }
 
-fn of_input<'a>() -> Fields<Input<'a>> {
-    type Of<'a> = Field<Input<'a>>;
+fn of_input<'a>() -> Fields<InputRow<'a>> {
+    type Of<'a> = Field<InputRow<'a>>;
     Fields::from([
         Of::value("input", "", "name of the input quantity x", |it| it.each.input.name().into())
             .words("input", |it| it.each.input.name().to_owned()),
@@ -174,7 +174,7 @@ fn of_input<'a>() -> Fields<Input<'a>> {
     ])
 }
 
-impl Input<'_> {
+impl InputRow<'_> {
     /// A dash where the uncertainty is not known.
     fn if_known(&self, text: String) -> String {
         if self.each.uncertainty.is_some() { text } else { "–".to_owned() }

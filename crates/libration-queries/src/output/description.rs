@@ -1,6 +1,6 @@
 //! Descriptions of the fields of results: name, unit, meaning.
 
-/// A field of a result. Parts of a name in capitals stand for names that the question decides.
+/// A field of a result. Parts of a name in capitals stand for names that depend on the query.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Description {
     /// Name with its path in JSON: `results[].formulas[].ratio`.
@@ -20,18 +20,18 @@ impl Description {
 /// The fields of one kind of result.
 #[derive(Clone, Debug)]
 pub(crate) struct Answers {
-    /// The command as it is typed, without `libration`.
+    /// The command as typed, without `libration`.
     pub(crate) command: &'static str,
-    /// The option, or an oscillator, that asks for this kind; empty where there is one kind only, or for the usual one.
+    /// The option, or an oscillator, that requests this kind; empty for the default kind.
     pub(crate) option: &'static str,
     pub(crate) json: Vec<Description>,
     pub(crate) csv: Vec<Description>,
 }
 
-/// Name, unit and meaning, as they stand in a table.
+/// Name, unit and meaning, as listed in a table.
 pub(crate) type Row = (&'static str, &'static str, &'static str);
 
-/// The descriptions of a table, behind `place`, such as `cycles[].` or nothing.
+/// The descriptions of a table, after `place`, such as `cycles[].` or an empty text.
 pub(crate) fn descriptions(place: &str, rows: &[Row]) -> Vec<Description> {
     let row = |&(name, unit, meaning): &Row| Description::new(&format!("{place}{name}"), unit, meaning);
     rows.iter().map(row).collect()

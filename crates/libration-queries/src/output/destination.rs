@@ -8,11 +8,11 @@ use std::path::{Path, PathBuf};
 /// The destination of an output.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Destination {
-    /// A file, or none yet, at the end of all symbolic links.
+    /// A file that exists or is to be created, after all symbolic links.
     File(PathBuf),
     /// A file that the host of the run keeps.
     Kept,
-    /// A stream that takes bytes as they come: the standard output, a FIFO, a device.
+    /// A stream that takes bytes one after the other: the standard output, a FIFO, a device.
     Stream(Stream),
 }
 

@@ -1,4 +1,4 @@
-//! Files are written next to their place and renamed into it: whole or not at all. Streams are written into.
+//! Files are written under a temporary name and renamed: completely or not at all. Streams are written directly.
 
 use super::destination::{self, Destination, Stream};
 use super::{leftover, standard};
@@ -18,7 +18,7 @@ pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), QueryError> {
 /// Bytes that are written at a time.
 const BUFFER: usize = 1 << 16;
 
-/// A file that is written part by part, and takes its place when it is finished.
+/// A file that is written part by part, and renamed when it is complete.
 pub(crate) struct NewFile {
     target: Target,
     path: PathBuf,
@@ -32,7 +32,7 @@ enum Target {
     Kept(Vec<u8>),
 }
 
-/// The bytes until they are in their place.
+/// The bytes until the file is complete.
 #[derive(Debug)]
 struct Unfinished {
     file: fs::File,
@@ -61,7 +61,7 @@ impl NewFile {
         Ok(Self { target, path: path.to_owned() })
     }
 
-    /// The file that it will be, at the end of all links, and where it is until then; `None` for what is not on the disk.
+    /// The path of the complete file, after all links, and the temporary one; `None` for streams.
     pub(crate) fn places(&self) -> Option<[PathBuf; 2]> {
         match &self.target {
             Target::Disk(_, it) => Some([it.place.clone(), it.beside.clone()]),
@@ -69,7 +69,7 @@ impl NewFile {
         }
     }
 
-    /// Puts the file in its place.
+    /// Renames the file to its final name.
     pub(crate) fn finish(mut self) -> Result<(), QueryError> {
         let flushed = self.flush();
         let placed = flushed.and_then(|()| match self.target {

@@ -9,7 +9,7 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-/// Results of groups of one quantity.
+/// Results of the groups of one quantity.
 #[derive(Clone, Debug)]
 pub(crate) struct Groups {
     rows: Vec<GroupRow>,
@@ -17,7 +17,7 @@ pub(crate) struct Groups {
     names: &'static Names,
 }
 
-/// A group with its result, or why there is none.
+/// A group with its result, or the reason why there is none.
 #[derive(Clone, Debug)]
 struct GroupRow {
     name: String,
@@ -52,7 +52,7 @@ pub(crate) const T0: Names = Names {
 };
 
 impl Groups {
-    /// Fits each group of rows; `shared` is the standard uncertainty of what they have in common. None of a single group.
+    /// Fits each group of rows; `shared` is the standard uncertainty of their common errors. `None` for a single group.
     pub(crate) fn fitted(
         groups: &[String],
         names: &'static Names,
@@ -124,7 +124,7 @@ impl Groups {
     }
 }
 
-/// The fields of groups, which are left out of JSON where there are none.
+/// The fields of groups, omitted from JSON if there are none.
 pub(crate) fn fields<'a>(names: &'static Names) -> Fields<Option<&'a Groups>> {
     type Of<'a> = Field<Option<&'a Groups>>;
     let rows: fn(&Option<&'a Groups>) -> Option<Value> =
@@ -155,7 +155,7 @@ fn of_row(names: &'static Names) -> Fields<GroupRow> {
         Of::known(
             names.fields[1],
             names.unit,
-            "standard uncertainty of what it does not share with the other groups",
+            "standard uncertainty by errors that are not common to all groups",
             |it| it.result.clone().map(|it| it.uncertainty),
         )
         .rounded(names.columns[1], 2)
@@ -182,9 +182,12 @@ fn of_mean(names: &'static Names) -> Fields<Groups> {
         Of::nullable(names.fields[2], names.unit, "its expanded uncertainty", |it| {
             mean(it, GroupMean::expanded)
         }),
-        Of::nullable(names.fields[3], names.unit, "standard uncertainty of what all groups share", |it| {
-            mean(it, |mean| mean.shared)
-        }),
+        Of::nullable(
+            names.fields[3],
+            names.unit,
+            "standard uncertainty by errors common to all groups",
+            |it| mean(it, |mean| mean.shared),
+        ),
         Of::nullable("birge_ratio", "1", "scatter of the groups over their uncertainties", |it| {
             mean(it, |mean| mean.scatter.birge_ratio())
         }),

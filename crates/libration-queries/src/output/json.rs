@@ -1,4 +1,4 @@
-//! JSON results: records whose numbers are unrounded, null with a note where they are not finite.
+//! JSON results: records whose numbers are unrounded, null with a note if they are not finite.
 
 use serde_json::{Map, Value};
 use std::io::{self, Write};
@@ -11,7 +11,7 @@ pub(crate) fn number(value: f64) -> Value {
     serde_json::Number::from_f64(value).map_or(Value::Null, Value::Number)
 }
 
-/// Numbers, null where they are not finite.
+/// Numbers, null for those that are not finite.
 pub(crate) fn numbers(values: &[f64]) -> Value {
     list(values.iter().map(|&value| number(value)))
 }
@@ -26,7 +26,7 @@ pub(crate) fn records(records: impl IntoIterator<Item = Record>) -> Value {
     list(records)
 }
 
-/// An object whose names the question decides.
+/// An object whose names depend on the query.
 pub(crate) fn object(fields: impl IntoIterator<Item = (String, impl Into<Value>)>) -> Value {
     Value::Object(fields.into_iter().map(|(name, value)| (name, value.into())).collect())
 }
@@ -55,7 +55,7 @@ impl Record {
         self
     }
 
-    /// A number, or null with a note why there is none.
+    /// A number, or null with a note on the reason.
     pub(crate) fn number_or(self, name: &str, value: Option<f64>, why_none: &str) -> Self {
         match value {
             Some(value) => self.number(name, value),
@@ -94,7 +94,7 @@ pub(crate) fn document(out: &mut dyn Write, record: Record) -> io::Result<()> {
     out.write_all(b"\n")
 }
 
-/// Writes a result that ends in a list, item by item, so that long lists need no memory.
+/// Writes a result that ends in a list, item by item, so that long lists need little memory.
 pub fn document_with_list(
     out: &mut dyn Write,
     head: Record,
@@ -102,7 +102,7 @@ pub fn document_with_list(
     items: impl Iterator<Item = Record>,
 ) -> io::Result<()> {
     begin_document(out, head)?;
-    let mut list = List::default();
+    let mut list = ListWriter::default();
     list.begin(out, name)?;
     for item in items {
         list.item(out, item)?;
@@ -132,7 +132,7 @@ fn fields(out: &mut dyn Write, record: Record) -> io::Result<()> {
     Ok(())
 }
 
-/// An item of such a list behind a text.
+/// Appends an item of such a list to a text.
 pub(crate) fn write_item(text: &mut Vec<u8>, item: Record) {
     serde_json::to_writer(text, &Value::from(item)).expect("a record can be written to memory");
 }
@@ -142,11 +142,11 @@ pub(crate) const BETWEEN_ITEMS: &[u8] = b",\n";
 
 /// A list in a result that is written part by part, one item a line.
 #[derive(Debug, Default)]
-pub(crate) struct List {
+pub(crate) struct ListWriter {
     has_items: bool,
 }
 
-impl List {
+impl ListWriter {
     pub(crate) fn begin(&mut self, out: &mut dyn Write, name: &str) -> io::Result<()> {
         write!(out, ",{}:[", Value::from(name))
     }

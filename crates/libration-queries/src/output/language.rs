@@ -7,7 +7,7 @@ use libration::algebra::Rational;
 pub(crate) enum Format {
     /// The same as --latex
     Latex,
-    /// Formulas in MathML, one a line
+    /// Formulas in MathML, one per line
     Mathml,
     /// Functions in C
     C,
@@ -31,7 +31,7 @@ pub(crate) struct FormatOptions {
 }
 
 impl FormatOptions {
-    /// The format, if one is asked for.
+    /// The format, if one is requested.
     pub(crate) fn format(&self) -> Option<Format> {
         self.format.or(self.latex.then_some(Format::Latex))
     }
@@ -86,7 +86,7 @@ impl Language {
         }
     }
 
-    /// A letter, or a number, to a power that is a multiple of one half.
+    /// A symbol, or a number, to a power that is a multiple of one half.
     pub(crate) fn power(self, letter: &str, exponent: &Rational) -> String {
         let value = self.number(exponent.to_f64());
         match (self, exponent.is_integer()) {
@@ -118,13 +118,13 @@ impl Language {
         FUNCTIONS.contains(&name) || self.is_word(name)
     }
 
-    /// A name that is the same as another where the language does not distinguish them.
+    /// A canonical form of a name, equal for names that the language does not distinguish.
     fn folded(self, name: &str) -> String {
         if self == Self::Fortran { name.to_lowercase() } else { name.to_owned() }
     }
 }
 
-/// Names of variables in a program, each free for one of them.
+/// Names of variables in a program, each used once.
 pub(crate) struct FreeNames {
     language: Language,
     taken: Vec<String>,
@@ -135,13 +135,13 @@ impl FreeNames {
         Self { language, taken: vec![] }
     }
 
-    /// The name, or the same with underscores where the language reserves it or another variable has it.
+    /// The name, or the name with underscores if the language reserves it or another variable has it.
     pub(crate) fn free(&mut self, name: &str) -> String {
         let language = self.language;
         self.first_free(name, |name| language.is_reserved(name))
     }
 
-    /// The same for a function that the program defines.
+    /// The free name for a function that the program defines.
     pub(crate) fn free_function(&mut self, name: &str) -> String {
         let language = self.language;
         self.first_free(name, |name| language.is_word(name))

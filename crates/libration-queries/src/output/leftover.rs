@@ -1,4 +1,4 @@
-//! Unfinished files that runs have left next to their place when they were ended by force.
+//! Unfinished files of killed runs.
 //!
 //! A run keeps the lock of its unfinished file as long as it lives, so that those without are known to be left.
 
@@ -51,7 +51,7 @@ fn taken(path: PathBuf) -> Option<Leftover> {
     }
 }
 
-/// Removes what ended runs have left next to a place, and says so.
+/// Removes unfinished files of killed runs, with a note.
 pub(super) fn remove(path: &Path) {
     for leftover in beside(path) {
         let removed = fs::remove_file(&leftover.path);
@@ -68,7 +68,7 @@ pub(super) fn remove(path: &Path) {
     }
 }
 
-/// The file that says how a file of samples is gone on from: `NAME.state`.
+/// The file with the data for the continuation of a file of samples: `NAME.state`.
 pub(crate) fn state_of(path: &Path) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(".state");

@@ -19,7 +19,7 @@ pub(crate) fn sign(is_negative: bool) -> String {
     element("mo", &[if is_negative { "−" } else { "+" }])
 }
 
-/// A formula of its own.
+/// A displayed formula.
 pub(crate) fn display(content: &str) -> String {
     format!(
         "<math xmlns=\"http://www.w3.org/1998/Math/MathML\" display=\"block\"><mrow>{content}</mrow></math>"
@@ -47,7 +47,7 @@ pub(crate) fn power(base: &str, exponent: &str) -> String {
     if exponent == "1" { base.to_owned() } else { element("msup", &[base, &number(exponent)]) }
 }
 
-/// One with the other, as a product.
+/// The factors side by side, as a product.
 pub(crate) fn product(factors: &[String]) -> String {
     factors.join(TIMES)
 }

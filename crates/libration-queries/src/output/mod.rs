@@ -40,7 +40,7 @@ pub(crate) enum Form {
     Csv,
 }
 
-/// Says below a result to read what was written to files.
+/// Announces, below a result in text, the files that were written.
 pub(crate) fn announce(out: &mut dyn Write, form: Form, written: &[String]) -> io::Result<()> {
     if form != Form::Table || written.is_empty() {
         return Ok(());
@@ -60,7 +60,7 @@ pub(crate) struct FormOptions {
 }
 
 impl FormOptions {
-    /// The form that is chosen, or else the one that the ending of a file says.
+    /// The chosen form, or else the one of the extension of a file.
     pub(crate) fn form_of_file(self, path: Option<&Path>) -> Form {
         let ending = path.and_then(Path::extension).map(|ending| ending.to_ascii_lowercase());
         match (self.form(), ending.as_deref().and_then(|ending| ending.to_str())) {

@@ -3,7 +3,7 @@
 use libration::quantity::Quantity;
 pub(crate) use libration::quantity::{rounded, short, to_place, with_uncertainty};
 
-/// A number of things as an `f64`.
+/// A number of items as an `f64`.
 #[expect(clippy::cast_precision_loss, reason = "nothing in memory has 2⁵³ parts")]
 pub fn count(things: usize) -> f64 {
     things as f64
@@ -14,18 +14,18 @@ pub fn exact(value: f64) -> String {
     serde_json::Number::from_f64(value).map_or_else(|| rounded(value, 1), |number| number.to_string())
 }
 
-/// [`exact`] of a finite number, behind a text.
+/// [`exact`] of a finite number, appended to a text.
 pub fn write_exact(text: &mut Vec<u8>, value: f64) {
     serde_json::to_writer(text, &value).expect("a number can be written to memory");
 }
 
-/// `1.637 ± 0.002 s`, or without an uncertainty where none is known.
+/// `1.637 ± 0.002 s`, or without an uncertainty if none is known.
 pub(crate) fn quantity(quantity: impl Into<Quantity>, unit: &str) -> String {
     let quantity = quantity.into();
     with_uncertainty(quantity.value, quantity.uncertainty.unwrap_or(0.0), unit)
 }
 
-/// A time in seconds, rounded; `none` where there is no such time.
+/// A time in seconds, rounded; `none` if there is no such time.
 pub(crate) fn seconds(value: f64, digits: usize) -> String {
     if value.is_nan() { "none".to_owned() } else { format!("{} s", rounded(value, digits)) }
 }
@@ -42,8 +42,8 @@ pub fn at_most(value: f64) -> String {
     }
 }
 
-/// A value to the digit that its error begins with, and to no more digits than these: `24.4` for 24.40126 with an error of 0.3; `0` where
-/// the error is larger than the value.
+/// A value rounded to the first digit of its error, with at most `most` digits: `24.4` for 24.40126 with an error of 0.3; `0` if the error is
+/// larger than the value.
 pub fn to_its_error(value: f64, error: f64, most: usize) -> String {
     let exponent =
         format!("{error:e}").split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());

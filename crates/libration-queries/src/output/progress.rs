@@ -3,7 +3,7 @@
 use crate::{call, interrupt};
 use std::time::Duration;
 
-/// Work that ends sooner shows nothing.
+/// Duration of work without a progress line.
 const SILENCE: Duration = Duration::from_secs(1);
 /// Time between two lines.
 const PAUSE: Duration = Duration::from_millis(200);
@@ -20,7 +20,7 @@ impl ProgressLine {
         Self { due: now() + SILENCE, shown: false }
     }
 
-    /// Shows how far the work is, if it is time.
+    /// Shows the progress of the work, if it is time.
     pub(crate) fn show(&mut self, how_far: impl FnOnce() -> String) {
         if now() >= self.due {
             call::current().host().progress(Some(&how_far()));

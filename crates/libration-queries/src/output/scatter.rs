@@ -11,7 +11,7 @@ pub(crate) fn remark(scatter: Option<Scatter>) -> String {
     scatter.and_then(Scatter::enlarged).map_or(String::new(), |enlarged| format!("  ({enlarged})"))
 }
 
-/// A field with the Birge ratio, or why there is none.
+/// A field with the Birge ratio, or the reason why there is none.
 pub(crate) fn birge_ratio_field<A>(value: fn(&A) -> Result<f64, String>) -> Field<A> {
     let meaning = "√(χ²/dof): the scatter of the rows over what was stated, or null";
     Field::known("birge_ratio", "1", meaning, value).only_json()
@@ -21,7 +21,7 @@ pub(crate) fn birge_ratio(scatter: Option<Scatter>) -> Result<f64, String> {
     scatter.map(Scatter::birge_ratio).ok_or_else(|| NO_SCATTER.to_owned())
 }
 
-/// A field with what uncertainties are enlarged by.
+/// A field with the factor by which uncertainties are enlarged.
 pub(crate) fn enlargement_field<A>(value: fn(&A) -> Option<f64>) -> Field<A> {
     let meaning = "factor by which the scatter enlarged the uncertainties";
     Field::present("uncertainties_enlarged_by", "1", meaning, value).only_json()

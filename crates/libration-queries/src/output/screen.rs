@@ -19,8 +19,7 @@ pub(crate) fn clean(text: &mut String) {
     }
 }
 
-/// The columns that a text takes: two for a wide letter, none for one that is written over the letter before it, and for the marks of
-/// [`MarkedWords`](crate::MarkedWords).
+/// The columns that a text takes: two for a wide letter, none for combining characters and for the marks of [`MarkedWords`](crate::MarkedWords).
 pub fn columns_of(text: &str) -> usize {
     text.chars().map(columns_of_letter).sum()
 }
@@ -42,12 +41,12 @@ fn columns_of_letter(letter: char) -> usize {
     }
 }
 
-/// The text with blanks behind it, up to this many columns.
+/// The text with trailing blanks, up to this many columns.
 pub fn padded(text: &str, columns: usize) -> String {
     format!("{text}{:1$}", "", columns.saturating_sub(columns_of(text)))
 }
 
-/// The text in lines of at most `columns` columns, broken at blanks; a longer word stands alone.
+/// The text in lines of at most `columns` columns, broken at blanks; a longer word has a line of its own.
 pub fn folded(text: &str, columns: usize) -> Vec<String> {
     if columns_of(text) <= columns {
         return vec![text.to_owned()];

@@ -11,7 +11,7 @@ use libration::perturbation::{Certainty, Precision};
 pub struct Notation {
     /// The precision of coefficients.
     pub precision: Precision,
-    /// The language they are written in.
+    /// The notation of the series.
     pub style: Style,
 }
 
@@ -28,7 +28,7 @@ pub enum Style {
     MathMl,
 }
 
-/// Digits of a number that stands in a sentence.
+/// Digits of a number in a sentence.
 const SHORT: usize = 12;
 
 /// The coefficients of a series: a fraction, a number in digits, or a formula of letters.
@@ -40,7 +40,7 @@ pub trait Coefficient: Sized {
     fn split(&self, notation: Notation, in_product: bool) -> (bool, String);
     /// Returns `true` if their sum is zero.
     fn is_opposite_of(&self, other: &Self) -> bool;
-    /// The numbers it is the sum of, each with the powers of letters that follow it.
+    /// The numbers whose sum it is, each with the powers of the symbols that follow it.
     fn in_terms(&self) -> Vec<(f64, Vec<(String, Rational)>)>;
 }
 
@@ -156,7 +156,7 @@ fn latex_product(number: String, powers: &[LetterPower<'_>]) -> String {
 }
 
 impl Notation {
-    /// A coefficient alone: a fraction, or decimal digits where it is none.
+    /// A coefficient alone: a fraction, or decimal digits if it is not one.
     pub(crate) fn coefficient(self, value: &Rational) -> String {
         match self.precision {
             Precision::Exact => fraction(value),
@@ -225,7 +225,7 @@ impl Notation {
     }
 }
 
-/// A fraction as people read it: as it is, or as the decimal that it is where that is much shorter, such as 1e-300.
+/// A fraction as printed: as it is, or as its decimal if that is exact and much shorter, such as 1e-300.
 pub(crate) fn fraction(value: &Rational) -> String {
     const LONG: usize = 40;
     let plain = value.to_string();
@@ -244,7 +244,7 @@ pub(crate) fn coefficient(value: &Rational, precision: Precision) -> String {
     }
 }
 
-/// The word for what a bound rests on.
+/// The word for the basis of a bound.
 pub(crate) fn certainty(certainty: Certainty) -> &'static str {
     match certainty {
         Certainty::Proven => "proven",

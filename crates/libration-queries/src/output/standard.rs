@@ -1,14 +1,14 @@
-//! The output of a question: it takes the result, or a picture in its place.
+//! The output of a query: the result, or a picture in its place.
 
 use crate::call::{self, Output};
 use std::io::{self, BufWriter, Write};
 
-/// Keeps the output for what is written to `-`, so that nothing else stands there.
+/// Keeps the output for files written to `-`, so that nothing else is written to it.
 pub(crate) fn keep_for_files() {
     call::current().take_output();
 }
 
-/// The standard output of a result: all of it, or nothing when a file goes there.
+/// The standard output of a result: all of it, or nothing if a file is written there.
 pub(crate) struct StandardOutput(BufWriter<Output>);
 
 impl StandardOutput {

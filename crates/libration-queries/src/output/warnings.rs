@@ -5,7 +5,7 @@ use super::json;
 use serde_json::Value;
 
 /// The name that stays, and the text.
-pub(crate) type Named = (&'static str, String);
+pub(crate) type NamedWarning = (&'static str, String);
 
 /// Fields with the texts, and with the names.
 pub(crate) fn fields<A>(texts: fn(&A) -> Value, names: fn(&A) -> Value) -> [Field<A>; 2] {
@@ -15,10 +15,10 @@ pub(crate) fn fields<A>(texts: fn(&A) -> Value, names: fn(&A) -> Value) -> [Fiel
     ]
 }
 
-pub(crate) fn texts(warnings: Vec<Named>) -> Value {
+pub(crate) fn texts(warnings: Vec<NamedWarning>) -> Value {
     json::list(warnings.into_iter().map(|(_, text)| text))
 }
 
-pub(crate) fn names(warnings: Vec<Named>) -> Value {
+pub(crate) fn names(warnings: Vec<NamedWarning>) -> Value {
     json::list(warnings.into_iter().map(|(name, _)| name))
 }

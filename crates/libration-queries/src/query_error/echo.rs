@@ -1,8 +1,8 @@
 //! Parts of the command line that a message repeats, shortened.
 
-/// Longer words and quotations are cut in the middle. Names of files are shorter.
+/// Longer words and quotations are cut in the middle; names of files are shorter.
 const LONGEST_QUOTATION: usize = 300;
-/// Longer lines are cut in the middle. Lists of all keys are shorter.
+/// Longer lines are cut in the middle; lists of all keys are shorter.
 pub const LONGEST_LINE: usize = 2000;
 
 /// The beginning of a text, as a message may show it.
@@ -29,12 +29,12 @@ fn line(line: &str) -> String {
     cut(&shown.collect::<Vec<_>>().join("`"), LONGEST_LINE)
 }
 
-/// A text whose long words are cut.
+/// A text with its long words cut.
 fn words(text: &str) -> String {
     text.split(' ').map(|word| cut(word, LONGEST_QUOTATION)).collect::<Vec<_>>().join(" ")
 }
 
-/// The beginning and the end of a text that is longer than this number of characters by more than the note on what is left out.
+/// The beginning and the end of a text, if it is longer than this number of characters by more than the length of the note on the cut.
 fn cut(text: &str, longest: usize) -> String {
     const NOTE: usize = 20;
     let letters = text.chars().count();

@@ -1,4 +1,4 @@
-//! The reason why a query has no result, as data: its kind, the parameters that it is about, the message, and what would help.
+//! The reason why a query has no result, as data: its kind, its parameters, the message, and a remedy.
 //!
 //! A message names other parameters and queries by [`Parameter`] and marks (see [`text`]), so that the command, Python and the page each
 //! write them in their own words.
@@ -28,9 +28,9 @@ pub enum Kind {
     NoResult,
     /// A file does not exist: exit status 1.
     MissingFile,
-    /// The work was ended early, and what was finished is written: exit status 130.
+    /// Cancelled, with the finished part written: exit status 130.
     Cancelled,
-    /// The result cannot be written: exit status 1, or 0 when the reader has gone.
+    /// The result cannot be written: exit status 1, or 0 if the reader has closed the pipe.
     Output(Error),
 }
 
@@ -38,51 +38,51 @@ pub enum Kind {
 ///
 /// Its text is the message in the words of the command, in which very long quotations are shortened.
 #[derive(Debug)]
-pub struct QueryError(Box<Content>);
+pub struct QueryError(Box<ErrorContent>);
 
 #[derive(Debug)]
-struct Content {
+struct ErrorContent {
     kind: Kind,
-    about: About,
+    about: ErrorSubject,
     message: Text,
     hint: Option<Text>,
     suggestion: Option<String>,
     item: Option<String>,
 }
 
-/// The subject of a message, which stands before it.
+/// The subject of a message, which precedes it.
 #[derive(Debug)]
-pub(crate) enum About {
+pub(crate) enum ErrorSubject {
     Nothing,
     Parameters(Vec<Parameter>),
     Other(String),
 }
 
-impl From<&str> for About {
+impl From<&str> for ErrorSubject {
     fn from(subject: &str) -> Self {
         Self::Other(subject.to_owned())
     }
 }
 
-impl From<&String> for About {
+impl From<&String> for ErrorSubject {
     fn from(subject: &String) -> Self {
         Self::Other(subject.clone())
     }
 }
 
-impl From<&Parameter> for About {
+impl From<&Parameter> for ErrorSubject {
     fn from(parameter: &Parameter) -> Self {
         Self::Parameters(vec![parameter.clone()])
     }
 }
 
-impl From<Parameter> for About {
+impl From<Parameter> for ErrorSubject {
     fn from(parameter: Parameter) -> Self {
         Self::Parameters(vec![parameter])
     }
 }
 
-impl<const N: usize> From<[Parameter; N]> for About {
+impl<const N: usize> From<[Parameter; N]> for ErrorSubject {
     fn from(parameters: [Parameter; N]) -> Self {
         Self::Parameters(parameters.into())
     }
@@ -92,8 +92,8 @@ impl QueryError {
     /// The exit status of a command that was interrupted, as shells have it.
     pub const INTERRUPTED: u8 = 130;
 
-    fn new(kind: Kind, about: About, message: &str) -> Self {
-        Self(Box::new(Content {
+    fn new(kind: Kind, about: ErrorSubject, message: &str) -> Self {
+        Self(Box::new(ErrorContent {
             kind,
             about,
             message: Text::marked(message),
@@ -104,36 +104,36 @@ impl QueryError {
     }
 
     /// An error in a value of the query.
-    pub(crate) fn usage(about: impl Into<About>, reason: impl Display) -> Self {
+    pub(crate) fn usage(about: impl Into<ErrorSubject>, reason: impl Display) -> Self {
         Self::new(Kind::Usage, about.into(), &reason.to_string())
     }
 
     /// An error in the query as a whole.
     pub fn misuse(reason: impl Display) -> Self {
-        Self::new(Kind::Usage, About::Nothing, &reason.to_string())
+        Self::new(Kind::Usage, ErrorSubject::Nothing, &reason.to_string())
     }
 
     /// The absence of a result, and its subject.
-    pub(crate) fn no_result(about: impl Into<About>, reason: impl Display) -> Self {
+    pub(crate) fn no_result(about: impl Into<ErrorSubject>, reason: impl Display) -> Self {
         Self::new(Kind::NoResult, about.into(), &reason.to_string())
     }
 
     /// The absence of a result, in a sentence without a subject.
     pub(crate) fn failed(reason: impl Display) -> Self {
-        Self::new(Kind::NoResult, About::Nothing, &reason.to_string())
+        Self::new(Kind::NoResult, ErrorSubject::Nothing, &reason.to_string())
     }
 
     /// The absence of an input file.
     pub(crate) fn missing_file(reason: impl Display) -> Self {
-        Self::new(Kind::MissingFile, About::Nothing, &reason.to_string())
+        Self::new(Kind::MissingFile, ErrorSubject::Nothing, &reason.to_string())
     }
 
     /// An early end that was requested.
     pub(crate) fn cancelled(reason: impl Display) -> Self {
-        Self::new(Kind::Cancelled, About::Nothing, &reason.to_string())
+        Self::new(Kind::Cancelled, ErrorSubject::Nothing, &reason.to_string())
     }
 
-    /// The same error with the queries that have a result in its place.
+    /// The same error with queries that have a result instead.
     pub(crate) fn with_remedies(self, remedies: &[Remedy]) -> Self {
         let sentences: Vec<_> = remedies.iter().map(|it| sentence(*it)).collect();
         if sentences.is_empty() { self } else { self.with_hint(&sentences.join("; ")) }
@@ -141,24 +141,25 @@ impl QueryError {
 
     /// The same error with a hint, in which parameters and queries are marked.
     pub(crate) fn with_hint(self, hint: &str) -> Self {
-        Self(Box::new(Content { hint: Some(Text::marked(hint)), ..*self.0 }))
+        Self(Box::new(ErrorContent { hint: Some(Text::marked(hint)), ..*self.0 }))
     }
 
     /// The same error with a value of its parameter that would do.
     pub(crate) fn with_suggestion(self, value: Option<String>) -> Self {
-        Self(Box::new(Content { suggestion: value, ..*self.0 }))
+        Self(Box::new(ErrorContent { suggestion: value, ..*self.0 }))
     }
 
-    /// The same error with the item of a parameter `NAME=VALUE` that it is about.
+    /// The same error with the item of a parameter `NAME=VALUE` to which it refers.
     pub(crate) fn with_item(self, name: Option<&str>) -> Self {
-        Self(Box::new(Content { item: name.map(str::to_owned), ..*self.0 }))
+        Self(Box::new(ErrorContent { item: name.map(str::to_owned), ..*self.0 }))
     }
 
     /// The same error with the names that a query has for its arguments, by those of their values in the help.
     pub(crate) fn named(self, name_of: &dyn Fn(&str) -> Option<String>) -> Self {
-        let About::Parameters(parameters) = &self.0.about else { return self };
-        let about = About::Parameters(parameters.iter().cloned().map(|it| it.named(name_of)).collect());
-        Self(Box::new(Content { about, ..*self.0 }))
+        let ErrorSubject::Parameters(parameters) = &self.0.about else { return self };
+        let about =
+            ErrorSubject::Parameters(parameters.iter().cloned().map(|it| it.named(name_of)).collect());
+        Self(Box::new(ErrorContent { about, ..*self.0 }))
     }
 
     /// The error in arguments, without the advice of a terminal to ask for help.
@@ -176,9 +177,10 @@ impl QueryError {
             }
             None => first_paragraphs(error),
         };
-        let about = if parameters.is_empty() { About::Nothing } else { About::Parameters(parameters) };
+        let about =
+            if parameters.is_empty() { ErrorSubject::Nothing } else { ErrorSubject::Parameters(parameters) };
         let hint = command_for(error).map(|hint| Text::marked(&hint));
-        Self(Box::new(Content { hint, ..*Self::new(Kind::Usage, about, &reason).0 }))
+        Self(Box::new(ErrorContent { hint, ..*Self::new(Kind::Usage, about, &reason).0 }))
     }
 
     /// The kind of the error.
@@ -187,12 +189,12 @@ impl QueryError {
         &self.0.kind
     }
 
-    /// The parameters that the error is about, empty where it is about none.
+    /// The parameters to which the error refers; may be empty.
     #[must_use]
     pub fn parameters(&self) -> &[Parameter] {
         match &self.0.about {
-            About::Parameters(parameters) => parameters,
-            About::Nothing | About::Other(_) => &[],
+            ErrorSubject::Parameters(parameters) => parameters,
+            ErrorSubject::Nothing | ErrorSubject::Other(_) => &[],
         }
     }
 
@@ -213,8 +215,8 @@ impl QueryError {
     pub fn message(&self, words: &dyn Words) -> String {
         let message = clean(&self.0.message.in_words(words));
         match &self.0.about {
-            About::Other(subject) => format!("{}: {message}", clean(subject)),
-            About::Nothing | About::Parameters(_) => message,
+            ErrorSubject::Other(subject) => format!("{}: {message}", clean(subject)),
+            ErrorSubject::Nothing | ErrorSubject::Parameters(_) => message,
         }
     }
 
@@ -251,8 +253,8 @@ impl QueryError {
             _ => message.extend(self.0.message.to_json()),
         }
         let subject = match (&self.0.kind, &self.0.about) {
-            (Kind::Output(_), _) | (_, About::Nothing | About::Parameters(_)) => String::new(),
-            (_, About::Other(subject)) => clean(subject),
+            (Kind::Output(_), _) | (_, ErrorSubject::Nothing | ErrorSubject::Parameters(_)) => String::new(),
+            (_, ErrorSubject::Other(subject)) => clean(subject),
         };
         let hint = self.0.hint.as_ref().map_or_else(Vec::new, Text::to_json);
         let suggestion = self.suggestion().unwrap_or_default();
@@ -281,7 +283,7 @@ impl QueryError {
         matches!(self.0.kind, Kind::Cancelled)
     }
 
-    /// `true` if the reader of the output has gone.
+    /// `true` if the reader of the output has closed the pipe.
     #[must_use]
     pub fn is_closed_pipe(&self) -> bool {
         matches!(&self.0.kind, Kind::Output(error) if error.kind() == ErrorKind::BrokenPipe)
@@ -298,9 +300,9 @@ impl std::error::Error for QueryError {}
 
 impl From<Error> for QueryError {
     fn from(error: Error) -> Self {
-        Self(Box::new(Content {
+        Self(Box::new(ErrorContent {
             kind: Kind::Output(error),
-            about: About::Nothing,
+            about: ErrorSubject::Nothing,
             message: Text::default(),
             hint: None,
             suggestion: None,
@@ -336,7 +338,7 @@ pub fn refusal(error: &clap::Error) -> String {
     }
 }
 
-/// The command that may be meant by a first word that is none: an amplitude, or the name of a file.
+/// The command probably intended if the first word is not one: that for an amplitude, or for the name of a file.
 fn command_for(error: &clap::Error) -> Option<String> {
     let Some(ContextValue::String(word)) = error.get(ContextKind::InvalidSubcommand) else { return None };
     let is_amplitude = |text: &str| text.trim().parse::<Angle>().is_ok();
@@ -367,7 +369,7 @@ fn refused_parameters(error: &clap::Error) -> Vec<Parameter> {
     }
 }
 
-/// The reason for a value that is not among those of a parameter.
+/// The reason for a value that is not among the choices of a parameter.
 fn unknown_value(error: &clap::Error) -> Option<String> {
     let Some(ContextValue::String(given)) = error.get(ContextKind::InvalidValue) else { return None };
     let Some(ContextValue::Strings(valid)) = error.get(ContextKind::ValidValue) else { return None };

@@ -39,7 +39,7 @@ impl Parameter {
         }
     }
 
-    /// The parameters of which a group is written in a usage line: `<AMPLITUDE|--from-file <FILE>>`.
+    /// The parameters of a group in a usage line: `<AMPLITUDE|--from-file <FILE>>`.
     pub(super) fn all_of_usage(usage: &str) -> Vec<Self> {
         if !usage.contains("|--") {
             return Self::of_usage(usage).into_iter().collect();
@@ -62,7 +62,7 @@ impl Parameter {
         self.name.clone().unwrap_or_else(|| self.shown.to_string())
     }
 
-    /// The parameter with the name that a query has for an argument whose value is called so in the help.
+    /// The parameter with the name that a query has for an argument whose value has this name in the help.
     pub(super) fn named(self, name_of: &dyn Fn(&str) -> Option<String>) -> Self {
         let name = if self.is_option { None } else { name_of(&self.shown) };
         Self { name, ..self }

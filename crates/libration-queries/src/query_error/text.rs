@@ -1,4 +1,4 @@
-//! Messages that name parameters and queries, for front ends with words of their own.
+//! Messages that name parameters and queries, in the wording of each front end.
 //!
 //! In a text `<--over>` marks an option, `<--order=3>` an option with a value, `<--decimal=.|,>` one with values of which each would do, and
 //! `<libration expand>` a query.
@@ -9,10 +9,10 @@ use serde_json::{Value, json};
 
 /// A message in parts.
 #[derive(Debug, Default)]
-pub(crate) struct Text(Vec<Part>);
+pub(crate) struct Text(Vec<MessagePart>);
 
 #[derive(Debug)]
-enum Part {
+enum MessagePart {
     Plain(String),
     Option(Parameter),
     Setting(Parameter, Vec<String>),
@@ -23,14 +23,14 @@ enum Part {
 pub trait Words {
     /// The name of a parameter.
     fn parameter(&self, parameter: &Parameter) -> String;
-    /// The name of a query, of which these are the words: `fit trace`.
+    /// The name of a query with these words: `fit trace`.
     fn query(&self, words: &str) -> String;
     /// A value, in quotes where a shell needs them.
     fn value(&self, value: &str) -> String {
         let is_plain = value.chars().all(|it| it.is_ascii_alphanumeric() || "=.,-_/".contains(it));
         if is_plain { value.to_owned() } else { format!("\"{value}\"") }
     }
-    /// A parameter with a value, or with several of which each would do.
+    /// A parameter with a value, or with several alternative values.
     fn setting(&self, parameter: &Parameter, values: &[String]) -> String {
         let values: Vec<_> = values.iter().map(|value| self.value(value)).collect();
         format!("{} {}", self.parameter(parameter), alternatives(&values))
@@ -51,7 +51,7 @@ impl Words for CommandWords {
     }
 }
 
-/// The words of the command line between characters of the private use area, for front ends that put names of their own in their place.
+/// The words of the command line between characters of the private use area, for front ends that replace them by other names.
 ///
 /// U+E000 and U+E001 enclose a parameter with its values, or a query; U+E002 encloses each value. These characters have no width.
 #[derive(Clone, Copy, Debug)]
@@ -85,7 +85,7 @@ impl Text {
             plain.push_str(before);
             match mark(from) {
                 Some((part, length)) => {
-                    parts.push(Part::Plain(std::mem::take(&mut plain)));
+                    parts.push(MessagePart::Plain(std::mem::take(&mut plain)));
                     parts.push(part);
                     rest = &from[length..];
                 }
@@ -96,36 +96,36 @@ impl Text {
             }
         }
         plain.push_str(rest);
-        parts.push(Part::Plain(plain));
+        parts.push(MessagePart::Plain(plain));
         Self(parts)
     }
 
     pub(super) fn to_json(&self) -> Vec<Value> {
         let parts = self.0.iter().map(|part| match part {
-            Part::Plain(text) => Value::from(super::clean(text)),
-            Part::Option(parameter) => json!({ "parameter": parameter.in_help() }),
-            Part::Setting(parameter, values) => {
+            MessagePart::Plain(text) => Value::from(super::clean(text)),
+            MessagePart::Option(parameter) => json!({ "parameter": parameter.in_help() }),
+            MessagePart::Setting(parameter, values) => {
                 let values: Vec<_> = values.iter().map(|value| super::clean(value)).collect();
                 json!({ "parameter": parameter.in_help(), "values": values })
             }
-            Part::Query(query) => json!({ "query": query }),
+            MessagePart::Query(query) => json!({ "query": query }),
         });
         parts.collect()
     }
 
     pub(crate) fn in_words(&self, words: &dyn Words) -> String {
         let parts = self.0.iter().map(|part| match part {
-            Part::Plain(text) => text.clone(),
-            Part::Option(parameter) => words.parameter(parameter),
-            Part::Setting(parameter, values) => words.setting(parameter, values),
-            Part::Query(query) => words.query(query),
+            MessagePart::Plain(text) => text.clone(),
+            MessagePart::Option(parameter) => words.parameter(parameter),
+            MessagePart::Setting(parameter, values) => words.setting(parameter, values),
+            MessagePart::Query(query) => words.query(query),
         });
         parts.collect()
     }
 }
 
 /// The mark at the beginning of a text, and its length.
-fn mark(text: &str) -> Option<(Part, usize)> {
+fn mark(text: &str) -> Option<(MessagePart, usize)> {
     let end = text.find('>')?;
     let inner = &text[1..end];
     let is_name = |name: &str, more: char| {
@@ -137,11 +137,11 @@ fn mark(text: &str) -> Option<(Part, usize)> {
     if option.strip_prefix("--").is_some_and(|name| is_name(name, '-')) {
         let parameter = Parameter::of_usage(option)?;
         let part = match value {
-            Some(values) => Part::Setting(parameter, values.split('|').map(str::to_owned).collect()),
-            None => Part::Option(parameter),
+            Some(values) => MessagePart::Setting(parameter, values.split('|').map(str::to_owned).collect()),
+            None => MessagePart::Option(parameter),
         };
         return Some((part, end + 1));
     }
     let query = inner.strip_prefix("libration ").filter(|query| is_name(query, ' '))?;
-    Some((Part::Query(query.to_owned()), end + 1))
+    Some((MessagePart::Query(query.to_owned()), end + 1))
 }

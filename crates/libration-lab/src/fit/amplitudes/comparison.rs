@@ -12,15 +12,15 @@ use crate::statistics::{akaike, count};
 /// All laws that could be fitted, and the choice among them.
 pub(super) struct Comparison<'a> {
     pub(super) law: Law<'a>,
-    /// Laws with one kind of damping or more, simpler ones first, and by their misfit among those of one number.
+    /// Laws with at least one kind of damping: simpler ones first, and laws of the same number of kinds by their misfit.
     pub(super) laws: Vec<Compared>,
-    /// Place of the law that is reported.
+    /// Index of the law that is reported.
     pub(super) chosen: usize,
     /// `true` if the reported law was given.
     pub(super) is_given: bool,
-    /// Place of the simplest law that the rows do not separate from the best one.
+    /// Index of the simplest law that the rows do not separate from the best one.
     pub(super) preferred: usize,
-    /// Excess from which the rows separate a law from the best one.
+    /// Excess above which the rows separate a law from the best one.
     separated: f64,
 }
 
@@ -76,7 +76,8 @@ impl<'a> Comparison<'a> {
         others.map(|(_, law)| law).filter(|law| law.excess <= self.separated)
     }
 
-    /// The Akaike weight of a law, for an excess as improbable as this one is with the degrees of freedom of the rows.
+    /// The Akaike weight of a law: e^(−Δ/2), where the excess Δ is scaled so that the limit of separation, which depends on the degrees of freedom,
+    /// becomes that of known scatter.
     pub(super) fn weight(&self, law: &Compared) -> f64 {
         libm::exp(-0.5 * law.excess.max(0.0) * SEPARATED / self.separated)
     }
@@ -140,7 +141,7 @@ fn compared(table: &AmplitudeTable, found: &[Found]) -> Vec<Compared> {
     laws
 }
 
-/// The F test of the last term, by the scatter, so that uncertainties that are all wrong by one factor do not matter.
+/// Probability by the F test of the last term. It uses the scatter, so that a common factor of all uncertainties does not matter.
 fn chance(law: &Found, all: &[Found], dof: usize) -> Option<f64> {
     let simpler = all.iter().filter(|it| it.terms.count() + 1 == law.terms.count());
     let simpler = simpler.filter(|it| it.terms.is_part_of(law.terms)).map(|it| it.chi2);

@@ -21,7 +21,7 @@ const CURVE: usize = 300;
 pub struct AmplitudesFit {
     /// Laws whose coefficients are not negative, simpler ones first.
     pub laws: Vec<LawOfAmplitudes>,
-    /// Place of the given law; without one that of the simplest law which the rows do not separate from the best.
+    /// Index of the given law or, without one, of the simplest law that the rows do not separate from the best.
     pub chosen: usize,
     /// The period of small swings, in seconds, where it is given or determined by times and numbers of swings.
     pub period: Option<Uncertain>,

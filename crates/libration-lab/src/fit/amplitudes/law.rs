@@ -15,7 +15,7 @@ const STEPS: f64 = 400.0;
 /// Amplitudes of a pendulum beyond this are outside the law, as in the tables of the rates.
 const LARGEST: f64 = 3.13;
 
-/// The rates of fall at any amplitude, and the table that they are compared with.
+/// The rates of fall at any amplitude, and the table with which they are compared.
 pub(super) struct Law<'a> {
     pub(super) table: &'a AmplitudeTable,
     rates: Option<DecayRates>,

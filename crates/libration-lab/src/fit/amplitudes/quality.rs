@@ -50,7 +50,7 @@ fn of_losses(found: &Found, phase: Uncertain, losses: &[f64], scale: f64) -> Opt
     (sum > 0.0 && value.is_finite()).then_some(Uncertain { value, uncertainty: value * relative })
 }
 
-/// gₙ = ΔE/(2πE) for a coefficient of one at ω0 = 1.
+/// gₙ = ΔE/(2πE) for a unit coefficient at ω0 = 1.
 fn loss(law: &Law<'_>, term: DampingKind, amplitude: f64) -> f64 {
     if !law.table.reading.is_of_angles() {
         return small_cycle_integral(term.exponent(), amplitude) / (PI * amplitude * amplitude);

@@ -11,13 +11,13 @@ use crate::statistics::{Design, count, is_settled, median, weighted_least_square
 
 /// χ² is smooth to rounding errors; the derivatives by differences only slow the search down.
 const EFFORT: Effort = Effort { tolerance: 1e-12, patience: 40 };
-/// Derivatives are differences over this part of an amplitude, or of a coefficient that would halve it.
+/// Step of difference quotients, relative to an amplitude or to a coefficient that would halve it.
 const STEP: f64 = 1e-5;
-/// Rounding errors over that step, with those of hundreds of steps of the integration.
+/// Relative error of difference quotients: rounding over that step, with that of hundreds of integration steps.
 const EXACTNESS: f64 = 1e-8;
 /// Rounds in which weights that depend on the result are renewed; the error falls by the relative error of the amplitudes each time.
 const MOST_ROUNDS: usize = 50;
-/// Amplitudes below this part of the largest one have the relative error of one of this size.
+/// Amplitudes below this fraction of the largest one have the relative error of one of this size.
 const LEAST: f64 = 1e-3;
 
 /// A law at its least sum of squares.

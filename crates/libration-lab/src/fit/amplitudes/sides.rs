@@ -12,7 +12,7 @@ pub enum Sides {
 /// Fewest rows whose alternation alone shows turning points of both sides: by chance alternate rows of eight are separated once in 35 times, and rows of
 /// falling amplitudes far less often.
 const FEWEST_ALTERNATING: usize = 8;
-/// A negative value counts as the other side where it is larger than this part of the largest one: less is an error of an amplitude near zero.
+/// Fraction of the largest value above which a negative value counts as the other side; smaller ones are errors of an amplitude near zero.
 const OTHER_SIDE: f64 = 0.2;
 
 /// Sides of the values, +1 or −1 for each row; all +1 for amplitudes.
@@ -50,7 +50,7 @@ impl FoundSides {
     }
 }
 
-/// Returns whether every other row is above all of the rest.
+/// Returns `true` if every other row is above all of the rest.
 fn alternate(values: &[f64]) -> bool {
     let [even, odd] = [0, 1].map(|first| extent(values.iter().skip(first).step_by(2)));
     values.len() > 3 && (even.0 > odd.1 || odd.0 > even.1)

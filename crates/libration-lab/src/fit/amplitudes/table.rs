@@ -32,7 +32,7 @@ pub enum UnstatedErrors {
     /// The same error of all amplitudes.
     #[default]
     Absolute,
-    /// The same part of each amplitude.
+    /// The same relative error of all amplitudes.
     Relative,
 }
 
@@ -105,7 +105,7 @@ pub(super) struct Row {
     /// +1 or −1.
     pub(super) side: f64,
     pub(super) position_uncertainty: f64,
-    /// 1 where it is not stated.
+    /// 1 if it is not stated.
     pub(super) value_uncertainty: f64,
     pub(super) swing: Option<f64>,
     pub(super) period: Option<f64>,
@@ -172,7 +172,7 @@ impl AmplitudeTable {
         self.rows.len()
     }
 
-    /// Returns whether there are no rows.
+    /// Returns `true` if there are no rows.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
@@ -184,7 +184,7 @@ impl AmplitudeTable {
         self.sides
     }
 
-    /// Returns whether the numbers of swings were read as those of half swings: turning points of both sides are whole numbers apart.
+    /// Returns `true` if the numbers of swings were read as those of half swings: turning points of both sides are whole numbers apart.
     #[must_use]
     pub fn counts_half_swings(&self) -> bool {
         self.counts_half_swings
@@ -196,13 +196,13 @@ impl AmplitudeTable {
         self.against
     }
 
-    /// Returns whether the rows count by their uncertainties; otherwise their scatter is the uncertainty.
+    /// Returns `true` if the rows count by their uncertainties; otherwise their scatter is the uncertainty.
     #[must_use]
     pub fn is_weighted(&self) -> bool {
         self.weighted
     }
 
-    /// Returns whether the table determines the period: by a column of periods, or by times with numbers of swings.
+    /// Returns `true` if the table determines the period: by a column of periods, or by times with numbers of swings.
     #[must_use]
     pub fn has_period(&self) -> bool {
         let has_numbers = self.against == Position::Time && self.rows.iter().any(|row| row.swing.is_some());
@@ -269,14 +269,14 @@ impl AmplitudeReading {
         }
     }
 
-    /// Returns whether amplitudes are angles, so that the law is that of any amplitude.
+    /// Returns `true` if amplitudes are angles, so that the law is that of any amplitude.
     #[must_use]
     pub fn is_of_angles(self) -> bool {
         self != Self::Displacement
     }
 }
 
-/// Returns whether opposite turning points, which are half a swing or an odd number of them apart, are whole numbers apart.
+/// Returns `true` if opposite turning points, which are half a swing or an odd number of them apart, are whole numbers apart.
 fn count_half_swings(rows: &[Row], against: Position) -> bool {
     let number = |row: &Row| match against {
         Position::Swings => Some(row.position),

@@ -9,9 +9,9 @@ use crate::fit::scatter::{Scatter, ScatterWarning};
 
 /// Damping counts as resolved where chance would make the fall as large less often than this.
 const RESOLVED: f64 = 0.05;
-/// Below this Q averaging over a cycle errs by a hundredth or more: coefficients of integrated motions from Q = 11 on are off by less than 0.2/Q².
+/// Q below which averaging over a cycle has an error of 1 % or more: coefficients of integrated motions are off by less than 0.2/Q² from Q = 11 on.
 const WEAK: f64 = 4.0;
-/// Residuals below this part of the largest value are rounding.
+/// Largest residual, relative to the largest value, that counts as rounding.
 const ROUNDING: f64 = 1e-12;
 
 /// Warnings, refuted laws first.

@@ -11,7 +11,7 @@ pub const AIR_DENSITY: Quantity = Quantity { value: 1.20, uncertainty: Some(0.02
 pub struct Apparatus {
     /// Distance from the pivot to the centre of the bob.
     pub length: Quantity,
-    /// Everything else that g is corrected for.
+    /// All other corrections of g.
     pub corrections: Corrections,
 }
 
@@ -43,7 +43,7 @@ pub struct Corrections {
 }
 
 impl Default for Corrections {
-    /// No correction; air in a room, for bobs whose density is given.
+    /// No correction except for air in a room, for bobs with a given density.
     fn default() -> Self {
         Self {
             bob: None,
@@ -74,13 +74,13 @@ impl Apparatus {
 pub struct MeasuredPeriod {
     /// T0, in seconds.
     pub t0: Quantity,
-    /// The amplitude, in radians, whose T/T0 is the mean of those that were measured; they were corrected by the exact law.
+    /// The amplitude, in radians, whose T/T0 is the mean of those measured, which were corrected by the exact law.
     pub amplitude: Option<f64>,
     /// The relative standard uncertainty of all angles: 0.01 where a degree may be 0.99 or 1.01 of one.
     pub angle_scale: Option<f64>,
     /// The relative standard uncertainty of the clock or frame rate: 0.001 where 29.97 frames a second were taken for 30.
     pub clock: Option<f64>,
-    /// The relative standard uncertainty of T0 by what all readings by hand share, such as an observer who stops late.
+    /// The relative standard uncertainty of T0 by the common error of all readings by hand, such as that of an observer who stops late.
     pub shared_timing: Option<f64>,
     /// The relative standard uncertainty of T0 by fits that contradict each other.
     pub model: Option<f64>,

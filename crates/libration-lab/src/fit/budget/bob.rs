@@ -43,13 +43,13 @@ impl BobShape {
         }
     }
 
-    /// Returns whether the moment of inertia depends on the height.
+    /// Returns `true` if the moment of inertia depends on the height.
     #[must_use]
     pub fn needs_height(self) -> bool {
         matches!(self, Self::Cylinder | Self::Cap)
     }
 
-    /// Returns whether the shape has a height or thickness.
+    /// Returns `true` if the shape has a height or thickness.
     #[must_use]
     pub fn has_height(self) -> bool {
         !matches!(self, Self::Ball | Self::Gyration)
@@ -94,7 +94,7 @@ impl Bob {
         self.size().radius_of_ball()
     }
 
-    /// Refuses sizes that no such bob has.
+    /// Refuses impossible sizes.
     ///
     /// # Errors
     /// A cylinder or cap without height, a cap higher than its ball, a ring whose hole is not smaller than itself.

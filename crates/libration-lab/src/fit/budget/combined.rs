@@ -126,7 +126,7 @@ impl CombinedUncertainty {
     }
 }
 
-/// The degrees of freedom where statistics found no uncertainty: infinite where a judged one contributes, otherwise those of the fewest data.
+/// The degrees of freedom if statistics contribute no uncertainty: infinite with a judged contribution, otherwise those of the fewest data.
 fn known_by(contributions: &[Contribution]) -> f64 {
     if contributions.iter().any(|each| each.degrees_of_freedom.is_infinite() && each.change().abs() > 0.0) {
         return f64::INFINITY;
@@ -134,7 +134,7 @@ fn known_by(contributions: &[Contribution]) -> f64 {
     contributions.iter().map(|each| each.degrees_of_freedom).fold(f64::INFINITY, f64::min)
 }
 
-/// The correlations of all inputs, which no variance below zero may follow from.
+/// The correlations of all inputs; refuses those for which some variance would be negative.
 fn matrix(contributions: &[Contribution], correlations: &[Correlation]) -> Result<DMatrix<f64>, BudgetError> {
     /// Rounding of a matrix whose smallest eigenvalue is zero.
     const ROUNDING: f64 = 1e-12;

@@ -4,7 +4,7 @@
 /// power of this, and rounding by 1e-16 over it.
 const PART: f64 = 1e-3;
 
-/// f′(x) by five points, none of which is further from x than twice a thousandth of `reach`.
+/// f′(x) by five points, at a distance from x of at most twice a thousandth of `reach`.
 pub fn derivative(x: f64, reach: f64, f: impl Fn(f64) -> f64) -> f64 {
     let step = PART * reach;
     let difference = |steps: f64| f(x + steps * step) - f(x - steps * step);

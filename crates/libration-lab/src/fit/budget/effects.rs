@@ -32,7 +32,7 @@ pub(in crate::fit) enum Effect {
     KnifeEdge,
 }
 
-/// Everything that g is computed from, with zero for what is not known. Units are SI.
+/// All quantities from which g is computed, zero for unknown ones, in SI units.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::fit) struct Values {
     pub(super) length: f64,
@@ -40,9 +40,9 @@ pub(in crate::fit) struct Values {
     pub(super) t0: f64,
     /// Factor by which all times are to be multiplied.
     pub(in crate::fit) clock: f64,
-    /// Factor by which the times are to be multiplied because all readings begin or end late alike.
+    /// Factor by which the times are to be multiplied because of the common error of all readings.
     pub(in crate::fit) shared_timing: f64,
-    /// Factor by which T0 is to be multiplied where the model is another.
+    /// Factor by which all angles are to be multiplied; T0 was determined with 1.
     pub(super) model: f64,
     pub(super) amplitude: f64,
     /// Factor by which all angles are to be multiplied; T0 was found with 1.
@@ -52,7 +52,7 @@ pub(in crate::fit) struct Values {
     /// Density of the bob; computed from mass and size where it is zero.
     pub(super) bob_density: f64,
     pub(super) rod_mass: f64,
-    /// Length of the rod; to the surface of the bob where it is zero.
+    /// Length of the rod; zero for a rod that reaches to the surface of the bob.
     pub(super) rod_length: f64,
     pub(super) air_density: f64,
     /// Factor by which the added mass is multiplied.
@@ -101,7 +101,7 @@ impl Values {
         ideal * self.factor_without(left_out)
     }
 
-    /// g over that of a bob of no size on a string without mass in vacuum, with all effects but one and that of the amplitude.
+    /// g over that of a point mass on a massless string in vacuum, with all effects but one and that of the amplitude.
     pub(in crate::fit) fn factor_without(&self, left_out: Option<Effect>) -> f64 {
         let is_warm = left_out != Some(Effect::Temperature);
         let growth = if is_warm { 1.0 + self.expansion * self.warming } else { 1.0 };
@@ -109,7 +109,7 @@ impl Values {
         growth * Self { length, rod_length, ..*self }.factor_of_length(left_out)
     }
 
-    /// The same at the length that the pendulum has in the swings.
+    /// The factor at the length that the pendulum has in the swings.
     fn factor_of_length(&self, left_out: Option<Effect>) -> f64 {
         let on = |effect: Effect| if left_out == Some(effect) { 0.0 } else { 1.0 };
         let (mass, length) = (self.rod_over_bob(), self.rod_length_over_length());
@@ -138,7 +138,7 @@ impl Values {
         Self { length, t0, amplitude, ..*self }
     }
 
-    /// Returns whether g is that of a bob of no size on a string without mass in vacuum.
+    /// Returns `true` if g is that of a point mass on a massless string in vacuum.
     pub(in crate::fit) fn correct_nothing(&self) -> bool {
         let all = [
             self.bob.radius,
@@ -199,7 +199,8 @@ impl Values {
         square(statical) / (1.0 + mass) * part / (1.0 - part)
     }
 
-    /// k of a ball that swings little: 1/2 of ideal flow and what a layer of viscous air adds, 9δ/4r with δ² = 2ν/ω. Of other shapes 1/2.
+    /// k of a ball with small swings: 1/2 for ideal flow plus the contribution of a layer of viscous air, 9δ/4r with δ² = 2ν/ω; 1/2 for other
+    /// shapes.
     pub(super) fn added_mass_over_displaced(&self) -> f64 {
         self.added_mass * (0.5 + self.viscous_part())
     }
@@ -220,17 +221,17 @@ impl Values {
         if is_ball { 2.25 * self.layer() / self.bob.radius } else { 0.0 }
     }
 
-    /// δ.
+    /// δ, the thickness of the layer of air that moves with the bob, in m.
     pub(super) fn layer(&self) -> f64 {
         (2.0 * VISCOSITY_OF_AIR * self.period() / TAU).sqrt()
     }
 
-    /// μ.
+    /// μ, the mass of the rod over that of the bob; zero for an unknown mass.
     pub(super) fn rod_over_bob(&self) -> f64 {
         if self.bob_mass > 0.0 { self.rod_mass / self.bob_mass } else { 0.0 }
     }
 
-    /// λ.
+    /// λ, the length of the rod over that of the pendulum.
     pub(super) fn rod_length_over_length(&self) -> f64 {
         let length = if self.rod_length > 0.0 { self.rod_length } else { self.length - self.bob.reach() };
         length / self.length

@@ -14,7 +14,7 @@ pub enum BudgetInput {
     Slope,
     /// Factor by which all times are to be multiplied.
     Clock,
-    /// Factor by which the times are to be multiplied because all readings by hand begin or end late alike.
+    /// Factor by which the times are to be multiplied because of the common error of all readings by hand.
     SharedTiming,
     /// Factor by which T0 is to be multiplied where the model is another.
     Model,
@@ -36,7 +36,7 @@ pub enum BudgetInput {
     RodLength,
     /// Density of the air.
     AirDensity,
-    /// Factor by which the mass of the air that moves along is to be multiplied.
+    /// Factor by which the mass of the accelerated air is to be multiplied.
     AddedMass,
     /// Stretch of the string by the bob at rest.
     Stretch,

@@ -90,9 +90,9 @@ impl Given {
     }
 }
 
-/// Relative standard uncertainty of the coefficient of linear damping that lengthens the period as damping of an unknown kind does by which the
-/// amplitudes fall alike. To second order ω/ω0 − 1 is −γ²/2 for linear, −0.93 γ² for quadratic and −1.25 γ² for cubic damping, where γ is the relative
-/// fall of the amplitude per radian (`expand --damping-order 2`): a quarter makes that of quadratic damping 1.7 standard uncertainties.
+/// Relative standard uncertainty of a linear damping coefficient that stands for damping of an unknown kind with the same fall of the amplitudes.
+/// To second order ω/ω0 − 1 is −γ²/2 for linear, −0.93 γ² for quadratic and −1.25 γ² for cubic damping, where γ is the relative fall of the
+/// amplitude per radian (`expand --damping-order 2`): with a quarter, that of quadratic damping is 1.7 standard uncertainties away.
 const UNKNOWN_KIND: f64 = 0.25;
 
 impl Inputs<'static> {
@@ -190,7 +190,7 @@ impl<'a> Inputs<'a> {
         self.gravity_of(&self.values)
     }
 
-    /// The part of itself by which g is larger with the effect.
+    /// The relative change of g by the effect.
     pub(super) fn size_of(&self, effect: Effect) -> Correction {
         Correction::Applied(self.gravity() / self.gravity_without(&self.values, effect) - 1.0)
     }
@@ -225,7 +225,7 @@ impl<'a> Inputs<'a> {
         self.uncertain.iter().map(bend).sum()
     }
 
-    /// Change of a function of the values with one standard uncertainty of an input; zero where there is none.
+    /// Change of a function of the values with one standard uncertainty of an input; zero if the input has none.
     pub(super) fn change(&self, input: BudgetInput, of: impl Fn(&Values) -> f64) -> f64 {
         self.uncertainty(input).map_or(0.0, |spread| spread * self.slope(input, of))
     }
@@ -239,7 +239,7 @@ impl<'a> Inputs<'a> {
         self.uncertain.iter().any(|uncertain| uncertain.0 == input)
     }
 
-    /// Computes the size of the changes by all inputs of which this holds; `None` where those that matter have no uncertainty.
+    /// The size of the changes by all selected inputs; `None` if one that matters has no uncertainty.
     pub(super) fn changes(
         &self,
         of: impl Fn(&Values) -> f64,
@@ -296,7 +296,7 @@ fn check(name: &'static str, quantity: Quantity) -> Result<(), BudgetError> {
     check_uncertainty(name, uncertainty.unwrap_or(0.0))
 }
 
-/// A difference of temperatures may be of either sign.
+/// Checks a difference of temperatures, which may be of either sign.
 fn check_temperatures(value: f64, spread: f64) -> Result<(), BudgetError> {
     if !value.is_finite() {
         return Err(BudgetError::NotFinite { name: "difference of temperatures", value });

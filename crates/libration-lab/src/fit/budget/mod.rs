@@ -99,7 +99,7 @@ pub enum BudgetError {
     /// A number that is not an amplitude.
     #[error("the amplitude {0:?} rad is not below pi")]
     Amplitude(f64),
-    /// A mass of the rod without that of the bob, relative to which it counts.
+    /// A mass of the rod without the mass of the bob, to which it is relative.
     #[error("the mass of the rod is not used without that of the bob: give the mass of the bob too")]
     RodWithoutBob,
     /// A correlation of an input that the budget does not have.
@@ -123,7 +123,7 @@ pub enum BudgetError {
     CorrelationRepeated {
         /// An input.
         first: &'static str,
-        /// The other one.
+        /// The second one.
         second: &'static str,
     },
     /// Correlations that contradict each other.
@@ -154,13 +154,13 @@ impl Evaluation {
 /// Correction for an effect.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Correction {
-    /// g is larger by this part of itself than without the correction.
+    /// Relative change of g by the correction.
     Applied(f64),
-    /// The effect is not known here; for a usual pendulum it is about this part of g.
+    /// Relative change of g for a typical pendulum; that of this one is not known.
     Typical(f64),
     /// Neither the effect nor its typical size is known.
     Unknown,
-    /// An input, which corrects nothing.
+    /// An input that corrects nothing.
     Input,
 }
 
@@ -205,7 +205,7 @@ impl Budget {
         Uncertain { value: self.g, uncertainty: self.uncertainty }
     }
 
-    /// Returns whether g is nearly linear over the uncertainties of its inputs: the shift of its mean is below a tenth of the uncertainty.
+    /// Returns `true` if g is nearly linear over the uncertainties of its inputs: the shift of its mean is below a tenth of the uncertainty.
     /// Otherwise the uncertainty is rough (Guide to the Expression of Uncertainty in Measurement, 5.1.2, note).
     #[must_use]
     pub fn is_linear(&self) -> bool {

@@ -12,8 +12,7 @@ pub(in crate::fit) struct TableBudget {
     pub(in crate::fit) contributions: Vec<Contribution>,
 }
 
-/// Computes the budget of g that a law gives, which fits the table again with other values; a bar has neither bob nor string. The sizes of effects that
-/// are not corrected are those of a typical pendulum of the table.
+/// Contributions other than those of the fitted line.
 pub(in crate::fit) fn of_table(
     typical: &Apparatus,
     period: &MeasuredPeriod,
@@ -24,7 +23,8 @@ pub(in crate::fit) fn of_table(
     Ok(TableBudget { rows: inputs.rows_of_table(is_bar), contributions: inputs.contributions() })
 }
 
-/// The row of a contribution that corrects nothing, such as that of the slope of a line.
+/// Computes the budget of g from a law, with fits of the table with changed values; a bar has neither bob nor string. Effects that are not
+/// corrected have the sizes for a typical pendulum of the table.
 pub(in crate::fit) fn input_row(
     contribution: &Contribution,
     formula: &'static str,

@@ -1,4 +1,4 @@
-//! The rows of a budget: each effect with its size, and its part of the uncertainty.
+//! The rows of a budget: each effect with its size and its contribution to the uncertainty.
 
 use super::bob::{BobShape, Size};
 use super::effects::{Effect, Values};
@@ -46,7 +46,7 @@ impl Inputs<'_> {
         vec![self.buoyancy(), self.added_mass()]
     }
 
-    /// The same of a bar, where only fits of their own show the sizes of effects that are not corrected.
+    /// The rows of a bar, for which only additional fits show the sizes of effects that are not corrected.
     fn of_support_of_bar(&self) -> Vec<BudgetRow> {
         let open = "not corrected; a part of it is in the moment of inertia that is fitted";
         let support = match self.is_given(BudgetInput::SupportStiffness) {
@@ -64,7 +64,7 @@ impl Inputs<'_> {
         vec![self.temperature(), self.support(), self.knife_edge()]
     }
 
-    /// An effect: its size, and the uncertainty that its own inputs give it.
+    /// An effect: its size, and its contribution to the uncertainty through its inputs.
     fn effect(&self, name: &'static str, formula: &'static str, effect: Effect, note: String) -> BudgetRow {
         let ratio = |values: &Values| self.gravity_of(values) / self.gravity_without(values, effect);
         let own = |input| {
@@ -125,7 +125,7 @@ impl Inputs<'_> {
     }
 
     fn shared_timing(&self) -> BudgetRow {
-        let note = "what all readings by hand share, as an observer who stops late".into();
+        let note = "an error common to all readings by hand, as of an observer who stops late".into();
         let row =
             self.input("shared timing", "2 u(t)/(n T0)", BudgetInput::SharedTiming, Evaluation::Judgement);
         BudgetRow { note, ..row }

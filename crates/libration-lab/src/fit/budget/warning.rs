@@ -18,7 +18,7 @@ pub enum BudgetWarning {
         length: f64,
         /// The length that gives the middle of [`GRAVITY_ON_EARTH`], in m.
         likely_length: f64,
-        /// The mistake that explains g, in place of the length.
+        /// The mistake that would explain g, if it is not an error of the length.
         mistake: Option<GravityMistake>,
     },
     /// Inputs without an uncertainty, which count as exact.

@@ -118,7 +118,7 @@ fn without(rows: &[Row], outliers: &[usize]) -> Vec<Row> {
     (0..rows.len()).filter(|row| !outliers.contains(row)).map(|row| rows[row].clone()).collect()
 }
 
-/// Removes from the periods what the damping of the preferred law and the local fits do to them.
+/// Removes from the periods the bias by the damping of the preferred law and by the local fits.
 fn unbiased(rows: Vec<Row>, apparatus: Apparatus, envelope: &Envelope, watch: &Watch<'_>) -> Vec<Row> {
     let amplitudes = || rows.iter().map(Row::amplitude);
     let range = [amplitudes().fold(f64::INFINITY, f64::min), amplitudes().fold(0.0, f64::max)];
@@ -138,7 +138,7 @@ fn typical_uncertainty(trace: &Trace) -> f64 {
     trace.uncertainties().and_then(|column| median(column.to_vec())).unwrap_or(1.0)
 }
 
-/// The half swings and the cycles; of a trace of velocities with the ω0 that goes with both.
+/// The half swings and the cycles; for a trace of velocities with a consistent ω0.
 fn settled(found: &Found, observable: Observable, longest: f64) -> (Vec<Option<HalfSwing>>, Vec<Row>) {
     let t0 = match observable {
         Observable::Angle => longest,
@@ -149,8 +149,8 @@ fn settled(found: &Found, observable: Observable, longest: f64) -> (Vec<Option<H
     (half_swings, rows)
 }
 
-/// Computes the T0 that agrees with that of the cycles, whose amplitudes follow from their fastest velocities and this T0. With a larger T0 the
-/// amplitudes are larger and the cycles give a smaller one, so that there is one solution between 0 and the period.
+/// The T0 that agrees with that of the cycles, whose amplitudes follow from their largest velocities and this T0. With a larger T0 the amplitudes
+/// are larger and the cycles give a smaller one, so that there is one solution between 0 and the period.
 fn t0_of_velocities(found: &Found, period: f64) -> f64 {
     let complete = found.rows(&found.half_swings(Observable::AngularVelocity, f64::INFINITY)).len();
     let [t0, _] = bisect([0.1 * period, period], Tolerance::absolute(1e-12 * period), |t0| {

@@ -24,7 +24,7 @@ use libration::taylor::{Effort, Moment, Solution, System, Trajectory, integrate_
 
 /// Simulated swings, from the largest to the smallest amplitude.
 const NODES: u32 = 12;
-/// Cycles of each. The first and the last that are measured do not count: beyond their passages no extreme is known.
+/// Number of cycles of each simulated swing. The first and the last that are measured do not count: beyond their passages no extreme is known.
 const CYCLES: f64 = 6.0;
 /// The most rows in a simulated period: with more the local fits have no error.
 const MOST_ROWS: f64 = 100.0;
@@ -48,7 +48,7 @@ pub(super) struct Apparatus {
 pub(super) struct Bias(Vec<(f64, f64)>);
 
 impl Bias {
-    /// Measures the bias between the smallest and the largest amplitude under this damping; `None` where it cannot be measured.
+    /// Measures the bias between the smallest and the largest amplitude with this damping; `None` if it cannot be measured.
     pub(super) fn new(
         apparatus: Apparatus,
         damping: &EnvelopeFit,
@@ -89,8 +89,8 @@ impl Bias {
 }
 
 impl Apparatus {
-    /// The times of the rows, the first at the release and the second this part of a step later. A half period has a whole number of steps, so
-    /// that passages of one swing have the same error: errors that differ between passages of a measured trace cancel in the sum of many.
+    /// The times of the rows: the release, and then a row in each step, the first at this fraction of a step. A half period has a whole number of
+    /// steps, so that passages of one swing have the same error: errors that differ between passages of a measured trace cancel in the sum of many.
     fn times(&self, amplitude: f64, part: f64) -> Vec<f64> {
         let period = TAU / self.omega0 * period_ratio(amplitude);
         let step = 0.5 * period / libm::round(0.5 * self.rows_per_period.min(MOST_ROWS));

@@ -1,4 +1,4 @@
-//! The centre about which the values swing: fixed, or followed where it wanders.
+//! The centre of the swings: fixed, or followed if it drifts.
 
 use super::turning_point::Extreme;
 use crate::fit::uncertain::Uncertain;
@@ -11,17 +11,17 @@ const FEWEST_TO_FOLLOW: usize = 5;
 /// recording that begins over the top moved by two uncertainties.
 const WANDERING: f64 = 3.0;
 
-/// Weights of extremes on alternating sides, from whose sum a decay drops out that is a polynomial of the third degree over five of them: of an
-/// exponential one that takes a part d from one to the next, d⁴/16 is left. By three it is d²/4, which looks like a centre that wanders: with damping
-/// of 0.2/s from 50°, 0.1°.
+/// Weights of extremes on alternating sides. A decay that is a polynomial of the third degree over five extremes cancels in their sum; of an
+/// exponential decay by a fraction d from one to the next, d⁴/16 remains. With three weights it is d²/4, which looks like a drifting centre: with
+/// damping of 0.2/s from 50°, 0.1°.
 const FIVE: [f64; 5] = [0.0625, 0.25, 0.375, 0.25, 0.0625];
-/// Weights where there are too few extremes for five: a linear decay drops out.
+/// Weights if there are too few extremes for five: a linear decay cancels.
 const THREE: [f64; 3] = [0.25, 0.5, 0.25];
 
 /// The centre of a stretch.
 #[derive(Clone, Debug)]
 pub struct Centre {
-    /// The middle one of the centres of all swings.
+    /// The median of the centres of all swings.
     pub value: Uncertain,
     /// Standard deviation of the centres of single swings from it; zero where noise explains it.
     pub wander: f64,
@@ -76,7 +76,7 @@ impl Centre {
         extremes.windows(weights.len()).filter_map(middle).collect()
     }
 
-    /// Computes the centre from those of single swings, by weights with this sum of squares of extremes with this uncertainty.
+    /// The centre from those of single swings, by weights with this sum of squares and extremes with this uncertainty.
     fn through(middles: Vec<(f64, f64)>, squares: f64, noise: f64) -> Self {
         let Some(value) = median(middles.iter().map(|middle| middle.1).collect()) else {
             return Self::fixed(0.0);

@@ -17,12 +17,12 @@ use crate::statistics::{akaike, count};
 use libration::internals::progress::Watch;
 use libration::quantity::with_uncertainty;
 
-/// Laws whose `AICc` differ by less than this are not separated by the data, as [`Comparison::INDISTINGUISHABLE`] has it of motions.
+/// Laws whose `AICc` differ by less than this are not separated by the data, as for motions ([`Comparison::INDISTINGUISHABLE`]).
 ///
 /// [`Comparison::INDISTINGUISHABLE`]: crate::fit::trace::Comparison::INDISTINGUISHABLE
 pub const SEPARATED: f64 = 4.0;
-/// Fewer extremes than this do not determine the law: the correction of `AICc` for a law with one coefficient, whose unknowns with the
-/// noise are three, is infinite for four of them.
+/// Fewest extremes that determine the law: with four, the correction of `AICc` for a law with one coefficient, which has three unknowns with the
+/// noise, is infinite.
 const FEWEST: usize = 5;
 
 /// A coefficient of the damping.
@@ -144,8 +144,8 @@ pub(super) fn envelope(
     })
 }
 
-/// (1 − ρ)/(1 + ρ) with the correlation ρ of residuals, the mean of those at lags one and two, so that a centre a
-/// little off does not pass for independence.
+/// (1 − ρ)/(1 + ρ) with the correlation ρ of residuals: the mean of those at lags one and two, so that a small
+/// error of the centre does not look like independence.
 fn independence(fall: &Fall<'_>, best: &Curve) -> f64 {
     let residuals: Vec<f64> = fall.residuals(&best.fitted);
     let square: f64 = residuals.iter().map(|r| r * r).sum();

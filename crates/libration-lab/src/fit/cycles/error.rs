@@ -54,10 +54,10 @@ pub enum CyclesError {
         100.0 * noise_part.min(1.0)
     )]
     NoisyAmplitudes {
-        /// The part of the variance of the T/T0 by the amplitudes that is noise.
+        /// Fraction of the variance of T/T0 that is noise of the amplitudes.
         noise_part: f64,
     },
-    /// Cancelled by the caller.
+    /// Cancellation by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
     /// Too few extremes to determine the fall of the amplitude.

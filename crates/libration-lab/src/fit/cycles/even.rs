@@ -1,4 +1,4 @@
-//! An even function as a sum of Chebyshev polynomials of its square, for functions that are evaluated more often than it takes to find the sum.
+//! An even function as a sum of Chebyshev polynomials of its square, for functions with more evaluations than the construction of the sum takes.
 
 use crate::statistics::count;
 use std::f64::consts::PI;
@@ -16,7 +16,7 @@ pub struct Even {
 }
 
 impl Even {
-    /// Number of arguments from which a sum is worthwhile, which evaluates the function itself 48 times.
+    /// Number of arguments above which the sum is worthwhile, since its construction evaluates the function 48 times.
     pub const WORTH: usize = 4 * TERMS;
 
     /// Expands the function up to the largest argument; `None` where it is not smooth enough.

@@ -5,13 +5,13 @@ use super::shape::Shape;
 use super::turning_point::Extreme;
 use super::window::Window;
 
-/// The part of the quarter periods before and after the extreme that is used. With 0.5 amplitudes were less certain by a tenth to a
-/// fifth in 15 of 24 recordings (`mod.rs`), with 0.95 more certain in none.
+/// Fraction of the quarter periods before and after the extreme that is used. With 0.5 amplitudes were less certain by a tenth to a fifth in 15 of
+/// 24 recordings (`mod.rs`), with 0.95 more certain in none.
 const REACH: f64 = 0.75;
-/// Number of points from which on the swing may be askew: with 2 and 8 nothing changed in any recording.
+/// Number of points above which the swing may be skewed: with 2 and 8 nothing changed in any recording.
 const POINTS_FOR_SKEWNESS: usize = 4;
-/// Number of points from which on the swing may be longer or shorter than the passages suggest: with 4 the coarsest recording, of ten rows in a
-/// period, had amplitudes and β less certain by a quarter; with 12 β moved by half of its uncertainty in two.
+/// Number of points above which the length of the swing is free: with 4 the coarsest recording, of ten rows in a period, had amplitudes and β less
+/// certain by a quarter; with 12 β moved by half of its uncertainty in two.
 const POINTS_FOR_LENGTH: usize = 6;
 /// Largest distance of the extreme from the middle, in quarter periods: with 0.1 and 0.6 nothing changed.
 const FURTHEST: f64 = 0.3;

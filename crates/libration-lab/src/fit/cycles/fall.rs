@@ -14,10 +14,10 @@ use libration::internals::progress::Watch;
 
 /// χ² is smooth to rounding errors; the derivatives by differences only slow the search down.
 const EFFORT: Effort = Effort { tolerance: 1e-10, patience: 30 };
-/// Derivatives are differences over this part of an amplitude, or of a coefficient that would halve it: with 1e-4 and 1e-6 nothing changed
-/// in seven recordings.
+/// Step of difference quotients, relative to an amplitude or to a coefficient that would halve it: with 1e-4 and 1e-6 nothing changed in seven
+/// recordings.
 const STEP: f64 = 1e-5;
-/// Rounding errors over that step, with those of hundreds of steps of the integration.
+/// Relative error of difference quotients: rounding over that step, with that of hundreds of integration steps.
 const EXACTNESS: f64 = 1e-8;
 /// Distance from the curve, in robust standard deviations, above which extremes do not count: among normal errors one in 5e8.
 const OUTLIER: f64 = 6.0;
@@ -30,7 +30,7 @@ pub(super) struct Fall<'a> {
     pub(super) weights: Vec<f64>,
     /// Largest step of the integration.
     pub(super) substep: f64,
-    /// Checked at each evaluation of a law.
+    /// Cancellation, checked at each evaluation of a law.
     pub(super) watch: &'a Watch<'a>,
 }
 

@@ -12,8 +12,8 @@ use crate::fit::uncertain::Uncertain;
 use crate::measurement::Observable;
 use crate::statistics::median;
 
-/// Extremes below this number of standard deviations of a value are left out. With 8 all recordings (`mod.rs`) had the same cycles; with 2
-/// the noisiest, a swing of three standard deviations, had 25 for none.
+/// Number of standard deviations of a value below which extremes are left out. With 8 all recordings (`mod.rs`) had the same cycles; with 2 the
+/// noisiest, a swing of three standard deviations, had 25 instead of none.
 const FAINTEST: f64 = 4.0;
 
 impl Landmarks {

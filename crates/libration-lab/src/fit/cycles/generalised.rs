@@ -21,8 +21,8 @@ use libration::internals::progress::Watch;
 
 /// Ratios of the variances that are tried: none, and 10^(k/8) from 1e-3 to 1e4.
 const RATIOS: std::ops::RangeInclusive<i32> = -24..=32;
-/// Fluctuations are believed in when they make the logarithm of the likelihood larger by this: chance does so in one of
-/// forty traces without any.
+/// Increase of the logarithm of the likelihood above which fluctuations are accepted: chance reaches it in one of forty
+/// traces without fluctuations.
 const EVIDENCE: f64 = 2.0;
 /// Fewest degrees of freedom with which fluctuations are distinguished from the noise. With 3, nothing changed in twelve of the recordings
 /// (`mod.rs`); with 10, β of the strongly damped one moved by 1.4 uncertainties, and its uncertainty fell to 0.4 of itself.
@@ -36,7 +36,7 @@ pub(super) struct Generalised {
     pub(super) covariance: DMatrix<f64>,
     /// χ² by the noise alone, per degree of freedom.
     pub(super) chi2_per_dof: Option<f64>,
-    /// Degrees of freedom of the covariance: of the scatter where it comes from that, and infinite where the noise explains the scatter.
+    /// Degrees of freedom of the covariance: those of the scatter if it comes from the scatter, infinite if the noise explains the scatter.
     pub(super) degrees_of_freedom: f64,
     /// Scatter of single periods.
     pub(super) scatter: Scatter,
@@ -53,7 +53,7 @@ pub(in crate::fit) struct Scatter {
 /// Entries of a symmetric matrix next to its diagonal: with the row two before, the row before, and itself.
 pub type Bands = Vec<[f64; 3]>;
 
-/// Columns that are to explain the periods; one of them is T/T0, with the noise of the amplitudes.
+/// Columns that may explain the periods; one of them is T/T0, with the noise of the amplitudes.
 #[derive(Clone, Copy)]
 pub(super) struct Explanation<'a> {
     pub(super) columns: &'a [Vec<f64>],
@@ -147,8 +147,8 @@ impl Equations<'_> {
         factor.inverse().into_iter().enumerate().map(with_earlier).sum()
     }
 
-    /// The noise and the fluctuations in their proportion, at the scale that makes the squares of the residuals as large as
-    /// they are expected to be, which is Vₖₖ − xₖᵀ(XᵀV⁻¹X)⁻¹xₖ; on the mean never less than the noise.
+    /// The noise and the fluctuations in their proportion, scaled so that the squares of the residuals have their expected
+    /// size, Vₖₖ − xₖᵀ(XᵀV⁻¹X)⁻¹xₖ; on average never less than the noise.
     fn scatter(&self, solution: &Solution) -> Scatter {
         let fluctuation = solution.ratio * self.typical;
         let (mut found, mut expected, mut noise_part) = (0.0, 0.0, 0.0);

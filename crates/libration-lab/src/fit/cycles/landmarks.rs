@@ -19,7 +19,7 @@ use std::f64::consts::FRAC_PI_2;
 /// recordings (`mod.rs`), with 2 fourteen changed, one by 22 uncertainties of β.
 const ROUNDS: usize = 4;
 
-/// Fewest rows of a passage whose fit is worth another core.
+/// Fewest rows of a passage for which another core is used.
 const WORTH_A_CORE: usize = 200;
 
 /// Landmarks of one stretch: extreme k lies between the passages k and k + 1.
@@ -162,8 +162,8 @@ fn apart<L>(found: Vec<Option<(L, Vec<f64>)>>, residuals: &mut Vec<f64>) -> Vec<
     found.into_iter().map(one).collect()
 }
 
-/// The amplitude that belongs to a largest velocity and a quarter of the period, in radians: v = 2ω0(A) sin(A/2), where
-/// ω0 follows from the quarter by the exact law.
+/// The amplitude for a largest velocity and a quarter of the period, in radians: v = 2ω0(A) sin(A/2), where ω0 follows
+/// from the quarter by the exact law.
 fn amplitude_from_quarter(velocity: f64, quarter: f64) -> f64 {
     let [amplitude, _] = bisect([0.0, LARGEST_AMPLITUDE], Tolerance::absolute(1e-6), |amplitude| {
         let omega0 = FRAC_PI_2 * period_ratio(amplitude) / quarter;

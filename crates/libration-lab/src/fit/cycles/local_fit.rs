@@ -37,7 +37,7 @@ impl Points {
         Self { width, rows: vec![], values: vec![], deviations: vec![] }
     }
 
-    /// Adds a point, with as many of these basis functions as the fit has.
+    /// Adds a point, with its values of the basis functions of the fit.
     pub fn push(&mut self, row: impl Iterator<Item = f64>, value: f64, deviation: f64) {
         self.rows.extend(row.take(self.width));
         self.values.push(value);
@@ -48,8 +48,8 @@ impl Points {
         self.values.len()
     }
 
-    /// Fits the curve by least squares, with points beyond `noise` standard deviations counting less and less; all count alike when
-    /// the noise is not known yet. `None` when the points do not determine the curve.
+    /// Fits the curve by least squares; points beyond `noise` standard deviations have falling weights, and all have the same
+    /// weight if the noise is not known yet. `None` if the points do not determine the curve.
     pub fn fit(&self, noise: Option<f64>) -> Option<LocalFit> {
         let mut weights = vec![1.0; self.len()];
         let mut fit = self.weighted(&weights)?;

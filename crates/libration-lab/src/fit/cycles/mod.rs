@@ -66,7 +66,7 @@ use row::Row;
 /// Options for the analysis of cycles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CyclesOptions {
-    /// Cycles whose period is further from the law than this many robust standard deviations do not count.
+    /// Number of robust standard deviations from the law beyond which cycles are left out.
     pub outlier_threshold: f64,
 }
 
@@ -84,11 +84,11 @@ pub struct Cycle {
     /// Time from one passage of the centre to the next in the same direction, in seconds; its uncertainty comes from the noise of the values,
     /// and from the scatter of the cycles beyond that.
     pub period: Uncertain,
-    /// The mean of the two extremes in it, in radians; its uncertainty comes from the noise of the values.
+    /// The mean of its two extremes, in radians; its uncertainty comes from the noise of the values.
     pub amplitude: Uncertain,
     /// T/T0 by the exact law: the mean of the ratios of the two half swings.
     pub period_ratio: f64,
-    /// `true` if its period is so far from the law that it does not count.
+    /// `true` if its period is so far from the law that the cycle is left out.
     pub outlier: bool,
 }
 
@@ -113,8 +113,8 @@ pub struct Cycles {
     /// Standard deviation of the centres of single swings from the offset, where that is more than the noise
     /// explains (the centres are then followed); otherwise zero.
     pub offset_wander: f64,
-    /// The standard deviation of a value by the residuals of the local fits: rad, or rad/s. Where the trace has uncertainties of its
-    /// own, relative to these.
+    /// The standard deviation of a value by the residuals of the local fits, in rad or rad/s; relative to the uncertainties of the
+    /// trace if it has any.
     pub noise: f64,
     /// The period of small swings under the exact law, in seconds; its uncertainty comes from the scatter of the cycles where that is larger than
     /// the noise explains, and from the pivot where it was fitted.

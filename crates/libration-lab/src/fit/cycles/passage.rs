@@ -1,23 +1,22 @@
-//! Fit of the time at which the centre is passed: the values near it, through the inverse of the shape of a swing, lie on a line in time, or
-//! on a curve that is nearly one.
+//! Fit of the time of a passage of the centre: through the inverse of the shape of a swing, values near it lie on a line in time, or nearly so.
 
 use super::local_fit::{Points, powers};
 use super::shape::Shape;
 use super::window::Window;
 
-/// Rows are used while the value should be within this part of the extreme; beyond it their noise would be stretched. With 0.5
-/// periods were less certain by up to a factor of two in 11 of 24 recordings (`mod.rs`), and the coarsest had 14 cycles for 80; with
-/// 0.95 β moved by up to two uncertainties in the five by an encoder that have one.
+/// Fraction of the extreme up to which rows are used; beyond it their noise would be stretched. With 0.5 periods were less certain by up to a
+/// factor of two in 11 of 24 recordings (`mod.rs`), and the coarsest had 14 cycles for 80; with 0.95 β moved by up to two uncertainties in the five
+/// by an encoder that have one.
 const REACH: f64 = 0.8;
-/// Number of points from which on the curve has a term of second order: with 4 one recording by a camera had an outlier, with 10 β moved by
-/// half of its uncertainty in two.
+/// Number of points above which the curve has a term of second order: with 4 one recording by a camera had an outlier, with 10 β moved by half of
+/// its uncertainty in two.
 const POINTS_FOR_SQUARE: usize = 6;
 /// Number of points for a term of third order: with 6 one by a camera had less certain periods, with 20 only one uncertainty changed, by a tenth.
 const POINTS_FOR_CUBE: usize = 10;
-/// Least slope of a passage: there the inverse of the shape rises by one in a quarter period. With 0.1 and 0.4
-/// nothing changed.
+/// Smallest slope of a passage: with 1, the inverse of the shape rises by one in a quarter period. With 0.1
+/// and 0.4 nothing changed.
 const LEAST_SLOPE: f64 = 0.2;
-/// Least distance from the extreme, in quarter periods, with which a row counts: with 0.03 and 0.3 nothing changed.
+/// Smallest distance from the extreme, in quarter periods, at which a row is used: with 0.03 and 0.3 nothing changed.
 const NEAREST: f64 = 0.1;
 /// Rounds: with 2 and 6 nothing changed.
 const ROUNDS: usize = 3;

@@ -10,7 +10,7 @@ use crate::fit::uncertain::Uncertain;
 use crate::statistics::{mean, median, robust_deviation};
 use libration::internals::progress::Watch;
 
-/// Rounds in which the weights are renewed; the error falls by a factor of (σ of T0)/T0 or so each time: with 3 and 10 nothing changed.
+/// Rounds in which the weights are renewed; the error falls by a factor of about (σ of T0)/T0 each time: with 3 and 10 nothing changed.
 const ROUNDS: usize = 5;
 /// Largest part of the variance of T/T0 from the noise of the amplitudes: above it, its effect on β is not known well enough to be
 /// corrected.
@@ -21,7 +21,7 @@ const MOST_NOISE: f64 = 0.05;
 pub(in crate::fit) struct PeriodLaw {
     /// The period of small swings, in seconds; its uncertainty comes from the scatter of the cycles where that is larger than the noise explains.
     pub(in crate::fit) t0: Uncertain,
-    /// χ² by the noise alone per degree of freedom; `None` where there is no degree of freedom.
+    /// χ² by the noise alone per degree of freedom; `None` without a degree of freedom.
     pub(in crate::fit) chi2_per_dof: Option<f64>,
     /// Degrees of freedom of the uncertainty of T0.
     pub(in crate::fit) degrees_of_freedom: f64,
@@ -67,7 +67,7 @@ impl Row {
         self.period / self.ratio
     }
 
-    /// The part of the half swings of one row that are half swings of the other too.
+    /// Fraction of the half swings of one row that belong to the other too.
     pub(super) fn half_swings_with(&self, other: &Self) -> f64 {
         self.shared_sides(other).map(|_| 0.5).sum()
     }
@@ -102,8 +102,8 @@ pub(in crate::fit) fn beta(rows: &[Row], watch: &Watch<'_>) -> Result<Beta, Cycl
     Ok(Beta::from_line(&found.coefficients, &found.covariance, found.degrees_of_freedom))
 }
 
-/// Refuses amplitudes of which more than 5 % of the variance of T/T0 is their noise: a regression on values with errors is drawn
-/// towards 0 by that part.
+/// Refuses amplitudes of which more than 5 % of the variance of T/T0 is noise: a regression on values with errors is biased
+/// towards 0 by that fraction.
 fn amplitudes_tell(ratios: impl Iterator<Item = (f64, f64)>) -> Result<(), CyclesError> {
     let (ratios, variances): (Vec<f64>, Vec<f64>) = ratios.unzip();
     let mean = mean(ratios.iter().copied());
@@ -112,7 +112,7 @@ fn amplitudes_tell(ratios: impl Iterator<Item = (f64, f64)>) -> Result<(), Cycle
     if noise_part > MOST_NOISE { Err(CyclesError::NoisyAmplitudes { noise_part }) } else { Ok(()) }
 }
 
-/// Fits with the weights that belong to one of the coefficients.
+/// Fits with the weights for one value of the coefficient.
 fn settled(rows: &[Row], columns: &[Vec<f64>], coefficient: usize, watch: &Watch<'_>) -> Option<Generalised> {
     let mut slope = median(rows.iter().map(Row::small_angle_period).collect())?;
     let mut found = None;
@@ -124,12 +124,12 @@ fn settled(rows: &[Row], columns: &[Vec<f64>], coefficient: usize, watch: &Watch
     found
 }
 
-/// Among fewer rows than this none is taken as an outlier. With 5 nothing changed in twelve of the recordings
+/// Fewest rows among which outliers are detected. With 5 nothing changed in twelve of the recordings
 /// (`mod.rs`); with 12 one of eight cycles kept its two outliers, and β was less certain by a factor of 1.65.
 const FEWEST_TO_JUDGE: usize = 8;
 
-/// The rows whose distance from the exact law is more than `threshold` robust standard deviations, or than that many of their
-/// own uncertainties where those are larger.
+/// The rows whose distance from the exact law is more than `threshold` robust standard deviations, or `threshold` of their
+/// own uncertainties if these are larger.
 pub(super) fn outliers(rows: &[Row], threshold: f64) -> Vec<usize> {
     let periods: Vec<f64> = rows.iter().map(|row| row.small_angle_period()).collect();
     let Some(middle) = median(periods.clone()) else { return vec![] };

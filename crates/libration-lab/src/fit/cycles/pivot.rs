@@ -1,4 +1,4 @@
-//! Uncertainty of T0, β, the offset and the damping by that of a pivot that was fitted to positions.
+//! Uncertainty of T0, β, the offset and the damping caused by that of a fitted pivot.
 
 use std::f64::consts::TAU;
 
@@ -21,8 +21,8 @@ pub(super) fn add(found: &mut Cycles, moved: Cycles, watch: &Watch<'_>) {
     found.about_moved_pivot.push(moved.rows);
 }
 
-/// Adds to the coefficients of every law their change where the amplitude falls like this. Outliers and the weights of the other
-/// extremes stay as they are.
+/// Adds to the coefficients of every law their change with this fall of the amplitude. Outliers and the weights of the other
+/// extremes stay the same.
 fn widen(envelope: &mut Envelope, moved: Fall<'_>) {
     let fall = Fall { weights: envelope.weights.clone(), ..moved };
     for fit in &mut envelope.fits {
@@ -33,7 +33,7 @@ fn widen(envelope: &mut Envelope, moved: Fall<'_>) {
     }
 }
 
-/// Returns for each half swing the one of `moved` at its time; itself where there is none. Both are in the order of time.
+/// For each half swing the one of `moved` at its time; the half swing itself if there is none. Both are in order of time.
 fn paired(found: &[HalfSwing], moved: &[HalfSwing], apart: f64) -> Vec<HalfSwing> {
     let distance = |one: &HalfSwing, other: &HalfSwing| (one.time - other.time).abs();
     let pair = |own: &HalfSwing| {

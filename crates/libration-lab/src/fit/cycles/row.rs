@@ -6,7 +6,7 @@ pub(in crate::fit) struct Row {
     /// Time of its middle.
     pub(super) time: f64,
     pub(super) period: f64,
-    /// Errors of all measurements that it is made of.
+    /// Errors of all measurements that enter it.
     pub(super) errors: Vec<Share>,
     /// Its two extremes.
     pub(super) sides: [Side; 2],
@@ -93,7 +93,7 @@ impl Row {
         self.shared_errors(other).map(both).sum()
     }
 
-    /// The covariance of T/T0 of the one with the noise of the period's residual of the other.
+    /// The covariance of T/T0 of one row with the noise in the residual of the period of the other.
     pub(super) fn ratio_noise_with(&self, other: &Self, slope: f64) -> f64 {
         let both = |(own, shared): (&Share, &Share)| own.of_ratio * shared.of_residual(slope) * own.variance;
         self.shared_errors(other).map(both).sum()

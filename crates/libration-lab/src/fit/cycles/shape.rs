@@ -7,14 +7,14 @@ use super::even::Even;
 use crate::measurement::Observable;
 use libration::elliptic::Modulus;
 
-/// Larger amplitudes are given the shape of this one, in radians. Of recordings from 3.1, 3.125 and 3.135 rad with 3.0 β was less certain
-/// by up to a quarter; with 3.14, where the shape is steps, nothing changed.
+/// Largest amplitude, in radians, with a shape of its own; larger ones have the shape of this one. For recordings from 3.1, 3.125 and 3.135 rad β
+/// was less certain by up to a quarter with 3.0; with 3.14, where the shape consists of steps, nothing changed.
 pub(super) const LARGEST_AMPLITUDE: f64 = 3.13;
-/// Smaller amplitudes are given the shape of this one, which is that of a harmonic oscillator to A²/192 = 5e-9: with 1e-2 and 1e-5 nothing
-/// changed in 25 recordings.
+/// Smallest amplitude with a shape of its own; smaller ones have the shape of this one, which is that of a harmonic oscillator to A²/192 = 5e-9:
+/// with 1e-2 and 1e-5 nothing changed in 25 recordings.
 const SMALLEST_AMPLITUDE: f64 = 1e-3;
 
-/// Values up to this part of the extreme are far enough from it for the time to be smooth.
+/// Fraction of the extreme up to which the time is a smooth function of the value.
 const STEEP: f64 = 0.9;
 
 /// The shape of swings of one amplitude.
@@ -45,7 +45,7 @@ impl Shape {
         }
     }
 
-    /// Distance from a zero, in quarter periods, at which the value is this part of the extreme, within (−1, 1).
+    /// Distance from a zero, in quarter periods, at which the value is this fraction of the extreme, within (−1, 1).
     pub fn time_since_zero(&self, value: f64) -> f64 {
         let (size, quarter) = (value.abs().min(1.0), self.modulus.first());
         let part = match self.observable {
@@ -112,7 +112,7 @@ impl Shape {
     }
 }
 
-/// Returns a sum for an even function that is evaluated often; `None` where that is not worthwhile.
+/// Returns a sum for an even function with this number of evaluations; `None` if it is not worthwhile.
 pub fn often(times: usize, largest: f64, function: impl Fn(f64) -> f64) -> Option<Even> {
     if times >= Even::WORTH { Even::new(largest, function) } else { None }
 }

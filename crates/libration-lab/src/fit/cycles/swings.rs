@@ -6,13 +6,13 @@ use super::CyclesError;
 use crate::measurement::{Observable, Trace};
 use crate::statistics::{median, robust_deviation};
 
-/// A turn counts when the value has gone back by this part of the last swing. With 0.2 two of 24 recordings (`mod.rs`) had one cycle
+/// Fraction of the last swing by which the value must have gone back at a turning point. With 0.2 two of 24 recordings (`mod.rs`) had one cycle
 /// more, with 0.45 three one less; with 0.15 the strongly damped one had two outliers, with 0.6 no cycles.
 const RETURN: f64 = 0.3;
 /// Part of the range of all values by which the first turn must go back. With 0.4 all recordings had the same cycles, with 0.1 one of a
 /// pendulum nearly at rest had one less.
 const FIRST_RETURN: f64 = 0.2;
-/// Swings shorter than this part of the median one are disturbances. With 0.2 all recordings had the same cycles, with 0.5 one
+/// Fraction of the median swing below which swings are disturbances. With 0.2 all recordings had the same cycles, with 0.5 one
 /// by a camera had one less.
 const SHORTEST: f64 = 0.35;
 /// Amplitude, in standard deviations of the noise of the pendulum at rest, below which a swing is lost. With 3 and 8
@@ -33,13 +33,13 @@ pub struct Stretch {
 pub struct Swings {
     pub stretches: Vec<Stretch>,
     pub rotations: usize,
-    /// Time in seconds from which on the swing is lost in the noise, and left out.
+    /// Time in seconds after which the swing is lost in the noise, and left out.
     pub(super) lost: Option<f64>,
 }
 
 /// Finds the swings of a trace.
 pub fn swings(trace: &Trace) -> Result<Swings, CyclesError> {
-    /// One cycle and a half of eight rows each. With 6 and 30 nothing changed in 21 recordings.
+    /// Fewest rows: one cycle and a half of eight rows each. With 6 and 30 nothing changed in 21 recordings.
     const FEWEST_ROWS: usize = 12;
     if trace.len() < FEWEST_ROWS {
         return Err(CyclesError::TooFewRows(trace.len()));
@@ -72,7 +72,7 @@ fn whole_turn(observable: Observable) -> f64 {
     }
 }
 
-/// Returns whether the angle goes a whole turn without turning back.
+/// Returns `true` if the angle goes a whole turn without turning back.
 fn turns_over(trace: &Trace) -> bool {
     trace.observable() == Observable::Angle && range(trace.values()) >= TAU
 }
@@ -87,7 +87,7 @@ pub fn without_spikes(values: &[f64]) -> Vec<f64> {
     [values[0]].into_iter().chain(inner).chain(values.last().copied()).collect()
 }
 
-/// The rows where the values turn by more than a part of the last swing, highest and lowest in turns.
+/// The rows where the values turn back by more than a fraction of the last swing, alternately highest and lowest.
 pub(super) fn turns(values: &[f64], whole_turn: f64) -> Result<Vec<usize>, CyclesError> {
     let range = range(values);
     if range <= 0.0 {
@@ -125,8 +125,8 @@ fn range(values: &[f64]) -> f64 {
 
 /// The number of turns before the swing is lost in the noise, if the trace ends at rest.
 fn above_noise(values: &[f64], turns: &[usize]) -> usize {
-    /// Consecutive swings that must be faint: single ones may be small for other reasons. With 1 and 6 nothing changed in
-    /// twelve of the recordings.
+    /// Number of consecutive faint swings after which a swing is lost: single ones may be small for other reasons. With 1
+    /// and 6 nothing changed in twelve of the recordings.
     const IN_A_ROW: usize = 3;
     let Some(noise) = noise_at_rest(values) else { return turns.len() };
     let faint: Vec<bool> = turns
@@ -138,10 +138,10 @@ fn above_noise(values: &[f64], turns: &[usize]) -> usize {
     first.filter(|&swing| swing >= IN_A_ROW).map_or(turns.len(), |swing| swing + 1)
 }
 
-/// The noise of the last part of a trace where only noise is left: neighbours are then no more alike than rows far
-/// from each other.
+/// The noise of the last part of a trace if it contains only noise: the correlation of neighbours is then no
+/// larger than that of rows far from each other.
 fn noise_at_rest(values: &[f64]) -> Option<f64> {
-    /// Number of parts of which the last one is used: with 10 and 40 nothing changed in twelve of the recordings.
+    /// Number of parts of the trace, of which the last one is used: with 10 and 40 nothing changed in twelve of the recordings.
     const PARTS: usize = 20;
     /// Fewest rows of a stretch: a standard deviation from them is known to 1/√46, or a seventh.
     const FEWEST_ROWS: usize = 24;
@@ -172,7 +172,7 @@ fn without_disturbances(turns: Vec<usize>, times: &[f64]) -> Vec<usize> {
     undisturbed
 }
 
-/// Turning points between which the angle goes less than a turn, about centres that are whole turns apart.
+/// Turning points between which the angle goes less than a turn, about centres that differ by whole turns.
 fn of_angles(values: &[f64], turns: &[usize]) -> Swings {
     let over = |pair: &[usize]| (values[pair[1]] - values[pair[0]]).abs() >= TAU;
     let rotations = turns.windows(2).filter(|pair| over(pair)).count();
@@ -223,7 +223,7 @@ fn of_velocities(values: &[f64], turns: &[usize], times: &[f64]) -> Swings {
     Swings { stretches, rotations, lost: None }
 }
 
-/// Twice the longer way between a fastest point and the state at rest between two of them, in radians: the way of a whole swing.
+/// Twice the longer distance between a point of largest velocity and the state at rest between two of them, in radians: the range of a whole swing.
 fn furthest_way(values: &[f64], times: &[f64], pair: &[usize]) -> f64 {
     let ways =
         (pair[0]..pair[1]).map(|row| 0.5 * (values[row] + values[row + 1]) * (times[row + 1] - times[row]));

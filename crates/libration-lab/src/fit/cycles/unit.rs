@@ -13,8 +13,8 @@ use crate::statistics::median;
 const MORE_THAN_A_TURN: f64 = 1.1 * TAU;
 const DEGREES_PER_RADIAN: f64 = 180.0 / PI;
 
-/// Angles that go to and fro by more than a turn, which those of a free pendulum never do: it turns back below the top only, and
-/// its energy never rises.
+/// Angles that swing to and fro by more than a turn, which is impossible for a free pendulum: it turns back only below the top,
+/// and its energy never rises.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
     "{name} swings to and fro by {:.0}° to each side, and no free pendulum turns back beyond 180°: {}",
@@ -32,7 +32,7 @@ pub struct BeyondATurn {
     pub name: String,
     /// Half the change of the angle from one turning point to the next, in radians.
     pub half: f64,
-    /// `true` if the numbers are angles of a pendulum when they are read as degrees.
+    /// `true` if the numbers are angles of a pendulum when they are taken as degrees.
     pub in_degrees: bool,
     /// `true` if steps jump by whole turns, as those of angles that are wrapped at ±180° do.
     pub wrapped: bool,
@@ -68,8 +68,8 @@ fn is_wrapped(values: &[f64]) -> bool {
     changes.iter().filter(is_turn).count() >= 2
 }
 
-/// The unit that the angles of these cycles have, of one trace or of several, where it is not the stated one: the period changes with
-/// the amplitude as no pendulum's does, but follows the exact law in the other unit.
+/// The unit of the angles of these cycles, of one trace or of several, if it is not the stated one: the period depends on the amplitude as for no
+/// pendulum, but follows the exact law in the other unit.
 #[must_use]
 pub fn mistaken_unit<'a>(beta: f64, cycles: impl Iterator<Item = &'a Cycle>) -> Option<MistakenUnit> {
     let counted: Vec<&Cycle> = cycles.filter(|cycle| !cycle.outlier).collect();

@@ -1,4 +1,4 @@
-//! Warnings about the way the cycles were found.
+//! Warnings about the cycles of a trace.
 
 use std::fmt;
 
@@ -6,7 +6,7 @@ use super::error::counted;
 use crate::measurement::Observable;
 use libration::quantity::{rounded, short};
 
-/// A warning about the way the cycles were found.
+/// A warning about the cycles of a trace.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum CyclesWarning {
@@ -15,7 +15,7 @@ pub enum CyclesWarning {
         /// Number of swings.
         swings: usize,
     },
-    /// Cycles of which a passage or an extreme could not be placed: too few rows there, or an extreme below four standard
+    /// Cycles without the time of a passage or an extreme: too few rows there, or an extreme below four standard
     /// deviations of the noise.
     Incomplete {
         /// Number of cycles.
@@ -29,10 +29,10 @@ pub enum CyclesWarning {
     },
     /// The end of the trace, in which no swing can be distinguished from the noise.
     LostInNoise {
-        /// Time in seconds from which on the swing is lost.
+        /// Time in seconds after which the swing is lost.
         from: f64,
     },
-    /// The centres of single swings differ by more than the noise explains; they are followed.
+    /// The centres of single swings differ by more than the noise explains, so that the centre is followed.
     CentreWanders {
         /// The standard deviation of the centres, in the unit of the observable.
         deviation: f64,

@@ -1,4 +1,4 @@
-//! The amplitude at each passage of a gate, by its speed, with the place of the gate and the drag that are consistent with all of them.
+//! The amplitude at each passage of a gate from its speed, with the position of the gate and the drag that are consistent with all of them.
 
 use std::f64::consts::TAU;
 
@@ -10,14 +10,15 @@ use crate::statistics::median;
 use libration::internals::progress::Watch;
 use libration::roots::{Tolerance, zero_between};
 
-/// Rounds in which T0, the place of the gate and the drag are renewed. From 2 rad under 0.1/s the third moves T0 by 5e-10 s, the fourth by 1e-11 s.
+/// Rounds in which T0, the position of the gate and the drag are renewed. From 2 rad under 0.1/s the third moves T0 by 5e-10 s, the fourth by 1e-11
+/// s.
 const ROUNDS: usize = 4;
 
 /// The amplitudes of all passages.
 pub(super) struct Amplitudes {
     /// The amplitude by the speed at the bottom, in radians.
     pub(super) of_passages: Vec<Option<f64>>,
-    /// The same by the course of all neighbours, in radians.
+    /// The smooth course of the amplitudes through all neighbours, in radians.
     pub(super) smooth: Vec<Option<f64>>,
     /// Time of the passage of the gate after that of the bottom, in seconds.
     pub(super) from_bottom: Vec<f64>,
@@ -25,7 +26,7 @@ pub(super) struct Amplitudes {
     pub(super) blocked: Vec<f64>,
     /// Period of small swings that is consistent with the amplitudes, in seconds.
     pub(super) t0: f64,
-    /// The part of the velocity at the bottom that is lost in a second.
+    /// The fraction of the velocity at the bottom that is lost in a second.
     drag: Vec<f64>,
     /// Width of the bob, as an angle.
     width: f64,
@@ -40,7 +41,7 @@ impl Amplitudes {
         Some(0.5 * (self.of_half_swing(cycle)? + self.of_half_swing(cycle + 1)?))
     }
 
-    /// The median part of the velocity at the bottom that is lost in a second.
+    /// The median fraction of the velocity at the bottom that is lost in a second.
     pub(super) fn typical_drag(&self) -> f64 {
         median(self.drag.clone()).unwrap_or(0.0)
     }
@@ -136,10 +137,10 @@ impl Swings {
         of_passages
     }
 
-    /// Follows the course of the amplitudes, by a line through the logarithms of sin(A/2) of all neighbours, and the drag in it: energy is lost with
-    /// the square of the velocity, as by linear damping.
+    /// Smooths the amplitudes by a line through the logarithms of sin(A/2) of the neighbours, and derives the drag: the loss of energy is
+    /// proportional to the square of the velocity, as for linear damping.
     fn follow(&self, found: &mut Amplitudes) {
-        /// Neighbours on either side: where the amplitude falls by the same part at each passage the logarithms are on a line. From 2 rad under
+        /// Neighbours on either side: if the amplitude falls by the same fraction at each passage the logarithms are on a line. From 2 rad under
         /// 0.1/s any number from 3 to 15 gives the same T0 to 2e-7 s and the same β to 1.2e-5.
         const NEIGHBOURS: usize = 7;
         let bottom = |passage: usize| self.time(passage) - found.from_bottom[passage];
@@ -156,8 +157,8 @@ impl Swings {
         found.drag = courses.iter().map(|course| course.map_or(0.0, |(_, drag)| drag)).collect();
     }
 
-    /// Places the gate at the median of its angles at the middle passages of cycles, where it is at these times after the bottom, and
-    /// computes the times at all passages.
+    /// Sets the position of the gate to the median of its angles at the middle passages of cycles, at these times after the bottom, and computes
+    /// the times at all passages.
     fn place(&self, found: &mut Amplitudes, at_middles: &[f64]) {
         let angle = |(&cycle, &time): (&usize, &f64)| {
             let (passage, blocked) = (cycle + 1, self.blocked(cycle + 1)?);

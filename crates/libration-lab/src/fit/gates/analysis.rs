@@ -135,7 +135,7 @@ impl Swings {
     }
 }
 
-/// Compares T0 under the exact law with that of a free β, where β differs from 1.
+/// Compares T0 under the exact law with that of a free β, if β differs from 1.
 fn contradicting(t0: Uncertain, beta: &Beta) -> Option<Contradiction> {
     /// The relative error of T0 by amplitudes from the speeds of single passages.
     const LEAST: f64 = 4e-5;

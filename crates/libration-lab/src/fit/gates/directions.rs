@@ -9,8 +9,8 @@ use crate::statistics::median;
 // The comment on a number states how many of 79 467 passages were lost, and how many were counted in the wrong position. Of nine measured
 // swings past three gates each, by an encoder and by cameras, none is lost; with the typical period alone 6 of 351 from 81° were.
 
-/// A passage is accepted within this part of a period. 651 were lost and 712 in the wrong position; with 0.05 1231 and 337, with 0.15
-/// 885 and 2034.
+/// Fraction of a period within which a passage is accepted. 651 were lost and 712 in the wrong position; with 0.05 1231 and 337, with 0.15 885 and
+/// 2034.
 const TOLERANCE: f64 = 0.1;
 /// Accepted intervals from the first passage to the second, in periods. With lower limits of 0.05 and 0.2 the records were sorted alike but
 /// for 20 passages; with 0.3, 3988 were lost.
@@ -23,8 +23,8 @@ const SEEDS: usize = 8;
 /// Second passages that are tried with each: with 1 and 6 the passages of 86 records (amplitudes from 6° to 132°, gates up to seven tenths
 /// of them, with missed passages and double triggers) were sorted alike.
 const SECONDS: usize = 3;
-/// The first periods, over the typical one: with the typical one alone 8067 were lost, above all from amplitudes beyond 90°, whose
-/// period is longer by far; up to 1.5 783, up to 2 and 4 as many as up to 2.5, which a pendulum has at 170°.
+/// Range of the first period, relative to the typical one: with the typical one alone 8067 were lost, mainly from amplitudes beyond 90°, whose
+/// period is far longer; up to 1.5 783, up to 2 and 4 as many as up to 2.5, which a pendulum has at 170°.
 const FIRST_PERIODS: std::ops::RangeInclusive<f64> = 0.9..=2.5;
 
 /// A passage with its position.

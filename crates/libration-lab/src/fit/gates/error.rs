@@ -36,7 +36,7 @@ pub enum GatesError {
         /// Number of passages that begin a whole period of one pendulum.
         accepted: usize,
     },
-    /// Cancelled by the caller.
+    /// Cancellation by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
     /// An impossible width or amplitude.
@@ -46,7 +46,7 @@ pub enum GatesError {
         name: &'static str,
         /// The given value.
         value: f64,
-        /// A limit from above, if there is one.
+        /// An upper limit, if there is one.
         below: &'static str,
     },
 }

@@ -27,7 +27,7 @@ pub struct GateGeometry {
     shape: FlagShape,
 }
 
-/// Reasons why a pendulum cannot have such a gate.
+/// Reasons why a geometry of a gate is impossible.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum GateGeometryError {
@@ -110,7 +110,7 @@ impl GateGeometry {
         Some((PassingDisc { radius: radius.value, centre, beam }, radius))
     }
 
-    /// The angle that the bob goes while it blocks the gate, in radians; `None` where neither diameter nor radius is known.
+    /// The angle through which the bob moves while it blocks the gate, in radians; `None` if neither diameter nor radius is known.
     #[must_use]
     pub fn width(&self) -> Option<Quantity> {
         let (disc, _) = self.disc()?;
@@ -120,7 +120,7 @@ impl GateGeometry {
         Some(Quantity { value, uncertainty })
     }
 
-    /// Changes of the width with one standard uncertainty of the radius, of the length, and of a distance of its own, in radians.
+    /// Changes of the width with one standard uncertainty of the radius, of the length, and of a separate distance, in radians.
     fn changes_of_width(&self) -> Option<[f64; 3]> {
         let (disc, radius) = self.disc()?;
         let [by_radius, by_centre, by_beam] = match self.flag(disc) {
@@ -153,16 +153,16 @@ impl GateGeometry {
 }
 
 impl GatesFit {
-    /// Returns whether the times leave nothing of the uncertainty of a period, as where they are few or exactly even: it is then not known.
+    /// Returns `true` if the times contain no information on the uncertainty of a period, as if they are few or exactly even: it is then not known.
     #[must_use]
     pub fn is_exact(&self, period: Uncertain) -> bool {
-        /// Part of a period that is rounding.
+        /// Largest fraction of a period that counts as rounding.
         const ROUNDING: f64 = 1e-12;
         period.uncertainty < ROUNDING * period.value
     }
 
-    /// The correlation of T0 with a size one standard uncertainty of which changes the angular width by this, in radians; `None`
-    /// where T0 does not come from the width.
+    /// The correlation of T0 with a length whose standard uncertainty changes the angular width by this, in radians; `None` if
+    /// T0 does not come from the width.
     #[must_use]
     pub fn correlation_by_width(&self, change: f64) -> Option<f64> {
         let spread = Some(self.t0_by_times?.uncertainty).filter(|spread| *spread > 0.0)?;
@@ -180,7 +180,7 @@ impl GatesFit {
     }
 
     /// Computes g with its budget; `None` without T0. The relative uncertainties of all angles and of the clock apply to the given
-    /// amplitude and to all times. Where the damping is unknown that by which the amplitudes fall is corrected for.
+    /// amplitude and to all times. The damping derived from the fall of the amplitudes is corrected for if it is not given.
     ///
     /// # Errors
     /// Fails as [`evaluate_budget`] does.

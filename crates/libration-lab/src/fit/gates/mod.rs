@@ -53,8 +53,8 @@ pub enum GateSignals {
 pub struct GateOptions {
     /// Meaning of the times; inferred from their pattern where not given.
     pub signals: Option<GateSignals>,
-    /// The angle that the bob goes while it blocks the gate, in radians, as [`GateGeometry::width`] has it: nearly its diameter over the
-    /// distance of the gate from the pivot, where that is the length.
+    /// The angle through which the bob moves while it blocks the gate, in radians ([`GateGeometry::width`]): nearly its diameter over the distance
+    /// of the gate from the pivot, where that is the length.
     pub width: Option<Quantity>,
     /// The amplitude of the release, or of the turning point before the first passage, in radians; of use where the width is not
     /// known.
@@ -68,7 +68,7 @@ pub struct GateCycle {
     pub time: f64,
     /// Time from one passage to the next of the same side, in seconds.
     pub period: f64,
-    /// The side that it begins and ends with: 0 for that of the first passage, otherwise 1.
+    /// The side of its first and last passage: 0 for that of the first passage, otherwise 1.
     pub side: usize,
     /// Amplitude by the speed at the gate, in radians.
     pub amplitude: Option<f64>,
@@ -90,7 +90,7 @@ pub struct GatesFit {
     pub passages: usize,
     /// `true` if the times are edges, two for each passage.
     pub edges: bool,
-    /// Edges whose partner is missing.
+    /// Edges without a partner.
     pub unpaired: usize,
     /// Passages too close to others, or between all others: double triggers.
     pub double_triggers: usize,
@@ -98,10 +98,10 @@ pub struct GatesFit {
     pub missed: usize,
     /// Periods in the order of time.
     pub cycles: Vec<GateCycle>,
-    /// The part of a period from a passage of the first side to one of the other: 1/2 for a gate at the centre.
+    /// The fraction of a period from a passage of the first side to one of the other: 1/2 for a gate at the centre.
     pub part_between: f64,
-    /// The standard deviation of a time, in seconds: by the scatter of the periods, or of the times for which the gate is blocked where
-    /// there are few; `None` where both are too few.
+    /// The standard deviation of a time, in seconds: from the scatter of the periods or, if there are few, of the times for which the gate is
+    /// blocked; `None` if both are too few.
     pub timing: Option<f64>,
     /// The mean of all periods, in seconds; its uncertainty is by the scatter.
     pub mean_period: Uncertain,

@@ -87,7 +87,7 @@ fn usual_duration(times: &[f64], states: &[bool]) -> f64 {
     median(rows.map(|(times, _)| times[1] - times[0]).collect()).unwrap_or(0.0)
 }
 
-/// Returns whether short and long intervals alternate as they do when a bob blocks and frees the gate.
+/// Returns `true` if short and long intervals alternate as they do when a bob blocks and frees the gate.
 fn alternate(times: &[f64]) -> bool {
     let mut intervals: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
     intervals.sort_by(f64::total_cmp);

@@ -1,7 +1,7 @@
 //! Cycles between passages of the bottom as rows of the law, with the errors of the edges that they share.
 //!
-//! The middle of two edges and their distance are independent where the edges are: the one is an error of the time of a passage, the other
-//! of its amplitude, which counts in both half swings next to the passage.
+//! If the errors of two edges are independent and equally large, so are those of their middle and of their distance. The error of the middle is
+//! one of the time of a passage; that of the distance is one of its amplitude, which counts in both half swings next to the passage.
 
 use super::amplitudes::Amplitudes;
 use super::swings::Swings;
@@ -19,7 +19,8 @@ struct Bottom {
     amplitude: f64,
     /// The standard deviation of the amplitude.
     noise: f64,
-    /// The amplitude by the course of the speeds, nearly independent of this one's error: weights by it do not favour errors of one sign.
+    /// The amplitude from the smooth course of the speeds, nearly independent of the error of this one: weights computed from it do not favour
+    /// errors of one sign.
     smooth: f64,
 }
 
@@ -36,7 +37,7 @@ impl Swings {
         Some(self.cycles.iter().filter_map(row).collect())
     }
 
-    /// The passage of the bottom next to one of the gate, where times for which it is blocked have this deviation.
+    /// The passage of the bottom next to one of the gate, with this deviation of the times for which the gate is blocked.
     fn bottom(&self, passage: usize, amplitudes: &Amplitudes, deviation: f64) -> Option<Bottom> {
         let (own, smooth) = (amplitudes.of_passages[passage]?, amplitudes.smooth[passage]?);
         // sin(A/2) goes with one over the time t: A′ = −2 tan(A/2)/t, and the mean of A is too large by half of A″ times the variance.

@@ -1,4 +1,4 @@
-//! Scatter of times about their course, by the differences of neighbours of one side.
+//! Scatter of times about their trend, by the differences of neighbours on one side.
 
 use super::swings::Swings;
 use crate::statistics::{count, robust_deviation, root_mean_square};
@@ -10,7 +10,7 @@ const DIFFERENCES: [&[f64]; 3] = [&[1.0, -4.0, 6.0, -4.0, 1.0], &[1.0, -3.0, 3.0
 /// Fewest differences of an order; with fewer, those of a lower order are used.
 const ENOUGH: usize = 8;
 
-/// Among fewer differences than this none is taken as an outlier.
+/// Fewest differences among which outliers are detected.
 const FEWEST_TO_JUDGE: usize = 12;
 
 /// A standard deviation, and its degrees of freedom.
@@ -22,7 +22,7 @@ pub(super) struct Scatter {
 }
 
 impl Swings {
-    /// The scatter of a quantity of passages about its course along one side; `None` where no side has three passages in a row.
+    /// The scatter of a quantity of passages about its trend on one side; `None` if no side has three passages in a row.
     pub(super) fn scatter(&self, of: impl Fn(usize) -> Option<f64>) -> Option<Scatter> {
         let orders = || DIFFERENCES.into_iter().map(|weights| (weights, self.differences(weights, &of)));
         let (weights, differences) =
@@ -38,9 +38,9 @@ impl Swings {
         (!values.is_empty()).then_some(Scatter { deviation: of_one, degrees_of_freedom })
     }
 
-    /// The standard deviation of a time: by the times, from whose fourth differences a period that falls steadily drops out; where these are
-    /// few, half of that of the blocked times, since the middle of two edges that scatter alike scatters by half as much as their distance;
-    /// otherwise by lower differences of the times, which contain a part of the fall too.
+    /// The standard deviation of a time. A steadily changing period cancels in the fourth differences of the times; if these are few, it is half of
+    /// that of the blocked times, since the middle of two edges with equal scatter scatters half as much as their distance; otherwise it is that of
+    /// lower differences of the times, which contain a part of the trend too.
     pub(super) fn timing(&self) -> Option<f64> {
         let time = |passage: usize| Some(self.time(passage));
         let by_edges = || Some(0.5 * self.scatter(|passage| self.blocked(passage))?.deviation);
@@ -66,8 +66,8 @@ fn inner_product(weights: &[f64], later: usize) -> f64 {
     weights.iter().zip(weights.iter().skip(later)).map(|(a, b)| a * b).sum()
 }
 
-/// Number of independent squares whose mean scatters like that of the squares of these differences, which overlap: n²/Σρ²
-/// over all pairs of them.
+/// Number of independent squares whose mean has the scatter of that of the squares of these overlapping differences:
+/// n²/Σρ² over all pairs.
 fn independent(starts: &[usize], weights: &[f64]) -> f64 {
     let own = inner_product(weights, 0);
     let square = |later: usize| {

@@ -13,12 +13,12 @@ use libration::roots::{Tolerance, zero_between};
 /// changed by 1e-9.
 const LARGEST: f64 = 3.13;
 
-/// The motion of a pendulum near the bottom, which it passes at zero time; its amplitude is that of its speed there.
+/// The motion of a pendulum near the bottom, which it passes at time zero; its amplitude is that of its speed there.
 #[derive(Clone, Copy, Debug)]
 pub struct NearBottom {
     /// The angular frequency of small swings, in rad/s.
     pub omega0: f64,
-    /// The part of the velocity that is lost in a second.
+    /// The fraction of the velocity that is lost in a second.
     pub drag: f64,
 }
 
@@ -45,7 +45,7 @@ impl NearBottom {
         2.0 * libm::asin(sine * modulus.jacobi(self.omega0 * time).sn) * libm::exp(-0.5 * self.drag * time)
     }
 
-    /// The time at which it is at an angle, or at the turning point where that is beyond it.
+    /// The time at which it reaches an angle, or the turning point if the angle is beyond it.
     pub fn time_at(&self, amplitude: f64, angle: f64) -> Option<f64> {
         /// Each round is nearer by the part qt/2: with 4 and 16 no T0 of the tests changed by 1e-12.
         const ROUNDS: usize = 8;

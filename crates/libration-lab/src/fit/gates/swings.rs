@@ -27,7 +27,7 @@ impl Swings {
         self.time(cycle + 2) - self.time(cycle)
     }
 
-    /// The part of a period from the first side to the other.
+    /// The fraction of a period from the first side to the other.
     pub(super) fn part_between(&self) -> f64 {
         let first_side = self.cycles.iter().filter(|&&cycle| self.placed[cycle].side == 0);
         let part = |cycle: &usize| (self.time(cycle + 1) - self.time(*cycle)) / self.period(*cycle);
@@ -49,7 +49,7 @@ impl Swings {
         self.placed[passage].passage.blocked
     }
 
-    /// Means of the periods of both sides, from which the position of the gate drops out, with their times.
+    /// Means of the periods of both sides, in which the position of the gate cancels, with their times.
     pub(super) fn mean_periods(&self) -> (Vec<f64>, Vec<f64>) {
         let neighbours = self.cycles.windows(2).filter(|pair| pair[0] + 1 == pair[1]);
         let mean = |pair: &[usize]| {

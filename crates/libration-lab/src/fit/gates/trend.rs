@@ -6,12 +6,12 @@ use crate::fit::significance::SIGNIFICANT;
 use crate::fit::uncertain::Uncertain;
 use crate::statistics::{LinearFit, count, least_squares};
 
-/// Numbers of rows from which on a line is fitted, a parabola, and polynomials of third and fourth degree.
+/// Numbers of rows above which a line is fitted, a parabola, and polynomials of third and fourth degree.
 const ROWS_FOR_DEGREES: [usize; 4] = [4, 8, 16, 32];
 
-/// The period at a time before the first ones, by a polynomial through all periods, or, where polynomials of higher degrees do not converge to it, through
-/// the first half, quarter or so of them, if that is less uncertain; `None` where they are too few for a line, since the mean of a few is the period of a later
-/// and smaller swing.
+/// The period at a time before the first ones, by a polynomial through all periods or, if polynomials of higher degrees do not converge to it,
+/// through the first half, quarter or so of them, if that is less uncertain; `None` if they are too few for a line, since the mean of a few is the
+/// period of a later and smaller swing.
 pub fn at_the_beginning(times: &[f64], periods: &[f64], time: f64) -> Option<Uncertain> {
     let whole = extrapolated(times, periods, time)?;
     if whole.converges {
@@ -32,8 +32,8 @@ struct Extrapolated {
     converges: bool,
 }
 
-/// The period at a time by the polynomial of the highest degree. Its uncertainty contains the difference from a polynomial of lower degree, since the law by which
-/// the amplitude falls is not known, and at least the sum of the differences that follow, if their ratio r stays: r/(1 − r) of the last one.
+/// The period at a time by the polynomial of the highest degree. Its uncertainty contains the difference from a polynomial of lower degree, since
+/// the damping law is not known, and at least the sum of the following differences if their ratio r is constant: r/(1 − r) of the last one.
 fn extrapolated(times: &[f64], periods: &[f64], time: f64) -> Option<Extrapolated> {
     let degree = ROWS_FOR_DEGREES.iter().filter(|&&rows| times.len() >= rows).count();
     if degree == 0 {
@@ -65,7 +65,7 @@ pub(super) fn value_and_slope(times: &[f64], values: &[f64], time: f64) -> Optio
     Some([fit.coefficients[0], fit.coefficients[1] / scale])
 }
 
-/// A polynomial in powers of the time since the wanted one, so that the constant is the result, over a scale.
+/// A polynomial in powers of the time after the wanted one, divided by a scale, so that its constant term is the result.
 fn fitted(times: &[f64], values: &[f64], time: f64, degree: usize) -> Option<(LinearFit, f64)> {
     let (first, last) = (times.first()?, times.last()?);
     let scale = (last - first).max(f64::MIN_POSITIVE);

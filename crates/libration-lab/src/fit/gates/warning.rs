@@ -8,8 +8,8 @@ use crate::fit::significance::{SIGNIFICANT, limit_of_chance};
 use crate::fit::uncertain::Uncertain;
 use libration::quantity::rounded;
 
-/// Number of standard deviations of a time by which a last period must be below T0 to count as such: a period is the difference of
-/// two times, which scatters by √2 of them, so that this is beyond four standard deviations of a period.
+/// Number of standard deviations of a time by which a last period must be below T0: a period is the difference of two times, with a scatter larger
+/// by √2, so that this is beyond four standard deviations of a period.
 const SHORT_BY_TIMINGS: f64 = 6.0;
 
 /// A warning about the times of a gate.
@@ -31,12 +31,12 @@ pub enum GatesWarning {
         /// Number of passages.
         passages: usize,
     },
-    /// A width was given and T0 does not come from it.
+    /// A width was given, but T0 does not come from it.
     WidthUnused {
-        /// `true` if the times are edges, so that there are speeds: these are then those of a pendulum that goes over the top.
+        /// `true` if the times are edges with speeds, which are then those of a pendulum that goes over the top.
         edges: bool,
     },
-    /// T0 needs an amplitude, and there is none.
+    /// No amplitude, without which T0 is not determined.
     NoAmplitude,
     /// The passages are too few to extrapolate the period to the swing whose amplitude is given: seven in a row are needed.
     TooFewToExtrapolate,
@@ -47,7 +47,7 @@ pub enum GatesWarning {
     BetaNotOne {
         /// The number of uncertainties between β and 1.
         deviation: f64,
-        /// The part by which the width is too large, if [that](Beta::scale_error) can be why.
+        /// The fraction by which the width is too large, if [an error of it](Beta::scale_error) can be the reason.
         width_error: Option<f64>,
     },
     /// The last period, the mean of both sides, is below T0 by more than their uncertainties (three of T0, six of a time), and no pendulum has
@@ -140,8 +140,8 @@ pub(super) fn warnings(fit: &GatesFit, last_period: Option<f64>, has_width: bool
 }
 
 fn is_scatter_unknown(fit: &GatesFit) -> bool {
-    /// Scatter relative to a period, below which it is rounding. Steps of a tenth of a microsecond scatter by more than ten times as much in periods
-    /// of 2 s.
+    /// Scatter relative to a period, below which it is rounding. For steps of a tenth of a microsecond it is more than ten times as large in
+    /// periods of 2 s.
     const ROUNDING: f64 = 1e-9;
     fit.timing.is_none_or(|timing| timing < ROUNDING * fit.mean_period.value)
 }
@@ -167,7 +167,8 @@ fn beta_not_one(f: &mut fmt::Formatter<'_>, deviation: f64, width_error: Option<
 }
 
 fn doubtful_beta(beta: &Beta) -> Option<GatesWarning> {
-    /// Without an error of the width β was within a fiftieth of 1 in synthetic records, or within its uncertainties.
+    /// Smallest deviation of β from 1 that is reported: without an error of the width β was within a fiftieth of 1 in synthetic records, or within
+    /// its uncertainties.
     const WORTH_A_WORD: f64 = 0.05;
     let is_doubtful = beta.differs_from_one() && (beta.factor.value - 1.0).abs() > WORTH_A_WORD;
     is_doubtful.then(|| GatesWarning::BetaNotOne {
@@ -176,7 +177,7 @@ fn doubtful_beta(beta: &Beta) -> Option<GatesWarning> {
     })
 }
 
-/// Compares T0 with the last period, which is the mean of both sides: that of one side falls or rises with the amplitude at a gate off the centre.
+/// Compares T0 with the last period, which is the mean of both sides: that of one side changes with the amplitude if the gate is not at the centre.
 fn period_below_t0(fit: &GatesFit, last: f64) -> Option<GatesWarning> {
     let Uncertain { value: t0, uncertainty } = fit.t0?;
     let least = t0 - limit_of_chance(SIGNIFICANT, fit.t0_degrees_of_freedom) * uncertainty;

@@ -24,7 +24,7 @@ const EXACTNESS: f64 = 1e-12;
 const MOST_ROUNDS: usize = 50;
 /// Trial positions of the centre over three times the range of the lengths.
 const TRIALS: usize = 300;
-/// Number of the best trials from which the search begins: a pivot next to the centre makes a minimum on either side of it.
+/// Number of the best trials from which the search begins: a pivot next to the centre causes a minimum on either side of it.
 const STARTS: usize = 4;
 
 /// Fits the law to the table, with the centre where it is free; `None` where the rows are too few or do not determine it.
@@ -48,9 +48,9 @@ pub(super) fn fit(table: &LengthTable, model: LengthModel) -> Option<LengthFit> 
     Some(LengthFit { other_centre, ..fit })
 }
 
-/// Returns whether the rows do not exclude another minimum: its sum of squares is larger by less than that of two standard uncertainties.
+/// Returns `true` if the rows do not exclude another minimum: its sum of squares is larger by less than that of two standard uncertainties.
 fn is_rival(fit: &LengthFit, best: &Found, other: &Found) -> bool {
-    /// Positions of one minimum that is reached from several trials agree to far less.
+    /// Relative difference above which positions belong to different minima; those reached from several trials agree to far less.
     const SAME: f64 = 1e-6;
     let [[centre, _], [other_centre, _]] = [best, other].map(Found::centre_and_gravity);
     let is_other = (centre - other_centre).abs() > SAME * centre.abs().max(other_centre.abs());
@@ -77,8 +77,8 @@ fn most_likely_ratio(table: &LengthTable, model: LengthModel, equal: &Found) -> 
     Some(found)
 }
 
-/// The probability that chance makes as large an improvement by a free centre over one at zero; without uncertainties, where the two laws have weights
-/// of their own, the probability that it makes the position as large. `None` without a degree of freedom.
+/// The probability that chance improves the fit by as much with a free centre as against one at zero; without uncertainties, when the two laws have
+/// different weights, the probability of so large a position. `None` without a degree of freedom.
 pub(super) fn improvement_by_chance(at_zero: &LengthFit, free: &LengthFit) -> Option<f64> {
     if let (None, Some(offset)) = (free.chi2, free.offset) {
         let deviations = (offset.value / offset.uncertainty).abs();
@@ -157,7 +157,7 @@ fn sum_of_squares(table: &LengthTable, start: &[f64; 2], offset: f64) -> f64 {
     table.rows.iter().map(|row| residual(row) * residual(row)).sum()
 }
 
-/// Standard deviation of y by that of T, which is the same for all rows where none are stated.
+/// Standard deviation of y from that of T, which is the same for all rows if none are stated.
 fn of_period(table: &LengthTable, row: &Row) -> f64 {
     let uncertainty = if table.weighted { row.period_uncertainty } else { 1.0 };
     2.0 * row.square() * uncertainty / row.period
@@ -253,7 +253,7 @@ impl Bar {
         self.inverse * height + self.inertia / height
     }
 
-    /// Its derivative with respect to the length.
+    /// The derivative with respect to the length.
     fn slope(&self, length: f64) -> f64 {
         let height = length + self.offset;
         height.signum() * (self.inverse - self.inertia / (height * height))

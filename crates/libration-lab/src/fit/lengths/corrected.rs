@@ -14,8 +14,8 @@ use libration::quantity::Quantity;
 const ROUNDS: usize = 20;
 /// Largest negligible relative change of g.
 const SETTLED: f64 = 1e-12;
-/// Largest relative change of g in the last round with which the result is accepted: rounding in fits whose rows hardly determine the offset
-/// may exceed [`SETTLED`], and no g is known to a billionth.
+/// Largest relative change of g in the last round for which the result is accepted: rounding in fits whose rows hardly determine the offset may
+/// exceed [`SETTLED`], and no g is known to a billionth.
 const ACCEPTED: f64 = 1e-9;
 
 /// One law of a table with its corrections.
@@ -26,7 +26,7 @@ pub(super) struct CorrectedLaw<'a> {
 }
 
 impl CorrectedLaw<'_> {
-    /// The fit to the table as it stands, with its uncorrected periods.
+    /// The fit to the table with its uncorrected periods.
     fn fit_to(&self, table: &LengthTable, radius: Option<f64>) -> Option<LengthFit> {
         match self.model {
             LengthModel::Reversible => reversible::reversible(table, self.options.edges).ok().map(|it| it.0),
@@ -72,7 +72,7 @@ impl CorrectedLaw<'_> {
         Some(values.bob.radius_of_ball()).filter(|radius| is_used && *radius > 0.0)
     }
 
-    /// The table with periods that are longer by what all readings share.
+    /// The table with its periods changed by the common error of all readings.
     fn shifted(&self, values: &Values) -> LengthTable {
         let Some(shifts) = &self.options.shared_timing else { return self.table.clone() };
         let part = (values.shared_timing - 1.0) / self.options.relative_shift(self.table).unwrap_or(1.0);
@@ -95,7 +95,7 @@ impl CorrectedLaw<'_> {
         }
     }
 
-    /// F of all rows of the table with the periods that were measured.
+    /// F of all rows of the table with the measured periods.
     fn factors(
         &self,
         fit: &LengthFit,
@@ -115,7 +115,7 @@ impl CorrectedLaw<'_> {
         table.rows.iter().map(factor).collect()
     }
 
-    /// The corrections of g, each with its contribution to the uncertainty, for the law as it is fitted.
+    /// The corrections of g, each with its contribution to the uncertainty, for the fitted law.
     pub(super) fn budget(&self, fit: &LengthFit) -> Result<TableBudget, FitError> {
         let offset = fit.offset.map_or(0.0, |offset| offset.value);
         let rows = &self.table.rows;

@@ -32,7 +32,7 @@ use super::{FitError, Uncertain};
 use corrected::CorrectedLaw;
 use libration::quantity::Quantity;
 
-/// Pendulum whose periods a table holds.
+/// The kind of pendulum in a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LengthsPendulum {
     /// A bob on a string or light rod.
@@ -46,13 +46,13 @@ pub enum LengthsPendulum {
 /// Known quantities besides the table.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LengthsOptions {
-    /// Everything that g is corrected for; the moment of inertia of a bob is then part of every law.
+    /// All corrections of g; the moment of inertia of a bob is then part of every law.
     pub corrections: Corrections,
     /// The relative standard uncertainty of the clock, which multiplies all periods.
     pub clock: Option<f64>,
-    /// Standard uncertainties of the periods, in seconds, by what all readings share, such as an observer who stops late: all are off alike.
+    /// Standard uncertainties of the periods, in seconds, by the common error of all readings, such as that of an observer who stops late.
     pub shared_timing: Option<Vec<f64>>,
-    /// The pendulum; a bar where the periods show it, otherwise a simple one, if `None`.
+    /// The pendulum; if `None`, a bar if the periods show it, otherwise a simple one.
     pub pendulum: Option<LengthsPendulum>,
     /// Distance of the knife edges of a reversible pendulum, in metres; the sum of their distances from the centre of mass if `None`.
     pub edges: Option<Quantity>,
@@ -67,7 +67,7 @@ pub struct LengthsFit {
     pub preferred: LengthModel,
     /// T = a·Lⁿ, where the lengths are those of a simple pendulum.
     pub power_law: Option<PowerLaw>,
-    /// κ = 2r²/5 of the bob, in m², where it was given and so is part of every law.
+    /// κ = 2r²/5 of the bob, in m², if it is given and thus part of every law.
     pub known_gyration: Option<f64>,
     /// The uncertainty of the best g, with the effects that all rows share: clock, bob and others.
     pub combined: CombinedUncertainty,
@@ -80,8 +80,8 @@ pub struct LengthsFit {
 }
 
 impl LengthsFit {
-    /// The preferred law: of a simple pendulum with an offset, or without one where the rows do not determine it; of a bar with the centre of mass
-    /// that is given, unless the rows need another.
+    /// The preferred law: for a simple pendulum with an offset, or without one if the rows do not determine it; for a bar with the given centre of
+    /// mass, unless the rows need another.
     #[must_use]
     pub fn best(&self) -> &LengthFit {
         self.law(self.preferred).unwrap_or(&self.fits[0])
@@ -188,7 +188,7 @@ fn of_simple(
     Ok(fit)
 }
 
-/// The laws of a bar that the rows determine; none where a bob or string is given.
+/// The laws of a bar that the rows determine; empty if a bob or string is given.
 fn bars(table: &LengthTable, options: &LengthsOptions) -> Vec<LengthFit> {
     let Corrections { bob, rod_mass, stretch, .. } = options.corrections;
     let is_bare = bob.is_none() && rod_mass.is_none() && stretch.is_none();
@@ -213,7 +213,8 @@ const CHANCE: f64 = 0.01;
 /// The only negative length, by row from one, where the periods are not those of a bar that is turned about points on both sides: Akaike's criterion does not
 /// separate that from a simple pendulum with the absolute value, or its radius of gyration is small.
 fn mistaken_sign(table: &LengthTable, options: &LengthsOptions, bars: &[LengthFit]) -> Option<(usize, f64)> {
-    /// Points of a uniform bar are at most √3 radii of gyration from its centre. Of a string with an offset δ of its lengths L the radius comes out as √(δL).
+    /// Largest distance of points of a uniform bar in radii of gyration, with a margin: they are at most √3 from its centre. For a string with an
+    /// offset δ of its lengths L the radius comes out as √(δL).
     const FARTHEST: f64 = 2.0;
     let negative =
         table.negative().filter(|_| table.rows.iter().filter(|it| it.length < 0.0).count() == 1)?;
@@ -227,8 +228,8 @@ fn mistaken_sign(table: &LengthTable, options: &LengthsOptions, bars: &[LengthFi
     (!preferred_bar(bars).is_some_and(is_of_bar)).then_some(negative)
 }
 
-/// The least criterion of the laws of a simple pendulum. It compares residuals of one quantity: without uncertainties the laws of bars leave those of T, of
-/// strings those of T².
+/// The least criterion of the laws of a simple pendulum, for residuals of the same quantity: without uncertainties the laws of bars have residuals
+/// of T, those of strings of T².
 fn aicc_of_strings(table: &LengthTable) -> f64 {
     let equal = table.of_equal_periods();
     let simple = [LengthModel::Plain, LengthModel::Offset].into_iter();
@@ -236,7 +237,7 @@ fn aicc_of_strings(table: &LengthTable) -> f64 {
     simple.fold(f64::INFINITY, f64::min)
 }
 
-/// Returns whether the rows are those of a bar, and determine its g: the periods fall with the distance at the shortest ones or the centre of mass is
+/// Returns `true` if the rows are those of a bar, and determine its g: the periods fall with the distance at the shortest ones or the centre of mass is
 /// between the positions, and Akaike's criterion separates the law from that of a simple pendulum.
 fn is_bar(bars: &[LengthFit], table: &LengthTable) -> bool {
     let Some(bar) = preferred_bar(bars) else { return false };
@@ -293,7 +294,7 @@ impl LengthsOptions {
         self.corrections.bob.map(|bob| bob.radius_of_ball())
     }
 
-    /// The standard uncertainty of the periods by what all readings share, as a part of their sum.
+    /// The standard uncertainty of the periods by the common error of all readings, as a fraction of their sum.
     fn relative_shift(&self, table: &LengthTable) -> Option<f64> {
         let shifts = self.shared_timing.as_ref()?;
         Some(shifts.iter().sum::<f64>() / table.rows.iter().map(|row| row.period).sum::<f64>())

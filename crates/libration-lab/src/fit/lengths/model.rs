@@ -31,7 +31,7 @@ pub enum LengthModel {
     OffsetAndGyration,
     /// T² = 4π²R²(L + κ/L)/g: a bar turned about points at these distances from its centre of mass, κ being the square of its radius of gyration.
     Bar,
-    /// The same with |L + δ| in place of L: the positions are measured from a mark, and the centre of mass is at −δ.
+    /// The law of a bar with |L + δ| in place of L: the positions are measured from a mark, and the centre of mass is at −δ.
     BarOffset,
     /// The reversible pendulum, by Bessel's formula.
     Reversible,
@@ -43,7 +43,7 @@ impl LengthModel {
     /// Laws of a bar turned about several points.
     pub const OF_BARS: [Self; 2] = [Self::Bar, Self::BarOffset];
 
-    /// Returns whether the law is that of a physical pendulum, with κ as large as the squares of the distances.
+    /// Returns `true` if the law is that of a physical pendulum, with κ as large as the squares of the distances.
     #[must_use]
     pub fn is_of_bars(self) -> bool {
         matches!(self, Self::Bar | Self::BarOffset | Self::Reversible)
@@ -91,8 +91,8 @@ pub struct LengthFit {
     pub dof: usize,
     /// Akaike's criterion, corrected for few data; `None` where they are too few.
     pub aicc: Option<f64>,
-    /// The probability that chance makes the last free parameter as large if it is zero (a *t* or F test); of the centre of a bar the probability of as
-    /// large an improvement over a centre at zero.
+    /// The probability that chance makes the last free parameter so large if it is zero (a *t* or F test); for the centre of a bar the probability
+    /// of so large an improvement over a centre at zero.
     pub p_value: Option<f64>,
     /// Another centre of mass of a bar that the rows do not exclude, in metres, and g in m/s² with it.
     pub other_centre: Option<[f64; 2]>,
@@ -128,8 +128,8 @@ impl LengthFit {
         self.chi2.unwrap_or_else(|| self.residuals.iter().map(|residual| residual * residual).sum())
     }
 
-    /// The variance of a row in units of [`sum_of_squares`](Self::sum_of_squares): that of the scatter, and not less than the stated one. `None`
-    /// without a degree of freedom.
+    /// The variance of a row in units of [`sum_of_squares`](Self::sum_of_squares): that of the scatter, and at least the stated one. `None` without
+    /// a degree of freedom.
     pub(super) fn unit_variance(&self) -> Option<f64> {
         let per_dof = (self.dof > 0).then(|| self.sum_of_squares() / count(self.dof))?;
         Some(if self.chi2.is_some() { per_dof.max(1.0) } else { per_dof })
@@ -191,7 +191,7 @@ pub(super) fn gyration(radius: f64) -> f64 {
     0.4 * radius * radius
 }
 
-/// The search for a law; a solution comes with the offset that its columns were computed with.
+/// The search for a law; a solution is combined with the offset used for its columns.
 struct Search<'a> {
     table: &'a LengthTable,
     width: usize,
@@ -213,8 +213,8 @@ impl Search<'_> {
         None
     }
 
-    /// Iterates with the bob, which makes a pendulum slower, the more so the shorter it is, so that the offset is below that without it, and below
-    /// any that belongs to a bob further down: from there it falls, and once the bob reaches the pivot there is none.
+    /// Iterates with the bob. It makes a pendulum slower, the more so the shorter it is, so that the offset is below that without it, and below
+    /// that for any bob further down: from there it falls, and there is no solution once the bob reaches the pivot.
     fn with_bob(&self, line: (Solution, f64), radius: f64) -> Result<Option<(Solution, f64)>, FitError> {
         let shortest = self.table.rows.iter().map(|row| row.length).fold(f64::INFINITY, f64::min);
         let (mut found, mut settled) = (line, false);
@@ -234,8 +234,8 @@ impl Search<'_> {
         Ok(None)
     }
 
-    /// Returns whether an offset between this one and that of a bob that touches the pivot agrees with the bob as well, as below 1.3 radii, where a
-    /// pendulum that is a little longer is slower by less than one without a bob would be.
+    /// Returns `true` if an offset between this one and that of a bob that touches the pivot agrees with the bob as well, as below 1.3 radii, where
+    /// the period rises more slowly with the length than without a bob.
     fn has_another(&self, found: &Solution, radius: f64, shortest: f64) -> bool {
         let touching = radius - shortest;
         let next = self.with_offset(found, gyration(radius), touching);
@@ -402,7 +402,7 @@ impl Solution {
         covariance / (of_g * of_offset).sqrt()
     }
 
-    /// Tests the last coefficient by the scatter, so that uncertainties that are all wrong by one factor do not matter.
+    /// Probability of the last coefficient by the scatter, so that a common factor of all uncertainties does not matter.
     fn p_value(&self, per_dof: f64, dof: usize) -> f64 {
         let last = self.coefficients.len() - 1;
         let deviation = (per_dof * self.covariance[(last, last)]).sqrt();

@@ -1,4 +1,4 @@
-//! A row that the law of all others does not explain.
+//! Detection of a row that does not follow the law of all others.
 
 use super::model::{self, LengthFit, LengthModel};
 use super::table::LengthTable;
@@ -9,10 +9,10 @@ use crate::statistics::student::probability_beyond_any;
 
 /// The probability that chance puts any row as far from the law of the others: the warning is given for one in a hundred tables without a mistake.
 const CHANCE: f64 = 0.01;
-/// Tables of more rows are not typed by hand, and one row of them matters little.
+/// Largest number of rows for the detection: larger tables are not typed by hand, and one row of them matters little.
 const MOST_ROWS: usize = 200;
 
-/// The row that is furthest from the law of the others, where chance makes none as far: by the externally studentised residual of T, with
+/// The row that is farthest from the law of the others, if chance does not explain its distance: by the externally studentised residual of T, with
 /// Bonferroni's bound for the choice of the row. None where a law with one parameter more leaves a smaller sum of squares of all rows.
 ///
 /// # References

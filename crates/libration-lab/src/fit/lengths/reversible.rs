@@ -16,7 +16,7 @@ use crate::fit::readings::RepeatedReadings;
 use crate::fit::uncertain::Uncertain;
 use libration::quantity::Quantity;
 
-/// The difference of the distances counts as known where its uncertainty is below this part of it: the second term is then linear in it to a few per
+/// Largest relative uncertainty of the difference of the distances at which it counts as known: the second term is then linear in it to a few per
 /// cent.
 const KNOWN: f64 = 0.2;
 

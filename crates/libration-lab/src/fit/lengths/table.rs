@@ -9,7 +9,7 @@ use libration::quantity::Quantity;
 /// Periods against lengths. Lengths are metres, periods seconds, amplitudes radians.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct LengthColumns<'a> {
-    /// Distances from the pivot to some mark that is fixed to the bob; of a bar positions of the pivots, which may be negative.
+    /// Distances from the pivot to a mark fixed to the bob; for a bar positions of the pivots, which may be negative.
     pub lengths: &'a [f64],
     /// Full periods.
     pub periods: &'a [f64],
@@ -26,7 +26,7 @@ pub struct LengthColumns<'a> {
 pub struct LengthTable {
     pub(super) rows: Vec<Row>,
     pub(super) weighted: bool,
-    /// Repeated readings that the uncertainties of the periods come from.
+    /// Repeated readings from which the uncertainties of the periods come.
     pub(super) readings: Option<RepeatedReadings>,
     /// Standard uncertainties of the periods by their rounding.
     rounding: Option<Vec<f64>>,
@@ -77,7 +77,7 @@ impl LengthTable {
         Self { rounding: Some(rounding).filter(|_| is_usable), ..self }
     }
 
-    /// The table with its periods as uncertain as their rounding makes them, where their scatter is less than that and nothing else is known.
+    /// The table with uncertainties of its periods by their rounding, if the scatter is smaller and nothing else is known.
     pub(super) fn weighted_by_rounding(&self, scatter: f64) -> Option<Self> {
         let rounding = self.rounding.as_ref().filter(|_| !self.weighted)?;
         let typical = root_mean_square(rounding.iter().copied());
@@ -96,8 +96,7 @@ impl LengthTable {
         Self { rows: self.rows.iter().map(equal).collect(), weighted: true, ..self.clone() }
     }
 
-    /// The table with the repeated readings that the uncertainties of its periods come from; they are left out where their rows are not those of
-    /// the table.
+    /// Adds the repeated readings from which the uncertainties of the periods come; ignored if their rows are not those of the table.
     #[must_use]
     pub fn with_readings(self, readings: RepeatedReadings) -> Self {
         let readings = Some(readings).filter(|it| it.rows.len() == self.rows.len() && self.weighted);
@@ -145,7 +144,7 @@ impl LengthTable {
         self.rows.len()
     }
 
-    /// Returns whether there are no rows.
+    /// Returns `true` if there are no rows.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
@@ -168,7 +167,7 @@ impl LengthTable {
         self.rows.iter().map(|row| row.period / row.ratio)
     }
 
-    /// Returns whether the rows count by their uncertainties; otherwise all count alike, and their scatter is the uncertainty.
+    /// Returns `true` if the rows count by their uncertainties; otherwise all count alike, and their scatter is the uncertainty.
     #[must_use]
     pub fn is_weighted(&self) -> bool {
         self.weighted

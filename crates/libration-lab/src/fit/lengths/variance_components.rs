@@ -8,7 +8,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::statistics::count;
 
-/// Shares of the errors of the lengths in the mean variance of the periods, without a share that would leave the least period no error.
+/// Shares of the errors of the lengths in the mean variance of the periods, except a share that would leave the smallest period without error.
 pub(super) const SHARES: [f64; 11] = [0.0, 0.02, 0.06, 0.15, 0.3, 0.5, 0.7, 0.85, 0.94, 0.98, 0.995];
 
 /// A fit with the weights of one ratio of the variances.

@@ -18,18 +18,18 @@ use libration::quantity::rounded;
 /// A term counts as needed when chance would make it as large less often than this: the warning is given for one in a hundred of the tables that
 /// do not need it.
 const NEEDED: f64 = 0.01;
-/// Number of radii beyond the bob from which on an offset is not that of a mark on its surface.
+/// Distance from the bob, in radii, above which an offset is not that of a mark on its surface.
 const RADII_OF_OFFSET: f64 = 10.0;
 
 /// A warning about periods against lengths.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum LengthsWarning {
-    /// The rows need an offset of the lengths: without it chance would leave as large a residual in fewer than one table in a hundred.
+    /// The rows need an offset of the lengths: without it chance would make so large a residual in fewer than one table in a hundred.
     OffsetNeeded,
     /// The rows need a bend of the line, by the same test.
     Bent {
-        /// Radius of a ball that bends the line so, in m; `None` where the line bends the other way.
+        /// Radius of a ball that would bend the line in this way, in m; `None` if the line bends the other way.
         radius: Option<f64>,
     },
     /// The rows scatter more or less than stated.
@@ -41,7 +41,7 @@ pub enum LengthsWarning {
         /// The uncertainty relative to g.
         relative: f64,
     },
-    /// The periods grow with another power of the length than 1/2, which no offset explains as well.
+    /// The periods grow with a power of the length other than 1/2, which no offset explains equally well.
     OtherPower {
         /// The exponent.
         exponent: Uncertain,
@@ -58,7 +58,7 @@ pub enum LengthsWarning {
         /// Radius of gyration.
         gyration: f64,
     },
-    /// The rows of a bar do not exclude another centre of mass, as where all points are on one side of it.
+    /// The rows of a bar do not exclude another centre of mass, for example because all points are on one side of it.
     TwoCentres {
         /// Position of the other centre, in metres.
         centre: f64,
@@ -92,7 +92,7 @@ impl LengthsWarning {
 }
 
 impl LengthsWarning {
-    /// The text, in which a row is called by its line in a file, if the lines of all rows are given.
+    /// The text, in which a row is named by its line in a file, if the lines of all rows are given.
     #[must_use]
     pub fn with_lines(&self, lines: &[u64]) -> String {
         match self {
@@ -116,7 +116,7 @@ impl fmt::Display for LengthsWarning {
             ),
             Self::Bent { radius: Some(radius) } => write!(
                 f,
-                "T² against L is not straight: as with a ball of radius {:.1} mm; give the radius of the bob",
+                "T² against L is not straight, as for a ball of radius {:.1} mm: give the radius of the bob",
                 1e3 * radius
             ),
             Self::Bent { radius: None } => f.write_str(
@@ -170,7 +170,7 @@ impl fmt::Display for LengthsWarning {
     }
 }
 
-/// Uncertainty of g relative to it from which the rows do not determine it.
+/// Relative uncertainty of g above which the rows do not determine it.
 pub(super) const UNDETERMINED: f64 = 0.25;
 /// Least distance of an exponent from 1/2 that amplitudes and bobs do not explain.
 const FAR_FROM_HALF: f64 = 0.05;
@@ -204,7 +204,7 @@ pub(super) fn warnings(
     .collect()
 }
 
-/// Warnings about a bar whose g has this uncertainty, gravity last.
+/// Warnings about a bar whose g has this uncertainty; those about gravity come last.
 pub(super) fn of_bars(
     fit: &LengthFit,
     combined: &CombinedUncertainty,

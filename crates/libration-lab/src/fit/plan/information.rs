@@ -35,7 +35,7 @@ pub(super) fn of_frequency(recording: &PlannedRecording, amplitude: &Amplitude, 
     }
 }
 
-/// The middle of a part of the recording.
+/// The part of the recording around one time.
 struct Place {
     /// Position in the recording, from 0 to 1.
     part: f64,

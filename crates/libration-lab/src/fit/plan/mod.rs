@@ -19,7 +19,7 @@ pub const MOST_SWINGS: usize = 10_000;
 /// Fewer swings than this do not separate the motion from an offset well enough.
 pub const FEWEST_SWINGS: usize = 2;
 
-/// Fewest rows in a period with which a fit of the trace finds a start: swings of 60° had none with 4.8 rows, and one with 6.
+/// Fewest rows in a period for which a fit of the trace finds a start: swings of 60° had none with 4.8 rows, and one with 6.
 const FEWEST_ROWS: f64 = 6.0;
 
 /// The pendulum, and the instrument that records its angle.
@@ -33,7 +33,7 @@ pub struct PlannedRecording {
     pub angle_noise: f64,
     /// Rows per second.
     pub rate: f64,
-    /// The coefficient b of linear damping in 1/s: amplitudes fall as exp(−bt/2). It is fitted too, also where it is zero.
+    /// The coefficient b of linear damping in 1/s: amplitudes fall as exp(−bt/2). It is fitted even if it is zero.
     pub linear_damping: f64,
     /// The relative standard uncertainty of all angles together.
     pub angle_scale: f64,
@@ -96,7 +96,7 @@ pub struct ExpectedUncertainty {
 }
 
 impl ExpectedUncertainty {
-    /// The root of the sum of all squares.
+    /// The root of the sum of the squares.
     #[must_use]
     pub fn total(&self) -> f64 {
         let Self { length, noise, angle_scale, clock } = *self;
@@ -250,7 +250,7 @@ fn percent(part: f64) -> String {
 
 /// Plans the fewest swings at each amplitude that leave g a relative standard uncertainty of at most `target`.
 ///
-/// Where the length leaves no room for anything else, the plan assumes a better known one, and states the required uncertainty.
+/// If the uncertainty of the length alone exceeds the target, the plan assumes a smaller one, and states it.
 ///
 /// # Errors
 /// Fails for impossible numbers, too few rows for a swing, and a clock that is not good enough.

@@ -54,7 +54,7 @@ pub enum ResponseFitError {
         /// Quantity without uncertainties.
         missing: &'static str,
     },
-    /// Stated uncertainties are required, and none are given.
+    /// Stated uncertainties are required, but none are given.
     #[error(
         "no uncertainties of the amplitudes are given: give a column of them, or absolute or relative errors"
     )]
@@ -94,7 +94,7 @@ pub enum ResponseFitError {
         "no {0} response close to the rows was found: the search did not converge from any of its starts"
     )]
     NoConvergence(ResponseModel),
-    /// Cancelled by the caller.
+    /// Cancellation by the caller.
     #[error("interrupted before a fit was found")]
     Interrupted,
 }

@@ -55,7 +55,7 @@ pub struct FittedAnswer {
     pub stability: Stability,
     /// `true` if it is between the folds, where no response is stable: by more than three standard deviations of the amplitude.
     pub between_folds: bool,
-    /// Distance in rad/s of the frequency beyond the fold at which its branch ends, where it is more than three of their uncertainties.
+    /// Distance in rad/s of the frequency beyond the fold at which its branch ends, if it exceeds three of their uncertainties.
     pub beyond_fold: Option<f64>,
 }
 
@@ -103,7 +103,7 @@ impl ResponseFit {
     }
 }
 
-/// Describes the solution with all harmonics; `None` where the rows have no required drives any more.
+/// Describes the solution with all harmonics; `None` if some row no longer has a required drive.
 pub(super) fn described(table: &ResponseTable, law: &AllHarmonics, found: &Found) -> Option<ResponseFit> {
     let (model, parameters) = (law.model(), &found.parameters);
     let dof = table.data() - parameters.len();
@@ -187,8 +187,8 @@ const FAR: f64 = 3.0;
 /// Distance of an amplitude from an extremum of the required drive, in standard deviations, within which there is a fold.
 const NEAR: f64 = 4.0;
 
-/// The distance of the frequency beyond the end of the branch, where it has one: the required drive is taken as a parabola of the amplitude, and the
-/// branch has ended where it does not reach the acting drive.
+/// The distance of the frequency beyond the end of the branch, if there is one: the required drive is taken as a parabola of the amplitude, and the
+/// branch has ended if the parabola does not reach the acting drive.
 fn beyond_fold(fit: &ResponseFit, row: &Row, found: &FoundRow, required: &RequiredDrive) -> Option<f64> {
     let parameters = fit.parameters();
     let (drive, coefficients) = parameters.split_last()?;

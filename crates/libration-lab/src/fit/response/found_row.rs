@@ -13,6 +13,6 @@ pub(super) struct FoundRow {
     pub(super) bend: f64,
     /// Residuals in standard deviations: that of the amplitude, and with a phase another.
     pub(super) residuals: Vec<f64>,
-    /// Leverage of each residual: the part of it that the parameters take up.
+    /// Leverage of each residual: the fraction of it that the fit of the parameters removes.
     pub(super) leverages: Vec<f64>,
 }

@@ -90,7 +90,7 @@ impl ResponsesFit {
     }
 }
 
-/// Models whose criterion is within this of the least have substantial support (Burnham and Anderson 2002, section 2.6).
+/// Largest difference from the least criterion for substantial support of a model (Burnham and Anderson 2002, section 2.6).
 const SUBSTANTIAL: f64 = 2.0;
 
 /// Fits models to a measured response; those that it excludes altogether are left out, with the reason, as long as another one remains.

@@ -16,7 +16,7 @@ pub enum ResponseModel {
 }
 
 impl ResponseModel {
-    /// All, simpler ones first.
+    /// All models, simpler ones first.
     pub const ALL: [Self; 3] = [Self::Linear, Self::Pendulum, Self::Duffing];
 
     /// `linear`, `pendulum`, `duffing`.

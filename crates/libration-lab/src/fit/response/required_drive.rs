@@ -15,7 +15,7 @@ use nalgebra::{Matrix3, Vector3};
 use std::cell::RefCell;
 use std::f64::consts::{FRAC_2_PI, PI};
 
-/// A frequency and the wanted amplitude at it.
+/// A frequency with the wanted amplitude of the response.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Asked {
     /// Drive frequency, in rad/s.
@@ -26,7 +26,7 @@ pub(super) struct Asked {
 /// The drive that a response needs.
 #[derive(Clone, Debug)]
 pub(super) struct RequiredDrive {
-    /// The drive's amplitude, and as argument the phase lag of the response's fundamental behind it.
+    /// The amplitude of the drive and, as argument, the phase lag of the fundamental of the response.
     pub(super) drive: Complex,
     /// The derivatives by ω0², c and perhaps κ.
     pub(super) by_coefficients: Vec<Complex>,
@@ -39,8 +39,8 @@ pub(super) struct RequiredDrive {
 }
 
 impl RequiredDrive {
-    /// The derivative by the frequency. Z has the unit of Ω² times that of the amplitude, so that
-    /// Ω·∂Z/∂Ω + c·∂Z/∂c + 2ω0²·∂Z/∂ω0² + 2κ·∂Z/∂κ = 2Z.
+    /// The derivative with respect to the frequency. Z has the unit of Ω² times that of the amplitude, so
+    /// that Ω·∂Z/∂Ω + c·∂Z/∂c + 2ω0²·∂Z/∂ω0² + 2κ·∂Z/∂κ = 2Z.
     pub(super) fn by_frequency(&self, asked: &Asked, coefficients: &[f64]) -> Complex {
         const POWERS: [f64; 3] = [2.0, 1.0, 2.0];
         let others = POWERS.iter().zip(coefficients).zip(&self.by_coefficients);
@@ -51,7 +51,7 @@ impl RequiredDrive {
 
 /// Method by which the required drives are computed.
 pub(super) trait Law {
-    /// Computes the drives that responses need; `None` where there is none for one of them.
+    /// Computes the drives that responses need; `None` if there is no drive for one of them.
     fn required(&self, asked: &[Asked], coefficients: &[f64]) -> Option<Vec<RequiredDrive>>;
 }
 
@@ -118,7 +118,7 @@ struct Shape {
     sine: f64,
 }
 
-/// All harmonics: half a period is integrated, after which the response is its own mirror image.
+/// All harmonics: integration over half a period, after which the response is its own mirror image.
 #[derive(Debug)]
 pub(super) struct AllHarmonics {
     model: ResponseModel,
@@ -133,7 +133,7 @@ const LANES: usize = 8;
 pub(super) const EFFORT: Effort = Effort { relative: 1e-13, absolute: 1e-15, most_steps: 20_000 };
 /// Newton's rounds: from one harmonic four to six.
 const MOST_ROUNDS: usize = 25;
-/// Newton's corrections below this part of the amplitude are the last: the remaining error is of the order of its square.
+/// Newton's corrections, relative to the amplitude, below which the iteration ends: the remaining error is of the order of the square.
 const CLOSE: f64 = 1e-8;
 
 impl AllHarmonics {
@@ -152,7 +152,7 @@ impl AllHarmonics {
         self.measured
     }
 
-    /// The shapes that were found last at these frequencies, otherwise those of one harmonic.
+    /// The last shapes found at these frequencies, otherwise those with one harmonic.
     fn guesses(&self, asked: &[Asked], coefficients: &[f64]) -> Option<Vec<Shape>> {
         let last = self.last.borrow();
         let same = |(asked, (last, _)): (&Asked, &(Asked, Shape))| {
@@ -291,7 +291,7 @@ impl Linear {
         linear
     }
 
-    /// Derivative of the conditions with respect to a deviation, which may begin at another peak.
+    /// Derivative of the conditions with respect to a deviation of one copy; `is_peak` for one that begins at another peak.
     fn change(&self, end: &End, copy: usize, is_peak: bool) -> Vector3<f64> {
         let own = if is_peak { 1.0 } else { 0.0 };
         let reached = match self.measured {
@@ -336,7 +336,7 @@ impl Linear {
     }
 }
 
-/// The part of a change along a number.
+/// The component of a change along a complex number.
 pub(super) fn along(number: Complex, change: Complex) -> f64 {
     (number.re * change.re + number.im * change.im) / number.abs()
 }

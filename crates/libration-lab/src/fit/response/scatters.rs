@@ -18,7 +18,7 @@ use crate::statistics::count;
 const LEAST: f64 = 1e-10;
 /// Initial scatter, relative to the largest amplitude.
 const FIRST: f64 = 0.01;
-/// Fewest rows beyond the parameters; with fewer, the two kinds count as in the fit of one sine to a noisy trace.
+/// Fewest rows beyond the number of parameters; with fewer, the two kinds have the weights of the fit of one sine to a noisy trace.
 const FEWEST_SPARE: usize = 3;
 
 /// Dependence of the scatter of phases on the amplitude of their rows.
@@ -39,7 +39,7 @@ impl PhaseLaw {
     }
 }
 
-/// Standard deviations of amplitudes and phases, over those of the rows.
+/// Standard deviations of amplitudes and phases, divided by those of the rows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Scatters {
     amplitude: f64,
@@ -138,7 +138,7 @@ impl Scatters {
         Self { amplitude: amplitude.max(least), phase: phase.max(least_phase), ..self }
     }
 
-    /// Returns whether another scatter is the same within this part.
+    /// Returns `true` if another scatter is equal within this fraction.
     pub(super) fn is_near(&self, other: &Self, part: f64) -> bool {
         let near = |one: f64, other: f64| (one / other - 1.0).abs() <= part;
         self.law == other.law && near(self.amplitude, other.amplitude) && near(self.phase, other.phase)

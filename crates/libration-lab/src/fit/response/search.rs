@@ -23,13 +23,13 @@ use nalgebra::{DMatrix, DVector, RowDVector};
 const SETTLED: f64 = 1e-2;
 /// Largest negligible relative change of the scatter.
 const SETTLED_SCATTER: f64 = 1e-3;
-/// Three points with these distances in standard deviations stand for a normal distribution up to its fifth moment.
+/// Distance of the two outer points of three, in standard deviations, that represent a normal distribution up to its fifth moment.
 const SPREAD: f64 = 1.732_050_807_568_877_2;
 /// Least deviation relative to the required drive: smaller errors are rounding.
 const LEAST_DEVIATION: f64 = 1e-12;
 /// Rounds of a search: five to ten are usual, and more than eighty were where a model missed rows next to a fold by several standard deviations.
 const MOST_ROUNDS: usize = 160;
-/// Least part of a step, which is taken even where it leads too far.
+/// Smallest fraction of a step, which is taken even if it is too long.
 const LEAST_PART: f64 = 1.0 / 64.0;
 
 /// The best parameters under a law.
@@ -40,17 +40,17 @@ pub(super) struct Found {
     /// Covariance of the parameters, where the uncertainties of the rows are right.
     pub(super) covariance: DMatrix<f64>,
     pub(super) chi2: f64,
-    /// Factors of the uncertainties of the rows: the scatter where none are stated, otherwise one.
+    /// Factors of the uncertainties of the rows: the scatter if none are stated, otherwise one.
     pub(super) scatters: Scatters,
     /// The misfit that is minimised: χ², or where no uncertainties are stated −2 times the logarithm of the likelihood.
     pub(super) misfit: f64,
     pub(super) rows: Vec<FoundRow>,
-    /// `true` if hardly anything was to change in the last round.
+    /// `true` if the changes of the last round were small enough.
     pub(super) settled: bool,
 }
 
 impl Found {
-    /// Returns whether another search ended at the same parameters, within a tenth of their standard deviations.
+    /// Returns `true` if another search ended at the same parameters, within a tenth of their standard deviations.
     pub(super) fn is_at(&self, other: &Self) -> bool {
         let off = |k: usize| (self.parameters[k] - other.parameters[k]).abs();
         (0..self.parameters.len()).all(|k| off(k) < 0.1 * other.covariance[(k, k)].sqrt())
@@ -76,8 +76,8 @@ impl State {
         }
     }
 
-    /// The end of another search, with the damping replaced by the root of its square's standard deviation where that is larger: at zero damping,
-    /// amplitudes do not depend on it to first order.
+    /// The parameters found by another search, with the damping replaced by the root of the standard deviation of its square if that is larger: at
+    /// zero damping, amplitudes do not depend on it to first order.
     pub(super) fn after(found: &Found) -> Self {
         let mut parameters = DVector::from_row_slice(&found.parameters);
         let of_square = 2.0 * parameters[1].abs() * found.covariance[(1, 1)].sqrt();
@@ -121,8 +121,8 @@ pub(super) struct Search<'a> {
     pub(super) watch: &'a Watch<'a>,
 }
 
-/// The part of a step to take, where the same part of the last one left this one: by Aitken's rule, which supposes steps that change in proportion to
-/// what was taken. Steps that grow in their direction go on with twice as much, up to a whole.
+/// The fraction of a step to take, if this fraction of the last one was taken: by Aitken's rule, for steps that change in proportion to the
+/// displacement. If steps grow in their direction the fraction is doubled, up to a whole step.
 fn relaxed(part: f64, last: &DVector<f64>, next: &DVector<f64>) -> f64 {
     let change = last - next;
     let along = last.dot(&change);
@@ -172,7 +172,7 @@ impl Search<'_> {
         Ok(self.found(&here, round, false))
     }
 
-    /// The state after a part of the step of a round.
+    /// The state after a fraction of the step of a round.
     fn moved(&self, here: &State, round: &Round, part: f64) -> State {
         let parameters = &here.parameters + part * &round.step;
         let amplitudes = here.amplitudes.iter().zip(&round.moves);

@@ -9,7 +9,7 @@ use libration::orbit::Stability;
 /// Under linear damping that factor is exp(−∫c dt) (Liouville's theorem). The difference of the map's determinant from it shows the error of the map, with
 /// that of the trace the multipliers λ² − λ·trace + area = 0.
 pub fn stability(map: [[f64; 2]; 2], area: f64, tolerance: f64) -> Stability {
-    /// The error of the trace over what the determinant shows, which is one combination of the errors of four entries.
+    /// The factor between the error of the trace and that of the determinant, which is one combination of the errors of four entries.
     const MARGIN: f64 = 16.0;
     /// Roundings of a multiplier.
     const ROUNDINGS: f64 = 8.0;

@@ -16,7 +16,7 @@ const CUBIC_PARTS: [f64; 19] = [
 ];
 /// Number of the best points of the grid from which a search starts.
 const BEST: usize = 5;
-/// A damping of zero has no sign to change: it begins with this part of the frequency.
+/// Initial damping, relative to the frequency, in place of zero, which has no sign to change.
 const LEAST_DAMPING: f64 = 1e-3;
 
 /// Starting parameters ω0², c, perhaps κ, and A, the best first.

@@ -32,7 +32,7 @@ pub struct ResponseColumns<'a> {
     pub amplitude_uncertainties: Option<&'a [f64]>,
     /// Standard deviations of the phases, in radians; positive.
     pub phase_uncertainties: Option<&'a [f64]>,
-    /// Errors of the amplitudes where no uncertainties of them are given.
+    /// Errors of the amplitudes if their uncertainties are not given.
     pub unstated_errors: AmplitudeErrors,
 }
 
@@ -89,31 +89,31 @@ impl ResponseTable {
         self.rows.len()
     }
 
-    /// Returns whether there are no rows.
+    /// Returns `true` if there are no rows.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
     }
 
-    /// Returns whether the rows count by their uncertainties; otherwise all count alike, and their scatter is the uncertainty.
+    /// Returns `true` if the rows count by their uncertainties; otherwise all count alike, and their scatter is the uncertainty.
     #[must_use]
     pub fn is_weighted(&self) -> bool {
         self.errors == AmplitudeErrors::Stated
     }
 
-    /// The errors by which the amplitudes count.
+    /// The errors that determine the weights of the amplitudes.
     #[must_use]
     pub fn amplitude_errors(&self) -> AmplitudeErrors {
         self.errors
     }
 
-    /// Returns whether there are phases.
+    /// Returns `true` if there are phases.
     #[must_use]
     pub fn has_phases(&self) -> bool {
         self.rows.iter().any(|row| row.phase.is_some())
     }
 
-    /// Returns whether the given phases are those by which responses lead, so that nearly all of them are negative.
+    /// Returns `true` if the given phases are leads, so that nearly all of them are negative.
     #[must_use]
     pub fn leads(&self) -> bool {
         self.leads
@@ -226,8 +226,8 @@ impl Row {
         })
     }
 
-    /// The misses, which vanish when the required drive is the acting one: the difference of their amplitudes, and that of the phases times
-    /// the amplitude.
+    /// The misses, which vanish if the required drive is the acting one: the difference of the amplitudes, and that of the phases times the
+    /// amplitude.
     pub(super) fn misses(&self, required: Complex, drive: f64) -> Vec<f64> {
         let size = required.abs();
         let off = |phase: f64| size * (required * Complex::unit(-phase)).argument();

@@ -113,7 +113,7 @@ pub(super) fn warnings(table: &ResponseTable, fit: &ResponsesFit) -> Vec<Respons
     .collect()
 }
 
-/// Returns whether all responses are on one side of the phase of a right angle.
+/// Returns `true` if the phases of all responses are on one side of a right angle.
 fn is_one_sided(table: &ResponseTable, fit: &ResponseFit) -> bool {
     let (parameters, law) = (fit.parameters(), OneHarmonic(fit.model));
     let coefficients = &parameters[..parameters.len() - 1];
@@ -124,7 +124,7 @@ fn is_one_sided(table: &ResponseTable, fit: &ResponseFit) -> bool {
     rows().all(|above| above) || rows().all(|above| !above)
 }
 
-/// The correlation of neighbouring residuals in its standard deviations 1/√n: of neighbours in the table, and along the fitted curve, which is
+/// The correlation of neighbouring residuals in its standard deviations 1/√n: for neighbours in the table, and along the fitted curve, which is
 /// ordered through its jumps by the phase. A wrong model may have one branch where the rows have two.
 fn serial_correlation(fit: &ResponseFit) -> f64 {
     let in_table: Vec<&FittedAnswer> = fit.rows.iter().collect();

@@ -7,13 +7,13 @@ use libration::progress::Interrupted;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SpectrumError {
-    /// The trace shows no cycles, by which the phase is counted.
+    /// No cycles, by which the phase is counted.
     #[error(transparent)]
     Cycles(#[from] CyclesError),
     /// The angle goes to and fro by more than a turn.
     #[error(transparent)]
     BeyondATurn(#[from] BeyondATurn),
-    /// Less than a window of swings.
+    /// A trace shorter than a window of swings.
     #[error("{swings:.1} swings are too few to separate harmonics from noise: give at least {needed}")]
     TooShort {
         /// Number of swings in the trace.
@@ -38,7 +38,7 @@ pub enum SpectrumError {
         /// Number of windows.
         windows: usize,
     },
-    /// Cancelled by the caller.
+    /// Cancellation by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

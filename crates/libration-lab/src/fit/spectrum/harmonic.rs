@@ -5,7 +5,7 @@ use crate::fit::uncertain::Uncertain;
 /// A harmonic of a measured swing: in-phase·cos nφ + quadrature·sin nφ, where the first harmonic has its maxima at φ = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Harmonic {
-    /// Its order; zero for the constant.
+    /// The order; zero for the constant.
     pub n: usize,
     /// Coefficient of cos nφ, in rad or rad/s; the only one of an undamped pendulum.
     pub in_phase: Uncertain,

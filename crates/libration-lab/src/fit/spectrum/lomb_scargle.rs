@@ -86,7 +86,7 @@ struct Sums {
     ys: f64,
 }
 
-/// Adds a row, whose phase advances by an angle with this sine and cosine from point to point.
+/// Adds a row, whose phase advances by an angle with this sine and cosine from one frequency to the next.
 fn add(sums: &mut [Sums], weight: f64, value: f64, (sin, cos): (f64, f64)) {
     let (mut s, mut c) = (sin, cos);
     for sums in sums {

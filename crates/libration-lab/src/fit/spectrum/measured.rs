@@ -49,7 +49,7 @@ pub struct Spectrum {
     pub noise: f64,
     /// Rows left out for being far from all harmonics, counted from zero.
     pub outliers: Vec<usize>,
-    /// `true` if rows count by uncertainties of their own.
+    /// `true` if rows have weights by their own uncertainties.
     pub weighted: bool,
     /// The periodogram of up to 60 swings (without outliers) from the beginning, by [`lomb_scargle`](super::lomb_scargle()) with Hann's window, five
     /// points in the width of a line.
@@ -218,7 +218,7 @@ impl Found {
         }
     }
 
-    /// The quadrature, whose uncertainty comes from the noise about it, and from that of the phase it is counted from.
+    /// The quadrature, with the uncertainty from the noise about it and from its reference phase.
     fn quadrature(&self, fit: &WindowFit, n: usize) -> Uncertain {
         let column = sine_column(n);
         let turned = count(n) * fit.coefficient(cosine_column(n));

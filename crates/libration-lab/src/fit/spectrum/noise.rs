@@ -7,7 +7,7 @@ use crate::statistics::count;
 const BESIDE: f64 = 0.4;
 /// Fewest waves of a band; with fewer, all residuals are used together as if the noise were white, as for windows of three swings.
 const FEWEST: usize = 4;
-/// A wave of which the columns span more than this part has too little information about the noise to count.
+/// Smallest fraction of a wave outside the span of the columns: with less, it has too little information about the noise.
 const LEAST_FREE: f64 = 0.3;
 
 /// The variance of a row that noise about a harmonic would have if it were white.

@@ -21,14 +21,14 @@ pub enum SpectrumRemark {
     },
     /// An even harmonic, which no pendulum has.
     Even {
-        /// Its order.
+        /// The order of the harmonic.
         n: usize,
-        /// Its amplitude relative to the first harmonic.
+        /// The amplitude of the harmonic relative to the first.
         part: Uncertain,
     },
     /// More or less of an odd harmonic in phase than the pendulum has.
     Odd {
-        /// Its order.
+        /// The order of the harmonic.
         n: usize,
         /// Ratio of the measured harmonic to that of theory.
         ratio: Uncertain,
@@ -37,7 +37,7 @@ pub enum SpectrumRemark {
     },
     /// An odd harmonic that is a quarter of its period off.
     Quadrature {
-        /// Its order.
+        /// The order of the harmonic.
         n: usize,
         /// Quadrature relative to the first harmonic.
         part: Uncertain,
@@ -63,15 +63,15 @@ pub enum SpectrumRemark {
     },
 }
 
-/// Probability of chance for the usual number of harmonics, that of three standard deviations of a normal error; lower in proportion
-/// where there are more.
+/// Probability of chance for the usual number of harmonics, that of three standard deviations of a normal error; proportionally lower for more
+/// harmonics.
 const BY_CHANCE: f64 = 2.7e-3;
 const USUALLY: f64 = 7.0;
 
 /// Errors in windows of amplitudes that fall by a third to each side: relative to a harmonic itself, and to the first one.
 const INEXACT: [f64; 2] = [1e-3, 1e-5];
 
-/// Returns whether a difference of this many uncertainties is more than chance, where these have this many degrees of freedom.
+/// Returns `true` if a difference of this many uncertainties is more than chance, where these have this many degrees of freedom.
 fn is_significant(deviation: Option<f64>, degrees_of_freedom: usize, harmonics: usize) -> bool {
     let chance = BY_CHANCE * (USUALLY / count(harmonics)).min(1.0);
     let limit = quantile(chance, count(degrees_of_freedom));
@@ -82,7 +82,7 @@ fn is_significant(deviation: Option<f64>, degrees_of_freedom: usize, harmonics: 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Swing {
     pub(super) observable: Observable,
-    /// Its first harmonic.
+    /// The first harmonic.
     pub(super) first: f64,
     /// The rate at which the amplitude falls (rad/s) over the frequency (rad/s).
     pub(super) decay: f64,

@@ -10,14 +10,14 @@ use libration::progress::Interrupted;
 
 /// More swings make lines no narrower where the frequency drifts, and would take long.
 const MOST_SWINGS: f64 = 60.0;
-/// Longest time for which a row stands, in usual intervals; it reaches half way to its neighbours. Rows that counted alike about a gap of
-/// three rows in 1200 made a floor of half a per cent of the first harmonic, where the third was below.
+/// Longest time that a row represents, in usual intervals; it extends half way to the neighbours. With equal weights, rows about a gap of three
+/// rows in 1200 caused a floor of half a per cent of the first harmonic, above the third.
 const MOST_INTERVALS: f64 = 3.0;
 /// Points in the width of a line, one over the time.
 const OVERSAMPLING: f64 = 5.0;
 
-/// Computes the periodogram of the first swings of a trace without its outliers, rows weighted by Hann's window, by the time they stand for and
-/// by their uncertainties, up to a frequency in Hz. Without that window the first harmonic of a few swings would hide the others.
+/// Computes the periodogram of the first swings of a trace without its outliers, up to a frequency in Hz; rows are weighted by Hann's window, by
+/// the time that they represent and by their uncertainties. Without that window the first harmonic of a few swings would hide the others.
 pub(super) fn tapered(
     trace: &Trace,
     outliers: &[usize],

@@ -8,7 +8,7 @@ use libration::pendulum::Pendulum;
 use libration::quantity::Angle;
 use libration::roots::{Tolerance, bisect};
 
-/// Relative change of the first harmonic for slopes, whose errors are of the order of its square, 1e-6 of them.
+/// Relative change of the first harmonic in the difference quotients of slopes, whose errors are of the order of its square, 1e-6 of them.
 const STEP: f64 = 1e-3;
 /// The largest amplitude in the search, in rad: its first harmonic is 3.82, and a period fourteen times as long.
 const HIGHEST: f64 = PI - 1e-8;
@@ -42,7 +42,8 @@ impl Growth {
         Self { power: count(n), bend: 0.0 }
     }
 
-    /// Fits the growth to three values, for the first less and more by [`STEP`]; by its order where theory has no such harmonic, or next to none.
+    /// Fits the growth to three values, for the first harmonic smaller and larger by [`STEP`]; from its order if theory has no such harmonic, or
+    /// nearly none.
     fn through(n: usize, [below, here, above]: [f64; 3]) -> Self {
         let [less, more] = [-STEP, STEP].map(libm::log1p);
         let [low, high] = [libm::log(below / here) / less, libm::log(above / here) / more];

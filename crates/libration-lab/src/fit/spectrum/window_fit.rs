@@ -22,7 +22,7 @@ const PASSES: usize = 9;
 const CORRECTIONS: usize = 40;
 /// Corrections below this (rad) are rounding errors of some thousand rows.
 const SETTLED: f64 = 1e-9;
-/// Corrections below this leave the first harmonic's amplitude right to an eighth.
+/// Size of corrections below which the amplitude of the first harmonic is right to an eighth.
 const NEAR: f64 = 0.5;
 /// Positions in the window at which the phase is corrected, from −1 to 1: close to Chebyshev nodes.
 const NODES: [f64; TERMS] = [-0.95, -0.59, 0.0, 0.59, 0.95];
@@ -44,7 +44,7 @@ pub(super) struct WindowRows<'a> {
     pub(super) values: &'a [f64],
     pub(super) uncertainties: Option<&'a [f64]>,
     pub(super) observable: Observable,
-    /// Its ends, in s.
+    /// The ends of the window, in s.
     pub(super) ends: [f64; 2],
     /// The period to begin with, in s.
     pub(super) period: f64,
@@ -218,7 +218,7 @@ impl State {
     }
 }
 
-/// Phase lag of c cos φ + s sin φ behind cos φ, as a polynomial through the nodes.
+/// Phase lag of c cos φ + s sin φ relative to cos φ, as a polynomial through the nodes.
 fn lag(cosine: &[f64; TERMS], sine: &[f64; TERMS]) -> Option<[f64; TERMS]> {
     let mut lags = NODES.map(|x| libm::atan2(polynomial(sine, x), polynomial(cosine, x)));
     for node in 1..NODES.len() {
@@ -240,7 +240,7 @@ impl WindowFit {
         self.places.len() - self.outliers.len()
     }
 
-    /// Number of rows that count, less that of coefficients.
+    /// Number of rows used minus that of coefficients.
     pub(super) fn degrees_of_freedom(&self) -> usize {
         self.rows().saturating_sub(self.fit.coefficients.len())
     }
@@ -289,12 +289,12 @@ impl WindowFit {
     }
 }
 
-/// Part of a wave in the residuals.
+/// Component of the residuals along a wave.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Wave {
     /// The square of their product with the wave.
     pub(super) square: f64,
-    /// The mean of that square for noise of variance one: the square of the part of the wave that the columns do not span.
+    /// The mean of that square for noise of unit variance: the square of the component of the wave outside the span of the columns.
     pub(super) free: f64,
     /// The square of the whole wave.
     pub(super) whole: f64,

@@ -6,7 +6,7 @@ use crate::fit::cycles::Cycles;
 use crate::measurement::Trace;
 use crate::statistics::{count, median};
 
-/// Windows may have fewer swings than wanted by a tenth: nearly ten swings are two windows of five.
+/// Least number of swings in a window relative to the wanted one: nearly ten swings are two windows of five.
 const AT_LEAST: f64 = 0.9;
 /// Least number of rows in a window, per coefficient.
 const ROWS_PER_COEFFICIENT: f64 = 1.5;
@@ -46,7 +46,7 @@ impl<'a> Windows<'a> {
         whole(0.5 * shortest / step - 0.5)
     }
 
-    /// The rows of a window, where there are enough of them and of cycles.
+    /// The rows of a window, if there are enough of them and enough cycles.
     pub(super) fn rows(&self, number: usize, highest: usize) -> Option<WindowRows<'a>> {
         let times = self.trace.times();
         let width = span(self.trace) / count(self.count);

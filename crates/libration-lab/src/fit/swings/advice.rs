@@ -13,12 +13,11 @@ pub enum Advice {
     GiveLength,
     /// The length was given without an uncertainty, which causes most of gravity's.
     GiveLengthUncertainty,
-    /// The relative uncertainty of the length is more than seven tenths of that of gravity: half of its variance, so that all else
-    /// together is less.
+    /// The relative uncertainty of the length is more than seven tenths of that of gravity: more than half of its variance.
     MeasureLengthBetter {
         /// The relative uncertainty of the length.
         relative_uncertainty: f64,
-        /// The part of the length in the variance of gravity.
+        /// The share of the length in the variance of gravity.
         share: f64,
     },
     /// β is in doubt, and a wrong scale of the angles can be why.
@@ -31,7 +30,7 @@ pub enum Advice {
     StateScale {
         /// The relative change of T0 with a relative error of the angles.
         slope: f64,
-        /// The standard uncertainty of β, which is twice that of a scale by it.
+        /// The standard uncertainty of β, which is twice the resulting one of a scale.
         of_beta: f64,
     },
     /// The data do not separate several kinds of damping.
@@ -41,7 +40,7 @@ pub enum Advice {
     },
     /// The residuals are not noise.
     LookAtResiduals,
-    /// Outliers stand alone, fewer than three in a row at any end.
+    /// Outliers are isolated, or fewer than three in a row at an end.
     CorrectOutliers,
     /// At least three rows in a row at an end are outliers.
     LeaveOutEnds {
@@ -52,7 +51,7 @@ pub enum Advice {
     WriteMoreDigitsOfTimes {
         /// The step that the times are rounded to, in s.
         resolution: f64,
-        /// The part of the scatter, at most 1.
+        /// The fraction of the scatter, at most 1.
         part: f64,
     },
     /// The pendulum hangs at more than a hundredth of a radian, half a degree, on the scale of the instrument: visible to the eye.

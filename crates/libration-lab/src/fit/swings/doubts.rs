@@ -117,7 +117,7 @@ fn periods(found: &SwingsFit) -> Option<Warning> {
     Some(Warning::PeriodsDisagree { by_cycles, by_motion, deviation })
 }
 
-/// Warns of traces that are fitted as those of one pendulum and belong to several.
+/// Warns of traces that are fitted as those of one pendulum but belong to several.
 fn different_pendulums(found: &SwingsFit, traces: &[Trace]) -> Option<Warning> {
     /// Relative difference of T0, for the reason in [`Warning::DifferentPendulums`].
     const APART: f64 = 0.01;

@@ -34,9 +34,9 @@ pub struct SwingsFit {
 }
 
 impl SwingsFit {
-    /// T0, in s: averaged over the models that are not ruled out, with the contributions of runs and contradicting fits to its uncertainty. A scale
-    /// of the angles that is wrong by a few per cent is seen, and so in the uncertainty, where swings begin at 0.5 rad or more; from smaller ones
-    /// the uncertainty of the scale has to be [stated](super::SwingsOptions::angle_scale).
+    /// T0, in s: averaged over the models that are not ruled out, with the contributions of runs and contradicting fits to its uncertainty. The
+    /// error of a scale of the angles that is wrong by a few per cent is detected, and part of the uncertainty, if swings begin at 0.5 rad or more;
+    /// for smaller ones the uncertainty of the scale has to be [stated](super::SwingsOptions::angle_scale).
     #[must_use]
     pub fn small_angle_period(&self) -> Uncertain {
         let model = self.contradiction.as_ref().map_or(0.0, Contradiction::uncertainty);
@@ -56,7 +56,7 @@ impl SwingsFit {
         is_known.then(|| Quality { factor: quality.factor.with_error(spread), ..quality })
     }
 
-    /// T0, in s, of which the uncertainty is enlarged where runs scatter by more than theirs: by √(χ²/ν) of the T0 by their cycles.
+    /// T0, in s, with its uncertainty enlarged if runs scatter by more than theirs: by √(χ²/ν) of the T0 by their cycles.
     pub(super) fn period_of_runs(&self) -> Uncertain {
         let period = small_angle_period(&self.fit, self.comparison.as_ref());
         let runs: Vec<Uncertain> = self.cycles.iter().flatten().map(|cycles| cycles.t0).collect();
@@ -106,7 +106,7 @@ impl SwingsFit {
         )
     }
 
-    /// Returns whether T0 with β free differs from that of the whole motion by more than the two methods may differ.
+    /// Returns `true` if T0 with β free differs from that of the whole motion by more than the two methods may differ.
     fn is_contradicted_by(&self, beta: &Beta) -> bool {
         let period = self.fit.small_angle_period().value;
         (beta.t0.value - period).abs() > LEAST_CONTRADICTION * period
@@ -132,7 +132,7 @@ impl SwingsFit {
         Some([sizes().reduce(f64::max)?, sizes().reduce(f64::min)?])
     }
 
-    /// Returns whether the scale of the angles was fitted.
+    /// Returns `true` if the scale of the angles was fitted.
     #[must_use]
     pub fn scale_is_fitted(&self) -> bool {
         self.fit.parameter(ParameterKind::Scale).is_some()

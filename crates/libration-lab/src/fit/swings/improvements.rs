@@ -22,7 +22,7 @@ pub(super) fn advice(found: &SwingsFit, traces: &[Trace], angle_scale: Option<f6
 }
 
 fn length(pendulum: &FittedPendulum) -> Option<Advice> {
-    /// √½, so that the length has half of the variance.
+    /// Share of the length in the uncertainty of gravity above which it is worth measuring better: about √½, so that it has half of the variance.
     const MOST_OF_IT: f64 = 0.7;
     let (budget, length) = match pendulum {
         FittedPendulum::Length(_) => return Some(Advice::GiveLength),
@@ -38,7 +38,7 @@ fn scale(found: &SwingsFit, observable: Observable) -> Option<Advice> {
     found.doubtful_beta()?.scale_error().map(|_| Advice::CheckScale { observable })
 }
 
-/// Advises on a scale that is taken as exact, where neither T0 nor β are certain of it.
+/// Advises on a scale that is taken as exact, although neither T0 nor β confirm it.
 fn unstated_scale(found: &SwingsFit) -> Option<Advice> {
     /// A usual error of a scale, of a camera or a protractor.
     const USUAL: f64 = 0.01;
@@ -86,9 +86,9 @@ fn strange_ends(trace: &Trace, outliers: &[usize]) -> Vec<EndOfTrace> {
     before.into_iter().chain(after).collect()
 }
 
-/// Advises on rounded times, where they matter next to the other errors.
+/// Advises on rounded times, if they matter compared with the other errors.
 fn times(found: &SwingsFit, faults: &Faults) -> Option<Advice> {
-    /// Part of the scatter; as squares a sixteenth.
+    /// Fraction of the scatter above which rounding is reported: a sixteenth of the square.
     const WORTH_A_WORD: f64 = 0.25;
     let (noise, clock) = (faults.rounding_noise?, faults.clock.as_ref()?);
     let (resolution, _) = (clock.resolution?, clock.grid.as_ref()?);
@@ -96,9 +96,9 @@ fn times(found: &SwingsFit, faults: &Faults) -> Option<Advice> {
     (part > WORTH_A_WORD).then_some(Advice::WriteMoreDigitsOfTimes { resolution, part })
 }
 
-/// Advises on the zero of the angle, where the motion is that of the pendulum.
+/// Advises on the zero of the angle, if the motion is that of a pendulum.
 fn zero(found: &SwingsFit, observable: Observable) -> Option<Advice> {
-    /// Angle in radians: half a degree, to which a protractor is read.
+    /// Smallest error of the zero that is reported, in radians: half a degree, the resolution of a protractor.
     const WORTH_A_WORD: f64 = 0.01;
     let offsets = found.fit.parameters.iter().filter(|parameter| parameter.kind == ParameterKind::Offset);
     let offset =

@@ -11,7 +11,7 @@ pub struct SwingsOptions<'a> {
     pub damping: Option<DampingModel>,
     /// Options for the fit of the motion.
     pub trace: TraceOptions,
-    /// The pendulum, with which gravity is computed; `None` to compute the length.
+    /// The pendulum, for gravity; `None` to compute the length.
     pub apparatus: Option<Apparatus>,
     /// The relative standard uncertainty of all angles.
     pub angle_scale: Option<f64>,

@@ -12,10 +12,11 @@ impl SwingsFit {
         self.beta.as_ref().ok().and_then(|beta| cycles::mistaken_unit(beta.factor.value, cycles))
     }
 
-    /// Relative fall of the amplitude in a cycle, where it is so large that the period of single cycles, for which the exact law
-    /// assumes a constant amplitude, means little.
+    /// Relative decrease of the amplitude in a cycle, if it is so large that the periods of single cycles, for which the exact
+    /// law assumes a constant amplitude, mean little.
     pub(super) fn strong_damping(&self) -> Option<f64> {
-        /// R − 1, which goes with the square of the amplitude, then changes by a fifth within a cycle.
+        /// Relative decrease of the amplitude in a cycle above which damping is strong: R − 1, proportional to the square of the amplitude, then
+        /// changes by a fifth within the cycle.
         const STRONG: f64 = 0.1;
         self.fall_in_a_cycle().filter(|&fall| fall > STRONG)
     }
@@ -29,9 +30,9 @@ impl SwingsFit {
         (!explained).then_some(beta)
     }
 
-    /// Returns whether the residuals of the motion are so large that its parameters mean little.
+    /// Returns `true` if the residuals of the motion are so large that its parameters mean little.
     pub(super) fn is_poor(&self) -> bool {
-        /// Residuals relative to the swing, in root mean squares; errors of reading are a hundredth of it or so.
+        /// Root mean square of the residuals relative to the swing above which a fit is poor; reading errors are about a hundredth.
         const POOR: f64 = 0.1;
         self.fit.unexplained.sqrt() > POOR
     }

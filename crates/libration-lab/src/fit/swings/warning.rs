@@ -54,9 +54,9 @@ pub enum Warning {
     BetterModelNotBelieved {
         /// Damping of that model.
         damping: DampingModel,
-        /// Difference by which its criterion is lower.
+        /// Difference by which the criterion of the better model is lower.
         excess: f64,
-        /// Kind of damping with a negative coefficient; `None` where the reason is that it feeds energy.
+        /// Kind of damping with a negative coefficient; `None` if the reason is that the damping supplies energy.
         negative: Option<DampingKind>,
     },
     /// Models that are not ruled out [contradict](crate::fit::trace::Comparison::contradicting) the preferred one.
@@ -69,13 +69,13 @@ pub enum Warning {
     /// The residuals are [not noise](crate::fit::trace::Autocorrelation::is_noise): for noise the warning is given for one trace in some ten
     /// thousand.
     ResidualsNotNoise {
-        /// Number of rows over which they are alike.
+        /// Number of rows over which they are correlated.
         rows: f64,
         /// Resulting factor of the uncertainty of ω0.
         inflation: f64,
     },
-    /// The rows scatter by half as much again as their stated uncertainties, or by two thirds of them: a difference that changes
-    /// what the uncertainties mean, and beyond chance for any trace of a few dozen rows.
+    /// The rows scatter by more than 3/2 of their stated uncertainties, or by less than 2/3 of them: a difference that changes
+    /// the meaning of the uncertainties, and beyond chance for any trace of a few dozen rows.
     StatedUncertainties {
         /// The ratio of the scatter to the stated uncertainties.
         ratio: f64,
@@ -134,7 +134,7 @@ pub enum Warning {
     NoCycles {
         /// The name of the trace, where there are several.
         trace: Option<String>,
-        /// Reason why there are none.
+        /// Reason why the trace has no cycles.
         error: CyclesError,
     },
 }

@@ -182,7 +182,8 @@ fn better_model(
 }
 
 fn residuals(f: &mut fmt::Formatter<'_>, rows: f64, inflation: f64) -> fmt::Result {
-    /// Number of rows: residuals that repeat with the swing, or change sign from row to row, are alike over no more than one row.
+    /// Number of rows over which residuals must be correlated: those that repeat with the swing, or change sign from row to row, are correlated
+    /// over no more than one row.
     const ALIKE: f64 = 1.5;
     let how = match rows {
         rows if rows < ALIKE => "they follow a pattern".to_owned(),

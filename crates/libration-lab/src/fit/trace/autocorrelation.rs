@@ -50,7 +50,7 @@ impl Autocorrelation {
         Self { correlations, time, excess: (statistic - degrees) / (2.0 * degrees).sqrt() }
     }
 
-    /// Returns whether the residuals are consistent with independent ones: of noise one in some ten thousand fails.
+    /// Returns `true` if the residuals are consistent with independent ones; noise fails the test once in some ten thousand times.
     #[must_use]
     pub fn is_noise(&self) -> bool {
         self.excess < 5.0

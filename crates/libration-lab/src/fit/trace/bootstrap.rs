@@ -18,7 +18,7 @@ use crate::statistics::count;
 /// Number of replicas, which gives the standard deviation to 1/√1000, or 3 %.
 const REPLICAS: usize = 500;
 
-/// Number of rows in a block: it holds one swing, and grows with the correlation time of the residuals and with the number of rows.
+/// Number of rows in a block, at least one swing; it grows with the correlation time of the residuals and with the number of rows.
 pub(super) fn block(autocorrelation: &Autocorrelation, minimum: &Minimum, traces: &[Trace]) -> usize {
     let Some(longest) = traces.iter().max_by_key(|trace| trace.len()) else { return 1 };
     let end = longest.times()[0] + TAU / minimum.parameters[Layout::OMEGA0];

@@ -46,13 +46,13 @@ pub enum ContinuationError {
     /// A frequency or an angle that no pendulum has.
     #[error(transparent)]
     Pendulum(#[from] PendulumError),
-    /// A damping that `decay` does not take: none at all, or a coefficient below zero.
+    /// A damping that `decay` rejects: none at all, or a coefficient below zero.
     #[error(transparent)]
     Decay(#[from] DecayError),
 }
 
-/// Longest search for a turning point, in periods of small swings. A swing turns within 12 of them even from 1e-15 below the top,
-/// (2/π)·ln(8e15)/2; a motion that rotates for this long is not a swing.
+/// Longest search for a turning point, in periods of small swings. A swing turns within 12 of them even from 1e-15 below the top, (2/π)·ln(8e15)/2;
+/// a motion that rotates longer is not a swing.
 const LONGEST: f64 = 100.0;
 /// Step of differences relative to an uncertainty, upwards, since coefficients of damping are never negative: a derivative that changes by a
 /// tenth over an uncertainty errs by half a hundredth.
@@ -100,8 +100,8 @@ impl TraceFit {
         Ok(found)
     }
 
-    /// The turning points of a trace from that of [`decay`](Self::decay) to a time in its clock, after its end too, with the uncertainty by the
-    /// parameters. Another model of the damping may give other ones.
+    /// The turning points of a trace from that of [`decay`](Self::decay) to a time of its clock, which may be after its end, with the uncertainty
+    /// by the parameters. They depend on the damping model.
     ///
     /// # Errors
     /// Fails as [`decay`](Self::decay) does.
@@ -158,7 +158,7 @@ impl TraceFit {
     }
 }
 
-/// Difference of a turning point from the one at its time, in one uncertainty; `None` where there is none.
+/// Change of the turning point nearest to this one, per standard uncertainty of the parameter; `None` if there is none nearby.
 fn change(turns: &[[f64; 2]], [time, amplitude]: [f64; 2], apart: f64) -> Option<[f64; 2]> {
     let nearest = turns.iter().min_by(|a, b| (a[0] - time).abs().total_cmp(&(b[0] - time).abs()))?;
     let differs = [nearest[0] - time, nearest[1] - amplitude];

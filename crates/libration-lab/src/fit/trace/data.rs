@@ -38,7 +38,7 @@ impl<'a> Data<'a> {
         self.traces.iter().map(Trace::len).collect()
     }
 
-    /// Number of rows of each trace within this time of the first; at least `least`, or all where there are fewer.
+    /// Number of rows of each trace within this time of the first; at least `least`, or all if there are fewer.
     pub(super) fn rows_within(&self, span: f64, least: usize) -> Vec<usize> {
         let within = |trace: &Trace| trace.times().partition_point(|&time| time <= trace.times()[0] + span);
         self.traces.iter().map(|trace| within(trace).max(least.min(trace.len()))).collect()

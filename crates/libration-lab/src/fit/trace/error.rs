@@ -24,9 +24,9 @@ pub enum TraceFitError {
     /// Two traces with the same rows, which would count as twice as many measurements.
     #[error("{first} and {second} have the same rows: give each recording once")]
     SameRows {
-        /// The name of one.
+        /// The name of the first trace.
         first: String,
-        /// The name of the other.
+        /// The name of the second trace.
         second: String,
     },
     /// No window of the trace obeys the equation of a pendulum.
@@ -53,16 +53,16 @@ pub enum TraceFitError {
          model, leave out whatever is not a free swing, or check the columns and the units of angle and time"
     )]
     Unexplained {
-        /// Part of the variance in per cent.
+        /// Share of the variance in per cent.
         percent: f64,
     },
     /// The data do not determine a parameter.
     #[error("the data do not determine {}: choose a model without it, or measure more of the swing", .parameter.name())]
     Undetermined {
-        /// Its kind.
+        /// The kind of the parameter.
         parameter: ParameterKind,
     },
-    /// Cancelled by the caller.
+    /// Cancellation by the caller.
     #[error("the fit was interrupted")]
     Interrupted,
 }

@@ -44,11 +44,11 @@ impl ParameterKind {
 /// A fitted number with its uncertainty.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Parameter {
-    /// Kind; each trace has an offset, a first angle and a first velocity of its own.
+    /// The kind; each trace has a separate offset, initial angle and initial velocity.
     pub kind: ParameterKind,
-    /// Unit: `rad/s`, `rad/s^2`, `1/s`, `rad`; `1` where there is none.
+    /// Unit: `rad/s`, `rad/s^2`, `1/s`, `rad`; `1` for none.
     pub unit: &'static str,
-    /// Index of the trace that alone has it, counted from zero; `None` if all share it.
+    /// Index of the only trace with this parameter, counted from zero; `None` if all share it.
     pub trace: Option<usize>,
     /// The value with its standard uncertainty: the formal one, times the inflation by the correlation of residuals,
     /// with the contributions of the clock and of a fitted pivot.
@@ -57,8 +57,8 @@ pub struct Parameter {
     pub formal_uncertainty: f64,
     /// Degrees of freedom of Student's t for the intervals; fewer than rows less parameters where the noise is correlated.
     pub degrees_of_freedom: f64,
-    /// Intervals that hold the truth with 68.3 % and 95 %: by the profile likelihood for the shared parameters where it is requested, otherwise as if
-    /// the model were linear.
+    /// Intervals that contain the true value with 68.3 % and 95 %: by the profile likelihood for the shared parameters if it is requested,
+    /// otherwise by the linear approximation.
     pub intervals: [[f64; 2]; 2],
 }
 
@@ -69,7 +69,7 @@ pub struct FittedTrace {
     pub start_time: f64,
     /// Values of the fit, in the unit of the trace, row by row.
     pub fitted: Vec<f64>,
-    /// Measured values less those of the fit.
+    /// Measured values minus those of the fit.
     pub residuals: Vec<f64>,
     /// Rows whose residuals are beyond five robust standard deviations, counted from zero.
     pub outliers: Vec<usize>,
@@ -107,7 +107,7 @@ pub struct TraceFit {
     pub unexplained: f64,
     /// Autocorrelation of the residuals.
     pub autocorrelation: Autocorrelation,
-    /// The number of rows in a block of the bootstrap, where it was needed.
+    /// The number of rows in a block of the bootstrap, if it was needed.
     pub bootstrap_block: Option<usize>,
     /// `true` if the search ended at a minimum.
     pub converged: bool,
@@ -170,12 +170,12 @@ impl TraceFit {
         rows.map(|(row, part)| part * sum(row)).sum::<f64>().max(0.0).sqrt()
     }
 
-    /// Returns whether the damping takes energy at all speeds that the pendulum had, within two standard uncertainties. A single
+    /// Returns `true` if the damping takes energy at all speeds that the pendulum had, within two standard uncertainties. A single
     /// coefficient may be negative: the friction of a bearing can become less at higher speed.
     #[must_use]
     pub fn dissipates(&self) -> bool {
-        /// Number of speeds: between two of them a parabola dips by at most the 256th part of its quadratic term at the greatest speed. With 3
-        /// nothing changed in 21 fits, with 50 one that was excluded already was found to give energy.
+        /// Number of speeds tested: between two of them a parabola dips by at most the 256th part of its quadratic term at the greatest speed. With
+        /// 3 nothing changed in 21 fits; with 50 one that was excluded already was found to supply energy.
         const SPEEDS: usize = 9;
         let fastest = (0..self.traces.len()).map(|trace| self.greatest_speed(trace)).fold(0.0, f64::max);
         (0..SPEEDS).all(|n| {
@@ -184,13 +184,13 @@ impl TraceFit {
         })
     }
 
-    /// Returns whether no coefficient of damping is negative by more than two standard uncertainties.
+    /// Returns `true` if no coefficient of damping is negative by more than two standard uncertainties.
     #[must_use]
     pub fn dissipates_by_each_term(&self) -> bool {
         self.negative_terms().is_empty()
     }
 
-    /// The kinds of damping whose coefficient is negative by more than two standard uncertainties.
+    /// The kinds of damping with a coefficient negative by more than two standard uncertainties.
     #[must_use]
     pub fn negative_terms(&self) -> Vec<DampingKind> {
         let negative = |term: &DampingKind| {

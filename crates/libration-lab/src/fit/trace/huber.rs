@@ -30,13 +30,13 @@ pub fn loss(residuals: &[f64], scale: f64) -> f64 {
     residuals.iter().map(one).sum()
 }
 
-/// Returns whether a residual is that of an outlier.
+/// Returns `true` if a residual is that of an outlier.
 pub fn is_outlier(residual: f64, scale: f64) -> bool {
     scale > 0.0 && residual.abs() > OUTLIER * scale
 }
 
-/// The residuals of a least squares problem whose solution scatters as the robust one does: bounded, over the part of rows that
-/// are not (*Robust Statistics*, as below, section 7.6).
+/// The residuals of a least squares problem whose solution has the scatter of the robust one: bounded, divided by the fraction
+/// of rows that are not bounded (*Robust Statistics*, as below, section 7.6).
 pub fn bounded(residuals: &[f64]) -> Vec<f64> {
     let bound = BOUND * scale(residuals);
     let part = count(residuals.iter().filter(|residual| residual.abs() <= bound).count());
@@ -44,8 +44,8 @@ pub fn bounded(residuals: &[f64]) -> Vec<f64> {
     residuals.iter().map(|residual| residual.clamp(-bound, bound) / part).collect()
 }
 
-/// Factor of the covariance of least squares: the mean square of the bounded residuals over the square of the
-/// part of rows that are not bounded, with Huber's correction for p parameters of n rows (*Robust Statistics*, Wiley 1981,
+/// Factor of the covariance of least squares: the mean square of the bounded residuals over the square of the fraction of
+/// rows that are not bounded, with Huber's correction for p parameters of n rows (*Robust Statistics*, Wiley 1981,
 /// doi:10.1002/0471725250, section 7.6).
 pub fn variance(residuals: &[f64], parameters: usize) -> f64 {
     let scale = scale(residuals);

@@ -4,7 +4,7 @@ use super::{TraceFit, huber};
 use crate::statistics::akaike;
 use crate::statistics::count;
 
-/// Akaike's criterion with its correction for few data, up to a constant; infinite where the data are too few. Only independent
+/// Akaike's criterion with its correction for few data, up to a constant; infinite if there are too few data. Only independent
 /// rows count, the same number for all models that are compared.
 ///
 /// With a scale, also the same for all models, outliers count by Huber's loss (E. Ronchetti, Stat. Probab. Lett. 3, 21 (1985),
@@ -15,7 +15,7 @@ pub(super) fn information(fit: &TraceFit, independent_rows: f64, scale: Option<f
     cost.map_or(f64::INFINITY, |cost| misfit(&fit.standard_residuals, independent_rows, scale) + cost)
 }
 
-/// The part of the criterion that does not depend on the number of parameters.
+/// The part of the criterion that is independent of the number of parameters.
 pub fn misfit(residuals: &[f64], independent_rows: f64, scale: Option<f64>) -> f64 {
     let rows = count(residuals.len());
     match scale {

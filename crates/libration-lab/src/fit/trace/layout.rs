@@ -45,12 +45,12 @@ impl Layout {
         [1, 2].map(|place| self.offset(trace) + place)
     }
 
-    /// The indices by which the motion of a trace is differentiated, in the order of [`Seen`](super::swing::Seen).
+    /// The indices of the parameters with respect to which the motion of a trace is differentiated, in the order of [`Seen`](super::swing::Seen).
     pub(super) fn of_motion(&self, trace: usize) -> impl Iterator<Item = usize> {
         [Self::OMEGA0].into_iter().chain(self.coefficients()).chain(self.first_state(trace))
     }
 
-    /// The parameters of a model that is a part of this one, with coefficients that are zero for the rest.
+    /// The parameters of a model that is a part of this one, with zero coefficients for the other terms.
     pub(super) fn with_terms_of(&self, part: DampingModel, parameters: &[f64]) -> Vec<f64> {
         let given: Vec<_> = part.iter().zip(&parameters[1..]).collect();
         let coefficient =

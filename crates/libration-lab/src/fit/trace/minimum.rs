@@ -49,7 +49,8 @@ impl Care {
     pub(super) const GROWTH: Self = Self { tolerance: 1e-3, ..Self::SEARCH };
 }
 
-/// The part beyond which a fit has failed: 0.2 and 0.8 ended alike. The motion of another pendulum leaves about one, or two if out of phase.
+/// Unexplained fraction of the scatter above which a fit has failed: 0.2 and 0.8 gave the same results. The motion of another pendulum leaves about
+/// one, or two if out of phase.
 pub(super) const HOPELESS: f64 = 0.5;
 
 /// The best parameters that a search has found.
@@ -64,7 +65,7 @@ pub struct Descent {
     /// Correlation of the data with the motion, in the worst part of a trace: the cosine of the phase between them.
     pub(super) least_correlation: f64,
     pub(super) converged: bool,
-    /// The rows at these parameters, where they are known.
+    /// The rows at these parameters, if they are known.
     rows: Option<Vec<Rows>>,
 }
 
@@ -86,7 +87,7 @@ impl Minimum {
         self.linearised.residuals.norm_squared()
     }
 
-    /// Returns the end of a descent that leaves this part of the scatter.
+    /// Returns the end of a descent with this unexplained fraction of the scatter.
     pub(super) fn to_descent(&self, unexplained: f64) -> Descent {
         let (parameters, sum_of_squares) = (self.parameters.clone(), self.sum_of_squares());
         let (converged, rows) = (self.converged, None);
@@ -179,17 +180,17 @@ pub(super) fn linearised(
 }
 
 impl Descent {
-    /// Returns whether the motion has lost the data: that of another pendulum leaves about all of their scatter.
+    /// Returns `true` if the motion has lost the data: that of another pendulum leaves about all of their scatter unexplained.
     pub(super) fn is_lost(&self) -> bool {
         self.unexplained > HOPELESS
     }
 
-    /// The refusal of data of which this part is unexplained.
+    /// The error for data with this unexplained fraction.
     pub(super) fn unexplained_data(&self) -> TraceFitError {
         TraceFitError::Unexplained { percent: 100.0 * self.unexplained }
     }
 
-    /// Returns whether it is known to leave only noise.
+    /// Returns `true` if the fit is known to leave only noise.
     pub(super) fn leaves_noise(&self) -> bool {
         let residuals = |rows: &Vec<Rows>| rows.iter().map(Rows::residuals).collect::<Vec<Vec<f64>>>();
         self.rows.as_ref().is_some_and(|rows| Autocorrelation::of_series(&residuals(rows)).is_noise())

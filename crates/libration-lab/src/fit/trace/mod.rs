@@ -107,7 +107,7 @@ pub fn fit_traces(
     check_explained(&fit).map(|()| fit)
 }
 
-/// Refuses a fit that leaves the greater part of the data unexplained.
+/// Refuses a fit that leaves more than half of the data unexplained.
 fn check_explained(fit: &TraceFit) -> Result<(), TraceFitError> {
     let percent = 100.0 * fit.unexplained;
     if fit.unexplained > minimum::HOPELESS { Err(TraceFitError::Unexplained { percent }) } else { Ok(()) }

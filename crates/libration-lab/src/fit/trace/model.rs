@@ -17,7 +17,7 @@ pub struct Model {
     free_scale: bool,
 }
 
-/// Residuals of the rows of one trace, with the derivatives with respect to the parameters that they depend on.
+/// Residuals of the rows of one trace, with the derivatives with respect to their parameters.
 #[derive(Clone, Debug)]
 pub struct Rows {
     /// Indices of these parameters among all.
@@ -118,7 +118,7 @@ impl Rows {
         stacked(&rows.iter().map(|rows| (&rows.places[..], &rows.matrix)).collect::<Vec<_>>(), free)
     }
 
-    /// Rows reduced to at most one more than there are parameters, with the same sum of squares and the same derivatives.
+    /// Rows reduced to at most one more than the number of parameters, with the same sum of squares and the same derivatives.
     pub fn few(rows: &[Self], free: &[usize]) -> Linearised {
         let few: Vec<DMatrix<f64>> = rows.iter().map(|rows| triangle(&rows.matrix)).collect();
         let parts = rows.iter().zip(&few).map(|(rows, few)| (&rows.places[..], few));

@@ -74,7 +74,7 @@ pub(super) fn effects(traces: &[Trace], problem: &Response) -> Vec<Effect> {
     (0..response.nrows()).map(effect).collect()
 }
 
-/// Averages the logarithms of the inflation under each noise. Those of a variance with ν degrees of freedom scatter by √(2/ν).
+/// Averages the logarithms of the inflation for each kind of noise. Those of a variance with ν degrees of freedom scatter by √(2/ν).
 pub fn mean_effect(logarithms: &[f64], weights: &[f64], degrees: f64) -> Effect {
     let total: f64 = weights.iter().sum();
     let mean_of = |value: &dyn Fn(f64) -> f64| {

@@ -1,5 +1,4 @@
-//! Uncertainty by a pivot that was fitted to positions: where it is wrong all angles about it are wrong together, which no
-//! residual shows.
+//! Uncertainty caused by a fitted pivot, whose error is common to all angles about it and does not show in the residuals.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -25,7 +24,7 @@ pub(super) fn covariance(traces: &[Trace], minimum: &Minimum, response: &DMatrix
     sum
 }
 
-/// The changes of all rows in one of the errors of a pivot, times their weights.
+/// The changes of all rows by one of the errors of a pivot, times their weights.
 fn weighted(traces: &[Trace], minimum: &Minimum, pivot: &FittedPivot, error: usize) -> DVector<f64> {
     let of_trace = |(trace, weights): (&Trace, &[f64])| match trace.fitted_pivot() {
         Some(own) if own.is_shared_with(pivot) => {

@@ -27,8 +27,8 @@ pub struct Problem<'a> {
     pub cycles: f64,
 }
 
-/// Evaluations for each parameter of a search that may have to go far, as MINPACK counts them: of 24 recordings (`search.rs`) all but
-/// one that no model describes ended alike with 10 and with 60.
+/// Evaluations for each parameter of a long search, counted as in MINPACK: of 24 recordings (`search.rs`) all but one that no model describes gave
+/// the same results with 10 and with 60.
 pub const PATIENCE: usize = 30;
 /// Evaluations of a search that begins near a known minimum: with 1, 3 and 30 the parameters of 21 fits moved by less than 2e-6 of their
 /// uncertainties.
@@ -38,8 +38,8 @@ const ROBUST_ROUNDS: usize = 30;
 /// Largest negligible relative change of the sum of squares: with 1e-6 they ended alike.
 const SETTLED: f64 = 1e-8;
 
-/// A linear model errs by the square of its step: a predicted decrease of a hundredth is wrong by far less, and the ends of intervals by
-/// less than a thousandth of a deviation.
+/// Relative decrease of the sum below which the model is taken as linear: its error is of the order of the square of the step, so that a predicted
+/// decrease of a hundredth is wrong by far less, and the ends of intervals by less than a thousandth of a deviation.
 const SMALL_PART: f64 = 0.01;
 
 impl<'a> Problem<'a> {
@@ -115,7 +115,7 @@ impl<'a> Problem<'a> {
         self.descent_over(self.cycles, start, watch)
     }
 
-    /// Describes some parameters by enough rows of all traces, as the end of a descent.
+    /// Describes given parameters as the end of a descent, by enough rows of all traces.
     pub(super) fn without_descent(
         &self,
         parameters: Vec<f64>,
@@ -137,8 +137,8 @@ impl<'a> Problem<'a> {
         descent(&self.model, &series::of_search(self.data, &rows, &stated, cycles), start, watch)
     }
 
-    /// The least sum of squares next to some parameters with these free, at the weights of a minimum with this sum. Where the decrease is
-    /// a small part of the sum's difference from that minimum, the model is taken as linear.
+    /// The least sum of squares next to given parameters with these free, with the weights of a minimum with this sum. If the decrease is a small
+    /// fraction of the difference of the sum from that minimum, the model is taken as linear.
     pub fn sum_beside(
         &self,
         weights: &Weights,
@@ -170,7 +170,7 @@ impl<'a> Problem<'a> {
         Ok(Minimum { parameters, linearised, weights, converged })
     }
 
-    /// The part of the scatter of the data that remains at a minimum.
+    /// The fraction of the scatter of the data that a minimum leaves unexplained.
     pub(super) fn unexplained(&self, minimum: &Minimum) -> f64 {
         minimum.sum_of_squares() / series::scatter(&series::whole(self.data, &minimum.weights))
     }

@@ -75,7 +75,7 @@ struct Profile<'a> {
 }
 
 impl Profile<'_> {
-    /// The value at this number of standard deviations; as if the model were linear where the profile does not reach so far.
+    /// The value at this number of standard deviations; by the linear approximation if the profile does not reach so far.
     fn end(&self, deviations: f64, uncertainty: f64, watch: &Watch<'_>) -> Result<f64, TraceFitError> {
         let centre = self.minimum.parameters[self.free[self.place]];
         let mut distance = deviations * uncertainty;
@@ -95,7 +95,7 @@ impl Profile<'_> {
     }
 
     /// Number of standard deviations by which the data contradict a value at this distance. The other parameters start at the values
-    /// that they would have if the model were linear.
+    /// of the linear approximation.
     fn deviations(&self, distance: f64, watch: &Watch<'_>) -> Result<f64, TraceFitError> {
         let mut parameters = self.minimum.parameters.clone();
         let variance = self.covariance[(self.place, self.place)];

@@ -1,4 +1,4 @@
-//! Numbers that look random, the same ones each time.
+//! Pseudo-random numbers, the same in each run.
 
 /// The generator of S. Vigna and others, `SplitMix64` (doi:10.1145/2660193.2660195).
 #[derive(Clone, Debug)]

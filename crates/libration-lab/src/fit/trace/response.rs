@@ -8,8 +8,8 @@ use crate::measurement::Trace;
 use crate::statistics::levenberg_marquardt::Linearised;
 use crate::statistics::{Design, Undetermined};
 
-/// Derivatives of the motion are integrated to 1e-12, so that errors of that size, accumulated by an order of magnitude
-/// during the integration, remain of a column that the others span.
+/// Tolerance for a column that the others span: derivatives of the motion are integrated to 1e-12, and such errors,
+/// accumulated by an order of magnitude during the integration, remain of it.
 const EXACTNESS: f64 = 1e-11;
 
 /// A problem of least squares at its minimum, in which parameters respond linearly to residuals.
@@ -25,8 +25,8 @@ impl Response {
         Self::with(minimum.linearised.clone(), parameters)
     }
 
-    /// Computes the response of the problem that a robust one approaches for many rows: outliers are bounded there, and their rows have full
-    /// weight, so that the noise is the same in all.
+    /// Computes the response of the bounded least squares problem, which equals the robust one for many rows: outliers are bounded, and their rows
+    /// have full weight, so that the noise is the same in all.
     pub(super) fn without_weights(
         minimum: &Minimum,
         traces: &[Trace],

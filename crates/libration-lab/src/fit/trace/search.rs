@@ -16,39 +16,41 @@ use super::problem::{PATIENCE, Problem};
 struct Growth {
     /// First number of cycles. With 0.75 to 3 all ended alike but one near the top, lost with 0.75; with 6 six were lost.
     first: f64,
-    /// Ratio of successive numbers. With 1.5 all ended alike; with 4 two were lost, the release at 180° and the one that begins over the top.
+    /// Ratio of successive lengths. With 1.5 all gave the same results; with 4 two were lost, the release at 180° and the one that begins over the
+    /// top.
     factor: f64,
-    /// Number of cycles from which on damping is fitted: with damping from the first cycle on one near the top was lost, from 5.9 on the one
-    /// that begins over the top, and one more where damping is fitted to the whole trace only.
+    /// Number of cycles above which damping is fitted: with damping from the first cycle on one near the top was lost, from 5.9 on the one that
+    /// begins over the top, and one more if damping is fitted to the whole trace only.
     damped_from: f64,
 }
 
-/// A quick search, and a careful one: near the top a little damping decides whether the pendulum goes over it. Without the careful one the release
-/// at 179.5° was lost; with 0.4 to 1.5 cycles, factors of 1.15 to 1.7 and damping from 2.9 on it ended alike.
+/// A quick search, and a careful one: near the top a small damping decides whether the pendulum goes over it. Without the careful one the release
+/// at 179.5° was lost; with 0.4 to 1.5 cycles, factors of 1.15 to 1.7 and damping from 2.9 on the results were the same.
 const QUICK: Growth = Growth { first: 1.5, factor: 2.0, damped_from: 2.9 };
 const CAREFUL: Growth = Growth { first: 0.75, factor: 1.3, damped_from: 0.0 };
 /// Evaluations for each parameter during the growth, as MINPACK counts them: 4 and 20 ended alike.
 const PATIENCE_GROWING: usize = 10;
-/// Cycles from which on all kinds of damping are fitted at once: 5.9, 23.9 and 1000 ended alike; with all from the first cycle
-/// on the two angular velocities were lost.
+/// Cycles above which all kinds of damping are fitted at once: 5.9, 23.9 and 1000 gave the same results; with all from the
+/// first cycle on the two angular velocities were lost.
 const CYCLES_OF_ALL_DAMPING: f64 = 11.9;
-/// A search that has followed the data for more cycles than this is not lost where it fails later on: the model fails. With 10⁶ all
-/// ended alike; a model that is wrong is then tried twice.
+/// Number of cycles after which a failure is one of the model and not of the search. With 10⁶ the results were the same; a wrong model is then
+/// tried twice.
 const CYCLES_OF_SEARCH: f64 = 5.0;
-/// The part of the scatter of the data that a successful fit leaves at most: 0.0005 and 0.05 ended alike. A right model leaves
-/// more where noise is above a twentieth of the signal, and is then tried twice.
+/// Largest unexplained fraction of the scatter after a successful fit: 0.0005 and 0.05 gave the same results. A right model
+/// leaves more if noise is above a twentieth of the signal, and is then tried twice.
 const GOOD: f64 = 0.0025;
 
-/// Number of times that a trace may be longer than the part in which the motion has lost it, for a descent over the whole: farther on they are out of
-/// phase, and a sum of squares over hundreds of cycles has a minimum for each cycle that is lost.
+/// Largest ratio of a trace to the part in which the motion loses it, for a descent over the whole: farther on they are out of phase, and a sum of
+/// squares over hundreds of cycles has a minimum for each cycle that is lost.
 const FAR: f64 = 16.0;
 
-/// A motion whose phase is less than an eighth of a turn from that of the data in all parts of a trace has lost no cycle.
+/// Least correlation, the cosine of the phase between motion and data, in all parts of a trace: with a difference below an eighth of a turn no
+/// cycle is lost.
 const IN_PHASE: f64 = 0.7;
 /// Relative difference of sums of squares below which two searches have led to the same minimum.
 const ALIKE: f64 = 1e-3;
 
-/// The end of a search, and the number of cycles after which the model could no longer follow the data.
+/// The end of a search, and the number of cycles after which the model no longer followed the data.
 struct Followed {
     end: Descent,
     until: Option<f64>,
@@ -72,8 +74,8 @@ pub fn from_scratch(
     }
 }
 
-/// Returns whether the search failed. The model has failed instead where it describes the beginning and fails later on; the search has succeeded
-/// where the motion is in phase with all parts of the data, or where another search leads to the same end.
+/// Returns `true` if the search failed. It is the model that failed if it describes the beginning and fails later on; the search succeeded if the
+/// motion is in phase with all parts of the data, or if another search leads to the same end.
 fn is_lost(found: &Followed, known: Option<&Descent>) -> bool {
     found.end.unexplained > GOOD
         && found.end.least_correlation < IN_PHASE
@@ -81,13 +83,12 @@ fn is_lost(found: &Followed, known: Option<&Descent>) -> bool {
         && !known.is_some_and(|known| are_alike(known, &found.end))
 }
 
-/// Returns whether two searches have led to the same minimum, in which the motion is in phase.
+/// Returns `true` if two searches have led to the same minimum, in which the motion is in phase.
 pub(super) fn are_alike(one: &Descent, other: &Descent) -> bool {
     !one.is_lost() && (one.sum_of_squares / other.sum_of_squares - 1.0).abs() < ALIKE
 }
 
-/// Evaluations for each parameter of the last descent, for which there is little reason where the search has lost the data, and none where it has
-/// not converged either.
+/// Evaluations for each parameter of the last descent: few if the search has lost the data, and none if it has not converged either.
 pub(super) fn patience(end: &Descent) -> usize {
     match end.is_lost() {
         true if !end.converged => 1,
@@ -126,7 +127,7 @@ fn grown(
     Ok(Followed { end, until: None })
 }
 
-/// The parameters that this number of cycles determines: in few of them one kind of damping is as good as another.
+/// The parameters that this number of cycles determines: in few of them the kinds of damping cannot be distinguished.
 fn free_within(layout: Layout, cycles: f64, growth: &Growth) -> Vec<usize> {
     let damping = layout.coefficients();
     let is_free = |place: &usize| match damping.contains(place) {

@@ -24,10 +24,10 @@ pub struct Series<'a> {
 const ROWS_OF_A_SEARCH: f64 = 64.0;
 
 impl Series<'_> {
-    /// The least coefficient of correlation between the values and those of the fit, over some parts of the rows. It depends not on
-    /// the amplitude, but on the phase: it is its cosine.
+    /// The least correlation coefficient between the values and those of the fit, over parts of the rows. It does not depend on the
+    /// amplitude: it is the cosine of the phase difference.
     pub fn least_correlation(&self, residuals: &[f64]) -> f64 {
-        /// Number of parts: a motion that loses a cycle is out of phase for a good part of the trace before.
+        /// Number of parts: a motion that loses a cycle is out of phase for much of the trace before.
         const PARTS: usize = 10;
         let rows = (residuals.len() / PARTS).max(1);
         let missed = residuals.iter().zip(self.weights.iter()).map(|(residual, weight)| residual / weight);
@@ -71,7 +71,7 @@ pub(super) fn scatter(series: &[Series<'_>]) -> f64 {
     series.iter().map(of_one).sum()
 }
 
-/// Every n-th of the first rows of each trace, so that about `wanted` are left and not fewer.
+/// Every n-th of the first rows of each trace, so that at least about `wanted` are left.
 fn thinned<'a>(data: Data<'a>, rows: &[usize], weights: &'a Weights, wanted: f64) -> Vec<Series<'a>> {
     let every = |rows: usize| (1..).take_while(|&n| count(rows / n) >= wanted).last().unwrap_or(1);
     let one = |((trace, weights), &rows): ((&'a Trace, &'a [f64]), &usize)| {

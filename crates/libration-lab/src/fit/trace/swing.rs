@@ -47,12 +47,12 @@ pub struct Course<'a> {
 pub struct Seen {
     /// The angle, or the angular velocity.
     pub values: Vec<f64>,
-    /// Its derivatives by ω0, the coefficients, the first angle and the first velocity.
+    /// The derivatives with respect to ω0, the coefficients, the first angle and the first velocity.
     pub derivatives: Vec<Vec<f64>>,
 }
 
-/// With relative errors of 1e-9 and 1e-14, absolute ones of 1e-10, and 2000 steps no parameter of 21 fits moved by 1e-6 of its uncertainty;
-/// the residuals of exact data are then 1e-12, and so is what can be tested.
+/// Tolerances of the final motions. With relative errors of 1e-9 and 1e-14, absolute ones of 1e-10, and 2000 steps no parameter of 21 fits moved by
+/// 1e-6 of its uncertainty; the residuals of exact data are then 1e-12, which limits the tests.
 pub const EXACT: Effort = Effort { relative: 1e-12, absolute: 1e-15, most_steps: 20_000 };
 /// Tolerances for intermediate results.
 pub(super) const ROUGH: Effort = Effort { relative: 1e-9, absolute: 1e-12, ..EXACT };
@@ -68,7 +68,7 @@ impl Swing {
         Self { system, terms }
     }
 
-    /// Computes the motions, each bit for bit as it is alone; `None` where one of them cannot be integrated.
+    /// Computes the motions, each equal bit for bit to that computed alone; `None` if one of them cannot be integrated.
     pub fn seen(&self, courses: &[Course<'_>], effort: &Effort) -> Option<Vec<Seen>> {
         let ways = courses.iter().map(|course| Way::new(self, course));
         let mut ways = ways.collect::<Option<Vec<Way<'_>>>>()?;
@@ -86,7 +86,7 @@ impl Swing {
         None
     }
 
-    /// Integrates all motions to their ends, or to where they turn.
+    /// Integrates all motions to their ends, or to their next turning points.
     fn legs(&self, ways: &mut [&mut Way<'_>], effort: &Effort) -> Vec<Result<Solution, IntegrationError>> {
         let trajectories: Vec<Trajectory<'_>> = ways.iter().map(|way| way.trajectory()).collect();
         let mut take = |number: usize, step: &Step<'_>| {
@@ -116,13 +116,13 @@ struct Way<'a> {
     flow: [f64; 2],
     /// The size of both.
     speed: f64,
-    /// The angle, the velocity, and the deviations of the measured quantity, at all times before the next.
+    /// The angle, the velocity, and the deviations of the measured quantity, at all times before the next one.
     columns: Vec<Vec<f64>>,
     next: usize,
 }
 
 impl<'a> Way<'a> {
-    /// Prepares a motion; `None` where it is at rest and so has no direction.
+    /// Prepares a motion; `None` if it is at rest and so has no direction.
     fn new(swing: &'a Swing, course: &'a Course<'a>) -> Option<Self> {
         let (omega0, [angle, velocity]) = (course.omega0, course.start);
         let flow = [velocity, swing.acceleration(course, angle, velocity) / omega0];
@@ -282,7 +282,7 @@ impl Swing {
         all.find(|(term, _)| *term == kind).map_or(0.0, |(_, &value)| value)
     }
 
-    /// Angular acceleration; for a state at rest that of its release, or zero where it stays.
+    /// Angular acceleration; for a state at rest that of its release, or zero if friction holds it.
     fn acceleration(&self, course: &Course<'_>, angle: f64, velocity: f64) -> f64 {
         let gravity = -course.omega0 * course.omega0 * libm::sin(angle);
         let [dry, linear, quadratic] = [DampingKind::Dry, DampingKind::Linear, DampingKind::Quadratic]
@@ -295,8 +295,8 @@ impl Swing {
     }
 }
 
-/// Time and angle of the next turning point of a pendulum with this damping, from this angle and velocity at zero time; `None` where
-/// it does not turn within that time, or cannot be integrated.
+/// Time and angle of the next turning point of a pendulum with this damping, from this angle and velocity at time zero; `None` if it does not turn
+/// within that time, or cannot be integrated.
 pub(super) fn turning_point(
     terms: DampingModel,
     omega0: f64,
@@ -313,7 +313,7 @@ pub(super) fn turning_point(
     solution.events.iter().find(|event| is_turn(event)).map(|turn| [turn.time, turn.state[0]])
 }
 
-/// Returns whether the velocity changes its sign: it may be zero at the start, or touch zero where friction stops the motion.
+/// Returns `true` if the velocity changes its sign: it may be zero at the start, or touch zero where friction stops the motion.
 fn is_turn(event: &Occurrence) -> bool {
     matches!(event.contact, Contact::Rising | Contact::Falling)
 }

@@ -23,8 +23,8 @@ pub fn add(parameters: &mut [Parameter], correlations: &mut [Vec<f64>], covarian
     }
 }
 
-/// Adds an error of this standard deviation, which is known as if by infinitely many degrees of freedom: those of the sum are
-/// Welch's and Satterthwaite's (Guide to the Expression of Uncertainty in Measurement, G.4.1).
+/// Adds an error of this standard deviation, with infinitely many degrees of freedom: those of the sum are Welch's and
+/// Satterthwaite's (Guide to the Expression of Uncertainty in Measurement, G.4.1).
 fn widen(parameter: &mut Parameter, deviation: f64) {
     if deviation <= 0.0 {
         return;

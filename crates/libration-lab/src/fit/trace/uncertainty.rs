@@ -91,7 +91,7 @@ fn described(problem: &Problem<'_>, minimum: &Minimum) -> Vec<Parameter> {
     problem.model.free().into_iter().map(one).collect()
 }
 
-/// Computes uncertainties and intervals from the formal ones: by the noise, and by the block bootstrap if that gives more.
+/// Computes uncertainties and intervals from the formal ones: by the noise, and by the block bootstrap if it gives larger ones.
 fn heed_noise(parameters: &mut [Parameter], traces: &[Trace], response: &Response, block: Option<usize>) {
     let lengths: Vec<usize> = traces.iter().map(Trace::len).collect();
     let residuals = &response.linearised.residuals;

@@ -44,7 +44,7 @@ struct Estimate {
     misfit: f64,
 }
 
-/// Computes the start, by windows of the length at which the equation holds best; `None` where it holds at none.
+/// Computes the start, by windows of the length at which the equation holds best; `None` if it holds at none.
 pub(super) fn beginning(trace: &Trace) -> Option<Beginning> {
     let times = trace.times();
     let (angles, bias) = match trace.observable() {
@@ -67,7 +67,7 @@ pub(super) fn beginning(trace: &Trace) -> Option<Beginning> {
 const LEAST_WINDOWS: usize = 12;
 
 /// Tries window lengths from a few samples to the whole trace: in short ones noise prevails, in long ones φ averages
-/// everything away.
+/// the signal away.
 fn best_estimate(times: &[f64], angles: &[f64]) -> Option<Estimate> {
     let span = times.last()? - times.first()?;
     let interval = median(times.windows(2).map(|pair| pair[1] - pair[0]).collect())?;

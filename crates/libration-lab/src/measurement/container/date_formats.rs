@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-/// The formats of numbers that the styles of a workbook have, in order, and which of them show dates.
+/// The number formats in the styles of a workbook, in order; `true` for those of dates.
 #[derive(Clone, Debug, Default)]
 pub(super) struct DateFormats {
     styles: Vec<u16>,
@@ -22,7 +22,7 @@ impl DateFormats {
         self.styles.push(format);
     }
 
-    /// Returns whether cells of this style show dates or times of day.
+    /// Returns `true` if cells of this style show dates or times of day.
     pub(super) fn is_date(&self, style: u16) -> bool {
         let format = self.styles.get(usize::from(style)).copied().unwrap_or(0);
         // The formats that need not be written in the file.

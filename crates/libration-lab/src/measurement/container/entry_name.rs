@@ -3,7 +3,7 @@
 use rawzip::ZipFileHeaderRecord;
 use rawzip::extra_fields::ExtraFieldId;
 
-/// The upper half of the code page 437, in which names stand that are not in UTF-8.
+/// The upper half of the code page 437, in which names are encoded that are not in UTF-8.
 const UPPER_HALF: &str = "ÇüéâäàåçêëèïîìÄÅÉæÆôöòûùÿÖÜ¢£¥₧ƒáíóúñÑªº¿⌐¬½¼¡«»░▒▓│┤╡╢╖╕╣║╗╝╜╛┐└┴┬├─┼╞╟╚╔╩╦╠═╬╧╨╤╥╙╘╒╓╫╪┘┌█▄▌▐▀αßΓπΣσµτΦΘΩδ∞φε∩≡±≥≤⌠⌡÷≈°∙·√ⁿ²■\u{a0}";
 
 /// The name with its folders. A second name in Unicode takes precedence over one of a code page.
@@ -17,7 +17,7 @@ pub(super) fn entry_name(entry: &ZipFileHeaderRecord<'_>) -> String {
     }
 }
 
-/// The name in a field of version 1 that belongs to this other name, by the checksum of that.
+/// The name in a field of version 1 that belongs to this other name, by its checksum.
 fn unicode_path<'a>(field: &'a [u8], name: &[u8]) -> Option<&'a str> {
     let [1, checksum @ ..] = field else { return None };
     let (checksum, path) = checksum.split_first_chunk()?;

@@ -36,8 +36,8 @@ impl Grid {
         if size > self.limit { Err(MeasurementError::TooLarge { size, limit: self.limit }) } else { Ok(()) }
     }
 
-    /// The text, with points for decimal commas unless all may be marks of thousands; a cell that was added twice is what it was first. Files leave out blank cells: rows that begin with a number are all as long as
-    /// the longest of them.
+    /// The text, with points for decimal commas unless all may be marks of thousands; of a cell that was added twice the first value counts. Files
+    /// omit blank cells: rows that begin with a number are extended to the length of the longest of them.
     pub fn into_text(mut self) -> Result<String, MeasurementError> {
         self.cells.sort_by_key(|(row, column, _)| (*row, *column));
         self.cells.dedup_by_key(|(row, column, _)| (*row, *column));
@@ -77,7 +77,7 @@ impl Grid {
     }
 }
 
-/// Returns whether a text is a number with a decimal comma, perhaps with a unit or an uncertainty.
+/// Returns `true` if a text is a number with a decimal comma, perhaps with a unit or an uncertainty.
 fn has_decimal_comma(text: &str) -> bool {
     let is_number = |mark| Cell::parse(text, mark).is_number() || Written::parse(text, mark).is_some();
     text.contains(',') && is_number(DecimalMark::Comma)

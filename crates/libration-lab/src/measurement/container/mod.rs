@@ -34,7 +34,7 @@ pub enum Format {
 pub(super) struct Page<'a> {
     pub(super) name: String,
     pub(super) text: Cow<'a, str>,
-    /// Known where the text was made from the cells of a workbook.
+    /// The dialect, if the text was made from the cells of a workbook.
     pub(super) dialect: Option<Dialect>,
 }
 
@@ -45,7 +45,7 @@ impl Page<'static> {
     }
 }
 
-/// The tables of a file; what they hold together is within the limit of bytes.
+/// The tables of a file, whose total size is limited.
 pub(super) fn pages(bytes: &[u8], limit: usize) -> Result<(Format, Vec<Page<'_>>), MeasurementError> {
     if bytes.len() > limit {
         return Err(MeasurementError::TooLarge { size: bytes.len(), limit });

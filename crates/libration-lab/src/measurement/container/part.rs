@@ -1,6 +1,6 @@
 //! A file of an archive, unpacked.
 
-/// Its name, with folders, and what it holds.
+/// Its name, with folders, and its contents.
 pub(super) struct Part {
     pub(super) name: String,
     pub(super) bytes: Vec<u8>,

@@ -1,7 +1,7 @@
 //! A ZIP archive → its files, unpacked and checked.
 //!
-//! Sizes are counted and not believed: what is written in the archive may be wrong. The directory at its end says which files there are
-//! and where; files that share bytes, with each other or with the directory, are refused.
+//! Sizes are counted, since those stated in the archive may be wrong. The directory at its end lists the files with their positions; files that
+//! share bytes, with each other or with the directory, are refused.
 
 use miniz_oxide::inflate::{TINFLStatus, decompress_to_vec_with_limit};
 use rawzip::{CompressionMethod, ZipArchive, ZipFileHeaderRecord, ZipSliceArchive, ZipVerification, crc32};
@@ -50,7 +50,7 @@ fn entries<'a>(
     Ok(entries)
 }
 
-/// Refuses files that share bytes: a small archive of such ones unpacks to far too much.
+/// Refuses files that share bytes: a small archive of them would unpack to far too much.
 fn check_places(
     archive: &ZipSliceArchive<&[u8]>,
     entries: &[ZipFileHeaderRecord<'_>],
@@ -69,7 +69,7 @@ fn check_places(
     Ok(())
 }
 
-/// The bytes of a file, with the checksum that the directory says; a byte more than there is room for where they are more.
+/// The bytes of a file, compared with the checksum in the directory; one byte more than the room if there are more.
 fn unpacked(
     archive: &ZipSliceArchive<&[u8]>,
     entry: &ZipFileHeaderRecord<'_>,

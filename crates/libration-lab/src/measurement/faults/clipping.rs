@@ -1,4 +1,4 @@
-//! Values that stay the same where the motion does not: stuck on the way, or cut off at the ends of the scale.
+//! Values that stay constant while the motion goes on: stuck, or clipped at the ends of the scale.
 
 use super::steps::smallest_step;
 use crate::statistics::count;
@@ -6,7 +6,7 @@ use crate::statistics::count;
 /// Rows with one value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plateau {
-    /// Its first row.
+    /// The first row.
     pub first: usize,
     /// Number of rows.
     pub rows: usize,
@@ -14,11 +14,11 @@ pub struct Plateau {
     pub value: f64,
 }
 
-/// A run at a turning point leaves its value by no more than three steps of the scale: with r ≥ 3 rows within
-/// one step of the top of a parabola the next row is (1 + 2/r)² < 3 steps below it.
+/// Largest change, in steps of the scale, after a run of equal values at a turning point, with a margin: if r
+/// ≥ 3 rows are within one step of the top of a parabola, the next row is (1 + 2/r)² < 3 steps below it.
 const STEPS_BESIDE_A_TURN: f64 = 5.0;
 
-/// Difference of two values, in standard deviations of one, that their errors exceed once in 6e7 times.
+/// Difference of two values, in standard deviations of one, that errors exceed once in 6e7 times.
 const BEYOND_CHANCE: f64 = 8.0;
 
 /// Runs that a steady motion from the value before to the value after would have left, by more than steps of the scale and

@@ -1,4 +1,4 @@
-//! Spacing of the times: the usual interval, the grid they are on, gaps, and the effect of rounding.
+//! Spacing of the times: the usual interval, the grid, gaps, and the effect of rounding.
 
 use super::even_times::EvenTimes;
 use super::grid::Grid;
@@ -11,14 +11,14 @@ use crate::statistics::{count, lower_median, mean, root_mean_square};
 pub struct Clock {
     /// The usual interval between two rows.
     pub interval: f64,
-    /// The decimal step all times are written in, such as 0.001; none where there is none down to 1e-9.
+    /// The decimal step of all times, such as 0.001; `None` if there is none down to 1e-9.
     pub resolution: Option<f64>,
     /// Number of significant digits with which all times are written, where these limit them: the steps of rounding then grow with the times.
     pub significant_digits: Option<usize>,
     /// `true` if the times are written so coarsely that rows share them.
     pub shares_times: bool,
-    /// Even times which differ from those written by no more than two steps of their rounding, where there are such
-    /// and the times are not even already.
+    /// Equally spaced times that differ from those written by at most two steps of their rounding, if there are any
+    /// and the times are not equally spaced already.
     pub grid: Option<Grid>,
     /// The root mean square deviation of the intervals from the usual one, gaps aside.
     pub jitter: f64,
@@ -43,14 +43,14 @@ pub struct Gap {
 /// ones, with missing rows, uneven clocks, rounded times, outliers, and rows out of order. With 1.4 clocks that are uneven by a sixth had
 /// gaps, with 1.2 frames rounded to a third of their interval too; with 2.2 single rows that were missing were not.
 const GAP: f64 = 1.6;
-/// The same where the intervals vary by themselves. With 3 and 4 intervals that scatter like those of a phone, exponentially, had 18 and 8
-/// gaps that are none, with 5 two; with 10 eight missing rows were not seen.
+/// Intervals, in usual ones, above which there is a gap if the intervals vary. With 3 and 4 intervals that scatter like those of a phone,
+/// exponentially, had 18 and 8 false gaps, with 5 two; with 10 eight missing rows were not detected.
 const GAP_OF_UNEVEN_CLOCK: f64 = 5.0;
-/// A clock whose intervals vary by more than this part of them is uneven. With 0.1 and 0.15 nothing changed; with 0.3 two more had gaps that
-/// are none, and that phone a hundred.
+/// Relative variation of the intervals above which a clock is uneven. With 0.1 and 0.15 nothing changed; with 0.3 two more had false gaps, and that
+/// phone a hundred.
 const UNEVEN: f64 = 0.2;
-/// Rounding below this part of the interval is not worth a word: as an error it is 0.3 % of what a row moves. With 0.03 and 0.1 three and
-/// eight recordings, two of them by cameras, were no longer taken to be even; with 0.003 one more was, of times with five digits.
+/// Rounding relative to the interval below which it is not reported: as an error it is 0.3 % of the change in a row. With 0.03 and 0.1 three and
+/// eight recordings, two of them by cameras, were no longer taken as equally spaced; with 0.003 one more was, of times with five digits.
 const NEGLIGIBLE_ROUNDING: f64 = 0.01;
 
 impl Clock {
@@ -90,7 +90,7 @@ impl Clock {
         Some(Self { interval, grid, gaps, ..clock })
     }
 
-    /// Returns whether the intervals vary, and not by rounding.
+    /// Returns `true` if the intervals vary, and not by rounding.
     #[must_use]
     pub fn is_uneven(&self) -> bool {
         // What a reader is told. A twentieth of the interval is some millimetres of the path of a bob at 30 rows in a second.
@@ -122,15 +122,15 @@ fn usual_interval(times: &[f64]) -> Option<f64> {
     Some(mean(intervals(times).filter(near))).filter(|length| length.is_finite())
 }
 
-/// The decimal step of which all times are multiples, up to the rounding of their own.
+/// The decimal step of which all times are multiples, up to the rounding of their binary values.
 fn resolution(times: &[f64]) -> Option<f64> {
     let steps = (0..=9).map(|places| 10_u32.pow(places)).map(f64::from);
     let is_whole = |value: f64| (value - value.round()).abs() <= 1e-9 + 4.0 * f64::EPSILON * value.abs();
     steps.into_iter().find(|scale| times.iter().all(|time| is_whole(time * scale))).map(|scale| 1.0 / scale)
 }
 
-/// The grid of times with a given number of significant digits: one step per row, or with gaps where early times, whose rounding is finer
-/// than the interval, show gaps.
+/// The grid of times with a given number of significant digits: one step per row, or with gaps if early times, whose rounding is finer than the
+/// interval, show gaps.
 fn grid_of_digits(times: &[f64], digits: SignificantDigits, interval: f64) -> Option<Grid> {
     let half_steps: Vec<f64> = times
         .iter()
@@ -157,7 +157,7 @@ fn grid_of_digits(times: &[f64], digits: SignificantDigits, interval: f64) -> Op
     (grid.rms_deviation > NEGLIGIBLE_ROUNDING * grid.interval).then_some(grid)
 }
 
-/// Gaps in the places of a grid.
+/// Gaps in the positions of a grid.
 fn missing(grid: &Grid) -> Vec<Gap> {
     let steps = grid.numbers.windows(2).map(|pair| pair[1].saturating_sub(pair[0])).enumerate();
     let gap = |(after, steps): (usize, usize)| Gap {
@@ -168,8 +168,8 @@ fn missing(grid: &Grid) -> Vec<Gap> {
     steps.filter(|(_, steps)| *steps > 1).map(gap).collect()
 }
 
-/// The grid with gaps where intervals are several usual ones; the length of gaps needs a good interval, so that
-/// it is first found from the stretches between them.
+/// The grid with gaps where intervals are several usual ones; the length of gaps needs an accurate interval,
+/// which is first found from the stretches between them.
 fn grid_of_increasing(times: &[f64], kept: &[usize], interval: f64, resolution: Option<f64>) -> Option<Grid> {
     let increasing: Vec<f64> = kept.iter().map(|&row| times[row]).collect();
     let better = slope_between_gaps(&increasing, interval);

@@ -8,11 +8,11 @@
 use super::Grid;
 use crate::statistics::{count, root_mean_square};
 
-/// Times that went through another rounding before are off by a little more than half a step. With 0 times of two digits had no even
-/// ones behind them; with 0.1 their interval was seven times less certain.
+/// Additional error of times that have been rounded twice, in steps. With 0 times of two digits had no equally spaced ones; with 0.1 their interval
+/// was seven times less certain.
 const TWICE_ROUNDED: f64 = 0.01;
 
-/// Even times, and how well their interval is known. In seconds.
+/// Equally spaced times, and the uncertainty of their interval, in seconds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EvenTimes {
     pub(super) first: f64,
@@ -23,7 +23,7 @@ pub struct EvenTimes {
 }
 
 impl EvenTimes {
-    /// The even times within these half steps of the times at these places, if there are any.
+    /// Equally spaced times within these half steps of the times at these positions, if there are any.
     pub fn through(times: &[f64], places: &[usize], half_steps: &[f64]) -> Option<Self> {
         let (first, last) = (*times.first()?, *times.last()?);
         let span = count(*places.last()?);
@@ -50,7 +50,7 @@ impl EvenTimes {
         })
     }
 
-    /// The grid, with how far the times as written are off.
+    /// The grid, with the errors of the times as written.
     pub(super) fn grid(self, times: &[f64], places: &[usize]) -> Grid {
         let Self { first, interval, interval_uncertainty } = self;
         let errors =

@@ -1,13 +1,13 @@
-//! Even times.
+//! Equally spaced times.
 
 use crate::statistics::count;
 
-/// Even times: `first + interval·numbers[row]`.
+/// Equally spaced times: `first + interval·numbers[row]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Grid {
-    /// In seconds.
+    /// The first time, in seconds.
     pub first: f64,
-    /// In seconds.
+    /// The interval, in seconds.
     pub interval: f64,
     /// The standard uncertainty of the interval, from the rounding.
     pub interval_uncertainty: f64,
@@ -15,7 +15,7 @@ pub struct Grid {
     pub rms_deviation: f64,
     /// The largest difference, in seconds.
     pub largest_deviation: f64,
-    /// The place of each row on the grid, rows out of order included where their time falls.
+    /// The position of each row on the grid, including rows out of order.
     pub numbers: Vec<usize>,
 }
 

@@ -1,4 +1,4 @@
-//! Faults of instruments in a column of times and values, found before anything is fitted.
+//! Faults of instruments in a column of times and values, detected before any fit.
 //!
 //! Nothing is repaired in silence: each fault is a list of rows, counted from zero, and a sentence for people.
 //! Rows whose time is not after the one before are to be left out ([`Faults::left_out`]), since a trace needs
@@ -34,21 +34,21 @@ pub use grid::Grid;
 pub struct Faults {
     /// Rows with the time of the row before.
     pub repeated: Vec<usize>,
-    /// Rows whose times go backwards, the fewest without which all times increase.
+    /// Rows whose times go backwards: the smallest set without which all times increase.
     pub out_of_order: Vec<usize>,
-    /// Rows at which the times begin anew: several runs in one table. Everything below is of the first run.
+    /// Rows at which the times begin again: several runs in one table. All other faults are those of the first run.
     pub restarts: Vec<usize>,
     /// Spacing of the times; `None` for fewer than three rows.
     pub clock: Option<Clock>,
     /// Root mean square error of the values from the rounding of the times, in their unit.
     pub rounding_noise: Option<f64>,
-    /// Values that stay the same while the motion goes on: frames shown twice, a sensor that hangs.
+    /// Values that stay constant while the motion goes on: repeated frames, a sensor that hangs.
     pub stuck: Vec<Plateau>,
     /// Runs of rows at the largest or smallest value, cut off where the sensor ends.
     pub clipped: Vec<Plateau>,
     /// Rows before which the value jumps by a whole turn.
     pub wraps: Vec<usize>,
-    /// Rows alone, or nearly so, that lie far off the smooth curve through their neighbours.
+    /// Isolated rows, or small groups, far off the smooth curve through their neighbours.
     pub outliers: Vec<usize>,
 }
 
@@ -97,7 +97,7 @@ impl Faults {
         rows
     }
 
-    /// Returns whether there is nothing to report.
+    /// Returns `true` if there is nothing to report.
     #[must_use]
     pub fn is_clean(&self) -> bool {
         self.sentences(&[], "").is_empty()

@@ -1,7 +1,7 @@
 //! Times that repeat, go backwards, or begin anew.
 
-/// Rows on either side of a step back that tell a new run from a stray time. With 3 a packet of three rows that came late began a run
-/// (`clock.rs` says of which recordings); with 8 a clock set back by eight rows did not, and its rows were left out.
+/// Rows on either side of a step back that distinguish a new run from a wrong time. With 3 a packet of three rows that came late began a run (for
+/// the recordings see `clock.rs`); with 8 a clock set back by eight rows did not, and its rows were left out.
 const WITNESSES: usize = 5;
 
 /// The rows with the time of the row before.
@@ -9,7 +9,7 @@ pub(in crate::measurement) fn repeated(times: &[f64]) -> Vec<usize> {
     (1..times.len()).filter(|&row| times[row].total_cmp(&times[row - 1]).is_eq()).collect()
 }
 
-/// The rows at which the times fall below all of the last ones and go on from there.
+/// The rows at which the times fall below all of the last ones and continue from there.
 pub fn restarts(times: &[f64]) -> Vec<usize> {
     let begins_anew = |&row: &usize| {
         let before = &times[row.saturating_sub(WITNESSES)..row];

@@ -4,24 +4,25 @@ use super::steps::smallest_step;
 use crate::statistics::{NORMAL_PER_MEDIAN_DEVIATION, count, lower_median};
 use std::ops::Range;
 
-/// Beyond this many robust standard deviations a value is an outlier: of normal errors one in 5e8.
+/// Number of robust standard deviations beyond which a value is an outlier: one in 5e8 of normal errors.
 const THRESHOLD: f64 = 6.0;
 /// Neighbours on either side that give the prediction.
 const NEIGHBOURS: usize = 2;
-/// Rows on either side that say how well predictions do hereabouts. With 5 a video of 4502 frames had 11 outliers for 7, with 20 and 40 six,
+/// Rows on either side that give the local error of the prediction. With 5 a video of 4502 frames had 11 outliers instead of 7, with 20 and 40 six,
 /// and of 98 other recordings (`clock.rs`) one changed.
 const SURROUNDINGS: usize = 10;
-/// Neighbours spread over this many times the usual intervals between them have a gap among them, and predict nothing. Four intervals of
-/// five with one row missing are 1.25. With 1.6 and 3 nothing changed, with 1.1 that video had one outlier more.
+/// Extent of the neighbours, in usual intervals between them, above which they contain a gap and predict nothing. Four intervals of five with one
+/// row missing are 1.25. With 1.6 and 3 nothing changed, with 1.1 that video had one outlier more.
 const WIDEST: f64 = 1.3;
-/// Maximum number of adjacent outliers. With 3 blocks of four and five rows, 260 standard deviations off, were not seen; with 6 nothing else was
-/// called an outlier in 103 recordings, four of them next to the top. A longer block is a part of the recording.
+/// Maximum number of adjacent outliers. With 3 blocks of four and five rows, 260 standard deviations off, were not detected; with 6 nothing else
+/// was called an outlier in 103 recordings, four of them next to the top. A longer block is a part of the recording.
 pub const LONGEST: usize = 5;
-/// Outliers next to each other are told one after the other. With 2 and 30 nothing changed, with 1 one of four rows was told.
+/// Number of passes, in each of which one of several adjacent outliers is detected. With 2 and 30 nothing changed, with 1 one of four rows was
+/// detected.
 const PASSES: usize = 10;
 
-/// The rows, single or up to [`LONGEST`] together, that lie far off while their neighbours agree with each other once
-/// these rows are left out.
+/// The rows, single or up to [`LONGEST`] together, that are far off while their neighbours agree with each other
+/// without these rows.
 pub fn outliers(times: &[f64], values: &[f64]) -> Vec<usize> {
     let mut curve = Curve::new(times, values);
     let scales = curve.scales();
@@ -88,8 +89,8 @@ impl<'a> Curve<'a> {
         (0..self.values.len()).map(|row| self.deviation(row)).collect()
     }
 
-    /// The standard deviation to be expected of each row: that of all rows or of its surroundings, whichever is
-    /// larger, and that of rounding to the steps of the scale.
+    /// The expected standard deviation of each row: that of all rows or of the local ones, whichever is larger,
+    /// combined with that of rounding to the steps of the scale.
     fn scales(&self) -> Vec<f64> {
         let deviations = self.deviations();
         let everywhere = robust(deviations.iter().copied().flatten().collect());
@@ -103,7 +104,7 @@ impl<'a> Curve<'a> {
         (0..deviations.len()).map(around).collect()
     }
 
-    /// Marks what explains the rows beyond the threshold, the worst first; says how many outliers were found.
+    /// Marks the outliers that explain the rows beyond the threshold, the worst first; returns their number.
     fn mark(&mut self, scales: &[f64]) -> usize {
         let mut suspects: Vec<(usize, f64)> =
             (0..scales.len()).filter_map(|row| Some((row, self.excess(row, scales)?))).collect();
@@ -125,7 +126,7 @@ impl<'a> Curve<'a> {
         Some(deviation / (THRESHOLD * scales[row])).filter(|excess| *excess > 1.0)
     }
 
-    /// The shortest block of rows with or next to this one that stands alone.
+    /// The shortest isolated block of rows with or next to this one.
     fn explanation(&mut self, row: usize, scales: &[f64]) -> Option<Range<usize>> {
         let starts = |length: usize| row.saturating_sub(length)..=row + 1;
         let mut blocks =
@@ -133,7 +134,7 @@ impl<'a> Curve<'a> {
         blocks.find(|block| self.stands_alone(block.clone(), scales))
     }
 
-    /// Returns whether every row of the block is far off its neighbours outside, and the nearest of these are not.
+    /// Returns `true` if every row of the block is far off its neighbours outside, and the nearest of these are not.
     fn stands_alone(&mut self, block: Range<usize>, scales: &[f64]) -> bool {
         if block.end > self.is_marked.len() || block.clone().any(|row| self.is_marked[row]) {
             return false;

@@ -1,4 +1,4 @@
-//! Faults in short sentences, each saying what is done about it or what would help.
+//! Sentences about faults, each with the treatment or a remedy.
 
 use super::{Clock, Faults, Plateau};
 
@@ -6,7 +6,7 @@ use super::{Clock, Faults, Plateau};
 const NAMED: usize = 5;
 
 impl Faults {
-    /// A sentence for each kind of fault. `lines` says in which line of its file each row was; without it rows are
+    /// A sentence for each kind of fault. `lines` has the line of each row in its file; if it is empty rows are
     /// counted from one. `unit` is that of the values.
     #[must_use]
     pub fn sentences(&self, lines: &[u64], unit: &str) -> Vec<String> {

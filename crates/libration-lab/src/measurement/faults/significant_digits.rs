@@ -1,7 +1,7 @@
 //! Times written with a number of significant digits, as tables on a screen show them: 0.0333, 0.0667, …, 10.0, 10.1.
 
-/// More digits than these round no frames of a video away: 99.999 has steps of a thousandth. With 4 and 8 nothing changed in 106 recordings
-/// (`clock.rs`); with 3 times of four digits were not even.
+/// Largest number of digits that may be a rounding: more digits resolve the frames of a video, since 99.999 has steps of a thousandth. With 4 and 8
+/// nothing changed in 106 recordings (`clock.rs`); with 3 times of four digits were not equally spaced.
 const MOST: usize = 5;
 
 /// Number of significant digits that all times have.
@@ -14,7 +14,7 @@ pub struct SignificantDigits {
 }
 
 impl SignificantDigits {
-    /// The fewest that write all times, if they leave the largest time a coarser step than the decimal one that all have.
+    /// The smallest number of digits that represents all times, if it gives the largest time a coarser step than their common decimal step.
     pub fn detect(times: &[f64], resolution: Option<f64>) -> Option<Self> {
         let sizes = || times.iter().map(|time| time.abs()).filter(|&time| time > 0.0);
         let (smallest, largest) = (sizes().reduce(f64::min)?, sizes().reduce(f64::max)?);
@@ -23,7 +23,7 @@ impl SignificantDigits {
         (digits.step_at(largest) > 1.5 * resolution.unwrap_or(0.0)).then_some(digits)
     }
 
-    /// The step of the last digit of this time; of zero, that of the smallest other time.
+    /// The step of the last digit of this time; for zero, that of the smallest other time.
     pub fn step_at(self, time: f64) -> f64 {
         let first = if time == 0.0 { self.smallest } else { exponent(time.abs()) };
         let places = i32::try_from(self.count - 1).unwrap_or(i32::MAX);

@@ -1,6 +1,6 @@
-//! Steps between what the columns hold.
+//! Steps between the values of columns.
 
-/// The smallest step between different values; nothing when all are the same.
+/// The smallest step between different values; `None` if all are equal.
 pub(super) fn smallest_step(values: &[f64]) -> Option<f64> {
     // Steps below this part of the range are the rounding of a change of unit.
     const ROUNDING: f64 = 1e-12;

@@ -7,8 +7,8 @@ const BEFORE: [&str; 8] = ["d", "Δ", "∆", "δ", "delta", "u", "σ", "sigma"];
 /// Marks of an uncertainty after a name, in lower case.
 const AFTER: [&str; 8] = ["err", "error", "unc", "uncert", "sd", "std", "stdev", "sigma"];
 
-/// Marks the headings whose names are a sign of uncertainty and the name of another column of the same unit. `distance`, `diameter` and a lone
-/// `d` are no uncertainties.
+/// Marks the headings whose names are a sign of uncertainty and the name of another column of the same unit. `distance`, `diameter` and a single
+/// `d` are not uncertainties.
 pub(in crate::measurement) fn name_uncertainties(headings: &mut [Heading]) {
     for place in 0..headings.len() {
         if headings[place].is_uncertainty {
@@ -25,7 +25,7 @@ pub(in crate::measurement) fn name_uncertainties(headings: &mut [Heading]) {
     }
 }
 
-/// Corrects headings that were read as quantities in minutes and are minima: another one is the same with `max`.
+/// Corrects headings that were read as quantities in minutes but are minima, since another heading is equal except for `max`.
 pub(in crate::measurement) fn name_minima(headings: &mut [Heading]) {
     for place in 0..headings.len() {
         let text = headings[place].text.to_lowercase();
@@ -55,7 +55,7 @@ fn stems(name: &str) -> Vec<&str> {
 }
 
 impl Heading {
-    /// Returns whether the unit is of the same kind as that of another column, or the column has none of its own.
+    /// Returns `true` if the unit is of the same kind as that of another column, or the column has no unit.
     fn may_measure_as(&self, other: &Self) -> bool {
         match (self.unit, other.unit) {
             (Some(own), Some(other)) => own.measures() == other.measures(),

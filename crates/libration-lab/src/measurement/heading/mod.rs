@@ -22,7 +22,7 @@ pub enum QuantityKind {
     Time,
     /// The angle of the pendulum.
     Angle,
-    /// Its angular velocity.
+    /// Angular velocity.
     AngularVelocity,
     /// A horizontal position.
     X,
@@ -34,14 +34,14 @@ pub enum QuantityKind {
     Gate,
     /// The run to which a row belongs.
     Run,
-    /// Something else, or nothing that is known here.
+    /// Another quantity, or an unknown one.
     Other,
 }
 
 /// Heading of a column, as the header gives it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Heading {
-    /// The header cell as it is written; empty where there is none.
+    /// The header cell as written; empty if there is none.
     pub text: String,
     /// The name without unit and run.
     pub name: String,
@@ -49,15 +49,15 @@ pub struct Heading {
     pub quantity: QuantityKind,
     /// `true` if the numbers are the uncertainties of the quantity.
     pub is_uncertainty: bool,
-    /// The name of the column of which these are the uncertainties, where that is a part of this name, as in `dT` next to `T`.
+    /// The name of the column to which these uncertainties belong, if this name contains it, as `dT` contains `T`.
     pub uncertainty_of: Option<String>,
     /// The unit, where one is named and known.
     pub unit: Option<Unit>,
-    /// The unit as it is written, known or not.
+    /// The unit as written, known or not.
     pub unit_text: Option<String>,
     /// The run, as in `Run #3` or `Latest`.
     pub run: Option<String>,
-    /// The number behind the symbol, as in `t_{1}` or `theta2`.
+    /// The number after the symbol, as in `t_{1}` or `theta2`.
     pub index: Option<String>,
     /// The uncertainty of all values, as in `T (s) ± 0.004`.
     pub stated_uncertainty: Option<StatedUncertainty>,
@@ -91,7 +91,7 @@ impl Heading {
         }
     }
 
-    /// The text of a heading below a title, whose unit it has: `Period Trial 1 (s)` of `Trial 1` below `Period (s)`.
+    /// The text of a heading below a title, with the unit of the title: `Period Trial 1 (s)` for `Trial 1` below `Period (s)`.
     pub(super) fn under_title(text: &str, title: &str) -> String {
         match split_unit(title) {
             (name, Some(unit), _) if Self::read(text, None, None).unit.is_none() => {
@@ -101,26 +101,26 @@ impl Heading {
         }
     }
 
-    /// Takes the unit that the cells have.
+    /// Sets the unit found in the cells.
     pub(super) fn set_unit(&mut self, unit: Unit) {
         self.quantity = quantity(self.quantity, Some(unit), None);
         self.unit = Some(unit);
         self.unit_text = Some(unit.to_string());
     }
 
-    /// Returns whether the numbers are this quantity itself.
+    /// Returns `true` if the numbers are this quantity itself.
     #[doc(hidden)]
     pub fn is(&self, quantity: QuantityKind) -> bool {
         self.quantity == quantity && !self.is_uncertainty
     }
 
-    /// Returns whether the heading speaks of an uncertainty without naming its quantity: `±`, `error (deg)`.
+    /// Returns `true` if the heading speaks of an uncertainty without naming its quantity: `±`, `error (deg)`.
     #[doc(hidden)]
     pub fn is_bare_uncertainty(&self) -> bool {
         self.is_uncertainty && words::without_uncertainty(&self.name).0.is_empty()
     }
 
-    /// Returns whether both name the same quantity, uncertainty or not.
+    /// Returns `true` if both name the same quantity, uncertainty or not.
     pub(super) fn is_of_the_same(&self, other: &Self) -> bool {
         let plain = |heading: &Self| {
             let name = heading.uncertainty_of.as_ref().unwrap_or(&heading.name);
@@ -129,7 +129,7 @@ impl Heading {
         !plain(self).is_empty() && plain(self) == plain(other)
     }
 
-    /// Returns whether the heading bears this name, with or without the unit.
+    /// Returns `true` if the heading bears this name, with or without the unit.
     pub(super) fn is_named(&self, asked: &str) -> bool {
         let plain = |text: &str| text.trim().to_lowercase();
         let asked = plain(asked);
@@ -145,7 +145,7 @@ pub(super) fn bare(unit: &str) -> &str {
 /// Marks of an uncertainty before the brackets around a quantity.
 const SIGNS: [&str; 10] = ["u(", "σ(", "δ(", "∆(", "sigma(", "delta(", "sd(", "err(", "error(", "unc("];
 
-/// `u(θ)`, `σ(θ)`, `Δ(θ)` → θ; `+/-` → ±. A capital U of what is not known here is a voltage.
+/// `u(θ)`, `σ(θ)`, `Δ(θ)` → θ; `+/-` → ±. A capital U of an unknown quantity is a voltage.
 fn without_sign_of_uncertainty(text: &str) -> (String, bool) {
     let text = text.replace("+/-", "±").replace("+-", "±");
     let lower = text.to_lowercase();
@@ -159,7 +159,7 @@ fn without_sign_of_uncertainty(text: &str) -> (String, bool) {
     }
 }
 
-/// `Latest: Time (s)`, `Data Set 1:Time(s)`, `Time (s) Run #3` → what is left, and the run.
+/// `Latest: Time (s)`, `Data Set 1:Time(s)`, `Time (s) Run #3` → the remaining text, and the run.
 fn split_run(text: &str) -> (&str, Option<&str>) {
     if let Some((run, rest)) =
         text.split_once(':').filter(|(run, rest)| is_run(run) && !rest.trim().is_empty())
@@ -182,7 +182,7 @@ fn is_run(text: &str) -> bool {
     ["latest", "run", "data set", "dataset", "trial", "set"].iter().any(|run| word.starts_with(run))
 }
 
-/// `Time (s) morning`, `t [ms]`, `Angle/rad`, `t / s`, `time_us` → the name, the unit, and what follows the unit.
+/// `Time (s) morning`, `t [ms]`, `Angle/rad`, `t / s`, `time_us` → the name, the unit, and the text after the unit.
 fn split_unit(text: &str) -> (&str, Option<&str>, Option<&str>) {
     for (open, close) in [('(', ')'), ('[', ']')] {
         if let Some((name, rest)) = text.split_once(open) {
@@ -205,7 +205,7 @@ fn split_unit(text: &str) -> (&str, Option<&str>, Option<&str>) {
     if text.parse().is_ok_and(is_angle) { ("", Some(text), None) } else { (text, None, None) }
 }
 
-/// Splits `t / s` and not `T/2`, whose 2 is not a unit: of `T/2 / s` the unit is s.
+/// Splits `t / s` but not `T/2`, whose 2 is not a unit; `T/2 / s` has the unit s.
 fn split_at_stroke(text: &str) -> Option<(&str, &str)> {
     let (name, rest) = text.split_once('/').filter(|(name, _)| !name.trim().is_empty())?;
     match rest.trim_start().starts_with(|letter: char| letter.is_ascii_digit()) {
@@ -214,7 +214,7 @@ fn split_at_stroke(text: &str) -> Option<(&str, &str)> {
     }
 }
 
-/// Quantity by a name and its unit; a unit that contradicts the name leaves nothing known.
+/// Quantity from a name and its unit; unknown if the unit contradicts the name.
 fn quantity(named: QuantityKind, unit: Option<Unit>, unit_text: Option<&str>) -> QuantityKind {
     match (unit.map(Unit::measures), named) {
         (Some(Measures::Time), QuantityKind::Time) => QuantityKind::Time,

@@ -2,12 +2,12 @@
 
 use super::{Heading, Unit, split_unit};
 
-/// Uncertainty of all values of a column, as its heading states it.
+/// Uncertainty of all values of a column, stated in its heading.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StatedUncertainty {
     /// The number, in `unit`, or as a fraction of the values.
     pub value: f64,
-    /// Its unit; that of the column if `None`.
+    /// The unit; that of the column if `None`.
     pub unit: Option<Unit>,
     /// `true` if it is a fraction of the values.
     pub is_relative: bool,
@@ -60,8 +60,8 @@ fn joined(before: &str, after: &str) -> String {
 }
 
 impl Heading {
-    /// The size of one in the column as a fraction of the quantity, where the heading says that it is one: 0.01 for `u(T) in %`. A number before the
-    /// sign is a level of confidence.
+    /// The fraction of the quantity to which 1 in the column corresponds, if the heading states it: 0.01 for `u(T) in %`. A number before the sign
+    /// is a level of confidence.
     pub(in crate::measurement) fn fraction(&self) -> Option<f64> {
         let lower = self.text.to_lowercase();
         FRACTIONS.iter().find_map(|(sign, size)| {
@@ -70,7 +70,7 @@ impl Heading {
         })
     }
 
-    /// Returns whether the heading speaks of relative uncertainties and not of their unit.
+    /// Returns `true` if the heading speaks of relative uncertainties and not of their unit.
     pub(in crate::measurement) fn is_relative_without_unit(&self) -> bool {
         let lower = self.text.to_lowercase();
         let says = ["relativ", "rel.", "rel ", "fractional"].iter().any(|word| lower.contains(word));

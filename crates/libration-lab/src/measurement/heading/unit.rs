@@ -27,7 +27,7 @@ pub enum Unit {
     Degree,
     /// A whole turn.
     Turn,
-    /// A step of an encoder; how many make a turn must be said.
+    /// A step of an encoder, whose number in a turn must be given.
     Count,
     /// rad/s
     RadianPerSecond,
@@ -59,7 +59,7 @@ pub(in crate::measurement) enum Measures {
     Length,
 }
 
-/// Each unit with the name it is printed by, and its other spellings in lower case without blanks.
+/// Each unit with the name under which it is printed, and its other spellings in lower case without blanks.
 const UNITS: [(Unit, &str, &[&str]); 19] = [
     (
         Unit::Second,

@@ -145,7 +145,7 @@ const STANDARD: [&str; 10] = [
     "s.d.",
 ];
 
-/// The words of a name in lower case, and whether they speak of an uncertainty.
+/// The words of a name in lower case, and `true` if they refer to an uncertainty.
 pub(in crate::measurement) fn without_uncertainty(name: &str) -> (String, bool) {
     let lower = name.to_lowercase().replace(['\\', '$'], "").replace('σ', "σ ").replace('±', "± ");
     let lower = STANDARD.iter().fold(lower, |lower, words| lower.replace(words, "sd"));
@@ -161,7 +161,7 @@ pub(in crate::measurement) fn without_uncertainty(name: &str) -> (String, bool) 
     (kept.collect::<Vec<_>>().join(" "), is_uncertainty)
 }
 
-/// Returns whether a heading speaks of the standard deviation of readings: `sd`, `σ(T)`, `Standardabweichung`, and not of that of a mean.
+/// Returns `true` if a heading refers to the standard deviation of readings, `sd`, `σ(T)`, `Standardabweichung`, and not to that of a mean.
 pub(in crate::measurement) fn is_deviation(heading: &str) -> bool {
     const DEVIATION: [&str; 8] =
         ["sd", "std", "stdev", "stddev", "σ", "sigma", "standardabweichung", "deviation"];
@@ -218,14 +218,14 @@ pub(in crate::measurement) fn named(words: &str) -> QuantityKind {
         .map_or(QuantityKind::Other, |(quantity, _)| *quantity)
 }
 
-/// An angular acceleration is none of the accelerometer's.
+/// Returns `true` for names of accelerations; an angular acceleration is not one of an accelerometer.
 fn named_as_acceleration(words: &str) -> bool {
     const STEMS: [&str; 6] = ["accel", "beschleunigung", "accél", "aceler", "accelerazione", "versnelling"];
     const ANGULAR: [&str; 3] = ["angul", "winkel", "ángul"];
     STEMS.iter().any(|stem| words.contains(stem)) && !ANGULAR.iter().any(|stem| words.contains(stem))
 }
 
-/// Returns whether a text is a unit of accelerations as instruments spell them.
+/// Returns `true` if a text is a unit of accelerations as instruments spell them.
 pub fn is_of_acceleration(unit: &str) -> bool {
     let plain: String = unit.to_lowercase().chars().filter(|letter| !letter.is_whitespace()).collect();
     ["m/s²", "m/s^2", "m/s2", "m/s/s", "m·s⁻²", "ms⁻²", "ms^-2", "m*s^-2", "cm/s²", "cm/s^2"]

@@ -25,7 +25,7 @@ pub(super) enum Kind {
     Swings,
     /// Numbers of readings.
     NumbersOfReadings,
-    /// Names of groups, one of which at least several rows have.
+    /// Names of groups, at least one of which occurs in several rows.
     Group,
     /// Words, numbers of rows, functions of other columns.
     Other,
@@ -51,7 +51,7 @@ const NUMBER: [&str; 9] = ["no", "no.", "#", "nr", "nr.", "index", "row", "i", "
 /// Beginnings of functions of a quantity.
 const FUNCTIONS: [&str; 8] = ["sqrt", "√", "1/", "log", "ln", "sin", "lg", "g_"];
 
-/// The kind of a column in a table that has times with a unit, or has none.
+/// The kind of a column in a table with or without times that have a unit.
 fn kind(channel: &Channel, has_times: bool) -> Kind {
     let heading = &channel.heading;
     let name = heading.name.to_lowercase();
@@ -85,14 +85,14 @@ fn is_squared(heading: &Heading) -> bool {
     of_unit || of_name && heading.unit.is_none() && unit.is_empty()
 }
 
-/// A unit with a power or a quotient that is none of the known ones.
+/// Returns `true` for a unit with a power or a quotient that is not a known one.
 fn is_other_power(heading: &Heading) -> bool {
     let unit = heading.unit_text.as_deref().unwrap_or_default();
     heading.unit.is_none() && unit.contains(['^', '²', '³'])
 }
 
-/// Numbers under words for numbers of swings, most of them whole or half: others among them are refused later, with their line. Under words that
-/// may mean another number all are whole.
+/// Returns `true` for numbers below words for numbers of swings, if most are whole or half: others among them are refused later, with their line.
+/// Below words that may mean another number all must be whole.
 fn is_of_swings(channel: &Channel, has_times: bool) -> bool {
     match swing_numbers(&channel.heading.text) {
         SwingNumbers::Said => most_are_numbers(channel),
@@ -142,7 +142,7 @@ fn is_number_of_row(heading: &Heading, channel: &Channel, name: &str) -> bool {
     is_run && is_of_counts(channel) || NUMBER.contains(&name) && counts_rows
 }
 
-/// Two labels or more, of which one is in several rows.
+/// Returns `true` for two labels or more, one of which occurs in several rows.
 fn has_repeated_labels(channel: &Channel) -> bool {
     let mut labels: Vec<String> = (0..channel.cells.len()).filter_map(|row| channel.label(row)).collect();
     let all = labels.len();

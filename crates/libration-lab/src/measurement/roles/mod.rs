@@ -24,11 +24,11 @@ use super::{Column, MeasurementError};
 /// A quantity that is needed from a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TableQuantity {
-    /// Its name, as options have it: `length`, `period`.
+    /// The name in options: `length`, `period`.
     pub name: &'static str,
     /// The kind of values in its columns.
     pub role: Role,
-    /// `false` if it is only taken from a column whose heading names it, by one of these beginnings in lower case.
+    /// If `Some`, the column is taken only if its heading begins with one of these words in lower case.
     pub only_named: Option<&'static [&'static str]>,
 }
 
@@ -63,7 +63,7 @@ impl UncertaintyKind {
         }
     }
 
-    /// All of them.
+    /// All kinds.
     pub(super) const ALL: [Self; 4] = [Self::Standard, Self::HalfWidth, Self::Resolution, Self::Deviation];
 
     /// The end of its word in options: `uncertainty`, `half-width`, `resolution`, `deviation`.
@@ -87,20 +87,20 @@ pub enum ColumnRole {
     Uncertainty(usize, UncertaintyKind),
     /// The number of swings that each time of the row lasts.
     Swings,
-    /// The number of readings of which each value of the row is the mean.
+    /// The number of readings whose mean is the value of the row.
     Readings,
     /// Names of groups, one for each row.
     Group,
-    /// Nothing that is used.
+    /// Not used.
     Ignored,
 }
 
 /// The columns of a quantity.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct QuantityColumns {
-    /// Its readings, one or more; none where the table does not have the quantity.
+    /// The columns of readings, one or more; empty if the table does not have the quantity.
     pub readings: Vec<Column>,
-    /// Its uncertainties.
+    /// The column of uncertainties.
     pub uncertainties: Option<(Column, UncertaintyKind)>,
     /// `true` if the readings are squares of the quantity.
     pub are_squares: bool,
@@ -115,7 +115,7 @@ pub struct TableRoles {
     pub quantities: Vec<QuantityColumns>,
     /// The column of numbers of swings.
     pub swings: Option<Column>,
-    /// The column of numbers of readings, where uncertainties are standard deviations of single ones.
+    /// The column of numbers of readings, if uncertainties are standard deviations of single ones.
     pub readings: Option<Column>,
     /// The column of names of groups.
     pub group: Option<Column>,
@@ -126,7 +126,7 @@ pub struct TableRoles {
 }
 
 impl Table {
-    /// Infers the roles of the columns from headings, units and values, where they are not given.
+    /// Infers the roles of the columns from headings, units and values, unless they are given.
     ///
     /// # Errors
     /// Columns whose roles the table leaves open, with the choices that would decide; too few columns of numbers; no such column.
@@ -163,7 +163,7 @@ impl Table {
 }
 
 impl Table {
-    /// Returns whether headings name these columns of a quantity.
+    /// Returns `true` if headings name these columns of a quantity.
     #[must_use]
     pub fn heads(&self, quantity: &TableQuantity, columns: &QuantityColumns) -> bool {
         let first = columns.readings.first().and_then(|column| self.sheet().place(column).ok());
@@ -173,7 +173,7 @@ impl Table {
     }
 }
 
-/// The search for roles, by places of columns.
+/// The search for roles, by indices of columns.
 struct Search<'a> {
     table: &'a Table,
     needed: &'a [TableQuantity],
@@ -191,12 +191,12 @@ impl Search<'_> {
         self.table.sheet().describe(place)
     }
 
-    /// Places of the columns with this role.
+    /// Indices of the columns with this role.
     fn with_role(&self, role: ColumnRole) -> Vec<usize> {
         (0..self.roles.len()).filter(|&place| self.roles[place] == Some(role)).collect()
     }
 
-    /// Returns whether a column of values is free.
+    /// Returns `true` if a column of values is free.
     fn is_free(&self, place: usize) -> bool {
         self.roles[place].is_none() && self.kinds[place] == Kind::Values
     }

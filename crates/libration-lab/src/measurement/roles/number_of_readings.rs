@@ -8,7 +8,8 @@ use crate::measurement::heading::Heading;
 use crate::measurement::{Choice, CountedPeriods, MeasurementError, Role, Suggestion};
 
 impl Search<'_> {
-    /// The place of the column with numbers of readings: one that is given, or named so, or a bare `n` next to periods, which are no times of n swings.
+    /// The index of the column of numbers of readings: a given one, one with such a name, or one named `n` next to periods, which are not times of
+    /// n swings.
     pub(super) fn number_of_readings(&self) -> Option<usize> {
         let given = self.with_role(ColumnRole::Readings).first().copied();
         let open = || (0..self.kinds.len()).filter(|&place| self.roles[place].is_none());
@@ -23,12 +24,12 @@ impl Search<'_> {
         given.or_else(named).or_else(bare)
     }
 
-    /// Returns whether a column of readings is headed as a period, and not as a time.
+    /// Returns `true` if a column of readings is headed as a period, and not as a time.
     pub(super) fn has_named_periods(&self) -> bool {
         self.has_times(is_named_period)
     }
 
-    /// Returns whether a heading says the number of swings of its times: `T`, `10T`.
+    /// Returns `true` if a heading states the number of swings of its times: `T`, `10T`.
     fn says_swings(&self) -> bool {
         self.has_times(|heading| matches!(counted(&heading.text), CountedPeriods::Said(_)))
     }

@@ -1,4 +1,4 @@
-//! Tables that may be read in several ways, each refused with the choices that decide.
+//! Tables that may be read in several ways, each refused with the choices that would decide.
 
 use super::{ColumnRole, GivenRoles, Search};
 use crate::measurement::counted_periods::{SwingNumbers, swing_numbers};
@@ -96,7 +96,7 @@ impl Search<'_> {
         })
     }
 
-    /// A bare `N` or `Anzahl` next to periods is as often the number of readings as that of swings.
+    /// Refuses a column `N` or `Anzahl` next to periods, which is as often the number of readings as that of swings.
     pub(super) fn refuse_counts_of_periods(&self, given: &GivenRoles) -> Result<(), MeasurementError> {
         let Some(&place) = self.with_role(ColumnRole::Swings).first() else { return Ok(()) };
         let is_given = given.are_all || given.roles.iter().any(|(_, role)| *role == ColumnRole::Swings);
@@ -121,7 +121,7 @@ impl Search<'_> {
     }
 }
 
-/// The name of a quantity whose largest or smallest value a heading says, and `true` for the largest.
+/// The name of a quantity whose largest or smallest value a heading names, and `true` for the largest.
 fn bound(heading: &Heading) -> Option<(String, bool)> {
     const WORDS: [(&str, bool); 8] = [
         ("maximum", true),
@@ -141,7 +141,7 @@ fn bound(heading: &Heading) -> Option<(String, bool)> {
     })
 }
 
-/// `T`, `T1`, `period`: the time of one swing, and not of several.
+/// Returns `true` for `T`, `T1`, `period`: the time of a single swing.
 pub(super) fn is_named_period(heading: &Heading) -> bool {
     let symbol =
         heading.name.trim_end_matches(|letter: char| letter.is_ascii_digit() || "_ {}".contains(letter));

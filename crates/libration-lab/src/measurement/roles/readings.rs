@@ -54,7 +54,7 @@ impl Search<'_> {
         }
     }
 
-    /// The columns whose headings say this quantity: the largest set of repeated readings, else means, else squares.
+    /// The columns whose headings name this quantity: the largest set of repeated readings, else means, else squares.
     fn named(&self, quantity: usize) -> Vec<usize> {
         let needed = self.needed[quantity];
         let of_kind = |kind: Kind| -> Vec<usize> {
@@ -74,7 +74,7 @@ impl Search<'_> {
         values.or_else(other).unwrap_or_default()
     }
 
-    /// Returns whether a unit says that a column holds angles, of which this is the only quantity.
+    /// Returns `true` if a unit shows that a column contains angles, and this is the only quantity of angles.
     fn is_only_angle(&self, place: usize, needed: TableQuantity) -> bool {
         let of_angles = |it: &&TableQuantity| matches!(it.role, Role::Angles | Role::Displacements);
         let heading = self.heading(place);
@@ -84,7 +84,7 @@ impl Search<'_> {
             && Role::Angles.is_said_by(heading)
     }
 
-    /// The first free column of values, with those that repeat it; one that says another quantity only where there is no other.
+    /// The first free column of values, with its repetitions; a column with the heading of another quantity only if there are no others.
     fn first_free(&self, quantity: usize) -> Vec<usize> {
         let free: Vec<usize> = (0..self.kinds.len()).filter(|&place| self.is_free(place)).collect();
         let says_other = |place: &usize| {
@@ -96,8 +96,8 @@ impl Search<'_> {
         sets.into_iter().next().unwrap_or_default()
     }
 
-    /// These columns as sets of repeated readings, in the order of their first columns. A column of zeros, which agrees not even with itself, is
-    /// compared with no other: a hostile table has thousands.
+    /// The columns as sets of repeated readings, in the order of their first columns. A column of zeros, which does not even agree with itself, is
+    /// not compared with others: a hostile table may have thousands.
     fn repeated(&self, columns: &[usize]) -> Vec<Vec<usize>> {
         let name = |&place: &usize| (stem(self.heading(place)), self.heading(place).unit);
         let names: Vec<_> = columns.iter().map(name).collect();
@@ -115,12 +115,12 @@ impl Search<'_> {
         sets.into_iter().map(|(_, set)| set).collect()
     }
 
-    /// Returns whether two columns have values within a factor of each other.
+    /// Returns `true` if two columns have values within a factor of each other.
     fn agree(&self, one: usize, other: usize) -> bool {
         self.ratio(&[one], other).is_some_and(|ratio| (1.0 / ALIKE..ALIKE).contains(&ratio))
     }
 
-    /// The middle ratio of the mean of these columns to another one.
+    /// The median ratio of the mean of these columns to another one.
     fn ratio(&self, columns: &[usize], other: usize) -> Option<f64> {
         median(self.ratios(columns, other))
     }
@@ -136,7 +136,7 @@ impl Search<'_> {
         (0..sheet.rows()).filter_map(ratio).collect()
     }
 
-    /// The number of swings of each reading, where another column is their mean over a whole number from two on, within a hundredth in each row.
+    /// The number of swings of each reading, if another column is their mean divided by a whole number from two on, within a hundredth in each row.
     pub(super) fn swings_by_a_quotient(&self, readings: &[usize]) -> Option<f64> {
         const WITHIN: f64 = 0.01;
         let first = self.heading(*readings.first()?);
@@ -161,7 +161,7 @@ impl Search<'_> {
     }
 }
 
-/// Returns whether a heading says that its column holds this quantity, or its squares.
+/// Returns `true` if a heading names this quantity, or its squares.
 fn says(heading: &Heading, needed: TableQuantity, kind: Kind) -> bool {
     let name = heading.name.to_lowercase();
     if let Some(beginnings) = needed.only_named {

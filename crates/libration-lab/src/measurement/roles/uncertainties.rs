@@ -6,9 +6,9 @@ use crate::measurement::heading::words::{is_deviation, without_uncertainty};
 use crate::measurement::{Choice, MeasurementError, Role, Suggestion};
 
 impl Search<'_> {
-    /// Gives columns of uncertainties to quantities: `±` to the column before it, or to the last one before it that has none yet; `u(T)`
-    /// and `dT` to that of the same name; `T uncertainty` to the only one it can be the symbol or the initial of. Of two for one quantity
-    /// the first is taken. Repeated readings have the uncertainty of their scatter.
+    /// Assigns columns of uncertainties to quantities: `±` to the column before it, or to the last one before it that has none yet; `u(T)` and `dT`
+    /// to that of the same name; `T uncertainty` to the only one of which it can be the symbol or the initial. Of two for one quantity the first is
+    /// taken. Repeated readings have the uncertainty of their scatter.
     pub(super) fn assign_uncertainties(&mut self) -> Result<(), MeasurementError> {
         let places: Vec<usize> = (0..self.kinds.len()).filter(|&it| self.kind_of(it).is_some()).collect();
         let mut open = vec![];
@@ -92,7 +92,7 @@ impl Search<'_> {
         same.or_else(|| before.filter(|_| self.candidates(place).is_empty()))
     }
 
-    /// The columns of readings of which a name can be the symbol, or the initial.
+    /// The columns of readings of which a name can be the symbol or the initial.
     fn candidates(&self, place: usize) -> Vec<usize> {
         let heading = self.heading(place);
         let (plain, _) = without_uncertainty(heading.uncertainty_of.as_ref().unwrap_or(&heading.name));
@@ -107,7 +107,7 @@ impl Search<'_> {
         (0..self.kinds.len()).filter(is_of).collect()
     }
 
-    /// The only assignment of these columns to different columns of readings; an error where there are several.
+    /// The only assignment of these columns to different columns of readings; an error if there are several.
     fn by_symbols(&self, open: &[usize]) -> Result<Vec<(usize, usize)>, MeasurementError> {
         let open: Vec<usize> = open.iter().copied().filter(|&it| !self.candidates(it).is_empty()).collect();
         let mut found: Vec<Vec<usize>> = vec![vec![]];

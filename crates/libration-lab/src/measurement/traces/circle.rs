@@ -1,7 +1,7 @@
 //! The circle of a pendulum's bob: pivot and length from positions.
 //!
-//! An algebraic circle through the points is where a geometric fit begins, which makes the distances from the circle least in the
-//! mean square. A short arc says little about its centre, so the uncertainty of the centre comes with it.
+//! A geometric fit, which minimises the mean square distance from the circle, begins at an algebraic circle through the points. A short arc
+//! determines its centre poorly, so the uncertainty of the centre is part of the result.
 //!
 //! # References
 //! I. Kåsa, IEEE Trans. Instrum. Meas. 25, 8–14 (1976), for the algebraic circle.
@@ -23,7 +23,7 @@ pub struct Circle {
     pub scatter: f64,
     /// One standard deviation of the radius, if the distances are independent.
     pub radius_uncertainty: f64,
-    /// Covariance of the centre, likewise.
+    /// Covariance of the centre, with the same scale.
     pub covariance: [[f64; 2]; 2],
 }
 
@@ -31,7 +31,7 @@ pub struct Circle {
 const EFFORT: Effort = Effort { tolerance: 1e-14, patience: 100 };
 
 impl Circle {
-    /// The circle that fits these points best; none for fewer than three points, or points on a line.
+    /// The circle of the best fit to these points; `None` for fewer than three points, or points on a line.
     pub fn fit(points: &[(f64, f64)]) -> Option<Self> {
         let (centre, size) = centre_and_size(points)?;
         // In units of their own size, about their own middle, nothing overflows or cancels.
@@ -66,7 +66,7 @@ impl Circle {
         Self { x, y, radius, scatter, radius_uncertainty: 0.0, covariance: [[0.0; 2]; 2] }
     }
 
-    /// Returns whether larger y is further down: the bob is fastest at the bottom.
+    /// Returns `true` if larger y is further down: the bob is fastest at the bottom.
     pub(super) fn y_is_down(&self, points: &[(f64, f64)]) -> bool {
         let weighted = points.windows(2).map(|pair| {
             let (dx, dy) = (pair[1].0 - pair[0].0, pair[1].1 - pair[0].1);

@@ -103,7 +103,7 @@ impl Group<'_> {
         self.increasing(findings)
     }
 
-    /// Column of the time where none is named so: the only one that increases throughout, which no swing does.
+    /// Column of the times if none is named so: the only one that increases throughout, as no swing does.
     fn increasing(&self, findings: &mut Vec<Finding>) -> Result<usize, MeasurementError> {
         let may = |place: &usize| {
             !self.heading_is(*place, QuantityKind::Run) && self.sheet.channels[*place].increases()
@@ -234,7 +234,7 @@ impl Group<'_> {
         Ok(value)
     }
 
-    /// The columns of numbers that nothing is known of.
+    /// The columns of numbers whose quantity is unknown.
     fn open(&self, time: usize) -> Vec<usize> {
         let may = |place: &usize| {
             let channel = &self.sheet.channels[*place];
@@ -247,7 +247,7 @@ impl Group<'_> {
         self.members.iter().copied().filter(may).collect()
     }
 
-    /// The only column that nothing is known of, if a unit is said; else what could be said.
+    /// The only column of unknown quantity, if its unit is given; otherwise the error with suggestions.
     fn unnamed(
         &self,
         time: usize,
@@ -276,7 +276,7 @@ impl Group<'_> {
         }
     }
 
-    /// No column may be an angle without a word: what the others can be.
+    /// The error if no column is known to be an angle, with suggestions for the others.
     fn nothing_known(&self, time: usize) -> MeasurementError {
         if let Some(place) = self.all_of(QuantityKind::Acceleration).first() {
             return MeasurementError::Accelerations { column: self.sheet.describe(*place) };

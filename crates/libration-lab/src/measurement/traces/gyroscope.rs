@@ -5,7 +5,7 @@ use super::value::Value;
 use crate::statistics::count;
 use nalgebra::{Matrix3, Vector3};
 
-/// The axis with 99.9 % of the mean square: the others then change the rate by less than 5e-4 of it, where makers state
+/// The axis with 99.9 % of the mean square: the others then change the rate by less than 5e-4 of it, while makers state
 /// sensitivities to 1 %.
 pub(super) fn strongest(sheet: &Sheet, places: &[usize]) -> Option<usize> {
     let power = |&place: &usize| {
@@ -29,12 +29,12 @@ pub(super) fn about_one_axis(sheet: &Sheet, places: &[usize]) -> Option<Value> {
     principal_axis(&rows).map(|axis| Value::Axes(places, axis))
 }
 
-/// Fewer rows lie along some direction by chance: of noise alone ten rows never had 95 % of their squares along one in 20 000 trials, five
-/// one time in 330, four one in 40.
+/// Fewest rows for a direction: fewer lie along some direction by chance. Of noise alone ten rows never had 95 % of their squares along one in 20
+/// 000 trials, five one time in 330, four one in 40.
 pub const FEWEST: usize = 10;
 
-/// The direction with 95 % of the variance of these rates: the rest is wobble and noise, about an axis that stays as it is in the
-/// device. Its largest part is positive. The mean is what the sensor shows at rest.
+/// The direction with 95 % of the variance of these rates, with its largest component positive: the rest is wobble and noise about a fixed axis in
+/// the device. The mean is the reading of the sensor at rest.
 pub fn principal_axis(rows: &[[f64; 3]]) -> Option<[f64; 3]> {
     if rows.len() < FEWEST {
         return None;

@@ -8,14 +8,14 @@ use super::circle::Circle;
 /// The largest relative uncertainty of the radius, and so of the angles, at which a fitted pivot is used: twice that in R − 1 makes β uncertain
 /// by a tenth.
 const RADIUS_TOLERANCE: f64 = 0.05;
-/// Smallest ratio of the height of the arc to its scatter. In 312 synthetic recordings with 5 to 50 times the radius was as certain as stated and off
-/// by at most 0.4 of its uncertainty in the mean; with 2.5 the uncertainty was too small by a fifth, with 1.2 there was none.
+/// Smallest ratio of the height of the arc to its scatter. In 312 synthetic recordings with ratios of 5 to 50 the radius was as certain as stated,
+/// with a mean error of at most 0.4 of its uncertainty; with 2.5 the uncertainty was too small by a fifth, with 1.2 there was none.
 const HEIGHT_OVER_SCATTER: f64 = 5.0;
-/// A pivot that was given contradicts the positions where it is this number of standard deviations from the centre of their circle: distances that
-/// hang together from frame to frame make these too small.
+/// Number of standard deviations between a given pivot and the centre of the circle above which they contradict each other: correlated distances of
+/// successive frames make the standard deviations too small.
 const CONTRADICTS: f64 = 5.0;
 
-/// Returns an error unless both columns are in the same unit, whatever it is.
+/// Returns an error unless both columns are in the same unit.
 pub(super) fn same_unit(sheet: &Sheet, x: usize, y: usize) -> Result<(), MeasurementError> {
     let unit = |place: usize| sheet.channels[place].heading.unit_text.clone().unwrap_or_default();
     if unit(x).eq_ignore_ascii_case(&unit(y)) {
@@ -25,8 +25,8 @@ pub(super) fn same_unit(sheet: &Sheet, x: usize, y: usize) -> Result<(), Measure
     Err(MeasurementError::PositionUnits { x: named(unit(x)), y: named(unit(y)) })
 }
 
-/// The angles from the downward vertical, about the pivot that is given or else the centre of a fitted circle, and what they
-/// owe to this one.
+/// The angles from the downward vertical, about the given pivot or else the centre of a fitted circle, and their dependence
+/// on it.
 pub(super) fn angles(
     xs: &[f64],
     ys: &[f64],
@@ -84,7 +84,7 @@ pub(super) fn angles(
     Ok((points.into_iter().map(|point| circle.angle_at(point, y_is_down)).collect(), uncertain))
 }
 
-/// The circle that the positions are on, where its centre is not the one that was given.
+/// The circle of the positions, if its centre is not the given one.
 fn contradicting(given: &Circle, points: &[(f64, f64)]) -> Option<Circle> {
     let circle = fitted(points).ok()?;
     let (dx, dy) = (given.x - circle.x, given.y - circle.y);

@@ -158,7 +158,7 @@ impl Rows {
         if self.name.is_empty() { String::new() } else { format!("{}: ", self.name) }
     }
 
-    /// These rows, in this order.
+    /// The selected rows, in this order.
     fn chosen(&self, name: String, rows: &[usize]) -> Self {
         let of = |column: &Vec<f64>| -> Vec<f64> {
             if column.is_empty() { Vec::new() } else { rows.iter().map(|&row| column[row]).collect() }
@@ -175,7 +175,7 @@ impl Rows {
         }
     }
 
-    /// Leaves out what is before and after the times that are requested.
+    /// Leaves out rows before and after the requested times.
     fn keep_between(&mut self, unit: Unit, choices: &Choices) -> Result<(), MeasurementError> {
         let (from, to) = (choices.from.unwrap_or(f64::NEG_INFINITY), choices.to.unwrap_or(f64::INFINITY));
         let is_between = |row: &usize| (from..=to).contains(&unit.to_si(self.times[*row]));
@@ -197,7 +197,7 @@ impl Rows {
         })
     }
 
-    /// The rows of each setting of the clock, as runs of their own if there are several.
+    /// The rows between settings of the clock, as separate runs if there are several.
     fn pieces(&self, sequence: &Sequence, choices: &Choices) -> Result<Vec<Self>, MeasurementError> {
         let asked = choices.run.as_ref().filter(|_| self.name.is_empty());
         match (&sequence.pieces[..], asked) {
@@ -226,7 +226,7 @@ impl Rows {
         Ok(pieces)
     }
 
-    /// The trace of one setting of the clock: without faults, and with the times that are taken.
+    /// The trace between two settings of the clock: without faults, and with the chosen times.
     fn trace(
         mut self,
         sheet: &Sheet,
@@ -296,7 +296,7 @@ impl Rows {
         Ok(observable)
     }
 
-    /// Tells what is strange in the rows.
+    /// Reports the faults of the rows.
     fn faults(&self, sheet: &Sheet, observable: Observable, tell: &mut impl FnMut(Finding)) -> Faults {
         let run = self.run();
         let faults = Faults::detect(&self.times, &self.values, None);

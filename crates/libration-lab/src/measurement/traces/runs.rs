@@ -12,7 +12,7 @@ pub(super) struct Group<'a> {
 }
 
 impl<'a> Group<'a> {
-    /// One group for each run that the header names, or the chosen one, with the columns that belong to no run in each.
+    /// One group for each run named by the header, or the chosen one, each with the columns that belong to no run.
     pub(super) fn all(sheet: &'a Sheet, choices: &Choices) -> Result<Vec<Self>, MeasurementError> {
         let mut runs = named_runs(sheet);
         let explicit = [&choices.angle, &choices.angular_velocity, &choices.x, &choices.y, &choices.time];

@@ -1,4 +1,4 @@
-//! Rows that are not in the order of time: put where their time belongs, left out, or the run cut where its clock was set back.
+//! Rows out of the order of time: moved to their positions in time, left out, or the run divided if its clock was set back.
 
 use super::super::choices::Finding;
 use super::super::faults::order;
@@ -7,8 +7,8 @@ use crate::statistics::lower_median;
 /// Smallest number of rows for each step back of a clock: a column that goes back more often is an angle, which goes back in half of them, or a
 /// sorted column. With 15 one more of 99 recordings (`faults/clock.rs`) was put in order, with 30 one less.
 const ROWS_PER_STEP_BACK: usize = 20;
-/// A row belongs between two others if they are further apart than usual, by this many usual intervals or more on either side.
-/// With 0.2 and 0.45 nothing changed; with 0.1 a time that belongs nowhere had a place, with 0.6 that of a late row had none.
+/// Fewest usual intervals on either side of a row between two others to which it may be moved. With 0.2 and 0.45 nothing
+/// changed; with 0.1 a wrong time had a position, with 0.6 that of a late row had none.
 const ROOM: f64 = 0.4;
 
 /// The rows of one recording in the order of time.
@@ -16,16 +16,16 @@ const ROOM: f64 = 0.4;
 pub struct Sequence {
     /// One for each setting of the clock.
     pub pieces: Vec<Vec<usize>>,
-    /// Rows that were put where their time belongs.
+    /// Rows moved to their positions in time.
     pub moved: Vec<usize>,
-    /// Rows whose time belongs nowhere.
+    /// Rows whose time has no position.
     pub left_out: Vec<usize>,
     /// The first rows after the clock was set back.
     pub cuts: Vec<usize>,
 }
 
 impl Sequence {
-    /// The order of these times; or the first row that goes back, where too many do for a clock.
+    /// The order of these times; the error is the first row that goes back, if too many do so for a clock.
     pub fn new(times: &[f64]) -> Result<Self, usize> {
         let back: Vec<usize> = (1..times.len()).filter(|&row| times[row] < times[row - 1]).collect();
         let Some(&first) = back.first() else {

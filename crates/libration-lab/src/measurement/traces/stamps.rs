@@ -1,10 +1,10 @@
-//! Choice of the times where those of the file are rounded: as they are written, or the even ones of which they are roundings.
+//! Choice of the times if those of the file are rounded: as written, or the equally spaced ones of which they are roundings.
 
 use super::super::choices::{Choice, Finding, TimeStamps};
 use super::super::faults::Clock;
 use super::super::{Faults, MeasurementError};
 
-/// Even times instead of those that are written.
+/// Equally spaced times in place of those in the file.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Even {
     pub(super) times: Vec<f64>,
@@ -12,8 +12,8 @@ pub(super) struct Even {
     pub(super) relative_uncertainty: f64,
 }
 
-/// The even times, where they are requested, or where the rounding is so coarse that rows share times or its steps grow with the
-/// times, and nothing contradicts even ones.
+/// The equally spaced times, if they are requested, or if the rounding is so coarse that rows share times or its steps grow with
+/// the times, and nothing contradicts them.
 pub(super) fn even(
     times: &[f64],
     values: &[f64],

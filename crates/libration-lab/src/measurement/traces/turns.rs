@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::super::choices::Finding;
 
-/// Takes out jumps by whole turns, and whole turns of the angle of rest.
+/// Removes jumps by whole turns, and whole turns of the angle at rest.
 pub fn unwrap(angles: &mut [f64], name: &str, tell: &mut impl FnMut(Finding)) {
     let run = if name.is_empty() { String::new() } else { format!("{name}: ") };
     let jumps = take_out_jumps(angles);
@@ -27,8 +27,8 @@ pub fn unwrap(angles: &mut [f64], name: &str, tell: &mut impl FnMut(Finding)) {
 /// Largest range of angles within one turn, with an allowance for noise and rounding at its ends.
 const A_TURN: f64 = 1.02 * TAU;
 
-/// Takes out jumps where all angles are within one turn. A step is a jump if without whole turns it is below a quarter, or agrees with the steps
-/// before and after it to a quarter, as that of a fast pendulum does.
+/// Removes jumps if all angles are within one turn. A step is a jump if without whole turns it is below a quarter, or agrees with the steps before
+/// and after it to a quarter, as that of a fast pendulum does.
 pub fn take_out_jumps(angles: &mut [f64]) -> usize {
     let low = angles.iter().copied().fold(f64::INFINITY, f64::min);
     let high = angles.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -50,7 +50,7 @@ pub fn take_out_jumps(angles: &mut [f64]) -> usize {
 
 const QUARTER: f64 = PI / 2.0;
 
-/// The whole turns in a step after one that is without its own, between these two as they are written.
+/// The whole turns in a step, given the corrected step before it and the uncorrected neighbouring steps.
 fn jump(before: f64, step: f64, neighbours: [Option<&f64>; 2]) -> f64 {
     let nearest = (step / TAU).round();
     if nearest == 0.0 {

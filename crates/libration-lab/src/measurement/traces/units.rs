@@ -25,7 +25,7 @@ impl Scale {
     }
 }
 
-/// The unit of times: the one said, the one written, or seconds if the steps can be seconds.
+/// The unit of times: the given one, the one in the header, or seconds if the steps can be seconds.
 pub(in crate::measurement) fn of_times(
     times: &[f64],
     sheet: &Sheet,
@@ -119,7 +119,7 @@ pub(super) fn of_value(
     Err(MeasurementError::Undecided { question, choices: what_it_holds().into_iter().filter(fits).collect() })
 }
 
-/// Finding about an angle whose header says radians, and which swings as only degrees do.
+/// Finding about an angle in radians by its header that swings as only degrees can.
 fn doubt(values: &[f64], sheet: &Sheet, place: usize, unit: Unit) -> Option<Finding> {
     (unit == Unit::Radian && only_degrees_fit(values)).then(|| {
         let ends = |end: fn(f64, f64) -> f64| values.iter().copied().reduce(end).unwrap_or(f64::NAN);
@@ -132,7 +132,7 @@ fn doubt(values: &[f64], sheet: &Sheet, place: usize, unit: Unit) -> Option<Find
     })
 }
 
-/// Uncertainties are in the unit of their values, unless their header names another.
+/// The unit of uncertainties: that of their values, unless their header names another.
 pub(super) fn of_uncertainty(sheet: &Sheet, place: usize, of_values: Scale, choices: &Choices) -> Scale {
     let own = sheet.channels[place].heading.unit.filter(|unit| *unit != Unit::Count);
     match (own, of_values) {
@@ -177,8 +177,8 @@ fn name(observable: Observable) -> &'static str {
     }
 }
 
-/// Swings to and fro by more than π on either side are no radians of a pendulum, which would go round; whole numbers
-/// may be counts of an encoder.
+/// Returns `true` for swings by more than π to both sides, which are not radians of a pendulum, since it would
+/// rotate; whole numbers may be counts of an encoder.
 fn only_degrees_fit(values: &[f64]) -> bool {
     const BEYOND: f64 = 1.1 * PI;
     let low = values.iter().copied().fold(f64::INFINITY, f64::min);

@@ -50,7 +50,7 @@ fn the_quotient_has_the_covariance_of_the_line() {
     assert!((found.correlation - correlation).abs() < 1e-12, "{found:?}");
 }
 
-/// Errors of 4e-4 s and 0.04 that go together: (−0.5·3e-4·0.03 + 4e-4·0.04)/(5e-4·0.05).
+/// Correlated errors of 4e-4 s and 0.04: (−0.5·3e-4·0.03 + 4e-4·0.04)/(5e-4·0.05).
 #[test]
 fn an_error_of_both_correlates_them() {
     let before = beta(1.0, 0.03);

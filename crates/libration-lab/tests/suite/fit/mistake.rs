@@ -1,4 +1,4 @@
-//! Mistakes that exact factors of g name.
+//! Mistakes identified by their exact factors of g.
 
 use libration_lab::fit::{GravityMistake, Uncertain};
 
@@ -24,7 +24,7 @@ fn exact_factors_are_named() {
     assert_eq!(explaining(2.9 * 9.81, 0.01), None);
 }
 
-/// The factor is within 2 u, or it is not; g is excluded by 3 u of the logarithm, or it is not.
+/// The factor is inside or outside 2 u; g is excluded by 3 u of the logarithm, or it is not.
 #[test]
 fn uncertain_values_are_not_explained() {
     assert_eq!(explaining(40.0, 0.5), Some(GravityMistake::HalfPeriodsAsWhole));
@@ -35,7 +35,7 @@ fn uncertain_values_are_not_explained() {
     assert_eq!(explaining(value, 0.123 * value), None);
 }
 
-/// (30/29.97)² is 1.0020: only where g of the place is known.
+/// (30/29.97)² is 1.0020: identified only if g of the place is known.
 #[test]
 fn a_small_factor_needs_the_gravity_of_the_place() {
     let found = Uncertain { value: 9.81 * 1.002003, uncertainty: 0.003 };

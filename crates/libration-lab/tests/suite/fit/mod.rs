@@ -1,4 +1,4 @@
-//! Fits of period tables: against SciPy, against the truth behind made-up tables, and against themselves.
+//! Fits of period tables compared with SciPy, with the truth of synthetic tables, and with each other.
 
 mod beta;
 mod budget;
@@ -212,7 +212,7 @@ fn the_uncertainties_are_the_scatter_of_repeated_experiments() {
     assert!((mean(chi2) - 1.0).abs() < 4.0 * 0.0072, "{}", mean(chi2));
 }
 
-/// χ²/dof is 1.0 for the table as it is, and so above one with halves of its uncertainties.
+/// χ²/dof is 1.0 for the table, and therefore above one with half of its uncertainties.
 #[test]
 fn uncertainties_too_small_by_a_factor_show_in_chi2_and_not_in_the_answer() {
     let columns = synthetic_columns();
@@ -343,7 +343,7 @@ fn a_law_without_a_value_is_reported_beside_the_others() {
     );
 }
 
-/// Periods with β = 0.495: the first warning, and a part of the uncertainty of T0 and of the budget.
+/// Periods with β = 0.495 cause the first warning, and a part of the uncertainty of T0 and of the budget.
 #[test]
 fn a_refuted_law_is_told_first_and_makes_t0_less_certain() {
     use libration_lab::fit::{Contradiction, PeriodsOptions, PeriodsWarning, fit_periods};

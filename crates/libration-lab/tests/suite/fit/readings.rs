@@ -36,7 +36,7 @@ fn rows_that_scatter_alike_share_one_deviation() {
     assert!(RepeatedReadings::new(&[vec![1.0], vec![2.0]], 0.01).is_none());
 }
 
-/// A reading of 2.30 among those of 1.735: t has p = 9e-8 (of twelve readings), and the row's variance p = 1e-6 (of four rows).
+/// A reading of 2.30 among those of 1.735: t has p = 9e-8 (for twelve readings), and the variance of the row p = 1e-6 (for four rows).
 #[test]
 fn a_blunder_is_named_and_its_row_counts_by_its_own_scatter() {
     let rows: [&[f64]; 4] =
@@ -73,7 +73,7 @@ fn rounding_counts_where_the_readings_scatter_less_and_is_not_divided() {
     assert!(readings(&ALIKE, 1.000001 * seam).rounding.is_some());
 }
 
-/// All rows share one s: whatever the weights are, u² is s² times a number that is known.
+/// All rows share one s: for any weights, u² is s² times a known number.
 #[test]
 fn a_sum_of_means_with_one_pooled_deviation_has_its_degrees_of_freedom() {
     let found = readings(&ALIKE, 0.1);

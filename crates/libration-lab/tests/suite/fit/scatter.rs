@@ -1,4 +1,4 @@
-//! The scatter of rows beside their stated uncertainties, and the enlargement of these.
+//! The scatter of rows compared with their stated uncertainties, and the enlargement of these.
 
 use libration_lab::fit::{Enlargement, Scatter, ScatterVerdict};
 use libration_lab::internals::fit::scatter::degrees_of_freedom;
@@ -35,7 +35,7 @@ fn only_what_chance_does_not_explain_is_told() {
     assert_eq!([2.57, 23.20].map(warning), [None, None]);
 }
 
-/// √1.03 = 1.0149 is what chance makes of ten rows more often than not.
+/// √1.03 = 1.0149, a value that ten rows exceed by chance more often than not.
 #[test]
 fn an_enlargement_is_not_blamed_on_rows_that_scatter_as_stated() {
     let enlarged = |chi2: f64| Scatter::new(Some(chi2), 10).unwrap().enlarged();

@@ -1,4 +1,4 @@
-//! Archives as other programs write them, and such as mean harm.
+//! Archives as other programs write them, and hostile ones.
 
 use super::Case;
 use super::packed::{csv, truth};
@@ -104,7 +104,7 @@ fn refused() -> Vec<Case> {
     ]
 }
 
-/// More files, and more in them, than there may be.
+/// More files, and larger contents, than allowed.
 fn crowded() -> Vec<Case> {
     let many = |count: usize| {
         let files = (0..count).map(|n| Packed::stored(format!("{n}.png"), b""));
@@ -122,7 +122,7 @@ fn crowded() -> Vec<Case> {
     ]
 }
 
-/// A directory that lists other files than there are, or one place for several.
+/// A directory that lists wrong files, or one position for several.
 fn misplaced() -> Vec<Case> {
     let (table, picture) = (table(), Packed::stored("a.png", b"\x89PNG"));
     let files = [table.local(), picture.local()].concat();

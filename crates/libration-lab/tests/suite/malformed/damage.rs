@@ -1,4 +1,4 @@
-//! Damage to text files on their way, done to the table in every style.
+//! Damage to text files in transit, applied to the table in every style.
 
 use super::Case;
 use super::style::{ROWS, STYLES, Style};
@@ -6,7 +6,7 @@ use super::style::{ROWS, STYLES, Style};
 /// The row that is damaged.
 const ROW: usize = 11;
 
-/// A table in one style and what was done to it.
+/// A table in one style and the damage applied to it.
 struct Workbench {
     style: Style,
     cases: Vec<Case>,
@@ -62,7 +62,7 @@ impl Workbench {
         rows.filter(|(row, _)| !left_out.contains(row)).map(|(_, row)| row).collect()
     }
 
-    /// Cells that are no numbers.
+    /// Cells that are not numbers.
     fn cells(&mut self) {
         let other_mark = if self.style.decimal_comma { "60.55" } else { "60,55" };
         let thousands = if self.style.decimal_comma { "1.060,55" } else { "1,060.55" };
@@ -132,7 +132,7 @@ impl Workbench {
         self.read("a row twice", doubled, self.style.truth());
     }
 
-    /// Headers that do not say what is below them.
+    /// Headers that do not describe the columns below them.
     fn headers(&mut self) {
         let (style, rows) = (self.style, self.style.rows());
         let with = |names: &[&str]| style.file(&names.join(style.delimiter), &rows);

@@ -1,4 +1,4 @@
-//! Hundreds of damaged files: each is refused with a message that names the place, or read right to the last bit.
+//! Hundreds of damaged files: each is refused with a message that names the position, or read correctly to the last bit.
 
 mod archives;
 mod damage;
@@ -10,7 +10,7 @@ use libration_lab::measurement::{Choices, MeasurementError, ReadOptions, Recordi
 
 /// Expected result of reading a file.
 pub(crate) enum Expected {
-    /// Read, with just these times and angles.
+    /// Read, with exactly these times and angles.
     Read(Vec<(f64, f64)>),
     /// Refused, with these words in the message.
     Refused(Vec<String>),

@@ -55,7 +55,7 @@ fn workbook_with(rows: &str, parts: &[(&str, &[u8])]) -> Vec<u8> {
     archive(&[&own, parts].concat())
 }
 
-/// The same with two styles: numbers, and times of day.
+/// A workbook with two styles: numbers, and times of day.
 fn workbook(rows: &str) -> Vec<u8> {
     let styles = format!(
         "<styleSheet xmlns=\"{SPACE}\"><cellXfs count=\"2\"><xf numFmtId=\"0\"/><xf numFmtId=\"21\"/></cellXfs></styleSheet>"
@@ -82,7 +82,7 @@ fn number(address: &str, number: f64) -> String {
     format!("<c r=\"{address}\"><v>{number}</v></c>")
 }
 
-/// One of each kind, undamaged.
+/// One container of each kind, undamaged.
 fn kinds() -> [(&'static str, Vec<u8>); 3] {
     let archive = archive(&[
         ("Raw Data.csv", csv().as_bytes()),
@@ -95,7 +95,7 @@ fn whole() -> Vec<Case> {
     kinds().map(|(kind, bytes)| Case::read(format!("{kind}, whole"), bytes, truth())).into()
 }
 
-/// Cut off at forty places each.
+/// Files cut off at forty positions each.
 fn cut() -> Vec<Case> {
     let cut = |(kind, bytes): (&str, Vec<u8>)| {
         let piece = move |part: usize| {
@@ -175,7 +175,7 @@ fn workbooks() -> Vec<Case> {
     .collect()
 }
 
-/// Workbooks as other programs write them: strings next to the cells, prefixes, cells without their position, formulas.
+/// Workbooks as other programs write them: strings in the cells, prefixes, cells without addresses, formulas.
 fn other_writers() -> Vec<Case> {
     // The count is wrong, and a string is in two letterings, with an entity and how to pronounce it.
     let strings = "<sst uniqueCount=\"99999999999999\"><si><r><t>Angle (</t></r><rPh sb=\"0\" eb=\"1\"><t>m</t></rPh>\

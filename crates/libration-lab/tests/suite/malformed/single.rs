@@ -1,4 +1,4 @@
-//! Files that are odd in a way of their own.
+//! Files that are unusual in individual ways.
 
 use super::Case;
 

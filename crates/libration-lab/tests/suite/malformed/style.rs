@@ -8,7 +8,7 @@ pub(crate) struct Style {
     pub(crate) name: &'static str,
     pub(crate) delimiter: &'static str,
     pub(crate) decimal_comma: bool,
-    /// Quotes around every cell.
+    /// `true` for quotes around every cell.
     pub(crate) quoted: bool,
     /// Text above the header, line ends included.
     pub(crate) before: &'static str,
@@ -92,7 +92,7 @@ pub(crate) const STYLES: [Style; 13] = [
 pub(crate) const ROWS: usize = 40;
 
 impl Style {
-    /// Returns whether only blanks stand between cells, so that no cell can be empty.
+    /// Returns `true` if only blanks stand between cells, so that no cell can be empty.
     pub(crate) fn is_spaced(&self) -> bool {
         self.delimiter.chars().all(|letter| letter == ' ')
     }

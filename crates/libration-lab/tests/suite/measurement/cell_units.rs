@@ -1,4 +1,4 @@
-//! Cells with units, and headers that are a unit: read from files.
+//! Cells with units, and headers that are units, read from files.
 
 use libration_lab::measurement::{
     Choices, Column, MeasurementError, ReadOptions, Recording, Role, Table, Unit, WrittenUnit,
@@ -27,7 +27,7 @@ fn cells_with_units_are_read() {
     }
 }
 
-/// A unit of the same quantity is converted, to that of the header or of the first cell.
+/// A unit of the same quantity is converted to that of the header or of the first cell.
 #[test]
 fn units_of_one_quantity_are_brought_to_one() {
     let mixed = table("L,T (s)\n10cm,635ms\n0.2m,0.897s\n400mm,1.269s\n").unwrap();
@@ -43,7 +43,7 @@ fn units_that_do_not_go_together_are_refused() {
     }
 }
 
-/// Names that are lengths stand over plain numbers.
+/// Names that are lengths, above plain numbers.
 #[test]
 fn lengths_as_names_are_no_cells() {
     let named = table("t (s),10 cm,20 cm\n0,0.1,0.2\n1,0.2,0.3\n2,0.3,0.5\n").unwrap();

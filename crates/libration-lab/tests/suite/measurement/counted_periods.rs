@@ -99,7 +99,7 @@ fn a_run_may_be_a_number_of_periods() {
     assert_eq!(counted_in("T (s)", "Group 12"), CountedPeriods::Said(1.0));
 }
 
-/// The header of a table, and what it says of the times in a column.
+/// Headers of a table, with the number of swings in the times of a column.
 #[test]
 fn a_number_after_the_symbol_is_that_of_swings_or_of_a_reading() {
     let single = CountedPeriods::Said(1.0);

@@ -14,7 +14,7 @@ fn read(text: &str) -> Table {
     Table::read(text.as_bytes(), &ReadOptions::default()).unwrap()
 }
 
-/// Rows that make columns of one stem repeat each other.
+/// A table whose rows make columns of the same stem repeat each other.
 fn of_header(header: &str) -> Table {
     let row = vec!["1.5"; header.split(',').count()].join(",");
     let other = vec!["2.25"; header.split(',').count()].join(",");

@@ -89,7 +89,7 @@ fn cut_passages_gaps_and_wrong_rows_are_left_out() {
     assert_eq!(found.passages.len(), 3);
 }
 
-/// Peaks that become lower as the swing does keep their middles.
+/// Peaks whose height falls with the swing keep their middles.
 #[test]
 fn falling_peaks_keep_their_times() {
     let (times, values): (Vec<f64>, Vec<f64>) = (0..2000)

@@ -1,4 +1,4 @@
-//! Problems of nonlinear least squares whose solutions are certified.
+//! Nonlinear least squares problems with certified solutions.
 //!
 //! National Institute of Standards and Technology, *Statistical Reference Datasets*, nonlinear regression, doi:10.18434/T43G6C: the
 //! measurements, both starting values and the certified parameters. Newton's method with forty digits confirms all the digits here.
@@ -156,7 +156,7 @@ fn eckerle4() {
     });
 }
 
-/// A line through points by two slopes of which only the sum counts: the sum is found, and the search ends.
+/// A line through points by two slopes of which only the sum matters: the sum is found, and the search ends.
 #[test]
 fn parameters_that_only_count_together_do_not_stop_the_search() {
     let points = [(1.0, 2.1), (2.0, 3.9), (3.0, 6.0), (4.0, 8.1)];

@@ -57,7 +57,7 @@ fn what_leaves_coefficients_open_is_named() {
     assert_eq!(refused(1, &[1.0, 2.0], &[1.0]), Undetermined::TooFewRows);
 }
 
-/// Columns whose directions differ by an angle that is this exact, and one that is not.
+/// Columns with an angle between them of the size of their accuracy, and a smaller accuracy.
 #[test]
 fn columns_depend_on_each_other_as_far_as_they_are_exact() {
     let beside = |angle: f64| DMatrix::from_row_slice(2, 2, &[1.0, 1.0, 0.0, angle]);

@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector};
 
 const EFFORT: Effort = Effort { tolerance: 1e-12, patience: 100 };
 
-/// Residuals of a·e^(−bt) at four times from 3·e^(−t/2), which has none for b above 5.
+/// Residuals of a·e^(−bt) at four times from 3·e^(−t/2); undefined for b above 5.
 fn exponential(parameters: &DVector<f64>) -> Result<Linearised, ResidualsError> {
     let (a, b) = (parameters[0], parameters[1]);
     if b > 5.0 {
@@ -63,7 +63,7 @@ fn outside_and_stopped_are_told_apart() {
     assert_eq!(minimum(start(1.0), EFFORT, stopped).map(|_| ()).unwrap_err(), ResidualsError::Stopped);
 }
 
-/// A line through its best parameters: one evaluation tells that they are, and two from elsewhere.
+/// A line through its best parameters: the search ends after one evaluation there, and after two from elsewhere.
 #[test]
 fn a_search_ends_where_nothing_is_promised() {
     let counted = |start: [f64; 2]| {

@@ -1,4 +1,4 @@
-//! The middle and the spread of numbers among which some may be wrong.
+//! The median and the spread of numbers some of which may be wrong.
 
 use libration_lab::internals::statistics::robust::robust_deviation;
 

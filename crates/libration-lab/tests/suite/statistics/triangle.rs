@@ -1,9 +1,9 @@
-//! Many rows of a problem of least squares as few: X = Q·R, and R with Qᵀ of the residuals has the same sums of products.
+//! Reduction of the rows of a least squares problem: X = Q·R, and R with Qᵀ of the residuals has the same sums of products.
 
 use libration_lab::internals::statistics::triangle::triangle;
 use nalgebra::DMatrix;
 
-/// Fewer rows than columns, as many, one more, and some blocks with and without a rest.
+/// Fewer rows than columns, as many, one more, and several blocks with and without a remainder.
 #[test]
 fn the_products_of_columns_are_kept() {
     for rows in [1, 3, 4, 255, 256, 257, 1000] {

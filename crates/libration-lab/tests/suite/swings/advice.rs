@@ -13,7 +13,7 @@ fn has(advice: &[Advice], name: &str) -> bool {
     advice.iter().any(|one| one.name() == name)
 }
 
-/// T0 is known to some 2e-4, so that gravity owes half of its variance to a length that is known to 4e-4 or so.
+/// T0 is known to about 2e-4, so that a length known to about 4e-4 contributes half of the variance of gravity.
 #[test]
 fn the_length_is_to_be_given_with_an_uncertainty_and_to_be_measured_better_where_it_decides() {
     assert_eq!(advice(&SWING, &linear())[0], Advice::GiveLength);
@@ -119,7 +119,7 @@ fn rows_at_the_beginning_are_an_end_too() {
     assert!(told.contains(&Advice::LeaveOutEnds { ends: vec![end] }), "{told:?}");
 }
 
-/// At 3 rad/s a hundredth of a second is three hundredths of a radian, and a thousandth as much as the noise.
+/// At 3 rad/s a hundredth of a second is three hundredths of a radian, and a thousandth of a second as much as the noise.
 #[test]
 fn rounded_times_are_to_be_written_with_more_digits() {
     let told = |step: f64| {
@@ -158,7 +158,8 @@ fn fewer_than_fifteen_rows_in_a_period_are_few() {
     assert!(told(14.5) && !told(15.5));
 }
 
-/// A rival with one kind of damping more, of nothing, contradicts nothing; and a decay to a quarter needs no longer record.
+/// A rival model with one additional kind of damping, whose coefficient is zero, contradicts nothing; and a decay to a quarter needs no longer
+/// record.
 #[test]
 fn a_rival_that_adds_nothing_is_none_and_a_long_decay_is_long_enough() {
     for seed in 1..4 {

@@ -1,4 +1,4 @@
-//! Models that the data refute: the first thing that is said, and a part of the uncertainty of T0.
+//! Models refuted by the data: the first warning, and a part of the uncertainty of T0.
 
 use libration::taylor::{Effort, Moment, System, integrate};
 use libration_lab::fit::swings::{FittedPendulum, Warning};

@@ -1,4 +1,4 @@
-//! Warnings and advice about swings: each with data that ask for it, and with data that just do not.
+//! Warnings and advice about swings: each with data that cause it, and with data that just do not.
 
 mod advice;
 mod contradiction;
@@ -25,7 +25,7 @@ fn trace(swing: &Synthetic) -> Trace {
     swing.trace(&mut Random::seeded(1))
 }
 
-/// The same with other times and values, row by row.
+/// The trace with other times and values, row by row.
 fn changed(trace: &Trace, change: impl Fn(usize, f64, f64) -> (f64, f64)) -> Trace {
     let rows = trace.times().iter().zip(trace.values()).enumerate();
     let (times, values) = rows.map(|(row, (time, value))| change(row, *time, *value)).unzip();
@@ -40,13 +40,13 @@ fn with_free_scale() -> SwingsOptions<'static> {
     SwingsOptions { trace: TraceOptions { free_scale: true, ..TraceOptions::default() }, ..linear() }
 }
 
-/// With a length: l = g/ω0² is 1.09 m for 9.81 m/s² and 3 rad/s.
+/// Options with a length: l = g/ω0² is 1.09 m for 9.81 m/s² and 3 rad/s.
 fn of_length(length: f64, uncertainty: Option<f64>) -> SwingsOptions<'static> {
     let apparatus = Apparatus::of_length(Quantity { value: length, uncertainty });
     SwingsOptions { apparatus: Some(apparatus), ..linear() }
 }
 
-/// Whatever is said names no option of a command.
+/// The result, whose texts name no option of a command.
 fn found(traces: &[Trace], options: &SwingsOptions<'_>) -> SwingsFit {
     let found = fit_swings(traces, options, &Quiet).unwrap();
     let words = found.warnings.iter().map(ToString::to_string);

@@ -9,7 +9,7 @@ use libration_lab::measurement::Trace;
 use super::{SWING, changed, found, linear, named, of_length, trace, warnings, with_free_scale};
 use crate::synthetic_trace::Synthetic;
 
-/// At 3° no error tells an angle that is read too small from a small one.
+/// At 3° no error distinguishes an angle that is read too small from a small one.
 #[test]
 fn a_search_without_an_end_is_told() {
     let narrow = Synthetic { amplitude: 0.05, rows: 120, noise: 5e-4, ..SWING };

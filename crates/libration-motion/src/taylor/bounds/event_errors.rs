@@ -19,7 +19,7 @@ pub struct MomentErrors {
 }
 
 /// The passage of the formula of an event through zero.
-struct Passage {
+struct ZeroPassage {
     spread: Spread,
     passing: Passing,
     /// The square root of the number of steps.
@@ -88,7 +88,7 @@ impl StateErrors {
         Some(MomentErrors { time: of.time, state: of.state, formulas: formulas.unwrap_or_default() })
     }
 
-    fn passage(&mut self, accepted: &AcceptedStep<'_>, event: &Occurrence) -> Option<Passage> {
+    fn passage(&mut self, accepted: &AcceptedStep<'_>, event: &Occurrence) -> Option<ZeroPassage> {
         let (stepper, step) = (accepted.stepper(), accepted.step());
         let spread = self.spread_at(stepper, step, event.time);
         let length = step.end() - step.start();
@@ -101,7 +101,7 @@ impl StateErrors {
         let mut at = |time: f64| formula.passing(&moment(time), &sizes);
         let there = at(event.time);
         let bend = (at(event.time + beside).rate - at(event.time - beside).rate) / (2.0 * beside);
-        Some(Passage::new(spread, there, bend, scale))
+        Some(ZeroPassage::new(spread, there, bend, scale))
     }
 
     fn crossings(&mut self, system: &System, event: &Occurrence) -> &mut [Crossing] {
@@ -117,7 +117,7 @@ impl StateErrors {
     }
 }
 
-impl Passage {
+impl ZeroPassage {
     fn new(spread: Spread, passing: Passing, bend: f64, scale: f64) -> Self {
         let Passing { gradient, rate, rest, error, .. } = &passing;
         let error = error + rest;

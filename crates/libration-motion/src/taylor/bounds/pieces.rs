@@ -42,12 +42,12 @@ pub(in crate::taylor) struct Middle {
 
 /// The kind of transition between two steps.
 #[derive(Debug)]
-pub(in crate::taylor) enum Boundary {
+pub(in crate::taylor) enum Transition {
     /// Forces are continuous, possibly with a bend.
     Smooth,
     /// A force jumps, at a time that is rounded.
     Jump { flow: Matrix, late: Vec<f64> },
-    /// Several forces jump, or one whose argument hardly passes zero.
+    /// Jumps whose effect is not known: of several forces, or of one whose argument hardly passes zero.
     Unknown,
 }
 
@@ -120,8 +120,8 @@ impl Pieces {
         accepted: &AcceptedStep<'_>,
         spread: &Spread,
         (steps, scales): (f64, &[f64]),
-    ) -> Boundary {
-        let Some(last) = &mut self.last else { return Boundary::Smooth };
+    ) -> Transition {
+        let Some(last) = &mut self.last else { return Transition::Smooth };
         let jumps: Vec<f64> = last.rates[1].iter().zip(&next.rates[0]).map(|(a, b)| b - a).collect();
         let changes = |modulus: &usize| (last.signs[*modulus] - next.signs[*modulus]).abs() > 0.0;
         let mut changed = (0..next.signs.len()).filter(changes);
@@ -133,9 +133,9 @@ impl Pieces {
             effect <= (SMALLEST_JUMP * way).max(rounding * scales[number])
         };
         if (0..jumps.len()).all(is_none) {
-            return Boundary::Smooth;
+            return Transition::Smooth;
         }
-        let (Some(modulus), None) = (changed.next(), changed.next()) else { return Boundary::Unknown };
+        let (Some(modulus), None) = (changed.next(), changed.next()) else { return Transition::Unknown };
         let step = accepted.step();
         let inputs = [&step.state_at(step.start())[..], &[step.start()], &last.signs].concat();
         self.arguments.evaluate(&inputs);
@@ -148,7 +148,7 @@ impl Pieces {
         let off = steps.sqrt() * spread.of_sum(gradient) / rate.abs();
         let is_passed = off <= LARGEST_PART * last.step.length.abs().min(next.step.length.abs());
         if !is_passed {
-            return Boundary::Unknown;
+            return Transition::Unknown;
         }
         let mut flow = Matrix::one(jumps.len());
         for (row, jump) in jumps.iter().enumerate() {
@@ -158,7 +158,7 @@ impl Pieces {
         let before = last.step.errors.clone();
         last.step.jump(&mut self.formulas, step, &next.step.signs);
         let late = last.step.errors.iter().zip(before).map(|(after, before)| after - before).collect();
-        Boundary::Jump { flow, late }
+        Transition::Jump { flow, late }
     }
 
     /// The spread in the middle of the next step, computed from that in the middle of the last step by neighbouring motions.
@@ -193,7 +193,7 @@ fn at_rest(way: f64, scale: f64) -> f64 {
 /// Smallest effect of a jump on a step, relative to the distance that a component covers; a smaller one is rounding.
 const SMALLEST_JUMP: f64 = 1e-10;
 
-/// The same where an argument of a |…| changes its sign, relative to the largest size of the component: four roundings.
+/// Smallest effect of a jump where an argument of a |…| changes its sign, relative to the largest size of the component: four roundings.
 const ROUNDED_JUMP: f64 = 4.0 * f64::EPSILON;
 
 /// Largest error of the time of a zero, relative to the adjacent steps, at which the zero counts as passed.

@@ -143,6 +143,7 @@ impl Propagator {
     }
 }
 
+/// √15: Gauss's three points are at 1/2 and 1/2 ± √15/10 of a step.
 const SQRT_15: f64 = 3.872983346207417;
 
 /// Returns `true` if the sum of the changes of all entries exceeds a fraction of the sum of their sizes.

@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use super::crossing::Crossing;
 use super::matrix::Matrix;
-use super::pieces::{Boundary, Middle, Pieces};
+use super::pieces::{Middle, Pieces, Transition};
 use super::propagator::Propagator;
 use super::roundings_of_steps::{add_forces, add_unseen, terms, underflow};
 use super::spread::Spread;
@@ -220,14 +220,14 @@ impl StateErrors {
         self.add_unseen(step, time - step.start());
         let is_known = !is_new && self.flow.is_finite();
         let boundary = pieces.boundary(&middle, accepted, &self.spreads[1], (self.steps, &self.scales));
-        match if is_known || pieces.last.is_none() { boundary } else { Boundary::Unknown } {
-            Boundary::Smooth => self.spreads[1].pass(&self.flow),
-            Boundary::Jump { flow, late } => {
+        match if is_known || pieces.last.is_none() { boundary } else { Transition::Unknown } {
+            Transition::Smooth => self.spreads[1].pass(&self.flow),
+            Transition::Jump { flow, late } => {
                 self.spreads[1].pass(&flow);
                 self.spreads[1].blur(&late);
                 self.spreads[1].pass(&self.flow);
             }
-            Boundary::Unknown => self.spreads[1] = pieces.grown(&middle, &self.scales),
+            Transition::Unknown => self.spreads[1] = pieces.grown(&middle, &self.scales),
         }
         middle.keep_zero(&mut self.spreads[1]);
         middle.spread.clone_from(&self.spreads[1]);

@@ -11,7 +11,7 @@ use crate::taylor::{
 #[derive(Debug)]
 pub(in crate::taylor) struct Survey {
     /// Stretches of some thousand steps, from whose starts the motion can be resumed.
-    pub(in crate::taylor) stretches: Vec<Stretch>,
+    pub(in crate::taylor) stretches: Vec<StepRange>,
     pub(in crate::taylor) solution: Solution,
     /// The event that ended the motion.
     pub(in crate::taylor) ending: Option<Occurrence>,
@@ -21,7 +21,7 @@ pub(in crate::taylor) struct Survey {
 
 /// Some consecutive steps.
 #[derive(Debug)]
-pub(in crate::taylor) struct Stretch {
+pub(in crate::taylor) struct StepRange {
     pub(in crate::taylor) start: Start,
     pub(in crate::taylor) steps: usize,
 }
@@ -37,11 +37,11 @@ impl Survey {
         const STEPS: usize = 4096;
         let start = Start::State(start.clone());
         let (mut stretches, mut ending, mut sizes) = (vec![], None, vec![]);
-        let mut stretch = Stretch { start: start.clone(), steps: 0 };
+        let mut stretch = StepRange { start: start.clone(), steps: 0 };
         let mut next = None::<Checkpoint>;
         let solution = integrate_from(system, &start, &[last], effort, |accepted| {
             if let Some(checkpoint) = next.take() {
-                let next = Stretch { start: Start::Checkpoint(checkpoint), steps: 0 };
+                let next = StepRange { start: Start::Checkpoint(checkpoint), steps: 0 };
                 stretches.push(std::mem::replace(&mut stretch, next));
             }
             stretch.steps += 1;

@@ -11,7 +11,7 @@ use crate::taylor::{
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Stage;
 
-type Outcome = Result<Solution, IntegrationError>;
+type SolutionResult = Result<Solution, IntegrationError>;
 
 /// The lanes, and the present results of their motions.
 #[derive(Debug)]
@@ -65,11 +65,11 @@ impl<'a, const N: usize> Batch<'a, N> {
         &mut self,
         trajectories: &'a [Trajectory<'_>],
         mut observer: Observer<'_, N>,
-    ) -> Vec<Outcome> {
+    ) -> Vec<SolutionResult> {
         if let Observer::Progress(watch) = &observer {
             watch.begin(Stage::Whole, Some(trajectories.len()));
         }
-        let mut outcomes: Vec<Option<Outcome>> = trajectories.iter().map(|_| None).collect();
+        let mut outcomes: Vec<Option<SolutionResult>> = trajectories.iter().map(|_| None).collect();
         let mut waiting = trajectories.iter().enumerate();
         let mut finished = 0;
         let mut interrupted = false;
@@ -122,7 +122,12 @@ impl<'a, const N: usize> Batch<'a, N> {
     }
 
     /// Puts a motion into a lane; returns its outcome if there is nothing to integrate.
-    fn start(&mut self, lane: usize, number: usize, trajectory: &'a Trajectory<'_>) -> Result<(), Outcome> {
+    fn start(
+        &mut self,
+        lane: usize,
+        number: usize,
+        trajectory: &'a Trajectory<'_>,
+    ) -> Result<(), SolutionResult> {
         let Effort { relative, absolute, .. } = self.effort;
         trajectory.check(self.system).map_err(Err)?;
         if !self.effort.is_possible() {
@@ -156,7 +161,7 @@ fn conclude<const N: usize>(
     effort: &Effort,
     interrupted: &mut bool,
     observer: &mut Observer<'_, N>,
-) -> Outcome {
+) -> SolutionResult {
     let (cause, moment) = match end {
         End::Stopped(cause, moment) if Rest::may_explain(cause) => (cause, moment),
         end => return end.outcome(solution),
@@ -194,7 +199,7 @@ enum End {
 }
 
 impl End {
-    fn outcome(self, solution: PartialSolution<'_>) -> Outcome {
+    fn outcome(self, solution: PartialSolution<'_>) -> SolutionResult {
         match self {
             Self::Reached(end) => Ok(solution.finished(end)),
             Self::Stopped(cause, end) => solution.stopped(cause, end),

@@ -38,12 +38,12 @@ pub struct Ensemble {
 /// One motion: its present step and the data from which it continues.
 #[derive(Clone, Debug)]
 struct Member {
-    known: Known,
+    known: KnownState,
     way: Way,
 }
 
 #[derive(Clone, Debug)]
-enum Known {
+enum KnownState {
     At(Moment),
     During(OwnedStep),
 }
@@ -71,7 +71,8 @@ impl Ensemble {
         for start in starts {
             Trajectory { start: start.clone(), parameters: vec![], times: &[HORIZON] }.check(&system)?;
         }
-        let members = starts.iter().map(|start| Member { known: Known::At(start.clone()), way: Way::Start });
+        let members =
+            starts.iter().map(|start| Member { known: KnownState::At(start.clone()), way: Way::Start });
         Ok(Self { members: members.collect(), system, effort: *effort })
     }
 
@@ -143,7 +144,7 @@ fn step(stepper: &mut Stepper<'_, LANES>, members: &mut [Member], group: &[usize
         match ahead {
             Err(cause) => member.way = Way::Ended(cause),
             Ok(()) => {
-                member.known = Known::During(stepper.step(lane).to_owned_step());
+                member.known = KnownState::During(stepper.step(lane).to_owned_step());
                 member.way = Way::From(stepper.checkpoint_to_this_goal(lane));
             }
         }
@@ -159,15 +160,15 @@ impl Member {
                 stepper.start(lane, &here, &[], HORIZON);
                 stepper.resume(lane, checkpoint);
             }
-            (_, Known::At(start)) => stepper.start(lane, start, &[], HORIZON),
-            (_, Known::During(_)) => stepper.idle(lane),
+            (_, KnownState::At(start)) => stepper.start(lane, start, &[], HORIZON),
+            (_, KnownState::During(_)) => stepper.idle(lane),
         }
     }
 
     fn is_behind(&self, time: f64) -> bool {
         let until = match &self.known {
-            Known::At(start) => start.time,
-            Known::During(step) => step.step().end(),
+            KnownState::At(start) => start.time,
+            KnownState::During(step) => step.step().end(),
         };
         time > until && until < HORIZON && !matches!(self.way, Way::Ended(_))
     }
@@ -175,8 +176,8 @@ impl Member {
     #[expect(clippy::float_cmp, reason = "a start is known at its time alone")]
     fn state_at(&self, time: f64) -> Option<Vec<f64>> {
         match &self.known {
-            Known::At(start) => (time == start.time).then(|| start.state.clone()),
-            Known::During(step) => {
+            KnownState::At(start) => (time == start.time).then(|| start.state.clone()),
+            KnownState::During(step) => {
                 let step = step.step();
                 (step.start() <= time && time <= step.end()).then(|| step.state_at(time))
             }

@@ -15,7 +15,7 @@ impl<const N: usize> Stepper<'_, N> {
     pub(in crate::taylor) fn look_ahead(&mut self) -> [Result<(), Cause>; N] {
         let mut outcomes = self.expand_in_fitting_units();
         let goal_bound = self.goal_bound;
-        let lengths = dispatch_lanes::<N, _>(Lengths { stepper: self });
+        let lengths = dispatch_lanes::<N, _>(LengthsKernel { stepper: self });
         match dispatch_lanes::<N, _>(EndsOnOpenWays { stepper: self, lengths: &lengths }) {
             Some(ends) => (self.block.end, self.unit) = (ends, lanes(|lane| unit_for(lengths[lane]))),
             None => self.look_for_ends(&lengths, &mut outcomes),
@@ -234,6 +234,7 @@ impl<const N: usize> Stepper<'_, N> {
 
     /// The latest end at which series that seem to be polynomials do not overflow.
     fn end_of_finite_states(&self, lane: usize) -> Result<f64, Cause> {
+        /// Halvings after which the longest span, 1.8e308, is 1e-23.
         const HALVINGS: usize = 1100;
         let start = self.block.start[lane];
         let ends = std::iter::successors(Some(self.goal[lane]), |end| Some(start + 0.5 * (end - start)));
@@ -276,11 +277,11 @@ impl<const N: usize> Kernel for EndsOnOpenWays<'_, '_, N> {
 }
 
 /// The kernel that computes the lengths of the steps.
-struct Lengths<'f, 'a, const N: usize> {
+struct LengthsKernel<'f, 'a, const N: usize> {
     stepper: &'f Stepper<'a, N>,
 }
 
-impl<const N: usize> Kernel for Lengths<'_, '_, N> {
+impl<const N: usize> Kernel for LengthsKernel<'_, '_, N> {
     type Output = [f64; N];
 
     #[inline(always)]

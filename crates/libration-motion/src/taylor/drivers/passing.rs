@@ -6,7 +6,7 @@
 
 use super::stepper::{SHORTEST, StepEnds, Stepper, unit_for};
 use crate::taylor::Cause;
-use crate::taylor::nonsmooth::picard::{Beginning, Stretch};
+use crate::taylor::nonsmooth::picard::{PicardStart, PicardStep};
 use libration_kernels::dispatch::dispatch_lanes;
 
 /// The position of the zero of a |…|'s argument, in the direction of the motion.
@@ -88,7 +88,7 @@ impl<const N: usize> Stepper<'_, N> {
         })
     }
 
-    fn beginning(&self, lane: usize) -> Option<Beginning<'_>> {
+    fn beginning(&self, lane: usize) -> Option<PicardStart<'_>> {
         let system = self.expander.system;
         let state: Vec<f64> = self.block.state(lane).collect();
         let mut held = vec![false; state.len()];
@@ -99,11 +99,11 @@ impl<const N: usize> Stepper<'_, N> {
         }
         let parameters = self.surroundings.parameters.iter().map(|values| values[lane]).collect();
         let (passage, layout) = (system.passage()?, system.layout());
-        Some(Beginning { passage, layout, time: self.block.start[lane], state, parameters, held })
+        Some(PicardStart { passage, layout, time: self.block.start[lane], state, parameters, held })
     }
 
     /// The motion over a zero, if its error is within the tolerance.
-    fn stretch_over(&self, lane: usize, zero: Zero) -> Option<Stretch> {
+    fn stretch_over(&self, lane: usize, zero: Zero) -> Option<PicardStep> {
         /// Allowed error of the iteration as a fraction of the allowed error of the step: small enough to be negligible.
         const PART: f64 = 0.0625;
         let beginning = self.beginning(lane)?;
@@ -135,7 +135,7 @@ impl<const N: usize> Stepper<'_, N> {
     }
 
     /// The longest stretch from a zero on.
-    fn longest(&self, lane: usize, along: impl Fn(f64) -> Option<Stretch>) -> Option<Stretch> {
+    fn longest(&self, lane: usize, along: impl Fn(f64) -> Option<PicardStep>) -> Option<PicardStep> {
         const MOST: usize = 280;
         let resolution = self.resolution(lane);
         let whole = (self.goal[lane] - self.block.start[lane]).abs();
@@ -146,7 +146,7 @@ impl<const N: usize> Stepper<'_, N> {
     }
 
     /// Replaces the computed step by one along a stretch.
-    fn lay_out(&mut self, lane: usize, stretch: &Stretch) {
+    fn lay_out(&mut self, lane: usize, stretch: &PicardStep) {
         let unit = self.block.unit[lane];
         let start = self.block.start[lane];
         for (number, [first, second]) in stretch.coefficients.iter().enumerate() {

@@ -31,7 +31,7 @@ pub(in crate::taylor) fn rest(
     let numbers = in_moduli.chain(passage.bases().iter().copied());
     let mut all = numbers.filter_map(|number| {
         let equation = at_zero(system, number)?;
-        let side = Side { passage, system, moment, parameters, number };
+        let side = ZeroVicinity { passage, system, moment, parameters, number };
         match side.leads_to_zero(backward)? {
             true => {
                 let mut state = moment.state.clone();
@@ -66,7 +66,7 @@ fn at_zero(system: &System, number: usize) -> Option<Equation> {
 }
 
 /// The vicinity of zero in one state component.
-struct Side<'a> {
+struct ZeroVicinity<'a> {
     passage: &'a Passage,
     system: &'a System,
     moment: &'a Moment,
@@ -74,7 +74,7 @@ struct Side<'a> {
     number: usize,
 }
 
-impl Side<'_> {
+impl ZeroVicinity<'_> {
     /// The rate of change of the component at this value.
     fn rate(&self, value: f64) -> Option<f64> {
         let Self { passage, system, moment, parameters, number } = self;

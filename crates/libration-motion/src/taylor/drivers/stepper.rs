@@ -189,6 +189,7 @@ impl<const N: usize> Kernel for StepEnds<'_, '_, N> {
 
 /// The unit of time for series with steps of this length: a power of two, large enough that terms that are small in a step do not underflow.
 pub(in crate::taylor) fn unit_for(length: f64) -> f64 {
+    /// The bits of the exponent.
     const EXPONENT: u64 = 0x7ff << 52;
     const LARGER: f64 = 64.0;
     let power = f64::from_bits(length.min(1e300).to_bits() & EXPONENT);

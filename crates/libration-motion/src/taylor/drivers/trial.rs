@@ -76,6 +76,7 @@ impl<const N: usize> Stepper<'_, N> {
 
     /// The end itself, or an earlier time, up to which the accelerations are those of the polynomials.
     pub(in crate::taylor) fn confirmed_end(&mut self, lane: usize, end: f64) -> Result<f64, Cause> {
+        /// More halvings than `f64` has powers of two, 2098: any end comes as close to the start as numbers allow.
         const HALVINGS: usize = 2200;
         let start = self.block.start[lane];
         let mut end = end;
@@ -188,6 +189,7 @@ impl<const N: usize> Stepper<'_, N> {
 /// Fractions of a step: evenly spaced, and closer and closer to its end, since a force may vanish where the argument of a steep function turns.
 fn looks() -> impl Iterator<Item = f64> {
     const EVEN: u32 = 16;
+    /// Halvings of the distance from the end: the last look is 2⁻³⁹ of the step before it.
     const NEARER: i32 = 40;
     let even = (1..EVEN).map(|look| f64::from(look) / f64::from(EVEN));
     even.chain((2..NEARER).map(|halvings| 1.0 - libm::ldexp(1.0, -halvings)))

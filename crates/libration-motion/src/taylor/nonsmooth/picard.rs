@@ -10,7 +10,7 @@ use libration_numbers::internals::quadrature::{POINTS, points, running_integrals
 use libration_numbers::roots::{Tolerance, zero_between};
 
 /// The beginning of a stretch.
-pub(in crate::taylor) struct Beginning<'a> {
+pub(in crate::taylor) struct PicardStart<'a> {
     pub(in crate::taylor) passage: &'a Passage,
     pub(in crate::taylor) layout: &'a StateLayout,
     pub(in crate::taylor) time: f64,
@@ -21,7 +21,7 @@ pub(in crate::taylor) struct Beginning<'a> {
 }
 
 /// The motion in a stretch: each state component as x₀ + c₁t + c₂t², which is exact at the end.
-pub(in crate::taylor) struct Stretch {
+pub(in crate::taylor) struct PicardStep {
     pub(in crate::taylor) length: f64,
     /// c₁ and c₂ of each component.
     pub(in crate::taylor) coefficients: Vec<[f64; 2]>,
@@ -50,7 +50,7 @@ impl Panel {
     }
 }
 
-impl Beginning<'_> {
+impl PicardStart<'_> {
     fn at(&self, elapsed: f64, state: &[f64]) -> Option<Values> {
         self.passage.at(self.time + elapsed, state, &self.parameters)
     }
@@ -92,7 +92,12 @@ impl Beginning<'_> {
     }
 
     /// The motion in a stretch of this length; `None` if the iteration does not reach the tolerance.
-    pub(in crate::taylor) fn stretch(&self, rates: &[f64], length: f64, tolerance: f64) -> Option<Stretch> {
+    pub(in crate::taylor) fn stretch(
+        &self,
+        rates: &[f64],
+        length: f64,
+        tolerance: f64,
+    ) -> Option<PicardStep> {
         /// Maximum number of sweeps; a stretch that requires more is too long.
         const MOST_SWEEPS: usize = 12;
         let panels = self.panels(rates, length)?;
@@ -173,7 +178,7 @@ fn finished(
     gained: &[Vec<f64>],
     end: &[f64],
     sizes: &[f64],
-) -> Stretch {
+) -> PicardStep {
     let coefficients: Vec<[f64; 2]> =
         rates.iter().zip(end).map(|(rate, end)| [*rate, end / length / length]).collect();
     let error = |(time, gained): (f64, &Vec<f64>)| {
@@ -185,5 +190,5 @@ fn finished(
         parts.fold(0.0, f64::max)
     };
     let misfit = nodes.iter().map(|(time, _)| *time).zip(gained).map(error).fold(0.0, f64::max);
-    Stretch { length, coefficients, misfit }
+    PicardStep { length, coefficients, misfit }
 }

@@ -57,7 +57,7 @@ impl Step<'_> {
     /// That of the state at the end of the step. Outside the step the error grows like a power of the time, up to the order of the series.
     #[must_use]
     pub fn state_at(&self, time: f64) -> Vec<f64> {
-        dispatch(State { step: self, time })
+        dispatch(StateKernel { step: self, time })
     }
 
     /// One component of the state at a time.
@@ -118,12 +118,12 @@ impl Step<'_> {
 }
 
 /// A state at a time, compiled for each instruction set.
-struct State<'s, 'a> {
+struct StateKernel<'s, 'a> {
     step: &'s Step<'a>,
     time: f64,
 }
 
-impl Kernel for State<'_, '_> {
+impl Kernel for StateKernel<'_, '_> {
     type Output = Vec<f64>;
 
     #[inline(always)]

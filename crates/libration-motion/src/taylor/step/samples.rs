@@ -17,12 +17,12 @@ impl Step<'_> {
         let series: Vec<f64> = (0..self.terms).map(|n| self.coefficient(number, n)).collect();
         let slope_low = self.layout.velocity(number).map_or(0.0, |velocity| self.low(velocity) * self.unit);
         let lows = [self.low(number), slope_low];
-        dispatch_slices(Values { step: self, series: &series, lows, times, values });
+        dispatch_slices(ValuesKernel { step: self, series: &series, lows, times, values });
     }
 }
 
 /// The values of a series, compiled for each instruction set.
-struct Values<'s> {
+struct ValuesKernel<'s> {
     step: &'s Step<'s>,
     series: &'s [f64],
     /// Low words of the first two coefficients.
@@ -31,7 +31,7 @@ struct Values<'s> {
     values: &'s mut [f64],
 }
 
-impl Kernel for Values<'_> {
+impl Kernel for ValuesKernel<'_> {
     type Output = ();
 
     #[inline(always)]

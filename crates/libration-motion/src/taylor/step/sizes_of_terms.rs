@@ -40,6 +40,7 @@ const LAST: usize = 12;
 /// The sum of a geometric series that continues the largest of the last terms: by parity
 /// every other term may vanish, and next to pairs of singularities the terms oscillate.
 fn left_out(last: [f64; LAST]) -> Option<f64> {
+    /// Largest ratio of the sizes of successive terms; the sum of those left out is then nine times the last one.
     const LARGEST_RATIO: f64 = 0.9;
     const MARGIN: f64 = 4.0;
     let largest = |terms: &[f64]| terms.iter().copied().fold(0.0, f64::max);

@@ -4,7 +4,7 @@ use super::{Fault, Lexer, Symbol, Token};
 use crate::expression::letters::superscript;
 
 /// Notation of a fraction.
-pub(super) enum Fraction<'a> {
+pub(super) enum FractionNotation<'a> {
     Slash,
     /// `\frac` or a similar command, followed by two groups in braces.
     Command(&'a str),
@@ -12,7 +12,7 @@ pub(super) enum Fraction<'a> {
 
 impl Lexer<'_> {
     /// The derivative with respect to t that begins here; `None`, with nothing consumed, if there is none.
-    pub(super) fn derivative(&mut self, fraction: &Fraction<'_>) -> Option<Result<Token, Fault>> {
+    pub(super) fn derivative(&mut self, fraction: &FractionNotation<'_>) -> Option<Result<Token, Fault>> {
         let start = self.at;
         let found = self.quotient_of_differentials(fraction);
         match found {
@@ -22,10 +22,10 @@ impl Lexer<'_> {
         found.map(Ok)
     }
 
-    fn quotient_of_differentials(&mut self, fraction: &Fraction<'_>) -> Option<Token> {
+    fn quotient_of_differentials(&mut self, fraction: &FractionNotation<'_>) -> Option<Token> {
         let (before, between, after) = match fraction {
-            Fraction::Slash => (String::new(), &["/"][..], None),
-            Fraction::Command(word) => (format!("\\{word}{{"), &["}", "{"][..], Some("}")),
+            FractionNotation::Slash => (String::new(), &["/"][..], None),
+            FractionNotation::Command(word) => (format!("\\{word}{{"), &["}", "{"][..], Some("}")),
         };
         self.literal(&before)?;
         self.differential()?;

@@ -1,6 +1,6 @@
 //! Commands of LaTeX in formulas: `\ddot{x}`, `\theta`, `\frac{a}{b}`, `\sin`, `\cdot`.
 
-use super::derivative::Fraction;
+use super::derivative::FractionNotation;
 use super::{Fault, Lexer, Symbol, Token};
 use crate::algebra::Function;
 use crate::expression::letters::is_greek;
@@ -45,7 +45,7 @@ impl Lexer<'_> {
         self.free = true;
         let word = word(&self.rest()[1..]);
         if let "frac" | "dfrac" | "tfrac" = word {
-            if let Some(derivative) = self.derivative(&Fraction::Command(word)) {
+            if let Some(derivative) = self.derivative(&FractionNotation::Command(word)) {
                 return derivative;
             }
             self.at += 1 + word.len();

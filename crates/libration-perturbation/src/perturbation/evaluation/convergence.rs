@@ -32,7 +32,7 @@ pub struct Convergence {
     pub radius: f64,
     /// The lower end of the range in which the estimates lie.
     pub at_least: f64,
-    /// Its upper end, infinite when they do not exclude that the series converges everywhere.
+    /// The upper end, infinite if the estimates do not exclude that the series converges everywhere.
     pub at_most: f64,
     /// The series has only each stride-th power.
     pub stride: usize,
@@ -49,7 +49,7 @@ pub enum Singularity {
     Negative,
     /// A pair of conjugate values.
     Pair {
-        /// The angle in radians between the real axis and one of them, between 0 and π.
+        /// The angle in radians, between 0 and π, of one of them from the positive real axis.
         angle: f64,
     },
     /// The coefficients do not tell.
@@ -101,8 +101,8 @@ impl Inverse {
     }
 }
 
-/// A single singularity, from the signs of the later half of the coefficients and the ratios extrapolated to 1/n = 0, linearly and
-/// quadratically. The differences of these from one another and from the ones before are the uncertainty.
+/// A single singularity, from the signs of the later half of the coefficients and the ratios extrapolated to 1/n = 0, linearly and quadratically.
+/// The uncertainty comes from the differences between these and from the preceding ones.
 fn one_singularity(coefficients: &[Rational]) -> Option<(Inverse, Singularity)> {
     let end = coefficients.len() - 1;
     let ratio = |n: usize| Some(coefficients[n].checked_div(&coefficients[n - 1])?.to_f64());

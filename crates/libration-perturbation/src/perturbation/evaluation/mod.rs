@@ -1,4 +1,4 @@
-//! A series in numbers: term by term, with what is known of the rest.
+//! A series in numbers: terms and partial sums, with a bound or an estimate of the remainder.
 //!
 //! # Method
 //! Partial sums are floats of 256 bits and rounded once. Remainders are proven where a series with positive coefficients bounds the series or
@@ -31,9 +31,8 @@ pub(crate) use stride::stride;
 
 /// A power series Σ cₙxⁿ at one x, term by term. Terms with cₙ = 0 are left out, the constant term excepted.
 ///
-/// # Accuracy
-/// Terms, sums and distances between sums are rounded once, from sums that are wrong by less than 1e-60 of their
-/// largest term. x is taken as the exact `f64`.
+/// # Accuracy Terms, sums and distances between sums are rounded once, from sums with an error below 1e-60 of
+/// their largest term. x is taken as the exact `f64`.
 ///
 /// # Examples
 /// ```
@@ -114,7 +113,7 @@ impl SeriesEvaluation {
         Self { at: x, steps: steps.collect() }
     }
 
-    /// The same with proven remainders: `remainder_after` gives a bound on the remainder after the terms up to a power.
+    /// The same terms with proven remainders: `remainder_after` gives a bound on the remainder after the terms up to a power.
     #[must_use]
     pub fn with_bound(mut self, remainder_after: impl Fn(usize) -> f64) -> Self {
         for step in &mut self.steps {
@@ -164,7 +163,7 @@ impl SeriesEvaluation {
 /// Bits of the sums.
 const PRECISION: usize = 256;
 
-/// An `f64` as it is.
+/// An `f64` as a long float.
 fn float(x: f64) -> BigFloat {
     BigFloat::from_words(DoubleDouble::from(x), PRECISION)
 }

@@ -35,8 +35,8 @@ pub struct Pole {
     pub position: Complex,
     /// Residue: the coefficient of 1/(z − position).
     pub residue: Complex,
-    /// `true` if it is likely an artefact of this approximant: the next lower one has no pole in that direction, or a zero
-    /// all but cancels it.
+    /// `true` if it is probably an artefact of this approximant: the next lower one has no pole in that direction, or a
+    /// zero nearly cancels it.
     pub spurious: bool,
 }
 
@@ -71,13 +71,13 @@ impl Pade {
         Some(Self { numerator, denominator, series: series.to_vec(), degrees: (m, n) })
     }
 
-    /// Its coefficients, constant term first; none for zero.
+    /// The coefficients of the numerator, constant term first; empty for zero.
     #[must_use]
     pub fn numerator(&self) -> &[Rational] {
         &self.numerator
     }
 
-    /// Its coefficients, constant term first, which is 1.
+    /// The coefficients of the denominator, constant term first, which is 1.
     #[must_use]
     pub fn denominator(&self) -> &[Rational] {
         &self.denominator
@@ -104,8 +104,8 @@ impl Pade {
 
     /// The poles by ascending distance.
     ///
-    /// # Accuracy
-    /// From coefficients rounded to `f64`: the poles nearest to 0 are good to many digits, those far off to fewer.
+    /// # Accuracy From coefficients rounded to `f64`: the poles nearest to 0 have many correct digits, distant
+    /// ones fewer.
     #[must_use]
     pub fn poles(&self) -> Vec<Pole> {
         let of_numerator = zeros(&self.numerator);

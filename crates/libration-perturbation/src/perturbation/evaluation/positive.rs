@@ -2,7 +2,7 @@
 
 use libration_kernels::elementary::count;
 
-/// Σ cₙxⁿ with cₙ ≥ 0, where n goes in equal strides, to some power.
+/// Σ cₙxⁿ with cₙ ≥ 0, where n increases by a constant stride, up to some power.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PositiveSeries {
     /// Coefficients, indexed by powers from zero.
@@ -24,12 +24,12 @@ pub(crate) struct PositiveSeriesAt<'a> {
 const ROUNDING: f64 = 1e-10;
 
 impl PositiveSeries {
-    /// The powers `first`, `first` + `stride`, … of these coefficients, which stand by powers from zero.
+    /// The powers `first`, `first` + `stride`, … of these coefficients, which are indexed by the power from zero.
     pub(crate) const fn new(coefficients: Vec<f64>, first: usize, stride: usize) -> Self {
         Self { coefficients, first, stride }
     }
 
-    /// The remainder at x, where `value` gives the whole series, right to 1e-11 or larger, at any x below the limit.
+    /// The remainder at x, where `value` gives the whole series, right to 1e-11 or too large, at any x below the limit.
     pub(crate) fn at(&self, x: f64, limit: f64, value: impl Fn(f64) -> f64) -> PositiveSeriesAt<'_> {
         // All coefficients being positive, the remainder at x is at most (x/y)^next of that at a larger y. At x itself rounding would
         // hide a remainder that is small, near the limit the value is large: the best of some is taken.
@@ -55,7 +55,7 @@ impl PositiveSeries {
 }
 
 impl PositiveSeriesAt<'_> {
-    /// A bound of what is missing when the series ends with this power; infinite from the limit on.
+    /// A bound of the remainder if the series ends with this power; infinite from the limit on.
     pub(crate) fn after(&self, power: usize) -> f64 {
         if self.x.is_nan() {
             return f64::NAN;

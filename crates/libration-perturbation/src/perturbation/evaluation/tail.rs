@@ -1,15 +1,15 @@
-//! An estimate of what is missing from a series that is not given to its end.
+//! An estimate of the remainder of a truncated series.
 
 use super::convergence::Convergence;
 use super::stride::stride;
 use libration_kernels::elementary::count;
 use libration_numbers::algebra::BigFloat;
 
-/// The fewest terms beyond the first that tell how a series goes on. With one or two, one estimate in eight was too small.
+/// The fewest terms after the first that determine the trend of a series. With one or two, one estimate in eight was too small.
 const FEWEST: usize = 3;
-/// Number of terms from which on [`Convergence`] is used: with eight to twelve it made one estimate in thirty too small.
+/// Number of terms above which [`Convergence`] is used: with eight to twelve it made one estimate in thirty too small.
 const MANY: usize = 13;
-/// An estimated radius may be less certain than it says: by itself it made one estimate in a hundred too small, so none.
+/// Factor of estimated radii, whose uncertainty may be too small: without it one estimate in a hundred was too small, with it none.
 const CAUTION: f64 = 1.05;
 
 /// An estimate of the sum of the terms that are not given, infinite when too few are given or they do not shrink. `terms` are the terms

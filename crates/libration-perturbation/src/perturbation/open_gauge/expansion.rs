@@ -1,4 +1,4 @@
-//! The ansatz with its symbols, and what the equation of motion makes of it, power by power of ε.
+//! The ansatz with its symbols, and the terms of the equation of motion for it, power by power of ε.
 
 use std::collections::BTreeMap;
 
@@ -66,7 +66,7 @@ impl<'a> Expansion<'a> {
         self.ansatz.harmonics.iter().map(condition).collect()
     }
 
-    /// Sets the coefficients of an order to what has been found for them, the others to their symbols.
+    /// Sets the coefficients of an order to their solutions, the others to their symbols.
     pub(super) fn insert(&mut self, order: u32, found: &BTreeMap<Variable, Polynomial>) {
         let value =
             |symbol: Variable| found.get(&symbol).cloned().unwrap_or_else(|| Polynomial::variable(symbol));

@@ -1,5 +1,5 @@
-//! The Lindstedt–Poincaré equations order by order with the gauge left open: which coefficients they fix, and
-//! which they leave free.
+//! The Lindstedt–Poincaré equations order by order with an open gauge: the coefficients that they determine,
+//! and those that they leave free.
 
 mod expansion;
 
@@ -13,9 +13,9 @@ use libration_numbers::progress::{Interrupted, Progress, Stage};
 /// The powers of ε in the ansatz.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EpsilonPowers {
-    /// Odd powers in the harmonics and even ones in Ω, which is enough for an odd force.
+    /// Odd powers in the harmonics and even ones in Ω, sufficient for an odd force.
     OneParity,
-    /// All of them.
+    /// All powers.
     All,
 }
 
@@ -63,8 +63,8 @@ impl OpenGauge {
     /// The largest order.
     pub const MAX_ORDER: u32 = 15;
 
-    /// The conditions up to ε^order for a restoring force g(x) = g₁x + g₂x² + … given by g₁, g₂, …; what is not
-    /// given is zero. [`restoring_force`](super::restoring_force) gives that of an oscillator.
+    /// The conditions up to ε^order for a restoring force g(x) = g₁x + g₂x² + … given by g₁, g₂, …; further
+    /// coefficients are zero. [`restoring_force`](super::restoring_force) gives that of an oscillator.
     ///
     /// # Errors
     /// When the order is not between 1 and [`MAX_ORDER`](Self::MAX_ORDER), g₁ is not positive, or the force has
@@ -90,14 +90,14 @@ impl OpenGauge {
         Ok(Self { ansatz, force, conditions, solution })
     }
 
-    /// The conditions order by order; what the conditions of lower orders fix is inserted. The condition of the
-    /// first order and the first harmonic is 0 = 0, because ω0 has been chosen so.
+    /// The conditions order by order; with the solutions of lower orders inserted. The condition of the first
+    /// order and the first harmonic is 0 = 0 by the choice of ω0.
     #[must_use]
     pub fn conditions(&self) -> &[Condition] {
         &self.conditions
     }
 
-    /// The same conditions with nothing inserted: the system of equations in all the unknowns at once. `None`
+    /// The conditions without solutions inserted: the system of equations in all the unknowns at once. `None`
     /// above order 9 with one parity and order 6 with all powers, because the number of terms grows very fast:
     /// for the pendulum 115, 1303 and 15 025 at orders 5, 7 and 9.
     #[must_use]
@@ -128,7 +128,7 @@ impl OpenGauge {
         self.unknowns().into_iter().filter(|unknown| !self.solution.contains_key(unknown)).collect()
     }
 
-    /// The solution in one gauge: Aₙ is what `free` gives for n.
+    /// The solution in one gauge, with Aₙ from `free`.
     #[must_use]
     pub fn in_gauge(&self, free: impl Fn(u32) -> Rational) -> BTreeMap<Variable, Rational> {
         let chosen = |variable: &Variable| variable.index().map(&free);
@@ -163,10 +163,10 @@ pub enum OpenGaugeError {
     /// An even term with an ansatz of odd powers.
     #[error("the force has a term in x^{power}, so the expansion needs all powers, not only odd ones")]
     EvenTerm {
-        /// Its exponent.
+        /// The exponent.
         power: u32,
     },
-    /// Cancelled by the caller.
+    /// Cancellation by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

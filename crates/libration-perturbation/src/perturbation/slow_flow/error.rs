@@ -21,16 +21,16 @@ pub enum SlowFlowError {
         "no parameter is symbolic: leave the one without a value that multiplies the small terms, such as c in x'' + c*x' + x = 0"
     )]
     NoSmallParameter,
-    /// Several letters, and none is named.
+    /// Several symbols, none of which is named as small.
     #[error("{} have no value: name the small one, and give the others a value", open.join(", "))]
     WhichIsSmall {
-        /// Their names.
+        /// The names of the symbols.
         open: Vec<String>,
     },
     /// Letters other than the small one.
     #[error("no value is given for {}: only the small parameter stays symbolic", names.join(", "))]
     WithoutValue {
-        /// Their names.
+        /// The names of the symbols.
         names: Vec<String>,
     },
     /// A name that is not a letter without a value.
@@ -49,7 +49,7 @@ pub enum SlowFlowError {
     Oscillator {
         /// The small parameter.
         parameter: String,
-        /// The reason why there is none.
+        /// The reason why there is no oscillator.
         error: Box<OscillatorError>,
     },
     /// An equilibrium or a frequency that is not a number of the ring.
@@ -67,8 +67,8 @@ pub enum SlowFlowError {
     },
     /// Kinks in the velocity without the symmetry that puts both half swings on the same footing.
     #[error(
-        "a force with abs or sign of the velocity is averaged where the acceleration is the opposite at the opposite displacement and \
-         velocity, and here it is not proved to be"
+        "averaging a force with abs or sign of the velocity needs an acceleration that changes its sign with displacement and velocity, \
+         which is not proved here"
     )]
     KinkedAndAsymmetric,
     /// The amplitude cannot mean this.

@@ -1,7 +1,7 @@
 //! Functions on the half swing 0 ≤ ψ ≤ π that are their own opposites on the next one: y(ψ + π) = −y(ψ).
 //!
-//! They are Σ ψᵖ·hₚ(ψ) with sums of harmonics hₚ. Where the velocity has one sign a force such as x′|x′| is a polynomial, and so
-//! is what it forces: a forcing cos ψ, which a periodic function must not have, makes ½ψ·sin ψ.
+//! They are Σ ψᵖ·hₚ(ψ) with sums of harmonics hₚ. If the velocity has one sign a force such as x′|x′| is a polynomial, and so is
+//! the forced motion: a forcing cos ψ, which a periodic function must not have, makes ½ψ·sin ψ.
 
 use super::phase_functions::{
     Coefficient, PhaseFunctions, Response, Term, cosines_with, forced_by, slope_of,
@@ -48,7 +48,7 @@ impl<F: Ring> HalfSwings<F> {
         (0..a.len().max(b.len())).map(|p| f(&at(a, p), &at(b, p))).collect()
     }
 
-    /// The number that it is; `None` when it depends on the phase.
+    /// The value as a number; `None` if it depends on the phase.
     fn as_constant<'a>(&self, a: &'a Sums<F>) -> Option<Option<&'a Sum<F>>> {
         let (first, rest) = match a.split_first() {
             None => return Some(None),

@@ -6,9 +6,7 @@ use libration_numbers::roots::{PolynomialRoot, polynomial_roots};
 
 /// A limit cycle for small values of the parameter ε, all of it by powers of ε.
 ///
-/// # Accuracy
-/// That of the root of a₁(A) which it begins with, [`root_error`](Self::root_error); what follows from it is as good as the cycles of
-/// a₁ are apart.
+/// # Accuracy That of its root of a₁(A), [`root_error`](Self::root_error); the higher terms lose digits if cycles of a₁ are close to each other.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SlowLimitCycle {
     /// A, in the gauge of the slow flow; one power less than the others.
@@ -46,8 +44,8 @@ fn sum(series: &[f64], parameter: f64) -> f64 {
 }
 
 impl SlowFlow {
-    /// The limit cycles that are born of simple zeros of a₁(A), as far in ε as the polynomials in A are
-    /// [whole](Self::whole_powers); none where they are not.
+    /// The limit cycles from simple zeros of a₁(A), up to the power of ε at which the polynomials in A are
+    /// [complete](Self::whole_powers); empty if they are not.
     ///
     /// # Examples
     /// ```

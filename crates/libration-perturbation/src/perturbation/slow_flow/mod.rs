@@ -73,7 +73,7 @@ pub use symbolic::{
 pub(crate) use weak_force::FirstOrder;
 pub use weak_force::WeakForce;
 
-/// A polynomial in the small parameter and the amplitude: by the power of the parameter, then by that of A.
+/// A polynomial in the small parameter and the amplitude: indexed by the power of the parameter, then by that of A.
 pub type SlowSeries = Vec<Vec<PiSum>>;
 
 /// The slow flow of a weakly damped or excited oscillator, and its motion.
@@ -81,7 +81,7 @@ pub type SlowSeries = Vec<Vec<PiSum>>;
 pub struct SlowFlow {
     /// The name of the small parameter.
     pub parameter: String,
-    /// The highest power of A in displacement and A′; ψ′ has one less.
+    /// The highest power of A in displacement and A′; that in ψ′ is lower by one.
     pub order: usize,
     /// The highest power of the parameter.
     pub parameter_order: usize,
@@ -95,12 +95,12 @@ pub struct SlowFlow {
     pub amplitude_rate: SlowSeries,
     /// ψ′.
     pub phase_rate: SlowSeries,
-    /// The displacement as a sum of these; only for 0 ≤ ψ ≤ π where [`half_swing`](Self::half_swing) says so.
+    /// The displacement as a sum of these; for [`half_swing`](Self::half_swing) only for 0 ≤ ψ ≤ π.
     pub motion: Vec<PhaseTerm>,
     /// Power of the parameter up to which A′ and ψ′ are complete: polynomials in A without terms beyond [`order`](Self::order). Zero where
     /// the force without the small terms is not linear, or the small terms are not polynomials in displacement and velocity.
     pub whole_powers: usize,
-    /// The force has kinks where the motion turns: the displacement at ψ + π is the opposite of that at ψ.
+    /// `true` if the force has kinks where the motion turns: the displacement at ψ + π is the opposite of that at ψ.
     pub half_swing: bool,
 }
 
@@ -232,7 +232,7 @@ impl<'a> Question<'a> {
         Ok(Self { force, tape, equilibrium, omega0_squared, gauge, amplitude, order, parameter_order })
     }
 
-    /// The slow flow over fractions, or with √ω0² and powers of π where they are needed.
+    /// The slow flow over fractions, or with √ω0² and powers of π if they are needed.
     fn answer(&self, watch: &Watch<'_>) -> Result<SlowFlow, SlowFlowError> {
         let field = QuadraticField { base: Rationals, square: self.omega0_squared.clone() };
         let surd =

@@ -1,4 +1,4 @@
-//! Functions of the phase ψ, and how a harmonic oscillator of frequency one responds to them.
+//! Functions of the phase ψ, and the response of a harmonic oscillator of unit frequency to them.
 
 use libration_numbers::{
     algebra::Ring,
@@ -33,7 +33,7 @@ pub trait PhaseFunctions: Ring {
     fn terms(&self, a: &Self::Element) -> Vec<Term<Coefficient<Self>>>;
 }
 
-/// The wave that the forcing must not have if y is to go on as it began, and a y that the rest makes of y″ + y.
+/// The wave that must be removed from the forcing for y to be continued, and a y that solves y″ + y for the rest.
 #[expect(missing_debug_implementations, reason = "its numbers are those of a ring that may have none")]
 pub struct Response<R: PhaseFunctions + ?Sized> {
     pub secular: HarmonicPair<Coefficient<R>>,
@@ -48,7 +48,7 @@ pub struct Term<N> {
     pub(in crate::perturbation) wave: HarmonicPair<N>,
 }
 
-/// kτ-th harmonics of the derivative.
+/// The derivative with respect to τ, harmonic by harmonic.
 pub(super) fn slope_of<F: Ring>(
     sums: &HarmonicSums<F>,
     a: &HarmonicSum<F::Element>,
@@ -76,7 +76,7 @@ pub(super) fn forced_by<F: Ring>(
     })
 }
 
-/// The sum of all cosines' coefficients, those of odd k with this sign: the value at ψ = 0 or π.
+/// The sum of the coefficients of all cosines, with this sign for odd k: the value at ψ = 0 or π.
 pub(super) fn cosines_with<F: Ring>(
     sums: &HarmonicSums<F>,
     a: &HarmonicSum<F::Element>,

@@ -1,4 +1,4 @@
-//! An oscillator and the weak force that takes or gives energy: which letter is small, and what the force is while x falls.
+//! An oscillator and the weak force that takes or supplies energy: its small symbol, and the force while x falls.
 
 use super::error::SlowFlowError;
 use libration_motion::oscillator::Oscillator;
@@ -12,14 +12,14 @@ pub struct WeakForce {
     pub parameter: String,
     /// Oscillator at ε = 0.
     pub oscillator: Oscillator,
-    /// The acceleration, a formula of x, x′ and ε that is analytic; with kinks at x′ = 0 that of x′ < 0.
+    /// The acceleration, a formula of x, x′ and ε that is analytic; with kinks at x′ = 0 that for x′ < 0.
     pub acceleration: Expression,
-    /// The acceleration has kinks where the motion turns.
+    /// `true` if the acceleration has kinks where the motion turns.
     pub kinked: bool,
 }
 
 impl WeakForce {
-    /// The weak force of an equation with one symbolic parameter, which is the small one, or with several of which it is named.
+    /// The weak force of an equation with one symbolic parameter, which is small, or with several, one of which is named as small.
     ///
     /// # Errors
     /// No letter or several, the time in the equation, no oscillator where the letter is zero, kinks without the symmetry of both half
@@ -78,7 +78,7 @@ impl FirstOrder {
     }
 }
 
-/// The letter that is small: the one that is named, or the only one without a value.
+/// The small symbol: the named one, or the only one without a value.
 fn small_parameter(equation: &Equation, named: Option<&str>) -> Result<String, SlowFlowError> {
     let mut open: Vec<String> = equation.parameters().into_iter().collect();
     let chosen = match named {
@@ -98,7 +98,7 @@ fn small_parameter(equation: &Equation, named: Option<&str>) -> Result<String, S
     }
 }
 
-/// The formula where the velocity is negative: −x′ in the place of |x′|, and −1 in that of its sign.
+/// The formula for negative velocity: −x′ in place of |x′|, and −1 in place of its sign.
 fn while_falling(formula: &Expression, velocity: &Symbol) -> Expression {
     match formula {
         Expression::Call(Function::Abs, of) if is_symbol(of, velocity) => Expression::Negate(of.clone()),

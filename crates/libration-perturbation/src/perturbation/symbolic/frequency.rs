@@ -1,4 +1,4 @@
-//! The frequency of small oscillations in letters, and what stands for it in coefficients.
+//! The frequency of small oscillations in symbols, and its name in coefficients.
 //!
 //! Behind the letters the ring has one more, ω0. It stands in coefficients where ω0² is a sum or its root is needed,
 //! and obeys ω0² = q, with q a Laurent polynomial in the letters.
@@ -11,7 +11,7 @@ pub(super) struct Frequency<'a> {
     ring: &'a LaurentPolynomials,
     /// ω0² in letters.
     square: &'a LaurentPolynomial,
-    /// The place of ω0 among the letters of the ring.
+    /// The index of ω0 among the symbols of the ring.
     place: usize,
     /// Term by which sums are reduced.
     leading: Option<Leading>,
@@ -45,7 +45,7 @@ impl<'a> Frequency<'a> {
         self.in_letters().unwrap_or_else(|| self.symbol())
     }
 
-    /// ω0 where it is a product of letters and a fraction.
+    /// ω0, if it is a product of symbols and a fraction.
     pub(super) fn in_letters(&self) -> Option<LaurentPolynomial> {
         self.ring.power(self.square, &Rational::new(1, 2)?)
     }
@@ -55,7 +55,7 @@ impl<'a> Frequency<'a> {
         self.is_sum().then(|| self.ring.letters()[self.place].clone())
     }
 
-    /// The name of ω0 with its root as a formula, where ω0² is one term whose root stands in these coefficients.
+    /// The name of ω0 with its root as a formula, if ω0² is one term whose root occurs in these coefficients.
     pub(super) fn named_root(&self, coefficients: &[LaurentPolynomial]) -> Option<(String, Expression)> {
         let occurs = |it: &LaurentPolynomial| it.half_powers().any(|(powers, _)| powers[self.place] != 0);
         if self.is_sum() || !coefficients.iter().any(occurs) {
@@ -74,7 +74,7 @@ impl<'a> Frequency<'a> {
         self.ring.letter(self.place)
     }
 
-    /// The same with as little of ω0² written out as can be.
+    /// The coefficient with ω0² written out as little as possible.
     pub(super) fn reduced(&self, coefficient: &LaurentPolynomial) -> LaurentPolynomial {
         match &self.leading {
             _ if !self.is_sum() => self.written_out(coefficient).unwrap_or_else(|| coefficient.clone()),
@@ -83,7 +83,7 @@ impl<'a> Frequency<'a> {
         }
     }
 
-    /// The same with ω0² in letters, ω0 to the first power at most; `None` where a negative power of a sum is left.
+    /// The coefficient with ω0² in symbols and ω0 to at most the first power; `None` if a negative power of a sum remains.
     fn written_out(&self, coefficient: &LaurentPolynomial) -> Option<LaurentPolynomial> {
         if coefficient.is_beyond_limit() {
             return Some(coefficient.clone());
@@ -147,7 +147,7 @@ impl Leading {
     }
 }
 
-/// Fractions in the place of the letters.
+/// Fractions in place of the symbols.
 pub(super) struct Point<'a> {
     frequency: &'a Frequency<'a>,
     /// The square roots of the letters.
@@ -156,8 +156,8 @@ pub(super) struct Point<'a> {
 }
 
 impl<'a> Point<'a> {
-    /// A point at which ω0² is not zero, for letters up to this power, doubled. High powers of fractions are fractions of
-    /// thousands of digits: where there are such, all letters are 1.
+    /// A point at which ω0² is not zero, for symbols up to this power, doubled. High powers of fractions have thousands
+    /// of digits: if there are any, all symbols are 1.
     pub(super) fn new(frequency: &'a Frequency<'a>, largest_half_power: i64) -> Option<Self> {
         const TRIED: i64 = 20;
         const HIGH: i64 = 400;
@@ -180,7 +180,7 @@ impl<'a> Point<'a> {
         &self.omega0_squared
     }
 
-    /// `None` for what is not a number there.
+    /// The value of a coefficient; `None` if it is undefined there.
     pub(super) fn value(&self, coefficient: &LaurentPolynomial) -> Option<Rational> {
         coefficient.value(|place, half_power| {
             if place == self.frequency.place {

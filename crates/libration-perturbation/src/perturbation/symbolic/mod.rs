@@ -28,16 +28,16 @@ use libration_numbers::{
     internals::algebra::HarmonicSums,
 };
 
-/// The expansion of an oscillator whose parameters stay letters.
+/// The expansion of an oscillator with symbolic parameters.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SymbolicExpansion {
     /// The letters, in the order of the alphabet.
     pub letters: Vec<String>,
-    /// Names in the coefficients that stand for other constants, with these: c1 for √2, pi for π.
+    /// Names of other constants in the coefficients, with their values: c1 for √2, pi for π.
     pub constants: Vec<(String, Expression)>,
     /// The positive root ω0 of ω0², where that is a product of letters and a fraction.
     pub omega0: Option<LaurentPolynomial>,
-    /// The name that stands for ω0 in the coefficients, where ω0² is a sum.
+    /// The name of ω0 in the coefficients, if ω0² is a sum.
     pub omega0_name: Option<String>,
     /// The series.
     pub series: Expansion<LaurentPolynomial>,
@@ -155,7 +155,7 @@ impl Question<'_> {
         set.with_numbers(set.numbers().iter().map(|number| self.frequency.reduced(number)))
     }
 
-    /// Checks by the potential in letters where there is one, and with numbers in the place of letters.
+    /// Checks by the potential in symbols if there is one, and with numbers in place of symbols.
     fn certificate(
         &self,
         model: &Model<LaurentPolynomial>,

@@ -6,7 +6,7 @@ use std::f64::consts::FRAC_PI_2;
 use libration_kernels::elementary::count;
 use libration_numbers::algebra::{Complex, Rational};
 
-/// The force and the phases at which it is taken.
+/// The force and the phases at which it is evaluated.
 #[derive(Clone, Debug)]
 pub(super) struct Collocation {
     /// Cosines of the odd multiples of each phase.
@@ -29,7 +29,7 @@ impl Collocation {
         Self::exact_to(harmonics, force, (force.len() + 1) * highest(harmonics))
     }
 
-    /// The same with as many phases as the square of what the equation of motion leaves needs.
+    /// The collocation with the number of phases needed for the square of the residual of the equation of motion.
     pub(super) fn for_residuals(harmonics: u32, force: &[Rational]) -> Self {
         Self::exact_to(harmonics, force, 2 * force.len() * highest(harmonics))
     }
@@ -58,7 +58,7 @@ impl Collocation {
         libm::pow(last, -1.0 / count(self.degree() - 1))
     }
 
-    /// The same with x measured in other units: the force g(s·x)/s.
+    /// The collocation with x measured in other units: the force g(s·x)/s.
     pub(super) fn in_units_of(&self, scale: f64) -> Self {
         let powers = std::iter::successors(Some(1.0), |power| Some(power * scale * scale));
         let force = self.force.iter().zip(powers).map(|(term, power)| term * power);

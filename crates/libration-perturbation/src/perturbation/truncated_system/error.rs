@@ -12,10 +12,10 @@ pub enum TruncatedSystemError {
     /// An even power in the force.
     #[error("the force has a term in x^{power}; odd harmonics alone need an odd force")]
     EvenTerm {
-        /// Its exponent.
+        /// The exponent.
         power: usize,
     },
-    /// Nothing but the linear term.
+    /// Only the linear term.
     #[error("up to x^{degree} the force is linear; keep at least its next term")]
     Linear {
         /// Degree at which the force was cut off.
@@ -39,9 +39,9 @@ pub enum TruncatedSystemError {
         /// The amplitude that was given.
         amplitude: f64,
     },
-    /// Some were not found.
+    /// Some solutions were not found.
     #[error(
-        "{found} of the {expected} solutions were found; where some coincide try an amplitude a little off"
+        "{found} of the {expected} solutions were found; if some coincide, try a slightly different amplitude"
     )]
     Missing {
         /// Number of solutions found.
@@ -49,7 +49,7 @@ pub enum TruncatedSystemError {
         /// Number of solutions that exist.
         expected: usize,
     },
-    /// Cancelled by the caller.
+    /// Cancellation by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

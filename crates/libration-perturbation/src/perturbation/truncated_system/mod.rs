@@ -72,7 +72,7 @@ pub struct TruncatedSolution {
 }
 
 impl TruncatedSystem {
-    /// The largest number of solutions for which they are looked for.
+    /// The largest number of solutions for a search.
     pub const MAX_SOLUTIONS: u64 = 2000;
 
     /// The system of a number of harmonics under the restoring force g(x) = g₁x + g₃x³ + …, given by g₁, g₂ = 0,
@@ -100,8 +100,8 @@ impl TruncatedSystem {
     }
 
     /// The equations besides a₁ + a₃ + … = amplitude: polynomials in a1, a3, … and Delta that must vanish, with
-    /// integer coefficients. Where the first has a1 in every term, as with two harmonics and a cubic force, it is
-    /// divided by it, and the solutions with a₁ = 0 are lost to it.
+    /// integer coefficients. If the first has a1 in every term, as with two harmonics and a cubic force, it is
+    /// divided by it, which removes the solutions with a₁ = 0.
     #[must_use]
     pub fn conditions(&self) -> Vec<Polynomial> {
         let force = self.force_of_harmonics();
@@ -126,8 +126,8 @@ impl TruncatedSystem {
 
     /// All solutions for an amplitude: the accepted one first, then by verdict, and by residual.
     ///
-    /// # Accuracy
-    /// About 1e-12 of their size where they are well apart, half the digits where two nearly coincide.
+    /// # Accuracy About 1e-12 of their size if they are well separated, half the digits if two nearly
+    /// coincide.
     ///
     /// # Errors
     /// When the amplitude is not positive and finite, or solutions are missing after all attempts, as happens

@@ -25,7 +25,7 @@ pub(super) struct Root {
     pub(super) frequency_ratio_squared: Complex,
 }
 
-/// The different solutions that are found; all if they are as many as expected.
+/// The different solutions found; all if their number is the expected one.
 pub(super) fn all_roots(
     equations: &Collocation,
     amplitude: f64,
@@ -114,7 +114,7 @@ impl<'a> Homotopy<'a> {
         ratios.iter().filter_map(|ratio| self.start(ratio)).collect()
     }
 
-    /// The amplitudes in these ratios with the right sum, and Δ² for them.
+    /// The amplitudes in these ratios with the given sum, and Δ² for them.
     fn start(&self, ratios: &[Complex]) -> Option<Vec<Complex>> {
         let sum: Complex = ratios.iter().copied().sum();
         let factor = self.start / sum;
@@ -176,7 +176,7 @@ impl<'a> Homotopy<'a> {
         Linearization { values: mix(&known.values, &sought.values), derivatives: rows.collect() }
     }
 
-    /// −n²Δ²aₙ + cₙaₙᵈ and the difference of Σ aₙ from what it is at the start.
+    /// −n²Δ²aₙ + cₙaₙᵈ, and the difference of Σ aₙ from its value at the start.
     fn known(&self, z: &[Complex]) -> Linearization {
         let k = self.factors.len();
         let degree = u32::try_from(self.equations.degree()).unwrap_or(u32::MAX);

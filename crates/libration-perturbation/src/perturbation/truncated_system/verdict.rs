@@ -23,7 +23,7 @@ pub enum SolutionVerdict {
     Complex,
 }
 
-/// Formats like `rejected: Δ² is not positive, so nothing oscillates`.
+/// Writes the verdict: `rejected: Δ² is not positive, so nothing oscillates`.
 impl fmt::Display for SolutionVerdict {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(match self {
@@ -83,7 +83,7 @@ fn verdict(
     }
 }
 
-/// The solution that is a₁ = amplitude, Δ = 1 at small amplitudes, followed up to this one; `None` when it ends before.
+/// The solution with a₁ = amplitude, Δ = 1 at small amplitudes, followed up to this one; `None` if it ends before.
 fn small_oscillation(equations: &Collocation, amplitude: f64) -> Option<Root> {
     const SMALLEST_STEP: f64 = 1e-9;
     let mut z = vec![Complex::default(); equations.harmonics() + 1];

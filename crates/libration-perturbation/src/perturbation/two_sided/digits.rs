@@ -1,4 +1,4 @@
-//! The integrals over a side in digits, by Gauss's quadrature of series: at each place χ the phase is a series of numbers.
+//! The integrals over a side as decimal numbers, by Gauss's quadrature of series: at each node χ the phase is a series of numbers.
 
 use super::Side;
 use super::phase::turned;
@@ -104,13 +104,13 @@ impl<'a> Place<'a> {
     }
 }
 
-/// Gauss's rule with m places misses about (eL/4m)²ᵐ of a function that grows like e^L beyond the ends, here L = π/2 times the sum of the
-/// frequencies; with a seventh of the bits as further places that is below the last bit.
+/// Gauss's rule with m nodes has an error of about (eL/4m)²ᵐ for a function that grows like e^L beyond the ends, here L = π/2 times the sum of the
+/// frequencies; with a seventh of the bits as further nodes that is below the last bit.
 fn number_of_places(floats: Floats, frequencies: usize) -> usize {
     8 * frequencies / 5 + floats.precision / 7
 }
 
-/// The places above zero of Gauss's rule from −1 to 1, with their weights: the zeros of the Legendre polynomial, by Newton's method.
+/// The nodes above zero of Gauss's rule from −1 to 1, with their weights: the zeros of the Legendre polynomial, by Newton's method.
 fn upper_places(floats: Floats, places: usize) -> Vec<(BigFloat, BigFloat)> {
     let places = places + places % 2;
     let near = |i: usize| libm::cos(std::f64::consts::PI * (count(i) + 0.75) / (count(places) + 0.5));

@@ -34,7 +34,7 @@ use libration_numbers::{
     internals::expression::{Jet, Tape},
 };
 
-/// Highest order with exact coefficients; a coefficient has some order³/12 terms in the computation, a product the square of it.
+/// Highest order with exact coefficients; a coefficient has about order³/12 terms in the computation, a product the square of that.
 pub(crate) const MAX_PI_ORDER: usize = 15;
 
 /// A force with two sides, and the expansion requested.
@@ -64,7 +64,7 @@ pub(super) struct Side<'a, E> {
 }
 
 impl<'a> TwoSided<'a> {
-    /// Creates the family; `None` where the oscillator has not two sides, or its equilibrium or ω0² is not a fraction.
+    /// Creates the family; `None` unless the oscillator has two sides and fractions as equilibrium and ω0².
     pub(crate) fn new(oscillator: &'a Oscillator, order: usize, gauge: &'a Gauge) -> Option<Self> {
         let sides = oscillator.sides()?;
         let x = Symbol::plain(oscillator.variable());
@@ -80,7 +80,7 @@ impl<'a> TwoSided<'a> {
         })
     }
 
-    /// The series in digits; `None` when two precisions do not agree, or it is interrupted.
+    /// The series as decimal numbers; `None` if two precisions do not agree, or it is cancelled.
     pub(crate) fn in_digits(&self, watch: &Watch<'_>) -> Option<Approximated> {
         let series_at = |precision: usize| {
             watch.begin(Stage::Floats { bits: precision }, Some(self.order));
@@ -100,7 +100,7 @@ impl<'a> TwoSided<'a> {
         set.with_numbers(set.numbers().iter().map(laurent_polynomial))
     }
 
-    /// The answer made of the series.
+    /// The result with these series.
     pub(crate) fn expansion(
         &self,
         set: SeriesSet<LaurentPolynomial>,

@@ -13,7 +13,7 @@ fn facts(oscillator: &Oscillator) -> (String, String, Kind, bool) {
     (at, stiffness, oscillator.kind().clone(), oscillator.is_odd())
 }
 
-/// Key, equilibrium, ω0², whether x′ enters, whether the force is odd.
+/// Key, equilibrium, ω0², `true` if x′ enters, `true` if the force is odd.
 const CENTRES: &[(&str, &str, &str, bool, bool)] = &[
     ("pendulum", "0", "1", false, true),
     ("duffing", "0", "1", false, true),
@@ -326,7 +326,7 @@ fn reference_equations_are_in_the_catalogue_with_their_values() {
     }
 }
 
-/// Without limits these would take hours; there is no clock here because machines differ.
+/// Equations that would take hours without limits; the test has no clock because machines differ.
 #[test]
 fn hostile_equations_are_answered() {
     for text in [

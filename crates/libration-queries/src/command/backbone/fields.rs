@@ -19,7 +19,7 @@ impl Answer {
         self.points.iter().map(|point| Point { answer: self, point })
     }
 
-    /// An amplitude to read, in degrees where it is an angle.
+    /// An amplitude as printed, in degrees if it is an angle.
     pub(super) fn amplitude_text(&self, amplitude: f64, digits: usize) -> String {
         if self.is_angle() {
             format!("{}°", short(amplitude.to_degrees(), digits))
@@ -153,7 +153,7 @@ impl Point<'_> {
         self.point.exact.as_ref()?.as_ref().ok()
     }
 
-    /// Another equilibrium that the orbit goes around.
+    /// Another equilibrium that the orbit encloses.
     pub(super) fn encloses(&self) -> Option<f64> {
         self.orbit()?.encloses
     }

@@ -29,7 +29,7 @@ pub(crate) use fields::answers;
 pub(crate) struct Backbone {
     #[command(flatten)]
     oscillator: OscillatorOptions,
-    /// Amplitudes START:STOP:STEP or a,b,…; with a unit where the variable is an angle
+    /// Amplitudes START:STOP:STEP or a,b,…; with a unit if the variable is an angle
     #[arg(long, value_name = "A")]
     amplitudes: String,
     /// The order of the perturbation series

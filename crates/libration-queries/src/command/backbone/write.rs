@@ -18,7 +18,7 @@ pub(super) fn csv(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     fields::of_point().write_csv(out, &answer.listed().collect::<Vec<_>>())
 }
 
-/// Writes the properties of the whole, the points if they are to be listed, and the reasons why some are missing.
+/// Writes the properties of the backbone, the points if they are to be listed, and the reasons for missing ones.
 pub(super) fn table(out: &mut dyn Write, answer: &Answer, listed: bool) -> io::Result<()> {
     sheet(out, &head(answer))?;
     let points: Vec<Point<'_>> = answer.listed().collect();
@@ -33,7 +33,7 @@ pub(super) fn table(out: &mut dyn Write, answer: &Answer, listed: bool) -> io::R
     write_reasons(out, answer)
 }
 
-/// Writes the amplitude from which orbits belong to another family.
+/// Writes the amplitude above which orbits belong to another family.
 fn write_enclosing(out: &mut dyn Write, answer: &Answer, points: &[Point<'_>]) -> io::Result<()> {
     let enclosing: Vec<(&Point<'_>, f64)> =
         points.iter().filter_map(|point| Some((point, point.encloses()?))).collect();
@@ -81,7 +81,7 @@ fn series(answer: &Answer) -> String {
     }
 }
 
-/// Writes why there are no orbits, each reason once.
+/// Writes the reasons why orbits are missing, each once.
 fn write_reasons(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     let mut missing = answer.points.iter().filter_map(|point| Some((point, point.orbit.as_ref().err()?)));
     let count = missing.clone().count();

@@ -6,7 +6,7 @@ use crate::arguments::{
     CoordinateName, InitialOptions, ParameterRange, SectionOptions, SystemOptions, parameter_range,
     place_in_state, section_failure,
 };
-use crate::figure::section::{StateAxis, Sweep};
+use crate::figure::section::{DiagramSweep, StateAxis};
 use crate::output::{FormOptions, announce};
 use crate::query_error::{QueryError, option};
 use crate::{figure, interrupt, parallel};
@@ -49,7 +49,7 @@ pub(crate) struct Bifurcation {
     initial: InitialOptions,
     /// Start each motion where the previous one ended, taking the values in this order
     #[arg(long, value_name = "ORDER")]
-    sweep: Option<Order>,
+    sweep: Option<SweepOrder>,
     #[command(flatten)]
     section: SectionOptions,
     /// The state variable that the picture shows [default: the first coordinate, or its velocity if it is an angle]
@@ -64,9 +64,9 @@ pub(crate) struct Bifurcation {
     form: FormOptions,
 }
 
-/// The order in which the values are gone through.
+/// The order in which the parameter takes its values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Order {
+enum SweepOrder {
     /// As given
     Up,
     /// In reverse
@@ -75,7 +75,7 @@ enum Order {
     Both,
 }
 
-/// The diagram, with what is needed to write it.
+/// The diagram, with the settings of its output.
 pub(crate) struct Diagram<'a> {
     pub(crate) model: &'a Model,
     pub(crate) options: &'a SectionOptions,
@@ -83,7 +83,7 @@ pub(crate) struct Diagram<'a> {
     pub(crate) points: Points,
     pub(crate) angles: Vec<bool>,
     pub(crate) parameter: &'a ParameterRange,
-    pub(crate) sweeps: Vec<Sweep>,
+    pub(crate) sweeps: Vec<DiagramSweep>,
 }
 
 impl Bifurcation {
@@ -131,7 +131,7 @@ impl Bifurcation {
         without_points.map_or(Ok(()), Err)
     }
 
-    /// The place in the state of what the picture shows.
+    /// The index of the state component in the picture.
     fn axis(&self, model: &Model) -> Result<usize, QueryError> {
         match &self.axis {
             Some(name) => place_in_state(model, &option("axis"), name),
@@ -140,7 +140,12 @@ impl Bifurcation {
         }
     }
 
-    fn sweeps(&self, model: &Model, place: &Section, start: &Moment) -> Result<Vec<Sweep>, QueryError> {
+    fn sweeps(
+        &self,
+        model: &Model,
+        place: &Section,
+        start: &Moment,
+    ) -> Result<Vec<DiagramSweep>, QueryError> {
         let family = Family {
             equation: model.equation(),
             parameter: &self.over.name,
@@ -151,7 +156,7 @@ impl Bifurcation {
         let (effort, done) = (self.section.effort(), AtomicUsize::new(0));
         let all: usize = pieces.iter().map(|piece| piece.values.len()).sum();
         let how_far = || format!("{} of {all} values", done.load(Ordering::Relaxed));
-        let work = |piece: &Piece| {
+        let work = |piece: &ParameterPiece| {
             let before = Cell::new(0);
             let progress = |status: Status| {
                 done.fetch_add(status.done - before.replace(status.done), Ordering::Relaxed);
@@ -166,40 +171,44 @@ impl Bifurcation {
         Ok(joined(&pieces, columns))
     }
 
-    /// The work in pieces that know nothing of each other.
-    fn pieces(&self) -> Vec<Piece> {
+    /// Independent pieces of the work.
+    fn pieces(&self) -> Vec<ParameterPiece> {
         let values = &self.over.values;
-        let sweep = |name, values: Vec<f64>| Piece { name, values, continuation: Continuation::LastState };
+        let sweep =
+            |name, values: Vec<f64>| ParameterPiece { name, values, continuation: Continuation::LastState };
         let up = || sweep("up", values.clone());
         let down = || sweep("down", values.iter().rev().copied().collect());
         match self.sweep {
-            Some(Order::Up) => vec![up()],
-            Some(Order::Down) => vec![down()],
-            Some(Order::Both) => vec![up(), down()],
+            Some(SweepOrder::Up) => vec![up()],
+            Some(SweepOrder::Down) => vec![down()],
+            Some(SweepOrder::Both) => vec![up(), down()],
             None => {
                 let continuation = Continuation::SameStart;
-                let piece =
-                    |values: &[f64]| Piece { name: "same start", values: values.to_vec(), continuation };
+                let piece = |values: &[f64]| ParameterPiece {
+                    name: "same start",
+                    values: values.to_vec(),
+                    continuation,
+                };
                 values.chunks(PIECE).map(piece).collect()
             }
         }
     }
 }
 
-/// Values that one thread goes through.
-struct Piece {
+/// Values for one thread.
+struct ParameterPiece {
     name: &'static str,
     values: Vec<f64>,
     continuation: Continuation,
 }
 
-/// The columns of pieces with the same name, one behind the other.
-fn joined(pieces: &[Piece], columns: Vec<Vec<DiagramColumn>>) -> Vec<Sweep> {
-    let mut sweeps: Vec<Sweep> = vec![];
+/// The columns of pieces with the same name, one after the other.
+fn joined(pieces: &[ParameterPiece], columns: Vec<Vec<DiagramColumn>>) -> Vec<DiagramSweep> {
+    let mut sweeps: Vec<DiagramSweep> = vec![];
     for (piece, columns) in pieces.iter().zip(columns) {
         match sweeps.last_mut() {
             Some(sweep) if sweep.name == piece.name => sweep.columns.extend(columns),
-            _ => sweeps.push(Sweep { name: piece.name, columns }),
+            _ => sweeps.push(DiagramSweep { name: piece.name, columns }),
         }
     }
     sweeps

@@ -1,6 +1,6 @@
 //! The points of a bifurcation diagram as table, JSON and CSV.
 
-use super::{Diagram, Sweep};
+use super::{Diagram, DiagramSweep};
 use crate::output::description::{self, Answers, descriptions};
 use crate::output::field::{Field, Fields};
 use crate::output::json;
@@ -27,7 +27,7 @@ impl Diagram<'_> {
         }
     }
 
-    /// All points, with angles folded if that is wanted.
+    /// All points, with angles folded if requested.
     pub(crate) fn rows(&self) -> impl Iterator<Item = Row> + '_ {
         let columns =
             self.sweeps.iter().flat_map(|sweep| sweep.columns.iter().map(move |it| (sweep.name, it)));
@@ -42,10 +42,10 @@ impl Diagram<'_> {
     }
     /// Returns `true` if each sweep has all values.
     pub(super) fn is_complete(&self) -> bool {
-        self.sweeps.iter().all(|sweep: &Sweep| sweep.columns.len() == self.parameter.values.len())
+        self.sweeps.iter().all(|sweep: &DiagramSweep| sweep.columns.len() == self.parameter.values.len())
     }
 
-    /// The first reason why there is no point; `None` if there are points.
+    /// The first reason for a missing point; `None` if there are points.
     pub(super) fn without_points(&self) -> Option<SectionEnding> {
         let sections = || self.sweeps.iter().flat_map(|sweep| &sweep.columns).map(|column| &column.section);
         sections().find_map(|section| section.stopped).filter(|_| sections().all(|it| it.points.is_empty()))
@@ -92,7 +92,7 @@ impl Diagram<'_> {
         format!("{recorded} for each value, {}, after discarding {skipped} as transient", self.place)
     }
 
-    /// The values for which the motion stopped early, and why.
+    /// The values at which the motion ended early, with the reasons.
     fn stopped(&self) -> impl Iterator<Item = String> + '_ {
         let columns = self.sweeps.iter().flat_map(|sweep| &sweep.columns);
         columns.filter_map(|column| {

@@ -16,7 +16,7 @@ pub(super) struct Turning<'a> {
     pub(super) row: Row<'a>,
 }
 
-/// A decay with what is found of it.
+/// A decay with its derived results.
 pub(super) struct Found<'a> {
     pub(super) decay: &'a Decay,
     pub(super) report: &'a Report,

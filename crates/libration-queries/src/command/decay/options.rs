@@ -57,7 +57,7 @@ fn number(text: &str) -> Option<f64> {
 /// The slow flow.
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub(super) struct SlowFlowOptions {
-    /// Compare with the slow flow too, its amplitude law to this power of the amplitude (whole powers of the velocity)
+    /// Compare with the slow flow too, up to this power of the amplitude (for whole powers of the velocity)
     #[arg(long, value_parser = arguments::count::<MAX_SLOW_ORDER>)]
     order: Option<usize>,
     /// Power of the damping to which the slow flow is expanded [default: 2]
@@ -66,7 +66,7 @@ pub(super) struct SlowFlowOptions {
 }
 
 impl SlowFlowOptions {
-    /// The powers of amplitude and damping, if it is requested.
+    /// The requested orders in amplitude and damping; `None` without a slow flow.
     pub(super) fn orders(self) -> Option<[usize; 2]> {
         Some([self.order?, self.damping_order.unwrap_or(DAMPING_ORDER)])
     }

@@ -10,14 +10,14 @@ use libration::comparison::SlowDecay;
 use libration::decay::{Decay, DecayEnding, EnvelopeLaw, TurningPoint};
 use std::f64::consts::TAU;
 
-/// The turning points, the first of which is the release, and why there are no more.
+/// The turning points, the first of which is the release, and the reason why the list ends.
 pub(crate) struct Report {
     pub(crate) turns: Vec<Turn>,
-    /// `None` where it is followed no further.
+    /// `None` if the list ends as requested.
     pub(crate) ending: Option<DecayEnding>,
     /// `true` if the run was cancelled.
     pub(crate) interrupted: bool,
-    /// Times at which the slow flow turns, in seconds, if it is requested.
+    /// Times of the turning points of the slow flow, in seconds, if it is requested.
     slow_turns: Vec<f64>,
 }
 
@@ -81,7 +81,7 @@ impl Report {
             .map_or(Ok(report), |ending| Err(no_swing(decay, ending)))
     }
 
-    /// Puts the slow flow beside each turning point and each cycle.
+    /// Adds the slow flow to each turning point and each cycle.
     pub(super) fn compare_with(&mut self, slow: &SlowDecay) {
         let times: Vec<f64> = self.turns.iter().map(|turn| turn.point.time).collect();
         for ((number, turn), at) in self.turns.iter_mut().enumerate().zip(slow.at_times(&times)) {
@@ -96,7 +96,7 @@ impl Report {
         self.slow_turns = slow.turning_points(times.len()).iter().map(|turn| turn.time).collect();
     }
 
-    /// The largest error of the slow flow at a turning point; NaN where it has no value at one.
+    /// The largest error of the slow flow at a turning point; NaN if it has no value at one.
     pub(super) fn largest_slow_error(&self, error: impl Fn(&SlowTurn) -> f64) -> f64 {
         let errors = self.turns.iter().filter_map(|turn| Some(error(&turn.slow?).abs()));
         errors.fold(0.0, |largest, error| if error.is_nan() || error > largest { error } else { largest })
@@ -146,7 +146,7 @@ pub(super) fn in_cycles(number: usize) -> f64 {
     0.5 * u32::try_from(number).map_or(f64::INFINITY, f64::from)
 }
 
-/// The reason why a pendulum that was released does not swing.
+/// The reason why a released pendulum does not swing.
 fn no_swing(decay: &Decay, ending: DecayEnding) -> QueryError {
     let reason = if ending == DecayEnding::Sticks {
         let held = short(decay.sticking_amplitude().to_degrees(), 6);

@@ -15,7 +15,7 @@ pub(crate) struct SlowTurn {
     /// Amplitude at its time, in radians.
     pub(crate) amplitude: f64,
     pub(crate) phase: f64,
-    /// Less what is integrated, in radians.
+    /// Amplitude of the slow flow minus that of the integration, in radians.
     pub(crate) amplitude_error: f64,
     pub(crate) phase_error: f64,
 }

@@ -13,7 +13,7 @@ use libration::comparison::SlowDecay;
 use libration::decay::{Decay, DecayEnding};
 use std::io::{self, Write};
 
-/// A decay with what was asked.
+/// A decay with the query.
 pub(super) struct Answer<'a> {
     /// Length and gravity, if the pendulum was given by them.
     pub(super) given: Option<PendulumOptions>,
@@ -91,7 +91,7 @@ impl Answer<'_> {
         Ok(())
     }
 
-    /// Whole cycles, and what is left of one at the end.
+    /// Whole cycles, and the fraction of one at the end.
     fn write_table(&self, out: &mut dyn Write) -> io::Result<()> {
         sheet(out, &self.lines())?;
         if !self.listed {

@@ -19,7 +19,7 @@ pub(super) struct Answer<C = Rational> {
 }
 
 impl<C> Letters<C> {
-    /// The names for constants that do not say themselves what they are, as π does.
+    /// The names of constants whose meaning is not evident, unlike π.
     pub(super) fn explained(&self) -> impl Iterator<Item = &(String, String)> {
         self.constants.iter().filter(|(name, constant)| name != constant)
     }
@@ -81,7 +81,7 @@ impl<C> Answer<C> {
         Self { is_angle: is_angle_name(&subject.variable), subject, letters, expansion, interrupted }
     }
 
-    /// The frequency itself, where it is not Ω/ω0.
+    /// The frequency itself, unless it is equal to Ω/ω0.
     pub(super) fn frequency(&self) -> Option<&[C]> {
         let letters = self.letters.as_ref()?;
         letters.frequency.as_deref().filter(|_| letters.omega0 != "1")

@@ -41,7 +41,7 @@ pub(super) struct Coefficient<'a> {
 pub(super) fn of_expansion<C: series::Coefficient>() -> Fields<Answer<C>> {
     type Of<C> = Field<Answer<C>>;
     let letters = Fields::from([
-        Of::<C>::value("letters[]", "", "symbolic parameters, which stand in the coefficients", |it| {
+        Of::<C>::value("letters[]", "", "symbolic parameters, which appear in the coefficients", |it| {
             it.letters.as_ref().map_or(vec![], |letters| letters.names.clone()).into()
         }),
         Of::<C>::present_value(
@@ -227,7 +227,7 @@ pub(super) fn answers() -> Answers {
     Answers { command: "expand", option: "", json, csv }
 }
 
-/// The coefficients of all series, in the order of JSON; of harmonics in an amplitude without the cosines or sines, whichever vanish.
+/// The coefficients of all series, in the order of JSON; of harmonics in an amplitude without the cosines or the sines that all vanish.
 pub(super) fn coefficients<C: series::Coefficient>(expansion: &Expansion<C>) -> Vec<Coefficient<'_>> {
     let mut all = vec![];
     let mut add = |quantity: String, variable, series: Series| {

@@ -45,7 +45,7 @@ pub(super) fn write_head<C: Coefficient>(out: &mut dyn Write, answer: &Answer<C>
     write_text(out, "", &setting(answer))
 }
 
-/// The symbols that stand for the variable.
+/// The symbols of the variables.
 pub(super) struct Symbols<'a> {
     pub(super) variable: &'a str,
     latex: String,
@@ -117,7 +117,7 @@ fn meaning<C>(expansion: &Expansion<C>, symbols: &Symbols<'_>) -> String {
     }
 }
 
-/// A note that there are further harmonics in the same powers.
+/// A note on further harmonics in the same powers.
 pub(super) fn left_out<C>(expansion: &Expansion<C>) -> Option<String> {
     let highest = expansion.harmonics.iter().map(|harmonic| harmonic.k).max();
     let above = highest.filter(|_| !expansion.has_all_harmonics)?;
@@ -149,7 +149,7 @@ fn lines<C: Coefficient>(
     if let Some(frequency) = answer.frequency() {
         lines.push(("Ω = ".to_owned(), notation.series(frequency, variable)));
     }
-    for Part { letter, k, series } in parts(expansion) {
+    for HarmonicPart { letter, k, series } in parts(expansion) {
         let name = format!("{letter}{}", subscript(k));
         lines.push((format!("{name} = {unit}"), bracketed(&unit, notation.series(series, variable))));
     }
@@ -167,7 +167,7 @@ fn mirrored<C: Coefficient>(expansion: &Expansion<C>) -> bool {
     expansion.x_max.iter().zip(&expansion.x_min).all(|(max, min)| max.is_opposite_of(min))
 }
 
-/// The root in whose units displacements are given, when it is not 1.
+/// The root that is the unit of displacements, if it is not 1.
 fn unit<C: Coefficient>(expansion: &Expansion<C>) -> String {
     match expansion.unit_squared.written(Precision::Exact).as_str() {
         "1" => String::new(),
@@ -180,23 +180,23 @@ fn bracketed(unit: &str, text: String) -> String {
 }
 
 /// The series of cos kτ, called a, or of sin kτ, called b.
-pub(super) struct Part<'a, C> {
+pub(super) struct HarmonicPart<'a, C> {
     pub(super) letter: &'static str,
     pub(super) k: usize,
     pub(super) series: &'a [C],
 }
 
 /// The parts of harmonics that are present, and the first one in any case.
-pub(super) fn parts<C: Coefficient>(expansion: &Expansion<C>) -> Vec<Part<'_, C>> {
+pub(super) fn parts<C: Coefficient>(expansion: &Expansion<C>) -> Vec<HarmonicPart<'_, C>> {
     let first = letter_of(expansion);
-    let present = |it: &Part<'_, C>| {
+    let present = |it: &HarmonicPart<'_, C>| {
         (it.letter, it.k) == (first, 1) || it.series.iter().any(|coefficient| !coefficient.is_zero())
     };
     expansion.harmonics.iter().flat_map(both).filter(present).collect()
 }
 
-fn both<C>(harmonic: &HarmonicSeries<C>) -> [Part<'_, C>; 2] {
-    let part = |letter, series| Part { letter, k: harmonic.k, series };
+fn both<C>(harmonic: &HarmonicSeries<C>) -> [HarmonicPart<'_, C>; 2] {
+    let part = |letter, series| HarmonicPart { letter, k: harmonic.k, series };
     [part("a", &harmonic.cos), part("b", &harmonic.sin)]
 }
 
@@ -297,7 +297,7 @@ pub(super) fn write_latex<C: Coefficient>(out: &mut dyn Write, answer: &Answer<C
     if let Some(frequency) = answer.frequency() {
         writeln!(out, "  \\Omega &= {} \\\\", notation.series(frequency, &symbols.latex))?;
     }
-    for Part { letter, k, series } in parts(expansion) {
+    for HarmonicPart { letter, k, series } in parts(expansion) {
         writeln!(out, "  {letter}_{{{k}}} &= {unit}{} \\\\", scaled(series))?;
     }
     writeln!(out, "  x_{{\\max}} &= {unit}{} \\\\", scaled(&expansion.x_max))?;

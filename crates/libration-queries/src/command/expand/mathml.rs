@@ -1,7 +1,7 @@
 //! The expansion as formulas in MathML, one a line.
 
 use super::answer::Answer;
-use super::listing::{Part, letter_of, parts};
+use super::listing::{HarmonicPart, letter_of, parts};
 use crate::output::mathml::{display, element, name, number};
 use crate::output::series::{Coefficient, Notation, Style};
 use libration::perturbation::Precision;
@@ -22,7 +22,7 @@ pub(super) fn write<C: Coefficient>(out: &mut dyn Write, answer: &Answer<C>) -> 
     if let Some(frequency) = answer.frequency() {
         line(name("Omega"), "", frequency, &variable)?;
     }
-    for Part { letter, k, series } in parts(expansion) {
+    for HarmonicPart { letter, k, series } in parts(expansion) {
         line(name(&format!("{letter}{k}")), &unit, series, &variable)?;
     }
     line(name("x_max"), &unit, &expansion.x_max, &variable)?;
@@ -44,7 +44,7 @@ fn ratio(above: &str, below: &str) -> String {
     element("mfrac", &[&element("mi", &[above]), &name(below)])
 }
 
-/// The root in whose units displacements are given, when it is not 1.
+/// The root that is the unit of displacements, if it is not 1.
 fn unit<C: Coefficient>(answer: &Answer<C>) -> String {
     match answer.expansion.unit_squared.written(Precision::Exact).as_str() {
         "1" => String::new(),

@@ -91,7 +91,7 @@ pub(crate) struct Expand {
     /// Symbolic parameters of a built-in oscillator, separated by commas
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     letters: Vec<String>,
-    /// The highest power of the expansion parameter [default: 7; 31 with --evaluate, 15 where no powers vanish]
+    /// The highest power of the expansion parameter [default: 7; 31 with --evaluate, 15 if no powers vanish]
     #[arg(long, value_parser = arguments::count::<MAX_ORDER>)]
     order: Option<usize>,
     /// Meaning of the expansion parameter [default: fundamental, of a slow flow `x_max`]
@@ -100,16 +100,16 @@ pub(crate) struct Expand {
     /// Give the slow flow under weak damping or excitation to this power of its strength [default: 2]
     #[arg(long, value_name = "POWER", value_parser = arguments::count::<MAX_PARAMETER_ORDER>, conflicts_with_all = ["evaluate", "letters"])]
     damping_order: Option<usize>,
-    /// The symbol of this strength, where several have no value; the symbolic strength of a named system. Several small
-    /// parameters with their orders, such as a2:1,a3:2,mu:2,F:2, for a slow flow with symbols [default: eps, where it occurs]
+    /// The symbol of this strength, if several have no value or the system is a named one; for a slow flow with symbols, small
+    /// parameters with their orders, such as a2:1,a3:2,mu:2,F:2 [default: eps, if it occurs]
     #[arg(long, value_name = "NAME:ORDER,…", conflicts_with = "letters")]
     small: Option<String>,
     /// Give the slow flow of a driven oscillator near W = (P/Q)·ω0, drive over natural frequency: 1/1 primary, 1/3
     /// superharmonic, 3/1 subharmonic resonance
     #[arg(long, value_name = "P/Q", conflicts_with_all = ["damping_order", "letters", "gauge"])]
     resonance: Option<String>,
-    /// Evaluate the series term by term at this amplitude, the largest displacement from the equilibrium, such as 0.5,
-    /// or 40deg where the variable is an angle; for a limit cycle, at this value of its parameter
+    /// Evaluate the series term by term at this amplitude, the largest displacement from the equilibrium, such as 0.5, or 40deg if the
+    /// variable is an angle; for a limit cycle, at this value of its parameter
     #[arg(long, value_name = "AMPLITUDE", conflicts_with_all = ["latex", "format"])]
     evaluate: Option<String>,
     /// The quantity to evaluate: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3, the coefficient of cos 3Ωt
@@ -122,10 +122,10 @@ pub(crate) struct Expand {
     form: FormOptions,
 }
 
-/// The order to which an expansion is listed.
+/// Order up to which an expansion is listed.
 const LISTED: usize = 7;
 
-/// The small parameter where none is named.
+/// The small parameter if none is named.
 pub(super) const BOOKKEEPING: &str = "eps";
 
 pub(crate) fn answers() -> Vec<Answers> {

@@ -16,13 +16,13 @@ use libration::progress::{Progress, Stage, Status};
 use std::io::Write;
 use std::sync::Mutex;
 
-/// The order to which an expansion is evaluated.
+/// Order up to which an expansion is evaluated.
 const EVALUATED: usize = 31;
-/// The same where no powers vanish, so that there are as many terms.
+/// Order for expansions in which no powers vanish, so that they have as many terms.
 const EVALUATED_OF_TWO_SIDES: usize = 15;
 
 impl Expand {
-    /// Writes the result, and tells what it lacks when Ctrl-C was pressed; an error where the slow flow may be the result.
+    /// Writes the result, and states what is missing after a cancellation. The error is returned if a slow flow may be the result instead.
     pub(super) fn answer_in_numbers(
         &self,
         out: &mut dyn Write,
@@ -80,7 +80,7 @@ pub(super) fn refusal(error: ExpansionError) -> QueryError {
     }
 }
 
-/// The range of convergence of the period's series, as far as it is known.
+/// The known range of convergence of the series of the period.
 fn validity(oscillator: &Oscillator, expansion: &Expansion) -> String {
     let relation = SeriesComparison::new(oscillator, expansion, SeriesQuantity::Period);
     let radius = unless_cancelled("the radius of convergence", |_| relation.radius()).flatten();
@@ -106,7 +106,7 @@ fn expanded(oscillator: &Oscillator, order: usize, gauge: &Gauge) -> Result<Expa
     with_orders_shown(order, |progress| expand(oscillator, order, gauge, progress))
 }
 
-/// The result of a computation, with a line of progress while it takes long, until Ctrl-C is pressed.
+/// The result of a computation, with a progress line during long work, until it is cancelled.
 pub(super) fn with_orders_shown<T: Send>(order: usize, compute: impl FnOnce(&dyn Progress) -> T + Send) -> T {
     let latest = Mutex::new(None);
     let how_far = || latest.lock().ok().and_then(|latest| *latest).map_or_else(String::new, in_words);

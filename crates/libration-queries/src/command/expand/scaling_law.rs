@@ -44,7 +44,7 @@ impl Answer {
         Some(Self { subject, harmonics: law.harmonics(HARMONICS), law, at: None })
     }
 
-    /// The same with the frequency at an amplitude.
+    /// The law with the frequency at an amplitude.
     pub(super) fn at(self, text: &str) -> Result<Self, QueryError> {
         let refusal = |reason: String| QueryError::usage(option("evaluate"), reason);
         let amplitude =
@@ -124,7 +124,7 @@ fn of_law() -> Fields<Answer> {
         Of::value("period_factor", "1", "2π/C of the period 2π/C·A^((1-p)/2)/√k", |it| {
             json::number(it.law.period_factor())
         }),
-        Of::value("period_factor_uncertainty", "1", "it may be off by this much", |it| {
+        Of::value("period_factor_uncertainty", "1", "uncertainty of this factor", |it| {
             json::number(it.law.period_factor_uncertainty())
         }),
         Of::value("amplitude_exponent", "1", "(p-1)/2, the power of the amplitude in the frequency", |it| {
@@ -145,7 +145,7 @@ fn of_harmonic() -> Fields<HarmonicRatio> {
     Fields::from([
         Of::value("k", "1", "number of the harmonic; even ones vanish", |it| it.k.into()),
         Of::value("ratio", "1", "coefficient of cos kΩt over the amplitude", |it| json::number(it.ratio)),
-        Of::value("uncertainty", "1", "it may be off by this much", |it| json::number(it.uncertainty)),
+        Of::value("uncertainty", "1", "uncertainty of the ratio", |it| json::number(it.uncertainty)),
     ])
 }
 
@@ -192,7 +192,7 @@ fn write_listing(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     Ok(())
 }
 
-/// `·√k`, nothing for k = 1.
+/// `·√k`, or an empty text for k = 1.
 fn root_of_strength(law: &ScalingLaw) -> String {
     let strength = law.force().strength();
     match strength {

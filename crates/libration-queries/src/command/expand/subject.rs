@@ -16,7 +16,7 @@ pub(super) struct Subject {
     pub(super) variable: String,
     /// The parameters with their values.
     values: Vec<(String, String)>,
-    /// Equation as it was read, where it was written freely.
+    /// The equation as it was read, if its text differs from the plain spelling.
     read_as: Option<String>,
 }
 
@@ -43,7 +43,7 @@ impl Subject {
         }
     }
 
-    /// `a = 1, b = 2`; `None` where there are no parameters.
+    /// `a = 1, b = 2`; `None` without parameters.
     pub(super) fn values(&self) -> Option<String> {
         let values: Vec<String> =
             self.values.iter().map(|(name, value)| format!("{name} = {value}")).collect();

@@ -20,7 +20,7 @@ const FIRST_FIGURE: [&str; 8] =
   libration figure errors --formulas bernoulli,carvalhaes_suppes \\
     --from 60deg --output errors.png
   libration figure errors --near-top --no-title --output figure1.pdf")]
-pub(super) struct Errors {
+pub(super) struct ErrorsFigure {
     #[command(flatten)]
     formulas: FormulaChoice,
     /// The amplitude at the left end
@@ -42,7 +42,7 @@ pub(super) struct Errors {
     pub(super) options: PictureOptions,
 }
 
-impl Errors {
+impl ErrorsFigure {
     pub(super) fn picture(&self) -> Result<Picture, QueryError> {
         let (from, to) = (self.from.degrees(), self.to.degrees());
         if !(0.0 <= from && from < to && to <= 180.0) {

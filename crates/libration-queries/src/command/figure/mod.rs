@@ -38,8 +38,8 @@ pub(crate) struct Figure {
 
 #[derive(Debug, clap::Subcommand)]
 enum Subject {
-    Errors(errors::Errors),
-    Motion(motion::Motion),
+    Errors(errors::ErrorsFigure),
+    Motion(motion::MotionFigure),
     Phase(phase::Phase),
     Spectrum(spectrum::Spectrum),
     Series(series::Series),

@@ -12,7 +12,7 @@ pub(super) struct Release {
     pub(super) label: String,
 }
 
-/// The releases from these angles, each of which must swing.
+/// The releases from these angles, each of which must give a swing.
 pub(super) fn releases(angles: &AngleList) -> Result<Vec<Release>, QueryError> {
     angles.iter().map(|angle| release(*angle)).collect()
 }
@@ -29,7 +29,7 @@ fn release(angle: Angle) -> Result<Release, QueryError> {
     Ok(Release { angle, label: label(&angle) })
 }
 
-/// Degrees, or the distance from the top where degrees would say 180.
+/// Degrees, or the distance from the top if degrees would be rounded to 180.
 fn label(angle: &Angle) -> String {
     if angle.complement() < 1e-5 {
         return format!("π − {} rad", number::short(angle.complement(), 3));

@@ -1,9 +1,9 @@
-//! `libration figure series`: how far partial sums of a series are from the exact value.
+//! `libration figure series`: errors of partial sums of a series.
 
 use super::PictureOptions;
 use crate::arguments::{self, Chosen, OscillatorOptions};
 use crate::figure::chart::Picture;
-use crate::figure::series::{Abscissa, Line, SeriesSetting, against_amplitude, against_terms};
+use crate::figure::series::{Abscissa, ErrorCurve, SeriesSetting, against_amplitude, against_terms};
 use crate::output::number::count;
 use crate::output::series::{subscript, superscript};
 use crate::query_error::{Parameter, QueryError, option};
@@ -69,7 +69,7 @@ impl Series {
         }
         let chosen = self.oscillator.chosen()?;
         interrupt::listen()?;
-        let subject = Subject {
+        let subject = SeriesSubject {
             oscillator: chosen.oscillator.clone(),
             expansion: self.expansion(&chosen)?,
             quantity: self.quantity,
@@ -104,7 +104,7 @@ impl Series {
     fn in_amplitude(
         &self,
         chosen: &Chosen,
-        subject: &Subject,
+        subject: &SeriesSubject,
         powers: &[usize],
         setting: SeriesSetting,
     ) -> Result<Picture, QueryError> {
@@ -132,7 +132,7 @@ impl Series {
     fn in_terms(
         &self,
         chosen: &Chosen,
-        subject: &Subject,
+        subject: &SeriesSubject,
         setting: SeriesSetting,
     ) -> Result<Picture, QueryError> {
         if self.amplitudes.len() > MOST_AMPLITUDES {
@@ -151,7 +151,7 @@ impl Series {
                 .steps()
                 .iter()
                 .filter_map(|step| Some((count(step.power), resolved_error(step.sum, &exact)?)));
-            lines.push(Line {
+            lines.push(ErrorCurve {
                 family: "amplitude",
                 label: format!("{} = {}", setting.abscissa.symbol, setting.abscissa.shown(amplitude)),
                 errors: errors.collect(),
@@ -161,19 +161,19 @@ impl Series {
     }
 }
 
-/// The error that there is nothing to draw yet.
+/// The error of a run cancelled before there is anything to draw.
 fn early() -> QueryError {
     QueryError::cancelled("interrupted before the first error was known: nothing is drawn")
 }
 
 /// The subject of the picture.
-struct Subject {
+struct SeriesSubject {
     oscillator: Oscillator,
     expansion: Expansion,
     quantity: SeriesQuantity,
 }
 
-impl Subject {
+impl SeriesSubject {
     fn relation(&self) -> SeriesComparison<'_> {
         SeriesComparison::new(&self.oscillator, &self.expansion, self.quantity)
     }
@@ -183,8 +183,9 @@ impl Subject {
         parallel::unless_cancelled("the exact values", |progress| relation.exact_from(amplitude, progress))
     }
 
-    /// Even steps up to where motions end, or go around another equilibrium too; the first one is halved, so that errors run down to the axis.
-    fn sampled(&self, to: f64) -> Vec<Sample> {
+    /// Even steps from zero to the amplitude at which motions end or enclose another equilibrium; the first one is halved, so that errors run down to
+    /// the axis.
+    fn sampled(&self, to: f64) -> Vec<AmplitudeSample> {
         let (relation, done) = (self.relation(), AtomicUsize::new(0));
         let step = to / f64::from(SAMPLES);
         let halves = std::iter::successors(Some(0.5 * step), |half| Some(0.5 * half)).take(HALVES);
@@ -198,7 +199,7 @@ impl Subject {
             let counted = amplitudes.iter().copied().inspect(|_| {
                 done.fetch_add(1, Ordering::Relaxed);
             });
-            counted.map_while(|amplitude| Sample::at(&relation, amplitude, &progress)).collect()
+            counted.map_while(|amplitude| AmplitudeSample::at(&relation, amplitude, &progress)).collect()
         };
         parallel::with_progress(how_far, sample)
     }
@@ -207,18 +208,20 @@ impl Subject {
 /// The errors of the partial sums, and of a Padé approximant for comparison.
 fn lines(
     relation: &SeriesComparison<'_>,
-    sampled: &[Sample],
+    sampled: &[AmplitudeSample],
     powers: &[usize],
     setting: &SeriesSetting,
-) -> Vec<Line> {
-    /// Degrees of the approximant, of which the order allows some.
+) -> Vec<ErrorCurve> {
+    /// Degrees of the approximant, as far as the order allows.
     const DEGREES: [usize; 4] = [8, 6, 4, 2];
-    let line = |family: &'static str, label: String, value: &dyn Fn(&Sample) -> f64| {
-        let error = |sample: &Sample| Some((sample.amplitude, resolved_error(value(sample), &sample.exact)?));
-        Line { label, family, errors: sampled.iter().filter_map(error).collect() }
+    let line = |family: &'static str, label: String, value: &dyn Fn(&AmplitudeSample) -> f64| {
+        let error = |sample: &AmplitudeSample| {
+            Some((sample.amplitude, resolved_error(value(sample), &sample.exact)?))
+        };
+        ErrorCurve { label, family, errors: sampled.iter().filter_map(error).collect() }
     };
     let symbol = &setting.abscissa.symbol;
-    let mut lines: Vec<Line> = powers
+    let mut lines: Vec<ErrorCurve> = powers
         .iter()
         .map(|&power| {
             let label = format!("to {symbol}{}", superscript(power));
@@ -281,19 +284,19 @@ fn powers(relation: &SeriesComparison<'_>) -> Vec<usize> {
     powers
 }
 
-/// The error of a value, where it is larger than what is uncertain about the exact one.
+/// The error of a value, if it exceeds the uncertainty of the exact value.
 fn resolved_error(value: f64, exact: &ExactValue) -> Option<f64> {
     Some(value - exact.value).filter(|error| error.abs() > exact.uncertainty)
 }
 
 /// An amplitude with the exact value there.
-struct Sample {
+struct AmplitudeSample {
     amplitude: f64,
     exact: ExactValue,
     evaluation: SeriesEvaluation,
 }
 
-impl Sample {
+impl AmplitudeSample {
     fn at(relation: &SeriesComparison<'_>, amplitude: f64, progress: &dyn Progress) -> Option<Self> {
         let exact = relation.exact_at(amplitude, progress).ok().filter(|exact| exact.encloses.is_none())?;
         Some(Self { amplitude, exact, evaluation: relation.evaluation_at(amplitude) })

@@ -67,11 +67,11 @@ const POINTS: usize = 6000;
 /// Motions of more steps are too long for a spectrum, as they would take gigabytes.
 const MOST_STEPS: usize = 200_000;
 
-/// The relative error of a step is far below what a picture shows.
+/// Relative error of a step, far below the resolution of a picture.
 const EFFORT: Effort = Effort::to_tolerance(1e-12);
 
 /// A motion to be integrated.
-struct Run {
+struct DrawnMotion {
     model: Model,
     system: System,
     start: Moment,
@@ -101,11 +101,11 @@ impl Trajectories {
             (_, Some(shown)) => spectra(model, &self.spectra(&runs, shown)?, shown),
             _ => against_time(model, &self.sampled(&runs)?, &show.unwrap_or_else(|| axis(0))),
         };
-        Ok(picture.with_parameters(common(&runs.iter().map(Run::made_with).collect::<Vec<_>>())))
+        Ok(picture.with_parameters(common(&runs.iter().map(DrawnMotion::made_with).collect::<Vec<_>>())))
     }
 
     /// Every start with every value of the parameter.
-    fn runs(&self) -> Result<Vec<Run>, QueryError> {
+    fn runs(&self) -> Result<Vec<DrawnMotion>, QueryError> {
         let values = self.over.as_ref().map_or(vec![None], |over| {
             over.values.iter().map(|value| Some((over.name.as_str(), *value))).collect()
         });
@@ -116,7 +116,12 @@ impl Trajectories {
             let label = value.map_or_else(String::new, |(name, value)| said(name, value, ""));
             for initial in self.initial.read(&model)? {
                 let start = Moment { time: 0.0, state: initial.state };
-                runs.push(Run { model: model.clone(), system: system.clone(), start, label: label.clone() });
+                runs.push(DrawnMotion {
+                    model: model.clone(),
+                    system: system.clone(),
+                    start,
+                    label: label.clone(),
+                });
             }
         }
         if runs.len() > MOST_MOTIONS {
@@ -130,7 +135,7 @@ impl Trajectories {
     }
 
     /// The motions that are done before a cancellation.
-    fn sampled(&self, runs: &[Run]) -> Result<Vec<Sampled>, QueryError> {
+    fn sampled(&self, runs: &[DrawnMotion]) -> Result<Vec<Sampled>, QueryError> {
         let time = |place: usize| self.from + (self.to - self.from) * (count(place) / count(POINTS - 1));
         done(runs, |run| {
             let mut sampled = Sampled { label: run.label.clone(), times: vec![], states: vec![] };
@@ -146,7 +151,11 @@ impl Trajectories {
     }
 
     /// The spectra of the motions that are done before a cancellation.
-    fn spectra(&self, runs: &[Run], shown: &StateAxis) -> Result<Vec<(String, Spectrum)>, QueryError> {
+    fn spectra(
+        &self,
+        runs: &[DrawnMotion],
+        shown: &StateAxis,
+    ) -> Result<Vec<(String, Spectrum)>, QueryError> {
         done(runs, |run| {
             let mut motion = DenseSolution::default();
             run.integrate(self.to, &Effort { most_steps: MOST_STEPS, ..EFFORT }, |step| {
@@ -161,7 +170,10 @@ impl Trajectories {
 }
 
 /// The results of the runs that are done before a cancellation: at least one.
-fn done<T>(runs: &[Run], each: impl Fn(&Run) -> Result<T, QueryError>) -> Result<Vec<T>, QueryError> {
+fn done<T>(
+    runs: &[DrawnMotion],
+    each: impl Fn(&DrawnMotion) -> Result<T, QueryError>,
+) -> Result<Vec<T>, QueryError> {
     let mut done = vec![];
     for run in runs {
         match each(run) {
@@ -173,7 +185,7 @@ fn done<T>(runs: &[Run], each: impl Fn(&Run) -> Result<T, QueryError>) -> Result
 }
 
 /// A coordinate that grows has a velocity that may not.
-fn no_spectrum(error: &SpectrumError, run: &Run, shown: &StateAxis) -> QueryError {
+fn no_spectrum(error: &SpectrumError, run: &DrawnMotion, shown: &StateAxis) -> QueryError {
     let place = shown.place;
     let reason = match (error, run.system.layout().velocity(place)) {
         (SpectrumError::Trend { first, last }, Some(_)) => {
@@ -189,7 +201,7 @@ fn no_spectrum(error: &SpectrumError, run: &Run, shown: &StateAxis) -> QueryErro
     QueryError::no_result(option("spectrum"), reason)
 }
 
-impl Run {
+impl DrawnMotion {
     /// Integrates from the start to a time and shows each step.
     fn integrate(
         &self,
@@ -220,9 +232,9 @@ impl Run {
     }
 }
 
-/// Adds to each label the numbers of its start that are not those of all.
-fn label_starts(runs: &mut [Run]) {
-    let starts: Vec<Vec<String>> = runs.iter().map(Run::numbers_of_start).collect();
+/// Adds to each label the initial values that differ between the motions.
+fn label_starts(runs: &mut [DrawnMotion]) {
+    let starts: Vec<Vec<String>> = runs.iter().map(DrawnMotion::numbers_of_start).collect();
     let shared = common(&starts);
     for (run, start) in runs.iter_mut().zip(starts) {
         let own = start.into_iter().filter(|number| !shared.contains(number));

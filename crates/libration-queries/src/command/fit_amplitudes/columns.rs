@@ -33,9 +33,9 @@ const NUMBERS: [&str; 18] = [
 /// Names of times, in lower case.
 const TIMES: [&str; 6] = ["t", "time", "zeit", "temps", "tiempo", "tempo"];
 
-/// The quantity that the name of a column says.
+/// The quantity named by the heading of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Named {
+enum NamedQuantity {
     Position(Against),
     Period,
     Other,
@@ -49,14 +49,18 @@ pub(super) struct Roles {
 }
 
 impl Roles {
-    /// Finds the columns; `None` where no name of a position is known.
+    /// Finds the columns; `None` if no heading names a position.
     pub(super) fn of(table: &Table) -> Option<Self> {
         let columns: Vec<Column> = (1..=table.width()).map(Column::Number).collect();
-        let find =
-            |kind: Named| columns.iter().position(|it| named(table, it) == kind).map(|place| place + 1);
-        let [time, swings] = [Against::Time, Against::Swings].map(|kind| find(Named::Position(kind)));
-        let roles =
-            [(time.or(swings), POSITION), (time.and(swings), SWING_NUMBER), (find(Named::Period), PERIOD)];
+        let find = |kind: NamedQuantity| {
+            columns.iter().position(|it| named(table, it) == kind).map(|place| place + 1)
+        };
+        let [time, swings] = [Against::Time, Against::Swings].map(|kind| find(NamedQuantity::Position(kind)));
+        let roles = [
+            (time.or(swings), POSITION),
+            (time.and(swings), SWING_NUMBER),
+            (find(NamedQuantity::Period), PERIOD),
+        ];
         let given = |(column, role): (Option<usize>, &str)| Some(format!("{}={role}", column?));
         time.or(swings)?;
         Some(Self {
@@ -80,15 +84,15 @@ pub(super) const POSITION: &str = "position";
 pub(super) const SWING_NUMBER: &str = "swing-number";
 pub(super) const PERIOD: &str = "period";
 
-/// The position that the name of a column says; `None` where it says another quantity or nothing.
+/// The position named by the heading of a column; `None` if it names another quantity or nothing.
 pub(super) fn against(table: &Table, column: &Column) -> Option<Against> {
     match named(table, column) {
-        Named::Position(against) => Some(against),
-        Named::Period | Named::Other => None,
+        NamedQuantity::Position(against) => Some(against),
+        NamedQuantity::Period | NamedQuantity::Other => None,
     }
 }
 
-fn named(table: &Table, column: &Column) -> Named {
+fn named(table: &Table, column: &Column) -> NamedQuantity {
     let header = match column {
         Column::Number(number) => table.names().get(number - 1).map_or("", String::as_str),
         Column::Name(name) => name,
@@ -96,9 +100,9 @@ fn named(table: &Table, column: &Column) -> Named {
     let name = header.split(['(', '[', '/', ',', '_']).next().unwrap_or_default().trim();
     let lower = name.to_lowercase();
     match () {
-        () if name == "T" || lower == "period" => Named::Period,
-        () if TIMES.contains(&lower.as_str()) => Named::Position(Against::Time),
-        () if NUMBERS.contains(&lower.as_str()) => Named::Position(Against::Swings),
-        () => Named::Other,
+        () if name == "T" || lower == "period" => NamedQuantity::Period,
+        () if TIMES.contains(&lower.as_str()) => NamedQuantity::Position(Against::Time),
+        () if NUMBERS.contains(&lower.as_str()) => NamedQuantity::Position(Against::Swings),
+        () => NamedQuantity::Other,
     }
 }

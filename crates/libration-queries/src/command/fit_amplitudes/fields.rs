@@ -5,7 +5,7 @@ use crate::arguments::of_columns;
 use crate::call::in_words;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
-use crate::output::warnings::{self, Named};
+use crate::output::warnings::{self, NamedWarning};
 use crate::output::{json, number, scatter};
 use libration_lab::fit::amplitudes::{
     AmplitudesFit, AmplitudesWarning, DampingCoefficient, LawOfAmplitudes, Position, Sides, UnstatedErrors,
@@ -25,7 +25,7 @@ pub(super) struct Coefficient {
     pub(super) rate_unit: String,
 }
 
-/// A row with what the law says of it.
+/// A row with its predicted value.
 struct Measurement {
     position: f64,
     value: f64,
@@ -41,7 +41,7 @@ const ONE_SIDE: &str = "the rows are amplitudes of one side, which do not determ
 
 impl Answer<'_> {
     /// The warnings with the options that help.
-    pub(super) fn warnings(&self) -> Vec<Named> {
+    pub(super) fn warnings(&self) -> Vec<NamedWarning> {
         let text = |warning: &AmplitudesWarning| match warning {
             AmplitudesWarning::LawRefuted { .. } | AmplitudesWarning::TooFewRowsToCompare => {
                 format!("{warning} (<--model>)")
@@ -193,7 +193,7 @@ fn before_the_result<'a>() -> Fields<Answer<'a>> {
 fn of_result<'a>() -> Fields<Answer<'a>> {
     type Of<'a> = Field<Answer<'a>>;
     Fields::from([
-        Of::value("law", "", "damping that the result is from", |it| it.fit.law().damping.to_string().into()),
+        Of::value("law", "", "damping of the reported result", |it| it.fit.law().damping.to_string().into()),
         Of::number("first_amplitude", "", "fitted amplitude at the first row", |it| {
             it.fit.law().first_amplitude.value
         }),

@@ -21,7 +21,7 @@ pub(super) struct Input {
     file: PathBuf,
     #[command(flatten)]
     columns: ColumnsOption,
-    /// Quantity of the first column [default: as its header says]
+    /// Quantity of the first column [default: from its header]
     #[arg(long, value_enum)]
     against: Option<Against>,
     /// Unit of the amplitudes and of their uncertainties [default: that of the header, else rad]
@@ -30,10 +30,10 @@ pub(super) struct Input {
     /// Distance from the pivot to the point that is read: horizontal displacements then give angles
     #[arg(long, value_name = "LENGTH", value_parser = length)]
     length: Option<f64>,
-    /// Amplitudes, or turning points of both sides on one scale [default: both where rows alternate or have both signs]
+    /// Amplitudes, or turning points of both sides on one scale [default: both sides if rows alternate or have both signs]
     #[arg(long, value_enum)]
     sides: Option<SidesChoice>,
-    /// Errors of all amplitudes where no uncertainties are stated: the same absolute error, or the same part of each amplitude
+    /// Errors of all amplitudes if no uncertainties are stated: the same absolute error, or the same relative error
     #[arg(long, value_enum, default_value = "absolute")]
     errors: Errors,
     /// Ignore rows before this time, or number of swings
@@ -84,7 +84,7 @@ impl Input {
         self.checked(against, read.units[1], read.columns, read.dropped, read.inferences)
     }
 
-    /// The measurements of these columns, as the options and units say.
+    /// The measurements of these columns, with the options and units applied.
     fn checked(
         &self,
         against: Against,
@@ -132,7 +132,7 @@ impl Input {
         Ok(AmplitudeFile { measured, dropped, inferences })
     }
 
-    /// The rows whose time or number of swings is in the range, with a sentence about the others.
+    /// The rows whose time or number of swings is in the range, with a note on the others.
     fn within(
         &self,
         columns: [Option<Vec<f64>>; 6],
@@ -174,7 +174,7 @@ impl Input {
         [positions, amplitudes, of_both[0], of_both[1], further[0], further[1]]
     }
 
-    /// The quantity of the first column: as the option says, else its header.
+    /// The quantity of the first column: from the option, else from its header.
     fn against(
         &self,
         roles: Option<&Roles>,

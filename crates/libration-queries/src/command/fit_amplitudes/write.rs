@@ -9,7 +9,7 @@ use libration_lab::fit::amplitudes::Position;
 use libration_lab::fit::{Quality, Uncertain};
 use std::io::{self, Write};
 
-/// The name of the warning that stands before the result.
+/// The name of the warning that precedes the result.
 const REFUTED: &str = "law_refuted";
 
 impl Answer<'_> {
@@ -72,7 +72,7 @@ impl Answer<'_> {
         lines
     }
 
-    /// The meaning of a coefficient that stands for c.
+    /// The meaning of a coefficient, called c.
     fn of_rate(&self) -> &'static str {
         match self.against() {
             Position::Time => "  (c·ω0ⁿ⁻¹, as the period is not known)",
@@ -100,7 +100,7 @@ impl Answer<'_> {
         format!("{}  ({at})", said(quality.factor, ""))
     }
 
-    /// An amplitude of the law, in degrees where it is an angle.
+    /// An amplitude of the law, in degrees if it is an angle.
     fn amplitude(&self, of: Uncertain) -> String {
         match self.unit() {
             "rad" => said(degrees(of), "°"),

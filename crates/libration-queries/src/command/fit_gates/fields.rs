@@ -4,7 +4,7 @@ use crate::call::in_words;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::normal_gravity::{self, NormalGravity};
-use crate::output::warnings::{self, Named};
+use crate::output::warnings::{self, NamedWarning};
 use crate::output::{budget, json};
 use libration::quantity::Quantity;
 use libration_lab::fit::Budget;
@@ -22,7 +22,7 @@ pub(super) struct Answer<'a> {
 
 impl Answer<'_> {
     /// The warnings with their stable names.
-    pub(super) fn warnings(&self) -> Vec<Named> {
+    pub(super) fn warnings(&self) -> Vec<NamedWarning> {
         let of_times = self.fit.warnings.iter().map(|warning| (warning.name(), warning.to_string()));
         of_times.chain(self.budget.into_iter().flat_map(|(budget, _)| budget::warnings(budget))).collect()
     }
@@ -42,9 +42,7 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
     Fields::from([
         Of::value("passages", "1", "passages of the bob", |it| it.fit.passages.into()),
         Of::value("edges", "", "true if the times are edges, two for each passage", |it| it.fit.edges.into()),
-        Of::value("unpaired_edges", "1", "edges without the other of their passage", |it| {
-            it.fit.unpaired.into()
-        }),
+        Of::value("unpaired_edges", "1", "edges without a partner", |it| it.fit.unpaired.into()),
         Of::value("double_triggers", "1", "passages too close to others, left out", |it| {
             it.fit.double_triggers.into()
         }),

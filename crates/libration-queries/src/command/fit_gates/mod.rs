@@ -1,11 +1,11 @@
-//! `libration fit gates`: times of a photogate, cleaned, and what they say about the period.
+//! `libration fit gates`: times of a photogate, cleaned, and the period that they determine.
 
 mod fields;
 mod report;
 mod write;
 
 use crate::arguments::{
-    ApparatusOptions, DampingOptions, RecordingOptions, finding_with_option, one_amplitude,
+    ApparatusOptions, LinearDampingOption, RecordingOptions, finding_with_option, one_amplitude,
 };
 use crate::document;
 use crate::figure;
@@ -47,10 +47,10 @@ pub(crate) struct FitGates {
     /// Meaning of the times: edges (blocked, free, …) or whole passages [default: detected from their pattern]
     #[arg(long, value_enum)]
     signals: Option<Signals>,
-    /// Diameter of what passes the gate with its middle [default: the bob is what passes it, by its radius, cut where the gate is]
+    /// Diameter of the object whose middle passes the gate [default: that of the bob at the height of the gate, from its radius]
     #[arg(long, value_name = "LENGTH", value_parser = crate::arguments::length_with_uncertainty, requires = "length")]
     diameter: Option<Quantity>,
-    /// Shape of what has this diameter: a ball, or a flat flag with edges parallel to the rod
+    /// Shape of the object with this diameter: a ball, or a flat flag with edges parallel to the rod
     #[arg(long, value_enum, default_value = "ball", requires = "diameter")]
     shape: Shape,
     /// Distance of the gate from the pivot [default: the length of the pendulum]
@@ -72,7 +72,7 @@ pub(crate) struct FitGates {
     #[command(flatten)]
     apparatus: ApparatusOptions,
     #[command(flatten)]
-    damping: DampingOptions,
+    damping: LinearDampingOption,
     #[command(flatten)]
     reading: RecordingOptions,
 }

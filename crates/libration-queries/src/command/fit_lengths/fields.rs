@@ -7,7 +7,7 @@ use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::groups::{self, Groups};
 use crate::output::normal_gravity::{self, NormalGravity};
-use crate::output::warnings::{self, Named};
+use crate::output::warnings::{self, NamedWarning};
 use crate::output::{budget, combined, json, number, scatter};
 use libration_lab::fit::{GravityMistake, LengthFit, LengthsFit, LengthsWarning, Uncertain};
 
@@ -21,7 +21,7 @@ pub(super) struct Answer<'a> {
 
 impl Answer<'_> {
     /// The warnings with the options that help, and names that stay.
-    pub(super) fn warnings(&self) -> Vec<Named> {
+    pub(super) fn warnings(&self) -> Vec<NamedWarning> {
         let half = self.table.half_periods;
         let text = |warning: &LengthsWarning| match warning {
             LengthsWarning::NowhereOnEarth { mistake: Some(GravityMistake::HalfPeriodsAsWhole) } if !half => {
@@ -56,7 +56,7 @@ impl Answer<'_> {
         }
     }
 
-    /// The offset of the law that is preferred, or what keeps it open.
+    /// The offset of the preferred law, or the reason why it is undecided.
     fn offset(&self) -> Result<Uncertain, String> {
         self.fit.best().offset.ok_or_else(|| match self.fit.best().model.is_of_bars() {
             true => "the positions are measured from the centre of mass".to_owned(),
@@ -88,7 +88,7 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
         }),
         Of::nested("read_columns[].", &of_columns(), |it| of_columns().records(&it.table.inferences.columns)),
         Of::value("weighting", "", "weights of the rows", |it| it.weighting().into()),
-        Of::value("law", "", "law that the data prefer, which gravity is from", |it| {
+        Of::value("law", "", "law that the data prefer, from which gravity is computed", |it| {
             it.fit.best().model.name().into()
         }),
         Of::number("gravity_m_per_s2", "m/s²", "acceleration of free fall", |it| it.fit.best().g.value),

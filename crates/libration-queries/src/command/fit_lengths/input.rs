@@ -39,12 +39,12 @@ pub(super) struct Input {
 pub(super) struct LengthFile {
     pub(super) measured: Measured,
     pub(super) dropped: usize,
-    /// The units that the header says.
+    /// The units stated in the header.
     pub(super) inferences: Inferences,
     pub(super) half_periods: bool,
     /// Standard uncertainties of the periods by their rounding.
     rounding: Vec<f64>,
-    /// Standard uncertainties of the periods by what all timings share.
+    /// Standard uncertainties of the periods by the common error of all timings.
     pub(super) shared_timing: Option<Vec<f64>>,
     /// Names of the groups of the rows.
     pub(super) groups: Option<Vec<String>>,
@@ -53,7 +53,7 @@ pub(super) struct LengthFile {
 }
 
 impl LengthFile {
-    /// Takes the rounding of the periods for their uncertainty.
+    /// Takes the rounding of the periods as their uncertainty.
     pub(super) fn weight_by_rounding(&mut self) {
         self.measured.period_uncertainties = Some(self.rounding.clone());
         let text = "the rows scatter less than the last digit of their periods, which is their uncertainty";
@@ -61,7 +61,7 @@ impl LengthFile {
     }
 }
 
-/// Amplitude in radians from which the unit is not guessed: few swing that far, and small swings in degrees have such numbers.
+/// Amplitude in radians above which radians are not assumed: few pendulums swing that far, and small swings in degrees have such numbers.
 const LARGE: f64 = 1.0;
 
 impl Input {
@@ -127,7 +127,7 @@ impl Input {
         [lengths, periods, of_both[0], of_both[1], amplitudes]
     }
 
-    /// The column of amplitudes, or the one of all rows, or none.
+    /// The column of amplitudes, the common amplitude of all rows, or no amplitudes.
     fn amplitudes(&self, column: Option<Vec<f64>>) -> Result<Vec<Quantity>, QueryError> {
         let exactly = |value: f64| Quantity { value, uncertainty: None };
         match (column, self.amplitude) {

@@ -47,13 +47,14 @@ centre of mass, and a reversible pendulum 8π²/g = (T1² + T2²)/(h1 + h2) +
 pub(crate) struct FitLengths {
     #[command(flatten)]
     input: Input,
-    /// The pendulum: simple, a bar turned about points at these distances from its centre of mass or positions on a scale along it, or reversible with two knife edges [default: a bar where the periods show it, else simple]
+    /// The pendulum: simple, a bar turned about points at these distances from its centre of mass or positions on a scale along it, or
+    /// reversible with two knife edges [default: a bar if the periods show it, else simple]
     #[arg(long, value_enum)]
     model: Option<Model>,
     /// Distance of the knife edges of a reversible pendulum [default: the sum of their distances from the centre of mass]
     #[arg(long, value_name = "LENGTH", value_parser = crate::arguments::length_with_uncertainty)]
     edges: Option<Quantity>,
-    /// Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have been taken for 30
+    /// Relative uncertainty of the clock or frame rate, such as 0.1% if 29.97 frames/s may have been taken as 30
     #[arg(long, value_name = "PART", value_parser = crate::arguments::part)]
     clock: Option<f64>,
     /// Draw the data, the line and the residuals to FILE.svg, FILE.pdf or FILE.png
@@ -137,7 +138,7 @@ impl FitLengths {
     }
 }
 
-/// Gravity of each group, where the rows have groups; everything but the fitted line is shared.
+/// Gravity of each group, if the rows have groups; they share everything except the fitted line.
 fn groups_of(read: &LengthFile, fit: &LengthsFit, options: &LengthsOptions) -> Option<Groups> {
     let contributions = fit.combined.contributions.iter();
     let shared = contributions.filter(|it| !is_own(it)).map(|it| it.change() * it.change());
@@ -151,7 +152,7 @@ fn groups_of(read: &LengthFile, fit: &LengthsFit, options: &LengthsOptions) -> O
     Groups::fitted(read.groups.as_ref()?, &groups::GRAVITY, shared.sum::<f64>().sqrt(), of_rows)
 }
 
-/// Returns whether a contribution is that of the rows themselves.
+/// Returns `true` if a contribution comes from the rows themselves.
 fn is_own(contribution: &Contribution) -> bool {
     matches!(contribution.input, BudgetInput::Slope)
 }

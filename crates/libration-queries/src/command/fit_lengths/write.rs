@@ -10,7 +10,7 @@ use crate::query_error::QueryError;
 use libration_lab::fit::Uncertain;
 use std::io::{self, Write};
 
-/// The name of the warning that belongs beside gravity.
+/// The name of the warning that is printed with gravity.
 const CONTRADICTED: &str = "gravity_contradicted";
 
 impl Answer<'_> {

@@ -7,7 +7,7 @@ use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::groups::{self, Groups};
 use crate::output::normal_gravity::{self, NormalGravity};
-use crate::output::warnings::{self, Named};
+use crate::output::warnings::{self, NamedWarning};
 use crate::output::{budget, json, scatter};
 use libration::quantity::Quantity;
 use libration_lab::fit::{Budget, FitError, LawFit, PeriodFit, Weighting};
@@ -22,7 +22,7 @@ pub(super) struct Answer<'a> {
     pub(super) normal: Option<NormalGravity>,
 }
 
-/// A law with its key, and its fit or why there is none.
+/// A law with its key, and its fit or the reason why there is none.
 pub(super) struct KeyedLaw<'a> {
     key: &'a str,
     fit: Result<&'a LawFit, &'a FitError>,
@@ -37,7 +37,7 @@ impl Answer<'_> {
     }
 
     /// The warnings about the rows, and about gravity, with stable names.
-    pub(super) fn warnings(&self) -> Vec<Named> {
+    pub(super) fn warnings(&self) -> Vec<NamedWarning> {
         let of_rows = self.fit.warnings().into_iter().map(|warning| (warning.name(), warning.to_string()));
         of_rows.chain(self.budget.into_iter().flat_map(budget::warnings)).collect()
     }

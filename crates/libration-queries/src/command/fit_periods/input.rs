@@ -34,16 +34,16 @@ pub(super) struct Measured {
     pub(super) table: PeriodTable,
     pub(super) lines: Vec<u64>,
     pub(super) dropped: usize,
-    /// The units that the header says.
+    /// The units stated in the header.
     pub(super) inferences: Inferences,
-    /// Standard uncertainties of the periods by what all timings share.
+    /// Standard uncertainties of the periods by the common error of all timings.
     pub(super) shared_timing: Option<Vec<f64>>,
     /// Names of the groups of the rows.
     pub(super) groups: Option<Vec<String>>,
 }
 
 impl Measured {
-    /// The standard uncertainty of T0 relative to itself by what all timings share.
+    /// The relative standard uncertainty of T0 by the common error of all timings.
     pub(super) fn shared_of(&self, fit: &PeriodFit) -> Option<f64> {
         let shared = self.shared_timing.as_ref()?;
         let kept =

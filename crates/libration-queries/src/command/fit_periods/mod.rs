@@ -5,7 +5,7 @@ mod input;
 mod report;
 mod write;
 
-use crate::arguments::{ApparatusOptions, DampingOptions, FormulaChoice, positive};
+use crate::arguments::{ApparatusOptions, FormulaChoice, LinearDampingOption, positive};
 use crate::document;
 use crate::figure;
 use crate::output::groups::{self, Groups};
@@ -60,7 +60,7 @@ pub(crate) struct FitPeriods {
     #[command(flatten)]
     apparatus: ApparatusOptions,
     #[command(flatten)]
-    damping: DampingOptions,
+    damping: LinearDampingOption,
 }
 
 impl FitPeriods {

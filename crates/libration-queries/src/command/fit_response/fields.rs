@@ -4,7 +4,7 @@ use super::input::ResponseFile;
 use crate::arguments::of_columns;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
-use crate::output::warnings::{self, Named};
+use crate::output::warnings::{self, NamedWarning};
 use crate::output::{json, number, scatter};
 use libration_lab::fit::Uncertain;
 use libration_lab::fit::response::{
@@ -20,19 +20,19 @@ pub(super) struct Answer<'a> {
 }
 
 /// A parameter of the preferred model.
-pub(super) struct Parameter {
+pub(super) struct FittedParameter {
     name: &'static str,
     estimate: Uncertain,
     unit: String,
 }
 
-/// An answer on the curve, with the number of its branch from 1.
+/// A response on the curve, with the number of its branch from 1.
 pub(super) struct OnCurve {
     branch: usize,
     point: FittedCurvePoint,
 }
 
-/// A row with what the fit says of it.
+/// A row with its fitted values.
 pub(super) struct Measurement<'a> {
     pub(super) frequency: f64,
     pub(super) amplitude: f64,
@@ -40,7 +40,7 @@ pub(super) struct Measurement<'a> {
 }
 
 impl Answer<'_> {
-    pub(super) fn warnings(&self) -> Vec<Named> {
+    pub(super) fn warnings(&self) -> Vec<NamedWarning> {
         self.fit.warnings.iter().map(|warning| (warning.name(), warning.to_string())).collect()
     }
 
@@ -57,9 +57,10 @@ impl Answer<'_> {
     }
 
     /// The parameters in the order of the covariance.
-    fn parameters(&self) -> Vec<Parameter> {
+    fn parameters(&self) -> Vec<FittedParameter> {
         let (best, unit) = (self.fit.best(), self.file.unit);
-        let parameter = |name, estimate, unit: &str| Parameter { name, estimate, unit: unit.to_owned() };
+        let parameter =
+            |name, estimate, unit: &str| FittedParameter { name, estimate, unit: unit.to_owned() };
         let cubic = best.cubic.map(|cubic| parameter("kappa", cubic, &format!("1/(s^2 {unit}^2)")));
         [parameter("omega0", best.natural_frequency, "rad/s"), parameter("c", best.damping, "1/s")]
             .into_iter()
@@ -198,8 +199,8 @@ fn value(estimate: Uncertain) -> String {
     text.split(" ±").next().unwrap_or_default().to_owned()
 }
 
-fn of_parameter() -> Fields<Parameter> {
-    type Of = Field<Parameter>;
+fn of_parameter() -> Fields<FittedParameter> {
+    type Of = Field<FittedParameter>;
     Fields::from([
         Of::value("name", "", "omega0, c, kappa or A, of the preferred model", |it| it.name.into()),
         Of::number("value", "", "in its unit", |it| it.estimate.value),

@@ -25,7 +25,7 @@ pub(super) struct Input {
     /// Unit of the phases and of their uncertainties [default: that of the header, else rad]
     #[arg(long, value_enum)]
     phase_unit: Option<AmplitudeUnit>,
-    /// Errors of all amplitudes where no uncertainties are stated: the same absolute error, or the same part of each amplitude
+    /// Errors of all amplitudes if no uncertainties are stated: the same absolute error, or the same relative error
     #[arg(long, value_enum, default_value = "absolute")]
     errors: Errors,
     #[command(flatten)]
@@ -43,7 +43,7 @@ enum Errors {
 pub(super) struct ResponseFile {
     pub(super) measured: Measured,
     pub(super) dropped: usize,
-    /// The units that the header says.
+    /// The units stated in the header.
     pub(super) inferences: Inferences,
     pub(super) unit: &'static str,
 }

@@ -37,12 +37,12 @@ of sweeps up and down are fitted together.")]
 pub(crate) struct FitResponse {
     #[command(flatten)]
     input: Input,
-    /// The oscillator [default: the simplest consistent with the rows; a pendulum where amplitudes are angles]
+    /// The oscillator [default: the simplest consistent with the rows; a pendulum if amplitudes are angles]
     #[arg(long, value_enum)]
     model: Option<ModelChoice>,
     /// The quantity measured as the amplitude
     #[arg(long, value_enum, default_value = "peak")]
-    measured: Measured,
+    measured: MeasuredQuantity,
     /// Draw the data and the curve, its unstable part dashed, to FILE.svg, FILE.pdf or FILE.png
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
@@ -63,7 +63,7 @@ enum ModelChoice {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Measured {
+enum MeasuredQuantity {
     /// The largest displacement
     Peak,
     /// The harmonic with the frequency of the drive, as of a lock-in amplifier
@@ -95,8 +95,8 @@ impl FitResponse {
     fn fitted(&self, file: &ResponseFile) -> Result<(ResponsesFit, FittedCurve), QueryError> {
         let progress = |_: Status| parallel::update(&how_far);
         let measured = match self.measured {
-            Measured::Peak => MeasuredAmplitude::Peak,
-            Measured::Fundamental => MeasuredAmplitude::Fundamental,
+            MeasuredQuantity::Peak => MeasuredAmplitude::Peak,
+            MeasuredQuantity::Fundamental => MeasuredAmplitude::Fundamental,
         };
         let fit = fit_response(&file.measured.table, &self.models(file), measured, &progress);
         let fit = fit.map_err(|error| self.failure(&error))?;

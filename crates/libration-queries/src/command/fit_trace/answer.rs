@@ -13,12 +13,12 @@ use libration_lab::fit::swings::{FittedPendulum, SwingsError, SwingsFit, SwingsO
 use libration_lab::fit::trace::{TraceFitError, TraceOptions};
 use std::cell::{Cell, RefCell};
 
-/// Everything that is said about measured swings.
+/// All results of measured swings.
 #[derive(Debug)]
 pub(super) struct Answer<'a> {
     pub(super) measured: &'a Measured,
     pub(super) swings: SwingsFit,
-    /// Normal gravity at the place, with the measured one.
+    /// Normal gravity at the place, compared with the measured one.
     pub(super) normal: Option<NormalGravity>,
 }
 

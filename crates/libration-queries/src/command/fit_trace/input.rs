@@ -1,4 +1,4 @@
-//! The recordings that are fitted, and the part of them that counts.
+//! The recordings to be fitted, and the part of them that is used.
 
 use crate::arguments::{RecordingOptions, finding_with_option};
 use crate::query_error::QueryError;
@@ -17,11 +17,11 @@ pub(super) struct Input {
 #[derive(Clone, Debug)]
 pub(super) struct Measured {
     pub(super) files: Vec<File>,
-    /// Traces of all files, in their order.
+    /// Traces of all files, in the order of the files.
     pub(super) traces: Vec<Trace>,
 }
 
-/// A file, and what was inferred from it.
+/// A file with the inferences from it.
 #[derive(Clone, Debug)]
 pub(super) struct File {
     pub(super) name: String,
@@ -62,13 +62,13 @@ fn short_name(path: &Path) -> String {
 }
 
 impl Measured {
-    /// The files' names without folders, as one.
+    /// The files' names without folders, as one text.
     pub(super) fn short_names(&self) -> String {
         let names = self.files.iter().map(|file| short_name(Path::new(&file.name)));
         names.collect::<Vec<_>>().join(", ")
     }
 
-    /// The files' names, as one.
+    /// The files' names as one text.
     pub(super) fn names(&self) -> String {
         self.files.iter().map(|file| file.name.as_str()).collect::<Vec<_>>().join(", ")
     }

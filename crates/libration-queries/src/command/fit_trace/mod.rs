@@ -45,7 +45,7 @@ pub(crate) struct FitTrace {
     /// Give less weight to rows far from the fitted motion (robust fit)
     #[arg(long)]
     robust: bool,
-    /// Fit the scale of the angles too, from how the period depends on the amplitude
+    /// Fit the scale of the angles too, from the dependence of the period on the amplitude
     #[arg(long)]
     free_scale: bool,
     /// Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next to it

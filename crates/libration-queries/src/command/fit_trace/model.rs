@@ -6,7 +6,7 @@ use std::str::FromStr;
 /// The damping that is fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::command) enum DampingChoice {
-    /// All combinations, of which the data choose.
+    /// All combinations, among which the data choose.
     Auto,
     /// The given model.
     Given(DampingModel),

@@ -15,7 +15,7 @@ use std::io::{self, Write};
 /// Letters in a line.
 const WIDTH: usize = 100;
 
-/// Writes everything that is found.
+/// Writes all results.
 pub(super) fn write(out: &mut dyn Write, answer: &Answer<'_>) -> io::Result<()> {
     sheet(out, &lines(answer))?;
     writeln!(out)?;
@@ -64,7 +64,7 @@ pub(super) fn quality(quality: Quality) -> String {
     format!("{}  ({at})", number::quantity(quality.factor, ""))
 }
 
-/// The expanded uncertainty of gravity, where there is one.
+/// The expanded uncertainty of gravity, if there is one.
 pub(super) fn expanded(answer: &Answer<'_>) -> Option<String> {
     match &answer.swings.pendulum {
         FittedPendulum::Gravity { budget, .. } => Some(output::combined::expanded(&budget.combined)),
@@ -85,7 +85,7 @@ fn data(answer: &Answer<'_>) -> String {
     }
 }
 
-/// The damping, and how it was chosen.
+/// The damping, and the way in which it was chosen.
 pub(super) fn model(answer: &Answer<'_>) -> String {
     let chosen = answer.swings.fit.damping.to_string();
     let rivals = answer.swings.rivals();
@@ -127,7 +127,7 @@ fn cycles(answer: &Answer<'_>) -> String {
     })
 }
 
-/// β with what it should be, or why there is none.
+/// β with its expected value, or the reason why there is none.
 pub(super) fn beta(answer: &Answer<'_>) -> String {
     match &answer.swings.beta {
         Ok(beta) => {

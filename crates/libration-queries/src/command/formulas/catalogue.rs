@@ -10,7 +10,7 @@ use crate::output::{Form, csv};
 use libration::period_formulas::ABBREVIATIONS;
 use std::io::{self, Write};
 
-/// The widest formula of the table, next to the longest key; longer ones stand in their sheets.
+/// Width of the widest formula in the table, next to the longest key; longer ones are printed in their sheets only.
 const WIDEST: usize = 59;
 
 fn of_entry() -> Fields<Entry> {

@@ -15,7 +15,7 @@ const AMPLITUDES: [f64; 13] =
 const TOLERANCES: [f64; 4] = [0.01, 1e-3, 1e-4, 1e-6];
 
 /// A point of the error curve of a formula.
-struct Point {
+struct ErrorCurvePoint {
     amplitude: Angle,
     ratio: f64,
     error: f64,
@@ -27,10 +27,10 @@ struct Range {
     to: f64,
 }
 
-fn points(formula: &PeriodFormula) -> Vec<Point> {
+fn points(formula: &PeriodFormula) -> Vec<ErrorCurvePoint> {
     let amplitudes: Vec<Angle> = AMPLITUDES.iter().filter_map(|it| Angle::from_degrees(*it).ok()).collect();
     let errors = fractional_errors(std::slice::from_ref(formula), &amplitudes);
-    let point = |(amplitude, error): (&Angle, f64)| Point {
+    let point = |(amplitude, error): (&Angle, f64)| ErrorCurvePoint {
         amplitude: *amplitude,
         ratio: formula.period_ratio(amplitude),
         error,
@@ -42,8 +42,8 @@ fn ranges(formula: &PeriodFormula) -> Vec<Range> {
     TOLERANCES.map(|tolerance| Range { tolerance, to: formula.holds_to(tolerance) }).into()
 }
 
-fn of_point() -> Fields<Point> {
-    type Of = Field<Point>;
+fn of_point() -> Fields<ErrorCurvePoint> {
+    type Of = Field<ErrorCurvePoint>;
     Fields::from([
         Of::number("amplitude_rad", "rad", "amplitude", |it| it.amplitude.radians())
             .numeral("amplitude / °", |it| number::rounded(it.amplitude.degrees(), 4)),

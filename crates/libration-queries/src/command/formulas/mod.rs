@@ -15,12 +15,12 @@ use libration::period_formulas::PeriodFormula;
 use libration::quantity::Angle;
 use std::io::Write;
 
-/// The catalogue of formulas for the period: which one is good enough, how far each holds, where one overtakes another
+/// The catalogue of formulas for the period: their errors, ranges of validity and crossovers
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration formulas
   libration formulas molina                               # its sheet
-  libration formulas --tolerance 1e-3                     # how far each holds
+  libration formulas --tolerance 1e-3                     # range of each
   libration formulas --amplitude 90deg --tolerance 1e-3   # simplest first
   libration formulas --crossovers --formulas denman,black_vel_3,butikov")]
 pub(crate) struct Formulas {
@@ -60,7 +60,7 @@ impl Formulas {
         Ok(catalogue::write(out, self.form.form(), &entries)?)
     }
 
-    /// The formulas that keep the tolerance, each with the amplitude up to which it does.
+    /// The formulas that meet the tolerance, each with the amplitude up to which it does.
     fn sufficient(&self, formulas: &[PeriodFormula], tolerance: f64) -> Result<Vec<Entry>, QueryError> {
         let table = error_table::error_table(formulas)?;
         let place = |key: &str| table.formulas().position(|formula| formula.key() == key);

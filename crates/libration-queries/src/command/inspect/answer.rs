@@ -13,9 +13,9 @@ pub(super) struct Answer {
     pub(super) traces: Result<Traces, MeasurementError>,
     /// The times of a photogate, where the file has some.
     pub(super) gates: Option<Gates>,
-    /// The refusal of the times of a photogate, where the file holds signals in which passages are found.
+    /// The refusal of the times of a photogate, if the file contains signals in which passages are found.
     pub(super) signals: Option<MeasurementError>,
-    /// The fit of a table of periods, where the file holds neither traces nor times of a gate.
+    /// The fit of a table of periods, if the file contains neither traces nor times of a gate.
     pub(super) table_fit: Option<TableFit>,
     /// `true` if the numbers are listed too.
     pub(super) with_values: bool,
@@ -46,7 +46,7 @@ impl Answer {
     }
 }
 
-/// States of a gate, or nothing but times.
+/// Returns `true` for states of a gate, or for nothing but times.
 fn is_of_a_gate(recording: &Recording, gates: &Gates) -> bool {
     let increases = gates.times.windows(2).all(|pair| pair[0] < pair[1]);
     let is_alone = recording.sheets().iter().any(|sheet| sheet.channels.len() == 1);

@@ -1,4 +1,4 @@
-//! `libration inspect`: what a file of measurements holds.
+//! `libration inspect`: the contents of a file of measurements.
 
 mod answer;
 mod fields;
@@ -19,7 +19,7 @@ pub(crate) fn answers() -> Vec<Answers> {
     [fields::answers(), vec![spectrum::answers()]].concat()
 }
 
-/// The contents of a file of measurements: its columns with quantities and units, its faults, and what would be fitted
+/// The contents of a file of measurements: columns with quantities and units, faults, and the proposed fit
 ///
 /// Everything is detected in the file; each finding names the option that overrides it, and the fits take the same options.
 /// Where a file leaves something open, it is described together with the options that would settle it.

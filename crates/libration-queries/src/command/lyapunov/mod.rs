@@ -21,7 +21,7 @@ pub(crate) use write::answers;
 /// More intervals than this are never requested.
 const MOST_INTERVALS: usize = 100_000_000;
 
-/// The largest Lyapunov exponent: how fast neighbouring motions diverge, and whether the motion is chaotic
+/// The largest Lyapunov exponent: the rate at which neighbouring motions diverge, and whether the motion is chaotic
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration lyapunov driven_pendulum --set A=1.5,c=1/2 --initial theta=0.2 \\
@@ -63,7 +63,7 @@ pub(crate) struct Lyapunov {
     form: FormOptions,
 }
 
-/// The exponent with what was asked.
+/// The exponent with the query.
 pub(crate) struct Answer<'a> {
     pub(crate) model: &'a Model,
     pub(crate) initial: Vec<f64>,

@@ -55,7 +55,7 @@ pub(crate) struct MelnikovQuestion {
     form: FormOptions,
 }
 
-/// The parameter at which the manifolds begin or cease to cross: to the first order, and for the manifolds as they are.
+/// The parameter at which the manifolds begin or cease to cross: to first order, and of the actual manifolds.
 struct Crossing {
     threshold: Threshold,
     tangency: Result<Tangency, TangencyError>,

@@ -10,7 +10,7 @@ use std::io::{self, Write};
 
 /// Width at which lines are broken, in columns.
 const COLUMNS: usize = 100;
-/// Overlap from which on motions between resonances are seen to be chaotic, by experience: the criterion itself has 1.
+/// Overlap above which motions between resonances are chaotic by experience; the criterion itself has 1.
 const OVERLAP: f64 = 2.0 / 3.0;
 
 impl Answer {

@@ -30,7 +30,7 @@ pub(super) struct FollowOptions {
 }
 
 /// A followed mode.
-pub(super) struct Followed {
+pub(super) struct FollowedMode {
     pub(super) model: Model,
     pub(super) mode: usize,
     pub(super) coordinate: usize,
@@ -55,7 +55,7 @@ impl FollowOptions {
     }
 }
 
-impl Followed {
+impl FollowedMode {
     fn is_angle(&self) -> bool {
         self.model.coordinates()[self.coordinate].is_angle()
     }
@@ -113,7 +113,7 @@ impl Followed {
     }
 }
 
-impl Followed {
+impl FollowedMode {
     /// The amplitude in degrees for angles.
     fn ending(&self, lost: &LostMode) -> String {
         let reached = self.amplitude_text(lost.reached);
@@ -124,8 +124,8 @@ impl Followed {
     }
 }
 
-fn of_family() -> Fields<Followed> {
-    type Of = Field<Followed>;
+fn of_family() -> Fields<FollowedMode> {
+    type Of = Field<FollowedMode>;
     Fields::from([
         Of::value("system", "", "key of the system, null where its equations were typed", |it| {
             it.model.key().into()

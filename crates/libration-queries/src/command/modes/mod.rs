@@ -1,4 +1,4 @@
-//! `libration modes`: small oscillations of a system, and how they change with the amplitude.
+//! `libration modes`: small oscillations of a system, and their change with the amplitude.
 
 mod fields;
 mod follow;
@@ -10,7 +10,7 @@ use crate::interrupt;
 use crate::output::{Form, FormOptions, announce};
 use crate::parallel;
 use crate::query_error::{QueryError, argument, option};
-use follow::{FollowOptions, Followed};
+use follow::{FollowOptions, FollowedMode};
 use libration::nonlinear_modes::{NonlinearMode, NonlinearModeError};
 use libration::normal_modes::NormalModes;
 use libration::systems::Model;
@@ -19,7 +19,7 @@ use std::path::PathBuf;
 
 pub(crate) use fields::answers;
 
-/// The normal modes of a system about an equilibrium: frequencies and shapes, exact where possible, and how they change with the amplitude
+/// The normal modes of a system about an equilibrium: frequencies and shapes, exact where possible, and their change with the amplitude
 ///
 /// Shapes are scaled so that their largest part is 1. With a the amplitude of that coordinate, the frequency is
 /// Ω = ω + κa² as long as a is small.
@@ -102,7 +102,7 @@ impl Modes {
             NonlinearModeError::AtRest(_) => QueryError::usage(option("coordinate"), error),
             _ => QueryError::no_result(option("follow"), error),
         })?;
-        let followed = Followed { model, mode, coordinate, found };
+        let followed = FollowedMode { model, mode, coordinate, found };
         let drawn = match &self.figure {
             Some(path) => {
                 let picture = figure::nonlinear_modes::backbone(

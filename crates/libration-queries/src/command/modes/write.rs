@@ -152,7 +152,7 @@ fn shift(names: &[String], mode: &Mode) -> String {
     }
 }
 
-/// The number as it is added to something.
+/// The number with its sign, as a term of a sum.
 fn signed(surd: &Surd) -> String {
     match surd.to_rational() {
         Some(value) if value.is_negative() => format!("- {}", value.magnitude()),

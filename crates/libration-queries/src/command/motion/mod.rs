@@ -94,7 +94,7 @@ impl Motion {
     }
 }
 
-/// The approximate motions with the exact one, with what they need.
+/// The exact motion and the approximate ones, with the data for their output.
 #[derive(Clone, Debug)]
 pub(crate) struct Comparison {
     pub(crate) approximations: Vec<ApproximateMotion>,

@@ -105,7 +105,7 @@ impl Answer<'_> {
         if is_known { Ok(()) } else { writeln!(out, "\nnote: {UNKNOWN_PHASE}") }
     }
 
-    /// The lines of the sheet: the period of a rotation has its own name, and only a libration has an amplitude.
+    /// The lines of the sheet: the period of a rotation has another name, and only a libration has an amplitude.
     fn lines(&self) -> Vec<(&'static str, String)> {
         let mut lines = [self.pendulum.lines(), fields::of_motion().lines(self.motion)].concat();
         lines.retain(|(_, text)| !text.is_empty());

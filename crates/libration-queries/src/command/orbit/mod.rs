@@ -18,7 +18,7 @@ use std::path::PathBuf;
 
 pub(crate) use fields::answers;
 
-/// Most periods of the drive in one of the orbit.
+/// Largest number of drive periods in a period of the orbit.
 const MOST_PERIODS: usize = 1000;
 
 /// A periodic orbit: its period, harmonics, Floquet multipliers and stability, with errors
@@ -97,7 +97,7 @@ impl OrbitQuestion {
         Ok(out.flush()?)
     }
 
-    /// A driven system may begin at rest; what is free needs a place.
+    /// The search for the orbit: a driven system may begin at rest, others need an initial state.
     fn search(&self, model: &Model) -> Result<OrbitSearch, QueryError> {
         let driven = drive_period(model.equation());
         let start = match (self.initial.is_given(), driven) {
@@ -119,7 +119,7 @@ impl OrbitQuestion {
     }
 }
 
-/// Number of periods of the drive in a period that is a multiple of it, as far as people write it down.
+/// Number of drive periods in a period that is a multiple of the drive period, within the accuracy of a written number.
 fn drive_periods(period: f64, drive: f64) -> Option<u32> {
     const WRITTEN: f64 = 1e-3;
     (1..=1000).find(|periods| (period - f64::from(*periods) * drive).abs() < WRITTEN * drive)

@@ -8,7 +8,7 @@ use std::io::{self, Write};
 
 /// Width at which lines are broken, in columns.
 const COLUMNS: usize = 100;
-/// Harmonics below their error or this part of the largest, and more of a coordinate than these, are for machines only.
+/// Harmonics below their error or this fraction of the largest are omitted from tables, as are those beyond a number for each coordinate.
 const SHOWN: f64 = 1e-12;
 const MOST: usize = 12;
 

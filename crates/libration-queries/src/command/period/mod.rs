@@ -12,7 +12,7 @@ use fields::{Estimate, Swing};
 use libration::period_formulas::{PeriodFormula, fractional_errors};
 use libration::quantity::Angle;
 use std::io::Write;
-use table::Swings;
+use table::SwingsTable;
 
 pub(crate) use fields::answers;
 
@@ -24,7 +24,7 @@ pub(crate) use fields::answers;
   libration period 60deg
   libration period 179.999999deg --length 57cm --gravity 9.81m/s^2
   libration period pi-1e-300 --json
-  libration period --period '2.10(1)s'    # the amplitude that has it
+  libration period --period '2.10(1)s'    # its amplitude
   libration period 1deg:179deg:1deg --formulas bernoulli,kidd_fogg
   libration period 10deg:170deg:10deg --csv    # with every formula
   printf '60deg\\n1.2\\npi-1e-6\\n' | libration period --from-file - --csv")]
@@ -35,7 +35,7 @@ pub(crate) struct Period {
     formulas: FormulaChoice,
     /// The order of the formulas
     #[arg(long, value_enum, default_value = "error")]
-    sort: Order,
+    sort: FormulaOrder,
     #[command(flatten)]
     pendulum: PendulumOptions,
     #[command(flatten)]
@@ -43,7 +43,7 @@ pub(crate) struct Period {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Order {
+enum FormulaOrder {
     /// Smallest error first
     Error,
     /// As in the catalogue
@@ -58,7 +58,7 @@ impl Period {
         };
         let amplitudes = self.amplitudes.read(&pendulum, of_small_swings)?;
         interrupt::listen()?;
-        let swings = Swings { question: self, amplitudes: &amplitudes, pendulum: &pendulum };
+        let swings = SwingsTable { question: self, amplitudes: &amplitudes, pendulum: &pendulum };
         match self.form.form() {
             Form::Json => swings.write_json(out)?,
             Form::Csv => swings.write_csv(out)?,
@@ -73,7 +73,7 @@ impl Period {
 
     /// The estimates of the formulas, in the order requested.
     fn sorted<'a>(&self, mut estimates: Vec<Estimate<'a>>) -> Vec<Estimate<'a>> {
-        if self.sort == Order::Error {
+        if self.sort == FormulaOrder::Error {
             estimates.sort_by(|a, b| a.fractional_error.abs().total_cmp(&b.fractional_error.abs()));
         }
         estimates

@@ -1,7 +1,7 @@
 //! One amplitude, to read: the exact result, then the formulas.
 
 use super::fields::{self, Swing};
-use super::{Order, Period, estimates};
+use super::{FormulaOrder, Period, estimates};
 use crate::output::table::{self, Table};
 use std::io::{self, Write};
 use std::slice;
@@ -9,8 +9,8 @@ use std::slice;
 pub(super) fn write(out: &mut dyn Write, question: &Period, swing: &Swing) -> io::Result<()> {
     table::sheet(out, &lines(question, swing))?;
     let order = match question.sort {
-        Order::Error => "best first",
-        Order::Catalogue => "in the order of the catalogue",
+        FormulaOrder::Error => "best first",
+        FormulaOrder::Catalogue => "in the order of the catalogue",
     };
     writeln!(out, "\nFormulas, {order} (error = T / T exact − 1):\n")?;
     let fields = fields::of_formula();

@@ -1,4 +1,4 @@
-//! Many amplitudes: one row each, with the errors of the formulas requested.
+//! A table of many amplitudes: one row each, with the errors of the formulas requested.
 
 use super::fields::{self, DIGITS, Estimate, SMALL_ANGLE_PERIOD, Swing};
 use super::{Period, estimates};
@@ -13,7 +13,7 @@ use libration::period_formulas::{PeriodFormula, fractional_errors};
 use std::io::{self, Write};
 
 /// The result for many amplitudes.
-pub(super) struct Swings<'a> {
+pub(super) struct SwingsTable<'a> {
     pub(super) question: &'a Period,
     pub(super) amplitudes: &'a Amplitudes,
     pub(super) pendulum: &'a Pendulum,
@@ -23,7 +23,7 @@ pub(super) struct Swings<'a> {
 /// time went into handing over.
 const PIECE: usize = 512;
 
-impl Swings<'_> {
+impl SwingsTable<'_> {
     pub(super) fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         let Self { question, amplitudes, pendulum } = *self;
         let period = (SMALL_ANGLE_PERIOD, number::seconds(pendulum.small_angle_period(), DIGITS));
@@ -72,14 +72,14 @@ impl Swings<'_> {
             json::write_item(text, record);
         };
         json::begin_document(out, question.pendulum.record())?;
-        let mut list = json::List::default();
+        let mut list = json::ListWriter::default();
         list.begin(out, "results")?;
         self.in_pieces(formulas, json::BETWEEN_ITEMS, item, |text| list.items(out, text))?;
         list.end(out)?;
         json::end_document(out, Record::new())
     }
 
-    /// Hands the texts of the amplitudes on, each of several with something between them, in their order.
+    /// Passes on the texts of the amplitudes, several at a time with a separator, in their order.
     fn in_pieces<'a>(
         &self,
         formulas: &'a [PeriodFormula],

@@ -14,7 +14,7 @@ struct Numbered<'a> {
     mode: &'a Mode,
 }
 
-/// An exchange by the slow flow, and as it is.
+/// An exchange of energy by the slow flow, and by integration.
 pub(super) type Both = (Exchange, MeasuredExchange);
 
 pub(super) fn of_answer() -> Fields<Answer> {

@@ -1,11 +1,11 @@
-//! `libration resonance`: the slow flow of coupled modes near rest, and how they exchange their energy.
+//! `libration resonance`: the slow flow of coupled modes near equilibrium, and their exchange of energy.
 
 mod fields;
 mod letters;
 mod write;
 
 use crate::arguments::{EquilibriumOptions, InitialOptions, SystemOptions, count, part};
-use crate::figure::resonance::Amplitudes;
+use crate::figure::resonance::ModeAmplitudes;
 use crate::output::language::FormatOptions;
 use crate::output::{FormOptions, announce};
 use crate::query_error::{QueryError, argument, option};
@@ -56,15 +56,15 @@ pub(crate) struct ResonanceQuestion {
     equilibrium: EquilibriumOptions,
     #[command(flatten)]
     initial: InitialOptions,
-    /// Highest order in the amplitudes [default: 3], or with symbols in the small parameters [default: their largest, and one
-    /// at which all terms without small parameter act]
+    /// Highest order in the amplitudes [default: 3], or with symbols in the small parameters [default: the largest of these, and at
+    /// least one at which all terms without small parameter act]
     #[arg(long, value_name = "N", value_parser = count::<LARGEST_ORDER>)]
     order: Option<usize>,
-    /// Small parameters with their orders, of equations with symbols, such as a:1,mu:2 [default: eps, where it occurs]
+    /// Small parameters with their orders, of equations with symbols, such as a:1,mu:2 [default: eps, if it occurs]
     #[arg(long, value_name = "NAME:ORDER,…")]
     small: Option<String>,
-    /// The natural frequencies of equations with symbols as whole numbers that they are near, such as 1:2 [default: what
-    /// equal symbols or numbers imply]
+    /// Approximate ratios of the natural frequencies of equations with symbols, such as 1:2 [default: those implied by equal symbols or
+    /// numbers]
     #[arg(long, value_name = "N:N…")]
     ratios: Option<String>,
     /// Resonance of a drive cos(W*t) in equations with symbols: W = (P/Q)·ω, over the natural frequency of the first
@@ -85,7 +85,7 @@ pub(crate) struct ResonanceQuestion {
     form: FormOptions,
 }
 
-/// The order of a normal form where none is given: the lowest at which frequencies change with the amplitudes.
+/// Default order of a normal form: the lowest at which frequencies change with the amplitudes.
 const USUAL_ORDER: usize = 3;
 
 /// The result to write.
@@ -141,8 +141,8 @@ impl ResonanceQuestion {
 }
 
 impl Answer {
-    /// The content of the picture: two exchanges, or forty periods where there is none.
-    fn shown(&self) -> Result<Amplitudes<'_>, QueryError> {
+    /// The time range of the picture: two exchanges, or forty periods if there is no exchange.
+    fn shown(&self) -> Result<ModeAmplitudes<'_>, QueryError> {
         const PERIODS: f64 = 40.0;
         const SAMPLES: usize = 240;
         let missing =
@@ -158,7 +158,7 @@ impl Answer {
         let seen = self.form.seen_path(self.model.equation(), state, interval, SAMPLES, &Quiet);
         let seen = seen.map_err(none)?;
         let slow = self.form.slow_path(&seen[0], interval, SAMPLES, &Quiet).map_err(none)?;
-        Ok(Amplitudes { model: &self.model, initial: state, interval, slow, seen })
+        Ok(ModeAmplitudes { model: &self.model, initial: state, interval, slow, seen })
     }
 }
 

@@ -8,7 +8,7 @@ use libration::algebra::Complex;
 use libration::continuation::{Branch, BranchPoint, Ending, Origin, SpecialPoint};
 use serde_json::Value;
 
-/// A branch of an answer, with its number from 1.
+/// A branch of a response, with its number from 1.
 pub(super) struct Numbered<'a> {
     pub(super) answer: &'a Answer,
     pub(super) number: usize,

@@ -17,7 +17,7 @@ pub(super) enum Row<'a> {
 }
 
 impl Answer {
-    /// The amplitude of the coordinate that is meant.
+    /// The amplitude of the chosen coordinate.
     pub(super) fn amplitude(&self, point: &BranchPoint) -> f64 {
         point.amplitude(self.coordinate, self.is_angle())
     }

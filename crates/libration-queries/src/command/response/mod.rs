@@ -1,4 +1,4 @@
-//! `libration response`: the periodic answers of a driven system, or the limit cycles of a self-excited one, over a parameter.
+//! `libration response`: the periodic responses of a driven system, or the limit cycles of a self-excited one, over a parameter.
 
 mod branch_fields;
 mod fields;
@@ -26,17 +26,17 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 pub(crate) use fields::answers;
 
-/// Most periods of the drive in one of an answer.
+/// Largest number of drive periods in a response.
 const MOST_PERIODS: usize = 100;
-/// Most digits of a special point: each digit is a part of the order of a series.
+/// Largest number of digits of a special point: the order of the series grows with each digit.
 const MOST_DIGITS: usize = 100;
-/// Most values of a sweep.
+/// Largest number of values in a sweep.
 const MOST_VALUES: usize = 10_000;
-/// Values of the sweeps in a picture: the dots of one do not touch across a column.
+/// Number of values of the sweeps in a picture: their dots do not touch each other in a column.
 const DOTS: usize = 48;
-/// Most turns of an answer.
+/// Largest number of turns of a response.
 const MOST_TURNS: i32 = 100;
-/// Most times that branches leave branches: a cascade is 4.669 times shorter each time.
+/// Largest depth of secondary branches: in a cascade each range is 4.669 times shorter than the one before.
 const MOST_GENERATIONS: usize = 6;
 
 /// The periodic responses of a driven system, or limit cycles, over a parameter: amplitude, stability, folds and jumps, symmetry breakings, period doublings
@@ -77,10 +77,10 @@ pub(crate) struct ResponseQuestion {
     /// Number of periods of the drive in one period of the response, for subharmonic responses
     #[arg(long, value_name = "N", default_value = "1", value_parser = count::<MOST_PERIODS>)]
     drive_periods: usize,
-    /// Number of turns of the angle of --coordinate in one period, for rotating responses; backwards where negative
+    /// Number of turns of the angle of --coordinate in one period, for rotating responses; negative for backward rotation
     #[arg(long, value_name = "N", value_parser = turns, allow_negative_numbers = true)]
     turns: Option<i32>,
-    /// Search for sub- and superharmonic responses too: numbers of oscillations per periods of the drive, such as 1/3,1/2
+    /// Search for sub- and superharmonic responses too: oscillations per drive periods, such as 1/3,1/2
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     orders: Vec<ResonanceOrder>,
     /// The value at which solutions are searched, for isolated closed branches (isolas) within the range [default: the ends of the range]
@@ -95,7 +95,7 @@ pub(crate) struct ResponseQuestion {
     /// Compute the parameter at special points to this number of digits, up to 100
     #[arg(long, value_name = "N", value_parser = count::<MOST_DIGITS>)]
     digits: Option<usize>,
-    /// Sweep the parameter slowly up and down through N values by integration, too [default: 48 where a picture is drawn, else none]
+    /// Also sweep the parameter slowly up and down through N values by integration [default: 48 if a picture is drawn, else none]
     #[arg(long, value_name = "N", value_parser = count::<MOST_VALUES>)]
     sweeps: Option<usize>,
     /// Draw amplitude against parameter to FILE.svg, FILE.pdf or FILE.png instead of listing the points
@@ -118,7 +118,7 @@ pub(crate) struct Answer {
     pub(crate) model: Model,
     pub(crate) parameter: String,
     pub(crate) range: [f64; 2],
-    /// The coordinate whose amplitude is meant.
+    /// The coordinate whose amplitude is shown.
     pub(crate) coordinate: usize,
     pub(crate) response: Response,
     /// The precise values of the special points of each branch, where requested and known.
@@ -189,7 +189,7 @@ impl ResponseQuestion {
         response.map_err(|error| failure(error, model))
     }
 
-    /// The slow sweeps, if they are requested or belong to the picture.
+    /// The slow sweeps, if they are requested or part of the picture.
     fn sweeps(&self, model: &Model, response: &Response) -> Result<Vec<Sweep>, QueryError> {
         if self.sweeps.is_some() && !response.driven {
             return Err(QueryError::usage(

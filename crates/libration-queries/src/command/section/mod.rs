@@ -57,7 +57,7 @@ pub(crate) struct PoincareQuestion {
     form: FormOptions,
 }
 
-/// The sections of all motions, with what is needed to write them.
+/// The sections of all motions, with the settings of their output.
 pub(crate) struct Answer<'a> {
     pub(crate) model: &'a Model,
     pub(crate) options: &'a SectionOptions,
@@ -98,8 +98,7 @@ impl PoincareQuestion {
         answer.failure().map_or(Ok(()), Err)
     }
 
-    /// The axes of the picture: the first coordinate that is not the surface itself, and its velocity, or the next coordinate where it has
-    /// none.
+    /// The axes of the picture: the first coordinate that does not define the surface, and its velocity, or the next coordinate if it has none.
     fn axes(&self, model: &Model) -> Result<[usize; 2], QueryError> {
         let coordinates = model.coordinates();
         let on_surface = |name: &str| self.section.is_at(name);
@@ -139,7 +138,7 @@ impl PoincareQuestion {
 }
 
 impl Answer<'_> {
-    /// The reason why points are missing, if they are.
+    /// The reason for missing points, if there are any.
     fn failure(&self) -> Option<QueryError> {
         let first = self.sections.iter().find_map(|section| section.stopped)?;
         Some(match first {

@@ -3,7 +3,7 @@
 use super::motion::SimulatedMotion;
 use super::report::{AnswerWriter, Summary};
 use super::resume::State;
-use super::run::{Outcome, ended};
+use super::run::{RunOutcome, ended};
 use crate::interrupt;
 use crate::query_error::{QueryError, option};
 use libration::systems::Energy;
@@ -20,7 +20,7 @@ impl SimulatedMotion<'_> {
         first < 0.0 && last > 0.0
     }
 
-    /// Refuses what only motions in one direction have.
+    /// Refuses options that need a motion in one direction.
     pub(super) fn check_both_ways(&self, is_drawn: bool) -> Result<(), QueryError> {
         let times: Vec<f64> = self.times.iter().collect();
         if let Some(pair) = times.windows(2).find(|pair| pair[1] < pair[0]) {
@@ -47,7 +47,7 @@ impl SimulatedMotion<'_> {
         system: &System,
         report: &mut dyn AnswerWriter,
         out: &mut dyn Write,
-    ) -> Result<Outcome, QueryError> {
+    ) -> Result<RunOutcome, QueryError> {
         let energy = self.model.energy();
         let (start, times) = (self.beginning(), self.times.iter().collect::<Vec<_>>());
         let new = || SampledErrors::new(system, &start, &self.effort(), &times, self.gradients());
@@ -71,10 +71,10 @@ impl SimulatedMotion<'_> {
         }
         report.end(&summary, out)?;
         out.flush()?;
-        Ok(Outcome { ending, state, drawn: vec![] })
+        Ok(RunOutcome { ending, state, drawn: vec![] })
     }
 
-    /// The motion with the drift of its energy on either side and the uncertainty of that; `watch` sees each step.
+    /// The motion with the drift of its energy on either side and the uncertainty of the drift; `watch` receives each step.
     pub(super) fn integrate_both_ways(
         &self,
         system: &System,

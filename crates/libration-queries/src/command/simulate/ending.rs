@@ -17,13 +17,13 @@ pub(super) struct EventEnding {
 #[derive(Clone, Debug)]
 pub(super) enum Ending {
     Complete,
-    /// An event ended it, at this place and with these errors.
+    /// A terminal event, at this index and with these errors.
     Event(EventEnding),
     /// The event that should end it did not happen.
     NotReached(String),
     /// Ctrl-C was pressed.
     Interrupted(f64),
-    /// The motion ends or cannot be followed: why.
+    /// The reason why the motion ends or cannot be followed.
     Stopped(String),
 }
 

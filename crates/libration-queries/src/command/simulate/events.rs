@@ -9,14 +9,14 @@ use libration::taylor::{Contact, Direction, Event, MomentErrors, Occurrence};
 /// The events of a question, each with its name.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Watched {
-    kinds: Vec<Kind>,
+    kinds: Vec<ListedEvent>,
 }
 
 #[derive(Clone, Debug)]
-struct Kind {
+struct ListedEvent {
     name: String,
     formula: Expression,
-    /// The coordinate on whose curve it is marked.
+    /// The coordinate on whose curve the event is marked.
     coordinate: usize,
     direction: Direction,
     /// Count of the event at which the motion ends.
@@ -45,7 +45,7 @@ enum Way {
     Falling,
 }
 
-/// An event as it is written.
+/// An event record for the output.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Happening {
     pub(super) time: f64,
@@ -53,7 +53,7 @@ pub(super) struct Happening {
     pub(super) state: Vec<f64>,
     /// The values of the columns that were requested.
     pub(super) columns: Option<Vec<f64>>,
-    /// Errors of time, state and columns, where they are estimated; NaN where they are not determined.
+    /// Errors of time, state and columns, if they are estimated; NaN if they are not determined.
     pub(super) errors: Option<MomentErrors>,
 }
 
@@ -76,12 +76,12 @@ impl Watched {
 
     /// The names of the events.
     pub(super) fn names(&self) -> Vec<String> {
-        self.kinds.iter().map(Kind::full_name).collect()
+        self.kinds.iter().map(ListedEvent::full_name).collect()
     }
 
     /// The name of the event that ends the motion.
     pub(super) fn until(&self) -> Option<String> {
-        self.kinds.iter().find(|kind| kind.ends_at.is_some()).map(Kind::full_name)
+        self.kinds.iter().find(|kind| kind.ends_at.is_some()).map(ListedEvent::full_name)
     }
 
     pub(super) fn is_empty(&self) -> bool {
@@ -89,7 +89,7 @@ impl Watched {
     }
 
     pub(super) fn events(&self) -> Vec<Event> {
-        let event = |kind: &Kind| Event {
+        let event = |kind: &ListedEvent| Event {
             formula: kind.formula.clone(),
             direction: kind.direction,
             ends_at: kind.ends_at,
@@ -97,7 +97,7 @@ impl Watched {
         self.kinds.iter().map(event).collect()
     }
 
-    /// The event with its name, and how it touched zero if not by passing it.
+    /// The event record with its name, and the kind of contact if zero is touched and not crossed.
     pub(super) fn happening(&self, occurrence: &Occurrence) -> Happening {
         let name = &self.kinds[occurrence.event].name;
         let kind = match occurrence.contact {
@@ -116,14 +116,15 @@ impl Watched {
 
     /// The coordinate on whose curve an event is marked.
     pub(super) fn coordinate(&self, happening: &Happening) -> usize {
-        let of =
-            |kind: &&Kind| happening.kind.split_once(", ").map_or(&*happening.kind, |it| it.0) == kind.name;
+        let of = |kind: &&ListedEvent| {
+            happening.kind.split_once(", ").map_or(&*happening.kind, |it| it.0) == kind.name
+        };
         self.kinds.iter().find(of).map_or(0, |kind| kind.coordinate)
     }
 }
 
-impl Kind {
-    /// The name, and what counts where not all does.
+impl ListedEvent {
+    /// The name, with the direction if not all crossings count.
     fn full_name(&self) -> String {
         let way = match self.direction {
             Direction::Any => "",
@@ -137,23 +138,23 @@ impl Kind {
 
 impl UntilOptions {
     /// An equation, or a formula.
-    fn kind(&self, text: &str, model: &Model) -> Result<Kind, QueryError> {
+    fn kind(&self, text: &str, model: &Model) -> Result<ListedEvent, QueryError> {
         let direction = match self.direction {
             Way::Any => Direction::Any,
             Way::Rising => Direction::Rising,
             Way::Falling => Direction::Falling,
         };
         let (name, ends_at) = (text.trim().to_owned(), Some(self.count));
-        Ok(Kind { name, direction, ends_at, ..zero_of(&option("until"), text, model)? })
+        Ok(ListedEvent { name, direction, ends_at, ..zero_of(&option("until"), text, model)? })
     }
 }
 
-/// The event for each coordinate, whose name is added where there are several.
-fn of_each(model: &Model, name: &str, formula: fn(&Coordinate) -> Expression) -> Vec<Kind> {
+/// The event of each coordinate, whose name is added if there are several.
+fn of_each(model: &Model, name: &str, formula: fn(&Coordinate) -> Expression) -> Vec<ListedEvent> {
     let several = model.coordinates().len() > 1;
     let kind = |(coordinate, it): (usize, &Coordinate)| {
         let name = if several { format!("{name} of {}", it.name) } else { name.to_owned() };
-        Kind { name, formula: formula(it), coordinate, direction: Direction::Any, ends_at: None }
+        ListedEvent { name, formula: formula(it), coordinate, direction: Direction::Any, ends_at: None }
     };
     model.coordinates().iter().enumerate().map(kind).collect()
 }
@@ -163,7 +164,7 @@ fn turning(coordinate: &Coordinate) -> Expression {
     Expression::Symbol(Symbol::plain(&coordinate.name).with_primes(1))
 }
 
-/// The place of rest is passed; for angles in every turn.
+/// The crossing of the equilibrium; for angles in every turn.
 fn crossing(coordinate: &Coordinate) -> Expression {
     let place = Box::new(Expression::symbol(&coordinate.name));
     // The shortest decimal of a finite number is a formula.
@@ -176,7 +177,7 @@ fn crossing(coordinate: &Coordinate) -> Expression {
     Expression::Call(Function::Sin, Box::new(half))
 }
 
-fn zero_of(argument: &Parameter, text: &str, model: &Model) -> Result<Kind, QueryError> {
+fn zero_of(argument: &Parameter, text: &str, model: &Model) -> Result<ListedEvent, QueryError> {
     let formula = model.zero_of(text).map_err(|error| match error {
         ConditionError::Formula(error) => QueryError::usage(
             argument,
@@ -185,5 +186,5 @@ fn zero_of(argument: &Parameter, text: &str, model: &Model) -> Result<Kind, Quer
         other => QueryError::usage(argument, other),
     })?;
     let name = text.parse().map_or_else(|_| text.to_owned(), |written: Expression| written.to_string());
-    Ok(Kind { name, formula, coordinate: 0, direction: Direction::Any, ends_at: None })
+    Ok(ListedEvent { name, formula, coordinate: 0, direction: Direction::Any, ends_at: None })
 }

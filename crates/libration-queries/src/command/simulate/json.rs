@@ -10,14 +10,14 @@ use std::io::{self, Write};
 
 pub(super) struct Json {
     of_sample: Fields<Sample>,
-    samples: json::List,
+    samples: json::ListWriter,
     /// Events, which follow the samples.
     happenings: Vec<Happening>,
 }
 
 impl Json {
     pub(super) fn new() -> Self {
-        Self { of_sample: fields::of_sample(), samples: json::List::default(), happenings: vec![] }
+        Self { of_sample: fields::of_sample(), samples: json::ListWriter::default(), happenings: vec![] }
     }
 }
 
@@ -38,7 +38,7 @@ impl AnswerWriter for Json {
 
     fn end(&mut self, summary: &Summary, out: &mut dyn Write) -> io::Result<()> {
         self.samples.end(out)?;
-        let (mut events, of_event) = (json::List::default(), fields::of_event());
+        let (mut events, of_event) = (json::ListWriter::default(), fields::of_event());
         events.begin(out, "events")?;
         self.happenings.iter().try_for_each(|event| events.item(out, of_event.record(event)))?;
         events.end(out)?;

@@ -29,8 +29,8 @@ use ending::Ending;
 use events::{UntilOptions, Watched};
 use libration::systems::Model;
 use motion::SimulatedMotion;
-use resume::{Earlier, Keeper, Question};
-use run::Outcome;
+use resume::{Earlier, Keeper, RunParameters};
+use run::RunOutcome;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -176,7 +176,7 @@ impl Simulate {
         let axes =
             self.axes.as_deref().map(|names| arguments::places_in_state(&model, &option("axes"), names));
         let axes = axes.transpose()?.map(|places| places.map(|place| StateAxis::new(&model, place)));
-        let figure = self.figure.as_deref().map(|path| run::Figure {
+        let figure = self.figure.as_deref().map(|path| run::MotionPicture {
             path,
             layout: &self.layout,
             axes,
@@ -184,7 +184,7 @@ impl Simulate {
         });
         let (ending, written) = match &self.output {
             None => {
-                let Outcome { ending, drawn, .. } = motion.write(form, figure, out, None)?;
+                let RunOutcome { ending, drawn, .. } = motion.write(form, figure, out, None)?;
                 (ending, drawn)
             }
             Some(path) => {
@@ -200,7 +200,7 @@ impl Simulate {
         ending.into_result(self.output.as_deref().filter(|_| form != Form::Table))
     }
 
-    /// Refuses what does not go with derivatives of the motion.
+    /// Refuses options that are incompatible with sensitivities.
     fn refuse_beside_sensitivities(&self) -> Result<(), QueryError> {
         let refused = |about: Parameter, reason: &str| Err(QueryError::usage(about, reason));
         match () {
@@ -217,7 +217,7 @@ impl Simulate {
         }
     }
 
-    /// The reason why no errors are estimated, if none are.
+    /// The reason why errors are not estimated; `None` if they are.
     fn reason_for_no_errors(&self) -> Option<&'static str> {
         match () {
             () if self.each.is_some() => Some("--each"),
@@ -228,8 +228,8 @@ impl Simulate {
     }
 
     /// The question about a motion that begins in this state.
-    fn question(&self, model: &Model, watched: &Watched, initial: Vec<f64>) -> Question {
-        Question {
+    fn question(&self, model: &Model, watched: &Watched, initial: Vec<f64>) -> RunParameters {
+        RunParameters {
             system: model.key().map(str::to_owned),
             equations: model.equation().to_string(),
             state: model.state_names(),
@@ -243,17 +243,17 @@ impl Simulate {
     }
 }
 
-/// Writes the output into its file, and with a CSV file the record for its continuation; then how it ended, and what was drawn.
+/// Writes the output to its file, and with a CSV file the record for its continuation; then the ending, and the names of pictures.
 fn write_file(
     motion: SimulatedMotion<'_>,
     form: Form,
-    figure: Option<run::Figure<'_>>,
+    figure: Option<run::MotionPicture<'_>>,
     path: &Path,
 ) -> Result<(Ending, Vec<String>), QueryError> {
     let mut file = NewFile::create(path)?;
     let places = file.places().filter(|_| form == Form::Csv);
     let keeper = places.as_ref().map(|[_, unfinished]| Keeper::new(state_of(unfinished)));
-    let Outcome { ending, state, drawn } = motion.write(form, figure, &mut file, keeper)?;
+    let RunOutcome { ending, state, drawn } = motion.write(form, figure, &mut file, keeper)?;
     // An unfinished file that was gone on from is left to be removed now.
     drop(motion);
     file.finish()?;

@@ -1,25 +1,25 @@
-//! A motion with what is asked about it.
+//! A motion with the quantities requested for it.
 
 use super::events::Watched;
-use super::resume::{Earlier, Mark, Question};
+use super::resume::{Earlier, Mark, RunParameters};
 use crate::arguments::{Initial, Times, Tolerances};
 use libration::systems::{Model, Observables};
 use libration::taylor::{Effort, Gradients, Moment, Sensitivities};
 
-/// A motion to be integrated, with what is asked about it.
+/// A motion to be integrated, with the quantities requested for it.
 pub(super) struct SimulatedMotion<'a> {
     pub(super) model: &'a Model,
-    pub(super) question: Question,
+    pub(super) question: RunParameters,
     pub(super) initial: Initial,
     pub(super) times: &'a Times,
     pub(super) tolerances: &'a Tolerances,
     pub(super) watched: &'a Watched,
-    /// Formulas whose values stand in addition to the state.
+    /// Formulas whose values are listed in addition to the state.
     pub(super) observables: Option<&'a Observables>,
     /// Sensitivities to parameters and initial values.
     pub(super) sensitivities: Option<&'a Sensitivities>,
     pub(super) earlier: Option<Earlier>,
-    /// Reason why no errors of the states are wanted, if they are not.
+    /// Reason why errors of the states are not requested; `None` if they are.
     pub(super) no_errors: Option<&'static str>,
 }
 

@@ -10,15 +10,15 @@ pub(super) enum Precision {
     Estimated {
         /// The time of the last state that is determined in double precision, where not all are.
         determined_until: Option<f64>,
-        /// Change of the last determined state that half a unit in the last place of the start causes.
+        /// Change of the last determined state caused by half a unit in the last place of the start.
         start_effect: Moment,
     },
-    /// No error is: why.
+    /// The reason why errors are not estimated.
     NotEstimated(&'static str),
 }
 
 impl SimulatedMotion<'_> {
-    /// The reason why no errors are estimated, if none are.
+    /// The reason why errors are not estimated; `None` if they are.
     pub(super) fn no_errors(&self) -> Option<&'static str> {
         self.no_errors.or_else(|| {
             let numbers = self.beginning().state.len();
@@ -26,7 +26,7 @@ impl SimulatedMotion<'_> {
         })
     }
 
-    /// The errors along the motion, begun or gone on with.
+    /// The errors along the motion, initial or continued.
     pub(super) fn state_errors(&self, system: &System) -> Option<StateErrors> {
         if self.no_errors().is_some() {
             return None;
@@ -52,7 +52,7 @@ impl SimulatedMotion<'_> {
         }
     }
 
-    /// The errors of the motion alone and of its columns, from those of the integration; not numbers where there are none.
+    /// The errors of the motion alone and of its columns, from those of the integration; NaN if there are none.
     pub(super) fn own_errors(&self, errors: Option<MomentErrors>) -> MomentErrors {
         let unknown = |count: usize| vec![f64::NAN; count];
         let formulas = self.observables.map_or(0, |observables| observables.names().len());

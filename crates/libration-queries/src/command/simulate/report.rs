@@ -1,4 +1,4 @@
-//! A result that is written sample by sample, so that long runs need no memory.
+//! A result that is written sample by sample, so that long runs need little memory.
 
 use super::ending::Ending;
 use super::events::Happening;
@@ -12,7 +12,7 @@ use std::io::{self, Write};
 pub(super) trait AnswerWriter {
     fn begin(&mut self, motion: &SimulatedMotion, out: &mut dyn Write) -> io::Result<()>;
     fn sample(&mut self, sample: &Sample, out: &mut dyn Write) -> io::Result<()>;
-    /// An event, behind all samples up to its time.
+    /// Writes an event after all samples up to its time.
     fn event(&mut self, happening: &Happening, out: &mut dyn Write) -> io::Result<()>;
     fn end(&mut self, summary: &Summary, out: &mut dyn Write) -> io::Result<()>;
 }
@@ -21,17 +21,17 @@ pub(super) trait AnswerWriter {
 pub(super) struct Sample {
     pub(super) moment: Moment,
     pub(super) columns: Option<Vec<f64>>,
-    /// Errors of state and columns, where they are estimated; NaN where the state is not determined.
+    /// Errors of state and columns, if they are estimated; NaN if the state is not determined.
     pub(super) errors: Option<MomentErrors>,
 }
 
 /// The summary at the end of the integration.
 pub(super) struct Summary {
     pub(super) steps: usize,
-    /// The drift of the energy and its uncertainty, or why there is none.
+    /// The drift of the energy and its uncertainty, or the reason why it is unknown.
     pub(super) drift: Result<[f64; 2], String>,
     pub(super) precision: Precision,
     pub(super) ending: Ending,
-    /// State needed to continue, where it is kept.
+    /// State for a continuation, if it is kept.
     pub(super) state: Option<State>,
 }

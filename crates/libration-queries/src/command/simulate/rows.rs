@@ -34,7 +34,7 @@ impl Row {
 }
 
 impl SimulatedMotion<'_> {
-    /// Samples and events in the order of the times, with errors where they are known.
+    /// Samples and events in the order of the times, with their errors if known.
     pub(super) fn rows<'s>(
         &'s self,
         solution: &'s Solution,

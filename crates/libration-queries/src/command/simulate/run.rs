@@ -1,4 +1,4 @@
-//! The integration, whose samples are written as they come.
+//! The integration, whose samples are written as they are computed.
 
 use super::csv::Csv;
 use super::ending::{Ending, EventEnding};
@@ -25,7 +25,7 @@ use std::path::Path;
 
 /// A picture of the motion.
 #[derive(Debug)]
-pub(super) struct Figure<'a> {
+pub(super) struct MotionPicture<'a> {
     pub(super) path: &'a Path,
     pub(super) layout: &'a figure::Layout,
     /// Axes of the picture, if it does not show the coordinates against time.
@@ -35,7 +35,7 @@ pub(super) struct Figure<'a> {
 }
 
 /// The outcome of the run.
-pub(super) struct Outcome {
+pub(super) struct RunOutcome {
     pub(super) ending: Ending,
     /// State needed to continue.
     pub(super) state: State,
@@ -44,14 +44,14 @@ pub(super) struct Outcome {
 }
 
 impl SimulatedMotion<'_> {
-    /// Writes the result as far as the integration comes, and draws the picture.
+    /// Writes the result as the integration proceeds, and draws the picture.
     pub(super) fn write(
         &self,
         form: Form,
-        figure: Option<Figure<'_>>,
+        figure: Option<MotionPicture<'_>>,
         out: &mut dyn Write,
         keeper: Option<Keeper>,
-    ) -> Result<Outcome, QueryError> {
+    ) -> Result<RunOutcome, QueryError> {
         interrupt::listen()?;
         self.check_times(figure.is_some())?;
         let system = self.system()?;
@@ -88,10 +88,10 @@ impl SimulatedMotion<'_> {
             }
             _ => vec![],
         };
-        Ok(Outcome { ending, state, drawn })
+        Ok(RunOutcome { ending, state, drawn })
     }
 
-    /// Refuses times that cannot be reached, or not with what else is asked.
+    /// Refuses times that cannot be reached, or that are incompatible with other options.
     pub(super) fn check_times(&self, is_drawn: bool) -> Result<(), QueryError> {
         if self.goes_both_ways() { self.check_both_ways(is_drawn) } else { check_order(self.times) }
     }
@@ -119,7 +119,7 @@ impl SimulatedMotion<'_> {
         Ok(Ending::Event(EventEnding { name, end, error }))
     }
 
-    /// The account of the energy, gone on with or begun.
+    /// The account of the energy, initial or continued.
     fn balance<'e>(&self, energy: &'e Energy) -> EnergyBalance<'e> {
         let account = self.mark().and_then(|mark| mark.energy.as_ref());
         account.map_or_else(
@@ -128,7 +128,7 @@ impl SimulatedMotion<'_> {
         )
     }
 
-    /// Takes what was computed earlier and integrates the rest; how it ended, after how many steps.
+    /// Takes the earlier rows and integrates the rest; returns the ending and the number of steps.
     fn follow(&self, system: &System, watch: &mut Watch) -> Result<(Ending, usize), QueryError> {
         if let Some(earlier) = &self.earlier {
             earlier.each(|row| watch.earlier(row))?;
@@ -174,7 +174,7 @@ pub(super) fn system_of(
     system.with_events(&watched.events()).map_err(|error| QueryError::usage(option("events"), error))
 }
 
-/// The report in this form; a table lists the samples only if that is wanted.
+/// The report in this form; a table lists the samples only if requested.
 fn report(form: Form, listed: bool) -> Box<dyn AnswerWriter> {
     match form {
         Form::Json => Box::new(Json::new()),

@@ -151,7 +151,7 @@ pub(super) fn titles(model: &Model, columns: &[String]) -> Vec<String> {
     ["t / s".to_owned()].into_iter().chain(numbers).chain(columns.iter().cloned()).collect()
 }
 
-/// The drift of the energy, with how well it is known where that is worse than roundings.
+/// The drift of the energy, with its uncertainty if that exceeds rounding.
 pub(super) fn drift(drift: &Result<[f64; 2], String>) -> String {
     match drift {
         Ok([drift, _]) if drift.is_nan() => "none: the energy is not defined throughout".to_owned(),
@@ -210,7 +210,7 @@ fn labelled(name: &str, unit: &str) -> String {
     }
 }
 
-/// The values of the parameters, and how they are those of the pendulum that other commands take if none is given.
+/// The values of the parameters, with a note if they are the defaults of the pendulum that differ from those of other commands.
 fn parameters(motion: &SimulatedMotion) -> Option<String> {
     let values = motion.model.values().iter().map(|(name, value)| format!("{name} = {value}"));
     let values = values.collect::<Vec<_>>().join(", ");
@@ -225,7 +225,7 @@ fn parameters(motion: &SimulatedMotion) -> Option<String> {
     (!values.is_empty()).then(|| values + difference)
 }
 
-/// The state at the start, with what was not given.
+/// The state at the start, with the assumed components.
 fn start(motion: &SimulatedMotion) -> String {
     let state =
         motion.model.state_names().into_iter().zip(motion.model.state_units()).zip(&motion.initial.state);

@@ -1,4 +1,4 @@
-//! Processing of each step of the integration as soon as it is made.
+//! Processing of each step of the integration after it is computed.
 
 use super::events::Happening;
 use super::motion::SimulatedMotion;
@@ -16,8 +16,8 @@ use std::io::{self, Write};
 use std::iter::Peekable;
 use std::ops::ControlFlow;
 
-/// Writes the samples and events of each step, accounts for the energy, remembers where it may be gone on from, and shows how
-/// far it is.
+/// Writes the samples and events of each step, updates the energy account, marks where the run may be continued, and shows
+/// its progress.
 pub(super) struct Watch<'a> {
     motion: &'a SimulatedMotion<'a>,
     report: &'a mut dyn AnswerWriter,
@@ -28,7 +28,7 @@ pub(super) struct Watch<'a> {
     /// Error in writing.
     pub(super) failure: Option<QueryError>,
     times: Peekable<Box<dyn Iterator<Item = f64> + 'a>>,
-    /// The last of them.
+    /// The last time.
     last: f64,
     /// Numbers of samples and events written.
     rows: [usize; 2],
@@ -69,7 +69,7 @@ impl<'a> Watch<'a> {
         self.report.begin(self.motion, &mut self.out)
     }
 
-    /// Takes a sample or an event that was computed before.
+    /// Takes a sample or an event of the earlier result.
     pub(super) fn earlier(&mut self, row: &Happening) -> Result<(), QueryError> {
         if !row.kind.is_empty() {
             return Ok(self.happening(row)?);
@@ -91,7 +91,7 @@ impl<'a> Watch<'a> {
         Ok(())
     }
 
-    /// Takes a step, and says whether there should be another.
+    /// Takes a step; `Break` if there should be no other.
     pub(super) fn follow(&mut self, taken: &AcceptedStep<'_>) -> ControlFlow<()> {
         let step = taken.step();
         if let Some(errors) = &mut self.errors {
@@ -113,7 +113,7 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// The drift of the energy so far and its uncertainty; NaN where it has none.
+    /// The drift of the energy so far and its uncertainty; NaN if they are unknown.
     pub(super) fn drift(&self) -> [f64; 2] {
         self.balance.as_ref().map_or([f64::NAN; 2], |it| [it.drift(), it.drift_uncertainty()])
     }
@@ -128,7 +128,7 @@ impl<'a> Watch<'a> {
         &self.state
     }
 
-    /// Writes what is to be said of the whole.
+    /// Writes the summary of the run.
     pub(super) fn end(&mut self, summary: &Summary) -> io::Result<()> {
         self.report.end(summary, &mut self.out)?;
         self.out.flush()
@@ -175,7 +175,7 @@ impl<'a> Watch<'a> {
         Ok(())
     }
 
-    /// Remembers the end of a step that may be gone on from, as motions without derivatives may.
+    /// Marks the end of a step from which a motion without sensitivities can be continued.
     fn mark(&mut self, taken: &AcceptedStep<'_>) -> Result<(), QueryError> {
         if self.motion.sensitivities.is_some() {
             return Ok(());

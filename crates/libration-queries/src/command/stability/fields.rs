@@ -9,7 +9,7 @@ use libration::algebra::Complex;
 use libration::continuation::{CurvePoint, Ending, SpecialCurve};
 use serde_json::Value;
 
-/// A curve of an answer, with its number from 1.
+/// A curve of the map, with its number from 1.
 pub(super) struct Numbered<'a> {
     pub(super) answer: &'a Answer,
     pub(super) number: usize,

@@ -17,11 +17,11 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 pub(crate) use fields::answers;
 
-/// Most periods of the drive in one of an answer.
+/// Largest number of drive periods in a response.
 const MOST_PERIODS: usize = 100;
-/// Most lines across each parameter.
+/// Largest number of lines across each parameter.
 const MOST_LINES: usize = 100;
-/// Most times that branches leave branches.
+/// Largest depth of secondary branches.
 const MOST_GENERATIONS: usize = 6;
 
 /// Stability over two parameters: stability boundaries of an equilibrium, curves of folds, symmetry breakings and period doublings, cusps

@@ -68,7 +68,7 @@ impl Answer {
         Ok(())
     }
 
-    /// Statements of what the grid shows of the equilibrium beyond the curves.
+    /// Statements about the stability of the equilibrium that the grid shows beyond the curves.
     fn told_of_grid(&self) -> Vec<String> {
         let Some(rest) = self.chart.rest.as_ref().filter(|_| !self.chart.interrupted) else { return vec![] };
         let [first, second] = &self.parameters;
@@ -143,7 +143,7 @@ fn summary(curve: &Numbered<'_>) -> String {
     format!("{kind}, {} points, {ends}{through}", points.len())
 }
 
-/// The reason why a curve ends, where this is not the edge of the map.
+/// The reason why a curve ends, unless it ends at the edge of the map.
 fn said(ending: Ending) -> &'static str {
     match ending {
         Ending::RangeEnd | Ending::Closed => "",

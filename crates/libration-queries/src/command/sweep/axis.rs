@@ -11,16 +11,16 @@ const MOST_VALUES: usize = 1_000_000;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
     pub(crate) name: String,
-    /// The values as they are typed.
+    /// The values as typed.
     pub values: Vec<String>,
-    /// The values as numbers in one unit, where they are numbers.
+    /// The values as numbers in one unit, if they are numbers.
     pub numbers: Option<Vec<f64>>,
-    /// Unit of the numbers; empty where there is none.
+    /// Unit of the numbers; empty without a unit.
     pub unit: String,
 }
 
 impl Axis {
-    /// The axis of a name and its values as words, which are numbers where all of them are.
+    /// The axis with a name and values as words, which are converted if all of them are numbers.
     pub(crate) fn of_words(name: &str, values: Vec<String>) -> Result<Self, String> {
         if name.trim().is_empty() || name.contains(['{', '}']) {
             return Err("an axis needs a name: give NAME=VALUES, such as A=1:1.5:0.01".to_owned());
@@ -43,7 +43,7 @@ impl Axis {
         Ok(Self { name, values, numbers, unit })
     }
 
-    /// A value as it stands in results: in the unit of the axis, or as it was typed.
+    /// A value as it is printed in results: in the unit of the axis, or as typed.
     pub(crate) fn shown(&self, place: usize) -> String {
         match &self.numbers {
             Some(numbers) => number::exact(numbers[place]),
@@ -52,7 +52,7 @@ impl Axis {
     }
 }
 
-/// Reads `NAME=START:STOP:STEP`, whose numbers may have a unit, or `NAME=v1,v2,…`; values with commas in them are parted by semicolons.
+/// Reads `NAME=START:STOP:STEP`, whose numbers may have a unit, or `NAME=v1,v2,…`; values that contain commas are separated by semicolons.
 pub fn axis(text: &str) -> Result<Axis, String> {
     let (name, values) = text.split_once('=').ok_or("give NAME=VALUES, such as A=1:1.5:0.01")?;
     if let [start, stop, step] = values.split(':').collect::<Vec<_>>()[..] {
@@ -77,7 +77,7 @@ fn range(start: &str, stop: &str, step: &str) -> Result<Vec<String>, String> {
     Ok(values.into_iter().map(|value| number::exact(value) + unit).collect())
 }
 
-/// A decimal apart from the unit after it; all of the text where it is not a decimal with a unit.
+/// A decimal and the unit after it; the whole text if it is not a decimal with a unit.
 fn number_and_unit(text: &str) -> (&str, &str) {
     let text = text.trim();
     let is_decimal = |text: &str| text.parse::<f64>().is_ok_and(f64::is_finite);

@@ -8,15 +8,15 @@ use std::io;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The kept fields of the result at a point, or the error: exit status and reason.
-pub(crate) type Outcome = Result<Vec<f64>, (u8, String)>;
+pub(crate) type PointOutcome = Result<Vec<f64>, (u8, String)>;
 
-/// The outcomes at the points of a chunk, in their order. `None` when the run is cancelled before.
-pub(crate) fn outcomes(plan: &Plan, chunk: usize) -> Option<Vec<Outcome>> {
+/// The outcomes at the points of a chunk, in their order. `None` if the run is cancelled before their end.
+pub(crate) fn outcomes(plan: &Plan, chunk: usize) -> Option<Vec<PointOutcome>> {
     counted_outcomes(plan, chunk, &AtomicUsize::new(0))
 }
 
 /// The same; `done` counts them.
-pub(super) fn counted_outcomes(plan: &Plan, chunk: usize, done: &AtomicUsize) -> Option<Vec<Outcome>> {
+pub(super) fn counted_outcomes(plan: &Plan, chunk: usize, done: &AtomicUsize) -> Option<Vec<PointOutcome>> {
     let outcome = |point| {
         if interrupt::is_cancelled() {
             return None;
@@ -32,8 +32,8 @@ pub(super) fn counted_outcomes(plan: &Plan, chunk: usize, done: &AtomicUsize) ->
     plan.grid.points_of(chunk).map(outcome).collect()
 }
 
-/// A line for each point, below a line of names: the place, the numbers, status and message.
-pub(crate) fn csv(plan: &Plan, chunk: usize, outcomes: &[Outcome]) -> io::Result<Vec<u8>> {
+/// A line for each point, below a line of names: the indices, the numbers, status and message.
+pub(crate) fn csv(plan: &Plan, chunk: usize, outcomes: &[PointOutcome]) -> io::Result<Vec<u8>> {
     let mut text = header(plan)?;
     let columns = plan.columns().len();
     for (point, outcome) in plan.grid.points_of(chunk).zip(outcomes) {

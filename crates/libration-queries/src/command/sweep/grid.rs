@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-/// The points of all combinations of values, cut into chunks.
+/// The points of all combinations of values, divided into chunks.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Grid {
     /// Number of values of each axis.
@@ -15,7 +15,7 @@ impl Grid {
     /// Approximate number of chunks by default.
     const CHUNKS: usize = 256;
 
-    /// Creates a grid with chunks of at most `most` points; `None` where there are too many points to count.
+    /// Creates a grid with chunks of at most `most` points; `None` if there are too many points to count.
     pub fn new(shape: Vec<usize>, most: Option<usize>) -> Option<Self> {
         let points = shape.iter().try_fold(1_usize, |all, &length| all.checked_mul(length))?;
         let mut room = most.unwrap_or(points.div_ceil(Self::CHUNKS)).max(1);
@@ -59,12 +59,12 @@ impl Grid {
         range
     }
 
-    /// The place of a point on each axis.
+    /// The index of a point on each axis.
     pub fn place(&self, point: usize) -> Vec<usize> {
         place_in(&self.shape, point)
     }
 
-    /// Some points, far from each other, of which the first is the first of the grid.
+    /// Some points far from each other, beginning with the first of the grid.
     pub fn scattered(&self) -> Vec<usize> {
         const BITS: u32 = 4;
         let points = self.points();

@@ -2,11 +2,11 @@
 
 use super::chunk;
 use super::plan::Plan;
-use super::progress::Progress;
+use super::progress::SweepProgress;
 use super::store::Store;
 use crate::output::description::{Answers, Row, descriptions};
 use crate::output::file::NewFile;
-use crate::output::json::{self, List, Record};
+use crate::output::json::{self, ListWriter, Record};
 use crate::output::{Form, FormOptions, csv};
 use crate::query_error::QueryError;
 use std::io::Write;
@@ -23,7 +23,7 @@ use std::path::PathBuf;
     --set c=1/2 --initial theta=0.2 --intervals 10 --shard 2/2 --output b
   libration sweep join a b --output exponents.csv")]
 pub(crate) struct Join {
-    /// The directories of the shards; one where all have written to the same
+    /// The directories of the shards; a single one if all have written to it
     #[arg(value_name = "DIR", required = true)]
     directories: Vec<PathBuf>,
     /// The file, whose extension chooses its format: .csv or .json [default: CSV on the standard output]
@@ -36,7 +36,7 @@ pub(crate) struct Join {
 impl Join {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let stores = opened(&self.directories)?;
-        let progress = Progress::of(&stores)?;
+        let progress = SweepProgress::of(&stores)?;
         if let Some(missing) = progress.missing() {
             return Err(QueryError::failed(format!("the sweep is not complete: {missing}")));
         }
@@ -91,7 +91,7 @@ fn write_csv(out: &mut dyn Write, stores: &[Store]) -> Result<(), QueryError> {
 fn write_json(out: &mut dyn Write, stores: &[Store]) -> Result<(), QueryError> {
     let plan = &stores[0].plan;
     json::begin_document(out, plan.to_json())?;
-    let mut list = List::default();
+    let mut list = ListWriter::default();
     list.begin(out, "points")?;
     each_chunk(stores, |chunk, rows| {
         for (point, row) in plan.grid.points_of(chunk).zip(rows.lines()) {

@@ -1,4 +1,4 @@
-//! The numbers that a sweep keeps of each result, by the ways to them in JSON.
+//! The numbers that a sweep keeps of each result, by their paths in JSON.
 
 use serde_json::Value;
 
@@ -14,7 +14,7 @@ pub struct Kept {
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Step {
     Key(String),
-    /// An entry, counted from the end where it is negative.
+    /// An entry, counted from the end if it is negative.
     Entry(i64),
     Entries(usize, usize),
 }
@@ -23,7 +23,7 @@ enum Step {
 const MOST: usize = 1_000_000;
 
 impl Kept {
-    /// Reads a way, or `NAME=WAY`; without a name that is the last key, or what is behind it.
+    /// Reads a path, or `NAME=PATH`; without a name, the name is the last key with what follows it.
     pub fn read(text: &str) -> Result<Self, String> {
         let (name, path) = match text.split_once('=') {
             Some((name, path)) => (Some(name.trim()), path.trim()),
@@ -45,7 +45,7 @@ impl Kept {
         Self { name: name(&self.path), ..self }
     }
 
-    /// Number of entries where it is a list.
+    /// Number of entries if it is a list.
     pub(crate) fn length(&self) -> Option<usize> {
         self.steps.iter().find_map(|step| match step {
             Step::Entries(from, to) => Some(to - from),
@@ -61,14 +61,14 @@ impl Kept {
         }
     }
 
-    /// Its numbers in a result, NaN where there is none; truth is 1, its opposite 0.
+    /// Its numbers in a result, NaN for missing ones; `true` is 1, `false` 0.
     pub fn numbers(&self, answer: &Value) -> Vec<f64> {
         let mut numbers = vec![];
         follow(Some(answer), &self.steps, &mut numbers);
         numbers
     }
 
-    /// Returns `true` if a result has numbers there, or may have: lists may be longer in other results.
+    /// Returns `true` if a result has numbers there, or may have them: lists may be longer in other results.
     pub fn is_in(&self, answer: &Value) -> bool {
         let mut value = answer;
         for step in &self.steps {
@@ -85,7 +85,7 @@ impl Kept {
         value.is_number() || value.is_boolean() || value.is_null()
     }
 
-    /// The way as `libration fields` has it: `points[].state[]`.
+    /// The path as in `libration fields`: `points[].state[]`.
     pub fn described_as(&self) -> String {
         let mut text = String::new();
         for step in &self.steps {
@@ -99,8 +99,8 @@ impl Kept {
     }
 }
 
-/// The paths to all numbers of a result that stand alone: in no list, or in lists of one entry. Fields about the schema and the continuation
-/// of the result are not included.
+/// The paths to all numbers of a result outside lists, or in lists of one entry. Fields about the schema and the continuation of the result are not
+/// included.
 pub fn scalars(answer: &Value) -> Vec<String> {
     let mut found = vec![];
     collect(answer, String::new(), &mut found);

@@ -32,7 +32,7 @@ use crate::output::description::Answers;
 use crate::query_error::QueryError;
 pub(crate) use axis::{Axis, axis};
 pub(crate) use chunk::outcomes;
-pub(crate) use plan::{Asked, Plan};
+pub(crate) use plan::{Plan, SweepRequest};
 
 use shard::{Shard, shard};
 use std::io::Write;
@@ -64,9 +64,9 @@ may stand anywhere before --; what follows -- belongs to the command alone, such
 as its own --output or --over.")]
 pub(crate) struct Sweep {
     #[command(subcommand)]
-    about: Option<About>,
+    about: Option<SweepTarget>,
     #[command(flatten)]
-    run: Option<Run>,
+    run: Option<SweepRun>,
 }
 
 const USAGE: &str = "libration sweep COMMAND… --over NAME=VALUES… --output DIR
@@ -74,29 +74,30 @@ const USAGE: &str = "libration sweep COMMAND… --over NAME=VALUES… --output D
        libration sweep status DIR…";
 
 #[derive(Debug, clap::Subcommand)]
-enum About {
+enum SweepTarget {
     Join(join::Join),
     Status(status::Status),
 }
 
 #[derive(Debug, clap::Args)]
-struct Run {
+struct SweepRun {
     /// The command and its options, as after `libration`; --json is implied
     #[arg(value_name = "COMMAND", required = true)]
     question: Vec<String>,
-    /// An axis and its values: A=1:1.5:0.01, theta=1deg:9deg:1deg or n=1,2,5; with semicolons where values have commas
+    /// An axis and its values: A=1:1.5:0.01, theta=1deg:9deg:1deg or n=1,2,5; separated by semicolons if values contain commas
     #[arg(long, value_name = "NAME=VALUES", value_parser = axis, required = true)]
     over: Vec<Axis>,
     /// The directory for the chunks; a sweep begun there is continued
     #[arg(long, short, value_name = "DIR")]
     output: PathBuf,
-    /// Keep this number of the result, by its path in JSON: exponent, results[0].ratio, samples[-1].state[0], points[0:100].state[1], with a name as angle=samples[-1].state[0] [default: all that stand alone]
+    /// Keep this number of the result, by its path in JSON: exponent, results[0].ratio, samples[-1].state[0], points[0:100].state[1],
+    /// with a name as in angle=samples[-1].state[0] [default: all numbers outside lists]
     #[arg(long, value_name = "[NAME=]PATH")]
     keep: Vec<String>,
     /// Compute this part of the sweep only, such as 3/64
     #[arg(long, value_name = "K/N", value_parser = shard)]
     shard: Option<Shard>,
-    /// Number of points in a chunk, at most [default: about 256 chunks]
+    /// Largest number of points in a chunk [default: about 256 chunks]
     #[arg(long, value_name = "N", value_parser = count::<MOST_POINTS>)]
     chunk: Option<usize>,
 }
@@ -104,19 +105,19 @@ struct Run {
 impl Sweep {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         match (&self.about, &self.run) {
-            (Some(About::Join(join)), _) => join.answer(out),
-            (Some(About::Status(status)), _) => status.answer(out),
+            (Some(SweepTarget::Join(join)), _) => join.answer(out),
+            (Some(SweepTarget::Status(status)), _) => status.answer(out),
             (None, Some(run)) => run.answer(out),
             (None, None) => Err(QueryError::misuse("COMMAND: give the command of the sweep")),
         }
     }
 }
 
-impl Run {
+impl SweepRun {
     fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         interrupt::listen()?;
         let (axes, keep) = (self.over.clone(), &self.keep);
-        let plan = Plan::new(Asked { question: &self.question, axes, keep, chunk: self.chunk })?;
+        let plan = Plan::new(SweepRequest { question: &self.question, axes, keep, chunk: self.chunk })?;
         let store = Store::create(&self.output, plan)?;
         run::run(&store, self.shard.unwrap_or(Shard::WHOLE))?;
         status::write(out, Form::Table, &[store])

@@ -11,13 +11,13 @@ use crate::output::json::{self, Record};
 use crate::query_error::{QueryError, option};
 use serde_json::Value;
 
-/// The version of what is written of a plan and of its chunks.
+/// The version of the format of a plan and of its chunks.
 pub(crate) const FORMAT: u64 = 1;
 
-/// The columns that say whether there is a result, behind those of the numbers.
+/// The columns that state whether there is a result, after those of the numbers.
 pub(crate) const BESIDE: [&str; 2] = ["status", "message"];
 
-/// A question, its axes and what is kept of each result.
+/// A query, its axes and the kept numbers of each result.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Plan {
     pub(crate) template: Template,
@@ -34,9 +34,9 @@ pub(crate) struct KeptField {
     pub(crate) meaning: String,
 }
 
-/// A sweep as it is requested: words, values along the axes, paths to the kept fields, and the largest number of points of a chunk.
+/// A requested sweep: words, values along the axes, paths to the kept fields, and the largest number of points of a chunk.
 #[derive(Debug)]
-pub(crate) struct Asked<'a> {
+pub(crate) struct SweepRequest<'a> {
     pub(crate) question: &'a [String],
     pub(crate) axes: Vec<Axis>,
     pub(crate) keep: &'a [String],
@@ -44,9 +44,9 @@ pub(crate) struct Asked<'a> {
 }
 
 impl Plan {
-    /// Asks a few points, until one has a result, which shows what there is to keep.
-    pub(crate) fn new(asked: Asked<'_>) -> Result<Self, QueryError> {
-        let Asked { question, axes, keep, chunk } = asked;
+    /// Runs a few points until one has a result, from which the kept fields follow.
+    pub(crate) fn new(asked: SweepRequest<'_>) -> Result<Self, QueryError> {
+        let SweepRequest { question, axes, keep, chunk } = asked;
         if let Some((place, axis)) = (axes.iter().enumerate())
             .find(|(place, axis)| axes[..*place].iter().any(|other| other.name == axis.name))
         {
@@ -71,7 +71,7 @@ impl Plan {
         Ok(Self { template, axes, kept, grid })
     }
 
-    /// The plan as JSON, from which [`Plan::read`] makes it again.
+    /// The plan as JSON for [`Plan::read`].
     pub(crate) fn to_json(&self) -> Record {
         let axis = |axis: &Axis| {
             let record = Record::new().with("name", axis.name.as_str()).with("unit", axis.unit.as_str());
@@ -93,7 +93,7 @@ impl Plan {
             .with("chunk_shape", json::list(self.grid.block.clone()))
     }
 
-    /// Reads a plan from its JSON; an error is the reason why it is not one.
+    /// Reads a plan from its JSON; the error is the reason why it is not one.
     pub(crate) fn read(written: &Value) -> Result<Self, String> {
         let format = written["format"].as_u64();
         if format != Some(FORMAT) {
@@ -175,7 +175,8 @@ fn first_answer(template: &Template, axes: &[Axis], grid: &Grid) -> Result<Value
     Err(first.unwrap_or_else(|| QueryError::failed("the sweep has no points")))
 }
 
-/// All that stand alone; where there is none, it has to be chosen from the lists. What is null is a number if it has a unit, and else a word.
+/// All numbers outside lists; if there are none, paths into the lists must be chosen. A null field counts as a number if it has a unit, otherwise
+/// as a word.
 fn all_numbers(known: &[Description], answer: &Value) -> Result<Vec<Kept>, QueryError> {
     let is_number = |kept: &Kept| {
         let is_null = kept.numbers(answer).iter().all(|number| number.is_nan());
@@ -210,7 +211,7 @@ fn chosen(keep: &[String], answer: &Value) -> Result<Vec<Kept>, QueryError> {
     }
 }
 
-/// The whole way as the name where a shorter one is taken: by a number before it, an axis, or what a sweep says beside.
+/// Gives fields their whole path as a name if the short one is taken by an earlier number, an axis, or the columns of the sweep itself.
 fn named_apart(kept: Vec<Kept>, axes: &[Axis]) -> Vec<Kept> {
     let mut taken: Vec<String> = axes.iter().map(|axis| axis.name.clone()).collect();
     taken.extend(BESIDE.map(str::to_owned));
@@ -234,7 +235,7 @@ fn description_of<'a>(known: &'a [Description], kept: &Kept) -> Option<&'a Descr
     known.iter().find(|it| describes(it, &way))
 }
 
-/// Returns `true` if a description is that of the field at a place; capitals stand for any name.
+/// Returns `true` if a description is that of the field at a path; capitals match any name.
 fn describes(description: &Description, way: &str) -> bool {
     let (described, way): (Vec<&str>, Vec<&str>) =
         (description.name.split('.').collect(), way.split('.').collect());

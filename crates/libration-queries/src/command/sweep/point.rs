@@ -14,7 +14,7 @@ pub(crate) fn answer(words: &[String]) -> Result<Value, QueryError> {
     let mut words: Vec<OsString> = words.iter().map(Into::into).collect();
     let end = words.iter().position(|word| word == "--").unwrap_or(words.len());
     words.insert(end, "--json".into());
-    let call = Call::new(words.clone(), Arc::new(Point(call::current())));
+    let call = Call::new(words.clone(), Arc::new(PointHost(call::current())));
     call::within(&call, || {
         let mut json = vec![];
         command::write(&command::matches_of_query(words)?, &mut json)?;
@@ -23,10 +23,10 @@ pub(crate) fn answer(words: &[String]) -> Result<Value, QueryError> {
     })
 }
 
-/// A point works for the sweep, which alone tells how far it is.
-struct Point(Arc<Call>);
+/// The host of a point, whose progress is shown by the sweep alone.
+struct PointHost(Arc<Call>);
 
-impl Host for Point {
+impl Host for PointHost {
     fn write(&self, _: &[u8]) -> io::Result<()> {
         Ok(())
     }

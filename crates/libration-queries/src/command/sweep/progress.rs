@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 /// The chunks of a sweep in some directories.
 #[derive(Debug)]
-pub(crate) struct Progress {
+pub(crate) struct SweepProgress {
     pub(crate) chunks: usize,
     pub(crate) points: usize,
     pub(crate) done: BTreeSet<usize>,
@@ -16,7 +16,7 @@ pub(crate) struct Progress {
     shards: BTreeSet<Shard>,
 }
 
-impl Progress {
+impl SweepProgress {
     /// The progress of one sweep in several directories.
     pub(crate) fn of(stores: &[Store]) -> Result<Self, QueryError> {
         let grid = &stores[0].plan.grid;
@@ -46,7 +46,7 @@ impl Progress {
         Ok(progress)
     }
 
-    /// The missing parts, in words: the shards, where all were of one division, or the number of chunks.
+    /// The missing parts in words: the shards, if all belong to one division, or the number of chunks.
     pub(crate) fn missing(&self) -> Option<String> {
         let missing: Vec<usize> = (0..self.chunks).filter(|chunk| !self.done.contains(chunk)).collect();
         let first = missing.first()?;

@@ -1,4 +1,4 @@
-//! The question of a sweep: the words of a command line in which `{NAME}` stands for the value of an axis.
+//! The query of a sweep: the words of a command line in which `{NAME}` stands for the value of an axis.
 
 use super::axis::Axis;
 use crate::arguments::SystemOptions;
@@ -11,8 +11,8 @@ use clap::{ArgMatches, Command, FromArgMatches};
 pub struct Template(pub Vec<String>);
 
 impl Template {
-    /// The words with a place for each axis: where they have `{NAME}`, or as the option or argument of this name, or as an initial value
-    /// or a parameter of the system.
+    /// The words with a position for each axis: `{NAME}` in the words, or the option or argument with this name, or an initial value or a parameter
+    /// of the system.
     pub fn new(words: &[String], axes: &[Axis]) -> Result<Self, QueryError> {
         let command = command([]);
         let mut template = Self(words.to_vec());
@@ -23,8 +23,8 @@ impl Template {
                 continue;
             }
             match place_in(asked.command, &axis.name) {
-                Some(Place::Option(name)) => template.add_option(&name, placeholder(&axis.name)),
-                Some(Place::Argument) => template.0.insert(asked.words, placeholder(&axis.name)),
+                Some(AxisPosition::Option(name)) => template.add_option(&name, placeholder(&axis.name)),
+                Some(AxisPosition::Argument) => template.0.insert(asked.words, placeholder(&axis.name)),
                 None => others.push(axis),
             }
         }
@@ -74,10 +74,10 @@ impl Template {
         }
     }
 
-    /// The numbers of a state of the system that is asked about.
+    /// The names of the components of the state of the system.
     fn state_names(
         &self,
-        asked: &Asked<'_>,
+        asked: &SweptCommand<'_>,
         axes: &[Axis],
         unplaced: &Axis,
     ) -> Result<Vec<String>, QueryError> {
@@ -100,19 +100,19 @@ impl Template {
 }
 
 /// The command of a sweep.
-struct Asked<'a> {
+struct SweptCommand<'a> {
     command: &'a Command,
-    /// Name as it is typed.
+    /// Name as typed.
     name: String,
     /// Number of words of the name.
     words: usize,
 }
 
-fn asked<'a>(command: &'a Command, words: &[String]) -> Result<Asked<'a>, QueryError> {
-    let mut asked = Asked { command, name: String::new(), words: 0 };
+fn asked<'a>(command: &'a Command, words: &[String]) -> Result<SweptCommand<'a>, QueryError> {
+    let mut asked = SweptCommand { command, name: String::new(), words: 0 };
     while let Some(inner) = words.get(asked.words).and_then(|word| asked.command.find_subcommand(word)) {
         let name = format!("{} {}", asked.name, inner.get_name()).trim_start().to_owned();
-        asked = Asked { command: inner, name, words: asked.words + 1 };
+        asked = SweptCommand { command: inner, name, words: asked.words + 1 };
     }
     let has_json = asked.command.get_arguments().any(|argument| argument.get_long() == Some("json"));
     if has_json {
@@ -130,15 +130,15 @@ fn asked<'a>(command: &'a Command, words: &[String]) -> Result<Asked<'a>, QueryE
     Err(QueryError::usage(argument("COMMAND"), reason))
 }
 
-enum Place {
+enum AxisPosition {
     Option(String),
     Argument,
 }
 
-/// The place at which the command takes a value of this name.
-fn place_in(command: &Command, name: &str) -> Option<Place> {
+/// The position at which the command takes a value with this name.
+fn place_in(command: &Command, name: &str) -> Option<AxisPosition> {
     if let Some(option) = options(command).find(|option| *option == name) {
-        return Some(Place::Option(option.to_owned()));
+        return Some(AxisPosition::Option(option.to_owned()));
     }
     let mut arguments = command.get_positionals();
     // Several files are FILES, of which each point has one.
@@ -149,7 +149,7 @@ fn place_in(command: &Command, name: &str) -> Option<Place> {
             .split('|')
             .any(|own| own.eq_ignore_ascii_case(name) || own.eq_ignore_ascii_case(&format!("{name}s")))
     };
-    arguments.next().filter(|argument| is_named(argument)).map(|_| Place::Argument)
+    arguments.next().filter(|argument| is_named(argument)).map(|_| AxisPosition::Argument)
 }
 
 /// The options that take a value.

@@ -7,7 +7,7 @@ use crate::query_error::QueryError;
 use crate::{interrupt, parallel};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-/// Answers and writes what is missing of a shard.
+/// Computes and writes the missing chunks of a shard.
 pub(crate) fn run(store: &Store, shard: Shard) -> Result<(), QueryError> {
     store.note(shard)?;
     let grid = &store.plan.grid;

@@ -5,7 +5,7 @@
 pub struct Shard {
     /// The number of shards.
     pub of: usize,
-    /// The place of this one among them, from 1.
+    /// The number of this part, from 1.
     pub number: usize,
 }
 
@@ -13,12 +13,12 @@ impl Shard {
     /// The whole sweep.
     pub(crate) const WHOLE: Self = Self { of: 1, number: 1 };
 
-    /// The chunks of this part, of `all`: every `of`th, so that parts take about as long.
+    /// The chunks of this part out of `all`: every `of`th, so that parts take about the same time.
     pub fn chunks(self, all: usize) -> impl Iterator<Item = usize> {
         (self.number - 1..all).step_by(self.of)
     }
 
-    /// The name of the file that says that this part is written next to it.
+    /// The name of the file that records this part in its directory.
     pub fn note(self) -> String {
         format!("shard-{}-of-{}", self.number, self.of)
     }

@@ -1,8 +1,8 @@
-//! `libration sweep status`: how far a sweep is.
+//! `libration sweep status`: the progress of a sweep.
 
 use super::join::opened;
 use super::plan::Plan;
-use super::progress::Progress;
+use super::progress::SweepProgress;
 use super::store::Store;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
@@ -18,7 +18,7 @@ use std::path::PathBuf;
   libration sweep period --over amplitude=10deg:170deg:10deg --output periods
   libration sweep status periods")]
 pub(crate) struct Status {
-    /// The directories of the shards; one where all write to the same
+    /// The directories of the shards; a single one if all write to it
     #[arg(value_name = "DIR", required = true)]
     directories: Vec<PathBuf>,
     #[command(flatten)]
@@ -32,12 +32,12 @@ impl Status {
 }
 
 /// The plan of a sweep, and its progress.
-struct State<'a> {
+struct SweepState<'a> {
     plan: &'a Plan,
-    progress: Progress,
+    progress: SweepProgress,
 }
 
-impl State<'_> {
+impl SweepState<'_> {
     fn question(&self) -> String {
         self.plan.template.0.join(" ")
     }
@@ -49,7 +49,7 @@ impl State<'_> {
 
 /// Writes the progress of one sweep in several directories.
 pub(crate) fn write(out: &mut dyn Write, form: Form, stores: &[Store]) -> Result<(), QueryError> {
-    let state = State { plan: &stores[0].plan, progress: Progress::of(stores)? };
+    let state = SweepState { plan: &stores[0].plan, progress: SweepProgress::of(stores)? };
     let fields = of_status();
     match form {
         Form::Json => json::document(out, fields.record(&state))?,
@@ -59,8 +59,8 @@ pub(crate) fn write(out: &mut dyn Write, form: Form, stores: &[Store]) -> Result
     Ok(())
 }
 
-fn of_status<'a>() -> Fields<State<'a>> {
-    type Of<'a> = Field<State<'a>>;
+fn of_status<'a>() -> Fields<SweepState<'a>> {
+    type Of<'a> = Field<SweepState<'a>>;
     let progress = Fields::from([
         Of::value("chunks", "1", "number of chunks of the sweep", |it| it.progress.chunks.into()),
         Of::value("chunks_whole", "1", "number of them that are complete", |it| {
@@ -83,7 +83,7 @@ fn of_status<'a>() -> Fields<State<'a>> {
         Of::value("question", "", "the command, where {NAME} stands for the value of an axis", |it| {
             it.question().into()
         })
-        .line_of("question", State::question),
+        .line_of("question", SweepState::question),
         Of::value("kept[]", "", "names of the numbers kept of each result", |it| json::list(it.kept()))
             .line_of("kept of each result", |it| it.kept().collect::<Vec<_>>().join(", ")),
     ]);

@@ -1,6 +1,6 @@
-//! The directory of a sweep: what it asks, its shards, and a file for each chunk, written whole or not at all.
+//! The directory of a sweep: its plan, its shards, and a file for each chunk, written completely or not at all.
 
-use super::chunk::{self, Outcome};
+use super::chunk::{self, PointOutcome};
 use super::plan::Plan;
 use super::shard::Shard;
 use crate::output::json::SCHEMA;
@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 
 const MANIFEST: &str = "sweep.json";
 
-/// A directory with the plan that it holds.
+/// A directory with its plan.
 #[derive(Debug)]
 pub(crate) struct Store {
     pub(crate) directory: PathBuf,
@@ -24,7 +24,7 @@ pub(crate) struct Store {
 }
 
 impl Store {
-    /// The directory of a plan, which is made where there is none; that of another sweep is refused.
+    /// The directory of a plan, which is created if it does not exist; that of another sweep is refused.
     pub(crate) fn create(directory: &Path, plan: Plan) -> Result<Self, QueryError> {
         fs::create_dir_all(directory).map_err(|error| cannot(directory, "make", &error))?;
         let version = env!("CARGO_PKG_VERSION").to_owned();
@@ -102,7 +102,7 @@ impl Store {
         Ok(self.rows(chunk)?.is_some())
     }
 
-    /// The lines of a chunk, below each other; `None` where it is not there, or damaged.
+    /// The lines of a chunk; `None` if it does not exist or is damaged.
     pub(crate) fn rows(&self, chunk: usize) -> Result<Option<String>, QueryError> {
         let path = self.path(chunk);
         let bytes = match fs::read(&path) {
@@ -121,7 +121,7 @@ impl Store {
     }
 
     /// Writes a chunk, which is on the disk when this returns.
-    pub(crate) fn write(&self, chunk: usize, outcomes: &[Outcome]) -> Result<(), QueryError> {
+    pub(crate) fn write(&self, chunk: usize, outcomes: &[PointOutcome]) -> Result<(), QueryError> {
         file::write(&self.path(chunk), &chunk::csv(&self.plan, chunk, outcomes)?)
     }
 

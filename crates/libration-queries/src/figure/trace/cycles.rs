@@ -10,7 +10,7 @@ const SAMPLES: u32 = 400;
 /// Largest number of cycles with bars of uncertainty; more bars would hide them.
 const MANY: usize = 150;
 
-/// The cycles of one trace, with the name of the trace; empty for a trace alone.
+/// The cycles of one trace, with the name of the trace; the name of a single trace is empty.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Swings<'a> {
     pub(crate) name: &'a str,
@@ -68,8 +68,8 @@ pub(crate) struct Envelope {
     pub(crate) amplitudes: Vec<f64>,
 }
 
-/// The amplitudes of the half swings with those of the chosen model's motion and of others; below, all of them less
-/// the chosen one.
+/// The amplitudes of the half swings with those of the chosen model and of others; below, all of them minus the
+/// chosen one.
 pub(crate) fn amplitudes(
     title: &str,
     half_swings: &[HalfSwing],

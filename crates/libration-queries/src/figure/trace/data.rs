@@ -1,4 +1,4 @@
-//! The data with the fitted curve, and what is left between them.
+//! The data with the fitted curve, and the residuals.
 
 use super::super::chart::{Axis, Look, Panel, Picture, Series, Units};
 use super::super::range::around;
@@ -12,7 +12,7 @@ use std::ops::Range;
 const LONG: f64 = 12.0;
 /// Periods in each stretch of a long trace.
 const STRETCH: f64 = 4.0;
-/// Largest number of rows in view of a smooth curve; with more it is drawn from row to row.
+/// Largest number of rows within view of a smooth curve; with more rows it is drawn from row to row.
 const MANY: usize = 1500;
 
 /// Returns `true` if single swings cannot be seen in a picture of the whole.

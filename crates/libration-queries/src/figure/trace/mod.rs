@@ -1,4 +1,4 @@
-//! A measured swing with the motion that was fitted to it: the data, what is left, periods and amplitudes.
+//! A measured swing with the fitted motion: data, residuals, periods and amplitudes.
 
 pub(crate) mod curve;
 mod cycles;

@@ -1,11 +1,11 @@
-//! Fewer points of what could not be seen one by one, with the extremes kept.
+//! Reduction of dense points that could not be distinguished, with the extremes kept.
 
 use crate::output::number::count;
 
 /// More points than this on one pair of axes would not be seen.
 pub const MOST: usize = 3000;
 
-/// The points in the order they are given in, of very many the lowest and the highest of each stretch.
+/// The points in their order; of very many, the lowest and the highest in each interval.
 pub fn thinned(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     if points.len() <= MOST {
         return points;
@@ -13,9 +13,9 @@ pub fn thinned(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     points.chunks((2 * points.len()).div_ceil(MOST)).flat_map(extremes).collect()
 }
 
-/// One point of each stretch, from another place of it each time so that no rhythm of the rows shows, and all that are further from zero
-/// than four standard deviations, of which chance makes one in 16 000: the distribution of the values is seen as in all of them, which
-/// the extremes of each stretch would hide.
+/// One point of each interval, at varying positions so that the spacing of the rows does not show, and all points further from zero than four
+/// standard deviations, of which chance makes one in 16 000: the distribution of the values remains visible, which the extremes of each interval
+/// would hide.
 pub fn representative(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     const FAR: f64 = 4.0;
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
@@ -36,7 +36,7 @@ pub fn representative(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     points.chunks(stretch).enumerate().flat_map(of_stretch).collect()
 }
 
-/// Number of points that each of those shown stands for.
+/// Number of points represented by each drawn point.
 pub(super) fn one_of(points: usize) -> usize {
     points.div_ceil(MOST).max(1)
 }

@@ -14,22 +14,22 @@ pub(super) enum Content<A> {
     Value(Of<A, Value>),
     PresentValue(Of<A, Option<Value>>),
     Note(Of<A, Option<String>>),
-    /// Text that is shown in its place.
+    /// Text that is shown in place of the value.
     Text(Of<A, String>),
 }
 
-/// The values of a result by their places, those of fields and the texts that people see.
+/// The values of a result by index: those of fields, and the texts shown in their place.
 pub(super) type Values<'a> = &'a dyn Fn(usize) -> Datum;
 
 /// The value of a field in one result.
 pub(super) enum Datum {
     /// Not finite: null with a note.
     Number(f64),
-    /// Null with a note why, if there is a reason to be told.
+    /// Null, with a note if there is a reason.
     Unknown(String),
     /// A count, words, a list, an object, or null without a note.
     Value(Value),
-    /// Said with the fields before it.
+    /// A note, combined with the fields before it.
     Note(String),
     /// Left out of JSON.
     Absent,

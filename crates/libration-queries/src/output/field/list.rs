@@ -27,7 +27,7 @@ impl<A, const N: usize> From<[Field<A>; N]> for Fields<A> {
 }
 
 impl<A> Fields<A> {
-    /// Empties these fields: no list of them has to be known to the compiler for every result.
+    /// Moves the fields out of an array, so that the compiler does not generate code for the list of each result.
     fn taken_from(list: &mut [Field<A>]) -> Self {
         let mut fields = Self { plans: Plans::default(), contents: vec![] };
         for field in list {
@@ -45,7 +45,7 @@ impl<A> Fields<A> {
         self
     }
 
-    /// The value at a place in a result.
+    /// The value at an index in a result.
     fn values<'a>(&'a self, answer: &'a A) -> impl Fn(usize) -> Datum + 'a {
         |place| self.contents[place].in_answer(answer)
     }
@@ -71,7 +71,7 @@ impl<A> Fields<A> {
         self.plans.added_to(record, &self.values(answer))
     }
 
-    /// The same where `NAME` in names stands for this one.
+    /// The fields, where `NAME` in their names stands for this one.
     pub(crate) fn added_for(&self, name: &str, record: Record, answer: &A) -> Record {
         self.plans.added_for(name, record, &self.values(answer))
     }
@@ -87,7 +87,7 @@ impl<A> Fields<A> {
         self.plans.csv_names()
     }
 
-    /// The names of what is there for each key: `KEY_ratio` is `bernoulli_ratio`.
+    /// The names of the columns for each key: `KEY_ratio` becomes `bernoulli_ratio`.
     pub fn csv_names_for(&self, key: &str) -> Vec<String> {
         self.plans.csv_names_for(key)
     }
@@ -97,7 +97,7 @@ impl<A> Fields<A> {
         self.plans.csv_cells(&self.values(answer))
     }
 
-    /// The same cells with commas between, behind a text.
+    /// The cells separated by commas, appended to a text.
     pub(crate) fn write_csv_cells(&self, text: &mut Vec<u8>, answer: &A) {
         self.plans.write_csv_cells(text, &self.values(answer));
     }
@@ -141,7 +141,7 @@ impl<A> Fields<A> {
         self.plans.lines(&self.values(answer))
     }
 
-    /// The fields of JSON at `place`, such as `results[].` or nothing.
+    /// The fields of JSON at `place`, such as `results[].` or an empty text.
     pub fn described(&self, place: &str) -> Vec<Description> {
         self.plans.described(place)
     }

@@ -3,7 +3,7 @@
 use super::content::Values;
 use crate::output::number;
 
-/// Below a title, or behind it.
+/// A value as printed below its title, or after it.
 pub(super) struct Shown {
     pub(super) title: &'static str,
     pub(super) look: Look,
@@ -16,7 +16,7 @@ pub(super) enum Look {
     Degrees(usize),
     /// A number followed by its unit.
     WithUnit(usize),
-    /// The text at this place among the values.
+    /// The text at this index among the values.
     Words(usize),
     Numeral(usize),
 }
@@ -26,14 +26,14 @@ impl Look {
         matches!(self, Self::Words(_))
     }
 
-    /// Moves the look's values behind `before` others.
+    /// Moves the values of the look after `before` others.
     pub(super) fn behind(&mut self, before: usize) {
         if let Self::Words(place) | Self::Numeral(place) = self {
             *place += before;
         }
     }
 
-    /// The text of a number with this unit, or of the result; none where there is no number.
+    /// The text of a number with this unit, or of the result; `None` if there is no number.
     pub(super) fn text(&self, value: Option<f64>, unit: &str, values: Values<'_>) -> Option<String> {
         match *self {
             Self::Rounded(digits) => value.map(|value| number::rounded(value, digits)),

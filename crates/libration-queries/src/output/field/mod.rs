@@ -10,7 +10,7 @@ pub(crate) use list::Fields;
 
 use content::Content;
 use look::Look;
-use plan::{Plan, key_of};
+use plan::{FieldPlan, key_of};
 use serde_json::Value;
 
 /// A function that gives the value of a field of a result `A`.
@@ -18,8 +18,8 @@ type Of<A, T> = fn(&A) -> T;
 
 /// A field of a result `A`.
 pub struct Field<A> {
-    plan: Plan,
-    /// Its value, then the texts that people see in its place.
+    plan: FieldPlan,
+    /// The value, then the texts that are shown in its place.
     contents: Vec<Content<A>>,
 }
 
@@ -31,7 +31,7 @@ impl<A> std::fmt::Debug for Field<A> {
 
 impl<A> Field<A> {
     fn new(name: &'static str, unit: &'static str, meaning: &'static str, content: Content<A>) -> Self {
-        Self { plan: Plan::new(name, unit, meaning), contents: vec![content] }
+        Self { plan: FieldPlan::new(name, unit, meaning), contents: vec![content] }
     }
 
     /// A number.
@@ -39,7 +39,7 @@ impl<A> Field<A> {
         Self::new(name, unit, meaning, Content::Number(value))
     }
 
-    /// A number, or the reason why there is none; null without a note where the reason is empty.
+    /// A number, or the reason why it is unknown; null without a note if the reason is empty.
     pub fn known(
         name: &'static str,
         unit: &'static str,
@@ -59,7 +59,7 @@ impl<A> Field<A> {
         Self::new(name, unit, meaning, Content::Nullable(value))
     }
 
-    /// A number that is left out of JSON where there is none.
+    /// A number that is omitted from JSON if it is unknown.
     pub fn present(
         name: &'static str,
         unit: &'static str,
@@ -79,7 +79,7 @@ impl<A> Field<A> {
         Self::new(name, unit, meaning, Content::Value(value))
     }
 
-    /// The same, left out of JSON where there is none.
+    /// A value that is omitted from JSON if there is none.
     pub(crate) fn present_value(
         name: &'static str,
         unit: &'static str,
@@ -89,12 +89,12 @@ impl<A> Field<A> {
         Self::new(name, unit, meaning, Content::PresentValue(value))
     }
 
-    /// A value with fields of its own, to which `place` leads: `name[].` to those of each object of a list, `name.` to those of one.
+    /// A value with nested fields, to which `place` leads: `name[].` to those of each object of a list, `name.` to those of one.
     pub(crate) fn nested<B>(place: &'static str, fields: &Fields<B>, value: Of<A, Value>) -> Self {
         Self::with_parts(place, fields, Content::Value(value))
     }
 
-    /// The same, left out of JSON where there is nothing.
+    /// Nested fields that are omitted from JSON if there are none.
     pub(crate) fn present_nested<B>(
         place: &'static str,
         fields: &Fields<B>,
@@ -104,12 +104,15 @@ impl<A> Field<A> {
     }
 
     fn with_parts<B>(place: &'static str, fields: &Fields<B>, content: Content<A>) -> Self {
-        Self { plan: Plan::only_described(key_of(place), fields.described(place)), contents: vec![content] }
+        Self {
+            plan: FieldPlan::only_described(key_of(place), fields.described(place)),
+            contents: vec![content],
+        }
     }
 
     /// A note on the fields before it, in the note of JSON.
     pub(crate) fn note(note: Of<A, Option<String>>) -> Self {
-        Self { plan: Plan::only_described("", vec![]), contents: vec![Content::Note(note)] }
+        Self { plan: FieldPlan::only_described("", vec![]), contents: vec![Content::Note(note)] }
     }
 
     /// A field that appears in tables and sheets alone.
@@ -135,7 +138,7 @@ impl<A> Field<A> {
         self
     }
 
-    /// Sets the text that tables have in place of an empty value.
+    /// Sets the text of empty values in tables.
     pub(crate) fn or(mut self, blank: &'static str) -> Self {
         self.plan.blank = blank;
         self
@@ -146,7 +149,7 @@ impl<A> Field<A> {
         self
     }
 
-    /// The place of a text among its contents.
+    /// The index of a text among the contents.
     fn place_of(&mut self, text: Of<A, String>) -> usize {
         self.contents.push(Content::Text(text));
         self.contents.len() - 1
@@ -166,7 +169,7 @@ impl<A> Field<A> {
         self.column(title, Look::Degrees(digits))
     }
 
-    /// A column of numbers that are written in a way of their own.
+    /// A column of numbers with a format of their own.
     pub(crate) fn numeral(mut self, title: &'static str, text: Of<A, String>) -> Self {
         let place = self.place_of(text);
         self.column(title, Look::Numeral(place))

@@ -7,31 +7,31 @@ use crate::output::json::Record;
 use crate::output::table::Column;
 use crate::output::{csv, number};
 
-/// Stands in names and titles for the key of what there are several of.
+/// Placeholder in names and titles for the key of repeated fields.
 const KEY: &str = "KEY";
 const NAME: &str = "NAME";
 
 /// A field without its value.
 #[derive(Default)]
-pub(super) struct Plan {
+pub(super) struct FieldPlan {
     pub(super) key: &'static str,
     unit: &'static str,
     meaning: &'static str,
-    /// The field itself, or those inside it, from the place where it stands.
+    /// The field itself, or the nested ones, with their paths.
     pub(super) described: Vec<Description>,
     pub(super) in_json: bool,
     /// The name of its column, which may have `KEY` in it.
     pub(super) in_csv: Option<&'static str>,
-    /// Stands in tables where there is nothing.
+    /// Text of empty values in tables.
     pub(super) blank: &'static str,
-    /// The place of its value.
+    /// The index of the value.
     value: usize,
     columns: Vec<Shown>,
     lines: Vec<Shown>,
 }
 
-impl Plan {
-    /// Lists and objects have in their name what leads to their parts, `name[]` or `name.NAME`, and stand in JSON alone.
+impl FieldPlan {
+    /// Lists and objects, whose names contain the path to their parts, `name[]` or `name.NAME`, appear in JSON only.
     pub(super) fn new(name: &'static str, unit: &'static str, meaning: &'static str) -> Self {
         let key = key_of(name);
         Self {
@@ -74,7 +74,7 @@ impl Plan {
         look.text(value, self.unit, values).unwrap_or_else(|| self.blank.to_owned())
     }
 
-    /// The cell behind a text, quoted where needed; numbers, of which there may be millions, without a text of their own.
+    /// Appends the cell to a text, quoted if needed; numbers, of which there may be millions, are written without an intermediate text.
     fn write_cell(&self, text: &mut Vec<u8>, values: Values<'_>) {
         match values(self.value) {
             Datum::Number(value) if value.is_finite() => number::write_exact(text, value),
@@ -89,11 +89,11 @@ impl Plan {
 
 /// The fields of a result in their order.
 #[derive(Default)]
-pub(super) struct Plans(Vec<Plan>);
+pub(super) struct Plans(Vec<FieldPlan>);
 
 impl Plans {
     /// Adds a further field whose values come after `before` others.
-    pub(super) fn push(&mut self, mut plan: Plan, before: usize) {
+    pub(super) fn push(&mut self, mut plan: FieldPlan, before: usize) {
         plan.behind(before);
         self.0.push(plan);
     }
@@ -105,7 +105,7 @@ impl Plans {
 
     /// Keeps the fields for a table with these columns, in their order.
     pub(super) fn keep_for_table(&mut self, titles: &[&str]) {
-        let place = |plan: &Plan| {
+        let place = |plan: &FieldPlan| {
             let title = plan.columns.first()?.title;
             titles.iter().position(|other| *other == title)
         };
@@ -119,12 +119,12 @@ impl Plans {
         plans.fold(record, |record, plan| values(plan.value).added_to(record, &plan.key.replace(NAME, name)))
     }
 
-    /// The same with names as they are.
+    /// Adds the fields under their own names.
     pub(super) fn added_to(&self, record: Record, values: Values<'_>) -> Record {
         self.added_for(NAME, record, values)
     }
 
-    fn in_csv(&self) -> impl Iterator<Item = &Plan> {
+    fn in_csv(&self) -> impl Iterator<Item = &FieldPlan> {
         self.0.iter().filter(|plan| plan.in_csv.is_some())
     }
 
@@ -133,7 +133,7 @@ impl Plans {
         self.0.iter().filter_map(|plan| plan.in_csv).map(str::to_owned).collect()
     }
 
-    /// The names of what is there for a key.
+    /// The names of the columns for a key.
     pub(super) fn csv_names_for(&self, key: &str) -> Vec<String> {
         self.csv_names().iter().map(|name| name.replace(KEY, key)).collect()
     }
@@ -146,7 +146,7 @@ impl Plans {
         vec![String::new(); self.in_csv().count()]
     }
 
-    /// The cells with commas between, behind a text.
+    /// Appends the cells, separated by commas, to a text.
     pub(super) fn write_csv_cells(&self, text: &mut Vec<u8>, values: Values<'_>) {
         for (index, plan) in self.in_csv().enumerate() {
             if index > 0 {
@@ -165,8 +165,9 @@ impl Plans {
     }
 
     pub(super) fn cells(&self, values: Values<'_>) -> Vec<String> {
-        let of_plan =
-            |plan: &Plan| plan.columns.iter().map(|shown| plan.text(&shown.look, values)).collect::<Vec<_>>();
+        let of_plan = |plan: &FieldPlan| {
+            plan.columns.iter().map(|shown| plan.text(&shown.look, values)).collect::<Vec<_>>()
+        };
         self.0.iter().flat_map(of_plan).collect()
     }
 
@@ -176,21 +177,21 @@ impl Plans {
 
     /// The lines of a sheet.
     pub(super) fn lines(&self, values: Values<'_>) -> Vec<(&'static str, String)> {
-        let of_plan = |plan: &Plan| {
+        let of_plan = |plan: &FieldPlan| {
             let line = |shown: &Shown| (shown.title, plan.text(&shown.look, values));
             plan.lines.iter().map(line).collect::<Vec<_>>()
         };
         self.0.iter().flat_map(of_plan).collect()
     }
 
-    /// The fields of JSON at `place`, such as `results[].` or nothing.
+    /// The fields of JSON at `place`, such as `results[].` or an empty text.
     pub(super) fn described(&self, place: &str) -> Vec<Description> {
         let described = self.0.iter().filter(|plan| plan.in_json).flat_map(|plan| &plan.described);
         described.map(|it| Description::new(&format!("{place}{}", it.name), it.unit, it.meaning)).collect()
     }
 
     pub(super) fn described_in_csv(&self) -> Vec<Description> {
-        let described = |plan: &Plan| Some(Description::new(plan.in_csv?, plan.unit, plan.meaning));
+        let described = |plan: &FieldPlan| Some(Description::new(plan.in_csv?, plan.unit, plan.meaning));
         self.0.iter().filter_map(described).collect()
     }
 }

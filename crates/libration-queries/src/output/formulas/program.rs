@@ -1,4 +1,4 @@
-//! Functions as they are laid out in each language.
+//! Layout of functions in each language.
 
 use crate::output::language::Language;
 use std::fmt;
@@ -24,7 +24,7 @@ impl Function {
         }
     }
 
-    /// Gives a variable a value, or another one.
+    /// Assigns a value to a variable, which may have one already.
     pub(crate) fn define(&mut self, variable: &str, value: String) {
         self.steps.push((variable.to_owned(), value));
     }
@@ -41,7 +41,7 @@ impl Function {
     }
 }
 
-/// Functions beneath a comment.
+/// Functions below a comment.
 pub(crate) struct Program {
     pub(crate) language: Language,
     /// The name of the module in Fortran.
@@ -152,7 +152,7 @@ impl Program {
 /// Columns that lines of a program keep to; Fortran allows 132.
 const COLUMNS: usize = 100;
 
-/// A statement on as many lines as it takes, broken before the signs of sums, and in products and lists that are longer than a line.
+/// A statement broken into lines, before the signs of sums, and within products and lists that are longer than a line.
 fn broken(text: &str, language: Language) -> String {
     let end = if language == Language::Fortran { " &\n" } else { "\n" };
     let mut lines = vec![String::new()];

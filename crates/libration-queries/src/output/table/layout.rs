@@ -8,8 +8,8 @@ pub(super) const GAP: usize = 2;
 /// Columns of words are not folded to less than this, unless all they hold is shorter.
 const NARROWEST_WORDS: usize = 24;
 
-/// The blocks that stand one below the other, each with its columns and their widths. The first column stands in each, and what has neither
-/// title nor words in none.
+/// The blocks of a table, one below the other, each with its columns and their widths. Each contains the first column; columns without title and
+/// text are omitted.
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
     pub(super) blocks: Vec<Vec<ColumnPlace>>,
@@ -81,7 +81,7 @@ fn longest_word(text: &str) -> usize {
     text.split_whitespace().map(columns_of).max().unwrap_or(0)
 }
 
-/// Groups as many columns side by side as there is room for; the first one begins every block.
+/// Groups as many columns side by side as there is room for; every block begins with the first one.
 fn grouped(demands: &[Demand], room: usize) -> Vec<Vec<Demand>> {
     let Some((first, rest)) = demands.split_first() else { return vec![vec![]] };
     let mut blocks = vec![vec![*first]];

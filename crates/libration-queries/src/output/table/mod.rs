@@ -6,10 +6,10 @@ use super::screen;
 use layout::{ColumnPlace, Layout, lines};
 use std::io::{self, Write};
 
-/// Rows that are held back to find the widths of the columns.
+/// Number of rows that are held back to find the widths of the columns.
 pub const HELD_BACK: usize = 500;
 
-/// A column: its title with the unit, and the side its entries stand on.
+/// A column: its title with the unit, and the alignment of its entries.
 #[derive(Clone, Debug)]
 pub struct Column {
     /// The title with the unit.
@@ -39,10 +39,10 @@ impl Column {
     }
 }
 
-/// A table in the making; [`Table::finish`] writes what was held back.
+/// A table that is written row by row; [`Table::finish`] writes the rows held back.
 ///
-/// It heeds the width of the screen: titles and words are folded, and columns that still have no room side by side
-/// stand in blocks one below the other, each with the first column.
+/// It fits the width of the screen: titles and words are folded, and columns that still have no room side by side are
+/// put into blocks one below the other, each with the first column.
 #[derive(Debug)]
 pub struct Table {
     columns: Vec<Column>,
@@ -98,10 +98,10 @@ impl Table {
     }
 }
 
-/// Longer lines of text are hard to read on any screen.
+/// Longest line of text in columns: longer ones are hard to read.
 const WIDEST_TEXT: usize = 100;
 
-/// Writes a sheet of named values, one below the other; long ones are folded beside their name.
+/// Writes a sheet of named values, one below the other; long ones are folded next to their name.
 pub(crate) fn sheet(out: &mut dyn Write, lines: &[(&str, String)]) -> io::Result<()> {
     let width = lines.iter().map(|(name, _)| screen::columns_of(name)).max().unwrap_or(0);
     for (name, value) in lines {
@@ -110,7 +110,7 @@ pub(crate) fn sheet(out: &mut dyn Write, lines: &[(&str, String)]) -> io::Result
     Ok(())
 }
 
-/// Writes a sentence or two in lines, after a name that the further lines stand beside.
+/// Writes sentences in lines, after a name next to which the further lines are indented.
 pub(crate) fn write_text(out: &mut dyn Write, name: &str, text: &str) -> io::Result<()> {
     writeln!(out, "{}", paragraph(name, text, WIDEST_TEXT))
 }

@@ -1,6 +1,6 @@
 //! The times and places of animations.
 
-use libration_queries::internals::animation::{Playing, Sampled};
+use libration_queries::internals::animation::{Playing, SampledCoordinates};
 
 #[test]
 fn a_second_is_a_second_where_that_can_be_watched() {
@@ -16,7 +16,7 @@ fn a_second_is_a_second_where_that_can_be_watched() {
 
 #[test]
 fn coordinates_between_samples_are_on_straight_lines() {
-    let sampled = Sampled { times: &[0.0, -1.0, -3.0], values: &[vec![0.0, 2.0, 6.0]] };
+    let sampled = SampledCoordinates { times: &[0.0, -1.0, -3.0], values: &[vec![0.0, 2.0, 6.0]] };
     for (time, value) in [(0.0, 0.0), (-0.5, 1.0), (-1.0, 2.0), (-2.0, 4.0), (-3.0, 6.0), (-4.0, 6.0)] {
         assert!((sampled.value(0, time) - value).abs() < 1e-15, "{time}");
     }

@@ -1,10 +1,10 @@
 //! The sides of a picture.
 
-use libration_queries::internals::figure_size::{Side, side};
+use libration_queries::internals::figure_size::{PictureSide, side};
 
 #[test]
 fn lengths_have_units() {
-    let units = |text| side(text).map(Side::in_units);
+    let units = |text| side(text).map(PictureSide::in_units);
     assert_eq!(units("600"), Ok(600.0));
     assert_eq!(units("600px"), Ok(600.0));
     assert!(

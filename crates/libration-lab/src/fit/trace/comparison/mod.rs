@@ -73,9 +73,10 @@ impl Comparison {
     }
 }
 
-/// The independent rows of the largest model. Where they are fewer than its parameters, the criterion would be infinite for the
-/// large models, or for all of them, and the simplest one preferred however badly it describes the data. With the fewest that
-/// make it finite a further parameter costs some ten times as much as with many rows: only a far better fit is worth it.
+/// The independent rows of the largest model. If they were fewer than its parameters, the criterion would be infinite for the
+/// large models, or for all of them, and the simplest one would be preferred however badly it describes the data. With the
+/// smallest number that makes it finite, a further parameter costs about ten times as much as with many rows, so that only a
+/// far better fit is preferred.
 fn rows_that_count(largest: &TraceFit) -> f64 {
     // The variance of the residuals is a parameter too, and n − k − 1 must be above zero.
     largest.independent_rows.max(count(largest.parameters.len() + 1) + 2.0)

@@ -58,11 +58,11 @@ pub fn compare(
 /// A model that is fitted for the comparison.
 struct Candidate<'a> {
     problem: Problem<'a>,
-    /// The end of a search that has lost the data, near which no minimum was looked for yet: with all rows that takes longer than all searches, and
-    /// is of use only next to a model that follows the data.
+    /// The end of a search that has lost the data, near which no minimum was searched: with all rows that takes longer than all searches, and is
+    /// useful only next to a model that follows the data.
     lost: Option<Descent>,
     minimum: Option<Minimum>,
-    /// The fit, or the reason why there is none.
+    /// The fit, or the reason why it failed.
     fit: Result<TraceFit, TraceFitError>,
 }
 
@@ -108,7 +108,7 @@ impl<'a> Candidate<'a> {
         self.problem.model.layout.terms()
     }
 
-    /// Returns whether the model is in phase with the data.
+    /// Returns `true` if the model is in phase with the data.
     fn follows(&self) -> bool {
         self.fit.as_ref().is_ok_and(|fit| fit.unexplained <= HOPELESS)
     }
@@ -118,7 +118,7 @@ impl<'a> Candidate<'a> {
     }
 }
 
-/// The reason why no model could be fitted: of those that lose the data that of the best one, otherwise that of the last one.
+/// The reason why no model could be fitted: that of the best model if all lose the data, otherwise that of the last one.
 fn reason(candidates: &[Candidate<'_>]) -> TraceFitError {
     let lost = candidates.iter().filter_map(|candidate| candidate.lost.as_ref());
     let best = lost.min_by(|one, other| one.unexplained.total_cmp(&other.unexplained));

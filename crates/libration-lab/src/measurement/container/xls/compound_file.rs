@@ -1,10 +1,12 @@
-//! A file system in a file, in which old Office documents are kept: one stream of it.
+//! A file system within a file, the container of old Office documents: one stream of it.
 
-/// Marks the end of a chain; larger numbers than this and some smaller ones are no sectors either.
+/// Marks the end of a chain; larger numbers than this and some smaller ones are not sectors either.
 const LAST_SECTOR: u32 = 0xffff_fff9;
 /// Streams shorter than this are in the small sectors.
 const SMALL_BELOW: usize = 4096;
+/// Bytes of a sector of a short stream.
 const SMALL_SECTOR: usize = 64;
+/// Bytes of an entry of the directory.
 const ENTRY: usize = 128;
 
 /// The parts of the file that lead to its streams.
@@ -35,7 +37,7 @@ impl<'a> CompoundFile<'a> {
         Some(file)
     }
 
-    /// The sectors of the allocation table: 109 are named in the header, the others in sectors of their own.
+    /// The sectors of the allocation table: 109 are named in the header, the others in further sectors.
     fn tables(&self) -> Option<Vec<u32>> {
         let mut tables: Vec<u32> = (0..109).map_while(|place| u32_at(self.bytes, 76 + 4 * place)).collect();
         let mut more = u32_at(self.bytes, 68)?;

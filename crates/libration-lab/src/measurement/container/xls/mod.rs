@@ -88,7 +88,7 @@ impl Workbook {
         Err(cut_off())
     }
 
-    /// Adds what a record says of a cell; gives the place of a formula whose words follow in the next record.
+    /// Adds the cell of a record; returns the position of a formula whose text follows in the next record.
     fn cell(
         &self,
         record: &Record<'_>,
@@ -135,7 +135,7 @@ impl Workbook {
         }
     }
 
-    /// The number that a formula gave when the file was saved, or where its words belong.
+    /// The number that a formula gave when the file was saved, or the position of its text.
     fn result(&self, record: &Record<'_>, grid: &mut Grid) -> Result<Option<(u32, u32)>, MeasurementError> {
         let (row, column) = record.place().ok_or_else(cell_cut_off)?;
         match record.data.get(6..14).ok_or_else(cell_cut_off)? {
@@ -146,7 +146,7 @@ impl Workbook {
         Ok(None)
     }
 
-    /// A number, or the words that it is a date: as a plain number of days it would be taken for something else.
+    /// A number, or a text for a date, which as a plain number of days would be misread.
     fn number(
         &self,
         grid: &mut Grid,

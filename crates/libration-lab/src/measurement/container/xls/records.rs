@@ -5,9 +5,9 @@ use super::compound_file::{u16_at, u32_at};
 /// A record with the data of the records that continue it.
 #[derive(Clone, Debug)]
 pub struct Record<'a> {
-    /// Its number in the format.
+    /// The number of its kind in the format.
     pub kind: u16,
-    /// Its own data.
+    /// The data of the record.
     pub data: &'a [u8],
     /// Data of each record that continues it.
     pub continued: Vec<&'a [u8]>,

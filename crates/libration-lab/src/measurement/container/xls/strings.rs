@@ -1,4 +1,4 @@
-//! Words in a workbook: one or two bytes to the letter, and a table of shared ones that runs over several records.
+//! Strings in a workbook: one or two bytes for each letter, and a table of shared ones that extends over several records.
 
 use super::compound_file::{u16_at, u32_at};
 use super::records::Record;
@@ -35,7 +35,7 @@ fn units(bytes: &[u8], width: usize) -> impl Iterator<Item = u16> {
     })
 }
 
-/// The shared strings, as many as are whole.
+/// The shared strings, up to the first incomplete one.
 pub fn table(record: &Record<'_>) -> Vec<String> {
     let mut reader = Reader { piece: record.data.get(8..).unwrap_or(&[]), more: record.continued.iter() };
     std::iter::from_fn(|| reader.string()).collect()

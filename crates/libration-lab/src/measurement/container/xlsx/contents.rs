@@ -51,7 +51,7 @@ fn worksheets(parts: &[Part]) -> Result<Vec<(String, &Part)>, MeasurementError> 
     Ok(worksheets)
 }
 
-/// The parts with the cells of a sheet, by their relation to the workbook; none for a sheet of another kind.
+/// The parts with the cells of a sheet, by their relation to the workbook; `None` for a sheet of another kind.
 fn cells_of(relations: &Part) -> Result<BTreeMap<String, Option<String>>, MeasurementError> {
     let mut cells = BTreeMap::new();
     walk(relations, |piece| {
@@ -67,7 +67,7 @@ fn cells_of(relations: &Part) -> Result<BTreeMap<String, Option<String>>, Measur
     Ok(cells)
 }
 
-/// The strings to which cells refer, without the phonetic ones next to them.
+/// The strings to which cells refer, without their phonetic ones.
 fn strings(part: &Part) -> Result<Vec<String>, MeasurementError> {
     let mut strings = Vec::new();
     let mut words = Words::default();
@@ -107,7 +107,7 @@ impl Words {
         }
     }
 
-    /// The words so far, which begin anew.
+    /// Returns the text so far, and begins a new one.
     pub(super) fn finish(&mut self) -> String {
         unescaped(&std::mem::take(&mut self.letters))
     }

@@ -1,4 +1,4 @@
-//! A part of a workbook as a series of elements, whatever the prefixes of its names are.
+//! A part of a workbook as a series of elements, with the prefixes of their names ignored.
 
 use std::borrow::Cow;
 
@@ -43,7 +43,7 @@ impl Element<'_> {
     }
 }
 
-/// Calls `each` with every piece of a part in order, until it has ended or `each` says that this was enough.
+/// Calls `each` with every piece of a part in order, until it has ended or `each` returns an end.
 pub(super) fn walk(
     part: &Part,
     mut each: impl FnMut(Piece<'_>) -> Result<Onward, MeasurementError>,
@@ -77,7 +77,7 @@ pub(super) fn walk(
     }
 }
 
-/// Decision whether to read more of a part.
+/// Decision to read more of a part or not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Onward {
     More,

@@ -1,4 +1,4 @@
-//! Excel workbooks since 2007: their numbers and words.
+//! Excel workbooks since 2007: their numbers and strings.
 //!
 //! An own reader, because those for whole workbooks bring the letters of every old code page with them, and make room for sizes that a file
 //! announces: here nothing is kept but what was read.

@@ -23,7 +23,7 @@ pub(super) fn text(part: &Part, contents: &Contents<'_>, limit: usize) -> Result
 struct Cells<'a> {
     contents: &'a Contents<'a>,
     grid: Grid,
-    /// Row and column of a cell that does not say where it is.
+    /// Row and column of a cell without an address.
     next: (u32, u32),
     cell: Option<Cell>,
 }
@@ -33,7 +33,7 @@ struct Cell {
     place: (u32, u32),
     kind: String,
     style: u16,
-    /// Its value as the file has it, which for shared strings is a number, and whether this is being read.
+    /// Its value as in the file, which for shared strings is a number, and `true` while it is being read.
     value: String,
     is_value: bool,
     words: Words,

@@ -1,4 +1,4 @@
-//! Uncertainties of inputs → that of g, as the Guide to the Expression of Uncertainty in Measurement has it.
+//! Propagation of the uncertainties of inputs to that of g, as in the Guide to the Expression of Uncertainty in Measurement.
 
 use libration_lab::fit::{
     BudgetError, BudgetInput, CombinedUncertainty, Contribution, Correlation, Evaluation,
@@ -31,7 +31,7 @@ fn a_pair_has_one_correlation() {
     assert_eq!(found(&[both(0, 1), both(1, 2), both(0, 2)]), Ok(()));
 }
 
-/// Three readings that are alike tell no more of their scatter than any three.
+/// Three equal readings give no more information on their scatter than any three.
 #[test]
 fn no_scatter_among_few_readings_is_not_known_for_certain() {
     let judged = Contribution::judged(BudgetInput::Period, 2.0, Some(0.0), 9.8);

@@ -20,7 +20,7 @@ fn with_bob(shape: BobShape, radius: f64, height: f64, inner: f64) -> Correction
     Corrections { bob: bob(shape, radius, height, inner), ..Corrections::default() }
 }
 
-/// In vacuum, with a bob of 200 g.
+/// Corrections in vacuum, with a bob of 200 g.
 fn with_mass(change: impl FnOnce(&mut Corrections)) -> Corrections {
     let mut known = Corrections { bob_mass: Some(exactly(0.2)), ..Corrections::default() };
     known.air_density = exactly(1e-12);
@@ -150,7 +150,7 @@ fn impossible_corrections_are_refused() {
     assert!(matches!(refused(nan), BudgetError::NotFinite { .. }));
 }
 
-/// Warmer by nothing, but not surely: the correction is zero, and its uncertainty α·u(Δt).
+/// A temperature difference of zero with an uncertainty: the correction is zero, and its uncertainty α·u(Δt).
 #[test]
 fn a_temperature_that_may_differ_is_an_uncertainty() {
     let known = with_mass(|it| (it.expansion, it.warming) = (Some(exactly(1.9e-5)), Some(about(0.0, 2.0))));

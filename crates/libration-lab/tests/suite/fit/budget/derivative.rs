@@ -1,4 +1,4 @@
-//! Derivatives of what is computed from the inputs.
+//! Derivatives of functions of the inputs.
 
 use libration_lab::internals::fit::budget::derivative::{derivative, second_derivative};
 

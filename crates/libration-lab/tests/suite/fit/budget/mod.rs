@@ -30,7 +30,7 @@ fn with(length: Quantity, change: impl FnOnce(&mut Corrections)) -> Apparatus {
     apparatus
 }
 
-/// With independent inputs.
+/// The budget with independent inputs.
 fn budget(apparatus: &Apparatus, period: &MeasuredPeriod) -> Result<Budget, BudgetError> {
     libration_lab::fit::evaluate_budget(apparatus, period, &[])
 }

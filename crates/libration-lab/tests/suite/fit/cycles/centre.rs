@@ -1,4 +1,4 @@
-//! The value about which a pendulum swings, fixed or followed where it wanders.
+//! The value about which a pendulum swings, fixed or followed if it drifts.
 
 use libration_lab::internals::fit::cycles::centre::Centre;
 use libration_lab::internals::fit::cycles::turning_point::Extreme;

@@ -1,4 +1,4 @@
-//! An even function as a sum of Chebyshev's polynomials of its square, for where it is evaluated more often than it takes to find them.
+//! An even function as a sum of Chebyshev polynomials of its square, for more evaluations than the construction of the sum takes.
 
 use libration_lab::internals::fit::cycles::even::Even;
 

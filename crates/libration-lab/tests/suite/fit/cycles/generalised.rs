@@ -3,7 +3,7 @@
 use libration_lab::internals::fit::cycles::generalised::{Bands, Factor};
 use nalgebra::{DMatrix, DVector};
 
-/// Against the inverse of the whole matrix.
+/// Comparison with the inverse of the whole matrix.
 #[test]
 fn the_bands_give_what_the_whole_covariance_gives() {
     let entries = |n: usize| [if n > 1 { -0.3 } else { 0.0 }, if n > 0 { 0.2 } else { 0.0 }, 1.5];

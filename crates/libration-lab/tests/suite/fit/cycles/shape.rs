@@ -22,7 +22,7 @@ fn the_way_back_from_the_shape_is_where_it_came_from() {
     }
 }
 
-/// Fewer than are worth a sum, and as many; of all amplitudes, those too to which no sum does.
+/// Fewer evaluations than make a sum worthwhile, and as many, for all amplitudes, including those without a sum.
 #[test]
 fn what_is_asked_for_often_is_the_same() {
     for observable in [Observable::Angle, Observable::AngularVelocity] {

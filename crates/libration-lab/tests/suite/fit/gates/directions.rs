@@ -1,4 +1,4 @@
-//! Passages to the one side and to the other, with double triggers and with gaps.
+//! Passages to either side, with double triggers and gaps.
 
 use libration_lab::internals::fit::gates::directions::sorted;
 use libration_lab::internals::fit::gates::passages::Passage;
@@ -7,7 +7,7 @@ fn passages(times: &[f64]) -> Vec<Passage> {
     times.iter().map(|&time| Passage { time, blocked: None }).collect()
 }
 
-/// Passages every 0.6 s and 0.4 s, without some and with others.
+/// Passages alternately every 0.6 s and 0.4 s, without some of them and with additional ones.
 fn times(without: &[usize], with: &[f64]) -> Vec<f64> {
     let regular = (0..20).flat_map(|k| [f64::from(k), f64::from(k) + 0.6]).enumerate();
     let mut times: Vec<f64> = regular
@@ -34,7 +34,7 @@ fn double_triggers_and_missed_passages_are_counted() {
     assert_eq!(found.placed.last().unwrap().turn, 19);
 }
 
-/// Half periods that fall from 1.6 to 1 times those of small swings, as from 140° on.
+/// Half periods that fall from 1.6 to 1 times those of small swings, as after a release at 140°.
 #[test]
 fn periods_that_fall_from_large_amplitudes_are_followed() {
     let half = |k: i32| 0.5 * (1.0 + 0.6 * libm::exp(-0.06 * f64::from(k)));

@@ -1,4 +1,4 @@
-//! The angle that a bob goes while it blocks the beam of a gate.
+//! The angle through which a bob moves while it blocks the beam of a gate.
 
 use libration_lab::internals::fit::gates::width::{PassingDisc, PassingFlag};
 
@@ -37,7 +37,7 @@ fn slopes_are_what_the_width_changes_by() {
     }
 }
 
-/// sin φ = r/d, and differences of it.
+/// sin φ = r/d, and its differences.
 #[test]
 fn a_flat_flag_passes_with_straight_edges() {
     let flag = PassingFlag { half: 0.015, beam: 0.3 };

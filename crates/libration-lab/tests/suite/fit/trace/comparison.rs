@@ -1,4 +1,4 @@
-//! Models as they stand next to each other.
+//! Models compared with each other.
 
 use libration::decay::DampingKind;
 use libration_lab::fit::trace::{
@@ -42,7 +42,7 @@ fn fit(terms: &str, omega0: f64, coefficients: &[f64], residual: f64) -> TraceFi
     }
 }
 
-/// The size of residuals of 100 rows by which linear damping is worse than linear and quadratic one by `excess`.
+/// The size of residuals of 100 rows for which the criterion of linear damping exceeds that of linear and quadratic damping by `excess`.
 fn residual(excess: f64) -> f64 {
     let cost = |k: f64| libration_lab::internals::statistics::akaike::cost(100.0, k).unwrap();
     libm::exp((excess + cost(5.0) - cost(4.0)) / 200.0)
@@ -143,8 +143,8 @@ fn numbers_are_averaged_over_the_models_that_are_left() {
     );
 }
 
-/// Five rows count as seven, the fewest that judge the larger model: 8 + 40/2 and 10 + 60/1 is what the parameters cost,
-/// 42 of which a residual e^−3 as large just pays: 7·2·3.
+/// Five rows count as seven, the fewest that judge the larger model: the parameters cost 8 + 40/2 and 10 + 60/1, and a
+/// difference of 42 is just compensated by residuals smaller by e⁻³: 7·2·3.
 #[test]
 fn few_independent_rows_believe_in_far_better_fits_only() {
     let preferred = |residual: f64| {
@@ -162,7 +162,7 @@ fn few_independent_rows_believe_in_far_better_fits_only() {
     assert_eq!(preferred(0.01), 1);
 }
 
-/// One outlier spoils the squares of the better model, and not Huber's loss.
+/// One outlier dominates the squares of the better model, but not Huber's loss.
 #[test]
 fn outliers_do_not_choose_a_robust_model() {
     let mut better = fit("linear", 3.0, &[0.1], 1.0);

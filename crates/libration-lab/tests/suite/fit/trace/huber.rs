@@ -1,4 +1,4 @@
-//! Huber's weights, which turn outliers down.
+//! Huber's weights, which are smaller for outliers.
 
 use libration_lab::internals::fit::trace::huber::{
     BOUND, bounded, factor, is_outlier, loss, scale, variance,

@@ -2,7 +2,7 @@
 
 use libration_lab::internals::fit::trace::information::misfit;
 
-/// Half as large residuals of 100 rows that count as 50: 50 ln 4.
+/// Residuals half as large in 100 rows that count as 50: 50 ln 4.
 #[test]
 fn rows_that_are_alike_count_less() {
     let [one, half] = [1.0, 0.5].map(|size| misfit(&[size; 100], 50.0, None));

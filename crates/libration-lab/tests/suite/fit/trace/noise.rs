@@ -22,7 +22,7 @@ const TIMES: [f64; 11] = [0.0, 0.3, 0.4, 1.0, 1.7, 1.9, 2.0, 2.4, 2.5, 3.0, 3.6]
 const TIME: f64 = 0.8;
 const WHITE: f64 = 0.3;
 
-/// Against the inverse and the determinant of the whole matrix.
+/// Comparison with the inverse and the determinant of the whole matrix.
 #[test]
 fn the_filter_gives_what_the_whole_covariance_gives() {
     let (part, whole) = (part(&TIMES), covariance(&TIMES));

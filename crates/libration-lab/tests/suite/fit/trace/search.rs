@@ -1,4 +1,4 @@
-//! Short ways to a minimum lead where the long ones do.
+//! Short searches end at the minima of long ones.
 
 use libration::internals::progress::Watch;
 use libration::progress::Quiet;
@@ -51,7 +51,8 @@ fn apart(one: &Minimum, other: &Minimum, problem: &Problem<'_>) -> f64 {
     differences.fold(0.0, f64::max)
 }
 
-/// From few rows and from the truth, with all rows from the beginning: 1e-14 of the sum of squares of 20 000 rows are 1.4e-5 deviations.
+/// Searches from few rows and from the truth, and with all rows from the beginning: 1e-14 of the sum of squares of 20 000 rows are 1.4e-5
+/// deviations.
 #[test]
 fn a_search_in_few_rows_ends_where_all_rows_end() {
     for (robust, outliers) in [(false, None), (true, Some(20))] {
@@ -73,7 +74,7 @@ fn a_search_in_few_rows_ends_where_all_rows_end() {
     }
 }
 
-/// Side by side in the lanes, and one after the other.
+/// Integration together in the lanes, and one after the other.
 #[test]
 fn the_rows_of_each_trace_are_those_of_the_trace_alone() {
     let traces: Vec<Trace> = (0..11_u32)
@@ -132,7 +133,7 @@ fn few_rows_have_the_sums_of_all() {
     assert!((few.residuals.norm() / whole.residuals.norm() - 1.0).abs() < 1e-13);
 }
 
-/// Sums by a linear model next to the minimum, and by minimisation: at one deviation, and at as many as make the model bend.
+/// Sums by a linear model next to the minimum, and by minimisation: at one deviation, and at distances for which the model is not linear.
 #[test]
 fn sums_beside_a_minimum_are_those_of_the_way_down() {
     let traces = [trace("short", 2.5, 120, 6.0, None, 4)];
@@ -164,7 +165,7 @@ fn sums_beside_a_minimum_are_those_of_the_way_down() {
     }
 }
 
-/// Models are fitted on all cores, and which one does which is chance.
+/// Models are fitted on all cores in any order.
 #[test]
 fn comparisons_are_the_same_each_time() {
     let traces = [trace("twice", 1.0, 400, 15.0, None, 5)];
@@ -174,7 +175,7 @@ fn comparisons_are_the_same_each_time() {
     assert_eq!(first.best().damping, terms());
 }
 
-/// Three sines of equal size, which every model loses in the first swings: each is sought once or twice in these, and nowhere in all rows.
+/// Three sines of equal size, which every model loses in the first swings: each is searched once or twice in these, and never with all rows.
 #[test]
 fn data_that_no_model_follows_are_refused_after_a_look_at_the_first_swings() {
     let angle = |t: f64| [3.0, 4.1, 5.7].map(|w| 0.5 * libm::sin(w * t)).iter().sum::<f64>();

@@ -10,7 +10,7 @@ fn series<'a>(times: &'a [f64], values: &'a [f64], weights: &'a [f64]) -> Series
     Series { observable: Observable::Angle, times, values, weights }
 }
 
-/// A swing that dies away against one that does not, in phase and by up to half a turn out of it in the end.
+/// A decaying swing compared with an undamped one, in phase and with a final difference of up to half a turn.
 #[test]
 fn the_correlation_tells_the_phase_and_not_the_amplitude() {
     let times: Vec<f64> = (0..5000).map(|row| 0.02 * f64::from(row)).collect();

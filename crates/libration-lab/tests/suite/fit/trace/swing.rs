@@ -1,4 +1,4 @@
-//! The motion of a damped pendulum, with its derivatives by everything it depends on.
+//! The motion of a damped pendulum, with its derivatives with respect to all its parameters.
 
 use libration::decay::DampingKind;
 use libration_lab::fit::DampingModel;
@@ -30,8 +30,8 @@ fn derivatives_are_the_limit_of_differences() {
     }
 }
 
-/// The states that a step gives after a turn are given again by the next leg, whose deviations have jumped: tested with angles alone, since there the
-/// differences of velocities are those of two branches.
+/// The states of a step after a turn are those of the next leg, whose deviations have jumped: tested with angles alone, since differences of
+/// velocities are there those of two branches.
 #[test]
 fn derivatives_jump_where_dry_friction_turns_the_motion() {
     let swing = Swing::new(DampingModel::only(DampingKind::Dry));
@@ -72,7 +72,7 @@ fn both() -> impl Iterator<Item = Observable> {
     [Observable::Angle, Observable::AngularVelocity].into_iter()
 }
 
-/// Many side by side, of which some are stopped by friction, and some have one row.
+/// Many motions together, some of which are stopped by friction, and some of which have one row.
 #[test]
 fn motions_side_by_side_are_as_alone() {
     for terms in DampingModel::all() {

@@ -1,4 +1,4 @@
-//! Errors that all rows have together: they are added to what the scatter says, of which they know nothing.
+//! Errors common to all rows, which do not show in the scatter and are added to it.
 
 use libration_lab::fit::Uncertain;
 use libration_lab::fit::trace::Parameter;
@@ -37,8 +37,8 @@ fn errors_add_in_squares() {
     assert!((highest - 4.0 - 1.959_964 * 5e-3).abs() < 1e-8);
 }
 
-/// Three degrees of freedom where both are alike become twelve, of which Student's 95 % are 2.179 (Abramowitz and Stegun
-/// table 26.10).
+/// Three degrees of freedom for both contributions become twelve, for which Student's 95 % is 2.179 (Abramowitz and
+/// Stegun table 26.10).
 #[test]
 fn intervals_are_those_of_students_t() {
     let more = with_another(fitted(3.0), 3e-3);

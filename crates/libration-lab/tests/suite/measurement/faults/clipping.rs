@@ -1,8 +1,8 @@
-//! Values that stay the same where the motion does not: stuck on the way, or cut off at the ends of the scale.
+//! Values that stay constant while the motion goes on: stuck, or clipped at the ends of the scale.
 
 use libration_lab::internals::measurement::faults::clipping::clipped;
 
-/// Values that rise to a top of a number of rows and fall again, in steps of 0.1, and far below.
+/// Values that rise to a top of a number of rows and fall again, in steps of 0.1, and low values elsewhere.
 fn top(rows: usize, beside: f64) -> Vec<f64> {
     [vec![-1.0, 0.0, 0.1, 1.0 - beside], vec![1.0; rows], vec![1.0 - beside, 0.1, 0.0, -0.9]].concat()
 }

@@ -1,8 +1,8 @@
-//! All even times that round to those written.
+//! All equally spaced times that round to the given ones.
 
 use libration_lab::internals::measurement::faults::even_times::{EvenTimes, centroid};
 
-/// Rounded to a step that is not commensurate with the interval, and to one that is.
+/// Times rounded to a step that is not commensurate with the interval, and to one that is.
 #[test]
 fn the_interval_lies_within_its_uncertainty_which_is_wide_where_frames_fall_in_step() {
     let through = |interval: f64, rows: u32| {

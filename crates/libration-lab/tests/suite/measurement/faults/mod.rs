@@ -1,4 +1,4 @@
-//! The faults that instruments leave in columns of times and values.
+//! The faults of instruments in columns of times and values.
 
 mod clipping;
 mod even_times;
@@ -15,7 +15,7 @@ fn swing(rows: u32, interval: f64) -> (Vec<f64>, Vec<f64>) {
     (times, values)
 }
 
-/// Normal enough: the sum of twelve even numbers of a linear congruential generator, with unit variance.
+/// Approximately normal noise: the sum of twelve uniform numbers of a linear congruential generator, with unit variance.
 fn noise(seed: &mut u64) -> f64 {
     let mut even = || {
         *seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);

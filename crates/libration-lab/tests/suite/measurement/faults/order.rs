@@ -1,4 +1,4 @@
-//! Times that repeat, go backwards, or begin anew.
+//! Times that repeat, go backwards, or begin again.
 
 use libration_lab::internals::measurement::faults::order::restarts;
 

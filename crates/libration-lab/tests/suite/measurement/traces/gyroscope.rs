@@ -1,8 +1,8 @@
-//! Three axes of a gyroscope → the rate about the one axis that the pendulum turns about, however the device is fixed to it.
+//! Three axes of a gyroscope → the rate about the axis of the pendulum, for any orientation of the device.
 
 use libration_lab::internals::measurement::traces::gyroscope::{FEWEST, principal_axis};
 
-/// Rates about an axis, with wobble across it and what the sensor shows at rest.
+/// Rates about an axis, with wobble across it and an offset of the sensor.
 fn rows(axis: [f64; 3], wobble: f64) -> Vec<[f64; 3]> {
     let row = |n: u32| {
         let (rate, across) = (libm::sin(0.1 * f64::from(n)), wobble * libm::sin(0.37 * f64::from(n)));

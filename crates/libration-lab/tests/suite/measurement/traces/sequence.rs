@@ -1,4 +1,4 @@
-//! Rows that are not in the order of time: put where their time belongs, left out, or the run cut where its clock was set back.
+//! Rows out of the order of time: moved to their positions in time, left out, or the run divided if its clock was set back.
 
 use libration_lab::internals::measurement::traces::sequence::Sequence;
 

@@ -25,7 +25,7 @@ fn what_goes_beyond_a_turn_is_left_alone() {
     assert_eq!(rotation, before);
 }
 
-/// Swings to 170° about ±π, up to 1.9 rad from row to row, and rotations, written with four digits: -3.1416 to 3.1416 is more than a turn.
+/// Swings to 170° about ±π, with up to 1.9 rad between rows, and rotations, written with four digits: from -3.1416 to 3.1416 is more than a turn.
 #[test]
 fn fast_motions_that_are_written_with_few_digits_are_made_whole() {
     for (amplitude, velocity, step) in

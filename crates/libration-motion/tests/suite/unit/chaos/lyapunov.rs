@@ -14,7 +14,7 @@ fn evidence(growth: impl Fn(usize) -> f64) -> Evidence {
     wandering(growth, |_| 1.0)
 }
 
-/// The same with a motion that is alternately at zero and at a given position.
+/// A motion with such a deviation that is alternately at zero and at a given position.
 fn wandering(growth: impl Fn(usize) -> f64, place: impl Fn(usize) -> f64) -> Evidence {
     let mut evidence = Evidence::new(1.0, 1);
     for n in 0..INTERVALS {

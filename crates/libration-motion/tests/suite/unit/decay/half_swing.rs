@@ -1,6 +1,6 @@
 use libration::decay::{Damping, PowerLawTerm};
 use libration::expression::Equation;
-use libration::internals::decay::{EFFORT, Frame, HalfSwing};
+use libration::internals::decay::{EFFORT, GrowingCoordinate, HalfSwing};
 use libration::progress::Quiet;
 use libration::taylor::{Moment, System, integrate};
 
@@ -14,7 +14,7 @@ fn the_equation_is_that_of_its_text() {
     let text: Equation = format!("x'' = sin(x){text}").parse().unwrap();
     let state = [0.7, 0.3];
     let start = Moment { time: 0.0, state: state.to_vec() };
-    let HalfSwing { from_top: Frame { system, .. }, .. } = HalfSwing::new(&damping);
+    let HalfSwing { from_top: GrowingCoordinate { system, .. }, .. } = HalfSwing::new(&damping);
     let velocity = |system: &System| {
         let end = integrate(system, &start, &[0.01], &EFFORT, &Quiet).unwrap().end;
         end.state[1]

@@ -48,7 +48,7 @@ fn zeros_at_the_ends_are_not_inside() {
     assert_eq!(first_sign_change(&[0.25, -1.25, 1.0]), Some(0.25));
 }
 
-/// Thirty-nine terms and no more than one zero, for coefficients of any size.
+/// Series of thirty-nine terms with at most one zero, for coefficients of any size.
 #[test]
 fn long_series_of_any_size_have_the_zero_that_the_short_ones_have() {
     for scale in [1.0, 1e-300, 1e300] {

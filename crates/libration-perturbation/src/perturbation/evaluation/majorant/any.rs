@@ -11,7 +11,7 @@ use super::odd::means_of_sines;
 use super::place_of_one;
 use libration_kernels::elementary::count;
 
-/// The well with −|cₘ| in the place of each cₘ, in units of the place x of its separatrix.
+/// The well with −|cₘ| in place of each cₘ, in units of the position x of its separatrix.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct AnyWell {
     /// The length that is the unit.
@@ -28,14 +28,14 @@ pub(super) struct AnyWell {
     beyond: Vec<Beyond>,
 }
 
-/// A term of w, of which high powers have few.
+/// A term of w, of which few have high powers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Weight {
     power: usize,
     coefficient: f64,
 }
 
-/// S² at some place, in units of the separatrix's, with dx/ds there, which is the largest up to there.
+/// S² at a position, in units of that of the separatrix, with dx/ds there, which is the largest up to there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Beyond {
     energy: f64,
@@ -112,7 +112,7 @@ fn weighted(weights: &[Weight], up_to: usize, of: impl Fn(usize) -> f64) -> f64 
     known.map(|it| it.coefficient * of(it.power)).sum()
 }
 
-/// Places ever nearer to the separatrix, where energy and slope have lost no digits that count.
+/// Positions that approach the separatrix, at which energy and slope keep enough digits.
 fn beyond(weights: &[Weight], critical: f64) -> Vec<Beyond> {
     const PLACES: u32 = 48;
     let at = |place: u32| {

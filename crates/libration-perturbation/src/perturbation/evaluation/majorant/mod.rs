@@ -12,7 +12,7 @@ use odd::OddWell;
 
 /// Series of T/T0 and Ω/ω0 in the amplitude with coefficients at least as large as those of an oscillator, in magnitude.
 ///
-/// For the force ω0²(x + c₂x² + c₃x³ + …) they come from the well that has −|cₘ| in the place of each cₘ.
+/// For the force ω0²(x + c₂x² + c₃x³ + …) they come from the well with −|cₘ| in place of each cₘ.
 ///
 /// # Examples
 /// ```
@@ -85,7 +85,7 @@ impl PeriodMajorant {
         MajorantAt(self.frequency.at(amplitude / self.limit(), 1.0, value))
     }
 
-    /// The amplitude from which there is no bound.
+    /// The amplitude above which there is no bound.
     fn limit(&self) -> f64 {
         match &self.well {
             Well::Odd(well) => well.limit(),
@@ -110,8 +110,7 @@ impl MajorantAt<'_> {
     }
 }
 
-/// The amplitude at which a sum that grows from zero with the amplitude is one; `None` where there is none whose square and inverse square
-/// are finite.
+/// The amplitude at which a sum that grows from zero with the amplitude is one; `None` if there is none with a finite square and inverse square.
 fn place_of_one(sum: impl Fn(f64) -> f64) -> Option<f64> {
     let mut high = 1.0;
     while sum(high) < 1.0 && high < 1e150 {

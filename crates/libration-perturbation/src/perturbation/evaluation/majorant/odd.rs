@@ -12,7 +12,7 @@ use super::place_of_one;
 use libration_kernels::elementary::count;
 use std::f64::consts::PI;
 
-/// The oscillator with −|cₘ| in the place of each cₘ.
+/// The oscillator with −|cₘ| in place of each cₘ.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct OddWell {
     /// The amplitude at which it has an equilibrium, and no period.

@@ -43,9 +43,9 @@ pub struct CoordinateFlow {
     pub amplitude: String,
     /// Symbol of its phase.
     pub phase: String,
-    /// Multiple of the natural frequency of the first coordinate that its own is near, as a formula.
+    /// Multiple of the natural frequency of the first coordinate that is near its own, as a formula.
     pub natural_frequency: String,
-    /// Symbol of the detuning of its natural frequency with the square of that frequency, where it differs from the multiple.
+    /// Symbol of the detuning of its natural frequency with the square of that frequency, if it differs from the multiple.
     pub detuning: Option<[String; 2]>,
     /// Difference of its natural frequency from the multiple, as a formula.
     pub frequency_difference: Option<String>,
@@ -220,7 +220,7 @@ fn slow_angle(setting: &Setting, turns: &[i64]) -> String {
     text
 }
 
-/// The displacement as waves, the one of the coordinate's own frequency first.
+/// The displacement as waves, beginning with that of the natural frequency of the coordinate.
 fn displacement(setting: &Setting, forced: &Forced<'_>, sum: &Sum, coordinate: usize) -> String {
     let letters = forced.letters;
     let mut harmonics = letters.exponents(sum, Column::Wave);

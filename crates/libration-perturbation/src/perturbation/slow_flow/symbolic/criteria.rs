@@ -17,7 +17,7 @@ pub(super) struct ResponseCurve<'a> {
 pub(super) struct Peak {
     pub(super) power: Sum,
     pub(super) root: i64,
-    /// The detuning there, where it is a sum of products.
+    /// The detuning there, if it is a sum of products.
     pub(super) detuning: Option<Sum>,
 }
 
@@ -81,7 +81,7 @@ impl ResponseCurve<'_> {
         Some(Peak { detuning: self.at_power(backbone, &power, root, order), power, root })
     }
 
-    /// The power of A, and which it is, at which a relation without σ is zero, where its lowest order has two powers of A.
+    /// The exponent and the value of the power of A at which a relation without σ is zero, if its lowest order has two powers of A.
     pub(super) fn only_amplitude(&self) -> Option<(Sum, i64)> {
         let leading = self.letters.of_order(self.relation, 0);
         let powers = self.letters.exponents(&leading, Column::Amplitude);
@@ -90,7 +90,7 @@ impl ResponseCurve<'_> {
         Some((self.zero(&in_power, 0)?, high - low))
     }
 
-    /// A sum over the power `low` of A, with the power `root` of A in the column of A; `None` where others occur.
+    /// A sum divided by the power `low` of A, with the power `root` of A in the column of A; `None` if others occur.
     fn in_power(&self, sum: &Sum, low: i64, root: i64) -> Option<Sum> {
         let place = self.letters.place(Column::Amplitude);
         if sum.half_powers().any(|(powers, _)| (powers[place] - 2 * low) % (2 * root) != 0) {
@@ -119,8 +119,8 @@ impl ResponseCurve<'_> {
         None
     }
 
-    /// Returns `true` if damping, of the lowest order and in the power `high` of A, is balanced by a drive of higher order without A: A is small
-    /// then, and the other terms have to be smaller than these two.
+    /// Returns `true` if damping, of the lowest order and in the power `high` of A, is balanced by a drive of higher order without A: A is then
+    /// small, and the other terms have to be smaller than these two.
     fn is_small_root(&self, on_ridge: &Sum, first: i64, high: i64) -> bool {
         let letters = self.letters;
         let drive = letters.coefficient(on_ridge, Column::Amplitude, 0);
@@ -175,7 +175,7 @@ impl ResponseCurve<'_> {
         folds.to_constant().is_none().then_some(folds)
     }
 
-    /// The amplitude of the drive, and its value from which on there are folds, as texts, for κ·A²·((σ − b·A²)² + μ²) = D: D = 8·κ·μ³/(3·√3·|b|).
+    /// The amplitude of the drive, and its threshold for folds, as texts, for κ·A²·((σ − b·A²)² + μ²) = D: D = 8·κ·μ³/(3·√3·|b|).
     pub(super) fn critical_drive(&self, drives: &[usize]) -> Option<[String; 2]> {
         let letters = self.letters;
         let relation = self.leading();
@@ -225,7 +225,7 @@ impl ResponseCurve<'_> {
         Some((amplitude.unwrap_or_else(|| format!("sqrt({})", letters.text(&square))), rest))
     }
 
-    /// The sum whose square this is; `None` for another.
+    /// The sum with this square; `None` if there is none.
     fn root_of_square(&self, square: &Sum) -> Option<Sum> {
         let letters = self.letters;
         let half = Rational::new(1, 2)?;
@@ -247,7 +247,8 @@ impl ResponseCurve<'_> {
 
     /// The lowest order, and those of damping and drive where they are higher: the terms without σ in A² and A⁰.
     ///
-    /// At the critical drive A² is of the order of the damping over the bend, so that corrections of the backbone are smaller.
+    /// At the critical drive A² is of the order of the damping divided by the curvature, so that corrections of the backbone
+    /// are smaller.
     fn leading(&self) -> Sum {
         let letters = self.letters;
         let [detuning, amplitude] = [Column::Detuning, Column::Amplitude].map(|column| letters.place(column));

@@ -1,4 +1,4 @@
-//! The elimination of the phase by a resultant, where several harmonics of it occur at the lowest order.
+//! The elimination of the phase by a resultant, if several harmonics of it occur at the lowest order.
 
 use super::letters::{Column, Letters, Sum};
 use libration_numbers::algebra::Rational;
@@ -6,8 +6,8 @@ use libration_numbers::algebra::Rational;
 /// The largest degree in e^{iφ} for which the determinant is expanded.
 const LARGEST_DEGREE: i64 = 3;
 
-/// Zero where Σ cₖ·e^{ikφ} and its conjugate vanish for the same φ: the resultant of the two polynomials in e^{iφ}, real. The powers of
-/// e^{iφ} stand in the column of waves. `None` for degrees above three, or terms beyond the limit.
+/// The resultant of Σ cₖ·e^{ikφ} and its conjugate as polynomials in e^{iφ}, real: zero if both vanish for the same φ. The powers of e^{iφ} stand
+/// in the column of waves. `None` for degrees above three, or terms beyond the limit.
 pub(super) fn resultant(letters: &Letters, sum: &Sum) -> Option<Sum> {
     let exponents = letters.exponents(sum, Column::Wave);
     let (first, last) = (*exponents.first()?, *exponents.last()?);

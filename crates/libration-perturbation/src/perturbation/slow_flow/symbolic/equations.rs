@@ -1,4 +1,4 @@
-//! The equations of motion as sums: what ω0 is, which terms are small, and how the frequencies differ from their resonance.
+//! The equations of motion as sums: ω0, small terms, and the detuning of the frequencies from their resonance.
 
 use super::error::{LARGEST_RESONANCE, SymbolicSlowFlowError as Error};
 use super::force::Reader;
@@ -124,7 +124,7 @@ impl Setting {
         Ok((harmonics, drive))
     }
 
-    /// The natural frequencies as whole numbers, where the ratios of their squares are those of whole numbers.
+    /// The natural frequencies as whole numbers, if the ratios of their squares are those of whole numbers.
     fn ratios_of(&self, springs: &[Sum]) -> Result<Vec<i64>, Error> {
         let letters = &self.letters;
         let half = Rational::new(1, 2).unwrap_or_else(|| Rational::from(1));
@@ -161,7 +161,7 @@ impl Setting {
         accelerations.iter().enumerate().map(spring).collect()
     }
 
-    /// Returns for each coordinate whether its natural frequency differs from its multiple of ω0.
+    /// Returns for each coordinate `true` if its natural frequency differs from its multiple of ω0.
     fn is_detuned(&self, forced: &Forced<'_>, springs: &[Sum]) -> Vec<bool> {
         let letters = &self.letters;
         let differs = |(coordinate, spring): (usize, &Sum)| {
@@ -181,7 +181,7 @@ impl Setting {
             .all(|(powers, _)| places.iter().all(|&place| powers[place] >= 0 && powers[place] % 2 == 0))
     }
 
-    /// W − (p/q)·ω0 for the first coordinate, the detuning of its natural frequency for another: σ, times the small parameter where there is one.
+    /// W − (p/q)·ω0 for the first coordinate, the detuning of the natural frequency for another: σ, times the small parameter if there is one.
     pub(super) fn detuning(&self, coordinate: usize, order: i64) -> Sum {
         let letters = &self.letters;
         let factor = self
@@ -204,7 +204,7 @@ impl Setting {
         })
     }
 
-    /// The terms of order zero that are linear in a displacement, and contain no other, no velocity and no wave.
+    /// The terms of order zero that are linear in a displacement, without others, velocities and waves.
     fn linear(&self, sum: &Sum, coordinate: usize) -> Sum {
         let letters = &self.letters;
         let own = letters.place_of(Column::Position, coordinate);
@@ -289,7 +289,7 @@ impl Setting {
         move |powers| places.iter().map(|&place| powers[place]).sum::<i64>() / 2
     }
 
-    /// The degrees of nonlinear terms without a small parameter, with whether they have the sign of a displacement or velocity as a factor.
+    /// The degrees of nonlinear terms without a small parameter, each with `true` if the sign of a displacement or velocity is a factor.
     pub(super) fn large_degrees<'a>(
         &self,
         equations: &'a Equations,
@@ -303,7 +303,7 @@ impl Setting {
         })
     }
 
-    /// The same as far as power series are known.
+    /// The degrees of nonlinear terms, as far as power series are known.
     pub(super) fn known_degrees<'a>(
         &self,
         equations: &'a Equations,
@@ -344,7 +344,7 @@ impl Setting {
     }
 }
 
-/// The names of what moves: the coordinates, or their deviations from an equilibrium.
+/// The names of the moving variables: the coordinates, or their deviations from an equilibrium.
 fn deviations(reader: &Reader<'_>) -> Vec<String> {
     let of = |name: &String| match &reader.equilibrium {
         Some(equilibrium) => format!("({name} - ({equilibrium}))"),
@@ -370,7 +370,7 @@ impl Equations {
     }
 }
 
-/// ω0, and its square where it has a name of its own.
+/// ω0, and its square if it has a name.
 struct NaturalFrequency {
     omega0: Sum,
     explained: Option<Sum>,
@@ -378,7 +378,7 @@ struct NaturalFrequency {
 
 /// The terms of the equation by kind.
 pub(super) struct Found {
-    /// ω0², where ω0 has a name of its own.
+    /// ω0², if ω0 has a name.
     pub(super) natural: Option<Sum>,
     /// The equilibrium; `None` for 0.
     pub(super) equilibrium: Option<Sum>,

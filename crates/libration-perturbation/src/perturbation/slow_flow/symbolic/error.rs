@@ -28,7 +28,7 @@ pub enum SymbolicSlowFlowError {
         /// The symbolic parameters.
         open: Vec<String>,
     },
-    /// Nothing is small.
+    /// No small parameter.
     #[error(
         "nothing is small: name the small parameters and their orders, such as mu:1,F:1, or write eps before the small terms"
     )]
@@ -59,14 +59,14 @@ pub enum SymbolicSlowFlowError {
     DriveFrequency(String),
     /// A formula that is not a polynomial.
     #[error(
-        "`{0}` is not a polynomial in displacement, velocity and symbols: denominators must be products of symbols, with or without \
-         terms that are small or vanish with the displacement, functions those of such terms with power series about zero, abs and sign those of \
-         displacement or velocity"
+        "`{0}` is not a polynomial in displacement, velocity and symbols: denominators must be products of symbols, possibly plus \
+         terms that are small or vanish with the displacement; functions need such terms as arguments and a power series about zero; abs and \
+         sign are for a displacement or velocity"
     )]
     NotPolynomial(String),
     /// A power series without end where the amplitude is not small.
     #[error(
-        "a function such as sin is a power series of the displacement, which is cut off where the amplitude is small: here it has a small factor only; write the polynomial that is meant, such as x - x^3/6"
+        "a function such as sin is expanded in the displacement if the amplitude is small, but here only its factor is small: write a polynomial in its place, such as x - x^3/6"
     )]
     EndlessSeries,
     /// A force at rest.

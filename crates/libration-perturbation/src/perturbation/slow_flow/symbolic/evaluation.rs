@@ -8,7 +8,7 @@ use libration_numbers::algebra::Rational;
 use libration_numbers::roots::polynomial_sign_changes;
 use std::f64::consts::{PI, TAU};
 
-/// The largest ratio of the terms of higher orders to those of the lowest within reach of the series, and of the distance of one state at two
+/// The largest ratio within reach of the series: of the terms of higher orders to those of the lowest, and of the distance of one state at two
 /// orders to its amplitude. A geometric series whose terms after the first are at most half of it has a ratio of at most 1/3.
 pub(super) const REACH: f64 = 0.5;
 
@@ -19,7 +19,7 @@ pub(super) struct Sums {
     pub(super) drive: Option<DriveFrequency>,
     pub(super) resonance: (i64, i64),
     pub(super) omega0: Sum,
-    /// ω0², where ω0 has a name of its own.
+    /// ω0², if ω0 has a name.
     pub(super) square: Option<Sum>,
     /// σ·`unit` is W − (p/q)·ω0.
     pub(super) unit: Sum,
@@ -40,7 +40,7 @@ pub struct SteadySolution {
     pub trace: f64,
     /// The determinant of the Jacobian; 0 without drive.
     pub determinant: f64,
-    /// Small deviations decay.
+    /// `true` if small deviations decay.
     pub is_stable: bool,
 }
 
@@ -120,8 +120,8 @@ impl SlowFlowAt<'_> {
         [rates[0], rates[1] / amplitude]
     }
 
-    /// The steady states with A above zero, rising; `None` where the relation or the phase is not known. Zeros of the relation at which its
-    /// terms of higher orders are more than half of those of the lowest are left out: the truncation may have made them.
+    /// The steady states with A above zero, rising; `None` where the relation or the phase is not known. Zeros of the relation at which its terms
+    /// of higher orders are more than half of those of the lowest are left out, since the truncation may have caused them.
     #[must_use]
     pub fn steady_states(&self) -> Option<Vec<SteadySolution>> {
         let mut states = self.zeros(0)?;
@@ -151,7 +151,7 @@ impl SlowFlowAt<'_> {
         Some(amplitudes.into_iter().map(|amplitude| self.steady_state(amplitude, dropped)).collect())
     }
 
-    /// Returns `true` if the terms of higher orders are small against those of the lowest, among which are the first of drive and damping.
+    /// Returns `true` if the terms of higher orders are small compared with those of the lowest, among which are the first of drive and damping.
     pub(super) fn is_reached(&self, state: &SteadySolution) -> bool {
         let steady = &self.sums.steady;
         let Some(relation) = &steady.relation else { return true };

@@ -240,7 +240,7 @@ impl Reader<'_> {
         self.small_series(series.into_iter(), argument)
     }
 
-    /// Σ cₙ·uⁿ of a sum whose terms are small, by their orders or as they are displacements or velocities.
+    /// Σ cₙ·uⁿ of a sum whose terms are small, by their orders or as displacements or velocities.
     fn small_series(&self, series: impl Iterator<Item = Rational>, argument: &Sum) -> Option<Sum> {
         let letters = self.letters;
         let order = letters.place(Column::Order);
@@ -263,7 +263,7 @@ impl Reader<'_> {
         Some(sum)
     }
 
-    /// The columns of what is not constant.
+    /// The columns of variables.
     fn moving(&self) -> Vec<usize> {
         let own =
             [Column::Drive, Column::Wave, Column::Imaginary, Column::PositionSign, Column::VelocitySign];

@@ -1,4 +1,4 @@
-//! The letters of a slow flow as columns of one ring of Laurent polynomials, with those that the computation needs.
+//! The symbols of a slow flow as columns of one ring of Laurent polynomials, with auxiliary ones.
 
 use libration_numbers::algebra::{LaurentPolynomial, LaurentPolynomials, Rational, Ring};
 
@@ -10,7 +10,7 @@ const MOST_PRODUCTS: usize = 4_000_000;
 
 /// The columns: the symbols of the equation first, then those of the result, then those of the computation.
 ///
-/// Products know that i² = −1 and that the square of a sign is 1, and leave out what is of a higher order than requested.
+/// Products use i² = −1 and the square 1 of a sign, and leave out terms of a higher order than requested.
 #[derive(Debug)]
 pub(super) struct Letters {
     pub(super) ring: LaurentPolynomials,
@@ -23,7 +23,7 @@ pub(super) struct Letters {
 /// Columns after the symbols of the equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Column {
-    /// ω0, where it is not a product of symbols.
+    /// ω0, if it is not a product of symbols.
     Natural,
     Pi,
     /// σ.
@@ -57,7 +57,7 @@ pub(super) enum Column {
 
 const COLUMNS: usize = 16;
 
-/// Columns that each further coordinate has of its own, behind those above.
+/// Columns that each further coordinate has, after those above.
 const OF_COORDINATE: [Column; 7] = [
     Column::Detuning,
     Column::Amplitude,
@@ -89,7 +89,7 @@ impl Letters {
         self.given + column as usize
     }
 
-    /// The place of a column of a coordinate; that of waves is for e^{iφ} in the further coordinates.
+    /// The index of a column of a coordinate; that of waves is for e^{iφ} in the further coordinates.
     pub(super) fn place_of(&self, column: Column, coordinate: usize) -> usize {
         let own = OF_COORDINATE.iter().position(|it| *it == column);
         match (coordinate.checked_sub(1), own) {
@@ -98,7 +98,7 @@ impl Letters {
         }
     }
 
-    /// The places of a column in all coordinates.
+    /// The indices of a column in all coordinates.
     pub(super) fn places(&self, column: Column) -> Vec<usize> {
         (0..self.coordinates).map(|coordinate| self.place_of(column, coordinate)).collect()
     }
@@ -120,7 +120,7 @@ impl Letters {
         self.power_at(self.place(column), exponent)
     }
 
-    /// A symbol of the equation, or another column by its place, to a power.
+    /// A symbol of the equation, or another column by its index, to a power.
     pub(super) fn power_at(&self, place: usize, exponent: i64) -> Sum {
         let mut powers = vec![0; self.width()];
         powers[place] = 2 * exponent;
@@ -241,7 +241,7 @@ impl Letters {
         self.derivative_at(a, self.place(column))
     }
 
-    /// The derivative with respect to a column by its place.
+    /// The derivative with respect to a column by its index.
     pub(super) fn derivative_at(&self, a: &Sum, place: usize) -> Sum {
         self.changed(a, |powers, factor| {
             let exponent = Rational::new(powers[place], 2).unwrap_or_else(|| Rational::from(0));
@@ -255,7 +255,7 @@ impl Letters {
         self.times(&self.derivative(a, column), &self.power(column, 1))
     }
 
-    /// A sum in the place of a column that occurs with natural powers, to an order.
+    /// The sum with another one in place of a column that occurs with natural powers, to an order.
     pub(super) fn substituted(&self, a: &Sum, column: Column, by: &Sum, order: i64) -> Sum {
         let mut exponents = self.exponents(a, column);
         exponents.reverse();
@@ -288,7 +288,7 @@ impl Letters {
         })
     }
 
-    /// A sum whose terms are not known.
+    /// A sum with unknown terms.
     fn beyond_limit(&self) -> Sum {
         self.power(Column::Pi, i64::from(i32::MAX))
     }

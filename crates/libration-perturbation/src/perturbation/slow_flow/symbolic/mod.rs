@@ -54,18 +54,17 @@ pub use steady_state::SteadyState;
 /// Small parameters, resonance and order of a slow flow.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct SymbolicSlowFlowOptions {
-    /// Small parameters with their orders; none stands for `eps`, or for a small amplitude only.
+    /// Small parameters with their orders; if empty, `eps`, or small amplitudes only.
     pub small: Vec<(String, usize)>,
     /// p and q of the resonance W = (p/q)·ω0, drive over natural frequency, that of the first coordinate where there are several.
     pub resonance: Option<(u32, u32)>,
-    /// The natural frequencies of several coordinates as whole numbers, such as 1 and 2, which they are near; none where they follow from the
+    /// The natural frequencies of several coordinates as whole numbers to which they are near, such as 1 and 2; empty if they follow from the
     /// equations.
     pub ratios: Vec<u32>,
     /// The equilibrium of one coordinate, from which the displacement is counted, such as √(a/b); none for 0.
     pub about: Option<Expression>,
-    /// The highest order; where it is not given the largest order that small parameters give a term, and one at which every term without small
-    /// parameter acts on amplitude or phase, and the relation of steady states contains drive and damping, as far as forces with abs and sign
-    /// allow it.
+    /// The highest order. By default the largest order that small parameters give a term, and one at which every term without small parameter acts
+    /// on amplitude or phase, and the relation of steady states contains drive and damping, as far as forces with abs and sign allow it.
     pub order: Option<usize>,
 }
 
@@ -124,8 +123,8 @@ pub fn slow_flow_symbolically(
     Ok(flow)
 }
 
-/// The slow flow of the lowest higher order that has further terms, for estimates of errors: where forces have a parity, orders have none. `None`
-/// where such an order is not known.
+/// The slow flow of the lowest higher order with further terms, for error estimates: for forces with a parity some orders have none. `None` if such
+/// an order is not known.
 pub fn next_slow_flow(
     equation: &Equation,
     options: &SymbolicSlowFlowOptions,
@@ -144,7 +143,7 @@ pub fn next_slow_flow(
 }
 
 impl Setting {
-    /// The order where none is given: that of the small parameters, and one at which terms without them act.
+    /// The default order: that of the small parameters, and one at which terms without them act.
     fn default_order(&self, equation: &Equation, watch: &Watch<'_>) -> Result<i64, SymbolicSlowFlowError> {
         let stated = self.highest_order();
         let first = stated.unwrap_or(0).max(2);

@@ -1,4 +1,4 @@
-//! The reasons why formulas of steady states are not given.
+//! The reasons for missing formulas of steady states.
 
 use super::criteria::ResponseCurve;
 use super::error::MAX_SYMBOLIC_SLOW_ORDER;
@@ -91,7 +91,7 @@ fn missing(obstacle: Obstacle, state: &SteadyState, steady: &Steady) -> Vec<&'st
     names.into_iter().filter(|(_, is_missing)| *is_missing).map(|(name, _)| name).collect()
 }
 
-/// The reason why a curve has no largest amplitude, or none that is given.
+/// The reason why the largest amplitude of a curve is infinite or not given.
 pub(super) fn peak_note(curve: &ResponseCurve<'_>, backbone: Option<&Sum>, steady: &Steady) -> String {
     let amplitude = curve.letters.place(Column::Amplitude);
     let is_level =

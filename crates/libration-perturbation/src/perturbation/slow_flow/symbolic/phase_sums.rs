@@ -11,7 +11,7 @@ pub(super) struct PhaseSum {
 }
 
 impl PhaseSum {
-    /// The real and the imaginary part of a sum of powers of e^{iφ}, which stand in the column of waves.
+    /// The real and the imaginary part of a sum of powers of e^{iφ} in the column of waves.
     pub(super) fn parts(letters: &Letters, sum: &Sum) -> [Self; 2] {
         let mut parts = [BTreeMap::new(), BTreeMap::new()];
         for k in letters.exponents(sum, Column::Wave) {
@@ -99,7 +99,7 @@ pub(super) fn real_and_imaginary(letters: &Letters, sum: &Sum) -> [Sum; 2] {
     [0, 1].map(|power| letters.coefficient(sum, Column::Imaginary, power))
 }
 
-/// Appends a coefficient and what it multiplies.
+/// Appends a coefficient and its factor.
 pub(super) fn append(text: &mut String, coefficient: &str, function: Option<String>) {
     if coefficient == "0" {
         return;

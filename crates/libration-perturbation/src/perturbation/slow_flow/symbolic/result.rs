@@ -29,7 +29,7 @@ pub struct SymbolicSlowFlow {
     pub drive_frequency: Option<String>,
     /// The name or the value of W in the equation.
     pub drive: Option<String>,
-    /// Names in the formulas with their meanings: amplitude, phase, detuning, and ω0 where it has a name of its own.
+    /// Names in the formulas with their meanings: amplitude, phase, detuning, and ω0 if it has a name.
     pub letters: Vec<(&'static str, String)>,
     /// dA/dt.
     pub amplitude_rate: String,
@@ -47,7 +47,7 @@ pub struct SymbolicSlowFlow {
 }
 
 impl SymbolicSlowFlow {
-    /// The slow flow with numbers for all symbols, and for W where it is not a number in the equation.
+    /// The slow flow with numbers for all symbols, and for W unless it is a number in the equation.
     ///
     /// # Errors
     /// The names that have no value.
@@ -119,7 +119,7 @@ fn rates(letters: &Letters, rate: &Sum) -> [PhaseSum; 2] {
     PhaseSum::parts(letters, &letters.scaled(&polar(letters, &turned), &Rational::from(2)))
 }
 
-/// A/2 in the place of each z and z̄.
+/// The sum with A/2 in place of each z and z̄.
 pub(super) fn polar(letters: &Letters, sum: &Sum) -> Sum {
     let [phasors, conjugates, amplitudes] =
         [Column::Phasor, Column::Conjugate, Column::Amplitude].map(|column| letters.places(column));
@@ -339,7 +339,7 @@ fn fraction(above: i64, below: i64) -> Rational {
     Rational::new(above, below).unwrap_or_else(|| Rational::from(0))
 }
 
-/// A multiple of a frequency times t; empty for none.
+/// A multiple of a frequency times t; an empty text for zero.
 fn angle(factor: &Rational, frequency: &str) -> String {
     let is_product = frequency.contains(['/', '+', ' ']);
     let frequency = if is_product { format!("({frequency})") } else { frequency.to_owned() };

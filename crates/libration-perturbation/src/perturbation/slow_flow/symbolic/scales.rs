@@ -6,8 +6,7 @@ use super::letters::{Column, Letters, Sum};
 use libration_numbers::algebra::Rational;
 use libration_numbers::internals::progress::Watch;
 
-/// xⱼ″ + ωⱼ²·xⱼ = Σ of the terms, all of them small, with the forced motion that a drive causes that is not small; ω0 is the frequency of the first
-/// coordinate.
+/// xⱼ″ + ωⱼ²·xⱼ = Σ of small terms, with the motion forced by a drive that is not small; ω0 is the frequency of the first coordinate.
 pub(super) struct Forced<'a> {
     pub(super) letters: &'a Letters,
     pub(super) omega0: Sum,
@@ -23,7 +22,7 @@ pub(super) struct Forced<'a> {
     pub(super) terms: Vec<Vec<Term>>,
 }
 
-/// A coefficient times Π xⱼᵃ·xⱼ′ᵇ, and the signs of the first coordinate and its velocity where they are factors.
+/// A coefficient times Π xⱼᵃ·xⱼ′ᵇ, with the signs of the first coordinate and its velocity as possible factors.
 #[derive(Clone, Debug)]
 pub(super) struct Term {
     pub(super) coefficient: Sum,
@@ -90,7 +89,7 @@ impl Forced<'_> {
         self.harmonics.iter().enumerate().map(of_coordinate).collect()
     }
 
-    /// The motion that a sum of waves forces in a coordinate; `None` where it contains the waves of the free motion.
+    /// The motion that a sum of waves forces in a coordinate; `None` if it contains the waves of the free motion.
     fn response(&self, waves: &Sum, harmonic: i64) -> Option<Sum> {
         let letters = self.letters;
         let (place, q) = (letters.place(Column::Wave), self.harmonics[0]);
@@ -185,7 +184,7 @@ impl Forced<'_> {
         sum
     }
 
-    /// Adds what one order's residual of a coordinate's equation determines.
+    /// Adds the solution for the residual of one order in the equation of a coordinate.
     fn extend(&self, solved: &mut Solved, coordinate: usize, residual: &Sum) -> Result<(), Error> {
         let letters = self.letters;
         let (place, harmonic) = (letters.place(Column::Wave), self.harmonics[coordinate]);
@@ -230,7 +229,7 @@ impl Forced<'_> {
         })
     }
 
-    /// Refuses orders at which harmonics of a force with kinks would act back, of which there are infinitely many.
+    /// Refuses orders at which harmonics of a force with kinks, of which there are infinitely many, would act back.
     fn check_kinks(&self, order: i64) -> Result<(), Error> {
         match self.highest_order() {
             Some(highest) if order > highest => Err(Error::KinkOrder(usize::try_from(highest).unwrap_or(1))),

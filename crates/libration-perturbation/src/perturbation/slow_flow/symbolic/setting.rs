@@ -1,4 +1,4 @@
-//! The names, orders and columns of an equation: what is small, and which resonance is asked about.
+//! The names, orders and columns of an equation: small parameters, and the requested resonance.
 
 use super::SymbolicSlowFlowOptions;
 use super::error::{LARGEST_RESONANCE, SymbolicSlowFlowError as Error};
@@ -25,13 +25,13 @@ pub(super) struct CoordinateNames {
     pub(super) detuning: String,
 }
 
-/// The equation as it is read.
+/// The equation as read.
 pub(super) struct Setting {
     pub(super) names: Names,
     pub(super) letters: Letters,
     pub(super) drive: Option<DriveFrequency>,
     pub(super) resonance: (i64, i64),
-    /// Natural frequencies as whole numbers; none where they follow from the equations.
+    /// Natural frequencies as whole numbers; empty if they follow from the equations.
     pub(super) ratios: Vec<i64>,
     /// Parameters with columns and orders.
     pub(super) symbols: Vec<(String, usize, i64)>,
@@ -54,7 +54,7 @@ impl Setting {
         }
     }
 
-    /// `is_natural` for a drive whose symbol is also one of the natural frequencies: in coefficients it then is a symbol as any other.
+    /// Adds the drive; `is_natural` if its symbol is also one of the natural frequencies: in coefficients it is then an ordinary symbol.
     fn with_drive(
         equation: &Equation,
         options: &SymbolicSlowFlowOptions,
@@ -96,7 +96,7 @@ impl Setting {
     }
 }
 
-/// Natural frequencies as whole numbers without a common factor, one for each coordinate; none where they are not given.
+/// Natural frequencies as whole numbers without a common factor, one for each coordinate; empty if they are not given.
 fn ratios(given: &[u32], coordinates: usize) -> Result<Vec<i64>, Error> {
     let ratios: Vec<i64> = match (given, coordinates) {
         ([], 1) => vec![1],

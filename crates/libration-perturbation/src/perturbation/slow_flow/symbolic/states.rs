@@ -13,16 +13,16 @@ pub struct SteadyStates {
     pub left_out: Vec<StateLeftOut>,
 }
 
-/// A steady state with what other orders say about it.
+/// A steady state compared with other orders.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct JudgedState {
     /// The state.
     pub state: SteadySolution,
-    /// Estimated errors of A and φ by the same state at the next order; `None` where that has no such state, or is not known.
+    /// Estimated errors of A and φ from the same state at the next order; `None` if there is no such state, or the order is not known.
     pub errors: Option<[f64; 2]>,
-    /// `true` if small deviations decay; `None` where two orders disagree, where only one has the state although others are known, and where the
-    /// trace is zero.
+    /// `true` if small deviations decay; `None` if two orders disagree, if only one has the state although others are known, and if the trace is
+    /// zero.
     pub is_stable: Option<bool>,
 }
 
@@ -90,7 +90,7 @@ impl SlowFlowAt<'_> {
         beyond.chain(lost).collect()
     }
 
-    /// The same state of another order: each of the two is the nearest to the other, and their distance is small against the amplitude.
+    /// The same state at another order: each of the two is the nearest to the other, and their distance is small compared with the amplitude.
     fn matching(
         &self,
         state: &SteadySolution,
@@ -106,7 +106,7 @@ impl SlowFlowAt<'_> {
         (is_mutual && self.distance(state, &other) <= REACH * state.amplitude).then_some(other)
     }
 
-    /// The distances of A and φ; that of φ is at least that of A over A, as it may vanish by accident at one order.
+    /// The distances of A and φ; that of φ is at least that of A divided by A, as it may vanish by accident at one order.
     fn errors(&self, state: &SteadySolution, later: &SteadySolution) -> [f64; 2] {
         let amplitude = (later.amplitude - state.amplitude).abs();
         [amplitude, self.turned(state, later).abs().max(amplitude / state.amplitude)]

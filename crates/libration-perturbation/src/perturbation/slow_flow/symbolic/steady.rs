@@ -1,4 +1,4 @@
-//! Steady states: the elimination of the phase, and what follows from it.
+//! Steady states: the elimination of the phase, and its results.
 //!
 //! The lowest order of the two equations in which cos mφ and sin mφ occur is solved for them, and the higher orders are put in. The sum of
 //! their squares is one: that is the relation between amplitude and detuning.
@@ -27,7 +27,7 @@ pub(super) struct Steady {
     pub(super) relation: Option<Sum>,
     /// cos mφ and sin mφ, with m.
     pub(super) phase: Option<(i64, [Sum; 2])>,
-    /// The common divisor of both, where it is a sum.
+    /// The common divisor of both, if it is a sum.
     pub(super) denominator: Option<Sum>,
     /// Trace and determinant of the Jacobian of A′ and φ′; without phase that of A′ only.
     pub(super) trace: Option<Sum>,
@@ -217,7 +217,7 @@ impl SteadyEquations<'_> {
         letters.subtract(&letters.times(a, d), &letters.times(b, c))
     }
 
-    /// cos mφ and sin mφ of steady states; `None` where the lowest order does not determine them.
+    /// cos mφ and sin mφ of steady states; `None` if the lowest order does not determine them.
     fn phase(&self, rates: &[Sum; 2], matrix: &Coupling, coupling: i64) -> Option<[Sum; 2]> {
         let letters = self.letters;
         let [[a, b], [c, d]] = matrix;

@@ -10,7 +10,7 @@ pub struct SteadyState {
     pub relation: Option<String>,
     /// cos mφ and sin mφ at steady states, with m.
     pub phase: Option<(usize, [String; 2])>,
-    /// Without drive, A on the only limit cycle.
+    /// A on the only limit cycle, without drive.
     pub cycle_amplitude: Option<String>,
     /// The frequency of this limit cycle.
     pub cycle_frequency: Option<String>,
@@ -22,7 +22,7 @@ pub struct SteadyState {
     pub peak_detuning: Option<String>,
     /// Zero where the response curve turns back.
     pub folds: Option<String>,
-    /// The amplitude of the drive from which on there are folds, to lowest order.
+    /// The amplitude of the drive above which there are folds, to lowest order.
     pub critical_drive: Option<String>,
     /// The formula of this amplitude in the symbols of the drive, such as F or F1 + F2.
     pub drive_amplitude: Option<String>,

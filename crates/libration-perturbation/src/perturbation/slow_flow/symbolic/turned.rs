@@ -1,4 +1,4 @@
-//! The Jacobian where a turn of the phase only turns the coupling: the equations themselves stand for cos mφ and sin mφ.
+//! The Jacobian if a shift of the phase only rotates the coupling: the equations themselves replace cos mφ and sin mφ.
 
 use super::letters::{Column, Letters, Sum};
 use libration_numbers::algebra::Rational;

@@ -47,7 +47,7 @@ fn the_fifth_order_of_the_pendulum_is_the_published_general_solution() {
     }
 }
 
-/// Black and Vel say 11 unknowns and choose three; of their nine equations one is 0 = 0.
+/// Black and Vel count 11 unknowns and choose three; of their nine equations one is 0 = 0.
 #[test]
 fn nine_conditions_leave_three_of_eleven_unknowns_free() {
     let fifth = pendulum(5);

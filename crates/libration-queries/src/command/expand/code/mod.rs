@@ -17,7 +17,7 @@ use libration::perturbation::{ExpansionVariable, PhaseOrigin, Precision};
 use names::Names;
 use std::io::{self, Write};
 
-/// Writes the functions, beneath a comment that says of what they are and how far they go.
+/// Writes the functions below a comment that names the oscillator, the order and the range of validity.
 pub(super) fn write<C: Coefficient>(
     out: &mut dyn Write,
     answer: &Answer<C>,
@@ -33,17 +33,17 @@ pub(super) fn write<C: Coefficient>(
     out.write_all(program.to_string().as_bytes())
 }
 
-/// The series by powers of one variable that functions are made of.
-struct Series<'a, C> {
-    /// The argument they are by powers of.
+/// The series, in powers of one variable, from which functions are made.
+struct CodeSeries<'a, C> {
+    /// The argument in whose powers they are.
     argument: &'static str,
     frequency: &'a [C],
-    /// The number of a harmonic, whether it is a sine, and its coefficients.
+    /// The index of a harmonic, `true` for a sine, and its coefficients.
     harmonics: Vec<(usize, bool, &'a [C])>,
 }
 
-impl<'a, C: Coefficient> Series<'a, C> {
-    /// The series by powers of the largest displacement, of a limit cycle by those of its parameter.
+impl<'a, C: Coefficient> CodeSeries<'a, C> {
+    /// The series in powers of the largest displacement or, for a limit cycle, of its parameter.
     fn new(answer: &'a Answer<C>) -> Self {
         let expansion = &answer.expansion;
         let present = |series: &[C]| series.iter().any(|coefficient| !coefficient.is_zero());
@@ -95,7 +95,7 @@ fn comment<C: Coefficient>(answer: &Answer<C>, validity: &str) -> Vec<String> {
 }
 
 fn functions<C: Coefficient>(answer: &Answer<C>, language: Language) -> Vec<Function> {
-    let series = Series::new(answer);
+    let series = CodeSeries::new(answer);
     let letters = answer.letters.as_ref().map_or(vec![], |letters| {
         let constants = letters.constants.iter().map(|(name, _)| name.clone());
         letters.names.iter().cloned().chain(constants).collect()
@@ -110,7 +110,7 @@ struct Writer<'a, C> {
     answer: &'a Answer<C>,
     language: Language,
     names: &'a Names,
-    series: &'a Series<'a, C>,
+    series: &'a CodeSeries<'a, C>,
 }
 
 impl<C: Coefficient> Writer<'_, C> {
@@ -187,7 +187,7 @@ impl<C: Coefficient> Writer<'_, C> {
         }
     }
 
-    /// The unit of limit cycles whose amplitude is irrational.
+    /// The unit of amplitudes of limit cycles, if it is irrational.
     fn unit(&self) -> String {
         let unit = &self.answer.expansion.unit_squared;
         match unit.written(Precision::Exact).as_str() {
@@ -242,7 +242,7 @@ impl<C: Coefficient> Writer<'_, C> {
         if text.is_empty() { self.language.number(0.0) } else { text }
     }
 
-    /// A positive number, left out where it is 1, and powers of letters.
+    /// The product of a positive number, omitted if it is 1, and powers of symbols.
     fn product(&self, number: f64, powers: &[(String, Rational)]) -> String {
         let number =
             (powers.is_empty() || number > 1.0 || number < 1.0).then(|| self.language.number(number));

@@ -6,7 +6,7 @@ use crate::output::language::{FreeNames, Language};
 pub(super) struct Names {
     /// Each letter with its name in the program.
     pub(super) letters: Vec<(String, String)>,
-    /// The name that stands for ω0 in coefficients, with its name in the program.
+    /// The name of ω0 in coefficients, and its name in the program.
     pub(super) root: Option<(String, String)>,
     arguments: Vec<(&'static str, String)>,
     pub(super) sum: String,

@@ -193,7 +193,7 @@ pub(in crate::command::expand) fn answers() -> Answers {
 }
 
 impl Term<'_> {
-    /// The remainder, where it is known with this certainty.
+    /// The remainder, if it is known with this certainty.
     fn remainder(&self, certainty: Certainty) -> Option<f64> {
         Some(self.step.remainder).filter(|it| it.certainty == certainty).map(|it| it.size)
     }
@@ -212,15 +212,15 @@ impl Term<'_> {
     }
 }
 
-/// A number to read, where it is one.
+/// A number as printed, or `beyond range`.
 fn in_range(value: f64, digits: usize) -> String {
     if value.is_finite() { rounded(value, digits) } else { "beyond range".to_owned() }
 }
 
-/// Longer coefficients are written as decimals.
+/// Length above which coefficients are written as decimals.
 const LONGEST_FRACTION: usize = 21;
 
-/// A fraction while it is short, else the beginning of its decimals.
+/// A fraction if it is short, otherwise its leading decimals.
 fn shortened(value: &Rational, precision: Precision) -> String {
     let exact = coefficient(value, precision);
     if exact.chars().count() <= LONGEST_FRACTION { exact } else { format!("{}…", value.to_decimal(10)) }

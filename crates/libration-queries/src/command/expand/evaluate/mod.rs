@@ -25,7 +25,7 @@ const TOLERANCES: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
 /// Padé approximants up to this degree above and below.
 const HIGHEST_DEGREE: usize = 16;
 
-/// A relation at one amplitude, with all that is said about it. `None` is what Ctrl-C came before.
+/// The values of a relation at one amplitude. Values that were not computed before a cancellation are `None`.
 struct Numbers<'a> {
     answer: &'a Answer,
     relation: &'a SeriesComparison<'a>,
@@ -38,7 +38,7 @@ struct Numbers<'a> {
     pade: Option<Vec<Quotient>>,
 }
 
-/// Said of what Ctrl-C came before.
+/// Text for values that were not computed before a cancellation.
 const NOT_REACHED: &str = "not computed: interrupted";
 
 /// A Padé approximant [n/n] at the amplitude.
@@ -49,8 +49,7 @@ struct Quotient {
     pole_before: Option<f64>,
 }
 
-/// Writes the series of a quantity at an amplitude, or at a strength of self-excitation, and tells what the result lacks when Ctrl-C was
-/// pressed.
+/// Writes the series of a quantity at an amplitude, or at a strength of self-excitation, and states what is missing after a cancellation.
 pub(super) fn write(
     out: &mut dyn Write,
     form: Form,
@@ -104,12 +103,12 @@ impl<'a> Numbers<'a> {
         Ok(Self { answer, relation, amplitude, evaluation, exact, distance, radius, pade })
     }
 
-    /// The exact value, where there is one and it was reached.
+    /// The exact value, if there is one and it was computed.
     fn known(&self) -> Option<&ExactValue> {
         self.exact.as_ref()?.as_ref().ok()
     }
 
-    /// The difference between a value and the exact one; `None` when there is none.
+    /// The difference between a value and the exact one; `None` if there is no exact value.
     fn error(&self, value: f64) -> Option<f64> {
         self.known().map(|exact| value - exact.value)
     }
@@ -123,12 +122,12 @@ impl<'a> Numbers<'a> {
         ))
     }
 
-    /// The distance of a limit cycle from the orbit next to it, where there is one.
+    /// The distance of a limit cycle from the nearest orbit, if there is one.
     fn orbit_distance(&self) -> Option<&CycleDistance> {
         self.distance.as_ref()?.as_ref().ok()
     }
 
-    /// The warning that no periodic orbit is near a limit cycle as the series gives it.
+    /// The warning that no periodic orbit is near the limit cycle of the series.
     fn without_orbit(&self) -> Option<String> {
         let reason = match self.distance.as_ref()? {
             Ok(found) if found.is_near() => return None,
@@ -142,7 +141,7 @@ impl<'a> Numbers<'a> {
         Some(format!("no periodic orbit is near the limit cycle that the series gives here: {reason}"))
     }
 
-    /// The parts that were cancelled by Ctrl-C; `None` when nothing is missing.
+    /// The parts missing after a cancellation; `None` if the result is complete.
     fn missing(&self) -> Option<String> {
         let parts = [
             ("the exact value", self.exact.is_none()),

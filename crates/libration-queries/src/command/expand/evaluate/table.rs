@@ -61,7 +61,7 @@ fn subject(numbers: &Numbers<'_>) -> String {
     )
 }
 
-/// An amplitude, in radians and degrees when it is an angle.
+/// An amplitude in radians, with degrees if it is an angle.
 fn in_units(numbers: &Numbers<'_>, amplitude: f64, digits: usize) -> String {
     if numbers.answer.is_angle && !numbers.answer.expansion.variable.is_strength() {
         let degrees = amplitude.to_degrees();

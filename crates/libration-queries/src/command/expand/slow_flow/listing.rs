@@ -34,7 +34,7 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     leading_cycles::write(out, answer)
 }
 
-/// The limit cycles, whose coefficients are digits.
+/// The limit cycles, with decimal coefficients.
 fn write_cycles(out: &mut dyn Write, flow: &SlowFlow) -> io::Result<()> {
     for cycle in flow.limit_cycles() {
         let side = if cycle.exponent.get(1).is_some_and(|rate| *rate < 0.0) { ">" } else { "<" };
@@ -86,7 +86,7 @@ fn motion_title(answer: &Answer) -> String {
     if flow.half_swing { format!("for 0 ≤ ψ ≤ π {whole}, and the opposite at ψ + π") } else { whole }
 }
 
-/// The functions of the phase in the motion, each with what stands before it.
+/// The functions of the phase in the motion, each with its factor.
 fn of_motion(flow: &SlowFlow, style: Style) -> Vec<(String, &SlowSeries)> {
     let present = |series: &SlowSeries| series.iter().flatten().any(|value| !value.is_zero());
     let each = |term: &'_ PhaseTerm, name: &str| function_name(term, name, style);

@@ -1,4 +1,4 @@
-//! The slow flow of a weakly damped or excited oscillator: how amplitude and phase go.
+//! The slow flow of a weakly damped or excited oscillator: equations for amplitude and phase.
 
 mod fields;
 mod leading_cycles;
@@ -16,7 +16,7 @@ use libration::comparison::{LeadingLimitCycles, LeadingLimitCyclesError};
 use libration::perturbation::{Gauge, SlowFlow, SlowFlowError, slow_flow};
 use std::io::Write;
 
-/// The power of the damping to which a slow flow is given.
+/// Default order of a slow flow in the damping.
 pub(super) const DAMPING_ORDER: usize = 2;
 
 /// A slow flow with the words for it.

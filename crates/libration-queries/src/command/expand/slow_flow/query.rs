@@ -32,7 +32,7 @@ impl Expand {
         Ok(out.write_all(&answer)?)
     }
 
-    /// The equation whose slow flow is requested, by an option or by a key that only damped systems have.
+    /// The equation whose slow flow is requested, by an option or by a key in the catalogue of damped systems only.
     pub(in crate::command::expand) fn slow_flow(&self) -> Result<Option<Asked>, QueryError> {
         match self.oscillator.asked_of_system(self.small.as_deref()) {
             Some(asked) => asked.map(Some),

@@ -1,7 +1,7 @@
 //! Fields of a slow flow with symbolic parameters.
 
 use super::super::subject::of_subject;
-use super::{Answer, Values, why_left_out};
+use super::{Answer, FlowValues, why_left_out};
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::formulas::{self, NamedFormula};
@@ -145,9 +145,9 @@ fn of_steady() -> Fields<SteadyState> {
     ])
 }
 
-fn of_values() -> Fields<Values> {
+fn of_values() -> Fields<FlowValues> {
     Fields::from([
-        Of::<Values>::nullable(
+        Of::<FlowValues>::nullable(
             "drive_angular_frequency_rad_per_s",
             "rad/s",
             "drive frequency; null without drive",

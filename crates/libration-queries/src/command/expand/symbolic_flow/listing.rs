@@ -1,6 +1,6 @@
 //! A slow flow with symbolic parameters to read.
 
-use super::{Answer, Values, why_left_out};
+use super::{Answer, FlowValues, why_left_out};
 use crate::call::in_words;
 use crate::output::number::{short, to_its_error};
 use crate::output::series::wrapped;
@@ -89,7 +89,7 @@ fn write_steady(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
 /// Maximum number of digits.
 const DIGITS: usize = 10;
 
-fn write_values(out: &mut dyn Write, answer: &Answer, values: &Values) -> io::Result<()> {
+fn write_values(out: &mut dyn Write, answer: &Answer, values: &FlowValues) -> io::Result<()> {
     let Some(states) = &values.states else { return Ok(()) };
     let at = match values.drive_frequency {
         Some(drive) => {

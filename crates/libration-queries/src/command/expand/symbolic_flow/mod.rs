@@ -17,14 +17,14 @@ pub(super) struct Answer {
     flow: SymbolicSlowFlow,
     /// Small parameters with their orders.
     small: Vec<(String, usize)>,
-    values: Option<Values>,
+    values: Option<FlowValues>,
 }
 
 /// The slow flow with numbers for all symbols.
-pub(super) struct Values {
+pub(super) struct FlowValues {
     drive_frequency: Option<f64>,
     detuning: f64,
-    /// `None` where the relation is not known.
+    /// `None` if the relation is not known.
     states: Option<SteadyStates>,
 }
 
@@ -61,7 +61,7 @@ fn failure(error: &SymbolicSlowFlowError) -> QueryError {
     }
 }
 
-/// The reason why a steady state is left out.
+/// The reason why a steady state is omitted.
 fn why_left_out(left: &StateLeftOut) -> String {
     match left.reason {
         LeftOutReason::OfLowestOrder { absent_at } => {

@@ -1,6 +1,6 @@
 //! The slow flow with symbolic parameters as the result of `libration expand`.
 
-use super::{Answer, Values, failure, listing};
+use super::{Answer, FlowValues, failure, listing};
 use crate::arguments::{OscillatorOptions, drive_resonance, small_orders};
 use crate::command::expand::subject::Subject;
 use crate::command::expand::{BOOKKEEPING, Expand};
@@ -15,8 +15,8 @@ use libration::perturbation::{
 use std::io::Write;
 
 impl Expand {
-    /// Returns `true` if options or symbols ask for a slow flow with several symbols: a resonance, small parameters with orders, or one that is
-    /// not the only symbol.
+    /// Returns `true` if options or symbols request a slow flow with several symbols: a resonance, small parameters with orders, or a small
+    /// parameter next to other symbols.
     pub(in crate::command::expand) fn is_symbolic_flow(&self) -> bool {
         if self.resonance.is_some() {
             return true;
@@ -29,7 +29,7 @@ impl Expand {
         self.damping_order.is_none() && open().is_some_and(|open| open.len() > 1 && open.contains(small))
     }
 
-    /// Writes the slow flow with symbols of an equation that has no other expansion.
+    /// Writes the slow flow with symbols if the equation has no other expansion.
     pub(in crate::command::expand) fn symbolic_flow_or(
         &self,
         out: &mut dyn Write,
@@ -101,7 +101,7 @@ impl Expand {
         Ok(Answer { subject, flow, small: held.shown(&equation), values })
     }
 
-    /// The equation with values for all but the small parameters and the drive frequency, whose values are kept for the result.
+    /// The equation with values for all parameters except the small ones and the drive frequency, whose values are kept for the result.
     fn held_back(&self) -> Result<(HeldBack, crate::arguments::Asked), QueryError> {
         let small = self.small.as_deref().map(small_orders).transpose()?.unwrap_or_default();
         let (text, set, about) = self.oscillator.parts();
@@ -127,7 +127,7 @@ impl Expand {
         flow: &SymbolicSlowFlow,
         held: &HeldBack,
         next: impl Fn() -> Option<SymbolicSlowFlow>,
-    ) -> Result<Option<Values>, QueryError> {
+    ) -> Result<Option<FlowValues>, QueryError> {
         let drive =
             self.evaluate.as_deref().map(|text| number(text).ok_or_else(|| not_a_number("evaluate", text)));
         let drive = drive.transpose()?;
@@ -140,7 +140,7 @@ impl Expand {
             Ok(at) => {
                 let next = next();
                 let next = next.as_ref().and_then(|flow| flow.at(&of_name, drive).ok());
-                Ok(Some(Values {
+                Ok(Some(FlowValues {
                     drive_frequency: at.drive_frequency(),
                     detuning: at.detuning(),
                     states: at.judged_states(next.as_ref()),

@@ -18,7 +18,7 @@ pub(in super::super) fn cycles<'a>(answer: &'a Answer<'a>) -> Vec<Numbered<'a>> 
     cycles.map(|((trace, cycle), number)| Numbered { answer, number, trace, cycle }).collect()
 }
 
-/// The columns where there is one trace; where there are several, [`TRACE`] is the last.
+/// The columns for one trace; for several, [`TRACE`] is the last.
 pub(in super::super) const COLUMNS: [&str; 7] =
     ["cycle", "start / s", "period / s", "± / s", "amplitude / °", "± / °", TRACE];
 pub(in super::super) const TRACE: &str = "trace";
@@ -45,7 +45,7 @@ pub(in super::super) fn of_cycle<'a>() -> Fields<Numbered<'a>> {
             it.cycle.amplitude.uncertainty
         }),
         Of::value("outlier", "", "true if the period is far from the law", |it| it.cycle.outlier.into()),
-        Of::present_value("trace", "1", "number of the trace, from 0, where there are several", |it| {
+        Of::present_value("trace", "1", "number of the trace, from 0, if there are several", |it| {
             (it.answer.measured.traces.len() > 1).then(|| it.trace.into())
         })
         .words(COLUMNS[6], |it| it.answer.measured.traces[it.trace].name().to_owned()),

@@ -36,7 +36,7 @@ pub(super) fn record(answer: &Answer<'_>) -> Record {
     of_doubts().added_to(record, answer)
 }
 
-/// The fields before those of the pendulum.
+/// The fields that precede those of the pendulum.
 fn of_fit<'a>() -> Fields<Answer<'a>> {
     type Of<'a> = Field<Answer<'a>>;
     Fields::from([

@@ -1,4 +1,4 @@
-//! A kind of damping that was tried, and what all models that are left say together.
+//! Damping models that were tried, and the combined result of those that are not ruled out.
 
 use super::super::answer::Answer;
 use super::super::units::in_unit;
@@ -32,7 +32,7 @@ impl DampingModel<'_> {
         &self.comparison.fits[self.place]
     }
 
-    /// Akaike's criterion above that of the best.
+    /// Akaike's criterion minus that of the best model.
     pub(in super::super) fn excess(&self) -> f64 {
         self.comparison.aicc_differences[self.place]
     }

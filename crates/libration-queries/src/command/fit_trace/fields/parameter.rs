@@ -7,7 +7,7 @@ use crate::output::json;
 use crate::output::number::{short, with_uncertainty};
 use libration_lab::fit::trace::Parameter;
 
-/// A parameter, with the name of the trace that it belongs to where there are several.
+/// A parameter, with the name of its trace if there are several.
 pub(in super::super) struct Row<'a> {
     pub(super) parameter: &'a Parameter,
     pub(super) trace: Option<&'a str>,

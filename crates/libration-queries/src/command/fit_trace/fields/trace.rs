@@ -18,7 +18,7 @@ pub(in super::super) fn traces<'a>(answer: &'a Answer<'a>) -> Vec<TraceOf<'a>> {
     (0..answer.measured.traces.len()).map(|place| TraceOf { answer, place }).collect()
 }
 
-/// A row of a trace: time, what was seen, what should have been seen, the difference.
+/// A row of a trace: time, observed value, fitted value, difference.
 pub(in super::super) struct Row<'a> {
     trace: &'a str,
     numbers: [f64; 4],

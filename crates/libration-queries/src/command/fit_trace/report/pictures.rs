@@ -21,7 +21,7 @@ fn swing<'a>(answer: &'a Answer<'_>, trace: usize) -> Fitted<'a> {
     }
 }
 
-/// The picture of `--figure`: the data of all traces with the motion, and the residuals.
+/// The picture of `--figure`: the data of all traces with the fitted motions, and the residuals.
 pub(in super::super) fn of_all(answer: &Answer<'_>) -> Picture {
     let count = answer.measured.traces.len();
     let pictures: Vec<Picture> = (0..count).map(|trace| of_one_of(answer, trace)).collect();
@@ -34,7 +34,7 @@ pub(in super::super) fn of_all(answer: &Answer<'_>) -> Picture {
     Picture { aspect, ..picture.with_parameters([t0, damping]) }
 }
 
-/// The data and what is left of one trace, which its axis of time names where there are several.
+/// The data and the residuals of one trace, which is named by its time axis if there are several.
 fn of_one_of(answer: &Answer<'_>, trace: usize) -> Picture {
     let mut picture = draw::whole(&swing(answer, trace), "");
     if answer.measured.traces.len() > 1

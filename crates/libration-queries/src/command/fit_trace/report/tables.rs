@@ -16,7 +16,7 @@ pub(super) fn models(answer: &Answer<'_>) -> Vec<Block> {
     })]
 }
 
-/// The traces one by one, where there are several.
+/// The traces one by one, if there are several.
 pub(super) fn traces(answer: &Answer<'_>) -> Vec<Block> {
     if answer.measured.traces.len() == 1 {
         return vec![];

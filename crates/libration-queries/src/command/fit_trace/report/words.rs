@@ -43,7 +43,7 @@ pub(super) fn meaning(answer: &Answer<'_>) -> Vec<Block> {
     vec![Block::words(meaning), Block::words(formula(answer))]
 }
 
-/// The formula by which gravity or the length follow.
+/// The formula for gravity or the length.
 fn formula(answer: &Answer<'_>) -> &'static str {
     match answer.swings.pendulum {
         FittedPendulum::Gravity { .. } => {
@@ -56,7 +56,7 @@ fn formula(answer: &Answer<'_>) -> &'static str {
     }
 }
 
-/// The files with what was detected in them.
+/// The files with the settings inferred from them.
 pub(super) fn read(answer: &Answer<'_>) -> Vec<Block> {
     let file = |file: &super::super::input::File| {
         let items = file.findings.iter().map(|text| sentence(text)).collect();

@@ -13,7 +13,7 @@ use serde_json::Value;
 pub(super) struct Line<'a> {
     trace: &'a str,
     observable: Observable,
-    /// Number of the window from 1 with its time; none for the mean.
+    /// Number of the window, from 1, with its time; `None` for the mean.
     window: Option<(usize, f64)>,
     /// Frequency of the first harmonic, in Hz.
     fundamental: f64,
@@ -220,9 +220,12 @@ pub(super) fn of_line<'a>() -> Fields<Line<'a>> {
             it.harmonic.quadrature_deviation()
         })
         .numeral("quad./σ", |it| deviation(it.harmonic.quadrature_deviation())),
-        Of::value("degrees_of_freedom", "1", "of the noise about it, for Student's t", |it| {
-            it.harmonic.degrees_of_freedom.into()
-        }),
+        Of::value(
+            "degrees_of_freedom",
+            "1",
+            "degrees of freedom of the noise about it, for Student's t",
+            |it| it.harmonic.degrees_of_freedom.into(),
+        ),
     ])
 }
 

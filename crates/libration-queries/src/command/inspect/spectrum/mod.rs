@@ -47,7 +47,7 @@ struct Answer {
     file: String,
     findings: Vec<String>,
     found: Vec<MeasuredSpectrum>,
-    /// Reasons why other traces have none.
+    /// Reasons why other traces have no spectrum.
     left_out: Vec<String>,
 }
 

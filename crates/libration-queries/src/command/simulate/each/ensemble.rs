@@ -8,7 +8,7 @@ use libration::systems::Model;
 use libration::taylor::{Ensemble, Moment};
 
 impl Simulate {
-    /// The system with its values and the motions of the table, none of which has begun.
+    /// The system with its values and the motions of the table at their start.
     pub(crate) fn ensemble(&self) -> Result<(Model, Ensemble), QueryError> {
         let usage = |about: Parameter, reason: &str| QueryError::usage(about, reason);
         let path = self

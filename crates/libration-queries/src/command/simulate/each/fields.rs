@@ -8,7 +8,7 @@ use crate::output::description::{Answers, Row, descriptions};
 use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
 
-/// A motion and the table it is in.
+/// A motion with its table.
 pub(super) struct Numbered<'a> {
     pub(super) answer: &'a Answer<'a>,
     pub(super) listed: &'a Listed<'a>,

@@ -1,4 +1,4 @@
-//! The motions of a table on all cores, as many side by side as there are lanes.
+//! Integration of the motions of a table on all cores, as many together as there are lanes.
 
 use super::super::ending::Ending;
 use super::super::motion::SimulatedMotion;
@@ -17,7 +17,7 @@ use std::thread::available_parallelism;
 pub(super) struct Followed<'a> {
     pub(super) solution: Solution,
     pub(super) ending: Ending,
-    /// The drift of the energy and its uncertainty, or why there is none.
+    /// The drift of the energy and its uncertainty, or the reason why it is unknown.
     pub(super) drift: Result<[f64; 2], String>,
     pub(super) trace: Option<Trace<'a>>,
 }
@@ -34,7 +34,7 @@ const PIECE: usize = 32;
 
 /// All motions except those that have not begun at a cancellation.
 pub(super) fn all<'a>(motions: &[Listed<'a>], drawn: bool) -> Vec<Option<Followed<'a>>> {
-    let progress = Progress { thousandths: AtomicU64::new(0), last: motions[0].motion.times.last() };
+    let progress = MotionsProgress { thousandths: AtomicU64::new(0), last: motions[0].motion.times.last() };
     let how_far = || progress.shown(motions.len());
     let work = |piece: &Piece<'_, 'a>| piece.follow(drawn, &progress);
     let pieces = pieces(motions);
@@ -68,8 +68,8 @@ fn pieces<'m, 'a>(motions: &'m [Listed<'a>]) -> Vec<Piece<'m, 'a>> {
 }
 
 impl<'a> Piece<'_, 'a> {
-    /// `None` for what has not begun when it is to end.
-    fn follow(&self, drawn: bool, progress: &Progress) -> Vec<Option<Followed<'a>>> {
+    /// Integrates the motions; `None` for those that had not begun when the run was cancelled.
+    fn follow(&self, drawn: bool, progress: &MotionsProgress) -> Vec<Option<Followed<'a>>> {
         let followed = match self.motions[0].1.motion.goes_both_ways() {
             true => self.motions.iter().map(|(_, listed)| both_ways(listed, progress)).collect(),
             false => self.side_by_side(drawn, progress),
@@ -81,7 +81,7 @@ impl<'a> Piece<'_, 'a> {
     }
 
     /// All after the start, or all before it.
-    fn side_by_side(&self, drawn: bool, progress: &Progress) -> Vec<Followed<'a>> {
+    fn side_by_side(&self, drawn: bool, progress: &MotionsProgress) -> Vec<Followed<'a>> {
         let first = &self.motions[0].1.motion;
         let times: Vec<f64> = first.times.iter().collect();
         let starts = self.motions.iter().map(|(_, listed)| listed.motion.beginning());
@@ -116,7 +116,7 @@ impl<'m, 'a> Account<'m, 'a> {
         Self { motion, balance, trace, told: 0 }
     }
 
-    fn follow(&mut self, step: &Step<'_>, progress: &Progress) -> ControlFlow<()> {
+    fn follow(&mut self, step: &Step<'_>, progress: &MotionsProgress) -> ControlFlow<()> {
         if let Some(balance) = &mut self.balance {
             let end = Moment { time: step.end(), state: step.state_at(step.end()) };
             balance.record(&self.motion.own(&end));
@@ -132,7 +132,7 @@ impl<'m, 'a> Account<'m, 'a> {
         mut self,
         listed: &Listed<'a>,
         outcome: Result<Solution, IntegrationError>,
-        progress: &Progress,
+        progress: &MotionsProgress,
     ) -> Followed<'a> {
         progress.tell(&mut self.told, progress.last);
         let drift = self.balance.as_ref().map_or([f64::NAN; 2], |it| [it.drift(), it.drift_uncertainty()]);
@@ -151,7 +151,7 @@ impl<'m, 'a> Account<'m, 'a> {
 }
 
 /// Follows a motion on both sides of the start.
-fn both_ways<'a>(listed: &Listed<'a>, progress: &Progress) -> Followed<'a> {
+fn both_ways<'a>(listed: &Listed<'a>, progress: &MotionsProgress) -> Followed<'a> {
     let Setting { system, energy, .. } = listed.setting;
     let (outcome, drift) =
         listed.motion.integrate_both_ways(system, energy.as_ref().ok(), |_| interrupt::check());
@@ -175,14 +175,14 @@ fn concluded(listed: &Listed<'_>, outcome: Result<Solution, IntegrationError>) -
 }
 
 /// The progress of all motions.
-struct Progress {
+struct MotionsProgress {
     /// Progress of the motions, in thousandths of the time to the last sample, added up.
     thousandths: AtomicU64,
     last: f64,
 }
 
-impl Progress {
-    /// Adds what is new of a motion that has come to a time.
+impl MotionsProgress {
+    /// Adds the progress of a motion up to a time.
     fn tell(&self, told: &mut u64, time: f64) {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to 1000")]
         let now = (1000.0 * (time / self.last).clamp(0.0, 1.0)) as u64;

@@ -16,7 +16,7 @@ pub(super) struct Listed<'a> {
     pub(super) motion: SimulatedMotion<'a>,
 }
 
-/// All of them; `places` has the setting of each row.
+/// All motions; `places` has the index of the setting of each row.
 pub(super) fn listed<'a>(
     question: &'a Simulate,
     path: &Path,
@@ -63,7 +63,7 @@ impl Listed<'_> {
         }
     }
 
-    /// The name, or else what distinguishes it from the others.
+    /// The name, or else the values that distinguish it from the others.
     pub(super) fn label(&self, table: &MotionTable) -> String {
         let cells = |meaning| table.cells_of(self.row, meaning);
         let said = cells(Meaning::Parameter).chain(cells(Meaning::Initial));

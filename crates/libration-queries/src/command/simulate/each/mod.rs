@@ -1,4 +1,4 @@
-//! Many motions of a system in one run, from a table of starts and parameters.
+//! Many motions of a system in one run, from a table of initial values and parameters.
 
 mod ensemble;
 mod fields;
@@ -27,10 +27,10 @@ use std::path::Path;
 
 pub(super) use fields::answers;
 
-/// The samples of all motions are kept until the last one is known: as many numbers as half a gigabyte holds.
+/// The samples of all motions are kept until the last one is known: at most this many numbers, half a gigabyte.
 const MOST_NUMBERS: usize = 1 << 26;
 
-/// The motions of a table, with what is asked of all.
+/// The motions of a table, with the query common to all.
 pub(super) struct Answer<'a> {
     path: &'a Path,
     table: &'a MotionTable,
@@ -74,7 +74,7 @@ impl Simulate {
         answer.into_result(motions.len())
     }
 
-    /// Writes the result where it is wanted.
+    /// Writes the result to its destination.
     fn write_each(
         &self,
         answer: &Answer<'_>,
@@ -102,7 +102,7 @@ impl Simulate {
         Ok(out.flush()?)
     }
 
-    /// Refuses what only one motion has.
+    /// Refuses options for a single motion.
     fn refuse_for_each(&self) -> Result<(), QueryError> {
         let refused = |about: Parameter, reason: &str| Err(QueryError::usage(about, reason));
         match () {
@@ -165,7 +165,7 @@ impl Answer<'_> {
         }
     }
 
-    /// The error after the result is written: the motions, of `all`, that did not come to their ends.
+    /// The error after the result is written: the number of motions, out of `all`, that did not reach their ends.
     fn into_result(self, all: usize) -> Result<(), QueryError> {
         /// More are not listed.
         const MOST: usize = 3;

@@ -1,4 +1,4 @@
-//! The values of the parameters that motions of a table have, each set of them once.
+//! The sets of parameter values of the motions in a table, each set once.
 
 use super::super::Simulate;
 use super::super::events::Watched;
@@ -11,7 +11,7 @@ use libration::taylor::{Sensitivities, System};
 use std::collections::HashMap;
 use std::path::Path;
 
-/// A system with values for all parameters, and what is looked at in its motions.
+/// A system with values for all parameters, and the quantities observed in its motions.
 pub(super) struct Setting {
     pub(super) model: Model,
     /// The system with its derivatives and events.
@@ -19,7 +19,7 @@ pub(super) struct Setting {
     pub(super) sensitivities: Option<Sensitivities>,
     pub(super) watched: Watched,
     pub(super) observables: Option<Observables>,
-    /// Conserved energy, or the reason why there is none.
+    /// Conserved energy, or the reason why it is unknown.
     pub(super) energy: Result<Energy, String>,
 }
 

@@ -1,4 +1,4 @@
-//! Part of a result that is certain for any later times, and the data needed to continue from there.
+//! Part of a result that does not depend on later times, and the data for its continuation.
 
 use crate::output::field::{Field, Fields};
 use crate::output::json;
@@ -15,7 +15,7 @@ pub(crate) struct Mark {
     /// Length of a CSV file in bytes.
     pub(crate) bytes: u64,
     pub(crate) checksum: u64,
-    /// The account of the energy, where there is one.
+    /// The account of the energy, if there is one.
     pub(crate) energy: Option<EnergyAccount>,
     /// State of the error estimate, where errors are estimated.
     pub(crate) errors: Option<Vec<f64>>,

@@ -1,4 +1,4 @@
-//! An earlier result that is to be gone on from.
+//! An earlier result to be continued.
 //!
 //! Of what was written only that counts which the end of a step covers that does not depend on the last of the times; what is behind it,
 //! whole or cut short, is computed again, so that the result is that of one run to its last byte.
@@ -22,7 +22,7 @@ use std::path::{Path, PathBuf};
 
 pub(super) use checksum::Checksum;
 pub(super) use mark::Mark;
-pub(super) use question::{Difference, Question};
+pub(super) use question::{Difference, RunParameters};
 use state::check_schema;
 pub(super) use state::{Keeper, State};
 
@@ -35,17 +35,17 @@ const LARGEST: usize = 1 << 30;
 /// The content of an earlier result.
 #[derive(Debug)]
 pub(super) struct Earlier {
-    question: Question,
-    /// Part that is kept of it; `None` when it did not come through its first step.
+    question: RunParameters,
+    /// The part of it that is kept; `None` if the earlier run did not complete its first step.
     known: Option<(Mark, Rows)>,
-    /// The unfinished file of a run that was ended by force, if that is what is gone on from.
+    /// The unfinished file of a killed run, if the result is continued from that.
     _leftover: Option<Leftover>,
 }
 
 /// The reason why a result cannot be continued.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub(super) enum ResumeError {
-    #[error("{} is missing, which records the system and where the integration stands: give a file that <libration simulate> with <--output> wrote, with its .state file next to it", .0.display())]
+    #[error("{} is missing, which records the system and the state of the integration: give a file that <libration simulate> with <--output> wrote, with its .state file next to it", .0.display())]
     NoState(PathBuf),
     #[error("{} is not a record of an integration: give a file that <libration simulate> with <--output> wrote", .0.display())]
     NotAState(PathBuf),
@@ -82,9 +82,8 @@ pub(super) enum ResumeError {
 }
 
 impl Earlier {
-    /// Finds what there is of a result to this question: the file, or what a run that was ended by force has left beside its place,
-    /// whichever goes farther.
-    pub(super) fn find(path: &Path, question: &Question, times: &Times) -> Result<Self, QueryError> {
+    /// Finds an earlier result of this query: the file, or the one left by a killed run next to it, whichever extends farther.
+    pub(super) fn find(path: &Path, question: &RunParameters, times: &Times) -> Result<Self, QueryError> {
         let target = match destination::resolved(path) {
             Ok(Destination::File(target)) => target,
             _ => path.to_owned(),
@@ -109,7 +108,7 @@ impl Earlier {
         })
     }
 
-    fn read(path: &Path, question: &Question, times: &Times) -> Result<Self, Unusable> {
+    fn read(path: &Path, question: &RunParameters, times: &Times) -> Result<Self, Unusable> {
         let mut first = [0; 1];
         let read = File::open(path).and_then(|mut file| file.read(&mut first));
         match read {
@@ -123,7 +122,7 @@ impl Earlier {
         }
     }
 
-    fn of_csv(path: &Path, question: &Question, times: &Times) -> Result<Self, ResumeError> {
+    fn of_csv(path: &Path, question: &RunParameters, times: &Times) -> Result<Self, ResumeError> {
         let state = State::read(&leftover::state_of(path))?;
         question.check(&state.question)?;
         let known = state.mark.map(|mark| (mark.clone(), Rows::of_csv(path, &mark, question)));
@@ -136,7 +135,7 @@ impl Earlier {
         Ok(Self { question: state.question, known, _leftover: None })
     }
 
-    fn of_json(path: &Path, question: &Question, times: &Times) -> Result<Self, Unusable> {
+    fn of_json(path: &Path, question: &RunParameters, times: &Times) -> Result<Self, Unusable> {
         let bytes = arguments::read_at_most(path, LARGEST).map_err(Unusable::Failed)?;
         let document: Value =
             serde_json::from_slice(&bytes).map_err(|error| ResumeError::NotJson(error.to_string()))?;
@@ -154,7 +153,7 @@ impl Earlier {
         Ok(Self { question: state.question, known, _leftover: None })
     }
 
-    /// The start, if none is requested or it is the same.
+    /// The initial state, unless a different one is requested.
     pub(super) fn initial(&self, asked: Option<Initial>) -> Result<Initial, QueryError> {
         match asked {
             Some(asked) if asked.state != self.question.initial => {
@@ -166,12 +165,12 @@ impl Earlier {
         }
     }
 
-    /// The mark from which it is continued.
+    /// The mark at which the continuation begins.
     pub(super) fn mark(&self) -> Option<&Mark> {
         self.known.as_ref().map(|(mark, _)| mark)
     }
 
-    /// Shows one row after the other, as far as they are kept.
+    /// Passes on the kept rows one after the other.
     pub(super) fn each(
         &self,
         take: impl FnMut(&Happening) -> Result<(), QueryError>,
@@ -197,7 +196,7 @@ fn check_times(rows: &Rows, mark: &Mark, times: &Times) -> Result<Checksum, Resu
     })
 }
 
-/// The reason why a file is not continued.
+/// The reason why a file cannot be continued.
 #[derive(Debug)]
 enum Unusable {
     /// The file cannot be read.

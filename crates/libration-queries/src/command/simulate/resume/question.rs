@@ -1,4 +1,4 @@
-//! Parameters of a run, by which an earlier result is known to be about the same motion.
+//! Parameters of a run, which show whether an earlier result has the same motion.
 
 use crate::output::field::{Field, Fields};
 use crate::output::json;
@@ -6,7 +6,7 @@ use serde_json::Value;
 
 /// The parameters that decide the numbers of a motion, except the times.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Question {
+pub(crate) struct RunParameters {
     /// The key of the system; `None` for equations as typed.
     pub(crate) system: Option<String>,
     /// Equations with the values of all parameters.
@@ -16,13 +16,13 @@ pub(crate) struct Question {
     /// The state at t = 0.
     pub(crate) initial: Vec<f64>,
     pub(crate) tolerance: f64,
-    /// Tolerances that coordinates have of their own.
+    /// Separate tolerances of coordinates.
     pub(crate) own_tolerances: Vec<(String, f64)>,
     /// Events.
     pub(crate) events: Vec<String>,
     /// `true` if errors of the states are estimated.
     pub(crate) errors: bool,
-    /// Formulas that stand in addition to the state.
+    /// Formulas whose values are listed in addition to the state.
     pub(crate) columns: Vec<String>,
 }
 
@@ -55,8 +55,8 @@ fn listed(names: &[String]) -> String {
     if names.is_empty() { "none".to_owned() } else { names.join(", ") }
 }
 
-impl Question {
-    /// Checks that an earlier result is the beginning of that of this run, the initial state apart.
+impl RunParameters {
+    /// Checks that an earlier result is the beginning of the result of this run, apart from the initial state.
     pub(crate) fn check(&self, earlier: &Self) -> Result<(), Difference> {
         if earlier.equations != self.equations || earlier.state != self.state {
             let (earlier, asked) = (earlier.equations.clone(), self.equations.clone());
@@ -84,7 +84,7 @@ impl Question {
     }
 
     pub(super) fn fields() -> Fields<Self> {
-        type Of = Field<Question>;
+        type Of = Field<RunParameters>;
         Fields::from([
             Of::value("system", "", "compared by --resume: key of the system, or null", |it| {
                 it.system.clone().into()

@@ -1,6 +1,6 @@
 //! The samples and events of an earlier result, one after the other.
 
-use super::{Checksum, Mark, Question, ResumeError};
+use super::{Checksum, Mark, ResumeError, RunParameters};
 use crate::command::simulate::events::Happening;
 use crate::output::csv;
 use libration::taylor::MomentErrors;
@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 pub(crate) enum Rows {
     /// Rows in memory, in the order of time.
     List(Vec<Happening>),
-    /// Rows in the first lines of a CSV file, the first of which has the names.
+    /// Rows in the first lines of a CSV file, the first of which contains the names.
     Csv { path: PathBuf, bytes: u64, contents: Contents },
 }
 
@@ -31,13 +31,13 @@ pub(crate) struct Contents {
 #[derive(Clone, Copy, Debug)]
 struct Cells {
     contents: Contents,
-    /// Number of columns of formulas after the state; they are computed again.
+    /// Number of columns of formulas after the state; their values are computed again.
     columns: usize,
 }
 
 impl Rows {
     /// The rows of a CSV file that a mark counts.
-    pub(super) fn of_csv(path: &Path, mark: &Mark, question: &Question) -> Self {
+    pub(super) fn of_csv(path: &Path, mark: &Mark, question: &RunParameters) -> Self {
         let contents = Contents {
             numbers: mark.checkpoint.state.len(),
             with_errors: question.errors,
@@ -59,7 +59,7 @@ impl Rows {
         Some(Self::List(rows))
     }
 
-    /// Shows one row after the other.
+    /// Passes on one row after the other.
     pub(super) fn each<E: From<ResumeError>>(
         &self,
         mut take: impl FnMut(&Happening) -> Result<(), E>,
@@ -113,7 +113,7 @@ fn of_record(value: &Value) -> Option<Happening> {
 }
 
 impl Cells {
-    /// The cells below these names; `None` where the errors do not follow the columns as they should.
+    /// The cells below these names; `None` if the columns of errors do not match the others.
     fn below(names: &[u8], contents: Contents) -> Option<Self> {
         let Contents { numbers, with_errors, with_events } = contents;
         let names = csv::cells(std::str::from_utf8(names).ok()?.strip_suffix('\n')?);

@@ -1,6 +1,6 @@
 //! Data that a result must contain to be continued: in a JSON result a field, next to a CSV file a file `NAME.csv.state`.
 
-use super::{Mark, Question, ResumeError};
+use super::{Mark, ResumeError, RunParameters};
 use crate::output::field::{Field, Fields};
 use crate::output::{file, json};
 use crate::query_error::QueryError;
@@ -10,19 +10,19 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// The question and how far the result is certain; nowhere before the first step that only its own length ends.
+/// The query, and the time up to which the result is final; `None` before the first step whose length does not depend on the end.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct State {
-    pub(crate) question: Question,
+    pub(crate) question: RunParameters,
     pub(crate) mark: Option<Mark>,
 }
 
 impl State {
     pub(crate) fn fields() -> Fields<Self> {
         type Of = Field<State>;
-        let (question, mark) = (Question::fields(), Mark::fields());
+        let (question, mark) = (RunParameters::fields(), Mark::fields());
         Fields::from([
-            Of::nested("question.", &question, |it| Question::fields().record(&it.question).into()),
+            Of::nested("question.", &question, |it| RunParameters::fields().record(&it.question).into()),
             Of::nested("known.", &mark, |it| it.mark.as_ref().map(|mark| Mark::fields().record(mark)).into()),
         ])
     }
@@ -32,7 +32,7 @@ impl State {
             Value::Null => None,
             known => Some(Mark::from_json(known)?),
         };
-        Some(Self { question: Question::from_json(&value["question"])?, mark })
+        Some(Self { question: RunParameters::from_json(&value["question"])?, mark })
     }
 
     /// Reads the record next to a file of samples.
@@ -64,7 +64,7 @@ pub(super) fn check_schema(document: &Value) -> Result<(), ResumeError> {
     }
 }
 
-/// Writes again and again how far an unfinished file is known, for the case that the run is ended by force.
+/// Records regularly up to where an unfinished file is final, in case the run is killed.
 #[derive(Debug)]
 pub(crate) struct Keeper {
     path: PathBuf,
@@ -72,7 +72,7 @@ pub(crate) struct Keeper {
 }
 
 impl Keeper {
-    /// Longest work that may be lost.
+    /// Longest work that may be lost when the run is killed.
     const PAUSE: Duration = Duration::from_secs(1);
 
     /// Creates the keeper of the state file next to an unfinished file.

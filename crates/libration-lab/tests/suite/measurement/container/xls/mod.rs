@@ -1,4 +1,4 @@
-//! Excel workbooks of before 2007, part by part.
+//! Excel workbooks before 2007, part by part.
 
 mod records;
 mod strings;

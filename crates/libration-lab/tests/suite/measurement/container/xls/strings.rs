@@ -1,4 +1,4 @@
-//! Words in a workbook: one or two bytes to the letter, and a table of shared ones that runs over several records.
+//! Strings in a workbook: one or two bytes for each letter, and a table of shared ones that extends over several records.
 
 use libration_lab::internals::measurement::container::xls::records::Record;
 use libration_lab::internals::measurement::container::xls::strings::{long, short, table};
