@@ -17,6 +17,7 @@
 //! is allocated for them.
 
 mod ambiguity;
+mod blocks;
 mod cell_units;
 mod choices;
 pub(crate) mod container;
@@ -30,6 +31,8 @@ mod glued;
 mod header;
 pub(crate) mod heading;
 mod layout;
+mod line_ends;
+mod markup;
 pub(crate) mod number;
 mod numbered_time;
 mod options;
@@ -43,13 +46,14 @@ mod table;
 mod text;
 mod trace;
 pub(crate) mod traces;
+mod transposed;
 mod two_levels;
 mod words;
 mod written_unit;
 
 pub use choices::{Choice, Choices, Column, Finding, Suggestion, TimeStamps};
 pub use container::Format;
-pub use counted_periods::{CountedPeriods, is_number_of_swings};
+pub use counted_periods::{CountedPeriods, is_number_of_swings, says_number_of_swings};
 pub use dialect::{Delimiter, Dialect};
 pub use error::MeasurementError;
 pub use faults::{Clock, Faults, Gap, Grid, Plateau, unwrapped};
