@@ -184,7 +184,7 @@ fn minutes_and_seconds_are_times() {
         });
         check(name, format!("L (cm),time for 50 swings\n{rows}"));
     }
-    // A time of day is none of these, and the column that is no number is named.
+    // A time of day is not read as a duration, and the column of text is named.
     let clock = rows(|length| format!("{:.0},10:{:.0}", 100.0 * length, 100.0 * length));
     let said = refused("clock", format!("L (cm),time (s)\n{clock}"));
     assert!(said.contains("column 2 (`time (s)`) has `10:24` in line 2"), "{said}");

@@ -3,17 +3,19 @@
 use super::MeasurementError;
 use super::choices::{Choice, Suggestion};
 use super::dialect::Row;
-use super::heading::Heading;
+use super::layout::Layout;
 use super::number::{Cell, DecimalMark};
 use super::options::Header;
-use super::sheet::{Channel, Sheet};
 use libration::quantity::{excerpt, printable};
 
 /// Tables below one another, separated by rows of text.
 pub(super) struct Blocks {
-    are_numbers: Vec<bool>,
     mark: DecimalMark,
     header: Header,
+    are_numbers: Vec<bool>,
+    header_line: Option<u64>,
+    /// The names of the columns without blanks.
+    names: String,
     /// Rows of text after the last row of numbers.
     open: Vec<Row>,
     /// First row of each further table, and its title.
@@ -30,42 +32,58 @@ pub(super) enum Next {
     End,
 }
 
+/// What was found below the header.
+pub(super) struct Below {
+    /// Lines that were left out, and tables below one another, as sentences without a full stop.
+    pub(super) remarks: Vec<String>,
+    /// The title of the table of each row, where there are several tables.
+    pub(super) groups: Vec<String>,
+}
+
 impl Blocks {
-    pub(super) fn new(are_numbers: Vec<bool>, mark: DecimalMark, header: Header) -> Self {
-        Self { are_numbers, mark, header, open: vec![], begun: vec![], left_out: vec![], other: None }
+    pub(super) fn new(layout: &Layout, mark: DecimalMark, header: Header) -> Self {
+        Self {
+            mark,
+            header,
+            are_numbers: layout.are_numbers.clone(),
+            header_line: layout.header_line,
+            names: layout.headings.iter().map(|heading| joined(&heading.text)).collect(),
+            open: vec![],
+            begun: vec![],
+            left_out: vec![],
+            other: None,
+        }
     }
 
-    /// Takes the next row of the text. Rows of text wait for the rows below them.
-    pub(super) fn next(&mut self, sheet: &Sheet, row: Row) -> Result<Next, MeasurementError> {
+    /// Takes the next row of the text, after this number of rows of the sheet. Rows of text wait for the rows below them.
+    pub(super) fn next(&mut self, rows: usize, row: Row) -> Result<Next, MeasurementError> {
         if self.is_text(&row) {
             self.open.push(row);
             return Ok(Next::Nothing);
         }
         let Some(names) = self.open.pop() else { return Ok(Next::Rows(vec![row])) };
-        let is_header = names.filled() > 1 && names.numbers(self.mark) == 0 && sheet.header_line.is_some();
-        if is_header && is_header_of(sheet, &names) {
+        let is_header = names.filled() > 1 && names.numbers(self.mark) == 0;
+        let Some(header_line) = self.header_line.filter(|_| is_header) else {
+            self.open.push(names);
+            return Ok(Next::Rows(self.open.drain(..).chain([row]).collect()));
+        };
+        // Blanks may have separated the words of a name.
+        if joined(&text_of(&names)) == self.names {
             let title = self.open.pop_if(|row| row.filled() == 1).map(|row| text_of(&row));
-            self.begun.push((sheet.rows(), title));
+            self.begun.push((rows, title));
             self.leave_out();
             return Ok(Next::Rows(vec![row]));
         }
-        if !is_header {
-            self.open.push(names);
-            return Ok(Next::Rows(self.open.drain(..).chain([row]).collect()));
-        }
         if matches!(self.header, Header::Line(_)) {
-            self.left_out.clear();
+            self.open.clear();
             self.other = Some(names);
             return Ok(Next::End);
         }
         let line = |line: u64| Suggestion::new(Choice::Header, line.to_string());
+        let (begins, text) = (names.line, excerpt(&text_of(&names)));
         Err(MeasurementError::Undecided {
-            question: format!(
-                "a second table begins in line {}, with another header (`{}`)",
-                names.line,
-                excerpt(&text_of(&names))
-            ),
-            choices: sheet.header_line.into_iter().chain([names.line]).map(line).collect(),
+            question: format!("a second table begins in line {begins}, with another header (`{text}`)"),
+            choices: [header_line, begins].map(line).to_vec(),
         })
     }
 
@@ -79,54 +97,44 @@ impl Blocks {
         self.left_out.extend(self.open.drain(..).map(|row| (row.line, text_of(&row))));
     }
 
-    /// Adds the groups of the rows and what was left out.
-    pub(super) fn finish(mut self, sheet: &mut Sheet) {
+    /// The groups of this number of rows, of which the first has this title, and what was left out.
+    pub(super) fn finish(mut self, rows: usize, title: Option<&String>) -> Below {
         self.leave_out();
-        if let Some((line, text)) = self.left_out.first() {
-            let more = match self.left_out.len() - 1 {
-                0 => "is",
-                _ => "and further lines of text are",
-            };
-            sheet.remarks.push(format!("line {line} (`{}`) {more} left out", excerpt(text)));
-        }
-        if let Some(names) = &self.other {
+        let text = self.left_out.first().map(|(line, text)| {
+            let more = if self.left_out.len() > 1 { "and further lines of text are" } else { "is" };
+            format!("line {line} (`{}`) {more} left out", excerpt(text))
+        });
+        let other = self.other.as_ref().map(|names| {
             let text = excerpt(&text_of(names));
-            sheet
-                .remarks
-                .push(format!("line {} (`{text}`) begins another table, which is left out", names.line));
-        }
+            format!("line {} (`{text}`) begins another table, which is left out", names.line)
+        });
+        let number = self.begun.len() + 1;
+        let several = (number > 1).then(|| {
+            format!("{number} tables with the same header stand below one another: each is a group")
+        });
+        let remarks = text.into_iter().chain(other).chain(several).collect();
+        Below { remarks, groups: self.groups(rows, title.cloned()) }
+    }
+
+    fn groups(mut self, rows: usize, title: Option<String>) -> Vec<String> {
         if self.begun.is_empty() {
-            return;
+            return vec![];
         }
-        let title = sheet.preamble.last().map(|(_, text)| text.clone());
         self.begun.insert(0, (0, title));
         let has_titles = self.begun.iter().all(|(_, title)| title.is_some());
-        let mut words = vec![];
-        for (place, (first, title)) in self.begun.iter().enumerate() {
-            let last = self.begun.get(place + 1).map_or(sheet.rows(), |(next, _)| *next);
+        let mut groups = vec![];
+        for (place, (_, title)) in self.begun.iter().enumerate() {
+            let end = self.begun.get(place + 1).map_or(rows, |(next, _)| *next);
             let numbered = format!("table {}", place + 1);
             let title = title.as_deref().filter(|_| has_titles).unwrap_or(&numbered);
-            words.extend((*first..last).map(|row| (row, excerpt(title))));
+            groups.resize(end, excerpt(title));
         }
-        sheet.remarks.push(format!(
-            "{} tables with the same header stand below one another: each is a group",
-            self.begun.len()
-        ));
-        sheet.channels.push(Channel {
-            heading: Heading::read("group", None, None),
-            cells: vec![Cell::Text; sheet.rows()],
-            words,
-            uncertainties: vec![None; sheet.rows()],
-            decimals: 0,
-        });
+        groups
     }
 }
 
-/// Returns whether a row has the names of the columns again, whose words blanks may have separated.
-fn is_header_of(sheet: &Sheet, row: &Row) -> bool {
-    let joined = |text: &str| text.split_whitespace().collect::<String>();
-    let names: String = sheet.channels.iter().map(|channel| joined(&channel.heading.text)).collect();
-    joined(&text_of(row)) == names
+fn joined(text: &str) -> String {
+    text.split_whitespace().collect()
 }
 
 fn text_of(row: &Row) -> String {

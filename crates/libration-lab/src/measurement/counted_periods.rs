@@ -318,7 +318,8 @@ const SWING_NUMBER: [&str; 5] =
 pub(super) fn swing_numbers(heading: &str) -> SwingNumbers {
     let words = words(heading);
     let is_number = |word: &str| is(&NUMBER, word);
-    let is_swings = |word: &str| word != "t" && !word.starts_with("schwingungsdauer") && is(&PERIOD, word);
+    let is_swings =
+        |word: &str| word != "t" && !word.contains("dauer") && !word.contains("tijd") && is(&PERIOD, word);
     let is_known = |word: &String| is_number(word) || is_swings(word) || is(&OF, word) || is(&BETWEEN, word);
     let has = |of: &dyn Fn(&str) -> bool| words.iter().any(|word| of(word));
     let is_plural = |word: &str| {

@@ -10,8 +10,10 @@
 //!
 //! # Method
 //! Bytes become pages of text (`container`): a text file is one page, each worksheet and each file of an archive another. A page becomes a sheet:
-//! `dialect` finds the delimiter and the decimal mark, `layout` where the numbers begin and the roles of the lines above them, `heading` the
-//! quantity and unit of a column. A `Recording` decides nothing about physics; `traces` does, and reports each inference. What the file leaves open
+//! `markup` takes the cells out of Markdown, LaTeX and HTML, `dialect` finds the delimiter and the decimal mark, `layout` where the numbers begin and
+//! the roles of the lines above them, `heading` the quantity and unit of a column; `transposed` exchanges rows and columns of a table with quantities
+//! in rows, and `blocks` divides tables below one another. A `Recording` decides nothing about physics; `traces` does, and reports each inference. What
+//! the file leaves open
 //! is an error that lists the information needed, never a default: an angle without a unit is refused, unless it swings by more than a turn of
 //! radians. Commas are refused where they may be decimal or not. Sizes, counts and cell addresses that a file announces are checked before memory
 //! is allocated for them.

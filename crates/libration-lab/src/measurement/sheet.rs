@@ -25,6 +25,17 @@ pub struct Channel {
 }
 
 impl Channel {
+    /// A column with the group of each row.
+    fn of_groups(groups: Vec<String>) -> Self {
+        Self {
+            heading: Heading::read("group", None, None),
+            cells: vec![Cell::Text; groups.len()],
+            uncertainties: vec![None; groups.len()],
+            decimals: 0,
+            words: groups.into_iter().enumerate().collect(),
+        }
+    }
+
     /// The numbers, `None` where the cell is empty or not a number.
     pub fn numbers(&self) -> impl Iterator<Item = Option<f64>> {
         self.cells.iter().map(|cell| match cell {
@@ -112,6 +123,7 @@ impl Sheet {
     ) -> Result<Self, MeasurementError> {
         let dialect = dialect.with_units_of(text);
         let layout = Layout::read(text, dialect, options.header)?;
+        let mut blocks = Blocks::new(&layout, dialect.mark, options.header);
         let channel =
             |heading| Channel { heading, cells: vec![], words: vec![], uncertainties: vec![], decimals: 0 };
         let mut sheet = Self {
@@ -126,9 +138,8 @@ impl Sheet {
             lines: Vec::new(),
         };
         let mut units = CellUnits::of(sheet.channels.len());
-        let mut blocks = Blocks::new(layout.are_numbers, dialect.mark, options.header);
         for row in dialect.rows(text).skip_while(|row| row.line < layout.first_line) {
-            match blocks.next(&sheet, row)? {
+            match blocks.next(sheet.rows(), row)? {
                 Next::Rows(rows) => {
                     for row in rows {
                         sheet.push(&row)?;
@@ -140,7 +151,11 @@ impl Sheet {
             }
         }
         sheet.take_units(&units)?;
-        blocks.finish(&mut sheet);
+        let below = blocks.finish(sheet.rows(), sheet.preamble.last().map(|(_, text)| text));
+        sheet.remarks = below.remarks;
+        if !below.groups.is_empty() {
+            sheet.channels.push(Channel::of_groups(below.groups));
+        }
         Ok(sheet)
     }
 
@@ -168,7 +183,7 @@ impl Sheet {
 
     /// Gives columns without a name that of the column before them, where merged cells named both: all rows have values within a factor of each other.
     pub(super) fn repeat_headings(&mut self) {
-        const ALIKE: f64 = 1.5;
+        const ALIKE: f64 = 1.1;
         for place in 1..self.channels.len() {
             let [before, channel] = [&self.channels[place - 1], &self.channels[place]];
             let pairs: Vec<_> = before

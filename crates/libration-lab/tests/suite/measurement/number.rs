@@ -22,7 +22,7 @@ fn only_finite_decimals_are_numbers() {
     }
 }
 
-/// Groups of three digits, where the decimal mark or a sign that is no decimal mark says what is between them.
+/// Groups of three digits, where the decimal mark, or a sign that is never one, says what is between them.
 #[test]
 fn marks_between_groups_of_digits_are_read() {
     for text in ["1.234,5", "1 234,5", "1\u{a0}234,5", "1\u{202f}234,5", "1'234,5"] {

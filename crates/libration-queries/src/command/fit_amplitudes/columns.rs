@@ -1,6 +1,6 @@
 //! Times, numbers of swings, periods and amplitudes among the columns of a table, by their names.
 
-use libration_lab::measurement::{Column, Table, says_number_of_swings};
+use libration_lab::measurement::{Column, Heading, QuantityKind, Table, says_number_of_swings};
 
 /// The quantity that the amplitudes are measured against.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -12,9 +12,6 @@ pub(super) enum Against {
 /// Names of numbers of swings, in lower case, that may be other numbers elsewhere.
 const NUMBERS: [&str; 12] =
     ["n", "no", "no.", "nr", "k", "i", "number", "count", "swing", "cycle", "oscillation", "schwingung"];
-/// Names of times, in lower case.
-const TIMES: [&str; 9] = ["t", "time", "zeit", "temps", "tiempo", "tempo", "tijd", "tid", "czas"];
-
 /// The quantity that the name of a column says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Named {
@@ -79,7 +76,7 @@ fn named(table: &Table, column: &Column) -> Named {
     let lower = name.to_lowercase();
     match () {
         () if name == "T" || lower == "period" => Named::Period,
-        () if TIMES.contains(&lower.split(' ').next().unwrap_or_default()) => Named::Position(Against::Time),
+        () if Heading::read(header, None, None).is(QuantityKind::Time) => Named::Position(Against::Time),
         () if NUMBERS.contains(&lower.as_str()) || says_number_of_swings(name) => {
             Named::Position(Against::Swings)
         }
