@@ -212,6 +212,14 @@ fn tables_of_documents_are_read_as_tables() {
             ),
         ),
         ("latex-uncertain", format!("$L$ / m & $T$ / s \\\\\n\\midrule\n{latex}")),
+        ("bars", format!("L (cm)|10 T (s)\n{}", cells("", "|", ""))),
+        (
+            "siunitx",
+            format!(
+                "{{$\\ell$ / \\si{{\\centi\\metre}}}} & {{$10\\,T$ / \\si{{\\second}}}} \\\\\n{}",
+                cells("\\num{", "} & \\num{", "} \\\\")
+            ),
+        ),
         ("html", format!("<table>\n<tr><th>L (cm)</th><th>10&nbsp;T (s)</th></tr>\n{html}</table>\n")),
         ("aligned", format!("  L (cm)     10 T (s)\n{}", cells("   ", "        ", ""))),
     ] {
@@ -229,6 +237,9 @@ fn quantities_in_rows_are_columns() {
     let (lengths, times) = (row(&|it| comma(100.0 * it, 0)), row(&|it| comma(10.0 * period(it), 2)));
     let (_, told) = check("rows", format!("Messung;1;2;3;4;5;6\nl in cm;{lengths}\n10 T in s;{times}\n"));
     assert!(told.contains("the quantities stand in rows"), "{told}");
+    let swings = "swing,0,10,20,30,40,50\namplitude (deg),20,13.5,9.1,6.2,4.2,2.8\n";
+    let answer = json(&format!("fit amplitudes {}", file("swings-in-rows", swings)));
+    assert!((answer["quality"].as_f64().unwrap() / 80.0 - 1.0).abs() < 0.02, "{answer}");
     // Rows of readings are no quantities.
     let readings =
         rows(|length| format!("{:.0} cm,{:.3},{:.3}", 100.0 * length, period(length), period(length)));
@@ -294,6 +305,10 @@ fn tables_below_one_another_are_groups() {
     let block = |title: &str| format!("{title}\nL (cm);10 T (s)\n{}\n", ten_swings());
     let (answer, told) = check("blocks", format!("{}{}", block("Gruppe 1"), block("Gruppe 2")));
     assert_eq!((&answer["rows"], &answer["groups"][1]["group"]), (&12.into(), &"Gruppe 2".into()), "{told}");
+    let spaced =
+        |title: &str| format!("{title}\n{}\n", block("").replace(';', "   ").replace(',', ".").trim());
+    let (answer, _) = check("spaced", ["Group A", "Group B", "Group C"].map(spaced).concat());
+    assert_eq!((&answer["rows"], &answer["groups"][2]["group"]), (&18.into(), &"Group C".into()), "{answer}");
     // Another header is another table.
     let other = rows(|length| format!("{};{}", comma(length, 2), comma(period(length), 3)));
     let both = format!("L (cm);10 T (s)\n{}\nL (m);T (s)\n{other}", ten_swings());

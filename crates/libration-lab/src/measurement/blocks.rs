@@ -62,18 +62,19 @@ impl Blocks {
             return Ok(Next::Nothing);
         }
         let Some(names) = self.open.pop() else { return Ok(Next::Rows(vec![row])) };
-        let is_header = names.filled() > 1 && names.numbers(self.mark) == 0;
-        let Some(header_line) = self.header_line.filter(|_| is_header) else {
-            self.open.push(names);
-            return Ok(Next::Rows(self.open.drain(..).chain([row]).collect()));
-        };
         // Blanks may have separated the words of a name.
-        if joined(&text_of(&names)) == self.names {
-            let title = self.open.pop_if(|row| row.filled() == 1).map(|row| text_of(&row));
+        if self.header_line.is_some() && joined(&text_of(&names)) == self.names {
+            let title = self.open.pop().map(|row| text_of(&row));
             self.begun.push((rows, title));
             self.leave_out();
             return Ok(Next::Rows(vec![row]));
         }
+        let cells = names.cells.iter().filter(|cell| !cell.is_empty()).count();
+        let is_header = cells > 1 && names.numbers(self.mark) == 0;
+        let Some(header_line) = self.header_line.filter(|_| is_header) else {
+            self.open.push(names);
+            return Ok(Next::Rows(self.open.drain(..).chain([row]).collect()));
+        };
         if matches!(self.header, Header::Line(_)) {
             self.open.clear();
             self.other = Some(names);

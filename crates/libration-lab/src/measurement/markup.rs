@@ -1,5 +1,6 @@
 //! Tables in the notation of Markdown, LaTeX or HTML, or with lines drawn around their cells → lines of cells with tabs between them.
 
+use super::text::is_blank_or_comment;
 use std::borrow::Cow;
 
 /// The text with tabs between its cells if it is a table in such a notation, else as it is. Lines keep their numbers.
@@ -12,11 +13,20 @@ pub(super) fn plain(text: &str) -> Cow<'_, str> {
     if with(&is_row_of_latex) {
         return of_lines(text, is_row_of_latex, latex_cells).into();
     }
-    let is_framed = with(&|line| line.contains(BARS)) && text.lines().any(is_rule);
+    let is_framed =
+        with(&|line| line.contains(BARS)) && (text.lines().any(is_rule) || has_bars_everywhere(text));
     if is_framed { of_lines(text, |line| line.contains(BARS), framed_cells).into() } else { text.into() }
 }
 
 const BARS: [char; 2] = ['|', '│'];
+
+/// Returns whether all lines have as many bars, and there are three or more.
+fn has_bars_everywhere(text: &str) -> bool {
+    let lines = || text.lines().filter(|line| !is_blank_or_comment(line));
+    let bars = |line: &str| line.matches(BARS).count();
+    let first = lines().next().map_or(0, bars);
+    first > 0 && lines().count() > 2 && lines().all(|line| bars(line) == first)
+}
 
 /// A line between rows, as `|---|--:|` and `+----+----+`.
 fn is_rule(line: &str) -> bool {
@@ -51,7 +61,7 @@ fn is_row_of_latex(line: &str) -> bool {
 }
 
 /// Commands of LaTeX with the letters that they stand for; other commands are left out.
-const LETTERS: [(&str, &str); 11] = [
+const LETTERS: [(&str, &str); 18] = [
     (r"\pm", "±"),
     (r"^{\circ}", "°"),
     (r"^\circ", "°"),
@@ -61,6 +71,13 @@ const LETTERS: [(&str, &str); 11] = [
     (r"\vartheta", "ϑ"),
     (r"\varphi", "φ"),
     (r"\Delta", "Δ"),
+    (r"\ell", "ℓ"),
+    (r"\omega", "ω"),
+    (r"\centi", "c"),
+    (r"\milli", "m"),
+    (r"\metre", "m"),
+    (r"\meter", "m"),
+    (r"\second", "s"),
     (r"\%", "%"),
     ("~", " "),
 ];

@@ -31,7 +31,7 @@ impl Cell {
             return Self::Missing;
         }
         let number = match mark {
-            DecimalMark::Point if cell.contains('−') => plain_number(&cell.replace('−', "-")),
+            DecimalMark::Point if cell.contains(MINUS) => plain_number(&cell.replace(MINUS, "-")),
             DecimalMark::Point => plain_number(cell),
             DecimalMark::Comma => with_comma(cell),
         };
@@ -44,6 +44,8 @@ impl Cell {
     }
 }
 
+/// Signs before a negative number other than a hyphen.
+const MINUS: [char; 2] = ['−', '–'];
 /// Notations for a value that was not measured.
 const MISSING: [&str; 11] = ["", "-", "–", "—", "nan", "na", "n/a", "null", "#n/a", "#nv", "#n/d"];
 
@@ -170,7 +172,7 @@ fn known(unit: &str) -> Option<Unit> {
 
 /// A decimal comma stands between digits, once, and there is no point: all else may be a mark of thousands.
 fn with_comma(cell: &str) -> Option<f64> {
-    let cell = cell.replace('−', "-");
+    let cell = cell.replace(MINUS, "-");
     let Some((whole, fraction)) = cell.split_once(',') else {
         // `1.` numbers a row.
         let whole = cell.strip_suffix('.').unwrap_or(&cell);

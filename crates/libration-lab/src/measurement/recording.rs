@@ -143,17 +143,16 @@ fn several_sheets<'a>(names: impl Iterator<Item = &'a String>) -> MeasurementErr
 
 fn read_page(page: &Page<'_>, options: &ReadOptions) -> Result<Sheet, MeasurementError> {
     if let Some(dialect) = page.dialect {
-        return Sheet::read(&page.name, &ambiguity::of_cells(&page.text, options)?, dialect, options);
+        let text = ambiguity::of_cells(&page.text, options)?;
+        return transposed_sheet(page, &text, dialect, options)
+            .unwrap_or_else(|| Sheet::read(&page.name, &text, dialect, options));
     }
     let text =
         if options.delimiter.is_some() { Cow::Borrowed(&*page.text) } else { markup::plain(&page.text) };
     let text = line_ends::within_cells_removed(&text);
     let dialect = Dialect::sniff(&text, options.delimiter, options.decimal);
-    if options.header == Header::Detect
-        && let Some((text, dialect)) = transposed::exchanged(&text, dialect)
-    {
-        let sheet = Sheet::read(&page.name, &text, dialect, options)?;
-        return Ok(sheet.with_rows_of_columns());
+    if let Some(sheet) = transposed_sheet(page, &text, dialect, options) {
+        return sheet;
     }
     if let Some((text, line)) = glued::divided(&text, dialect).filter(|_| options.header == Header::Detect) {
         let sheet = Sheet::read(&page.name, &text, dialect, options)?;
@@ -172,6 +171,19 @@ fn read_page(page: &Page<'_>, options: &ReadOptions) -> Result<Sheet, Measuremen
     let sheet = sheet?;
     ambiguity::refuse(&text, &sheet, options)?;
     Ok(sheet)
+}
+
+/// The sheet of a text whose quantities stand in rows.
+fn transposed_sheet(
+    page: &Page<'_>,
+    text: &str,
+    dialect: Dialect,
+    options: &ReadOptions,
+) -> Option<Result<Sheet, MeasurementError>> {
+    let found = (options.header == Header::Detect).then(|| transposed::exchanged(text, dialect));
+    let (text, dialect) = found.flatten()?;
+    let sheet = Sheet::read(&page.name, &text, dialect, options);
+    Some(sheet.map(Sheet::with_rows_of_columns))
 }
 
 /// The finding that a line is the header and the first row.

@@ -16,6 +16,7 @@ fn a_decimal_comma_stands_once_between_digits() {
 #[test]
 fn only_finite_decimals_are_numbers() {
     assert_eq!(Cell::parse(" −1.5e3 ", DecimalMark::Point), Cell::Number(-1500.0));
+    assert_eq!(Cell::parse("–1.5e−3", DecimalMark::Point), Cell::Number(-0.0015));
     assert_eq!(Cell::parse("NaN", DecimalMark::Point), Cell::Missing);
     for text in ["inf", "1e999", "0x10", "1_000", "1 2", "٣", "e", "1m", "1,234", "1 23", "0 123", "1'00"] {
         assert_eq!(Cell::parse(text, DecimalMark::Point), Cell::Text, "{text}");
