@@ -296,6 +296,9 @@ fn text_below_a_table_is_left_out_and_named() {
     let (answer, told) = check("remarks", format!("{table}\n* measured twice\nthe string was long\n"));
     assert!(told.contains("line 9 (`* measured twice`) and further lines of text are left out"), "{told}");
     assert_eq!(answer["rows"], 6);
+    // Wrong numbers are not taken for a remark.
+    let said = refused("wrong-numbers", format!("{table}99 cm;19,98 s\n"));
+    assert!(said.contains("line 8, column 1: `99 cm`"), "{said}");
     let (_, told) = check("results", format!("{table};\ng =;9,83\nMittelwert von g;9,79\n"));
     assert!(told.contains("line 9 (`g =`)") && told.contains("line 10 (`Mittelwert von g`)"), "{told}");
 }
