@@ -80,7 +80,7 @@ fn a_table_without_a_header_asks_for_the_quantity_of_its_first_column() {
     let read = json(&format!("fit amplitudes {bare} --against swings --amplitude-unit cm"));
     assert!((read["first_amplitude"].as_f64().unwrap() - 0.12).abs() < 1e-6, "{read}");
     let angles = message(&libration(&format!("fit amplitudes {bare} --against swings")));
-    assert!(angles.contains("check the unit"), "{angles}");
+    assert!(angles.contains("--amplitude-unit") && angles.contains("up to 12, have no unit"), "{angles}");
 }
 
 #[test]

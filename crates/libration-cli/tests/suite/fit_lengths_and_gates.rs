@@ -223,9 +223,9 @@ fn an_option_overrides_the_unit_of_the_header_and_says_so() {
     assert!((answer["gravity_m_per_s2"].as_f64().unwrap() - 9.81).abs() < 1e-9, "{answer}");
     let told = answer["told_from_file"].to_string();
     assert!(told.contains("--length-unit") && told.contains("not in mm"), "{told}");
-    let feet = file("lengths-feet", &rows("L (ft),T (s)", &swings(1.0)));
-    let refused = message(&libration(&format!("fit lengths {feet}")));
-    assert!(refused.contains("`ft`") && refused.contains("--length-unit"), "{refused}");
+    let yards = file("lengths-yards", &rows("L (yd),T (s)", &swings(1.0)));
+    let refused = message(&libration(&format!("fit lengths {yards}")));
+    assert!(refused.contains("`yd`") && refused.contains("--length-unit"), "{refused}");
 }
 
 #[test]

@@ -3,6 +3,7 @@
 
 mod bad_input;
 mod chaos;
+mod class_styles;
 mod class_tables;
 mod command;
 mod decay;

@@ -11,9 +11,9 @@ use super::uncertain::Uncertain;
 pub enum GravityMistake {
     /// Centimetres that were read as metres: 100.
     CentimetresAsMetres,
-    /// Ten swings counted as one, or metres read as centimetres: 1/100.
-    TenSwingsAsOne,
-    /// Half periods taken as whole ones: 4.
+    /// A number of swings that were counted as one: one over its square. Ten are as metres that were read as centimetres.
+    SwingsAsOne(u8),
+    /// Half periods that were taken for whole ones: 4.
     HalfPeriodsAsWhole,
     /// Whole periods taken as half ones: 1/4.
     WholePeriodsAsHalf,
@@ -27,9 +27,18 @@ pub enum GravityMistake {
 
 impl GravityMistake {
     /// All mistakes.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 16] = [
         Self::CentimetresAsMetres,
-        Self::TenSwingsAsOne,
+        Self::SwingsAsOne(3),
+        Self::SwingsAsOne(4),
+        Self::SwingsAsOne(5),
+        Self::SwingsAsOne(10),
+        Self::SwingsAsOne(15),
+        Self::SwingsAsOne(20),
+        Self::SwingsAsOne(25),
+        Self::SwingsAsOne(30),
+        Self::SwingsAsOne(50),
+        Self::SwingsAsOne(100),
         Self::HalfPeriodsAsWhole,
         Self::WholePeriodsAsHalf,
         Self::FramesOf25As30,
@@ -42,7 +51,7 @@ impl GravityMistake {
     pub fn factor(self) -> f64 {
         match self {
             Self::CentimetresAsMetres => 100.0,
-            Self::TenSwingsAsOne => 0.01,
+            Self::SwingsAsOne(number) => 1.0 / (f64::from(number) * f64::from(number)),
             Self::HalfPeriodsAsWhole => 4.0,
             Self::WholePeriodsAsHalf => 0.25,
             Self::FramesOf25As30 => 1.44,
@@ -87,10 +96,11 @@ impl GravityMistake {
 impl fmt::Display for GravityMistake {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
+            Self::SwingsAsOne(10) => "ten swings counted as one, or lengths in metres read as centimetres",
+            Self::SwingsAsOne(number) => return write!(f, "{number} swings counted as one"),
             Self::CentimetresAsMetres => "lengths in centimetres read as metres",
-            Self::TenSwingsAsOne => "ten swings counted as one, or lengths in metres read as centimetres",
             Self::HalfPeriodsAsWhole => "half periods taken for whole ones",
-            Self::WholePeriodsAsHalf => "whole periods taken for half ones",
+            Self::WholePeriodsAsHalf => "two swings counted as one, or whole periods taken for half ones",
             Self::FramesOf25As30 => "25 frames a second taken for 30",
             Self::FramesOf30As25 => "30 frames a second taken for 25",
             Self::FramesOf29As30 => "29.97 frames a second taken for 30",

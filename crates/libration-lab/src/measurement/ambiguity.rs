@@ -31,7 +31,10 @@ pub(super) fn refuse(text: &str, sheet: &Sheet, options: &ReadOptions) -> Result
         Dialect { mark: DecimalMark::Comma, .. } if !is_said && are_whole() => {
             Err(commas_between_digits(sheet))
         }
-        Dialect { mark: DecimalMark::Comma, delimiter, .. } if options.decimal.is_none() => {
+        // Semicolons stand between cells where commas are decimal ones.
+        Dialect { mark: DecimalMark::Comma, delimiter, .. }
+            if options.decimal.is_none() && delimiter != Delimiter::Semicolon =>
+        {
             only_thousands(&rows, delimiter).map_or(Ok(()), |number| Err(thousands(&number)))
         }
         _ => Ok(()),

@@ -51,7 +51,7 @@ impl Table {
 }
 
 /// Words for one period, in the singular and the plural.
-const PERIOD: [&str; 33] = [
+const PERIOD: [&str; 59] = [
     "t",
     "period",
     "periods",
@@ -85,6 +85,32 @@ const PERIOD: [&str; 33] = [
     "oscs",
     "vibration",
     "vibrations",
+    "periodendauer",
+    "oscilacion",
+    "oscilação",
+    "oscilações",
+    "oscilacoes",
+    "okres",
+    "okresy",
+    "okresów",
+    "drgań",
+    "wahań",
+    "wahnięć",
+    "wahnięcia",
+    "periodes",
+    "perioder",
+    "slingertijd",
+    "slingering",
+    "slingeringen",
+    "trilling",
+    "trillingen",
+    "trillingstijd",
+    "trillingstijden",
+    "svängning",
+    "svängningar",
+    "svängningstid",
+    "schw",
+    "pendelbewegungen",
 ];
 /// Words that are a count after a number, and otherwise as often half a period.
 const SWING: [&str; 2] = ["swings", "swing"];
@@ -103,7 +129,7 @@ const HALF_PERIOD: [&str; 11] = [
     "halbschwingungsdauer",
 ];
 /// Words between a number and the periods that it counts.
-const BETWEEN: [&str; 29] = [
+const BETWEEN: [&str; 35] = [
     "complete",
     "completed",
     "full",
@@ -133,19 +159,25 @@ const BETWEEN: [&str; 29] = [
     "completi",
     "kleine",
     "kleinen",
+    "completos",
+    "complets",
+    "volledige",
+    "hele",
+    "hela",
+    "pełnych",
 ];
 /// Words for a number that is stated in another column or not at all.
 const SEVERAL: [&str; 10] =
     ["n", "several", "many", "multiple", "mehrere", "mehrerer", "plusieurs", "diverse", "varie", "varias"];
 /// Words before the duration that was timed.
-const FOR: [&str; 8] = ["for", "für", "pour", "per", "para", "over", "über", "during"];
+const FOR: [&str; 10] = ["for", "für", "pour", "per", "para", "over", "über", "during", "voor", "för"];
 /// Words between a result and its origin.
 const FROM: [&str; 6] = ["from", "aus", "by", "based", "depuis", "da"];
 /// Words after the number of another quantity: `T at 20 cm`.
 const OTHER_UNITS: [&str; 13] =
     ["deg", "degree", "degrees", "grad", "rad", "m", "cm", "mm", "in", "g", "kg", "fps", "hz"];
 /// Words for a mean: the mean of several periods is one period.
-const MEAN: [&str; 12] = [
+const MEAN: [&str; 20] = [
     "mean",
     "average",
     "avg",
@@ -158,6 +190,14 @@ const MEAN: [&str; 12] = [
     "media",
     "medio",
     "per",
+    "gemiddelde",
+    "medelvärde",
+    "medel",
+    "média",
+    "médio",
+    "średnia",
+    "średni",
+    "moyen",
 ];
 
 /// Number of periods that a column with this heading counts in each time, where the heading names a run, in itself or in a line above.
@@ -191,6 +231,15 @@ pub fn counted(heading: &str) -> CountedPeriods {
         words[place] == "per" && words.get(place + 1).is_some_and(|next| number(next).is_some())
     };
     let is_mean = (0..words.len()).any(|place| is(&MEAN, &words[place]) && !is_of_number(place));
+    // `T = t/10` is one period.
+    let quotient = heading.split_once('=').map(|(of, is)| (of.trim(), self::words(is)));
+    if let Some(("T", is)) = &quotient
+        && let [_, stroke, by, ..] = &is[..]
+        && stroke == "/"
+        && number(by).is_some()
+    {
+        return CountedPeriods::Said(1.0);
+    }
     let is_divided = words.windows(2).any(|pair| pair[0] == "/" && number(&pair[1]).is_some());
     // A period may be what follows from the swings, or their time.
     let is_of_symbol =
@@ -253,13 +302,13 @@ pub fn is_number_of_swings(number: f64) -> bool {
 }
 
 /// Words for a number, and words between it and the counted things.
-const NUMBER: [&str; 17] = [
+const NUMBER: [&str; 22] = [
     "n", "no", "nr", "nb", "num", "number", "numbers", "anzahl", "zahl", "nombre", "numero", "número",
-    "count", "counts", "counted", "many", "cantidad",
+    "count", "counts", "counted", "many", "cantidad", "numer", "liczba", "ilość", "antal", "aantal",
 ];
-const OF: [&str; 19] = [
+const OF: [&str; 24] = [
     "of", "the", "de", "d", "des", "der", "den", "di", "del", "degli", "delle", "las", "les", "how", "deg",
-    "º", "timed", "measured", "made",
+    "º", "timed", "measured", "made", "da", "do", "das", "av", "van",
 ];
 /// Numbers of swings as one word.
 const SWING_NUMBER: [&str; 5] =
@@ -269,11 +318,14 @@ const SWING_NUMBER: [&str; 5] =
 pub(super) fn swing_numbers(heading: &str) -> SwingNumbers {
     let words = words(heading);
     let is_number = |word: &str| is(&NUMBER, word);
-    let is_swings = |word: &str| word != "t" && !word.starts_with("schwingungsdauer") && is(&PERIOD, word);
+    let is_swings =
+        |word: &str| word != "t" && !word.contains("dauer") && !word.contains("tijd") && is(&PERIOD, word);
     let is_known = |word: &String| is_number(word) || is_swings(word) || is(&OF, word) || is(&BETWEEN, word);
     let has = |of: &dyn Fn(&str) -> bool| words.iter().any(|word| of(word));
     let is_plural = |word: &str| {
-        is_swings(word) && word.ends_with(['s', 'n', 'i']) && !["oscillation", "vibration"].contains(&word)
+        is_swings(word)
+            && word.ends_with(['s', 'n', 'i', 'ć', 'ń', 'r'])
+            && !["oscillation", "vibration"].contains(&word)
     };
     let is_period = |word: &str| ["period", "période", "período"].iter().any(|stem| word.starts_with(stem));
     match () {
@@ -284,6 +336,12 @@ pub(super) fn swing_numbers(heading: &str) -> SwingNumbers {
         () if has(&is_plural) || has(&is_number) => SwingNumbers::Possible,
         () => SwingNumbers::Other,
     }
+}
+
+/// Returns `true` if a heading says that its numbers are those of swings: `number of swings`, `Schwingung Nr.`.
+#[must_use]
+pub fn says_number_of_swings(heading: &str) -> bool {
+    swing_numbers(heading) == SwingNumbers::Said
 }
 
 /// The length in periods of the unit with which these words begin: of a period, or of half of one.

@@ -1,5 +1,6 @@
 //! Delimiter of the cells and notation of the numbers, inferred from the lines themselves.
 
+use std::borrow::Cow;
 use std::fmt;
 
 use csv::{Position, ReaderBuilder, StringRecord, Trim};
@@ -128,7 +129,7 @@ impl Dialect {
                 }
             }
         }
-        balance.into_iter().any(|(more, with_unit)| more > 0 && with_unit >= 2)
+        balance.into_iter().any(|(more, with_unit)| more >= 0 && with_unit >= 2)
     }
 
     /// The dialect in which most sample rows are rows of at least two numbers or, if there are none, most cells are
@@ -195,14 +196,12 @@ impl Dialect {
 
 /// The row with plain numbers in place of those with units and uncertainties.
 fn without_units(row: Row, mark: DecimalMark) -> Row {
-    let split = |cell| {
-        let plain = Written { number: cell, uncertainty: None, unit: None };
-        Written::parse(cell, mark).unwrap_or(plain)
-    };
-    let cells: Vec<Written<'_>> = row.cells.iter().map(split).collect();
+    let plain = |cell| Written { number: Cow::Borrowed(cell), uncertainty: None, unit: None };
+    let cells: Vec<Written<'_>> =
+        row.cells.iter().map(|cell| Written::parse(cell, mark).unwrap_or_else(|| plain(cell))).collect();
     Row {
         line: row.line,
-        cells: cells.iter().map(|cell| cell.number).collect(),
+        cells: cells.iter().map(|cell| cell.number.as_ref()).collect(),
         units: cells.iter().map(|cell| cell.unit).collect(),
         uncertainties: cells.iter().map(|cell| cell.uncertainty).collect(),
     }

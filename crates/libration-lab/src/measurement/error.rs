@@ -80,7 +80,9 @@ pub enum MeasurementError {
         found: String,
     },
     /// A cell that is not a finite number.
-    #[error("line {line}, column {column}: `{cell}` is not a finite number: write it as 1.25 or 1.25e-3")]
+    #[error(
+        "line {line}, column {column}: `{cell}` is not a finite number: write it as 1.25 or 1.25e-3, or begin the line with # to leave it out"
+    )]
     NotANumber {
         /// Number of the line, from 1.
         line: u64,
@@ -122,12 +124,14 @@ pub enum MeasurementError {
     #[error("none of the {0} rows has a number in every requested column: give other columns")]
     NothingComplete(usize),
     /// Fewer columns of numbers than needed.
-    #[error("{names} are needed, and the table has {numbers} column{} of numbers", if *.numbers == 1 { "" } else { "s" })]
+    #[error("{names} are needed, and the table has {numbers} column{} of numbers{words}", if *.numbers == 1 { "" } else { "s" })]
     TooFewColumns {
         /// The quantities needed.
         names: String,
         /// Number of columns of numbers.
         numbers: usize,
+        /// A clause about a column of text, or nothing.
+        words: String,
     },
     /// More than any measurement has.
     #[error("{place} has {count} {what}, the limit is {limit}: give fewer")]

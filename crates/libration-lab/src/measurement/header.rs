@@ -111,7 +111,7 @@ fn name_cells(
 }
 
 /// `elapsed time (s)   swing angle (deg)`: names with tabs, or two blanks or more, between them.
-fn between_wide_blanks(row: &Row, text: &str) -> Option<Vec<String>> {
+pub(super) fn between_wide_blanks(row: &Row, text: &str) -> Option<Vec<String>> {
     let line = text.lines().nth(usize::try_from(row.line).ok()?.checked_sub(1)?)?;
     let spaced = line.replace('\t', "  ");
     Some(spaced.split("  ").map(str::trim).filter(|name| !name.is_empty()).map(String::from).collect())
@@ -151,9 +151,11 @@ fn merged(names: Vec<String>, above: &mut Vec<Row>) -> Vec<String> {
     let title = |place: usize| titles.get(place).map_or("", String::as_str).trim();
     let is_over_both = |place: usize| names[place].is_empty() && !title(place).is_empty();
     let has_unit = |place: usize| Heading::read(title(place), None, None).unit.is_some();
-    let is_merged =
-        (0..names.len()).any(is_over_both) && (0..names.len()).any(has_unit) && titles.len() <= names.len();
-    if !is_merged {
+    // `,Trial,,` over `L (m),1,2,3`
+    let is_number = |place: usize| !title(place).is_empty() && names[place].parse::<u32>().is_ok();
+    let is_any = |of: &dyn Fn(usize) -> bool| (0..names.len()).any(of);
+    let is_merged = is_any(&is_over_both) && is_any(&has_unit) || is_any(&is_number);
+    if !is_merged || titles.len() > names.len() {
         return names;
     }
     above.pop();

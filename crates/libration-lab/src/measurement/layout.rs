@@ -2,7 +2,7 @@
 
 use super::MeasurementError;
 use super::dialect::{Dialect, Row, SAMPLE};
-use super::header::Names;
+use super::header::{self, Names};
 use super::heading::Heading;
 use super::number::{Cell, DecimalMark};
 use super::options::Header;
@@ -23,6 +23,8 @@ pub(super) struct Layout {
     pub(super) preamble: Vec<(u64, String)>,
     /// Names in the header beyond the last column.
     pub(super) beyond: Vec<String>,
+    /// `true` for columns of numbers.
+    pub(super) are_numbers: Vec<bool>,
 }
 
 impl Layout {
@@ -30,8 +32,9 @@ impl Layout {
         let mut above: Vec<Row> = dialect.rows(text).take(SAMPLE).collect();
         refuse_long_cells(&above)?;
         let Extent { filled, length } = Extent::new(&above, dialect.mark)?;
+        let balance = balance(&above, filled, dialect.mark);
         let body = match header {
-            Header::Detect => first_of_numbers(&above, filled, dialect.mark),
+            Header::Detect => first_of_numbers(&above, &balance, dialect.mark),
             Header::Absent => Some(0),
             Header::Present => Some(1),
             Header::Line(line) => Some(row_at(&above, line)? + 1),
@@ -40,7 +43,7 @@ impl Layout {
         let first_line = above[body].line;
         above.truncate(body);
         if header == Header::Detect {
-            refuse_numbers(&above, dialect.mark)?;
+            refuse_numbers(&above, dialect.mark, |row| is_header(row, &above, text, filled))?;
         }
         // A column may be named and have no numbers.
         let named = above.iter().rev().take(3).map(Row::filled).filter(|&names| names <= length).max();
@@ -52,6 +55,7 @@ impl Layout {
             first_line,
             preamble: names.preamble,
             beyond: names.beyond,
+            are_numbers: balance.into_iter().map(|it| it > 0).collect(),
         })
     }
 }
@@ -107,8 +111,8 @@ impl Extent {
     }
 }
 
-/// The first row with numbers in the columns in which most rows have them, and no other content in these.
-fn first_of_numbers(rows: &[Row], width: usize, mark: DecimalMark) -> Option<usize> {
+/// Number of rows with a number in each column less that of rows with text.
+fn balance(rows: &[Row], width: usize, mark: DecimalMark) -> Vec<i64> {
     let mut balance = vec![0_i64; width];
     for row in rows.iter().filter(|row| row.numbers(mark) > 0) {
         for (balance, cell) in balance.iter_mut().zip(row.kinds(mark)) {
@@ -119,25 +123,59 @@ fn first_of_numbers(rows: &[Row], width: usize, mark: DecimalMark) -> Option<usi
             };
         }
     }
+    balance
+}
+
+/// The first row with numbers where most rows have them, and nothing else there.
+fn first_of_numbers(rows: &[Row], balance: &[i64], mark: DecimalMark) -> Option<usize> {
     rows.iter().position(|row| {
         let is_fine = |(balance, cell): (&i64, Cell)| *balance < 0 || cell != Cell::Text;
         let numbers =
             balance.iter().zip(row.kinds(mark)).filter(|(balance, cell)| **balance >= 0 && cell.is_number());
-        let has_all = row.filled() <= width && row.cells.len() >= width;
+        let has_all = row.filled() <= balance.len() && row.cells.len() >= balance.len();
         has_all && numbers.count() > 0 && balance.iter().zip(row.kinds(mark)).all(is_fine)
     })
 }
 
 /// Refuses rows of numbers above the first complete row, which would be left out silently.
-fn refuse_numbers(above: &[Row], mark: DecimalMark) -> Result<(), MeasurementError> {
+fn refuse_numbers(
+    above: &[Row],
+    mark: DecimalMark,
+    is_header: impl Fn(&Row) -> bool,
+) -> Result<(), MeasurementError> {
     let last = above.len().saturating_sub(1);
     let is_bad = |(place, row): &(usize, &Row)| {
-        row.is_of_numbers(mark) || *place == last && (row.numbers(mark) > 0 || all_begin_with_digits(row))
+        let has_numbers = || row.numbers(mark) > 0 || all_begin_with_digits(row);
+        row.is_of_numbers(mark) || *place == last && has_numbers() && !is_header(row)
     };
     match above.iter().enumerate().find(is_bad) {
         Some((_, row)) => Err(MeasurementError::NeitherHeaderNorNumbers { line: row.line }),
         None => Ok(()),
     }
+}
+
+/// Returns `true` if a row with numbers names columns: `L (m),1,2,3`, `,1. Messung,2. Messung` below the names of the other columns, and
+/// `L (cm)   10 T (s)` with wide blanks between names.
+fn is_header(row: &Row, above: &[Row], text: &str, width: usize) -> bool {
+    let cells = || row.cells.iter().filter(|cell| !cell.is_empty());
+    let numbers: Vec<f64> = cells().filter_map(|cell| cell.parse().ok()).collect();
+    let are_counted =
+        numbers.iter().zip(1_i32..).all(|(number, place)| number.total_cmp(&place.into()).is_eq());
+    let is_numbered = numbers.len() > 1 && are_counted && numbers.len() < cells().count();
+    let is_ordinal = |cell: &str| {
+        let rest = cell.trim_start_matches(|it: char| it.is_ascii_digit());
+        rest.len() < cell.len()
+            && rest.trim_start_matches(['.', '°', 'º', 'ª']).trim().chars().all(char::is_alphabetic)
+    };
+    let above = above.iter().rev().find(|other| other.line < row.line);
+    let is_over = |above: &Row| {
+        (0..row.cells.len()).any(|place| {
+            row.cells[place].is_empty() && above.cells.get(place).is_some_and(|it| !it.is_empty())
+        })
+    };
+    let is_below = above.is_some_and(is_over) && cells().all(is_ordinal);
+    let names = header::between_wide_blanks(row, text).unwrap_or_default();
+    is_numbered || is_below || width > 1 && names.len() == width && names.len() < row.cells.len()
 }
 
 fn all_begin_with_digits(row: &Row) -> bool {

@@ -10,13 +10,16 @@
 //!
 //! # Method
 //! Bytes become pages of text (`container`): a text file is one page, each worksheet and each file of an archive another. A page becomes a sheet:
-//! `dialect` finds the delimiter and the decimal mark, `layout` where the numbers begin and the roles of the lines above them, `heading` the
-//! quantity and unit of a column. A `Recording` decides nothing about physics; `traces` does, and reports each inference. What the file leaves open
+//! `markup` takes the cells out of Markdown, LaTeX and HTML, `dialect` finds the delimiter and the decimal mark, `layout` where the numbers begin and
+//! the roles of the lines above them, `heading` the quantity and unit of a column; `transposed` exchanges rows and columns of a table with quantities
+//! in rows, and `blocks` divides tables below one another. A `Recording` decides nothing about physics; `traces` does, and reports each inference. What
+//! the file leaves open
 //! is an error that lists the information needed, never a default: an angle without a unit is refused, unless it swings by more than a turn of
 //! radians. Commas are refused where they may be decimal or not. Sizes, counts and cell addresses that a file announces are checked before memory
 //! is allocated for them.
 
 mod ambiguity;
+mod blocks;
 mod cell_units;
 mod choices;
 pub(crate) mod container;
@@ -30,6 +33,8 @@ mod glued;
 mod header;
 pub(crate) mod heading;
 mod layout;
+mod line_ends;
+mod markup;
 pub(crate) mod number;
 mod numbered_time;
 mod options;
@@ -43,13 +48,14 @@ mod table;
 mod text;
 mod trace;
 pub(crate) mod traces;
+mod transposed;
 mod two_levels;
 mod words;
 mod written_unit;
 
 pub use choices::{Choice, Choices, Column, Finding, Suggestion, TimeStamps};
 pub use container::Format;
-pub use counted_periods::{CountedPeriods, is_number_of_swings};
+pub use counted_periods::{CountedPeriods, is_number_of_swings, says_number_of_swings};
 pub use dialect::{Delimiter, Dialect};
 pub use error::MeasurementError;
 pub use faults::{Clock, Faults, Gap, Grid, Plateau, unwrapped};

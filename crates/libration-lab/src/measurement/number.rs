@@ -1,6 +1,7 @@
 //! A cell → a number, missing, or neither.
 
 use super::Unit;
+use std::borrow::Cow;
 
 /// Content of a cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,17 +27,15 @@ impl Cell {
     /// A finite decimal number with this mark, a missing value, or any other text.
     pub fn parse(cell: &str, mark: DecimalMark) -> Self {
         let cell = cell.trim();
-        if ["", "-", "nan", "na", "n/a", "#n/a", "null"]
-            .iter()
-            .any(|missing| cell.eq_ignore_ascii_case(missing))
-        {
+        if MISSING.iter().any(|missing| cell.eq_ignore_ascii_case(missing)) || is_error(cell) {
             return Self::Missing;
         }
         let number = match mark {
-            DecimalMark::Point if cell.contains('−') => plain_number(&cell.replace('−', "-")),
+            DecimalMark::Point if cell.contains(MINUS) => plain_number(&cell.replace(MINUS, "-")),
             DecimalMark::Point => plain_number(cell),
             DecimalMark::Comma => with_comma(cell),
         };
+        let number = number.or_else(|| plain_number(&without_groups(cell, mark)?));
         number.map_or(Self::Text, Self::Number)
     }
 
@@ -45,11 +44,44 @@ impl Cell {
     }
 }
 
+/// Signs before a negative number other than a hyphen.
+const MINUS: [char; 2] = ['−', '–'];
+/// Notations for a value that was not measured.
+const MISSING: [&str; 11] = ["", "-", "–", "—", "nan", "na", "n/a", "null", "#n/a", "#nv", "#n/d"];
+
+/// Errors of formulas in a spreadsheet: `#DIV/0!`, `#BEZUG!`, `#NAME?`.
+fn is_error(cell: &str) -> bool {
+    cell.starts_with('#') && cell.ends_with(['!', '?'])
+}
+
+/// A number with marks between groups of three digits as one with a decimal point: `1 234,5`, `1'234.5`, and `1.234,5`, where a decimal comma says
+/// what the point is.
+fn without_groups(cell: &str, mark: DecimalMark) -> Option<String> {
+    let (decimal, other) = match mark {
+        DecimalMark::Point => ('.', ','),
+        DecimalMark::Comma => (',', '.'),
+    };
+    let (sign, digits) = cell.split_at(usize::from(cell.starts_with(['-', '+'])));
+    let (whole, fraction) = digits.split_once(decimal).unwrap_or((digits, ""));
+    let between = whole.chars().find(|letter| !letter.is_ascii_digit())?;
+    let is_mark = between == other && !fraction.is_empty()
+        || [' ', '\u{a0}', '\u{202f}', '\u{2009}', '\'', '’'].contains(&between);
+    let mut groups = whole.split(between);
+    let first = groups.next()?;
+    let are_digits = |text: &str| text.bytes().all(|it| it.is_ascii_digit());
+    let are_groups = (1..=3).contains(&first.len())
+        && !first.starts_with('0')
+        && are_digits(first)
+        && groups.all(|group| group.len() == 3 && are_digits(group));
+    (is_mark && are_groups && are_digits(fraction))
+        .then(|| format!("{sign}{}.{fraction}", whole.replace(between, "")))
+}
+
 /// Parts of a cell that is more than a plain number, as `10cm`, `1,5 ± 0,1` and `1.234(5) s` are.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Written<'a> {
     /// The number.
-    pub(super) number: &'a str,
+    pub(super) number: Cow<'a, str>,
     /// The uncertainty, in the unit of the number.
     pub(super) uncertainty: Option<f64>,
     /// The unit.
@@ -62,9 +94,9 @@ impl<'a> Written<'a> {
         let cell = cell.trim();
         match SIGNS.iter().find_map(|sign| cell.split_once(sign)) {
             Some((number, uncertainty)) => with_sign(number, uncertainty, mark),
-            None => with_brackets(cell, mark).or_else(|| {
+            None => with_brackets(cell, mark).or_else(|| duration(cell, mark)).or_else(|| {
                 let (number, unit) = with_unit(cell, mark)?;
-                Some(Self { number, uncertainty: None, unit: Some(unit?) })
+                Some(Self { number: number.into(), uncertainty: None, unit: Some(unit?) })
             }),
         }
     }
@@ -87,7 +119,7 @@ fn with_sign<'a>(number: &'a str, uncertainty: &'a str, mark: DecimalMark) -> Op
     let is_of_one = of_number.is_none() || of_uncertainty.is_none() || of_number == of_uncertainty;
     let Cell::Number(uncertainty) = Cell::parse(uncertainty, mark) else { return None };
     let unit = outside.or(of_number).or(of_uncertainty);
-    is_of_one.then_some(Written { number, uncertainty: Some(uncertainty), unit })
+    is_of_one.then_some(Written { number: number.into(), uncertainty: Some(uncertainty), unit })
 }
 
 /// `1.234(5)`, `1.234(5) s`: the digits in brackets are the uncertainty of the last digits.
@@ -101,7 +133,27 @@ fn with_brackets(cell: &str, mark: DecimalMark) -> Option<Written<'_>> {
     let decimals = number.trim().split_once(['.', ',']).map_or(0, |(_, fraction)| fraction.len());
     let uncertainty = format!("{digits}e-{decimals}").parse().ok()?;
     let unit = if unit.trim().is_empty() { None } else { Some(known(unit)?) };
-    Some(Written { number: number.trim_end(), uncertainty: Some(uncertainty), unit })
+    Some(Written { number: number.trim_end().into(), uncertainty: Some(uncertainty), unit })
+}
+
+/// Minutes and seconds as seconds: `1:02.3`, `0:14`, `00:01:02.3`, `1m 02.3s`, `1 min 2 s`. Hours and minutes of a clock, `10:05`, are no duration.
+fn duration(cell: &str, mark: DecimalMark) -> Option<Written<'static>> {
+    let plain: String = cell.to_lowercase().chars().filter(|it| !it.is_whitespace()).collect();
+    let colon = plain.strip_prefix("0:").or_else(|| plain.strip_prefix("00:")).filter(|it| it.contains(':'));
+    let parts = colon.unwrap_or(&plain).split_once(':').filter(|(minutes, seconds)| {
+        let is_zero = || minutes.bytes().all(|it| it == b'0');
+        seconds.split(['.', ',']).next().is_some_and(|it| it.len() == 2)
+            && (colon.is_some() || seconds.contains(['.', ',']) || is_zero())
+    });
+    let (minutes, seconds) = parts.or_else(|| {
+        let (minutes, rest) = plain.split_once('m')?;
+        Some((minutes, rest.trim_start_matches("in").trim_end_matches("ec").strip_suffix('s')?))
+    })?;
+    let Cell::Number(number) = Cell::parse(seconds, mark) else { return None };
+    let minutes = minutes.parse::<u32>().ok().filter(|_| (0.0..60.0).contains(&number))?;
+    let (whole, fraction) = seconds.split_at(seconds.find(['.', ',']).unwrap_or(seconds.len()));
+    let whole = minutes.checked_mul(60)?.checked_add(whole.parse().ok()?)?;
+    Some(Written { number: format!("{whole}{fraction}").into(), uncertainty: None, unit: Some(Unit::Second) })
 }
 
 /// A number, and the unit after it if there is one.
@@ -120,9 +172,11 @@ fn known(unit: &str) -> Option<Unit> {
 
 /// A number with a decimal comma, which stands once between digits, without a point: other commas may be marks of thousands.
 fn with_comma(cell: &str) -> Option<f64> {
-    let cell = cell.replace('−', "-");
+    let cell = cell.replace(MINUS, "-");
     let Some((whole, fraction)) = cell.split_once(',') else {
-        return (!cell.contains('.')).then(|| plain_number(&cell)).flatten();
+        // `1.` numbers a row.
+        let whole = cell.strip_suffix('.').unwrap_or(&cell);
+        return (!whole.contains('.')).then(|| plain_number(whole)).flatten();
     };
     let between_digits = whole.ends_with(|letter: char| letter.is_ascii_digit())
         && fraction.starts_with(|letter: char| letter.is_ascii_digit());
@@ -139,7 +193,7 @@ fn plain_number(text: &str) -> Option<f64> {
 /// Number of decimals of a number as written.
 pub(super) fn decimals(number: &str) -> u16 {
     let (digits, power) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
-    let after = digits.split_once(['.', ',']).map_or(0, |(_, fraction)| fraction.trim_end().len());
+    let after = digits.rsplit_once(['.', ',']).map_or(0, |(_, fraction)| fraction.trim_end().len());
     let places = i64::try_from(after).unwrap_or(0) - power.parse::<i64>().unwrap_or(0);
     u16::try_from(places.clamp(0, 300)).unwrap_or(0)
 }

@@ -3,12 +3,17 @@
 use super::ambiguity;
 use super::choices::{Choices, Finding, Suggestion};
 use super::container::{self, Format, Page};
-use super::dialect::Dialect;
+use super::dialect::{Delimiter, Dialect};
 use super::glued;
+use super::line_ends;
+use super::markup;
+use super::number::DecimalMark;
 use super::options::{Header, ReadOptions};
 use super::sheet::Sheet;
+use super::transposed;
 use super::{Choice, Column, MeasurementError};
 use libration::quantity::excerpt;
+use std::borrow::Cow;
 
 /// A file of measurements, read and not yet interpreted.
 ///
@@ -138,18 +143,47 @@ fn several_sheets<'a>(names: impl Iterator<Item = &'a String>) -> MeasurementErr
 
 fn read_page(page: &Page<'_>, options: &ReadOptions) -> Result<Sheet, MeasurementError> {
     if let Some(dialect) = page.dialect {
-        return Sheet::read(&page.name, &ambiguity::of_cells(&page.text, options)?, dialect, options);
+        let text = ambiguity::of_cells(&page.text, options)?;
+        return transposed_sheet(page, &text, dialect, options)
+            .unwrap_or_else(|| Sheet::read(&page.name, &text, dialect, options));
     }
-    let dialect = Dialect::sniff(&page.text, options.delimiter, options.decimal);
-    if let Some((text, line)) =
-        glued::divided(&page.text, dialect).filter(|_| options.header == Header::Detect)
-    {
+    let text =
+        if options.delimiter.is_some() { Cow::Borrowed(&*page.text) } else { markup::plain(&page.text) };
+    let text = line_ends::within_cells_removed(&text);
+    let dialect = Dialect::sniff(&text, options.delimiter, options.decimal);
+    if let Some(sheet) = transposed_sheet(page, &text, dialect, options) {
+        return sheet;
+    }
+    if let Some((text, line)) = glued::divided(&text, dialect).filter(|_| options.header == Header::Detect) {
         let sheet = Sheet::read(&page.name, &text, dialect, options)?;
         return Ok(sheet.with_header_in_first_row(line));
     }
-    let sheet = Sheet::read(&page.name, &page.text, dialect, options)?;
-    ambiguity::refuse(&page.text, &sheet, options)?;
+    let sheet = Sheet::read(&page.name, &text, dialect, options);
+    if let Err(MeasurementError::HeaderWidth { names, columns, .. }) = &sheet
+        && dialect.delimiter == Delimiter::Comma
+        && options.decimal.is_none()
+        && *columns == 2 * *names
+    {
+        // Half as many names as numbers: the commas are decimal ones too.
+        let commas = Dialect { mark: DecimalMark::Comma, ..dialect };
+        return Sheet::read(&page.name, &text, commas, options).or(sheet);
+    }
+    let sheet = sheet?;
+    ambiguity::refuse(&text, &sheet, options)?;
     Ok(sheet)
+}
+
+/// The sheet of a text whose quantities stand in rows.
+fn transposed_sheet(
+    page: &Page<'_>,
+    text: &str,
+    dialect: Dialect,
+    options: &ReadOptions,
+) -> Option<Result<Sheet, MeasurementError>> {
+    let found = (options.header == Header::Detect).then(|| transposed::exchanged(text, dialect));
+    let (text, dialect) = found.flatten()?;
+    let sheet = Sheet::read(&page.name, &text, dialect, options);
+    Some(sheet.map(Sheet::with_rows_of_columns))
 }
 
 /// The finding that a line is the header and the first row.
@@ -176,6 +210,7 @@ impl Sheet {
         if let Some(line) = self.divided_line {
             findings.push(Finding::new(format!("{of}{}", divided(line)), Choice::Header));
         }
+        findings.extend(self.remarks.iter().map(|it| Finding::new(format!("{of}{it}"), Choice::Header)));
         if let Some(first) = self.names_without_column.first() {
             let (columns, names) =
                 (self.channels.len(), self.channels.len() + self.names_without_column.len());

@@ -44,9 +44,45 @@ impl fmt::Display for Role {
 
 /// Names in lower case in tables of results, other than those in recordings.
 const NAMES: [(Role, &[&str]); 3] = [
-    (Role::Times, &["period", "periods", "half period", "periode", "période", "periodo", "schwingungsdauer"]),
-    (Role::Lengths, &["l", "length", "lengths", "länge", "longueur", "lunghezza", "longitud"]),
-    (Role::Angles, &["amplitude", "amplitudes", "ampiezza", "amplitud"]),
+    (
+        Role::Times,
+        &[
+            "period",
+            "periods",
+            "half period",
+            "periode",
+            "période",
+            "periodo",
+            "período",
+            "schwingungsdauer",
+            "periodendauer",
+            "okres",
+            "slingertijd",
+            "trillingstijd",
+            "svängningstid",
+            "periodtid",
+        ],
+    ),
+    (
+        Role::Lengths,
+        &[
+            "l",
+            "length",
+            "lengths",
+            "länge",
+            "longueur",
+            "lunghezza",
+            "longitud",
+            "comprimento",
+            "lengte",
+            "slingerlengte",
+            "längd",
+            "długość",
+            "pendellänge",
+            "fadenlänge",
+        ],
+    ),
+    (Role::Angles, &["amplitude", "amplitudes", "ampiezza", "amplitud", "amplituda"]),
 ];
 
 impl Role {

@@ -1,5 +1,6 @@
 //! One table of a recording: channels of numbers under their headings.
 
+use super::blocks::{Blocks, Next};
 use super::cell_units::CellUnits;
 use super::dialect::{Dialect, Row};
 use super::heading::Heading;
@@ -24,6 +25,17 @@ pub struct Channel {
 }
 
 impl Channel {
+    /// A column with the group of each row.
+    fn of_groups(groups: Vec<String>) -> Self {
+        Self {
+            heading: Heading::read("group", None, None),
+            cells: vec![Cell::Text; groups.len()],
+            uncertainties: vec![None; groups.len()],
+            decimals: 0,
+            words: groups.into_iter().enumerate().collect(),
+        }
+    }
+
     /// The numbers, `None` where the cell is empty or not a number.
     pub fn numbers(&self) -> impl Iterator<Item = Option<f64>> {
         self.cells.iter().map(|cell| match cell {
@@ -91,6 +103,8 @@ pub struct Sheet {
     pub divided_line: Option<u64>,
     /// The lines above the header, which are left out.
     pub preamble: Vec<(u64, String)>,
+    /// Lines that were left out below the header or moved, as sentences without a full stop.
+    pub remarks: Vec<String>,
     /// Names in the header that have no column below them.
     pub names_without_column: Vec<String>,
     /// The columns.
@@ -109,6 +123,7 @@ impl Sheet {
     ) -> Result<Self, MeasurementError> {
         let dialect = dialect.with_units_of(text);
         let layout = Layout::read(text, dialect, options.header)?;
+        let mut blocks = Blocks::new(&layout, dialect.mark, options.header);
         let channel =
             |heading| Channel { heading, cells: vec![], words: vec![], uncertainties: vec![], decimals: 0 };
         let mut sheet = Self {
@@ -117,17 +132,38 @@ impl Sheet {
             header_line: layout.header_line,
             divided_line: None,
             preamble: layout.preamble.into_iter().map(|(line, text)| (line, printable(&text))).collect(),
+            remarks: vec![],
             names_without_column: layout.beyond.iter().map(|name| printable(name)).collect(),
             channels: layout.headings.into_iter().map(channel).collect(),
             lines: Vec::new(),
         };
         let mut units = CellUnits::of(sheet.channels.len());
         for row in dialect.rows(text).skip_while(|row| row.line < layout.first_line) {
-            sheet.push(&row)?;
-            units.push(&row);
+            match blocks.next(sheet.rows(), row)? {
+                Next::Rows(rows) => {
+                    for row in rows {
+                        sheet.push(&row)?;
+                        units.push(&row);
+                    }
+                }
+                Next::Nothing => {}
+                Next::End => break,
+            }
         }
         sheet.take_units(&units)?;
+        let below = blocks.finish(sheet.rows(), sheet.preamble.last().map(|(_, text)| text));
+        sheet.remarks = below.remarks;
+        if !below.groups.is_empty() {
+            sheet.channels.push(Channel::of_groups(below.groups));
+        }
         Ok(sheet)
+    }
+
+    /// The sheet of a table whose rows and columns were exchanged.
+    pub(super) fn with_rows_of_columns(mut self) -> Self {
+        let text = "the quantities stand in rows, which are read as columns: what is called line 2 is column 2 of the file";
+        self.remarks.push(text.to_owned());
+        self
     }
 
     /// Converts the numbers of each column whose cells have units to the unit of its header, or of its first cell.
@@ -143,6 +179,27 @@ impl Sheet {
             channel.heading.set_unit(unit);
         }
         Ok(())
+    }
+
+    /// Gives columns without a name that of the column before them, where merged cells named both: all rows have values within a factor of each other.
+    pub(super) fn repeat_headings(&mut self) {
+        const ALIKE: f64 = 1.1;
+        for place in 1..self.channels.len() {
+            let [before, channel] = [&self.channels[place - 1], &self.channels[place]];
+            let pairs: Vec<_> = before
+                .numbers()
+                .zip(channel.numbers())
+                .filter_map(|(one, other)| Some((one?, other?)))
+                .collect();
+            let are_alike = pairs.iter().all(|(one, other)| (1.0 / ALIKE..ALIKE).contains(&(one / other)));
+            if channel.heading.text.is_empty()
+                && !before.heading.text.is_empty()
+                && pairs.len() > 1
+                && are_alike
+            {
+                self.channels[place].heading = self.channels[place - 1].heading.clone();
+            }
+        }
     }
 
     fn push(&mut self, row: &Row) -> Result<(), MeasurementError> {

@@ -53,7 +53,7 @@ pub struct Readings {
 }
 
 /// Words of rows that summarise others.
-const SUMMARY: [&str; 56] = [
+const SUMMARY: [&str; 62] = [
     "mean",
     "average",
     "avg",
@@ -110,7 +110,15 @@ const SUMMARY: [&str; 56] = [
     "result",
     "ergebnis",
     "résultat",
+    "gemiddelde",
+    "medelvärde",
+    "medel",
+    "średnia",
+    "média",
+    "desvio padrão",
 ];
+/// Words of them that others may follow.
+const MEANS: [&str; 6] = ["mean", "average", "mittelwert", "moyenne", "media", "median"];
 /// Words of rows that summarise others where both are in a table: Max is also a name.
 const BOUNDS: [&str; 2] = ["max", "min"];
 
@@ -133,7 +141,8 @@ impl Table {
         sheet: Option<&Column>,
     ) -> Result<Self, MeasurementError> {
         let recording = Recording::read(bytes, options)?;
-        let (sheet, sheets) = recording.into_sheet(sheet)?;
+        let (mut sheet, sheets) = recording.into_sheet(sheet)?;
+        sheet.repeat_headings();
         let named = sheet.header_line.is_some();
         let names = sheet.channels.iter().filter(|_| named).map(|it| it.heading.text.clone()).collect();
         Ok(Self { sheet, names, sheets })
@@ -289,7 +298,8 @@ impl Table {
         let summary = |(line, word): (u64, &str)| {
             format!("line {line} (`{word}`) is left out: it summarises other rows")
         };
-        divided.into_iter().chain(self.summaries().into_iter().map(summary)).collect()
+        let remarks = self.sheet.remarks.iter().cloned();
+        divided.into_iter().chain(remarks).chain(self.summaries().into_iter().map(summary)).collect()
     }
 
     /// The word that marks a summary row.
@@ -302,10 +312,23 @@ impl Table {
         let has = |bound: &str| (0..self.sheet.rows()).any(|row| words(row).any(|word| plain(word) == bound));
         let is_of_summary = |word: &&str| {
             let word = plain(word);
+            // `mean g`, `Mittelwert von g`
+            let word = word
+                .split(' ')
+                .next()
+                .filter(|first| MEANS.contains(first))
+                .map_or(word.clone(), str::to_owned);
             SUMMARY.iter().any(|summary| summary.trim_end_matches('.') == word)
                 || BOUNDS.contains(&word.as_str()) && BOUNDS.iter().all(|bound| has(bound))
         };
-        words(row).rfind(is_of_summary)
+        // `g = ` where other rows have numbers.
+        let is_label = |place: &usize| {
+            let mostly_numbers = 2 * self.sheet.channels[*place].count() > self.sheet.rows();
+            mostly_numbers
+                && self.sheet.word(*place, row).is_some_and(|word| word.trim().ends_with(['=', ':']))
+        };
+        let label = || (0..self.width()).find(is_label).and_then(|place| self.sheet.word(place, row));
+        words(row).rfind(is_of_summary).or_else(label)
     }
 
     /// The rows that summarise no others.

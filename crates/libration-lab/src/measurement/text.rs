@@ -34,10 +34,8 @@ pub(super) fn decode(bytes: &[u8]) -> Result<(Cow<'_, str>, Encoding), Measureme
     let (text, encoding) = match bytes {
         [0xff, 0xfe, rest @ ..] => (utf16(u16::from_le_bytes, rest)?, Encoding::Utf16LittleEndian),
         [0xfe, 0xff, rest @ ..] => (utf16(u16::from_be_bytes, rest)?, Encoding::Utf16BigEndian),
-        [first, 0, _, 0, ..] if *first != 0 => {
-            (utf16(u16::from_le_bytes, bytes)?, Encoding::Utf16LittleEndian)
-        }
-        [0, first, 0, _, ..] if *first != 0 => (utf16(u16::from_be_bytes, bytes)?, Encoding::Utf16BigEndian),
+        _ if has_zeros_at::<1>(bytes) => (utf16(u16::from_le_bytes, bytes)?, Encoding::Utf16LittleEndian),
+        _ if has_zeros_at::<0>(bytes) => (utf16(u16::from_be_bytes, bytes)?, Encoding::Utf16BigEndian),
         _ => utf8_or_windows(bytes)?,
     };
     if let Some(letter) =
@@ -48,6 +46,15 @@ pub(super) fn decode(bytes: &[u8]) -> Result<(Cow<'_, str>, Encoding), Measureme
         return Err(MeasurementError::NotText(what));
     }
     Ok((with_line_feeds(text), encoding))
+}
+
+/// Returns `true` if most of the first pairs of bytes have a zero at this place and none at the other, as letters below U+0100 have in UTF-16.
+fn has_zeros_at<const PLACE: usize>(bytes: &[u8]) -> bool {
+    let pairs = bytes.as_chunks::<2>().0.iter().take(1000);
+    let (all, zeros) = pairs.fold((0, 0), |(all, zeros), pair| {
+        (all + 1, zeros + usize::from(pair[PLACE] == 0 && pair[1 - PLACE] != 0))
+    });
+    2 * zeros > all
 }
 
 fn utf16(unit: fn([u8; 2]) -> u16, bytes: &[u8]) -> Result<Cow<'static, str>, MeasurementError> {

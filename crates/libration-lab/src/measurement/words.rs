@@ -1,4 +1,4 @@
-//! Words and numbers of a heading, in five languages.
+//! Words and numbers of a heading, in several languages.
 
 /// Numbers in words.
 const IN_WORDS: [(f64, &[&str]); 10] = [
@@ -6,10 +6,10 @@ const IN_WORDS: [(f64, &[&str]); 10] = [
     (2.0, &["two", "zwei", "deux", "due", "dos"]),
     (3.0, &["three", "drei", "trois", "tre", "tres"]),
     (4.0, &["four", "vier", "quatre", "quattro", "cuatro"]),
-    (5.0, &["five", "fünf", "cinq", "cinque", "cinco"]),
-    (10.0, &["ten", "zehn", "dix", "dieci", "diez"]),
+    (5.0, &["five", "fünf", "cinq", "cinque", "cinco", "vijf", "fem", "pięciu"]),
+    (10.0, &["ten", "zehn", "dix", "dieci", "diez", "dez", "tien", "tio", "dziesięciu"]),
     (12.0, &["twelve", "zwölf", "dozen", "dutzend"]),
-    (20.0, &["twenty", "zwanzig", "vingt", "venti", "veinte"]),
+    (20.0, &["twenty", "zwanzig", "vingt", "venti", "veinte", "vinte", "twintig", "tjugo", "dwudziestu"]),
     (50.0, &["fifty", "fünfzig", "cinquante", "cinquanta", "cincuenta"]),
     (100.0, &["hundred", "hundert", "cent", "cento", "cien"]),
 ];
@@ -33,7 +33,11 @@ pub(super) fn number(word: &str) -> Option<f64> {
 
 /// Letters, numbers and strokes in lower case, each separate: `10T/s` is `10`, `t`, `/`, `s`.
 pub(super) fn words(text: &str) -> Vec<String> {
-    let text = text.to_lowercase().replace('°', " deg ");
+    let digit = |letter: char| match letter {
+        '₀'..='₉' => char::from_digit(u32::from(letter) - u32::from('₀'), 10).unwrap_or(letter),
+        other => other,
+    };
+    let text: String = text.to_lowercase().replace('°', " deg ").chars().map(digit).collect();
     let kind = |letter: char| match letter {
         '0'..='9' | '.' | ',' => 1,
         letter if letter.is_alphabetic() => 2,

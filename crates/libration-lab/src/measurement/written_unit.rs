@@ -3,7 +3,7 @@
 use super::role::{Role, WrittenUnit};
 use super::sheet::Sheet;
 use super::table::Table;
-use super::{Column, MeasurementError};
+use super::{Column, MeasurementError, QuantityKind};
 
 impl Table {
     /// The unit in the heading of a column of such values.
@@ -41,6 +41,16 @@ impl Table {
             Some(other) => Err(holds_other(sheet, place, other, role)),
             None => Ok(role.unit_written_in(heading)),
         }
+    }
+
+    /// Returns `true` if the heading of a column says angles, and not a deflection, which may be a length.
+    #[must_use]
+    pub fn names_angles(&self, column: &Column) -> bool {
+        let heading = |place: usize| &self.sheet().channels[place].heading;
+        let is_angle = |name: &str| !["auslenkung", "deflection"].contains(&name.to_lowercase().as_str());
+        self.sheet()
+            .place(column)
+            .is_ok_and(|place| heading(place).is(QuantityKind::Angle) && is_angle(&heading(place).name))
     }
 
     /// `` column 2 (`Angle`) ``, as messages name it.

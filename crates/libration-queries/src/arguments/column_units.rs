@@ -5,6 +5,7 @@ use super::{ChosenColumns, CountedOptions, Wanted};
 use crate::call::in_words;
 use libration_lab::fit::swings_of_numbered_time;
 use libration_lab::measurement::{Column, Readings, Role, Table, Unit};
+use std::f64::consts::PI;
 
 /// The units of the columns, and the inferences from the header.
 #[derive(Clone, Debug)]
@@ -40,6 +41,12 @@ impl<const N: usize> ColumnUnits<N> {
                     Some(fraction) => (usual, Some(parts(table, column, fraction)?)),
                     None => wanted.unit(table, column, usual, chosen.is_said)?,
                 };
+                let (unit, of_unit) = match largest(read, place) {
+                    number if wanted.may_be_degrees(of_unit.is_some()) && number >= PI => {
+                        (Unit::Degree, Some(degrees(table, column, number)?))
+                    }
+                    _ => (unit, of_unit),
+                };
                 let by_quotient = chosen.swings[place].unwrap_or(1.0);
                 let usual = wanted.uncertainties_of.map_or(by_quotient, |of| counts[of]);
                 // Numbers of swings in a column win over the header.
@@ -74,7 +81,26 @@ impl<const N: usize> ColumnUnits<N> {
     }
 }
 
-/// The lengths of the rows in metres, if the table has them: with a stated unit, or so short that they may be metres.
+/// The largest magnitude of the readings at a place.
+fn largest(read: &Readings, place: usize) -> f64 {
+    read.quantities[place].iter().flatten().fold(0.0, |largest, it| largest.max(it.abs()))
+}
+
+/// A sentence about angles without a unit that are too large for radians. Other amplitudes may be lengths.
+fn degrees(table: &Table, column: &Column, largest: f64) -> Result<String, String> {
+    let place = table.describe(column).map_err(refusal)?;
+    if !table.names_angles(column) {
+        return Err(format!(
+            "{place} has no unit, and its numbers, up to {largest}, are too large for radians: give the unit by <--amplitude-unit>, or convert \
+             lengths to angles"
+        ));
+    }
+    Ok(format!(
+        "{place} has no unit and is read in degrees: its numbers are up to {largest}, and amplitudes are below π radians (<--amplitude-unit>)"
+    ))
+}
+
+/// The lengths of the rows in metres, where a table has them: with a stated unit, or so short that they may be metres.
 fn lengths<const N: usize>(
     wanted: &[Wanted; N],
     read: &Readings,

@@ -115,6 +115,12 @@ impl Wanted {
         self.uncertainties_of.is_none().then_some(quantity)
     }
 
+    /// Returns `true` if these are amplitudes of a pendulum whose unit neither a heading nor an option states.
+    pub(super) fn may_be_degrees(self, is_written: bool) -> bool {
+        let are_amplitudes = self.role == Role::Angles && self.name == "amplitude";
+        are_amplitudes && self.uncertainties_of.is_none() && !is_written && !self.states_unit()
+    }
+
     /// Returns `true` if an option states the unit.
     pub(super) fn states_unit(self) -> bool {
         self.option.is_some_and(|(_, unit)| unit.is_some())

@@ -77,6 +77,9 @@ impl Heading {
         let run = run.or(after).or(group).map(str::trim).filter(|run| !run.is_empty());
         let unit = unit_text.and_then(|unit| unit.parse().ok());
         let words = Words::read(name);
+        let is_angular =
+            unit == Some(Unit::Hertz) && unit_text.is_some_and(|it| it.contains('s')) && is_angular(name);
+        let unit = if is_angular { Some(Unit::RadianPerSecond) } else { unit };
         Self {
             text: text.into(),
             name: name.into(),
@@ -139,7 +142,12 @@ impl Heading {
 
 /// A unit without the brackets or the stroke around it.
 pub(super) fn bare(unit: &str) -> &str {
-    unit.trim().trim_start_matches(['(', '[', '/', '{']).trim_end_matches([')', ']', '}']).trim()
+    let unit = unit.trim();
+    unit.strip_prefix("in ")
+        .unwrap_or(unit)
+        .trim_start_matches(['(', '[', '/', '{'])
+        .trim_end_matches([')', ']', '}'])
+        .trim()
 }
 
 /// Marks of an uncertainty before the brackets around a quantity.
@@ -179,30 +187,51 @@ fn split_run(text: &str) -> (&str, Option<&str>) {
 
 fn is_run(text: &str) -> bool {
     let word = text.trim().to_lowercase();
-    ["latest", "run", "data set", "dataset", "trial", "set"].iter().any(|run| word.starts_with(run))
+    let words = [
+        "latest", "run", "data set", "dataset", "trial", "set", "messung", "versuch", "essai", "mesure",
+        "prova",
+    ];
+    words.iter().any(|run| word.starts_with(run))
 }
 
 /// `Time (s) morning`, `t [ms]`, `Angle/rad`, `t / s`, `time_us` → the name, the unit, and the text after the unit.
 fn split_unit(text: &str) -> (&str, Option<&str>, Option<&str>) {
     for (open, close) in [('(', ')'), ('[', ']')] {
         if let Some((name, rest)) = text.split_once(open) {
+            if let Some(after) = after_number(rest, close) {
+                let name = text[..text.len() - after.len()].trim();
+                let unit = Some(bare(after)).filter(|unit| unit.parse::<Unit>().is_ok());
+                return (if unit.is_some() { name } else { text }, unit, None);
+            }
             let (unit, after) = rest.rsplit_once(close).unwrap_or((rest, ""));
             let after = Some(after.trim()).filter(|after| !after.is_empty());
             return (name.trim().trim_end_matches('/').trim(), Some(unit.trim()), after);
         }
     }
-    if let Some((name, unit)) = split_at_stroke(text) {
-        return (name.trim(), Some(bare(unit)), None);
+    let known = |between: &str| text.rsplit_once(between).filter(|(_, unit)| unit.parse::<Unit>().is_ok());
+    let in_words = known(" in ").map(|(name, unit)| (name, unit.trim()));
+    let at_stroke = || split_at_stroke(text).map(|(name, unit)| (name, bare(unit)));
+    let at_end = || known("_").or_else(|| known(" ")).map(|(name, unit)| (name, unit.trim()));
+    if let Some((name, unit)) = in_words.or_else(at_stroke).or_else(at_end) {
+        return (name.trim(), Some(unit), None);
     }
-    let known = |unit: &str| unit.parse::<Unit>().is_ok();
-    for between in [" in ", "_", " "] {
-        if let Some((name, unit)) = text.rsplit_once(between).filter(|(_, unit)| known(unit)) {
-            return (name.trim(), Some(unit.trim()), None);
-        }
-    }
-    // A unit of angles is all of a name: `rad`, `deg`.
-    let is_angle = |unit: Unit| matches!(unit, Unit::Radian | Unit::Milliradian | Unit::Degree);
-    if text.parse().is_ok_and(is_angle) { ("", Some(text), None) } else { (text, None, None) }
+    // A unit of angles or rotations is all of a name: `rad`, `deg`, `rpm`.
+    let is_name =
+        |unit: Unit| matches!(unit, Unit::Radian | Unit::Milliradian | Unit::Degree | Unit::PerMinute);
+    if text.parse().is_ok_and(is_name) { ("", Some(text), None) } else { (text, None, None) }
+}
+
+/// Returns `true` if a frequency in 1/s is an angular one by its name: `ω`, `Kreisfrequenz`.
+fn is_angular(name: &str) -> bool {
+    const WORDS: [&str; 7] = ["angul", "ángul", "kreisfreq", "winkelgeschw", "pulsation", "pulsaz", "omega"];
+    let lower = name.to_lowercase();
+    lower.starts_with('ω') || WORDS.iter().any(|word| lower.contains(word))
+}
+
+/// The text after the number of a reading in brackets: ` [s]` of `T (2) [s]`.
+fn after_number(rest: &str, close: char) -> Option<&str> {
+    let (number, after) = rest.split_once(close)?;
+    (!number.is_empty() && number.bytes().all(|it| it.is_ascii_digit())).then_some(after)
 }
 
 /// Splits `t / s` but not `T/2`, whose 2 is not a unit; `T/2 / s` has the unit s.

@@ -53,6 +53,8 @@ fn joined(before: &str, after: &str) -> String {
     let (before, after) = (before.trim_end_matches([' ', ',', ';']), after.trim_start_matches([',', ';']));
     let text = match (before.strip_suffix(['(', '[']), after.trim_start().strip_prefix([')', ']'])) {
         (Some(before), Some(after)) => format!("{before} {after}"),
+        // `(L ± 0.2) cm`
+        _ if before.starts_with('(') && after.starts_with(')') => format!("{}{}", &before[1..], &after[1..]),
         _ if after.starts_with([')', ']']) => format!("{before}{after}"),
         _ => format!("{before} {after}"),
     };

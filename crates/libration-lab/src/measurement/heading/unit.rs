@@ -37,6 +37,8 @@ pub enum Unit {
     Hertz,
     /// kHz
     Kilohertz,
+    /// 1/min
+    PerMinute,
     /// m
     Metre,
     /// cm
@@ -45,6 +47,8 @@ pub enum Unit {
     Millimetre,
     /// in
     Inch,
+    /// ft
+    Foot,
     /// A pixel of a picture.
     Pixel,
 }
@@ -59,12 +63,15 @@ pub(in crate::measurement) enum Measures {
     Length,
 }
 
-/// Each unit with the name under which it is printed, and its other spellings in lower case without blanks.
-const UNITS: [(Unit, &str, &[&str]); 19] = [
+/// Each unit with the name it is printed by, and its other spellings in lower case without blanks.
+const UNITS: [(Unit, &str, &[&str]); 21] = [
     (
         Unit::Second,
         "s",
-        &["sec", "secs", "second", "seconds", "sek", "sekunden", "secondi", "segundos", "secondes"],
+        &[
+            "sec", "secs", "second", "seconds", "sek", "sekunde", "sekunden", "sekunder", "sekundy",
+            "secondi", "segundos", "segundo", "secondes", "seconden", "s.", "sec.",
+        ],
     ),
     (Unit::Millisecond, "ms", &["msec", "millisecond", "milliseconds", "millis"]),
     (Unit::Microsecond, "us", &["µs", "μs", "usec", "microsecond", "microseconds", "micros"]),
@@ -72,7 +79,14 @@ const UNITS: [(Unit, &str, &[&str]); 19] = [
     (Unit::Minute, "min", &["mins", "minute", "minutes", "minuten", "minuti"]),
     (Unit::Radian, "rad", &["rads", "radian", "radians", "radiant", "radianti", "radianes"]),
     (Unit::Milliradian, "mrad", &["milliradian", "milliradians"]),
-    (Unit::Degree, "deg", &["°", "º", "degs", "degree", "degrees", "gradi", "grados", "degrés"]),
+    (
+        Unit::Degree,
+        "deg",
+        &[
+            "°", "º", "degs", "degree", "degrees", "grad", "gradi", "grados", "degrés", "graus", "graden",
+            "grader", "stopnie", "stopni",
+        ],
+    ),
     (Unit::Turn, "turn", &["turns", "rev", "revs", "revolution", "revolutions", "umdrehungen", "tours"]),
     (Unit::Count, "counts", &["count", "cts", "ticks", "tick", "steps", "pulses", "impulse"]),
     (
@@ -112,10 +126,48 @@ const UNITS: [(Unit, &str, &[&str]); 19] = [
     ),
     (Unit::Hertz, "Hz", &["hz", "hertz", "1/s", "s^-1", "s⁻¹"]),
     (Unit::Kilohertz, "kHz", &["khz", "kilohertz"]),
-    (Unit::Metre, "m", &["meter", "meters", "metre", "metres"]),
-    (Unit::Centimetre, "cm", &["centimeter", "centimeters", "centimetre", "centimetres"]),
-    (Unit::Millimetre, "mm", &["millimeter", "millimeters", "millimetre", "millimetres"]),
-    (Unit::Inch, "in", &["inch", "inches"]),
+    (Unit::PerMinute, "1/min", &["rpm", "u/min", "rev/min", "r/min", "tr/min", "min^-1", "min⁻¹"]),
+    (
+        Unit::Metre,
+        "m",
+        &["meter", "metern", "meters", "metre", "metres", "mètre", "mètres", "metri", "metros", "metry"],
+    ),
+    (
+        Unit::Centimetre,
+        "cm",
+        &[
+            "centimeter",
+            "centimeters",
+            "centimetre",
+            "centimetres",
+            "zentimeter",
+            "zentimetern",
+            "centimètre",
+            "centimètres",
+            "centimetri",
+            "centímetros",
+            "centimetros",
+            "centymetry",
+        ],
+    ),
+    (
+        Unit::Millimetre,
+        "mm",
+        &[
+            "millimeter",
+            "millimetern",
+            "millimeters",
+            "millimetre",
+            "millimetres",
+            "millimètres",
+            "millimetri",
+            "milímetros",
+            "milimetros",
+            "milimetry",
+        ],
+    ),
+    (Unit::Inch, "in", &["inch", "inches", "\"", "″"]),
+    (Unit::Foot, "ft", &["foot", "feet"]),
     (Unit::Pixel, "px", &["pixel", "pixels", "pix"]),
 ];
 
@@ -127,8 +179,10 @@ impl Unit {
             }
             Self::Radian | Self::Milliradian | Self::Degree | Self::Turn | Self::Count => Measures::Angle,
             Self::RadianPerSecond | Self::DegreePerSecond => Measures::AngularVelocity,
-            Self::Hertz | Self::Kilohertz => Measures::Frequency,
-            Self::Metre | Self::Centimetre | Self::Millimetre | Self::Inch | Self::Pixel => Measures::Length,
+            Self::Hertz | Self::Kilohertz | Self::PerMinute => Measures::Frequency,
+            Self::Metre | Self::Centimetre | Self::Millimetre | Self::Inch | Self::Foot | Self::Pixel => {
+                Measures::Length
+            }
         }
     }
 
@@ -148,7 +202,11 @@ impl Unit {
     }
 
     fn in_hertz(self) -> f64 {
-        if self == Self::Kilohertz { 1e3 } else { 1.0 }
+        match self {
+            Self::Kilohertz => 1e3,
+            Self::PerMinute => 1.0 / 60.0,
+            _ => 1.0,
+        }
     }
 
     fn name(self) -> &'static str {

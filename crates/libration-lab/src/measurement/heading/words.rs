@@ -16,6 +16,7 @@ const NAMES: [(QuantityKind, &[&str]); 7] = [
             "tiempo",
             "tijd",
             "tid",
+            "czas",
             "elapsed time",
             "timestamp",
             "time stamp",
@@ -40,6 +41,9 @@ const NAMES: [(QuantityKind, &[&str]); 7] = [
             "ángulo",
             "angulo",
             "hoek",
+            "ângulo",
+            "vinkel",
+            "kąt",
             "angular position",
             "angular displacement",
             "rotation angle",
@@ -103,7 +107,7 @@ impl Words {
 }
 
 /// Notations for the uncertainty of the quantity that follows, as one word.
-const UNCERTAINTY: [&str; 25] = [
+const UNCERTAINTY: [&str; 29] = [
     "uncertainty",
     "uncertainties",
     "uncert",
@@ -129,6 +133,10 @@ const UNCERTAINTY: [&str; 25] = [
     "σ",
     "±",
     "standardabweichung",
+    "incerteza",
+    "onzekerheid",
+    "osäkerhet",
+    "niepewność",
 ];
 
 /// Notations of several words or abbreviations.

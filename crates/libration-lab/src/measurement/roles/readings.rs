@@ -4,7 +4,7 @@ use super::kinds::Kind;
 use super::{ColumnRole, Search, TableQuantity};
 use crate::measurement::counted_periods::counted;
 use crate::measurement::heading::Heading;
-use crate::measurement::{CountedPeriods, MeasurementError, Role};
+use crate::measurement::{Choice, CountedPeriods, MeasurementError, Role, Suggestion};
 use crate::statistics::{count, mean, median};
 
 /// Repeated readings of a row are within this factor of each other, in most rows.
@@ -32,10 +32,36 @@ impl Search<'_> {
             self.needed[*quantity].only_named.is_none()
                 && self.with_role(ColumnRole::Reading(*quantity)).is_empty()
         };
-        match (0..self.needed.len()).any(|quantity| is_missing(&quantity)) {
-            true => Err(MeasurementError::TooFewColumns { names: self.names(), numbers: self.numbers() }),
-            false => Ok(()),
+        let Some(missing) = (0..self.needed.len()).find(is_missing) else { return Ok(()) };
+        let name = self.needed[missing].name;
+        let needed = self.needed.iter().filter(|it| it.only_named.is_none()).count();
+        if self.numbers() < needed {
+            let (names, numbers, words) = (self.names(), self.numbers(), self.words());
+            return Err(MeasurementError::TooFewColumns { names, numbers, words });
         }
+        Err(MeasurementError::Undecided {
+            question: format!("no heading says which column holds the {name}"),
+            choices: vec![Suggestion::new(Choice::Role, format!("COLUMN={name}"))],
+        })
+    }
+
+    /// A clause about the first column of text that a heading says to be needed.
+    fn words(&self) -> String {
+        let sheet = self.table.sheet();
+        let is_needed = |place: &usize| {
+            let heading = self.heading(*place);
+            let counts = !matches!(counted(&heading.text), CountedPeriods::Nothing);
+            counts || self.needed.iter().any(|it| it.role.is_said_by(heading))
+        };
+        let place = (0..self.kinds.len()).filter(|&place| sheet.channels[place].count() == 0).find(is_needed);
+        let first = place.and_then(|place| Some((place, sheet.channels[place].words().first()?)));
+        let clause = |(place, (row, word)): (usize, &(usize, String))| {
+            let (line, column) = (sheet.lines[*row], self.describe(place));
+            format!(
+                "; {column} has `{word}` in line {line}, which is not read as a number: write it as 1.25, a time as 62.5 or 1:02.5"
+            )
+        };
+        first.map(clause).unwrap_or_default()
     }
 
     fn names(&self) -> String {
@@ -142,7 +168,10 @@ impl Search<'_> {
         let first = self.heading(*readings.first()?);
         let is_open = |place: &usize| self.roles[*place].is_none() && self.kinds[*place] != Kind::Other;
         let is_time = |place: &usize| {
-            Role::Times.is_said_by(self.heading(*place)) && self.heading(*place).unit == first.unit
+            // `T = t/10` next to `t (s)`
+            let heading = self.heading(*place);
+            let counts = heading.unit.is_none() && !matches!(counted(&heading.text), CountedPeriods::Nothing);
+            counts || Role::Times.is_said_by(heading) && heading.unit == first.unit
         };
         if !Role::Times.is_said_by(first) {
             return None;
@@ -180,23 +209,48 @@ fn says(heading: &Heading, needed: TableQuantity, kind: Kind) -> bool {
 }
 
 /// Words before the letter or the number of a reading.
-const READING: [&str; 10] =
-    ["run", "trial", "reading", "measurement", "attempt", "try", "versuch", "messung", "essai", "prova"];
+const READING: [&str; 25] = [
+    "run",
+    "trial",
+    "reading",
+    "measurement",
+    "attempt",
+    "try",
+    "versuch",
+    "messung",
+    "essai",
+    "prova",
+    "ensaio",
+    "tentativa",
+    "medição",
+    "medición",
+    "intento",
+    "medida",
+    "misura",
+    "mesure",
+    "poging",
+    "meting",
+    "försök",
+    "mätning",
+    "próba",
+    "pomiar",
+    "durchgang",
+];
 
-/// The name of a column without the number of the reading: `t 1`, `t_2`, `3rd trial`, `run B`.
+/// The name of a column without the number of the reading: `t 1`, `t_2`, `3rd trial`, `2. Versuch`, `run B`, `T (3)`.
 fn stem(heading: &Heading) -> String {
     let subscript = |letter: char| match letter {
         '₀'..='₉' => '0',
         other => other,
     };
     let plain: String =
-        heading.name.to_lowercase().chars().filter(|it| !"{}#".contains(*it)).map(subscript).collect();
+        heading.name.to_lowercase().chars().filter(|it| !"{}#()".contains(*it)).map(subscript).collect();
     let mut words: Vec<&str> = plain.split([' ', '_']).filter(|word| !word.is_empty()).collect();
     let is_ordinal = |word: &str| {
-        let digits = word.trim_end_matches(char::is_alphabetic);
+        let digits = word.trim_end_matches(|letter: char| letter.is_alphabetic() || ".°".contains(letter));
         !digits.is_empty()
             && digits.bytes().all(|it| it.is_ascii_digit())
-            && ["st", "nd", "rd", "th"].contains(&&word[digits.len()..])
+            && ["st", "nd", "rd", "th", ".", "°", "º", "ª", "e", "er", "ère"].contains(&&word[digits.len()..])
     };
     words.retain(|word| !is_ordinal(word));
     if let [.., before, last] = words[..]

@@ -10,7 +10,9 @@ fn explaining(value: f64, uncertainty: f64) -> Option<GravityMistake> {
 fn exact_factors_are_named() {
     for (factor, mistake) in [
         (100.0, GravityMistake::CentimetresAsMetres),
-        (0.01, GravityMistake::TenSwingsAsOne),
+        (0.01, GravityMistake::SwingsAsOne(10)),
+        (1.0 / 25.0, GravityMistake::SwingsAsOne(5)),
+        (1.0 / 400.0, GravityMistake::SwingsAsOne(20)),
         (4.0, GravityMistake::HalfPeriodsAsWhole),
         (0.25, GravityMistake::WholePeriodsAsHalf),
         (1.2 * 1.2, GravityMistake::FramesOf25As30),

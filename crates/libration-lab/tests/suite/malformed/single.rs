@@ -37,7 +37,11 @@ fn commas() -> Vec<Case> {
             &["line 1", "decimal=point or comma"],
         ),
         Case::refused("one column or two", "0,5\n1,5\n2,5\n", &["decimal=point or comma"]),
-        Case::refused("commas everywhere below a header", "t/s,θ/rad\n0,5,1,2\n1,0,1,3\n", &["line 1"]),
+        Case::read(
+            "commas everywhere below a header",
+            "t/s,θ/rad\n0,5,1,2\n1,0,1,3\n",
+            rows(&[(0.5, 1.2), (1.0, 1.3)]),
+        ),
         Case::refused(
             "thousands or decimals",
             "t/ms\tθ/rad\n1,000\t0.5\n1,050\t0.4\n1,100\t0.3\n",

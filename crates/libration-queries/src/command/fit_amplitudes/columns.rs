@@ -1,6 +1,6 @@
 //! Times, numbers of swings, periods and amplitudes among the columns of a table, by their names.
 
-use libration_lab::measurement::{Column, Table};
+use libration_lab::measurement::{Column, Heading, QuantityKind, Table, says_number_of_swings};
 
 /// The quantity that the amplitudes are measured against.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -9,30 +9,9 @@ pub(super) enum Against {
     Swings,
 }
 
-/// Names of numbers of swings, in lower case.
-const NUMBERS: [&str; 18] = [
-    "n",
-    "no",
-    "no.",
-    "nr",
-    "k",
-    "i",
-    "number",
-    "count",
-    "swing",
-    "swings",
-    "cycle",
-    "cycles",
-    "oscillation",
-    "oscillations",
-    "period number",
-    "swing number",
-    "number of swings",
-    "number of oscillations",
-];
-/// Names of times, in lower case.
-const TIMES: [&str; 6] = ["t", "time", "zeit", "temps", "tiempo", "tempo"];
-
+/// Names of numbers of swings, in lower case, that may be other numbers elsewhere.
+const NUMBERS: [&str; 12] =
+    ["n", "no", "no.", "nr", "k", "i", "number", "count", "swing", "cycle", "oscillation", "schwingung"];
 /// The quantity named by the heading of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum NamedQuantity {
@@ -101,8 +80,10 @@ fn named(table: &Table, column: &Column) -> NamedQuantity {
     let lower = name.to_lowercase();
     match () {
         () if name == "T" || lower == "period" => NamedQuantity::Period,
-        () if TIMES.contains(&lower.as_str()) => NamedQuantity::Position(Against::Time),
-        () if NUMBERS.contains(&lower.as_str()) => NamedQuantity::Position(Against::Swings),
+        () if Heading::read(header, None, None).is(QuantityKind::Time) => NamedQuantity::Position(Against::Time),
+        () if NUMBERS.contains(&lower.as_str()) || says_number_of_swings(name) => {
+            NamedQuantity::Position(Against::Swings)
+        }
         () => NamedQuantity::Other,
     }
 }

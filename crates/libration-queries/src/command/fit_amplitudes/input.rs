@@ -81,6 +81,14 @@ impl Input {
         let against = self.against(roles.as_ref(), &table, &chosen)?;
         let read = ColumnsInSi::from_table(&table, &chosen, &self.wanted())
             .map_err(|error| self.no_answer(error))?;
+        let values = read.columns[1].iter().flatten();
+        let largest = values.fold(0.0_f64, |largest, value| largest.max(value.abs()));
+        if largest >= std::f64::consts::PI && !read.are_stated[1] {
+            let reason = format!(
+                "is needed: the amplitudes, up to {largest}, have no unit, and may be degrees or lengths, but not radians"
+            );
+            return Err(QueryError::usage(option("amplitude-unit"), reason));
+        }
         self.checked(against, read.units[1], read.columns, read.dropped, read.inferences)
     }
 
@@ -94,7 +102,7 @@ impl Input {
         mut inferences: Inferences,
     ) -> Result<AmplitudeFile, QueryError> {
         let unit = match unit {
-            Unit::Metre | Unit::Centimetre | Unit::Millimetre | Unit::Inch => "m",
+            Unit::Metre | Unit::Centimetre | Unit::Millimetre | Unit::Inch | Unit::Foot => "m",
             Unit::Count | Unit::Pixel => "counts",
             _ => "rad",
         };

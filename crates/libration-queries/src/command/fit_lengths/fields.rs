@@ -33,8 +33,12 @@ impl Answer<'_> {
             LengthsWarning::NowhereOnEarth { mistake: Some(GravityMistake::CentimetresAsMetres) } => {
                 format!("{warning} (<--length-unit=cm>)")
             }
-            LengthsWarning::NowhereOnEarth { mistake: Some(GravityMistake::TenSwingsAsOne) } => {
-                format!("{warning} (<--swings-per-reading=10>, <--length-unit=m>)")
+            LengthsWarning::NowhereOnEarth { mistake: Some(GravityMistake::WholePeriodsAsHalf) } => {
+                format!("{warning} (<--swings-per-reading=2>)")
+            }
+            LengthsWarning::NowhereOnEarth { mistake: Some(GravityMistake::SwingsAsOne(number)) } => {
+                let unit = if *number == 10 { ", <--length-unit=m>" } else { "" };
+                format!("{warning} (<--swings-per-reading={number}>{unit})")
             }
             LengthsWarning::PhysicalPendulum { .. } => format!("{warning} (<--model=simple> to fit that)"),
             LengthsWarning::Bent { radius: Some(_) } => format!("{warning} (<--bob-radius>)"),

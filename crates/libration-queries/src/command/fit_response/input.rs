@@ -59,7 +59,7 @@ impl Input {
         let table = self.dialect.read(&self.file)?;
         let read = self.columns.read(&self.name(), &table, &self.wanted(), None, "fit response")?;
         let unit = match read.units[1] {
-            Unit::Metre | Unit::Centimetre | Unit::Millimetre | Unit::Inch => "m",
+            Unit::Metre | Unit::Centimetre | Unit::Millimetre | Unit::Inch | Unit::Foot => "m",
             Unit::Count | Unit::Pixel => "counts",
             _ => "rad",
         };
