@@ -68,8 +68,8 @@ pub enum DerivationError {
     NoExcitation,
     /// An acceleration that depends on the velocity.
     #[error(
-        "the acceleration depends on the velocity: the derivation is for forces of the position alone; that by averaging accepts such terms where a \
-         small symbol multiplies them"
+        "the acceleration depends on the velocity: the derivation is for even powers of it, with which a motion retraces its path; that by averaging \
+         accepts others where a small symbol multiplies them"
     )]
     Velocity,
     /// A force with different power series on its two sides.
@@ -77,9 +77,13 @@ pub enum DerivationError {
         "the force has one power series above the equilibrium and another below: the derivation is for forces with one"
     )]
     TwoSided,
+    /// Numbers requested of an oscillator with symbols or constants.
+    #[error("the numbers at an amplitude need fractions for all parameters: leave the amplitude out, or give values to the symbols")]
+    NoNumbers,
     /// Irrational numbers in the equation.
     #[error(
-        "the equilibrium, the frequency or the Taylor coefficients are not fractions: the derivation is exact"
+        "the equilibrium is not a fraction or a formula of the symbols, or the Taylor coefficients are not sums of products of symbols and constants: \
+         the derivation is exact"
     )]
     NoFractions,
     /// An irrational frequency.

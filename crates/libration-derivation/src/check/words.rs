@@ -22,6 +22,10 @@ impl Check {
                 "checked: the same power series in {}, exactly, through {}",
                 [variable.into(), last_power(variable, *coefficients)],
             ),
+            Self::Choices { variable, coefficients, choices } => Prose::new(
+                &format!("checked: the same power series in {{}} through {{}}, to 60 digits, for {choices} choices of the symbols"),
+                [variable.into(), last_power(variable, *coefficients)],
+            ),
             Self::Rationals { index, first, last } => Prose::new(
                 "checked: the same fractions, exactly, for {} = {} ",
                 [index.into(), (*first).into()],

@@ -7,6 +7,7 @@ use super::super::check::{
 use super::super::formula::{DecimalUnit, Formula, Name, Relation, Statement};
 use super::{expression, identifier};
 use libration::algebra::Rational;
+use libration::perturbation::RestoringTerm;
 
 /// The lines that repeat the check; `None` if there is nothing to check, or the check cannot be written in Python.
 pub(crate) fn check(equation: &CheckedEquation) -> Option<String> {
@@ -19,10 +20,18 @@ pub(crate) fn check(equation: &CheckedEquation) -> Option<String> {
             let lines = lines.into_iter().chain(given(letters)?);
             Some(block(lines.chain([format!("same_series({coefficients}, {sides})")])))
         }
+        Check::Choices { variable, coefficients, .. } => {
+            let lines = [format!("{} = variable({})", identifier(variable)?, coefficients + 6)];
+            let sides = sides(statement)?.join(", ");
+            let lines = lines.into_iter().chain(given(letters)?);
+            Some(block(lines.chain([format!("nearly_same_series({coefficients}, {sides})")])))
+        }
         Check::Phases { variable, order, phases } => {
             let (variable, terms) = (identifier(variable)?, order + 1);
             let head = [format!("for n in range({phases}):")];
-            let set = [format!("{variable}, τ = variable({terms}), Angle(Q(n, {phases}))")];
+            let has_sines = letters.values.iter().any(|(name, _)| name.primes == 1);
+            let angle = if has_sines { "by_tangent_of_half" } else { "Angle" };
+            let set = [format!("{variable}, τ = variable({terms}), {angle}(Q(n, {phases}))")];
             let left = format!("same_series({terms}, {}, 0)", expression(&statement.first)?);
             let lines = set.into_iter().chain(given(letters)?).chain([left]);
             Some(block(head.into_iter().chain(lines.map(indented))))
@@ -51,13 +60,13 @@ pub(crate) fn check(equation: &CheckedEquation) -> Option<String> {
 
 /// The ansatz of a condition, with its symbols.
 pub(crate) fn ansatz(condition: &OpenCondition) -> Option<String> {
-    let OpenCondition { force, harmonics, frequency, .. } = condition;
-    let force: Vec<String> =
-        force.iter().map(|it| expression(&Formula::Number(it.clone()))).collect::<Option<_>>()?;
-    let names: Vec<String> =
-        (harmonics.iter().map(|(_, _, name)| name).chain(frequency.iter().map(|(_, name)| name)))
-            .map(identifier)
-            .collect::<Option<_>>()?;
+    let OpenCondition { force, symbols, harmonics, frequency, .. } = condition;
+    let term = |it: &RestoringTerm| {
+        Some(format!("({}, {}): {}", it.position, it.velocity, expression(&(&it.factor).into())?))
+    };
+    let force: Vec<String> = force.iter().map(term).collect::<Option<_>>()?;
+    let names = harmonics.iter().map(|(_, _, name)| name).chain(frequency.iter().map(|(_, name)| name));
+    let names: Vec<String> = names.chain(symbols).map(identifier).collect::<Option<_>>()?;
     let harmonics: Vec<String> = harmonics
         .iter()
         .map(|(n, k, name)| Some(format!("({n}, {k}): \"{}\"", identifier(name)?)))
@@ -67,11 +76,11 @@ pub(crate) fn ansatz(condition: &OpenCondition) -> Option<String> {
         .map(|(n, name)| Some(format!("{n}: \"{}\"", identifier(name)?)))
         .collect::<Option<_>>()?;
     Some(block([
-        "# The force, the coefficients by the power of ε and the harmonic, and those of the frequency by the power".to_owned(),
-        format!("ansatz = Ansatz([{}],", force.join(", ")),
+        "# The terms of the force by the powers of displacement and velocity, the coefficients by the power of ε and the harmonic, and those of the frequency by the power".to_owned(),
+        format!("[{}] = letters(\"{}\")", names.join(", "), names.join(" ")),
+        format!("ansatz = Ansatz({{{}}},", force.join(", ")),
         format!("                {{{}}},", harmonics.join(", ")),
         format!("                {{{}}})", frequency.join(", ")),
-        format!("[{}] = letters(\"{}\")", names.join(", "), names.join(" ")),
     ]))
 }
 

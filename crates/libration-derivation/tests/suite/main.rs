@@ -13,3 +13,4 @@ mod notebooks;
 mod paper;
 mod phase;
 mod source;
+mod symbols;

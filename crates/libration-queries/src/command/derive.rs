@@ -1,10 +1,11 @@
 //! `libration derive`: worked derivations, every formula checked.
 
-use crate::arguments::{self, EquationText, OscillatorOptions, PendulumOptions};
+use crate::arguments::{self, ChosenWithLetters, EquationText, OscillatorOptions, PendulumOptions};
 use crate::output::file;
 use crate::query_error::{QueryError, argument, option};
 use crate::{interrupt, parallel};
 use libration::internals::progress::Watch;
+use libration::oscillator::NumbersOrLetters;
 use libration::pendulum::Amplitude;
 use libration::perturbation::{Gauge, SlowFlowError};
 use libration::progress::{Progress, Status};
@@ -196,8 +197,13 @@ impl Derive {
     fn perturbation(&self) -> Result<(Derivation, bool), QueryError> {
         let options = &self.series;
         let name = options.oscillator.as_deref().unwrap_or(PENDULUM);
-        let chosen = OscillatorOptions::new(name, &options.set, options.about.as_deref()).chosen()?;
-        let is_pendulum = chosen.key == Some(PENDULUM) && options.set.is_empty();
+        let chosen = OscillatorOptions::new(name, &options.set, options.about.as_deref());
+        let (oscillator, key) = match chosen.chosen_with_letters(&[])? {
+            Ok(ChosenWithLetters::Numbers(it)) => (NumbersOrLetters::Numbers(it.oscillator), it.key),
+            Ok(ChosenWithLetters::Letters(it)) => (NumbersOrLetters::Letters(it.oscillator), it.key),
+            Err(error) => return Err(QueryError::no_result("oscillator", &error).with_remedies(&error.remedies())),
+        };
+        let is_pendulum = key == Some(PENDULUM) && options.set.is_empty();
         if !is_pendulum && !self.pendulum.is_default() {
             let reason = "<--length> and <--gravity> belong to the pendulum: leave them out";
             return Err(QueryError::misuse(reason));
@@ -207,7 +213,7 @@ impl Derive {
             self.amplitude.clone().map(|amplitude| Released { amplitude, angular_frequency: frequency });
         let gauge = options.gauge.clone().unwrap_or_default();
         let order = options.order.unwrap_or(DEFAULT_ORDER);
-        cancellable(|progress| perturbation(&chosen.oscillator, order, &gauge, released.as_ref(), progress))
+        cancellable(|progress| perturbation(oscillator.clone(), order, &gauge, released.as_ref(), progress))
     }
 
     fn averaging(&self) -> Result<(Derivation, bool), QueryError> {
@@ -266,7 +272,9 @@ const DEFAULT_DAMPING_ORDER: usize = 2;
 fn failure(error: DerivationError) -> QueryError {
     let remedies = error.remedies();
     let refused = match error {
-        DerivationError::Amplitude { .. } | DerivationError::NotAnAmplitude(_) => {
+        DerivationError::Amplitude { .. }
+        | DerivationError::NotAnAmplitude(_)
+        | DerivationError::NoNumbers => {
             QueryError::no_result(option("amplitude"), error)
         }
         DerivationError::Order { .. }
