@@ -74,11 +74,19 @@ pub enum DerivationError {
     Velocity,
     /// A force with different power series on its two sides.
     #[error(
-        "the force has one power series above the equilibrium and another below: the derivation is for forces with one"
+        "the force has one power series above the equilibrium and another below, which is not its mirror image: the derivation is for odd forces, such \
+         as x + x*abs(x)"
     )]
     TwoSided,
+    /// Another gauge for a force with two sides.
+    #[error(
+        "the series of a force with two sides are derived in the largest displacement: leave the gauge out, or give x_max"
+    )]
+    GaugeOfTwoSided,
     /// Numbers requested of an oscillator with symbols or constants.
-    #[error("the numbers at an amplitude need fractions for all parameters: leave the amplitude out, or give values to the symbols")]
+    #[error(
+        "the numbers at an amplitude need fractions for all parameters: leave the amplitude out, or give values to the symbols"
+    )]
     NoNumbers,
     /// Irrational numbers in the equation.
     #[error(

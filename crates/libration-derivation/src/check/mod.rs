@@ -10,6 +10,7 @@ mod averaged;
 mod cycle;
 mod error;
 mod letters;
+mod quarter;
 mod truncated;
 mod words;
 
@@ -17,6 +18,7 @@ pub use averaged::{AveragedClaim, AveragedFormula, CycleQuantity, FlowTerms, For
 pub use cycle::{CycleClaim, CycleFormula};
 pub use error::DerivationError;
 pub use letters::{Letters, OpenCondition};
+pub use quarter::{QuarterClaim, QuarterFormula};
 pub use truncated::{TruncatedClaim, TruncatedFormula};
 
 use std::ops::RangeInclusive;
@@ -103,6 +105,8 @@ pub enum Check {
     Averaged(Box<AveragedFormula>),
     /// A part of a limit cycle, which satisfies the equation of motion as a whole.
     Cycle(Box<CycleFormula>),
+    /// A part of a quarter swing, which satisfies the equation of motion as a whole.
+    Quarter(Box<QuarterFormula>),
     /// A part of the algebra of a few harmonics.
     Truncated(Box<TruncatedFormula>),
     /// The digits printed are those of the exact value.
@@ -238,19 +242,19 @@ pub fn same_series_where(
 pub(super) fn same_series_for_choices(
     variable: &Name,
     coefficients: usize,
+    choices: usize,
     given: &dyn Fn(usize) -> Vec<Given<'static>>,
     statement: Statement,
 ) -> Result<CheckedEquation, DerivationError> {
-    const CHOICES: usize = 3;
     // A sum of some hundred products of 256 bits is right to 70 digits.
     const LEAST: f64 = 1e-60;
     let floats = Floats { precision: PRECISION };
     let rest = |it: &BigFloat| Some(it.to_f64()).filter(|it| it.abs() > LEAST).map(|it| format!("{it:e}"));
-    for choice in 0..CHOICES {
+    for choice in 0..choices {
         let series = Series { variable, coefficients, given: &given(choice) };
         series.compared(floats, &rest, &|_, _| None, &statement)?;
     }
-    let check = Check::Choices { variable: variable.clone(), coefficients, choices: CHOICES };
+    let check = Check::Choices { variable: variable.clone(), coefficients, choices };
     Ok(CheckedEquation::new(statement, check).with_letters(letters_of(&given(0))))
 }
 
@@ -326,7 +330,9 @@ impl Series<'_> {
             let other = side(statement, formula, &ring, &values)?;
             compared = compared.min(other.len());
             let difference = ring.subtract(&first, &other);
-            if let Some((place, rest)) = difference.iter().map(rest).enumerate().find_map(|(n, it)| Some((n, it?))) {
+            if let Some((place, rest)) =
+                difference.iter().map(rest).enumerate().find_map(|(n, it)| Some((n, it?)))
+            {
                 return Err(failed(statement, format!("its sides differ by {rest} in the power {place}")));
             }
         }

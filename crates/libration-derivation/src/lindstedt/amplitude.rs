@@ -58,7 +58,7 @@ pub(super) fn iteration(question: &Question) -> Result<DerivationStep, Derivatio
     passes(question, step, sum_of_harmonics)
 }
 
-/// aₖ as series in ε.
+/// The symbols, and aₖ as series in ε.
 fn harmonics_in_epsilon<'a>(question: &Question, solution: &Solution) -> Vec<Given<'a>> {
     let series = |k: usize| Given::Value(harmonic_name(k), polynomial(&solution.harmonic(k), &letter("ε")));
     let mut given = question.free_symbols();
@@ -153,9 +153,9 @@ pub(super) fn relations(
     let of = of_amplitude(question, solution)?;
     let period = letter("T");
     let small = Name::new("T").index(0);
-    let mut given = question.free_symbols();
-    given.push(Given::Value(Name::new("ε"), polynomial(&of.epsilon, &question.amplitude().into())));
-    given.extend(harmonics_in_epsilon(question, solution));
+    let mut given = harmonics_in_epsilon(question, solution);
+    let epsilon = Given::Value(Name::new("ε"), polynomial(&of.epsilon, &question.amplitude().into()));
+    given.insert(question.symbols().count(), epsilon);
     given.push(Given::Value(Name::new("Δ"), polynomial(&solution.frequency_ratio, &letter("ε"))));
     given.push(Given::Value(Name::new("T"), number(1) / letter("Δ")));
     given.push(Given::Value(small.clone(), number(1)));

@@ -2,7 +2,9 @@
 
 use super::super::check::{CheckedEquation, DerivationError};
 use super::super::document::DerivationStep;
-use super::super::formula::{Formula, Name, Statement, cos, integral, letter, number, order, sin, sum, tenths};
+use super::super::formula::{
+    Formula, Name, Statement, cos, integral, letter, number, order, sin, sum, tenths,
+};
 use super::super::trials::Trials;
 use super::names::{coefficient_name, cosine, harmonic_name};
 use super::question::Question;

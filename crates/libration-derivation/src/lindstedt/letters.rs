@@ -5,6 +5,7 @@ use super::super::document::DerivationStep;
 use super::super::formula::{Formula, Name, Statement, letter, order, polynomial, sum};
 use super::amplitude::of_amplitude;
 use super::names::harmonic_name;
+use super::orders::CHOICES;
 use super::question::Question;
 use super::reduced::{in_symbols, omega0};
 use libration::algebra::{LaurentPolynomial, LaurentPolynomials, Rational, Ring};
@@ -12,7 +13,10 @@ use libration::internals::progress::Watch;
 use libration::perturbation::{Gauge, SymbolicExpansion, expand_symbolically};
 
 /// The step; `None` if all numbers of the equation are fractions.
-pub(super) fn step(question: &Question, watch: &Watch<'_>) -> Result<Option<DerivationStep>, DerivationError> {
+pub(super) fn step(
+    question: &Question,
+    watch: &Watch<'_>,
+) -> Result<Option<DerivationStep>, DerivationError> {
     if question.oscillator.is_some() {
         return Ok(None);
     }
@@ -85,5 +89,5 @@ fn checked(
         given.push(Given::Value(Name::new("Ω"), omega0() * letter("Δ")));
         given
     };
-    same_series_for_choices(&question.amplitude(), coefficients, &given, statement)
+    same_series_for_choices(&question.amplitude(), coefficients, CHOICES, &given, statement)
 }

@@ -23,8 +23,9 @@ pub(crate) mod truncated;
 use super::check::DerivationError;
 use super::document::{Block, Derivation, DerivationStep};
 use super::prose::Prose;
+use super::two_sided::two_sided;
 use libration::internals::progress::Watch;
-use libration::oscillator::NumbersOrLetters;
+use libration::oscillator::{Kind, NumbersOrLetters};
 use libration::perturbation::Gauge;
 use libration::progress::{Interrupted, Progress, Stage};
 use libration::quantity::Displacement;
@@ -45,6 +46,8 @@ pub const HIGHEST_ORDER: usize = 9;
 /// The motion and the period of an oscillator as series in the amplitude: derived order by order with an open gauge, then in the
 /// requested gauge and in a second one, with the numbers of an oscillation if one is given.
 ///
+/// Of an odd force with another power series on either side, such as x + x|x|, a quarter swing is derived, by powers of the largest displacement.
+///
 /// A cancelled call returns the steps derived so far.
 ///
 /// # Errors
@@ -59,10 +62,20 @@ pub fn perturbation(
     progress: &dyn Progress,
 ) -> Result<Derivation, DerivationError> {
     let watch = &Watch::new(progress);
+    let oscillator = oscillator.into();
+    if let NumbersOrLetters::Numbers(oscillator) = &oscillator
+        && *oscillator.kind() == Kind::TwoSided
+    {
+        let amplitude = released.map(|released| &released.amplitude);
+        return match (2..=HIGHEST_ORDER).contains(&order) {
+            true => two_sided(oscillator, order, gauge, amplitude, watch),
+            false => Err(DerivationError::Order { order }),
+        };
+    }
     watch.begin(Stage::Whole, Some(PARTS.len()));
     let title = "Perturbation theory of an oscillator, order by order".to_owned();
     let mut derivation = Derivation { title, introduction: introduction(), steps: vec![], answers: vec![] };
-    let question = match Question::of(&oscillator.into(), order, gauge, &watch.part()) {
+    let question = match Question::of(&oscillator, order, gauge, &watch.part()) {
         Err(_) if watch.is_stopped() => return Err(Interrupted.into()),
         question => question?,
     };

@@ -32,9 +32,9 @@ impl Reduced {
             let per_velocity = ring.power(square, &Rational::from(i64::try_from(velocity / 2).ok()?))?;
             let numerator = ring.negate(&ring.multiply(&value, &per_velocity));
             let ratio = ring.divide(&numerator, square);
-            let known = numerators.iter().find_map(|(symbol, other)| {
-                Some((symbol, ring.divide(&numerator, other)?.to_constant()?))
-            });
+            let known = numerators
+                .iter()
+                .find_map(|(symbol, other)| Some((symbol, ring.divide(&numerator, other)?.to_constant()?)));
             let factor = match (ratio.as_ref().and_then(LaurentPolynomial::to_constant), known) {
                 (Some(number), _) => Polynomial::constant(number),
                 (None, Some((symbol, number))) => Polynomial::variable(symbol.clone()).scaled(&number),
@@ -89,9 +89,8 @@ impl Reduced {
 
     /// The equation with the variable u, as text.
     pub(super) fn equation(&self) -> String {
-        let term = |term: &RestoringTerm| {
-            format!(" + ({})*u^{}*u'^{}", term.factor, term.position, term.velocity)
-        };
+        let term =
+            |term: &RestoringTerm| format!(" + ({})*u^{}*u'^{}", term.factor, term.position, term.velocity);
         format!("u'' + u{} = 0", self.terms.iter().map(term).collect::<String>())
     }
 }

@@ -5,6 +5,7 @@ use super::super::check::{
 };
 use super::super::document::DerivationStep;
 use super::super::formula::{Formula, Name, Statement, cos, letter, number, order, polynomial};
+use super::orders::CHOICES;
 use super::question::Question;
 use super::reduced::omega0;
 use libration::algebra::Rational;
@@ -121,7 +122,7 @@ fn by_powers(question: &Question, step: DerivationStep) -> Result<DerivationStep
         given
     };
     let variable = if question.has_velocity() { epsilon.clone() } else { question.displacement.clone() };
-    let step = step.show(same_series_for_choices(&variable, question.order + 1, &given, statement)?);
+    let step = step.show(same_series_for_choices(&variable, question.order + 1, CHOICES, &given, statement)?);
     let step = match question.has_velocity() {
         true => step.say("for a displacement and a velocity of the size of {}.", [(&epsilon).into()]),
         false => step,
@@ -134,7 +135,9 @@ fn by_powers(question: &Question, step: DerivationStep) -> Result<DerivationStep
         return Ok(step);
     }
     let said = match question.has_velocity() {
-        true => "A symbol stands for what is before a product of powers. Below it are their exponents, first that of the displacement:",
+        true => {
+            "A symbol stands for what is before a product of powers. Below it are their exponents, first that of the displacement:"
+        }
         false => "A symbol stands for what is before a power:",
     };
     Ok(step.say(said, []).show_all(defined))

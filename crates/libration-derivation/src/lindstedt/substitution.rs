@@ -7,7 +7,9 @@ use super::super::check::{
     Check, CheckedEquation, DerivationError, Given, Letters, failed, letters_of, same_series_where,
     series_value,
 };
-use super::super::formula::{Formula, Name, Statement, letter, monomial, number, order, polynomial, sin, sum};
+use super::super::formula::{
+    Formula, Name, Statement, letter, monomial, number, order, polynomial, sin, sum,
+};
 use super::names::{cosine, harmonic_name};
 use super::question::Question;
 use super::solution::Series;
@@ -36,9 +38,8 @@ pub fn solves(question: &Question, motion: &Motion) -> Result<CheckedEquation, D
 fn letters(question: &Question, motion: &Motion) -> Letters {
     let series = |(k, series): &(usize, Series)| (harmonic_name(*k), polynomial(series, &letter("ε")));
     let total = |weight: &dyn Fn(usize) -> i64| {
-        let term = |(k, _): &(usize, Series)| {
-            number(weight(*k)) * Formula::from(harmonic_name(*k)) * cosine(*k)
-        };
+        let term =
+            |(k, _): &(usize, Series)| number(weight(*k)) * Formula::from(harmonic_name(*k)) * cosine(*k);
         sum(motion.harmonics.iter().map(term).collect())
     };
     let square = |k: usize| -i64::try_from(k * k).unwrap_or(i64::MAX);
@@ -126,7 +127,8 @@ fn waves(first: [Rational; 2], cosine: &Rational, highest: usize) -> Vec<Rationa
 
 /// The symbols, Δ, u, its derivatives and the variable at one phase.
 fn given<'a>(question: &Question, motion: &Motion, [cosine, sine]: &[Rational; 2]) -> Vec<Given<'a>> {
-    let (cosines, sines) = (chebyshev(cosine, question.order), waves([Rational::from(0), sine.clone()], cosine, question.order));
+    let (cosines, sines) =
+        (chebyshev(cosine, question.order), waves([Rational::from(0), sine.clone()], cosine, question.order));
     let sum = |waves: &[Rational], weight: &dyn Fn(i64) -> i64| {
         let mut sums = vec![Polynomial::zero(); question.order + 1];
         for (k, series) in &motion.harmonics {

@@ -2,7 +2,7 @@
 
 use super::super::check::{
     AveragedClaim, Check, CheckedEquation, ComparedAt, CycleClaim, CycleQuantity, FlowTerms, ForceTerm,
-    Letters, OpenCondition, TruncatedClaim, TruncatedFormula,
+    Letters, OpenCondition, QuarterClaim, QuarterFormula, TruncatedClaim, TruncatedFormula,
 };
 use super::super::formula::{DecimalUnit, Formula, Name, Relation, Statement};
 use super::{expression, identifier};
@@ -52,6 +52,7 @@ pub(crate) fn check(equation: &CheckedEquation) -> Option<String> {
         Check::Substituted { condition: Some(condition), .. } => substituted(statement, condition),
         Check::Catalogued { leading_error, .. } => catalogued(statement, leading_error.as_ref()),
         Check::Truncated(formula) => truncated(statement, &formula.claim, &formula.harmonics),
+        Check::Quarter(formula) => quarter(statement, formula.power, &formula.claim),
         Check::Cycle(formula) => cycle(statement, formula.order, &formula.claim),
         Check::Averaged(formula) => averaged(statement, &formula.claim),
         _ => None,
@@ -206,6 +207,30 @@ fn averaged(statement: &Statement, claim: &AveragedClaim) -> Option<String> {
             Some(format!("flow.{method}(lambda {}: {})", identifier(parameter)?, right()?))
         }
     }
+}
+
+/// The code of a cell with the force of a quarter swing.
+pub(crate) fn quarter_swing(formula: &QuarterFormula) -> Option<String> {
+    let force = formula.force.iter().map(|it| expression(&Formula::Number(it.clone())));
+    Some(block([
+        "# The factors of the second and higher powers in the force.".to_owned(),
+        format!("quarter = Quarter([{}])", force.collect::<Option<Vec<String>>>()?.join(", ")),
+    ]))
+}
+
+fn quarter(statement: &Statement, n: usize, claim: &QuarterClaim) -> Option<String> {
+    let right = expression(&statement.rest.last()?.1)?;
+    Some(match claim {
+        QuarterClaim::Forcing { known } => {
+            format!("quarter.forces({n}, lambda pi, τ: {})", expression(known)?)
+        }
+        QuarterClaim::Begun => format!("quarter.begins({n}, lambda pi, τ: {right})"),
+        QuarterClaim::Correction => format!("quarter.corrects({n}, lambda pi: {right})"),
+        QuarterClaim::Motion => format!("quarter.moves({n}, lambda pi, τ: {right})"),
+        QuarterClaim::Harmonic { amplitude, harmonic } => {
+            format!("quarter.harmonic({harmonic}, lambda pi, {}: {right})", identifier(amplitude)?)
+        }
+    })
 }
 
 /// A coefficient determined at lower orders.

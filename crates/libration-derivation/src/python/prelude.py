@@ -535,6 +535,13 @@ class Phased(dict):
                 result = result + Phased({(e + p, 0, 0, 0): a * half_turns**p * (-1) ** (k * half_turns)})
         return result
 
+    def at_quarter_turn(self):
+        """The value where the phase is half of pi."""
+        result = Phased()
+        for (e, p, k, s), a in self.items():
+            result = result + Phased({(e + p, 0, 0, 0): a * Q(1, 2) ** p * (1, 0, -1, 0)[(k - s) % 4]})
+        return result
+
 
 def phased(x):
     return x if isinstance(x, Phased) else Phased({(0, 0, 0, 0): Q(x)} if x != 0 else {})
@@ -747,6 +754,52 @@ class LimitCycle:
     def frequency(self, told):
         told = told(variable(40))
         assert len(told) == len(self.w) and all(phased(a) == b for a, b in zip(told.c, self.w)), told.c
+
+
+class Quarter:
+    """A swing from the turning point A to zero, by powers of A: the functions of the phase, and the corrections of the frequency.
+
+    The force beside x itself is given by the factors of the powers of x, the first for x squared."""
+
+    def __init__(self, force):
+        self.force, self.x, self.d = force, [phased(0), cos(PHASE)], [phased(1)]
+
+    def product(self, f, g, n):
+        return sum((f[i] * g[n - i] for i in range(n + 1) if i < len(f) and n - i < len(g)), phased(0))
+
+    def right(self, n):
+        """The right side of x_n'' + x_n, without the correction that this power fixes."""
+        result = phased(0)
+        for m in range(1, n):
+            result = result - self.product(self.d, self.d, m) * self.x[n - m].slope().slope()
+        power = self.x
+        for factor in self.force:
+            power = [self.product(power, self.x, m) for m in range(n + 1)]
+            result = result - factor * power[n]
+        return result
+
+    def forces(self, n, known):
+        self.known = phased(known(PI, PHASE))
+        assert self.right(n) == self.known, self.right(n)
+
+    def begins(self, n, begun):
+        y = self.begun = phased(begun(PI, PHASE))
+        assert y.slope().slope() + y == self.known and y.at(0) == y.slope().at(0) == {}, y
+
+    def corrects(self, n, correction):
+        self.d.append(phased(correction(PI)))
+        assert self.begun.at_quarter_turn() + self.d[-1] * PI * Q(1, 2) == {}, self.begun.at_quarter_turn()
+
+    def moves(self, n, x):
+        self.x.append(phased(x(PI, PHASE)))
+        assert self.x[-1] == self.begun + self.d[-1] * PHASE * sin(PHASE), self.x[-1]
+
+    def harmonic(self, k, told):
+        told = told(pi, variable(40)).c
+        assert len(told) == len(self.x)
+        for x, a in zip(self.x, told):
+            part = (4 * x * cos(k * PHASE)).integral().at_quarter_turn() / PI
+            agree(sum(float(factor) * pi ** e for (e, _, _, _), factor in part.items()), a)
 
 
 def padded(x):

@@ -14,3 +14,4 @@ mod paper;
 mod phase;
 mod source;
 mod symbols;
+mod two_sided;

@@ -12,8 +12,8 @@ use libration::progress::Quiet;
 use libration::quantity::Displacement;
 use libration_derivation::internals::{DIGITS, Values, evaluate};
 use libration_derivation::{
-    Block, Check, Derivation, DerivationError, Formula, Name, Subscript, perturbation, statement_latex, to_html,
-    to_latex, to_markdown, to_notebook,
+    Block, Check, Derivation, DerivationError, Formula, Name, Subscript, perturbation, statement_latex,
+    to_html, to_latex, to_markdown, to_notebook,
 };
 
 /// An equation with the frequency that is derived.
@@ -55,7 +55,11 @@ fn rows() -> Vec<Row> {
             values: &[B, W],
             frequency: &[1.5, 0.0, 1.0 / 9.0, 0.0, -7.0 / 1458.0],
             next: 6.0,
-            ..row("x'' + w^2*x + b*x^3 = 0", 5, r"w+\frac{3b}{8w}x_{\mathrm{max}}^{2}-\frac{21b^{2}}{256w^{3}}")
+            ..row(
+                "x'' + w^2*x + b*x^3 = 0",
+                5,
+                r"w+\frac{3b}{8w}x_{\mathrm{max}}^{2}-\frac{21b^{2}}{256w^{3}}",
+            )
         },
         Row {
             values: &[A, B, W],
@@ -101,19 +105,19 @@ fn rows() -> Vec<Row> {
             values: &[A],
             frequency: &[1.0, 0.0, 9.0 / 32.0, 0.0, 243.0 / 4096.0],
             next: 6.0,
-            ..row("x'' + x + a*x*x'^2 = 0", 5, r"\frac{a}{8}x_{\mathrm{max}}^{2}")
+            ..row("x'' + x + a*x*x'^2 = 0", 5, r"\frac{1}{8}ax_{\mathrm{max}}^{2}")
         },
         Row {
             values: &[A],
             frequency: &[1.0, 0.0, -27.0 / 32.0, -81.0 / 32.0],
             next: 4.0,
-            ..row("x'' + x + a*x'^2 = 0", 4, r"-\frac{a^{2}}{6}x_{\mathrm{max}}^{2}")
+            ..row("x'' + x + a*x'^2 = 0", 4, r"-\frac{1}{6}a^{2}x_{\mathrm{max}}^{2}")
         },
         Row {
             values: &[A, B, W],
             frequency: &[1.5, 0.0, 307.0 / 576.0],
             next: 4.0,
-            ..row("x'' + w^2*x + a*x*x'^2 + b*x^3 = 0", 3, r"\frac{3b}{8w}+\frac{aw}{8}")
+            ..row("x'' + w^2*x + a*x*x'^2 + b*x^3 = 0", 3, r"\frac{3b}{8w}+\frac{1}{8}aw")
         },
         Row {
             frequency: &[1.0, 0.0, -1.0 / 4.0, 0.0, 7.0 / 64.0],
@@ -219,9 +223,8 @@ fn in_place(equation: &str, name: &str, value: &str) -> String {
         place.and_then(|place| letters.get(place)).is_some_and(|it| it.is_alphabetic())
     };
     let each = letters.iter().enumerate().map(|(place, letter)| {
-        let is_symbol = letter.to_string() == name
-            && !is_letter(place.checked_sub(1))
-            && !is_letter(Some(place + 1));
+        let is_symbol =
+            letter.to_string() == name && !is_letter(place.checked_sub(1)) && !is_letter(Some(place + 1));
         if is_symbol { format!("({value})") } else { letter.to_string() }
     });
     each.collect()

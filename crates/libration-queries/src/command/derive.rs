@@ -33,6 +33,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
   libration derive --method perturbation quadratic --order 4 --gauge A1=1,A2=1/2
   libration derive --method perturbation quadratic --format ipynb \\
     --output quadratic.ipynb
+  libration derive --method perturbation \"x'' + w^2*x + b*x^3 = 0\" --order 3
+  libration derive --method perturbation \"x'' + x + x*abs(x) = 0\" --order 4
   libration derive --method averaging --set n=2 --order 5 --damping-order 2 \\
     --format html --output damping.html
   libration derive --method limit-cycle van_der_pol --order 4 --format ipynb \\
@@ -100,7 +102,7 @@ enum Method {
     Short,
     /// Origin of the published formulas for the period
     Formulas,
-    /// Motion and period of any conservative oscillator, order by order
+    /// Motion and period of a free oscillator, order by order; parameters may stay symbols
     Perturbation,
     /// Amplitude and phase under weak damping or excitation, power by power
     #[value(alias = "damping")]
@@ -201,7 +203,7 @@ impl Derive {
         let (oscillator, key) = match chosen.chosen_with_letters(&[])? {
             Ok(ChosenWithLetters::Numbers(it)) => (NumbersOrLetters::Numbers(it.oscillator), it.key),
             Ok(ChosenWithLetters::Letters(it)) => (NumbersOrLetters::Letters(it.oscillator), it.key),
-            Err(error) => return Err(QueryError::no_result("oscillator", &error).with_remedies(&error.remedies())),
+            Err(error) => return Err(arguments::no_oscillator(error)),
         };
         let is_pendulum = key == Some(PENDULUM) && options.set.is_empty();
         if !is_pendulum && !self.pendulum.is_default() {
@@ -274,9 +276,7 @@ fn failure(error: DerivationError) -> QueryError {
     let refused = match error {
         DerivationError::Amplitude { .. }
         | DerivationError::NotAnAmplitude(_)
-        | DerivationError::NoNumbers => {
-            QueryError::no_result(option("amplitude"), error)
-        }
+        | DerivationError::NoNumbers => QueryError::no_result(option("amplitude"), error),
         DerivationError::Order { .. }
         | DerivationError::AmplitudeOrder { .. }
         | DerivationError::CycleOrder { .. } => QueryError::usage(option("order"), error),
