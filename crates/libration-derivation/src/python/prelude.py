@@ -779,7 +779,7 @@ class Quarter:
         return result
 
     def forces(self, n, known):
-        self.known = phased(known(PI, PHASE))
+        self.known, self.begun = phased(known(PI, PHASE)), phased(0)
         assert self.right(n) == self.known, self.right(n)
 
     def begins(self, n, begun):

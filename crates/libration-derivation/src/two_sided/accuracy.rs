@@ -29,6 +29,9 @@ pub(super) fn step(
     for (n, coefficient) in subject.period_ratio().iter().enumerate() {
         let term = coefficient.to_f64() * power;
         (sum, power) = (sum + term, power * at);
+        if coefficient.is_zero() {
+            continue;
+        }
         let mut row = vec![
             Prose::formula(number(i64::try_from(n).unwrap_or(i64::MAX))),
             shown(term, 6),

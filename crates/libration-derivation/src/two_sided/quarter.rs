@@ -17,7 +17,7 @@ pub struct Quarter {
     pub orders: Vec<Order>,
 }
 
-/// What a power of the amplitude leads to.
+/// The contributions to a power of the amplitude, and the solution without the correction of the frequency.
 #[derive(Clone, Debug)]
 pub struct Order {
     /// The power n.

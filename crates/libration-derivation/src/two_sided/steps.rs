@@ -193,13 +193,24 @@ pub(super) fn one_power(subject: &Subject, found: &Order) -> DerivationStep {
     let of_correction = number(2) * Formula::from(&correction) * cos(tau());
     let right = if found.known.is_zero() { of_correction } else { of_correction + known.clone() };
     let forcing = checked(subject, n, Statement::equal(left, right), QuarterClaim::Forcing { known });
+    let step = DerivationStep::new(&format!("order-{n}"), &format!("Power {n} of the amplitude"));
+    if found.known.is_zero() {
+        return step
+            .say("Lower powers bring nothing to the right side. The equation in this power is", [])
+            .show(forcing)
+            .say(
+                "and its solution from rest, {}, vanishes at {} only if the correction does:",
+                [Formula::from(&correction) * tau() * sin(tau()), Formula::Pi / 2],
+            )
+            .show(checked(subject, n, Statement::equal(&correction, 0), QuarterClaim::Correction))
+            .show(checked(subject, n, Statement::equal(&part, 0), QuarterClaim::Motion));
+    }
     let way = |step: DerivationStep| {
         step.say("The parts of the equation of motion bring to the right side", [])
             .table(table(subject, found))
             .say("so that the equation in this power is", [])
             .show(forcing)
     };
-    let step = DerivationStep::new(&format!("order-{n}"), &format!("Power {n} of the amplitude"));
     let step = match n <= OPEN_TO_READ {
         true => way(step),
         false => step.fold("Contributions of lower powers, and the equation", way),

@@ -143,20 +143,3 @@ fn numbers_are_shown_at_an_amplitude_and_other_forces_are_refused() {
     let latex = to_latex(&derived("x'' + x + x*abs(x) = 0", 5).unwrap().exercises());
     assert_eq!(latex.matches('{').count(), latex.matches('}').count());
 }
-
-#[test]
-fn zz_print() {
-    let which = std::env::var("SHOW").unwrap_or_default();
-    if which.is_empty() {
-        return;
-    }
-    let order = std::env::var("ORDER").map(|it| it.parse().unwrap()).unwrap_or(3);
-    let oscillator = libration::oscillator::NumbersOrLetters::new(&which.parse().unwrap(), None).unwrap();
-    let derivation = perturbation(oscillator, order, &Gauge::Fundamental, None, &Quiet).unwrap();
-    std::fs::write("/tmp/wtd/show.md", to_markdown(&derivation)).unwrap();
-    std::fs::write("/tmp/wtd/show.tex", to_latex(&derivation)).unwrap();
-    std::fs::write("/tmp/wtd/show.html", libration_derivation::to_html(&derivation)).unwrap();
-    std::fs::write("/tmp/wtd/show.ipynb", libration_derivation::to_notebook(&derivation)).unwrap();
-    std::fs::write("/tmp/wtd/show_ex.ipynb", libration_derivation::to_notebook(&derivation.exercises()))
-        .unwrap();
-}
