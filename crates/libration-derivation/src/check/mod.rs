@@ -311,6 +311,8 @@ struct Series<'a> {
     given: &'a [Given<'a>],
 }
 
+/// A ring of series, and the values of names in it.
+type InSeries<R> = (PowerSeries<R>, Values<Vec<<R as Ring>::Element>>);
 /// The value of a symbol, given with its place among the names.
 type Symbols<'a, E> = &'a dyn Fn(usize, &Variable) -> Option<E>;
 
@@ -348,7 +350,7 @@ impl Series<'_> {
         numbers: R,
         symbols: Symbols<'_, R::Element>,
         statement: &Statement,
-    ) -> Result<(PowerSeries<R>, Values<Vec<R::Element>>), DerivationError> {
+    ) -> Result<InSeries<R>, DerivationError> {
         // Quotients of series without constant term lose coefficients.
         let ring = PowerSeries { coefficients: numbers, terms: self.coefficients + 6 };
         let mut values = Values::default();
