@@ -2,7 +2,7 @@
 
 use libration::algebra::{Polynomial, Rational, Variable};
 use libration::internals::progress::Watch;
-use libration::oscillator::NamedOscillator;
+use libration::oscillator::{NamedOscillator, Oscillator};
 use libration::perturbation::{Gauge, TruncatedSystem};
 use libration::progress::Quiet;
 use libration::quantity::Displacement;
@@ -21,8 +21,17 @@ fn question(key: &str, order: usize) -> Question {
 
 #[test]
 fn every_single_coefficient_matters_to_the_equation_of_motion() {
-    for (key, order) in [("pendulum", 5), ("quadratic", 4)] {
-        let question = question(key, order);
+    let of = |equation: &str| {
+        let oscillator = Oscillator::new(&equation.parse().unwrap()).unwrap();
+        Question::new(&oscillator, 4, &Gauge::Fundamental, &Watch::new(&Quiet)).unwrap()
+    };
+    for (key, question) in [
+        ("pendulum", question("pendulum", 5)),
+        ("quadratic", question("quadratic", 4)),
+        ("symbol", of("x'' + x + sqrt(2)*x^2 = 0")),
+        ("velocity", of("x'' + x + x*x'^2 - x'^2/3 = 0")),
+    ] {
+        let order = if key == "pendulum" { 5 } else { 4 };
         let right = motion(&question, &question.solution);
         assert!(solves(&question, &right).is_ok());
         for (place, (k, series)) in right.harmonics.iter().enumerate() {
