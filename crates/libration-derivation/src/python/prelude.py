@@ -348,7 +348,8 @@ class Ansatz:
         ratio = Cosines({(m, 0): put(name) for m, name in self.ratio.items() if m < n})
         ratio[(0, 0)] = polynomial(1)
         second = Cosines({(m, j): -j * j * a for (m, j), a in u.items()})
-        result = ratio.times(ratio, n).times(second, n).get((n, k), polynomial(0)) + u.get((n, k), polynomial(0))
+        linear = ratio.times(ratio, n).times(second, n).get((n, k), polynomial(0))
+        result = linear + u.get((n, k), polynomial(0))
         slope = ratio.times(Cosines({(m, j): -j * a for (m, j), a in u.items() if j > 0}), n)
         square = slope.times(slope, n, -1)
         for (position, velocity), factor in self.force.items():
@@ -539,7 +540,8 @@ class Phased(dict):
         """The value where the phase is half of pi."""
         result = Phased()
         for (e, p, k, s), a in self.items():
-            result = result + Phased({(e + p, 0, 0, 0): a * Q(1, 2) ** p * (1, 0, -1, 0)[(k - s) % 4]})
+            wave = (1, 0, -1, 0)[(k - s) % 4]
+            result = result + Phased({(e + p, 0, 0, 0): a * Q(1, 2) ** p * wave})
         return result
 
 
@@ -757,15 +759,15 @@ class LimitCycle:
 
 
 class Quarter:
-    """A swing from the turning point A to zero, by powers of A: the functions of the phase, and the corrections of the frequency.
-
-    The force beside x itself is given by the factors of the powers of x, the first for x squared."""
+    """A swing from the turning point A to zero, by powers of A: functions of the phase, and the
+    corrections of the frequency. The force has further powers of x, the first of them x squared."""
 
     def __init__(self, force):
         self.force, self.x, self.d = force, [phased(0), cos(PHASE)], [phased(1)]
 
     def product(self, f, g, n):
-        return sum((f[i] * g[n - i] for i in range(n + 1) if i < len(f) and n - i < len(g)), phased(0))
+        known = (i for i in range(n + 1) if i < len(f) and n - i < len(g))
+        return sum((f[i] * g[n - i] for i in known), phased(0))
 
     def right(self, n):
         """The right side of x_n'' + x_n, without the correction that this power fixes."""
@@ -788,7 +790,8 @@ class Quarter:
 
     def corrects(self, n, correction):
         self.d.append(phased(correction(PI)))
-        assert self.begun.at_quarter_turn() + self.d[-1] * PI * Q(1, 2) == {}, self.begun.at_quarter_turn()
+        end = self.begun.at_quarter_turn()
+        assert end + self.d[-1] * PI * Q(1, 2) == {}, end
 
     def moves(self, n, x):
         self.x.append(phased(x(PI, PHASE)))
