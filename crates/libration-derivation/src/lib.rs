@@ -12,7 +12,7 @@
 //! | [`elliptic()`] | the exact period of the pendulum: energy, elliptic integral, series, arithmetic–geometric mean |
 //! | [`first_correction`] | from sin θ ≈ θ − θ³/6 to T ≈ T0(1 + θ0²/16), on two pages |
 //! | [`formulas`] | the published formulas for the period |
-//! | [`perturbation`] | Lindstedt's series of a conservative oscillator, order by order |
+//! | [`perturbation`] | Lindstedt's series of a free oscillator with numbers or symbols, order by order; a quarter swing under a force of two sides |
 //! | [`averaging()`] | amplitude and phase under weak damping or excitation |
 //! | [`limit_cycle()`] | a limit cycle, by powers of its excitation |
 //! | [`paper`] | every equation of two published derivations, verified or corrected |
@@ -47,6 +47,7 @@ mod first_correction;
 mod limit_cycle;
 mod lindstedt;
 mod published;
+mod two_sided;
 
 mod answers;
 mod exercises;
@@ -60,7 +61,7 @@ pub use averaging::{HIGHEST_AMPLITUDE_ORDER, HIGHEST_DAMPING_ORDER, averaging};
 pub use check::{Against, Check, CheckedEquation, ComparedAt, DerivationError, Letters, OpenCondition};
 pub use check::{
     AveragedClaim, AveragedFormula, CycleClaim, CycleFormula, CycleQuantity, FlowTerms, ForceTerm,
-    TruncatedClaim, TruncatedFormula,
+    QuarterClaim, QuarterFormula, TruncatedClaim, TruncatedFormula,
 };
 pub use document::{Block, Cells, Derivation, DerivationStep, DerivationTable};
 pub use elliptic::elliptic;
@@ -110,6 +111,9 @@ pub mod internals {
         pub use crate::lindstedt::substitution::{has_harmonics, solves};
         pub use crate::lindstedt::three_harmonics::check as check_three_harmonics;
         pub use crate::lindstedt::truncated::Elimination;
+    }
+    pub mod two_sided {
+        pub use crate::two_sided::Quarter;
     }
     pub mod paper {
         pub use crate::paper::cosines::{cosine, projection, second_derivative};

@@ -98,6 +98,11 @@ fn questions_without_sense_are_refused() {
         ("derive --method perturbation duffing --amplitude 0.5 --length 1m", 2, "--length"),
         ("derive --method perturbation duffing --gauge nome", 1, "nome"),
         ("derive --method perturbation duffing --amplitude 0", 1, "--amplitude"),
+        ("derive --method perturbation x''+x+a*x^3=0 --amplitude 0.5", 1, "--amplitude"),
+        ("derive --method perturbation x''+x+epsilon*x^3=0", 1, "rename"),
+        ("derive --method perturbation x''+x+x*abs(x)=0 --gauge energy", 1, "x_max"),
+        ("derive --method perturbation x''+x+max(x,0)^2=0", 1, "odd forces"),
+        ("derive --method perturbation x''+x+x*x'=0", 1, "even powers"),
         ("derive --method averaging --amplitude 0.5", 2, "--amplitude"),
         ("derive --method averaging --gauge energy", 2, "--gauge"),
         ("derive --method averaging --about 1", 2, "--about"),
@@ -151,6 +156,10 @@ fn other_oscillators_and_gauges_are_derived() {
         "double_well --order 4 --gauge half_swing",
         "sinh --gauge energy",
         "rotating_hoop --set gamma=1/3",
+        "x''+w^2*x+a*x^2+b*x^3=0 --order 4 --gauge energy",
+        "theta''+g/l*sin(theta)=0 --gauge x_max",
+        "x''-k*x+b*x^3=0 --about sqrt(k/b) --order 3",
+        "relativistic --gauge A1=1,A3=-1 --amplitude 0.2",
         "pendulum --order 9 --gauge nome --amplitude 60deg --length 57cm",
     ] {
         let derivation = text(&format!("derive --method perturbation {arguments}"));
@@ -182,6 +191,9 @@ fn notebooks_check_their_formulas_again() {
         "--method perturbation --order 4 --gauge A1=1,A2=1/2 --exercises",
         "--method perturbation helmholtz_duffing --order 5",
         "--method perturbation double_well --order 4 --gauge energy",
+        "--method perturbation x''+w^2*x+a*x^2+b*x^3=0 --order 3",
+        "--method perturbation x''+sqrt(2)*x+a*x*x'^2=0 --exercises",
+        "--method perturbation x''+x+x*abs(x)=0 --order 4 --amplitude 0.1",
         "--method averaging --order 3",
         "--method averaging --set n=2",
         "--method damping --set n=3 --order 3 --exercises",
@@ -229,6 +241,7 @@ fn notebooks_find_wrong_formulas() {
         ("averaging --set n=2 --order 4", 15),
         ("averaging van_der_pol --order 5", 10),
         ("limit-cycle --order 3", 8),
+        ("perturbation x''+x+x*abs(x)=0 --order 4", 8),
     ] {
         let wrong = with_a_wrong_cell(&code_cells(&format!("derive --method {question} --format ipynb")));
         assert!(wrong.len() > least, "{question}: {}", wrong.len());

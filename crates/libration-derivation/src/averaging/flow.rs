@@ -98,7 +98,7 @@ impl Flow {
         let square = omega0.clone() * omega0.clone();
         let scale = Rational::from(1).checked_div(&square).ok_or(DerivationError::NoPolynomial)?;
         let forced = known.plus(&wave).scaled(&scale.into());
-        let begun = begun_at_rest(&forced);
+        let begun = forced.begun_at_rest();
         // The velocity vanishes at ψ = 0.
         let slow = self.slow_velocity(place).plus(&PhaseFunction::cosine().scaled(&growth));
         let slope =
@@ -242,13 +242,6 @@ pub(crate) fn secular_wave(omega0: &Rational, growth: &PiNumber, frequency: &PiN
     let twice = Rational::from(2) * omega0.clone();
     let cosine = PhaseFunction::cosine().scaled(&frequency.scaled(&twice));
     cosine.plus(&PhaseFunction::sine().scaled(&growth.scaled(&twice)))
-}
-
-/// The solution of y″ + y = r with zero initial value and slope: sin ψ·∫r·cos ψ − cos ψ·∫r·sin ψ.
-fn begun_at_rest(r: &PhaseFunction) -> PhaseFunction {
-    let (cosine, sine) = (PhaseFunction::cosine(), PhaseFunction::sine());
-    let of_sine = sine.times(&r.times(&cosine).integral());
-    of_sine.minus(&cosine.times(&r.times(&sine).integral()))
 }
 
 /// The variable that denotes a coefficient.

@@ -68,18 +68,30 @@ pub enum DerivationError {
     NoExcitation,
     /// An acceleration that depends on the velocity.
     #[error(
-        "the acceleration depends on the velocity: the derivation is for forces of the position alone; that by averaging accepts such terms where a \
-         small symbol multiplies them"
+        "the acceleration depends on the velocity: the derivation is for even powers of it, with which a motion retraces its path; that by averaging \
+         accepts others where a small symbol multiplies them"
     )]
     Velocity,
     /// A force with different power series on its two sides.
     #[error(
-        "the force has one power series above the equilibrium and another below: the derivation is for forces with one"
+        "the force has one power series above the equilibrium and another below, which is not its mirror image: the derivation is for odd forces, such \
+         as x + x*abs(x)"
     )]
     TwoSided,
+    /// Another gauge for a force with two sides.
+    #[error(
+        "the series of a force with two sides are derived in the largest displacement: leave the gauge out, or give x_max"
+    )]
+    GaugeOfTwoSided,
+    /// Numbers requested of an oscillator with symbols or constants.
+    #[error(
+        "the numbers at an amplitude need fractions for all parameters: leave the amplitude out, or give values to the symbols"
+    )]
+    NoNumbers,
     /// Irrational numbers in the equation.
     #[error(
-        "the equilibrium, the frequency or the Taylor coefficients are not fractions: the derivation is exact"
+        "the equilibrium is not a fraction or a formula of the symbols, or the Taylor coefficients are not sums of products of symbols and constants: \
+         the derivation is exact"
     )]
     NoFractions,
     /// An irrational frequency.

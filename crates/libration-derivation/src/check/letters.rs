@@ -1,7 +1,7 @@
 //! Meanings of the names in a formula when it was checked.
 
 use super::super::formula::{Formula, Name};
-use libration::algebra::Rational;
+use libration::perturbation::RestoringTerm;
 
 /// The meanings of the names in a formula when it was checked.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -15,8 +15,10 @@ pub struct Letters {
 /// The condition from one harmonic at one power of the expansion parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OpenCondition {
-    /// The factors of u, u², … in the restoring force divided by ω0².
-    pub force: Vec<Rational>,
+    /// The terms of the restoring force over ω0² besides the displacement itself.
+    pub force: Vec<RestoringTerm>,
+    /// The symbols in their factors.
+    pub symbols: Vec<Name>,
     /// The coefficients of the ansatz: the power of the expansion parameter, the harmonic, and the name.
     pub harmonics: Vec<(usize, usize, Name)>,
     /// The coefficients of the frequency: the power and the name.

@@ -10,6 +10,7 @@ mod averaged;
 mod cycle;
 mod error;
 mod letters;
+mod quarter;
 mod truncated;
 mod words;
 
@@ -17,15 +18,16 @@ pub use averaged::{AveragedClaim, AveragedFormula, CycleQuantity, FlowTerms, For
 pub use cycle::{CycleClaim, CycleFormula};
 pub use error::DerivationError;
 pub use letters::{Letters, OpenCondition};
+pub use quarter::{QuarterClaim, QuarterFormula};
 pub use truncated::{TruncatedClaim, TruncatedFormula};
 
 use std::ops::RangeInclusive;
 
 use super::evaluate::{Analysis, Values, evaluate};
 use super::formula::{Decimal, Formula, Name, Statement};
-use super::numbers::Coefficients;
+use super::numbers::PRECISION;
 use super::typeset::statement_latex;
-use libration::algebra::{Rational, Rationals, Ring};
+use libration::algebra::{BigFloat, Floats, Polynomial, Polynomials, Rational, Rationals, Ring, Variable};
 use libration::series::PowerSeries;
 
 /// A statement that has passed a check.
@@ -54,6 +56,15 @@ pub enum Check {
         variable: Name,
         /// Number of coefficients compared, including the constant one.
         coefficients: usize,
+    },
+    /// All sides are the same power series, in digits, for several choices of the symbols.
+    Choices {
+        /// The variable of the series.
+        variable: Name,
+        /// Number of coefficients compared, including the constant one.
+        coefficients: usize,
+        /// Number of choices.
+        choices: usize,
     },
     /// All sides are the same exact numbers.
     Rationals {
@@ -94,6 +105,8 @@ pub enum Check {
     Averaged(Box<AveragedFormula>),
     /// A part of a limit cycle, which satisfies the equation of motion as a whole.
     Cycle(Box<CycleFormula>),
+    /// A part of a quarter swing, which satisfies the equation of motion as a whole.
+    Quarter(Box<QuarterFormula>),
     /// A part of the algebra of a few harmonics.
     Truncated(Box<TruncatedFormula>),
     /// The digits printed are those of the exact value.
@@ -198,6 +211,8 @@ pub enum Given<'a> {
     Value(Name, Formula),
     /// A name that denotes a function of one parameter.
     Function(&'a str, &'a str, Formula),
+    /// A symbol without a value, which stays in the coefficients.
+    Symbol(Variable),
 }
 
 /// Checks the same as [`same_series`], with further symbols.
@@ -207,73 +222,159 @@ pub fn same_series_where(
     given: &[Given],
     statement: Statement,
 ) -> Result<CheckedEquation, DerivationError> {
-    let (ring, values) = series_values(variable, coefficients, given, &statement)?;
-    let first = side(&statement, &statement.first, &ring, &values)?;
-    let mut compared = first.len();
-    for (_, formula) in &statement.rest {
-        let other = side(&statement, formula, &ring, &values)?;
-        compared = compared.min(other.len());
-        let difference = ring.subtract(&first, &other);
-        if let Some(place) = difference.iter().position(|c| !c.is_zero()) {
-            let reason = format!("its sides differ by {} in the power {place}", difference[place]);
-            return Err(failed(&statement, reason));
+    let is_symbolic = given.iter().any(|it| matches!(it, Given::Symbol(_)));
+    let series = Series { variable, coefficients, given };
+    let compared = match is_symbolic {
+        true => {
+            let rest = |it: &Polynomial| (!it.is_zero()).then(|| it.to_string());
+            series.compared(Polynomials, &rest, &symbolic, &statement)
         }
-    }
-    if compared < coefficients {
-        return Err(failed(&statement, format!("only {compared} coefficients can be compared")));
-    }
+        false => {
+            let rest = |it: &Rational| (!it.is_zero()).then(|| it.to_string());
+            series.compared(Rationals, &rest, &|_, _| None, &statement)
+        }
+    }?;
     let check = Check::Series { variable: variable.clone(), coefficients: compared };
     Ok(CheckedEquation::new(statement, check).with_letters(letters_of(given)))
 }
 
+/// Checks the same in digits, for several choices of the names, of which the call gives the number.
+pub(super) fn same_series_for_choices(
+    variable: &Name,
+    coefficients: usize,
+    choices: usize,
+    given: &dyn Fn(usize) -> Vec<Given<'static>>,
+    statement: Statement,
+) -> Result<CheckedEquation, DerivationError> {
+    // A sum of some hundred products of 256 bits is right to 70 digits.
+    const LEAST: f64 = 1e-60;
+    let floats = Floats { precision: PRECISION };
+    let rest = |it: &BigFloat| Some(it.to_f64()).filter(|it| it.abs() > LEAST).map(|it| format!("{it:e}"));
+    for choice in 0..choices {
+        let series = Series { variable, coefficients, given: &given(choice) };
+        series.compared(floats, &rest, &|_, _| None, &statement)?;
+    }
+    let check = Check::Choices { variable: variable.clone(), coefficients, choices };
+    Ok(CheckedEquation::new(statement, check).with_letters(letters_of(&given(0))))
+}
+
+/// The fraction for a symbol in one choice: squares, so that the root of a product of symbols is a fraction.
+pub(super) fn chosen(place: usize, choice: usize) -> Rational {
+    let [over, under] = [2 * place + choice + 3, place + 2].map(|n| i64::try_from(n).unwrap_or(1));
+    let root = Rational::new(over, under).unwrap_or_else(|| Rational::from(1));
+    root.clone() * root
+}
+
+fn symbolic(_: usize, symbol: &Variable) -> Option<Polynomial> {
+    Some(Polynomial::variable(symbol.clone()))
+}
+
 pub(super) fn letters_of(given: &[Given]) -> Letters {
     let mut letters = Letters::default();
-    for given in given {
+    for (place, given) in given.iter().enumerate() {
         match given {
             Given::Value(name, formula) => letters.values.push((name.clone(), formula.clone())),
             Given::Function(name, parameter, body) => {
                 letters.functions.push((Name::new(name), vec![Name::new(parameter)], body.clone()));
+            }
+            Given::Symbol(symbol) => {
+                letters.values.push((Name::from(symbol), Formula::Number(chosen(place, 0))));
             }
         }
     }
     letters
 }
 
-/// The series of a formula.
+/// The series of a formula, with symbols in its coefficients.
 pub(super) fn series_value(
     variable: &Name,
     coefficients: usize,
     given: &[Given],
     formula: &Formula,
-) -> Result<Coefficients, DerivationError> {
+) -> Result<Vec<Polynomial>, DerivationError> {
     let statement = Statement::from(formula.clone());
-    let (ring, values) = series_values(variable, coefficients, given, &statement)?;
-    side(&statement, formula, &ring, &values)
+    let series = Series { variable, coefficients, given };
+    if given.iter().any(|it| matches!(it, Given::Symbol(_))) {
+        let (ring, values) = series.values(Polynomials, &symbolic, &statement)?;
+        return side(&statement, formula, &ring, &values);
+    }
+    let (ring, values) = series.values(Rationals, &|_, _| None, &statement)?;
+    let numbers = side(&statement, formula, &ring, &values)?;
+    Ok(numbers.into_iter().map(Polynomial::constant).collect())
 }
 
-/// The ring of series in a variable, and the values of the symbols.
-fn series_values(
-    variable: &Name,
+/// A series in a variable, with what its further names denote.
+#[derive(Clone, Copy)]
+struct Series<'a> {
+    variable: &'a Name,
     coefficients: usize,
-    given: &[Given],
-    statement: &Statement,
-) -> Result<(PowerSeries<Rationals>, Values<Coefficients>), DerivationError> {
-    // Quotients of series without constant term lose coefficients.
-    let ring = PowerSeries::rational(coefficients + 6);
-    let mut values = Values::default();
-    values.set(variable, ring.variable().expect("fractions have a one"));
-    for given in given {
-        match given {
-            Given::Value(name, formula) => {
-                let value = side(statement, formula, &ring, &values)?;
-                values.set(name, value);
-            }
-            Given::Function(name, parameter, body) => {
-                values.define(&Name::new(name), &[parameter], body.clone());
+    given: &'a [Given<'a>],
+}
+
+/// A ring of series, and the values of names in it.
+type InSeries<R> = (PowerSeries<R>, Values<Vec<<R as Ring>::Element>>);
+/// The value of a symbol, given with its place among the names.
+type Symbols<'a, E> = &'a dyn Fn(usize, &Variable) -> Option<E>;
+
+impl Series<'_> {
+    /// The number of coefficients in which all sides agree, at least as many as are asked for.
+    fn compared<R: Ring>(
+        &self,
+        numbers: R,
+        rest: &dyn Fn(&R::Element) -> Option<String>,
+        symbols: Symbols<'_, R::Element>,
+        statement: &Statement,
+    ) -> Result<usize, DerivationError> {
+        let (ring, values) = self.values(numbers, symbols, statement)?;
+        let first = side(statement, &statement.first, &ring, &values)?;
+        let mut compared = first.len();
+        for (_, formula) in &statement.rest {
+            let other = side(statement, formula, &ring, &values)?;
+            compared = compared.min(other.len());
+            let difference = ring.subtract(&first, &other);
+            if let Some((place, rest)) =
+                difference.iter().map(rest).enumerate().find_map(|(n, it)| Some((n, it?)))
+            {
+                return Err(failed(statement, format!("its sides differ by {rest} in the power {place}")));
             }
         }
+        match compared < self.coefficients {
+            true => Err(failed(statement, format!("only {compared} coefficients can be compared"))),
+            false => Ok(compared),
+        }
     }
-    Ok((ring, values))
+
+    /// The ring of series in the variable, and the values of the names.
+    fn values<R: Ring>(
+        &self,
+        numbers: R,
+        symbols: Symbols<'_, R::Element>,
+        statement: &Statement,
+    ) -> Result<InSeries<R>, DerivationError> {
+        // Quotients of series without constant term lose coefficients.
+        let ring = PowerSeries { coefficients: numbers, terms: self.coefficients + 6 };
+        let mut values = Values::default();
+        values.set(self.variable, ring.variable().expect("fractions have a one"));
+        for (place, given) in self.given.iter().enumerate() {
+            match given {
+                Given::Value(name, formula) => {
+                    let value = side(statement, formula, &ring, &values)?;
+                    values.set(name, value);
+                }
+                Given::Function(name, parameter, body) => {
+                    values.define(&Name::new(name), &[parameter], body.clone());
+                }
+                Given::Symbol(symbol) => {
+                    let mut value = ring.zero();
+                    if let (Some(first), Some(number)) = (value.first_mut(), symbols(place, symbol)) {
+                        *first = number;
+                    }
+                    values.set(&Name::from(symbol), value);
+                }
+            }
+        }
+        Ok((ring, values))
+    }
 }
 
 /// Checks that all formulas of the statement are the same fraction.

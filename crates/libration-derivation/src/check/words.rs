@@ -2,7 +2,7 @@
 
 use super::super::formula::{Decimal, DecimalUnit, Formula, Name, rounded};
 use super::super::prose::Prose;
-use super::{Against, AveragedClaim, Check, ComparedAt, CycleClaim, TruncatedClaim};
+use super::{Against, AveragedClaim, Check, ComparedAt, CycleClaim, QuarterClaim, TruncatedClaim};
 
 impl Check {
     /// Returns `true` if the statement required a check, and it was computed.
@@ -20,6 +20,15 @@ impl Check {
             Self::Given => Prose::text("as given"),
             Self::Series { variable, coefficients } => Prose::new(
                 "checked: the same power series in {}, exactly, through {}",
+                [variable.into(), last_power(variable, *coefficients)],
+            ),
+            Self::Choices { variable, coefficients, choices } => Prose::new(
+                &match choices {
+                    1 => "checked: the same power series in {} through {}, to 60 digits".to_owned(),
+                    _ => format!(
+                        "checked: the same power series in {{}} through {{}}, to 60 digits, for {choices} choices of the symbols"
+                    ),
+                },
                 [variable.into(), last_power(variable, *coefficients)],
             ),
             Self::Rationals { index, first, last } => Prose::new(
@@ -42,6 +51,7 @@ impl Check {
             )),
             Self::Cycle(formula) => Prose::text(cycle(&formula.claim)),
             Self::Averaged(formula) => Prose::text(averaged(&formula.claim)),
+            Self::Quarter(formula) => Prose::text(quarter(&formula.claim)),
             Self::Truncated(formula) => Prose::text(match &formula.claim {
                 TruncatedClaim::Series { .. } => "checked: put into the equation above, exactly",
                 _ => "checked: the same polynomial, exactly",
@@ -66,6 +76,20 @@ fn cycle(claim: &CycleClaim) -> &'static str {
             "checked: nothing of the cosine is left, exactly; another algorithm has the same"
         }
         CycleClaim::Motion { .. } => "checked: put into the equation of motion, exactly",
+    }
+}
+
+fn quarter(claim: &QuarterClaim) -> &'static str {
+    match claim {
+        QuarterClaim::Forcing { .. } => "checked: the sum of the products in the table, exactly",
+        QuarterClaim::Begun => "checked: put into the equation above, exactly",
+        QuarterClaim::Correction => {
+            "checked: zero after a quarter of the period, exactly; another algorithm has the same"
+        }
+        QuarterClaim::Motion => "checked: put into the equation of motion, exactly",
+        QuarterClaim::Harmonic { .. } => {
+            "checked: integrated over the motion above, exactly; another algorithm has the same coefficients"
+        }
     }
 }
 

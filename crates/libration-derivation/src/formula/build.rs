@@ -3,7 +3,7 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::{Decimal, DecimalUnit, Formula, Name};
-use libration::algebra::{Function, Rational};
+use libration::algebra::{Function, Polynomial, Rational};
 
 /// An integer.
 pub fn number(integer: i64) -> Formula {
@@ -89,9 +89,49 @@ pub(crate) fn rounded(value: f64, digits: usize, unit: DecimalUnit) -> Formula {
     Formula::Decimal(Decimal::rounded(value, digits, unit))
 }
 
+/// A coefficient in a printed series: a number, or a polynomial in symbols.
+pub(crate) trait Coefficient {
+    fn is_absent(&self) -> bool;
+    /// The coefficient alone.
+    fn to_formula(&self) -> Formula;
+    /// coefficient·formula, without factors of one.
+    fn times(&self, formula: Formula) -> Formula;
+}
+
+impl Coefficient for Rational {
+    fn is_absent(&self) -> bool {
+        self.is_zero()
+    }
+
+    fn to_formula(&self) -> Formula {
+        Formula::Number(self.clone())
+    }
+
+    fn times(&self, formula: Formula) -> Formula {
+        scaled(self, formula)
+    }
+}
+
+impl Coefficient for Polynomial {
+    fn is_absent(&self) -> bool {
+        self.is_zero()
+    }
+
+    fn to_formula(&self) -> Formula {
+        self.into()
+    }
+
+    fn times(&self, formula: Formula) -> Formula {
+        match self.to_constant() {
+            Some(number) => scaled(&number, formula),
+            None => Formula::from(self) * formula,
+        }
+    }
+}
+
 /// Σ coefficientₙ·xⁿ over nonzero coefficients, with O(…) of the next possible power.
-pub(crate) fn polynomial(coefficients: &[Rational], variable: &Formula) -> Formula {
-    let powers = coefficients.iter().enumerate().filter(|(_, coefficient)| !coefficient.is_zero());
+pub(crate) fn polynomial<C: Coefficient>(coefficients: &[C], variable: &Formula) -> Formula {
+    let powers = coefficients.iter().enumerate().filter(|(_, coefficient)| !coefficient.is_absent());
     let terms: Vec<Formula> = powers.map(|(n, coefficient)| monomial(coefficient, variable, n)).collect();
     if terms.is_empty() { number(0) } else { sum(terms) }
 }
@@ -105,13 +145,13 @@ pub fn sum(mut terms: Vec<Formula>) -> Formula {
 }
 
 /// coefficient·xⁿ, without factors of one.
-pub(crate) fn monomial(coefficient: &Rational, variable: &Formula, n: usize) -> Formula {
+pub(crate) fn monomial<C: Coefficient>(coefficient: &C, variable: &Formula, n: usize) -> Formula {
     let power = match n {
-        0 => return Formula::Number(coefficient.clone()),
+        0 => return coefficient.to_formula(),
         1 => variable.clone(),
         _ => variable.clone().pow(i64::try_from(n).unwrap_or(i64::MAX)),
     };
-    scaled(coefficient, power)
+    coefficient.times(power)
 }
 
 /// coefficient·formula, without factors of one.

@@ -1,7 +1,7 @@
 //! Equations of motion and polynomials as formulas.
 
-use super::{Formula, Name, number, scaled, sum};
-use libration::algebra::{Polynomial, Variable};
+use super::{Formula, Name, number, scaled, sqrt, sum};
+use libration::algebra::{LaurentPolynomial, LetterPower, Polynomial, Rational, Variable};
 use libration::expression::{Expression, Symbol, greek_letter};
 
 impl From<&Expression> for Formula {
@@ -50,6 +50,46 @@ impl From<&Polynomial> for Formula {
         let terms: Vec<Self> = terms.collect();
         if terms.is_empty() { number(0) } else { sum(terms) }
     }
+}
+
+/// A sum of products of letters and their inverses and roots, in which `of` stands for each letter.
+pub(crate) fn laurent(sum_of: &LaurentPolynomial, of: &dyn Fn(&str) -> Formula) -> Formula {
+    let term = |(factor, powers): (&Rational, Vec<LetterPower<'_>>)| {
+        let is_above = |power: &&LetterPower<'_>| !power.exponent.is_negative();
+        let written = |power: &LetterPower<'_>| of_letter(of(power.letter), &power.exponent.magnitude());
+        let above: Vec<Formula> = powers.iter().filter(is_above).flat_map(written).collect();
+        let below: Vec<Formula> = powers.iter().filter(|it| !is_above(it)).flat_map(written).collect();
+        let size = factor.magnitude();
+        let [over, under] = [size.numerator(), size.denominator()].map(|it| it.parse::<Rational>().ok());
+        let one = Some(Rational::from(1));
+        let with = |number: Option<Rational>, letters: Vec<Formula>, number_alone: bool| {
+            let number = number.filter(|it| Some(it) != one.as_ref() || letters.is_empty() && number_alone);
+            number.into_iter().map(Formula::Number).chain(letters).collect::<Vec<_>>()
+        };
+        let term = if below.is_empty() {
+            product(with(Some(size), above, true))
+        } else {
+            product(with(over, above, true)) / product(with(under, below, true))
+        };
+        if factor.is_negative() { -term } else { term }
+    };
+    let terms: Vec<Formula> = sum_of.terms().map(term).collect();
+    if terms.is_empty() { number(0) } else { sum(terms) }
+}
+
+/// A power of a letter, with a root for half of an exponent.
+fn of_letter(letter: Formula, exponent: &Rational) -> Vec<Formula> {
+    let doubled = (exponent.clone() + exponent.clone()).numerator().parse::<i64>().unwrap_or(0);
+    let whole = match doubled / 2 {
+        0 => None,
+        1 => Some(letter.clone()),
+        n => Some(letter.clone().pow(n)),
+    };
+    whole.into_iter().chain((doubled % 2 == 1).then(|| sqrt(letter))).collect()
+}
+
+fn product(factors: Vec<Formula>) -> Formula {
+    factors.into_iter().reduce(|product, factor| product * factor).unwrap_or_else(|| number(1))
 }
 
 fn power(variable: &Variable, exponent: u32) -> Formula {

@@ -18,6 +18,7 @@ pub use name::{Name, Subscript};
 pub use statement::{Relation, Statement};
 
 pub(super) use build::*;
+pub(super) use convert::laurent;
 
 use libration::algebra::{Function, Rational};
 

@@ -8,9 +8,10 @@ use super::Released;
 use super::amplitude::of_amplitude;
 use super::names::harmonic_name;
 use super::question::Question;
-use libration::algebra::Rational;
+use libration::algebra::{Polynomial, Rational};
 use libration::comparison::{ExactMotion, ExactValue, ExactValueError, SeriesQuantity};
 use libration::internals::progress::Watch;
+use libration::oscillator::Oscillator;
 use libration::perturbation::{
     Certainty, Gauge, Remainder, SeriesEvaluation, expand, pendulum_period_remainder,
 };
@@ -26,26 +27,30 @@ pub(super) fn step(
     question: &Question,
     released: Option<&Released>,
     watch: &Watch<'_>,
-) -> Result<DerivationStep, DerivationError> {
+) -> Result<Option<DerivationStep>, DerivationError> {
+    let Some(oscillator) = &question.oscillator else {
+        return if released.is_some() { Err(DerivationError::NoNumbers) } else { Ok(None) };
+    };
     let exactly = amplitude_of(released)?;
     let amplitude = exactly.to_f64();
     if !(amplitude > 0.0 && amplitude.is_finite()) {
         return Err(DerivationError::NotAnAmplitude(amplitude));
     }
-    let exact = exactly_at(question, &exactly, watch);
+    let Some(exact) = exactly_at(question, &exactly, watch) else { return Ok(None) };
     watch.go_on()?;
     let step = DerivationStep::new("accuracy", "Accuracy")
         .say("At an amplitude of {} the terms of the period are", [as_given(question, &exactly)])
-        .table(terms(question, amplitude, &exact)?);
-    let Some(released) = released else { return Ok(step) };
-    Ok(step
+        .table(terms(question, oscillator, amplitude, &exact)?);
+    let Some(released) = released else { return Ok(Some(step)) };
+    let step = step
         .say("and with all of them the motion is", [])
         .table(motion(question, released, &exact)?)
         .say(
             "Where the last terms do not fall, the series has come to its end at this amplitude, and no further order helps: \
              the radius of convergence, a result of the expansion, tells where.",
             [],
-        ))
+        );
+    Ok(Some(step))
 }
 
 /// An amplitude as given: in degrees, radians, or as a plain number.
@@ -65,7 +70,7 @@ pub(super) fn amplitude_of(released: Option<&Released>) -> Result<Displacement, 
 }
 
 pub(super) fn is_angle(question: &Question) -> bool {
-    is_angle_name(question.oscillator.variable())
+    is_angle_name(question.symbolic.variable())
 }
 
 /// Returns `true` if the exact period is known in closed form: for the pendulum below the upright position.
@@ -84,9 +89,14 @@ fn sine_coefficient(n: usize) -> Rational {
 }
 
 /// The partial sums of T/T0.
-fn terms(question: &Question, amplitude: f64, motion: &Exactly) -> Result<DerivationTable, DerivationError> {
+fn terms(
+    question: &Question,
+    oscillator: &Oscillator,
+    amplitude: f64,
+    motion: &Exactly,
+) -> Result<DerivationTable, DerivationError> {
     let pendulum = is_pendulum(question, amplitude);
-    let longer = expand(&question.oscillator, LONGER, &Gauge::Fundamental, &Quiet)?.of_amplitude;
+    let longer = expand(oscillator, LONGER, &Gauge::Fundamental, &Quiet)?.of_amplitude;
     let series = longer.map_or_else(Vec::new, |of| of.period_ratio);
     let evaluation = SeriesEvaluation::new(&series, amplitude);
     let evaluation = if pendulum {
@@ -152,8 +162,9 @@ pub fn motion(
 ) -> Result<DerivationTable, DerivationError> {
     let of = of_amplitude(question, &question.solution)?;
     let amplitude = released.amplitude.to_f64();
-    let value = |series: &[Rational], powers: usize| {
-        series.iter().take(powers).rev().fold(0.0, |sum, c| sum * amplitude + c.to_f64())
+    let number = |c: &Polynomial| c.to_constant().map_or(f64::NAN, |c| c.to_f64());
+    let value = |series: &[Polynomial], powers: usize| {
+        series.iter().take(powers).rev().fold(0.0, |sum, c| sum * amplitude + number(c))
     };
     let unit = if is_angle(question) { DecimalUnit::Radian } else { DecimalUnit::One };
     let exactly = |quantity| exact(found, quantity).ok().map(|exact| exact.value);
@@ -192,9 +203,10 @@ pub fn motion(
 /// The motion without the series: in closed form for the pendulum, otherwise by integration in time.
 type Exactly = Result<ExactMotion, ExactValueError>;
 
-/// The exact motion at an amplitude.
-pub fn exactly_at(question: &Question, amplitude: &Displacement, watch: &Watch<'_>) -> Exactly {
-    ExactMotion::new(&question.oscillator, &question.solution.expansion, amplitude, watch)
+/// The exact motion at an amplitude; `None` for an oscillator with symbols.
+pub fn exactly_at(question: &Question, amplitude: &Displacement, watch: &Watch<'_>) -> Option<Exactly> {
+    let (oscillator, expansion) = (question.oscillator.as_ref()?, question.solution.numbers.as_ref()?);
+    Some(ExactMotion::new(oscillator, expansion, amplitude, watch))
 }
 
 fn exact(motion: &Exactly, quantity: SeriesQuantity) -> Result<ExactValue, ExactValueError> {

@@ -8,14 +8,15 @@ use super::super::formula::{
     Formula, Name, Statement, agm, apply, cos, letter, monomial, number, order, polynomial, sum,
 };
 use super::names::harmonic_name;
-use super::question::{Question, Solution};
+use super::question::Question;
+use super::solution::{Series, Solution};
 use super::substitution::in_epsilon;
-use libration::algebra::Rational;
+use libration::algebra::{Polynomial, Rational};
 use libration::period_formulas::period_in_amplitude;
 use libration::perturbation::{AmplitudeSeries, Gauge};
 
 /// Σ cₙAⁿ + O(…), with the powers that occur.
-fn in_amplitude(question: &Question, coefficients: &[Rational], next: usize) -> Formula {
+fn in_amplitude(question: &Question, coefficients: &[Polynomial], next: usize) -> Formula {
     let amplitude = Formula::from(question.amplitude());
     let powers = coefficients.iter().enumerate().take(next).filter(|(_, c)| !c.is_zero());
     let terms = powers.map(|(n, c)| monomial(c, &amplitude, n));
@@ -27,8 +28,8 @@ fn in_amplitude(question: &Question, coefficients: &[Rational], next: usize) -> 
 pub(super) fn of_amplitude<'a>(
     question: &Question,
     solution: &'a Solution,
-) -> Result<&'a AmplitudeSeries, DerivationError> {
-    solution.expansion.of_amplitude.as_ref().ok_or_else(|| {
+) -> Result<&'a AmplitudeSeries<Polynomial>, DerivationError> {
+    solution.of_amplitude.as_ref().ok_or_else(|| {
         failed(
             &Statement::from(Formula::from(question.amplitude())),
             "there is no series in the amplitude".to_owned(),
@@ -37,7 +38,7 @@ pub(super) fn of_amplitude<'a>(
 }
 
 pub(super) fn iteration(question: &Question) -> Result<DerivationStep, DerivationError> {
-    let sum_of_harmonics = &question.solution.expansion.x_max;
+    let sum_of_harmonics = &question.solution.x_max;
     let total = question.harmonics().into_iter().map(|k| Formula::from(harmonic_name(k)));
     let statement = Statement::equal(question.amplitude(), sum(total.collect()))
         .and_equal(in_epsilon(sum_of_harmonics, question.order + 1));
@@ -57,10 +58,12 @@ pub(super) fn iteration(question: &Question) -> Result<DerivationStep, Derivatio
     passes(question, step, sum_of_harmonics)
 }
 
-/// aₖ as series in ε.
+/// The symbols, and aₖ as series in ε.
 fn harmonics_in_epsilon<'a>(question: &Question, solution: &Solution) -> Vec<Given<'a>> {
-    let series = |k: usize| polynomial(&solution.harmonic(k), &letter("ε"));
-    question.harmonics().into_iter().map(|k| Given::Value(harmonic_name(k), series(k))).collect()
+    let series = |k: usize| Given::Value(harmonic_name(k), polynomial(&solution.harmonic(k), &letter("ε")));
+    let mut given = question.free_symbols();
+    given.extend(question.harmonics().into_iter().map(series));
+    given
 }
 
 /// The name of ε after `pass` iterations.
@@ -72,36 +75,34 @@ fn answer(pass: usize) -> Name {
 fn passes(
     question: &Question,
     step: DerivationStep,
-    sum_of_harmonics: &[Rational],
+    sum_of_harmonics: &[Polynomial],
 ) -> Result<DerivationStep, DerivationError> {
     let amplitude = Formula::from(question.amplitude());
     let one = Rational::from(1);
-    let scale = sum_of_harmonics.get(1).and_then(|first| one.checked_div(first)).unwrap_or(one);
-    let beyond =
-        |(n, c): (usize, &Rational)| if n < 2 { Rational::from(0) } else { -(c.clone() * scale.clone()) };
-    let rest: Vec<Rational> = sum_of_harmonics.iter().enumerate().map(beyond).collect();
+    let first = sum_of_harmonics.get(1).and_then(Polynomial::to_constant);
+    let scale = first.and_then(|first| one.checked_div(&first)).unwrap_or(one);
+    let beyond = |(n, c): (usize, &Polynomial)| if n < 2 { Polynomial::zero() } else { -c.scaled(&scale) };
+    let rest: Series = sum_of_harmonics.iter().enumerate().map(beyond).collect();
     let function = polynomial(&rest, &letter("z"));
     let start = monomial(&scale, &amplitude, 1);
     let other_side = Statement::equal(apply("F", [letter("ε")]), letter("ε") - start.clone())
         .and_equal(in_epsilon(&rest, question.order + 1));
-    let given = [
-        Given::Function("F", "z", function.clone()),
-        Given::Value(question.amplitude(), polynomial(sum_of_harmonics, &letter("ε"))),
-    ];
+    let mut given = question.free_symbols();
+    given.push(Given::Function("F", "z", function.clone()));
+    given.push(Given::Value(question.amplitude(), polynomial(sum_of_harmonics, &letter("ε"))));
     let mut step = step
         .say("The other way round is found by iteration. Bring all but the first term to the other side,", [])
         .show(same_series_where(&Name::new("ε"), question.order + 1, &given, other_side)?)
         .say("begin with the first term alone, and put each result into {} again:", [letter("F")])
         .show(CheckedEquation::definition(Statement::defined(answer(0), start.clone())));
     let wanted = &of_amplitude(question, &question.solution)?.epsilon;
-    let mut known = vec![Rational::from(0), scale];
+    let mut known = vec![Polynomial::zero(), Polynomial::constant(scale)];
     for pass in 1..=question.order {
         let again = start.clone() + apply("F", [answer(pass - 1).into()]);
-        let given = [
-            Given::Function("F", "z", function.clone()),
-            Given::Value(answer(pass - 1), polynomial(&known, &amplitude)),
-            Given::Value(answer(pass), again.clone()),
-        ];
+        let mut given = question.free_symbols();
+        given.push(Given::Function("F", "z", function.clone()));
+        given.push(Given::Value(answer(pass - 1), polynomial(&known, &amplitude)));
+        given.push(Given::Value(answer(pass), again.clone()));
         let mut next = series_value(&question.amplitude(), question.order + 1, &given, &again)?;
         next.truncate(question.order + 1);
         let statement = Statement::equal(answer(pass), again).and_equal(in_amplitude(
@@ -131,9 +132,10 @@ pub(super) fn physical_relations(question: &Question) -> Result<DerivationStep, 
     let step = relations(question, &question.solution)?.into_iter().fold(step, DerivationStep::show);
     let coefficients = period_in_amplitude(question.order / 2);
     let of = of_amplitude(question, &question.solution)?;
-    let even: Vec<&Rational> = of.period_ratio.iter().take(question.order).step_by(2).collect();
-    let known: Vec<&Rational> = coefficients.iter().take(even.len()).collect();
-    if question.displacement.letter != "θ" || even != known {
+    let even: Option<Vec<Rational>> =
+        of.period_ratio.iter().take(question.order).step_by(2).map(Polynomial::to_constant).collect();
+    let is_pendulum = even.is_some_and(|even| coefficients.iter().take(even.len()).eq(even.iter()));
+    if question.displacement.letter != "θ" || !is_pendulum {
         return Ok(step);
     }
     let exact = number(1) / agm(1, cos(Formula::from(question.amplitude()) / 2));
@@ -151,9 +153,10 @@ pub(super) fn relations(
     let of = of_amplitude(question, solution)?;
     let period = letter("T");
     let small = Name::new("T").index(0);
-    let mut given = vec![Given::Value(Name::new("ε"), polynomial(&of.epsilon, &question.amplitude().into()))];
-    given.extend(harmonics_in_epsilon(question, solution));
-    given.push(Given::Value(Name::new("Δ"), polynomial(&solution.expansion.frequency_ratio, &letter("ε"))));
+    let mut given = harmonics_in_epsilon(question, solution);
+    let epsilon = Given::Value(Name::new("ε"), polynomial(&of.epsilon, &question.amplitude().into()));
+    given.insert(question.symbols().count(), epsilon);
+    given.push(Given::Value(Name::new("Δ"), polynomial(&solution.frequency_ratio, &letter("ε"))));
     given.push(Given::Value(Name::new("T"), number(1) / letter("Δ")));
     given.push(Given::Value(small.clone(), number(1)));
     let frequency = in_amplitude(question, &of.frequency_ratio, question.order);

@@ -2,7 +2,9 @@
 
 use super::super::check::{CheckedEquation, DerivationError};
 use super::super::document::DerivationStep;
-use super::super::formula::{Formula, Name, Statement, cos, integral, letter, number, order, sum, tenths};
+use super::super::formula::{
+    Formula, Name, Statement, cos, integral, letter, number, order, sin, sum, tenths,
+};
 use super::super::trials::Trials;
 use super::names::{coefficient_name, cosine, harmonic_name};
 use super::question::Question;
@@ -73,21 +75,35 @@ fn frequency_series(question: &Question) -> CheckedEquation {
     CheckedEquation::definition(Statement::equal(letter("Δ"), sum(terms)))
 }
 
-pub(super) fn projection() -> Result<DerivationStep, DerivationError> {
+pub(super) fn projection(question: &Question) -> Result<DerivationStep, DerivationError> {
     let (j, k, tau) = (|| letter("j"), || letter("k"), || letter("τ"));
     let trials = Trials::new(None)?.with(&Name::new("τ"), tenths(7))?.with(&Name::new("j"), number(3))?;
     let product = Statement::equal(
         cos(j() * tau()) * cos(k() * tau()),
         (cos((j() - k()) * tau()) + cos((j() + k()) * tau())) / 2,
     );
+    let sines = Statement::equal(
+        sin(j() * tau()) * sin(k() * tau()),
+        (cos((j() - k()) * tau()) - cos((j() + k()) * tau())) / 2,
+    );
     let whole = |integrand| number(1) / Formula::Pi * integral("τ", 0, 2 * Formula::Pi, integrand);
     let same = Statement::equal(whole(cos(k() * tau()).squared()), 1);
     let cube = Statement::equal(cos(tau()).pow(3), (3 * cos(tau()) + cos(3 * tau())) / 4);
-    Ok(DerivationStep::new("projection", "Projection on the harmonics")
+    let step = DerivationStep::new("projection", "Projection on the harmonics")
         .say("Powers of the sum are sums of cosines again, because a product of two is half the sum of two others:", [])
         .show(trials.compare_cases("k", 1..=5, product)?)
         .say("for example", [])
-        .show(trials.compare_once(cube)?)
+        .show(trials.compare_once(cube)?);
+    let step = match question.has_velocity() {
+        true => step
+            .say(
+                "The derivative of {} is {}, so that {} is a sum of sines. Its even powers are sums of cosines too, because",
+                [cos(k() * tau()), -(k() * sin(k() * tau())), question.displacement.clone().prime().into()],
+            )
+            .show(trials.compare_cases("k", 1..=5, sines)?),
+        false => step,
+    };
+    Ok(step
         .say(
             "A sum of cosines vanishes at all times only if the factor of each cosine does. That factor is found by projection: the \
              integral over a period of the sum times {} is zero for all other cosines, and for this one",

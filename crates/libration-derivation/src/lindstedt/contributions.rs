@@ -1,13 +1,15 @@
 //! Origins of the terms of a condition: the parts of the equation of motion, before the results of lower orders are inserted.
 
 use super::super::document::{Cells, DerivationTable};
-use super::super::formula::{Formula, letter, monomial, sum};
+use super::super::formula::{Formula, letter, sum};
 use super::super::prose::Prose;
 use super::names::{coefficient_name, cosine};
 use super::products::{self, Factors, Products};
 use super::question::Question;
+use super::reduced::term_formula;
 use libration::algebra::{Polynomial, Rational, Variable};
-use libration::perturbation::Condition;
+use libration::perturbation::{Condition, RestoringTerm};
+use std::collections::BTreeMap;
 
 /// The symbol of the corrections of the frequency.
 const FREQUENCY: &str = "d";
@@ -17,9 +19,10 @@ const FREQUENCY: &str = "d";
 pub struct Contributions {
     /// Each part with its factors, by the power of ε and the harmonic.
     pub parts: Vec<(Formula, Factors)>,
-    /// Factor and exponent of each power of the displacement among the parts; `None` for the linear part.
-    powers: Vec<Option<(Rational, usize)>>,
+    /// The term of each part; `None` for the linear part.
+    powers: Vec<Option<RestoringTerm>>,
     displacement: Factors,
+    ratio: Factors,
     squared_ratio: Factors,
 }
 
@@ -27,22 +30,23 @@ impl Contributions {
     /// Computes the contribution of each part of the equation of motion.
     pub fn new(question: &Question) -> Self {
         let displacement = displacement(question);
-        let squared_ratio = squared_ratio(question);
+        let ratio = ratio(question);
+        let squared_ratio = product(&ratio, &ratio, question.order);
         let mut parts = vec![(linear_part(question), linear(question, &displacement, &squared_ratio))];
         let mut powers = vec![None];
-        let mut power = displacement.clone();
-        for (place, factor) in question.force.iter().enumerate().skip(1) {
-            power = product(&power, &displacement, question.order);
-            if !factor.is_zero() {
-                let mut factors = Factors::new();
-                for (key, it) in &power {
-                    factors.insert(*key, it.scaled(factor));
-                }
-                parts.push((monomial(factor, &question.u(), place + 1), factors));
-                powers.push(Some((factor.clone(), place + 1)));
+        let velocity = velocity(question, &displacement);
+        let mut of_both = BTreeMap::new();
+        for term in question.terms() {
+            let exponents = [term.position, term.velocity];
+            let power = power(&mut of_both, [&displacement, &velocity], exponents, question.order);
+            let mut factors = Factors::new();
+            for (key, it) in power {
+                factors.insert(key, it * term.factor.clone());
             }
+            parts.push((term_formula(term, &question.displacement), factors));
+            powers.push(Some(term.clone()));
         }
-        Self { parts, powers, displacement, squared_ratio }
+        Self { parts, powers, displacement, ratio, squared_ratio }
     }
 
     /// The factor of a harmonic at a power, summed over all parts.
@@ -77,10 +81,10 @@ impl Contributions {
     }
 
     /// The products in a part's factor of a harmonic at a power.
-    pub(super) fn products(&self, power: Option<&(Rational, usize)>, key: (u32, u32)) -> Products {
-        match power {
+    pub(super) fn products(&self, term: Option<&RestoringTerm>, key: (u32, u32)) -> Products {
+        match term {
             None => products::linear(&self.displacement, &self.squared_ratio, key),
-            Some((factor, exponent)) => products::of_power(&self.displacement, (factor, *exponent), key),
+            Some(term) => products::of_term(&self.displacement, &self.ratio, term, key),
         }
     }
 }
@@ -134,15 +138,49 @@ fn displacement(question: &Question) -> Factors {
     present
 }
 
-/// Δ².
-fn squared_ratio(question: &Question) -> Factors {
+/// Δ.
+fn ratio(question: &Question) -> Factors {
     let mut ratio = Factors::new();
     ratio.insert((0, 0), Polynomial::constant(Rational::from(1)));
     for n in question.powers().into_iter().filter(|n| *n > 1) {
         let (n, _) = key(n - 1, 0);
         ratio.insert((n, 0), Polynomial::variable(Variable::indexed(FREQUENCY, n)));
     }
-    product(&ratio, &ratio, question.order)
+    ratio
+}
+
+/// The factors of sin kτ in Δu′.
+fn velocity(question: &Question, displacement: &Factors) -> Factors {
+    let mut slope = Factors::new();
+    for ((n, k), it) in displacement.iter().filter(|((_, k), _)| *k > 0) {
+        slope.insert((*n, *k), it.scaled(&Rational::from(-i64::from(*k))));
+    }
+    product(&ratio(question), &slope, question.order)
+}
+
+/// uᵖ·(Δu′)^q with an even q, from the shorter products.
+fn power(
+    known: &mut BTreeMap<[u32; 2], Factors>,
+    [displacement, velocity]: [&Factors; 2],
+    exponents: [u32; 2],
+    order: usize,
+) -> Factors {
+    let both = [displacement, velocity];
+    if let Some(factors) = known.get(&exponents) {
+        return factors.clone();
+    }
+    let factors = match exponents {
+        [1, 0] => return displacement.clone(),
+        [0, 0] => Factors::from([((0, 0), Polynomial::constant(Rational::from(1)))]),
+        [0, 2] => product_of_waves(velocity, velocity, -1, order),
+        [0, q] => {
+            let square = power(known, both, [0, 2], order);
+            product(&power(known, both, [0, q.saturating_sub(2)], order), &square, order)
+        }
+        [p, q] => product(&power(known, both, [p - 1, q], order), displacement, order),
+    };
+    known.insert(exponents, factors.clone());
+    factors
 }
 
 /// The factors of Δ²u″ + u.
@@ -161,13 +199,18 @@ fn linear(question: &Question, displacement: &Factors, squared_ratio: &Factors) 
 
 /// The product of two sums of cosines, up to a power of ε.
 fn product(a: &Factors, b: &Factors, order: usize) -> Factors {
+    product_of_waves(a, b, 1, order)
+}
+
+/// The product of two sums of cosines, or with the sign −1 of two sums of sines.
+fn product_of_waves(a: &Factors, b: &Factors, sign: i64, order: usize) -> Factors {
     let half = Rational::new(1, 2).unwrap_or_else(|| Rational::from(0));
     let mut sum = Factors::new();
     for ((n, j), left) in a {
         for ((m, k), right) in b.iter().filter(|((m, _), _)| n + m <= key(order, 0).0) {
             let each = (left.clone() * right.clone()).scaled(&half);
             add(&mut sum, (n + m, j.abs_diff(*k)), each.clone());
-            add(&mut sum, (n + m, j + k), each);
+            add(&mut sum, (n + m, j + k), each.scaled(&Rational::from(sign)));
         }
     }
     sum

@@ -4,9 +4,10 @@ use super::super::check::{Check, CheckedEquation, DerivationError, failed};
 use super::super::document::DerivationStep;
 use super::super::formula::{Formula, Name, Statement, letter};
 use super::names::{coefficient_name, harmonic_name};
-use super::question::{Question, Solution};
+use super::question::Question;
+use super::solution::Solution;
 use super::substitution::{Motion, in_epsilon, solves};
-use libration::algebra::{Rational, Variable};
+use libration::algebra::{Polynomial, Variable};
 use libration::perturbation::Gauge;
 
 pub(super) fn gauge(question: &Question) -> Result<DerivationStep, DerivationError> {
@@ -23,7 +24,7 @@ pub(super) fn gauge(question: &Question) -> Result<DerivationStep, DerivationErr
         )
         .say(meaning(&question.solution.gauge), []);
     for n in question.powers() {
-        let value = question.solution.coefficient(1, n);
+        let value = Formula::from(&question.solution.coefficient(1, n));
         let name = Name::from(&coefficient_name(1, n));
         step = step.show(CheckedEquation::definition(Statement::defined(name, value)));
     }
@@ -53,12 +54,20 @@ fn meaning(gauge: &Gauge) -> &'static str {
 pub(super) fn solution(question: &Question) -> Result<DerivationStep, DerivationError> {
     agrees_with_open_gauge(question, &question.solution)?;
     let step = DerivationStep::new("solution", "The solution")
-        .say("With these the coefficients are numbers, and the motion is", []);
+        .say("With these the coefficients are known, and the motion is", []);
     let step = (series(question, &question.solution).into_iter()).fold(step, DerivationStep::show);
     Ok(step
         .say(
-            "These series were found by another algorithm, which goes to any order. That they are a solution is seen by \
-             putting them back into the equation of motion, with the whole force and not its Taylor series:",
+            match question.is_reduced() {
+                true => {
+                    "These series were found by another algorithm, which goes to any order. That they are a solution is seen by putting them \
+                     back into the equation of motion:"
+                }
+                false => {
+                    "These series were found by another algorithm, which goes to any order. That they are a solution is seen by putting them \
+                     back into the equation of motion, with the whole force and not its Taylor series:"
+                }
+            },
             [],
         )
         .show(solves(question, &motion(question, &question.solution))?))
@@ -72,7 +81,7 @@ pub(super) fn series(question: &Question, solution: &Solution) -> Vec<CheckedEqu
             Statement::equal(harmonic_name(k), in_epsilon(&solution.harmonic(k), question.order + 1));
         equations.push(CheckedEquation::new(statement, Check::Below));
     }
-    let frequency = in_epsilon(&solution.expansion.frequency_ratio, question.order);
+    let frequency = in_epsilon(&solution.frequency_ratio, question.order);
     equations.push(CheckedEquation::new(Statement::equal(letter("Δ"), frequency), Check::Below));
     equations
 }
@@ -81,18 +90,24 @@ pub(super) fn series(question: &Question, solution: &Solution) -> Vec<CheckedEqu
 pub fn motion(question: &Question, solution: &Solution) -> Motion {
     Motion {
         harmonics: question.harmonics().into_iter().map(|k| (k, solution.harmonic(k))).collect(),
-        frequency: solution.expansion.frequency_ratio.clone(),
+        frequency: solution.frequency_ratio.clone(),
     }
 }
 
 /// Checks that the general solution, with the symbols of this gauge inserted, is the solution in this gauge.
 fn agrees_with_open_gauge(question: &Question, solution: &Solution) -> Result<(), DerivationError> {
-    let place = |n: u32| usize::try_from(n).unwrap_or(usize::MAX);
-    let values = question.open.in_gauge(|n| solution.coefficient(1, place(n)));
-    for (variable, value) in values {
-        let there = coefficient_of(question, solution, &variable);
+    let free = question.open.free_constants();
+    let in_gauge = |polynomial: &Polynomial| {
+        free.iter().fold(polynomial.clone(), |value, variable| {
+            let chosen = coefficient_of(question, solution, variable).unwrap_or_else(Polynomial::zero);
+            value.substitute(variable, &chosen)
+        })
+    };
+    for (variable, polynomial) in question.open.solution() {
+        let value = in_gauge(polynomial);
+        let there = coefficient_of(question, solution, variable);
         if there.is_some_and(|there| there != value) {
-            let statement = Statement::equal(Name::from(&variable), Formula::from(value));
+            let statement = Statement::equal(Name::from(variable), Formula::from(&value));
             return Err(failed(&statement, "the engine finds another value".to_owned()));
         }
     }
@@ -100,10 +115,10 @@ fn agrees_with_open_gauge(question: &Question, solution: &Solution) -> Result<()
 }
 
 /// The value of a symbol from the library's expansion.
-fn coefficient_of(question: &Question, solution: &Solution, variable: &Variable) -> Option<Rational> {
+fn coefficient_of(question: &Question, solution: &Solution, variable: &Variable) -> Option<Polynomial> {
     let n = usize::try_from(variable.index()?).ok()?;
     if variable.letters() == "d" {
-        return solution.expansion.frequency_ratio.get(n).cloned();
+        return solution.frequency_ratio.get(n).cloned();
     }
     let k = question.harmonics().into_iter().find(|k| coefficient_name(*k, n) == *variable)?;
     Some(solution.coefficient(k, n))

@@ -7,6 +7,7 @@ use super::super::trials::Trials;
 use super::contributions::{Contributions, vanishes};
 use super::names::{coefficient_name, cosine};
 use super::question::Question;
+use super::solution::Series;
 use super::substitution::{Motion, has_harmonics};
 use libration::algebra::{Polynomial, Rational, Variable};
 use libration::perturbation::Condition;
@@ -21,7 +22,7 @@ pub(super) fn secular_terms(question: &Question) -> Result<DerivationStep, Deriv
     let velocity = (sin(tau()) + tau() * cos(tau())) / 2;
     let first = Statement::equal(derivative(growing.clone(), "τ"), velocity.clone());
     let second = Statement::equal(derivative(velocity, "τ") + growing, cos(tau()));
-    Ok(DerivationStep::new("secular-terms", "The role of each condition")
+    let step = DerivationStep::new("secular-terms", "The role of each condition")
         .say(
             "At the power {} the new coefficient of {} enters through {} alone, with the factor {}. For every harmonic but the first \
              this is not zero, and the condition fixes that coefficient.",
@@ -54,7 +55,18 @@ pub(super) fn secular_terms(question: &Question) -> Result<DerivationStep, Deriv
                 question.u(),
                 cos(letter("k") * tau()),
             ],
-        ))
+        );
+    Ok(match question.has_velocity() {
+        true => step.say(
+            "With a velocity the coefficients of {} come with the factors {} of their sines, and the parts of the power of {} stand before them.",
+            [
+                question.displacement.clone().prime().into(),
+                -letter("k"),
+                letter("Δ"),
+            ],
+        ),
+        false => step,
+    })
 }
 
 /// Highest order whose derivation is shown unfolded; those of higher orders, which grow fast, are folded.
@@ -131,7 +143,8 @@ fn open_condition(question: &Question, condition: &Condition) -> OpenCondition {
         Some((Name::from(&unknown), question.open.solution().get(&unknown)?.into()))
     });
     OpenCondition {
-        force: question.force.clone(),
+        force: question.terms().cloned().collect(),
+        symbols: question.symbols().map(Name::from).collect(),
         harmonics: harmonics.collect(),
         frequency: corrections.collect(),
         lower: lower.collect(),
@@ -238,10 +251,10 @@ fn solved(question: &Question, condition: &Condition) -> Option<CheckedEquation>
 fn check_order(question: &Question, order: usize) -> Result<(), DerivationError> {
     for choice in 0..CHOICES {
         let any = |variable: &Variable| fraction_for(variable, choice);
-        let expected: Vec<(usize, Rational)> = (question.open.conditions().iter())
+        let expected: Vec<(usize, Polynomial)> = (question.open.conditions().iter())
             .filter(|condition| usize::try_from(condition.order) == Ok(order))
             .filter_map(|condition| {
-                let value = condition.polynomial.value(|variable| Some(any(variable)))?;
+                let value = at(question, &condition.polynomial, &any);
                 Some((usize::try_from(condition.harmonic).ok()?, value))
             })
             .collect();
@@ -265,9 +278,9 @@ pub fn check_contributions(
         let of_order = question.open.conditions().iter().filter(|it| usize::try_from(it.order) == Ok(order));
         let expected = of_order.filter_map(|condition| {
             let sum = contributions.sum(condition.order, condition.harmonic);
-            Some((usize::try_from(condition.harmonic).ok()?, sum.value(|variable| Some(any(variable)))?))
+            Some((usize::try_from(condition.harmonic).ok()?, at(question, &sum, &any)))
         });
-        let expected: Vec<(usize, Rational)> = expected.collect();
+        let expected: Vec<(usize, Polynomial)> = expected.collect();
         has_harmonics(question, &motion(question, order, &any, Newest::AllOpen), order, &expected)?;
     }
     Ok(())
@@ -293,18 +306,16 @@ fn motion(question: &Question, order: usize, any: &dyn Fn(&Variable) -> Rational
             Newest::Open => n < order,
             Newest::Solved => true,
         });
-        found
-            .and_then(|polynomial| polynomial.value(|free| Some(any(free))))
-            .unwrap_or_else(|| any(&variable))
+        found.map_or_else(|| Polynomial::constant(any(&variable)), |found| at(question, found, any))
     };
-    let zero = || Rational::from(0);
+    let zero = Polynomial::zero;
     let powers = question.powers();
-    let series = |k: usize| -> Vec<Rational> {
+    let series = |k: usize| -> Series {
         let present = |n: usize| n <= order && powers.contains(&n);
         (0..=order).map(|n| if present(n) { value(coefficient_name(k, n), n) } else { zero() }).collect()
     };
     let correction = |n: usize| match n {
-        0 => Rational::from(1),
+        0 => Polynomial::constant(Rational::from(1)),
         n if powers.contains(&(n + 1)) => value(correction_name(n), n + 1),
         _ => zero(),
     };
@@ -312,6 +323,15 @@ fn motion(question: &Question, order: usize, any: &dyn Fn(&Variable) -> Rational
         harmonics: question.harmonics().into_iter().map(|k| (k, series(k))).collect(),
         frequency: (0..order).map(correction).collect(),
     }
+}
+
+/// The polynomial with fractions for all variables but the symbols of the force.
+fn at(question: &Question, polynomial: &Polynomial, any: &dyn Fn(&Variable) -> Rational) -> Polynomial {
+    let is_of_force = |variable: &Variable| question.symbols().any(|symbol| symbol == variable);
+    let others = polynomial.variables().into_iter().filter(|variable| !is_of_force(variable));
+    others.fold(polynomial.clone(), |value, variable| {
+        value.substitute(&variable, &Polynomial::constant(any(&variable)))
+    })
 }
 
 /// A small nonzero fraction that differs from symbol to symbol.

@@ -3,12 +3,14 @@
 
 use super::super::check::{CheckedEquation, DerivationError, Given, same_series_where};
 use super::super::document::DerivationStep;
-use super::super::formula::{Formula, Name, Statement, cos, integral, letter, number, order, scaled, tenths};
+use super::super::formula::{
+    Coefficient, Formula, Name, Statement, cos, integral, letter, number, order, tenths,
+};
 use super::super::trials::Trials;
 use super::names::coefficient_name;
 use super::orders::solutions;
 use super::question::Question;
-use libration::algebra::{Rational, Variable};
+use libration::algebra::{Polynomial, Rational, Variable};
 use libration::internals::progress::Watch;
 use libration::perturbation::Gauge;
 
@@ -22,7 +24,7 @@ pub(super) fn step(
     }
     // Every gauge with A₂ leads to the open gauge with all powers.
     let gauge = Gauge::Coefficients(vec![Rational::from(1), Rational::from(1)]);
-    let open = Question::new(&question.oscillator, 4, &gauge, watch)?;
+    let open = question.again(4, &gauge, watch)?;
     let (epsilon, tau) = (|| letter("ε"), || letter("τ"));
     let step = DerivationStep::new("parity", "Terms that are missing")
         .say(
@@ -52,16 +54,15 @@ fn renamed(open: &Question, step: DerivationStep) -> Result<DerivationStep, Deri
     let epsilon = || letter("ε");
     let [first, second] = [1, 2].map(|n| Formula::from(Name::from(&coefficient_name(1, n))));
     let d2 = open.open.solution().get(&Variable::indexed("d", 2));
-    let factor = d2
-        .and_then(|d2| d2.terms().next().map(|(_, factor)| factor.clone()))
-        .unwrap_or_else(|| Rational::from(0));
+    let factor = d2.map_or_else(Polynomial::zero, |d2| d2.coefficient(&coefficient_name(1, 1), 2));
     let other = epsilon() + epsilon().squared() * second.clone() / first.clone();
-    let squared = scaled(&factor, first.clone().squared());
-    let product = scaled(&(Rational::from(2) * factor), first.clone() * second.clone());
+    let squared = factor.times(first.clone().squared());
+    let product = factor.scaled(&Rational::from(2)).times(first.clone() * second.clone());
     let expanded =
         squared.clone() * epsilon().squared() + product * epsilon().pow(3) + order(epsilon().pow(4));
     let names = [1, 2].map(|n| Name::from(&coefficient_name(1, n)));
     let given = names.into_iter().zip([13, 7]).map(|(name, value)| Given::Value(name, tenths(value)));
+    let given = open.free_symbols().into_iter().chain(given);
     let statement = Statement::equal(squared * other.clone().squared(), expanded);
     Ok(step
         .say(

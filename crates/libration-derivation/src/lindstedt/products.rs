@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::formula::{Formula, number, scaled};
 use libration::algebra::{Polynomial, Rational};
+use libration::perturbation::RestoringTerm;
 
 /// The factor of each harmonic at each power of ε.
 pub(super) type Factors = BTreeMap<(u32, u32), Polynomial>;
@@ -22,6 +23,32 @@ impl Products {
     fn add(&mut self, factors: Vec<Formula>, value: Polynomial) {
         self.terms.push(product(factors));
         self.sum = std::mem::replace(&mut self.sum, Polynomial::zero()) + value;
+    }
+
+    /// Adds a product of a term of the force, unless it vanishes.
+    fn add_term(
+        &mut self,
+        term: &RestoringTerm,
+        numbers: [Rational; 2],
+        ratio: Polynomial,
+        letters: Polynomial,
+    ) {
+        let value = letters.clone() * ratio.clone() * term.factor.clone();
+        let value = numbers.iter().fold(value, |value, it| value.scaled(it));
+        if value.is_zero() {
+            return;
+        }
+        let one = Polynomial::constant(Rational::from(1));
+        let of = |it: &Polynomial| (*it != one).then(|| Formula::from(it));
+        let [orderings, mut share] = numbers;
+        let mut first = term.factor.to_constant().unwrap_or_else(|| Rational::from(1));
+        if share.is_negative() {
+            (first, share) = (-first, -share);
+        }
+        let shown = [first, orderings, share].into_iter().filter(|it| *it != Rational::from(1));
+        let symbols = if term.factor.to_constant().is_some() { None } else { of(&term.factor) };
+        let factors = shown.map(Formula::Number).chain(symbols).chain(of(&ratio));
+        self.add(factors.chain([Formula::from(&letters)]).collect(), value);
     }
 
     /// The products, if their sum is this.
@@ -56,30 +83,51 @@ pub(super) fn linear(displacement: &Factors, squared_ratio: &Factors, (n, k): (u
     products
 }
 
-/// The products in the factor of cos kτ in εⁿ of a power of u times a number: the number, the number of orderings of the coefficients, the
-/// factor of cos kτ in the product of their cosines, and the coefficients.
-pub(super) fn of_power(
+/// The products in the factor of cos kτ in εⁿ of a term of the force: its factor, the number of orderings of the coefficients, the factor of
+/// cos kτ in the product of their waves, the part of the power of Δ, and the coefficients.
+pub(super) fn of_term(
     displacement: &Factors,
-    (factor, exponent): (&Rational, usize),
+    ratio: &Factors,
+    term: &RestoringTerm,
     (n, k): (u32, u32),
 ) -> Products {
+    let count = |exponent: u32| usize::try_from(exponent).unwrap_or(usize::MAX);
     let all: Vec<_> = displacement.iter().collect();
+    let powers: Vec<u32> = all.iter().map(|((m, _), _)| *m).collect();
     let mut products = Products::new();
-    for chosen in selections(&all.iter().map(|((m, _), _)| *m).collect::<Vec<_>>(), exponent, n) {
-        let harmonics: Vec<i64> = chosen.iter().map(|place| i64::from(all[*place].0.1)).collect();
-        let share = share(&harmonics, i64::from(k));
-        if share.is_zero() {
-            continue;
+    for (of_ratio, part) in power_of_ratio(ratio, term.velocity, n) {
+        for split in 0..=(n - of_ratio) {
+            for cosines in selections(&powers, count(term.position), n - of_ratio - split) {
+                for sines in selections(&powers, count(term.velocity), split) {
+                    let harmonics = |chosen: &[usize]| -> Vec<i64> {
+                        chosen.iter().map(|place| i64::from(all[*place].0.1)).collect()
+                    };
+                    let share = share(&harmonics(&cosines), &harmonics(&sines), i64::from(k));
+                    let orderings = Rational::from(orderings(&cosines) * orderings(&sines));
+                    let one = Polynomial::constant(Rational::from(1));
+                    let chosen = cosines.iter().chain(&sines);
+                    let letters = chosen.fold(one, |product, place| product * all[*place].1.clone());
+                    products.add_term(term, [orderings, share], part.clone(), letters);
+                }
+            }
         }
-        let orderings = Rational::from(orderings(&chosen));
-        let one = Polynomial::constant(Rational::from(1));
-        let letters = chosen.iter().fold(one, |product, place| product * all[*place].1.clone());
-        let numbers = [factor.clone(), orderings, share];
-        let value = numbers.iter().fold(letters.clone(), |value, it| value.scaled(it));
-        let shown = numbers.iter().filter(|it| **it != Rational::from(1)).cloned().map(Formula::Number);
-        products.add(shown.chain([Formula::from(&letters)]).collect(), value);
     }
     products
+}
+
+/// The parts of a power of Δ by powers of ε, up to one of them.
+fn power_of_ratio(ratio: &Factors, exponent: u32, highest: u32) -> Vec<(u32, Polynomial)> {
+    let one = vec![(0, Polynomial::constant(Rational::from(1)))];
+    (0..exponent).fold(one, |power, _| {
+        let mut next: BTreeMap<u32, Polynomial> = BTreeMap::new();
+        for (n, left) in power {
+            for ((m, _), right) in ratio.iter().filter(|((m, _), _)| n + m <= highest) {
+                let entry = next.entry(n + m).or_insert_with(Polynomial::zero);
+                *entry = std::mem::replace(entry, Polynomial::zero()) + left.clone() * right.clone();
+            }
+        }
+        next.into_iter().collect()
+    })
 }
 
 /// The product of factors, of which the last may be a product.
@@ -130,19 +178,23 @@ fn orderings(chosen: &[usize]) -> i64 {
     product
 }
 
-/// The factor of cos kτ in the product of cosines: the part of the choices of signs with ±k₁ ± k₂ … = ±k.
-fn share(harmonics: &[i64], k: i64) -> Rational {
+/// The factor of cos kτ in the product of cosines, and of the derivatives −j·sin jτ of an even number of further ones: the part of the choices
+/// of signs with ±k₁ ± k₂ … = ±k. A sine is half the difference of its two exponentials over i.
+fn share(cosines: &[i64], slopes: &[i64], k: i64) -> Rational {
+    let waves = cosines.iter().map(|it| (*it, 1)).chain(slopes.iter().map(|it| (*it, -1)));
     let mut sums = BTreeMap::from([(0_i64, 1_i64)]);
-    for harmonic in harmonics {
+    for (harmonic, sign) in waves {
         let mut next = BTreeMap::new();
         for (sum, count) in sums {
             *next.entry(sum + harmonic).or_insert(0) += count;
-            *next.entry(sum - harmonic).or_insert(0) += count;
+            *next.entry(sum - harmonic).or_insert(0) += sign * count;
         }
         sums = next;
     }
     let count = |sum: i64| sums.get(&sum).copied().unwrap_or(0);
     let right = if k == 0 { count(0) } else { count(k) + count(-k) };
-    let choices = (0..harmonics.len()).fold(1, |product: i64, _| product.saturating_mul(2));
-    Rational::new(right, choices).unwrap_or_else(|| Rational::from(0))
+    let choices = (0..cosines.len() + slopes.len()).fold(1, |product: i64, _| product.saturating_mul(2));
+    let of_slopes: i64 = slopes.iter().product();
+    let sign = if slopes.len() % 4 == 2 { -1 } else { 1 };
+    Rational::new(sign * of_slopes * right, choices).unwrap_or_else(|| Rational::from(0))
 }

@@ -1,38 +1,37 @@
 //! Subject of a derivation: an oscillator as a Taylor series, its expansion, and the symbols of both.
 
-use super::super::check::DerivationError;
-use super::super::formula::{Formula, Name};
+use super::super::check::{DerivationError, Given, chosen};
+use super::super::formula::{Formula, Name, sqrt};
 use super::HIGHEST_ORDER;
-use libration::algebra::{Rational, Rationals};
-use libration::expression::Symbol;
+use super::reduced::{Reduced, in_symbols};
+use super::solution::Solution;
+use libration::algebra::{Rational, Variable};
+use libration::expression::{Expression, Symbol};
 use libration::internals::progress::Watch;
-use libration::oscillator::{Kind, Oscillator};
-use libration::perturbation::{EpsilonPowers, Expansion, Gauge, OpenGauge, expand};
+use libration::oscillator::{Kind, NumbersOrLetters, Oscillator, SymbolicOscillator};
+use libration::perturbation::{EpsilonPowers, Gauge, OpenGauge, RestoringTerm};
 
 /// An oscillator about its equilibrium, prepared.
 #[derive(Debug)]
 pub struct Question {
-    pub(super) oscillator: Oscillator,
+    /// The oscillator, if its numbers are fractions.
+    pub(super) oscillator: Option<Oscillator>,
+    /// The oscillator with symbols for all that is not a fraction.
+    pub(super) symbolic: SymbolicOscillator,
     /// The variable of the equation of motion.
     pub(super) variable: Name,
     /// The displacement from the equilibrium; the variable itself if the equilibrium is zero.
     pub(super) displacement: Name,
-    pub(super) equilibrium: Rational,
-    pub(super) omega0_squared: Rational,
-    /// The factors of u, u², … in the restoring force divided by ω0².
+    pub(super) equilibrium: Formula,
+    pub(super) omega0_squared: Formula,
+    pub(super) reduced: Reduced,
+    /// The factors of u, u², … in the restoring force divided by ω0², if they are fractions and nothing depends on the velocity; empty otherwise.
     pub force: Vec<Rational>,
     pub(super) order: usize,
     /// The conditions with an open gauge.
     pub open: OpenGauge,
     /// The expansion in the requested gauge.
     pub solution: Solution,
-}
-
-/// The motion in one gauge.
-#[derive(Debug)]
-pub struct Solution {
-    pub(super) gauge: Gauge,
-    pub(super) expansion: Expansion,
 }
 
 impl Question {
@@ -43,52 +42,160 @@ impl Question {
         gauge: &Gauge,
         watch: &Watch<'_>,
     ) -> Result<Self, DerivationError> {
-        if !(2..=HIGHEST_ORDER).contains(&order) {
-            return Err(DerivationError::Order { order });
-        }
         match oscillator.kind() {
-            Kind::Conservative => {}
+            Kind::Conservative | Kind::Reversible => {}
             Kind::TwoSided => return Err(DerivationError::TwoSided),
             _ => return Err(DerivationError::Velocity),
         }
-        let exact = (oscillator.equilibrium().exact(), oscillator.omega0_squared().exact());
-        let (Some(equilibrium), Some(omega0_squared)) = exact else {
-            return Err(DerivationError::NoFractions);
-        };
-        let force = restoring_force(oscillator, equilibrium, omega0_squared, order);
-        let force = force.ok_or(DerivationError::NoFractions)?;
-        let variable = Name::from(&Symbol { name: oscillator.variable().to_owned(), primes: 0 });
-        let displacement = if equilibrium.is_zero() { variable.clone() } else { Name::new("u") };
-        let solution = Solution::new(oscillator, order, gauge, watch)?;
-        let powers = if oscillator.is_odd() && !solution.has_even_powers() {
+        let place = oscillator.equilibrium().exact().ok_or(DerivationError::NoFractions)?;
+        let place = Expression::Number(place.clone());
+        let symbolic = SymbolicOscillator::about(oscillator.equation(), &place);
+        let symbolic = symbolic.map_err(|_| DerivationError::NoFractions)?;
+        Self::of_either(Some(oscillator), symbolic, [order, order], gauge, watch)
+    }
+
+    /// Prepares an oscillator with numbers or symbols.
+    pub(super) fn of(
+        oscillator: &NumbersOrLetters,
+        order: usize,
+        gauge: &Gauge,
+        watch: &Watch<'_>,
+    ) -> Result<Self, DerivationError> {
+        match oscillator {
+            NumbersOrLetters::Numbers(oscillator) => Self::new(oscillator, order, gauge, watch),
+            NumbersOrLetters::Letters(oscillator) => {
+                Self::of_either(None, oscillator.clone(), [order, order], gauge, watch)
+            }
+        }
+    }
+
+    /// The same oscillator to another order, in another gauge.
+    pub(super) fn again(
+        &self,
+        order: usize,
+        gauge: &Gauge,
+        watch: &Watch<'_>,
+    ) -> Result<Self, DerivationError> {
+        let degree = order.max(self.order);
+        Self::of_either(self.oscillator.as_ref(), self.symbolic.clone(), [order, degree], gauge, watch)
+    }
+
+    fn of_either(
+        oscillator: Option<&Oscillator>,
+        symbolic: SymbolicOscillator,
+        [order, degree]: [usize; 2],
+        gauge: &Gauge,
+        watch: &Watch<'_>,
+    ) -> Result<Self, DerivationError> {
+        if !(2..=HIGHEST_ORDER).contains(&order) {
+            return Err(DerivationError::Order { order });
+        }
+        if !matches!(symbolic.kind(), Kind::Conservative | Kind::Reversible) {
+            return Err(DerivationError::Velocity);
+        }
+        let reduced = Reduced::new(&symbolic, degree).ok_or(DerivationError::NoFractions)?;
+        let variable = Name::from(&Symbol::plain(symbolic.variable()));
+        let is_at_zero = symbolic.equilibrium().is_zero();
+        let displacement = if is_at_zero { variable.clone() } else { Name::new("u") };
+        let is_exact = oscillator.is_some_and(|it| it.omega0_squared().exact().is_some());
+        let oscillator = oscillator.filter(|_| is_exact && reduced.is_of_numbers()).cloned();
+        let solution = Solution::new(oscillator.as_ref(), &reduced, order, gauge, watch)?;
+        let powers = if symbolic.is_odd() && !solution.has_even_powers() {
             EpsilonPowers::OneParity
         } else {
             EpsilonPowers::All
         };
-        let open = OpenGauge::new(&force, u32::try_from(order).unwrap_or(u32::MAX), powers, watch)?;
-        Ok(Self {
-            oscillator: oscillator.clone(),
+        let highest = u32::try_from(order).unwrap_or(u32::MAX);
+        let open = OpenGauge::of_terms(&reduced.terms, highest, powers, watch)?;
+        let question = Self {
             variable,
             displacement,
-            equilibrium: equilibrium.clone(),
-            omega0_squared: omega0_squared.clone(),
-            force,
+            equilibrium: in_symbols(&symbolic, symbolic.equilibrium()),
+            omega0_squared: in_symbols(&symbolic, symbolic.omega0_squared()),
+            force: reduced.factors(order),
+            oscillator,
+            symbolic,
+            reduced,
             order,
             open,
             solution,
-        })
+        };
+        match question.clashing() {
+            Some(letter) => Err(DerivationError::TakenLetter { letter }),
+            None => Ok(question),
+        }
+    }
+
+    /// A symbol of the equation that has another meaning in the derivation.
+    fn clashing(&self) -> Option<String> {
+        const TAKEN: [&str; 9] = ["t", "τ", "T", "ε", "Δ", "Ω", "F", "π", "u"];
+        let names = self.symbolic.letters().iter().map(|letter| Name::from(&Symbol::plain(letter)));
+        let is_taken = |name: &Name| {
+            let is_factor = self.reduced.symbols.iter().any(|(symbol, _)| Name::from(symbol) == *name);
+            is_factor || TAKEN.contains(&name.letter.as_str()) && name.subscript.is_none()
+        };
+        names.into_iter().find(is_taken).map(|name| name.letter)
     }
 
     /// The acceleration, as a formula of the variable.
     pub(super) fn acceleration(&self) -> Formula {
-        self.oscillator.acceleration().into()
+        Formula::from(&self.symbolic.equation().accelerations()[0])
+    }
+
+    /// Returns `true` if the derivation has symbols, or a velocity in the force.
+    pub(super) fn is_reduced(&self) -> bool {
+        self.force.is_empty() || self.oscillator.is_none()
+    }
+
+    /// The restoring force divided by ω0²: as a formula of the variable, or where there are symbols or velocities by powers of the displacement.
+    pub(super) fn restoring_force(&self) -> Formula {
+        if self.is_reduced() { self.reduced.formula(&self.displacement) } else { self.whole_force() }
     }
 
     /// The restoring force divided by ω0², as a formula of the variable.
-    pub(super) fn restoring_force(&self) -> Formula {
+    pub(super) fn whole_force(&self) -> Formula {
         let force = self.acceleration().negated();
-        let unit = self.omega0_squared == Rational::from(1);
-        if unit { force } else { force / self.omega0_squared.clone() }
+        match &self.omega0_squared {
+            Formula::Number(one) if *one == Rational::from(1) => force,
+            square => force / square.clone(),
+        }
+    }
+
+    /// The terms of the force besides the displacement.
+    pub(super) fn terms(&self) -> impl Iterator<Item = &RestoringTerm> {
+        let is_present = |term: &&RestoringTerm| !term.factor.is_zero();
+        let highest = u32::try_from(self.order).unwrap_or(u32::MAX);
+        self.reduced.terms.iter().filter(is_present).filter(move |it| it.position + it.velocity <= highest)
+    }
+
+    /// Returns `true` if the force depends on the velocity.
+    pub(super) fn has_velocity(&self) -> bool {
+        self.reduced.terms.iter().any(|term| term.velocity > 0)
+    }
+
+    /// The symbols in the factors of the force.
+    pub(super) fn symbols(&self) -> impl Iterator<Item = &Variable> {
+        self.reduced.symbols.iter().map(|(symbol, _)| symbol)
+    }
+
+    /// The symbols, as free ones.
+    pub(super) fn free_symbols<'a>(&self) -> Vec<Given<'a>> {
+        self.symbols().cloned().map(Given::Symbol).collect()
+    }
+
+    /// Fractions for the symbols of the equation, with ω0 and the symbols of the force.
+    pub(super) fn values_of_symbols<'a>(&self, choice: usize) -> Vec<Given<'a>> {
+        let letters = self.symbolic.letters().iter().map(|name| Name::from(&Symbol::plain(name)));
+        let root = Name::new("ω").index(0);
+        let has_root = letters.clone().any(|name| name == root);
+        let of = |(place, name): (usize, Name)| Given::Value(name, chosen(place, choice).into());
+        let mut given: Vec<Given<'_>> = letters.enumerate().map(of).collect();
+        if !has_root {
+            given.push(Given::Value(root, sqrt(self.omega0_squared.clone())));
+        }
+        let symbols = self.reduced.symbols.iter();
+        given.extend(symbols.map(|(symbol, value)| Given::Value(Name::from(symbol), value.clone())));
+        given
     }
 
     /// The displacement u.
@@ -106,7 +213,7 @@ impl Question {
 
     /// Returns `true` if the motion has only the harmonics of an odd force.
     pub(super) fn is_odd(&self) -> bool {
-        self.oscillator.is_odd()
+        self.symbolic.is_odd()
     }
 
     /// The harmonics of the ansatz.
@@ -119,41 +226,4 @@ impl Question {
         let odd_only = self.is_odd() && !self.solution.has_even_powers();
         (1..=self.order).step_by(if odd_only { 2 } else { 1 }).collect()
     }
-}
-
-impl Solution {
-    pub fn new(
-        oscillator: &Oscillator,
-        order: usize,
-        gauge: &Gauge,
-        watch: &Watch<'_>,
-    ) -> Result<Self, DerivationError> {
-        Ok(Self { gauge: gauge.clone(), expansion: expand(oscillator, order, gauge, watch)? })
-    }
-
-    /// The coefficients of cos kτ, by powers of ε.
-    pub(super) fn harmonic(&self, k: usize) -> Vec<Rational> {
-        self.expansion.harmonic(k).map_or_else(Vec::new, |harmonic| harmonic.cos.clone())
-    }
-
-    /// The coefficient of εⁿ in a harmonic.
-    pub(super) fn coefficient(&self, k: usize, n: usize) -> Rational {
-        self.harmonic(k).get(n).cloned().unwrap_or_else(|| Rational::from(0))
-    }
-
-    fn has_even_powers(&self) -> bool {
-        self.harmonic(1).iter().step_by(2).any(|a| !a.is_zero())
-    }
-}
-
-/// The Taylor coefficients of −f(xₑ + u)/ω0², from the first up to the requested order.
-fn restoring_force(
-    oscillator: &Oscillator,
-    equilibrium: &Rational,
-    omega0_squared: &Rational,
-    order: usize,
-) -> Option<Vec<Rational>> {
-    let x = Symbol { name: oscillator.variable().to_owned(), primes: 0 };
-    let series = oscillator.acceleration().taylor_series(&Rationals, &x, equilibrium, order + 1)?;
-    series[1..].iter().map(|c| (-c.clone()).checked_div(omega0_squared)).collect()
 }

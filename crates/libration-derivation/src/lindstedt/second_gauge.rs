@@ -6,7 +6,8 @@ use super::super::formula::{Name, Statement, letter};
 use super::amplitude::{of_amplitude, relations};
 use super::motion::{motion, series};
 use super::names::coefficient_name;
-use super::question::{Question, Solution};
+use super::question::Question;
+use super::solution::Solution;
 use super::substitution::solves;
 use libration::algebra::Rational;
 use libration::internals::progress::Watch;
@@ -21,12 +22,14 @@ fn other(question: &Question) -> Gauge {
 }
 
 pub(super) fn comparison(question: &Question) -> Result<DerivationStep, DerivationError> {
-    let other = Solution::new(&question.oscillator, question.order, &other(question), &Watch::new(&Quiet))?;
+    let watch = &Watch::new(&Quiet);
+    let (own, reduced) = (question.oscillator.as_ref(), &question.reduced);
+    let other = Solution::new(own, reduced, question.order, &other(question), watch)?;
     let mut step = DerivationStep::new("second-gauge", "A second gauge")
         .say("That the choice is free is best seen by making another one. With", []);
     for n in question.powers() {
         let name = Name::from(&coefficient_name(1, n));
-        step = step.show(CheckedEquation::definition(Statement::defined(name, other.coefficient(1, n))));
+        step = step.show(CheckedEquation::definition(Statement::defined(name, &other.coefficient(1, n))));
     }
     step = step.say("the series in {} are others:", [letter("ε")]);
     step = series(question, &other).into_iter().fold(step, DerivationStep::show);

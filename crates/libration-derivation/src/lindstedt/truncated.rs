@@ -71,11 +71,11 @@ fn small_swing(
     let exact = of_amplitude(question, &question.solution)?;
     let third = elimination.cubic_term().unwrap_or_else(|| Rational::from(0));
     let series = exact.harmonics.iter().find(|(k, _)| *k == 3).and_then(|(_, series)| series.get(3));
-    if question.order >= 3 && series != Some(&third) {
+    if question.order >= 3 && series != Some(&Polynomial::constant(third.clone())) {
         let statement = Statement::equal(a(3), monomial(&third, &amplitude, 3));
         return Err(failed(&statement, "the series has another term".to_owned()));
     }
-    let frequency = exact.frequency_ratio.get(2).cloned().unwrap_or_else(|| Rational::from(0));
+    let frequency = exact.frequency_ratio.get(2).cloned().unwrap_or_else(Polynomial::zero);
     let next = |n: i64| order(amplitude.clone().pow(n));
     let of_first = vec![amplitude.clone(), monomial(&-third.clone(), &amplitude, 3)];
     let of_third = monomial(&third, &amplitude, 3);

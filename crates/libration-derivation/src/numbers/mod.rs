@@ -1,4 +1,4 @@
-//! The numbers in which formulas are evaluated: floats, and power series with rational coefficients.
+//! The numbers in which formulas are evaluated: floats, and power series.
 
 pub(crate) mod digits;
 mod power_series;
@@ -6,5 +6,4 @@ mod precision;
 mod quadrature;
 
 pub(super) use digits::DIGITS;
-pub(super) use power_series::Coefficients;
 pub(super) use precision::PRECISION;

@@ -1,15 +1,12 @@
-//! Formulas evaluated as power series with rational coefficients.
+//! Formulas evaluated as power series.
 
-use libration::algebra::{Function, Rational, Rationals, Ring};
+use libration::algebra::{Function, Ring};
 use libration::series::PowerSeries;
 
 use crate::evaluate::{Analysis, EvaluationError};
 
-/// The coefficients that are certain, constant term first.
-pub(crate) type Coefficients = Vec<Rational>;
-
-impl Analysis for PowerSeries<Rationals> {
-    fn is_negligible(&self, term: &Coefficients, _sum: &Coefficients) -> bool {
+impl<R: Ring> Analysis for PowerSeries<R> {
+    fn is_negligible(&self, term: &Self::Element, _sum: &Self::Element) -> bool {
         self.is_zero(term)
     }
 
@@ -19,22 +16,22 @@ impl Analysis for PowerSeries<Rationals> {
 
     fn integral(
         &self,
-        _from: &Coefficients,
-        _to: &Coefficients,
-        _integrand: &mut dyn FnMut(Coefficients) -> Result<Coefficients, EvaluationError>,
-    ) -> Result<Coefficients, EvaluationError> {
+        _from: &Self::Element,
+        _to: &Self::Element,
+        _integrand: &mut dyn FnMut(Self::Element) -> Result<Self::Element, EvaluationError>,
+    ) -> Result<Self::Element, EvaluationError> {
         Err(EvaluationError::NotInRing("an integral of series"))
     }
 
     fn slope(
         &self,
-        _function: &mut dyn FnMut(Coefficients) -> Result<Coefficients, EvaluationError>,
-    ) -> Result<Coefficients, EvaluationError> {
+        _function: &mut dyn FnMut(Self::Element) -> Result<Self::Element, EvaluationError>,
+    ) -> Result<Self::Element, EvaluationError> {
         Err(EvaluationError::NotInRing("a derivative of series"))
     }
 
     /// Each step doubles the number of coefficients that agree.
-    fn agm(&self, a: &Coefficients, b: &Coefficients) -> Option<Coefficients> {
+    fn agm(&self, a: &Self::Element, b: &Self::Element) -> Option<Self::Element> {
         let (mut a, mut b) = (a.clone(), b.clone());
         for _ in 0..=self.terms {
             if self.is_zero(&self.subtract(&a, &b)) {
@@ -48,8 +45,8 @@ impl Analysis for PowerSeries<Rationals> {
     }
 
     /// The omitted part; zero if its order lies beyond the coefficients that are compared.
-    fn left_out(&self, order: &Coefficients) -> Result<Coefficients, EvaluationError> {
-        let begins = order.iter().position(|c| !c.is_zero()).unwrap_or(order.len());
-        Ok(vec![Rational::from(0); begins])
+    fn left_out(&self, order: &Self::Element) -> Result<Self::Element, EvaluationError> {
+        let begins = order.iter().position(|c| !self.coefficients.is_zero(c)).unwrap_or(order.len());
+        Ok(vec![self.coefficients.zero(); begins])
     }
 }

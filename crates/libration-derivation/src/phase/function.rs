@@ -147,6 +147,13 @@ impl PhaseFunction {
         whole.plus(&Self::constant(start.negated()))
     }
 
+    /// The solution of y″ + y = r, with this function as r and zero initial value and slope: sin ψ·∫r·cos ψ − cos ψ·∫r·sin ψ.
+    pub(crate) fn begun_at_rest(&self) -> Self {
+        let (cosine, sine) = (Self::cosine(), Self::sine());
+        let of_sine = sine.times(&self.times(&cosine).integral());
+        of_sine.minus(&cosine.times(&self.times(&sine).integral()))
+    }
+
     /// The value at 0.
     pub fn at_start(&self) -> PiNumber {
         self.terms.iter().fold(PiNumber::default(), |sum, ((power, _, wave), coefficient)| {
@@ -161,6 +168,20 @@ impl PhaseFunction {
         cosines.fold(PiNumber::default(), |sum, ((power, k, _), coefficient)| {
             let sign = if (k * half_turns).is_multiple_of(2) { 1 } else { -1 };
             let scale = (0..*power).fold(Rational::from(sign), |product, _| product * integer(half_turns));
+            let exponent = i32::try_from(*power).unwrap_or(i32::MAX);
+            sum.plus(&coefficient.scaled(&scale).times_power_of_pi(exponent))
+        })
+    }
+
+    /// The value after a quarter turn, at π/2.
+    pub fn at_quarter_turn(&self) -> PiNumber {
+        self.terms.iter().fold(PiNumber::default(), |sum, ((power, k, wave), coefficient)| {
+            let value = match (k % 4, wave) {
+                (0, Wave::Cosine) | (1, Wave::Sine) => 1,
+                (2, Wave::Cosine) | (3, Wave::Sine) => -1,
+                _ => 0,
+            };
+            let scale = (0..*power).fold(Rational::from(value), |product, _| product * fraction(1, 2));
             let exponent = i32::try_from(*power).unwrap_or(i32::MAX);
             sum.plus(&coefficient.scaled(&scale).times_power_of_pi(exponent))
         })

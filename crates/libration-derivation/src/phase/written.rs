@@ -1,6 +1,6 @@
 //! Phase functions and their numbers as formulas.
 
-use super::super::formula::{Formula, cos, letter, sin, sum};
+use super::super::formula::{Coefficient, Formula, cos, letter, sin, sum};
 use super::{PhaseFunction, PiNumber, Wave};
 use libration::algebra::Rational;
 
@@ -8,6 +8,24 @@ use libration::algebra::Rational;
 pub fn number(value: &PiNumber) -> Formula {
     let terms: Vec<Formula> = value.terms().map(|(power, it)| term_with(it, power, vec![])).collect();
     if terms.is_empty() { Formula::from(0) } else { sum(terms) }
+}
+
+impl Coefficient for PiNumber {
+    fn is_absent(&self) -> bool {
+        self.is_zero()
+    }
+
+    fn to_formula(&self) -> Formula {
+        number(self)
+    }
+
+    fn times(&self, formula: Formula) -> Formula {
+        let mut terms = self.terms();
+        match (terms.next(), terms.next()) {
+            (Some((power, factor)), None) => term_with(factor, power, vec![formula]),
+            _ => number(self) * formula,
+        }
+    }
 }
 
 /// A phase function as a sum, lower powers of the phase and lower harmonics first.

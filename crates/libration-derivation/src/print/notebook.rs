@@ -1,7 +1,9 @@
 //! Derivations as a Jupyter notebook: its cells repeat the checks with Python's fractions and floats, and those of exercises compare the
 //! reader's answers by `SymPy`.
 
-use super::super::check::{Check, CheckedEquation, FlowTerms, OpenCondition, TruncatedFormula};
+use super::super::check::{
+    Check, CheckedEquation, FlowTerms, OpenCondition, QuarterFormula, TruncatedFormula,
+};
 use super::super::document::{Block, Derivation, DerivationStep};
 use super::super::formula::{Name, Statement};
 use super::super::python::{self, Questions};
@@ -46,6 +48,8 @@ struct Notebook<'a> {
     known: Vec<&'a Name>,
     /// The equation whose slow flow is defined in the cells.
     flow: Option<&'a FlowTerms>,
+    /// `true` if the quarter swing is defined in the cells.
+    has_quarter: bool,
     /// The exercises whose answers are compared.
     questions: Questions,
     /// The place of the cell with the functions that checks use, and the code of the checks.
@@ -111,6 +115,9 @@ impl<'a> Notebook<'a> {
         if let Check::Truncated(formula) = equation.check() {
             self.begin_few(formula);
         }
+        if let Check::Quarter(formula) = equation.check() {
+            self.begin_quarter(formula);
+        }
         if let Check::Averaged(formula) = equation.check() {
             self.begin_flow(&formula.flow, python::slow_flow);
         }
@@ -137,6 +144,14 @@ impl<'a> Notebook<'a> {
         if let (false, Some(code)) = (self.few == Some(own), python::few_harmonics(formula)) {
             self.few = Some(own);
             self.check(&format!("few-{}", self.cells.len()), &code);
+        }
+    }
+
+    /// Defines the quarter swing, of which a derivation has one.
+    fn begin_quarter(&mut self, formula: &QuarterFormula) {
+        if let (false, Some(code)) = (self.has_quarter, python::quarter_swing(formula)) {
+            self.has_quarter = true;
+            self.check(&format!("quarter-{}", self.cells.len()), &code);
         }
     }
 

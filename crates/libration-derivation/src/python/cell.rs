@@ -2,11 +2,12 @@
 
 use super::super::check::{
     AveragedClaim, Check, CheckedEquation, ComparedAt, CycleClaim, CycleQuantity, FlowTerms, ForceTerm,
-    Letters, OpenCondition, TruncatedClaim, TruncatedFormula,
+    Letters, OpenCondition, QuarterClaim, QuarterFormula, TruncatedClaim, TruncatedFormula,
 };
 use super::super::formula::{DecimalUnit, Formula, Name, Relation, Statement};
 use super::{expression, identifier};
 use libration::algebra::Rational;
+use libration::perturbation::RestoringTerm;
 
 /// The lines that repeat the check; `None` if there is nothing to check, or the check cannot be written in Python.
 pub(crate) fn check(equation: &CheckedEquation) -> Option<String> {
@@ -19,10 +20,18 @@ pub(crate) fn check(equation: &CheckedEquation) -> Option<String> {
             let lines = lines.into_iter().chain(given(letters)?);
             Some(block(lines.chain([format!("same_series({coefficients}, {sides})")])))
         }
+        Check::Choices { variable, coefficients, .. } => {
+            let lines = [format!("{} = variable({})", identifier(variable)?, coefficients + 6)];
+            let sides = sides(statement)?.join(", ");
+            let lines = lines.into_iter().chain(given(letters)?);
+            Some(block(lines.chain([format!("nearly_same_series({coefficients}, {sides})")])))
+        }
         Check::Phases { variable, order, phases } => {
             let (variable, terms) = (identifier(variable)?, order + 1);
             let head = [format!("for n in range({phases}):")];
-            let set = [format!("{variable}, τ = variable({terms}), Angle(Q(n, {phases}))")];
+            let has_sines = letters.values.iter().any(|(name, _)| name.primes == 1);
+            let angle = if has_sines { "by_tangent_of_half" } else { "Angle" };
+            let set = [format!("{variable}, τ = variable({terms}), {angle}(Q(n, {phases}))")];
             let left = format!("same_series({terms}, {}, 0)", expression(&statement.first)?);
             let lines = set.into_iter().chain(given(letters)?).chain([left]);
             Some(block(head.into_iter().chain(lines.map(indented))))
@@ -43,6 +52,7 @@ pub(crate) fn check(equation: &CheckedEquation) -> Option<String> {
         Check::Substituted { condition: Some(condition), .. } => substituted(statement, condition),
         Check::Catalogued { leading_error, .. } => catalogued(statement, leading_error.as_ref()),
         Check::Truncated(formula) => truncated(statement, &formula.claim, &formula.harmonics),
+        Check::Quarter(formula) => quarter(statement, formula.power, &formula.claim),
         Check::Cycle(formula) => cycle(statement, formula.order, &formula.claim),
         Check::Averaged(formula) => averaged(statement, &formula.claim),
         _ => None,
@@ -51,13 +61,13 @@ pub(crate) fn check(equation: &CheckedEquation) -> Option<String> {
 
 /// The ansatz of a condition, with its symbols.
 pub(crate) fn ansatz(condition: &OpenCondition) -> Option<String> {
-    let OpenCondition { force, harmonics, frequency, .. } = condition;
-    let force: Vec<String> =
-        force.iter().map(|it| expression(&Formula::Number(it.clone()))).collect::<Option<_>>()?;
-    let names: Vec<String> =
-        (harmonics.iter().map(|(_, _, name)| name).chain(frequency.iter().map(|(_, name)| name)))
-            .map(identifier)
-            .collect::<Option<_>>()?;
+    let OpenCondition { force, symbols, harmonics, frequency, .. } = condition;
+    let term = |it: &RestoringTerm| {
+        Some(format!("({}, {}): {}", it.position, it.velocity, expression(&(&it.factor).into())?))
+    };
+    let force: Vec<String> = force.iter().map(term).collect::<Option<_>>()?;
+    let names = harmonics.iter().map(|(_, _, name)| name).chain(frequency.iter().map(|(_, name)| name));
+    let names: Vec<String> = names.chain(symbols).map(identifier).collect::<Option<_>>()?;
     let harmonics: Vec<String> = harmonics
         .iter()
         .map(|(n, k, name)| Some(format!("({n}, {k}): \"{}\"", identifier(name)?)))
@@ -67,11 +77,11 @@ pub(crate) fn ansatz(condition: &OpenCondition) -> Option<String> {
         .map(|(n, name)| Some(format!("{n}: \"{}\"", identifier(name)?)))
         .collect::<Option<_>>()?;
     Some(block([
-        "# The force, the coefficients by the power of ε and the harmonic, and those of the frequency by the power".to_owned(),
-        format!("ansatz = Ansatz([{}],", force.join(", ")),
+        "# The terms of the force by the powers of displacement and velocity, the coefficients by the power of ε and the harmonic, and those of the frequency by the power".to_owned(),
+        format!("[{}] = letters(\"{}\")", names.join(", "), names.join(" ")),
+        format!("ansatz = Ansatz({{{}}},", force.join(", ")),
         format!("                {{{}}},", harmonics.join(", ")),
         format!("                {{{}}})", frequency.join(", ")),
-        format!("[{}] = letters(\"{}\")", names.join(", "), names.join(" ")),
     ]))
 }
 
@@ -197,6 +207,30 @@ fn averaged(statement: &Statement, claim: &AveragedClaim) -> Option<String> {
             Some(format!("flow.{method}(lambda {}: {})", identifier(parameter)?, right()?))
         }
     }
+}
+
+/// The code of a cell with the force of a quarter swing.
+pub(crate) fn quarter_swing(formula: &QuarterFormula) -> Option<String> {
+    let force = formula.force.iter().map(|it| expression(&Formula::Number(it.clone())));
+    Some(block([
+        "# The factors of the second and higher powers in the force.".to_owned(),
+        format!("quarter = Quarter([{}])", force.collect::<Option<Vec<String>>>()?.join(", ")),
+    ]))
+}
+
+fn quarter(statement: &Statement, n: usize, claim: &QuarterClaim) -> Option<String> {
+    let right = expression(&statement.rest.last()?.1)?;
+    Some(match claim {
+        QuarterClaim::Forcing { known } => {
+            format!("quarter.forces({n}, lambda pi, τ: {})", expression(known)?)
+        }
+        QuarterClaim::Begun => format!("quarter.begins({n}, lambda pi, τ: {right})"),
+        QuarterClaim::Correction => format!("quarter.corrects({n}, lambda pi: {right})"),
+        QuarterClaim::Motion => format!("quarter.moves({n}, lambda pi, τ: {right})"),
+        QuarterClaim::Harmonic { amplitude, harmonic } => {
+            format!("quarter.harmonic({harmonic}, lambda pi, {}: {right})", identifier(amplitude)?)
+        }
+    })
 }
 
 /// A coefficient determined at lower orders.

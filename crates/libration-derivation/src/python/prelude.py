@@ -112,6 +112,8 @@ def sine_and_cosine(x):
 def sin(x):
     if hasattr(x, "wave"):
         return x.wave(1)
+    if hasattr(x, "sine"):
+        return x.sine()
     return sine_and_cosine(x)[0] if isinstance(x, Series) else math.sin(x)
 
 
@@ -241,19 +243,28 @@ def slope(f, x):
 
 
 class Angle:
-    """k times a phase that is given by its cosine, a fraction."""
+    """k times a phase that is given by its cosine, a fraction, and where it is needed its sine."""
 
-    def __init__(self, cosine, k=1):
-        self.first, self.k = cosine, k
+    def __init__(self, cosine, k=1, sine=Q(0)):
+        self.first, self.k, self.first_sine = cosine, k, sine
 
     def __rmul__(self, k):
-        return Angle(self.first, self.k * k)
+        return Angle(self.first, self.k * k, self.first_sine)
 
     def cosine(self):
-        a, b = Q(1), self.first
+        return self.multiple(Q(1), self.first)
+
+    def sine(self):
+        return self.multiple(Q(0), self.first_sine)
+
+    def multiple(self, a, b):
         for _ in range(self.k):
             a, b = b, 2 * self.first * b - a
         return a
+
+
+def by_tangent_of_half(t):
+    return Angle((1 - t * t) / (1 + t * t), 1, 2 * t / (1 + t * t))
 
 
 class Polynomial(dict):
@@ -312,14 +323,15 @@ def letters(names):
 class Cosines(dict):
     """A sum of cosines: the factor of cos k tau in each power of epsilon, up to a power."""
 
-    def times(self, other, last):
+    def times(self, other, last, sign=1):
+        """The product; of two sums of sines with the sign -1."""
         result = {}
         for (n, j), a in self.items():
             for (m, k), b in other.items():
                 if n + m <= last:
-                    for harmonic in (abs(j - k), j + k):
+                    for harmonic, half in ((abs(j - k), Q(1, 2)), (j + k, Q(sign, 2))):
                         key = (n + m, harmonic)
-                        result[key] = result.get(key, 0) + a * b * Q(1, 2)
+                        result[key] = result.get(key, 0) + a * b * half
         return Cosines({key: a for key, a in result.items() if a != {}})
 
 
@@ -336,12 +348,15 @@ class Ansatz:
         ratio = Cosines({(m, 0): put(name) for m, name in self.ratio.items() if m < n})
         ratio[(0, 0)] = polynomial(1)
         second = Cosines({(m, j): -j * j * a for (m, j), a in u.items()})
-        result = ratio.times(ratio, n).times(second, n).get((n, k), polynomial(0))
-        powers = u
-        for place, factor in enumerate(self.force):
-            if place > 0:
-                powers = powers.times(u, n)
-            result = result + factor * powers.get((n, k), polynomial(0))
+        linear = ratio.times(ratio, n).times(second, n).get((n, k), polynomial(0))
+        result = linear + u.get((n, k), polynomial(0))
+        slope = ratio.times(Cosines({(m, j): -j * a for (m, j), a in u.items() if j > 0}), n)
+        square = slope.times(slope, n, -1)
+        for (position, velocity), factor in self.force.items():
+            powers = Cosines({(0, 0): polynomial(1)})
+            for each in position * [u] + velocity // 2 * [square]:
+                powers = powers.times(each, n)
+            result = result + polynomial(factor) * powers.get((n, k), polynomial(0))
         return result
 
     def gives(self, n, k, expected, new=None):
@@ -519,6 +534,14 @@ class Phased(dict):
         for (e, p, k, s), a in self.items():
             if s == 0 and (p == 0 or half_turns > 0):
                 result = result + Phased({(e + p, 0, 0, 0): a * half_turns**p * (-1) ** (k * half_turns)})
+        return result
+
+    def at_quarter_turn(self):
+        """The value where the phase is half of pi."""
+        result = Phased()
+        for (e, p, k, s), a in self.items():
+            wave = (1, 0, -1, 0)[(k - s) % 4]
+            result = result + Phased({(e + p, 0, 0, 0): a * Q(1, 2) ** p * wave})
         return result
 
 
@@ -735,6 +758,53 @@ class LimitCycle:
         assert len(told) == len(self.w) and all(phased(a) == b for a, b in zip(told.c, self.w)), told.c
 
 
+class Quarter:
+    """A swing from the turning point A to zero, by powers of A: functions of the phase, and the
+    corrections of the frequency. The force has further powers of x, the first of them x squared."""
+
+    def __init__(self, force):
+        self.force, self.x, self.d = force, [phased(0), cos(PHASE)], [phased(1)]
+
+    def product(self, f, g, n):
+        known = (i for i in range(n + 1) if i < len(f) and n - i < len(g))
+        return sum((f[i] * g[n - i] for i in known), phased(0))
+
+    def right(self, n):
+        """The right side of x_n'' + x_n, without the correction that this power fixes."""
+        result = phased(0)
+        for m in range(1, n):
+            result = result - self.product(self.d, self.d, m) * self.x[n - m].slope().slope()
+        power = self.x
+        for factor in self.force:
+            power = [self.product(power, self.x, m) for m in range(n + 1)]
+            result = result - factor * power[n]
+        return result
+
+    def forces(self, n, known):
+        self.known, self.begun = phased(known(PI, PHASE)), phased(0)
+        assert self.right(n) == self.known, self.right(n)
+
+    def begins(self, n, begun):
+        y = self.begun = phased(begun(PI, PHASE))
+        assert y.slope().slope() + y == self.known and y.at(0) == y.slope().at(0) == {}, y
+
+    def corrects(self, n, correction):
+        self.d.append(phased(correction(PI)))
+        end = self.begun.at_quarter_turn()
+        assert end + self.d[-1] * PI * Q(1, 2) == {}, end
+
+    def moves(self, n, x):
+        self.x.append(phased(x(PI, PHASE)))
+        assert self.x[-1] == self.begun + self.d[-1] * PHASE * sin(PHASE), self.x[-1]
+
+    def harmonic(self, k, told):
+        told = told(pi, variable(40)).c
+        assert len(told) == len(self.x)
+        for x, a in zip(self.x, told):
+            part = (4 * x * cos(k * PHASE)).integral().at_quarter_turn() / PI
+            agree(sum(float(factor) * pi ** e for (e, _, _, _), factor in part.items()), a)
+
+
 def padded(x):
     """The evaluation with one more coefficient, which must not change it."""
     return Series(x.c + [Q(0)])
@@ -757,6 +827,15 @@ def rounds_to(value, printed, place):
 
 def same_fraction(*sides):
     assert all(exact(side) == exact(sides[0]) for side in sides), sides
+
+
+def nearly_same_series(terms, *sides):
+    """The same in floats."""
+    sides = [series(side, terms).c for side in sides]
+    assert min(map(len, sides)) >= terms, "too few terms"
+    for other in sides[1:]:
+        for a, b in zip(sides[0], other):
+            agree(a, b)
 
 
 def same_series(terms, *sides):

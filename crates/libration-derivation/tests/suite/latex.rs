@@ -1,6 +1,6 @@
 //! The LaTeX of every derivation: rows have as many cells as their table has columns, and documents compile if `pdflatex` is present.
 
-use libration::oscillator::{NamedOscillator, Oscillator};
+use libration::oscillator::{NamedOscillator, Oscillator, SymbolicOscillator};
 use libration::perturbation::Gauge;
 use libration::progress::Quiet;
 use libration_derivation::{
@@ -13,6 +13,9 @@ use std::process::Command;
 fn derivations() -> Vec<(&'static str, Derivation)> {
     let pendulum = NamedOscillator::by_key("pendulum").unwrap().oscillator(&[]).unwrap();
     let two_sided = Oscillator::new(&"x'' + x + x^2/2 + x^3 = 0".parse().unwrap()).unwrap();
+    let kinked = Oscillator::new(&"x'' + x + x*abs(x) = 0".parse().unwrap()).unwrap();
+    let letters = "m*x'' + k*x + a*x^2 + b*x*x'^2 = 0".parse().unwrap();
+    let letters = SymbolicOscillator::new(&letters).unwrap();
     let damped = "theta'' + c*theta' + sin(theta) = 0".parse().unwrap();
     let rubbed = "x'' + x + c*x'*abs(x') = 0".parse().unwrap();
     let excited = "x'' - mu*(1 - x^2)*x' + x = 0".parse().unwrap();
@@ -22,6 +25,8 @@ fn derivations() -> Vec<(&'static str, Derivation)> {
         ("formulas", formulas(None).unwrap()),
         ("perturbation", perturbation(&pendulum, 5, &Gauge::Fundamental, None, &Quiet).unwrap()),
         ("two-sided", perturbation(&two_sided, 3, &Gauge::Fundamental, None, &Quiet).unwrap()),
+        ("symbols", perturbation(&letters, 4, &Gauge::Fundamental, None, &Quiet).unwrap()),
+        ("quarter", perturbation(&kinked, 4, &Gauge::Fundamental, None, &Quiet).unwrap()),
         ("averaging", averaging(&damped, None, 3, 2, &Quiet).unwrap()),
         ("rubbing", averaging(&rubbed, None, 3, 1, &Quiet).unwrap()),
         ("limit-cycle", limit_cycle(&excited, None, 3, &Quiet).unwrap()),

@@ -13,3 +13,5 @@ mod notebooks;
 mod paper;
 mod phase;
 mod source;
+mod symbols;
+mod two_sided;

@@ -1,6 +1,6 @@
 //! Notebooks: folded helpers, cells for answers, and exercises that do not contain their answers.
 
-use libration::oscillator::NamedOscillator;
+use libration::oscillator::{NamedOscillator, NumbersOrLetters};
 use libration::perturbation::Gauge;
 use libration::progress::Quiet;
 use std::sync::LazyLock;
@@ -16,6 +16,9 @@ pub(crate) static DERIVATIONS: LazyLock<Vec<(String, Derivation)>> = LazyLock::n
 fn derivations() -> Vec<(String, Derivation)> {
     let pendulum = NamedOscillator::by_key("pendulum").unwrap().oscillator(&[]).unwrap();
     let well = NamedOscillator::by_key("helmholtz_duffing").unwrap().oscillator(&[]).unwrap();
+    let of = |equation: &str| NumbersOrLetters::new(&equation.parse().unwrap(), None).unwrap();
+    let derived =
+        |equation: &str, order| perturbation(of(equation), order, &Gauge::Fundamental, None, &Quiet).unwrap();
     let damped = "theta'' + c*theta' + sin(theta) = 0".parse().unwrap();
     let rubbed = "x'' + x + c*x'*abs(x') = 0".parse().unwrap();
     let excited = "x'' - mu*(1 - x^2)*x' + x = 0".parse().unwrap();
@@ -24,6 +27,9 @@ fn derivations() -> Vec<(String, Derivation)> {
         ("short".to_owned(), first_correction(None).unwrap()),
         ("formulas".to_owned(), formulas(None).unwrap()),
         ("asymmetric".to_owned(), perturbation(&well, 3, &Gauge::Fundamental, None, &Quiet).unwrap()),
+        ("symbols".to_owned(), derived("x'' + w^2*x + a*x^2 + b*x^3 = 0", 4)),
+        ("velocity".to_owned(), derived("x'' + w^2*x + a*x*x'^2 + b*x^3 = 0", 5)),
+        ("two-sided".to_owned(), derived("x'' + x + x*abs(x) = 0", 4)),
         ("rubbing".to_owned(), averaging(&rubbed, None, 2, 1, &Quiet).unwrap()),
     ];
     for order in 1..=5 {
@@ -56,7 +62,12 @@ fn results(blocks: &[Block]) -> Vec<String> {
 
 /// The cells without the escapes of JSON, spaces, and the ends of lines within a formula.
 fn joined(notebook: &str) -> String {
-    let text = notebook.replace("\\n", "\n").replace("\\\"", "\"").replace("\\\\", "\\").replace(r"\\", "");
+    let text = notebook
+        .replace("\\n", "\n")
+        .replace("\\\"", "\"")
+        .replace("\\\\", "\\")
+        .replace(r"\\", "")
+        .replace(r"\quad", "");
     text.chars().filter(|letter| !letter.is_whitespace() && *letter != '&').collect()
 }
 
@@ -95,7 +106,7 @@ fn helpers_are_folded_and_only_those_that_the_cells_use() {
         assert_eq!(folded.len(), 1, "{name}");
         assert!(folded[0].contains("\"id\": \"prelude\""), "{name}");
         let uses = |class: &str| cells.iter().filter(|it| !folded.contains(it)).any(|it| it.contains(class));
-        for class in ["Ansatz(", "FewHarmonics(", "SlowFlow(", "LimitCycle("] {
+        for class in ["Ansatz(", "FewHarmonics(", "SlowFlow(", "LimitCycle(", "Quarter("] {
             let is_carried = folded[0].contains(&format!("class {}", class.trim_end_matches('(')));
             // A limit cycle takes its equation from a slow flow.
             assert_eq!(is_carried, uses(class), "{name}: {class}");

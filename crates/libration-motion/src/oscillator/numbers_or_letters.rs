@@ -12,6 +12,18 @@ pub enum NumbersOrLetters {
     Letters(SymbolicOscillator),
 }
 
+impl From<&Oscillator> for NumbersOrLetters {
+    fn from(oscillator: &Oscillator) -> Self {
+        Self::Numbers(oscillator.clone())
+    }
+}
+
+impl From<&SymbolicOscillator> for NumbersOrLetters {
+    fn from(oscillator: &SymbolicOscillator) -> Self {
+        Self::Letters(oscillator.clone())
+    }
+}
+
 /// The reason why an equation is not an oscillator, with numbers or with symbolic parameters.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum NumbersOrLettersError {

@@ -179,6 +179,43 @@ impl SymbolicOscillator {
         &self.ring
     }
 
+    /// The coefficients of the acceleration by the powers of displacement and velocity up to this degree: the two exponents and the value.
+    #[doc(hidden)]
+    pub fn powers(&self, degree: usize) -> Option<Vec<([usize; 2], LaurentPolynomial)>> {
+        let mut powers = vec![];
+        let mut of_velocity = self.force.formula.clone();
+        for velocity in 0..=degree {
+            let at_rest = of_velocity.substitute(&self.force.velocity, &0.into()).simplified();
+            let series = self.taylor_series(&at_rest, degree + 1 - velocity)?;
+            let factorial = (1..=u64::try_from(velocity).ok()?).product();
+            for (position, coefficient) in series.into_iter().enumerate().filter(|(_, it)| !it.is_zero()) {
+                powers.push(([position, velocity], self.ring.over_integer(&coefficient, factorial)?));
+            }
+            of_velocity = of_velocity.derivative(&self.force.velocity).simplified();
+            if of_velocity.vanishes() {
+                break;
+            }
+        }
+        Some(powers)
+    }
+
+    /// The coefficients of a formula by powers of the displacement.
+    fn taylor_series(&self, formula: &Expression, length: usize) -> Option<Vec<LaurentPolynomial>> {
+        let force = Force { formula: formula.clone(), ..self.force.clone() };
+        let tape = tape(&force, &self.ring)?;
+        let letters = (0..tape.inputs() - 2).map(|number| self.ring.letter(number));
+        let inputs: Vec<_> = [self.ring.zero(), self.ring.zero()].into_iter().chain(letters).collect();
+        let mut jet = Jet::new(&self.ring, &tape, &inputs).ok()?;
+        let mut slope = vec![self.ring.zero(); tape.inputs()];
+        for n in 1..length {
+            *slope.first_mut()? = self.ring.rational(&Rational::from(i64::from(n == 1)))?;
+            jet.extend(&slope).ok()?;
+        }
+        let result = jet.result(0);
+        let known = result.iter().take(length).all(|value| !value.is_beyond_limit());
+        known.then(|| result[..length.min(result.len())].to_vec())
+    }
+
     #[doc(hidden)]
     pub fn tape(&self) -> &Tape {
         &self.tape

@@ -61,7 +61,7 @@ pub(crate) use expand::is_pendulum;
 pub use expand::{ExpansionError, MAX_ORDER, expand, expand_with_pi};
 pub use expansion::{AmplitudeSeries, Certificate, Expansion, ExpansionVariable, HarmonicSeries, Precision};
 pub use gauge::{Gauge, ParseGaugeError};
-pub use open_gauge::{Condition, EpsilonPowers, OpenGauge, OpenGaugeError};
+pub use open_gauge::{Condition, EpsilonPowers, OpenGauge, OpenGaugeError, RestoringTerm};
 pub use phase_origin::PhaseOrigin;
 pub use restoring_force::restoring_force;
 pub(crate) use slow_flow::FirstOrder;

@@ -1,10 +1,11 @@
 //! `libration derive`: worked derivations, every formula checked.
 
-use crate::arguments::{self, EquationText, OscillatorOptions, PendulumOptions};
+use crate::arguments::{self, ChosenWithLetters, EquationText, OscillatorOptions, PendulumOptions};
 use crate::output::file;
 use crate::query_error::{QueryError, argument, option};
 use crate::{interrupt, parallel};
 use libration::internals::progress::Watch;
+use libration::oscillator::NumbersOrLetters;
 use libration::pendulum::Amplitude;
 use libration::perturbation::{Gauge, SlowFlowError};
 use libration::progress::{Progress, Status};
@@ -32,6 +33,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
   libration derive --method perturbation quadratic --order 4 --gauge A1=1,A2=1/2
   libration derive --method perturbation quadratic --format ipynb \\
     --output quadratic.ipynb
+  libration derive --method perturbation \"x'' + w^2*x + b*x^3 = 0\" --order 3
+  libration derive --method perturbation \"x'' + x + x*abs(x) = 0\" --order 4
   libration derive --method averaging --set n=2 --order 5 --damping-order 2 \\
     --format html --output damping.html
   libration derive --method limit-cycle van_der_pol --order 4 --format ipynb \\
@@ -100,7 +103,7 @@ enum Method {
     Short,
     /// Origin of the published formulas for the period
     Formulas,
-    /// Motion and period of any conservative oscillator, order by order
+    /// Motion and period of a free oscillator, order by order; parameters may stay symbols
     Perturbation,
     /// Amplitude and phase under weak damping or excitation, power by power
     #[value(alias = "damping")]
@@ -197,8 +200,13 @@ impl Derive {
     fn perturbation(&self) -> Result<(Derivation, bool), QueryError> {
         let options = &self.series;
         let name = options.oscillator.as_deref().unwrap_or(PENDULUM);
-        let chosen = OscillatorOptions::new(name, &options.set, options.about.as_deref()).chosen()?;
-        let is_pendulum = chosen.key == Some(PENDULUM) && options.set.is_empty();
+        let chosen = OscillatorOptions::new(name, &options.set, options.about.as_deref());
+        let (oscillator, key) = match chosen.chosen_with_letters(&[])? {
+            Ok(ChosenWithLetters::Numbers(it)) => (NumbersOrLetters::Numbers(it.oscillator), it.key),
+            Ok(ChosenWithLetters::Letters(it)) => (NumbersOrLetters::Letters(it.oscillator), it.key),
+            Err(error) => return Err(arguments::no_oscillator(error)),
+        };
+        let is_pendulum = key == Some(PENDULUM) && options.set.is_empty();
         if !is_pendulum && !self.pendulum.is_default() {
             let reason = "<--length> and <--gravity> belong to the pendulum: leave them out";
             return Err(QueryError::misuse(reason));
@@ -208,7 +216,7 @@ impl Derive {
             self.amplitude.clone().map(|amplitude| Released { amplitude, angular_frequency: frequency });
         let gauge = options.gauge.clone().unwrap_or_default();
         let order = options.order.unwrap_or(DEFAULT_ORDER);
-        cancellable(|progress| perturbation(&chosen.oscillator, order, &gauge, released.as_ref(), progress))
+        cancellable(|progress| perturbation(oscillator.clone(), order, &gauge, released.as_ref(), progress))
     }
 
     fn averaging(&self) -> Result<(Derivation, bool), QueryError> {
@@ -267,9 +275,9 @@ const DEFAULT_DAMPING_ORDER: usize = 2;
 fn failure(error: DerivationError) -> QueryError {
     let remedies = error.remedies();
     let refused = match error {
-        DerivationError::Amplitude { .. } | DerivationError::NotAnAmplitude(_) => {
-            QueryError::no_result(option("amplitude"), error)
-        }
+        DerivationError::Amplitude { .. }
+        | DerivationError::NotAnAmplitude(_)
+        | DerivationError::NoNumbers => QueryError::no_result(option("amplitude"), error),
         DerivationError::Order { .. }
         | DerivationError::AmplitudeOrder { .. }
         | DerivationError::CycleOrder { .. } => QueryError::usage(option("order"), error),

@@ -30,6 +30,17 @@ pub struct Condition {
     pub polynomial: Polynomial,
 }
 
+/// A term of the restoring force over ω0²: factor·xᵖ·(Δx′)^q, with a prime for a derivative with respect to Ωt.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RestoringTerm {
+    /// The factor: a number, or a polynomial in symbols.
+    pub factor: Polynomial,
+    /// The exponent of the displacement.
+    pub position: u32,
+    /// The exponent of the velocity, an even number.
+    pub velocity: u32,
+}
+
 /// The expansion of a motion about its equilibrium, with every coefficient a symbol.
 ///
 /// The equation of motion is ẍ + g(x) = 0 with g(x) = ω0²x + …. The ansatz is x = Σ aₖ(ε) cos kΩt and
@@ -54,7 +65,7 @@ pub struct Condition {
 #[derive(Clone, Debug)]
 pub struct OpenGauge {
     ansatz: Ansatz,
-    force: Vec<Rational>,
+    force: Vec<RestoringTerm>,
     conditions: Vec<Condition>,
     solution: BTreeMap<Variable, Polynomial>,
 }
@@ -76,16 +87,41 @@ impl OpenGauge {
         powers: EpsilonPowers,
         progress: &dyn Progress,
     ) -> Result<Self, OpenGaugeError> {
+        let force = over_linear_term(restoring_force).ok_or(OpenGaugeError::NotRestoring)?;
+        let term = |(position, factor): (u32, Rational)| RestoringTerm {
+            factor: Polynomial::constant(factor),
+            position,
+            velocity: 0,
+        };
+        let terms: Vec<RestoringTerm> = (1..).zip(force).map(term).skip(1).collect();
+        Self::of_terms(&terms, order, powers, progress)
+    }
+
+    /// The same for a force x + Σ factor·xᵖ·(Δx′)^q whose further terms are given: with symbols in the factors, and with even powers of the
+    /// velocity.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); also an odd power of the velocity.
+    pub fn of_terms(
+        terms: &[RestoringTerm],
+        order: u32,
+        powers: EpsilonPowers,
+        progress: &dyn Progress,
+    ) -> Result<Self, OpenGaugeError> {
         if !(1..=Self::MAX_ORDER).contains(&order) {
             return Err(OpenGaugeError::Order { order });
         }
-        let force = over_linear_term(restoring_force).ok_or(OpenGaugeError::NotRestoring)?;
-        let even = (2..).step_by(2).zip(force.iter().skip(1).step_by(2)).find(|(_, term)| !term.is_zero());
-        if let (EpsilonPowers::OneParity, Some((power, _))) = (powers, even) {
+        let degree = |term: &RestoringTerm| term.position + term.velocity;
+        let present = || terms.iter().filter(|term| !term.factor.is_zero());
+        if present().any(|term| term.velocity % 2 == 1) {
+            return Err(OpenGaugeError::OddVelocity);
+        }
+        let even = present().map(degree).find(|degree| degree % 2 == 0);
+        if let (EpsilonPowers::OneParity, Some(power)) = (powers, even) {
             return Err(OpenGaugeError::EvenTerm { power });
         }
         let ansatz = Ansatz::new(order, powers, even.is_some());
-        let force = force.into_iter().take(order as usize).collect::<Vec<_>>();
+        let force: Vec<RestoringTerm> = present().filter(|term| degree(term) <= order).cloned().collect();
         let (conditions, solution) = solve(&ansatz, &force, &Watch::new(progress))?;
         Ok(Self { ansatz, force, conditions, solution })
     }
@@ -166,6 +202,9 @@ pub enum OpenGaugeError {
         /// The exponent.
         power: u32,
     },
+    /// An odd power of the velocity, with which the motion does not retrace its path.
+    #[error("the force has an odd power of the velocity, so the motion does not retrace its path")]
+    OddVelocity,
     /// Cancellation by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
@@ -181,7 +220,7 @@ pub(super) fn over_linear_term(restoring_force: &[Rational]) -> Option<Vec<Ratio
 /// fundamental the frequency.
 fn solve(
     ansatz: &Ansatz,
-    force: &[Rational],
+    force: &[RestoringTerm],
     watch: &Watch<'_>,
 ) -> Result<(Vec<Condition>, BTreeMap<Variable, Polynomial>), Interrupted> {
     let (mut conditions, mut solution) = (Vec::new(), BTreeMap::new());
