@@ -80,7 +80,9 @@ fn named(table: &Table, column: &Column) -> NamedQuantity {
     let lower = name.to_lowercase();
     match () {
         () if name == "T" || lower == "period" => NamedQuantity::Period,
-        () if Heading::read(header, None, None).is(QuantityKind::Time) => NamedQuantity::Position(Against::Time),
+        () if Heading::read(header, None, None).is(QuantityKind::Time) => {
+            NamedQuantity::Position(Against::Time)
+        }
         () if NUMBERS.contains(&lower.as_str()) || says_number_of_swings(name) => {
             NamedQuantity::Position(Against::Swings)
         }
