@@ -37,7 +37,7 @@ const CASES: [(&str, i32, &[&str]); 54] = [
     ("fourier 60deg --harmonics 0", 2, &["--harmonics"]),
     ("fourier 60deg --tolerance -1", 2, &["--tolerance", "above zero"]),
     ("formulas --amplitude 60deg", 2, &["--tolerance"]),
-    ("figure errors --output errors.pdf", 2, &["--output", ".svg", ".png"]),
+    ("figure errors --output errors.gif", 2, &["--output", ".svg", ".pdf", ".png"]),
     ("simulate pendulum --times 0,1", 2, &["--initial", "theta=60deg", "theta, theta'"]),
     ("simulate pendulum --initial theta=60deg", 2, &["--times"]),
     ("simulate penduum --initial theta=1 --times 0,1", 2, &["SYSTEM|EQUATION", "pendulum"]),

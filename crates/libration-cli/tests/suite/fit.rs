@@ -62,7 +62,7 @@ fn unusable_tables_are_refused_with_a_reason() {
         ("words", "0.1,2.0\n0.2,two\n", "`two` is not a finite number"),
         ("three", "0.1,2.0,0.1\n0.2,2.0,0.1\n", "--columns"),
         ("nan", "0.1,2.0\nnan,2.0\n0.2,inf\n", "not a finite number"),
-        ("beyond", "0.1,2.0\n60,2.0\n", "check the unit"),
+        ("beyond", "0.1,2.0\n60,2.0\n", "give the unit by --amplitude-unit"),
     ];
     for (name, text, expected) in cases {
         let path = table(name, text);
