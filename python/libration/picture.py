@@ -57,7 +57,7 @@ class Picture:
 
 def _laid_out(question: Asked, layout: Mapping[str, Any]) -> tuple[str, ...]:
     given = {name.replace("_", "-"): value for name, value in layout.items() if value}
-    options = [f"--{name}" if value is True else f"--{name}={value}" for name, value in given.items()]
+    options = [f"--{name}" if it is True else f"--{name}={it}" for name, it in given.items()]
     count = len(question.command.split())
     return (*question.words[:count], *options, *question.words[count:])
 

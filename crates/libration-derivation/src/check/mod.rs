@@ -222,18 +222,9 @@ pub fn same_series_where(
     given: &[Given],
     statement: Statement,
 ) -> Result<CheckedEquation, DerivationError> {
-    let is_symbolic = given.iter().any(|it| matches!(it, Given::Symbol(_)));
     let series = Series { variable, coefficients, given };
-    let compared = match is_symbolic {
-        true => {
-            let rest = |it: &Polynomial| (!it.is_zero()).then(|| it.to_string());
-            series.compared(Polynomials, &rest, &symbolic, &statement)
-        }
-        false => {
-            let rest = |it: &Rational| (!it.is_zero()).then(|| it.to_string());
-            series.compared(Rationals, &rest, &|_, _| None, &statement)
-        }
-    }?;
+    let rest = |it: &Polynomial| (!it.is_zero()).then(|| it.to_string());
+    let compared = series.compared(Polynomials, &rest, &symbolic, &statement)?;
     let check = Check::Series { variable: variable.clone(), coefficients: compared };
     Ok(CheckedEquation::new(statement, check).with_letters(letters_of(given)))
 }

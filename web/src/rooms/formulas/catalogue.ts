@@ -4,6 +4,8 @@
 export interface Formula {
   readonly key: string;
   readonly name: string;
+  /** The series or iteration that it is a member of, or its key. */
+  readonly family: string;
   readonly authors: string;
   readonly year: number | null;
   readonly source: string;

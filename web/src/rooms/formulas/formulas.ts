@@ -20,6 +20,7 @@ import type { Catalogue, Formula, Periods } from "./catalogue.ts";
 import { curves, curvesCommand, exactRatio, type Span } from "./curves.ts";
 import { ErrorPicture } from "./error_picture.ts";
 import { fields } from "./fields.ts";
+import { looks } from "./looks.ts";
 import { PeriodPicture } from "./period_picture.ts";
 import { card, curveTable, readout } from "./results.ts";
 import { Searches } from "./searches.ts";
@@ -209,7 +210,7 @@ class FormulasRoom {
     const found = await curves(this.#engine, keys, span, signal);
     if (found === undefined || signal.aborted || this.#mathematics === undefined) return;
     this.#curved = asked;
-    this.#period.show(found.degrees, found.all);
+    this.#period.show(found.degrees, found.all, looks(keys.map((key) => this.#catalogue.get(key)?.family ?? key)));
     const mathematics = this.#mathematics;
     const exact = found.degrees.map((degrees) => exactRatio(mathematics, degrees));
     const name = (key: string) => this.#catalogue.get(key)?.name ?? key;

@@ -16,10 +16,18 @@ export interface Look {
 export const EXACT: Look = { light: "#000000", dark: "#EDEDED", width: 3.5, dash: [] };
 export const SMALL_ANGLE: Look = { light: "#767676", dark: "#A3A3A3", width: 2, dash: [5, 3.5] };
 
-/** The look of the curve with this index. */
-export function look(index: number): Look {
-  const [light, dark] = COLOURS[index % COLOURS.length] ?? COLOURS[0];
-  return { light, dark, width: 1.9, dash: DASHES[index % DASHES.length] ?? [] };
+/** The looks of the curves of these families: a family has one colour, and its curves differ by their dashes. One of more than five goes on in other colours. */
+export function looks(families: readonly string[]): readonly Look[] {
+  const known = [...new Set(families)];
+  const used = new Set<string>();
+  return families.map((family) => {
+    const first = known.indexOf(family);
+    const wishes = Array.from({ length: COLOURS.length * DASHES.length }, (_, step) => [(first + Math.floor(step / DASHES.length)) % COLOURS.length, (first + step) % DASHES.length] as const);
+    const [colour, dashes] = wishes.find((wish) => !used.has(String(wish))) ?? [0, 0];
+    used.add(String([colour, dashes]));
+    const [light, dark] = COLOURS[colour] ?? COLOURS[0];
+    return { light, dark, width: 1.9, dash: DASHES[dashes] ?? [] };
+  });
 }
 
 /** The colour on the page as it is now. */

@@ -7,7 +7,7 @@ import { type Pen, Plot } from "../../parts/plot.ts";
 import { PictureSlider } from "../../parts/picture_slider.ts";
 import { text } from "../../texts/en.ts";
 import { amplitudes, type Curve, exactRatio, type Span } from "./curves.ts";
-import { EXACT, look, type Look, shade, SMALL_ANGLE } from "./looks.ts";
+import { EXACT, type Look, shade, SMALL_ANGLE } from "./looks.ts";
 
 const words = text.formulas;
 /** The amplitude in degrees whose exact period is at the upper edge: from there on the curve leaves the picture. */
@@ -20,7 +20,7 @@ export class PeriodPicture {
   readonly #colours: () => void;
   #mathematics: Mathematics | undefined;
   #span: Span = { from: 0, to: 180 };
-  #formulas: { degrees: readonly number[]; all: readonly Curve[] } = { degrees: [], all: [] };
+  #formulas: { degrees: readonly number[]; all: readonly Curve[]; looks: readonly Look[] } = { degrees: [], all: [], looks: [] };
   #amplitude: number | undefined;
   #under: number | undefined;
 
@@ -50,12 +50,12 @@ export class PeriodPicture {
   spread(span: Span): void {
     if (span.from === this.#span.from && span.to === this.#span.to) return;
     this.#span = span;
-    this.#formulas = { degrees: [], all: [] };
+    this.#formulas = { degrees: [], all: [], looks: [] };
     this.#draw();
   }
 
-  show(degrees: readonly number[], all: readonly Curve[]): void {
-    this.#formulas = { degrees, all };
+  show(degrees: readonly number[], all: readonly Curve[], looks: readonly Look[]): void {
+    this.#formulas = { degrees, all, looks };
     this.#draw();
   }
 
@@ -83,7 +83,7 @@ export class PeriodPicture {
     this.#plot.show(axes, words.period.described(this.#formulas.all.length, from, to), (pen) => {
       stroke(pen, SMALL_ANGLE, [from, to], [1, 1]);
       stroke(pen, EXACT, degrees, exact);
-      this.#formulas.all.forEach(({ ratios }, place) => stroke(pen, look(place), this.#formulas.degrees, ratios));
+      this.#formulas.all.forEach(({ ratios }, place) => stroke(pen, this.#formulas.looks[place] ?? EXACT, this.#formulas.degrees, ratios));
     });
     this.#move();
   }

@@ -8,7 +8,7 @@ import { table } from "../../parts/table.ts";
 import { text } from "../../texts/en.ts";
 import type { Crossovers, Formula, Periods } from "./catalogue.ts";
 import { withMathematics } from "./domain.ts";
-import { EXACT, look, type Look, sample, SMALL_ANGLE } from "./looks.ts";
+import { EXACT, type Look, looks, sample, SMALL_ANGLE } from "./looks.ts";
 
 const words = text.formulas;
 
@@ -30,10 +30,11 @@ export function readout(period: Periods["results"][number], chosen: readonly For
     return [named(its, name), digits(value, 7), digits(itsError, 3), verdict];
   };
   const values = new Map(period.formulas.map((it) => [it.key, it]));
+  const all = looks(chosen.map(({ family }) => family));
   const lines = chosen.map(({ key, name }, place) => {
     const value = values.get(key);
     const opener = button(name, () => opened(key), { class: "term", title: words.open });
-    return line(look(place), opener, value?.ratio ?? null, value?.fractional_error ?? null);
+    return line(all[place] ?? EXACT, opener, value?.ratio ?? null, value?.fractional_error ?? null);
   });
   const small = chosen.some(({ key }) => key === "small_angle") ? [] : [line(SMALL_ANGLE, words.smallAngle, 1, 1 / period.ratio - 1)];
   const rows = [[named(EXACT, words.exactName), digits(period.ratio, 7), "–", "–"], ...small, ...lines];

@@ -21,6 +21,10 @@ fn of_entry() -> Fields<Entry> {
         Of::value("name", "", "name of the formula", |it| it.formula.name().into())
             .only_json()
             .words("formula", |it| it.formula.name().to_owned()),
+        Of::value("family", "", "series or iteration that it is a member of, or its key", |it| {
+            it.formula.family().into()
+        })
+        .only_json(),
         Of::value("authors", "", "authors of the publication", |it| it.formula.authors().into())
             .words("authors", |it| it.formula.authors().to_owned()),
         Of::value("year", "", "year of the publication, null where it is not known", |it| {
