@@ -45,7 +45,7 @@ def on_this_machine(plan: Plan, store: Path, missing: list[int]) -> Iterator[int
 
 
 def on_cluster(client: Any, plan: Plan, store: Path, missing: list[int]) -> Iterator[int]:
-    """The number of points of each finished chunk, on a cluster; those of dead workers are redone."""
+    """The number of points of each finished chunk, on a cluster; lost chunks are done again."""
     from distributed import CancelledError, KilledWorker
     from distributed import as_completed as completed
     from distributed.comm.core import CommClosedError
