@@ -2,13 +2,12 @@
 
 use super::corrector::Corrector;
 use super::established::{Milestone, is_established};
-use super::family::TOLERANCES;
 use super::node::{Node, Tests, between};
 use super::point::BranchPoint;
 use super::space::Space;
 use super::special::{Meeting, SpecialKind, SpecialPoint, Stretch};
 use super::units::{difference, in_units};
-use libration_motion::internals::periodic::{norm, turns_in};
+use libration_motion::internals::periodic::norm;
 use libration_numbers::roots::{Tolerance, bisect};
 
 /// A branch of periodic orbits over one parameter.
@@ -105,18 +104,18 @@ const TURNS: [f64; 2] = [0.35, 0.14];
 
 /// A branch while it is followed.
 pub(super) struct Walk<'a> {
-    corrector: Corrector<'a>,
-    limits: Limits,
+    pub(super) corrector: Corrector<'a>,
+    pub(super) limits: Limits,
     /// The largest half-range of a coordinate so far.
-    largest: f64,
-    nodes: Vec<Node>,
-    milestones: Vec<Milestone>,
-    unresolved: Vec<[f64; 2]>,
+    pub(super) largest: f64,
+    pub(super) nodes: Vec<Node>,
+    pub(super) milestones: Vec<Milestone>,
+    pub(super) unresolved: Vec<[f64; 2]>,
     special: Vec<(SpecialPoint, Node)>,
     /// The length of the last step.
     last: f64,
     /// The number of nodes when the last one was begun at its other turning points.
-    restarted: usize,
+    pub(super) restarted: usize,
     /// The size of the first motion, at least one.
     scale: f64,
     /// The branch point at which this branch ends on another one.
@@ -208,7 +207,7 @@ impl<'a> Walk<'a> {
         Ending::PointLimit
     }
 
-    fn at(&self) -> &Node {
+    pub(super) fn at(&self) -> &Node {
         self.nodes.last().expect("a walk begins with a node")
     }
 
@@ -251,17 +250,8 @@ impl<'a> Walk<'a> {
         *length = (*length * longer).min(STEPS[0]);
         let parameter = next.point.parameter;
         let [low, high] = self.limits.range;
-        if next.point.period > self.limits.longest_period {
-            return Some(Ending::SlowDrive);
-        }
-        if self.slows_down(&next.point) {
-            return Some(Ending::InfinitePeriod);
-        }
-        if size(&next.point) > UNBOUNDED * self.scale {
-            return Some(Ending::Unbounded);
-        }
-        if next.point.multipliers.first().is_some_and(|it| it.abs() > self.limits.largest_growth) {
-            return Some(Ending::Sensitive);
+        if let Some(ending) = self.limit_reached(&next.point) {
+            return Some(ending);
         }
         if !(low..=high).contains(&parameter) {
             let boundary = if parameter < low { low } else { high };
@@ -275,6 +265,21 @@ impl<'a> Walk<'a> {
             return Some(self.accept(end, &units).unwrap_or(Ending::Closed));
         }
         self.accept(next, &units)
+    }
+
+    /// The limit that ends the branch before this motion, if it reaches one.
+    fn limit_reached(&self, next: &BranchPoint) -> Option<Ending> {
+        if next.period > self.limits.longest_period {
+            return Some(Ending::SlowDrive);
+        }
+        if self.slows_down(next) {
+            return Some(Ending::InfinitePeriod);
+        }
+        if size(next) > UNBOUNDED * self.scale {
+            return Some(Ending::Unbounded);
+        }
+        let growth = next.multipliers.first().map_or(0.0, |it| it.abs());
+        (growth > self.limits.largest_growth).then_some(Ending::Sensitive)
     }
 
     /// Returns `true` if a motion without a drive differs from the last one in its period alone. Next to a homoclinic orbit the distance of the
@@ -295,90 +300,6 @@ impl<'a> Walk<'a> {
             && (next.parameter - last.parameter).abs() <= still
             && next.period > (1.0 + SAME) * last.period
             && moved <= SAME * self.largest
-    }
-
-    /// The nearest node on the other side of a motion at which the number of stops of a force that jumps changes, with its distance: the branch
-    /// is continuous there, but its direction is not, and next to it deviations have no derivatives.
-    fn across_change_of_stops(&self, units: &[f64]) -> Option<(Node, f64)> {
-        const LENGTHS: [f64; 4] = [1e-6, 1e-5, 1e-4, 1e-3];
-        /// Largest distance of the node relative to the step.
-        const NEAR: f64 = 10.0;
-        /// Largest angle between the directions on both sides.
-        const TURN: f64 = 1.5;
-        let last = self.at();
-        if !self.corrector.family.has_jumps() {
-            return None;
-        }
-        let tangent = in_units(&last.direction, units);
-        let at = |length: f64| {
-            let step = |j: usize| last.place()[j] + units[j] * length * tangent[j];
-            let guess: Vec<f64> = (0..tangent.len()).map(step).collect();
-            let corrected = self.corrector.corrected(&guess, &tangent, units)?;
-            let is_near = norm(&difference(&corrected.place, last.place(), units)) <= NEAR * length;
-            let node = is_near.then(|| Node::new(&self.corrector, corrected, &last.direction, units))??;
-            let cosine: f64 = in_units(&node.direction, units).iter().zip(&tangent).map(|(a, b)| a * b).sum();
-            (cosine >= libm::cos(TURN)).then_some((node, length))
-        };
-        LENGTHS.into_iter().find_map(at)
-    }
-
-    /// Continues with a node beyond the last one; the range between them is not resolved.
-    fn restart_at(&mut self, node: Node) {
-        let [from, to] = [self.at(), &node].map(|node| node.point.parameter);
-        self.unresolved.push([from.min(to), from.max(to)]);
-        let at = self.milestones.last().map_or(0.0, |last| last.at);
-        self.milestones = vec![Milestone { at, tests: node.tests }];
-        self.largest = self.largest.max(self.corrector.family.largest_swing(&node.point));
-        self.nodes.push(node);
-    }
-
-    /// Restarts the last motion at its turning point with the smallest error, if that error is far smaller, and returns `true` if it does. A
-    /// canard, which follows a repelling part of the orbit for a while, can be followed from other points of the orbit only.
-    fn begin_elsewhere(&mut self, units: &[f64]) -> bool {
-        const LESS: f64 = 0.01;
-        /// Largest change of the parameter, relative to the range, and of the period by which it is still this motion.
-        const SAME: f64 = 1e-6;
-        let here = self.at().point.clone();
-        let is_exact = LESS * here.error <= f64::EPSILON * size(&here);
-        if is_exact || std::mem::replace(&mut self.restarted, self.nodes.len()) == self.nodes.len() {
-            return false;
-        }
-        let width = self.limits.range[1] - self.limits.range[0];
-        let is_this = |it: &Node| {
-            (it.point.parameter - here.parameter).abs() <= SAME * width
-                && (it.point.period - here.period).abs() <= SAME * here.period
-        };
-        let nodes = self.other_turns(units).unwrap_or_default().into_iter().filter(is_this);
-        let best = nodes.min_by(|a, b| a.point.error.total_cmp(&b.point.error));
-        let Some(node) = best.filter(|it| it.point.error < LESS * here.error) else { return false };
-        let at = self.milestones.last().map_or(0.0, |last| last.at);
-        self.milestones = vec![Milestone { at, tests: node.tests }];
-        self.nodes.pop();
-        self.nodes.push(node);
-        true
-    }
-
-    /// The last motion, begun at each of its other turning points, if no drive sets the phase.
-    fn other_turns(&self, units: &[f64]) -> Option<Vec<Node>> {
-        let Corrector { family, space, .. } = self.corrector;
-        let node = self.at();
-        let (parameter, unknowns) = node.place().split_last()?;
-        family.field()?;
-        let duration = family.duration(space, unknowns, &[*parameter])?;
-        let (steps, _) =
-            family.motion(family.state(unknowns), &[*parameter], [0.0, duration], TOLERANCES[1]).ok()?;
-        let numbers = family.layout.numbers();
-        // The period and the parameter change along the branch in the same way for every starting point.
-        let along: Vec<f64> =
-            node.direction.iter().enumerate().map(|(j, x)| if j < numbers { 0.0 } else { *x }).collect();
-        let from = |state: Vec<f64>| {
-            let place: Vec<f64> = state.into_iter().chain(node.place()[numbers..].iter().copied()).collect();
-            let corrected = self.corrector.corrected(&place, &in_units(&along, units), units)?;
-            Node::new(&self.corrector, corrected, &along, units)
-        };
-        let turns =
-            steps.iter().flat_map(|own| turns_in(own, 0, 0.0, duration).into_iter().map(move |it| (own, it)));
-        Some(turns.filter_map(|(own, time)| from(own.step().state_at(time))).collect())
     }
 
     /// The node after a step of this length, the angle by which the direction turned, and the
@@ -511,6 +432,6 @@ fn merged(mut ranges: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
 }
 
 /// The largest distance of a coordinate from zero.
-fn size(point: &BranchPoint) -> f64 {
+pub(super) fn size(point: &BranchPoint) -> f64 {
     point.ranges.iter().flatten().map(|x| x.abs()).fold(0.0, f64::max)
 }

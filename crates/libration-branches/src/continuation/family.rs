@@ -47,6 +47,8 @@ pub(super) struct Image {
     pub(super) map: Vec<Vec<f64>>,
     /// Derivative of the return to the phase condition with respect to the start, if no drive sets the period.
     returned: Option<Vec<Vec<f64>>>,
+    /// The largest size of each derivative of the state by the start along the motion, if no drive sets the period.
+    largest: Vec<Vec<f64>>,
     /// Derivatives with respect to each parameter, including the dependence of the time on it.
     pub(super) by_parameters: Vec<Vec<f64>>,
 }
@@ -81,7 +83,7 @@ impl Image {
     }
 
     /// The size of the terms that the return map is a difference of, relative to its own norm, in scaled units; at least 1. Without a drive a
-    /// deviation along the motion is subtracted, which exceeds the others where the motion passes near an equilibrium.
+    /// deviation along the motion is subtracted, and deviations grow and fall along a motion that passes near an equilibrium.
     pub(super) fn cancellation(&self, units: &[f64]) -> f64 {
         let Some(returned) = &self.returned else { return 1.0 };
         let numbers = returned.len();
@@ -91,7 +93,7 @@ impl Image {
         let scaled_rate: Vec<f64> = rate().zip(units).map(|(x, unit)| x / unit).collect();
         let scaled_slopes: Vec<f64> = slopes.iter().zip(units).map(|(x, unit)| x * unit).collect();
         let along = norm(&scaled_rate) * norm(&scaled_slopes) / across.abs();
-        let whole = norm_of_map(numbers, units, |i, j| self.map[i][j]);
+        let whole = norm_of_map(numbers, units, |i, j| self.map[i][j].abs().max(self.largest[i][j]));
         f64::max(1.0, (1.0 + along) * whole / norm_of_map(numbers, units, |i, j| returned[i][j]))
     }
 
@@ -275,7 +277,7 @@ impl<'w> Family<'w> {
         let signed = |vector: Vec<f64>| {
             vector.into_iter().enumerate().map(|(component, x)| sign(component) * x).collect::<Vec<f64>>()
         };
-        let found = self.variations(state, parameters, [0.0, duration], tolerance)?;
+        let (found, largest) = self.variations_with_sizes(state, parameters, duration, tolerance)?;
         let Variations { end, by_start, by_parameters, rates: [_, rate] } = found;
         let rate = signed(rate);
         let image = Image {
@@ -285,6 +287,7 @@ impl<'w> Family<'w> {
                 .map(|(it, row)| row.into_iter().map(|x| sign(it) * x).collect())
                 .collect(),
             returned: None,
+            largest,
             by_parameters: by_parameters.into_iter().map(signed).collect(),
         };
         let share = 0.5 * f64::from(space.half_periods);
@@ -302,9 +305,25 @@ impl<'w> Family<'w> {
         times: [f64; 2],
         tolerance: f64,
     ) -> Option<Variations> {
-        let found = self.flow.variations(state, parameters, times, tolerance, || self.watch.flow()).ok()?;
-        let matrices = found.by_start.iter().chain(&found.by_parameters).chain(&found.rates[1..]).flatten();
-        found.end.iter().chain(matrices).copied().all(f64::is_finite).then_some(found)
+        let found = self.flow.variations(state, parameters, times, tolerance, || self.watch.flow());
+        found.ok().filter(is_finite)
+    }
+
+    /// The same from time zero, with the largest sizes of the derivatives by the start if no drive sets the period.
+    fn variations_with_sizes(
+        &self,
+        state: &[f64],
+        parameters: &[f64],
+        duration: f64,
+        tolerance: f64,
+    ) -> Option<(Variations, Vec<Vec<f64>>)> {
+        let times = [0.0, duration];
+        if self.is_driven() {
+            return Some((self.variations(state, parameters, times, tolerance)?, vec![]));
+        }
+        let watch = || self.watch.flow();
+        let found = self.flow.largest_variations(state, parameters, times, tolerance, watch);
+        found.ok().filter(|(found, _)| is_finite(found))
     }
 
     /// A start that is not an equilibrium: the coordinates of an equilibrium are displaced a little, each less than the one before, since equal
@@ -358,4 +377,10 @@ impl<'w> Family<'w> {
     pub(super) fn rate(&self, state: &[f64], time: f64, parameters: &[f64]) -> Option<Vec<f64>> {
         self.flow.rate(state, time, parameters)
     }
+}
+
+/// Returns `true` if all numbers are finite but, perhaps, the rates of change at the start.
+fn is_finite(found: &Variations) -> bool {
+    let matrices = found.by_start.iter().chain(&found.by_parameters).chain(&found.rates[1..]).flatten();
+    found.end.iter().chain(matrices).copied().all(f64::is_finite)
 }

@@ -68,6 +68,7 @@ mod hopf;
 mod backbone;
 mod branch;
 mod established;
+mod restarts;
 mod undriven;
 
 mod jumps;

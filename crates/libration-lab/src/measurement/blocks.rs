@@ -32,7 +32,7 @@ pub(super) enum Next {
     End,
 }
 
-/// What was found below the header.
+/// Remarks and groups of the rows below the header.
 pub(super) struct Below {
     /// Lines that were left out, and tables below one another, as sentences without a full stop.
     pub(super) remarks: Vec<String>,

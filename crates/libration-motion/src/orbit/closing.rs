@@ -119,7 +119,7 @@ impl<'w> Rounds<'w> {
         duration: f64,
     ) -> Result<[Vec<Vec<f64>>; 2], IntegrationError> {
         let (end, largest) =
-            self.flow.largest_variations(state, duration, VARIATIONS[1], || self.watch.flow())?;
+            self.flow.largest_variations(state, &[], [0.0, duration], VARIATIONS[1], || self.watch.flow())?;
         Ok([end.by_start, largest])
     }
 

@@ -4,6 +4,7 @@ use crate::taylor::{Cause, IntegrationError};
 use libration_numbers::expression::{SecondOrderError, WithoutValue};
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Interrupted;
+use libration_numbers::quantity::short;
 
 /// The reason why there is no periodic orbit.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -157,6 +158,9 @@ impl From<IntegrationError> for OrbitError {
     }
 }
 
+/// Digits of a time in a message: it says how far a search went.
+const DIGITS: usize = 6;
+
 /// The behaviour of a motion that does not return.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -165,13 +169,13 @@ pub enum Lost {
     #[error("{0}")]
     Stopped(IntegrationError),
     /// Rest that is approached for ever, or motion without end.
-    #[error("it has no turning point before t = {0:?}")]
+    #[error("it has no turning point before t = {}", short(*.0, DIGITS))]
     OneWay(f64),
     /// An equilibrium.
     #[error("it comes to rest at an equilibrium")]
     Rest,
     /// Motion along a jump of the force, towards which the force points from both sides, such as that of a mass that sticks to a moving belt.
-    #[error("it sticks or slides at a jump of the force from t = {0:?} on, which is not computed")]
+    #[error("it sticks or slides at a jump of the force from t = {} on, which is not computed", short(*.0, DIGITS))]
     Sticks(f64),
     /// An equilibrium found by Newton's method to which the motion does not settle.
     #[error(
@@ -180,7 +184,8 @@ pub enum Lost {
     UnstableRest,
     /// A motion whose settling was not observed in the available time.
     #[error(
-        "after {steps} steps of the integration, at t = {time:?}, it still moves: give a start nearer to the orbit, or a guess of its period"
+        "after {steps} steps of the integration, at t = {}, it still moves: give a start nearer to the orbit, or a guess of its period",
+        short(*time, DIGITS)
     )]
     Slow {
         /// The time up to which the motion was followed.
@@ -189,7 +194,7 @@ pub enum Lost {
         steps: usize,
     },
     /// A motion that neither settles nor repeats itself.
-    #[error("it does not repeat itself up to t = {0:?}")]
+    #[error("it does not repeat itself up to t = {}", short(*.0, DIGITS))]
     Irregular(f64),
 }
 

@@ -116,22 +116,23 @@ impl Flow {
         Ok(self.taken_apart(end))
     }
 
-    /// The end of a motion of a system without parameters with its derivatives, and the largest
-    /// size of each derivative by the start along the motion, at the ends of the steps.
+    /// The end of a motion between two times with its derivatives, and the largest size of each derivative by the start along the motion, at the
+    /// ends of the steps.
     ///
     /// # Errors
     /// As [`motion`](Self::motion).
     pub fn largest_variations(
         &self,
         state: &[f64],
-        duration: f64,
+        parameters: &[f64],
+        times: [f64; 2],
         tolerance: f64,
         mut each: impl FnMut() -> ControlFlow<()>,
     ) -> Result<(Variations, Vec<Vec<f64>>), IntegrationError> {
         let numbers = self.layout.numbers();
         let mut largest = vec![vec![0.0_f64; numbers]; numbers];
-        let end = self.followed(state, &[], [0.0, duration], tolerance, &mut |step| {
-            let here = step.map(|step| self.by_start(&step.state_at(step.end().min(duration))));
+        let end = self.followed(state, parameters, times, tolerance, &mut |step| {
+            let here = step.map(|step| self.by_start(&step.state_at(step.end().min(times[1]))));
             for (largest, here) in largest.iter_mut().flatten().zip(here.iter().flatten().flatten()) {
                 *largest = largest.max(here.abs());
             }
