@@ -82,10 +82,10 @@ impl Image {
         norm(&|i, j| own[i][j] - other[i][j]) / norm(&|i, j| own[i][j])
     }
 
-    /// The size of the terms that the return map is a difference of, relative to its own norm, in scaled units; at least 1. Without a drive a
-    /// deviation along the motion is subtracted, and deviations grow and fall along a motion that passes near an equilibrium.
-    pub(super) fn cancellation(&self, units: &[f64]) -> f64 {
-        let Some(returned) = &self.returned else { return 1.0 };
+    /// The largest size of deviations along the motion relative to the norm of the return map, in scaled units and at least 1, if no drive sets
+    /// the period. They grow and fall along a motion that passes near an equilibrium, and the part along the motion is subtracted.
+    pub(super) fn growth_along(&self, units: &[f64]) -> Option<f64> {
+        let returned = self.returned.as_ref()?;
         let numbers = returned.len();
         let rate = || self.map[..numbers].iter().map(|row| row[numbers]);
         let slopes = &self.map[numbers][..numbers];
@@ -94,7 +94,7 @@ impl Image {
         let scaled_slopes: Vec<f64> = slopes.iter().zip(units).map(|(x, unit)| x * unit).collect();
         let along = norm(&scaled_rate) * norm(&scaled_slopes) / across.abs();
         let whole = norm_of_map(numbers, units, |i, j| self.map[i][j].abs().max(self.largest[i][j]));
-        f64::max(1.0, (1.0 + along) * whole / norm_of_map(numbers, units, |i, j| returned[i][j]))
+        Some(f64::max(1.0, (1.0 + along) * whole / norm_of_map(numbers, units, |i, j| returned[i][j])))
     }
 
     /// The map whose eigenvalues are the multipliers; without a drive, the 1 of a deviation along the motion is a 0 there.
