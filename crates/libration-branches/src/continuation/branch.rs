@@ -288,9 +288,11 @@ impl<'a> Walk<'a> {
         /// Changes of the parameter at which the motion is the limit, in units of rounding: at 4096 the multipliers of the cycle of the tests are off
         /// by 1e-4, at 16 by 0.1, and from 3 on folds are found.
         const ROUNDINGS: f64 = 4096.0;
-        /// Largest change of the path, relative to its size, and least change of the period. A family at one parameter, as that of a conservative
-        /// system, changes its size by a step.
+        /// Largest change of the path, relative to its size: a family at one parameter, as that of a conservative system or of canards, changes
+        /// its size as much as its period.
         const SAME: f64 = 1e-6;
+        /// Least relative change of the period, a thousand times as large; the steps of the tests change it by 0.01 to 0.03.
+        const LONGER: f64 = 1e-3;
         let last = &self.at().point;
         let width = self.limits.range[1] - self.limits.range[0];
         let still = ROUNDINGS * f64::EPSILON * (next.parameter.abs() + width);
@@ -298,7 +300,7 @@ impl<'a> Walk<'a> {
         let moved = ends.fold(0.0, |most: f64, change| most.max(change.abs()));
         !self.corrector.family.is_driven()
             && (next.parameter - last.parameter).abs() <= still
-            && next.period > (1.0 + SAME) * last.period
+            && next.period > (1.0 + LONGER) * last.period
             && moved <= SAME * self.largest
     }
 

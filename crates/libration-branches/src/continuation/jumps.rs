@@ -7,6 +7,7 @@ use super::point::BranchPoint;
 use super::space::Space;
 use super::special::{SpecialKind, SpecialPoint};
 use libration_motion::internals::periodic::norm;
+use std::ops::Range;
 
 /// A fold at which a stable motion ends.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,12 +28,14 @@ pub(super) fn jumps<'a>(
 ) -> Vec<Jump> {
     let jump = |number: usize, fold: &SpecialPoint| {
         let points = &branches[number].points;
-        let neighbours = [points.get(fold.before.checked_sub(1)?)?, points.get(fold.before)?];
-        let left = neighbours.into_iter().find(|point| point.is_stable())?;
         let value = fold.point.parameter;
-        let pairs = branches
-            .iter()
-            .flat_map(|branch| stable_stretches(branch, value).map(|pair| (branch.space, pair)));
+        let [first, last] = at_the_fold(points, fold);
+        let neighbours = [points.get(first.checked_sub(1)?)?, points.get(last)?];
+        let left = neighbours.into_iter().find(|point| point.is_stable())?;
+        let pairs = branches.iter().enumerate().flat_map(|(place, branch)| {
+            let fold = if place == number { first..last } else { 0..0 };
+            stable_stretches(branch, value, fold).map(|pair| (branch.space, pair))
+        });
         let to = pairs.map(|(space, pair)| landing(&corrector(space), pair, value, width));
         Some(Jump {
             rising: left.parameter < value,
@@ -47,10 +50,28 @@ pub(super) fn jumps<'a>(
     folds.filter_map(|(number, fold)| jump(number, fold)).collect()
 }
 
-/// Neighbouring points on stable parts of a branch that enclose a value.
-fn stable_stretches(branch: &Branch, value: f64) -> impl Iterator<Item = [&BranchPoint; 2]> {
+/// The places of the points whose parameter is that of the fold within its error: the first, and the one after the last. Along canards there are
+/// many, on either side of it by rounding.
+fn at_the_fold(points: &[BranchPoint], fold: &SpecialPoint) -> [usize; 2] {
+    /// Errors of the fold within which rounding decides; those of points are as large as its own.
+    const ERRORS: f64 = 16.0;
+    let value = fold.point.parameter;
+    let slack = ERRORS * (fold.error + f64::EPSILON * value.abs());
+    let is_near = |point: &&BranchPoint| (point.parameter - value).abs() <= slack;
+    let (before, after) = points.split_at(fold.before.min(points.len()));
+    let count = |near: &mut dyn Iterator<Item = &BranchPoint>| near.take_while(is_near).count();
+    [before.len() - count(&mut before.iter().rev()), before.len() + count(&mut after.iter())]
+}
+
+/// Neighbouring points on stable parts of a branch that enclose a value, but for those at a fold there.
+fn stable_stretches(
+    branch: &Branch,
+    value: f64,
+    fold: Range<usize>,
+) -> impl Iterator<Item = [&BranchPoint; 2]> {
     let pairs = branch.points.iter().zip(branch.points.iter().skip(1)).map(|(a, b)| [a, b]);
-    pairs.filter(move |[a, b]| {
+    let others = pairs.enumerate().filter(move |(place, _)| place + 1 < fold.start || fold.end <= *place);
+    others.map(|(_, pair)| pair).filter(move |[a, b]| {
         a.is_stable() && b.is_stable() && (a.parameter < value) != (b.parameter < value)
     })
 }

@@ -192,6 +192,11 @@ fn canards_are_followed_to_the_hopf_points_on_both_sides() {
         );
         assert!(folds.len() == 2 && (folds[0] + folds[1] - 1.75).abs() < 1e-13, "{folds:?}");
         assert_eq!(branch.special.len(), 4, "{:?}", branch.special);
+        // Outside the folds no other periodic motion is stable.
+        let mut jumps: Vec<(bool, usize)> =
+            response.jumps.iter().map(|jump| (jump.rising, jump.to.len())).collect();
+        jumps.sort_unstable();
+        assert_eq!(jumps, [(false, 0), (true, 0)], "from {at}");
     }
 }
 
