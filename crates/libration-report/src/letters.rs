@@ -13,23 +13,11 @@ const SMALL: f64 = 0.7;
 /// Heights of the base lines of superscripts and subscripts above that of the text, as fractions of the letter size.
 const RAISED: f64 = 0.33;
 const LOWERED: f64 = -0.17;
-/// The characters that are drawn small, each with the one that is drawn.
-const SUPERSCRIPTS: [(char, char); 12] = [
-    ('⁰', '0'),
-    ('¹', '1'),
-    ('²', '2'),
-    ('³', '3'),
-    ('⁴', '4'),
-    ('⁵', '5'),
-    ('⁶', '6'),
-    ('⁷', '7'),
-    ('⁸', '8'),
-    ('⁹', '9'),
-    ('⁺', '+'),
-    ('⁻', '−'),
-];
-/// The code point of `₀`; those of the other digits follow.
-const SUBSCRIPT_ZERO: u32 = 0x2080;
+/// The characters that are drawn small, in the order of those that are drawn.
+const SUPERSCRIPTS: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁿ";
+const RAISED_LETTERS: &str = "0123456789+−n";
+const SUBSCRIPTS: &str = "₀₁₂₃₄₅₆₇₈₉₊₋ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ";
+const LOWERED_LETTERS: &str = "0123456789+−aehijklmnoprstuvx";
 
 /// A part of a text whose letters have one size and one base line.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,7 +30,7 @@ pub struct Run {
     pub rise: f64,
 }
 
-/// The text in parts of one size: digits and signs in subscripts and superscripts are letters of their own.
+/// The text in parts of one size: subscripts and superscripts are parts of their own.
 pub fn runs(text: &str) -> Vec<Run> {
     let mut runs: Vec<Run> = vec![];
     for letter in text.chars() {
@@ -57,11 +45,15 @@ pub fn runs(text: &str) -> Vec<Run> {
 
 /// The character that is drawn, its size and its height.
 fn drawn(letter: char) -> (char, f64, f64) {
-    if let Some((_, drawn)) = SUPERSCRIPTS.iter().find(|(written, _)| *written == letter) {
-        return (*drawn, SMALL, RAISED);
+    let counterpart = |written: &str, letters: &str| {
+        written.chars().zip(letters.chars()).find(|(it, _)| *it == letter).map(|(_, drawn)| drawn)
+    };
+    if letter.is_ascii() {
+        return (letter, 1.0, 0.0);
     }
-    let digit = u32::from(letter).checked_sub(SUBSCRIPT_ZERO).and_then(|digit| char::from_digit(digit, 10));
-    digit.map_or((letter, 1.0, 0.0), |digit| (digit, SMALL, LOWERED))
+    let raised = counterpart(SUPERSCRIPTS, RAISED_LETTERS).map(|drawn| (drawn, SMALL, RAISED));
+    let lowered = || counterpart(SUBSCRIPTS, LOWERED_LETTERS).map(|drawn| (drawn, SMALL, LOWERED));
+    raised.or_else(lowered).unwrap_or((letter, 1.0, 0.0))
 }
 
 /// The width of a text in `DejaVu Sans` of this size.

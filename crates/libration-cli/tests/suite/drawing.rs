@@ -265,7 +265,7 @@ fn unescaped(text: &str) -> String {
     signs.iter().fold(text.to_owned(), |text, (written, sign)| text.replace(written, sign))
 }
 
-/// The characters of subscripts or superscripts for digits and signs that are drawn small.
+/// The characters of subscripts or superscripts for letters that are drawn small.
 fn small(text: &str, is_below: bool) -> String {
     const DRAWN: &str = "0123456789+−";
     let written =

@@ -32,12 +32,12 @@ fn joined(directories: &[&Path], ending: &str) -> String {
     fs::read_to_string(file).unwrap()
 }
 
-/// The files of chunks in a directory, by name.
+/// The files of chunks in a directory, by name. Files that are still written have other names and may vanish.
 fn chunks(directory: &Path) -> BTreeMap<String, String> {
     let entries = fs::read_dir(directory).unwrap().map(Result::unwrap);
-    let read =
-        entries.map(|it| (it.file_name().into_string().unwrap(), fs::read_to_string(it.path()).unwrap()));
-    read.filter(|(name, _)| name.starts_with("chunk")).collect()
+    let named = entries.map(|it| (it.file_name().into_string().unwrap(), it.path()));
+    let of_chunks = named.filter(|(name, _)| name.starts_with("chunk"));
+    of_chunks.map(|(name, path)| (name, fs::read_to_string(path).unwrap())).collect()
 }
 
 #[test]

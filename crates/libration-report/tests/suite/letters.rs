@@ -23,6 +23,7 @@ fn long_text_is_broken_and_nothing_of_it_is_lost() {
 fn subscripts_and_superscripts_are_small_letters_on_lines_of_their_own() {
     let parts = |text: &str| -> Vec<String> { runs(text).into_iter().map(|run| run.letters).collect() };
     assert_eq!(parts("to θ₀¹² / s⁻¹"), ["to θ", "0", "12", " / s", "−1"]);
+    assert_eq!(parts("|aₙ|"), ["|a", "n", "|"]);
     assert_eq!(parts("plain"), ["plain"]);
     let raised: Vec<bool> = runs("a₁²").iter().map(|run| run.rise > 0.0).collect();
     assert_eq!(raised, [false, false, true]);
