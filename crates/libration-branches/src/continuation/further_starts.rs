@@ -7,9 +7,8 @@
 
 use super::corrector::Corrected;
 use super::harmonic_balance::HarmonicBalance;
-use super::search::{Search, Start};
+use super::search::{Search, Start, middle};
 use super::space::Space;
-use libration_motion::chaos::angles;
 use libration_motion::internals::periodic::norm;
 use libration_numbers::algebra::Complex;
 use libration_numbers::internals::linear::eigenvalues;
@@ -61,7 +60,7 @@ impl Search<'_> {
         let mut centres = vec![self.given()[..self.family.layout.coordinates()].to_vec()];
         let (mut motions, mut done): (Vec<(Start, f64)>, usize) = (vec![], 0);
         while done < centres.len().min(MOST_CENTRES) {
-            for estimate in coarse.motions(&centres[done], &angles(self.equation)) {
+            for estimate in coarse.motions(&centres[done], &self.turns) {
                 let Some(estimate) = fine.refined(estimate) else { continue };
                 if self.family.watch.is_stopped() {
                     return motions;
@@ -74,7 +73,9 @@ impl Search<'_> {
                     continue;
                 }
                 let distance = SAME * norm(&start.unknowns);
-                if motions.iter().any(|(other, _)| space.is_near(&other.unknowns, &start.unknowns, distance))
+                if motions
+                    .iter()
+                    .any(|(other, _)| self.turns.are_near(&other.unknowns, &start.unknowns, distance))
                 {
                     continue;
                 }
@@ -95,7 +96,7 @@ impl Search<'_> {
         let returns = |part: &u32| {
             let span = [0.0, period * f64::from(*part)];
             let end = self.family.moved_on(&start.unknowns, value, span);
-            end.is_some_and(|end| start.space.is_near(&end, &start.unknowns, SAME * norm(&start.unknowns)))
+            end.is_some_and(|end| self.turns.are_near(&end, &start.unknowns, SAME * norm(&start.unknowns)))
         };
         (1..periods).filter(|part| periods.is_multiple_of(*part)).any(|part| returns(&part))
     }
@@ -118,6 +119,8 @@ impl Search<'_> {
             return None;
         }
         let largest = multipliers.iter().map(|it| it.abs()).fold(0.0, f64::max);
+        let ranges = self.family.ranges_of(space, &place, value)?;
+        self.turns.subtract(&mut place, |coordinate| middle(ranges[coordinate]));
         Some((Start { unknowns: place, space }, largest))
     }
 }

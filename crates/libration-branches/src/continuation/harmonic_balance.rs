@@ -6,6 +6,7 @@
 //! the balance of one harmonic may have no solution where one of more harmonics has: a start whose changes stay small begins the latter too.
 
 use super::family::Family;
+use super::turns::Turns;
 use libration_motion::internals::periodic::norm;
 use libration_numbers::algebra::Doubles;
 use libration_numbers::internals::algebra::Lanes;
@@ -116,17 +117,19 @@ impl<'f> HarmonicBalance<'f> {
     }
 
     /// The different motions that are found about some centre, or from there with whole turns of angles.
-    pub(super) fn motions(&mut self, centre: &[f64], angles: &[bool]) -> Vec<Estimate> {
+    pub(super) fn motions(&mut self, centre: &[f64], turns: &Turns) -> Vec<Estimate> {
         /// Largest difference of two results for one motion, relative to its size, if both have settled and if not.
         const SAME: [f64; 2] = [1e-2, 0.1];
         let mut estimates: Vec<Estimate> = vec![];
-        for start in self.starts(centre, angles) {
+        for start in self.starts(centre, turns) {
             if self.family.watch.is_stopped() {
                 break;
             }
             let Some((mut motion, settled)) = self.solved(start) else { continue };
-            let means = motion.iter_mut().step_by(self.functions()).zip(angles);
-            means.filter(|(_, angle)| **angle).for_each(|(mean, _)| *mean -= TAU * libm::rint(*mean / TAU));
+            let mut means: Vec<f64> = motion.iter().copied().step_by(self.functions()).collect();
+            let centre = means.clone();
+            turns.subtract(&mut means, |coordinate| centre[coordinate]);
+            motion.iter_mut().step_by(self.functions()).zip(means).for_each(|(own, mean)| *own = mean);
             let is_same = |other: &Estimate| {
                 let apart: Vec<f64> = other.motion.iter().zip(&motion).map(|(a, b)| a - b).collect();
                 let same = SAME[usize::from(!(other.settled && settled))];
@@ -158,15 +161,24 @@ impl<'f> HarmonicBalance<'f> {
     }
 
     /// The motions with which Newton's method begins: constants, and motions of the first harmonic.
-    fn starts(&self, centre: &[f64], angles: &[bool]) -> Vec<Vec<f64>> {
+    fn starts(&self, centre: &[f64], turns: &Turns) -> Vec<Vec<f64>> {
         /// Amplitudes of angles, in turns.
         const TURNS: [f64; 7] = [0.03, 0.1, 0.18, 0.26, 0.34, 0.42, 0.48];
+        /// Whole turns between coordinates of a group, one of which turned first.
+        const TURNS_APART: [f64; 3] = [0.5, 1.0, 2.0];
         let decades = (-6..=6).map(|half| libm::exp10(0.5 * f64::from(half)));
         let mut starts = vec![];
         for shape in shapes(self.family.layout.coordinates()) {
-            let is_angle = shape.iter().zip(angles).any(|(part, angle)| *angle && *part != 0.0);
-            let amplitudes: Vec<f64> =
-                if is_angle { TURNS.map(|it| it * TAU).to_vec() } else { decades.clone().collect() };
+            let any = |is: &dyn Fn(usize) -> bool| {
+                (0..).zip(&shape).any(|(number, part)| *part != 0.0 && is(number))
+            };
+            let amplitudes: Vec<f64> = if any(&|it| turns.is_angle(it)) {
+                TURNS.map(|it| it * TAU).to_vec()
+            } else if any(&|it| turns.is_coupled(it)) {
+                decades.clone().chain(TURNS_APART.map(|it| it * TAU)).collect()
+            } else {
+                decades.clone().collect()
+            };
             for size in amplitudes.into_iter().flat_map(|it| [it, -it]) {
                 // The mean, the cosine and the sine.
                 starts.extend((0..3).map(|function| self.moved(centre, &shape, function, size)));

@@ -47,6 +47,7 @@ mod error;
 mod drive_law;
 mod field;
 mod space;
+mod turns;
 mod units;
 
 mod symmetry;

@@ -144,7 +144,7 @@ impl Search<'_> {
         }
         let Some(copies) = self.copies(start, value) else { return false };
         let size = start.unknowns.iter().map(|x| x.abs()).fold(0.0, f64::max);
-        let is_copy = |state: &[f64]| copies.iter().any(|copy| start.space.is_near(copy, state, SAME * size));
+        let is_copy = |state: &[f64]| copies.iter().any(|copy| self.turns.are_near(copy, state, SAME * size));
         landings.any(|landing| is_copy(&landing.state))
     }
 

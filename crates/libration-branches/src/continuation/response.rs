@@ -12,6 +12,7 @@ use super::search::{Search, Start};
 use super::space::Space;
 use super::special::Meeting;
 use super::switching::Leaving;
+use super::turns::Turns;
 use libration_numbers::expression::Equation;
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::{Progress, Stage};
@@ -109,7 +110,8 @@ impl Response {
         if !family.is_driven() && needs_drive {
             return Err(BranchError::NotDriven);
         }
-        let search = Search { equation, parameter, family: &family, range, options };
+        let search =
+            Search { equation, parameter, family: &family, turns: Turns::of(equation), range, options };
         options.rotation.map_or(Ok(()), |rotation| search.check(rotation))?;
         search.response()
     }
@@ -260,7 +262,7 @@ impl Search<'_> {
         let size = start.unknowns.iter().map(|x| x.abs()).fold(1e-6 * self.family.scale, f64::max);
         let copies = self.copies(start, value).unwrap_or_else(|| vec![start.unknowns.clone()]);
         let is_same = |point: &BranchPoint| match self.family.is_driven() {
-            true => copies.iter().any(|copy| start.space.is_near(&point.state, copy, SAME * size)),
+            true => copies.iter().any(|copy| self.turns.are_near(&point.state, copy, SAME * size)),
             false => self.is_cycle(start, value, point, SAME),
         };
         let ends = branches.iter().flat_map(|branch| [branch.points.first(), branch.points.last()]).flatten();

@@ -8,7 +8,6 @@
 use super::error::BranchError;
 use super::search::{Search, Start};
 use super::space::{Rotation, Space};
-use libration_motion::chaos::angles;
 use std::f64::consts::TAU;
 
 /// Number of evenly spaced phases of the angle from which motions are searched.
@@ -21,9 +20,8 @@ impl Search<'_> {
     /// Returns an error unless the coordinate of a rotation is an angle.
     pub(super) fn check(&self, rotation: Rotation) -> Result<(), BranchError> {
         let names = self.equation.variables();
-        let is_angle = angles(self.equation).get(rotation.coordinate).copied().unwrap_or(false);
         match names.get(rotation.coordinate) {
-            Some(_) if is_angle => Ok(()),
+            Some(_) if self.turns.is_angle(rotation.coordinate) => Ok(()),
             Some(name) => Err(BranchError::NotAnAngle(name.clone())),
             None => Err(BranchError::NotAnAngle(format!("of number {}", rotation.coordinate))),
         }
@@ -45,7 +43,7 @@ impl Search<'_> {
             /// Largest difference relative to the size of the state.
             const SAME: f64 = 1e-7;
             let size = start.unknowns.iter().map(|x| x.abs()).fold(1.0, f64::max);
-            let is_same = |copy: &Vec<f64>| space.is_near(copy, &start.unknowns, SAME * size);
+            let is_same = |copy: &Vec<f64>| self.turns.are_near(copy, &start.unknowns, SAME * size);
             if !found.iter().flat_map(|(_, copies)| copies).any(is_same) {
                 let copies = self.copies(&start, value).unwrap_or_default();
                 found.push((start, copies));

@@ -8,16 +8,16 @@ use super::node::{Node, Tests};
 use super::options::ResponseOptions;
 use super::point::BranchPoint;
 use super::space::Space;
-use libration_motion::chaos::angles;
+use super::turns::Turns;
 use libration_motion::orbit::{Orbit, OrbitError};
 use libration_numbers::algebra::BigFloat;
 use libration_numbers::expression::{Equation, Expression};
-use std::f64::consts::TAU;
 
 pub(super) struct Search<'a> {
     pub(super) equation: &'a Equation,
     pub(super) parameter: &'a str,
     pub(super) family: &'a Family<'a>,
+    pub(super) turns: Turns,
     pub(super) range: [f64; 2],
     pub(super) options: &'a ResponseOptions,
 }
@@ -104,12 +104,9 @@ impl Search<'_> {
     /// The start of an orbit whose angles made whole turns before it was reached,
     /// with these turns subtracted: its mirror image is then one about zero.
     fn about_the_nearest_bottom(&self, orbit: &Orbit) -> Vec<f64> {
-        let is_angle = angles(self.equation).into_iter().chain(std::iter::repeat(false));
-        let moved = |(number, (x, is_angle)): (usize, (f64, bool))| {
-            let (low, high) = orbit.range(number);
-            if is_angle { x - TAU * libm::rint(0.5 * (low + high) / TAU) } else { x }
-        };
-        orbit.start().into_iter().zip(is_angle).enumerate().map(moved).collect()
+        let mut start = orbit.start();
+        self.turns.subtract(&mut start, |coordinate| middle(orbit.range(coordinate).into()));
+        start
     }
 
     pub(super) fn space(&self) -> Space {
@@ -210,4 +207,9 @@ impl Search<'_> {
             None => onward.beginning_lost(),
         }))
     }
+}
+
+/// The middle of a range.
+pub(super) fn middle([low, high]: [f64; 2]) -> f64 {
+    0.5 * (low + high)
 }

@@ -85,16 +85,6 @@ impl Space {
             .map(|(number, (end, start))| sign(number) * end - start - TAU * f64::from(self.turns_of(number)))
             .collect()
     }
-
-    /// Returns `true` if every component of two states differs by at most a distance; rotating angles are compared modulo a turn.
-    pub(super) fn is_near(self, a: &[f64], b: &[f64], distance: f64) -> bool {
-        let apart = |(number, far): (usize, f64)| match self.turns_of(number) {
-            0 => far,
-            _ => far - TAU * libm::rint(far / TAU),
-        };
-        let differences = a.iter().zip(b).map(|(a, b)| a - b).enumerate();
-        differences.map(apart).all(|far| far.abs() <= distance)
-    }
 }
 
 impl Rotation {

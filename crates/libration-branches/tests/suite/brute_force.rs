@@ -446,44 +446,94 @@ fn motions_beyond_the_fold_of_one_harmonic_are_followed() {
     }
 }
 
-/// Two masses, of which one has a hardening spring, between the folds of a resonance: two attracting motions, by integration from a grid of starts.
-#[test]
-fn attracting_motions_of_two_coupled_oscillators_are_followed() {
-    let text = "x'' + 0.02*x' + 2*x - y + 0.5*x^3 = 0.15*cos(w*t); y'' + 0.02*y' + 2*y - x = 0";
-    let range = [1.1, 1.15];
-    let response =
-        Response::over(&text.parse().unwrap(), "w", range, &ResponseOptions::default(), &Quiet).unwrap();
-    let rate = |t: f64, [x, y, u, v]: [f64; 4], w: f64| {
-        let push = 0.15 * libm::cos(w * t) - 0.02 * u - 2.0 * x + y - 0.5 * x * x * x;
-        [u, v, push, x - 2.0 * y - 0.02 * v]
-    };
-    for w in range {
+/// Two driven oscillators x, y with velocities u, v, whose motions have mirror images half a period later.
+struct Pair {
+    text: &'static str,
+    rate: fn(f64, [f64; 4], f64) -> [f64; 4],
+    range: [f64; 2],
+    /// The two values of which each component of the starts has one.
+    starts: [f64; 2],
+    /// Removes from a difference of two states what changes nothing.
+    without_turns: fn([f64; 4]) -> [f64; 4],
+}
+
+impl Pair {
+    /// The number of motions at each end of the range to which motions from a grid of starts lead; all of them, or
+    /// their mirror images, are on branches, each on one.
+    fn checked(&self) -> [usize; 2] {
+        let options = ResponseOptions { generations: 0, ..ResponseOptions::default() };
+        let response =
+            Response::over(&self.text.parse().unwrap(), "w", self.range, &options, &Quiet).unwrap();
+        self.range.map(|w| {
+            let ends =
+                response.branches.iter().flat_map(|it| [it.points.first(), it.points.last()]).flatten();
+            let here: Vec<_> = ends.filter(|it| it.parameter.to_bits() == w.to_bits()).collect();
+            let far = |point: &BranchPoint, state: [f64; 4]| {
+                let apart = (self.without_turns)(std::array::from_fn(|i| point.state[i] - state[i]));
+                apart.iter().fold(0.0, |far: f64, x| far.max(x.abs()))
+            };
+            let mut seen = vec![false; here.len()];
+            for number in 0..16_u32 {
+                let start = [0, 1, 2, 3].map(|bit| self.starts[usize::from(number >> bit & 1 == 1)]);
+                let end = self.followed(start, w, 500);
+                let mirrored = self.followed(end, w, 1).map(|x| -x);
+                let is_near = |it: &usize| far(here[*it], end).min(far(here[*it], mirrored)) < 1e-3;
+                let own: Vec<usize> = (0..here.len()).filter(is_near).collect();
+                assert!(own.len() == 1 && here[own[0]].is_stable(), "{end:?} at w = {w} is on {own:?}");
+                seen[own[0]] = true;
+            }
+            seen.into_iter().filter(|it| *it).count()
+        })
+    }
+
+    /// The state after a number of half periods of the drive, by the classical Runge–Kutta method.
+    fn followed(&self, start: [f64; 4], w: f64, halves: u32) -> [f64; 4] {
         let step = TAU / w / 60.0;
         let advanced = |state: [f64; 4], t: f64| {
             let moved = |by: [f64; 4], part: f64| std::array::from_fn(|i| state[i] + part * step * by[i]);
-            let a = rate(t, state, w);
-            let b = rate(t + 0.5 * step, moved(a, 0.5), w);
-            let c = rate(t + 0.5 * step, moved(b, 0.5), w);
-            let d = rate(t + step, moved(c, 1.0), w);
+            let a = (self.rate)(t, state, w);
+            let b = (self.rate)(t + 0.5 * step, moved(a, 0.5), w);
+            let c = (self.rate)(t + 0.5 * step, moved(b, 0.5), w);
+            let d = (self.rate)(t + step, moved(c, 1.0), w);
             std::array::from_fn(|i| state[i] + step / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]))
         };
-        let mut seen: Vec<[f64; 4]> = vec![];
-        for number in 0..16_u32 {
-            let sign = |bit: u32| if number >> bit & 1 == 1 { 1.5 } else { -0.5 };
-            let start = [sign(0), sign(1), sign(2), sign(3)];
-            let end = (0..250 * 60).fold(start, |state, k| advanced(state, step * f64::from(k)));
-            let ends =
-                response.branches.iter().flat_map(|it| [it.points.first(), it.points.last()]).flatten();
-            let far = |p: &[f64]| (0..4).map(|i| (p[i] - end[i]).abs()).fold(0.0, f64::max);
-            let here = ends.filter(|it| it.parameter.to_bits() == w.to_bits() && it.is_stable());
-            let nearest = here.map(|it| far(&it.state)).fold(f64::INFINITY, f64::min);
-            assert!(nearest < 1e-3, "{end:?} at w = {w} is {nearest} from all branches");
-            if seen.iter().all(|it| far(it) > 0.1) {
-                seen.push(end);
-            }
-        }
-        assert_eq!(seen.len(), 2, "w = {w}: {seen:?}");
+        (0..30 * halves).fold(start, |state, k| advanced(state, step * f64::from(k)))
     }
+}
+
+/// Two masses, of which one has a hardening spring, between the folds of a resonance.
+#[test]
+fn attracting_motions_of_two_coupled_oscillators_are_followed() {
+    let pair = Pair {
+        text: "x'' + 0.02*x' + 2*x - y + 0.5*x^3 = 0.15*cos(w*t); y'' + 0.02*y' + 2*y - x = 0",
+        rate: |t, [x, y, u, v], w| {
+            let push = 0.15 * libm::cos(w * t) - 0.02 * u - 2.0 * x + y - 0.5 * x * x * x;
+            [u, v, push, x - 2.0 * y - 0.02 * v]
+        },
+        range: [1.1, 1.15],
+        starts: [-0.5, 1.5],
+        without_turns: |apart| apart,
+    };
+    assert_eq!(pair.checked(), [2, 2]);
+}
+
+/// Two pendulums that a spring couples: a turn of both changes nothing, one of them alone winds the spring up.
+#[test]
+fn motions_of_coupled_pendulums_are_followed_once() {
+    let pair = Pair {
+        text: "x'' + 0.1*x' + sin(x) + 0.1*(x - y) = 0.4*cos(w*t); y'' + 0.1*y' + sin(y) - 0.1*x + 0.1*y = 0",
+        rate: |t, [x, y, u, v], w| {
+            let torque = 0.4 * libm::cos(w * t) - 0.1 * u - libm::sin(x) - 0.1 * (x - y);
+            [u, v, torque, 0.1 * (x - y) - 0.1 * v - libm::sin(y)]
+        },
+        range: [1.1, 1.3],
+        starts: [-1.0, 6.0],
+        without_turns: |[x, y, u, v]| {
+            let turns = TAU * libm::rint(0.5 * (x + y) / TAU);
+            [x - turns, y - turns, u, v]
+        },
+    };
+    assert_eq!(pair.checked(), [2, 2]);
 }
 
 /// A range with both folds of the resonance outside, and the coordinate at t = 0 of the two stable motions at either end by Fourier collocation

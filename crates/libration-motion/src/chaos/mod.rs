@@ -47,4 +47,4 @@ pub use lyapunov::{
     Doubt, LyapunovError, LyapunovExponent, LyapunovVerdict, Regularity, Schedule, lyapunov_exponent,
 };
 pub use section::{PoincareSection, Points, Section, SectionEnding, SectionError, compute_section, folded};
-pub use structure::{Theorem, angles};
+pub use structure::{Theorem, angles, turning_groups};

@@ -18,12 +18,53 @@ pub(super) const TIME: &str = "t";
 /// ```
 #[must_use]
 pub fn angles(equation: &Equation) -> Vec<bool> {
-    let is_angle = |name: &String| {
-        let symbol = Symbol::plain(name);
-        let mut formulas = equation.derivatives().iter();
-        occurs(equation, &symbol) && formulas.all(|formula| turns_leave(formula, &symbol))
-    };
-    equation.variables().iter().map(is_angle).collect()
+    (0..equation.variables().len()).map(|coordinate| turn_together(equation, &[coordinate])).collect()
+}
+
+/// Groups of coordinates that turn together without a change of the equations: every angle is one, and pendulums that a spring of their
+/// difference couples are another.
+///
+/// # Examples
+/// ```
+/// # extern crate libration_motion as libration;
+/// use libration::chaos::turning_groups;
+/// let coupled = "x'' = -sin(x) + y - x; y'' = -sin(y) + x - y; theta'' = -sin(theta)".parse()?;
+/// assert_eq!(turning_groups(&coupled), [vec![2], vec![0, 1]]);
+/// # Ok::<(), libration::expression::EquationError>(())
+/// ```
+#[must_use]
+pub fn turning_groups(equation: &Equation) -> Vec<Vec<usize>> {
+    /// Largest number of coordinates of which all groups are tried; of more, all together are.
+    const MOST_TRIED: usize = 8;
+    let (angles, others): (Vec<usize>, Vec<usize>) =
+        (0..equation.variables().len()).partition(|coordinate| turn_together(equation, &[*coordinate]));
+    let mut groups: Vec<Vec<usize>> = angles.into_iter().map(|angle| vec![angle]).collect();
+    let mut candidates: Vec<Vec<usize>> =
+        if others.len() > MOST_TRIED { vec![others] } else { subsets(&others) };
+    candidates.retain(|it| it.len() > 1);
+    candidates.sort_by_key(Vec::len);
+    for candidate in candidates {
+        let is_free = candidate.iter().all(|it| groups.iter().all(|group| !group.contains(it)));
+        if is_free && turn_together(equation, &candidate) {
+            groups.push(candidate);
+        }
+    }
+    groups
+}
+
+fn subsets(of: &[usize]) -> Vec<Vec<usize>> {
+    of.iter().fold(vec![vec![]], |subsets, new| {
+        let with_new = subsets.iter().map(|it: &Vec<usize>| it.iter().chain([new]).copied().collect());
+        subsets.iter().cloned().chain(with_new).collect()
+    })
+}
+
+/// Returns `true` if the coordinates occur in the equations, and a turn of all of them changes nothing.
+fn turn_together(equation: &Equation, coordinates: &[usize]) -> bool {
+    let symbols: Vec<Symbol> =
+        coordinates.iter().map(|it| Symbol::plain(&equation.variables()[*it])).collect();
+    symbols.iter().all(|symbol| occurs(equation, symbol))
+        && equation.derivatives().iter().all(|formula| turns_leave(formula, &symbols))
 }
 
 /// `true` for each coordinate on which nothing in the equations depends.
@@ -35,26 +76,39 @@ fn occurs(equation: &Equation, symbol: &Symbol) -> bool {
     equation.derivatives().iter().any(|formula| formula.contains(symbol))
 }
 
-/// Returns `true` if a formula does not change when the coordinate increases by a full turn.
-fn turns_leave(formula: &Expression, coordinate: &Symbol) -> bool {
-    if !formula.contains(coordinate) {
-        return true;
-    }
-    let both = |a: &Expression, b: &Expression| turns_leave(a, coordinate) && turns_leave(b, coordinate);
+/// Returns `true` if a formula does not change when these coordinates increase by a full turn: with the values of functions that a turn
+/// leaves taken as constants, its slope in the direction of the turn vanishes.
+fn turns_leave(formula: &Expression, turning: &[Symbol]) -> bool {
+    functions_stay(formula, turning) && slope(&with_constants(formula, turning), turning).vanishes()
+}
+
+/// Returns `true` if no value of a function in a formula changes.
+fn functions_stay(formula: &Expression, turning: &[Symbol]) -> bool {
     match formula {
-        Expression::Number(_) | Expression::Pi | Expression::Symbol(_) => false,
-        Expression::Negate(a) => turns_leave(a, coordinate),
-        Expression::Add(a, b)
-        | Expression::Subtract(a, b)
-        | Expression::Multiply(a, b)
-        | Expression::Divide(a, b)
-        | Expression::Power(a, b) => both(a, b),
-        Expression::Call(Function::Sin | Function::Cos | Function::Tan, a) => {
-            let slope = a.derivative(coordinate).to_rational();
-            slope.is_some_and(|slope| slope.is_integer()) || turns_leave(a, coordinate)
+        Expression::Call(function, a) => {
+            let is_periodic = matches!(function, Function::Sin | Function::Cos | Function::Tan);
+            let turns = is_periodic.then(|| slope(a, turning).to_rational()).flatten();
+            turns.is_some_and(|turns| turns.is_integer()) || turns_leave(a, turning)
         }
-        Expression::Call(_, a) => turns_leave(a, coordinate),
+        _ => formula.parts().all(|part| functions_stay(part, turning)),
     }
+}
+
+/// The formula with other symbols in the place of these inside functions.
+fn with_constants(formula: &Expression, turning: &[Symbol]) -> Expression {
+    match formula {
+        Expression::Call(..) => turning.iter().fold(formula.clone(), |formula, symbol| {
+            formula.substitute(symbol, &Expression::Symbol(symbol.with_primes(u8::MAX)))
+        }),
+        _ => formula.with_parts(|part| with_constants(part, turning)),
+    }
+}
+
+/// The sum of the derivatives by these coordinates.
+fn slope(formula: &Expression, turning: &[Symbol]) -> Expression {
+    let slopes = turning.iter().map(|symbol| formula.derivative(symbol));
+    let sum = |a: Expression, b| Expression::Add(Box::new(a), Box::new(b));
+    slopes.reduce(sum).unwrap_or_else(|| Expression::Number(0.into()))
 }
 
 /// Returns `true` if the equations contain sign(…), at whose jumps the linearised equations fail.
