@@ -13,6 +13,7 @@ use super::shooting::{Unknowns, closed};
 use crate::periodic::Stability;
 use crate::taylor::{Cause, Effort, IntegrationError, Moment, StateLayout, Step, System, integrate_stepwise};
 use libration_numbers::expression::Equation;
+use libration_numbers::internals::linear::eigenvalues;
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Progress;
 use std::ops::ControlFlow;
@@ -27,8 +28,9 @@ const MOST_STEPS: usize = 500_000;
 const LONGEST: usize = 8;
 /// Swings below this fraction of the whole range count as rest: a thousand tolerances of the search.
 const VANISHED: f64 = 1e-9;
-/// Distance covered in the elapsed time at the current speed, relative to the range, below which the motion comes to rest: past a saddle, from
-/// which rounding drives it away at 1e-16 of its size, a motion is never that slow.
+/// Distance covered in the elapsed time at the current speed, relative to the range, below which the motion comes to rest. Past a saddle, from
+/// which rounding drives it away at 1e-16 of its size, it is never that slow, but past one whose axes are invariant one coordinate may be: a
+/// motion whose coordinates all come to rest, each at its time, is followed until all components of its state do so at once.
 const FADED: f64 = 1e-30;
 /// Difference from an earlier state, relative to the swing, below which the motion has returned; Newton's method does the rest. A motion that
 /// passes an unstable cycle, as every chaotic one does again and again, is followed on until it returns more closely: for the last difference,
@@ -124,7 +126,7 @@ fn cycle_at_return(
     system: &System,
     start: &[f64],
 ) -> Result<(OrbitKind, Orbit), OrbitError> {
-    let (coordinate, guess) = settled(system, start, returned, watch)?;
+    let (coordinate, guess) = settled((system, rounds), start, returned, watch)?;
     if let Some(orbit) = forgetful(equation, rounds, &guess)? {
         return Ok((OrbitKind::LimitCycle, orbit));
     }
@@ -184,25 +186,28 @@ fn at_maximum(
 
 /// The motion followed from maximum to maximum until it repeats itself: the first coordinate that does not come to rest, and a guess of the cycle.
 fn settled(
-    system: &System,
+    (system, rounds): (&System, &Rounds<'_>),
     start: &[f64],
     returned: f64,
     watch: &Watch<'_>,
 ) -> Result<(usize, OrbitGuess), OrbitError> {
+    let coordinates = 0..system.layout().coordinates();
     let mut outcome = Err(OrbitError::NoCycle(Lost::Rest));
-    for coordinate in 0..system.layout().coordinates() {
+    for (at_once, coordinate) in
+        [false, true].into_iter().flat_map(|it| coordinates.clone().map(move |n| (it, n)))
+    {
         if !matches!(outcome, Err(OrbitError::NoCycle(Lost::Rest))) {
             break;
         }
-        let maxima = Maxima::new(system.layout(), coordinate, returned);
-        outcome = settled_by(maxima, system, start, watch).map(|guess| (coordinate, guess));
+        let maxima = Maxima { at_once, ..Maxima::new(system.layout(), coordinate, returned) };
+        outcome = settled_by(maxima, (system, rounds), start, watch).map(|guess| (coordinate, guess));
     }
     outcome
 }
 
 fn settled_by(
     mut maxima: Maxima,
-    system: &System,
+    (system, rounds): (&System, &Rounds<'_>),
     start: &[f64],
     watch: &Watch<'_>,
 ) -> Result<OrbitGuess, OrbitError> {
@@ -221,8 +226,24 @@ fn settled_by(
     });
     match (guess, outcome) {
         (Some(guess), _) => Ok(guess),
-        (None, outcome) => Err(lost(outcome.err(), &maxima)),
+        (None, outcome) => Err(match lost(outcome.err(), &maxima) {
+            OrbitError::NoCycle(Lost::Rest) if maxima.at_once && repels(rounds, &maxima) => {
+                OrbitError::NoCycle(Lost::Saddle)
+            }
+            lost => lost,
+        }),
     }
+}
+
+/// Returns `true` if deviations grow where the motion has come to rest.
+fn repels(rounds: &Rounds<'_>, maxima: &Maxima) -> bool {
+    /// The part of the elapsed time in which deviations are followed: to come to rest, a motion shrinks by e⁻⁶⁹.
+    const PART: f64 = 0.01;
+    /// Growth that no rounding error of a deviation that stays has.
+    const GROWTH: f64 = 1e-6;
+    let variations = rounds.variations(&maxima.state, [0.0, PART * maxima.time]);
+    let own = variations.ok().and_then(|it| eigenvalues(&it.by_start));
+    own.is_some_and(|own| own.iter().any(|it| it.abs() > 1.0 + GROWTH))
 }
 
 fn lost(error: Option<IntegrationError>, maxima: &Maxima) -> OrbitError {
@@ -266,6 +287,10 @@ struct Maxima {
     time: f64,
     /// Speed of the coordinate at that time.
     pace: f64,
+    /// The state at that time.
+    state: Vec<f64>,
+    /// `true` if the motion comes to rest only when all components of its state do so.
+    at_once: bool,
     /// Number of consecutive steps with almost no motion at their ends.
     faded: usize,
 }
@@ -280,10 +305,12 @@ impl Maxima {
             found: vec![],
             steps: 0,
             moved: none.clone(),
-            swing: none,
+            swing: none.clone(),
             range: (f64::INFINITY, f64::NEG_INFINITY),
             time: 0.0,
             pace: 0.0,
+            state: none,
+            at_once: false,
             faded: 0,
         }
     }
@@ -292,11 +319,15 @@ impl Maxima {
     fn watch(&mut self, step: &Step<'_>) -> Option<OrbitGuess> {
         self.steps += 1;
         self.time = step.end();
-        self.pace = step.speeds_at(self.time)[self.coordinate].abs();
+        let speeds = step.speeds_at(self.time);
+        self.pace = speeds[self.coordinate].abs();
+        self.state = step.state_at(self.time);
         for time in [step.start(), step.end()] {
             self.widen(&step.state_at(time));
         }
-        let is_faded = self.pace * self.time < FADED * (self.range.1 - self.range.0);
+        let all = || speeds.iter().fold(0.0, |all: f64, speed| all.max(speed.abs()));
+        let pace = if self.at_once { all() } else { self.pace };
+        let is_faded = pace * self.time < FADED * (self.range.1 - self.range.0);
         self.faded = if is_faded { self.faded + 1 } else { 0 };
         let rises = step.speeds_at(step.start())[self.coordinate] > 0.0;
         let time = turn_in(step, self.coordinate).filter(|_| rises)?;

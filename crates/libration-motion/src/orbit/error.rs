@@ -138,7 +138,8 @@ pub enum OrbitError {
     /// An orbit whose neighbours close as well, within rounding errors.
     #[error(
         "closed orbits near the start cannot be distinguished in double precision: neighbouring motions close as well, and the start or the \
-         period is known to {0:.0e} of its size only"
+         period is {}",
+        if .0.is_finite() { format!("known to {:.0e} of its size only", .0) } else { "not determined".to_owned() }
     )]
     Undetermined(f64),
     /// An orbit that cannot be integrated to its end.
@@ -174,6 +175,11 @@ pub enum Lost {
     /// An equilibrium.
     #[error("it comes to rest at an equilibrium")]
     Rest,
+    /// An unstable equilibrium, at which the motion rests or which it passes.
+    #[error(
+        "it comes to rest at an unstable equilibrium, or passes it nearer than double precision can follow"
+    )]
+    Saddle,
     /// Motion along a jump of the force, towards which the force points from both sides, such as that of a mass that sticks to a moving belt.
     #[error("it sticks or slides at a jump of the force from t = {} on, which is not computed", short(*.0, DIGITS))]
     Sticks(f64),

@@ -632,6 +632,11 @@ fn rest_is_only_told_of_motions_that_come_to_it() {
     let slow = lost("x'' = 1e6*(1 - x^2)*x' - x", &[0.5, 0.0]);
     assert!(matches!(slow, Lost::Slow { .. }), "{slow}");
     assert!(matches!(lost("x'' = 0", &[0.5, 1.0]), Lost::OneWay(_)));
+    // The cycle x − ln x + y − ln y = 400 passes the saddle at the origin with x = e⁻³⁹³: below a part 1e-16 of its size it is not determined.
+    let cycle = lost("x' = x - x*y; y' = x*y - y", &[400.0, 1.0]);
+    assert!(matches!(cycle, Lost::Saddle), "{cycle}");
+    assert!(matches!(lost("x' = x - x^3; y' = -y", &[0.0, 1.0]), Lost::Saddle));
+    assert!(matches!(lost("x' = x - x^3; y' = -y", &[0.5, 1.0]), Lost::Rest));
 }
 
 /// The hanging equilibrium of a pendulum whose pivot moves at twice its frequency is unstable.
