@@ -65,7 +65,7 @@ pub enum Ending {
     InfinitePeriod,
     /// The motion has a billion times the size of the first one.
     Unbounded,
-    /// Deviations grow more than 1000-fold in a doubled period of eight or more drive periods or turns.
+    /// Deviations grow more than a million times in a doubled period, or a thousand times in one of eight or more drive periods or turns.
     Sensitive,
     /// The corrector failed at the minimum step.
     Lost,

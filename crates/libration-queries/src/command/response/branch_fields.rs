@@ -243,7 +243,10 @@ pub(super) fn ending(ending: Ending) -> [&'static str; 2] {
         Ending::SlowDrive => ["slow_drive", "continues to zero frequency"],
         Ending::InfinitePeriod => ["infinite_period", "comes to an orbit of infinite period"],
         Ending::Unbounded => ["unbounded", "grows to a billion times its size"],
-        Ending::Sensitive => ["sensitive", "is followed until deviations grow 1000-fold in a period,"],
+        Ending::Sensitive => [
+            "sensitive",
+            "is followed until deviations grow 1e6-fold in a period, or 1e3-fold from eight periods on,",
+        ],
         Ending::PointLimit => ["point_limit", "ends at the largest number of points"],
         Ending::Lost => ["lost", "cannot be continued: the corrector fails at the minimum step"],
         Ending::Interrupted => ["interrupted", "is interrupted"],
