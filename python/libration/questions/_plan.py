@@ -22,7 +22,7 @@ def plan(
     """Plan a measurement of g: amplitude of release, number of swings, uncertainty of the length.
 
     The rows have independent errors of the angle, and a fit finds ω0, damping and start from them,
-    as `libration fit trace ``model`` linear` does; without a model the fit does not know the law of
+    as ``libration fit trace --model linear`` does; without a model the fit does not know the law of
     damping either, and its uncertainties for few swings are about half as large again. The
     uncertainty of ω0 is the Cramér–Rao bound; length, clock and the scale of the angles add their
     parts, as in the budget of the measurement.
