@@ -310,8 +310,15 @@ impl<'a> Newton<'a> {
 
     /// The reason why the orbit does not close.
     fn not_closed(&self, rounds: usize) -> OrbitError {
-        let unstable = self.lost().map(|growth| OrbitError::TooUnstable { growth });
-        unstable.unwrap_or(OrbitError::NoConvergence { rounds, defect: self.miss })
+        if let Some(growth) = self.lost() {
+            return OrbitError::TooUnstable { growth };
+        }
+        let defect: Vec<f64> = self.round.defect.iter().map(|it| it.abs()).collect();
+        let undetermined = miss(&self.start_errors(&defect), &self.sizes);
+        if self.miss < NEARLY_CLOSED && undetermined > UNDETERMINED {
+            return OrbitError::Undetermined(undetermined);
+        }
+        OrbitError::NoConvergence { rounds, defect: self.miss }
     }
 
     /// The effect on the end of rounding the state once: at the start, and where it is largest on the way. Past a saddle that is far from the start.

@@ -632,6 +632,10 @@ fn rest_is_only_told_of_motions_that_come_to_it() {
     let slow = lost("x'' = 1e6*(1 - x^2)*x' - x", &[0.5, 0.0]);
     assert!(matches!(slow, Lost::Slow { .. }), "{slow}");
     assert!(matches!(lost("x'' = 0", &[0.5, 1.0]), Lost::OneWay(_)));
+    // Two equal oscillators that are not coupled have cycles with any difference of phase.
+    let pair = equation("x'' = (1 - x^2)*x' - x; y'' = (1 - y^2)*y' - y");
+    let family = Orbit::limit_cycle(&pair, &[2.0, 2.0, 0.0, 0.0], &Quiet).unwrap_err();
+    assert!(matches!(family, OrbitError::Undetermined(_)), "{family}");
     // The cycle x − ln x + y − ln y = 400 passes the saddle at the origin with x = e⁻³⁹³: below a part 1e-16 of its size it is not determined.
     let cycle = lost("x' = x - x*y; y' = x*y - y", &[400.0, 1.0]);
     assert!(matches!(cycle, Lost::Saddle), "{cycle}");
