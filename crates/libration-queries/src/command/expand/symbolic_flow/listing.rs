@@ -5,7 +5,7 @@ use crate::call::in_words;
 use crate::output::number::{short, to_its_error};
 use crate::output::series::wrapped;
 use crate::output::table::write_text;
-use libration::expression::Expression;
+use libration::expression::{Expression, Symbol};
 use libration::perturbation::{JudgedState, StateLeftOut, SteadySolution};
 use std::io::{self, Write};
 
@@ -47,6 +47,9 @@ fn setting(answer: &Answer) -> String {
         let symbols = formula.parse::<Expression>().map(|formula| formula.symbols()).unwrap_or_default();
         let is_open = frequency.starts_with(|first: char| first.is_alphabetic())
             && symbols.iter().all(|symbol| symbol.name != *frequency);
+        if is_exact(frequency, formula) {
+            return format!("; sigma = 0 for the frequency of the drive, {frequency}");
+        }
         let name = if is_open { "" } else { "frequency of the drive, which gives sigma: " };
         format!("; {name}{frequency} = {formula}")
     });
@@ -55,6 +58,15 @@ fn setting(answer: &Answer) -> String {
         equilibrium => format!(" about {} = {equilibrium}", answer.subject.variable),
     };
     format!("slow flow{about} to order {}: {small}{natural}{}", flow.order, drive.collect::<String>())
+}
+
+/// Returns `true` if a frequency of the drive is its formula without detuning.
+fn is_exact(frequency: &str, formula: &str) -> bool {
+    let [Ok(frequency), Ok(formula)] = [frequency, formula].map(str::parse::<Expression>) else {
+        return false;
+    };
+    let tuned = formula.substitute(&Symbol::plain("sigma"), &Expression::Number(0.into()));
+    Expression::Subtract(Box::new(frequency), Box::new(tuned)).vanishes()
 }
 
 fn line(out: &mut dyn Write, name: &str, formula: &str) -> io::Result<()> {
