@@ -6,6 +6,7 @@ use std::fmt;
 use csv::{Position, ReaderBuilder, StringRecord, Trim};
 
 use super::Unit;
+use super::compound::CompoundNumbers;
 use super::number::{Cell, DecimalMark, SIGNS, Written};
 use super::text::{COMMENT, is_blank_or_comment};
 
@@ -119,10 +120,12 @@ impl Dialect {
     fn has_units(self, sample: &str) -> bool {
         let plain = Self { units: false, ..self };
         let mut balance: Vec<(i64, u32)> = vec![];
+        let mut compound = ColumnsOfCompounds::default();
         for row in plain.rows(sample) {
             balance.resize(balance.len().max(row.cells.len()), (0, 0));
-            for (cell, (more, with_unit)) in row.cells.iter().zip(&mut balance) {
-                match Written::parse(cell, self.mark) {
+            let written = compound.written(&row, self.mark);
+            for ((cell, written), (more, with_unit)) in row.cells.iter().zip(written).zip(&mut balance) {
+                match written {
                     Some(_) => (*more, *with_unit) = (*more + 1, *with_unit + 1),
                     None if Cell::parse(cell, self.mark).is_number() => *more -= 1,
                     None => {}
@@ -190,20 +193,44 @@ impl Dialect {
             Delimiter::Whitespace => Box::new(spaced_rows(text)),
         };
         let rows = rows.filter(Row::is_data);
-        rows.map(move |row| if self.units { without_units(row, self.mark) } else { row })
+        let mut compound = ColumnsOfCompounds::default();
+        rows.map(move |row| if self.units { compound.without_units(row, self.mark) } else { row })
     }
 }
 
-/// The row with plain numbers in place of those with units and uncertainties.
-fn without_units(row: Row, mark: DecimalMark) -> Row {
-    let plain = |cell| Written { number: Cow::Borrowed(cell), uncertainty: None, unit: None };
-    let cells: Vec<Written<'_>> =
-        row.cells.iter().map(|cell| Written::parse(cell, mark).unwrap_or_else(|| plain(cell))).collect();
-    Row {
-        line: row.line,
-        cells: cells.iter().map(|cell| cell.number.as_ref()).collect(),
-        units: cells.iter().map(|cell| cell.unit).collect(),
-        uncertainties: cells.iter().map(|cell| cell.uncertainty).collect(),
+/// Kinds of the numbers of two units in each column, by the headings above them.
+#[derive(Default)]
+struct ColumnsOfCompounds(Vec<CompoundNumbers>);
+
+impl ColumnsOfCompounds {
+    /// The cells of a row that are more than plain numbers; the names in a row without numbers are headings of the next rows.
+    fn written<'a>(&mut self, row: &'a Row, mark: DecimalMark) -> Vec<Option<Written<'a>>> {
+        let of_cell = |(place, cell): (usize, &'a str)| {
+            let of_column = self.0.get(place).copied().unwrap_or_default();
+            of_column.parse(cell, mark).or_else(|| Written::parse(cell, mark))
+        };
+        let written: Vec<_> = row.cells.iter().enumerate().map(of_cell).collect();
+        if row.numbers(mark) == 0 && written.iter().all(Option::is_none) {
+            self.0.resize(self.0.len().max(row.cells.len()), CompoundNumbers::default());
+            for (kind, name) in self.0.iter_mut().zip(&row.cells).filter(|(_, name)| !name.is_empty()) {
+                *kind = CompoundNumbers::below(name);
+            }
+        }
+        written
+    }
+
+    /// The row with plain numbers in place of those with units and uncertainties.
+    fn without_units(&mut self, row: Row, mark: DecimalMark) -> Row {
+        let plain = |cell| Written { number: Cow::Borrowed(cell), uncertainty: None, unit: None };
+        let written = self.written(&row, mark).into_iter().zip(&row.cells);
+        let cells: Vec<Written<'_>> =
+            written.map(|(written, cell)| written.unwrap_or_else(|| plain(cell))).collect();
+        Row {
+            line: row.line,
+            cells: cells.iter().map(|cell| cell.number.as_ref()).collect(),
+            units: cells.iter().map(|cell| cell.unit).collect(),
+            uncertainties: cells.iter().map(|cell| cell.uncertainty).collect(),
+        }
     }
 }
 

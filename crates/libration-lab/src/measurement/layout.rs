@@ -6,6 +6,7 @@ use super::header::{self, Names};
 use super::heading::Heading;
 use super::number::{Cell, DecimalMark};
 use super::options::Header;
+use libration::quantity::excerpt;
 
 /// More columns than any instrument writes.
 const MOST_COLUMNS: usize = 10_000;
@@ -149,7 +150,12 @@ fn refuse_numbers(
         row.is_of_numbers(mark) || *place == last && has_numbers() && !is_header(row)
     };
     match above.iter().enumerate().find(is_bad) {
-        Some((_, row)) => Err(MeasurementError::NeitherHeaderNorNumbers { line: row.line }),
+        Some((_, row)) => match row.cells.iter().find(|cell| mark.is_missed_in(cell)) {
+            Some(cell) => {
+                Err(MeasurementError::MixedMarks { lines: vec![row.line], cell: excerpt(cell), mark })
+            }
+            None => Err(MeasurementError::NeitherHeaderNorNumbers { line: row.line }),
+        },
         None => Ok(()),
     }
 }

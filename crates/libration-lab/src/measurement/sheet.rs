@@ -172,9 +172,10 @@ impl Sheet {
             let Some(first) = units.first(place) else { continue };
             let column = self.describe(place);
             let channel = &mut self.channels[place];
-            let unit = channel.heading.unit.unwrap_or(first);
+            let stated = channel.heading.unit;
+            let unit = stated.unwrap_or(first);
             units
-                .bring(place, &mut channel.cells, &mut channel.uncertainties, unit)
+                .bring(place, &mut channel.cells, &mut channel.uncertainties, unit, stated.is_some())
                 .map_err(|found| MeasurementError::MixedUnits { column, found })?;
             channel.heading.set_unit(unit);
         }
@@ -302,7 +303,16 @@ impl Sheet {
     }
 
     fn not_a_number(&self, place: usize, row: usize) -> MeasurementError {
+        let (line, column) = (self.lines[row], place + 1);
         let cell = self.word(place, row).unwrap_or_default().to_owned();
-        MeasurementError::NotANumber { line: self.lines[row], column: place + 1, cell }
+        let mark = self.dialect.mark;
+        let words = self.channels[place].words.iter();
+        let others: Vec<u64> =
+            words.filter(|(_, word)| mark.is_missed_in(word)).map(|(row, _)| self.lines[*row]).collect();
+        match () {
+            () if cell.starts_with('=') => MeasurementError::Formula { line, column, cell },
+            () if mark.is_missed_in(&cell) => MeasurementError::MixedMarks { lines: others, cell, mark },
+            () => MeasurementError::NotANumber { line, column, cell },
+        }
     }
 }

@@ -78,6 +78,8 @@ impl<const N: usize> ColumnsInSi<N> {
         let names = labels(&read)?;
         let (read, repeated_rows) = read.once(names.as_deref());
         let units = ColumnUnits::from_headings(table, chosen, wanted, &read)?;
+        let names = labels(&read)?;
+        let (read, ignored) = chosen.rows.choose(read, wanted[0], units.units[0], names.as_deref())?;
         let numbers = |place: usize, column: &Option<Column>| -> Option<Vec<f64>> {
             column.as_ref().map(|_| read.quantities[place].iter().map(|it| it[0]).collect())
         };
@@ -96,6 +98,7 @@ impl<const N: usize> ColumnsInSi<N> {
             .into_iter()
             .chain(table.notes())
             .chain(repeated_rows.iter().map(repeats))
+            .chain(ignored)
             .chain(chosen.notes.iter().cloned())
             .chain(units.inferences.iter().cloned())
             .chain(of_headings)

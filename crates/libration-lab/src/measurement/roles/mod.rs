@@ -229,12 +229,20 @@ impl Search<'_> {
                 uncertainties,
             }
         };
+        // Empty columns, and those added to others.
+        let is_empty = |place: usize| {
+            let channel = &self.table.sheet().channels[place];
+            channel.count() == 0 && channel.words.is_empty()
+        };
         TableRoles {
             quantities: (0..self.needed.len()).map(of_quantity).collect(),
             swings: columns(ColumnRole::Swings).first().cloned(),
             readings: columns(ColumnRole::Readings).first().cloned(),
             group: columns(ColumnRole::Group).first().cloned(),
-            unused: (0..self.roles.len()).filter(|&it| self.roles[it].is_none()).map(column).collect(),
+            unused: (0..self.roles.len())
+                .filter(|&it| self.roles[it].is_none() && !is_empty(it))
+                .map(column)
+                .collect(),
             notes: self.notes,
         }
     }

@@ -57,9 +57,16 @@ impl Search<'_> {
         let first = place.and_then(|place| Some((place, sheet.channels[place].words().first()?)));
         let clause = |(place, (row, word)): (usize, &(usize, String))| {
             let (line, column) = (sheet.lines[*row], self.describe(place));
-            format!(
-                "; {column} has `{word}` in line {line}, which is not read as a number: write it as 1.25, a time as 62.5 or 1:02.5"
-            )
+            let reason = match () {
+                () if word.starts_with('=') => {
+                    "a formula without its value: save the table with values in place of formulas"
+                }
+                () if sheet.dialect.mark.is_missed_in(word) => {
+                    "and numbers of other columns have another decimal mark: write all with the same mark"
+                }
+                () => "which is not read as a number: write it as 1.25, a time as 62.5 or 1:02.5",
+            };
+            format!("; {column} has `{word}` in line {line}, {reason}")
         };
         first.map(clause).unwrap_or_default()
     }

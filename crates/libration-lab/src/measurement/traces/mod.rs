@@ -25,6 +25,7 @@ use super::sheet::Sheet;
 use super::{MeasurementError, Trace};
 use columns::Columns;
 use rows::Rows;
+pub use runs::is_run;
 
 /// The traces of a recording, with all that was inferred from the file in finding them.
 #[derive(Clone, Debug, PartialEq)]
