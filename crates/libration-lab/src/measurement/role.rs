@@ -157,6 +157,13 @@ impl Role {
     }
 }
 
+/// Returns `true` for a name of lengths, perhaps with other words: `L`, `Pendellänge l`.
+pub(super) fn is_name_of_length(name: &str) -> bool {
+    let name = name.to_lowercase();
+    let names = NAMES.iter().filter(|(role, _)| *role == Role::Lengths).flat_map(|(_, names)| names.iter());
+    names.into_iter().any(|of| name == **of || of.chars().count() > 1 && name.contains(of))
+}
+
 /// The quantity of a name.
 fn named(heading: &Heading) -> Option<Measures> {
     let name = heading.name.to_lowercase().replace('_', " ");

@@ -50,7 +50,8 @@ impl RowOptions {
     ) -> Result<(Readings, Vec<String>), String> {
         let is_of_run = self.of_run(groups, read.lines.len())?;
         let is_within = self.within(&read, wanted, unit)?;
-        let kept: Vec<usize> = (0..read.lines.len()).filter(|&row| is_of_run[row] && is_within[row]).collect();
+        let kept: Vec<usize> =
+            (0..read.lines.len()).filter(|&row| is_of_run[row] && is_within[row]).collect();
         let of_run = is_of_run.iter().filter(|is_of_run| **is_of_run).count();
         let sentence = |count: usize, options: &str| {
             let plural = if count == 1 { "row is" } else { "rows are" };
@@ -121,8 +122,10 @@ impl RowOptions {
         let all = read.quantities[0].iter().flatten().copied();
         let (least, largest) =
             (all.clone().fold(f64::INFINITY, f64::min), all.fold(f64::NEG_INFINITY, f64::max));
+        // Numbers of swings have no unit.
+        let unit = if wanted.option.is_some() { format!(" {unit}") } else { String::new() };
         Err(in_words(&format!(
-            "no row is in this range (<--from>, <--to>): those of the file are from {least:?} to {largest:?} {unit}"
+            "no row is in this range (<--from>, <--to>): those of the file are from {least:?} to {largest:?}{unit}"
         )))
     }
 }

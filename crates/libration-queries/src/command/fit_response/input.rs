@@ -115,8 +115,10 @@ impl Input {
             _ if self.frequency_unit.is_some() || self.columns.gives_role("frequency") => false,
             Some(column) => names_periods(&column),
             None => {
-                let has_frequencies = columns().any(|column| names(Role::Frequencies, &column));
-                !has_frequencies && columns().any(|column| names_periods(&column))
+                // Periods next to lengths are those of pendulums.
+                let has_other =
+                    |column: Column| names(Role::Frequencies, &column) || table.names_lengths(&column);
+                !columns().any(has_other) && columns().any(|column| names_periods(&column))
             }
         }
     }
