@@ -1,7 +1,7 @@
 //! The units of single cells, as in a column of `10cm` and `1.2m`: one for each column, to which all its numbers are converted.
 
 use super::Unit;
-use super::dialect::Row;
+use super::dialect::TextRow;
 use super::number::Cell;
 
 /// The units of the cells of each column, row by row.
@@ -13,7 +13,7 @@ impl CellUnits {
         Self(vec![vec![]; columns])
     }
 
-    pub(super) fn push(&mut self, row: &Row) {
+    pub(super) fn push(&mut self, row: &TextRow) {
         for (place, units) in self.0.iter_mut().enumerate() {
             units.push(row.units.get(place).copied().flatten());
         }

@@ -2,9 +2,9 @@
 
 use super::blocks::{Blocks, Next};
 use super::cell_units::CellUnits;
-use super::dialect::{Dialect, Row};
+use super::dialect::{Dialect, TextRow};
 use super::heading::Heading;
-use super::layout::Layout;
+use super::layout::TextLayout;
 use super::number::{Cell, decimals};
 use super::options::ReadOptions;
 use super::{Column, MeasurementError};
@@ -122,7 +122,7 @@ impl Sheet {
         options: &ReadOptions,
     ) -> Result<Self, MeasurementError> {
         let dialect = dialect.with_units_of(text);
-        let layout = Layout::read(text, dialect, options.header)?;
+        let layout = TextLayout::read(text, dialect, options.header)?;
         let mut blocks = Blocks::new(&layout, dialect.mark, options.header);
         let channel =
             |heading| Channel { heading, cells: vec![], words: vec![], uncertainties: vec![], decimals: 0 };
@@ -203,7 +203,7 @@ impl Sheet {
         }
     }
 
-    fn push(&mut self, row: &Row) -> Result<(), MeasurementError> {
+    fn push(&mut self, row: &TextRow) -> Result<(), MeasurementError> {
         let (width, filled) = (self.channels.len(), row.filled());
         if filled > width || row.cells.len() < width {
             let found = if filled > width { filled } else { row.cells.len() };

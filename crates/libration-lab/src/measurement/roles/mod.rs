@@ -149,7 +149,7 @@ impl Table {
         given: &GivenRoles,
     ) -> Result<TableRoles, MeasurementError> {
         let roles = given.places(self, needed)?;
-        let mut search = Search { table: self, needed, kinds: kinds::of(self), roles, notes: vec![] };
+        let mut search = RoleSearch { table: self, needed, kinds: kinds::of(self), roles, notes: vec![] };
         search.refuse_tables_side_by_side()?;
         search.refuse_bounds()?;
         search.refuse_full_swings()?;
@@ -174,7 +174,7 @@ impl Table {
 }
 
 /// The search for roles, by indices of columns.
-struct Search<'a> {
+struct RoleSearch<'a> {
     table: &'a Table,
     needed: &'a [TableQuantity],
     kinds: Vec<Kind>,
@@ -182,7 +182,7 @@ struct Search<'a> {
     notes: Vec<String>,
 }
 
-impl Search<'_> {
+impl RoleSearch<'_> {
     fn heading(&self, place: usize) -> &Heading {
         &self.table.sheet().channels[place].heading
     }

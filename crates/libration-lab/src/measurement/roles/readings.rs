@@ -1,7 +1,7 @@
 //! The columns of readings of each quantity.
 
 use super::kinds::Kind;
-use super::{ColumnRole, Search, TableQuantity};
+use super::{ColumnRole, RoleSearch, TableQuantity};
 use crate::measurement::counted_periods::counted;
 use crate::measurement::heading::Heading;
 use crate::measurement::{Choice, CountedPeriods, MeasurementError, Role, Suggestion};
@@ -10,7 +10,7 @@ use crate::statistics::{count, mean, median};
 /// Repeated readings of a row are within this factor of each other, in most rows.
 const ALIKE: f64 = 1.5;
 
-impl Search<'_> {
+impl RoleSearch<'_> {
     pub(super) fn assign_readings(&mut self) -> Result<(), MeasurementError> {
         let mut order: Vec<usize> = (0..self.needed.len()).collect();
         order.sort_by_key(|&quantity| self.needed[quantity].only_named.is_none());
