@@ -292,13 +292,11 @@ fn mixed_decimal_marks_and_formulas_are_named() {
     };
     let said = refused("one", format!("L (cm);T (s)\n{}", marks(&|length| length > 0.9)));
     assert!(
-        said.contains(
-            "line 7: `1,986` has a decimal comma, and other numbers of the table have a decimal point"
-        ),
+        said.contains("line 7: `1,986` has a comma, and other numbers of the table have a decimal point"),
         "{said}"
     );
     let said = refused("some", format!("L (cm);T (s)\n{}", marks(&|length| length < 0.7)));
-    assert!(said.contains("lines 6, 7: `1.805` has a decimal point"), "{said}");
+    assert!(said.contains("lines 6, 7: `1.805` has a point"), "{said}");
     let said =
         refused("column", format!("L (m);T (s)\n{}", rows(|it| format!("{it:.2};{}", comma(period(it), 3)))));
     assert!(said.contains("numbers of other columns have another decimal mark"), "{said}");
@@ -378,6 +376,17 @@ fn half_swings_are_halves_and_periods_of_drives_frequencies() {
         let omega0 = answer["parameters"][0]["value"].as_f64().unwrap();
         assert!((omega0 / (TAU * 0.55) - 1.0).abs() < 1e-3, "{heading}: {omega0}");
     }
+    // Groups that the fit does not distinguish, and one of them.
+    let block = |title: &str, factor: f64| {
+        let rows = (0..21).map(|it| format!("{:.4};{:.3}\n", factor * of(it), response(of(it))));
+        format!("{title}\nf (Hz);amplitude (cm)\n{}\n", rows.collect::<String>())
+    };
+    let table = file("drives", format!("{}{}", block("run 1", 1.0), block("run 2", 1.01)));
+    let answer = json(&format!("fit response --model linear {table} --run 2"));
+    let omega0 = answer["parameters"][0]["value"].as_f64().unwrap();
+    assert!((omega0 / (TAU * 0.55 * 1.01) - 1.0).abs() < 1e-3, "{omega0}");
+    let told = json(&format!("fit response --model linear {table}"))["told_from_file"].to_string();
+    assert!(told.contains("all groups are fitted together (--run chooses some)"), "{told}");
     // Times are not periods.
     let rows: String = (0..21).map(|it| format!("{it};{:.3}\n", response(of(it)))).collect();
     let table = file("no-drive", format!("t (s);amplitude (cm)\n{rows}"));

@@ -104,7 +104,7 @@ pub enum MeasurementError {
         cell: String,
     },
     /// Numbers with decimal commas among others with decimal points.
-    #[error("{}: `{cell}` has a decimal {}, and other numbers of the table have a decimal {mark}: write all with the same mark", in_lines(.lines), .mark.other())]
+    #[error("{}: `{cell}` has a {}, and other numbers of the table have a decimal {mark}: write all with the same decimal mark, without marks of thousands", in_lines(.lines), .mark.other())]
     MixedMarks {
         /// Lines with the other mark, from 1.
         lines: Vec<u64>,

@@ -102,10 +102,10 @@ impl RowOptions {
                 let of_bound = bound.unit.unwrap_or(unit);
                 let is_alike = of_bound == unit || of_bound.measures_as(unit);
                 is_alike.then(|| of_bound.to_si(bound.value)).ok_or_else(|| {
-                    format!(
-                        "the range is given in {of_bound}, and the {} is in {unit} (<--from>, <--to>)",
-                        wanted.name
-                    )
+                    let name = wanted.name;
+                    in_words(&format!(
+                        "the range is given in {of_bound}, and the {name} is in {unit} (<--from>, <--to>)"
+                    ))
                 })
             }
         };

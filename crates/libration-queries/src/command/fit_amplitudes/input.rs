@@ -74,7 +74,7 @@ impl Input {
         let against = self.against(roles.as_ref(), &table, &chosen)?;
         let read = ColumnsInSi::from_table(&table, &chosen, &self.wanted())
             .map_err(|error| self.no_answer(error))?;
-        let read = in_full_swings(read, &table, &chosen, against);
+        let read = in_full_swings(read.of_all_groups(), &table, &chosen, against);
         let values = read.columns[1].iter().flatten();
         let largest = values.fold(0.0_f64, |largest, value| largest.max(value.abs()));
         if largest >= std::f64::consts::PI && !read.are_stated[1] {

@@ -61,7 +61,7 @@ impl Input {
         let table = self.dialect.read(&self.file)?;
         let has_periods = self.has_periods(&table);
         let wanted = self.wanted(has_periods);
-        let read = self.columns.read(&self.name(), &table, &wanted, None, "fit response")?;
+        let read = self.columns.read(&self.name(), &table, &wanted, None, "fit response")?.of_all_groups();
         let read = if has_periods { of_periods(read) } else { read };
         let unit = match read.units[1] {
             Unit::Count | Unit::Pixel => "counts",
