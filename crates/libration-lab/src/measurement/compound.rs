@@ -72,7 +72,7 @@ impl CompoundNumbers {
             let length = 12.0 * f64::from(whole) + inches;
             return (inches < 12.0).then(|| written(length, mark, Some(Unit::Inch)));
         }
-        let is_minute = is_prime || ["m", "mn"].contains(&unit) || unit.parse() == Ok(Unit::Minute);
+        let is_minute = is_prime || self != Self::Lengths && ["m", "mn"].contains(&unit) || unit.parse() == Ok(Unit::Minute);
         let fraction = last.strip_prefix('"').filter(|it| it.bytes().all(|it| it.is_ascii_digit()));
         match fraction {
             _ if !is_minute || smaller.is_empty() => None,

@@ -81,7 +81,7 @@ const UNITS: [(Unit, &str, &[&str]); 22] = [
     (
         Unit::Minute,
         "min",
-        &["mins", "minute", "minutes", "minuten", "minuti", "minutos", "min.", "mn", "мин"],
+        &["mins", "minute", "minutes", "minuten", "minuti", "minutos", "мин"],
     ),
     (Unit::Radian, "rad", &["rads", "radian", "radians", "radiant", "radianti", "radianes"]),
     (Unit::Milliradian, "mrad", &["milliradian", "milliradians"]),

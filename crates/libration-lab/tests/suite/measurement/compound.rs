@@ -43,7 +43,8 @@ fn feet_and_inches_are_inches_below_a_heading_of_lengths() {
         // Feet alone are brought to the unit of the first cell.
         assert_eq!(second(heading, &cells).ok().as_deref(), Some(&expected[..]), "{heading} {cells:?}");
     }
-    for cells in [["3' 13\"", "3' 14\""], ["39 3/7", "39 5/7"], ["39 9/8", "39 11/8"]] {
+    // `1 m 20` is a length.
+    for cells in [["1 m 20", "1 m 25"], ["3' 13\"", "3' 14\""], ["39 3/7", "39 5/7"], ["39 9/8", "39 11/8"]] {
         assert!(second("length", &cells).is_err(), "{cells:?}");
     }
 }
