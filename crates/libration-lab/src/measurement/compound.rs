@@ -70,9 +70,11 @@ impl CompoundNumbers {
         if is_foot && is_of(last, Unit::Inch) {
             let inches = if smaller.is_empty() { 0.0 } else { number(smaller, mark)? };
             let length = 12.0 * f64::from(whole) + inches;
-            return (inches < 12.0).then(|| written(length, mark, Some(Unit::Inch)));
+            return (0.0..12.0).contains(&inches).then(|| written(length, mark, Some(Unit::Inch)));
         }
-        let is_minute = is_prime || self != Self::Lengths && ["m", "mn"].contains(&unit) || unit.parse() == Ok(Unit::Minute);
+        let is_minute = is_prime
+            || self != Self::Lengths && ["m", "mn"].contains(&unit)
+            || unit.parse() == Ok(Unit::Minute);
         let fraction = last.strip_prefix('"').filter(|it| it.bytes().all(|it| it.is_ascii_digit()));
         match fraction {
             _ if !is_minute || smaller.is_empty() => None,

@@ -78,11 +78,7 @@ const UNITS: [(Unit, &str, &[&str]); 22] = [
     (Unit::Millisecond, "ms", &["msec", "millisecond", "milliseconds", "millis"]),
     (Unit::Microsecond, "us", &["µs", "μs", "usec", "microsecond", "microseconds", "micros"]),
     (Unit::Nanosecond, "ns", &["nsec", "nanosecond", "nanoseconds"]),
-    (
-        Unit::Minute,
-        "min",
-        &["mins", "minute", "minutes", "minuten", "minuti", "minutos", "мин"],
-    ),
+    (Unit::Minute, "min", &["mins", "minute", "minutes", "minuten", "minuti", "minutos", "мин"]),
     (Unit::Radian, "rad", &["rads", "radian", "radians", "radiant", "radianti", "radianes"]),
     (Unit::Milliradian, "mrad", &["milliradian", "milliradians"]),
     (
