@@ -140,10 +140,10 @@ pub mod internals {
                 pub use crate::fit::trace::information::misfit;
             }
             pub mod minimum {
-                pub use crate::fit::trace::minimum::{Care, Minimum, Start, descent};
+                pub use crate::fit::trace::minimum::{Care, Start, TraceMinimum, descent};
             }
             pub mod model {
-                pub use crate::fit::trace::model::Rows;
+                pub use crate::fit::trace::model::ResidualRows;
             }
             pub mod noise {
                 pub use crate::fit::trace::noise::{FACTOR, Part, Rows, mean_effect, memories, times};
@@ -186,7 +186,7 @@ pub mod internals {
                 pub use crate::measurement::container::date_formats::shows_date;
             }
             pub mod grid {
-                pub use crate::measurement::container::grid::Grid;
+                pub use crate::measurement::container::grid::CellGrid;
             }
             pub mod xls {
                 pub mod records {

@@ -14,13 +14,14 @@ def fit_amplitudes(
     *,
     columns: Given | None = None,
     role: Given | None = None,
+    from_: Value | None = None,
+    to: Value | None = None,
+    run: Given | None = None,
     against: Literal["time", "swings"] | None = None,
     amplitude_unit: Literal["rad", "deg", "m", "cm", "mm", "in", "counts"] | None = None,
     length: Value | None = None,
     sides: Literal["one", "both"] | None = None,
     errors: Literal["absolute", "relative"] | None = None,
-    from_: Value | None = None,
-    to: Value | None = None,
     sheet: int | str | None = None,
     delimiter: Literal["comma", "semicolon", "tab", "space"] | None = None,
     decimal: Literal["point", "comma"] | None = None,
@@ -52,10 +53,18 @@ def fit_amplitudes(
         Role of a column: a quantity, as in 2=period (several columns are repeated readings); its
         uncertainty, as in 3=period-uncertainty, period-half-width, period-resolution or, of means
         of several readings, period-deviation; swings, readings, group, ignore.
+    from_ : float or str, optional
+        Ignore rows in which the first quantity (length, amplitude, frequency, time) is less than
+        this, in the unit of its column unless it has one, such as 20cm.
+    to : float or str, optional
+        Ignore rows in which the first quantity is greater than this.
+    run : number or text, or several, optional
+        Use only these groups of the table, by name or number; several as 1,2,6.
     against : {"time", "swings"}, optional
         Quantity of the first column [default: from its header].
     amplitude_unit : {"rad", "deg", "m", "cm", "mm", "in", "counts"}, optional
-        Unit of the amplitudes and of their uncertainties [default: that of the header, else rad].
+        Unit of the amplitudes and of their uncertainties [default: that of the header, else rad
+        below π].
     length : float or str, optional
         Distance from the pivot to the point that is read: horizontal displacements then give
         angles.
@@ -65,10 +74,6 @@ def fit_amplitudes(
     errors : {"absolute", "relative"}, optional
         Errors of all amplitudes if no uncertainties are stated: the same absolute error, or the
         same relative error [default: absolute].
-    from_ : float or str, optional
-        Ignore rows before this time, or number of swings.
-    to : float or str, optional
-        Ignore rows after this time, or number of swings.
     sheet : int or str, optional
         Sheet of a workbook or file of an archive, by number or name.
     delimiter : {"comma", "semicolon", "tab", "space"}, optional

@@ -14,8 +14,11 @@ def fit_lengths(
     *,
     columns: Given | None = None,
     role: Given | None = None,
+    from_: Value | None = None,
+    to: Value | None = None,
+    run: Given | None = None,
     group: int | str | None = None,
-    length_unit: Literal["m", "cm", "mm", "in"] | None = None,
+    length_unit: Literal["m", "dm", "cm", "mm", "in", "ft"] | None = None,
     amplitude: Angle | None = None,
     amplitude_unit: Literal["rad", "deg"] | None = None,
     half_periods: bool = False,
@@ -66,15 +69,23 @@ def fit_lengths(
         Role of a column: a quantity, as in 2=period (several columns are repeated readings); its
         uncertainty, as in 3=period-uncertainty, period-half-width, period-resolution or, of means
         of several readings, period-deviation; swings, readings, group, ignore.
+    from_ : float or str, optional
+        Ignore rows in which the first quantity (length, amplitude, frequency, time) is less than
+        this, in the unit of its column unless it has one, such as 20cm.
+    to : float or str, optional
+        Ignore rows in which the first quantity is greater than this.
+    run : number or text, or several, optional
+        Use only these groups of the table, by name or number; several as 1,2,6.
     group : int or str, optional
         Column of the names of groups, whose results are compared and averaged [default: a column
         named so in the header].
-    length_unit : {"m", "cm", "mm", "in"}, optional
+    length_unit : {"m", "dm", "cm", "mm", "in", "ft"}, optional
         Unit of the lengths and of their uncertainties [default: that of the header, else m].
     amplitude : angle, optional
         The amplitude of all swings, such as 10deg [default: negligible].
     amplitude_unit : {"rad", "deg"}, optional
-        Unit of a column of amplitudes [default: that of the header, else rad].
+        Unit of a column of amplitudes [default: that of the header, else rad, or deg for angles of
+        π or more].
     half_periods : bool
         The times are half periods, from one side to the other.
     swings_per_reading : float or str, optional

@@ -15,6 +15,9 @@ def fit_periods(
     *,
     columns: Given | None = None,
     role: Given | None = None,
+    from_: Value | None = None,
+    to: Value | None = None,
+    run: Given | None = None,
     group: int | str | None = None,
     amplitude_unit: Literal["rad", "deg"] | None = None,
     half_periods: bool = False,
@@ -70,11 +73,19 @@ def fit_periods(
         Role of a column: a quantity, as in 2=period (several columns are repeated readings); its
         uncertainty, as in 3=period-uncertainty, period-half-width, period-resolution or, of means
         of several readings, period-deviation; swings, readings, group, ignore.
+    from_ : float or str, optional
+        Ignore rows in which the first quantity (length, amplitude, frequency, time) is less than
+        this, in the unit of its column unless it has one, such as 20cm.
+    to : float or str, optional
+        Ignore rows in which the first quantity is greater than this.
+    run : number or text, or several, optional
+        Use only these groups of the table, by name or number; several as 1,2,6.
     group : int or str, optional
         Column of the names of groups, whose results are compared and averaged [default: a column
         named so in the header].
     amplitude_unit : {"rad", "deg"}, optional
-        Unit of the amplitudes and of their uncertainties [default: that of the header, else rad].
+        Unit of the amplitudes and of their uncertainties [default: that of the header, else rad, or
+        deg for angles of π or more].
     half_periods : bool
         The times are half periods, from one side to the other.
     swings_per_reading : float or str, optional

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from .._ask import Columns, Given, Path, Quantity, Say
+from .._ask import Columns, Given, Path, Quantity, Say, Value
 from ..answer import answer
 from ..fit import Fit
 
@@ -14,6 +14,9 @@ def fit_response(
     *,
     columns: Given | None = None,
     role: Given | None = None,
+    from_: Value | None = None,
+    to: Value | None = None,
+    run: Given | None = None,
     frequency_unit: Literal["Hz", "kHz", "rad/s", "deg/s"] | None = None,
     amplitude_unit: Literal["rad", "deg", "m", "cm", "mm", "in", "counts"] | None = None,
     phase_unit: Literal["rad", "deg"] | None = None,
@@ -40,8 +43,8 @@ def fit_response(
     Parameters
     ----------
     file : str or path or columns
-        A table of drive frequencies and amplitudes, optionally with phases and with uncertainties;
-        - for standard input.
+        A table of drive frequencies, or periods, and amplitudes, optionally with phases and with
+        uncertainties; - for standard input.
     columns : number or text, or several, optional
         Columns of both quantities, of the uncertainties of both, and of further ones, by number or
         name; - for none [default: from headings, units and values].
@@ -49,6 +52,13 @@ def fit_response(
         Role of a column: a quantity, as in 2=period (several columns are repeated readings); its
         uncertainty, as in 3=period-uncertainty, period-half-width, period-resolution or, of means
         of several readings, period-deviation; swings, readings, group, ignore.
+    from_ : float or str, optional
+        Ignore rows in which the first quantity (length, amplitude, frequency, time) is less than
+        this, in the unit of its column unless it has one, such as 20cm.
+    to : float or str, optional
+        Ignore rows in which the first quantity is greater than this.
+    run : number or text, or several, optional
+        Use only these groups of the table, by name or number; several as 1,2,6.
     frequency_unit : {"Hz", "kHz", "rad/s", "deg/s"}, optional
         Unit of the frequencies and of their uncertainties [default: that of the header].
     amplitude_unit : {"rad", "deg", "m", "cm", "mm", "in", "counts"}, optional

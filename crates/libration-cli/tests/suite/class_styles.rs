@@ -1,6 +1,6 @@
 //! Tables in the styles of other languages, spreadsheets and documents, g = 9.81 m/s².
 
-use crate::command::{directory, json, libration, message, text, unfolded};
+use crate::command::{directory, json, libration, message, run as run_command, text, unfolded};
 use std::f64::consts::TAU;
 
 const LENGTHS: [f64; 6] = [0.24, 0.37, 0.52, 0.66, 0.81, 0.98];
@@ -57,7 +57,7 @@ fn refused(name: &str, bytes: impl AsRef<[u8]>) -> String {
 }
 
 #[test]
-fn headers_of_eight_languages_say_lengths_and_numbers_of_swings() {
+fn headers_of_many_languages_say_lengths_and_numbers_of_swings() {
     for (name, header) in [
         ("de", "Fadenlänge in Zentimetern;10 vollständige Schwingungen (s)"),
         ("de-words", "Länge in Zentimeter;Zehn Schwingungen in Sekunden"),
@@ -69,6 +69,13 @@ fn headers_of_eight_languages_say_lengths_and_numbers_of_swings() {
         ("pl", "Długość wahadła (cm);Czas dziesięciu wahnięć (s)"),
         ("nl", "Lengte (cm);Tijd voor 10 slingeringen (s)"),
         ("sv", "Längd (cm);Tid för tio svängningar (s)"),
+        ("da", "Længde (cm);Tid for 10 svingninger (s)"),
+        ("cs", "Délka (cm);Doba 10 kmitů (s)"),
+        ("hu", "Hossz (cm);10 lengés ideje (s)"),
+        ("el", "Μήκος (cm);Χρόνος 10 ταλαντώσεων (s)"),
+        ("ru", "Длина (см);Время 10 колебаний (с)"),
+        ("braces", "L {cm};10 T {s}"),
+        ("colons", "Length in cm:;Time of 10 swings in s:"),
     ] {
         let (_, told) = check(name, format!("{header}\n{}", ten_swings()));
         assert!(told.contains("holds times of 10 periods"), "{name}: {told}");
@@ -177,6 +184,9 @@ fn minutes_and_seconds_are_times() {
         ("hours", |minutes, seconds| format!("00:{minutes:02}:{seconds:05.2}")),
         ("letters", |minutes, seconds| format!("{minutes}m {seconds:04.1}s")),
         ("words", |minutes, seconds| format!("{minutes} min {seconds:.1} sec")),
+        ("primes", |minutes, seconds| format!("{minutes}'{seconds:04.1}''")),
+        ("tenths", |minutes, seconds| format!("{minutes}′{seconds:04.1}").replace('.', "″")),
+        ("mn", |minutes, seconds| format!("{minutes} mn {seconds:.1} s")),
     ] {
         let rows = rows(|length| {
             let (minutes, seconds) = parts(length);
@@ -184,10 +194,204 @@ fn minutes_and_seconds_are_times() {
         });
         check(name, format!("L (cm),time for 50 swings\n{rows}"));
     }
+    // Whole seconds with a colon may be a time of day, unless the heading says minutes and seconds.
+    let whole = |length: f64| (time(length).round() / 60.0).floor();
+    let colons = rows(|length| {
+        let minutes = whole(length);
+        format!("{:.0},{minutes}:{:02.0}", 100.0 * length, time(length).round() - 60.0 * minutes)
+    });
+    check("min-s", format!("L (cm),50 T (min:s)\n{colons}"));
+    let said = refused("bare-colons", format!("L (cm),50 T\n{colons}"));
+    assert!(said.contains("column 2 (`50 T`) has `"), "{said}");
+    // Shorter times may be plain seconds below a heading with this unit.
+    let mixed = rows(|length| {
+        let (minutes, seconds) = parts(length);
+        let time = if minutes > 0.0 { format!("{minutes}:{seconds:04.1}") } else { format!("{seconds:.1}") };
+        format!("{:.0},{time}", 100.0 * length)
+    });
+    check("plain-seconds", format!("L (cm),time for 50 swings (s)\n{mixed}"));
+    let said = refused("no-unit", format!("L (cm),50 T\n{mixed}"));
+    assert!(said.contains("numbers in s and numbers without a unit"), "{said}");
     // A time of day is not read as a duration, and the column of text is named.
     let clock = rows(|length| format!("{:.0},10:{:.0}", 100.0 * length, 100.0 * length));
     let said = refused("clock", format!("L (cm),time (s)\n{clock}"));
     assert!(said.contains("column 2 (`time (s)`) has `10:24` in line 2"), "{said}");
+}
+
+#[test]
+fn columns_of_minutes_and_seconds_are_added() {
+    let two = |swings: f64, end: &str| {
+        rows(|length| {
+            let time = swings * period(length);
+            let minutes = (time / 60.0).floor();
+            format!("{:.0},{minutes},{:.1}{end}", 100.0 * length, time - 60.0 * minutes)
+        })
+    };
+    for (name, header, rows) in [
+        ("names", "L (cm),t (min),t (s),swings", two(50.0, ",50")),
+        ("title", "L (cm),time for 50 swings (min),(s)", two(50.0, "")),
+        ("units", "L (cm),min,s,N", two(50.0, ",50")),
+    ] {
+        let (_, told) = check(name, format!("{header}\n{rows}"));
+        assert!(told.contains("are min and s of one quantity, and are added"), "{name}: {told}");
+    }
+    let feet = rows(|length| {
+        let inches = (length / 0.0254 * 10.0).round() / 10.0;
+        let feet = (inches / 12.0).floor();
+        format!("{feet},{:.1},{:.3}", inches - 12.0 * feet, period(length))
+    });
+    check("feet", format!("L (ft),L (in),T (s)\n{feet}"));
+    // The same time in minutes and in seconds is not added.
+    let both = rows(|length| format!("{:.2},{:.4},{:.2}", length, period(length) / 60.0, period(length)));
+    let (_, told) = check("both", format!("L (m),T (min),T (s)\n{both}"));
+    assert!(!told.contains("added"), "{told}");
+}
+
+#[test]
+fn feet_and_inches_with_fractions_are_lengths() {
+    let eighths = |length: f64| (length / 0.0254 * 8.0).round();
+    let of = |eighths: f64| {
+        let feet = (eighths / 96.0).floor();
+        let inches = ((eighths - 96.0 * feet) / 8.0).floor();
+        (feet, inches, eighths - 96.0 * feet - 8.0 * inches)
+    };
+    for (name, heading, text) in [
+        (
+            "primes",
+            "Length",
+            (|feet, inches, part| format!("{feet}' {inches} {part}/8\"")) as fn(f64, f64, f64) -> String,
+        ),
+        ("words", "Length", |feet, inches, part| format!("{feet} ft {inches} {part}/8 in")),
+        ("inches", "L (in)", |feet, inches, part| format!("{} {part}/8", 12.0 * feet + inches)),
+    ] {
+        let rows = rows(|length| {
+            let (feet, inches, part) = of(eighths(length));
+            format!("{};{:.3}", text(feet, inches, part), period(eighths(length) / 8.0 * 0.0254))
+        });
+        check(name, format!("{heading};T (s)\n{rows}"));
+    }
+    let decimetres = rows(|length| format!("{:.1} dm;{:.3}", 10.0 * length, period(length)));
+    check("dm", format!("L;T (s)\n{decimetres}"));
+    // A Swiss mark of thousands is not a foot.
+    let thousands = [1005.0, 1205.0, 1410.0, 1605.0];
+    let rows = thousands.map(|it| format!("1'{:03.0};{:.4}\n", it - 1000.0, period(it / 1000.0))).concat();
+    check("thousands", format!("L (mm);T (s)\n{rows}"));
+}
+
+#[test]
+fn mixed_decimal_marks_and_formulas_are_named() {
+    let marks = |with_comma: &dyn Fn(f64) -> bool| {
+        rows(|length| {
+            let time = format!("{:.3}", period(length));
+            format!(
+                "{:.0};{}",
+                100.0 * length,
+                if with_comma(length) { time.replace('.', ",") } else { time }
+            )
+        })
+    };
+    let said = refused("one", format!("L (cm);T (s)\n{}", marks(&|length| length > 0.9)));
+    assert!(
+        said.contains("line 7: `1,986` has a comma, and other numbers of the table have a decimal point"),
+        "{said}"
+    );
+    let said = refused("some", format!("L (cm);T (s)\n{}", marks(&|length| length < 0.7)));
+    assert!(said.contains("lines 6, 7: `1.805` has a point"), "{said}");
+    let said =
+        refused("column", format!("L (m);T (s)\n{}", rows(|it| format!("{it:.2};{}", comma(period(it), 3)))));
+    assert!(said.contains("numbers of other columns have another decimal mark"), "{said}");
+    let formulas = rows(|length| format!("{:.0};={:.2}/10", 100.0 * length, 10.0 * period(length)));
+    let said = refused("formulas", format!("L (cm);T (s)\n{formulas}"));
+    assert!(said.contains("in line 2, a formula without its value: save the table with values"), "{said}");
+    let some = rows(|length| match length < 0.9 {
+        true => format!("{:.0};{:.3}", 100.0 * length, period(length)),
+        false => format!("{:.0};=19.9/10", 100.0 * length),
+    });
+    let said = refused("some-formulas", format!("L (cm);T (s)\n{some}"));
+    assert!(said.contains("line 7, column 2: `=19.9/10` is a formula without its value"), "{said}");
+}
+
+#[test]
+fn rows_are_chosen_by_a_range_and_by_runs() {
+    let table = file("range", format!("L (cm);10 T (s)\n{}", ten_swings()));
+    let rows = |options: &str| {
+        let answer = json(&format!("fit lengths {table} {options}"));
+        (answer["rows"].as_u64().unwrap(), answer["told_from_file"].to_string())
+    };
+    let (number, told) = rows("--from 37 --to 0.81m");
+    assert!(number == 4 && told.contains("2 rows are ignored (--from, --to)"), "{told}");
+    for (options, expected) in [
+        ("--from 100", "those of the file are from 24.0 to 98.0 cm"),
+        ("--to 2s", "the range is given in s, and the length is in cm"),
+        ("--run 1", "the table has no groups, which are its runs (--run)"),
+    ] {
+        let said = unfolded(&message(&libration(&format!("fit lengths {table} {options}"))));
+        assert!(said.contains(expected), "{options}: {said}");
+    }
+    let block = |title: &str, error: f64| {
+        let rows = self::rows(|length| format!("{:.0};{:.2}", 100.0 * length, 10.0 * period(length) * error));
+        format!("{title}\nL (cm);10 T (s)\n{rows}\n")
+    };
+    let groups = file("runs", format!("{}{}", block("Gruppe A", 1.0), block("Gruppe B", 1.1)));
+    for (run, factor) in [("A", 1.0), ("gruppe b", 1.21), ("2", 1.21)] {
+        let output = run_command(&["fit", "lengths", &groups, "--json", "--run", run]);
+        let answer: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert!((answer["gravity_m_per_s2"].as_f64().unwrap() * factor / 9.81 - 1.0).abs() < 0.01, "{run}");
+    }
+    let said = unfolded(&message(&libration(&format!("fit lengths {groups} --run C"))));
+    assert!(
+        said.contains("there is no run `C`: the groups of the table are `Gruppe A`, `Gruppe B`"),
+        "{said}"
+    );
+    let angles = [10.0, 20.0, 30.0, 40.0, 50.0, 60.0];
+    let angles = angles.map(|it| format!("{it},{:.4}\n", period_at(it))).concat();
+    let angles = file("angles", format!("theta (deg),T (s)\n{angles}"));
+    let answer = json(&format!("fit periods {angles} --from 20 --to 0.9rad"));
+    assert_eq!(answer["rows"], 4, "{answer}");
+}
+
+#[test]
+fn half_swings_are_halves_and_periods_of_drives_frequencies() {
+    let amplitudes: String = (0..11)
+        .map(|it| 4.0 * f64::from(it))
+        .map(|number| format!("{number};{}\n", comma(10.0 * (-number * TAU / 4.0 / 80.0).exp(), 3)))
+        .collect();
+    for (name, heading) in
+        [("de", "Halbschwingungen"), ("en", "number of half swings"), ("no", "Halbschwingung Nr.")]
+    {
+        let table = file(&format!("half-{name}"), format!("{heading};Amplitude (cm)\n{amplitudes}"));
+        let answer = json(&format!("fit amplitudes {table}"));
+        assert!((answer["quality"].as_f64().unwrap() / 80.0 - 1.0).abs() < 0.01, "{heading}: {answer}");
+    }
+    let response = |frequency: f64| {
+        let ratio = frequency / 0.55;
+        2.0 / ((1.0 - ratio * ratio) * (1.0 - ratio * ratio) + ratio * ratio / 64.0).sqrt()
+    };
+    let of = |number: i32| 0.3 + 0.025 * f64::from(number);
+    for (heading, swings) in [("T drive (s)", 1.0), ("Erregerperiode in s", 1.0), ("10 T (s)", 10.0)] {
+        let rows: String =
+            (0..21).map(|it| format!("{:.4};{:.3}\n", swings / of(it), response(of(it)))).collect();
+        let table = file("drive", format!("{heading};amplitude (cm)\n{rows}"));
+        let answer = json(&format!("fit response --model linear {table} --from 0.1"));
+        let omega0 = answer["parameters"][0]["value"].as_f64().unwrap();
+        assert!((omega0 / (TAU * 0.55) - 1.0).abs() < 1e-3, "{heading}: {omega0}");
+    }
+    // Groups that the fit does not distinguish, and one of them.
+    let block = |title: &str, factor: f64| {
+        let rows = (0..21).map(|it| format!("{:.4};{:.3}\n", factor * of(it), response(of(it))));
+        format!("{title}\nf (Hz);amplitude (cm)\n{}\n", rows.collect::<String>())
+    };
+    let table = file("drives", format!("{}{}", block("run 1", 1.0), block("run 2", 1.01)));
+    let answer = json(&format!("fit response --model linear {table} --run 2"));
+    let omega0 = answer["parameters"][0]["value"].as_f64().unwrap();
+    assert!((omega0 / (TAU * 0.55 * 1.01) - 1.0).abs() < 1e-3, "{omega0}");
+    let told = json(&format!("fit response --model linear {table}"))["told_from_file"].to_string();
+    assert!(told.contains("all groups are fitted together (--run chooses some)"), "{told}");
+    // Times are not periods.
+    let rows: String = (0..21).map(|it| format!("{it};{:.3}\n", response(of(it)))).collect();
+    let table = file("no-drive", format!("t (s);amplitude (cm)\n{rows}"));
+    let output = libration(&format!("fit response --model linear {table}"));
+    assert!(message(&output).contains("where frequencies are needed"), "{}", message(&output));
 }
 
 #[test]

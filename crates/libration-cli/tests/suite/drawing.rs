@@ -267,10 +267,12 @@ fn unescaped(text: &str) -> String {
 
 /// The characters of subscripts or superscripts for letters that are drawn small.
 fn small(text: &str, is_below: bool) -> String {
-    const DRAWN: &str = "0123456789+−";
-    let written =
-        if is_below { "₀₁₂₃₄₅₆₇₈₉" } else { "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻" };
-    let place = |letter| DRAWN.chars().position(|drawn| drawn == letter).unwrap();
+    let [drawn, written] = if is_below {
+        ["0123456789+−aehijklmnoprstuvx", "₀₁₂₃₄₅₆₇₈₉₊₋ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ"]
+    } else {
+        ["0123456789+−n", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁿ"]
+    };
+    let place = |letter| drawn.chars().position(|it| it == letter).unwrap();
     text.chars().map(|letter| written.chars().nth(place(letter)).unwrap()).collect()
 }
 

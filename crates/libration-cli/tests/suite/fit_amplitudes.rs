@@ -145,7 +145,7 @@ fn rows_outside_a_range_of_times_are_ignored() {
     assert!(answer["told_from_file"].to_string().contains("3 rows are ignored (--from, --to)"), "{answer}");
     let nothing = message(&libration(&format!("fit amplitudes {path} --from 100")));
     assert!(
-        nothing.contains("--from: no row is in this range: those of the file are from 0.0 to 43.75"),
+        nothing.contains("no row is in this range (--from, --to): those of the file are from 0.0 to 43.75"),
         "{nothing}"
     );
 }

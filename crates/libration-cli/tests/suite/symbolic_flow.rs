@@ -122,7 +122,7 @@ fn a_drive_of_a_given_frequency_determines_the_detuning() {
         assert!(output.status.success(), "{}", message(&output));
         unfolded(&String::from_utf8(output.stdout).unwrap())
     };
-    assert!(setting("1").contains("eps of order 1; sigma = 0 for the frequency of the drive, 1\n"));
+    assert!(setting("1").contains("eps of order 1; sigma = 0 for the frequency of the drive, 1 "));
     assert!(setting("11/10").contains("frequency of the drive, which gives sigma: 11/10 = 1 + eps*sigma"));
     assert!(setting("W").contains("eps of order 1; W = 1 + eps*sigma"));
 }

@@ -41,20 +41,25 @@ impl MistakenUnit {
 }
 
 /// The uncertainties of amplitudes and periods.
-type Columns = [Option<Vec<f64>>; 2];
+type UncertaintyColumns = [Option<Vec<f64>>; 2];
 
 fn column(table: &PeriodTable, of: impl Fn(&Row) -> f64) -> Vec<f64> {
     table.rows.iter().map(of).collect()
 }
 
-fn stated(table: &PeriodTable) -> Columns {
+fn stated(table: &PeriodTable) -> UncertaintyColumns {
     let of_periods = column(table, |row| row.period_uncertainty);
     let is_stated = of_periods.iter().all(|&it| it > 0.0);
     [Some(column(table, |row| row.amplitude_uncertainty)), is_stated.then_some(of_periods)]
 }
 
 /// Returns `true` if the periods follow the exact law where the amplitudes are multiplied by this factor, with an uncertainty of β below the given one.
-fn follows_exact_law(table: &PeriodTable, factor: f64, uncertainties: Columns, most_uncertain: f64) -> bool {
+fn follows_exact_law(
+    table: &PeriodTable,
+    factor: f64,
+    uncertainties: UncertaintyColumns,
+    most_uncertain: f64,
+) -> bool {
     let [of_amplitudes, of_periods] = uncertainties;
     let of_amplitudes =
         of_amplitudes.map(|column| column.into_iter().map(|it| factor * it).collect::<Vec<f64>>());

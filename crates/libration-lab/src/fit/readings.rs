@@ -87,7 +87,7 @@ impl RepeatedReadings {
     /// ```
     #[must_use]
     pub fn new(rows: &[Vec<f64>], step: f64) -> Option<Self> {
-        let groups: Vec<Group> = rows.iter().map(|row| Group::new(row)).collect();
+        let groups: Vec<RowReadings> = rows.iter().map(|row| RowReadings::new(row)).collect();
         let outliers = outliers(rows, &groups, step);
         Self::of_groups(&groups, step, outliers)
     }
@@ -105,11 +105,11 @@ impl RepeatedReadings {
     /// ```
     #[must_use]
     pub fn of_summaries(rows: &[ReadingSummary], step: f64) -> Option<Self> {
-        let groups: Vec<Group> = rows.iter().map(ReadingSummary::group).collect();
+        let groups: Vec<RowReadings> = rows.iter().map(ReadingSummary::group).collect();
         Self::of_groups(&groups, step, vec![])
     }
 
-    fn of_groups(groups: &[Group], step: f64, outliers: Vec<(usize, usize)>) -> Option<Self> {
+    fn of_groups(groups: &[RowReadings], step: f64, outliers: Vec<(usize, usize)>) -> Option<Self> {
         if groups.iter().all(|group| group.dof == 0) {
             return None;
         }
@@ -119,7 +119,7 @@ impl RepeatedReadings {
             Pool::of(groups.iter().enumerate().filter(|(row, _)| Some(*row) != unlike).map(|it| it.1));
         let deviation = alike.variance().sqrt();
         let rounding = Some(step / 12.0_f64.sqrt()).filter(|rounding| *rounding > deviation);
-        let row = |(row, group): (usize, &Group)| {
+        let row = |(row, group): (usize, &RowReadings)| {
             let is_unlike = Some(row) == unlike;
             let own = if is_unlike { group.variance().sqrt() } else { deviation };
             let by_scatter = own / count(group.count).sqrt();
@@ -211,9 +211,9 @@ pub struct ReadingSummary {
 }
 
 impl ReadingSummary {
-    fn group(&self) -> Group {
+    fn group(&self) -> RowReadings {
         let dof = self.count.saturating_sub(1);
-        Group {
+        RowReadings {
             mean: self.mean,
             count: self.count.max(1),
             dof,
@@ -223,14 +223,14 @@ impl ReadingSummary {
 }
 
 /// The readings of a row.
-struct Group {
+struct RowReadings {
     mean: f64,
     count: usize,
     dof: usize,
     squares: f64,
 }
 
-impl Group {
+impl RowReadings {
     fn new(readings: &[f64]) -> Self {
         let mean = mean(readings.iter().copied());
         let squares = readings.iter().map(|reading| (reading - mean) * (reading - mean)).sum();
@@ -250,7 +250,7 @@ struct Pool {
 }
 
 impl Pool {
-    fn of<'a>(groups: impl Iterator<Item = &'a Group>) -> Self {
+    fn of<'a>(groups: impl Iterator<Item = &'a RowReadings>) -> Self {
         groups.fold(Self::default(), |sum, it| Self {
             squares: sum.squares + it.squares,
             dof: sum.dof + it.dof,
@@ -263,7 +263,7 @@ impl Pool {
 }
 
 /// The row that an outlier alone makes scatter more than the others, which scatter alike: by an F test of its variance over theirs.
-fn with_outlier(groups: &[Group], step: f64, outliers: &[(usize, usize)]) -> Option<usize> {
+fn with_outlier(groups: &[RowReadings], step: f64, outliers: &[(usize, usize)]) -> Option<usize> {
     let others =
         |row: usize| groups.iter().enumerate().filter(move |(other, _)| *other != row).map(|it| it.1);
     let tested = groups.iter().filter(|group| group.dof > 0).count();
@@ -280,7 +280,7 @@ fn with_outlier(groups: &[Group], step: f64, outliers: &[(usize, usize)]) -> Opt
 
 /// Returns `true` if the rows scatter differently, by Bartlett's test over all of them with variances of at least that of rounding. `false` if
 /// rounding causes most of the scatter.
-fn differ<'a>(groups: impl Iterator<Item = &'a Group>, step: f64) -> bool {
+fn differ<'a>(groups: impl Iterator<Item = &'a RowReadings>, step: f64) -> bool {
     let rounding = step * step / 12.0;
     let tested = groups.filter(|group| group.dof > 0);
     let variances: Vec<(f64, f64)> =
@@ -298,7 +298,7 @@ fn differ<'a>(groups: impl Iterator<Item = &'a Group>, step: f64) -> bool {
 
 /// The readings whose distance from the others of their row exceeds the largest that chance explains: Student's t with the scatter of all other
 /// readings, at least that of rounding.
-fn outliers(rows: &[Vec<f64>], groups: &[Group], step: f64) -> Vec<(usize, usize)> {
+fn outliers(rows: &[Vec<f64>], groups: &[RowReadings], step: f64) -> Vec<(usize, usize)> {
     let all = Pool::of(groups.iter());
     let tested: usize = groups.iter().filter(|group| group.dof > 0).map(|group| group.count).sum();
     let is_outlier = |row: usize, reading: usize| {

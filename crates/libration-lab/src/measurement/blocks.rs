@@ -2,8 +2,8 @@
 
 use super::MeasurementError;
 use super::choices::{Choice, Suggestion};
-use super::dialect::Row;
-use super::layout::Layout;
+use super::dialect::TextRow;
+use super::layout::TextLayout;
 use super::number::{Cell, DecimalMark};
 use super::options::Header;
 use libration::quantity::{excerpt, printable};
@@ -17,17 +17,17 @@ pub(super) struct Blocks {
     /// The names of the columns without blanks.
     names: String,
     /// Rows of text after the last row of numbers.
-    open: Vec<Row>,
+    open: Vec<TextRow>,
     /// First row of each further table, and its title.
     begun: Vec<(usize, Option<String>)>,
     left_out: Vec<(u64, String)>,
     /// The header of another table, which is left out.
-    other: Option<Row>,
+    other: Option<TextRow>,
 }
 
 /// Rows that follow in a sheet.
 pub(super) enum Next {
-    Rows(Vec<Row>),
+    Rows(Vec<TextRow>),
     Nothing,
     End,
 }
@@ -41,7 +41,7 @@ pub(super) struct Below {
 }
 
 impl Blocks {
-    pub(super) fn new(layout: &Layout, mark: DecimalMark, header: Header) -> Self {
+    pub(super) fn new(layout: &TextLayout, mark: DecimalMark, header: Header) -> Self {
         Self {
             mark,
             header,
@@ -56,7 +56,7 @@ impl Blocks {
     }
 
     /// Takes the next row of the text, after this number of rows of the sheet. Rows of text wait for the rows below them.
-    pub(super) fn next(&mut self, rows: usize, row: Row) -> Result<Next, MeasurementError> {
+    pub(super) fn next(&mut self, rows: usize, row: TextRow) -> Result<Next, MeasurementError> {
         if self.is_text(&row) {
             self.open.push(row);
             return Ok(Next::Nothing);
@@ -89,7 +89,7 @@ impl Blocks {
     }
 
     /// Returns `true` if a row has text where other rows have numbers, and no number there. Cells that all begin with digits are wrong numbers.
-    fn is_text(&self, row: &Row) -> bool {
+    fn is_text(&self, row: &TextRow) -> bool {
         let cells = || row.cells.iter().filter(|cell| !cell.is_empty());
         if cells().count() > 1 && cells().all(|cell| cell.starts_with(|it: char| it.is_ascii_digit())) {
             return false;
@@ -142,7 +142,7 @@ fn joined(text: &str) -> String {
     text.split_whitespace().collect()
 }
 
-fn text_of(row: &Row) -> String {
+fn text_of(row: &TextRow) -> String {
     let cells: Vec<&str> = row.cells.iter().filter(|cell| !cell.is_empty()).collect();
     printable(&cells.join(" "))
 }

@@ -1,7 +1,7 @@
 //! The units of single cells, as in a column of `10cm` and `1.2m`: one for each column, to which all its numbers are converted.
 
 use super::Unit;
-use super::dialect::Row;
+use super::dialect::TextRow;
 use super::number::Cell;
 
 /// The units of the cells of each column, row by row.
@@ -13,7 +13,7 @@ impl CellUnits {
         Self(vec![vec![]; columns])
     }
 
-    pub(super) fn push(&mut self, row: &Row) {
+    pub(super) fn push(&mut self, row: &TextRow) {
         for (place, units) in self.0.iter_mut().enumerate() {
             units.push(row.units.get(place).copied().flatten());
         }
@@ -24,19 +24,23 @@ impl CellUnits {
         self.0[column].iter().flatten().next().copied()
     }
 
-    /// Converts all numbers of a column and their uncertainties to this unit; the error states the mixture: numbers with and without a unit, or
-    /// units of different quantities.
+    /// Converts all numbers of a column and their uncertainties to this unit; the error states the mixture: numbers with and without a unit, unless the
+    /// heading states the unit of all (`is_stated`), or units of different quantities.
     pub(super) fn bring(
         &self,
         column: usize,
         cells: &mut [Cell],
         uncertainties: &mut [Option<f64>],
         to: Unit,
+        is_stated: bool,
     ) -> Result<(), String> {
+        let is_of_all = is_stated && self.0[column].iter().flatten().all(|unit| *unit == to);
         for (row, unit) in self.0[column].iter().enumerate() {
             let (cell, uncertainty) = (&mut cells[row], &mut uncertainties[row]);
             match (cell, unit) {
-                (Cell::Number(_), None) => return Err(format!("numbers in {to} and numbers without a unit")),
+                (Cell::Number(_), None) if !is_of_all => {
+                    return Err(format!("numbers in {to} and numbers without a unit"));
+                }
                 (Cell::Number(_), Some(unit)) if unit.measures() != to.measures() => {
                     return Err(format!("numbers in {to} and numbers in {unit}"));
                 }

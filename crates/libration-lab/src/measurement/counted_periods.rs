@@ -51,7 +51,7 @@ impl Table {
 }
 
 /// Words for one period, in the singular and the plural.
-const PERIOD: [&str; 59] = [
+const PERIOD: [&str; 92] = [
     "t",
     "period",
     "periods",
@@ -111,6 +111,39 @@ const PERIOD: [&str; 59] = [
     "svängningstid",
     "schw",
     "pendelbewegungen",
+    "svingning",
+    "svingninger",
+    "svingningstid",
+    "heilahdusta",
+    "heilahduksen",
+    "heilahdusaika",
+    "kmit",
+    "kmity",
+    "kmitů",
+    "kmitov",
+    "perioda",
+    "lengés",
+    "lengésidő",
+    "salınım",
+    "periyot",
+    "ταλάντωση",
+    "ταλαντώσεις",
+    "ταλαντώσεων",
+    "περίοδος",
+    "колебание",
+    "колебания",
+    "колебаний",
+    "период",
+    "коливання",
+    "коливань",
+    "період",
+    "oscilație",
+    "oscilații",
+    "perioadă",
+    "titraja",
+    "nihajev",
+    "ayunan",
+    "oscil",
 ];
 /// Words that are a count after a number, and otherwise as often half a period.
 const SWING: [&str; 2] = ["swings", "swing"];
@@ -302,9 +335,33 @@ pub fn is_number_of_swings(number: f64) -> bool {
 }
 
 /// Words for a number, and words between it and the counted things.
-const NUMBER: [&str; 22] = [
-    "n", "no", "nr", "nb", "num", "number", "numbers", "anzahl", "zahl", "nombre", "numero", "número",
-    "count", "counts", "counted", "many", "cantidad", "numer", "liczba", "ilość", "antal", "aantal",
+const NUMBER: [&str; 26] = [
+    "n",
+    "no",
+    "nr",
+    "nb",
+    "num",
+    "number",
+    "numbers",
+    "anzahl",
+    "zahl",
+    "nombre",
+    "numero",
+    "número",
+    "count",
+    "counts",
+    "counted",
+    "many",
+    "cantidad",
+    "numer",
+    "liczba",
+    "ilość",
+    "antal",
+    "aantal",
+    "номер",
+    "число",
+    "počet",
+    "αριθμός",
 ];
 const OF: [&str; 24] = [
     "of", "the", "de", "d", "des", "der", "den", "di", "del", "degli", "delle", "las", "les", "how", "deg",
@@ -342,6 +399,26 @@ pub(super) fn swing_numbers(heading: &str) -> SwingNumbers {
 #[must_use]
 pub fn says_number_of_swings(heading: &str) -> bool {
     swing_numbers(heading) == SwingNumbers::Said
+}
+
+/// Returns `true` if a heading says that its numbers are those of half swings: `half swings`, `Halbschwingungen`, `number of half-periods`. A `half period`
+/// is a time.
+#[must_use]
+pub fn says_number_of_half_swings(heading: &str) -> bool {
+    let words = words(heading);
+    let is_number = |word: &String| is(&NUMBER, word) || is(&OF, word);
+    let counted: Vec<String> = words.iter().filter(|word| !is_number(word)).cloned().collect();
+    let is_known = |word: &String| {
+        word != "t" && [&HALF[..], &HALF_PERIOD, &PERIOD, &BETWEEN].iter().any(|list| is(list, word))
+    };
+    let is_time = |word: &String| {
+        let ends = ["period", "periode", "période", "periodo", "período", "dauer", "tijd", "tid"];
+        ends.iter().any(|end| word.ends_with(end))
+    };
+    let has_number = counted.len() < words.len();
+    counted.iter().all(is_known)
+        && length_of(&counted).is_some_and(|length| length < 1.0)
+        && (has_number || !counted.last().is_some_and(is_time))
 }
 
 /// The length in periods of the unit with which these words begin: of a period, or of half of one.

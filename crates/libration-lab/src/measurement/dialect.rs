@@ -6,6 +6,7 @@ use std::fmt;
 use csv::{Position, ReaderBuilder, StringRecord, Trim};
 
 use super::Unit;
+use super::compound::CompoundNumbers;
 use super::number::{Cell, DecimalMark, SIGNS, Written};
 use super::text::{COMMENT, is_blank_or_comment};
 
@@ -70,7 +71,7 @@ pub struct Dialect {
 
 /// A row that is neither blank nor a comment, with the number of its first line.
 #[derive(Clone, Debug)]
-pub(super) struct Row {
+pub(super) struct TextRow {
     pub(super) line: u64,
     pub(super) cells: StringRecord,
     /// The units removed from cells; empty if no cell has one.
@@ -79,7 +80,7 @@ pub(super) struct Row {
     pub(super) uncertainties: Vec<Option<f64>>,
 }
 
-impl Row {
+impl TextRow {
     /// The cells up to the last one that is not empty.
     pub(super) fn filled(&self) -> usize {
         let from_the_end = (0..self.cells.len()).rev().find(|&place| !self.cells[place].is_empty());
@@ -119,10 +120,12 @@ impl Dialect {
     fn has_units(self, sample: &str) -> bool {
         let plain = Self { units: false, ..self };
         let mut balance: Vec<(i64, u32)> = vec![];
+        let mut compound = ColumnsOfCompounds::default();
         for row in plain.rows(sample) {
             balance.resize(balance.len().max(row.cells.len()), (0, 0));
-            for (cell, (more, with_unit)) in row.cells.iter().zip(&mut balance) {
-                match Written::parse(cell, self.mark) {
+            let written = compound.written(&row, self.mark);
+            for ((cell, written), (more, with_unit)) in row.cells.iter().zip(written).zip(&mut balance) {
+                match written {
                     Some(_) => (*more, *with_unit) = (*more + 1, *with_unit + 1),
                     None if Cell::parse(cell, self.mark).is_number() => *more -= 1,
                     None => {}
@@ -179,8 +182,8 @@ pub(super) fn sample(text: &str) -> String {
 
 impl Dialect {
     /// The rows of the text, its blank lines and comments left out.
-    pub(super) fn rows(self, text: &str) -> impl Iterator<Item = Row> {
-        let rows: Box<dyn Iterator<Item = Row>> = match self.delimiter {
+    pub(super) fn rows(self, text: &str) -> impl Iterator<Item = TextRow> {
+        let rows: Box<dyn Iterator<Item = TextRow>> = match self.delimiter {
             Delimiter::Tab => Box::new(delimited_rows(text, b'\t')),
             Delimiter::Semicolon => Box::new(delimited_rows(text, b';')),
             Delimiter::Comma if self.mark == DecimalMark::Comma => {
@@ -189,26 +192,50 @@ impl Dialect {
             Delimiter::Comma => Box::new(delimited_rows(text, b',')),
             Delimiter::Whitespace => Box::new(spaced_rows(text)),
         };
-        let rows = rows.filter(Row::is_data);
-        rows.map(move |row| if self.units { without_units(row, self.mark) } else { row })
+        let rows = rows.filter(TextRow::is_data);
+        let mut compound = ColumnsOfCompounds::default();
+        rows.map(move |row| if self.units { compound.without_units(row, self.mark) } else { row })
     }
 }
 
-/// The row with plain numbers in place of those with units and uncertainties.
-fn without_units(row: Row, mark: DecimalMark) -> Row {
-    let plain = |cell| Written { number: Cow::Borrowed(cell), uncertainty: None, unit: None };
-    let cells: Vec<Written<'_>> =
-        row.cells.iter().map(|cell| Written::parse(cell, mark).unwrap_or_else(|| plain(cell))).collect();
-    Row {
-        line: row.line,
-        cells: cells.iter().map(|cell| cell.number.as_ref()).collect(),
-        units: cells.iter().map(|cell| cell.unit).collect(),
-        uncertainties: cells.iter().map(|cell| cell.uncertainty).collect(),
+/// Kinds of the numbers of two units in each column, by the headings above them.
+#[derive(Default)]
+struct ColumnsOfCompounds(Vec<CompoundNumbers>);
+
+impl ColumnsOfCompounds {
+    /// The cells of a row that are more than plain numbers; the names in a row without numbers are headings of the next rows.
+    fn written<'a>(&mut self, row: &'a TextRow, mark: DecimalMark) -> Vec<Option<Written<'a>>> {
+        let of_cell = |(place, cell): (usize, &'a str)| {
+            let of_column = self.0.get(place).copied().unwrap_or_default();
+            of_column.parse(cell, mark).or_else(|| Written::parse(cell, mark))
+        };
+        let written: Vec<_> = row.cells.iter().enumerate().map(of_cell).collect();
+        if row.numbers(mark) == 0 && written.iter().all(Option::is_none) {
+            self.0.resize(self.0.len().max(row.cells.len()), CompoundNumbers::default());
+            for (kind, name) in self.0.iter_mut().zip(&row.cells).filter(|(_, name)| !name.is_empty()) {
+                *kind = CompoundNumbers::below(name);
+            }
+        }
+        written
+    }
+
+    /// The row with plain numbers in place of those with units and uncertainties.
+    fn without_units(&mut self, row: TextRow, mark: DecimalMark) -> TextRow {
+        let plain = |cell| Written { number: Cow::Borrowed(cell), uncertainty: None, unit: None };
+        let written = self.written(&row, mark).into_iter().zip(&row.cells);
+        let cells: Vec<Written<'_>> =
+            written.map(|(written, cell)| written.unwrap_or_else(|| plain(cell))).collect();
+        TextRow {
+            line: row.line,
+            cells: cells.iter().map(|cell| cell.number.as_ref()).collect(),
+            units: cells.iter().map(|cell| cell.unit).collect(),
+            uncertainties: cells.iter().map(|cell| cell.uncertainty).collect(),
+        }
     }
 }
 
 /// A row of whole numbers with pairs joined, where commas are decimal commas and delimiters too: `0,5,1,2` is 0.5 and 1.2.
-fn with_pairs_joined(row: Row) -> Row {
+fn with_pairs_joined(row: TextRow) -> TextRow {
     let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
     let is_whole = |text: &str| digits(text.trim_start_matches(['-', '+', '−']));
     let is_fraction = |text: &str| {
@@ -220,10 +247,10 @@ fn with_pairs_joined(row: Row) -> Row {
         return row;
     }
     let joined = pairs.iter().map(|[whole, fraction]| format!("{whole},{fraction}")).collect();
-    Row { line: row.line, cells: joined, ..row }
+    TextRow { line: row.line, cells: joined, ..row }
 }
 
-fn delimited_rows(text: &str, delimiter: u8) -> impl Iterator<Item = Row> {
+fn delimited_rows(text: &str, delimiter: u8) -> impl Iterator<Item = TextRow> {
     let reader = ReaderBuilder::new()
         .has_headers(false)
         .flexible(true)
@@ -231,7 +258,7 @@ fn delimited_rows(text: &str, delimiter: u8) -> impl Iterator<Item = Row> {
         .trim(Trim::All)
         .delimiter(delimiter)
         .from_reader(text.as_bytes());
-    let row = |cells: StringRecord| Row {
+    let row = |cells: StringRecord| TextRow {
         line: cells.position().map_or(0, |position| first_line(text, position)),
         cells,
         units: vec![],
@@ -253,12 +280,12 @@ fn first_line(text: &str, position: &Position) -> u64 {
 }
 
 /// Rows with blanks between their cells; a sign of uncertainty joins the numbers before and after it.
-fn spaced_rows(text: &str) -> impl Iterator<Item = Row> {
+fn spaced_rows(text: &str) -> impl Iterator<Item = TextRow> {
     let row = |(line, text): (u64, &str)| {
         let signed =
             SIGNS.iter().fold(text.to_owned(), |text, sign| text.replace(&format!(" {sign} "), sign));
         let cells = StringRecord::from_iter(signed.split_whitespace());
-        Row { line, cells, units: vec![], uncertainties: vec![] }
+        TextRow { line, cells, units: vec![], uncertainties: vec![] }
     };
     (1..).zip(text.lines()).map(row)
 }

@@ -91,6 +91,28 @@ pub enum MeasurementError {
         /// The cell, shortened.
         cell: String,
     },
+    /// A formula of a spreadsheet in place of its value.
+    #[error(
+        "line {line}, column {column}: `{cell}` is a formula without its value: save the table with values in place of formulas"
+    )]
+    Formula {
+        /// Number of the line, from 1.
+        line: u64,
+        /// Number of the column, from 1.
+        column: usize,
+        /// The cell, shortened.
+        cell: String,
+    },
+    /// Numbers with decimal commas among others with decimal points.
+    #[error("{}: `{cell}` has a {}, and other numbers of the table have a decimal {mark}: write all with the same decimal mark, without marks of thousands", in_lines(.lines), .mark.other())]
+    MixedMarks {
+        /// Lines with the other mark, from 1.
+        lines: Vec<u64>,
+        /// The first cell with the other mark, shortened.
+        cell: String,
+        /// The mark with which the table is read.
+        mark: super::DecimalMark,
+    },
     /// No column of this number or name.
     #[error("there is no column `{asked}`: the table has {available}")]
     NoSuchColumn {
@@ -314,6 +336,15 @@ fn listed(choices: &[Suggestion], setting: &dyn Fn(Choice, &[&str]) -> String) -
         before = Some(choice);
     }
     text
+}
+
+/// `line 5`, `lines 5, 7`.
+fn in_lines(lines: &[u64]) -> String {
+    const SHOWN: usize = 5;
+    let numbers: Vec<String> = lines.iter().take(SHOWN).map(u64::to_string).collect();
+    let (plural, more) =
+        (if lines.len() > 1 { "s" } else { "" }, if lines.len() > SHOWN { ", …" } else { "" });
+    format!("line{plural} {}{more}", numbers.join(", "))
 }
 
 /// The choice with its values, as the library writes it: `angle-unit=rad or deg`.

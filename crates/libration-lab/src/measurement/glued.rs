@@ -1,6 +1,6 @@
 //! A header without a line end, so that the first row follows on the same line: `L (m),T (s)0.25,1.00`.
 
-use super::dialect::{Dialect, Row};
+use super::dialect::{Dialect, TextRow};
 use super::number::{Cell, DecimalMark};
 
 /// The text with a line end after its header, and the line that is divided; none where the header has its own line.
@@ -46,7 +46,7 @@ fn name_before_number(cell: &str, mark: DecimalMark) -> Option<&str> {
 }
 
 /// The byte after the last of these names in the line of a row.
-fn end_of(text: &str, row: &Row, before: &[&str], last: &str) -> Option<usize> {
+fn end_of(text: &str, row: &TextRow, before: &[&str], last: &str) -> Option<usize> {
     let lines = usize::try_from(row.line).ok()?.checked_sub(1)?;
     let start: usize = text.split_inclusive('\n').take(lines).map(str::len).sum();
     let mut at = start;

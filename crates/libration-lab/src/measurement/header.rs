@@ -1,6 +1,6 @@
 //! The lines above the numbers of a text → the names, units and titles of its columns.
 
-use super::dialect::{Delimiter, Dialect, Row};
+use super::dialect::{Delimiter, Dialect, TextRow};
 use super::heading::{Heading, bare, name_minima, name_uncertainties};
 use super::options::Header;
 use super::text::COMMENT;
@@ -18,7 +18,7 @@ pub(super) struct Names {
 impl Names {
     pub(super) fn read(
         text: &str,
-        mut above: Vec<Row>,
+        mut above: Vec<TextRow>,
         width: usize,
         dialect: Dialect,
         header: Header,
@@ -35,9 +35,9 @@ impl Names {
         };
         let short_names = units.is_some()
             && names.is_some()
-            && above
-                .last()
-                .is_some_and(|row| Some(row.filled()) == names.as_ref().map(Row::filled) && row.filled() > 1);
+            && above.last().is_some_and(|row| {
+                Some(row.filled()) == names.as_ref().map(TextRow::filled) && row.filled() > 1
+            });
         let names = if short_names { above.pop() } else { names };
         let (cells, beyond) = match &names {
             Some(row) => name_cells(row, text, dialect, width)?,
@@ -63,7 +63,7 @@ impl Names {
 }
 
 /// A last line of units only, with a line of the same length above it.
-fn units_below(above: &mut Vec<Row>) -> Option<Row> {
+fn units_below(above: &mut Vec<TextRow>) -> Option<TextRow> {
     let [.., names, units] = &above[..] else { return None };
     let known = |cell: &str| bare(cell).parse::<Unit>().is_ok();
     let is_unit = |cell: &str| cell.is_empty() || known(cell) || cell.starts_with(['(', '[']);
@@ -72,11 +72,11 @@ fn units_below(above: &mut Vec<Row>) -> Option<Row> {
 }
 
 /// The last comment above the numbers, if it contains known names in the right number of cells.
-fn in_comment(text: &str, width: usize, dialect: Dialect, first_line: u64) -> Option<Row> {
+fn in_comment(text: &str, width: usize, dialect: Dialect, first_line: u64) -> Option<TextRow> {
     let lines = (1..first_line).zip(text.lines()).filter(|(_, line)| line.trim_start().starts_with(COMMENT));
     let (line, comment) = lines.last()?;
     let row = dialect.rows(comment.trim_start().trim_start_matches(COMMENT)).next()?;
-    let row = Row { line, ..row };
+    let row = TextRow { line, ..row };
     let (cells, beyond) = name_cells(&row, comment, dialect, width).ok()?;
     let knows = |cell: &String| Heading::read(cell, None, None).quantity != QuantityKind::Other;
     (cells.len() == width && beyond.is_empty() && row.filled() == width && cells.iter().any(knows))
@@ -86,7 +86,7 @@ fn in_comment(text: &str, width: usize, dialect: Dialect, first_line: u64) -> Op
 /// Names of the columns, and the names beyond the last column. Words separated by blanks are joined at brackets and strokes, or across single
 /// blanks; other names beyond the last column have no numbers below them.
 fn name_cells(
-    row: &Row,
+    row: &TextRow,
     text: &str,
     dialect: Dialect,
     width: usize,
@@ -111,7 +111,7 @@ fn name_cells(
 }
 
 /// `elapsed time (s)   swing angle (deg)`: names with tabs, or two blanks or more, between them.
-pub(super) fn between_wide_blanks(row: &Row, text: &str) -> Option<Vec<String>> {
+pub(super) fn between_wide_blanks(row: &TextRow, text: &str) -> Option<Vec<String>> {
     let line = text.lines().nth(usize::try_from(row.line).ok()?.checked_sub(1)?)?;
     let spaced = line.replace('\t', "  ");
     Some(spaced.split("  ").map(str::trim).filter(|name| !name.is_empty()).map(String::from).collect())
@@ -145,7 +145,7 @@ fn joined(cells: &[String]) -> Vec<String> {
 }
 
 /// `Length (cm),Period (s),,` over `,Trial 1,Trial 2,Trial 3`: cells of a worksheet that were merged, some over both rows, others over several columns.
-fn merged(names: Vec<String>, above: &mut Vec<Row>) -> Vec<String> {
+fn merged(names: Vec<String>, above: &mut Vec<TextRow>) -> Vec<String> {
     let titles: Vec<String> =
         above.last().map(|row| row.cells.iter().map(String::from).collect()).unwrap_or_default();
     let title = |place: usize| titles.get(place).map_or("", String::as_str).trim();
@@ -173,7 +173,7 @@ fn merged(names: Vec<String>, above: &mut Vec<Row>) -> Vec<String> {
 }
 
 /// Titles over groups of columns, as Tracker writes them when it exports several tracks at once.
-fn groups(names: &[String], above: &mut Vec<Row>) -> Vec<String> {
+fn groups(names: &[String], above: &mut Vec<TextRow>) -> Vec<String> {
     let repeats = |name: &String| !name.is_empty() && names.iter().filter(|other| *other == name).count() > 1;
     let has_titles = above.last().is_some_and(|row| row.filled() > 1 && row.filled() <= names.len());
     if !names.iter().any(repeats) || !has_titles {

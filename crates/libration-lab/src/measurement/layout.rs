@@ -1,18 +1,19 @@
 //! Beginning of the numbers of a text, and the roles of the lines above them.
 
 use super::MeasurementError;
-use super::dialect::{Dialect, Row, SAMPLE};
+use super::dialect::{Dialect, SAMPLE, TextRow};
 use super::header::{self, Names};
 use super::heading::Heading;
 use super::number::{Cell, DecimalMark};
 use super::options::Header;
+use libration::quantity::excerpt;
 
 /// More columns than any instrument writes.
 const MOST_COLUMNS: usize = 10_000;
 
 /// Parts of a text.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Layout {
+pub(super) struct TextLayout {
     /// One for each column.
     pub(super) headings: Vec<Heading>,
     /// The line that names the columns.
@@ -27,9 +28,9 @@ pub(super) struct Layout {
     pub(super) are_numbers: Vec<bool>,
 }
 
-impl Layout {
+impl TextLayout {
     pub(super) fn read(text: &str, dialect: Dialect, header: Header) -> Result<Self, MeasurementError> {
-        let mut above: Vec<Row> = dialect.rows(text).take(SAMPLE).collect();
+        let mut above: Vec<TextRow> = dialect.rows(text).take(SAMPLE).collect();
         refuse_long_cells(&above)?;
         let Extent { filled, length } = Extent::new(&above, dialect.mark)?;
         let balance = balance(&above, filled, dialect.mark);
@@ -46,7 +47,7 @@ impl Layout {
             refuse_numbers(&above, dialect.mark, |row| is_header(row, &above, text, filled))?;
         }
         // A column may be named and have no numbers.
-        let named = above.iter().rev().take(3).map(Row::filled).filter(|&names| names <= length).max();
+        let named = above.iter().rev().take(3).map(TextRow::filled).filter(|&names| names <= length).max();
         let width = named.unwrap_or(0).max(filled).max(1);
         let names = Names::read(text, above, width, dialect, header, first_line)?;
         Ok(Self {
@@ -60,7 +61,7 @@ impl Layout {
     }
 }
 
-fn row_at(rows: &[Row], line: u64) -> Result<usize, MeasurementError> {
+fn row_at(rows: &[TextRow], line: u64) -> Result<usize, MeasurementError> {
     let found = rows.iter().position(|row| row.line == line);
     found.ok_or_else(|| MeasurementError::NoSuch {
         what: "line of cells",
@@ -74,7 +75,7 @@ fn row_at(rows: &[Row], line: u64) -> Result<usize, MeasurementError> {
 }
 
 /// Refuses very long cells: an unclosed quote makes one cell of everything after it.
-fn refuse_long_cells(rows: &[Row]) -> Result<(), MeasurementError> {
+fn refuse_long_cells(rows: &[TextRow]) -> Result<(), MeasurementError> {
     match rows.iter().find(|row| row.cells.iter().any(|cell| cell.contains('\n'))) {
         Some(row) => Err(MeasurementError::UnclosedQuote { line: row.line }),
         None => Ok(()),
@@ -90,8 +91,8 @@ struct Extent {
 }
 
 impl Extent {
-    fn new(rows: &[Row], mark: DecimalMark) -> Result<Self, MeasurementError> {
-        let rows: Vec<&Row> = rows.iter().filter(|row| row.numbers(mark) > 0).collect();
+    fn new(rows: &[TextRow], mark: DecimalMark) -> Result<Self, MeasurementError> {
+        let rows: Vec<&TextRow> = rows.iter().filter(|row| row.numbers(mark) > 0).collect();
         let count = |length: usize| rows.iter().filter(|row| row.cells.len() == length).count();
         let mut lengths: Vec<usize> = rows.iter().map(|row| row.cells.len()).collect();
         lengths.dedup();
@@ -112,7 +113,7 @@ impl Extent {
 }
 
 /// Number of rows with a number in each column less that of rows with text.
-fn balance(rows: &[Row], width: usize, mark: DecimalMark) -> Vec<i64> {
+fn balance(rows: &[TextRow], width: usize, mark: DecimalMark) -> Vec<i64> {
     let mut balance = vec![0_i64; width];
     for row in rows.iter().filter(|row| row.numbers(mark) > 0) {
         for (balance, cell) in balance.iter_mut().zip(row.kinds(mark)) {
@@ -127,7 +128,7 @@ fn balance(rows: &[Row], width: usize, mark: DecimalMark) -> Vec<i64> {
 }
 
 /// The first row with numbers where most rows have them, and nothing else there.
-fn first_of_numbers(rows: &[Row], balance: &[i64], mark: DecimalMark) -> Option<usize> {
+fn first_of_numbers(rows: &[TextRow], balance: &[i64], mark: DecimalMark) -> Option<usize> {
     rows.iter().position(|row| {
         let is_fine = |(balance, cell): (&i64, Cell)| *balance < 0 || cell != Cell::Text;
         let numbers =
@@ -139,24 +140,29 @@ fn first_of_numbers(rows: &[Row], balance: &[i64], mark: DecimalMark) -> Option<
 
 /// Refuses rows of numbers above the first complete row, which would be left out silently.
 fn refuse_numbers(
-    above: &[Row],
+    above: &[TextRow],
     mark: DecimalMark,
-    is_header: impl Fn(&Row) -> bool,
+    is_header: impl Fn(&TextRow) -> bool,
 ) -> Result<(), MeasurementError> {
     let last = above.len().saturating_sub(1);
-    let is_bad = |(place, row): &(usize, &Row)| {
+    let is_bad = |(place, row): &(usize, &TextRow)| {
         let has_numbers = || row.numbers(mark) > 0 || all_begin_with_digits(row);
         row.is_of_numbers(mark) || *place == last && has_numbers() && !is_header(row)
     };
     match above.iter().enumerate().find(is_bad) {
-        Some((_, row)) => Err(MeasurementError::NeitherHeaderNorNumbers { line: row.line }),
+        Some((_, row)) => match row.cells.iter().find(|cell| mark.is_missed_in(cell)) {
+            Some(cell) => {
+                Err(MeasurementError::MixedMarks { lines: vec![row.line], cell: excerpt(cell), mark })
+            }
+            None => Err(MeasurementError::NeitherHeaderNorNumbers { line: row.line }),
+        },
         None => Ok(()),
     }
 }
 
 /// Returns `true` if a row with numbers names columns: `L (m),1,2,3`, `,1. Messung,2. Messung` below the names of the other columns, and
 /// `L (cm)   10 T (s)` with wide blanks between names.
-fn is_header(row: &Row, above: &[Row], text: &str, width: usize) -> bool {
+fn is_header(row: &TextRow, above: &[TextRow], text: &str, width: usize) -> bool {
     let cells = || row.cells.iter().filter(|cell| !cell.is_empty());
     let numbers: Vec<f64> = cells().filter_map(|cell| cell.parse().ok()).collect();
     let are_counted =
@@ -168,7 +174,7 @@ fn is_header(row: &Row, above: &[Row], text: &str, width: usize) -> bool {
             && rest.trim_start_matches(['.', '°', 'º', 'ª']).trim().chars().all(char::is_alphabetic)
     };
     let above = above.iter().rev().find(|other| other.line < row.line);
-    let is_over = |above: &Row| {
+    let is_over = |above: &TextRow| {
         (0..row.cells.len()).any(|place| {
             row.cells[place].is_empty() && above.cells.get(place).is_some_and(|it| !it.is_empty())
         })
@@ -178,7 +184,7 @@ fn is_header(row: &Row, above: &[Row], text: &str, width: usize) -> bool {
     is_numbered || is_below || width > 1 && names.len() == width && names.len() < row.cells.len()
 }
 
-fn all_begin_with_digits(row: &Row) -> bool {
+fn all_begin_with_digits(row: &TextRow) -> bool {
     let begins = |cell: &str| {
         cell.trim_start_matches(['-', '+', '.', '−', '"', '\'']).starts_with(|c: char| c.is_ascii_digit())
     };

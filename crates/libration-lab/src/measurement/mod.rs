@@ -11,7 +11,7 @@
 //! # Method
 //! Bytes become pages of text (`container`): a text file is one page, each worksheet and each file of an archive another. A page becomes a sheet:
 //! `markup` takes the cells out of Markdown, LaTeX and HTML, `dialect` finds the delimiter and the decimal mark, `layout` where the numbers begin and
-//! the roles of the lines above them, `heading` the quantity and unit of a column; `transposed` exchanges rows and columns of a table with quantities
+//! the roles of the lines above them, `heading` the quantity and unit of a column, `compound` numbers of two units, and `parts` columns of them; `transposed` exchanges rows and columns of a table with quantities
 //! in rows, and `blocks` divides tables below one another. A `Recording` decides nothing about physics; `traces` does, and reports each inference. What
 //! the file leaves open
 //! is an error that lists the information needed, never a default: an angle without a unit is refused, unless it swings by more than a turn of
@@ -22,6 +22,7 @@ mod ambiguity;
 mod blocks;
 mod cell_units;
 mod choices;
+mod compound;
 pub(crate) mod container;
 pub(crate) mod counted_periods;
 mod dialect;
@@ -38,6 +39,7 @@ mod markup;
 pub(crate) mod number;
 mod numbered_time;
 mod options;
+mod parts;
 mod recording;
 mod repeated_rows;
 mod role;
@@ -55,7 +57,9 @@ mod written_unit;
 
 pub use choices::{Choice, Choices, Column, Finding, Suggestion, TimeStamps};
 pub use container::Format;
-pub use counted_periods::{CountedPeriods, is_number_of_swings, says_number_of_swings};
+pub use counted_periods::{
+    CountedPeriods, is_number_of_swings, says_number_of_half_swings, says_number_of_swings,
+};
 pub use dialect::{Delimiter, Dialect};
 pub use error::MeasurementError;
 pub use faults::{Clock, Faults, Gap, Grid, Plateau, unwrapped};
@@ -73,4 +77,4 @@ pub use signal::{SignalPassage, SignalPassages};
 pub use table::{Readings, Selection, Table};
 pub use text::Encoding;
 pub use trace::{Observable, Trace, TraceError};
-pub use traces::Traces;
+pub use traces::{Traces, is_run};

@@ -23,6 +23,21 @@ pub enum DecimalMark {
     Comma,
 }
 
+impl DecimalMark {
+    /// Returns `true` for a number with the other mark, which is none with this one.
+    pub(super) fn is_missed_in(self, cell: &str) -> bool {
+        Cell::parse(cell, self) == Cell::Text && Cell::parse(cell, self.other()).is_number()
+    }
+
+    /// The other mark.
+    pub(super) fn other(self) -> Self {
+        match self {
+            Self::Point => Self::Comma,
+            Self::Comma => Self::Point,
+        }
+    }
+}
+
 impl Cell {
     /// A finite decimal number with this mark, a missing value, or any other text.
     pub fn parse(cell: &str, mark: DecimalMark) -> Self {
@@ -94,7 +109,7 @@ impl<'a> Written<'a> {
         let cell = cell.trim();
         match SIGNS.iter().find_map(|sign| cell.split_once(sign)) {
             Some((number, uncertainty)) => with_sign(number, uncertainty, mark),
-            None => with_brackets(cell, mark).or_else(|| duration(cell, mark)).or_else(|| {
+            None => with_brackets(cell, mark).or_else(|| {
                 let (number, unit) = with_unit(cell, mark)?;
                 Some(Self { number: number.into(), uncertainty: None, unit: Some(unit?) })
             }),
@@ -134,26 +149,6 @@ fn with_brackets(cell: &str, mark: DecimalMark) -> Option<Written<'_>> {
     let uncertainty = format!("{digits}e-{decimals}").parse().ok()?;
     let unit = if unit.trim().is_empty() { None } else { Some(known(unit)?) };
     Some(Written { number: number.trim_end().into(), uncertainty: Some(uncertainty), unit })
-}
-
-/// Minutes and seconds as seconds: `1:02.3`, `0:14`, `00:01:02.3`, `1m 02.3s`, `1 min 2 s`. Hours and minutes of a clock, `10:05`, are no duration.
-fn duration(cell: &str, mark: DecimalMark) -> Option<Written<'static>> {
-    let plain: String = cell.to_lowercase().chars().filter(|it| !it.is_whitespace()).collect();
-    let colon = plain.strip_prefix("0:").or_else(|| plain.strip_prefix("00:")).filter(|it| it.contains(':'));
-    let parts = colon.unwrap_or(&plain).split_once(':').filter(|(minutes, seconds)| {
-        let is_zero = || minutes.bytes().all(|it| it == b'0');
-        seconds.split(['.', ',']).next().is_some_and(|it| it.len() == 2)
-            && (colon.is_some() || seconds.contains(['.', ',']) || is_zero())
-    });
-    let (minutes, seconds) = parts.or_else(|| {
-        let (minutes, rest) = plain.split_once('m')?;
-        Some((minutes, rest.trim_start_matches("in").trim_end_matches("ec").strip_suffix('s')?))
-    })?;
-    let Cell::Number(number) = Cell::parse(seconds, mark) else { return None };
-    let minutes = minutes.parse::<u32>().ok().filter(|_| (0.0..60.0).contains(&number))?;
-    let (whole, fraction) = seconds.split_at(seconds.find(['.', ',']).unwrap_or(seconds.len()));
-    let whole = minutes.checked_mul(60)?.checked_add(whole.parse().ok()?)?;
-    Some(Written { number: format!("{whole}{fraction}").into(), uncertainty: None, unit: Some(Unit::Second) })
 }
 
 /// A number, and the unit after it if there is one.

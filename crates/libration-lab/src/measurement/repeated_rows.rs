@@ -73,7 +73,9 @@ impl Readings {
         }
     }
 
-    fn only(&self, rows: &[usize]) -> Self {
+    /// The rows with these indices, counted from zero.
+    #[must_use]
+    pub fn only(&self, rows: &[usize]) -> Self {
         Self {
             quantities: self.quantities.iter().map(|of| chosen(of, rows)).collect(),
             uncertainties: self
@@ -89,7 +91,7 @@ impl Readings {
 }
 
 fn chosen<T: Clone>(all: &[T], rows: &[usize]) -> Vec<T> {
-    rows.iter().map(|&row| all[row].clone()).collect()
+    rows.iter().filter_map(|&row| all.get(row).cloned()).collect()
 }
 
 /// All numbers of a row.

@@ -61,6 +61,15 @@ const NAMES: [(Role, &[&str]); 3] = [
             "trillingstijd",
             "svängningstid",
             "periodtid",
+            "svingningstid",
+            "heilahdusaika",
+            "perioda",
+            "lengésidő",
+            "periyot",
+            "περίοδος",
+            "период",
+            "період",
+            "perioadă",
         ],
     ),
     (
@@ -80,9 +89,22 @@ const NAMES: [(Role, &[&str]); 3] = [
             "długość",
             "pendellänge",
             "fadenlänge",
+            "længde",
+            "lengde",
+            "pituus",
+            "délka",
+            "dĺžka",
+            "hossz",
+            "uzunluk",
+            "μήκος",
+            "длина",
+            "довжина",
+            "lungime",
+            "duljina",
+            "dolžina",
         ],
     ),
-    (Role::Angles, &["amplitude", "amplitudes", "ampiezza", "amplitud", "amplituda"]),
+    (Role::Angles, &["amplitude", "amplitudes", "ampiezza", "amplitud", "amplituda", "амплитуда"]),
 ];
 
 impl Role {
@@ -133,6 +155,13 @@ impl Role {
             (None, None) => WrittenUnit::Nothing,
         }
     }
+}
+
+/// Returns `true` for a name of lengths, perhaps with other words: `L`, `Pendellänge l`.
+pub(super) fn is_name_of_length(name: &str) -> bool {
+    let name = name.to_lowercase();
+    let names = NAMES.iter().filter(|(role, _)| *role == Role::Lengths).flat_map(|(_, names)| names.iter());
+    names.into_iter().any(|of| name == **of || of.chars().count() > 1 && name.contains(of))
 }
 
 /// The quantity of a name.

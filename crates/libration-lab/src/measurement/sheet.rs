@@ -2,9 +2,9 @@
 
 use super::blocks::{Blocks, Next};
 use super::cell_units::CellUnits;
-use super::dialect::{Dialect, Row};
+use super::dialect::{Dialect, TextRow};
 use super::heading::Heading;
-use super::layout::Layout;
+use super::layout::TextLayout;
 use super::number::{Cell, decimals};
 use super::options::ReadOptions;
 use super::{Column, MeasurementError};
@@ -122,7 +122,7 @@ impl Sheet {
         options: &ReadOptions,
     ) -> Result<Self, MeasurementError> {
         let dialect = dialect.with_units_of(text);
-        let layout = Layout::read(text, dialect, options.header)?;
+        let layout = TextLayout::read(text, dialect, options.header)?;
         let mut blocks = Blocks::new(&layout, dialect.mark, options.header);
         let channel =
             |heading| Channel { heading, cells: vec![], words: vec![], uncertainties: vec![], decimals: 0 };
@@ -172,9 +172,10 @@ impl Sheet {
             let Some(first) = units.first(place) else { continue };
             let column = self.describe(place);
             let channel = &mut self.channels[place];
-            let unit = channel.heading.unit.unwrap_or(first);
+            let stated = channel.heading.unit;
+            let unit = stated.unwrap_or(first);
             units
-                .bring(place, &mut channel.cells, &mut channel.uncertainties, unit)
+                .bring(place, &mut channel.cells, &mut channel.uncertainties, unit, stated.is_some())
                 .map_err(|found| MeasurementError::MixedUnits { column, found })?;
             channel.heading.set_unit(unit);
         }
@@ -202,7 +203,7 @@ impl Sheet {
         }
     }
 
-    fn push(&mut self, row: &Row) -> Result<(), MeasurementError> {
+    fn push(&mut self, row: &TextRow) -> Result<(), MeasurementError> {
         let (width, filled) = (self.channels.len(), row.filled());
         if filled > width || row.cells.len() < width {
             let found = if filled > width { filled } else { row.cells.len() };
@@ -302,7 +303,16 @@ impl Sheet {
     }
 
     fn not_a_number(&self, place: usize, row: usize) -> MeasurementError {
+        let (line, column) = (self.lines[row], place + 1);
         let cell = self.word(place, row).unwrap_or_default().to_owned();
-        MeasurementError::NotANumber { line: self.lines[row], column: place + 1, cell }
+        let mark = self.dialect.mark;
+        let words = self.channels[place].words.iter();
+        let others: Vec<u64> =
+            words.filter(|(_, word)| mark.is_missed_in(word)).map(|(row, _)| self.lines[*row]).collect();
+        match () {
+            () if cell.starts_with('=') => MeasurementError::Formula { line, column, cell },
+            () if mark.is_missed_in(&cell) => MeasurementError::MixedMarks { lines: others, cell, mark },
+            () => MeasurementError::NotANumber { line, column, cell },
+        }
     }
 }

@@ -143,6 +143,7 @@ impl Table {
         let recording = Recording::read(bytes, options)?;
         let (mut sheet, sheets) = recording.into_sheet(sheet)?;
         sheet.repeat_headings();
+        sheet.join_parts();
         let named = sheet.header_line.is_some();
         let names = sheet.channels.iter().filter(|_| named).map(|it| it.heading.text.clone()).collect();
         Ok(Self { sheet, names, sheets })

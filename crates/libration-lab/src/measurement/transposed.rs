@@ -1,6 +1,6 @@
 //! Tables with their quantities in rows: the name in the first cell, the values after it.
 
-use super::dialect::{Delimiter, Dialect, Row};
+use super::dialect::{Delimiter, Dialect, TextRow};
 use super::heading::Heading;
 use super::number::{Cell, Written};
 use super::role::Role;
@@ -11,11 +11,11 @@ const MOST_ROWS: usize = 20;
 /// The text with rows and columns exchanged, where each row is a name and at least two numbers, and two names say a quantity or one has a unit.
 pub(super) fn exchanged(text: &str, dialect: Dialect) -> Option<(String, Dialect)> {
     let plain = Dialect { units: false, ..dialect };
-    let rows: Vec<Row> = plain.rows(text).take(MOST_ROWS + 1).collect();
+    let rows: Vec<TextRow> = plain.rows(text).take(MOST_ROWS + 1).collect();
     // Titles above the table have one cell.
     let rows = &rows[rows.iter().take_while(|row| row.filled() == 1).count()..];
-    let width = rows.iter().map(Row::filled).max()?;
-    let is_quantity = |row: &Row| {
+    let width = rows.iter().map(TextRow::filled).max()?;
+    let is_quantity = |row: &TextRow| {
         // `20 cm` begins a row of readings.
         if Written::parse(&row.cells[0], dialect.mark).is_some() {
             return false;
@@ -28,13 +28,13 @@ pub(super) fn exchanged(text: &str, dialect: Dialect) -> Option<(String, Dialect
     if width < 3 || !(2..=MOST_ROWS).contains(&rows.len()) || !rows.iter().all(is_quantity) {
         return None;
     }
-    let says = |row: &&Row| {
+    let says = |row: &&TextRow| {
         let heading = Heading::read(&row.cells[0], None, None);
         [Role::Times, Role::Lengths, Role::Angles, Role::Frequencies]
             .iter()
             .any(|role| role.is_said_by(&heading))
     };
-    let has_unit = |row: &Row| Heading::read(&row.cells[0], None, None).unit.is_some();
+    let has_unit = |row: &TextRow| Heading::read(&row.cells[0], None, None).unit.is_some();
     if rows.iter().filter(says).count() < 2 && !rows.iter().any(has_unit) {
         return None;
     }

@@ -1,6 +1,6 @@
 //! The units that are written over the columns of a table.
 
-use super::role::{Role, WrittenUnit};
+use super::role::{Role, WrittenUnit, is_name_of_length};
 use super::sheet::Sheet;
 use super::table::Table;
 use super::{Column, MeasurementError, QuantityKind};
@@ -51,6 +51,13 @@ impl Table {
         self.sheet()
             .place(column)
             .is_ok_and(|place| heading(place).is(QuantityKind::Angle) && is_angle(&heading(place).name))
+    }
+
+    /// Returns `true` if the name of a column says lengths of a pendulum, whatever its unit is: `L`, `string length`.
+    #[must_use]
+    pub fn names_lengths(&self, column: &Column) -> bool {
+        let place = self.sheet().place(column);
+        place.is_ok_and(|place| is_name_of_length(&self.sheet().channels[place].heading.name))
     }
 
     /// `` column 2 (`Angle`) ``, as messages name it.

@@ -69,7 +69,7 @@ pub fn minimum(
         return Ok(Minimum { parameters: start, linearised, converged: true });
     }
     let accepted = RefCell::new(None);
-    let search = Search {
+    let search = MinimumSearch {
         evaluate,
         parameters: start,
         linearised,
@@ -83,18 +83,18 @@ pub fn minimum(
         .with_xtol(effort.tolerance.min(SMALL_STEP))
         .with_gtol(0.0);
     let (search, report) = method.with_patience(effort.patience).minimize(search);
-    if search.end.get() == Some(End::Stopped) {
+    if search.end.get() == Some(SearchEnd::Stopped) {
         return Err(ResidualsError::Stopped);
     }
     // No improvement possible means that rounding errors are all that is left.
     let converged = report.termination.was_successful()
-        || search.end.get() == Some(End::Settled)
+        || search.end.get() == Some(SearchEnd::Settled)
         || matches!(report.termination, TerminationReason::NoImprovementPossible(_));
     Ok(Minimum { parameters: search.parameters, linearised: search.linearised, converged })
 }
 
 /// A model on its way to the minimum.
-struct Search<F> {
+struct MinimumSearch<F> {
     evaluate: F,
     parameters: DVector<f64>,
     linearised: Linearised,
@@ -102,17 +102,17 @@ struct Search<F> {
     accepted: RefCell<Option<(DVector<f64>, Linearised)>>,
     /// The relative change of the sum of squares that a linear model promises at the end.
     settled: f64,
-    end: Cell<Option<End>>,
+    end: Cell<Option<SearchEnd>>,
 }
 
 /// Reason why a search ends before the method does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum End {
+enum SearchEnd {
     Stopped,
     Settled,
 }
 
-impl<F> LeastSquaresProblem<f64, Dyn, Dyn> for Search<F>
+impl<F> LeastSquaresProblem<f64, Dyn, Dyn> for MinimumSearch<F>
 where
     F: FnMut(&DVector<f64>) -> Result<Linearised, ResidualsError>,
 {
@@ -131,7 +131,7 @@ where
         match (self.evaluate)(parameters) {
             Ok(linearised) => self.linearised = linearised,
             Err(ResidualsError::OutOfDomain) => self.linearised.residuals.fill(OUT_OF_DOMAIN),
-            Err(ResidualsError::Stopped) => self.end.set(Some(End::Stopped)),
+            Err(ResidualsError::Stopped) => self.end.set(Some(SearchEnd::Stopped)),
         }
     }
 
@@ -146,7 +146,7 @@ where
     /// The Jacobian at the accepted parameters, evaluated at the start and after each accepted step.
     fn jacobian(&self) -> Option<DMatrix<f64>> {
         if self.linearised.promises() <= self.settled {
-            self.end.set(Some(End::Settled));
+            self.end.set(Some(SearchEnd::Settled));
         }
         *self.accepted.borrow_mut() = Some((self.parameters.clone(), self.linearised.clone()));
         self.end.get().is_none().then(|| self.linearised.jacobian.clone())

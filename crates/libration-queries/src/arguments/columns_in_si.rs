@@ -3,6 +3,7 @@
 use super::column_units::ColumnUnits;
 use super::si_rows::SiRows;
 use super::{ChosenColumns, ColumnsOption, Inferences, TableFit, Wanted};
+use crate::call::in_words;
 use crate::query_error::QueryError;
 use libration_lab::fit::RepeatedReadings;
 use libration_lab::measurement::{Column, Readings, RepeatedRows, Table, Unit};
@@ -56,6 +57,16 @@ impl ColumnsOption {
 }
 
 impl<const N: usize> ColumnsInSi<N> {
+    /// The columns, with a sentence if they are those of several groups that a fit does not distinguish.
+    pub(crate) fn of_all_groups(mut self) -> Self {
+        let is_of_several = self.groups.iter().any(|names| names.iter().any(|name| *name != names[0]));
+        if is_of_several {
+            let text = "all groups are fitted together (<--run> chooses some)";
+            self.inferences.sentences.push(in_words(text));
+        }
+        self
+    }
+
     /// The chosen columns of a table, or the reason why they do not suit the fit.
     pub(crate) fn from_table(
         table: &Table,
@@ -78,6 +89,8 @@ impl<const N: usize> ColumnsInSi<N> {
         let names = labels(&read)?;
         let (read, repeated_rows) = read.once(names.as_deref());
         let units = ColumnUnits::from_headings(table, chosen, wanted, &read)?;
+        let names = labels(&read)?;
+        let (read, ignored) = chosen.rows.choose(read, wanted[0], units.units[0], names.as_deref())?;
         let numbers = |place: usize, column: &Option<Column>| -> Option<Vec<f64>> {
             column.as_ref().map(|_| read.quantities[place].iter().map(|it| it[0]).collect())
         };
@@ -96,6 +109,7 @@ impl<const N: usize> ColumnsInSi<N> {
             .into_iter()
             .chain(table.notes())
             .chain(repeated_rows.iter().map(repeats))
+            .chain(ignored)
             .chain(chosen.notes.iter().cloned())
             .chain(units.inferences.iter().cloned())
             .chain(of_headings)

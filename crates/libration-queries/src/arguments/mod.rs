@@ -38,6 +38,7 @@ pub(crate) mod sweep_options;
 mod system;
 mod table;
 mod table_columns;
+mod table_rows;
 mod text;
 mod times;
 mod tolerances;
@@ -79,6 +80,7 @@ pub(crate) use table::{
     AmplitudeUnit, DialectOptions, DisplacementUnit, FrequencyUnit, LengthUnit, optional_column,
 };
 pub(crate) use table_columns::{ChosenColumns, ColumnsOption, GroupOption, TableFit};
+pub(crate) use table_rows::RowBound;
 pub(crate) use text::{
     angle, angular_velocity, count, displacement, finite_time, fractional_error, gravity, length,
     length_with_uncertainty, not_negative, part, period_with_uncertainty, positive, rate_with_uncertainty,

@@ -103,18 +103,22 @@ impl From<AmplitudeUnit> for Unit {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub(crate) enum LengthUnit {
     M,
+    Dm,
     Cm,
     Mm,
     In,
+    Ft,
 }
 
 impl From<LengthUnit> for Unit {
     fn from(unit: LengthUnit) -> Self {
         match unit {
             LengthUnit::M => Self::Metre,
+            LengthUnit::Dm => Self::Decimetre,
             LengthUnit::Cm => Self::Centimetre,
             LengthUnit::Mm => Self::Millimetre,
             LengthUnit::In => Self::Inch,
+            LengthUnit::Ft => Self::Foot,
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Roles of the columns of a table: given by `--columns` and `--role`, else inferred from headings, units, values and neighbours.
 
 use super::inferences::{Inferences, ReadColumn};
+use super::table_rows::RowOptions;
 use super::undecided::what_would_decide;
 use super::{AmplitudeUnit, CountedOptions, LengthUnit, Wanted, optional_column};
 use crate::call::in_words;
@@ -20,6 +21,8 @@ pub(crate) struct ColumnsOption {
     /// Role of a column: a quantity, as in 2=period (several columns are repeated readings); its uncertainty, as in 3=period-uncertainty, period-half-width, period-resolution or, of means of several readings, period-deviation; swings, readings, group, ignore
     #[arg(long, value_name = "COLUMN=ROLE", conflicts_with = "columns")]
     role: Vec<String>,
+    #[command(flatten)]
+    rows: RowOptions,
 }
 
 /// The option for a column of groups.
@@ -49,26 +52,38 @@ pub(crate) struct ChosenColumns<const N: usize> {
     pub(super) notes: Vec<String>,
     /// The columns with their roles.
     pub(super) roles: Vec<ReadColumn>,
+    /// The rows that are used.
+    pub(super) rows: RowOptions,
     /// `true` if an option names all, which wins over the names in the header.
     pub(super) is_said: bool,
 }
 
 impl<const N: usize> ChosenColumns<N> {
-    /// The column of the first quantity.
-    pub(crate) fn first(&self) -> Option<&Column> {
-        self.columns[0].first()
+    /// The first column at the position of a wanted quantity.
+    pub(crate) fn column(&self, place: usize) -> Option<&Column> {
+        self.columns[place].first()
     }
 }
 
 impl ColumnsOption {
-    /// The option with these roles.
-    pub(crate) fn of_roles(role: Vec<String>) -> Self {
-        Self { columns: vec![], role }
+    /// The option with these roles of columns, and the same rows.
+    pub(crate) fn with_roles(&self, role: Vec<String>) -> Self {
+        Self { columns: vec![], role, rows: self.rows.clone() }
+    }
+
+    /// The first of the columns that are named in the order of the quantities.
+    pub(crate) fn first(&self) -> Option<Column> {
+        optional_column(self.columns.first()?)
     }
 
     /// Returns `true` if an option names columns or roles.
     pub(crate) fn are_given(&self) -> bool {
         !self.columns.is_empty() || !self.role.is_empty()
+    }
+
+    /// Returns `true` if a column is given the role of this name.
+    pub(crate) fn gives_role(&self, name: &str) -> bool {
+        self.role.iter().any(|role| role.rsplit_once('=').is_some_and(|(_, role)| role.trim() == name))
     }
 
     /// The columns in the order of the wanted quantities, the values of two quantities first.
@@ -97,7 +112,7 @@ impl ColumnsOption {
         };
         given.roles.extend(group.map(|column| (column.clone(), ColumnRole::Group)));
         let roles = table.roles(&quantities, &given).map_err(|error| no_result(refusal(&error)))?;
-        Ok(chosen(table, wanted, &roles, !self.columns.is_empty()))
+        Ok(chosen(table, wanted, &roles, !self.columns.is_empty(), self.rows.clone()))
     }
 
     /// The roles by `--role`.
@@ -148,6 +163,7 @@ fn chosen<const N: usize>(
     wanted: &[Wanted; N],
     roles: &TableRoles,
     is_said: bool,
+    rows: RowOptions,
 ) -> ChosenColumns<N> {
     let of = |place: usize| -> &QuantityColumns {
         &roles.quantities[index_of(wanted, wanted[place].uncertainties_of().unwrap_or(place))]
@@ -168,6 +184,7 @@ fn chosen<const N: usize>(
         column_of_groups: roles.group.clone(),
         notes: if is_inferred { notes(table, wanted, roles) } else { vec![] },
         roles: ReadColumn::all(table, wanted, roles),
+        rows,
         is_said,
     }
 }

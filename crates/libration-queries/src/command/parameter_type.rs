@@ -4,7 +4,8 @@ use super::fit_trace::DampingChoice;
 use super::plan::Choices;
 use super::sweep::{Axis, shard::Shard};
 use crate::arguments::{
-    AngleList, AngleSet, CoordinateName, EquationText, ParameterRange, ParameterSpan, Times, Tolerances,
+    AngleList, AngleSet, CoordinateName, EquationText, ParameterRange, ParameterSpan, RowBound, Times,
+    Tolerances,
 };
 use crate::figure::layout::PictureSide;
 use clap::Arg;
@@ -97,7 +98,10 @@ impl ParameterType {
 fn entries() -> [(ParameterType, Vec<TypeId>); 12] {
     [
         (ParameterType::Integer, vec![id::<u16>(), id::<u64>(), id::<usize>(), id::<i32>()]),
-        (ParameterType::Number, vec![id::<f64>(), id::<Tolerances>(), id::<ResonanceOrder>()]),
+        (
+            ParameterType::Number,
+            vec![id::<f64>(), id::<RowBound>(), id::<Tolerances>(), id::<ResonanceOrder>()],
+        ),
         (ParameterType::Quantity, vec![id::<Quantity>(), id::<PictureSide>()]),
         (ParameterType::Angle, vec![id::<Angle>(), id::<Displacement>()]),
         (

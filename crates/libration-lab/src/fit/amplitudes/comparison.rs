@@ -1,7 +1,7 @@
 //! Comparison of the laws by Akaike's criterion.
 
-use super::law::Law;
-use super::search::{Found, first_zero, fit, parameters};
+use super::law::DecayLaw;
+use super::search::{DecayLawFit, first_zero, fit, parameters};
 use super::{AmplitudeTable, AmplitudesError};
 use crate::fit::cycles::SEPARATED;
 use crate::fit::damping_model::DampingModel;
@@ -10,8 +10,8 @@ use crate::statistics::student::probability_beyond;
 use crate::statistics::{akaike, count};
 
 /// All laws that could be fitted, and the choice among them.
-pub(super) struct Comparison<'a> {
-    pub(super) law: Law<'a>,
+pub(super) struct LawComparison<'a> {
+    pub(super) law: DecayLaw<'a>,
     /// Laws with at least one kind of damping: simpler ones first, and laws of the same number of kinds by their misfit.
     pub(super) laws: Vec<Compared>,
     /// Index of the law that is reported.
@@ -26,7 +26,7 @@ pub(super) struct Comparison<'a> {
 
 /// A law with its standing.
 pub(super) struct Compared {
-    pub(super) found: Found,
+    pub(super) found: DecayLawFit,
     /// `None` where the rows are too few for the criterion.
     pub(super) aicc: Option<f64>,
     /// Excess of the criterion, or of the misfit where there is none, over the least one.
@@ -35,7 +35,7 @@ pub(super) struct Compared {
     pub(super) chance: Option<f64>,
 }
 
-impl<'a> Comparison<'a> {
+impl<'a> LawComparison<'a> {
     /// Fits all laws, and chooses the given one, or the simplest one that is not separated from the best.
     pub(super) fn new(
         table: &'a AmplitudeTable,
@@ -47,10 +47,11 @@ impl<'a> Comparison<'a> {
         }
         let zero = first_zero(table);
         let readings = table.rows.iter().map(|row| (row.value - zero).abs());
-        let law = Law::new(table, 1.2 * table.reading.amplitude(readings.fold(0.0, f64::max)));
-        let mut found: Vec<Found> =
+        let law = DecayLaw::new(table, 1.2 * table.reading.amplitude(readings.fold(0.0, f64::max)));
+        let mut found: Vec<DecayLawFit> =
             DampingModel::all().into_iter().filter_map(|terms| fit(&law, terms)).collect();
-        let is_physical = |it: &Found| it.parameters[1..=it.terms.count()].iter().all(|&rate| rate >= 0.0);
+        let is_physical =
+            |it: &DecayLawFit| it.parameters[1..=it.terms.count()].iter().all(|&rate| rate >= 0.0);
         if let Some(terms) = given
             && !found.iter().any(|it| it.terms == terms && is_physical(it))
         {
@@ -102,27 +103,27 @@ fn separated(table: &AmplitudeTable) -> f64 {
     }
 }
 
-fn compared(table: &AmplitudeTable, found: &[Found]) -> Vec<Compared> {
+fn compared(table: &AmplitudeTable, found: &[DecayLawFit]) -> Vec<Compared> {
     let rows = count(table.len());
-    let dof = |it: &Found| table.len() - parameters(table, it.terms);
+    let dof = |it: &DecayLawFit| table.len() - parameters(table, it.terms);
     // Stated uncertainties that are too small by one factor would separate laws that they do not.
     let birge = found.iter().filter(|it| dof(it) > 0).map(|it| it.chi2 / count(dof(it)));
     let scale = if table.weighted { birge.fold(f64::INFINITY, f64::min).clamp(1.0, f64::MAX) } else { 1.0 };
-    let misfit = |it: &Found| {
+    let misfit = |it: &DecayLawFit| {
         let spread: f64 = it.deviations.iter().map(|deviation| 2.0 * libm::log(*deviation)).sum();
         match table.weighted {
             true => it.chi2 / scale + spread,
             false => akaike::misfit_of_scatter(it.chi2 / rows, rows) + spread,
         }
     };
-    let aicc = |it: &Found| {
+    let aicc = |it: &DecayLawFit| {
         let parameters = parameters(table, it.terms) + usize::from(!table.weighted);
         Some(misfit(it) + akaike::cost(rows, count(parameters))?)
     };
     let damped = || found.iter().filter(|it| it.terms != DampingModel::UNDAMPED);
     let has_criterion = damped().any(|it| aicc(it).is_some());
     // Where the rows are too few for the criterion laws of one kind of damping compare by their misfit.
-    let score = |it: &Found| match has_criterion {
+    let score = |it: &DecayLawFit| match has_criterion {
         true => aicc(it),
         false => (it.terms.count() == 1).then(|| misfit(it)),
     };
@@ -142,7 +143,7 @@ fn compared(table: &AmplitudeTable, found: &[Found]) -> Vec<Compared> {
 }
 
 /// Probability by the F test of the last term. It uses the scatter, so that a common factor of all uncertainties does not matter.
-fn chance(law: &Found, all: &[Found], dof: usize) -> Option<f64> {
+fn chance(law: &DecayLawFit, all: &[DecayLawFit], dof: usize) -> Option<f64> {
     let simpler = all.iter().filter(|it| it.terms.count() + 1 == law.terms.count());
     let simpler = simpler.filter(|it| it.terms.is_part_of(law.terms)).map(|it| it.chi2);
     let simpler = simpler.fold(f64::INFINITY, f64::min);

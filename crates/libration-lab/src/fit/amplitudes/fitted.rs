@@ -1,9 +1,9 @@
 //! The result of a fit of amplitudes.
 
-use super::comparison::{Compared, Comparison};
-use super::law::Law;
+use super::comparison::{Compared, LawComparison};
+use super::law::DecayLaw;
 use super::quality;
-use super::search::{Found, parameters};
+use super::search::{DecayLawFit, parameters};
 use super::{AmplitudeTable, AmplitudesOptions, AmplitudesWarning, Position, Sides, period};
 use crate::fit::damping_model::DampingModel;
 use crate::fit::quality::Quality;
@@ -100,10 +100,10 @@ impl LawOfAmplitudes {
         scatter::degrees_of_freedom(self.chi2, self.dof)
     }
 
-    fn new(law: &Law<'_>, compared: &Compared, phase: Option<Uncertain>) -> Self {
+    fn new(law: &DecayLaw<'_>, compared: &Compared, phase: Option<Uncertain>) -> Self {
         let (table, found) = (law.table, &compared.found);
         let terms = found.terms.count();
-        let scale = Scale::new(table, found);
+        let scale = VarianceFactors::new(table, found);
         let estimate = |place: usize| Uncertain {
             value: found.parameters[place],
             uncertainty: (scale.of_covariance * found.covariance[(place, place)]).sqrt(),
@@ -134,11 +134,11 @@ impl AmplitudesFit {
     pub(super) fn new(
         table: &AmplitudeTable,
         options: &AmplitudesOptions,
-        comparison: &Comparison<'_>,
+        comparison: &LawComparison<'_>,
     ) -> Self {
         let law = &comparison.law;
         let chosen = &comparison.laws[comparison.chosen].found;
-        let scale = Scale::new(table, chosen).of_covariance;
+        let scale = VarianceFactors::new(table, chosen).of_covariance;
         let period = period::period(law, chosen, options.period);
         let natural_frequency = period.map(|period| period::natural_frequency(table, chosen, period));
         let phase = period::phase_per_position(table, chosen, natural_frequency);
@@ -197,7 +197,7 @@ impl AmplitudesFit {
     }
 }
 
-impl Comparison<'_> {
+impl LawComparison<'_> {
     /// The difference of Q at an amplitude to other laws: to the preferred one where the given one is refuted; without a given one to those that the rows
     /// do not separate, with their Akaike weights.
     fn spread_of_quality(&self, phase: Option<Uncertain>, amplitude: f64) -> f64 {
@@ -217,7 +217,7 @@ impl Comparison<'_> {
 }
 
 /// A/(−dA/dt) at the first row.
-fn decay(law: &Law<'_>, found: &Found, scale: f64) -> Uncertain {
+fn decay(law: &DecayLaw<'_>, found: &DecayLawFit, scale: f64) -> Uncertain {
     let amplitude = found.parameters[0];
     let factors: Vec<f64> = found.terms.iter().map(|term| law.rate(term, amplitude) / amplitude).collect();
     let rate = law.fall(found.terms, &found.parameters, amplitude) / amplitude;
@@ -229,7 +229,7 @@ fn decay(law: &Law<'_>, found: &Found, scale: f64) -> Uncertain {
 }
 
 /// Factors of variances by the scatter of the rows about a law.
-struct Scale {
+struct VarianceFactors {
     dof: usize,
     /// Factor of the variances of the rows, without enlargement.
     of_row: f64,
@@ -237,8 +237,8 @@ struct Scale {
     rows_per_error: f64,
 }
 
-impl Scale {
-    fn new(table: &AmplitudeTable, found: &Found) -> Self {
+impl VarianceFactors {
+    fn new(table: &AmplitudeTable, found: &DecayLawFit) -> Self {
         let dof = table.len() - parameters(table, found.terms);
         let per_dof = if dof > 0 { found.chi2 / count(dof) } else { f64::NAN };
         let (of_row, enlargement) = match table.weighted {
@@ -251,12 +251,12 @@ impl Scale {
     }
 }
 
-fn residuals(table: &AmplitudeTable, found: &Found) -> Vec<f64> {
+fn residuals(table: &AmplitudeTable, found: &DecayLawFit) -> Vec<f64> {
     table.rows.iter().zip(&found.curve.values).map(|(row, fitted)| row.value - fitted).collect()
 }
 
 /// (1 + ρ)/(1 − ρ) with the correlation ρ of the errors of neighbouring amplitudes, where it is significant; otherwise 1.
-fn rows_per_error(table: &AmplitudeTable, found: &Found) -> f64 {
+fn rows_per_error(table: &AmplitudeTable, found: &DecayLawFit) -> f64 {
     let residuals = residuals(table, found);
     let rows = table.rows.iter().zip(&found.deviations).zip(residuals);
     let errors: Vec<f64> = rows.map(|((row, deviation), residual)| row.side * residual / deviation).collect();

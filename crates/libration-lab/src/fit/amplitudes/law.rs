@@ -16,19 +16,19 @@ const STEPS: f64 = 400.0;
 const LARGEST: f64 = 3.13;
 
 /// The rates of fall at any amplitude, and the table with which they are compared.
-pub(super) struct Law<'a> {
+pub(super) struct DecayLaw<'a> {
     pub(super) table: &'a AmplitudeTable,
     rates: Option<DecayRates>,
 }
 
 /// The curve of a law: amplitudes at the rows, and the values that are read there.
 #[derive(Clone, Debug)]
-pub(super) struct Curve {
+pub(super) struct DecayCurve {
     pub(super) amplitudes: Vec<f64>,
     pub(super) values: Vec<f64>,
 }
 
-impl<'a> Law<'a> {
+impl<'a> DecayLaw<'a> {
     /// Prepares the rates for this table; `largest` is an upper bound of its amplitudes.
     pub(super) fn new(table: &'a AmplitudeTable, largest: f64) -> Self {
         let rates = table.reading.is_of_angles().then(|| DecayRates::new(1.0, largest));
@@ -64,7 +64,7 @@ impl<'a> Law<'a> {
     }
 
     /// The curve with these parameters: the first amplitude, the κₙ, and the zero of the scale where it is fitted. `None` outside the domain.
-    pub(super) fn curve(&self, terms: DampingModel, parameters: &[f64]) -> Option<Curve> {
+    pub(super) fn curve(&self, terms: DampingModel, parameters: &[f64]) -> Option<DecayCurve> {
         let longest_step = self.table.span() / STEPS;
         let rate = |amplitude: f64| self.fall(terms, parameters, amplitude);
         let amplitudes = falling(parameters[0], self.table.positions(), longest_step, rate);
@@ -75,7 +75,7 @@ impl<'a> Law<'a> {
         let zero = parameters.get(terms.count() + 1).copied().unwrap_or(0.0);
         let values = self.table.rows.iter().zip(&amplitudes);
         let values = values.map(|(row, &amplitude)| zero + row.side * self.table.reading.of(amplitude));
-        Some(Curve { values: values.collect(), amplitudes })
+        Some(DecayCurve { values: values.collect(), amplitudes })
     }
 
     /// The coefficient κₙ with which a kind of damping alone would halve the amplitude over the table.

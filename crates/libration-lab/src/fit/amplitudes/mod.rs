@@ -28,7 +28,7 @@ pub use table::{AmplitudeColumns, AmplitudeReading, AmplitudeTable, Position, Un
 pub use warning::AmplitudesWarning;
 
 use super::DampingModel;
-use comparison::Comparison;
+use comparison::LawComparison;
 use libration::quantity::Quantity;
 
 /// Known quantities and choices besides the table.
@@ -57,7 +57,7 @@ pub fn fit_amplitudes(
             return Err(AmplitudesError::PeriodTwice);
         }
     }
-    let comparison = Comparison::new(table, options.damping)?;
+    let comparison = LawComparison::new(table, options.damping)?;
     let mut fit = AmplitudesFit::new(table, options, &comparison);
     fit.warnings = warnings::warnings(table, &comparison, &fit);
     Ok(fit)

@@ -4,8 +4,8 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{DMatrix, DVector};
 
-use super::law::Law;
-use super::search::Found;
+use super::law::DecayLaw;
+use super::search::DecayLawFit;
 use super::{AmplitudeTable, Position};
 use crate::fit::uncertain::Uncertain;
 use crate::statistics::{count, least_squares, mean};
@@ -16,7 +16,7 @@ use libration::quantity::Quantity;
 const POINTS: usize = 1000;
 
 /// The period of small swings; `None` where neither it nor both columns are given, or the rows do not determine it.
-pub(super) fn period(law: &Law<'_>, found: &Found, given: Option<Quantity>) -> Option<Uncertain> {
+pub(super) fn period(law: &DecayLaw<'_>, found: &DecayLawFit, given: Option<Quantity>) -> Option<Uncertain> {
     match given {
         Some(Quantity { value, uncertainty }) => {
             Some(Uncertain { value, uncertainty: uncertainty.unwrap_or(0.0) })
@@ -26,7 +26,7 @@ pub(super) fn period(law: &Law<'_>, found: &Found, given: Option<Quantity>) -> O
 }
 
 /// The mean of T·T0/T over the rows with a period, three or more.
-fn by_periods(law: &Law<'_>, found: &Found) -> Option<Uncertain> {
+fn by_periods(law: &DecayLaw<'_>, found: &DecayLawFit) -> Option<Uncertain> {
     let rows = law.table.rows.iter().zip(&found.curve.amplitudes);
     let periods: Vec<f64> =
         rows.filter_map(|(row, &amplitude)| Some(row.period? / law.period_ratio(amplitude))).collect();
@@ -39,7 +39,7 @@ fn by_periods(law: &Law<'_>, found: &Found) -> Option<Uncertain> {
 }
 
 /// T0 by the line of ∫dt T0/T against the number of swings; a table of three rows or more has a scatter.
-fn by_numbers(law: &Law<'_>, found: &Found) -> Option<Uncertain> {
+fn by_numbers(law: &DecayLaw<'_>, found: &DecayLawFit) -> Option<Uncertain> {
     let table = law.table;
     if table.against == Position::Swings {
         return None;
@@ -74,7 +74,7 @@ fn small_swing_time(points: &[(f64, f64)], sums: &[f64], time: f64) -> f64 {
 }
 
 /// ω0 without damping: the observed angular frequency 2π/T0, and half of the linear damping.
-pub(super) fn natural_frequency(table: &AmplitudeTable, found: &Found, period: Uncertain) -> Uncertain {
+pub(super) fn natural_frequency(table: &AmplitudeTable, found: &DecayLawFit, period: Uncertain) -> Uncertain {
     let linear = found.rate(DampingKind::Linear);
     let per_second = match table.against {
         Position::Time => linear,
@@ -87,7 +87,7 @@ pub(super) fn natural_frequency(table: &AmplitudeTable, found: &Found, period: U
 /// The phase ω0 times the unit of the positions, which is known for swings without a period.
 pub(super) fn phase_per_position(
     table: &AmplitudeTable,
-    found: &Found,
+    found: &DecayLawFit,
     natural_frequency: Option<Uncertain>,
 ) -> Option<Uncertain> {
     match table.against {
@@ -99,7 +99,7 @@ pub(super) fn phase_per_position(
     }
 }
 
-impl Found {
+impl DecayLawFit {
     /// κₙ of a kind of damping; zero where the law does not have it.
     pub(super) fn rate(&self, term: DampingKind) -> f64 {
         let place = self.terms.iter().position(|other| other == term);

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::law::Law;
-use super::search::Found;
+use super::law::DecayLaw;
+use super::search::DecayLawFit;
 use crate::fit::damping_model::DampingModel;
 use crate::fit::quality;
 use crate::fit::quality::Quality;
@@ -13,8 +13,8 @@ use libration::decay::small_cycle_integral;
 
 /// Q of a law at an amplitude; of linear damping alone at every one. `None` without damping. `scale` is the factor of the covariance.
 pub(super) fn quality(
-    law: &Law<'_>,
-    found: &Found,
+    law: &DecayLaw<'_>,
+    found: &DecayLawFit,
     phase: Uncertain,
     amplitude: f64,
     scale: f64,
@@ -28,8 +28,8 @@ pub(super) fn quality(
 
 /// 2πE/ΔE of the undamped cycle at this amplitude.
 pub(super) fn at_amplitude(
-    law: &Law<'_>,
-    found: &Found,
+    law: &DecayLaw<'_>,
+    found: &DecayLawFit,
     phase: Uncertain,
     amplitude: f64,
     scale: f64,
@@ -39,7 +39,7 @@ pub(super) fn at_amplitude(
 }
 
 /// 1/Q = Σ κₙgₙ over the phase.
-fn of_losses(found: &Found, phase: Uncertain, losses: &[f64], scale: f64) -> Option<Uncertain> {
+fn of_losses(found: &DecayLawFit, phase: Uncertain, losses: &[f64], scale: f64) -> Option<Uncertain> {
     let sum: f64 = losses.iter().zip(&found.parameters[1..]).map(|(loss, rate)| loss * rate).sum();
     let pairs = losses.iter().enumerate().flat_map(|(i, one)| {
         losses.iter().enumerate().map(move |(j, other)| one * other * found.covariance[(i + 1, j + 1)])
@@ -51,7 +51,7 @@ fn of_losses(found: &Found, phase: Uncertain, losses: &[f64], scale: f64) -> Opt
 }
 
 /// gₙ = ΔE/(2πE) for a unit coefficient at ω0 = 1.
-fn loss(law: &Law<'_>, term: DampingKind, amplitude: f64) -> f64 {
+fn loss(law: &DecayLaw<'_>, term: DampingKind, amplitude: f64) -> f64 {
     if !law.table.reading.is_of_angles() {
         return small_cycle_integral(term.exponent(), amplitude) / (PI * amplitude * amplitude);
     }

@@ -2,9 +2,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::law::{Curve, Law};
+use super::law::{DecayCurve, DecayLaw};
 use super::sides::Sides;
-use super::table::{AmplitudeTable, Row, UnstatedErrors};
+use super::table::{AmplitudeRow, AmplitudeTable, UnstatedErrors};
 use crate::fit::damping_model::DampingModel;
 use crate::statistics::levenberg_marquardt::{Effort, Linearised, ResidualsError, minimum};
 use crate::statistics::{Design, count, is_settled, median, weighted_least_squares};
@@ -22,14 +22,14 @@ const LEAST: f64 = 1e-3;
 
 /// A law at its least sum of squares.
 #[derive(Clone, Debug)]
-pub(super) struct Found {
+pub(super) struct DecayLawFit {
     pub(super) terms: DampingModel,
     /// The first amplitude, the κₙ, and the zero of the scale where it is fitted.
     pub(super) parameters: Vec<f64>,
     /// Covariance of the parameters where the variances are right.
     pub(super) covariance: DMatrix<f64>,
     pub(super) chi2: f64,
-    pub(super) curve: Curve,
+    pub(super) curve: DecayCurve,
     /// Standard deviations of the values, up to a common factor where none are stated.
     pub(super) deviations: Vec<f64>,
 }
@@ -46,7 +46,7 @@ pub(super) fn first_zero(table: &AmplitudeTable) -> f64 {
     }
     let late = &table.rows[table.rows.len() / 2..];
     let side = |sign: f64| {
-        let of = |rows: &[Row]| {
+        let of = |rows: &[AmplitudeRow]| {
             median(rows.iter().filter(|row| row.side * sign > 0.0).map(|row| row.value).collect())
         };
         of(late).or_else(|| of(&table.rows)).unwrap_or(0.0)
@@ -56,7 +56,7 @@ pub(super) fn first_zero(table: &AmplitudeTable) -> f64 {
 
 /// Fits a law; `None` where the rows are too few, leave a parameter undetermined, or lead out of the law's domain, and where the search or the weights do not
 /// settle.
-pub(super) fn fit(law: &Law<'_>, terms: DampingModel) -> Option<Found> {
+pub(super) fn fit(law: &DecayLaw<'_>, terms: DampingModel) -> Option<DecayLawFit> {
     let table = law.table;
     if table.len() < parameters(table, terms) + usize::from(!table.weighted) {
         return None;
@@ -82,7 +82,7 @@ pub(super) fn fit(law: &Law<'_>, terms: DampingModel) -> Option<Found> {
         let has_settled = !has_weights_of_the_result(table)
             || is_settled(start.as_slice(), &parameters, &covariance, variance);
         if has_settled {
-            return Some(Found { terms, parameters, covariance, chi2, curve, deviations });
+            return Some(DecayLawFit { terms, parameters, covariance, chi2, curve, deviations });
         }
         amplitudes = curve.amplitudes;
         start = least.parameters;
@@ -96,10 +96,10 @@ fn has_weights_of_the_result(table: &AmplitudeTable) -> bool {
 }
 
 /// Standard deviations of the values, with those of the positions folded in by the rate of fall.
-fn deviations(law: &Law<'_>, terms: DampingModel, parameters: &[f64], amplitudes: &[f64]) -> Vec<f64> {
+fn deviations(law: &DecayLaw<'_>, terms: DampingModel, parameters: &[f64], amplitudes: &[f64]) -> Vec<f64> {
     let table = law.table;
     let largest = amplitudes.iter().copied().fold(0.0, f64::max);
-    let deviation = |(row, &amplitude): (&Row, &f64)| {
+    let deviation = |(row, &amplitude): (&AmplitudeRow, &f64)| {
         if !table.weighted {
             return match table.unstated_errors {
                 UnstatedErrors::Absolute => 1.0,
@@ -115,7 +115,7 @@ fn deviations(law: &Law<'_>, terms: DampingModel, parameters: &[f64], amplitudes
 }
 
 /// Guesses the parameters by A = A0 − Σ κₙ∫fₙ with the measured amplitudes inside the integrals.
-fn guess(law: &Law<'_>, terms: DampingModel, amplitudes: &[f64], zero: f64) -> Option<DVector<f64>> {
+fn guess(law: &DecayLaw<'_>, terms: DampingModel, amplitudes: &[f64], zero: f64) -> Option<DVector<f64>> {
     let rows = &law.table.rows;
     let mut columns = vec![vec![1.0; rows.len()]];
     for term in terms.iter() {
@@ -145,7 +145,7 @@ fn guess(law: &Law<'_>, terms: DampingModel, amplitudes: &[f64], zero: f64) -> O
 
 /// Differences of the law from the values, over their standard deviations, with their derivatives by differences.
 fn linearised(
-    law: &Law<'_>,
+    law: &DecayLaw<'_>,
     terms: DampingModel,
     parameters: &DVector<f64>,
     weights: &[f64],
@@ -180,7 +180,7 @@ fn linearised(
 }
 
 /// The size of a parameter: an amplitude, or a coefficient that would halve it.
-fn scale(law: &Law<'_>, terms: DampingModel, parameters: &DVector<f64>, place: usize) -> f64 {
+fn scale(law: &DecayLaw<'_>, terms: DampingModel, parameters: &DVector<f64>, place: usize) -> f64 {
     let amplitude = parameters[0].max(f64::MIN_POSITIVE);
     match terms.iter().nth(place.wrapping_sub(1)) {
         Some(term) => law.typical(term, amplitude),

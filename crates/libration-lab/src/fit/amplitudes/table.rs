@@ -88,7 +88,7 @@ impl<'a> AmplitudeColumns<'a> {
 /// A table of amplitudes that can be fitted, in the order of the positions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AmplitudeTable {
-    pub(super) rows: Vec<Row>,
+    pub(super) rows: Vec<AmplitudeRow>,
     pub(super) against: Position,
     pub(super) reading: AmplitudeReading,
     pub(super) sides: Sides,
@@ -99,7 +99,7 @@ pub struct AmplitudeTable {
 
 /// A row.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Row {
+pub(super) struct AmplitudeRow {
     pub(super) position: f64,
     pub(super) value: f64,
     /// +1 or −1.
@@ -125,8 +125,8 @@ impl AmplitudeTable {
         {
             return Err(AmplitudesError::Length(length));
         }
-        let rows = (0..columns.values.len()).map(|row| Row::new(columns, row));
-        let mut rows: Vec<Row> = rows.collect::<Result<_, _>>()?;
+        let rows = (0..columns.values.len()).map(|row| AmplitudeRow::new(columns, row));
+        let mut rows: Vec<AmplitudeRow> = rows.collect::<Result<_, _>>()?;
         rows.sort_by(|one, other| one.position.total_cmp(&other.position));
         let values: Vec<f64> = rows.iter().map(|row| row.value).collect();
         let found = FoundSides::of(&values, columns.sides).ok_or(AmplitudesError::OneSide)?;
@@ -227,7 +227,7 @@ impl AmplitudeTable {
 
     /// The positions with the amplitudes that the values give with this zero of the scale.
     pub fn amplitudes(&self, zero: f64) -> impl Iterator<Item = (f64, f64)> + '_ {
-        let amplitude = move |row: &Row| self.reading.amplitude(row.side * (row.value - zero));
+        let amplitude = move |row: &AmplitudeRow| self.reading.amplitude(row.side * (row.value - zero));
         self.rows.iter().map(move |row| (row.position, amplitude(row)))
     }
 
@@ -277,8 +277,8 @@ impl AmplitudeReading {
 }
 
 /// Returns `true` if opposite turning points, which are half a swing or an odd number of them apart, are whole numbers apart.
-fn count_half_swings(rows: &[Row], against: Position) -> bool {
-    let number = |row: &Row| match against {
+fn count_half_swings(rows: &[AmplitudeRow], against: Position) -> bool {
+    let number = |row: &AmplitudeRow| match against {
         Position::Swings => Some(row.position),
         Position::Time => row.swing,
     };
@@ -311,7 +311,7 @@ fn positive_period(row: usize, value: f64) -> Result<f64, AmplitudesError> {
     }
 }
 
-impl Row {
+impl AmplitudeRow {
     fn halve(&mut self, against: Position) {
         match against {
             Position::Swings => {

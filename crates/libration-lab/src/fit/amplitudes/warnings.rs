@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::comparison::Comparison;
+use super::comparison::LawComparison;
 use super::{AmplitudeTable, AmplitudesFit, AmplitudesWarning};
 use crate::fit::damping_model::DampingModel;
 use crate::fit::scatter::{Scatter, ScatterWarning};
@@ -17,7 +17,7 @@ const ROUNDING: f64 = 1e-12;
 /// Warnings, refuted laws first.
 pub(super) fn warnings(
     table: &AmplitudeTable,
-    comparison: &Comparison<'_>,
+    comparison: &LawComparison<'_>,
     fit: &AmplitudesFit,
 ) -> Vec<AmplitudesWarning> {
     let law = fit.law();
@@ -69,7 +69,7 @@ fn near_top(table: &AmplitudeTable, fit: &AmplitudesFit) -> Option<AmplitudesWar
     (error > tolerated && spread > 0.0).then_some(AmplitudesWarning::AveragedNearTop { error, from })
 }
 
-fn refuted(comparison: &Comparison<'_>) -> Option<AmplitudesWarning> {
+fn refuted(comparison: &LawComparison<'_>) -> Option<AmplitudesWarning> {
     let (given, preferred) = (&comparison.laws[comparison.chosen], comparison.preferred_to_given()?);
     Some(AmplitudesWarning::LawRefuted {
         given: given.found.terms,
@@ -78,7 +78,7 @@ fn refuted(comparison: &Comparison<'_>) -> Option<AmplitudesWarning> {
     })
 }
 
-fn not_separated(comparison: &Comparison<'_>) -> Option<AmplitudesWarning> {
+fn not_separated(comparison: &LawComparison<'_>) -> Option<AmplitudesWarning> {
     let chosen = comparison.laws[comparison.chosen].found.terms;
     // A law with one kind of damping more is not another one: its further coefficient is not resolved.
     let others = comparison.not_separated().filter(|law| !chosen.is_part_of(law.found.terms));

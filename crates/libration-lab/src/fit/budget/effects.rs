@@ -19,7 +19,7 @@ const VISCOSITY_OF_AIR: f64 = 1.51e-5;
 
 /// Effect of a budget's row, other than length and time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::fit) enum Effect {
+pub(in crate::fit) enum BudgetEffect {
     Amplitude,
     Buoyancy,
     AddedMass,
@@ -95,42 +95,42 @@ impl Default for Values {
 
 impl Values {
     /// Computes g with all effects but one.
-    pub(in crate::fit) fn gravity_without(&self, left_out: Option<Effect>) -> f64 {
+    pub(in crate::fit) fn gravity_without(&self, left_out: Option<BudgetEffect>) -> f64 {
         let frequency = TAU / self.period();
         let ideal = frequency * frequency * self.length / self.amplitude_correction(left_out);
         ideal * self.factor_without(left_out)
     }
 
     /// g over that of a point mass on a massless string in vacuum, with all effects but one and that of the amplitude.
-    pub(in crate::fit) fn factor_without(&self, left_out: Option<Effect>) -> f64 {
-        let is_warm = left_out != Some(Effect::Temperature);
+    pub(in crate::fit) fn factor_without(&self, left_out: Option<BudgetEffect>) -> f64 {
+        let is_warm = left_out != Some(BudgetEffect::Temperature);
         let growth = if is_warm { 1.0 + self.expansion * self.warming } else { 1.0 };
         let [length, rod_length] = [self.length, self.rod_length].map(|cold| growth * cold);
         growth * Self { length, rod_length, ..*self }.factor_of_length(left_out)
     }
 
     /// The factor at the length that the pendulum has in the swings.
-    fn factor_of_length(&self, left_out: Option<Effect>) -> f64 {
-        let on = |effect: Effect| if left_out == Some(effect) { 0.0 } else { 1.0 };
+    fn factor_of_length(&self, left_out: Option<BudgetEffect>) -> f64 {
+        let on = |effect: BudgetEffect| if left_out == Some(effect) { 0.0 } else { 1.0 };
         let (mass, length) = (self.rod_over_bob(), self.rod_length_over_length());
         let moment = 1.0
-            + on(Effect::FiniteBob) * self.gyration_over_square()
-            + on(Effect::Rod) * mass * length * length / 3.0
-            + on(Effect::AddedMass) * self.added_mass_over_displaced() * self.air_over_bob()
-            + on(Effect::Support) * self.moment_of_support();
+            + on(BudgetEffect::FiniteBob) * self.gyration_over_square()
+            + on(BudgetEffect::Rod) * mass * length * length / 3.0
+            + on(BudgetEffect::AddedMass) * self.added_mass_over_displaced() * self.air_over_bob()
+            + on(BudgetEffect::Support) * self.moment_of_support();
         let stretch = 1.375 * (self.stretch / self.length) * square(self.amplitude);
         let damping = square(0.5 * self.damping * self.period() / TAU);
         moment / self.torque_without(left_out)
-            * (1.0 + on(Effect::Stretch) * stretch)
-            * (1.0 + on(Effect::Damping) * damping)
+            * (1.0 + on(BudgetEffect::Stretch) * stretch)
+            * (1.0 + on(BudgetEffect::Damping) * damping)
     }
 
     /// The torque of gravity over that of the bob alone, with all effects but one.
-    pub(super) fn torque_without(&self, left_out: Option<Effect>) -> f64 {
-        let on = |effect: Effect| if left_out == Some(effect) { 0.0 } else { 1.0 };
+    pub(super) fn torque_without(&self, left_out: Option<BudgetEffect>) -> f64 {
+        let on = |effect: BudgetEffect| if left_out == Some(effect) { 0.0 } else { 1.0 };
         let (mass, length) = (self.rod_over_bob(), self.rod_length_over_length());
-        1.0 + on(Effect::Rod) * 0.5 * mass * length - on(Effect::Buoyancy) * self.air_over_bob()
-            + on(Effect::KnifeEdge) * (1.0 + mass) * self.edge_radius / self.length
+        1.0 + on(BudgetEffect::Rod) * 0.5 * mass * length - on(BudgetEffect::Buoyancy) * self.air_over_bob()
+            + on(BudgetEffect::KnifeEdge) * (1.0 + mass) * self.edge_radius / self.length
     }
 
     /// The same pendulum with another length, period and amplitude.
@@ -164,9 +164,9 @@ impl Values {
     }
 
     /// Divisor of g: T0 was corrected for the amplitude as it was read, and the true one is `angle_scale` times that.
-    fn amplitude_correction(&self, left_out: Option<Effect>) -> f64 {
+    fn amplitude_correction(&self, left_out: Option<BudgetEffect>) -> f64 {
         let read = period_ratio(self.amplitude);
-        if left_out == Some(Effect::Amplitude) {
+        if left_out == Some(BudgetEffect::Amplitude) {
             return read * read;
         }
         square(read / period_ratio(self.amplitude * self.angle_scale))

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::derivative::{derivative, second_derivative};
-use super::effects::{Effect, Values};
+use super::effects::{BudgetEffect, Values};
 use super::{
     Apparatus, BudgetError, BudgetInput, CombinedUncertainty, Contribution, Correction, Corrections,
     Correlation, Evaluation, MeasuredPeriod, PeriodDamping,
@@ -11,7 +11,7 @@ use super::{
 use libration::quantity::Quantity;
 
 /// g as a function of the values, with all effects but one.
-pub(in crate::fit) type GravityLaw<'a> = &'a dyn Fn(&Values, Option<Effect>) -> f64;
+pub(in crate::fit) type GravityLaw<'a> = &'a dyn Fn(&Values, Option<BudgetEffect>) -> f64;
 
 /// The inputs with their uncertainties.
 #[derive(Clone)]
@@ -181,7 +181,7 @@ impl<'a> Inputs<'a> {
     }
 
     /// g of these values with all effects but one.
-    pub(super) fn gravity_without(&self, values: &Values, effect: Effect) -> f64 {
+    pub(super) fn gravity_without(&self, values: &Values, effect: BudgetEffect) -> f64 {
         (self.law)(values, Some(effect))
     }
 
@@ -191,7 +191,7 @@ impl<'a> Inputs<'a> {
     }
 
     /// The relative change of g by the effect.
-    pub(super) fn size_of(&self, effect: Effect) -> Correction {
+    pub(super) fn size_of(&self, effect: BudgetEffect) -> Correction {
         Correction::Applied(self.gravity() / self.gravity_without(&self.values, effect) - 1.0)
     }
 

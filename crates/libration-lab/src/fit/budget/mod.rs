@@ -27,7 +27,7 @@ mod warning;
 pub use apparatus::{AIR_DENSITY, Apparatus, Corrections, MeasuredPeriod, PeriodDamping};
 pub use bob::{Bob, BobShape};
 pub use combined::{COVERAGE_PROBABILITY, CombinedUncertainty, Contribution, Correlation};
-pub(in crate::fit) use effects::{Effect, Values};
+pub(in crate::fit) use effects::{BudgetEffect, Values};
 pub use input::BudgetInput;
 pub(in crate::fit) use of_table::{TableBudget, input_row, of_table};
 pub use warning::BudgetWarning;

@@ -1,7 +1,7 @@
 //! The rows of a budget: each effect with its size and its contribution to the uncertainty.
 
 use super::bob::{BobShape, Size};
-use super::effects::{Effect, Values};
+use super::effects::{BudgetEffect, Values};
 use super::inputs::Inputs;
 use super::{
     Budget, BudgetError, BudgetInput, BudgetRow, Correction, Correlation, Evaluation, PeriodDamping,
@@ -65,7 +65,13 @@ impl Inputs<'_> {
     }
 
     /// An effect: its size, and its contribution to the uncertainty through its inputs.
-    fn effect(&self, name: &'static str, formula: &'static str, effect: Effect, note: String) -> BudgetRow {
+    fn effect(
+        &self,
+        name: &'static str,
+        formula: &'static str,
+        effect: BudgetEffect,
+        note: String,
+    ) -> BudgetRow {
         let ratio = |values: &Values| self.gravity_of(values) / self.gravity_without(values, effect);
         let own = |input| {
             !matches!(
@@ -151,7 +157,7 @@ impl Inputs<'_> {
             );
         }
         let note = format!("R = T/T0 at A = {:.2} deg; already in T0", self.values.amplitude.to_degrees());
-        let row = self.effect("finite amplitude", FORMULA, Effect::Amplitude, note);
+        let row = self.effect("finite amplitude", FORMULA, BudgetEffect::Amplitude, note);
         // That of the amplitude is the next row.
         BudgetRow { uncertainty: None, ..row }
     }
@@ -188,7 +194,7 @@ impl Inputs<'_> {
             return usually("buoyancy", FORMULA, self.usual_air_over_bob(), note);
         }
         let note = format!("s = {:.2e}, air over bob", self.values.air_over_bob());
-        self.effect("buoyancy", FORMULA, Effect::Buoyancy, note)
+        self.effect("buoyancy", FORMULA, BudgetEffect::Buoyancy, note)
     }
 
     fn added_mass(&self) -> BudgetRow {
@@ -204,7 +210,7 @@ impl Inputs<'_> {
             }
             shape => format!("k = 1/2, between 0 and 1 for a {}", shape.name()),
         };
-        self.effect("added mass", FORMULA, Effect::AddedMass, note)
+        self.effect("added mass", FORMULA, BudgetEffect::AddedMass, note)
     }
 
     fn finite_bob(&self) -> BudgetRow {
@@ -213,7 +219,7 @@ impl Inputs<'_> {
             let radius = self.values.length / 20.0;
             let with = Values { bob: Size { radius, ..Size::default() }, ..self.values };
             let note = "a ball of radius L/20; give that of the bob".into();
-            return self.typical("finite bob", "1 + 2r^2/5L^2", Effect::FiniteBob, &with, note);
+            return self.typical("finite bob", "1 + 2r^2/5L^2", BudgetEffect::FiniteBob, &with, note);
         }
         let (formula, note) = match shape {
             BobShape::Ball => ("1 + 2r^2/5L^2", format!("a ball of radius r = {radius} m")),
@@ -234,7 +240,7 @@ impl Inputs<'_> {
             ),
             BobShape::Gyration => ("1 + r^2/L^2", format!("radius of gyration r = {radius} m")),
         };
-        self.effect("finite bob", formula, Effect::FiniteBob, note)
+        self.effect("finite bob", formula, BudgetEffect::FiniteBob, note)
     }
 
     fn rod(&self) -> BudgetRow {
@@ -248,7 +254,7 @@ impl Inputs<'_> {
             self.values.rod_over_bob(),
             self.values.rod_length_over_length()
         );
-        self.effect("rod mass", FORMULA, Effect::Rod, note)
+        self.effect("rod mass", FORMULA, BudgetEffect::Rod, note)
     }
 
     fn stretch(&self) -> BudgetRow {
@@ -258,7 +264,7 @@ impl Inputs<'_> {
             (true, true) => self.effect(
                 "stretch",
                 FORMULA,
-                Effect::Stretch,
+                BudgetEffect::Stretch,
                 format!("stretched by x = {stretch} m at rest"),
             ),
             (false, true) => {
@@ -278,7 +284,7 @@ impl Inputs<'_> {
             return usually("temperature", FORMULA, 6e-5, note.into());
         }
         let note = format!("expansion a = {expansion:.3e} 1/K, dt = {warming} K");
-        self.effect("temperature", FORMULA, Effect::Temperature, note)
+        self.effect("temperature", FORMULA, BudgetEffect::Temperature, note)
     }
 
     fn support(&self) -> BudgetRow {
@@ -288,13 +294,13 @@ impl Inputs<'_> {
             let bob_mass = if bob_mass > 0.0 { bob_mass } else { 1.0 };
             let with = Values { bob_mass, stiffness: bob_mass * self.gravity() / 1e-4, ..self.values };
             let note = "for a support that the weight of the bob, pulling sideways, moves by 0.1 mm; give its stiffness";
-            return self.typical("support", FORMULA, Effect::Support, &with, note.into());
+            return self.typical("support", FORMULA, BudgetEffect::Support, &with, note.into());
         }
         let note = format!(
             "stiffness K = {stiffness} N/m; the weight would move it by {:.2} mm sideways",
             1e3 * self.values.yield_of_support() * length
         );
-        self.effect("support", FORMULA, Effect::Support, note)
+        self.effect("support", FORMULA, BudgetEffect::Support, note)
     }
 
     fn knife_edge(&self) -> BudgetRow {
@@ -303,10 +309,10 @@ impl Inputs<'_> {
         if edge_radius <= 0.0 {
             let with = Values { edge_radius: 5e-5, ..self.values };
             let note = "for an edge that rolls with radius of curvature p = 0.05 mm; give its radius";
-            return self.typical("knife edge", FORMULA, Effect::KnifeEdge, &with, note.into());
+            return self.typical("knife edge", FORMULA, BudgetEffect::KnifeEdge, &with, note.into());
         }
         let note = format!("radius of curvature p = {edge_radius} m");
-        self.effect("knife edge", FORMULA, Effect::KnifeEdge, note)
+        self.effect("knife edge", FORMULA, BudgetEffect::KnifeEdge, note)
     }
 
     /// An effect that is not corrected, with the size that it has with these values.
@@ -314,7 +320,7 @@ impl Inputs<'_> {
         &self,
         name: &'static str,
         formula: &'static str,
-        effect: Effect,
+        effect: BudgetEffect,
         with: &Values,
         note: String,
     ) -> BudgetRow {
@@ -326,17 +332,17 @@ impl Inputs<'_> {
         match self.damping {
             PeriodDamping::Contained(_) => {
                 let note = format!("b = {:.3e} 1/s, w = 2pi/T0", self.values.damping);
-                self.effect("damping", FORMULA, Effect::Damping, note)
+                self.effect("damping", FORMULA, BudgetEffect::Damping, note)
             }
             PeriodDamping::Observed(linear) => {
                 let note = format!(
                     "b = {linear:.3e} 1/s by the fall of the amplitudes, whose law is not known; give the coefficient, w = 2pi/T0"
                 );
-                self.effect("damping", FORMULA, Effect::Damping, note)
+                self.effect("damping", FORMULA, BudgetEffect::Damping, note)
             }
             PeriodDamping::Fitted(linear) => {
                 let with = Values { damping: linear, ..self.values };
-                let size = self.gravity_of(&with) / self.gravity_without(&with, Effect::Damping) - 1.0;
+                let size = self.gravity_of(&with) / self.gravity_without(&with, BudgetEffect::Damping) - 1.0;
                 let note =
                     format!("b = {linear:.3e} 1/s; already in T0, which is that of the undamped motion");
                 let row = unknown("damping", FORMULA, &note);

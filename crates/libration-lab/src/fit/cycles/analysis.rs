@@ -2,15 +2,15 @@
 
 use std::f64::consts::TAU;
 
-use super::bias::{Apparatus, Bias};
+use super::bias::{Bias, SimulatedMeasurement};
 use super::centre::Centre;
 use super::envelope::{Envelope, envelope};
-use super::found::Found;
-use super::generalised::Scatter;
+use super::found::CycleLandmarks;
+use super::generalised::CycleScatter;
 use super::landmarks::{Landmarks, landmarks};
 use super::period_law::{self, PeriodLaw};
 use super::pivot;
-use super::row::Row;
+use super::row::CycleRow;
 use super::swings::{Swings, swings};
 use super::{Cycle, Cycles, CyclesError, CyclesOptions, CyclesWarning, HalfSwing};
 use crate::fit::uncertain::Uncertain;
@@ -68,7 +68,7 @@ fn about_a_known_pivot(
     if rows_per_period < FEWEST_ROWS_PER_PERIOD {
         return Err(CyclesError::TooCoarse { rows_per_period });
     }
-    let found = Found::new(&stretches, typical_uncertainty(trace));
+    let found = CycleLandmarks::new(&stretches, typical_uncertainty(trace));
     let (half_swings, rows) = settled(&found, trace.observable(), period);
     if rows.is_empty() {
         return Err(too_short);
@@ -76,7 +76,7 @@ fn about_a_known_pivot(
     let half: Vec<HalfSwing> = half_swings.into_iter().flatten().collect();
     let (law, _) = law(&rows, options, watch).ok_or(too_short.clone())?;
     let envelope = envelope(&half, TAU / law.t0.value, watch);
-    let apparatus = Apparatus {
+    let apparatus = SimulatedMeasurement {
         observable: trace.observable(),
         omega0: TAU / law.t0.value,
         rows_per_period,
@@ -108,19 +108,24 @@ fn about_a_known_pivot(
 }
 
 /// Fits the exact law to the rows, and returns it with the indices of outliers.
-fn law(rows: &[Row], options: &CyclesOptions, watch: &Watch<'_>) -> Option<(PeriodLaw, Vec<usize>)> {
+fn law(rows: &[CycleRow], options: &CyclesOptions, watch: &Watch<'_>) -> Option<(PeriodLaw, Vec<usize>)> {
     let outliers = period_law::outliers(rows, options.outlier_threshold);
     let law = period_law::exact(&without(rows, &outliers), watch)?;
     Some((law, outliers))
 }
 
-fn without(rows: &[Row], outliers: &[usize]) -> Vec<Row> {
+fn without(rows: &[CycleRow], outliers: &[usize]) -> Vec<CycleRow> {
     (0..rows.len()).filter(|row| !outliers.contains(row)).map(|row| rows[row].clone()).collect()
 }
 
 /// Removes from the periods the bias by the damping of the preferred law and by the local fits.
-fn unbiased(rows: Vec<Row>, apparatus: Apparatus, envelope: &Envelope, watch: &Watch<'_>) -> Vec<Row> {
-    let amplitudes = || rows.iter().map(Row::amplitude);
+fn unbiased(
+    rows: Vec<CycleRow>,
+    apparatus: SimulatedMeasurement,
+    envelope: &Envelope,
+    watch: &Watch<'_>,
+) -> Vec<CycleRow> {
+    let amplitudes = || rows.iter().map(CycleRow::amplitude);
     let range = [amplitudes().fold(f64::INFINITY, f64::min), amplitudes().fold(0.0, f64::max)];
     match Bias::new(apparatus, envelope.preferred(), range, watch) {
         Some(bias) => rows.iter().map(|row| bias.removed_from(row, apparatus.omega0)).collect(),
@@ -139,7 +144,11 @@ fn typical_uncertainty(trace: &Trace) -> f64 {
 }
 
 /// The half swings and the cycles; for a trace of velocities with a consistent ω0.
-fn settled(found: &Found, observable: Observable, longest: f64) -> (Vec<Option<HalfSwing>>, Vec<Row>) {
+fn settled(
+    found: &CycleLandmarks,
+    observable: Observable,
+    longest: f64,
+) -> (Vec<Option<HalfSwing>>, Vec<CycleRow>) {
     let t0 = match observable {
         Observable::Angle => longest,
         Observable::AngularVelocity => t0_of_velocities(found, longest),
@@ -151,21 +160,21 @@ fn settled(found: &Found, observable: Observable, longest: f64) -> (Vec<Option<H
 
 /// The T0 that agrees with that of the cycles, whose amplitudes follow from their largest velocities and this T0. With a larger T0 the amplitudes
 /// are larger and the cycles give a smaller one, so that there is one solution between 0 and the period.
-fn t0_of_velocities(found: &Found, period: f64) -> f64 {
+fn t0_of_velocities(found: &CycleLandmarks, period: f64) -> f64 {
     let complete = found.rows(&found.half_swings(Observable::AngularVelocity, f64::INFINITY)).len();
     let [t0, _] = bisect([0.1 * period, period], Tolerance::absolute(1e-12 * period), |t0| {
         let half_swings = found.half_swings(Observable::AngularVelocity, TAU / t0);
         let rows = found.rows(&half_swings);
         // Cycles that would lead over the top imply a smaller T0, whatever their number.
         let beyond = vec![0.0; complete.saturating_sub(rows.len())];
-        let said = rows.iter().map(Row::small_angle_period).chain(beyond).collect();
+        let said = rows.iter().map(CycleRow::small_angle_period).chain(beyond).collect();
         median(said).is_some_and(|said| said > t0)
     });
     t0
 }
 
 impl Cycle {
-    fn new(row: &Row, scatter: Scatter, outlier: bool) -> Self {
+    fn new(row: &CycleRow, scatter: CycleScatter, outlier: bool) -> Self {
         let [one, two] = row.sides;
         Self {
             time: row.time,
@@ -185,8 +194,8 @@ impl Cycle {
 
 /// Warnings about the way the cycles were found.
 fn warnings(
-    found: &Found,
-    rows: &[Row],
+    found: &CycleLandmarks,
+    rows: &[CycleRow],
     outliers: usize,
     swings: &Swings,
     centre: &Centre,

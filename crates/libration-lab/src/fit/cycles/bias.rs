@@ -9,9 +9,9 @@
 use std::f64::consts::TAU;
 
 use super::envelope::EnvelopeFit;
-use super::found::Found;
+use super::found::CycleLandmarks;
 use super::landmarks::landmarks;
-use super::row::Row;
+use super::row::CycleRow;
 use super::shape::LARGEST_AMPLITUDE;
 use super::swings::swings;
 use crate::fit::damped_pendulum::{equation, symbol};
@@ -33,7 +33,7 @@ const TOLERANCE: f64 = 1e-12;
 
 /// The measurement that is simulated.
 #[derive(Clone, Copy)]
-pub(super) struct Apparatus {
+pub(super) struct SimulatedMeasurement {
     pub(super) observable: Observable,
     /// The angular frequency of small swings, in rad/s.
     pub(super) omega0: f64,
@@ -50,7 +50,7 @@ pub(super) struct Bias(Vec<(f64, f64)>);
 impl Bias {
     /// Measures the bias between the smallest and the largest amplitude with this damping; `None` if it cannot be measured.
     pub(super) fn new(
-        apparatus: Apparatus,
+        apparatus: SimulatedMeasurement,
         damping: &EnvelopeFit,
         [smallest, largest]: [f64; 2],
         watch: &Watch<'_>,
@@ -75,8 +75,8 @@ impl Bias {
     }
 
     /// Returns the row without its bias.
-    pub(super) fn removed_from(&self, row: &Row, omega0: f64) -> Row {
-        Row { period: row.period - TAU / omega0 * self.at(row.amplitude()), ..row.clone() }
+    pub(super) fn removed_from(&self, row: &CycleRow, omega0: f64) -> CycleRow {
+        CycleRow { period: row.period - TAU / omega0 * self.at(row.amplitude()), ..row.clone() }
     }
 
     /// The bias on the line through the two nodes about this amplitude, or at this end.
@@ -88,7 +88,7 @@ impl Bias {
     }
 }
 
-impl Apparatus {
+impl SimulatedMeasurement {
     /// The times of the rows: the release, and then a row in each step, the first at this fraction of a step. A half period has a whole number of
     /// steps, so that passages of one swing have the same error: errors that differ between passages of a measured trace cancel in the sum of many.
     fn times(&self, amplitude: f64, part: f64) -> Vec<f64> {
@@ -125,12 +125,12 @@ impl Apparatus {
         let trace = Trace::new("simulated", self.observable, times.to_vec(), values, None).ok()?;
         let swings = swings(&trace).ok()?;
         let marks = landmarks(&trace, swings.stretches.first()?, Some(self.noise), watch)?;
-        let found = Found::new(&[marks], 1.0);
+        let found = CycleLandmarks::new(&[marks], 1.0);
         let rows = found.rows(&found.half_swings(self.observable, self.omega0));
         let inner = rows.get(1..rows.len().saturating_sub(1))?;
         let t0 = TAU / self.omega0;
-        let of = |value: &dyn Fn(&Row) -> f64| mean(inner.iter().map(value));
+        let of = |value: &dyn Fn(&CycleRow) -> f64| mean(inner.iter().map(value));
         let bias = of(&|row| row.period / t0 - row.ratio);
-        bias.is_finite().then(|| (of(&Row::amplitude), bias))
+        bias.is_finite().then(|| (of(&CycleRow::amplitude), bias))
     }
 }

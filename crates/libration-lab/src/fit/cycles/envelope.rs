@@ -9,7 +9,7 @@
 
 use std::fmt;
 
-use super::fall::{Curve, Fall};
+use super::fall::{EnvelopeLaw, Fall};
 use super::{CyclesError, HalfSwing};
 use crate::fit::trace::{DampingKind, DampingModel};
 use crate::fit::uncertain::Uncertain;
@@ -119,13 +119,15 @@ pub(super) fn envelope(
     let mut fall = Fall::new(half_swings, omega0, watch);
     let full = DampingModel::all().into_iter().max_by_key(|terms| terms.count()).unwrap_or_default();
     let outliers = fall.drop_outliers(full);
-    let curves: Vec<Curve> = DampingModel::all().into_iter().filter_map(|terms| fall.fit(terms)).collect();
-    let physical = |curve: &Curve| curve.parameters[1..].iter().all(|&coefficient| coefficient >= 0.0);
+    let curves: Vec<EnvelopeLaw> =
+        DampingModel::all().into_iter().filter_map(|terms| fall.fit(terms)).collect();
+    let physical = |curve: &EnvelopeLaw| curve.parameters[1..].iter().all(|&coefficient| coefficient >= 0.0);
     let best = curves.iter().min_by(|a, b| a.chi2.total_cmp(&b.chi2));
     let counted = fall.weights.iter().filter(|&&weight| weight > 0.0).count();
     let counted = count(counted);
     let independent = best.map_or(counted, |best| counted * independence(&fall, best)).max(3.0);
-    let score = |curve: &Curve| akaike::of_scatter(curve.chi2 / counted, independent, curve.parameters.len());
+    let score =
+        |curve: &EnvelopeLaw| akaike::of_scatter(curve.chi2 / counted, independent, curve.parameters.len());
     let mut fits: Vec<(f64, EnvelopeFit)> = curves
         .iter()
         .filter(|curve| physical(curve))
@@ -146,7 +148,7 @@ pub(super) fn envelope(
 
 /// (1 − ρ)/(1 + ρ) with the correlation ρ of residuals: the mean of those at lags one and two, so that a small
 /// error of the centre does not look like independence.
-fn independence(fall: &Fall<'_>, best: &Curve) -> f64 {
+fn independence(fall: &Fall<'_>, best: &EnvelopeLaw) -> f64 {
     let residuals: Vec<f64> = fall.residuals(&best.fitted);
     let square: f64 = residuals.iter().map(|r| r * r).sum();
     let lagged =
@@ -156,7 +158,7 @@ fn independence(fall: &Fall<'_>, best: &Curve) -> f64 {
 }
 
 impl Fall<'_> {
-    fn described(&self, curve: &Curve, counted: f64, independent: f64) -> EnvelopeFit {
+    fn described(&self, curve: &EnvelopeLaw, counted: f64, independent: f64) -> EnvelopeFit {
         let dof = (counted - count(curve.parameters.len())).max(1.0);
         let scale = curve.chi2 / dof * counted / independent;
         let coefficients = curve.terms.iter().enumerate().map(|(k, term)| Coefficient {

@@ -35,7 +35,7 @@ pub(super) struct Fall<'a> {
 }
 
 /// A law with its parameters: the first amplitude, then the coefficients.
-pub(super) struct Curve {
+pub(super) struct EnvelopeLaw {
     pub(super) terms: DampingModel,
     pub(super) parameters: Vec<f64>,
     /// Covariance of the parameters by the weighted residuals.
@@ -64,7 +64,7 @@ impl<'a> Fall<'a> {
 impl Fall<'_> {
     /// Fits the parameters by least squares, beginning with those of a linear equation; `None` where the data are too few or leave one
     /// undetermined, and where the search does not converge.
-    pub(super) fn fit(&self, terms: DampingModel) -> Option<Curve> {
+    pub(super) fn fit(&self, terms: DampingModel) -> Option<EnvelopeLaw> {
         let found =
             minimum(self.guess(terms)?, EFFORT, |parameters| self.linearised(terms, parameters)).ok()?;
         if !found.converged {
@@ -74,7 +74,7 @@ impl Fall<'_> {
         let parameters: Vec<f64> = found.parameters.iter().copied().collect();
         let fitted = self.amplitudes(terms, &parameters);
         let chi2 = found.linearised.residuals.norm_squared();
-        Some(Curve { terms, parameters, covariance, chi2, fitted })
+        Some(EnvelopeLaw { terms, parameters, covariance, chi2, fitted })
     }
 
     /// Guesses the parameters by A(t) = A0 − Σ cₙ∫φₙ dt with the measured amplitudes inside the integrals.

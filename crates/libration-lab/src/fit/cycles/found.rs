@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use super::HalfSwing;
 use super::landmarks::Landmarks;
-use super::passage::Passage;
-use super::row::{Row, Side};
+use super::passage::CentrePassage;
+use super::row::{CycleRow, Side};
 use super::shape::{amplitude_of_velocity, slope_of_amplitude};
 use super::turning_point::Extreme;
 use crate::fit::uncertain::Uncertain;
@@ -25,14 +25,14 @@ impl Landmarks {
 
 /// Passages and extremes of all stretches, numbered through.
 #[derive(Default)]
-pub(super) struct Found {
-    passages: Vec<Option<Passage>>,
+pub(super) struct CycleLandmarks {
+    passages: Vec<Option<CentrePassage>>,
     extremes: Vec<Option<Extreme>>,
     /// Numbers of the first passage and of the first extreme of each possible cycle.
     pub(super) cycles: Vec<(usize, usize)>,
 }
 
-impl Found {
+impl CycleLandmarks {
     /// The passages and extremes of stretches whose noise is in units of these uncertainties of the rows.
     pub(super) fn new(stretches: &[Landmarks], uncertainty: f64) -> Self {
         let mut found = Self::default();
@@ -65,13 +65,13 @@ impl Found {
     }
 
     /// The cycles that are complete.
-    pub(super) fn rows(&self, half_swings: &[Option<HalfSwing>]) -> Vec<Row> {
+    pub(super) fn rows(&self, half_swings: &[Option<HalfSwing>]) -> Vec<CycleRow> {
         let row = |&(passage, extreme): &(usize, usize)| {
             let ends = [passage, passage + 2].map(|k| self.passages[k].map(|found| (k, found)));
             let sides = [extreme, extreme + 1].map(|k| half_swings[k].map(|found| (k, found)));
             let ([Some(begin), Some(end)], [Some(one), Some(two)]) = (ends, sides) else { return None };
             let square = |x: f64| x * x;
-            Some(Row::new(
+            Some(CycleRow::new(
                 [begin.1.time, end.1.time],
                 [begin, end].map(|(k, passage)| (k, square(passage.uncertainty))),
                 [one, two].map(|(k, side)| Side::new(k, side.amplitude)),

@@ -14,7 +14,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::row::Row;
+use super::row::CycleRow;
 use crate::fit::scatter::degrees_of_freedom;
 use crate::statistics::{count, least_squares};
 use libration::internals::progress::Watch;
@@ -39,12 +39,12 @@ pub(super) struct Generalised {
     /// Degrees of freedom of the covariance: those of the scatter if it comes from the scatter, infinite if the noise explains the scatter.
     pub(super) degrees_of_freedom: f64,
     /// Scatter of single periods.
-    pub(super) scatter: Scatter,
+    pub(super) scatter: CycleScatter,
 }
 
 /// Scatter of single periods: the variance is that of the noise times `noise`, plus `fluctuation`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::fit) struct Scatter {
+pub(in crate::fit) struct CycleScatter {
     pub(in crate::fit) noise: f64,
     /// The real fluctuations of a whole cycle, in s².
     pub(in crate::fit) fluctuation: f64,
@@ -63,7 +63,7 @@ pub(super) struct Explanation<'a> {
 
 /// Periods, and the columns that are to explain them.
 struct Equations<'a> {
-    rows: &'a [Row],
+    rows: &'a [CycleRow],
     columns: &'a [Vec<f64>],
     noise: Bands,
     fluctuation: Bands,
@@ -76,7 +76,7 @@ struct Equations<'a> {
 
 /// Fits the coefficients of the columns, when the period changes by `slope`·R′ with the amplitude.
 pub(super) fn fit(
-    rows: &[Row],
+    rows: &[CycleRow],
     slope: f64,
     Explanation { columns, ratio: ratio_column }: Explanation<'_>,
     watch: &Watch<'_>,
@@ -108,7 +108,7 @@ pub(super) fn fit(
 }
 
 /// The solution for one ratio of the variances.
-struct Solution {
+struct VarianceSolution {
     coefficients: DVector<f64>,
     /// (XᵀV⁻¹X)⁻¹.
     inverse: DMatrix<f64>,
@@ -121,7 +121,7 @@ struct Solution {
 
 impl Equations<'_> {
     /// Describes a solution with the covariance at the scale of the whitened residuals.
-    fn described(&self, solution: Solution, scale: f64, chi2_per_dof: Option<f64>) -> Generalised {
+    fn described(&self, solution: VarianceSolution, scale: f64, chi2_per_dof: Option<f64>) -> Generalised {
         let scatter = self.scatter(&solution);
         let attenuation = solution.inverse.column(self.ratio_column) * self.mean_score(solution.ratio);
         let coefficients = solution.coefficients - attenuation;
@@ -149,7 +149,7 @@ impl Equations<'_> {
 
     /// The noise and the fluctuations in their proportion, scaled so that the squares of the residuals have their expected
     /// size, Vₖₖ − xₖᵀ(XᵀV⁻¹X)⁻¹xₖ; on average never less than the noise.
-    fn scatter(&self, solution: &Solution) -> Scatter {
+    fn scatter(&self, solution: &VarianceSolution) -> CycleScatter {
         let fluctuation = solution.ratio * self.typical;
         let (mut found, mut expected, mut noise_part) = (0.0, 0.0, 0.0);
         for (row, noise) in self.noise.iter().map(|entries| entries[2]).enumerate() {
@@ -164,10 +164,10 @@ impl Equations<'_> {
         }
         let least = noise_part / count(self.rows.len());
         let scale = if expected > 0.0 { least.max(found / expected) } else { least };
-        Scatter { noise: scale, fluctuation: scale * fluctuation }
+        CycleScatter { noise: scale, fluctuation: scale * fluctuation }
     }
 
-    fn solve(&self, ratio: f64) -> Option<Solution> {
+    fn solve(&self, ratio: f64) -> Option<VarianceSolution> {
         let factor = Factor::new(&self.noise, &self.fluctuation, ratio)?;
         let columns: Vec<DVector<f64>> = self.columns.iter().map(|column| factor.whitened(column)).collect();
         let periods: Vec<f64> = self.rows.iter().map(|row| row.period).collect();
@@ -176,7 +176,7 @@ impl Equations<'_> {
         let dof = count(self.rows.len().saturating_sub(columns.len()));
         let logarithms = factor.log_determinant() + fit.log_determinant + dof * libm::log(chi2);
         let (coefficients, inverse) = (fit.coefficients, fit.covariance);
-        Some(Solution { coefficients, inverse, chi2, ratio, likelihood: -0.5 * logarithms })
+        Some(VarianceSolution { coefficients, inverse, chi2, ratio, likelihood: -0.5 * logarithms })
     }
 }
 
@@ -236,7 +236,7 @@ impl Factor {
     }
 }
 
-fn bands(rows: &[Row], covariance: impl Fn(&Row, &Row) -> f64) -> Bands {
+fn bands(rows: &[CycleRow], covariance: impl Fn(&CycleRow, &CycleRow) -> f64) -> Bands {
     let entry = |n: usize, back: usize| n.checked_sub(back).map_or(0.0, |m| covariance(&rows[m], &rows[n]));
     (0..rows.len()).map(|n| [entry(n, 2), entry(n, 1), entry(n, 0)]).collect()
 }

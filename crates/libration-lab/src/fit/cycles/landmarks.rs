@@ -2,7 +2,7 @@
 
 use super::centre::Centre;
 use super::extreme::extreme;
-use super::passage::{Passage, passage};
+use super::passage::{CentrePassage, passage};
 use super::shape::{LARGEST_AMPLITUDE, Shape};
 use super::swings::Stretch;
 use super::turning_point::Extreme;
@@ -26,7 +26,7 @@ const WORTH_A_CORE: usize = 200;
 #[derive(Clone, Debug)]
 pub(super) struct Landmarks {
     /// Passages; `None` where too few rows determine one.
-    pub(super) passages: Vec<Option<Passage>>,
+    pub(super) passages: Vec<Option<CentrePassage>>,
     pub(super) extremes: Vec<Option<Extreme>>,
     pub(super) centre: Centre,
     /// The standard deviation of a value (or of a value over its given uncertainty).

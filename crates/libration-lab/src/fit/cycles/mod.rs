@@ -61,7 +61,7 @@ pub use unit::{BeyondATurn, beyond_a_turn, mistaken_unit};
 pub use warning::CyclesWarning;
 
 use super::{Beta, Uncertain};
-use row::Row;
+use row::CycleRow;
 
 /// Options for the analysis of cycles.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -130,9 +130,9 @@ pub struct Cycles {
     /// Warnings about the cycles.
     pub warnings: Vec<CyclesWarning>,
     /// Rows of the cycles that count, with the sources of their errors.
-    rows: Vec<Row>,
+    rows: Vec<CycleRow>,
     /// The same rows with the pivot moved by each of its two errors, where it was fitted.
-    about_moved_pivot: Vec<Vec<Row>>,
+    about_moved_pivot: Vec<Vec<CycleRow>>,
 }
 
 impl Cycles {

@@ -23,7 +23,7 @@ const ROUNDS: usize = 3;
 
 /// A passage of the centre.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Passage {
+pub(super) struct CentrePassage {
     /// Time in seconds.
     pub(super) time: f64,
     /// Standard uncertainty by the noise, in seconds.
@@ -41,7 +41,7 @@ pub(super) fn passage(
     about: f64,
     quarter: f64,
     noise: Option<f64>,
-) -> Option<(Passage, Vec<f64>)> {
+) -> Option<(CentrePassage, Vec<f64>)> {
     let reach = quarter * shape.time_since_zero(REACH);
     let near: Vec<(f64, f64, f64)> = window.rows(about - reach, about + reach).collect();
     let both_sides = near.iter().any(|row| row.0 <= about) && near.iter().any(|row| row.0 >= about);
@@ -73,7 +73,7 @@ pub(super) fn passage(
         }
         centre -= quarter * (fit.coefficients[0] / slope).clamp(-0.5, 0.5);
         let spread = noise.unwrap_or(1.0) * fit.covariance[(0, 0)].sqrt() * quarter / slope.abs();
-        found = Some((Passage { time: centre, uncertainty: spread }, fit.residuals));
+        found = Some((CentrePassage { time: centre, uncertainty: spread }, fit.residuals));
     }
     found
 }

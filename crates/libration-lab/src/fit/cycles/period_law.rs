@@ -2,8 +2,8 @@
 //! and after them, with the opposite sign, and extremes with their neighbours.
 
 use super::CyclesError;
-use super::generalised::{Explanation, Generalised, Scatter, fit};
-use super::row::{Row, Share, Side, Source};
+use super::generalised::{CycleScatter, Explanation, Generalised, fit};
+use super::row::{CycleRow, Share, Side, Source};
 use crate::fit::beta::Beta;
 use crate::fit::law::Law;
 use crate::fit::uncertain::Uncertain;
@@ -26,7 +26,7 @@ pub(in crate::fit) struct PeriodLaw {
     /// Degrees of freedom of the uncertainty of T0.
     pub(in crate::fit) degrees_of_freedom: f64,
     /// Scatter of the periods.
-    pub(in crate::fit) scatter: Scatter,
+    pub(in crate::fit) scatter: CycleScatter,
 }
 
 impl Side {
@@ -37,7 +37,7 @@ impl Side {
     }
 }
 
-impl Row {
+impl CycleRow {
     pub(in crate::fit) fn new(times: [f64; 2], passages: [(usize, f64); 2], sides: [Side; 2]) -> Self {
         let ratio = 0.5 * sides.iter().map(|side| Law::exact().ratio_at(side.amplitude)).sum::<f64>();
         let [begin, end] = times;
@@ -79,7 +79,7 @@ impl Row {
 }
 
 /// Fits T0 under the exact law.
-pub(in crate::fit) fn exact(rows: &[Row], watch: &Watch<'_>) -> Option<PeriodLaw> {
+pub(in crate::fit) fn exact(rows: &[CycleRow], watch: &Watch<'_>) -> Option<PeriodLaw> {
     let columns = vec![rows.iter().map(|row| row.ratio).collect::<Vec<f64>>()];
     let found = settled(rows, &columns, 0, watch)?;
     let t0 = Uncertain { value: found.coefficients[0], uncertainty: found.covariance[(0, 0)].sqrt() };
@@ -88,7 +88,7 @@ pub(in crate::fit) fn exact(rows: &[Row], watch: &Watch<'_>) -> Option<PeriodLaw
 }
 
 /// Fits β, the test of the exact law.
-pub(in crate::fit) fn beta(rows: &[Row], watch: &Watch<'_>) -> Result<Beta, CyclesError> {
+pub(in crate::fit) fn beta(rows: &[CycleRow], watch: &Watch<'_>) -> Result<Beta, CyclesError> {
     let excess: Vec<f64> = rows.iter().map(|row| row.ratio - 1.0).collect();
     let high = excess.iter().copied().fold(0.0, f64::max);
     let low = excess.iter().copied().fold(f64::INFINITY, f64::min);
@@ -113,8 +113,13 @@ fn amplitudes_tell(ratios: impl Iterator<Item = (f64, f64)>) -> Result<(), Cycle
 }
 
 /// Fits with the weights for one value of the coefficient.
-fn settled(rows: &[Row], columns: &[Vec<f64>], coefficient: usize, watch: &Watch<'_>) -> Option<Generalised> {
-    let mut slope = median(rows.iter().map(Row::small_angle_period).collect())?;
+fn settled(
+    rows: &[CycleRow],
+    columns: &[Vec<f64>],
+    coefficient: usize,
+    watch: &Watch<'_>,
+) -> Option<Generalised> {
+    let mut slope = median(rows.iter().map(CycleRow::small_angle_period).collect())?;
     let mut found = None;
     for _ in 0..ROUNDS {
         let renewed = fit(rows, slope, Explanation { columns, ratio: coefficient }, watch)?;
@@ -130,7 +135,7 @@ const FEWEST_TO_JUDGE: usize = 8;
 
 /// The rows whose distance from the exact law is more than `threshold` robust standard deviations, or `threshold` of their
 /// own uncertainties if these are larger.
-pub(super) fn outliers(rows: &[Row], threshold: f64) -> Vec<usize> {
+pub(super) fn outliers(rows: &[CycleRow], threshold: f64) -> Vec<usize> {
     let periods: Vec<f64> = rows.iter().map(|row| row.small_angle_period()).collect();
     let Some(middle) = median(periods.clone()) else { return vec![] };
     let deviations: Vec<f64> = periods.iter().map(|period| period - middle).collect();

@@ -2,7 +2,7 @@
 
 /// A cycle with the sources of its errors.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::fit) struct Row {
+pub(in crate::fit) struct CycleRow {
     /// Time of its middle.
     pub(super) time: f64,
     pub(super) period: f64,
@@ -65,7 +65,7 @@ impl Share {
     }
 }
 
-impl Row {
+impl CycleRow {
     /// The mean amplitude of its two extremes, in radians.
     pub(crate) fn amplitude(&self) -> f64 {
         0.5 * (self.sides[0].amplitude + self.sides[1].amplitude)

@@ -1,6 +1,6 @@
 //! β through the cycles of several traces of one pendulum.
 
-use super::row::Row;
+use super::row::CycleRow;
 use super::{Beta, Cycles, CyclesError, period_law};
 use crate::measurement::{FittedPivot, Trace};
 use libration::internals::progress::Watch;
@@ -42,7 +42,7 @@ fn of_all_cycles(
     if let ([(_, only)], [_]) = (&known[..], cycles) {
         return only.beta.clone();
     }
-    let rows = |of: &dyn Fn(&Trace, &Cycles) -> Vec<Row>| {
+    let rows = |of: &dyn Fn(&Trace, &Cycles) -> Vec<CycleRow>| {
         joined(known.iter().map(|(trace, cycles)| of(trace, cycles)))
     };
     let found = period_law::beta(&rows(&|_, cycles| cycles.rows.clone()), watch)?;
@@ -69,10 +69,10 @@ fn pivots<'a>(known: &[(&'a Trace, &Cycles)]) -> Vec<&'a FittedPivot> {
 }
 
 /// The rows of all traces, which share no passages and no extremes.
-fn joined(traces: impl Iterator<Item = Vec<Row>>) -> Vec<Row> {
-    let mut all: Vec<Row> = vec![];
+fn joined(traces: impl Iterator<Item = Vec<CycleRow>>) -> Vec<CycleRow> {
+    let mut all: Vec<CycleRow> = vec![];
     for rows in traces {
-        let next = all.iter().map(Row::next_number).max().unwrap_or(0);
+        let next = all.iter().map(CycleRow::next_number).max().unwrap_or(0);
         all.extend(rows.iter().map(|row| row.numbered_from(next)));
     }
     all

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::speeds::{NearBottom, mean_squared_velocity};
-use super::swings::Swings;
+use super::swings::OrderedPassages;
 use super::trend::value_and_slope;
 use crate::fit::law::Law;
 use crate::statistics::median;
@@ -56,7 +56,7 @@ impl Amplitudes {
     }
 }
 
-impl Swings {
+impl OrderedPassages {
     /// Computes the amplitudes of all passages by their speeds, with the T0 that is consistent with them.
     pub(super) fn amplitudes(&self, width: f64, watch: &Watch<'_>) -> Amplitudes {
         let passages = self.placed.len();

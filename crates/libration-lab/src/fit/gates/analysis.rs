@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use super::amplitudes::Amplitudes;
 use super::directions::{Sorted, sorted};
 use super::passages::{Passages, passages};
-use super::swings::Swings;
+use super::swings::OrderedPassages;
 use super::trend::at_the_beginning;
 use super::{GateCycle, GateOptions, GatesError, GatesFit, T0Source, warning};
 use crate::fit::beta::Beta;
@@ -45,7 +45,7 @@ pub fn fit_gates(
     let found = passages(times, blocked, options.signals)?;
     let seen = found.passages.len();
     let sides = sorted(&found.passages).ok_or(GatesError::TooFew { passages: seen })?;
-    let swings = Swings::new(sides.placed.clone());
+    let swings = OrderedPassages::new(sides.placed.clone());
     // Of a pendulum nearly every passage begins a whole period; of random passages hardly any does.
     if 2 * sides.placed.len() < seen
         || (swings.cycles.len() >= 2 && 4 * swings.cycles.len() < sides.placed.len())
@@ -75,7 +75,7 @@ impl GateOptions {
     }
 }
 
-impl Swings {
+impl OrderedPassages {
     fn fit(&self, found: &Passages, sides: &Sorted, options: &GateOptions, watch: &Watch<'_>) -> GatesFit {
         let periods: Vec<f64> = self.cycles.iter().map(|&cycle| self.period(cycle)).collect();
         let mean = periods.iter().sum::<f64>() / count(periods.len());

@@ -1,10 +1,10 @@
 //! T0 and the test of the exact law by the amplitudes that the speeds at the gate give.
 
 use super::amplitudes::Amplitudes;
-use super::swings::Swings;
+use super::swings::OrderedPassages;
 use crate::fit::beta::Beta;
 use crate::fit::cycles::period_law;
-use crate::fit::cycles::row::Row;
+use crate::fit::cycles::row::CycleRow;
 use crate::fit::law::Law;
 use crate::fit::typical_amplitude::typical_amplitude;
 use crate::fit::uncertain::Uncertain;
@@ -23,7 +23,7 @@ pub(super) struct BySpeeds {
     pub(super) amplitude: Option<f64>,
 }
 
-impl Swings {
+impl OrderedPassages {
     /// Fits T0 and the test of the exact law to the bottom passages and the amplitudes.
     pub(super) fn by_speeds(
         &self,
@@ -46,7 +46,7 @@ impl Swings {
         let [below, above] = [1.0 - STEP, 1.0 + STEP]
             .map(|factor| self.rows_by_speeds(&self.amplitudes(width.value * factor, watch)));
         let (below, above) = (below?, above?);
-        let slope = |of: &dyn Fn(&[Row]) -> Option<f64>| {
+        let slope = |of: &dyn Fn(&[CycleRow]) -> Option<f64>| {
             Some((of(&above)? - of(&below)?) / (2.0 * STEP * width.value))
         };
         let t0_by_width = slope(&|rows| Some(period_law::exact(rows, watch)?.t0.value))?;
@@ -78,7 +78,7 @@ impl Swings {
 /// In records of 20 s and of a minute without any jitter, released at 0.3 to 2.8 rad under dampings of 0.01/s to 0.1/s, β was too small by 0.0075
 /// times loss² from 0.3 rad and by up to 10 times loss² from 2.8 rad. The few swings near the top have much of this effect, hence a power
 /// mean over the swings. Its power and factor are chosen for these records: β is at most 2.0 of these uncertainties off, from 2.8 rad under 0.06/s.
-fn left_out_of_beta(loss: f64, rows: &[Row]) -> f64 {
+fn left_out_of_beta(loss: f64, rows: &[CycleRow]) -> f64 {
     /// The exponent of the power mean of exp(1.15 A²).
     const POWER: f64 = 0.8;
     let powers = rows.iter().map(|row| libm::exp(POWER * 1.15 * row.amplitude() * row.amplitude()));

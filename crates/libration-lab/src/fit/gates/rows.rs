@@ -4,8 +4,8 @@
 //! one of the time of a passage; that of the distance is one of its amplitude, which counts in both half swings next to the passage.
 
 use super::amplitudes::Amplitudes;
-use super::swings::Swings;
-use crate::fit::cycles::row::{Row, Share, Side, Source};
+use super::swings::OrderedPassages;
+use crate::fit::cycles::row::{CycleRow, Share, Side, Source};
 use crate::fit::law::Law;
 use crate::fit::uncertain::Uncertain;
 
@@ -24,9 +24,9 @@ struct Bottom {
     smooth: f64,
 }
 
-impl Swings {
+impl OrderedPassages {
     /// Computes the cycles between passages of the bottom.
-    pub(super) fn rows_by_speeds(&self, amplitudes: &Amplitudes) -> Option<Vec<Row>> {
+    pub(super) fn rows_by_speeds(&self, amplitudes: &Amplitudes) -> Option<Vec<CycleRow>> {
         let blocked = self.scatter(|passage| self.blocked(passage)).map_or(0.0, |found| found.deviation);
         let bottoms: Vec<Option<Bottom>> =
             (0..self.placed.len()).map(|passage| self.bottom(passage, amplitudes, blocked)).collect();
@@ -52,7 +52,7 @@ impl Swings {
 }
 
 /// Builds the cycle between the first and the last of three passages.
-fn row(cycle: usize, bottoms: [Bottom; 3]) -> Row {
+fn row(cycle: usize, bottoms: [Bottom; 3]) -> CycleRow {
     let half_swing = |k: usize| {
         let [one, two] = [bottoms[k], bottoms[k + 1]];
         let noise = 0.5 * libm::hypot(one.noise, two.noise);
@@ -78,7 +78,7 @@ fn row(cycle: usize, bottoms: [Bottom; 3]) -> Row {
         of_ratio,
     });
     let passages = ends.map(|(k, _)| (cycle + k, bottoms[k].variance));
-    let row = Row::new([bottoms[0].time, bottoms[2].time], passages, [one, two]);
+    let row = CycleRow::new([bottoms[0].time, bottoms[2].time], passages, [one, two]);
     row.with_errors(times.into_iter().chain(amplitudes).collect())
 }
 

@@ -1,6 +1,6 @@
 //! Scatter of times about their trend, by the differences of neighbours on one side.
 
-use super::swings::Swings;
+use super::swings::OrderedPassages;
 use crate::statistics::{count, robust_deviation, root_mean_square};
 
 /// Weights of differences of the fourth, third and second order, binomials with alternating signs: a course that is a polynomial of the third,
@@ -15,15 +15,15 @@ const FEWEST_TO_JUDGE: usize = 12;
 
 /// A standard deviation, and its degrees of freedom.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Scatter {
+pub(super) struct PeriodScatter {
     pub(super) deviation: f64,
     /// Size of a sample of independent values that would determine the deviation as well.
     pub(super) degrees_of_freedom: f64,
 }
 
-impl Swings {
+impl OrderedPassages {
     /// The scatter of a quantity of passages about its trend on one side; `None` if no side has three passages in a row.
-    pub(super) fn scatter(&self, of: impl Fn(usize) -> Option<f64>) -> Option<Scatter> {
+    pub(super) fn scatter(&self, of: impl Fn(usize) -> Option<f64>) -> Option<PeriodScatter> {
         let orders = || DIFFERENCES.into_iter().map(|weights| (weights, self.differences(weights, &of)));
         let (weights, differences) =
             orders().find(|(_, found)| found.len() >= ENOUGH).or_else(|| orders().last())?;
@@ -35,7 +35,7 @@ impl Swings {
         };
         let of_one = deviation / inner_product(weights, 0).sqrt();
         let degrees_of_freedom = independent(&starts, weights);
-        (!values.is_empty()).then_some(Scatter { deviation: of_one, degrees_of_freedom })
+        (!values.is_empty()).then_some(PeriodScatter { deviation: of_one, degrees_of_freedom })
     }
 
     /// The standard deviation of a time. A steadily changing period cancels in the fourth differences of the times; if these are few, it is half of

@@ -4,12 +4,12 @@ use super::directions::Placed;
 use crate::statistics::median;
 
 /// Passages in order, and the cycles among them: three passages of alternating sides without a gap, by the first one.
-pub(super) struct Swings {
+pub(super) struct OrderedPassages {
     pub(super) placed: Vec<Placed>,
     pub(super) cycles: Vec<usize>,
 }
 
-impl Swings {
+impl OrderedPassages {
     pub(super) fn new(placed: Vec<Placed>) -> Self {
         let whole = |k: &usize| {
             let [first, between, last] = [0, 1, 2].map(|step| placed[*k + step]);

@@ -10,7 +10,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::model::{LengthFit, LengthModel, Solution};
-use super::table::{LengthTable, Row};
+use super::table::{LengthRow, LengthTable};
 use super::variance_components::{OfRatio, SHARES, most_likely};
 use crate::statistics::levenberg_marquardt::{Effort, Linearised, ResidualsError, minimum};
 use crate::statistics::student::probability_beyond_any;
@@ -37,29 +37,30 @@ pub(super) fn fit(table: &LengthTable, model: LengthModel) -> Option<LengthFit> 
         LengthModel::BarOffset => trials(table),
         _ => vec![0.0],
     };
-    let mut found: Vec<Found> =
+    let mut found: Vec<BarSolution> =
         starts.into_iter().filter_map(|offset| at_minimum(table, model, offset, 0.0)).collect();
     found.sort_by(|one, other| one.chi2.total_cmp(&other.chi2));
     let (best, others) = found.split_first()?;
     let likely = if table.weighted { None } else { most_likely_ratio(table, model, best) };
     let described = likely.as_ref().unwrap_or(best);
     let fit = described.solution.described_bar(table, model, &described.fitted)?;
-    let other_centre = others.iter().find(|other| is_rival(&fit, best, other)).map(Found::centre_and_gravity);
+    let other_centre =
+        others.iter().find(|other| is_rival(&fit, best, other)).map(BarSolution::centre_and_gravity);
     Some(LengthFit { other_centre, ..fit })
 }
 
 /// Returns `true` if the rows do not exclude another minimum: its sum of squares is larger by less than that of two standard uncertainties.
-fn is_rival(fit: &LengthFit, best: &Found, other: &Found) -> bool {
+fn is_rival(fit: &LengthFit, best: &BarSolution, other: &BarSolution) -> bool {
     /// Relative difference above which positions belong to different minima; those reached from several trials agree to far less.
     const SAME: f64 = 1e-6;
-    let [[centre, _], [other_centre, _]] = [best, other].map(Found::centre_and_gravity);
+    let [[centre, _], [other_centre, _]] = [best, other].map(BarSolution::centre_and_gravity);
     let is_other = (centre - other_centre).abs() > SAME * centre.abs().max(other_centre.abs());
     is_other && fit.unit_variance().is_some_and(|variance| other.chi2 - best.chi2 < 4.0 * variance)
 }
 
 /// The fit with the most likely ratio of the variances of lengths and periods, where none are stated, with the uncertainty of the ratio; `None`
 /// without a degree of freedom.
-fn most_likely_ratio(table: &LengthTable, model: LengthModel, equal: &Found) -> Option<Found> {
+fn most_likely_ratio(table: &LengthTable, model: LengthModel, equal: &BarSolution) -> Option<BarSolution> {
     if table.rows.len() <= model.parameters() {
         return None;
     }
@@ -68,9 +69,9 @@ fn most_likely_ratio(table: &LengthTable, model: LengthModel, equal: &Found) -> 
     let squares = table.rows.iter().map(|row| bar.slope_of_period(table, row)).map(|slope| slope * slope);
     let mean = squares.sum::<f64>() / count(table.rows.len());
     let ratio = |share: f64| (share / ((1.0 - share) * mean)).sqrt();
-    let mut fits: Vec<Found> =
+    let mut fits: Vec<BarSolution> =
         SHARES.iter().filter_map(|&share| at_minimum(table, model, bar.offset, ratio(share))).collect();
-    let views: Vec<OfRatio<'_>> = fits.iter().map(Found::of_ratio).collect();
+    let views: Vec<OfRatio<'_>> = fits.iter().map(BarSolution::of_ratio).collect();
     let (index, covariance) = most_likely(&views)?;
     let mut found = fits.swap_remove(index);
     found.solution.covariance = covariance;
@@ -90,13 +91,13 @@ pub(super) fn improvement_by_chance(at_zero: &LengthFit, free: &LengthFit) -> Op
 }
 
 /// A solution at its least sum of squares.
-struct Found {
+struct BarSolution {
     solution: Solution,
     fitted: Vec<f64>,
     chi2: f64,
 }
 
-impl Found {
+impl BarSolution {
     fn of_ratio(&self) -> OfRatio<'_> {
         let Solution { coefficients, covariance, variances, .. } = &self.solution;
         OfRatio { coefficients, covariance, variances, chi2: self.chi2 }
@@ -136,21 +137,21 @@ fn trials(table: &LengthTable) -> Vec<f64> {
 /// 1/g and κ/g at a given centre, by weighted linear least squares.
 fn linear(table: &LengthTable, offset: f64) -> Option<[f64; 2]> {
     let rows = &table.rows;
-    let height = |row: &Row| (row.length + offset).abs();
+    let height = |row: &LengthRow| (row.length + offset).abs();
     let matrix =
         DMatrix::from_fn(
             rows.len(),
             2,
             |i, k| if k == 0 { height(&rows[i]) } else { 1.0 / height(&rows[i]) },
         );
-    let values = DVector::from_iterator(rows.len(), rows.iter().map(Row::square));
+    let values = DVector::from_iterator(rows.len(), rows.iter().map(LengthRow::square));
     let weights: Vec<f64> = rows.iter().map(|row| 1.0 / of_period(table, row)).collect();
     let found = weighted_least_squares(matrix, values, &weights).ok()?.coefficients;
     (found[0] > 0.0 && found[1] > 0.0).then(|| [found[0], found[1]])
 }
 
 fn sum_of_squares(table: &LengthTable, start: &[f64; 2], offset: f64) -> f64 {
-    let residual = |row: &Row| {
+    let residual = |row: &LengthRow| {
         let height = (row.length + offset).abs();
         (start[0] * height + start[1] / height - row.square()) / of_period(table, row)
     };
@@ -158,13 +159,13 @@ fn sum_of_squares(table: &LengthTable, start: &[f64; 2], offset: f64) -> f64 {
 }
 
 /// Standard deviation of y from that of T, which is the same for all rows if none are stated.
-fn of_period(table: &LengthTable, row: &Row) -> f64 {
+fn of_period(table: &LengthTable, row: &LengthRow) -> f64 {
     let uncertainty = if table.weighted { row.period_uncertainty } else { 1.0 };
     2.0 * row.square() * uncertainty / row.period
 }
 
 /// The minimum next to an offset; without uncertainties with this ratio of the standard deviations of lengths and periods, in m/s.
-fn at_minimum(table: &LengthTable, model: LengthModel, offset: f64, ratio: f64) -> Option<Found> {
+fn at_minimum(table: &LengthTable, model: LengthModel, offset: f64, ratio: f64) -> Option<BarSolution> {
     let start = linear(table, offset)?;
     let mut parameters = DVector::from_vec(match model {
         LengthModel::BarOffset => vec![start[0], start[1], offset],
@@ -187,7 +188,7 @@ fn at_minimum(table: &LengthTable, model: LengthModel, offset: f64, ratio: f64) 
         let dof = count(table.rows.len() - coefficients.len());
         let variance = if table.weighted { 1.0 } else { chi2 / dof };
         if least.converged && is_settled(parameters.as_slice(), &coefficients, &covariance, variance) {
-            return Some(Found {
+            return Some(BarSolution {
                 solution: Solution { coefficients, columns, covariance, variances },
                 fitted,
                 chi2,
@@ -203,7 +204,7 @@ fn at_minimum(table: &LengthTable, model: LengthModel, offset: f64, ratio: f64) 
 fn deviations(table: &LengthTable, parameters: &DVector<f64>, ratio: f64) -> Vec<f64> {
     let bar = Bar::of(parameters);
     if table.weighted {
-        let of_length = |row: &Row| bar.slope(row.length) * row.length_uncertainty;
+        let of_length = |row: &LengthRow| bar.slope(row.length) * row.length_uncertainty;
         return table.rows.iter().map(|row| libm::hypot(of_period(table, row), of_length(row))).collect();
     }
     let factors = table.rows.iter().map(|row| libm::hypot(1.0, ratio * bar.slope_of_period(table, row)));
@@ -260,7 +261,7 @@ impl Bar {
     }
 
     /// dT/dh where no uncertainties are stated.
-    fn slope_of_period(&self, table: &LengthTable, row: &Row) -> f64 {
+    fn slope_of_period(&self, table: &LengthTable, row: &LengthRow) -> f64 {
         self.slope(row.length) / of_period(table, row)
     }
 }

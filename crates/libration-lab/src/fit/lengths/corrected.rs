@@ -5,7 +5,7 @@
 
 use super::model::LengthFit;
 use super::{LengthModel, LengthTable, LengthsOptions, bar, model, reversible};
-use crate::fit::budget::{self, Apparatus, Effect, MeasuredPeriod, TableBudget, Values};
+use crate::fit::budget::{self, Apparatus, BudgetEffect, MeasuredPeriod, TableBudget, Values};
 use crate::fit::error::FitError;
 use crate::statistics::mean;
 use libration::quantity::Quantity;
@@ -39,7 +39,11 @@ impl CorrectedLaw<'_> {
     ///
     /// # Errors
     /// A correction that is impossible, rows that determine no law, and corrections so large that the rounds do not settle them.
-    pub(super) fn table(&self, values: &Values, left_out: Option<Effect>) -> Result<LengthTable, FitError> {
+    pub(super) fn table(
+        &self,
+        values: &Values,
+        left_out: Option<BudgetEffect>,
+    ) -> Result<LengthTable, FitError> {
         let shifted = self.shifted(values);
         let radius = self.radius(values, left_out);
         let mut factors = vec![1.0; shifted.rows.len()];
@@ -60,15 +64,15 @@ impl CorrectedLaw<'_> {
     }
 
     /// g by these values.
-    fn gravity(&self, values: &Values, left_out: Option<Effect>) -> f64 {
+    fn gravity(&self, values: &Values, left_out: Option<BudgetEffect>) -> f64 {
         let table = self.table(values, left_out).ok();
         let fit = table.and_then(|table| self.fit_to(&table, self.radius(values, left_out)));
         fit.map_or(f64::NAN, |fit| fit.g.value) / (values.clock * values.clock)
     }
 
     /// Radius of a ball with the moment of inertia of the bob; `None` for a bob of no size.
-    fn radius(&self, values: &Values, left_out: Option<Effect>) -> Option<f64> {
-        let is_used = left_out != Some(Effect::FiniteBob) && !self.model.is_of_bars();
+    fn radius(&self, values: &Values, left_out: Option<BudgetEffect>) -> Option<f64> {
+        let is_used = left_out != Some(BudgetEffect::FiniteBob) && !self.model.is_of_bars();
         Some(values.bob.radius_of_ball()).filter(|radius| is_used && *radius > 0.0)
     }
 
@@ -85,12 +89,12 @@ impl CorrectedLaw<'_> {
         fit: &LengthFit,
         corrected: &LengthTable,
         values: &Values,
-        left_out: Option<Effect>,
+        left_out: Option<BudgetEffect>,
     ) -> f64 {
         match self.model {
             LengthModel::Reversible => reversible::gyration(corrected, fit.g.value),
             model if model.is_of_bars() => fit.gyration.map_or(0.0, |gyration| gyration.value),
-            _ if left_out == Some(Effect::FiniteBob) => 0.0,
+            _ if left_out == Some(BudgetEffect::FiniteBob) => 0.0,
             _ => values.bob.gyration(),
         }
     }
@@ -102,11 +106,11 @@ impl CorrectedLaw<'_> {
         table: &LengthTable,
         gyration: f64,
         values: &Values,
-        left_out: Option<Effect>,
+        left_out: Option<BudgetEffect>,
     ) -> Option<Vec<f64>> {
         let offset = fit.offset.map_or(0.0, |offset| offset.value);
         let values = if self.model.is_of_bars() { values.with_gyration(gyration) } else { *values };
-        let factor = |row: &super::table::Row| {
+        let factor = |row: &super::table::LengthRow| {
             let height = (row.length + offset).abs();
             let at = values.at(height, row.period / row.ratio, row.amplitude);
             let factor = at.factor_without(left_out) / (1.0 + gyration / (height * height));
@@ -129,7 +133,7 @@ impl CorrectedLaw<'_> {
             ..MeasuredPeriod::of_small_swings(exactly(mean(rows.iter().map(|row| row.period / row.ratio))))
         };
         let typical = Apparatus { length, corrections: self.options.corrections };
-        let law = |values: &Values, left_out: Option<Effect>| {
+        let law = |values: &Values, left_out: Option<BudgetEffect>| {
             // Without corrections only the clock and the readings change g.
             if values.correct_nothing() && values.shared_timing.total_cmp(&1.0).is_eq() {
                 return fit.g.value / (values.clock * values.clock);

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::table::{LengthTable, Row};
+use super::table::{LengthRow, LengthTable};
 use crate::fit::error::FitError;
 use crate::fit::readings_of_fit::ReadingsOfFit;
 use crate::fit::scatter::{self, Scatter};
@@ -176,7 +176,7 @@ pub(super) fn fit(
     if rows.len() < width + usize::from(!table.weighted) {
         return Ok(None);
     }
-    let search = Search { table, width };
+    let search = LawSearch { table, width };
     let Some(line) = search.without_bob() else { return Ok(None) };
     let found = match radius {
         Some(radius) => search.with_bob(line, radius)?,
@@ -192,12 +192,12 @@ pub(super) fn gyration(radius: f64) -> f64 {
 }
 
 /// The search for a law; a solution is combined with the offset used for its columns.
-struct Search<'a> {
+struct LawSearch<'a> {
     table: &'a LengthTable,
     width: usize,
 }
 
-impl Search<'_> {
+impl LawSearch<'_> {
     fn without_bob(&self) -> Option<(Solution, f64)> {
         let first = vec![1.0; self.table.rows.len()];
         let mut found = (solve(&self.table.rows, self.width, 0.0, 0.0, &first)?, 0.0);
@@ -259,13 +259,13 @@ impl Search<'_> {
 }
 
 /// The columns of a row: the factors of 1/g, δ/g and κ/g.
-fn columns(row: &Row, width: usize, known: f64, offset: f64) -> Vec<f64> {
+fn columns(row: &LengthRow, width: usize, known: f64, offset: f64) -> Vec<f64> {
     let whole = row.length + offset;
     let all = [row.length + known / whole, 1.0, 1.0 / whole];
     all[..width].to_vec()
 }
 
-fn solve(rows: &[Row], width: usize, known: f64, offset: f64, variances: &[f64]) -> Option<Solution> {
+fn solve(rows: &[LengthRow], width: usize, known: f64, offset: f64, variances: &[f64]) -> Option<Solution> {
     let columns: Vec<Vec<f64>> = rows.iter().map(|row| columns(row, width, known, offset)).collect();
     let matrix = DMatrix::from_fn(rows.len(), width, |i, j| columns[i][j]);
     let values = DVector::from_fn(rows.len(), |i, _| rows[i].square());
@@ -290,7 +290,7 @@ impl Solution {
         offset: f64,
     ) -> Option<LengthFit> {
         let width = self.coefficients.len();
-        let fitted = |row: &Row| -> f64 {
+        let fitted = |row: &LengthRow| -> f64 {
             columns(row, width, known, offset).iter().zip(&self.coefficients).map(|(x, c)| x * c).sum()
         };
         let fitted: Vec<f64> = table.rows.iter().map(fitted).collect();
@@ -350,7 +350,7 @@ impl Solution {
         let of_row = if table.weighted { 1.0 } else { per_dof? };
         let unit = of_row * enlargement * enlargement;
         // With y = (T/2πR)², dT = 2π²R²/T·dy.
-        let to_seconds = |row: &Row| 2.0 * PI * PI * row.ratio * row.ratio / row.period;
+        let to_seconds = |row: &LengthRow| 2.0 * PI * PI * row.ratio * row.ratio / row.period;
         let deviations =
             self.variances.iter().zip(rows).map(|(v, row)| (v * of_row).sqrt() * to_seconds(row));
         let estimates = estimates(&found, unit);

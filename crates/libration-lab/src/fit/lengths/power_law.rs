@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::table::{LengthTable, Row};
+use super::table::{LengthRow, LengthTable};
 use crate::fit::scatter;
 use crate::fit::uncertain::Uncertain;
 use crate::statistics::{count, is_settled, weighted_least_squares};
@@ -59,7 +59,7 @@ pub(super) fn power_law(table: &LengthTable) -> Option<PowerLaw> {
     })
 }
 
-fn weight(table: &LengthTable, row: &Row, exponent: f64) -> f64 {
+fn weight(table: &LengthTable, row: &LengthRow, exponent: f64) -> f64 {
     if !table.weighted {
         return row.period;
     }

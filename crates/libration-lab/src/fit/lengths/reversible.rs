@@ -9,7 +9,7 @@
 use std::f64::consts::PI;
 
 use super::model::{LengthFit, LengthModel};
-use super::table::{LengthTable, Row};
+use super::table::{LengthRow, LengthTable};
 use crate::fit::budget::{BudgetInput, Contribution, Evaluation};
 use crate::fit::error::FitError;
 use crate::fit::readings::RepeatedReadings;
@@ -36,7 +36,7 @@ pub(super) fn reversible(
     if !table.is_weighted() {
         return Err(FitError::KnifeEdgePeriods);
     }
-    let sides = [far, near].map(|length| Side::of(table, length));
+    let sides = [far, near].map(|length| EdgeMean::of(table, length));
     let [first, second] = &sides;
     let of_both = libm::hypot(first.length_uncertainty, second.length_uncertainty);
     let Uncertain { value: difference, uncertainty: of_difference } = known_difference(far - near, of_both)?;
@@ -102,7 +102,7 @@ fn distance_of_edges(edges: Option<Quantity>, sum: f64, of_sum: f64) -> Result<U
 /// The square of the radius of gyration that the periods about the far edge give.
 pub(super) fn gyration(table: &LengthTable, gravity: f64) -> f64 {
     let far = table.rows.iter().map(|row| row.length.abs()).fold(0.0, f64::max);
-    let square = Side::of(table, far).square / (4.0 * PI * PI);
+    let square = EdgeMean::of(table, far).square / (4.0 * PI * PI);
     gravity * square * far - far * far
 }
 
@@ -110,7 +110,7 @@ pub(super) fn gyration(table: &LengthTable, gravity: f64) -> f64 {
 fn described(table: &LengthTable, gravity: Uncertain) -> LengthFit {
     let rows = &table.rows;
     let gyration = gyration(table, gravity.value);
-    let residual = |row: &Row| {
+    let residual = |row: &LengthRow| {
         let height = row.length.abs();
         row.period - 2.0 * PI * row.ratio * ((height + gyration / height) / gravity.value).sqrt()
     };
@@ -133,17 +133,17 @@ fn described(table: &LengthTable, gravity: Uncertain) -> LengthFit {
 }
 
 /// The weighted mean of T² of small swings about one edge.
-struct Side {
+struct EdgeMean {
     square: f64,
     square_uncertainty: f64,
     length_uncertainty: f64,
 }
 
-impl Side {
+impl EdgeMean {
     fn of(table: &LengthTable, length: f64) -> Self {
         let rows = || table.rows.iter().filter(|row| row.length.abs().total_cmp(&length).is_eq());
-        let square = |row: &Row| row.period * row.period / (row.ratio * row.ratio);
-        let weight = |row: &Row| {
+        let square = |row: &LengthRow| row.period * row.period / (row.ratio * row.ratio);
+        let weight = |row: &LengthRow| {
             let uncertainty = 2.0 * square(row) * row.period_uncertainty / row.period;
             1.0 / (uncertainty * uncertainty)
         };

@@ -24,7 +24,7 @@ pub struct LengthColumns<'a> {
 /// A table of periods against lengths that can be fitted.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LengthTable {
-    pub(super) rows: Vec<Row>,
+    pub(super) rows: Vec<LengthRow>,
     pub(super) weighted: bool,
     /// Repeated readings from which the uncertainties of the periods come.
     pub(super) readings: Option<RepeatedReadings>,
@@ -34,7 +34,7 @@ pub struct LengthTable {
 
 /// One measurement: y = (T/2πR)² is (L + δ)/g.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Row {
+pub(super) struct LengthRow {
     pub(super) length: f64,
     pub(super) period: f64,
     pub(super) length_uncertainty: f64,
@@ -65,7 +65,8 @@ impl LengthTable {
             same("amplitudes", columns.amplitudes.len())?;
         }
         let weighted = columns.period_uncertainties.is_some();
-        let rows = (0..expected).map(|row| Row::new(columns, row, weighted)).collect::<Result<_, _>>()?;
+        let rows =
+            (0..expected).map(|row| LengthRow::new(columns, row, weighted)).collect::<Result<_, _>>()?;
         Ok(Self { rows, weighted, readings: None, rounding: None })
     }
 
@@ -82,7 +83,7 @@ impl LengthTable {
         let rounding = self.rounding.as_ref().filter(|_| !self.weighted)?;
         let typical = root_mean_square(rounding.iter().copied());
         let rows = self.rows.iter().zip(rounding);
-        let rows = rows.map(|(row, rounding)| Row { period_uncertainty: *rounding, ..*row }).collect();
+        let rows = rows.map(|(row, rounding)| LengthRow { period_uncertainty: *rounding, ..*row }).collect();
         (scatter < typical).then_some(Self { rows, weighted: true, ..self.clone() })
     }
 
@@ -92,7 +93,7 @@ impl LengthTable {
         if self.weighted {
             return self.clone();
         }
-        let equal = |row: &Row| Row { period_uncertainty: 1.0, length_uncertainty: 0.0, ..*row };
+        let equal = |row: &LengthRow| LengthRow { period_uncertainty: 1.0, length_uncertainty: 0.0, ..*row };
         Self { rows: self.rows.iter().map(equal).collect(), weighted: true, ..self.clone() }
     }
 
@@ -158,7 +159,7 @@ impl LengthTable {
 
     /// The table with the absolute values of its lengths.
     pub(super) fn of_positive_lengths(&self) -> Self {
-        let positive = |row: &Row| Row { length: row.length.abs(), ..*row };
+        let positive = |row: &LengthRow| LengthRow { length: row.length.abs(), ..*row };
         Self { rows: self.rows.iter().map(positive).collect(), ..self.clone() }
     }
 
@@ -174,7 +175,7 @@ impl LengthTable {
     }
 }
 
-impl Row {
+impl LengthRow {
     fn new(columns: &LengthColumns<'_>, index: usize, weighted: bool) -> Result<Self, FitError> {
         let row = index + 1;
         let usable = |x: f64| x > 0.0 && x.is_finite();

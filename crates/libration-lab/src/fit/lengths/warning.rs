@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::model;
-use super::table::{LengthTable, Row};
+use super::table::{LengthRow, LengthTable};
 use super::{LengthFit, LengthModel, LengthsFit, PowerLaw};
 use crate::fit::budget::CombinedUncertainty;
 use crate::fit::cycles::SEPARATED;
@@ -241,7 +241,7 @@ fn other_power(fit: &LengthsFit, table: &LengthTable) -> Option<LengthsWarning> 
         distance > FAR_FROM_HALF.max(limit_of_chance(SIGNIFICANT, degrees_of_freedom) * exponent.uncertainty);
     let equal = table.of_equal_periods();
     let of_offset = model::fit(&equal, LengthModel::Offset, None).ok().flatten()?.sum_of_squares();
-    let residual = |row: &Row| {
+    let residual = |row: &LengthRow| {
         let small = factor.value * libm::pow(row.length, exponent.value);
         (row.period - row.ratio * small) / row.period_uncertainty
     };

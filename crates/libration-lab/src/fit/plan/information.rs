@@ -19,7 +19,7 @@ const PLACES: u32 = 128;
 
 /// The relative uncertainty of ω0, and its relative change with the scale of the angles.
 pub(super) fn of_frequency(recording: &PlannedRecording, amplitude: &Amplitude, duration: f64) -> [f64; 2] {
-    let way = Way::new(recording, amplitude, duration);
+    let way = RecordingParts::new(recording, amplitude, duration);
     let weight = recording.rate / (2.0 * recording.angle_noise * recording.angle_noise);
     let (mut information, mut wrong) = (Matrix4::zeros(), Vector4::zeros());
     for place in way {
@@ -45,7 +45,7 @@ struct Place {
 }
 
 /// Iterator over the parts of the recording.
-struct Way<'a> {
+struct RecordingParts<'a> {
     recording: &'a PlannedRecording,
     first: f64,
     duration: f64,
@@ -54,13 +54,13 @@ struct Way<'a> {
     integrals: [f64; 3],
 }
 
-impl<'a> Way<'a> {
+impl<'a> RecordingParts<'a> {
     fn new(recording: &'a PlannedRecording, amplitude: &Amplitude, duration: f64) -> Self {
         Self { recording, first: amplitude.radians(), duration, done: 0, integrals: [0.0; 3] }
     }
 }
 
-impl Iterator for Way<'_> {
+impl Iterator for RecordingParts<'_> {
     type Item = Place;
 
     fn next(&mut self) -> Option<Place> {

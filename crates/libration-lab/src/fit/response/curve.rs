@@ -2,7 +2,7 @@
 
 use super::MeasuredAmplitude;
 use super::fitted::ResponseFit;
-use super::required_drive::{AllHarmonics, Asked, EFFORT, Law, along, scaled};
+use super::required_drive::{AllHarmonics, Asked, DriveMethod, EFFORT, along, scaled};
 use crate::fit::uncertain::Uncertain;
 use libration::algebra::Complex;
 use libration::continuation::{BranchError, BranchPoint, Jump, Response, ResponseOptions};

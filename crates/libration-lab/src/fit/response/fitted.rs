@@ -1,9 +1,9 @@
 //! The results of a fit of a response.
 
 use super::found_row::FoundRow;
-use super::required_drive::{AllHarmonics, Asked, Law, RequiredDrive, along};
-use super::search::Found;
-use super::table::{ResponseTable, Row};
+use super::required_drive::{AllHarmonics, Asked, DriveMethod, RequiredDrive, along};
+use super::search::ResponseMinimum;
+use super::table::{ResponseRow, ResponseTable};
 use super::{MeasuredAmplitude, ResponseModel};
 use crate::fit::scatter::{self, Scatter};
 use crate::fit::uncertain::Uncertain;
@@ -104,7 +104,11 @@ impl ResponseFit {
 }
 
 /// Describes the solution with all harmonics; `None` if some row no longer has a required drive.
-pub(super) fn described(table: &ResponseTable, law: &AllHarmonics, found: &Found) -> Option<ResponseFit> {
+pub(super) fn described(
+    table: &ResponseTable,
+    law: &AllHarmonics,
+    found: &ResponseMinimum,
+) -> Option<ResponseFit> {
     let (model, parameters) = (law.model(), &found.parameters);
     let dof = table.data() - parameters.len();
     let chi2 = table.is_weighted().then_some(found.chi2);
@@ -170,7 +174,7 @@ fn part_by_square(value: f64, deviation: f64) -> f64 {
     if value < deviation { above / deviation } else { 1.0 }
 }
 
-fn answer(fit: &ResponseFit, row: &Row, found: &FoundRow, required: &RequiredDrive) -> FittedAnswer {
+fn answer(fit: &ResponseFit, row: &ResponseRow, found: &FoundRow, required: &RequiredDrive) -> FittedAnswer {
     let sign = found.residuals[0].signum();
     FittedAnswer {
         amplitude: found.amplitude,
@@ -189,7 +193,12 @@ const NEAR: f64 = 4.0;
 
 /// The distance of the frequency beyond the end of the branch, if there is one: the required drive is taken as a parabola of the amplitude, and the
 /// branch has ended if the parabola does not reach the acting drive.
-fn beyond_fold(fit: &ResponseFit, row: &Row, found: &FoundRow, required: &RequiredDrive) -> Option<f64> {
+fn beyond_fold(
+    fit: &ResponseFit,
+    row: &ResponseRow,
+    found: &FoundRow,
+    required: &RequiredDrive,
+) -> Option<f64> {
     let parameters = fit.parameters();
     let (drive, coefficients) = parameters.split_last()?;
     let steps = -found.slope / (2.0 * found.bend);

@@ -57,7 +57,7 @@ use crate::parallel;
 use libration::internals::progress::Watch;
 use libration::progress::Progress;
 use required_drive::{AllHarmonics, OneHarmonic};
-use search::{Found, Search, State};
+use search::{ResponseMinimum, Search, State};
 
 /// Definition of the amplitude of a response.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -137,7 +137,7 @@ fn fitted(
     let mut refusal = ResponseFitError::NoConvergence(model);
     let of_grid: Vec<State> =
         start::starts(table, model).iter().map(|start| State::new(table, start)).collect();
-    let (balance, mut near): (_, Vec<Found>) = (OneHarmonic(model), vec![]);
+    let (balance, mut near): (_, Vec<ResponseMinimum>) = (OneHarmonic(model), vec![]);
     for start in &of_grid {
         match (Search { table, model, law: &balance, watch }).near(start.clone()) {
             Ok(found) if near.iter().any(|known| found.is_at(known)) => {}

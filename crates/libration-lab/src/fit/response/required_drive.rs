@@ -35,7 +35,7 @@ pub(super) struct RequiredDrive {
     /// The behaviour of small deviations.
     pub(super) stability: Stability,
     /// Start of Newton's method for a neighbouring response.
-    shape: Shape,
+    shape: ResponseShape,
 }
 
 impl RequiredDrive {
@@ -50,7 +50,7 @@ impl RequiredDrive {
 }
 
 /// Method by which the required drives are computed.
-pub(super) trait Law {
+pub(super) trait DriveMethod {
     /// Computes the drives that responses need; `None` if there is no drive for one of them.
     fn required(&self, asked: &[Asked], coefficients: &[f64]) -> Option<Vec<RequiredDrive>>;
 }
@@ -98,12 +98,12 @@ impl OneHarmonic {
             - self.force(amplitude * (1.0 - STEP), frequency, coefficients))
         .scaled(0.5 / (STEP * amplitude));
         let square = frequency * frequency;
-        let shape = Shape { peak: amplitude, cosine: drive.re / square, sine: drive.im / square };
+        let shape = ResponseShape { peak: amplitude, cosine: drive.re / square, sine: drive.im / square };
         RequiredDrive { drive, by_coefficients, by_amplitude, stability: Stability::Undetermined, shape }
     }
 }
 
-impl Law for OneHarmonic {
+impl DriveMethod for OneHarmonic {
     fn required(&self, asked: &[Asked], coefficients: &[f64]) -> Option<Vec<RequiredDrive>> {
         let drives: Vec<RequiredDrive> = asked.iter().map(|it| self.drive(it, coefficients)).collect();
         drives.iter().all(|it| it.drive.is_finite()).then_some(drives)
@@ -112,7 +112,7 @@ impl Law for OneHarmonic {
 
 /// A response that begins at its turning point at `peak`, under the force Ω²·(`cosine`·cos τ − `sine`·sin τ) at the phase τ of the drive.
 #[derive(Clone, Copy, Debug)]
-struct Shape {
+struct ResponseShape {
     peak: f64,
     cosine: f64,
     sine: f64,
@@ -125,7 +125,7 @@ pub(super) struct AllHarmonics {
     measured: MeasuredAmplitude,
     system: System,
     /// Arguments of the last computation, with the shapes that were found.
-    last: RefCell<Vec<(Asked, Shape)>>,
+    last: RefCell<Vec<(Asked, ResponseShape)>>,
 }
 
 /// Number of motions that are integrated together, in lanes.
@@ -153,9 +153,9 @@ impl AllHarmonics {
     }
 
     /// The last shapes found at these frequencies, otherwise those with one harmonic.
-    fn guesses(&self, asked: &[Asked], coefficients: &[f64]) -> Option<Vec<Shape>> {
+    fn guesses(&self, asked: &[Asked], coefficients: &[f64]) -> Option<Vec<ResponseShape>> {
         let last = self.last.borrow();
-        let same = |(asked, (last, _)): (&Asked, &(Asked, Shape))| {
+        let same = |(asked, (last, _)): (&Asked, &(Asked, ResponseShape))| {
             asked.frequency.total_cmp(&last.frequency).is_eq()
                 && (asked.amplitude - last.amplitude).abs() < 0.1 * last.amplitude
         };
@@ -167,7 +167,12 @@ impl AllHarmonics {
     }
 
     /// Integrates the motions to the ends of half periods.
-    fn ends(&self, asked: &[Asked], shapes: &[Shape], coefficients: &[f64]) -> Option<Vec<End>> {
+    fn ends(
+        &self,
+        asked: &[Asked],
+        shapes: &[ResponseShape],
+        coefficients: &[f64],
+    ) -> Option<Vec<HalfPeriodState>> {
         const HALF: [f64; 1] = [PI];
         let copies = self.model.coefficients() + 5;
         let ways: Vec<Trajectory<'_>> = asked
@@ -185,10 +190,15 @@ impl AllHarmonics {
             .collect();
         let solutions =
             ways.chunks(LANES).flat_map(|ways| integrate_many(&self.system, ways, &EFFORT, &Quiet));
-        solutions.map(|solution| Some(End { state: solution.ok()?.end.state, copies })).collect()
+        solutions.map(|solution| Some(HalfPeriodState { state: solution.ok()?.end.state, copies })).collect()
     }
 
-    fn solved(&self, end: &End, asked: &Asked, shape: Shape) -> Option<(Linear, Vector3<f64>)> {
+    fn solved(
+        &self,
+        end: &HalfPeriodState,
+        asked: &Asked,
+        shape: ResponseShape,
+    ) -> Option<(Linear, Vector3<f64>)> {
         let linear = Linear::new(end, self.measured);
         let reached = match self.measured {
             MeasuredAmplitude::Peak => shape.peak,
@@ -207,7 +217,7 @@ pub(super) fn scaled(coefficients: &[f64], frequency: f64) -> impl Iterator<Item
     [coefficients[1] / frequency, coefficients[0] / square].into_iter().chain(cubic)
 }
 
-impl Law for AllHarmonics {
+impl DriveMethod for AllHarmonics {
     fn required(&self, asked: &[Asked], coefficients: &[f64]) -> Option<Vec<RequiredDrive>> {
         let mut shapes = self.guesses(asked, coefficients)?;
         let mut found: Vec<Option<RequiredDrive>> = vec![None; asked.len()];
@@ -220,7 +230,7 @@ impl Law for AllHarmonics {
                 return Some(found);
             }
             let of_open = |all: &[Asked]| open.iter().map(|&place| all[place]).collect::<Vec<_>>();
-            let guesses: Vec<Shape> = open.iter().map(|&place| shapes[place]).collect();
+            let guesses: Vec<ResponseShape> = open.iter().map(|&place| shapes[place]).collect();
             let ends = self.ends(&of_open(asked), &guesses, coefficients)?;
             for (place, end) in open.into_iter().zip(ends) {
                 let (linear, change) = self.solved(&end, &asked[place], shapes[place])?;
@@ -243,19 +253,19 @@ impl Law for AllHarmonics {
     }
 }
 
-impl Shape {
+impl ResponseShape {
     fn plus(self, change: Vector3<f64>) -> Self {
         Self { peak: self.peak + change[0], cosine: self.cosine + change[1], sine: self.sine + change[2] }
     }
 }
 
 /// The state after half a period: x, ∫x cos, ∫x sin of the response and of each of its deviations, then their velocities.
-struct End {
+struct HalfPeriodState {
     state: Vec<f64>,
     copies: usize,
 }
 
-impl End {
+impl HalfPeriodState {
     /// Velocity of the response itself, or of a deviation, counted from one.
     fn velocity(&self, copy: usize) -> f64 {
         self.state[3 * self.copies + copy]
@@ -281,7 +291,7 @@ struct Linear {
 }
 
 impl Linear {
-    fn new(end: &End, measured: MeasuredAmplitude) -> Self {
+    fn new(end: &HalfPeriodState, measured: MeasuredAmplitude) -> Self {
         let mut linear = Self { measured, fundamental: end.fundamental(0), inverse: None };
         let last = end.copies - 1;
         // By the peak, by p and by q.
@@ -292,7 +302,7 @@ impl Linear {
     }
 
     /// Derivative of the conditions with respect to a deviation of one copy; `is_peak` for one that begins at another peak.
-    fn change(&self, end: &End, copy: usize, is_peak: bool) -> Vector3<f64> {
+    fn change(&self, end: &HalfPeriodState, copy: usize, is_peak: bool) -> Vector3<f64> {
         let own = if is_peak { 1.0 } else { 0.0 };
         let reached = match self.measured {
             MeasuredAmplitude::Peak => own,
@@ -302,7 +312,13 @@ impl Linear {
     }
 
     /// The drive of a response with this final shape.
-    fn required(&self, end: &End, asked: &Asked, shape: Shape, damping: f64) -> RequiredDrive {
+    fn required(
+        &self,
+        end: &HalfPeriodState,
+        asked: &Asked,
+        shape: ResponseShape,
+        damping: f64,
+    ) -> RequiredDrive {
         let square = asked.frequency * asked.frequency;
         let last = end.copies - 1;
         let force = Complex::new(shape.cosine, shape.sine);

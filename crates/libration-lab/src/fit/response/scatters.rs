@@ -10,7 +10,7 @@
 //! taken for the other kind, and ω0 was off by 1.28 times as much as stated.
 
 use super::found_row::FoundRow;
-use super::table::{AmplitudeErrors, ResponseTable, Row};
+use super::table::{AmplitudeErrors, ResponseRow, ResponseTable};
 use crate::statistics::count;
 
 /// Least scatter, relative to the largest amplitude, and in radians: with less, rounding errors of required drives at a quality of a thousand move
@@ -31,7 +31,7 @@ enum PhaseLaw {
 }
 
 impl PhaseLaw {
-    fn factor(self, row: &Row) -> f64 {
+    fn factor(self, row: &ResponseRow) -> f64 {
         match self {
             Self::OverAmplitude => 1.0 / row.amplitude,
             Self::Alike => 1.0,
@@ -87,14 +87,14 @@ impl Scatters {
 
     /// The standard deviation of the amplitude of a row that has this amplitude without its error: relative errors as parts of measured
     /// amplitudes would give rows that are too small by chance too much weight.
-    pub(super) fn of_amplitude(&self, row: &Row, without_error: f64) -> f64 {
+    pub(super) fn of_amplitude(&self, row: &ResponseRow, without_error: f64) -> f64 {
         match self.errors {
             AmplitudeErrors::Relative => self.amplitude * without_error,
             AmplitudeErrors::Absolute | AmplitudeErrors::Stated => self.amplitude * row.amplitude_uncertainty,
         }
     }
 
-    pub(super) fn of_phase(&self, row: &Row) -> f64 {
+    pub(super) fn of_phase(&self, row: &ResponseRow) -> f64 {
         match self.errors {
             AmplitudeErrors::Stated => row.phase_uncertainty,
             AmplitudeErrors::Absolute | AmplitudeErrors::Relative => self.phase * self.law.factor(row),
@@ -123,7 +123,7 @@ impl Scatters {
         }
         let amplitude = self.amplitude * amplitudes.deviation();
         let law = PhaseLaw::Alike;
-        let size = |(row, found): (&Row, &FoundRow)| {
+        let size = |(row, found): (&ResponseRow, &FoundRow)| {
             let part = self.of_phase(row) / law.factor(row);
             Some((part * found.residuals.get(1)?, *found.leverages.get(1)?))
         };
@@ -146,7 +146,7 @@ impl Scatters {
 
     /// The misfit that is minimised where the scatters are unknown: −2 times the logarithm of the likelihood, up to a constant.
     pub(super) fn misfit(&self, table: &ResponseTable, rows: &[FoundRow]) -> f64 {
-        let kind = |kind: usize, deviation: &dyn Fn(&Row, &FoundRow) -> f64| {
+        let kind = |kind: usize, deviation: &dyn Fn(&ResponseRow, &FoundRow) -> f64| {
             let data = || table.rows.iter().zip(rows).filter(|(_, found)| found.residuals.len() > kind);
             let n = count(data().count());
             let squares: f64 = data().map(|(_, found)| found.residuals[kind] * found.residuals[kind]).sum();

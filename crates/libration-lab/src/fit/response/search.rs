@@ -11,9 +11,9 @@
 use super::ResponseFitError;
 use super::found_row::FoundRow;
 use super::model::ResponseModel;
-use super::required_drive::{Asked, Law, OneHarmonic, RequiredDrive};
+use super::required_drive::{Asked, DriveMethod, OneHarmonic, RequiredDrive};
 use super::scatters::Scatters;
-use super::table::{ResponseTable, Row};
+use super::table::{ResponseRow, ResponseTable};
 use crate::statistics::{LinearFit, least_squares};
 use libration::algebra::Complex;
 use libration::internals::progress::Watch;
@@ -34,7 +34,7 @@ const LEAST_PART: f64 = 1.0 / 64.0;
 
 /// The best parameters under a law.
 #[derive(Clone, Debug)]
-pub(super) struct Found {
+pub(super) struct ResponseMinimum {
     /// ω0², c, perhaps κ, and A.
     pub(super) parameters: Vec<f64>,
     /// Covariance of the parameters, where the uncertainties of the rows are right.
@@ -49,7 +49,7 @@ pub(super) struct Found {
     pub(super) settled: bool,
 }
 
-impl Found {
+impl ResponseMinimum {
     /// Returns `true` if another search ended at the same parameters, within a tenth of their standard deviations.
     pub(super) fn is_at(&self, other: &Self) -> bool {
         let off = |k: usize| (self.parameters[k] - other.parameters[k]).abs();
@@ -78,7 +78,7 @@ impl State {
 
     /// The parameters found by another search, with the damping replaced by the root of the standard deviation of its square if that is larger: at
     /// zero damping, amplitudes do not depend on it to first order.
-    pub(super) fn after(found: &Found) -> Self {
+    pub(super) fn after(found: &ResponseMinimum) -> Self {
         let mut parameters = DVector::from_row_slice(&found.parameters);
         let of_square = 2.0 * parameters[1].abs() * found.covariance[(1, 1)].sqrt();
         parameters[1] = parameters[1].max(of_square.sqrt());
@@ -117,7 +117,7 @@ impl Round {
 pub(super) struct Search<'a> {
     pub(super) table: &'a ResponseTable,
     pub(super) model: ResponseModel,
-    pub(super) law: &'a dyn Law,
+    pub(super) law: &'a dyn DriveMethod,
     pub(super) watch: &'a Watch<'a>,
 }
 
@@ -147,7 +147,7 @@ struct LinearRow {
 
 impl Search<'_> {
     /// Searches the best parameters from this start.
-    pub(super) fn near(&self, mut here: State) -> Result<Found, ResponseFitError> {
+    pub(super) fn near(&self, mut here: State) -> Result<ResponseMinimum, ResponseFitError> {
         let mut round = self.round(&here)?;
         let mut part = 1.0;
         for _ in 0..MOST_ROUNDS {
@@ -210,20 +210,20 @@ impl Search<'_> {
         step
     }
 
-    fn found(&self, here: &State, round: Round, settled: bool) -> Found {
+    fn found(&self, here: &State, round: Round, settled: bool) -> ResponseMinimum {
         let chi2 = round.residuals.norm_squared();
         let misfit =
             if self.table.is_weighted() { chi2 } else { here.scatters.misfit(self.table, &round.rows) };
         let parameters = (&here.parameters + round.step).as_slice().to_vec();
         let (covariance, rows) = (round.covariance, round.rows);
-        Found { parameters, covariance, chi2, scatters: here.scatters, misfit, rows, settled }
+        ResponseMinimum { parameters, covariance, chi2, scatters: here.scatters, misfit, rows, settled }
     }
 
     /// Steps to the amplitudes without their errors, limited to those that the model can have, and standard deviations.
     fn moves(&self, rows: &[FoundRow], scatters: &Scatters) -> Vec<(f64, f64)> {
         const FARTHEST: f64 = 0.5;
         let bound = self.model.amplitude_bound();
-        let of_row = |(row, found): (&Row, &FoundRow)| {
+        let of_row = |(row, found): (&ResponseRow, &FoundRow)| {
             let measured = row.amplitude;
             let deviation = scatters.of_amplitude(row, found.amplitude);
             let spread = (6.0 * deviation).min(FARTHEST * measured.min(bound - measured));
@@ -234,7 +234,7 @@ impl Search<'_> {
 
     fn required(
         &self,
-        law: &dyn Law,
+        law: &dyn DriveMethod,
         amplitudes: &[f64],
         parameters: &DVector<f64>,
     ) -> Option<Vec<RequiredDrive>> {
@@ -302,7 +302,7 @@ impl Search<'_> {
 
     /// Computes the rows with amplitudes without their errors, by residuals and leverages.
     fn rows(&self, linear: Vec<LinearRow>, mut data: impl Iterator<Item = (f64, f64)>) -> Vec<FoundRow> {
-        let of_row = |(row, linear): (&Row, LinearRow)| {
+        let of_row = |(row, linear): (&ResponseRow, LinearRow)| {
             let (own, leverages): (Vec<f64>, Vec<f64>) = data.by_ref().take(linear.slope.len()).unzip();
             let slope = &linear.whitening * DVector::from_row_slice(&linear.slope);
             let excess = slope.dot(&DVector::from_row_slice(&own));

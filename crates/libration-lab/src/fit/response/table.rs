@@ -39,14 +39,14 @@ pub struct ResponseColumns<'a> {
 /// Rows of frequency, amplitude and perhaps phase that a fit can use.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ResponseTable {
-    pub(super) rows: Vec<Row>,
+    pub(super) rows: Vec<ResponseRow>,
     errors: AmplitudeErrors,
     leads: bool,
 }
 
 /// One measurement.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Row {
+pub(super) struct ResponseRow {
     pub(super) frequency: f64,
     pub(super) amplitude: f64,
     /// Phase lag behind the drive, in radians.
@@ -71,7 +71,7 @@ impl ResponseTable {
         columns.check()?;
         let errors =
             columns.amplitude_uncertainties.map_or(columns.unstated_errors, |_| AmplitudeErrors::Stated);
-        let rows = (0..columns.frequencies.len()).map(|row| Row::new(columns, row));
+        let rows = (0..columns.frequencies.len()).map(|row| ResponseRow::new(columns, row));
         let mut rows = rows.collect::<Result<Vec<_>, _>>()?;
         // A drive that does work on a damped oscillator is ahead of it: its power is proportional to the sine of the lag.
         let power: f64 =
@@ -181,7 +181,7 @@ impl ResponseColumns<'_> {
     }
 }
 
-impl Row {
+impl ResponseRow {
     fn new(columns: &ResponseColumns<'_>, index: usize) -> Result<Self, ResponseFitError> {
         let row = index + 1;
         let usable = |value: f64| value > 0.0 && value.is_finite();

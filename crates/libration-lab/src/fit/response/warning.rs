@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::required_drive::OneHarmonic;
-use super::table::Row;
+use super::table::ResponseRow;
 use super::{FittedAnswer, ResponseFit, ResponseFitError, ResponseModel, ResponseTable, ResponsesFit};
 use crate::fit::scatter::ScatterWarning;
 use crate::statistics::count;
@@ -117,7 +117,7 @@ pub(super) fn warnings(table: &ResponseTable, fit: &ResponsesFit) -> Vec<Respons
 fn is_one_sided(table: &ResponseTable, fit: &ResponseFit) -> bool {
     let (parameters, law) = (fit.parameters(), OneHarmonic(fit.model));
     let coefficients = &parameters[..parameters.len() - 1];
-    let above = |(row, found): (&Row, &FittedAnswer)| {
+    let above = |(row, found): (&ResponseRow, &FittedAnswer)| {
         row.frequency * row.frequency > law.resonance_squared(found.amplitude, coefficients)
     };
     let rows = || table.rows.iter().zip(&fit.rows).map(above);

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::error::FEWEST_SWINGS;
 use super::noise::{Noise, about_harmonics};
-use super::remark::{Swing, of_harmonic};
+use super::remark::{MeasuredSwing, of_harmonic};
 use super::tapered::tapered;
 use super::theory::Theory;
 use super::window_fit::{WindowFit, cosine_column, sine_column};
@@ -108,7 +108,7 @@ pub fn fit_spectrum(
     let sampled = windows.highest_sampled();
     let highest = options.harmonics.min(sampled).max(1);
     let fits = fits(&windows, highest, watch)?;
-    let mut found = Found::new(fits, highest).spectrum(trace.observable());
+    let mut found = UsableWindows::new(fits, highest).spectrum(trace.observable());
     let not_sampled = SpectrumRemark::NotSampled { highest: sampled, asked: options.harmonics };
     let left_out =
         SpectrumRemark::WindowsLeftOut { windows: windows.count - found.windows.len(), of: windows.count };
@@ -145,13 +145,13 @@ fn is_clear(fit: &WindowFit) -> bool {
 }
 
 /// The windows that can be used, with the noise about each harmonic.
-struct Found {
+struct UsableWindows {
     fits: Vec<WindowFit>,
     noise: Vec<Noise>,
     highest: usize,
 }
 
-impl Found {
+impl UsableWindows {
     fn new(fits: Vec<WindowFit>, highest: usize) -> Self {
         Self { noise: about_harmonics(&fits, highest), fits, highest }
     }
@@ -252,7 +252,7 @@ impl Found {
         observable: Observable,
     ) -> Vec<SpectrumRemark> {
         let first = harmonics[1].in_phase.value;
-        let swing = Swing { observable, first, decay: decay(windows), harmonics: self.highest };
+        let swing = MeasuredSwing { observable, first, decay: decay(windows), harmonics: self.highest };
         let growth = |n: usize| {
             self.fits.iter().map(|fit| fit.theory.growth(n).power).sum::<f64>() / count(self.fits.len())
         };

@@ -80,7 +80,7 @@ fn is_significant(deviation: Option<f64>, degrees_of_freedom: usize, harmonics: 
 
 /// Properties of the swing to which a harmonic belongs.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Swing {
+pub(super) struct MeasuredSwing {
     pub(super) observable: Observable,
     /// The first harmonic.
     pub(super) first: f64,
@@ -91,8 +91,8 @@ pub(super) struct Swing {
 }
 
 /// Remarks on a harmonic that grows with this power of the first.
-pub(super) fn of_harmonic(harmonic: &Harmonic, growth: f64, swing: &Swing) -> Vec<SpectrumRemark> {
-    let Swing { observable, first, decay, .. } = *swing;
+pub(super) fn of_harmonic(harmonic: &Harmonic, growth: f64, swing: &MeasuredSwing) -> Vec<SpectrumRemark> {
+    let MeasuredSwing { observable, first, decay, .. } = *swing;
     let Harmonic { n, in_phase, theory, .. } = *harmonic;
     let is_known = |value: f64| value.abs() > INEXACT[0] * theory.abs() + INEXACT[1] * first;
     let differs = harmonic.difference.is_some_and(|it| is_known(it.value))

@@ -91,7 +91,7 @@ pub(super) fn sine_column(n: usize) -> usize {
 
 /// The phase and the shape during the iteration.
 #[derive(Clone, Debug)]
-struct State {
+struct PhaseAndShape {
     phase: [f64; TERMS],
     /// The amplitude of the first harmonic over that in the middle.
     shape: [f64; TERMS],
@@ -112,7 +112,7 @@ impl WindowRows<'_> {
         };
         let growths = (0..=self.highest).map(Growth::by_number).collect();
         let phase = [0.0, TAU * half / self.period, 0.0, 0.0, 0.0];
-        let mut state = State { phase, shape: [1.0, 0.0, 0.0, 0.0, 0.0], growths };
+        let mut state = PhaseAndShape { phase, shape: [1.0, 0.0, 0.0, 0.0, 0.0], growths };
         let mut weights = own.clone();
         let mut settled = self.settle(&places, &weights, half, &mut state)?;
         for pass in 0..PASSES {
@@ -136,7 +136,13 @@ impl WindowRows<'_> {
     }
 
     /// Corrects the phase until sin φ has no part.
-    fn settle(&self, places: &[f64], weights: &[f64], half: f64, state: &mut State) -> Option<Settled> {
+    fn settle(
+        &self,
+        places: &[f64],
+        weights: &[f64],
+        half: f64,
+        state: &mut PhaseAndShape,
+    ) -> Option<Settled> {
         let values = weights.iter().zip(self.values).map(|(weight, value)| weight * value);
         let values = DVector::from_iterator(places.len(), values);
         for _ in 0..CORRECTIONS {
@@ -183,14 +189,14 @@ struct Settled {
 
 impl Settled {
     /// Residuals of all rows, in units of their own uncertainties.
-    fn residuals(&self, values: &[f64], places: &[f64], own: &[f64], state: &State) -> Vec<f64> {
+    fn residuals(&self, values: &[f64], places: &[f64], own: &[f64], state: &PhaseAndShape) -> Vec<f64> {
         let highest = (self.fit.coefficients.len() - OTHERS) / 2 + 1;
         let fitted = state.matrix(places, own, highest) * &self.fit.coefficients;
         values.iter().zip(own).zip(fitted.iter()).map(|((value, own), fitted)| value * own - fitted).collect()
     }
 }
 
-impl State {
+impl PhaseAndShape {
     /// The columns at these positions, each row times its weight.
     fn matrix(&self, places: &[f64], weights: &[f64], highest: usize) -> DMatrix<f64> {
         let mut matrix = DMatrix::zeros(places.len(), columns(highest));

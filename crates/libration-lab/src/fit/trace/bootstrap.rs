@@ -10,7 +10,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::Autocorrelation;
 use super::layout::Layout;
-use super::minimum::Minimum;
+use super::minimum::TraceMinimum;
 use super::random::Random;
 use crate::measurement::Trace;
 use crate::statistics::count;
@@ -19,7 +19,7 @@ use crate::statistics::count;
 const REPLICAS: usize = 500;
 
 /// Number of rows in a block, at least one swing; it grows with the correlation time of the residuals and with the number of rows.
-pub(super) fn block(autocorrelation: &Autocorrelation, minimum: &Minimum, traces: &[Trace]) -> usize {
+pub(super) fn block(autocorrelation: &Autocorrelation, minimum: &TraceMinimum, traces: &[Trace]) -> usize {
     let Some(longest) = traces.iter().max_by_key(|trace| trace.len()) else { return 1 };
     let end = longest.times()[0] + TAU / minimum.parameters[Layout::OMEGA0];
     let swing = longest.times().partition_point(|&time| time < end);

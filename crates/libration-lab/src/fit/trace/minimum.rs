@@ -6,7 +6,7 @@ use libration::taylor::Effort;
 use super::TraceFitError;
 use super::autocorrelation::Autocorrelation;
 use super::layout::Layout;
-use super::model::{Model, Rows};
+use super::model::{Model, ResidualRows};
 use super::series::{self, Series};
 use super::weights::Weights;
 use crate::measurement::Trace;
@@ -66,12 +66,12 @@ pub struct Descent {
     pub(super) least_correlation: f64,
     pub(super) converged: bool,
     /// The rows at these parameters, if they are known.
-    rows: Option<Vec<Rows>>,
+    rows: Option<Vec<ResidualRows>>,
 }
 
 /// The best parameters, with the linearised problem.
 #[derive(Clone, Debug)]
-pub struct Minimum {
+pub struct TraceMinimum {
     /// Values of all parameters.
     pub parameters: Vec<f64>,
     /// Derivatives of all rows with respect to the free parameters, and residuals.
@@ -81,7 +81,7 @@ pub struct Minimum {
     pub(super) converged: bool,
 }
 
-impl Minimum {
+impl TraceMinimum {
     /// The sum of the squares of the residuals.
     pub fn sum_of_squares(&self) -> f64 {
         self.linearised.residuals.norm_squared()
@@ -121,7 +121,7 @@ pub fn descent(
             parameters[place] = value;
         }
         let rows = model.rows(series, &parameters, &free, &care.effort).ok_or(ResidualsError::OutOfDomain)?;
-        let few = Rows::few(&rows, &free);
+        let few = ResidualRows::few(&rows, &free);
         let sum = few.residuals.norm_squared();
         if least.as_ref().is_none_or(|(_, before, _)| sum < *before) {
             least = Some((values.clone(), sum, rows));
@@ -138,7 +138,7 @@ pub fn descent(
     let rows = least.and_then(|(values, _, rows)| (values == found.parameters).then_some(rows));
     let sum_of_squares = found.linearised.residuals.norm_squared();
     let unexplained = sum_of_squares / series::scatter(series);
-    let least = |rows: &Vec<Rows>| {
+    let least = |rows: &Vec<ResidualRows>| {
         let parts = rows.iter().zip(series).map(|(rows, series)| series.least_correlation(&rows.residuals()));
         parts.fold(1.0, f64::min)
     };
@@ -159,7 +159,7 @@ pub(super) fn promised(
     let omega0 = parameters[Layout::OMEGA0];
     let rows =
         model.rows(series, parameters, free, &care.effort).ok_or(TraceFitError::NoMotion { omega0 })?;
-    let few = Rows::few(&rows, free);
+    let few = ResidualRows::few(&rows, free);
     let sum = few.residuals.norm_squared();
     Ok((sum, if free.is_empty() { 0.0 } else { few.promises() * sum }))
 }
@@ -172,11 +172,11 @@ pub(super) fn linearised(
     descent: &Descent,
 ) -> Result<Linearised, TraceFitError> {
     if let Some(rows) = &descent.rows {
-        return Ok(Rows::whole(rows, free));
+        return Ok(ResidualRows::whole(rows, free));
     }
     let rows = model.rows(series, &descent.parameters, free, &Care::FULL.effort);
     let omega0 = descent.parameters[Layout::OMEGA0];
-    rows.map(|rows| Rows::whole(&rows, free)).ok_or(TraceFitError::NoMotion { omega0 })
+    rows.map(|rows| ResidualRows::whole(&rows, free)).ok_or(TraceFitError::NoMotion { omega0 })
 }
 
 impl Descent {
@@ -192,7 +192,8 @@ impl Descent {
 
     /// Returns `true` if the fit is known to leave only noise.
     pub(super) fn leaves_noise(&self) -> bool {
-        let residuals = |rows: &Vec<Rows>| rows.iter().map(Rows::residuals).collect::<Vec<Vec<f64>>>();
+        let residuals =
+            |rows: &Vec<ResidualRows>| rows.iter().map(ResidualRows::residuals).collect::<Vec<Vec<f64>>>();
         self.rows.as_ref().is_some_and(|rows| Autocorrelation::of_series(&residuals(rows)).is_noise())
     }
 }

@@ -19,7 +19,7 @@ pub struct Model {
 
 /// Residuals of the rows of one trace, with the derivatives with respect to their parameters.
 #[derive(Clone, Debug)]
-pub struct Rows {
+pub struct ResidualRows {
     /// Indices of these parameters among all.
     places: Vec<usize>,
     /// The derivatives, then the residuals, all times the weights.
@@ -45,7 +45,7 @@ impl Model {
         parameters: &[f64],
         free: &[usize],
         effort: &Effort,
-    ) -> Option<Vec<Rows>> {
+    ) -> Option<Vec<ResidualRows>> {
         let layout = self.layout;
         if parameters[Layout::OMEGA0] <= 0.0 {
             return None;
@@ -63,7 +63,7 @@ impl Model {
         let seen = self.swing.seen(&courses, effort)?;
         let all = seen.iter().zip(series).enumerate();
         let rows = all.map(|(number, (seen, series))| self.rows_of(number, series, seen, parameters, free));
-        let rows: Vec<Rows> = rows.collect();
+        let rows: Vec<ResidualRows> = rows.collect();
         rows.iter().all(|rows| rows.matrix.iter().all(|x| x.is_finite())).then_some(rows)
     }
 
@@ -74,7 +74,7 @@ impl Model {
         seen: &Seen,
         parameters: &[f64],
         free: &[usize],
-    ) -> Rows {
+    ) -> ResidualRows {
         let layout = self.layout;
         let (offset, scale) = (layout.offset(number), layout.scale());
         let of_motion: Vec<usize> = layout.of_motion(number).collect();
@@ -98,11 +98,11 @@ impl Model {
         for ((x, value), (observed, weight)) in residuals.into_iter().zip(&seen.values).zip(observed) {
             *x = (parameters[offset] + parameters[scale] * value - observed) * weight;
         }
-        Rows { places, matrix }
+        ResidualRows { places, matrix }
     }
 }
 
-impl Rows {
+impl ResidualRows {
     /// Indices, among all parameters, of those that the rows depend on.
     pub fn places(&self) -> &[usize] {
         &self.places

@@ -2,12 +2,12 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::minimum::Minimum;
+use super::minimum::TraceMinimum;
 use crate::measurement::{FittedPivot, Trace};
 
 /// The covariance of the parameters by the pivots, as far as they respond linearly to shifted angles. Traces about one pivot
 /// share its error.
-pub(super) fn covariance(traces: &[Trace], minimum: &Minimum, response: &DMatrix<f64>) -> DMatrix<f64> {
+pub(super) fn covariance(traces: &[Trace], minimum: &TraceMinimum, response: &DMatrix<f64>) -> DMatrix<f64> {
     let mut sum = DMatrix::zeros(response.nrows(), response.nrows());
     for (number, trace) in traces.iter().enumerate() {
         let Some(pivot) = trace.fitted_pivot() else { continue };
@@ -25,7 +25,7 @@ pub(super) fn covariance(traces: &[Trace], minimum: &Minimum, response: &DMatrix
 }
 
 /// The changes of all rows by one of the errors of a pivot, times their weights.
-fn weighted(traces: &[Trace], minimum: &Minimum, pivot: &FittedPivot, error: usize) -> DVector<f64> {
+fn weighted(traces: &[Trace], minimum: &TraceMinimum, pivot: &FittedPivot, error: usize) -> DVector<f64> {
     let of_trace = |(trace, weights): (&Trace, &[f64])| match trace.fitted_pivot() {
         Some(own) if own.is_shared_with(pivot) => {
             own.errors()[error].iter().zip(weights).map(|(change, weight)| change * weight).collect()

@@ -3,7 +3,7 @@
 use libration::internals::progress::Watch;
 
 use super::data::Data;
-use super::minimum::{Care, Descent, Minimum, Start, descent, linearised, promised};
+use super::minimum::{Care, Descent, Start, TraceMinimum, descent, linearised, promised};
 use super::model::Model;
 use super::series;
 use super::weak_form::{self, Beginning};
@@ -74,7 +74,7 @@ impl<'a> Problem<'a> {
         patience: usize,
         care: Care,
         watch: &Watch<'_>,
-    ) -> Result<Minimum, TraceFitError> {
+    ) -> Result<TraceMinimum, TraceFitError> {
         let free = self.model.free();
         let stated = Weights::stated(self.data.traces);
         if !self.options.robust {
@@ -161,21 +161,21 @@ impl<'a> Problem<'a> {
         weights: Weights,
         start: Start,
         watch: &Watch<'_>,
-    ) -> Result<Minimum, TraceFitError> {
+    ) -> Result<TraceMinimum, TraceFitError> {
         let (series, free) = (series::whole(self.data, &weights), start.free.clone());
         let descent = descent(&self.model, &series, start, watch)?;
         let linearised = linearised(&self.model, &series, &free, &descent)?;
         let Descent { parameters, converged, .. } = descent;
         drop(series);
-        Ok(Minimum { parameters, linearised, weights, converged })
+        Ok(TraceMinimum { parameters, linearised, weights, converged })
     }
 
     /// The fraction of the scatter of the data that a minimum leaves unexplained.
-    pub(super) fn unexplained(&self, minimum: &Minimum) -> f64 {
+    pub(super) fn unexplained(&self, minimum: &TraceMinimum) -> f64 {
         minimum.sum_of_squares() / series::scatter(&series::whole(self.data, &minimum.weights))
     }
 
-    fn robust_weights(&self, minimum: &Minimum) -> Weights {
+    fn robust_weights(&self, minimum: &TraceMinimum) -> Weights {
         Weights::robust(self.data.traces, &minimum.standard_residuals(self.data.traces))
     }
 }

@@ -4,7 +4,7 @@
 
 use libration::internals::progress::Watch;
 
-use super::minimum::Minimum;
+use super::minimum::TraceMinimum;
 use super::problem::Problem;
 use super::{Parameter, TraceFitError};
 use crate::parallel;
@@ -36,7 +36,7 @@ pub(super) fn quantiles(degrees_of_freedom: f64) -> [f64; 2] {
 /// Computes the intervals of all shared parameters.
 pub(super) fn intervals(
     problem: &Problem<'_>,
-    minimum: &Minimum,
+    minimum: &TraceMinimum,
     covariance: &DMatrix<f64>,
     variance: f64,
     parameters: &mut [Parameter],
@@ -66,7 +66,7 @@ pub(super) fn intervals(
 /// One parameter as it is moved away from the minimum.
 struct Profile<'a> {
     problem: &'a Problem<'a>,
-    minimum: &'a Minimum,
+    minimum: &'a TraceMinimum,
     free: &'a [usize],
     covariance: &'a DMatrix<f64>,
     /// Index of the parameter among the free ones.

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::minimum::Minimum;
+use super::minimum::TraceMinimum;
 use super::{Parameter, TraceFitError, huber};
 use crate::measurement::Trace;
 use crate::statistics::levenberg_marquardt::Linearised;
@@ -21,14 +21,14 @@ pub(super) struct Response {
 
 impl Response {
     /// Computes the response at a minimum, with the weights of its rows.
-    pub(super) fn new(minimum: &Minimum, parameters: &[Parameter]) -> Result<Self, TraceFitError> {
+    pub(super) fn new(minimum: &TraceMinimum, parameters: &[Parameter]) -> Result<Self, TraceFitError> {
         Self::with(minimum.linearised.clone(), parameters)
     }
 
     /// Computes the response of the bounded least squares problem, which equals the robust one for many rows: outliers are bounded, and their rows
     /// have full weight, so that the noise is the same in all.
     pub(super) fn without_weights(
-        minimum: &Minimum,
+        minimum: &TraceMinimum,
         traces: &[Trace],
         parameters: &[Parameter],
     ) -> Result<Self, TraceFitError> {

@@ -13,7 +13,7 @@ use super::problem::{PATIENCE, Problem};
 /// The numbers were varied over 24 recordings with linear and quadratic damping: twelve measured ones by an encoder, released at up to
 /// 180°, and by videos, and twelve synthetic ones, of which three were released within 10° of the top, one began over it and two
 /// were angular velocities from 140° and 175°. The comment on a number states which of them ended in another minimum.
-struct Growth {
+struct WindowGrowth {
     /// First number of cycles. With 0.75 to 3 all ended alike but one near the top, lost with 0.75; with 6 six were lost.
     first: f64,
     /// Ratio of successive lengths. With 1.5 all gave the same results; with 4 two were lost, the release at 180° and the one that begins over the
@@ -26,8 +26,8 @@ struct Growth {
 
 /// A quick search, and a careful one: near the top a small damping decides whether the pendulum goes over it. Without the careful one the release
 /// at 179.5° was lost; with 0.4 to 1.5 cycles, factors of 1.15 to 1.7 and damping from 2.9 on the results were the same.
-const QUICK: Growth = Growth { first: 1.5, factor: 2.0, damped_from: 2.9 };
-const CAREFUL: Growth = Growth { first: 0.75, factor: 1.3, damped_from: 0.0 };
+const QUICK: WindowGrowth = WindowGrowth { first: 1.5, factor: 2.0, damped_from: 2.9 };
+const CAREFUL: WindowGrowth = WindowGrowth { first: 0.75, factor: 1.3, damped_from: 0.0 };
 /// Evaluations for each parameter during the growth, as MINPACK counts them: 4 and 20 ended alike.
 const PATIENCE_GROWING: usize = 10;
 /// Cycles above which all kinds of damping are fitted at once: 5.9, 23.9 and 1000 gave the same results; with all from the
@@ -101,7 +101,7 @@ pub(super) fn patience(end: &Descent) -> usize {
 fn grown(
     problem: &Problem<'_>,
     mut parameters: Vec<f64>,
-    growth: &Growth,
+    growth: &WindowGrowth,
     watch: &Watch<'_>,
 ) -> Result<Followed, TraceFitError> {
     let mut cycles = growth.first;
@@ -128,7 +128,7 @@ fn grown(
 }
 
 /// The parameters that this number of cycles determines: in few of them the kinds of damping cannot be distinguished.
-fn free_within(layout: Layout, cycles: f64, growth: &Growth) -> Vec<usize> {
+fn free_within(layout: Layout, cycles: f64, growth: &WindowGrowth) -> Vec<usize> {
     let damping = layout.coefficients();
     let is_free = |place: &usize| match damping.contains(place) {
         true if cycles >= CYCLES_OF_ALL_DAMPING => true,

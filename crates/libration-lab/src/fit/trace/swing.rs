@@ -70,14 +70,15 @@ impl Swing {
 
     /// Computes the motions, each equal bit for bit to that computed alone; `None` if one of them cannot be integrated.
     pub fn seen(&self, courses: &[Course<'_>], effort: &Effort) -> Option<Vec<Seen>> {
-        let ways = courses.iter().map(|course| Way::new(self, course));
-        let mut ways = ways.collect::<Option<Vec<Way<'_>>>>()?;
+        let ways = courses.iter().map(|course| IntegratedMotion::new(self, course));
+        let mut ways = ways.collect::<Option<Vec<IntegratedMotion<'_>>>>()?;
         // A pendulum that turns so much more often than it is sampled is far from any data.
         let most_rows = courses.iter().map(|course| course.times.len()).max().unwrap_or(0);
         for _ in 0..10 * most_rows + 100 {
-            let mut under_way: Vec<&mut Way<'_>> = ways.iter_mut().filter(|way| !way.is_done()).collect();
+            let mut under_way: Vec<&mut IntegratedMotion<'_>> =
+                ways.iter_mut().filter(|way| !way.is_done()).collect();
             if under_way.is_empty() {
-                return Some(ways.into_iter().map(Way::seen).collect());
+                return Some(ways.into_iter().map(IntegratedMotion::seen).collect());
             }
             for (solution, way) in self.legs(&mut under_way, effort).into_iter().zip(under_way) {
                 way.arrive(solution.ok()?);
@@ -87,7 +88,11 @@ impl Swing {
     }
 
     /// Integrates all motions to their ends, or to their next turning points.
-    fn legs(&self, ways: &mut [&mut Way<'_>], effort: &Effort) -> Vec<Result<Solution, IntegrationError>> {
+    fn legs(
+        &self,
+        ways: &mut [&mut IntegratedMotion<'_>],
+        effort: &Effort,
+    ) -> Vec<Result<Solution, IntegrationError>> {
         let trajectories: Vec<Trajectory<'_>> = ways.iter().map(|way| way.trajectory()).collect();
         let mut take = |number: usize, step: &Step<'_>| {
             ways[number].take(step);
@@ -107,7 +112,7 @@ impl Swing {
 }
 
 /// A motion during its integration.
-struct Way<'a> {
+struct IntegratedMotion<'a> {
     swing: &'a Swing,
     course: &'a Course<'a>,
     parameters: Vec<f64>,
@@ -121,7 +126,7 @@ struct Way<'a> {
     next: usize,
 }
 
-impl<'a> Way<'a> {
+impl<'a> IntegratedMotion<'a> {
     /// Prepares a motion; `None` if it is at rest and so has no direction.
     fn new(swing: &'a Swing, course: &'a Course<'a>) -> Option<Self> {
         let (omega0, [angle, velocity]) = (course.omega0, course.start);

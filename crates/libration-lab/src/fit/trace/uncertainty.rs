@@ -4,7 +4,7 @@ use libration::internals::progress::Watch;
 
 use nalgebra::DMatrix;
 
-use super::minimum::Minimum;
+use super::minimum::TraceMinimum;
 use super::problem::Problem;
 use super::response::Response;
 use super::{Autocorrelation, FittedTrace, Parameter, TraceFit, TraceFitError};
@@ -14,10 +14,14 @@ use crate::measurement::Trace;
 use crate::statistics::{count, mean};
 
 /// Computes the fit with its uncertainties.
-pub fn fit(problem: &Problem<'_>, minimum: &Minimum, watch: &Watch<'_>) -> Result<TraceFit, TraceFitError> {
+pub fn fit(
+    problem: &Problem<'_>,
+    minimum: &TraceMinimum,
+    watch: &Watch<'_>,
+) -> Result<TraceFit, TraceFitError> {
     let traces = problem.data.traces;
     let residuals = minimum.standard_residuals(traces);
-    let scatter = Scatter::new(problem, &residuals);
+    let scatter = ResidualScatter::new(problem, &residuals);
     let autocorrelation = Autocorrelation::of_series(&split(&residuals, traces));
     let block = (!autocorrelation.is_noise()).then(|| bootstrap::block(&autocorrelation, minimum, traces));
     let mut parameters = described(problem, minimum);
@@ -58,7 +62,7 @@ pub fn fit(problem: &Problem<'_>, minimum: &Minimum, watch: &Watch<'_>) -> Resul
 }
 
 /// Size of the residuals compared with their stated uncertainties.
-struct Scatter {
+struct ResidualScatter {
     degrees_of_freedom: usize,
     /// The sum of their squares over the degrees of freedom.
     per_degree: f64,
@@ -68,7 +72,7 @@ struct Scatter {
     variance: f64,
 }
 
-impl Scatter {
+impl ResidualScatter {
     fn new(problem: &Problem<'_>, residuals: &[f64]) -> Self {
         let parameters = problem.model.free().len();
         let degrees_of_freedom = residuals.len().saturating_sub(parameters).max(1);
@@ -82,7 +86,7 @@ impl Scatter {
 }
 
 /// The free parameters with their values.
-fn described(problem: &Problem<'_>, minimum: &Minimum) -> Vec<Parameter> {
+fn described(problem: &Problem<'_>, minimum: &TraceMinimum) -> Vec<Parameter> {
     let layout = problem.model.layout;
     let one = |place: usize| Parameter {
         estimate: Uncertain { value: minimum.parameters[place], ..Uncertain::default() },

@@ -37,7 +37,7 @@ struct Sample {
 
 /// Estimate by windows of one length.
 #[derive(Clone, Copy, Debug)]
-struct Estimate {
+struct WindowEstimate {
     omega0: f64,
     offset: f64,
     /// Residual of the equation in the median window, relative to its terms and to the root of the number of windows.
@@ -68,7 +68,7 @@ const LEAST_WINDOWS: usize = 12;
 
 /// Tries window lengths from a few samples to the whole trace: in short ones noise prevails, in long ones φ averages
 /// the signal away.
-fn best_estimate(times: &[f64], angles: &[f64]) -> Option<Estimate> {
+fn best_estimate(times: &[f64], angles: &[f64]) -> Option<WindowEstimate> {
     let span = times.last()? - times.first()?;
     let interval = median(times.windows(2).map(|pair| pair[1] - pair[0]).collect())?;
     let sample = |(&time, &angle): (&f64, &f64)| {
@@ -88,7 +88,7 @@ fn best_estimate(times: &[f64], angles: &[f64]) -> Option<Estimate> {
     estimates.min_by(|a, b| a.misfit.total_cmp(&b.misfit))
 }
 
-fn estimate(samples: &[Sample], gaps: &[usize], half: f64) -> Option<Estimate> {
+fn estimate(samples: &[Sample], gaps: &[usize], half: f64) -> Option<WindowEstimate> {
     let (begin, end) = (samples.first()?.time, samples.last()?.time);
     let mut rows = vec![];
     let mut centre = begin + half;
@@ -116,7 +116,7 @@ fn estimate(samples: &[Sample], gaps: &[usize], half: f64) -> Option<Estimate> {
     let misfit = scale / size / count(rows.len() - 3).sqrt();
     let omega0 = libm::hypot(solution[0], solution[1]).sqrt();
     let offset = libm::atan2(solution[1], solution[0]);
-    (omega0 > 0.0 && misfit.is_finite()).then_some(Estimate { omega0, offset, misfit })
+    (omega0 > 0.0 && misfit.is_finite()).then_some(WindowEstimate { omega0, offset, misfit })
 }
 
 /// ∫φ″θ, −∫φ sin θ, ∫φ cos θ and ∫φ′θ over a window without gaps, with φ = (1 − u²)³.

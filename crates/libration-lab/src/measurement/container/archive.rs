@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use super::super::MeasurementError;
 use super::super::text::decode;
-use super::part::Part;
+use super::part::ArchiveFile;
 use super::unpacked::parts;
 use super::{Format, Page, xlsx};
 
@@ -25,13 +25,13 @@ pub(super) fn pages(bytes: &[u8], limit: usize) -> Result<(Format, Vec<Page<'_>>
 }
 
 /// Text files, but not those in which phyphox describes the telephone and the clock.
-fn is_table(part: &Part) -> bool {
+fn is_table(part: &ArchiveFile) -> bool {
     let name = part.name.to_lowercase();
     let is_text = [".csv", ".txt", ".tsv", ".dat"].iter().any(|ending| name.ends_with(ending));
     is_text && !name.split('/').rev().skip(1).any(|folder| folder == "meta" || folder == "__macosx")
 }
 
-fn page(part: Part) -> Result<Page<'static>, MeasurementError> {
+fn page(part: ArchiveFile) -> Result<Page<'static>, MeasurementError> {
     let (text, _) = decode(&part.bytes)?;
     let file = part.name.rsplit('/').next().unwrap_or_default();
     let name = file.rsplit_once('.').map_or(file, |(stem, _)| stem).to_owned();

@@ -6,13 +6,13 @@ use super::super::number::{Cell, DecimalMark, Written};
 
 /// Cells in any order, and the bytes their text will take.
 #[derive(Clone, Debug)]
-pub struct Grid {
+pub struct CellGrid {
     cells: Vec<(u32, u32, String)>,
     bytes: usize,
     limit: usize,
 }
 
-impl Grid {
+impl CellGrid {
     /// An empty grid, with a limit to the size of its cells.
     pub fn new(limit: usize) -> Self {
         Self { cells: Vec::new(), bytes: 0, limit }

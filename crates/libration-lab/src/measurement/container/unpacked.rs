@@ -8,17 +8,17 @@ use rawzip::{CompressionMethod, ZipArchive, ZipFileHeaderRecord, ZipSliceArchive
 
 use super::super::MeasurementError;
 use super::entry_name::entry_name;
-use super::part::Part;
+use super::part::ArchiveFile;
 
 /// More files than any export has.
 const MOST_FILES: usize = 1000;
 
 /// All files, which together have at most `limit` bytes. Of files with one name the last one counts.
-pub(super) fn parts(bytes: &[u8], limit: usize) -> Result<Vec<Part>, MeasurementError> {
+pub(super) fn parts(bytes: &[u8], limit: usize) -> Result<Vec<ArchiveFile>, MeasurementError> {
     let archive = ZipArchive::from_slice(bytes).map_err(damaged)?;
     let entries = entries(&archive)?;
     check_places(&archive, &entries)?;
-    let (mut parts, mut size): (Vec<Part>, usize) = (Vec::new(), 0);
+    let (mut parts, mut size): (Vec<ArchiveFile>, usize) = (Vec::new(), 0);
     for entry in &entries {
         let name = entry_name(entry);
         let bytes = unpacked(&archive, entry, limit - size)?;
@@ -28,7 +28,7 @@ pub(super) fn parts(bytes: &[u8], limit: usize) -> Result<Vec<Part>, Measurement
         }
         match parts.iter_mut().find(|part| part.name == name) {
             Some(earlier) => earlier.bytes = bytes,
-            None => parts.push(Part { name, bytes }),
+            None => parts.push(ArchiveFile { name, bytes }),
         }
     }
     Ok(parts)

@@ -68,10 +68,10 @@ impl EvenTimes {
     }
 }
 
-type Point = (f64, f64);
+type Vertex = (f64, f64);
 
 /// The part of a convex polygon where this linear function is not above zero.
-fn below(polygon: &[Point], height: impl Fn(Point) -> f64) -> Vec<Point> {
+fn below(polygon: &[Vertex], height: impl Fn(Vertex) -> f64) -> Vec<Vertex> {
     let mut kept = Vec::with_capacity(polygon.len() + 1);
     for (place, &point) in polygon.iter().enumerate() {
         let next = polygon[(place + 1) % polygon.len()];
@@ -88,7 +88,7 @@ fn below(polygon: &[Point], height: impl Fn(Point) -> f64) -> Vec<Point> {
 }
 
 /// The centroid of a convex polygon, and the standard deviation of its second coordinate.
-pub fn centroid(polygon: &[Point]) -> Option<(Point, f64)> {
+pub fn centroid(polygon: &[Vertex]) -> Option<(Vertex, f64)> {
     let origin = *polygon.first()?;
     let (mut area, mut sums, mut squares) = (0.0, (0.0, 0.0), 0.0);
     for pair in polygon[1..].windows(2) {

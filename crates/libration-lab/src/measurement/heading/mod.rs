@@ -196,8 +196,14 @@ fn is_run(text: &str) -> bool {
 
 /// `Time (s) morning`, `t [ms]`, `Angle/rad`, `t / s`, `time_us` → the name, the unit, and the text after the unit.
 fn split_unit(text: &str) -> (&str, Option<&str>, Option<&str>) {
-    for (open, close) in [('(', ')'), ('[', ']')] {
-        if let Some((name, rest)) = text.split_once(open) {
+    let text = text.trim_end_matches([':', ' ']);
+    for (open, close) in [('(', ')'), ('[', ']'), ('{', '}'), ('<', '>')] {
+        // `T_{m}` is a mean.
+        let is_of_unit = |(name, rest): &(&str, &str)| {
+            let is_subscript = name.is_empty() || name.ends_with(['_', '^']);
+            "([".contains(open) || !is_subscript && rest.strip_suffix(close).is_some_and(is_unit)
+        };
+        if let Some((name, rest)) = text.split_once(open).filter(is_of_unit) {
             if let Some(after) = after_number(rest, close) {
                 let name = text[..text.len() - after.len()].trim();
                 let unit = Some(bare(after)).filter(|unit| unit.parse::<Unit>().is_ok());
@@ -219,6 +225,10 @@ fn split_unit(text: &str) -> (&str, Option<&str>, Option<&str>) {
     let is_name =
         |unit: Unit| matches!(unit, Unit::Radian | Unit::Milliradian | Unit::Degree | Unit::PerMinute);
     if text.parse().is_ok_and(is_name) { ("", Some(text), None) } else { (text, None, None) }
+}
+
+fn is_unit(text: &str) -> bool {
+    text.parse::<Unit>().is_ok()
 }
 
 /// Returns `true` if a frequency in 1/s is an angular one by its name: `ω`, `Kreisfrequenz`.

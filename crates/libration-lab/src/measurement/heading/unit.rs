@@ -41,6 +41,8 @@ pub enum Unit {
     PerMinute,
     /// m
     Metre,
+    /// dm
+    Decimetre,
     /// cm
     Centimetre,
     /// mm
@@ -64,19 +66,19 @@ pub(in crate::measurement) enum Measures {
 }
 
 /// Each unit with the name it is printed by, and its other spellings in lower case without blanks.
-const UNITS: [(Unit, &str, &[&str]); 21] = [
+const UNITS: [(Unit, &str, &[&str]); 22] = [
     (
         Unit::Second,
         "s",
         &[
             "sec", "secs", "second", "seconds", "sek", "sekunde", "sekunden", "sekunder", "sekundy",
-            "secondi", "segundos", "segundo", "secondes", "seconden", "s.", "sec.",
+            "secondi", "segundos", "segundo", "secondes", "seconden", "s.", "sec.", "sek.", "с",
         ],
     ),
     (Unit::Millisecond, "ms", &["msec", "millisecond", "milliseconds", "millis"]),
     (Unit::Microsecond, "us", &["µs", "μs", "usec", "microsecond", "microseconds", "micros"]),
     (Unit::Nanosecond, "ns", &["nsec", "nanosecond", "nanoseconds"]),
-    (Unit::Minute, "min", &["mins", "minute", "minutes", "minuten", "minuti"]),
+    (Unit::Minute, "min", &["mins", "minute", "minutes", "minuten", "minuti", "minutos", "мин"]),
     (Unit::Radian, "rad", &["rads", "radian", "radians", "radiant", "radianti", "radianes"]),
     (Unit::Milliradian, "mrad", &["milliradian", "milliradians"]),
     (
@@ -130,7 +132,12 @@ const UNITS: [(Unit, &str, &[&str]); 21] = [
     (
         Unit::Metre,
         "m",
-        &["meter", "metern", "meters", "metre", "metres", "mètre", "mètres", "metri", "metros", "metry"],
+        &["meter", "metern", "meters", "metre", "metres", "mètre", "mètres", "metri", "metros", "metry", "м"],
+    ),
+    (
+        Unit::Decimetre,
+        "dm",
+        &["decimeter", "decimetre", "decimetres", "dezimeter", "décimètre", "decimetri", "decímetros"],
     ),
     (
         Unit::Centimetre,
@@ -148,6 +155,7 @@ const UNITS: [(Unit, &str, &[&str]); 21] = [
             "centímetros",
             "centimetros",
             "centymetry",
+            "см",
         ],
     ),
     (
@@ -164,10 +172,11 @@ const UNITS: [(Unit, &str, &[&str]); 21] = [
             "milímetros",
             "milimetros",
             "milimetry",
+            "мм",
         ],
     ),
-    (Unit::Inch, "in", &["inch", "inches", "\"", "″"]),
-    (Unit::Foot, "ft", &["foot", "feet"]),
+    (Unit::Inch, "in", &["inch", "inches", "in.", "\"", "″"]),
+    (Unit::Foot, "ft", &["foot", "feet", "ft."]),
     (Unit::Pixel, "px", &["pixel", "pixels", "pix"]),
 ];
 
@@ -180,10 +189,30 @@ impl Unit {
             Self::Radian | Self::Milliradian | Self::Degree | Self::Turn | Self::Count => Measures::Angle,
             Self::RadianPerSecond | Self::DegreePerSecond => Measures::AngularVelocity,
             Self::Hertz | Self::Kilohertz | Self::PerMinute => Measures::Frequency,
-            Self::Metre | Self::Centimetre | Self::Millimetre | Self::Inch | Self::Foot | Self::Pixel => {
-                Measures::Length
-            }
+            Self::Metre
+            | Self::Decimetre
+            | Self::Centimetre
+            | Self::Millimetre
+            | Self::Inch
+            | Self::Foot
+            | Self::Pixel => Measures::Length,
         }
+    }
+
+    /// Returns `true` if both are units of one quantity.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration_lab::measurement::Unit;
+    /// assert!(Unit::Foot.measures_as(Unit::Metre) && Unit::Hertz.measures_as(Unit::RadianPerSecond));
+    /// ```
+    #[must_use]
+    pub fn measures_as(self, other: Self) -> bool {
+        let of = |unit: Self| match unit.measures() {
+            Measures::AngularVelocity => Measures::Frequency,
+            other => other,
+        };
+        of(self) == of(other)
     }
 
     /// Converts a value to seconds, radians, radians per second or metres. The result is that of the same text on a command line: the

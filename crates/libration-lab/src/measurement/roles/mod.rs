@@ -149,7 +149,7 @@ impl Table {
         given: &GivenRoles,
     ) -> Result<TableRoles, MeasurementError> {
         let roles = given.places(self, needed)?;
-        let mut search = Search { table: self, needed, kinds: kinds::of(self), roles, notes: vec![] };
+        let mut search = RoleSearch { table: self, needed, kinds: kinds::of(self), roles, notes: vec![] };
         search.refuse_tables_side_by_side()?;
         search.refuse_bounds()?;
         search.refuse_full_swings()?;
@@ -174,7 +174,7 @@ impl Table {
 }
 
 /// The search for roles, by indices of columns.
-struct Search<'a> {
+struct RoleSearch<'a> {
     table: &'a Table,
     needed: &'a [TableQuantity],
     kinds: Vec<Kind>,
@@ -182,7 +182,7 @@ struct Search<'a> {
     notes: Vec<String>,
 }
 
-impl Search<'_> {
+impl RoleSearch<'_> {
     fn heading(&self, place: usize) -> &Heading {
         &self.table.sheet().channels[place].heading
     }
@@ -229,12 +229,20 @@ impl Search<'_> {
                 uncertainties,
             }
         };
+        // Empty columns, and those added to others.
+        let is_empty = |place: usize| {
+            let channel = &self.table.sheet().channels[place];
+            channel.count() == 0 && channel.words.is_empty()
+        };
         TableRoles {
             quantities: (0..self.needed.len()).map(of_quantity).collect(),
             swings: columns(ColumnRole::Swings).first().cloned(),
             readings: columns(ColumnRole::Readings).first().cloned(),
             group: columns(ColumnRole::Group).first().cloned(),
-            unused: (0..self.roles.len()).filter(|&it| self.roles[it].is_none()).map(column).collect(),
+            unused: (0..self.roles.len())
+                .filter(|&it| self.roles[it].is_none() && !is_empty(it))
+                .map(column)
+                .collect(),
             notes: self.notes,
         }
     }

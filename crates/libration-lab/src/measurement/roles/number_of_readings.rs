@@ -2,12 +2,12 @@
 
 use super::kinds::{Kind, is_of_counts};
 use super::questions::is_named_period;
-use super::{ColumnRole, Search, UncertaintyKind};
+use super::{ColumnRole, RoleSearch, UncertaintyKind};
 use crate::measurement::counted_periods::{SwingNumbers, counted, swing_numbers};
 use crate::measurement::heading::Heading;
 use crate::measurement::{Choice, CountedPeriods, MeasurementError, Role, Suggestion};
 
-impl Search<'_> {
+impl RoleSearch<'_> {
     /// The index of the column of numbers of readings: a given one, one with such a name, or one named `n` next to periods, which are not times of
     /// n swings.
     pub(super) fn number_of_readings(&self) -> Option<usize> {

@@ -1,12 +1,12 @@
 //! Tables that may be read in several ways, each refused with the choices that would decide.
 
-use super::{ColumnRole, GivenRoles, Search};
+use super::{ColumnRole, GivenRoles, RoleSearch};
 use crate::measurement::counted_periods::{SwingNumbers, swing_numbers};
 use crate::measurement::heading::Heading;
 use crate::measurement::heading::words::is_deviation;
 use crate::measurement::{Choice, MeasurementError, Role, Suggestion};
 
-impl Search<'_> {
+impl RoleSearch<'_> {
     /// Two tables side by side have the same names again, in the same order.
     pub(super) fn refuse_tables_side_by_side(&self) -> Result<(), MeasurementError> {
         let values: Vec<usize> = (0..self.kinds.len()).filter(|&place| self.is_free(place)).collect();

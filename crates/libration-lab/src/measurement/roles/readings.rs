@@ -1,7 +1,7 @@
 //! The columns of readings of each quantity.
 
 use super::kinds::Kind;
-use super::{ColumnRole, Search, TableQuantity};
+use super::{ColumnRole, RoleSearch, TableQuantity};
 use crate::measurement::counted_periods::counted;
 use crate::measurement::heading::Heading;
 use crate::measurement::{Choice, CountedPeriods, MeasurementError, Role, Suggestion};
@@ -10,7 +10,7 @@ use crate::statistics::{count, mean, median};
 /// Repeated readings of a row are within this factor of each other, in most rows.
 const ALIKE: f64 = 1.5;
 
-impl Search<'_> {
+impl RoleSearch<'_> {
     pub(super) fn assign_readings(&mut self) -> Result<(), MeasurementError> {
         let mut order: Vec<usize> = (0..self.needed.len()).collect();
         order.sort_by_key(|&quantity| self.needed[quantity].only_named.is_none());
@@ -57,9 +57,16 @@ impl Search<'_> {
         let first = place.and_then(|place| Some((place, sheet.channels[place].words().first()?)));
         let clause = |(place, (row, word)): (usize, &(usize, String))| {
             let (line, column) = (sheet.lines[*row], self.describe(place));
-            format!(
-                "; {column} has `{word}` in line {line}, which is not read as a number: write it as 1.25, a time as 62.5 or 1:02.5"
-            )
+            let reason = match () {
+                () if word.starts_with('=') => {
+                    "a formula without its value: save the table with values in place of formulas"
+                }
+                () if sheet.dialect.mark.is_missed_in(word) => {
+                    "and numbers of other columns have another decimal mark: write all with the same mark"
+                }
+                () => "which is not read as a number: write it as 1.25, a time as 62.5 or 1:02.5",
+            };
+            format!("; {column} has `{word}` in line {line}, {reason}")
         };
         first.map(clause).unwrap_or_default()
     }

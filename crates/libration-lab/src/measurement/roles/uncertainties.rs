@@ -1,11 +1,11 @@
 //! Columns of uncertainties and the quantities to which they belong.
 
 use super::kinds::Kind;
-use super::{ColumnRole, Search, UncertaintyKind};
+use super::{ColumnRole, RoleSearch, UncertaintyKind};
 use crate::measurement::heading::words::{is_deviation, without_uncertainty};
 use crate::measurement::{Choice, MeasurementError, Role, Suggestion};
 
-impl Search<'_> {
+impl RoleSearch<'_> {
     /// Assigns columns of uncertainties to quantities: `±` to the column before it, or to the last one before it that has none yet; `u(T)` and `dT`
     /// to that of the same name; `T uncertainty` to the only one of which it can be the symbol or the initial. Of two for one quantity the first is
     /// taken. Repeated readings have the uncertainty of their scatter.

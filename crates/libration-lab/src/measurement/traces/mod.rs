@@ -24,7 +24,8 @@ use super::recording::Recording;
 use super::sheet::Sheet;
 use super::{MeasurementError, Trace};
 use columns::Columns;
-use rows::Rows;
+use rows::RunRows;
+pub use runs::is_run;
 
 /// The traces of a recording, with all that was inferred from the file in finding them.
 #[derive(Clone, Debug, PartialEq)]
@@ -58,7 +59,7 @@ impl Recording {
 fn traces_of(sheet: &Sheet, choices: &Choices) -> Result<Traces, MeasurementError> {
     let mut found = Traces { traces: Vec::new(), lines: Vec::new(), findings: Vec::new() };
     for columns in Columns::of_runs(sheet, choices, &mut found.findings)? {
-        for rows in Rows::of_runs(sheet, &columns, choices, &mut found.findings)? {
+        for rows in RunRows::of_runs(sheet, &columns, choices, &mut found.findings)? {
             for (trace, lines) in rows.traces(sheet, &columns, choices, &mut found.findings)? {
                 found.traces.push(trace);
                 found.lines.push(lines);

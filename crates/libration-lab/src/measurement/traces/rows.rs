@@ -15,7 +15,7 @@ const MOST_RUNS: usize = 1000;
 
 /// Some rows of a sheet, as columns of the file.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Rows {
+pub(super) struct RunRows {
     name: String,
     /// Numbers of the rows, from zero.
     rows: Vec<usize>,
@@ -30,7 +30,7 @@ pub(super) struct Rows {
     incomplete: usize,
 }
 
-impl Rows {
+impl RunRows {
     /// The complete rows, one set for each number in the column that numbers runs.
     pub(super) fn of_runs(
         sheet: &Sheet,

@@ -58,10 +58,12 @@ fn named_runs(sheet: &Sheet) -> Vec<Option<String>> {
     runs
 }
 
-/// `Run #3` is requested by its name or by 3.
-pub(super) fn is_run(run: &str, asked: &str) -> bool {
+/// Returns `true` if a run is requested by its name, or by the number or the word at its end: `Run #3` by 3, `Group B` by B.
+#[must_use]
+pub fn is_run(run: &str, asked: &str) -> bool {
     let asked = asked.trim().to_lowercase();
     let run = run.to_lowercase();
     let number = run.rsplit(|letter: char| !letter.is_ascii_digit()).next().unwrap_or("");
-    run == asked || !number.is_empty() && number == asked
+    let last = run.split_whitespace().next_back().unwrap_or("");
+    !asked.is_empty() && [run.as_str(), number, last].contains(&asked.as_str())
 }

@@ -6,7 +6,7 @@ use super::super::{Faults, MeasurementError};
 
 /// Equally spaced times in place of those in the file.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Even {
+pub(super) struct ReplacedTimes {
     pub(super) times: Vec<f64>,
     /// The relative uncertainty common to all times.
     pub(super) relative_uncertainty: f64,
@@ -20,7 +20,7 @@ pub(super) fn even(
     asked: Option<TimeStamps>,
     run: &str,
     tell: &mut impl FnMut(Finding),
-) -> Result<Option<Even>, MeasurementError> {
+) -> Result<Option<ReplacedTimes>, MeasurementError> {
     if asked == Some(TimeStamps::AsWritten) {
         return Ok(None);
     }
@@ -50,7 +50,7 @@ pub(super) fn even(
         format!("{:.7}", grid.interval).trim_end_matches('0')
     );
     tell(Finding::new(text, Choice::TimesAsWritten));
-    Ok(Some(Even { times: grid.times(), relative_uncertainty }))
+    Ok(Some(ReplacedTimes { times: grid.times(), relative_uncertainty }))
 }
 
 fn is_in_order(places: &[usize]) -> bool {

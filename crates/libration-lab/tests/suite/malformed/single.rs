@@ -45,7 +45,7 @@ fn commas() -> Vec<Case> {
         Case::refused(
             "thousands or decimals",
             "t/ms\tθ/rad\n1,000\t0.5\n1,050\t0.4\n1,100\t0.3\n",
-            &["line 2", "1,000"],
+            &["lines 2, 3, 4: `1,000` has a comma", "without marks of thousands"],
         ),
         Case::refused(
             "all thousands",
@@ -55,7 +55,7 @@ fn commas() -> Vec<Case> {
         Case::refused(
             "a point in one column, a comma in the other",
             "t/s;θ/rad\n0.05;0,5\n0.10;0,4\n0.15;0,3\n",
-            &["is not a finite number"],
+            &["lines 2, 3, 4: `0,5` has a comma", "have a decimal point"],
         ),
         Case::read("whole numbers", "t/s,θ/deg\n0,180\n1,90\n2,0\n", {
             use std::f64::consts::PI;

@@ -1,6 +1,7 @@
 //! Tables as instruments and people write them.
 
 mod cell_units;
+mod compound;
 mod container;
 mod counted_periods;
 mod faults;

@@ -1,6 +1,8 @@
 //! Times, numbers of swings, periods and amplitudes among the columns of a table, by their names.
 
-use libration_lab::measurement::{Column, Heading, QuantityKind, Table, says_number_of_swings};
+use libration_lab::measurement::{
+    Column, Heading, QuantityKind, Table, says_number_of_half_swings, says_number_of_swings,
+};
 
 /// The quantity that the amplitudes are measured against.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -71,14 +73,24 @@ pub(super) fn against(table: &Table, column: &Column) -> Option<Against> {
     }
 }
 
-fn named(table: &Table, column: &Column) -> NamedQuantity {
-    let header = match column {
+/// Returns `true` if the heading of a column names numbers of half swings.
+pub(super) fn are_half_swings(table: &Table, column: &Column) -> bool {
+    says_number_of_half_swings(header(table, column))
+}
+
+fn header<'a>(table: &'a Table, column: &'a Column) -> &'a str {
+    match column {
         Column::Number(number) => table.names().get(number - 1).map_or("", String::as_str),
         Column::Name(name) => name,
-    };
+    }
+}
+
+fn named(table: &Table, column: &Column) -> NamedQuantity {
+    let header = header(table, column);
     let name = header.split(['(', '[', '/', ',', '_']).next().unwrap_or_default().trim();
     let lower = name.to_lowercase();
     match () {
+        () if says_number_of_half_swings(header) => NamedQuantity::Position(Against::Swings),
         () if name == "T" || lower == "period" => NamedQuantity::Period,
         () if Heading::read(header, None, None).is(QuantityKind::Time) => {
             NamedQuantity::Position(Against::Time)

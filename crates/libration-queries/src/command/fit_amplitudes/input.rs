@@ -2,8 +2,7 @@
 
 use super::columns::{self, Against, Roles};
 use crate::arguments::{
-    ChosenColumns, ColumnsInSi, ColumnsOption, DialectOptions, DisplacementUnit, Inferences, Wanted,
-    finite_time, length,
+    ChosenColumns, ColumnsInSi, ColumnsOption, DialectOptions, DisplacementUnit, Inferences, Wanted, length,
 };
 use crate::call::in_words;
 use crate::figure::amplitudes::Measured;
@@ -24,7 +23,7 @@ pub(super) struct Input {
     /// Quantity of the first column [default: from its header]
     #[arg(long, value_enum)]
     against: Option<Against>,
-    /// Unit of the amplitudes and of their uncertainties [default: that of the header, else rad]
+    /// Unit of the amplitudes and of their uncertainties [default: that of the header, else rad below π]
     #[arg(long, value_enum)]
     amplitude_unit: Option<DisplacementUnit>,
     /// Distance from the pivot to the point that is read: horizontal displacements then give angles
@@ -36,12 +35,6 @@ pub(super) struct Input {
     /// Errors of all amplitudes if no uncertainties are stated: the same absolute error, or the same relative error
     #[arg(long, value_enum, default_value = "absolute")]
     errors: Errors,
-    /// Ignore rows before this time, or number of swings
-    #[arg(long, value_name = "TIME", value_parser = finite_time)]
-    from: Option<f64>,
-    /// Ignore rows after this time, or number of swings
-    #[arg(long, value_name = "TIME", value_parser = finite_time)]
-    to: Option<f64>,
     #[command(flatten)]
     dialect: DialectOptions,
 }
@@ -76,11 +69,12 @@ impl Input {
         };
         let given = roles
             .as_ref()
-            .map_or_else(|| self.columns.clone(), |roles| ColumnsOption::of_roles(roles.texts()));
+            .map_or_else(|| self.columns.clone(), |roles| self.columns.with_roles(roles.texts()));
         let chosen = given.choose(&self.name(), &table, &self.wanted(), None)?;
         let against = self.against(roles.as_ref(), &table, &chosen)?;
         let read = ColumnsInSi::from_table(&table, &chosen, &self.wanted())
             .map_err(|error| self.no_answer(error))?;
+        let read = in_full_swings(read.of_all_groups(), &table, &chosen, against);
         let values = read.columns[1].iter().flatten();
         let largest = values.fold(0.0_f64, |largest, value| largest.max(value.abs()));
         if largest >= std::f64::consts::PI && !read.are_stated[1] {
@@ -102,12 +96,11 @@ impl Input {
         mut inferences: Inferences,
     ) -> Result<AmplitudeFile, QueryError> {
         let unit = match unit {
-            Unit::Metre | Unit::Centimetre | Unit::Millimetre | Unit::Inch | Unit::Foot => "m",
             Unit::Count | Unit::Pixel => "counts",
+            unit if unit.measures_as(Unit::Metre) => "m",
             _ => "rad",
         };
-        let [positions, values, of_positions, of_values, numbers, periods] =
-            self.within(columns, &mut inferences)?;
+        let [positions, values, of_positions, of_values, numbers, periods] = columns;
         let (positions, values) = (positions.unwrap_or_default(), values.unwrap_or_default());
         let columns = AmplitudeColumns {
             position_uncertainties: of_positions.as_deref(),
@@ -140,39 +133,6 @@ impl Input {
         Ok(AmplitudeFile { measured, dropped, inferences })
     }
 
-    /// The rows whose time or number of swings is in the range, with a note on the others.
-    fn within(
-        &self,
-        columns: [Option<Vec<f64>>; 6],
-        inferences: &mut Inferences,
-    ) -> Result<[Option<Vec<f64>>; 6], QueryError> {
-        let (from, to) = (self.from.unwrap_or(f64::NEG_INFINITY), self.to.unwrap_or(f64::INFINITY));
-        let positions = columns[0].as_deref().unwrap_or_default();
-        let is_within: Vec<bool> = positions.iter().map(|position| (from..=to).contains(position)).collect();
-        let ignored = is_within.iter().filter(|is_within| !**is_within).count();
-        if ignored == 0 {
-            return Ok(columns);
-        }
-        let place = if self.from.is_some() { "from" } else { "to" };
-        if ignored == positions.len() {
-            let least = positions.iter().copied().fold(f64::INFINITY, f64::min);
-            let largest = positions.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-            let reason =
-                format!("no row is in this range: those of the file are from {least:?} to {largest:?}");
-            return Err(QueryError::usage(option(place), reason));
-        }
-        inferences.sentences.push(in_words(&format!("{ignored} rows are ignored (<--from>, <--to>)")));
-        let kept = |column: Vec<f64>| {
-            column
-                .into_iter()
-                .zip(&is_within)
-                .filter(|(_, is_within)| **is_within)
-                .map(|(value, _)| value)
-                .collect()
-        };
-        Ok(columns.map(|column| column.map(kept)))
-    }
-
     fn wanted(&self) -> [Wanted; 6] {
         let positions = Wanted::times(columns::POSITION);
         let amplitudes = Wanted::displacements(self.amplitude_unit);
@@ -194,7 +154,7 @@ impl Input {
         }
         let named = match roles {
             Some(roles) => Some(roles.against()),
-            None => chosen.first().and_then(|column| columns::against(table, column)),
+            None => chosen.column(0).and_then(|column| columns::against(table, column)),
         };
         named.ok_or_else(|| {
             self.no_answer("the header does not say whether the first column holds times or numbers of swings: give <--against=time> or <--against=swings>")
@@ -227,6 +187,30 @@ impl Input {
     pub(super) fn no_answer(&self, reason: impl std::fmt::Display) -> QueryError {
         QueryError::no_result(&self.name(), reason)
     }
+}
+
+/// The columns with full swings in place of half swings where headings name these.
+fn in_full_swings(
+    mut read: ColumnsInSi<6>,
+    table: &Table,
+    chosen: &ChosenColumns<6>,
+    against: Against,
+) -> ColumnsInSi<6> {
+    let columns = if against == Against::Swings { &[0, 2, 4][..] } else { &[4] };
+    for &place in columns {
+        // Uncertainties of numbers of swings have the unit of these.
+        let Some(column) = chosen.column(if place == 2 { 0 } else { place }) else { continue };
+        if !columns::are_half_swings(table, column) {
+            continue;
+        }
+        read.columns[place].iter_mut().flatten().for_each(|number| *number *= 0.5);
+        if let Ok(column) = table.describe(column)
+            && place != 2
+        {
+            read.inferences.sentences.push(format!("{column} holds numbers of half swings"));
+        }
+    }
+    read
 }
 
 impl Against {

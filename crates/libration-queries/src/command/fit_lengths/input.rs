@@ -25,7 +25,7 @@ pub(super) struct Input {
     /// The amplitude of all swings, such as 10deg [default: negligible]
     #[arg(long, value_name = "ANGLE", value_parser = crate::arguments::angle)]
     amplitude: Option<Angle>,
-    /// Unit of a column of amplitudes [default: that of the header, else rad]
+    /// Unit of a column of amplitudes [default: that of the header, else rad, or deg for angles of π or more]
     #[arg(long, value_enum)]
     amplitude_unit: Option<AmplitudeUnit>,
     #[command(flatten)]

@@ -18,7 +18,7 @@ pub(super) struct Input {
     columns: ColumnsOption,
     #[command(flatten)]
     group: GroupOption,
-    /// Unit of the amplitudes and of their uncertainties [default: that of the header, else rad]
+    /// Unit of the amplitudes and of their uncertainties [default: that of the header, else rad, or deg for angles of π or more]
     #[arg(long, value_enum)]
     amplitude_unit: Option<AmplitudeUnit>,
     #[command(flatten)]

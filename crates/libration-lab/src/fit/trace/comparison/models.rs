@@ -4,7 +4,7 @@ use libration::internals::progress::Watch;
 use libration::progress::Progress;
 
 use super::Comparison;
-use crate::fit::trace::minimum::{Care, Descent, HOPELESS, Minimum, deeper};
+use crate::fit::trace::minimum::{Care, Descent, HOPELESS, TraceMinimum, deeper};
 use crate::fit::trace::problem::{PATIENCE, Problem};
 use crate::fit::trace::{
     DampingKind, DampingModel, TraceFit, TraceFitError, TraceOptions, check_explained, search, uncertainty,
@@ -61,7 +61,7 @@ struct Candidate<'a> {
     /// The end of a search that has lost the data, near which no minimum was searched: with all rows that takes longer than all searches, and is
     /// useful only next to a model that follows the data.
     lost: Option<Descent>,
-    minimum: Option<Minimum>,
+    minimum: Option<TraceMinimum>,
     /// The fit, or the reason why it failed.
     fit: Result<TraceFit, TraceFitError>,
 }
@@ -137,7 +137,7 @@ fn end(
     let terms = layout.terms();
     let parts = || simpler.iter().filter(|part| part.terms().is_part_of(terms));
     let next = parts().filter(|part| part.terms().count() + 1 == terms.count() && part.follows());
-    let mut starts: Vec<(DampingModel, &Minimum)> =
+    let mut starts: Vec<(DampingModel, &TraceMinimum)> =
         next.filter_map(|part| Some((part.terms(), part.minimum.as_ref()?))).collect();
     starts.sort_by(|(_, one), (_, other)| one.sum_of_squares().total_cmp(&other.sum_of_squares()));
     let mut near = vec![];

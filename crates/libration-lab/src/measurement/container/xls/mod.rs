@@ -10,7 +10,7 @@ pub(crate) mod strings;
 use super::super::MeasurementError;
 use super::Page;
 use super::date_formats::DateFormats;
-use super::grid::Grid;
+use super::grid::CellGrid;
 use records::{Record, Records};
 
 /// A worksheet: where its records begin, and its name.
@@ -72,7 +72,7 @@ impl Workbook {
 
     /// The cells of the worksheet whose records begin here.
     fn text(&self, stream: &[u8], start: usize, limit: usize) -> Result<String, MeasurementError> {
-        let mut grid = Grid::new(limit);
+        let mut grid = CellGrid::new(limit);
         let (mut depth, mut result_of) = (0_usize, None);
         for record in Records::new(stream.get(start..).ok_or_else(cut_off)?) {
             let record = record.ok_or_else(cut_off)?;
@@ -93,7 +93,7 @@ impl Workbook {
         &self,
         record: &Record<'_>,
         result_of: Option<(u32, u32)>,
-        grid: &mut Grid,
+        grid: &mut CellGrid,
     ) -> Result<Option<(u32, u32)>, MeasurementError> {
         match record.kind {
             Record::NUMBER | Record::SMALL_NUMBER | Record::SMALL_NUMBERS => self.numbers(record, grid)?,
@@ -113,7 +113,7 @@ impl Workbook {
     }
 
     /// One number, or several side by side.
-    fn numbers(&self, record: &Record<'_>, grid: &mut Grid) -> Result<(), MeasurementError> {
+    fn numbers(&self, record: &Record<'_>, grid: &mut CellGrid) -> Result<(), MeasurementError> {
         let (row, first) = record.place().ok_or_else(cell_cut_off)?;
         if record.kind == Record::NUMBER {
             return self.number(grid, row, first, record.u16(4), record.f64(6).ok_or_else(cell_cut_off)?);
@@ -136,7 +136,11 @@ impl Workbook {
     }
 
     /// The number that a formula gave when the file was saved, or the position of its text.
-    fn result(&self, record: &Record<'_>, grid: &mut Grid) -> Result<Option<(u32, u32)>, MeasurementError> {
+    fn result(
+        &self,
+        record: &Record<'_>,
+        grid: &mut CellGrid,
+    ) -> Result<Option<(u32, u32)>, MeasurementError> {
         let (row, column) = record.place().ok_or_else(cell_cut_off)?;
         match record.data.get(6..14).ok_or_else(cell_cut_off)? {
             [0, .., 0xff, 0xff] => return Ok(Some((row, column))),
@@ -149,7 +153,7 @@ impl Workbook {
     /// A number, or a text for a date, which as a plain number of days would be misread.
     fn number(
         &self,
-        grid: &mut Grid,
+        grid: &mut CellGrid,
         row: u32,
         column: u32,
         style: Option<u16>,

@@ -4,20 +4,20 @@ use std::collections::BTreeMap;
 
 use super::super::super::MeasurementError;
 use super::super::date_formats::DateFormats;
-use super::super::part::Part;
+use super::super::part::ArchiveFile;
 use super::damaged;
 use super::elements::{Onward, Piece, walk};
 
 /// A workbook without its cells.
 pub(super) struct Contents<'a> {
     /// Names and cells.
-    pub(super) worksheets: Vec<(String, &'a Part)>,
+    pub(super) worksheets: Vec<(String, &'a ArchiveFile)>,
     pub(super) strings: Vec<String>,
     pub(super) formats: DateFormats,
 }
 
 impl<'a> Contents<'a> {
-    pub(super) fn read(parts: &'a [Part]) -> Result<Self, MeasurementError> {
+    pub(super) fn read(parts: &'a [ArchiveFile]) -> Result<Self, MeasurementError> {
         let strings = part(parts, "xl/sharedStrings.xml").map_or(Ok(Vec::new()), strings)?;
         let formats = part(parts, "xl/styles.xml").map_or(Ok(DateFormats::default()), formats)?;
         Ok(Self { worksheets: worksheets(parts)?, strings, formats })
@@ -25,11 +25,11 @@ impl<'a> Contents<'a> {
 }
 
 /// Programs do not agree on capitals and strokes in the names of parts.
-fn part<'a>(parts: &'a [Part], name: &str) -> Option<&'a Part> {
+fn part<'a>(parts: &'a [ArchiveFile], name: &str) -> Option<&'a ArchiveFile> {
     parts.iter().find(|part| part.name.replace('\\', "/").eq_ignore_ascii_case(name))
 }
 
-fn worksheets(parts: &[Part]) -> Result<Vec<(String, &Part)>, MeasurementError> {
+fn worksheets(parts: &[ArchiveFile]) -> Result<Vec<(String, &ArchiveFile)>, MeasurementError> {
     let cells = part(parts, "xl/_rels/workbook.xml.rels").map_or(Ok(BTreeMap::new()), cells_of)?;
     let book = part(parts, "xl/workbook.xml").ok_or_else(|| damaged("it has no list of its sheets"))?;
     let mut worksheets = Vec::new();
@@ -52,7 +52,7 @@ fn worksheets(parts: &[Part]) -> Result<Vec<(String, &Part)>, MeasurementError> 
 }
 
 /// The parts with the cells of a sheet, by their relation to the workbook; `None` for a sheet of another kind.
-fn cells_of(relations: &Part) -> Result<BTreeMap<String, Option<String>>, MeasurementError> {
+fn cells_of(relations: &ArchiveFile) -> Result<BTreeMap<String, Option<String>>, MeasurementError> {
     let mut cells = BTreeMap::new();
     walk(relations, |piece| {
         if let Piece::Start(element) = piece
@@ -68,9 +68,9 @@ fn cells_of(relations: &Part) -> Result<BTreeMap<String, Option<String>>, Measur
 }
 
 /// The strings to which cells refer, without their phonetic ones.
-fn strings(part: &Part) -> Result<Vec<String>, MeasurementError> {
+fn strings(part: &ArchiveFile) -> Result<Vec<String>, MeasurementError> {
     let mut strings = Vec::new();
-    let mut words = Words::default();
+    let mut words = TextElements::default();
     walk(part, |piece| {
         words.take(&piece);
         if matches!(&piece, Piece::End(name) if name == "si") {
@@ -83,13 +83,13 @@ fn strings(part: &Part) -> Result<Vec<String>, MeasurementError> {
 
 /// Gathers the letters of text elements, `t`.
 #[derive(Default)]
-pub(super) struct Words {
+pub(super) struct TextElements {
     letters: String,
     is_text: bool,
     is_phonetic: bool,
 }
 
-impl Words {
+impl TextElements {
     pub(super) fn take(&mut self, piece: &Piece<'_>) {
         match piece {
             Piece::Start(element) => self.change(element.name(), true),
@@ -136,7 +136,7 @@ pub fn unescaped(words: &str) -> String {
 }
 
 /// The formats of the styles that cells have.
-fn formats(part: &Part) -> Result<DateFormats, MeasurementError> {
+fn formats(part: &ArchiveFile) -> Result<DateFormats, MeasurementError> {
     let mut formats = DateFormats::default();
     // Styles stand in other lists too.
     let mut is_of_cells = false;

@@ -7,7 +7,7 @@ use quick_xml::{Reader, XmlVersion, escape};
 
 use super::super::super::MeasurementError;
 use super::super::super::text::decode;
-use super::super::part::Part;
+use super::super::part::ArchiveFile;
 use super::damaged;
 
 /// Next piece of a part.
@@ -45,7 +45,7 @@ impl Element<'_> {
 
 /// Calls `each` with every piece of a part in order, until it has ended or `each` returns an end.
 pub(super) fn walk(
-    part: &Part,
+    part: &ArchiveFile,
     mut each: impl FnMut(Piece<'_>) -> Result<Onward, MeasurementError>,
 ) -> Result<(), MeasurementError> {
     let (text, _) = decode(&part.bytes)?;

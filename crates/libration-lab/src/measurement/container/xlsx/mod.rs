@@ -12,11 +12,11 @@ pub(crate) mod worksheet;
 
 use super::super::MeasurementError;
 use super::Page;
-use super::part::Part;
+use super::part::ArchiveFile;
 use contents::Contents;
 
 /// The worksheets as text; sheets of charts have no cells.
-pub(super) fn pages(parts: &[Part], limit: usize) -> Result<Vec<Page<'static>>, MeasurementError> {
+pub(super) fn pages(parts: &[ArchiveFile], limit: usize) -> Result<Vec<Page<'static>>, MeasurementError> {
     let contents = Contents::read(parts)?;
     let mut left = limit;
     let mut pages = Vec::new();

@@ -1,9 +1,9 @@
 //! The cells of a worksheet.
 
 use super::super::super::MeasurementError;
-use super::super::grid::Grid;
-use super::super::part::Part;
-use super::contents::{Contents, Words};
+use super::super::grid::CellGrid;
+use super::super::part::ArchiveFile;
+use super::contents::{Contents, TextElements};
 use super::damaged;
 use super::elements::{Element, Onward, Piece, walk};
 
@@ -13,8 +13,12 @@ pub const MOST_ROWS: u32 = 1_048_576;
 pub const MOST_COLUMNS: u32 = 16_384;
 
 /// The cells as text.
-pub(super) fn text(part: &Part, contents: &Contents<'_>, limit: usize) -> Result<String, MeasurementError> {
-    let mut cells = Cells { contents, grid: Grid::new(limit), next: (0, 0), cell: None };
+pub(super) fn text(
+    part: &ArchiveFile,
+    contents: &Contents<'_>,
+    limit: usize,
+) -> Result<String, MeasurementError> {
+    let mut cells = Cells { contents, grid: CellGrid::new(limit), next: (0, 0), cell: None };
     walk(part, |piece| cells.take(&piece))?;
     cells.grid.into_text()
 }
@@ -22,21 +26,21 @@ pub(super) fn text(part: &Part, contents: &Contents<'_>, limit: usize) -> Result
 /// Cells of a worksheet that have been read so far.
 struct Cells<'a> {
     contents: &'a Contents<'a>,
-    grid: Grid,
+    grid: CellGrid,
     /// Row and column of a cell without an address.
     next: (u32, u32),
-    cell: Option<Cell>,
+    cell: Option<UnfinishedCell>,
 }
 
 /// A cell that has begun.
-struct Cell {
+struct UnfinishedCell {
     place: (u32, u32),
     kind: String,
     style: u16,
     /// Its value as in the file, which for shared strings is a number, and `true` while it is being read.
     value: String,
     is_value: bool,
-    words: Words,
+    words: TextElements,
 }
 
 impl Cells<'_> {
@@ -57,23 +61,25 @@ impl Cells<'_> {
         Ok(Onward::More)
     }
 
-    fn begun(&self, element: &Element<'_>) -> Result<Cell, MeasurementError> {
+    fn begun(&self, element: &Element<'_>) -> Result<UnfinishedCell, MeasurementError> {
         let place = match element.attribute("r")? {
             Some(address) => place(&address).ok_or_else(|| beyond(&address))?,
             None => self.next,
         };
-        Ok(Cell {
+        Ok(UnfinishedCell {
             place,
             kind: element.attribute("t")?.unwrap_or_default(),
             style: element.number("s")?.unwrap_or(0),
             value: String::new(),
             is_value: false,
-            words: Words::default(),
+            words: TextElements::default(),
         })
     }
 
     fn end_cell(&mut self) -> Result<(), MeasurementError> {
-        let Some(Cell { place: (row, column), kind, style, value, mut words, .. }) = self.cell.take() else {
+        let Some(UnfinishedCell { place: (row, column), kind, style, value, mut words, .. }) =
+            self.cell.take()
+        else {
             return Ok(());
         };
         self.next = (row, column + 1);
@@ -103,7 +109,7 @@ impl Cells<'_> {
     }
 }
 
-impl Cell {
+impl UnfinishedCell {
     fn take(&mut self, piece: &Piece<'_>) {
         match piece {
             Piece::Start(element) if element.name() == "v" => self.is_value = true,

@@ -5,8 +5,8 @@ use libration::progress::Quiet;
 use libration::taylor::{Effort, Moment, System, integrate};
 use libration_lab::fit::DampingModel;
 use libration_lab::fit::trace::{TraceFitError, TraceOptions, compare, fit_traces};
-use libration_lab::internals::fit::trace::minimum::{Care, Minimum};
-use libration_lab::internals::fit::trace::model::Rows;
+use libration_lab::internals::fit::trace::minimum::{Care, TraceMinimum};
+use libration_lab::internals::fit::trace::model::ResidualRows;
 use libration_lab::internals::fit::trace::problem::{PATIENCE, Problem};
 use libration_lab::internals::fit::trace::random::Random;
 use libration_lab::internals::fit::trace::weights::Weights;
@@ -41,7 +41,7 @@ fn terms() -> DampingModel {
 }
 
 /// The largest difference of free parameters in uncertainties of the second.
-fn apart(one: &Minimum, other: &Minimum, problem: &Problem<'_>) -> f64 {
+fn apart(one: &TraceMinimum, other: &TraceMinimum, problem: &Problem<'_>) -> f64 {
     let fit = uncertainty::fit(problem, other, &Watch::new(&Quiet)).unwrap();
     let free = problem.model.free();
     let pairs = free.iter().zip(&fit.parameters);
@@ -105,7 +105,8 @@ fn the_rows_of_each_trace_are_those_of_the_trace_alone() {
                 .rows(&of_one, &own_parameters, &free, &libration_lab::internals::fit::trace::swing::EXACT)
                 .unwrap();
             let [found] = &found[..] else { panic!() };
-            let bits = |rows: &Rows| Rows::whole(std::slice::from_ref(rows), rows.places()).jacobian;
+            let bits =
+                |rows: &ResidualRows| ResidualRows::whole(std::slice::from_ref(rows), rows.places()).jacobian;
             assert_eq!((found.residuals(), bits(found)), (rows.residuals(), bits(rows)), "{terms} {number}");
         }
     }
@@ -124,7 +125,7 @@ fn few_rows_have_the_sums_of_all() {
         .model
         .rows(&all, &parameters, &free, &libration_lab::internals::fit::trace::swing::EXACT)
         .unwrap();
-    let [whole, few] = [Rows::whole(&rows, &free), Rows::few(&rows, &free)];
+    let [whole, few] = [ResidualRows::whole(&rows, &free), ResidualRows::few(&rows, &free)];
     assert!(few.residuals.len() < 20 && whole.residuals.len() == 1800);
     let products = [&whole, &few].map(|it| it.jacobian.tr_mul(&it.jacobian));
     let slopes = [&whole, &few].map(|it| it.jacobian.tr_mul(&it.residuals));
