@@ -1,0 +1,151 @@
+//! The response curve: backbone, peak, folds and the drive at which they appear.
+
+use super::super::check::DerivationError;
+use super::super::document::DerivationStep;
+use super::super::formula::{Formula, Name, Statement, derivative, letter, number, sqrt};
+use super::super::trials::Trials;
+use super::steady::{define_relation, relation_at, relation_name};
+use super::subject::Subject;
+use libration::expression::Expression;
+
+pub(super) fn curve(subject: &Subject) -> Result<Option<DerivationStep>, DerivationError> {
+    let (Some(relation), Some(curve)) = (&subject.flow().steady_state.relation, &subject.steps.curve) else {
+        return Ok(None);
+    };
+    let step = DerivationStep::new("response-curve", "The response curve");
+    let step = ridge(subject, relation, step)?;
+    let r = relation_name(subject);
+    let a = subject.amplitude();
+    let mut trials = subject.trials.clone();
+    define_relation(subject, &mut trials, relation)?;
+    let [factor, rest] = &curve.slope;
+    let slope = match factor.as_str() {
+        "1" => subject.formula(rest)?,
+        _ => subject.formula(factor)? * subject.formula(rest)?,
+    };
+    let slope = Statement::equal(derivative(relation_at(subject, r), &a.letter), slope);
+    let step = step
+        .say("The curve turns back, with a vertical tangent over the detuning, where {} does not change with {}:", [letter(r), (&a).into()])
+        .show(trials.compare_choices(slope)?)
+        .say("These folds, where the last factor is zero as well as {}, are the ends of jumps between a large and a small amplitude.", [relation_at(subject, r)]);
+    critical(subject, relation, step).map(Some)
+}
+
+/// The backbone and the peak.
+fn ridge(subject: &Subject, relation: &str, step: DerivationStep) -> Result<DerivationStep, DerivationError> {
+    let state = &subject.flow().steady_state;
+    let ridge = subject.steps.curve.as_ref().and_then(|curve| curve.ridge.as_ref());
+    let (Some([curvature, rest]), Some(backbone)) = (ridge, &state.backbone) else { return Ok(step) };
+    let (r, sigma) = (relation_name(subject), subject.detuning());
+    let middle = sigma.clone().index(number(0));
+    let mut trials = subject.trials.clone();
+    define_relation(subject, &mut trials, relation)?;
+    let backbone = subject.formula(backbone)?;
+    let definition = trials.define(&middle, backbone.clone())?;
+    let square = (Formula::from(&sigma) - Formula::from(&middle)).squared();
+    let curvature = subject.read(curvature)?;
+    let square = match curvature.to_rational() {
+        Some(one) if one == 1.into() => square,
+        _ => subject.written(&curvature) * square,
+    };
+    let statement = Statement::equal(relation_at(subject, r), square + subject.formula(rest)?);
+    let step = step
+        .say("In the detuning the relation is of the second degree. With the middle between its two solutions,", [])
+        .show(definition)
+        .say("the square is completed:", [])
+        .show(trials.compare_choices(statement)?)
+        .say(
+            "For each amplitude there are two detunings, at the same distance from {}, which as a function of {} is the backbone of the curve. Both are the same at the largest amplitude.",
+            [(&middle).into(), subject.amplitude().into()],
+        );
+    let (Some(peak), Some(detuning)) = (&state.peak_amplitude, &state.peak_detuning) else { return Ok(step) };
+    let [peak, detuning] = [subject.formula(peak)?, subject.formula(detuning)?];
+    let names = [subject.amplitude(), sigma].map(|name| name.word("max"));
+    let rest = subject.formula(rest)?;
+    subject.where_real(|mut trials| {
+        let found = [trials.define(&names[0], peak.clone())?, trials.define(&names[1], detuning.clone())?];
+        let trials = trials.with(&subject.amplitude(), peak.clone())?;
+        let zero = trials.compare_choices(Statement::equal(rest.clone(), 0))?;
+        let on_backbone = trials.compare_choices(Statement::equal(backbone.clone(), detuning.clone()))?;
+        let [peak, _] = found;
+        Ok(step
+            .clone()
+            .say("There the last part vanishes alone,", [])
+            .show(zero)
+            .say("so that the largest amplitude is", [])
+            .show(peak)
+            .say("at the detuning on the backbone,", [])
+            .show(on_backbone))
+    })
+}
+
+/// The drive at which folds appear.
+fn critical(
+    subject: &Subject,
+    relation: &str,
+    step: DerivationStep,
+) -> Result<DerivationStep, DerivationError> {
+    let state = &subject.flow().steady_state;
+    let Some(curve) = &subject.steps.curve else { return Ok(step) };
+    let ([_, turns], cubic) = (&curve.slope, &curve.cubic);
+    let (Some([bend, rate]), Some(amplitude), Some(value)) =
+        (cubic, &state.drive_amplitude, &state.critical_drive)
+    else {
+        return Ok(step);
+    };
+    let read = subject.read(amplitude)?;
+    let subject_relation = subject.read(relation)?;
+    let Expression::Symbol(symbol) = &read else { return Ok(step) };
+    let (a, sigma) = (subject.amplitude(), subject.detuning());
+    let (b, delta) = (|| letter("β"), || letter("δ"));
+    let square = || Formula::from(&a).squared();
+    let mut trials: Trials = subject.trials.clone();
+    let shown = [
+        trials.define(&Name::new("β"), subject.formula(bend)?)?,
+        trials.define(&Name::new("δ"), subject.formula(rate)?)?,
+    ];
+    let s = || Formula::from(&sigma);
+    let factors = (s() - b() * square()) * (s() - 3 * b() * square()) + delta().squared();
+    let expanded = 3 * b().squared() * Formula::from(&a).pow(4) - 4 * b() * s() * square()
+        + s().squared()
+        + delta().squared();
+    let folds = Statement::equal(factors, expanded);
+    let discriminant = Statement::equal(
+        (4 * b() * s()).squared() - 12 * b().squared() * (s().squared() + delta().squared()),
+        4 * b().squared() * (s().squared() - 3 * delta().squared()),
+    );
+    let [folds, discriminant] = [trials.compare_choices(folds)?, trials.compare_choices(discriminant)?];
+    let critical = subject.formula(value)?;
+    let drive = subject.name(&symbol.name);
+    let root = sqrt(number(3)) * delta();
+    let cusp = [sqrt(2 * delta() / (sqrt(number(3)) * b())), root];
+    let [cusp_a, cusp_s] = cusp;
+    let mut step = step.say(
+        "Weak drives have no folds. With the bend {} of the backbone and the rate of decay {},",
+        [b(), delta()],
+    );
+    for equation in shown {
+        step = step.show(equation);
+    }
+    let mut here = trials.with(&a, cusp_a.clone())?.with(&sigma, cusp_s.clone())?;
+    let at = |value: i64| subject.written(&subject_relation.substitute(symbol, &Expression::from(value)));
+    let square_of_drive = -at(0) / (at(1) - at(0));
+    here.define(&drive, sqrt(square_of_drive))?;
+    let zero = here.compare_choices(Statement::equal(subject.formula(relation)?, 0))?;
+    let flat = here.compare_choices(Statement::equal(subject.formula(turns)?, 0))?;
+    let threshold = here.compare_choices(Statement::equal(&drive, critical))?;
+    Ok(step
+        .say("the folds are, up to a factor, the zeros of", [])
+        .show(folds)
+        .say("a polynomial of the second degree in {}, whose discriminant", [square()])
+        .show(discriminant)
+        .say(
+            "is positive for a detuning beyond {} on the side to which the backbone bends. Both folds begin at its end, for positive {} at the amplitude {}. There the condition of the folds is met,",
+            [cusp_s, b(), cusp_a],
+        )
+        .show(flat)
+        .say("and the relation itself,", [])
+        .show(zero)
+        .say("for one strength of the drive alone. Stronger drives make jumps:", [])
+        .show(threshold))
+}
