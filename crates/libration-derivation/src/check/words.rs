@@ -57,10 +57,15 @@ impl Check {
                 _ => "checked: the same polynomial, exactly",
             }),
             Self::RoundedDigits => Prose::text("checked: the digits printed are those of the exact value"),
-            Self::Digits { place: ComparedAt::Choices { choices }, difference, .. } => Prose::new(
-                &format!("checked: the same to {{}} of its size for {choices} choices of the symbols"),
-                [rounded(difference.max(f64::MIN_POSITIVE), 1, DecimalUnit::One)],
-            ),
+            Self::Digits { place: ComparedAt::Choices { choices }, difference, .. } => {
+                let equal =
+                    Prose::text(format!("checked for {choices} choices of the symbols: equal in all digits"));
+                match *difference > 0.0 {
+                    true => equal
+                        .and(Prose::new(" but a relative {}", [rounded(*difference, 1, DecimalUnit::One)])),
+                    false => equal,
+                }
+            }
             Self::Digits { place, value, difference, against } => {
                 place.to_prose().and(agreement(value, *difference, *against))
             }

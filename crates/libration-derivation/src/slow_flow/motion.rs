@@ -28,7 +28,7 @@ pub(super) fn equation_of_motion(subject: &Subject) -> Result<DerivationStep, De
             .say("The frequency of small free oscillations is", [])
             .show(CheckedEquation::definition(Statement::defined(name, subject.formula(value)?)));
     }
-    let left = second + subject.omega0()?.squared() * Formula::from(&x);
+    let left = second + subject.times_omega0(1, 2, Formula::from(&x))?;
     let mut terms = vec![];
     if !subject.steps.drive.is_empty() {
         terms.push(subject.formula(&subject.steps.drive)?);
@@ -114,7 +114,7 @@ pub(super) fn ansatz(subject: &Subject) -> Result<DerivationStep, DerivationErro
         let statement = Statement::equal((square - slower) * forced, subject.formula(&subject.steps.drive)?);
         step = step
             .say(
-                "The forced motion is what is left of {} without {}. Its second derivative takes down the factor {} with a minus, so that the equation of motion without small terms demands",
+                "The forced motion is what is left of {} without {}. Its second derivative takes down the factor {} with a minus, so that the equation of motion without small terms demands, with the small detuning left out,",
                 [(&x).into(), Formula::from(&a) * cosine(), scaled(&subject.resonance(), subject.omega0()?).squared()],
             )
             .show(subject.trials.compare_choices(statement)?);
@@ -147,9 +147,10 @@ pub(super) fn derivatives(subject: &Subject) -> Result<DerivationStep, Derivatio
     let second = Statement::equal(derivative(velocity(), "t"), acceleration());
     let [first, second] = [trials.compare_choices(first)?, trials.compare_choices(second)?];
     let omega = subject.omega0()?;
-    let left = acceleration() + omega.clone().squared() * zero(&a) * cosine();
-    let resonant = -(number(2) * omega.clone() * zero(&a) * (one(&psi) - omega.clone()) * cos(&psi))
-        - number(2) * omega.clone() * one(&a) * sin(&psi);
+    let left = acceleration() + subject.times_omega0(1, 2, zero(&a) * cosine())?;
+    let by_cosine = zero(&a) * (one(&psi) - omega.clone()) * cos(&psi);
+    let resonant =
+        -subject.times_omega0(2, 1, by_cosine)? - subject.times_omega0(2, 1, one(&a) * sin(&psi))?;
     let small = Name::new("ε");
     let names = [a.clone(), psi.clone()];
     let frequency = omega.clone();
@@ -188,7 +189,7 @@ pub(super) fn derivatives(subject: &Subject) -> Result<DerivationStep, Derivatio
                 two(&a),
                 two(&psi),
                 omega.clone().squared() - one(&psi).squared(),
-                -(number(2) * omega.clone() * (one(&psi) - omega)),
+                -subject.times_omega0(2, 1, one(&psi) - omega)?,
             ],
         )
         .show(rounded))

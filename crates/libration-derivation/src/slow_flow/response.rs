@@ -55,7 +55,7 @@ fn ridge(subject: &Subject, relation: &str, step: DerivationStep) -> Result<Deri
         .say("the square is completed:", [])
         .show(trials.compare_choices(statement)?)
         .say(
-            "For each amplitude there are two detunings, at the same distance from {}, which as a function of {} is the backbone of the curve. Both are the same at the largest amplitude.",
+            "For each amplitude there are two detunings at the same distance from {}, where the last part is negative. As a function of {} their middle is the backbone of the curve.",
             [(&middle).into(), subject.amplitude().into()],
         );
     let (Some(peak), Some(detuning)) = (&state.peak_amplitude, &state.peak_detuning) else { return Ok(step) };
@@ -70,11 +70,11 @@ fn ridge(subject: &Subject, relation: &str, step: DerivationStep) -> Result<Deri
         let [peak, _] = found;
         Ok(step
             .clone()
-            .say("There the last part vanishes alone,", [])
+            .say("At the largest amplitude both are the same, and the last part is zero,", [])
             .show(zero)
             .say("so that the largest amplitude is", [])
             .show(peak)
-            .say("at the detuning on the backbone,", [])
+            .say("with the detuning of the backbone there,", [])
             .show(on_backbone))
     })
 }

@@ -105,9 +105,11 @@ fn one_term(
     let since = scaled(&subject.resonance(), bracketed(subject));
     let resonant = wave(subject, &term.turned)?;
     Ok(step
-        .say("Since {} is {}, of this", [drive, since])
-        .show(subject.trials.compare_choices(Statement::equal(turning, resonant))?)
-        .say("is in resonance.", []))
+        .say(
+            "With {} in place of {} the waves of the drive with the frequency of the oscillation are here",
+            [since, drive],
+        )
+        .show(subject.trials.compare_choices(Statement::equal(turning, resonant))?))
 }
 
 fn bracketed(subject: &Subject) -> Formula {
@@ -149,7 +151,6 @@ pub(super) fn averaged(subject: &Subject) -> Result<DerivationStep, DerivationEr
     let (a, phi) = (subject.amplitude(), subject.phase());
     let (growth, turn) = (a.clone().prime(), phi.clone().prime());
     let omega = subject.omega0()?;
-    let double = || number(2) * omega.clone();
     let excess = match subject.turning()? {
         Some(turning) => turning + Formula::from(&turn),
         None => Formula::from(&turn),
@@ -166,14 +167,21 @@ pub(super) fn averaged(subject: &Subject) -> Result<DerivationStep, DerivationEr
         }
         Ok(if all.is_empty() { number(0) } else { sum(all) })
     };
-    let by_cosine = Statement::equal(-(double() * Formula::from(&a) * excess), factors(0)?);
-    let by_sine = Statement::equal(-(double() * Formula::from(&growth)), factors(1)?);
+    let by_cosine = -subject.times_omega0(2, 1, Formula::from(&a) * excess.clone())?;
+    let by_cosine = Statement::equal(by_cosine, factors(0)?);
+    let by_sine = Statement::equal(-subject.times_omega0(2, 1, Formula::from(&growth))?, factors(1)?);
     let [rate, turning] = subject.rates()?;
     let compare = |statement: Statement| subject.trials.compare_choices(statement);
     let step = DerivationStep::new("slow-flow", "The slow flow of amplitude and phase")
         .say(
-            "What stands before {} must be the same on both sides, and so must what stands before {}:",
-            [cosine(), sine()],
+            "By the definition of {} the difference {} is {}. What stands before {} in the derivatives must be what stands before it in the small terms, and the same holds for {}:",
+            [
+                letter("ψ"),
+                Formula::from(Name::new("ψ").prime()) - omega,
+                excess,
+                cosine(),
+                sine(),
+            ],
         )
         .show(compare(by_cosine)?)
         .show(compare(by_sine)?)
@@ -197,12 +205,11 @@ fn means(subject: &Subject, step: DerivationStep) -> Result<DerivationStep, Deri
     }
     let definition = trials.define_function(f, &["ψ"], sum(terms));
     let (_, q) = subject.flow().resonance.unwrap_or((1, 1));
-    let turns = number(2 * i64::from(q));
-    let mean = |wave: Formula| integral("ψ", 0, turns.clone() * Formula::Pi, apply(f, [letter("ψ")]) * wave);
-    let below = || turns.clone() * Formula::Pi;
-    let omega = subject.omega0()?;
-    let growth = -(number(1) / (below() * omega.clone()) * mean(sine()));
-    let turning = -(number(1) / (below() * omega * Formula::from(&a)) * mean(cosine()));
+    let turns = 2 * i64::from(q);
+    let mean = |wave: Formula| integral("ψ", 0, number(turns) * Formula::Pi, apply(f, [letter("ψ")]) * wave);
+    let below = subject.times_omega0(turns, 1, Formula::Pi)?;
+    let growth = -(number(1) / below.clone() * mean(sine()));
+    let turning = -(number(1) / (below * Formula::from(&a)) * mean(cosine()));
     let turning = match subject.turning()? {
         Some(detuned) => detuned.negated() + turning,
         None => turning,

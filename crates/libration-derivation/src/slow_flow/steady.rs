@@ -71,7 +71,7 @@ pub(super) fn driven(subject: &Subject, trials: &Trials) -> Result<Option<Deriva
     let Some(relation) = &state.relation else { return Ok(None) };
     let (a, phi) = (subject.amplitude(), subject.phase());
     let mut step = DerivationStep::new("steady-states", "Steady states").say(
-        "Where amplitude and phase stay as they are, {} and {} are zero. The motion then has the period of the drive, or a multiple of it.",
+        "Where an amplitude that is not zero and its phase stay as they are, {} and {} are zero. The motion then has the period of the drive, or a multiple of it.",
         [a.clone().prime().into(), phi.clone().prime().into()],
     );
     match &state.phase {

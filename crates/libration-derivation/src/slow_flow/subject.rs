@@ -98,6 +98,23 @@ impl Subject {
         self.formula(&self.flow().natural_frequency)
     }
 
+    /// factor·ω0ⁿ·rest, with the value of ω0 in the factor if it is a number.
+    pub(super) fn times_omega0(
+        &self,
+        factor: i64,
+        power: u8,
+        rest: Formula,
+    ) -> Result<Formula, DerivationError> {
+        let factor = Rational::from(factor);
+        Ok(match self.read(&self.flow().natural_frequency)?.to_rational() {
+            Some(value) => scaled(&(0..power).fold(factor, |product, _| product * value.clone()), rest),
+            None => {
+                let raised = if power == 1 { self.omega0()? } else { self.omega0()?.pow(i64::from(power)) };
+                scaled(&factor, raised * rest)
+            }
+        })
+    }
+
     pub(super) fn variable(&self) -> Name {
         self.name(&self.equation.variables()[0])
     }

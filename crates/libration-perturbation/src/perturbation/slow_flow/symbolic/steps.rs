@@ -201,14 +201,14 @@ impl Written<'_> {
     /// jψ + mWt.
     fn angle(&self, [j, m]: [i64; 2]) -> String {
         let mut text = if j == 0 { String::new() } else { multiple(j, "psi") };
-        let turns = Rational::from(m);
+        let turns = Rational::from(m.abs());
         let (p, q) = self.setting.resonance;
         let drive = match &self.setting.drive {
             Some(_) if self.is_at_phase => {
                 let turns = turns * Rational::new(p, q).unwrap_or_else(|| Rational::from(1));
-                match (turns.to_string().as_str(), j) {
+                match (turns.to_string().as_str(), m.signum() + j) {
                     ("0", _) => String::new(),
-                    ("1", 0) => format!("psi - {}", self.phase()),
+                    ("1", 1) => format!("psi - {}", self.phase()),
                     (turns, _) => format!("{turns}*(psi - {})", self.phase()),
                 }
             }
@@ -216,7 +216,7 @@ impl Written<'_> {
             Some(DriveFrequency::Number(number)) => angle(&(turns * number.clone()), "1"),
             None => String::new(),
         };
-        append_term(&mut text, &drive);
+        append_term(&mut text, &if m < 0 { format!("-{drive}") } else { drive });
         text
     }
 }
