@@ -68,7 +68,7 @@ impl Trials {
     }
 
     /// Several choices of symbols, without pendulum.
-    pub(super) fn choices() -> Result<Self, DerivationError> {
+    pub fn choices() -> Result<Self, DerivationError> {
         let mut trials = Self::new(None)?;
         for trial in &mut trials.trials {
             trial.values = Values::default();
@@ -77,11 +77,7 @@ impl Trials {
     }
 
     /// Assigns to a name its value in each choice.
-    pub(super) fn choose(
-        &mut self,
-        name: &Name,
-        value: &dyn Fn(usize) -> Formula,
-    ) -> Result<(), DerivationError> {
+    pub fn choose(&mut self, name: &Name, value: &dyn Fn(usize) -> Formula) -> Result<(), DerivationError> {
         for (choice, trial) in self.trials.iter_mut().enumerate() {
             let value = value(choice);
             let number = side(&Statement::from(value.clone()), &value, &DIGITS, &trial.values)?;
@@ -98,7 +94,7 @@ impl Trials {
     }
 
     /// Checks a statement for every choice of the symbols.
-    pub(super) fn compare_choices(&self, statement: Statement) -> Result<CheckedEquation, DerivationError> {
+    pub fn compare_choices(&self, statement: Statement) -> Result<CheckedEquation, DerivationError> {
         let place = ComparedAt::Choices { choices: self.trials.len() };
         self.compare_within(CLOSE, (place, Against::OtherSide), statement)
     }

@@ -2,10 +2,11 @@
 
 use super::super::check::DerivationError;
 use super::super::document::DerivationStep;
-use super::super::formula::{Formula, Name, Statement, derivative, letter, number, sqrt};
+use super::super::formula::{Formula, Name, Statement, call, derivative, letter, number, sqrt};
 use super::super::trials::Trials;
 use super::steady::{define_relation, relation_at, relation_name};
 use super::subject::Subject;
+use libration::algebra::Function;
 use libration::expression::Expression;
 
 pub(super) fn curve(subject: &Subject) -> Result<Option<DerivationStep>, DerivationError> {
@@ -117,9 +118,9 @@ fn critical(
     let [folds, discriminant] = [trials.compare_choices(folds)?, trials.compare_choices(discriminant)?];
     let critical = subject.formula(value)?;
     let drive = subject.name(&symbol.name);
-    let root = sqrt(number(3)) * delta();
-    let cusp = [sqrt(2 * delta() / (sqrt(number(3)) * b())), root];
-    let [cusp_a, cusp_s] = cusp;
+    let size = || call(Function::Abs, b());
+    let [cusp_a, cusp_s] =
+        [sqrt(2 * delta() / (sqrt(number(3)) * size())), sqrt(number(3)) * delta() * b() / size()];
     let mut step = step.say(
         "Weak drives have no folds. With the bend {} of the backbone and the rate of decay {},",
         [b(), delta()],
@@ -140,8 +141,8 @@ fn critical(
         .say("a polynomial of the second degree in {}, whose discriminant", [square()])
         .show(discriminant)
         .say(
-            "is positive for a detuning beyond {} on the side to which the backbone bends. Both folds begin at its end, for positive {} at the amplitude {}. There the condition of the folds is met,",
-            [cusp_s, b(), cusp_a],
+            "is positive for a detuning beyond {} on the side to which the backbone bends. Both folds begin at its end, where {} is {} and {} is {}. There the condition of the folds is met,",
+            [sqrt(number(3)) * delta(), (&sigma).into(), cusp_s, (&a).into(), cusp_a],
         )
         .show(flat)
         .say("and the relation itself,", [])

@@ -214,8 +214,14 @@ fn means(subject: &Subject, step: DerivationStep) -> Result<DerivationStep, Deri
         Some(detuned) => detuned.negated() + turning,
         None => turning,
     };
-    let growth = trials.compare_choices(Statement::equal(a.clone().prime(), growth))?;
-    let turning = trials.compare_choices(Statement::equal(phi.prime(), turning))?;
+    let mut equations = vec![];
+    for (place, name, mean) in [(1, a.clone().prime(), growth), (0, phi.prime(), turning)] {
+        // An integral that is zero cannot be compared with its size.
+        let acts = |term: &SmallTerm| subject.read(&term.resonant[place]).is_ok_and(|it| !it.vanishes());
+        if subject.steps.terms.iter().any(acts) {
+            equations.push(trials.compare_choices(Statement::equal(name, mean))?);
+        }
+    }
     Ok(step
         .say(
             "The same in one formula: a wave is in resonance where its product with {} or {} has a mean. With the sum of all small terms along the motion,",
@@ -223,6 +229,5 @@ fn means(subject: &Subject, step: DerivationStep) -> Result<DerivationStep, Deri
         )
         .show(definition)
         .say("the rates are", [])
-        .show(growth)
-        .show(turning))
+        .show_all(equations))
 }

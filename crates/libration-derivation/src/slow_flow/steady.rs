@@ -9,7 +9,7 @@ use libration::algebra::Rational;
 
 /// The names of A′ and φ′ as functions of amplitude and phase.
 pub(super) fn functions(subject: &Subject) -> [&'static str; 2] {
-    [subject.function(["P", "U", "M"]), subject.function(["Q", "V", "N"])]
+    [subject.function(["G", "U", "M"]), subject.function(["H", "V", "N"])]
 }
 
 /// Defines A′ and φ′ as functions, of the amplitude alone without drive.
@@ -109,7 +109,7 @@ pub(super) fn driven(subject: &Subject, trials: &Trials) -> Result<Option<Deriva
 
 /// The name of the relation.
 pub(super) fn relation_name(subject: &Subject) -> &'static str {
-    subject.function(["R", "G", "H"])
+    subject.function(["R", "S", "K"])
 }
 
 pub(super) fn define_relation(
@@ -134,6 +134,10 @@ pub(super) fn stability(
 ) -> Result<Option<DerivationStep>, DerivationError> {
     let state = &subject.flow().steady_state;
     let (Some(trace), Some(determinant)) = (&state.trace, &state.determinant) else { return Ok(None) };
+    // A linear equation is steady at every amplitude.
+    if determinant == "0" {
+        return Ok(None);
+    }
     let (a, phi) = (subject.amplitude(), subject.phase());
     let trials = with_functions(subject, trials.clone(), &[&a.letter, &phi.letter])?;
     let at = |name: &str| apply(name, [Formula::from(&a), Formula::from(&phi)]);

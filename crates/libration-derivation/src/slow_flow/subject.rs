@@ -258,6 +258,9 @@ impl Subject {
             Err(DerivationError::Failed { .. }) => {}
             exact => return exact,
         }
+        if self.steps.terms.iter().any(|term| term.waves.is_none()) {
+            return Err(DerivationError::SeveralOrders);
+        }
         let top = self.flow().order + usize::from(self.steps.is_by_amplitude);
         let variable = Name::new("ε");
         let power = |n: usize| Formula::from(&variable).pow(i64::try_from(n).unwrap_or(i64::MAX));

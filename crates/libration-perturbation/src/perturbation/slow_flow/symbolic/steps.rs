@@ -75,7 +75,8 @@ pub(super) fn steps(
     lowest_order(letters, &flow.sums.rates)?;
     let detuning = letters.lowest_order(&forced.detuning);
     let orders = forced.terms.iter().flatten().map(|term| term.order).chain(detuning);
-    if orders.min().is_some_and(|lowest| lowest < order) {
+    let is_higher = setting.highest_order().is_some_and(|highest| highest > order);
+    if is_higher || orders.min().is_some_and(|lowest| lowest < order) {
         return None;
     }
     let written = Written { setting, forced, variable: &equation.variables()[0], is_at_phase: false };
@@ -206,9 +207,9 @@ impl Written<'_> {
         let drive = match &self.setting.drive {
             Some(_) if self.is_at_phase => {
                 let turns = turns * Rational::new(p, q).unwrap_or_else(|| Rational::from(1));
-                match (turns.to_string().as_str(), m.signum() + j) {
+                match (turns.to_string().as_str(), j == 0 && m > 0) {
                     ("0", _) => String::new(),
-                    ("1", 1) => format!("psi - {}", self.phase()),
+                    ("1", true) => format!("psi - {}", self.phase()),
                     (turns, _) => format!("{turns}*(psi - {})", self.phase()),
                 }
             }
