@@ -1,13 +1,13 @@
 //! The response curve: backbone, peak, folds and the drive at which they appear.
 
-use super::super::check::DerivationError;
+use super::super::check::{CheckedEquation, DerivationError};
 use super::super::document::DerivationStep;
-use super::super::formula::{Formula, Name, Statement, call, derivative, letter, number, sqrt};
+use super::super::formula::{Formula, Statement, call, derivative, letter, number, sqrt};
 use super::super::trials::Trials;
 use super::steady::{define_relation, relation_at, relation_name};
 use super::subject::Subject;
 use libration::algebra::Function;
-use libration::expression::Expression;
+use libration::expression::{Expression, Symbol};
 
 pub(super) fn curve(subject: &Subject) -> Result<Option<DerivationStep>, DerivationError> {
     let (Some(relation), Some(curve)) = (&subject.flow().steady_state.relation, &subject.steps.curve) else {
@@ -88,65 +88,81 @@ fn critical(
 ) -> Result<DerivationStep, DerivationError> {
     let state = &subject.flow().steady_state;
     let Some(curve) = &subject.steps.curve else { return Ok(step) };
-    let ([_, turns], cubic) = (&curve.slope, &curve.cubic);
     let (Some([bend, rate]), Some(amplitude), Some(value)) =
-        (cubic, &state.drive_amplitude, &state.critical_drive)
+        (&curve.cubic, &state.drive_amplitude, &state.critical_drive)
     else {
         return Ok(step);
     };
-    let read = subject.read(amplitude)?;
-    let subject_relation = subject.read(relation)?;
-    let Expression::Symbol(symbol) = &read else { return Ok(step) };
-    let (a, sigma) = (subject.amplitude(), subject.detuning());
-    let (b, delta) = (|| letter("β"), || letter("δ"));
-    let square = || Formula::from(&a).squared();
-    let mut trials: Trials = subject.trials.clone();
-    let shown = [
-        trials.define(&Name::new("β"), subject.formula(bend)?)?,
-        trials.define(&Name::new("δ"), subject.formula(rate)?)?,
+    let read = subject.read(relation)?;
+    // The relation contains the square of a drive.
+    let is_squared = |symbol: &Symbol| {
+        let slope = read.derivative(symbol).substitute(symbol, &Expression::from(0)).simplified();
+        read.polynomial_degree(std::slice::from_ref(symbol)) == Some(2) && slope.vanishes()
+    };
+    let drive = subject.read(amplitude)?.symbols().into_iter().find(is_squared);
+    let Some(drive) = drive else { return Ok(step) };
+    let names = [
+        subject.free_letter([("beta", "β"), ("kappa", "κ")]),
+        subject.free_letter([("delta", "δ"), ("gamma", "γ")]),
     ];
-    let s = || Formula::from(&sigma);
-    let factors = (s() - b() * square()) * (s() - 3 * b() * square()) + delta().squared();
-    let expanded = 3 * b().squared() * Formula::from(&a).pow(4) - 4 * b() * s() * square()
-        + s().squared()
-        + delta().squared();
-    let folds = Statement::equal(factors, expanded);
+    let [b, delta] = names.each_ref().map(|name| Formula::from(name));
+    let step = step
+        .say(
+            "Weak drives have no folds. With the bend {} of the backbone and the rate of decay {},",
+            [b.clone(), delta.clone()],
+        )
+        .show(CheckedEquation::definition(Statement::defined(&names[0], subject.formula(bend)?)))
+        .show(CheckedEquation::definition(Statement::defined(&names[1], subject.formula(rate)?)));
+    let [amplitude, value] = [subject.formula(amplitude)?, subject.formula(value)?];
+    let threshold = Statement::equal(amplitude, value);
+    subject.where_real(|mut trials| {
+        trials.define(&names[0], subject.formula(bend)?)?;
+        trials.define(&names[1], subject.formula(rate)?)?;
+        let at = |value: i64| subject.written(&read.substitute(&drive, &Expression::from(value)));
+        let size = || call(Function::Abs, b.clone());
+        let cusp = [
+            sqrt(2 * delta.clone() / (sqrt(number(3)) * size())),
+            sqrt(number(3)) * delta.clone() * b.clone() / size(),
+        ];
+        let step = two_folds(subject, &trials, step.clone(), [&b, &delta])?;
+        let mut here = trials.with(&subject.amplitude(), cusp[0].clone())?;
+        here.define(&subject.detuning(), cusp[1].clone())?;
+        here.define(&subject.name(&drive.name), sqrt(-at(0) / (at(1) - at(0))))?;
+        let zero = here.compare_choices(Statement::equal(subject.formula(relation)?, 0))?;
+        let flat = here.compare_choices(Statement::equal(subject.formula(&curve.slope[1])?, 0))?;
+        let [a, s] = cusp;
+        Ok(step
+            .say(
+                "is positive for a detuning beyond {} on the side to which the backbone bends. Both folds begin at its end, where {} is {} and {} is {}. There the condition of the folds is met,",
+                [sqrt(number(3)) * delta.clone(), subject.detuning().into(), s, subject.amplitude().into(), a],
+            )
+            .show(flat)
+            .say("and the relation itself,", [])
+            .show(zero)
+            .say("for one strength of the drive alone. Stronger drives make jumps:", [])
+            .show(here.compare_choices(threshold.clone())?))
+    })
+}
+
+/// The condition of the folds as a polynomial of the second degree in A².
+fn two_folds(
+    subject: &Subject,
+    trials: &Trials,
+    step: DerivationStep,
+    [b, delta]: [&Formula; 2],
+) -> Result<DerivationStep, DerivationError> {
+    let (b, delta) = (|| b.clone(), || delta.clone());
+    let (s, a) = (|| Formula::from(subject.detuning()), || Formula::from(subject.amplitude()));
+    let factors = (s() - b() * a().squared()) * (s() - 3 * b() * a().squared()) + delta().squared();
+    let expanded =
+        3 * b().squared() * a().pow(4) - 4 * b() * s() * a().squared() + s().squared() + delta().squared();
     let discriminant = Statement::equal(
         (4 * b() * s()).squared() - 12 * b().squared() * (s().squared() + delta().squared()),
         4 * b().squared() * (s().squared() - 3 * delta().squared()),
     );
-    let [folds, discriminant] = [trials.compare_choices(folds)?, trials.compare_choices(discriminant)?];
-    let critical = subject.formula(value)?;
-    let drive = subject.name(&symbol.name);
-    let size = || call(Function::Abs, b());
-    let [cusp_a, cusp_s] =
-        [sqrt(2 * delta() / (sqrt(number(3)) * size())), sqrt(number(3)) * delta() * b() / size()];
-    let mut step = step.say(
-        "Weak drives have no folds. With the bend {} of the backbone and the rate of decay {},",
-        [b(), delta()],
-    );
-    for equation in shown {
-        step = step.show(equation);
-    }
-    let mut here = trials.with(&a, cusp_a.clone())?.with(&sigma, cusp_s.clone())?;
-    let at = |value: i64| subject.written(&subject_relation.substitute(symbol, &Expression::from(value)));
-    let square_of_drive = -at(0) / (at(1) - at(0));
-    here.define(&drive, sqrt(square_of_drive))?;
-    let zero = here.compare_choices(Statement::equal(subject.formula(relation)?, 0))?;
-    let flat = here.compare_choices(Statement::equal(subject.formula(turns)?, 0))?;
-    let threshold = here.compare_choices(Statement::equal(&drive, critical))?;
     Ok(step
         .say("the folds are, up to a factor, the zeros of", [])
-        .show(folds)
-        .say("a polynomial of the second degree in {}, whose discriminant", [square()])
-        .show(discriminant)
-        .say(
-            "is positive for a detuning beyond {} on the side to which the backbone bends. Both folds begin at its end, where {} is {} and {} is {}. There the condition of the folds is met,",
-            [sqrt(number(3)) * delta(), (&sigma).into(), cusp_s, (&a).into(), cusp_a],
-        )
-        .show(flat)
-        .say("and the relation itself,", [])
-        .show(zero)
-        .say("for one strength of the drive alone. Stronger drives make jumps:", [])
-        .show(threshold))
+        .show(trials.compare_choices(Statement::equal(factors, expanded))?)
+        .say("a polynomial of the second degree in {}, whose discriminant", [a().squared()])
+        .show(trials.compare_choices(discriminant)?))
 }

@@ -207,7 +207,7 @@ fn means(subject: &Subject, step: DerivationStep) -> Result<DerivationStep, Deri
     let (_, q) = subject.flow().resonance.unwrap_or((1, 1));
     let turns = 2 * i64::from(q);
     let mean = |wave: Formula| integral("ψ", 0, number(turns) * Formula::Pi, apply(f, [letter("ψ")]) * wave);
-    let below = subject.times_omega0(turns, 1, Formula::Pi)?;
+    let below = subject.turns(i64::from(q))?;
     let growth = -(number(1) / below.clone() * mean(sine()));
     let turning = -(number(1) / (below * Formula::from(&a)) * mean(cosine()));
     let turning = match subject.turning()? {

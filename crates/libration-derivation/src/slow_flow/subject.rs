@@ -106,13 +106,25 @@ impl Subject {
         rest: Formula,
     ) -> Result<Formula, DerivationError> {
         let factor = Rational::from(factor);
-        Ok(match self.read(&self.flow().natural_frequency)?.to_rational() {
+        Ok(match self.omega0_as_number()? {
             Some(value) => scaled(&(0..power).fold(factor, |product, _| product * value.clone()), rest),
             None => {
                 let raised = if power == 1 { self.omega0()? } else { self.omega0()?.pow(i64::from(power)) };
                 scaled(&factor, raised * rest)
             }
         })
+    }
+
+    /// 2πn·ω0.
+    pub(super) fn turns(&self, n: i64) -> Result<Formula, DerivationError> {
+        Ok(match self.omega0_as_number()? {
+            Some(value) => scaled(&(Rational::from(2 * n) * value), Formula::Pi),
+            None => number(2 * n) * Formula::Pi * self.omega0()?,
+        })
+    }
+
+    fn omega0_as_number(&self) -> Result<Option<Rational>, DerivationError> {
+        Ok(self.read(&self.flow().natural_frequency)?.to_rational())
     }
 
     pub(super) fn variable(&self) -> Name {
@@ -123,6 +135,13 @@ impl Subject {
     pub(super) fn function(&self, names: [&'static str; 3]) -> &'static str {
         let free = names.into_iter().find(|name| !self.equation.parameters().contains(*name));
         free.unwrap_or("Z")
+    }
+
+    /// A Greek letter that the equation does not contain under its name.
+    pub(super) fn free_letter(&self, letters: [(&str, &str); 2]) -> Name {
+        let parameters = self.equation.parameters();
+        let free = letters.into_iter().find(|(name, _)| !parameters.contains(*name));
+        free.map_or_else(|| Name::new("η"), |(_, letter)| Name::new(letter))
     }
 
     /// The drive frequency, as a symbol or a number.
