@@ -139,7 +139,11 @@ pub(super) fn stability(
         return Ok(None);
     }
     let (a, phi) = (subject.amplitude(), subject.phase());
-    let trials = with_functions(subject, trials.clone(), &[&a.letter, &phi.letter])?;
+    let parameters = [&*a.letter, &*phi.letter];
+    let [anywhere, trials] = [
+        with_functions(subject, subject.trials.clone(), &parameters)?,
+        with_functions(subject, trials.clone(), &parameters)?,
+    ];
     let at = |name: &str| apply(name, [Formula::from(&a), Formula::from(&phi)]);
     let [p, q] = functions(subject);
     let partial = |name: &str, by: &Name| derivative(at(name), &by.letter);
@@ -150,20 +154,22 @@ pub(super) fn stability(
     for (name, row) in [p, q].into_iter().zip(&subject.steps.partials) {
         for (by, text) in [&a, &phi].into_iter().zip(row) {
             let statement = Statement::equal(partial(name, by), subject.formula(text)?);
-            step = step.show(trials.compare_choices(statement)?);
+            step = step.show(anywhere.compare_choices(statement)?);
         }
     }
     let sum = Statement::equal(partial(p, &a) + partial(q, &phi), subject.formula(trace)?);
     let minor = partial(p, &a) * partial(q, &phi) - partial(p, &phi) * partial(q, &a);
     let minor = Statement::equal(minor, subject.formula(determinant)?);
-    Ok(Some(
-        step.say(
+    let step = step
+        .say(
             "Deviations decay if the trace of these coefficients is negative and their determinant positive. In steady states sine and cosine of the phase have the values found above, so that the trace is",
             [],
         )
         .show(trials.compare_choices(sum)?)
         .say("and the determinant", [])
-        .show(trials.compare_choices(minor)?)
-        .say("The determinant changes its sign at the folds.", []),
-    ))
+        .show(trials.compare_choices(minor)?);
+    Ok(Some(match subject.steps.curve {
+        Some(_) => step.say("It changes its sign at the folds of the response curve.", []),
+        None => step,
+    }))
 }
