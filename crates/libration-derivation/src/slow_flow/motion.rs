@@ -147,7 +147,7 @@ pub(super) fn derivatives(subject: &Subject) -> Result<DerivationStep, Derivatio
     let second = Statement::equal(derivative(velocity(), "t"), acceleration());
     let [first, second] = [trials.compare_choices(first)?, trials.compare_choices(second)?];
     let omega = subject.omega0()?;
-    let left = acceleration() + subject.times_omega0(1, 2, zero(&a) * cosine())?;
+    let left = (inner() + subject.times_omega0(1, 2, zero(&a))?) * cos(&psi) - outer() * sin(&psi);
     let by_cosine = zero(&a) * (one(&psi) - omega.clone()) * cos(&psi);
     let resonant =
         -subject.times_omega0(2, 1, by_cosine)? - subject.times_omega0(2, 1, one(&a) * sin(&psi))?;

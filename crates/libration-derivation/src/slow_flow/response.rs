@@ -59,24 +59,23 @@ fn ridge(subject: &Subject, relation: &str, step: DerivationStep) -> Result<Deri
             "For each amplitude there are two detunings at the same distance from {}, where the last part is negative. As a function of {} their middle is the backbone of the curve.",
             [(&middle).into(), subject.amplitude().into()],
         );
-    let (Some(peak), Some(detuning)) = (&state.peak_amplitude, &state.peak_detuning) else { return Ok(step) };
-    let [peak, detuning] = [subject.formula(peak)?, subject.formula(detuning)?];
-    let names = [subject.amplitude(), sigma].map(|name| name.word("max"));
-    let rest = subject.formula(rest)?;
+    let Some(peak) = &state.peak_amplitude else { return Ok(step) };
+    let detuning = state.peak_detuning.as_ref().map(|text| subject.formula(text)).transpose()?;
+    let [peak, rest] = [subject.formula(peak)?, subject.formula(rest)?];
+    let name = subject.amplitude().word("max");
     subject.where_real(|mut trials| {
-        let found = [trials.define(&names[0], peak.clone())?, trials.define(&names[1], detuning.clone())?];
+        let found = trials.define(&name, peak.clone())?;
         let trials = trials.with(&subject.amplitude(), peak.clone())?;
         let zero = trials.compare_choices(Statement::equal(rest.clone(), 0))?;
-        let on_backbone = trials.compare_choices(Statement::equal(backbone.clone(), detuning.clone()))?;
-        let [peak, _] = found;
-        Ok(step
+        let step = step
             .clone()
             .say("At the largest amplitude both are the same, and the last part is zero,", [])
             .show(zero)
             .say("so that the largest amplitude is", [])
-            .show(peak)
-            .say("with the detuning of the backbone there,", [])
-            .show(on_backbone))
+            .show(found);
+        let Some(detuning) = &detuning else { return Ok(step) };
+        let on_backbone = trials.compare_choices(Statement::equal(backbone.clone(), detuning.clone()))?;
+        Ok(step.say("with the detuning of the backbone there,", []).show(on_backbone))
     })
 }
 
@@ -105,7 +104,7 @@ fn critical(
         subject.free_letter([("beta", "β"), ("kappa", "κ")]),
         subject.free_letter([("delta", "δ"), ("gamma", "γ")]),
     ];
-    let [b, delta] = names.each_ref().map(|name| Formula::from(name));
+    let [b, delta] = names.each_ref().map(Formula::from);
     let step = step
         .say(
             "Weak drives have no folds. With the bend {} of the backbone and the rate of decay {},",
