@@ -229,7 +229,7 @@ fn notebooks_check_their_formulas_again() {
         "--method averaging x''+2*eps*mu*x'+w0^2*x+eps*a*x^3=eps*F*cos(W*t) --resonance 1/1",
         "--method averaging x''+2*eps*mu*x'+w0^2*x+eps*a*x^3=F*cos(W*t) --resonance 1/3 --exercises",
         "--method averaging x''+c*x'*abs(x')+k*x+b*x^3=F*cos(W*t) --resonance 1/1 --small c:1,b:1,F:1",
-        "--method limit-cycle x''+x=eps*(m*(1-x^2)*x'-b*x^3)",
+        "--method limit-cycle x''+w^2*x=eps*(a*x'-b*x'^3-d*x^3-h*x^5)",
     ];
     let notebooks = questions.map(|question| {
         let cells = code_cells(&format!("derive {question} --format ipynb"));
@@ -259,6 +259,19 @@ fn notebooks_check_few_harmonics_and_formulas_of_the_catalogue() {
     assert_all_are_found("notebooks_catalogue", &wrong);
 }
 
+#[test]
+fn notebooks_of_driven_oscillators_find_wrong_formulas() {
+    let cells = code_cells(
+        "derive --method averaging x''+2*eps*mu*x'+w0^2*x+eps*a*x^3=eps*F*cos(W*t) --resonance 1/1 --format ipynb",
+    );
+    let changes = [("cos(3*ψ)", "3*ε", "4*ε"), ("(5.7)", "/(2*", "/(3*"), ("(6.3)", "(-F**2", "(-F**3")];
+    let wrong = changes.map(|(inside, right, wrong)| {
+        let place = cells.iter().position(|cell| cell.contains(inside) && cell.contains(right)).unwrap();
+        WrongNotebook::new(&cells, place, cells[place].replace(right, wrong))
+    });
+    assert_all_are_found("notebooks_driven", &wrong);
+}
+
 /// A wrong number stops the cell in which it stands.
 #[test]
 fn notebooks_find_wrong_formulas() {
@@ -269,7 +282,6 @@ fn notebooks_find_wrong_formulas() {
         ("averaging van_der_pol --order 5", 10),
         ("limit-cycle --order 3", 8),
         ("perturbation x''+x+x*abs(x)=0 --order 4", 8),
-        ("averaging x''+eps*m*x'+w^2*x+eps*a*x^3=eps*F*cos(W*t) --resonance 1/1", 20),
     ] {
         let wrong = with_a_wrong_cell(&code_cells(&format!("derive --method {question} --format ipynb")));
         assert!(wrong.len() > least, "{question}: {}", wrong.len());

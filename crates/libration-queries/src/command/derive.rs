@@ -1,6 +1,6 @@
 //! `libration derive`: worked derivations, every formula checked.
 
-use super::expand::slow_flow_failure;
+use super::expand::{BOOKKEEPING, slow_flow_failure};
 use crate::arguments::{
     self, ChosenWithLetters, EquationText, OscillatorOptions, PendulumOptions, drive_resonance, small_orders,
 };
@@ -344,7 +344,9 @@ impl SeriesOptions {
             Err(error) if is_forced => return Err(error),
             Err(_) => return Ok(None),
         };
-        if !is_forced && !equation.depends_on_time() && equation.parameters().len() < 2 {
+        let open = equation.parameters();
+        let is_marked = open.contains(BOOKKEEPING) || small.is_some_and(|name| open.contains(name));
+        if !is_forced && !equation.depends_on_time() && !(open.len() > 1 && is_marked) {
             return Ok(None);
         }
         let small = small.map(small_orders).transpose()?.unwrap_or_default();
