@@ -35,7 +35,7 @@ use subject::Subject;
 /// let equation = "x'' + 2*eps*mu*x' + w0^2*x + eps*a*x^3 = eps*F*cos(W*t)".parse()?;
 /// let options = SymbolicSlowFlowOptions { resonance: Some((1, 1)), ..Default::default() };
 /// let page = to_markdown(&slow_flow(&equation, &options, &Quiet)?);
-/// assert!(page.contains(r"A' = -\varepsilon \mu A - \frac{\varepsilon F}{2w_{0}} \sin \varphi"));
+/// assert!(page.contains(r"A_{\mathrm{max}}:=\frac{F}{2\mu w_{0}}"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn slow_flow(

@@ -346,11 +346,11 @@ impl SeriesOptions {
         };
         let open = equation.parameters();
         let is_marked = open.contains(BOOKKEEPING) || small.is_some_and(|name| open.contains(name));
-        if !is_forced && !equation.depends_on_time() && !(open.len() > 1 && is_marked) {
-            return Ok(None);
+        if is_forced || equation.depends_on_time() || (open.len() > 1 && is_marked) {
+            let small = small.map(small_orders).transpose()?.unwrap_or_default();
+            return Ok(Some((equation, SymbolicSlowFlowOptions { small, resonance, ..Default::default() })));
         }
-        let small = small.map(small_orders).transpose()?.unwrap_or_default();
-        Ok(Some((equation, SymbolicSlowFlowOptions { small, resonance, ..Default::default() })))
+        Ok(None)
     }
 
     /// Refuses options that belong to other methods.
