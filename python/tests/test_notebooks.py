@@ -9,6 +9,7 @@ import sympy
 
 import libration as lb
 
+DRIVEN = "x'' + 2*eps*mu*x' + w0^2*x + eps*a*x^3 = eps*F*cos(W*t)"
 DERIVATIONS = [
     ("short", {}),
     ("perturbation", {"order": 3}),
@@ -16,6 +17,7 @@ DERIVATIONS = [
     ("averaging", {"order": 1}),
     ("averaging", {"set": {"n": 2}, "order": 2}),
     ("limit-cycle", {"order": 4}),
+    ("averaging", {"oscillator": DRIVEN, "resonance": "1/1"}),
 ]
 
 

@@ -14,6 +14,7 @@
 //! | [`formulas`] | the published formulas for the period |
 //! | [`perturbation`] | Lindstedt's series of a free oscillator with numbers or symbols, order by order; a quarter swing under a force of two sides |
 //! | [`averaging()`] | amplitude and phase under weak damping or excitation |
+//! | [`slow_flow()`] | amplitude and phase with symbols, several small terms and a drive; steady states |
 //! | [`limit_cycle()`] | a limit cycle, by powers of its excitation |
 //! | [`paper`] | every equation of two published derivations, verified or corrected |
 //! | [`to_markdown`], [`to_html`], [`to_latex`], [`to_notebook`] | a derivation as a document |
@@ -47,6 +48,7 @@ mod first_correction;
 mod limit_cycle;
 mod lindstedt;
 mod published;
+mod slow_flow;
 mod two_sided;
 
 mod answers;
@@ -73,6 +75,7 @@ pub use lindstedt::{HIGHEST_ORDER, Released, perturbation};
 pub use print::{judgement_to_html, judgement_to_markdown, to_html, to_latex, to_markdown, to_notebook};
 pub use prose::{Prose, Span};
 pub use published::formulas;
+pub use slow_flow::slow_flow;
 pub use trials::Swing;
 pub use typeset::{formula_latex, statement_latex};
 

@@ -67,6 +67,38 @@ impl Trials {
         Ok(Self { trials, shown, wanted })
     }
 
+    /// Several choices of symbols, without pendulum.
+    pub fn choices() -> Result<Self, DerivationError> {
+        let mut trials = Self::new(None)?;
+        for trial in &mut trials.trials {
+            trial.values = Values::default();
+        }
+        Ok(Self { shown: 0, ..trials })
+    }
+
+    /// Assigns to a name its value in each choice.
+    pub fn choose(&mut self, name: &Name, value: &dyn Fn(usize) -> Formula) -> Result<(), DerivationError> {
+        for (choice, trial) in self.trials.iter_mut().enumerate() {
+            let value = value(choice);
+            let number = side(&Statement::from(value.clone()), &value, &DIGITS, &trial.values)?;
+            trial.values.set(name, number);
+        }
+        Ok(())
+    }
+
+    /// Declares that a name changes in time at the rate that the next prime denotes.
+    pub(super) fn let_move(&mut self, name: &Name) {
+        for trial in &mut self.trials {
+            trial.values.set_rate(name, name.clone().prime().into());
+        }
+    }
+
+    /// Checks a statement for every choice of the symbols.
+    pub fn compare_choices(&self, statement: Statement) -> Result<CheckedEquation, DerivationError> {
+        let place = ComparedAt::Choices { choices: self.trials.len() };
+        self.compare_within(CLOSE, (place, Against::OtherSide), statement)
+    }
+
     /// Defines a name in every swing.
     pub(super) fn define(&mut self, name: &Name, value: Formula) -> Result<CheckedEquation, DerivationError> {
         let statement = Statement::defined(name, value.clone());
@@ -110,18 +142,24 @@ impl Trials {
 
     /// Checks a statement in all digits.
     pub fn compare(&self, statement: Statement) -> Result<CheckedEquation, DerivationError> {
-        self.compare_within(CLOSE, Against::OtherSide, statement)
+        self.compare_within(CLOSE, (self.amplitudes(), Against::OtherSide), statement)
     }
 
     /// Checks a statement, one side of which is the library's exact solution.
     pub fn compare_with_library(&self, statement: Statement) -> Result<CheckedEquation, DerivationError> {
-        self.compare_within(CLOSE_IN_DOUBLE, Against::Library, statement)
+        self.compare_within(CLOSE_IN_DOUBLE, (self.amplitudes(), Against::Library), statement)
+    }
+
+    fn amplitudes(&self) -> ComparedAt {
+        let at = self.trials[self.shown].amplitude.clone();
+        let amplitudes = self.trials.iter().map(|trial| trial.amplitude.clone()).collect();
+        ComparedAt::Amplitudes { at, amplitudes }
     }
 
     fn compare_within(
         &self,
         tolerance: f64,
-        against: Against,
+        (place, against): (ComparedAt, Against),
         statement: Statement,
     ) -> Result<CheckedEquation, DerivationError> {
         let mut difference = 0.0_f64;
@@ -133,9 +171,6 @@ impl Trials {
                 shown = comparison.value;
             }
         }
-        let at = self.trials[self.shown].amplitude.clone();
-        let amplitudes = self.trials.iter().map(|trial| trial.amplitude.clone()).collect();
-        let place = ComparedAt::Amplitudes { at, amplitudes };
         let letters = self.trials[self.shown].letters(&statement);
         Ok(Comparison { value: shown, difference }.equation(statement, place, against).with_letters(letters))
     }
@@ -337,11 +372,8 @@ impl Trial {
         if difference <= tolerance {
             return Ok(Comparison { value, difference });
         }
-        let degrees = &self.amplitude.mantissa;
-        Err(failed(
-            statement,
-            format!("at {degrees} degrees its sides differ by {difference:e} of their size"),
-        ))
+        let at = &self.amplitude.mantissa;
+        Err(failed(statement, format!("at {at} its sides differ by {difference:e} of their size")))
     }
 
     /// The values of the names in a statement, to double precision.

@@ -15,6 +15,7 @@ def derive(
     order: int | None = None,
     damping_order: int | None = None,
     small: Given | None = None,
+    resonance: Given | None = None,
     gauge: str | None = None,
     set: Values | Sequence[str] | None = None,
     about: Given | None = None,
@@ -45,7 +46,10 @@ def derive(
     damping_order : int, optional
         Averaging: the highest power of the small parameter, 1 to 4 [default: 2].
     small : number or text, optional
-        Averaging, limit-cycle: the small symbol, if several have no value.
+        Averaging, limit-cycle: the small symbol, if several have no value, or small symbols with
+        orders, such as mu:1,F:1.
+    resonance : number or text, optional
+        Averaging: the resonance of a drive with W = (P/Q)·ω0, drive over natural frequency.
     gauge : str, optional
         Perturbation: meaning of the expansion parameter, such as energy or A1=1,A3=-1 [default:
         fundamental].

@@ -39,6 +39,29 @@ fn braces_of_latex_and_tags_of_html_are_closed() {
     }
 }
 
+/// Several symbols or a drive need the derivation of lowest order, which has no other orders.
+#[test]
+fn symbols_and_drives_are_averaged_to_lowest_order() {
+    const DUFFING: &str = "x''+2*eps*mu*x'+w0^2*x+eps*a*x^3=eps*F*cos(W*t)";
+    let driven = text(&format!("derive --method averaging {DUFFING} --resonance 1/1"));
+    assert!(driven.contains(r"A_{\mathrm{max}}:=\frac{F}{2\mu w_{0}}"), "{driven}");
+    let cycle = text("derive --method limit-cycle x''+x=eps*(m*(1-x^2)*x'-b*x^3)");
+    assert!(cycle.contains("A_{0}:=2"), "{cycle}");
+    for (words, reason) in [
+        (format!("--method averaging {DUFFING}"), "--resonance"),
+        (format!("--method averaging {DUFFING} --resonance 1/1 --order 3"), "--order"),
+        (format!("--method averaging {DUFFING} --resonance one"), "--resonance"),
+        (format!("--method perturbation {DUFFING} --resonance 1/1"), "--resonance"),
+        ("--method averaging --resonance 1/1".to_owned(), "equation"),
+        ("--method averaging x''+c*x'+a*x=0 --small d:1".to_owned(), "--small"),
+    ] {
+        let words: Vec<&str> = ["derive"].into_iter().chain(words.split(' ')).collect();
+        let output = run(&words);
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert!(output.status.code() == Some(2) && said.contains(reason), "{words:?}: {said}");
+    }
+}
+
 #[test]
 fn an_answer_is_judged_in_place_of_the_derivation() {
     let derive = |answer: &str, format: &str| {
@@ -203,6 +226,10 @@ fn notebooks_check_their_formulas_again() {
         "--method limit-cycle rayleigh --order 4 --exercises",
         "--method limit-cycle x''+4*x=e*((1-x^2)*x'-x^3+x^2) --order 4",
         "--method averaging x''+c*x'-2*x+2*x^3=0 --order 2",
+        "--method averaging x''+2*eps*mu*x'+w0^2*x+eps*a*x^3=eps*F*cos(W*t) --resonance 1/1",
+        "--method averaging x''+2*eps*mu*x'+w0^2*x+eps*a*x^3=F*cos(W*t) --resonance 1/3 --exercises",
+        "--method averaging x''+c*x'*abs(x')+k*x+b*x^3=F*cos(W*t) --resonance 1/1 --small c:1,b:1,F:1",
+        "--method limit-cycle x''+w^2*x=eps*(a*x'-b*x'^3-d*x^3-h*x^5)",
     ];
     let notebooks = questions.map(|question| {
         let cells = code_cells(&format!("derive {question} --format ipynb"));
@@ -230,6 +257,19 @@ fn notebooks_check_few_harmonics_and_formulas_of_the_catalogue() {
         WrongNotebook::new(&cells, place, cells[place].replace(right, wrong))
     });
     assert_all_are_found("notebooks_catalogue", &wrong);
+}
+
+#[test]
+fn notebooks_of_driven_oscillators_find_wrong_formulas() {
+    let cells = code_cells(
+        "derive --method averaging x''+2*eps*mu*x'+w0^2*x+eps*a*x^3=eps*F*cos(W*t) --resonance 1/1 --format ipynb",
+    );
+    let changes = [("cos(3*ψ)", "3*ε", "4*ε"), ("(5.7)", "/(2*", "/(3*"), ("(6.3)", "(-F**2", "(-F**3")];
+    let wrong = changes.map(|(inside, right, wrong)| {
+        let place = cells.iter().position(|cell| cell.contains(inside) && cell.contains(right)).unwrap();
+        WrongNotebook::new(&cells, place, cells[place].replace(right, wrong))
+    });
+    assert_all_are_found("notebooks_driven", &wrong);
 }
 
 /// A wrong number stops the cell in which it stands.

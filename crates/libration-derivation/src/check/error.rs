@@ -3,7 +3,7 @@
 use super::super::evaluate::EvaluationError;
 use libration::oscillator::Remedy;
 use libration::pendulum::PendulumError;
-use libration::perturbation::{ExpansionError, OpenGaugeError, SlowFlowError};
+use libration::perturbation::{ExpansionError, OpenGaugeError, SlowFlowError, SymbolicSlowFlowError};
 use libration::progress::Interrupted;
 
 /// The reason why a derivation does not exist.
@@ -120,6 +120,14 @@ pub enum DerivationError {
         /// The quantity on which the methods disagree.
         what: &'static str,
     },
+    /// A slow flow that needs products of several orders.
+    #[error(
+        "amplitude and phase change only by products of small terms of several orders: derivations go to the lowest order, and end where it is zero"
+    )]
+    SeveralOrders,
+    /// An equation without a slow flow with symbols.
+    #[error(transparent)]
+    Symbolic(#[from] SymbolicSlowFlowError),
     /// An equation without a slow flow.
     #[error(transparent)]
     SlowFlow(#[from] SlowFlowError),

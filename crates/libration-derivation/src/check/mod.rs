@@ -136,6 +136,11 @@ pub enum ComparedAt {
         /// All amplitudes.
         amplitudes: Vec<Decimal>,
     },
+    /// Comparison for several choices of the symbols.
+    Choices {
+        /// Number of choices.
+        choices: usize,
+    },
     /// Comparison for several values of an index.
     Cases {
         /// The index.

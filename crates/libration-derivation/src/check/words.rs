@@ -57,6 +57,15 @@ impl Check {
                 _ => "checked: the same polynomial, exactly",
             }),
             Self::RoundedDigits => Prose::text("checked: the digits printed are those of the exact value"),
+            Self::Digits { place: ComparedAt::Choices { choices }, difference, .. } => {
+                let equal =
+                    Prose::text(format!("checked for {choices} choices of the symbols: equal in all digits"));
+                match *difference > 0.0 {
+                    true => equal
+                        .and(Prose::new(" but a relative {}", [rounded(*difference, 1, DecimalUnit::One)])),
+                    false => equal,
+                }
+            }
             Self::Digits { place, value, difference, against } => {
                 place.to_prose().and(agreement(value, *difference, *against))
             }
@@ -116,7 +125,7 @@ fn averaged(claim: &AveragedClaim) -> &'static str {
 impl ComparedAt {
     fn to_prose(&self) -> Prose {
         match self {
-            Self::Everywhere => Prose::text("checked: "),
+            Self::Everywhere | Self::Choices { .. } => Prose::text("checked: "),
             Self::Cases { index, first, last } => {
                 Prose::new("checked for {} = {}", [index.into(), Formula::from(*first)])
                     .and(Prose::new(" to {}; for the first ", [Formula::from(*last)]))

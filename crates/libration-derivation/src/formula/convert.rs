@@ -15,7 +15,10 @@ impl From<&Expression> for Formula {
             Expression::Add(a, b) => of(a) + of(b),
             Expression::Subtract(a, b) => of(a) - of(b),
             Expression::Multiply(a, b) => of(a) * of(b),
-            Expression::Divide(a, b) => of(a) / of(b),
+            Expression::Divide(a, b) => match of(a) {
+                Self::Fraction(over, under) => *over / (*under * of(b)),
+                over => over / of(b),
+            },
             Expression::Power(a, b) => of(a).pow(of(b)),
             Expression::Call(function, a) => Self::Call(*function, Box::new(of(a))),
         }

@@ -276,6 +276,12 @@ fn sides(statement: &Statement) -> Option<Vec<String>> {
 
 /// Comparisons of neighbours in the chain.
 fn compared(statement: &Statement) -> Option<Vec<String>> {
+    if let (Formula::Sum(terms), [(Relation::Equal, zero)]) = (&statement.first, statement.rest.as_slice())
+        && *zero == Formula::from(0)
+    {
+        let terms: Vec<String> = terms.iter().map(expression).collect::<Option<_>>()?;
+        return Some(vec![format!("vanishes({})", terms.join(", "))]);
+    }
     let sides = sides(statement)?;
     let pairs = sides.windows(2).zip(&statement.rest);
     // Singular ends of integrals cost half of the digits of a float, finite differences in place of derivatives a third.

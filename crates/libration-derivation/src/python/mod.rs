@@ -114,10 +114,20 @@ fn with_own_name(formula: &Formula) -> Option<String> {
     })
 }
 
-/// The time derivative: the angle changes with the velocity, and the velocity with the acceleration.
+/// The time derivative: the angle and its velocity change, or without them every name, each at the rate that its next prime denotes.
 fn along_the_motion(formula: &Formula) -> Option<String> {
     let of = expression(formula)?;
-    Some(format!("slope(lambda s: (lambda θ, θ_p: {of})(θ + s*θ_p, θ_p + s*θ_p_p), 0)"))
+    let angle = Name::new("θ");
+    let own = formula.free_names();
+    let moving = match own.iter().any(|name| name.letter == angle.letter) {
+        true => vec![angle.clone(), angle.prime()],
+        false => own,
+    };
+    let mut names: Vec<String> = moving.iter().map(identifier).collect::<Option<_>>()?;
+    names.sort();
+    names.dedup();
+    let moved: Vec<String> = names.iter().map(|name| format!("{name} + s*{name}_p")).collect();
+    Some(format!("slope(lambda s: (lambda {}: {of})({}), 0)", names.join(", "), moved.join(", ")))
 }
 
 fn signed(number: String) -> (String, Level) {

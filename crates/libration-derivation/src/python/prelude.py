@@ -817,6 +817,12 @@ def agree(a, b, digits=10):
     return a
 
 
+def vanishes(*terms):
+    """A sum that is zero, but for the digits that its terms lose."""
+    terms = [float(term) for term in terms]
+    assert abs(sum(terms)) <= 1e-10 * sum(map(abs, terms)), terms
+
+
 def below(a, b):
     assert a < b, (a, b)
 

@@ -29,6 +29,7 @@ fn derivations() -> Vec<(&'static str, Derivation)> {
         ("quarter", perturbation(&kinked, 4, &Gauge::Fundamental, None, &Quiet).unwrap()),
         ("averaging", averaging(&damped, None, 3, 2, &Quiet).unwrap()),
         ("rubbing", averaging(&rubbed, None, 3, 1, &Quiet).unwrap()),
+        ("driven", crate::symbolic_slow_flow::duffing()),
         ("limit-cycle", limit_cycle(&excited, None, 3, &Quiet).unwrap()),
     ];
     let exercises: Vec<_> = own.iter().map(|(name, it)| (*name, it.clone().exercises())).collect();

@@ -13,5 +13,6 @@ mod notebooks;
 mod paper;
 mod phase;
 mod source;
+mod symbolic_slow_flow;
 mod symbols;
 mod two_sided;

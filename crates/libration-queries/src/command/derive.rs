@@ -1,18 +1,22 @@
 //! `libration derive`: worked derivations, every formula checked.
 
-use crate::arguments::{self, ChosenWithLetters, EquationText, OscillatorOptions, PendulumOptions};
+use super::expand::{BOOKKEEPING, slow_flow_failure};
+use crate::arguments::{
+    self, ChosenWithLetters, EquationText, OscillatorOptions, PendulumOptions, drive_resonance, small_orders,
+};
 use crate::output::file;
 use crate::query_error::{QueryError, argument, option};
 use crate::{interrupt, parallel};
+use libration::expression::Equation;
 use libration::internals::progress::Watch;
 use libration::oscillator::NumbersOrLetters;
 use libration::pendulum::Amplitude;
-use libration::perturbation::{Gauge, SlowFlowError};
+use libration::perturbation::{Gauge, SlowFlowError, SymbolicSlowFlowOptions};
 use libration::progress::{Progress, Status};
 use libration::quantity::Displacement;
 use libration_derivation::{
     Derivation, DerivationError, HIGHEST_DAMPING_ORDER, HIGHEST_ORDER, Released, Swing, averaging,
-    limit_cycle, perturbation,
+    limit_cycle, perturbation, slow_flow,
 };
 use std::io::Write;
 use std::path::PathBuf;
@@ -37,6 +41,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
   libration derive --method perturbation \"x'' + x + x*abs(x) = 0\" --order 4
   libration derive --method averaging --set n=2 --order 5 --damping-order 2 \\
     --format html --output damping.html
+  libration derive --method averaging --resonance 1/1 \\
+    \"x'' + 2*eps*mu*x' + w0^2*x + eps*a*x^3 = eps*F*cos(W*t)\"
   libration derive --method limit-cycle van_der_pol --order 4 --format ipynb \\
     --output van_der_pol.ipynb
   libration derive --method elliptic --exercises --format html \\
@@ -81,9 +87,12 @@ struct SeriesOptions {
     /// Averaging: the highest power of the small parameter, 1 to 4 [default: 2]
     #[arg(long, value_parser = arguments::count::<HIGHEST_DAMPING_ORDER>)]
     damping_order: Option<usize>,
-    /// Averaging, limit-cycle: the small symbol, if several have no value
-    #[arg(long, value_name = "LETTER")]
+    /// Averaging, limit-cycle: the small symbol, if several have no value, or small symbols with orders, such as mu:1,F:1
+    #[arg(long, value_name = "LETTER|SYMBOLS")]
     small: Option<String>,
+    /// Averaging: the resonance of a drive with W = (P/Q)·ω0, drive over natural frequency
+    #[arg(long, value_name = "P/Q")]
+    resonance: Option<String>,
     /// Perturbation: meaning of the expansion parameter, such as energy or A1=1,A3=-1 [default: fundamental]
     #[arg(long)]
     gauge: Option<Gauge>,
@@ -105,7 +114,7 @@ enum Method {
     Formulas,
     /// Motion and period of a free oscillator, order by order; parameters may stay symbols
     Perturbation,
-    /// Amplitude and phase under weak damping or excitation, power by power
+    /// Amplitude and phase under weak damping or excitation, power by power; with several symbols or a drive, to lowest order, with steady states
     #[value(alias = "damping")]
     Averaging,
     /// Amplitude, frequency and form of a limit cycle, in powers of its excitation
@@ -221,6 +230,9 @@ impl Derive {
 
     fn averaging(&self) -> Result<(Derivation, bool), QueryError> {
         self.refuse_amplitude("averaging gives laws for all small amplitudes")?;
+        if let Some(asked) = self.series.with_symbols()? {
+            return self.slow_flow(asked);
+        }
         let options = &self.series;
         let name = options.oscillator.as_deref().unwrap_or(DAMPED_PENDULUM);
         let small = options.small.as_deref();
@@ -233,12 +245,33 @@ impl Derive {
 
     fn limit_cycle(&self) -> Result<(Derivation, bool), QueryError> {
         self.refuse_amplitude("a limit cycle has one amplitude, which is derived")?;
+        if let Some(asked) = self.series.with_symbols()? {
+            return self.slow_flow(asked);
+        }
         let options = &self.series;
         let name = options.oscillator.as_deref().unwrap_or(SELF_EXCITED);
         let asked = OscillatorOptions::new(name, &options.set, None).asked()?;
         let order = options.order.unwrap_or(DEFAULT_CYCLE_ORDER);
         let small = options.small.as_deref();
         cancellable(|progress| limit_cycle(&asked.equation, small, order, progress))
+    }
+
+    fn slow_flow(&self, (equation, asked): WithSymbols) -> Result<(Derivation, bool), QueryError> {
+        // Twenty kilobytes of the page, which is to have three megabytes.
+        if cfg!(target_arch = "wasm32") {
+            let reason =
+                "the page has no derivations with several symbols or a drive; use <libration derive>";
+            return Err(QueryError::no_result("derivation", reason));
+        }
+        let options = &self.series;
+        for (name, given) in [("order", options.order), ("damping-order", options.damping_order)] {
+            if given.is_some() {
+                let reason =
+                    "with several symbols or a drive the derivation goes to the lowest order: leave it out";
+                return Err(QueryError::usage(option(name), reason));
+            }
+        }
+        cancellable(|progress| slow_flow(&equation, &asked, progress))
     }
 
     fn refuse_amplitude(&self, reason: &str) -> Result<(), QueryError> {
@@ -288,6 +321,7 @@ fn failure(error: DerivationError) -> QueryError {
         DerivationError::SlowFlow(SlowFlowError::UnknownParameter { .. }) => {
             QueryError::usage(option("small"), error)
         }
+        DerivationError::Symbolic(error) => return slow_flow_failure(&error),
         DerivationError::Interrupted(_) => {
             QueryError::cancelled("interrupted before the first step: nothing is written")
         }
@@ -296,7 +330,35 @@ fn failure(error: DerivationError) -> QueryError {
     refused.with_remedies(&remedies)
 }
 
+/// An equation with several symbols or a drive, and its small parameters.
+type WithSymbols = (Equation, SymbolicSlowFlowOptions);
+
 impl SeriesOptions {
+    /// The equation if it has several symbols without value or a drive, or if a resonance or small parameters with orders are given.
+    fn with_symbols(&self) -> Result<Option<WithSymbols>, QueryError> {
+        let resonance = self.resonance.as_deref().map(drive_resonance).transpose()?;
+        let small = self.small.as_deref();
+        let is_forced = resonance.is_some() || small.is_some_and(|it| it.contains([':', ',']));
+        let Some(text) = &self.oscillator else {
+            return match is_forced {
+                true => Err(QueryError::misuse("give the equation of the oscillator")),
+                false => Ok(None),
+            };
+        };
+        let equation = match OscillatorOptions::new(text, &self.set, None).asked() {
+            Ok(asked) => asked.equation,
+            Err(error) if is_forced => return Err(error),
+            Err(_) => return Ok(None),
+        };
+        let open = equation.parameters();
+        let is_marked = open.contains(BOOKKEEPING) || small.is_some_and(|name| open.contains(name));
+        if is_forced || equation.depends_on_time() || (open.len() > 1 && is_marked) {
+            let small = small.map(small_orders).transpose()?.unwrap_or_default();
+            return Ok(Some((equation, SymbolicSlowFlowOptions { small, resonance, ..Default::default() })));
+        }
+        Ok(None)
+    }
+
     /// Refuses options that belong to other methods.
     fn refuse(&self, method: Method) -> Result<(), QueryError> {
         const SERIES: &[Method] = &[Method::Perturbation, Method::Averaging, Method::LimitCycle];
@@ -307,6 +369,7 @@ impl SeriesOptions {
             (option("gauge"), self.gauge.is_some(), &[Method::Perturbation]),
             (option("about"), self.about.is_some(), &[Method::Perturbation]),
             (option("damping-order"), self.damping_order.is_some(), &[Method::Averaging]),
+            (option("resonance"), self.resonance.is_some(), &[Method::Averaging]),
             (option("small"), self.small.is_some(), &[Method::Averaging, Method::LimitCycle]),
         ];
         match given.iter().find(|(_, given, methods)| *given && !methods.contains(&method)) {

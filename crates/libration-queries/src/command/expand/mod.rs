@@ -27,6 +27,8 @@ use libration::perturbation::{Gauge, MAX_ORDER, MAX_PARAMETER_ORDER};
 use numbers::refusal;
 use std::io::Write;
 
+pub(super) use symbolic_flow::failure as slow_flow_failure;
+
 /// Exact series for an oscillator's frequency, harmonics and period, to any order
 ///
 /// Periodic motions are expanded by Lindstedt and Poincaré's method in a parameter ε whose meaning, the gauge, can be

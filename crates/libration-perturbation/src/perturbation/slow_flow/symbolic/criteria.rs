@@ -175,6 +175,19 @@ impl ResponseCurve<'_> {
         folds.to_constant().is_none().then_some(folds)
     }
 
+    /// b and δ where the lowest order of the relation is κ·A²·((σ − b·A²)² + δ²) − D.
+    pub(super) fn cubic(&self) -> Option<[Sum; 2]> {
+        let letters = self.letters;
+        let at = |a: i64, sigma: i64| {
+            let part = letters.coefficient(self.relation, Column::Amplitude, a);
+            letters.coefficient(&part, Column::Detuning, sigma)
+        };
+        let inverse = letters.inverse(&at(2, 2))?;
+        let slope = letters.scaled(&letters.times(&at(4, 1), &inverse), &Rational::new(-1, 2)?);
+        let rate = letters.ring.power(&letters.times(&at(2, 0), &inverse), &Rational::new(1, 2)?)?;
+        Some([slope, rate])
+    }
+
     /// The amplitude of the drive, and its threshold for folds, as texts, for κ·A²·((σ − b·A²)² + μ²) = D: D = 8·κ·μ³/(3·√3·|b|).
     pub(super) fn critical_drive(&self, drives: &[usize]) -> Option<[String; 2]> {
         let letters = self.letters;

@@ -33,10 +33,12 @@ mod setting;
 mod states;
 mod steady;
 mod steady_state;
+mod steps;
 mod turned;
 
 use equations::Found;
 use force::DriveFrequency;
+use letters::Column;
 use libration_numbers::expression::{Equation, Expression};
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Progress;
@@ -50,6 +52,7 @@ pub use evaluation::{SlowFlowAt, SteadySolution};
 pub use result::SymbolicSlowFlow;
 pub use states::{JudgedState, LeftOutReason, StateLeftOut, SteadyStates};
 pub use steady_state::SteadyState;
+pub use steps::{ResponseSteps, SlowFlowSteps, SmallTerm};
 
 /// Small parameters, resonance and order of a slow flow.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -140,6 +143,34 @@ pub fn next_slow_flow(
         }
     }
     None
+}
+
+/// The steps to the slow flow of the lowest order that is not zero; `None` if terms of several orders act on it.
+///
+/// # Errors
+/// Those of [`slow_flow_symbolically`].
+pub fn slow_flow_steps(
+    equation: &Equation,
+    options: &SymbolicSlowFlowOptions,
+    progress: &dyn Progress,
+) -> Result<Option<SlowFlowSteps>, SymbolicSlowFlowError> {
+    if equation.variables().len() != 1 {
+        return Err(SymbolicSlowFlowError::SeveralEquations(equation.variables().len()));
+    }
+    for order in 1..=MAX_SYMBOLIC_SLOW_ORDER {
+        let options = SymbolicSlowFlowOptions { order: Some(order), ..options.clone() };
+        let collected = |setting: &Setting, forced: &Forced<'_>, found: &_, solved: &Solved, order| {
+            let letters = forced.letters;
+            let detuning = letters.place(Column::Detuning);
+            let is_bare = |powers: &[i64]| powers[detuning] == 0;
+            let acts = !letters.part(&solved.rates[0], is_bare).is_zero();
+            acts.then(|| steps::steps(setting, forced, found, solved, (equation, order)))
+        };
+        if let Some(steps) = answered(equation, &options, progress, collected)? {
+            return Ok(steps);
+        }
+    }
+    Ok(None)
 }
 
 impl Setting {

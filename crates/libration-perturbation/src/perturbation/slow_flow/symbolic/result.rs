@@ -109,7 +109,7 @@ pub(super) fn collected(
 }
 
 /// A′ and A·φ′: real and imaginary part of 2z′·e^{−iφ}.
-fn rates(letters: &Letters, rate: &Sum) -> [PhaseSum; 2] {
+pub(super) fn rates(letters: &Letters, rate: &Sum) -> [PhaseSum; 2] {
     let [z, conjugate, wave] =
         [Column::Phasor, Column::Conjugate, Column::Wave].map(|column| letters.place(column));
     let turned = letters.changed(rate, |powers, factor| {
@@ -137,7 +137,7 @@ pub(super) fn polar(letters: &Letters, sum: &Sum) -> Sum {
 }
 
 /// The lowest order at which the slow flow is not zero.
-fn lowest_order(letters: &Letters, rates: &[PhaseSum; 2]) -> Option<i64> {
+pub(super) fn lowest_order(letters: &Letters, rates: &[PhaseSum; 2]) -> Option<i64> {
     let sums = rates.iter().flat_map(|rate| rate.harmonics.values().flatten());
     sums.filter_map(|sum| letters.lowest_order(sum)).min()
 }
@@ -340,7 +340,7 @@ fn fraction(above: i64, below: i64) -> Rational {
 }
 
 /// A multiple of a frequency times t; an empty text for zero.
-fn angle(factor: &Rational, frequency: &str) -> String {
+pub(super) fn angle(factor: &Rational, frequency: &str) -> String {
     let is_product = frequency.contains(['/', '+', ' ']);
     let frequency = if is_product { format!("({frequency})") } else { frequency.to_owned() };
     match (factor.to_string().as_str(), frequency.as_str()) {

@@ -152,15 +152,42 @@ impl Forced<'_> {
         let mut sum = self.drives[coordinate].clone();
         let smooth = self.terms[coordinate].iter().filter(|term| !term.is_kinked());
         for term in smooth.filter(|term| term.order <= n) {
-            let factors = term.powers.iter().zip(powers).flat_map(|(exponents, [positions, velocities])| {
-                [&positions[exponents[0]], &velocities[exponents[1]]]
-            });
-            // All but the order of the coefficient is left for the product.
-            let one = letters.number(Rational::from(1));
-            let product = factors.fold(one, |product, it| letters.product(&product, it, n - term.order));
-            sum = letters.add(&sum, &letters.product(&term.coefficient, &product, n));
+            sum = letters.add(&sum, &self.product(term, powers, n));
         }
         sum
+    }
+
+    /// A force without kinks, to an order.
+    fn product(&self, term: &Term, powers: &[[Vec<Sum>; 2]], n: i64) -> Sum {
+        let letters = self.letters;
+        let factors = term.powers.iter().zip(powers).flat_map(|(exponents, [positions, velocities])| {
+            [&positions[exponents[0]], &velocities[exponents[1]]]
+        });
+        // All but the order of the coefficient is left for the product.
+        let one = letters.number(Rational::from(1));
+        let product = factors.fold(one, |product, it| letters.product(&product, it, n - term.order));
+        letters.product(&term.coefficient, &product, n)
+    }
+
+    /// A force of one coordinate along the motion of order zero, of a force with kinks its first harmonic.
+    pub(super) fn along(&self, displacement: &Sum, term: &Term) -> Sum {
+        let letters = self.letters;
+        if term.is_kinked() {
+            return self.first_wave(term);
+        }
+        let position = letters.of_order(displacement, 0);
+        let velocity = self.velocity(&position);
+        let order = term.order;
+        self.product(term, &self.powers(&[position], &[velocity], order + 1), order)
+    }
+
+    /// The velocity of order zero of a motion of one coordinate.
+    pub(super) fn velocity(&self, position: &Sum) -> Sum {
+        let letters = self.letters;
+        let per_turn = Rational::new(1, self.harmonics[0]).unwrap_or_else(|| Rational::from(0));
+        let rate = letters.scaled(&letters.power(Column::Imaginary, 1), &per_turn);
+        let rate = letters.times(&rate, &self.omega0);
+        letters.times(&rate, &letters.scale_derivative(position, Column::Wave))
     }
 
     /// The time derivative of a function of s and all z and z̄, to an order.
@@ -207,12 +234,17 @@ impl Forced<'_> {
             if !self.drives[0].is_zero() || letters.exponents(&term.coefficient, Column::Wave) != [0] {
                 return Err(Error::KinkWithDrive);
             }
-            let harmonic = first_harmonic(letters, &self.omega0, term.powers[0], term.signs);
-            let wave =
-                letters.times(&letters.times(&term.coefficient, &harmonic), &self.amplitude_wave(term));
-            sum = letters.add(&sum, &letters.add(&wave, &letters.conjugate(&wave)));
+            sum = letters.add(&sum, &self.first_wave(term));
         }
         Ok(sum)
+    }
+
+    /// The first harmonic of a force with kinks, with its conjugate.
+    fn first_wave(&self, term: &Term) -> Sum {
+        let letters = self.letters;
+        let harmonic = first_harmonic(letters, &self.omega0, term.powers[0], term.signs);
+        let wave = letters.times(&letters.times(&term.coefficient, &harmonic), &self.amplitude_wave(term));
+        letters.add(&wave, &letters.conjugate(&wave))
     }
 
     /// Aⁿ·e^{iψ} as (2√(z·z̄))ⁿ·√(z/z̄)·e^{iqs}.

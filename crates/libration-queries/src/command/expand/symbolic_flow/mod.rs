@@ -38,7 +38,7 @@ pub(super) fn answers() -> Answers {
     fields::answers()
 }
 
-fn failure(error: &SymbolicSlowFlowError) -> QueryError {
+pub(in crate::command) fn failure(error: &SymbolicSlowFlowError) -> QueryError {
     use SymbolicSlowFlowError as Error;
     match error {
         Error::Interrupted => QueryError::cancelled("interrupted before the slow flow was known"),

@@ -1,0 +1,233 @@
+//! The small terms along the motion, their resonant parts, and the slow flow.
+
+use super::super::check::{DerivationError, chosen};
+use super::super::document::DerivationStep;
+use super::super::formula::{
+    Formula, Name, Statement, apply, cos, integral, letter, number, scaled, sin, sum,
+};
+use super::super::trials::Trials;
+use super::subject::{Subject, cosine};
+use libration::expression::{Expression, Symbol};
+use libration::perturbation::SmallTerm;
+
+fn sine() -> Formula {
+    sin(Name::new("ψ"))
+}
+
+/// A term with the motion in place of displacement and velocity, in W·t or with its phase.
+fn along(subject: &Subject, term: &SmallTerm, at_phase: usize) -> Result<Formula, DerivationError> {
+    let variable = &subject.equation.variables()[0];
+    let [position, velocity] = &subject.steps.motion[at_phase];
+    let mut force = subject.read(&term.force[at_phase])?;
+    for (primes, text) in [(1, velocity), (0, position)] {
+        force = force.substitute(&Symbol::plain(variable).with_primes(primes), &subject.read(text)?);
+    }
+    Ok(subject.written(&force))
+}
+
+/// c·cos ψ + s·sin ψ, with brackets around sums.
+fn wave(subject: &Subject, [cosine_part, sine_part]: &[String; 2]) -> Result<Formula, DerivationError> {
+    let mut terms = vec![];
+    for (text, wave) in [(cosine_part, cosine()), (sine_part, sine())] {
+        let factor = subject.read(text)?;
+        if !factor.vanishes() {
+            terms.push(factored(subject, &factor, wave));
+        }
+    }
+    Ok(if terms.is_empty() { number(0) } else { sum(terms) })
+}
+
+/// A product with its sign in front.
+fn factored(subject: &Subject, factor: &Expression, wave: Formula) -> Formula {
+    match factor {
+        Expression::Negate(size) => -(subject.written(size) * wave),
+        _ => subject.written(factor) * wave,
+    }
+}
+
+pub(super) fn step(subject: &Subject) -> Result<DerivationStep, DerivationError> {
+    let mut trials = Trials::choices()?;
+    for (place, name) in ["α", "β"].into_iter().enumerate() {
+        trials.choose(&Name::new(name), &|choice| Formula::Number(chosen(place, choice)))?;
+    }
+    let [a, b] = ["α", "β"].map(Name::new);
+    let difference = || Formula::from(&a) - Formula::from(&b);
+    let both = || Formula::from(&a) + Formula::from(&b);
+    let half = |sum: Formula| sum / 2;
+    let products = [
+        Statement::equal(cos(&a) * cos(&b), half(cos(difference()) + cos(both()))),
+        Statement::equal(sin(&a) * sin(&b), half(cos(difference()) - cos(both()))),
+        Statement::equal(sin(&a) * cos(&b), half(sin(both()) + sin(difference()))),
+    ];
+    let products = products.map(|statement| trials.compare_choices(statement));
+    let mut step = DerivationStep::new("small-terms", "The small terms along the motion")
+        .say("The motion is put into each small term. Products become sums of waves by", []);
+    for product in products {
+        step = step.show(product?);
+    }
+    step = step.say(
+        "used once for each further factor. Only waves with the frequency of the oscillation drive it in resonance; the others force small waves of their own frequencies, which matter in the next order \
+         alone.",
+        [],
+    );
+    for term in &subject.steps.terms {
+        step = one_term(subject, step, term)?;
+    }
+    Ok(step)
+}
+
+fn one_term(
+    subject: &Subject,
+    step: DerivationStep,
+    term: &SmallTerm,
+) -> Result<DerivationStep, DerivationError> {
+    let force = subject.formula(&term.force[0])?;
+    let Some(waves) = &term.waves else { return kinked(subject, step, term, force) };
+    let waves = subject.formula(waves)?;
+    let inserted = along(subject, term, 0)?;
+    let mut statement = Statement::equal(force.clone(), inserted.clone());
+    if waves != inserted {
+        statement = statement.and_equal(waves.clone());
+    }
+    if inserted == force {
+        statement = Statement::equal(force, waves.clone());
+    }
+    let is_plain = waves == inserted && statement.rest.len() == 1 && statement.first == waves;
+    let step = match is_plain {
+        true => step,
+        false => step.show(subject.trials.compare_choices(statement)?),
+    };
+    if term.turning.is_empty() {
+        return Ok(step);
+    }
+    let turning = subject.formula(&term.turning)?;
+    let drive = subject.drive()?.unwrap_or_else(|| number(1)) * letter("t");
+    let since = scaled(&subject.resonance(), bracketed(subject));
+    let resonant = wave(subject, &term.turned)?;
+    Ok(step
+        .say(
+            "With {} in place of {} the waves of the drive with the frequency of the oscillation are here",
+            [since, drive],
+        )
+        .show(subject.trials.compare_choices(Statement::equal(turning, resonant))?))
+}
+
+fn bracketed(subject: &Subject) -> Formula {
+    Formula::Sum(vec![letter("ψ"), -Formula::from(subject.phase())])
+}
+
+/// A force with kinks: its resonant part by an integral over a quarter of a period.
+fn kinked(
+    subject: &Subject,
+    step: DerivationStep,
+    term: &SmallTerm,
+    force: Formula,
+) -> Result<DerivationStep, DerivationError> {
+    let inserted = along(subject, term, 1)?;
+    let mut step = step
+        .say(
+            "The term {} has infinitely many harmonics. Its part with the frequency of the oscillation follows by projection, to which each quarter of a period contributes the same, the first one with {} positive and {} negative. In front of {} and {} stand, where they are not zero,",
+            [
+                force,
+                subject.variable().into(),
+                subject.variable().prime().into(),
+                cosine(),
+                sine(),
+            ],
+        );
+    for (text, wave) in term.resonant.iter().zip([cosine(), sine()]) {
+        let value = subject.read(text)?;
+        if value.vanishes() {
+            continue;
+        }
+        let part = integral("ψ", 0, Formula::Pi / 2, inserted.clone() * wave);
+        let statement = Statement::equal(number(4) / Formula::Pi * part, subject.written(&value));
+        step = step.show(subject.trials.compare_choices(statement)?);
+    }
+    Ok(step)
+}
+
+pub(super) fn averaged(subject: &Subject) -> Result<DerivationStep, DerivationError> {
+    let (a, phi) = (subject.amplitude(), subject.phase());
+    let (growth, turn) = (a.clone().prime(), phi.clone().prime());
+    let omega = subject.omega0()?;
+    let excess = match subject.turning()? {
+        Some(turning) => turning + Formula::from(&turn),
+        None => Formula::from(&turn),
+    };
+    let factors = |place: usize| -> Result<Formula, DerivationError> {
+        let mut all = vec![];
+        for term in &subject.steps.terms {
+            if !subject.read(&term.resonant[place])?.vanishes() {
+                match subject.formula(&term.resonant[place])? {
+                    Formula::Sum(terms) => all.extend(terms),
+                    one => all.push(one),
+                }
+            }
+        }
+        Ok(if all.is_empty() { number(0) } else { sum(all) })
+    };
+    let by_cosine = -subject.times_omega0(2, 1, Formula::from(&a) * excess.clone())?;
+    let by_cosine = Statement::equal(by_cosine, factors(0)?);
+    let by_sine = Statement::equal(-subject.times_omega0(2, 1, Formula::from(&growth))?, factors(1)?);
+    let [rate, turning] = subject.rates()?;
+    let compare = |statement: Statement| subject.trials.compare_choices(statement);
+    let step = DerivationStep::new("slow-flow", "The slow flow of amplitude and phase")
+        .say(
+            "By the definition of {} the difference {} is {}. What stands before {} in the derivatives must be what stands before it in the small terms, and the same holds for {}:",
+            [
+                letter("ψ"),
+                Formula::from(Name::new("ψ").prime()) - omega,
+                excess,
+                cosine(),
+                sine(),
+            ],
+        )
+        .show(compare(by_cosine)?)
+        .show(compare(by_sine)?)
+        .say("Solved for the two rates this is the slow flow,", [])
+        .show(compare(Statement::equal(&growth, rate))?)
+        .show(compare(Statement::equal(&turn, turning))?);
+    if subject.steps.terms.iter().any(|term| term.waves.is_none()) {
+        return Ok(step);
+    }
+    means(subject, step)
+}
+
+/// The rates as means of the whole force.
+fn means(subject: &Subject, step: DerivationStep) -> Result<DerivationStep, DerivationError> {
+    let (a, phi) = (subject.amplitude(), subject.phase());
+    let f = subject.function(["f", "h", "k"]);
+    let mut trials = subject.trials.clone();
+    let mut terms = vec![];
+    for term in &subject.steps.terms {
+        terms.push(along(subject, term, 1)?);
+    }
+    let definition = trials.define_function(f, &["ψ"], sum(terms));
+    let (_, q) = subject.flow().resonance.unwrap_or((1, 1));
+    let turns = 2 * i64::from(q);
+    let mean = |wave: Formula| integral("ψ", 0, number(turns) * Formula::Pi, apply(f, [letter("ψ")]) * wave);
+    let below = subject.turns(i64::from(q))?;
+    let growth = -(number(1) / below.clone() * mean(sine()));
+    let turning = -(number(1) / (below * Formula::from(&a)) * mean(cosine()));
+    let turning = match subject.turning()? {
+        Some(detuned) => detuned.negated() + turning,
+        None => turning,
+    };
+    let mut equations = vec![];
+    for (place, name, mean) in [(1, a.clone().prime(), growth), (0, phi.prime(), turning)] {
+        // An integral that is zero cannot be compared with its size.
+        let acts = |term: &SmallTerm| subject.read(&term.resonant[place]).is_ok_and(|it| !it.vanishes());
+        if subject.steps.terms.iter().any(acts) {
+            equations.push(trials.compare_choices(Statement::equal(name, mean))?);
+        }
+    }
+    Ok(step
+        .say(
+            "The same in one formula: a wave is in resonance where its product with {} or {} has a mean. With the sum of all small terms along the motion,",
+            [cosine(), sine()],
+        )
+        .show(definition)
+        .say("the rates are", [])
+        .show_all(equations))
+}

@@ -1,0 +1,171 @@
+//! Slow flows with symbols, step by step.
+
+use libration::perturbation::{SymbolicSlowFlowOptions, slow_flow_symbolically};
+use libration::progress::Quiet;
+use libration_derivation::internals::Trials;
+use libration_derivation::internals::build::{letter, number, sin, tenths};
+use libration_derivation::{
+    Block, Check, ComparedAt, Derivation, DerivationError, Formula, Name, Statement, formula_latex,
+    slow_flow, to_markdown,
+};
+
+type Case = (&'static str, Option<(u32, u32)>, &'static [(&'static str, usize)]);
+
+const DUFFING: &str = "x'' + 2*eps*mu*x' + w0^2*x + eps*a*x^3 = eps*F*cos(W*t)";
+
+/// Free and driven oscillators whose amplitude or phase changes in the lowest order of their small terms.
+const CASES: &[Case] = &[
+    (DUFFING, Some((1, 1)), &[]),
+    ("x'' + 2*eps*mu*x' + w0^2*x + eps*a*x^3 = F*cos(W*t)", Some((1, 3)), &[]),
+    ("x'' + 2*eps*mu*x' + w0^2*x + eps*a*x^3 = F*cos(W*t)", Some((3, 1)), &[]),
+    ("x'' + 2*eps*mu*x' + w0^2*x + eps*a*x^2 = F*cos(W*t)", Some((1, 2)), &[]),
+    ("x'' + 2*eps*mu*x' + w0^2*x + eps*a*x^2 = F*cos(W*t)", Some((2, 1)), &[]),
+    ("x'' + 2*eps*mu*x' + w0^2*x + eps*h*x*cos(W*t) + eps*a*x^3 = 0", Some((2, 1)), &[]),
+    ("x'' + 2*eps*mu*x' + (w0^2 + eps*h*cos(W*t))*x = 0", Some((2, 1)), &[]),
+    ("x'' + eps*(c*x' + a*x^3) + w^2*x + eps*h*W^2*cos(W*t)*x = 0", Some((2, 1)), &[]),
+    ("x'' + 2*eps*mu*x' + w0^2*x + eps*a*x^5 = eps*F*cos(W*t)", Some((1, 1)), &[]),
+    ("x'' + 2*eps*mu*x' + w0^2*x + eps*a*x^3 = eps*(F*cos(W*t) + K*sin(W*t))", Some((1, 1)), &[]),
+    ("x'' + 2*eps*mu*x' + w0^2*x + eps*a*x^3 = eps*F*cos(1.05*t)", Some((1, 1)), &[]),
+    ("x'' + eps*(m*x' + a*x^3) + x = eps*cos(W*t)", Some((1, 1)), &[]),
+    ("x'' - eps*m*(1 - x^2)*x' + w0^2*x = eps*F*cos(W*t)", Some((1, 1)), &[]),
+    ("x'' + eps*R*sign(x') + w0^2*x = eps*F*cos(W*t)", Some((1, 1)), &[]),
+    ("x'' + eps*c*x'*abs(x') + w0^2*x + eps*a*x^3 = eps*F*cos(W*t)", Some((1, 1)), &[]),
+    ("x'' + c*x' + sin(x) = F*cos(W*t)", Some((1, 1)), &[("c", 2), ("F", 2)]),
+    ("m*x'' + c*x' + k*x + b*x^3 = F*cos(W*t)", Some((1, 1)), &[("c", 1), ("b", 1), ("F", 1)]),
+    ("x'' + c*x' + w^2*x + b*x*abs(x) = F*cos(W*t)", Some((1, 1)), &[("c", 1), ("F", 1)]),
+    ("x'' + 2*eps*mu*x' + w0^2*x + eps*a*x^3 = 0", None, &[]),
+    ("x'' + mu*x' + w^2*x + a*x^3 = 0", None, &[("mu", 1), ("a", 1)]),
+    ("x'' + c*x' + w^2*x + b*x^3 = 0", None, &[("c", 2)]),
+    ("x'' + eps*c*x'*abs(x') + w^2*x = 0", None, &[]),
+    ("x'' + eps*R*sign(x') + w^2*x = 0", None, &[]),
+    ("x'' + x = eps*(m*(1 - x^2)*x' - b*x^3)", None, &[]),
+    ("x'' + w^2*x = eps*(a*x' - b*x'^3)", None, &[]),
+    ("x'' + w^2*x + eps*(c*x' + d*x'^3 + a*x^3 + b*x^5) = 0", None, &[]),
+];
+
+fn options(resonance: Option<(u32, u32)>, small: &[(&str, usize)]) -> SymbolicSlowFlowOptions {
+    let small = small.iter().map(|(name, order)| ((*name).to_owned(), *order)).collect();
+    SymbolicSlowFlowOptions { resonance, small, ..SymbolicSlowFlowOptions::default() }
+}
+
+pub(crate) fn derived((text, resonance, small): &Case) -> Result<Derivation, DerivationError> {
+    slow_flow(&text.parse().unwrap(), &options(*resonance, small), &Quiet)
+}
+
+pub(crate) fn duffing() -> Derivation {
+    derived(&CASES[0]).unwrap()
+}
+
+/// The formula of a result as the derivation writes it.
+fn latex(text: &str) -> String {
+    let greek = libration::expression::Expression::Symbol(libration::expression::Symbol::plain("epsilon"));
+    let formula = text.parse::<libration::expression::Expression>().unwrap();
+    formula_latex(&Formula::from(&formula.substitute(&libration::expression::Symbol::plain("eps"), &greek)))
+}
+
+fn sides(derivation: &Derivation) -> Vec<String> {
+    let of_block = |block: &Block| match block {
+        Block::Equation { equation, .. } => {
+            let statement = equation.statement();
+            let rest = statement.rest.iter().map(|(_, side)| formula_latex(side));
+            rest.chain([formula_latex(&statement.first)]).collect()
+        }
+        _ => vec![],
+    };
+    derivation.steps.iter().flat_map(|step| step.blocks.iter().flat_map(of_block)).collect()
+}
+
+#[test]
+fn derivations_end_in_the_formulas_of_the_expansion() {
+    for case in CASES {
+        let (text, resonance, small) = case;
+        let derivation = derived(case).unwrap_or_else(|error| panic!("{text}: {error}"));
+        let flow =
+            slow_flow_symbolically(&text.parse().unwrap(), &options(*resonance, small), &Quiet).unwrap();
+        let sides = sides(&derivation);
+        let state = &flow.steady_state;
+        let expected = [Some(&flow.amplitude_rate), Some(&flow.phase_rate), state.relation.as_ref()];
+        let further = [&state.backbone, &state.peak_amplitude, &state.critical_drive, &state.cycle_amplitude];
+        for formula in expected.into_iter().chain(further.map(Option::as_ref)).flatten() {
+            let is_free_relation = resonance.is_none() && Some(formula) == state.relation.as_ref();
+            let formula = latex(formula);
+            assert!(is_free_relation || sides.contains(&formula), "{text}: {formula}: {sides:?}");
+        }
+    }
+}
+
+/// Nayfeh and Mook, sections 4.1.1, 4.1.2, 3.3.4 and 5.7.3, in the definitions of amplitude, phase and detuning here.
+#[test]
+fn textbook_results_are_derived() {
+    let expected: [(usize, &[&str]); 4] = [
+        (
+            0,
+            &[
+                r"A'=-\varepsilon \mu A-\frac{\varepsilon F}{2w_{0}}\,\sin \varphi",
+                r"-\varepsilon ax^{3}&=-\varepsilon a\left(A\,\cos \psi \right)^{3}\\",
+                r"A_{\mathrm{max}}:=\frac{F}{2\mu w_{0}}",
+                r"F=\sqrt{\frac{256\mu ^{3}w_{0}^{3}}{9\sqrt{3}\left|a\right|}}",
+            ],
+        ),
+        (1, &[r"x=A\,\cos \psi +\frac{9F}{8w_{0}^{2}}\,\cos Wt", r"\int_{0}^{6\pi }"]),
+        (5, &[r"\sin 2\varphi =\frac{4\mu w_{0}}{h}", r"\cos\left(\psi -Wt\right)"]),
+        (23, &[r"A_{0}:=2", r"=-\varepsilon m"]),
+    ];
+    for (place, parts) in expected {
+        let page = to_markdown(&derived(&CASES[place]).unwrap());
+        for part in parts {
+            assert!(page.contains(part), "{}: {part}: {page}", CASES[place].0);
+        }
+    }
+}
+
+#[test]
+fn every_formula_but_definitions_is_evaluated_for_several_choices() {
+    let mut compared = 0;
+    for step in &duffing().steps {
+        for block in &step.blocks {
+            let Block::Equation { equation, .. } = block else { continue };
+            match equation.check() {
+                Check::Digits { place: ComparedAt::Choices { choices }, .. }
+                | Check::Choices { choices, .. } => {
+                    assert_eq!(*choices, 3);
+                    compared += 1;
+                }
+                check => assert!(matches!(check, Check::Definition | Check::Premise), "{check:?}"),
+            }
+        }
+    }
+    assert!(compared > 25, "{compared}");
+}
+
+#[test]
+fn false_statements_fail_for_choices_of_symbols() {
+    let mut trials = Trials::choices().unwrap();
+    trials.choose(&Name::new("a"), &|choice| tenths(7 + i64::try_from(choice).unwrap())).unwrap();
+    let square =
+        |factor: i64| Statement::equal(sin(2 * letter("a")).squared(), number(factor) - sin(letter("a")));
+    assert!(matches!(trials.compare_choices(square(1)), Err(DerivationError::Failed { .. })));
+    // One choice of three is enough to refuse.
+    let at_first = Statement::equal(letter("a"), tenths(7));
+    assert!(matches!(trials.compare_choices(at_first), Err(DerivationError::Failed { .. })));
+    let doubled = Statement::equal(2 * letter("a"), letter("a") + letter("a"));
+    assert!(trials.compare_choices(doubled).is_ok());
+}
+
+#[test]
+fn flows_of_several_orders_are_refused() {
+    let refused: [Case; 3] = [
+        (
+            "x'' + 2*mu*x' + w^2*x + a2*x^2 + a3*x^3 = F*cos(W*t)",
+            Some((1, 1)),
+            &[("a2", 1), ("a3", 2), ("mu", 2), ("F", 2)],
+        ),
+        ("x'' + c*x' + w^2*x + b*x*abs(x) = F*cos(W*t)", Some((1, 1)), &[("c", 2), ("F", 2)]),
+        ("x'' + eps*c*x' + w^2*x + a*x^3 = 0", None, &[("eps", 1), ("a", 2)]),
+    ];
+    for case in &refused {
+        assert!(matches!(derived(case), Err(DerivationError::SeveralOrders)), "{}", case.0);
+    }
+    let taken = derived(&("x'' + eps*psi*x' + A*x = 0", None, &[]));
+    assert!(matches!(taken, Err(DerivationError::TakenLetter { .. })), "{taken:?}");
+}
