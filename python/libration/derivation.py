@@ -85,12 +85,13 @@ def _folded(section: "re.Match[str]") -> str:
 
 
 def derive(
-    method: Literal["elliptic", "formulas", "perturbation", "averaging", "limit-cycle"],
+    method: Literal["elliptic", "short", "formulas", "perturbation", "averaging", "limit-cycle"],
     oscillator: Given | None = None,
     *,
     order: Given | None = None,
     damping_order: Given | None = None,
     small: Given | None = None,
+    resonance: Given | None = None,
     gauge: Given | None = None,
     set: Values | Sequence[str] | None = None,
     about: Given | None = None,
@@ -105,10 +106,12 @@ def derive(
     Parameters
     ----------
     method : str
-        The method: "elliptic", "formulas", "perturbation", "averaging" or "limit-cycle".
+        The method: "elliptic", "short", "formulas", "perturbation", "averaging" or "limit-cycle".
     oscillator : str, optional
         A key of the catalogue, or an equation.
-    order, damping_order, small, gauge, set, about, amplitude, length, gravity, exercises, progress
+    order, damping_order, small, resonance, gauge, set, about : optional
+        As `libration.questions.derive` has them.
+    amplitude, length, gravity, exercises, progress : optional
         As `libration.questions.derive` has them.
 
     Returns

@@ -59,12 +59,14 @@ fn subsets(of: &[usize]) -> Vec<Vec<usize>> {
     })
 }
 
-/// Returns `true` if the coordinates occur in the equations, and a turn of all of them changes nothing.
+/// Returns `true` if the coordinates occur in the equations, and a turn of all of them changes nothing, but a part of it does.
 fn turn_together(equation: &Equation, coordinates: &[usize]) -> bool {
     let symbols: Vec<Symbol> =
         coordinates.iter().map(|it| Symbol::plain(&equation.variables()[*it])).collect();
+    let formulas = equation.derivatives();
     symbols.iter().all(|symbol| occurs(equation, symbol))
-        && equation.derivatives().iter().all(|formula| turns_leave(formula, &symbols))
+        && formulas.iter().all(|formula| turns_leave(formula, &symbols))
+        && !formulas.iter().all(|formula| slope(formula, &symbols).vanishes())
 }
 
 /// `true` for each coordinate on which nothing in the equations depends.

@@ -10,10 +10,9 @@ use super::periodic::Orbit;
 use super::relaxation::forgetful;
 use super::search::OrbitKind;
 use super::shooting::{Unknowns, closed};
-use crate::periodic::Stability;
+use crate::periodic::{Floquet, Stability};
 use crate::taylor::{Cause, Effort, IntegrationError, Moment, StateLayout, Step, System, integrate_stepwise};
 use libration_numbers::expression::Equation;
-use libration_numbers::internals::linear::eigenvalues;
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Progress;
 use std::ops::ControlFlow;
@@ -239,11 +238,12 @@ fn settled_by(
 fn repels(rounds: &Rounds<'_>, maxima: &Maxima) -> bool {
     /// The part of the elapsed time in which deviations are followed: to come to rest, a motion shrinks by e⁻⁶⁹.
     const PART: f64 = 0.01;
-    /// Growth that no rounding error of a deviation that stays has.
-    const GROWTH: f64 = 1e-6;
+    /// Relative change of the variations by which a deviation that stays is not taken for one that grows.
+    const CHANGE: f64 = 1e-6;
     let variations = rounds.variations(&maxima.state, [0.0, PART * maxima.time]);
-    let own = variations.ok().and_then(|it| eigenvalues(&it.by_start));
-    own.is_some_and(|own| own.iter().any(|it| it.abs() > 1.0 + GROWTH))
+    let units = vec![1.0; maxima.state.len()];
+    let floquet = variations.ok().and_then(|it| Floquet::new(&it.by_start, &units, CHANGE, false));
+    floquet.is_some_and(|it| it.stability == Stability::Unstable)
 }
 
 fn lost(error: Option<IntegrationError>, maxima: &Maxima) -> OrbitError {

@@ -1,5 +1,5 @@
 use crate::typed::equation;
-use libration::chaos::{Theorem, angles};
+use libration::chaos::{Theorem, angles, turning_groups};
 use libration::expression::Expression;
 use libration::internals::chaos::{has_jumps, theorem};
 
@@ -12,6 +12,18 @@ fn an_angle_is_left_alone_by_a_turn() {
     assert_eq!(angles(&equation("x'' = -sin(x/2)")), [false]);
     assert_eq!(angles(&equation("x'' = -x*cos(x)")), [false]);
     assert_eq!(angles(&equation("x'' = -x'")), [false]);
+}
+
+#[test]
+fn coordinates_turn_together_where_only_their_differences_are_outside_of_sines() {
+    let groups = |text: &str| turning_groups(&equation(text));
+    let springs = "x'' = -sin(x) - 0.2*x + y/5 + z; y'' = -sin(2*y) - 0.1*abs(y - x); z'' = -z + tan(x - y)";
+    assert_eq!(groups(springs), [[0, 1]]);
+    assert_eq!(groups("x'' = -sin(x) + sign(x - y); y'' = -sin(y)*sqrt(2 + (x - y)^2)"), [[0, 1]]);
+    // The spring does not pull at differences; a coordinate alone is in a sign; a shift by any length changes nothing.
+    assert!(groups("x'' = -sin(x) + 2*y - x; y'' = -sin(y) + x - y").is_empty());
+    assert!(groups("x'' = -sin(x) + sign(x) - sign(y); y'' = -sin(y)*(x - y)").is_empty());
+    assert!(groups("x'' = y - x; y'' = x - y").is_empty());
 }
 
 #[test]
