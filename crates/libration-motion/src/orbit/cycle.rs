@@ -234,13 +234,17 @@ fn settled_by(
     }
 }
 
-/// Returns `true` if deviations grow where the motion has come to rest.
+/// Returns `true` if deviations grow where the motion has come to rest, unless it has never moved.
 fn repels(rounds: &Rounds<'_>, maxima: &Maxima) -> bool {
     /// The part of the elapsed time in which deviations are followed: to come to rest, a motion shrinks by e⁻⁶⁹.
     const PART: f64 = 0.01;
     /// Relative change of the variations by which a deviation that stays is not taken for one that grows.
     const CHANGE: f64 = 1e-6;
-    let variations = rounds.variations(&maxima.state, [0.0, PART * maxima.time]);
+    if !maxima.fade() {
+        return false;
+    }
+    // The end of a step of a motion that has stopped may be at any time.
+    let variations = rounds.variations(&maxima.state, [0.0, PART * maxima.moved_until]);
     let units = vec![1.0; maxima.state.len()];
     let floquet = variations.ok().and_then(|it| Floquet::new(&it.by_start, &units, CHANGE, false));
     floquet.is_some_and(|it| it.stability == Stability::Unstable)
@@ -291,6 +295,8 @@ struct Maxima {
     state: Vec<f64>,
     /// `true` if the motion comes to rest only when all components of its state do so.
     at_once: bool,
+    /// The time from which on the motion has faded.
+    moved_until: f64,
     /// Number of consecutive steps with almost no motion at their ends.
     faded: usize,
 }
@@ -311,6 +317,7 @@ impl Maxima {
             pace: 0.0,
             state: none,
             at_once: false,
+            moved_until: 0.0,
             faded: 0,
         }
     }
@@ -328,6 +335,9 @@ impl Maxima {
         let all = || speeds.iter().fold(0.0, |all: f64, speed| all.max(speed.abs()));
         let pace = if self.at_once { all() } else { self.pace };
         let is_faded = pace * self.time < FADED * (self.range.1 - self.range.0);
+        if self.faded == 0 {
+            self.moved_until = step.start();
+        }
         self.faded = if is_faded { self.faded + 1 } else { 0 };
         let rises = step.speeds_at(step.start())[self.coordinate] > 0.0;
         let time = turn_in(step, self.coordinate).filter(|_| rises)?;

@@ -5,9 +5,11 @@ use libration::elliptic::Modulus;
 use libration::expression::Equation;
 use libration::orbit::{Lost, Orbit, OrbitError, OrbitGuess, OrbitKind, OrbitSearch, Stability};
 use libration::pendulum::{Motion, Pendulum};
-use libration::progress::Quiet;
+use libration::progress::{Quiet, Status};
 use libration::quantity::Angle;
+use std::cell::Cell;
 use std::f64::consts::{PI, TAU};
+use std::ops::ControlFlow;
 
 fn released(text: &str, place: f64) -> Orbit {
     Orbit::released(&equation(text), place, &Quiet).unwrap()
@@ -641,6 +643,21 @@ fn rest_is_only_told_of_motions_that_come_to_it() {
     assert!(matches!(cycle, Lost::Saddle), "{cycle}");
     assert!(matches!(lost("x' = x - x^3; y' = -y", &[0.0, 1.0]), Lost::Saddle));
     assert!(matches!(lost("x' = x - x^3; y' = -y", &[0.5, 1.0]), Lost::Rest));
+}
+
+#[test]
+fn a_motion_that_never_begins_is_a_rest_at_once() {
+    /// Consultations in the steps of the integration: without an end the search takes half a million.
+    const MOST: u32 = 1000;
+    for text in ["x'' = -sin(x) - x'/10", "x'' = sin(x)", "x' = x - x^3; y' = -y"] {
+        let steps = Cell::new(0);
+        let few = |_: Status| {
+            steps.set(steps.get() + 1);
+            if steps.get() > MOST { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let lost = Orbit::limit_cycle(&equation(text), &[0.0, 0.0], &few).unwrap_err();
+        assert_eq!(lost, OrbitError::NoCycle(Lost::Rest), "{text}");
+    }
 }
 
 /// The hanging equilibrium of a pendulum whose pivot moves at twice its frequency is unstable.
