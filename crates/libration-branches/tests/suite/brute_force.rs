@@ -453,6 +453,8 @@ struct Pair {
     range: [f64; 2],
     /// The two values of which each component of the starts has one.
     starts: [f64; 2],
+    /// The state from which motions are searched, if it is not zero.
+    given: Option<Vec<f64>>,
     /// Removes from a difference of two states what changes nothing.
     without_turns: fn([f64; 4]) -> [f64; 4],
 }
@@ -461,9 +463,19 @@ impl Pair {
     /// The number of motions at each end of the range to which motions from a grid of starts lead; all of them, or
     /// their mirror images, are on branches, each on one.
     fn checked(&self) -> [usize; 2] {
-        let options = ResponseOptions { generations: 0, ..ResponseOptions::default() };
+        let options =
+            ResponseOptions { generations: 0, start: self.given.clone(), ..ResponseOptions::default() };
         let response =
             Response::over(&self.text.parse().unwrap(), "w", self.range, &options, &Quiet).unwrap();
+        let middles = |it: &BranchPoint| [0, 1].map(|number| 0.5 * it.ranges[number].iter().sum::<f64>());
+        let is_upright = |it: &BranchPoint| {
+            let [x, y] = middles(it);
+            (self.without_turns)([x, y, 0.0, 0.0]) == [x, y, 0.0, 0.0]
+        };
+        for branch in &response.branches {
+            let ends = [branch.points.first(), branch.points.last()];
+            assert!(ends.into_iter().flatten().any(is_upright), "{:?}", ends.map(|it| it.map(middles)));
+        }
         self.range.map(|w| {
             let ends =
                 response.branches.iter().flat_map(|it| [it.points.first(), it.points.last()]).flatten();
@@ -501,6 +513,35 @@ impl Pair {
     }
 }
 
+/// An unsymmetric motion about the top and its mirror image, a turn away, are one: the equation is that of the hanging pendulum with the angle
+/// from the top.
+#[test]
+fn mirror_images_about_the_top_are_followed_once() {
+    let branches = |sign: &str| {
+        let equation = format!("theta'' + 0.5*theta' {sign} sin(theta) = A*cos(2/3*t)").parse().unwrap();
+        let options = ResponseOptions::default();
+        Response::over(&equation, "A", [1.02, 1.066], &options, &Quiet).unwrap().branches
+    };
+    let swings = |branch: &Branch| branch.points.last().map(|it| it.ranges[0]).map(|[low, high]| high - low);
+    let (hanging, upright) = (branches("+"), branches("-"));
+    let ([hanging], [upright]) = (&hanging[..], &upright[..]) else { panic!("{hanging:?} {upright:?}") };
+    assert!(!upright.space.mirrored);
+    let [a, b] = [hanging, upright].map(|it| swings(it).unwrap());
+    assert!((a - b).abs() < 1e-9, "{a} {b}");
+}
+
+/// A pendulum with a torque: its motions of two periods become so unstable that hundreds of points would follow to the end of the range.
+#[test]
+fn doubled_periods_end_where_deviations_grow_a_million_times() {
+    let equation = "theta'' + 0.2*theta' + sin(theta) = 0.3 + 0.4*cos(w*t)".parse().unwrap();
+    let options = ResponseOptions { generations: 1, ..ResponseOptions::default() };
+    let response = Response::over(&equation, "w", [0.3, 1.4], &options, &Quiet).unwrap();
+    let doubled = response.branches.iter().find(|it| it.space.drive_periods() == 2).unwrap();
+    assert_eq!(doubled.ending, Ending::Sensitive);
+    let last = doubled.points.last().unwrap().multipliers[0].abs();
+    assert!((1e5..1e6).contains(&last), "{last}");
+}
+
 /// Two masses, of which one has a hardening spring, between the folds of a resonance.
 #[test]
 fn attracting_motions_of_two_coupled_oscillators_are_followed() {
@@ -512,6 +553,7 @@ fn attracting_motions_of_two_coupled_oscillators_are_followed() {
         },
         range: [1.1, 1.15],
         starts: [-0.5, 1.5],
+        given: None,
         without_turns: |apart| apart,
     };
     assert_eq!(pair.checked(), [2, 2]);
@@ -520,20 +562,24 @@ fn attracting_motions_of_two_coupled_oscillators_are_followed() {
 /// Two pendulums that a spring couples: a turn of both changes nothing, one of them alone winds the spring up.
 #[test]
 fn motions_of_coupled_pendulums_are_followed_once() {
-    let pair = Pair {
+    let pair = |range, given| Pair {
         text: "x'' + 0.1*x' + sin(x) + 0.1*(x - y) = 0.4*cos(w*t); y'' + 0.1*y' + sin(y) - 0.1*x + 0.1*y = 0",
         rate: |t, [x, y, u, v], w| {
             let torque = 0.4 * libm::cos(w * t) - 0.1 * u - libm::sin(x) - 0.1 * (x - y);
             [u, v, torque, 0.1 * (x - y) - 0.1 * v - libm::sin(y)]
         },
-        range: [1.1, 1.3],
+        range,
         starts: [-1.0, 6.0],
+        given,
         without_turns: |[x, y, u, v]| {
             let turns = TAU * libm::rint(0.5 * (x + y) / TAU);
             [x - turns, y - turns, u, v]
         },
     };
-    assert_eq!(pair.checked(), [2, 2]);
+    assert_eq!(pair([1.1, 1.3], None).checked(), [2, 2]);
+    assert_eq!(pair([0.5, 1.3], None).checked(), [2, 2]);
+    // From a start about other turns Newton's method leads to copies several turns away.
+    assert_eq!(pair([1.0, 1.3], Some(vec![-1.2149, -5.6423, 0.0, 0.0])).checked(), [1, 2]);
 }
 
 /// A range with both folds of the resonance outside, and the coordinate at t = 0 of the two stable motions at either end by Fourier collocation
