@@ -263,6 +263,13 @@ fn feet_and_inches_with_fractions_are_lengths() {
         ),
         ("words", "Length", |feet, inches, part| format!("{feet} ft {inches} {part}/8 in")),
         ("inches", "L (in)", |feet, inches, part| format!("{} {part}/8", 12.0 * feet + inches)),
+        ("fraction", "L (ft);L (in)", |feet, inches, part| {
+            if feet > 2.5 {
+                format!("{feet};{inches} {part}/8")
+            } else {
+                format!("{feet};{}", inches + part / 8.0)
+            }
+        }),
     ] {
         let rows = rows(|length| {
             let (feet, inches, part) = of(eighths(length));
@@ -270,6 +277,12 @@ fn feet_and_inches_with_fractions_are_lengths() {
         });
         check(name, format!("{heading};T (s)\n{rows}"));
     }
+    let sevenths = "L (ft);L (in);T (s)\n1;6;1.3602\n2;0;1.5706\n2;6;1.7560\n3;3 3/7;2.0123\n";
+    let told = json(&format!("fit lengths {}", file("sevenths", sevenths)))["told_from_file"].to_string();
+    assert!(
+        told.contains("is not added to column 1 (`L (ft)`), since `3 3/7` is not read as a number"),
+        "{told}"
+    );
     let decimetres = rows(|length| format!("{:.1} dm;{:.3}", 10.0 * length, period(length)));
     check("dm", format!("L;T (s)\n{decimetres}"));
     // A Swiss mark of thousands is not a foot.

@@ -124,6 +124,10 @@ impl Dialect {
         for row in plain.rows(sample) {
             balance.resize(balance.len().max(row.cells.len()), (0, 0));
             let written = compound.written(&row, self.mark);
+            // A length with a fraction of an inch may be the only one among plain numbers.
+            if compound.has_fraction(&row, &written) {
+                return true;
+            }
             for ((cell, written), (more, with_unit)) in row.cells.iter().zip(written).zip(&mut balance) {
                 match written {
                     Some(_) => (*more, *with_unit) = (*more + 1, *with_unit + 1),
@@ -217,6 +221,14 @@ impl ColumnsOfCompounds {
             }
         }
         written
+    }
+
+    /// Returns `true` if a row has a whole number and a fraction below the heading of a length.
+    fn has_fraction(&self, row: &TextRow, written: &[Option<Written<'_>>]) -> bool {
+        let cells = self.0.iter().zip(&row.cells).zip(written);
+        cells.into_iter().any(|((kind, cell), written)| {
+            *kind == CompoundNumbers::Lengths && written.is_some() && cell.contains('/')
+        })
     }
 
     /// The row with plain numbers in place of those with units and uncertainties.

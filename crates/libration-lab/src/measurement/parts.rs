@@ -12,7 +12,10 @@ impl Sheet {
     /// Adds whole minutes or feet to the seconds or inches in the next column, where all of these are less than one of those.
     pub(super) fn join_parts(&mut self) {
         for place in 1..self.channels.len() {
-            let Some(parts) = self.parts(place) else { continue };
+            let Some(parts) = self.parts(place) else {
+                self.remarks.extend(self.unread_part(place));
+                continue;
+            };
             let text = format!(
                 "{} and {} are {} and {} of one quantity, and are added",
                 self.describe(place - 1),
@@ -32,16 +35,32 @@ impl Sheet {
         }
     }
 
-    /// The sums of a column and the one before it, if these are parts of one quantity.
-    fn parts(&self, place: usize) -> Option<Parts> {
+    /// A remark on a column that is not added to the one before it because of a cell that is not a number.
+    fn unread_part(&self, place: usize) -> Option<String> {
+        self.factor(place)?;
+        let (_, word) = self.channels[place].words.first()?;
+        let [whole, rest] = [place - 1, place].map(|it| self.describe(it));
+        Some(format!("{rest} is not added to {whole}, since `{word}` is not read as a number"))
+    }
+
+    /// The number of units of a column in that of the column before it, if their headings are those of parts of one quantity.
+    fn factor(&self, place: usize) -> Option<f64> {
         let [whole, rest] = &self.channels[place - 1..=place] else { return None };
         let units = [whole, rest].map(|channel| unit(&channel.heading));
         let (_, _, factor) = PAIRS.into_iter().find(|(one, other, _)| units == [Some(*one), Some(*other)])?;
         let names = [whole, rest].map(|channel| own_name(&channel.heading).to_lowercase());
+        (names[1].is_empty() || names[0] == names[1]).then_some(factor)
+    }
+
+    /// The sums of a column and the one before it, if these are parts of one quantity.
+    fn parts(&self, place: usize) -> Option<Parts> {
+        let factor = self.factor(place)?;
+        let [whole, rest] = &self.channels[place - 1..=place] else { return None };
+        let units = [whole, rest].map(|channel| unit(&channel.heading));
         let is_part = |channel: &super::Channel| {
             !channel.heading.is_uncertainty && channel.words.is_empty() && channel.count() > 0
         };
-        if !(is_part(whole) && is_part(rest) && (names[1].is_empty() || names[0] == names[1])) {
+        if !(is_part(whole) && is_part(rest)) {
             return None;
         }
         let sum = |(whole, rest): (&Cell, &Cell)| match (whole, rest) {
