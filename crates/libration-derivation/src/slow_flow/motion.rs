@@ -128,16 +128,7 @@ pub(super) fn derivatives(subject: &Subject) -> Result<DerivationStep, Derivatio
     let (a, psi) = (subject.amplitude(), Name::new("ψ"));
     let primed =
         |name: &Name, primes: usize| Formula::from((0..primes).fold(name.clone(), |name, _| name.prime()));
-    let mut trials = Trials::choices()?;
-    for (place, name) in [a.clone(), psi.clone()].into_iter().enumerate() {
-        for primes in 0..3 {
-            let own = (0..primes).fold(name.clone(), |name, _| name.prime());
-            let place = i64::try_from(3 * place + primes).unwrap_or(0);
-            trials.choose(&own, &|choice| tenths(7 + 4 * place + i64::try_from(choice).unwrap_or(0)))?;
-        }
-        trials.let_move(&name);
-        trials.let_move(&name.clone().prime());
-    }
+    let trials = moving([&a, &psi])?;
     let (zero, one, two) = (|it: &Name| primed(it, 0), |it: &Name| primed(it, 1), |it: &Name| primed(it, 2));
     let velocity = || one(&a) * cos(&psi) - zero(&a) * one(&psi) * sin(&psi);
     let inner = || two(&a) - zero(&a) * one(&psi).squared();
@@ -152,26 +143,7 @@ pub(super) fn derivatives(subject: &Subject) -> Result<DerivationStep, Derivatio
     let resonant =
         -subject.times_omega0(2, 1, by_cosine)? - subject.times_omega0(2, 1, one(&a) * sin(&psi))?;
     let small = Name::new("ε");
-    let names = [a.clone(), psi.clone()];
-    let frequency = omega.clone();
-    let free: Vec<Name> = omega.free_names();
-    let given = move |choice: usize| -> Vec<Given<'static>> {
-        let power = |n: i64| Formula::from(Name::new("ε")).pow(n);
-        let value = |place: usize| Formula::Number(chosen(place, choice));
-        let mut all: Vec<Given<'static>> = free
-            .iter()
-            .enumerate()
-            .map(|(place, name)| Given::Value(name.clone(), value(place + 9)))
-            .collect();
-        let [a, psi] = &names;
-        all.push(Given::Value(a.clone(), value(0)));
-        all.push(Given::Value(psi.clone(), value(1)));
-        all.push(Given::Value(a.clone().prime(), value(2) * power(1)));
-        all.push(Given::Value(psi.clone().prime(), frequency.clone() + value(3) * power(1)));
-        all.push(Given::Value(a.clone().prime().prime(), value(4) * power(2)));
-        all.push(Given::Value(psi.clone().prime().prime(), value(5) * power(2)));
-        all
-    };
+    let given = slow([a.clone(), psi.clone()], omega.clone());
     let rounded = Statement::equal(left, resonant + order(Formula::from(&small).squared()));
     let rounded = same_series_for_choices(&small, 2, 3, &given, rounded)?;
     Ok(DerivationStep::new("derivatives", "The derivatives of the motion")
@@ -193,4 +165,38 @@ pub(super) fn derivatives(subject: &Subject) -> Result<DerivationStep, Derivatio
             ],
         )
         .show(rounded))
+}
+
+/// Values of an amplitude and a phase with their derivatives, all independent.
+fn moving(names: [&Name; 2]) -> Result<Trials, DerivationError> {
+    let mut trials = Trials::choices()?;
+    for (place, name) in names.into_iter().enumerate() {
+        for primes in 0..3 {
+            let own = (0..primes).fold(name.clone(), |name, _| name.prime());
+            let place = i64::try_from(3 * place + primes).unwrap_or(0);
+            trials.choose(&own, &|choice| tenths(7 + 4 * place + i64::try_from(choice).unwrap_or(0)))?;
+        }
+        trials.let_move(name);
+        trials.let_move(&name.clone().prime());
+    }
+    Ok(trials)
+}
+
+/// Values of an amplitude and a phase whose derivatives are small, power by power of ε, but for the frequency.
+fn slow([a, psi]: [Name; 2], frequency: Formula) -> impl Fn(usize) -> Vec<Given<'static>> {
+    let free: Vec<Name> = frequency.free_names();
+    move |choice| {
+        let power = |n: i64| Formula::from(Name::new("ε")).pow(n);
+        let value = |place: usize| Formula::Number(chosen(place, choice));
+        let of_symbol = |(place, name): (usize, &Name)| Given::Value(name.clone(), value(place + 9));
+        let slow = [
+            Given::Value(a.clone(), value(0)),
+            Given::Value(psi.clone(), value(1)),
+            Given::Value(a.clone().prime(), value(2) * power(1)),
+            Given::Value(psi.clone().prime(), frequency.clone() + value(3) * power(1)),
+            Given::Value(a.clone().prime().prime(), value(4) * power(2)),
+            Given::Value(psi.clone().prime().prime(), value(5) * power(2)),
+        ];
+        free.iter().enumerate().map(of_symbol).chain(slow).collect()
+    }
 }

@@ -93,12 +93,7 @@ fn critical(
         return Ok(step);
     };
     let read = subject.read(relation)?;
-    // The relation contains the square of a drive.
-    let is_squared = |symbol: &Symbol| {
-        let slope = read.derivative(symbol).substitute(symbol, &Expression::from(0)).simplified();
-        read.polynomial_degree(std::slice::from_ref(symbol)) == Some(2) && slope.vanishes()
-    };
-    let drive = subject.read(amplitude)?.symbols().into_iter().find(is_squared);
+    let drive = squared_drive(&read, &subject.read(amplitude)?);
     let Some(drive) = drive else { return Ok(step) };
     let names = [
         subject.free_letter([("beta", "β"), ("kappa", "κ")]),
@@ -141,6 +136,15 @@ fn critical(
             .say("for one strength of the drive alone. Stronger drives make jumps:", [])
             .show(here.compare_choices(threshold.clone())?))
     })
+}
+
+/// The symbol of the drive's amplitude of which the relation contains the square alone.
+fn squared_drive(relation: &Expression, amplitude: &Expression) -> Option<Symbol> {
+    let is_squared = |symbol: &Symbol| {
+        let slope = relation.derivative(symbol).substitute(symbol, &Expression::from(0)).simplified();
+        relation.polynomial_degree(std::slice::from_ref(symbol)) == Some(2) && slope.vanishes()
+    };
+    amplitude.symbols().into_iter().find(is_squared)
 }
 
 /// The condition of the folds as a polynomial of the second degree in A².
