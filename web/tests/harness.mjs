@@ -111,6 +111,9 @@ export async function errors(room) {
   return room.locator(".error:visible").allTextContents();
 }
 
+/** The part of a room's results with this title. */
+export const part = (room, title) => room.locator("section", { has: room.getByRole("heading", { name: title, exact: true }) });
+
 /** A file that the reader saves by this button of a room or of a part of it. */
 export async function saved(room, button) {
   const [download] = await Promise.all([(room.page?.() ?? room).waitForEvent("download"), room.getByRole("button", { name: button }).first().click()]);

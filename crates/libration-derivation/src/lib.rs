@@ -101,7 +101,7 @@ pub mod internals {
     pub mod averaging {
         pub use crate::averaging::flow::Flow;
         pub use crate::averaging::put_back::{agrees_with_library, check};
-        pub use crate::averaging::question::Question;
+        pub use crate::averaging::question::AveragingQuestion;
     }
     pub mod lindstedt {
         pub use crate::lindstedt::accuracy::{as_given, exactly_at, motion as motion_in_numbers};
@@ -110,7 +110,7 @@ pub mod internals {
         pub use crate::lindstedt::few_harmonics::step as few_harmonics;
         pub use crate::lindstedt::motion::motion;
         pub use crate::lindstedt::orders::check_contributions;
-        pub use crate::lindstedt::question::Question;
+        pub use crate::lindstedt::question::LindstedtQuestion;
         pub use crate::lindstedt::substitution::{has_harmonics, solves};
         pub use crate::lindstedt::three_harmonics::check as check_three_harmonics;
         pub use crate::lindstedt::truncated::Elimination;
@@ -121,7 +121,7 @@ pub mod internals {
     pub mod paper {
         pub use crate::paper::cosines::{cosine, projection, second_derivative};
         pub use crate::paper::lindstedt::Expansion;
-        pub use crate::paper::statement::{NOT_EVALUATED, Statement as PrintedStatement};
+        pub use crate::paper::statement::{NOT_EVALUATED, PrintedStatement};
         pub use crate::paper::statements;
     }
 }

@@ -172,7 +172,9 @@ impl Trials {
             }
         }
         let letters = self.trials[self.shown].letters(&statement);
-        Ok(Comparison { value: shown, difference }.equation(statement, place, against).with_letters(letters))
+        Ok(TrialComparison { value: shown, difference }
+            .equation(statement, place, against)
+            .with_letters(letters))
     }
 
     /// Checks a statement that does not depend on the amplitude.
@@ -194,13 +196,13 @@ impl Trials {
         let index = Name::new(index);
         let (first, last) = (*cases.start(), *cases.end());
         let mut trial = self.trials[self.shown].clone();
-        let mut worst: Option<Comparison> = None;
+        let mut worst: Option<TrialComparison> = None;
         for case in cases {
             trial.values.set_index(&index, case);
             let here = trial.compare(CLOSE, &statement)?;
             worst = Some(worst.map_or(here, |worst| worst.with(here)));
         }
-        let comparison = worst.unwrap_or(Comparison { value: 0.0, difference: 0.0 });
+        let comparison = worst.unwrap_or(TrialComparison { value: 0.0, difference: 0.0 });
         let letters = trial.letters(&statement);
         let place = ComparedAt::Cases { index, first, last };
         Ok(comparison.equation(statement, place, Against::OtherSide).with_letters(letters))
@@ -359,7 +361,7 @@ impl Trial {
     }
 
     /// Compares neighbours in the chain.
-    fn compare(&self, tolerance: f64, statement: &Statement) -> Result<Comparison, DerivationError> {
+    fn compare(&self, tolerance: f64, statement: &Statement) -> Result<TrialComparison, DerivationError> {
         let first = self.side(statement, &statement.first)?;
         let value = first.value.to_f64();
         let mut difference = 0.0_f64;
@@ -370,7 +372,7 @@ impl Trial {
             left = right;
         }
         if difference <= tolerance {
-            return Ok(Comparison { value, difference });
+            return Ok(TrialComparison { value, difference });
         }
         let at = &self.amplitude.mantissa;
         Err(failed(statement, format!("at {at} its sides differ by {difference:e} of their size")))
@@ -421,12 +423,12 @@ impl Side {
 
 /// The value of the first side and its largest distance from the others.
 #[derive(Clone, Copy)]
-struct Comparison {
+struct TrialComparison {
     value: f64,
     difference: f64,
 }
 
-impl Comparison {
+impl TrialComparison {
     /// The value of this comparison, with the larger of the two differences.
     fn with(self, other: Self) -> Self {
         Self { difference: self.difference.max(other.difference), ..self }

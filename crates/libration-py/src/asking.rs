@@ -12,7 +12,9 @@ use std::io::{self, Read};
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use libration_queries::{Host, InputFile, Kind, Parameter, ParameterKind, QueryError, QueryParameter, Words};
+use libration_queries::{
+    Host, InputFile, Kind, ParameterDescription, ParameterKind, QueryError, QueryParameter, Words,
+};
 use pyo3::exceptions::{PyOSError, PyUnicodeDecodeError};
 use pyo3::prelude::*;
 
@@ -163,7 +165,7 @@ type ParameterData = (String, &'static str, String, bool, bool, Vec<String>, Str
 /// All queries: words, purpose, remarks, parameters.
 #[pyfunction]
 pub(crate) fn questions() -> Vec<(String, String, String, Vec<ParameterData>)> {
-    let given = |it: Parameter| {
+    let given = |it: ParameterDescription| {
         let kind = match it.kind {
             ParameterKind::Argument => "argument",
             ParameterKind::Option => "option",

@@ -15,12 +15,12 @@ pub struct Question {
     /// Remarks; may be empty.
     pub remarks: String,
     /// Parameters in the order of the help.
-    pub parameters: Vec<Parameter>,
+    pub parameters: Vec<ParameterDescription>,
 }
 
 /// A parameter of a query.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Parameter {
+pub struct ParameterDescription {
     /// Name of an option without its dashes: `damping-order`; name of an argument in small letters: `amplitude`.
     pub name: String,
     /// Kind of the parameter.
@@ -74,7 +74,7 @@ pub(crate) fn argument_name(words: &[OsString], value: &str) -> Option<String> {
     command.build();
     let asked = leaves(&command, "", |_| true).into_iter().filter(|it| it.words == one || it.words == two);
     let question = asked.max_by_key(|it| it.words.len())?;
-    let is_it = |it: &Parameter| it.kind == ParameterKind::Argument && it.value == value;
+    let is_it = |it: &ParameterDescription| it.kind == ParameterKind::Argument && it.value == value;
     question.parameters.into_iter().find(is_it).map(|it| it.name)
 }
 
@@ -101,7 +101,7 @@ fn question(command: &Command, words: String) -> Question {
     }
 }
 
-fn parameter(arg: &Arg) -> Parameter {
+fn parameter(arg: &Arg) -> ParameterDescription {
     let takes_value = arg.get_action().takes_values();
     let kind = match (arg.get_long(), takes_value) {
         (None, _) => ParameterKind::Argument,
@@ -111,7 +111,7 @@ fn parameter(arg: &Arg) -> Parameter {
     let value = arg.get_value_names().filter(|_| takes_value).map(|names| names.join(" "));
     let choices = arg.get_possible_values();
     let choices = choices.iter().filter(|_| takes_value).map(|it| it.get_name().to_owned());
-    Parameter {
+    ParameterDescription {
         name: arg.get_long().map_or_else(|| arg.get_id().to_string(), str::to_owned),
         kind,
         value_type: ParameterType::of(arg),

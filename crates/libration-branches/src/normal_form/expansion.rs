@@ -44,26 +44,26 @@ pub(super) struct Expansion<N: Ring> {
 
 /// Reason why the expansion stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Obstacle {
+pub(super) enum NormalFormObstacle {
     /// A value or a coefficient outside the field.
     NoSeries,
     Interrupted(Interrupted),
 }
 
-impl From<SeriesError> for Obstacle {
+impl From<SeriesError> for NormalFormObstacle {
     fn from(_: SeriesError) -> Self {
         Self::NoSeries
     }
 }
 
-impl From<Interrupted> for Obstacle {
+impl From<Interrupted> for NormalFormObstacle {
     fn from(interrupted: Interrupted) -> Self {
         Self::Interrupted(interrupted)
     }
 }
 
 /// Rules by which numbers are compared.
-pub(super) struct Judge<'a, E> {
+pub(super) struct DivisorRules<'a, E> {
     pub(super) number: &'a dyn Fn(&E) -> f64,
     /// Largest divisor that counts as a resonance.
     pub(super) smallest: f64,
@@ -72,17 +72,17 @@ pub(super) struct Judge<'a, E> {
 /// Expands to an order in the amplitudes.
 pub(super) fn expand<N: Ring + Clone>(
     linear: &LinearMotion<N>,
-    judge: &Judge<'_, N::Element>,
+    judge: &DivisorRules<'_, N::Element>,
     tape: &Tape,
     order: usize,
     watch: &Watch<'_>,
-) -> Result<Expansion<N>, Obstacle> {
+) -> Result<Expansion<N>, NormalFormObstacle> {
     let n = linear.frequencies.len();
     let ring = AmplitudePolynomials { numbers: linear.numbers.clone(), generators: 2 * n };
     let still = linear.rest.iter().map(|x| ring.constant(linear.numbers.plain(x.clone())));
     let still: Vec<_> = still.chain((0..n).map(|_| ring.zero())).collect();
     let mut jet = Jet::new(&ring, tape, &still)?;
-    let one = linear.numbers.rational(&1.into()).ok_or(Obstacle::NoSeries)?;
+    let one = linear.numbers.rational(&1.into()).ok_or(NormalFormObstacle::NoSeries)?;
     let first: Vec<_> = (0..n).map(|s| ring.generator(s, one.clone())).collect();
     let basis = Basis::new(linear, judge)?;
     jet.extend(&basis.state(&ring, &first))?;
@@ -91,7 +91,7 @@ pub(super) fn expand<N: Ring + Clone>(
     for k in 2..=order {
         watch.reached(k)?;
         jet.extend(&vec![ring.zero(); 2 * n])?;
-        let forces = (0..n).map(|i| jet.result(i).last().cloned().ok_or(Obstacle::NoSeries));
+        let forces = (0..n).map(|i| jet.result(i).last().cloned().ok_or(NormalFormObstacle::NoSeries));
         let forces = forces.collect::<Result<Vec<_>, _>>()?;
         jet.shorten();
         let transport = transport(&ring, &orders, k);
@@ -159,11 +159,11 @@ type Parts<N> = (PolynomialOf<N>, PolynomialOf<N>);
 fn solved<N: Ring>(
     ring: &AmplitudePolynomials<Complexes<N>>,
     linear: &LinearMotion<N>,
-    judge: &Judge<'_, N::Element>,
+    judge: &DivisorRules<'_, N::Element>,
     mode: usize,
     rest: &PolynomialOf<N>,
     divisors: &mut Vec<DivisorOf<N::Element>>,
-) -> Result<Parts<N>, Obstacle> {
+) -> Result<Parts<N>, NormalFormObstacle> {
     let base = &linear.numbers.base;
     let (mut transform, mut slow) = (ring.zero(), ring.zero());
     for (powers, value) in rest {
@@ -174,7 +174,7 @@ fn solved<N: Ring>(
             continue;
         }
         let below = Quadratic { plain: base.zero(), root: divisor.clone() };
-        let part = linear.numbers.divide(value, &below).ok_or(Obstacle::NoSeries)?;
+        let part = linear.numbers.divide(value, &below).ok_or(NormalFormObstacle::NoSeries)?;
         transform.insert(powers.clone(), part);
         divisors.push(DivisorOf { mode, powers: powers.clone(), divisor });
     }
@@ -201,9 +201,12 @@ struct Basis<N: Ring> {
 }
 
 impl<N: Ring + Clone> Basis<N> {
-    fn new(linear: &LinearMotion<N>, judge: &Judge<'_, N::Element>) -> Result<Self, Obstacle> {
+    fn new(
+        linear: &LinearMotion<N>,
+        judge: &DivisorRules<'_, N::Element>,
+    ) -> Result<Self, NormalFormObstacle> {
         let (numbers, n) = (&linear.numbers, linear.frequencies.len());
-        let halved = |z: &ComplexOf<N>| numbers.over_integer(z, 2).ok_or(Obstacle::NoSeries);
+        let halved = |z: &ComplexOf<N>| numbers.over_integer(z, 2).ok_or(NormalFormObstacle::NoSeries);
         let column = |(shape, frequency): (&Vec<ComplexOf<N>>, &N::Element)| {
             let turned = Quadratic { plain: numbers.base.zero(), root: frequency.clone() };
             let places = shape.iter().map(&halved).collect::<Result<Vec<_>, _>>()?;
@@ -211,7 +214,7 @@ impl<N: Ring + Clone> Basis<N> {
             Ok([places, velocities].concat())
         };
         let columns = linear.shapes.iter().zip(&linear.frequencies).map(column);
-        let columns = columns.collect::<Result<Vec<_>, Obstacle>>()?;
+        let columns = columns.collect::<Result<Vec<_>, NormalFormObstacle>>()?;
         let bar = |z: &ComplexOf<N>| Quadratic { plain: z.plain.clone(), root: numbers.base.negate(&z.root) };
         let matrix: Vec<Vec<ComplexOf<N>>> = (0..2 * n)
             .map(|i| {
@@ -221,11 +224,11 @@ impl<N: Ring + Clone> Basis<N> {
             })
             .collect();
         let size = |z: &ComplexOf<N>| libm::hypot((judge.number)(&z.plain), (judge.number)(&z.root));
-        let one = numbers.rational(&1.into()).ok_or(Obstacle::NoSeries)?;
+        let one = numbers.rational(&1.into()).ok_or(NormalFormObstacle::NoSeries)?;
         let solution = |i: usize| {
             let right: Vec<_> =
                 (0..2 * n).map(|j| if j == n + i { one.clone() } else { numbers.zero() }).collect();
-            solve(numbers, size, &matrix, &right).ok_or(Obstacle::NoSeries)
+            solve(numbers, size, &matrix, &right).ok_or(NormalFormObstacle::NoSeries)
         };
         let solutions = (0..n).map(solution).collect::<Result<Vec<_>, _>>()?;
         let projection = (0..n).map(|s| solutions.iter().map(|column| column[s].clone()).collect()).collect();

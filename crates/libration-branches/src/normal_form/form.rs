@@ -1,6 +1,6 @@
 //! The normal form of a system about an equilibrium, with its terms, and the conversion of states to amplitudes.
 
-use super::expansion::{Expansion, Judge, LinearMotion, Obstacle, expand};
+use super::expansion::{DivisorRules, Expansion, LinearMotion, NormalFormObstacle, expand};
 use super::linear_motion::{exactly, in_digits};
 use super::polynomials::{Polynomial, Powers};
 use super::{LARGEST_ORDER, NormalFormError};
@@ -113,17 +113,17 @@ impl NormalForm {
         let exact = exactly(&modes).map(|linear| {
             let tower = linear.numbers.base.clone();
             let number = |x: &Vec<_>| tower.number(x);
-            let judge = Judge { number: &number, smallest };
+            let judge = DivisorRules { number: &number, smallest };
             expand(&linear, &judge, &tape, order, &watch.part())
                 .map(|found| NumericalExpansion::exact(&tower, found))
         });
         let found = match exact {
             Some(Ok(found)) => found,
-            Some(Err(Obstacle::Interrupted(interrupted))) => return Err(interrupted.into()),
-            Some(Err(Obstacle::NoSeries)) | None => {
+            Some(Err(NormalFormObstacle::Interrupted(interrupted))) => return Err(interrupted.into()),
+            Some(Err(NormalFormObstacle::NoSeries)) | None => {
                 let linear: LinearMotion<_> = in_digits(&modes);
                 // Zero up to rounding.
-                let judge = Judge { number: &|x: &f64| *x, smallest: smallest.max(1e-9 * least) };
+                let judge = DivisorRules { number: &|x: &f64| *x, smallest: smallest.max(1e-9 * least) };
                 let found = expand(&linear, &judge, &tape, order, watch).map_err(failure)?;
                 NumericalExpansion::in_digits(found)
             }
@@ -187,10 +187,10 @@ impl NormalForm {
     }
 }
 
-fn failure(obstacle: Obstacle) -> NormalFormError {
+fn failure(obstacle: NormalFormObstacle) -> NormalFormError {
     match obstacle {
-        Obstacle::NoSeries => NormalFormError::NoSeries,
-        Obstacle::Interrupted(interrupted) => interrupted.into(),
+        NormalFormObstacle::NoSeries => NormalFormError::NoSeries,
+        NormalFormObstacle::Interrupted(interrupted) => interrupted.into(),
     }
 }
 

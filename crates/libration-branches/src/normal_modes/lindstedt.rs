@@ -37,21 +37,21 @@ pub(super) struct Third<E> {
 
 /// Reason why the expansion does not exist.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Obstacle {
+pub(super) enum ModeObstacle {
     /// A value or a coefficient that is outside the field or not finite.
     NoSeries,
     /// The force contains this harmonic, which is the frequency of a free oscillation.
     Resonance(usize),
 }
 
-impl From<SeriesError> for Obstacle {
+impl From<SeriesError> for ModeObstacle {
     fn from(_: SeriesError) -> Self {
         Self::NoSeries
     }
 }
 
 /// Rules by which numbers of a field are compared.
-pub(super) struct Judge<'a, E> {
+pub(super) struct ZeroRules<'a, E> {
     pub(super) size: &'a dyn Fn(&E) -> f64,
     /// Fraction of the largest number that counts as zero.
     pub(super) rounding: f64,
@@ -65,11 +65,11 @@ type Term<E> = (usize, Vec<E>, Vec<E>);
 /// Frequency change and growth of the mode about an equilibrium. The inputs of the tape are coordinates and then velocities.
 pub(super) fn third_order<N: Ring + Clone>(
     numbers: &N,
-    judge: &Judge<'_, N::Element>,
+    judge: &ZeroRules<'_, N::Element>,
     tape: &Tape,
     rest: &[N::Element],
     mode: &Fundamental<N::Element>,
-) -> Result<Third<N::Element>, Obstacle> {
+) -> Result<Third<N::Element>, ModeObstacle> {
     let (third, has_second) = with_free(numbers, judge, tape, rest, mode, None)?;
     // A mode with twice the frequency, across which others are driven, may move by itself at the second order, which must not matter.
     let has_free = has_second && judge.resonant.contains(&2);
@@ -82,7 +82,7 @@ pub(super) fn third_order<N: Ring + Clone>(
                 && (judge.size)(&difference) > judge.rounding * (judge.size)(a).max(LEAST)
         };
         if pairs.into_iter().any(differ) {
-            return Err(Obstacle::Resonance(2));
+            return Err(ModeObstacle::Resonance(2));
         }
     }
     Ok(third)
@@ -96,12 +96,12 @@ const LEAST: f64 = 1e-3;
 /// The third order with a free oscillation of this number at the second order, and whether the second order has twice the frequency.
 fn with_free<N: Ring + Clone>(
     numbers: &N,
-    judge: &Judge<'_, N::Element>,
+    judge: &ZeroRules<'_, N::Element>,
     tape: &Tape,
     rest: &[N::Element],
     mode: &Fundamental<N::Element>,
     free: Option<usize>,
-) -> Result<(Third<N::Element>, bool), Obstacle> {
+) -> Result<(Third<N::Element>, bool), ModeObstacle> {
     let ring = HarmonicSums { numbers: numbers.clone() };
     let none = vec![numbers.zero(); rest.len()];
     let still = state(&ring, &numbers.zero(), &[(0, rest.to_vec(), none)], rest.len());
@@ -112,7 +112,7 @@ fn with_free<N: Ring + Clone>(
     let mut second = expansion.forced(&[0, 2])?;
     if let Some(free) = free {
         let mut added =
-            expansion.null_vectors(&expansion.matrix(2)).ok_or(Obstacle::Resonance(2))?.swap_remove(free);
+            expansion.null_vectors(&expansion.matrix(2)).ok_or(ModeObstacle::Resonance(2))?.swap_remove(free);
         let sines = added.split_off(rest.len());
         second.push((2, added, sines));
     }
@@ -136,7 +136,7 @@ impl<E: Clone> LinearEquations<E> {
         jet: &Jet<'_, HarmonicSums<N>>,
         tape: &Tape,
         coordinates: usize,
-    ) -> Result<Self, Obstacle> {
+    ) -> Result<Self, ModeObstacle> {
         let column = |input: usize| -> Result<Vec<E>, SeriesError> {
             let gains = jet.gains(input)?;
             Ok(tape.results().iter().map(|&place| ring.harmonic(&gains[place], 0).cosine).collect())
@@ -181,7 +181,7 @@ fn state<N: Ring>(
 struct LindstedtExpansion<'a, N: Ring> {
     ring: &'a HarmonicSums<N>,
     jet: Jet<'a, HarmonicSums<N>>,
-    judge: &'a Judge<'a, N::Element>,
+    judge: &'a ZeroRules<'a, N::Element>,
     mode: &'a Fundamental<N::Element>,
     linear: LinearEquations<N::Element>,
 }
@@ -192,15 +192,15 @@ impl<N: Ring> LindstedtExpansion<'_, N> {
     }
 
     /// Appends the next order of the coordinates.
-    fn extend(&mut self, terms: &[Term<N::Element>]) -> Result<(), Obstacle> {
+    fn extend(&mut self, terms: &[Term<N::Element>]) -> Result<(), ModeObstacle> {
         let inputs = state(self.ring, &self.mode.frequency, terms, self.coordinates());
         Ok(self.jet.extend(&inputs)?)
     }
 
     /// R of the next order by harmonics, cosines first.
-    fn rest(&mut self, harmonics: &[usize]) -> Result<Vec<Vec<N::Element>>, Obstacle> {
+    fn rest(&mut self, harmonics: &[usize]) -> Result<Vec<Vec<N::Element>>, ModeObstacle> {
         self.extend(&[])?;
-        let last = |i: usize| self.jet.result(i).last().cloned().ok_or(Obstacle::NoSeries);
+        let last = |i: usize| self.jet.result(i).last().cloned().ok_or(ModeObstacle::NoSeries);
         let sums = (0..self.coordinates()).map(last).collect::<Result<Vec<_>, _>>()?;
         self.jet.shorten();
         let ring = self.ring;
@@ -212,7 +212,7 @@ impl<N: Ring> LindstedtExpansion<'_, N> {
     }
 
     /// The harmonics, other than the first, that the lower orders force.
-    fn forced(&mut self, harmonics: &[usize]) -> Result<Vec<Term<N::Element>>, Obstacle> {
+    fn forced(&mut self, harmonics: &[usize]) -> Result<Vec<Term<N::Element>>, ModeObstacle> {
         let forcing = self.rest(harmonics)?;
         let largest = forcing.iter().flatten().map(self.judge.size).fold(0.0, f64::max);
         let n = self.coordinates();
@@ -224,14 +224,19 @@ impl<N: Ring> LindstedtExpansion<'_, N> {
         harmonics.iter().zip(&forcing).map(term).collect()
     }
 
-    fn response(&self, k: usize, right: &[N::Element], largest: f64) -> Result<Vec<N::Element>, Obstacle> {
+    fn response(
+        &self,
+        k: usize,
+        right: &[N::Element],
+        largest: f64,
+    ) -> Result<Vec<N::Element>, ModeObstacle> {
         let numbers = self.ring.numbers();
         let small =
             |x: &N::Element| numbers.is_zero(x) || (self.judge.size)(x) < self.judge.rounding * largest;
         if right.iter().all(small) {
             return Ok(vec![numbers.zero(); right.len()]);
         }
-        let singular = Obstacle::Resonance(k);
+        let singular = ModeObstacle::Resonance(k);
         let matrix = self.matrix(k);
         if k > 0 && self.judge.resonant.contains(&k) {
             return self.not_driving(&matrix, right, largest).ok_or(singular);
@@ -299,7 +304,7 @@ impl<N: Ring> LindstedtExpansion<'_, N> {
     }
 
     /// w and g from the first harmonic of the third order.
-    fn solvability(mut self) -> Result<Third<N::Element>, Obstacle> {
+    fn solvability(mut self) -> Result<Third<N::Element>, ModeObstacle> {
         let forcing = self.rest(&[1, 3])?;
         let largest = forcing.iter().flatten().map(self.judge.size).fold(0.0, f64::max);
         self.response(3, &forcing[1], largest)?;
@@ -315,7 +320,7 @@ impl<N: Ring> LindstedtExpansion<'_, N> {
         for (i, row) in matrix.iter_mut().enumerate() {
             row.extend(columns.iter().map(|column| numbers.negate(&column[i])));
         }
-        let one = numbers.rational(&1.into()).ok_or(Obstacle::NoSeries)?;
+        let one = numbers.rational(&1.into()).ok_or(ModeObstacle::NoSeries)?;
         for fixed in [self.mode.leading, self.mode.leading + n] {
             matrix.push(
                 (0..2 * n + 2).map(|j| if j == fixed { one.clone() } else { numbers.zero() }).collect(),
@@ -323,9 +328,10 @@ impl<N: Ring> LindstedtExpansion<'_, N> {
         }
         let right: Vec<N::Element> =
             forcing[0].iter().cloned().chain([numbers.zero(), numbers.zero()]).collect();
-        let mut solution = solve(numbers, self.judge.size, &matrix, &right).ok_or(Obstacle::Resonance(1))?;
-        let growth = numbers.negate(&solution.pop().ok_or(Obstacle::NoSeries)?);
-        let frequency = solution.pop().ok_or(Obstacle::NoSeries)?;
+        let mut solution =
+            solve(numbers, self.judge.size, &matrix, &right).ok_or(ModeObstacle::Resonance(1))?;
+        let growth = numbers.negate(&solution.pop().ok_or(ModeObstacle::NoSeries)?);
+        let frequency = solution.pop().ok_or(ModeObstacle::NoSeries)?;
         Ok(Third { frequency, growth })
     }
 

@@ -1,6 +1,6 @@
 //! Reasons for the absence of a change of frequency with the amplitude.
 
-use super::lindstedt::Obstacle;
+use super::lindstedt::ModeObstacle;
 
 /// Reason why the change of frequency is not computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -33,13 +33,13 @@ pub enum ShiftError {
     NotSmooth,
 }
 
-impl From<Obstacle> for ShiftError {
-    fn from(obstacle: Obstacle) -> Self {
+impl From<ModeObstacle> for ShiftError {
+    fn from(obstacle: ModeObstacle) -> Self {
         match obstacle {
-            Obstacle::NoSeries => Self::NotSmooth,
-            Obstacle::Resonance(0) => Self::Drift,
-            Obstacle::Resonance(1) => Self::Degenerate,
-            Obstacle::Resonance(k) => Self::Resonance(k),
+            ModeObstacle::NoSeries => Self::NotSmooth,
+            ModeObstacle::Resonance(0) => Self::Drift,
+            ModeObstacle::Resonance(1) => Self::Degenerate,
+            ModeObstacle::Resonance(k) => Self::Resonance(k),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Change of the frequency of a mode with its amplitude.
 
 use super::equilibrium::Equilibrium;
-use super::lindstedt::{Fundamental, Judge, Obstacle, Third, third_order};
+use super::lindstedt::{Fundamental, ModeObstacle, Third, ZeroRules, third_order};
 use super::linearisation::symbols;
 use super::mode::{Behaviour, Mode, Shift};
 use super::no_shift::ShiftError;
@@ -57,7 +57,7 @@ fn in_digits(
         sine: mode.shape.iter().map(|part| -part.im).collect(),
         leading: mode.leading(),
     };
-    let judge = Judge { size: &|x: &f64| x.abs(), rounding: ROUNDING, resonant };
+    let judge = ZeroRules { size: &|x: &f64| x.abs(), rounding: ROUNDING, resonant };
     let Third { frequency, growth } = third_order(&Doubles, &judge, tape, &rest.at, &fundamental)?;
     if !(frequency.is_finite() && growth.is_finite()) {
         return Err(ShiftError::NotSmooth);
@@ -92,14 +92,15 @@ impl<'a> Exact<'a> {
         let element = |surd: &Surd| Quadratic { plain: surd.plain().clone(), root: surd.root().clone() };
         let value = |x: &Quadratic<Rational>| self.surd(x).to_f64();
         if let Some(root) = self.square.to_rational().and_then(Rational::square_root) {
-            let judge = Judge { size: &|x: &_| value(x).abs(), rounding: 0.0, resonant: resonant.to_vec() };
+            let judge =
+                ZeroRules { size: &|x: &_| value(x).abs(), rounding: 0.0, resonant: resonant.to_vec() };
             let third = self.third(&base, &judge, tape, element, base.plain(root))?;
             return self.answer(&third.frequency, value(&third.growth));
         }
         let field = QuadraticField { base, square: element(self.square) };
         let omega = self.square.to_f64().sqrt();
         let size = |x: &Quadratic<Quadratic<Rational>>| (value(&x.plain) + value(&x.root) * omega).abs();
-        let judge = Judge { size: &size, rounding: 0.0, resonant: resonant.to_vec() };
+        let judge = ZeroRules { size: &size, rounding: 0.0, resonant: resonant.to_vec() };
         let root = field.square_root().ok_or(ShiftError::NotSmooth)?;
         let third = self.third(&field, &judge, tape, |surd| field.plain(element(surd)), root)?;
         let growth = value(&third.growth.plain) + value(&third.growth.root) * omega;
@@ -112,11 +113,11 @@ impl<'a> Exact<'a> {
     fn third<N: Ring + Clone>(
         &self,
         field: &N,
-        judge: &Judge<'_, N::Element>,
+        judge: &ZeroRules<'_, N::Element>,
         tape: &Tape,
         element: impl Fn(&Surd) -> N::Element,
         frequency: N::Element,
-    ) -> Result<Third<N::Element>, Obstacle> {
+    ) -> Result<Third<N::Element>, ModeObstacle> {
         let cosine: Vec<N::Element> = self.shape.iter().map(&element).collect();
         let sine = cosine.iter().map(|_| field.zero()).collect();
         let rest: Vec<N::Element> = self.rest.iter().map(|x| element(&Surd::from(x.clone()))).collect();

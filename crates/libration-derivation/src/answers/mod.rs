@@ -115,7 +115,7 @@ impl Derivation {
     }
 
     /// The exercises with their numbers and places.
-    fn questions(&self) -> Vec<(String, Place, Question<'_>)> {
+    fn questions(&self) -> Vec<(String, EquationNumber, Question<'_>)> {
         let mut all = vec![];
         for (place, equation) in equations(&self.answers) {
             all.extend(Question::of(equation).map(|it| (format!("{}.{}", place.0, place.1), place, it)));
@@ -124,8 +124,8 @@ impl Derivation {
     }
 
     /// The symbols with the formulas that the derivation has given for them before a place, in their order.
-    fn established_before(&self, place: Place) -> Vec<(&Name, Formula)> {
-        let mut all: Vec<(Place, &Name, Formula)> = vec![];
+    fn established_before(&self, place: EquationNumber) -> Vec<(&Name, Formula)> {
+        let mut all: Vec<(EquationNumber, &Name, Formula)> = vec![];
         for (own, equation) in equations(&self.steps).into_iter().chain(equations(&self.answers)) {
             if own < place
                 && let Some((name, value)) = equation.statement().as_value()
@@ -176,10 +176,10 @@ impl Statement {
 type Symbols = Vec<(String, Name)>;
 
 /// The numbers of a step and of a formula in it.
-type Place = (usize, usize);
+type EquationNumber = (usize, usize);
 
-fn equations(steps: &[DerivationStep]) -> Vec<(Place, &CheckedEquation)> {
-    fn collect<'a>(step: usize, blocks: &'a [Block], all: &mut Vec<(Place, &'a CheckedEquation)>) {
+fn equations(steps: &[DerivationStep]) -> Vec<(EquationNumber, &CheckedEquation)> {
+    fn collect<'a>(step: usize, blocks: &'a [Block], all: &mut Vec<(EquationNumber, &'a CheckedEquation)>) {
         for block in blocks {
             match block {
                 Block::Equation { number, equation } => all.push(((step, *number), equation)),

@@ -7,17 +7,17 @@ use super::super::document::DerivationStep;
 use super::super::formula::{Formula, Name, Statement, cos, letter, number, sum};
 use super::super::phase::{PhaseFunction, PiNumber, Wave};
 use super::super::prose::Prose;
-use super::flow::{Flow, Order, Place};
+use super::flow::{Flow, FlowOrder, PowerPair};
 use super::names::{below, frequency_name, growth_name, motion_name, phase, power};
-use super::put_back::{Along, Series};
-use super::question::Question;
+use super::put_back::{Along, PhaseSeries};
+use super::question::AveragingQuestion;
 use libration::algebra::Rational;
 
-pub(super) fn step(question: &Question, flow: &Flow) -> DerivationStep {
+pub(super) fn step(question: &AveragingQuestion, flow: &Flow) -> DerivationStep {
     let (u, psi) = (|| question.u(), Name::new("ψ"));
     let (amplitude, c) = (|| question.amplitude(), || question.small());
     let rate = |name: &Name| Formula::from(name.clone().prime());
-    let unknown = |name: &dyn Fn(Place) -> Name, places: &[Place]| {
+    let unknown = |name: &dyn Fn(PowerPair) -> Name, places: &[PowerPair]| {
         let terms = places.iter().map(|place| power(question, *place) * Formula::from(name(*place)));
         terms.collect::<Vec<Formula>>()
     };
@@ -67,7 +67,7 @@ pub(super) fn step(question: &Question, flow: &Flow) -> DerivationStep {
 }
 
 /// States which powers of the parameter occur.
-fn backwards(question: &Question) -> Prose {
+fn backwards(question: &AveragingQuestion) -> Prose {
     if !question.is_reversed_by_its_parameter() {
         return Prose::text("All powers of the small parameter are there.");
     }
@@ -78,12 +78,17 @@ fn backwards(question: &Question) -> Prose {
 }
 
 /// States the number of coefficients, and which of them vanish.
-fn counted(question: &Question, flow: &Flow, [motions, growths, frequencies]: [&[Place]; 3]) -> Prose {
+fn counted(
+    question: &AveragingQuestion,
+    flow: &Flow,
+    [motions, growths, frequencies]: [&[PowerPair]; 3],
+) -> Prose {
     let count = |n: usize| number(i64::try_from(n).unwrap_or(i64::MAX));
-    let zero = |places: &[Place], is_known: &dyn Fn(&Place) -> bool, name: &dyn Fn(Place) -> Name| {
-        let missing = places.iter().filter(|place| !is_known(place));
-        missing.map(|place| Formula::from(name(*place))).collect::<Vec<Formula>>()
-    };
+    let zero =
+        |places: &[PowerPair], is_known: &dyn Fn(&PowerPair) -> bool, name: &dyn Fn(PowerPair) -> Name| {
+            let missing = places.iter().filter(|place| !is_known(place));
+            missing.map(|place| Formula::from(name(*place))).collect::<Vec<Formula>>()
+        };
     let mut vanishing = zero(motions, &|it| flow.motion.contains_key(it), &|it| motion_name(question, it));
     vanishing.extend(zero(growths, &|it| flow.growth.contains_key(it), &growth_name));
     vanishing.extend(zero(frequencies, &|it| flow.frequency.contains_key(it), &frequency_name));
@@ -106,10 +111,10 @@ fn counted(question: &Question, flow: &Flow, [motions, growths, frequencies]: [&
 }
 
 /// The powers of the ansatz at which a coefficient may be nonzero.
-fn places(question: &Question, flow: &Flow) -> [Vec<Place>; 3] {
-    let shown = |place: &Place| question.asks_for(*place);
+fn places(question: &AveragingQuestion, flow: &Flow) -> [Vec<PowerPair>; 3] {
+    let shown = |place: &PowerPair| question.asks_for(*place);
     let orders = || flow.orders.iter().filter(|order| shown(&order.place) && can_be(question, order.place));
-    let at = |order: &Order| order.place;
+    let at = |order: &FlowOrder| order.place;
     let motions = orders().map(at).collect();
     let is_reversed = question.is_reversed_by_its_parameter();
     let growths = orders().map(at).filter(|(_, j)| *j > 0 && !(is_reversed && j % 2 == 0)).collect();
@@ -119,7 +124,7 @@ fn places(question: &Question, flow: &Flow) -> [Vec<Place>; 3] {
 }
 
 /// Returns `true` if the symmetries of the equation allow a coefficient at these powers.
-fn can_be(question: &Question, (n, j): Place) -> bool {
+fn can_be(question: &AveragingQuestion, (n, j): PowerPair) -> bool {
     match symmetry(question) {
         Some(Symmetry::Amplitude) => n % 2 == 1,
         Some(Symmetry::AmplitudeAndParameter) => (n + j) % 2 == 1,
@@ -136,7 +141,7 @@ enum Symmetry {
     AmplitudeAndParameter,
 }
 
-fn symmetry(question: &Question) -> Option<Symmetry> {
+fn symmetry(question: &AveragingQuestion) -> Option<Symmetry> {
     let all = |is: fn(usize, usize) -> bool| {
         question.flow.terms.iter().all(|term| is(term.position + term.velocity, term.parameter))
     };
@@ -146,7 +151,7 @@ fn symmetry(question: &Question) -> Option<Symmetry> {
     all(|degree, parameter| (degree + parameter) % 2 == 1).then_some(Symmetry::AmplitudeAndParameter)
 }
 
-fn why_these(question: &Question) -> &'static str {
+fn why_these(question: &AveragingQuestion) -> &'static str {
     match symmetry(question) {
         Some(Symmetry::Amplitude) => {
             "Even powers of the amplitude are missing: the equation remains the same when displacement and velocity change their signs, which \
@@ -169,7 +174,7 @@ fn partial(name: Name, by: &[&str]) -> Formula {
 }
 
 /// The parts of the second time derivative, in the form used in tables.
-pub(super) fn second_derivative(question: &Question) -> [Formula; 5] {
+pub(super) fn second_derivative(question: &AveragingQuestion) -> [Formula; 5] {
     let x = |by: &[&str]| partial(question.displacement.clone(), by);
     let (growth, turn) = (Name::new("A").prime(), Name::new("ψ").prime());
     let [a, w] = [&growth, &turn].map(Formula::from);
@@ -182,7 +187,7 @@ pub(super) fn second_derivative(question: &Question) -> [Formula; 5] {
     ]
 }
 
-pub(super) fn chain_rule(question: &Question) -> Result<DerivationStep, DerivationError> {
+pub(super) fn chain_rule(question: &AveragingQuestion) -> Result<DerivationStep, DerivationError> {
     let x = |by: &[&str]| partial(question.displacement.clone(), by);
     let (growth, turn) = (Name::new("A").prime(), Name::new("ψ").prime());
     let velocity = Formula::from(&turn) * x(&["ψ"]) + Formula::from(&growth) * x(&["A"]);
@@ -211,7 +216,7 @@ pub(super) fn chain_rule(question: &Question) -> Result<DerivationStep, Derivati
 
 /// Checks the chain rule with example functions.
 fn checked_rate(
-    question: &Question,
+    question: &AveragingQuestion,
     statement: Statement,
     times: usize,
 ) -> Result<CheckedEquation, DerivationError> {
@@ -233,29 +238,32 @@ fn example_holds(choice: i64, times: usize) -> bool {
     let frequency =
         BTreeMap::from([((0, 0), number(choice + 1, 1)), ((2, 0), number(2, 5)), ((1, 1), number(1, 7))]);
     let term = |power, k, wave| PhaseFunction::term(power, k, wave, number(choice, 3));
-    let x = Series::from([
+    let x = PhaseSeries::from([
         ((1, 0), term(0, 1, Wave::Cosine)),
         ((3, 1), term(2, 2, Wave::Sine)),
         ((2, 0), term(1, 0, Wave::Cosine)),
     ]);
     let along = Along { growth: &growth, frequency: &frequency, level: 20, parameter_order: 9, lift: 0 };
-    let by_phase = |it: &Series| it.iter().map(|(place, part)| (*place, part.slope())).collect::<Series>();
-    let by_amplitude = |it: &Series| {
+    let by_phase =
+        |it: &PhaseSeries| it.iter().map(|(place, part)| (*place, part.slope())).collect::<PhaseSeries>();
+    let by_amplitude = |it: &PhaseSeries| {
         let degree = |n: usize| number(i64::try_from(n).unwrap_or(0), 1);
         let parts = it.iter().filter(|((n, _), _)| *n > 0);
-        parts.map(|((n, j), part)| ((n - 1, *j), part.scaled(&degree(*n)))).collect::<Series>()
+        parts.map(|((n, j), part)| ((n - 1, *j), part.scaled(&degree(*n)))).collect::<PhaseSeries>()
     };
-    let series = |it: &BTreeMap<Place, PiNumber>| {
-        it.iter().map(|(place, value)| (*place, PhaseFunction::constant(value.clone()))).collect::<Series>()
+    let series = |it: &BTreeMap<PowerPair, PiNumber>| {
+        it.iter()
+            .map(|(place, value)| (*place, PhaseFunction::constant(value.clone())))
+            .collect::<PhaseSeries>()
     };
     let (a, w) = (series(&growth), series(&frequency));
-    let product = |factors: &[&Series]| {
-        let one = Series::from([((0, 0), PhaseFunction::constant(number(1, 1)))]);
+    let product = |factors: &[&PhaseSeries]| {
+        let one = PhaseSeries::from([((0, 0), PhaseFunction::constant(number(1, 1)))]);
         factors.iter().fold(one, |product, it| along.times(&product, it))
     };
     let (x_a, x_p) = (by_amplitude(&x), by_phase(&x));
     let once = [product(&[&w, &x_p]), product(&[&a, &x_a])];
-    let two = Series::from([((0, 0), PhaseFunction::constant(number(2, 1)))]);
+    let two = PhaseSeries::from([((0, 0), PhaseFunction::constant(number(2, 1)))]);
     let twice = [
         product(&[&w, &w, &by_phase(&x_p)]),
         product(&[&two, &a, &w, &by_amplitude(&x_p)]),
@@ -263,7 +271,7 @@ fn example_holds(choice: i64, times: usize) -> bool {
         product(&[&a, &by_amplitude(&w), &x_p]),
         product(&[&a, &by_amplitude(&a), &x_a]),
     ];
-    let parts: &[Series] = if times == 1 { &once } else { &twice };
+    let parts: &[PhaseSeries] = if times == 1 { &once } else { &twice };
     let mut rest = if times == 1 { along.rate(&x) } else { along.rate(&along.rate(&x)) };
     for (place, part) in parts.iter().flatten() {
         let entry = rest.entry(*place).or_default();
@@ -273,7 +281,7 @@ fn example_holds(choice: i64, times: usize) -> bool {
 }
 
 /// The step that defines the amplitude.
-pub(super) fn gauge(question: &Question) -> DerivationStep {
+pub(super) fn gauge(question: &AveragingQuestion) -> DerivationStep {
     let at_start = |name: Name| Formula::Apply(name, vec![number(0)]);
     let (motion, velocity) =
         (below(question.displacement.clone(), &["n", "j"]), below(Name::new("v"), &["n", "j"]));

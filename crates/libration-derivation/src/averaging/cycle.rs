@@ -6,24 +6,24 @@ use super::super::formula::{Formula, Name, Statement, letter, order, polynomial,
 use super::super::phase::PiNumber;
 use super::flow::Flow;
 use super::orders::averaged;
-use super::question::Question;
+use super::question::AveragingQuestion;
 use libration::algebra::Rational;
 use libration::perturbation::{SlowFlow, SlowLimitCycle};
 
 /// A power series in the small parameter.
-type Series = Vec<Rational>;
+type CycleSeries = Vec<Rational>;
 
 /// The limit cycle of an odd self-excited oscillator with a linear spring, by powers of the parameter.
-struct Cycle {
+struct AveragedCycle {
     /// A², with one power less than the others.
-    square: Series,
-    frequency: Series,
-    exponent: Series,
+    square: CycleSeries,
+    frequency: CycleSeries,
+    exponent: CycleSeries,
 }
 
 /// The step; `None` if the slow flow has no limit cycle, or one that is not expanded in fractions.
 pub(super) fn step(
-    question: &Question,
+    question: &AveragingQuestion,
     flow: &Flow,
     known: &SlowFlow,
 ) -> Result<Option<DerivationStep>, DerivationError> {
@@ -31,9 +31,9 @@ pub(super) fn step(
     if powers == 0 || question.flow.kinked || !question.is_odd() {
         return Ok(None);
     }
-    let Some(cycle) = Cycle::new(flow, powers) else { return Ok(None) };
-    let same = |cycle: &Cycle, other: &SlowLimitCycle| {
-        let near = |a: &Series, b: &[f64]| {
+    let Some(cycle) = AveragedCycle::new(flow, powers) else { return Ok(None) };
+    let same = |cycle: &AveragedCycle, other: &SlowLimitCycle| {
+        let near = |a: &CycleSeries, b: &[f64]| {
             a.len() == b.len()
                 && a.iter().zip(b).all(|(a, b)| (a.to_f64() - b).abs() < 1e-9 * b.abs().max(1.0))
         };
@@ -48,14 +48,14 @@ pub(super) fn step(
     Ok(Some(written(question, &cycle, powers)))
 }
 
-fn written(question: &Question, cycle: &Cycle, powers: usize) -> DerivationStep {
+fn written(question: &AveragingQuestion, cycle: &AveragedCycle, powers: usize) -> DerivationStep {
     let c = || question.small();
-    let series = |it: &Series| {
+    let series = |it: &CycleSeries| {
         let next = i64::try_from(it.len()).unwrap_or(i64::MAX);
         let power = if next == 1 { c() } else { c().pow(next) };
         polynomial(it, &c()) + order(power)
     };
-    let show = |left: Formula, it: &Series, quantity: CycleQuantity| -> CheckedEquation {
+    let show = |left: Formula, it: &CycleSeries, quantity: CycleQuantity| -> CheckedEquation {
         let claim = AveragedClaim::Cycle { parameter: question.parameter.clone(), quantity };
         averaged(question, Statement::equal(left, series(it)), claim)
     };
@@ -90,11 +90,11 @@ fn written(question: &Question, cycle: &Cycle, powers: usize) -> DerivationStep 
     )
 }
 
-impl Cycle {
+impl AveragedCycle {
     /// Computes the cycle from the laws as polynomials in A², by powers of the parameter.
     fn new(flow: &Flow, powers: usize) -> Option<Self> {
         let rows = |map: &std::collections::BTreeMap<(usize, usize), PiNumber>, shift: usize| {
-            let mut rows = vec![Series::new(); powers + 1];
+            let mut rows = vec![CycleSeries::new(); powers + 1];
             for ((n, j), value) in map.iter().filter(|((_, j), _)| *j <= powers) {
                 let place = n.checked_sub(shift).filter(|n| n.is_multiple_of(2))? / 2;
                 let row = &mut rows[*j];
@@ -112,9 +112,9 @@ impl Cycle {
             let missed = along(&rates, &square, n + 1)[n + 1].clone();
             square[n] = -missed.checked_div(&slope)?;
         }
-        let slopes: Vec<Series> = rates.iter().map(|row| derivative(row)).collect();
+        let slopes: Vec<CycleSeries> = rates.iter().map(|row| derivative(row)).collect();
         let frequency = along(&phases, &square, powers);
-        let twice: Series = square.iter().map(|it| it.clone() * Rational::from(2)).collect();
+        let twice: CycleSeries = square.iter().map(|it| it.clone() * Rational::from(2)).collect();
         let exponent = product(&along(&slopes, &square, powers), &twice, powers + 1);
         Some(Self { square, frequency, exponent })
     }
@@ -137,14 +137,14 @@ fn positive_root(row: &[Rational]) -> Option<Rational> {
     }
 }
 
-fn derivative(row: &[Rational]) -> Series {
+fn derivative(row: &[Rational]) -> CycleSeries {
     let term =
         |(n, it): (usize, &Rational)| it.clone() * Rational::from(i64::try_from(n).unwrap_or(i64::MAX));
     row.iter().enumerate().skip(1).map(term).collect()
 }
 
 /// Σ εᵏ pₖ(B(ε)) up to a power of ε.
-fn along(rows: &[Series], square: &[Rational], last: usize) -> Series {
+fn along(rows: &[CycleSeries], square: &[Rational], last: usize) -> CycleSeries {
     let mut whole = vec![Rational::from(0); last + 1];
     for (k, row) in rows.iter().enumerate().take(last + 1) {
         for (sum, term) in whole[k..].iter_mut().zip(value(row, square, last + 1 - k)) {
@@ -155,7 +155,7 @@ fn along(rows: &[Series], square: &[Rational], last: usize) -> Series {
 }
 
 /// The value of a polynomial at a series.
-fn value(row: &[Rational], of: &[Rational], length: usize) -> Series {
+fn value(row: &[Rational], of: &[Rational], length: usize) -> CycleSeries {
     let zero = vec![Rational::from(0); length];
     row.iter().rev().fold(zero, |sum, coefficient| {
         let mut next = product(&sum, of, length);
@@ -164,7 +164,7 @@ fn value(row: &[Rational], of: &[Rational], length: usize) -> Series {
     })
 }
 
-fn product(a: &[Rational], b: &[Rational], length: usize) -> Series {
+fn product(a: &[Rational], b: &[Rational], length: usize) -> CycleSeries {
     let term = |n: usize| {
         let pairs = (0..=n).filter_map(|i| Some(a.get(n - i)?.clone() * b.get(i)?.clone()));
         pairs.fold(Rational::from(0), |sum, it| sum + it)

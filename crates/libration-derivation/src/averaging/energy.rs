@@ -8,13 +8,16 @@ use super::super::formula::{
     Formula, Name, Statement, apply, integral, letter, number, order, polynomial, scaled, sum,
 };
 use super::super::phase::{PhaseFunction, PiNumber, term_with};
-use super::flow::{Flow, Place};
+use super::flow::{Flow, PowerPair};
 use super::orders::averaged;
-use super::put_back::{Along, Series};
-use super::question::Question;
+use super::put_back::{Along, PhaseSeries};
+use super::question::AveragingQuestion;
 use libration::algebra::Rational;
 
-pub(super) fn step(question: &Question, flow: &Flow) -> Result<Option<DerivationStep>, DerivationError> {
+pub(super) fn step(
+    question: &AveragingQuestion,
+    flow: &Flow,
+) -> Result<Option<DerivationStep>, DerivationError> {
     let highest = question.order + 1 - question.flow.lift;
     let loss = loss(question, flow, highest);
     let growth = |n: usize| flow.growth.get(&(n, 1)).cloned().unwrap_or_default();
@@ -59,7 +62,7 @@ pub(super) fn step(question: &Question, flow: &Flow) -> Result<Option<Derivation
     Ok(Some(step))
 }
 
-fn mean(question: &Question) -> Formula {
+fn mean(question: &AveragingQuestion) -> Formula {
     let end = match question.half_turns() {
         1 => Formula::Pi,
         _ => 2 * Formula::Pi,
@@ -80,7 +83,7 @@ fn mean(question: &Question) -> Formula {
 }
 
 /// The restoring force at a displacement, by powers.
-fn force(question: &Question, highest: usize) -> Vec<Rational> {
+fn force(question: &AveragingQuestion, highest: usize) -> Vec<Rational> {
     let mut force = vec![Rational::from(0); highest + 1];
     let square = question.omega0().clone() * question.omega0().clone();
     let linear = [(1, square)].into_iter();
@@ -93,7 +96,7 @@ fn force(question: &Question, highest: usize) -> Vec<Rational> {
 }
 
 /// The entries without the small parameter.
-fn undamped<V: Clone>(all: &BTreeMap<Place, V>) -> BTreeMap<Place, V> {
+fn undamped<V: Clone>(all: &BTreeMap<PowerPair, V>) -> BTreeMap<PowerPair, V> {
     let mut undamped = BTreeMap::new();
     for (place, value) in all.iter().filter(|((_, j), _)| *j == 0) {
         undamped.insert(*place, value.clone());
@@ -102,7 +105,7 @@ fn undamped<V: Clone>(all: &BTreeMap<Place, V>) -> BTreeMap<Place, V> {
 }
 
 /// The mean of f·v over the undamped motion, by powers of the amplitude.
-fn loss(question: &Question, flow: &Flow, highest: usize) -> Vec<PiNumber> {
+fn loss(question: &AveragingQuestion, flow: &Flow, highest: usize) -> Vec<PiNumber> {
     let (motion, frequency) = (undamped(&flow.motion), undamped(&flow.frequency));
     let growth = BTreeMap::new();
     let along = Along { growth: &growth, frequency: &frequency, level: highest, parameter_order: 0, lift: 0 };
@@ -112,7 +115,8 @@ fn loss(question: &Question, flow: &Flow, highest: usize) -> Vec<PiNumber> {
         let factor = PhaseFunction::constant(term.factor.clone().into());
         let factors = std::iter::repeat_n(&motion, term.position);
         let factors = factors.chain(std::iter::repeat_n(&velocity, term.velocity + 1));
-        let product = factors.fold(Series::from([((0, 0), factor)]), |product, it| along.times(&product, it));
+        let product =
+            factors.fold(PhaseSeries::from([((0, 0), factor)]), |product, it| along.times(&product, it));
         for ((n, _), part) in product {
             let half_turns = question.half_turns();
             let whole = part.integral().at_half_turns(half_turns).times_power_of_pi(-1);

@@ -4,10 +4,10 @@ use super::super::check::{CheckedEquation, DerivationError, Given, same_series_w
 use super::super::document::DerivationStep;
 use super::super::formula::{Formula, Name, Statement, number, order, polynomial, tenths};
 use super::super::trials::Trials;
-use super::question::Question;
+use super::question::AveragingQuestion;
 use libration::algebra::Rational;
 
-pub(super) fn step(question: &Question) -> Result<DerivationStep, DerivationError> {
+pub(super) fn step(question: &AveragingQuestion) -> Result<DerivationStep, DerivationError> {
     let second = Formula::from(question.variable.clone().prime().prime());
     let whole = second + question.acceleration().negated();
     let step = DerivationStep::new("equation-of-motion", "The equation of motion")
@@ -30,7 +30,7 @@ pub(super) fn step(question: &Question) -> Result<DerivationStep, DerivationErro
 }
 
 /// States the origin of the displacement.
-fn about(question: &Question, step: DerivationStep) -> DerivationStep {
+fn about(question: &AveragingQuestion, step: DerivationStep) -> DerivationStep {
     let variable = Formula::from(&question.variable);
     if question.variable == question.displacement {
         return step;
@@ -44,7 +44,7 @@ fn about(question: &Question, step: DerivationStep) -> DerivationStep {
 }
 
 /// States the force for negative velocities.
-fn falling(question: &Question, step: DerivationStep) -> Result<DerivationStep, DerivationError> {
+fn falling(question: &AveragingQuestion, step: DerivationStep) -> Result<DerivationStep, DerivationError> {
     let velocity = question.variable.clone().prime();
     let trials = Trials::new(None)?
         .with(&question.variable, tenths(4))?
@@ -68,7 +68,7 @@ fn falling(question: &Question, step: DerivationStep) -> Result<DerivationStep, 
         .show(trials.compare_once(statement)?))
 }
 
-fn frequency(question: &Question, step: DerivationStep) -> DerivationStep {
+fn frequency(question: &AveragingQuestion, step: DerivationStep) -> DerivationStep {
     let omega = || Formula::from(Name::new("ω").index(0));
     let statement = Statement::equal(omega(), question.omega0().clone());
     step.say("Very small swings without the weak force have the frequency", [])
@@ -76,7 +76,7 @@ fn frequency(question: &Question, step: DerivationStep) -> DerivationStep {
 }
 
 /// The force without the weak terms, as a series.
-fn taylor(question: &Question, step: DerivationStep) -> Result<DerivationStep, DerivationError> {
+fn taylor(question: &AveragingQuestion, step: DerivationStep) -> Result<DerivationStep, DerivationError> {
     let mut coefficients = vec![Rational::from(0); question.order + 1];
     if let Some(first) = coefficients.get_mut(1) {
         *first = question.omega0().clone() * question.omega0().clone();

@@ -4,32 +4,32 @@ use std::collections::BTreeMap;
 
 use super::super::check::{DerivationError, FlowTerms};
 use super::super::phase::{PhaseFunction, PiNumber, Wave};
-use super::question::Question;
+use super::question::AveragingQuestion;
 use libration::algebra::{Polynomial, Rational, Variable};
 use libration::internals::progress::Watch;
 
 /// The powers of the amplitude and of the small parameter.
-pub(crate) type Place = (usize, usize);
+pub(crate) type PowerPair = (usize, usize);
 
 /// The slow flow of an oscillation under a weak force, up to some power of amplitude and parameter.
 #[derive(Debug)]
 pub struct Flow {
     /// The nonzero xₙⱼ.
-    pub motion: BTreeMap<Place, PhaseFunction>,
+    pub motion: BTreeMap<PowerPair, PhaseFunction>,
     /// The nonzero coefficients vₙⱼ of the velocity.
-    pub(crate) velocity: BTreeMap<Place, PhaseFunction>,
+    pub(crate) velocity: BTreeMap<PowerPair, PhaseFunction>,
     /// The nonzero aₙⱼ.
-    pub growth: BTreeMap<Place, PiNumber>,
+    pub growth: BTreeMap<PowerPair, PiNumber>,
     /// The nonzero wₙⱼ; w₀₀ = ω0.
-    pub frequency: BTreeMap<Place, PiNumber>,
+    pub frequency: BTreeMap<PowerPair, PiNumber>,
     /// Derivation of each power, in the order of computation.
-    pub(crate) orders: Vec<Order>,
+    pub(crate) orders: Vec<FlowOrder>,
 }
 
 /// One power of the amplitude and of the small parameter.
 #[derive(Debug)]
-pub(crate) struct Order {
-    pub(crate) place: Place,
+pub(crate) struct FlowOrder {
+    pub(crate) place: PowerPair,
     /// The parts of the equation of motion with their contributions to the right side.
     pub(crate) parts: Vec<Contribution>,
     /// The sum of the contributions.
@@ -42,7 +42,7 @@ pub(crate) struct Order {
 /// The contribution of a part of the equation of motion to its right side.
 #[derive(Debug)]
 pub(crate) struct Contribution {
-    pub(crate) part: Part,
+    pub(crate) part: EquationPart,
     /// The contribution as products of known functions.
     pub(crate) products: Polynomial,
     pub(crate) value: PhaseFunction,
@@ -50,7 +50,7 @@ pub(crate) struct Contribution {
 
 /// A part of the equation of motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Part {
+pub(crate) enum EquationPart {
     /// The square of ψ′ times the second derivative with respect to the phase.
     Fast,
     /// Twice A′ψ′ times the mixed derivative.
@@ -66,11 +66,11 @@ pub(crate) enum Part {
 }
 
 /// Series in the amplitude and the small parameter whose coefficients are products of names.
-type Named = BTreeMap<Place, Polynomial>;
+type Named = BTreeMap<PowerPair, Polynomial>;
 
 impl Flow {
     /// Computes all requested powers.
-    pub fn new(question: &Question, watch: &Watch<'_>) -> Result<Self, DerivationError> {
+    pub fn new(question: &AveragingQuestion, watch: &Watch<'_>) -> Result<Self, DerivationError> {
         let mut flow = Self {
             motion: alone((1, 0), PhaseFunction::cosine()),
             velocity: BTreeMap::new(),
@@ -89,7 +89,7 @@ impl Flow {
         Ok(flow)
     }
 
-    fn extend(&mut self, question: &Question, place: Place) -> Result<(), DerivationError> {
+    fn extend(&mut self, question: &AveragingQuestion, place: PowerPair) -> Result<(), DerivationError> {
         let parts = self.parts(&question.flow, place);
         let known = parts.iter().fold(PhaseFunction::default(), |sum, it| sum.plus(&it.value));
         let omega0 = question.omega0();
@@ -119,12 +119,12 @@ impl Flow {
         }
         insert(&mut self.motion, place, &motion);
         insert(&mut self.velocity, place, &velocity);
-        self.orders.push(Order { place, parts, known, growth, frequency, motion });
+        self.orders.push(FlowOrder { place, parts, known, growth, frequency, motion });
         Ok(())
     }
 
     /// Returns `true` if the order contributes nothing: no parts, no motion and no rates.
-    pub(crate) fn is_trivial(order: &Order) -> bool {
+    pub(crate) fn is_trivial(order: &FlowOrder) -> bool {
         order.parts.is_empty()
             && order.motion.is_zero()
             && order.growth.is_zero()
@@ -132,7 +132,7 @@ impl Flow {
     }
 
     /// The known part of the velocity, without the newest coefficients.
-    fn slow_velocity(&self, place: Place) -> PhaseFunction {
+    fn slow_velocity(&self, place: PowerPair) -> PhaseFunction {
         let (n, j) = place;
         let mut sum = PhaseFunction::default();
         for ((m, i), x) in &self.motion {
@@ -149,7 +149,7 @@ impl Flow {
     }
 
     /// The known contributions to the right side at these powers, part by part.
-    fn parts(&self, flow: &FlowTerms, place: Place) -> Vec<Contribution> {
+    fn parts(&self, flow: &FlowTerms, place: PowerPair) -> Vec<Contribution> {
         let x = names(&self.motion, "x");
         let [slope, curvature] = ["x'", "x''"].map(|letters| names(&self.motion, letters));
         let v = names(&self.velocity, "v");
@@ -163,17 +163,20 @@ impl Flow {
         };
         let by_amplitude = |series: &Named| derivative(series);
         let mut parts = vec![
-            (Part::Fast, product(&[&frequency, &frequency, &curvature])),
-            (Part::Mixed, product(&[&growth, &frequency, &by_amplitude(&slope)]).scaled(&Rational::from(2))),
-            (Part::Slow, product(&[&growth, &growth, &by_amplitude(&by_amplitude(&x))])),
-            (Part::Detuning, product(&[&growth, &by_amplitude(&frequency), &slope])),
-            (Part::Drift, product(&[&growth, &by_amplitude(&growth), &by_amplitude(&x)])),
+            (EquationPart::Fast, product(&[&frequency, &frequency, &curvature])),
+            (
+                EquationPart::Mixed,
+                product(&[&growth, &frequency, &by_amplitude(&slope)]).scaled(&Rational::from(2)),
+            ),
+            (EquationPart::Slow, product(&[&growth, &growth, &by_amplitude(&by_amplitude(&x))])),
+            (EquationPart::Detuning, product(&[&growth, &by_amplitude(&frequency), &slope])),
+            (EquationPart::Drift, product(&[&growth, &by_amplitude(&growth), &by_amplitude(&x)])),
         ];
         for (number, term) in flow.terms.iter().enumerate() {
             let shift = alone((0, term.parameter), Polynomial::constant(term.factor.clone()));
             let powers = std::iter::repeat_n(&x, term.position).chain(std::iter::repeat_n(&v, term.velocity));
             let factors: Vec<&Named> = [&shift].into_iter().chain(powers).collect();
-            parts.push((Part::Force(number), product(&factors)));
+            parts.push((EquationPart::Force(number), product(&factors)));
         }
         let moved = parts.into_iter().map(|(part, products)| {
             let products = -products;
@@ -198,8 +201,9 @@ impl Flow {
     fn named(&self, variable: &Variable) -> PhaseFunction {
         let index = usize::try_from(variable.index().unwrap_or(0)).unwrap_or(usize::MAX);
         let place = (index / 10, index % 10);
-        let function = |map: &BTreeMap<Place, PhaseFunction>| map.get(&place).cloned().unwrap_or_default();
-        let number = |map: &BTreeMap<Place, PiNumber>| {
+        let function =
+            |map: &BTreeMap<PowerPair, PhaseFunction>| map.get(&place).cloned().unwrap_or_default();
+        let number = |map: &BTreeMap<PowerPair, PiNumber>| {
             PhaseFunction::constant(map.get(&place).cloned().unwrap_or_default())
         };
         match variable.letters() {
@@ -214,7 +218,7 @@ impl Flow {
 }
 
 /// All pairs of powers, in an order in which each needs only earlier ones.
-fn places(question: &Question) -> Vec<Place> {
+fn places(question: &AveragingQuestion) -> Vec<PowerPair> {
     let lift = question.flow.lift;
     let all = (0..=question.order).flat_map(|level| {
         (0..=question.parameter_order).filter_map(move |j| Some((level.checked_sub(lift * j)?, j)))
@@ -224,7 +228,7 @@ fn places(question: &Question) -> Vec<Place> {
 
 /// The coefficients of A′ and ψ′ for which the forced motion has no secular part: the first harmonic of the
 /// total force on the right vanishes, or, if only a half swing is known, its projections on both waves.
-fn secular(question: &Question, known: &PhaseFunction) -> Option<(PiNumber, PiNumber)> {
+fn secular(question: &AveragingQuestion, known: &PhaseFunction) -> Option<(PiNumber, PiNumber)> {
     let half = Rational::from(-1).checked_div(&(Rational::from(2) * question.omega0().clone()))?;
     let part = |wave: Wave| match question.flow.kinked {
         false => known.coefficient(0, 1, wave),
@@ -245,18 +249,18 @@ pub(crate) fn secular_wave(omega0: &Rational, growth: &PiNumber, frequency: &PiN
 }
 
 /// The variable that denotes a coefficient.
-pub(crate) fn variable(letters: &str, (n, j): Place) -> Variable {
+pub(crate) fn variable(letters: &str, (n, j): PowerPair) -> Variable {
     Variable::indexed(letters, u32::try_from(10 * n + j).unwrap_or(u32::MAX))
 }
 
 /// A map with one entry.
-fn alone<V>(place: Place, value: V) -> BTreeMap<Place, V> {
+fn alone<V>(place: PowerPair, value: V) -> BTreeMap<PowerPair, V> {
     let mut map = BTreeMap::new();
     map.insert(place, value);
     map
 }
 
-fn names<V>(known: &BTreeMap<Place, V>, letters: &str) -> Named {
+fn names<V>(known: &BTreeMap<PowerPair, V>, letters: &str) -> Named {
     let mut names = Named::new();
     for place in known.keys() {
         names.insert(*place, Polynomial::variable(variable(letters, *place)));
@@ -275,7 +279,7 @@ fn derivative(series: &Named) -> Named {
 }
 
 /// The product, up to these powers.
-fn times(a: &Named, b: &Named, place: Place) -> Named {
+fn times(a: &Named, b: &Named, place: PowerPair) -> Named {
     let mut product = Named::new();
     for ((n, j), left) in a {
         for ((m, i), right) in b.iter().filter(|((m, i), _)| n + m <= place.0 && j + i <= place.1) {
@@ -286,13 +290,13 @@ fn times(a: &Named, b: &Named, place: Place) -> Named {
     product
 }
 
-fn insert(map: &mut BTreeMap<Place, PhaseFunction>, place: Place, value: &PhaseFunction) {
+fn insert(map: &mut BTreeMap<PowerPair, PhaseFunction>, place: PowerPair, value: &PhaseFunction) {
     if !value.is_zero() {
         map.insert(place, value.clone());
     }
 }
 
-fn insert_number(map: &mut BTreeMap<Place, PiNumber>, place: Place, value: &PiNumber) {
+fn insert_number(map: &mut BTreeMap<PowerPair, PiNumber>, place: PowerPair, value: &PiNumber) {
     if !value.is_zero() {
         map.insert(place, value.clone());
     }

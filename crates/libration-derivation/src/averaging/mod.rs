@@ -30,7 +30,7 @@ use libration::internals::progress::Watch;
 use libration::perturbation::SlowFlow;
 use libration::progress::{Interrupted, Progress, Stage};
 
-pub(super) use question::Question;
+pub(super) use question::AveragingQuestion;
 pub use question::{HIGHEST_AMPLITUDE_ORDER, HIGHEST_DAMPING_ORDER};
 pub(super) use tables::in_terms;
 
@@ -62,7 +62,7 @@ pub fn averaging(
 ) -> Result<Derivation, DerivationError> {
     let watch = &Watch::new(progress);
     watch.begin(Stage::Whole, Some(PARTS.len()));
-    let question = Question::new(equation, parameter, [order, parameter_order])?;
+    let question = AveragingQuestion::new(equation, parameter, [order, parameter_order])?;
     let flow = Flow::new(&question, watch)?;
     put_back::check(&question, &flow)?;
     let known = match put_back::agrees_with_library(&question, &flow, &watch.part()) {
@@ -82,10 +82,10 @@ pub fn averaging(
 }
 
 /// A function that returns some steps of a derivation.
-type Part = fn(&Question, &Flow, &SlowFlow) -> Result<Vec<DerivationStep>, DerivationError>;
+type AveragingPart = fn(&AveragingQuestion, &Flow, &SlowFlow) -> Result<Vec<DerivationStep>, DerivationError>;
 
 /// All parts, in order.
-const PARTS: [Part; 12] = [
+const PARTS: [AveragingPart; 12] = [
     |question, _, _| Ok(vec![equation::step(question)?]),
     |question, flow, _| Ok(vec![ansatz::step(question, flow)]),
     |question, _, _| Ok(vec![ansatz::chain_rule(question)?, ansatz::gauge(question)]),

@@ -2,13 +2,13 @@
 
 use super::super::formula::{Formula, Name, Subscript, letter, scaled, sum};
 use super::super::phase::{PiNumber, term_with};
-use super::flow::Place;
-use super::question::Question;
+use super::flow::PowerPair;
+use super::question::AveragingQuestion;
 use libration::algebra::{Polynomial, Rational, Variable};
 use std::collections::BTreeMap;
 
 /// A symbol with the two powers as subscript.
-pub(super) fn indexed(name: Name, (n, j): Place) -> Name {
+pub(super) fn indexed(name: Name, (n, j): PowerPair) -> Name {
     match n {
         // A number would lose its leading zero.
         0 => Name { subscript: Some(Subscript::Word(format!("0{j}"))), ..name },
@@ -17,26 +17,26 @@ pub(super) fn indexed(name: Name, (n, j): Place) -> Name {
 }
 
 /// xₙⱼ.
-pub(super) fn motion_name(question: &Question, place: Place) -> Name {
+pub(super) fn motion_name(question: &AveragingQuestion, place: PowerPair) -> Name {
     indexed(question.displacement.clone(), place)
 }
 
-pub(super) fn velocity_name(place: Place) -> Name {
+pub(super) fn velocity_name(place: PowerPair) -> Name {
     indexed(Name::new("v"), place)
 }
 
 /// aₙⱼ.
-pub(super) fn growth_name(place: Place) -> Name {
+pub(super) fn growth_name(place: PowerPair) -> Name {
     indexed(Name::new("a"), place)
 }
 
 /// wₙⱼ.
-pub(super) fn frequency_name(place: Place) -> Name {
+pub(super) fn frequency_name(place: PowerPair) -> Name {
     indexed(Name::new("w"), place)
 }
 
 /// Products of coefficients as a formula.
-pub(super) fn of_products(question: &Question, products: &Polynomial) -> Formula {
+pub(super) fn of_products(question: &AveragingQuestion, products: &Polynomial) -> Formula {
     let terms = products.terms().map(|(monomial, factor)| {
         let factors = monomial.factors().iter().map(|(variable, exponent)| {
             let base = Formula::from(of_variable(question, variable));
@@ -50,7 +50,7 @@ pub(super) fn of_products(question: &Question, products: &Polynomial) -> Formula
     sum(terms.collect())
 }
 
-fn of_variable(question: &Question, variable: &Variable) -> Name {
+fn of_variable(question: &AveragingQuestion, variable: &Variable) -> Name {
     let index = usize::try_from(variable.index().unwrap_or(0)).unwrap_or(usize::MAX);
     let primes = variable.letters().chars().filter(|letter| *letter == '\'').count();
     let name = match variable.letters().trim_end_matches('\'') {
@@ -62,7 +62,7 @@ fn of_variable(question: &Question, variable: &Variable) -> Name {
 }
 
 /// Aⁿcʲ.
-pub(super) fn powers(question: &Question, (n, j): Place) -> Vec<Formula> {
+pub(super) fn powers(question: &AveragingQuestion, (n, j): PowerPair) -> Vec<Formula> {
     let power = |base: Formula, n: usize| match n {
         0 => None,
         1 => Some(base),
@@ -72,14 +72,15 @@ pub(super) fn powers(question: &Question, (n, j): Place) -> Vec<Formula> {
 }
 
 /// Aⁿcʲ as one formula.
-pub(super) fn power(question: &Question, place: Place) -> Formula {
+pub(super) fn power(question: &AveragingQuestion, place: PowerPair) -> Formula {
     let factors = powers(question, place);
     factors.into_iter().reduce(|product, factor| product * factor).unwrap_or_else(|| Formula::from(1))
 }
 
 /// Σ coefficient·Aⁿcʲ, lower powers of the small parameter first.
-pub(super) fn law(question: &Question, coefficients: &BTreeMap<Place, PiNumber>) -> Formula {
-    let mut places: Vec<&Place> = coefficients.keys().filter(|place| question.asks_for(**place)).collect();
+pub(super) fn law(question: &AveragingQuestion, coefficients: &BTreeMap<PowerPair, PiNumber>) -> Formula {
+    let mut places: Vec<&PowerPair> =
+        coefficients.keys().filter(|place| question.asks_for(**place)).collect();
     places.sort_by_key(|(n, j)| (*j, *n));
     let terms = places.into_iter().flat_map(|place| {
         let value = coefficients.get(place).into_iter().flat_map(PiNumber::terms);
@@ -90,7 +91,7 @@ pub(super) fn law(question: &Question, coefficients: &BTreeMap<Place, PiNumber>)
 }
 
 /// A factor ω0ⁿ, left out if ω0 is one.
-pub(super) fn times_omega0(question: &Question, exponent: isize, formula: Formula) -> Formula {
+pub(super) fn times_omega0(question: &AveragingQuestion, exponent: isize, formula: Formula) -> Formula {
     let factor = question.omega0().integer_power(exponent).unwrap_or_else(|| Rational::from(1));
     scaled(&factor, formula)
 }

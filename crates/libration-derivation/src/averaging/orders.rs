@@ -7,11 +7,11 @@ use super::super::phase::{self, PhaseFunction, PiNumber, Wave};
 use super::super::prose::Prose;
 use super::super::trials::Trials;
 use super::ansatz::second_derivative;
-use super::flow::{Contribution, Flow, Order, Part};
+use super::flow::{Contribution, EquationPart, Flow, FlowOrder};
 use super::names::{
     frequency_name, growth_name, motion_name, of_products, phase, times_omega0, velocity_name,
 };
-use super::question::Question;
+use super::question::AveragingQuestion;
 use super::tables::in_terms;
 use libration::algebra::Rational;
 
@@ -20,7 +20,10 @@ const OPEN_TO_READ: usize = 3;
 /// Largest number of terms from lower powers that is shown under an integral.
 const SHORT: usize = 2;
 
-pub(super) fn steps(question: &Question, flow: &Flow) -> Result<Vec<DerivationStep>, DerivationError> {
+pub(super) fn steps(
+    question: &AveragingQuestion,
+    flow: &Flow,
+) -> Result<Vec<DerivationStep>, DerivationError> {
     let first = beginning(question, flow);
     let orders =
         flow.orders.iter().filter(|order| question.asks_for(order.place) && !Flow::is_trivial(order));
@@ -29,7 +32,7 @@ pub(super) fn steps(question: &Question, flow: &Flow) -> Result<Vec<DerivationSt
 }
 
 /// The power A without the small parameter.
-fn beginning(question: &Question, flow: &Flow) -> DerivationStep {
+fn beginning(question: &AveragingQuestion, flow: &Flow) -> DerivationStep {
     let place = (1, 0);
     let velocity = flow.velocity.get(&place).cloned().unwrap_or_default();
     DerivationStep::new("order-1-0", "The beginning")
@@ -44,7 +47,11 @@ fn beginning(question: &Question, flow: &Flow) -> DerivationStep {
         )))
 }
 
-fn one_power(question: &Question, flow: &Flow, order: &Order) -> Result<DerivationStep, DerivationError> {
+fn one_power(
+    question: &AveragingQuestion,
+    flow: &Flow,
+    order: &FlowOrder,
+) -> Result<DerivationStep, DerivationError> {
     let (n, j) = order.place;
     let heading = format!("The power {}", heading(question, order.place));
     let step = DerivationStep::new(&format!("order-{n}-{j}"), &heading);
@@ -64,7 +71,7 @@ fn one_power(question: &Question, flow: &Flow, order: &Order) -> Result<Derivati
 }
 
 /// Aⁿcʲ as plain text.
-fn heading(question: &Question, (n, j): (usize, usize)) -> String {
+fn heading(question: &AveragingQuestion, (n, j): (usize, usize)) -> String {
     let raised = |letter: &str, n: usize| match n {
         0 => String::new(),
         1 => letter.to_owned(),
@@ -81,7 +88,7 @@ fn superscript(n: usize) -> String {
 }
 
 /// The contribution of each part of the equation of motion, as products of lower results and evaluated.
-fn table(question: &Question, order: &Order) -> DerivationTable {
+fn table(question: &AveragingQuestion, order: &FlowOrder) -> DerivationTable {
     let row = |it: &Contribution| {
         vec![
             Prose::formula(part(question, it.part)),
@@ -100,20 +107,20 @@ fn table(question: &Question, order: &Order) -> DerivationTable {
 }
 
 /// A part of the equation of motion as a formula.
-fn part(question: &Question, part: Part) -> Formula {
+fn part(question: &AveragingQuestion, part: EquationPart) -> Formula {
     let [fast, mixed, slow, detuning, drift] = second_derivative(question);
     match part {
-        Part::Fast => fast,
-        Part::Mixed => mixed,
-        Part::Slow => slow,
-        Part::Detuning => detuning,
-        Part::Drift => drift,
-        Part::Force(number) => force(question, number),
+        EquationPart::Fast => fast,
+        EquationPart::Mixed => mixed,
+        EquationPart::Slow => slow,
+        EquationPart::Detuning => detuning,
+        EquationPart::Drift => drift,
+        EquationPart::Force(number) => force(question, number),
     }
 }
 
 /// A term of the force, with the velocity as a symbol.
-fn force(question: &Question, number: usize) -> Formula {
+fn force(question: &AveragingQuestion, number: usize) -> Formula {
     let Some(term) = question.flow.terms.get(number) else { return Formula::from(0) };
     let velocity = Formula::from(question.displacement.clone().prime());
     let raised = |base: Formula, n: usize| monomial(&Rational::from(1), &base, n);
@@ -127,7 +134,7 @@ fn force(question: &Question, number: usize) -> Formula {
 }
 
 /// The equation at this power.
-fn forcing(question: &Question, order: &Order) -> CheckedEquation {
+fn forcing(question: &AveragingQuestion, order: &FlowOrder) -> CheckedEquation {
     let (n, j) = order.place;
     let x = |primes: usize| {
         let name = motion_name(question, order.place);
@@ -157,15 +164,19 @@ fn summands(formula: Formula) -> Vec<Formula> {
     }
 }
 
-pub(super) fn averaged(question: &Question, statement: Statement, claim: AveragedClaim) -> CheckedEquation {
+pub(super) fn averaged(
+    question: &AveragingQuestion,
+    statement: Statement,
+    claim: AveragedClaim,
+) -> CheckedEquation {
     let formula = AveragedFormula { flow: question.flow.clone(), claim };
     CheckedEquation::new(statement, Check::Averaged(Box::new(formula)))
 }
 
 /// The conditions for the rates of amplitude and phase.
 fn conditions(
-    question: &Question,
-    order: &Order,
+    question: &AveragingQuestion,
+    order: &FlowOrder,
     step: DerivationStep,
 ) -> Result<DerivationStep, DerivationError> {
     let found = rates(order);
@@ -190,7 +201,7 @@ fn conditions(
 }
 
 /// The nonzero coefficients.
-fn rates(order: &Order) -> Vec<(Name, PiNumber, AveragedClaim, Wave)> {
+fn rates(order: &FlowOrder) -> Vec<(Name, PiNumber, AveragedClaim, Wave)> {
     let (n, j) = order.place;
     let growth = (!order.growth.is_zero()).then(|| {
         let claim = AveragedClaim::Growth { power: n, parameter: j };
@@ -205,8 +216,8 @@ fn rates(order: &Order) -> Vec<(Name, PiNumber, AveragedClaim, Wave)> {
 
 /// The coefficients, with the integral for each if the motion is given by half swings or the integral is short.
 fn rates_with_integrals(
-    question: &Question,
-    order: &Order,
+    question: &AveragingQuestion,
+    order: &FlowOrder,
     found: Vec<(Name, PiNumber, AveragedClaim, Wave)>,
 ) -> Result<Vec<CheckedEquation>, DerivationError> {
     let is_short = question.flow.kinked && order.known.terms().count() <= SHORT;
@@ -226,13 +237,18 @@ fn rates_with_integrals(
 }
 
 /// The motion at this power.
-fn motion(question: &Question, order: &Order) -> CheckedEquation {
+fn motion(question: &AveragingQuestion, order: &FlowOrder) -> CheckedEquation {
     let (power, parameter) = order.place;
     let statement = Statement::equal(motion_name(question, order.place), phase::series(&order.motion, "ψ"));
     averaged(question, statement, AveragedClaim::Motion { power, parameter })
 }
 
-fn with_velocity(question: &Question, flow: &Flow, order: &Order, step: DerivationStep) -> DerivationStep {
+fn with_velocity(
+    question: &AveragingQuestion,
+    flow: &Flow,
+    order: &FlowOrder,
+    step: DerivationStep,
+) -> DerivationStep {
     let velocity = flow.velocity.get(&order.place).cloned().unwrap_or_default();
     let is_needed = question.flow.terms.iter().any(|term| term.velocity > 0);
     if !is_needed || velocity == PhaseFunction::default() {

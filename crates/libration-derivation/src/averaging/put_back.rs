@@ -4,19 +4,19 @@ use std::collections::BTreeMap;
 
 use super::super::check::{DerivationError, FlowTerms};
 use super::super::phase::{PhaseFunction, PiNumber, Wave};
-use super::flow::{Flow, Place};
-use super::question::Question;
+use super::flow::{Flow, PowerPair};
+use super::question::AveragingQuestion;
 use libration::algebra::{PiSum, Rational};
 use libration::internals::progress::Watch;
 use libration::perturbation::{Gauge, PhaseTerm, SlowFlow, slow_flow};
 
 /// A function of amplitude, parameter and phase.
-pub(crate) type Series = BTreeMap<Place, PhaseFunction>;
+pub(crate) type PhaseSeries = BTreeMap<PowerPair, PhaseFunction>;
 
 /// Amplitude and phase in time, with the powers at which products are truncated.
 pub(crate) struct Along<'a> {
-    pub(crate) growth: &'a BTreeMap<Place, PiNumber>,
-    pub(crate) frequency: &'a BTreeMap<Place, PiNumber>,
+    pub(crate) growth: &'a BTreeMap<PowerPair, PiNumber>,
+    pub(crate) frequency: &'a BTreeMap<PowerPair, PiNumber>,
     /// The highest power of the amplitude; includes the power of the parameter if `lift` is one.
     pub(crate) level: usize,
     pub(crate) parameter_order: usize,
@@ -25,8 +25,8 @@ pub(crate) struct Along<'a> {
 
 impl Along<'_> {
     /// The time derivative: ψ′ ∂/∂ψ + A′ ∂/∂A.
-    pub(crate) fn rate(&self, function: &Series) -> Series {
-        let mut rate = Series::new();
+    pub(crate) fn rate(&self, function: &PhaseSeries) -> PhaseSeries {
+        let mut rate = PhaseSeries::new();
         for ((m, i), part) in function {
             for ((n, j), frequency) in self.frequency {
                 self.add(&mut rate, (n + m, j + i), &part.slope().scaled(frequency));
@@ -39,8 +39,8 @@ impl Along<'_> {
         rate
     }
 
-    pub(crate) fn times(&self, a: &Series, b: &Series) -> Series {
-        let mut product = Series::new();
+    pub(crate) fn times(&self, a: &PhaseSeries, b: &PhaseSeries) -> PhaseSeries {
+        let mut product = PhaseSeries::new();
         for ((n, j), left) in a {
             for ((m, i), right) in b.iter().filter(|((m, i), _)| self.counts((n + m, j + i))) {
                 self.add(&mut product, (n + m, j + i), &left.times(right));
@@ -49,11 +49,11 @@ impl Along<'_> {
         product
     }
 
-    fn counts(&self, (n, j): Place) -> bool {
+    fn counts(&self, (n, j): PowerPair) -> bool {
         n + self.lift * j <= self.level && j <= self.parameter_order
     }
 
-    fn add(&self, sum: &mut Series, place: Place, part: &PhaseFunction) {
+    fn add(&self, sum: &mut PhaseSeries, place: PowerPair, part: &PhaseFunction) {
         if self.counts(place) {
             let entry = sum.entry(place).or_default();
             *entry = entry.plus(part);
@@ -61,11 +61,11 @@ impl Along<'_> {
     }
 
     /// Σ factor·xⁱ·vᵏ·cʲ.
-    fn force(&self, flow: &FlowTerms, x: &Series, v: &Series) -> Series {
-        let mut sum = Series::new();
+    fn force(&self, flow: &FlowTerms, x: &PhaseSeries, v: &PhaseSeries) -> PhaseSeries {
+        let mut sum = PhaseSeries::new();
         for term in &flow.terms {
             let factor = PhaseFunction::constant(term.factor.clone().into());
-            let start = Series::from([((0, term.parameter), factor)]);
+            let start = PhaseSeries::from([((0, term.parameter), factor)]);
             let factors = std::iter::repeat_n(x, term.position).chain(std::iter::repeat_n(v, term.velocity));
             let product = factors.fold(start, |product, it| self.times(&product, it));
             product.iter().for_each(|(place, part)| self.add(&mut sum, *place, part));
@@ -75,7 +75,7 @@ impl Along<'_> {
 }
 
 /// Differentiates the motion twice along the flow and compares the result with the force.
-pub fn check(question: &Question, flow: &Flow) -> Result<(), DerivationError> {
+pub fn check(question: &AveragingQuestion, flow: &Flow) -> Result<(), DerivationError> {
     let along = along(question, flow);
     let velocity = along.rate(&flow.motion);
     let mut rest = along.rate(&velocity);
@@ -83,12 +83,12 @@ pub fn check(question: &Question, flow: &Flow) -> Result<(), DerivationError> {
     flow.motion.iter().for_each(|(place, part)| along.add(&mut rest, *place, &part.scaled(&square)));
     let force = along.force(&question.flow, &flow.motion, &velocity);
     force.iter().for_each(|(place, part)| along.add(&mut rest, *place, part));
-    let begins = |place: &Place| flow.motion.get(place).map(PhaseFunction::at_start).unwrap_or_default();
-    let is_turn = |place: &Place, part: &PhaseFunction| {
+    let begins = |place: &PowerPair| flow.motion.get(place).map(PhaseFunction::at_start).unwrap_or_default();
+    let is_turn = |place: &PowerPair, part: &PhaseFunction| {
         part.at_start().is_zero() && (begins(place).is_zero() || *place == (1, 0))
     };
     let turns = velocity.iter().all(|(place, part)| is_turn(place, part));
-    let known = |place: &Place| velocity.get(place).cloned().unwrap_or_default();
+    let known = |place: &PowerPair| velocity.get(place).cloned().unwrap_or_default();
     let same = flow.velocity.iter().all(|(place, part)| known(place) == *part);
     let (opposite, half_turns) = match question.half_turns() {
         1 => (Rational::from(-1), 1),
@@ -106,7 +106,7 @@ pub fn check(question: &Question, flow: &Flow) -> Result<(), DerivationError> {
     }
 }
 
-pub(crate) fn along<'a>(question: &Question, flow: &'a Flow) -> Along<'a> {
+pub(crate) fn along<'a>(question: &AveragingQuestion, flow: &'a Flow) -> Along<'a> {
     let lift = question.flow.lift;
     Along {
         growth: &flow.growth,
@@ -119,18 +119,18 @@ pub(crate) fn along<'a>(question: &Question, flow: &'a Flow) -> Along<'a> {
 
 /// Compares every coefficient with the library's, which come from another algorithm.
 pub fn agrees_with_library(
-    question: &Question,
+    question: &AveragingQuestion,
     flow: &Flow,
     watch: &Watch<'_>,
 ) -> Result<SlowFlow, DerivationError> {
     let (equation, name) = (&question.equation, question.force.parameter.as_str());
     let known =
         slow_flow(equation, Some(name), question.order, question.parameter_order, &Gauge::XMax, watch)?;
-    let is = |own: &BTreeMap<Place, PiNumber>, place: Place, other: &PiSum| {
+    let is = |own: &BTreeMap<PowerPair, PiNumber>, place: PowerPair, other: &PiSum| {
         own.get(&place).cloned().unwrap_or_default().is(other)
     };
     // A coefficient of the phase is determined together with the next power of the amplitude.
-    let same = |own: &BTreeMap<Place, PiNumber>, series: &Vec<Vec<PiSum>>, found_with: usize| {
+    let same = |own: &BTreeMap<PowerPair, PiNumber>, series: &Vec<Vec<PiSum>>, found_with: usize| {
         let rows = series.iter().enumerate();
         rows.flat_map(|(j, row)| row.iter().enumerate().map(move |(n, it)| ((n, j), it)))
             .filter(|((n, j), _)| question.asks_for((n + found_with, *j)))
@@ -143,9 +143,9 @@ pub fn agrees_with_library(
     }
 }
 
-fn has_the_motion(question: &Question, flow: &Flow, terms: &[PhaseTerm]) -> bool {
-    let shown = |place: &Place| question.asks_for(*place);
-    let mut own: BTreeMap<(Place, usize, usize, Wave), PiNumber> = BTreeMap::new();
+fn has_the_motion(question: &AveragingQuestion, flow: &Flow, terms: &[PhaseTerm]) -> bool {
+    let shown = |place: &PowerPair| question.asks_for(*place);
+    let mut own: BTreeMap<(PowerPair, usize, usize, Wave), PiNumber> = BTreeMap::new();
     for (place, part) in flow.motion.iter().filter(|(place, _)| shown(place)) {
         for ((power, k, wave), value) in part.terms() {
             own.insert((*place, power, k, wave), value.clone());

@@ -14,7 +14,7 @@ pub const HIGHEST_DAMPING_ORDER: usize = 4;
 
 /// An oscillator and the weak force on it, prepared.
 #[derive(Debug)]
-pub struct Question {
+pub struct AveragingQuestion {
     pub(crate) equation: Equation,
     pub(crate) force: WeakForce,
     /// The variable of the equation of motion.
@@ -33,7 +33,7 @@ pub struct Question {
     pub(crate) parameter_order: usize,
 }
 
-impl Question {
+impl AveragingQuestion {
     /// Prepares an equation, its small parameter and the highest powers of amplitude and parameter.
     pub fn new(
         equation: &Equation,

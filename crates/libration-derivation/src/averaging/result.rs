@@ -6,9 +6,9 @@ use super::super::formula::{Formula, Name, Statement};
 use super::flow::Flow;
 use super::names::law;
 use super::orders::averaged;
-use super::question::Question;
+use super::question::AveragingQuestion;
 
-pub(super) fn step(question: &Question, flow: &Flow) -> DerivationStep {
+pub(super) fn step(question: &AveragingQuestion, flow: &Flow) -> DerivationStep {
     let parameter = || question.parameter.clone();
     let amplitude = Statement::equal(Name::new("A").prime(), law(question, &flow.growth));
     let phase = Statement::equal(Name::new("ψ").prime(), law(question, &flow.frequency));

@@ -7,9 +7,9 @@ use super::super::formula::{
 };
 use super::super::trials::Trials;
 use super::names::{below, phase, times_omega0};
-use super::question::Question;
+use super::question::AveragingQuestion;
 
-pub(super) fn step(question: &Question) -> Result<DerivationStep, DerivationError> {
+pub(super) fn step(question: &AveragingQuestion) -> Result<DerivationStep, DerivationError> {
     let step = DerivationStep::new("conditions", "The condition in each power");
     let step = equation_of_a_power(question, step);
     let trials = Trials::new(None)?.with(&Name::new("ψ"), tenths(7))?;
@@ -40,7 +40,7 @@ fn forcing() -> Formula {
     below(Name::new("R"), &["n", "j"]).into()
 }
 
-fn equation_of_a_power(question: &Question, step: DerivationStep) -> DerivationStep {
+fn equation_of_a_power(question: &AveragingQuestion, step: DerivationStep) -> DerivationStep {
     let x = |primes: usize| {
         let name = below(question.displacement.clone(), &["n", "j"]);
         Formula::from((0..primes).fold(name, |name, _| name.prime()))
@@ -91,7 +91,7 @@ fn whole_swing(step: DerivationStep, trials: &Trials) -> Result<DerivationStep, 
 
 /// The conditions if the next half swing is the opposite of this one.
 fn half_swing(
-    question: &Question,
+    question: &AveragingQuestion,
     step: DerivationStep,
     trials: &Trials,
 ) -> Result<DerivationStep, DerivationError> {

@@ -11,13 +11,16 @@ use super::super::phase::{self, PiNumber};
 use super::super::trials::Trials;
 use super::flow::Flow;
 use super::names::growth_name;
-use super::question::Question;
+use super::question::AveragingQuestion;
 use libration::algebra::{Function, Rational};
 
 /// The symbol of slow time.
 const SLOW: &str = "τ";
 
-pub(super) fn step(question: &Question, flow: &Flow) -> Result<Option<DerivationStep>, DerivationError> {
+pub(super) fn step(
+    question: &AveragingQuestion,
+    flow: &Flow,
+) -> Result<Option<DerivationStep>, DerivationError> {
     if let Some((n, _)) = question.power_law() {
         let Some(rate) = flow.growth.get(&(n, 1)) else { return Ok(None) };
         return power_law(question, n, &rate.negated()).map(Some);
@@ -25,7 +28,7 @@ pub(super) fn step(question: &Question, flow: &Flow) -> Result<Option<Derivation
     self_excitation(question, flow)
 }
 
-fn slow_time(question: &Question) -> CheckedEquation {
+fn slow_time(question: &AveragingQuestion) -> CheckedEquation {
     CheckedEquation::definition(Statement::defined(letter(SLOW), question.small() * letter("t")))
 }
 
@@ -38,7 +41,11 @@ fn start() -> Name {
 }
 
 /// dA/dτ = −βAⁿ.
-fn power_law(question: &Question, n: usize, beta: &PiNumber) -> Result<DerivationStep, DerivationError> {
+fn power_law(
+    question: &AveragingQuestion,
+    n: usize,
+    beta: &PiNumber,
+) -> Result<DerivationStep, DerivationError> {
     let (name, power) = (Name::new("β"), i64::try_from(n).unwrap_or(i64::MAX));
     let mut trials = Trials::new(None)?.with(&start(), tenths(3))?.with(&Name::new(SLOW), tenths(4))?;
     let value = trials.define(&name, mean(question, n))?;
@@ -109,7 +116,7 @@ fn kind(n: usize) -> &'static str {
 }
 
 /// factor·ω0ⁿ⁻¹ times a formula.
-fn times_strength(question: &Question, n: usize, formula: Formula) -> Formula {
+fn times_strength(question: &AveragingQuestion, n: usize, formula: Formula) -> Formula {
     let factor = question.power_law().map_or_else(|| Rational::from(1), |(_, factor)| factor);
     let exponent = isize::try_from(n).unwrap_or(isize::MAX) - 1;
     let power = question.omega0().integer_power(exponent).unwrap_or_else(|| Rational::from(1));
@@ -117,7 +124,7 @@ fn times_strength(question: &Question, n: usize, formula: Formula) -> Formula {
 }
 
 /// The first harmonic of a power of the sine.
-fn mean(question: &Question, n: usize) -> Formula {
+fn mean(question: &AveragingQuestion, n: usize) -> Formula {
     let power = i64::try_from(n + 1).unwrap_or(i64::MAX);
     let raised = if n == 0 { sin(letter("ψ")) } else { sin(letter("ψ")).pow(power) };
     times_strength(question, n, number(1) / Formula::Pi) * integral("ψ", 0, Formula::Pi, raised)
@@ -125,7 +132,7 @@ fn mean(question: &Question, n: usize) -> Formula {
 
 /// The value of the first harmonic of a power of the sine, which is the number in the law.
 fn coefficient(
-    question: &Question,
+    question: &AveragingQuestion,
     n: usize,
     beta: &PiNumber,
     step: DerivationStep,
@@ -179,7 +186,10 @@ fn harmonics(n: usize, step: DerivationStep, trials: &Trials) -> Result<Derivati
 }
 
 /// dA/dτ = αA − βA³, which has a limit cycle.
-fn self_excitation(question: &Question, flow: &Flow) -> Result<Option<DerivationStep>, DerivationError> {
+fn self_excitation(
+    question: &AveragingQuestion,
+    flow: &Flow,
+) -> Result<Option<DerivationStep>, DerivationError> {
     let first: Vec<(usize, Option<Rational>)> = (flow.growth.iter())
         .filter(|((_, j), _)| *j == 1)
         .map(|((n, _), value)| (*n, value.to_rational()))

@@ -10,13 +10,13 @@ use super::super::formula::{
 use super::super::phase::PiNumber;
 use super::super::trials::Trials;
 use super::flow::Flow;
-use super::question::Question;
+use super::question::AveragingQuestion;
 use libration::algebra::{Function, Rational, Rationals};
 use libration::expression::{Expression, Symbol};
 
 /// Viscous damping: the smallest swings are those of a linear spring.
 pub(super) fn linear_spring(
-    question: &Question,
+    question: &AveragingQuestion,
     flow: &Flow,
 ) -> Result<Option<DerivationStep>, DerivationError> {
     let Some((1, factor)) = question.power_law() else { return Ok(None) };
@@ -72,7 +72,10 @@ pub(super) fn linear_spring(
 }
 
 /// The pendulum at any amplitude, to first power of the damping, if the loss per cycle is elementary.
-pub(super) fn pendulum(question: &Question, flow: &Flow) -> Result<Option<DerivationStep>, DerivationError> {
+pub(super) fn pendulum(
+    question: &AveragingQuestion,
+    flow: &Flow,
+) -> Result<Option<DerivationStep>, DerivationError> {
     let is_pendulum = is_sine(question);
     let power = question.power_law().filter(|(_, factor)| is_pendulum && *factor == Rational::from(1));
     let Some((n @ (0 | 2), _)) = power else { return Ok(None) };
@@ -138,7 +141,7 @@ pub(super) fn pendulum(question: &Question, flow: &Flow) -> Result<Option<Deriva
 }
 
 /// Returns `true` if the restoring force is the sine.
-fn is_sine(question: &Question) -> bool {
+fn is_sine(question: &AveragingQuestion) -> bool {
     let x = Symbol::plain(question.force.oscillator.variable());
     let own = question.force.oscillator.acceleration();
     let sine = Expression::Call(Function::Sin, Box::new(Expression::Symbol(x.clone())));
@@ -148,7 +151,7 @@ fn is_sine(question: &Question) -> bool {
 }
 
 /// The consequences of the published equation, with the power of the velocity itself instead of |θ′|ⁿ⁻¹θ′.
-pub(super) fn published(question: &Question) -> Result<Option<DerivationStep>, DerivationError> {
+pub(super) fn published(question: &AveragingQuestion) -> Result<Option<DerivationStep>, DerivationError> {
     let power_law = question.power_law().filter(|(n, _)| *n > 0 && is_sine(question));
     let Some((n, _)) = power_law else { return Ok(None) };
     let power = i64::try_from(n).unwrap_or(i64::MAX);
@@ -188,7 +191,7 @@ pub(super) fn published(question: &Question) -> Result<Option<DerivationStep>, D
 }
 
 /// The quantity that the published equation conserves for the square of the velocity.
-fn conserved(question: &Question, step: DerivationStep) -> Result<DerivationStep, DerivationError> {
+fn conserved(question: &AveragingQuestion, step: DerivationStep) -> Result<DerivationStep, DerivationError> {
     let (c, theta, y) = (|| question.small(), || question.u(), || letter("y"));
     let velocity = Formula::from(question.variable.clone().prime());
     let mut trials = Trials::new(None)?

@@ -227,7 +227,7 @@ pub fn same_series_where(
     given: &[Given],
     statement: Statement,
 ) -> Result<CheckedEquation, DerivationError> {
-    let series = Series { variable, coefficients, given };
+    let series = ComparedSeries { variable, coefficients, given };
     let rest = |it: &Polynomial| (!it.is_zero()).then(|| it.to_string());
     let compared = series.compared(Polynomials, &rest, &symbolic, &statement)?;
     let check = Check::Series { variable: variable.clone(), coefficients: compared };
@@ -247,7 +247,7 @@ pub(super) fn same_series_for_choices(
     let floats = Floats { precision: PRECISION };
     let rest = |it: &BigFloat| Some(it.to_f64()).filter(|it| it.abs() > LEAST).map(|it| format!("{it:e}"));
     for choice in 0..choices {
-        let series = Series { variable, coefficients, given: &given(choice) };
+        let series = ComparedSeries { variable, coefficients, given: &given(choice) };
         series.compared(floats, &rest, &|_, _| None, &statement)?;
     }
     let check = Check::Choices { variable: variable.clone(), coefficients, choices };
@@ -289,7 +289,7 @@ pub(super) fn series_value(
     formula: &Formula,
 ) -> Result<Vec<Polynomial>, DerivationError> {
     let statement = Statement::from(formula.clone());
-    let series = Series { variable, coefficients, given };
+    let series = ComparedSeries { variable, coefficients, given };
     if given.iter().any(|it| matches!(it, Given::Symbol(_))) {
         let (ring, values) = series.values(Polynomials, &symbolic, &statement)?;
         return side(&statement, formula, &ring, &values);
@@ -301,7 +301,7 @@ pub(super) fn series_value(
 
 /// A series in a variable, with what its further names denote.
 #[derive(Clone, Copy)]
-struct Series<'a> {
+struct ComparedSeries<'a> {
     variable: &'a Name,
     coefficients: usize,
     given: &'a [Given<'a>],
@@ -310,15 +310,15 @@ struct Series<'a> {
 /// A ring of series, and the values of names in it.
 type InSeries<R> = (PowerSeries<R>, Values<Vec<<R as Ring>::Element>>);
 /// The value of a symbol, given with its place among the names.
-type Symbols<'a, E> = &'a dyn Fn(usize, &Variable) -> Option<E>;
+type SymbolValues<'a, E> = &'a dyn Fn(usize, &Variable) -> Option<E>;
 
-impl Series<'_> {
+impl ComparedSeries<'_> {
     /// The number of coefficients in which all sides agree, at least as many as are asked for.
     fn compared<R: Ring>(
         &self,
         numbers: R,
         rest: &dyn Fn(&R::Element) -> Option<String>,
-        symbols: Symbols<'_, R::Element>,
+        symbols: SymbolValues<'_, R::Element>,
         statement: &Statement,
     ) -> Result<usize, DerivationError> {
         let (ring, values) = self.values(numbers, symbols, statement)?;
@@ -344,7 +344,7 @@ impl Series<'_> {
     fn values<R: Ring>(
         &self,
         numbers: R,
-        symbols: Symbols<'_, R::Element>,
+        symbols: SymbolValues<'_, R::Element>,
         statement: &Statement,
     ) -> Result<InSeries<R>, DerivationError> {
         // Quotients of series without constant term lose coefficients.

@@ -1,7 +1,7 @@
 //! The motion and the frequency of a limit cycle, by powers of the excitation;
 //! the amplitude at each power stays undetermined until the next power fixes it.
 
-use super::super::averaging::Question;
+use super::super::averaging::AveragingQuestion;
 use super::super::check::DerivationError;
 use super::super::phase::{PhaseFunction, PiNumber, Wave};
 use super::open::Open;
@@ -9,7 +9,7 @@ use libration::algebra::{Polynomial, Rational, Variable};
 use libration::perturbation::Expansion;
 
 /// The result at one power.
-pub(super) struct Order {
+pub(super) struct CycleOrder {
     /// The parts of the equation of motion with their contributions to the right side: the index of the term, or `None` for the acceleration.
     pub(super) parts: Vec<(Option<usize>, Polynomial, Open)>,
     /// The sum of the contributions, as a function of the undetermined amplitude one power below.
@@ -24,11 +24,11 @@ pub(super) struct Order {
 
 /// A limit cycle up to some power of the excitation.
 pub(super) struct Cycle {
-    pub(super) orders: Vec<Order>,
+    pub(super) orders: Vec<CycleOrder>,
 }
 
 /// Functions of the phase by the power of the excitation, one of them with an undetermined amplitude.
-struct Known {
+struct LowerOrders {
     motion: Vec<Open>,
     velocity: Vec<Open>,
     frequency: Vec<Rational>,
@@ -36,8 +36,12 @@ struct Known {
 
 impl Cycle {
     /// Computes the cycle from an initial amplitude, found by another computation, which must satisfy the first condition.
-    pub(super) fn new(question: &Question, order: usize, begin: &Rational) -> Result<Self, DerivationError> {
-        let mut orders: Vec<Order> = vec![];
+    pub(super) fn new(
+        question: &AveragingQuestion,
+        order: usize,
+        begin: &Rational,
+    ) -> Result<Self, DerivationError> {
+        let mut orders: Vec<CycleOrder> = vec![];
         for n in 1..=order {
             let next = next(question, &orders, n, begin)?;
             orders.push(next);
@@ -55,7 +59,7 @@ impl Cycle {
         }
     }
 
-    pub(super) fn frequency(&self, question: &Question, n: usize) -> Rational {
+    pub(super) fn frequency(&self, question: &AveragingQuestion, n: usize) -> Rational {
         match n.checked_sub(1) {
             None => question.omega0().clone(),
             Some(place) => {
@@ -65,7 +69,7 @@ impl Cycle {
     }
 
     /// Returns `true` if the whole cycle equals this expansion.
-    pub(super) fn is(&self, question: &Question, known: &Expansion) -> bool {
+    pub(super) fn is(&self, question: &AveragingQuestion, known: &Expansion) -> bool {
         let omega0 = question.omega0();
         let frequencies = (0..=self.orders.len()).all(|n| {
             let ratio = self.frequency(question, n).checked_div(omega0);
@@ -86,8 +90,13 @@ impl Cycle {
     }
 }
 
-fn next(question: &Question, orders: &[Order], n: usize, begin: &Rational) -> Result<Order, DerivationError> {
-    let lower = Known::new(question, orders, n);
+fn next(
+    question: &AveragingQuestion,
+    orders: &[CycleOrder],
+    n: usize,
+    begin: &Rational,
+) -> Result<CycleOrder, DerivationError> {
+    let lower = LowerOrders::new(question, orders, n);
     let parts = lower.parts(question, n);
     let known = parts.iter().fold(Open::default(), |sum, (_, _, value)| sum.plus(value));
     let sine = known.first_harmonic(Wave::Sine);
@@ -114,12 +123,12 @@ fn next(question: &Question, orders: &[Order], n: usize, begin: &Rational) -> Re
         let factor = Rational::from(1).checked_div(&stiffness).ok_or(DerivationError::NoCycle)?;
         forced = forced.plus(&PhaseFunction::term(0, k, wave, value.scaled(&factor)));
     }
-    Ok(Order { parts, known, amplitude_below, frequency, forced })
+    Ok(CycleOrder { parts, known, amplitude_below, frequency, forced })
 }
 
-impl Known {
+impl LowerOrders {
     /// The quantities known when a power is solved; the amplitude one power below is undetermined.
-    fn new(question: &Question, orders: &[Order], n: usize) -> Self {
+    fn new(question: &AveragingQuestion, orders: &[CycleOrder], n: usize) -> Self {
         let cycle = |m: usize| -> Open {
             let forced = m.checked_sub(1).and_then(|place| orders.get(place)).map(|it| it.forced.clone());
             let forced = Open::from(forced.unwrap_or_default());
@@ -143,7 +152,7 @@ impl Known {
         Self { motion, velocity, frequency }
     }
 
-    fn parts(&self, question: &Question, n: usize) -> Vec<(Option<usize>, Polynomial, Open)> {
+    fn parts(&self, question: &AveragingQuestion, n: usize) -> Vec<(Option<usize>, Polynomial, Open)> {
         let names = |letters: &str, present: &dyn Fn(usize) -> bool| -> Vec<Polynomial> {
             let of = |m: usize| match present(m) {
                 true => Polynomial::variable(variable(letters, m)),

@@ -1,6 +1,6 @@
 //! Limit cycle from other algorithms: in fractions if the library expands it, otherwise numerically from its slow flow.
 
-use super::super::averaging::Question;
+use super::super::averaging::AveragingQuestion;
 use super::super::check::DerivationError;
 use super::cycle::Cycle;
 use libration::algebra::Rational;
@@ -17,7 +17,11 @@ pub(super) enum Known {
 }
 
 impl Known {
-    pub(super) fn new(question: &Question, order: usize, watch: &Watch<'_>) -> Result<Self, DerivationError> {
+    pub(super) fn new(
+        question: &AveragingQuestion,
+        order: usize,
+        watch: &Watch<'_>,
+    ) -> Result<Self, DerivationError> {
         if let Some(oscillator) = Oscillator::new(&question.equation).ok().filter(is_limit_cycle) {
             let expansion = expand(&oscillator, order, &Gauge::Fundamental, watch)?;
             return Ok(Self::Fractions(Box::new(expansion)));
@@ -42,7 +46,7 @@ impl Known {
     }
 
     /// Returns `true` if a limit cycle equals this one.
-    pub(super) fn is(&self, question: &Question, cycle: &Cycle) -> bool {
+    pub(super) fn is(&self, question: &AveragingQuestion, cycle: &Cycle) -> bool {
         let known = match self {
             Self::Fractions(known) => return cycle.is(question, known),
             Self::Digits(known) => known,

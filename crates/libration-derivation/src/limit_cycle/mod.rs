@@ -5,7 +5,7 @@ mod known;
 mod open;
 mod steps;
 
-use super::averaging::Question;
+use super::averaging::AveragingQuestion;
 use super::check::DerivationError;
 use super::document::{Block, Derivation};
 use super::prose::Prose;
@@ -47,7 +47,7 @@ pub fn limit_cycle(
     if !(1..=HIGHEST_CYCLE_ORDER).contains(&order) {
         return Err(DerivationError::CycleOrder { order });
     }
-    let question = Question::new(equation, parameter, [HIGHEST_DEGREE, 1])?;
+    let question = AveragingQuestion::new(equation, parameter, [HIGHEST_DEGREE, 1])?;
     let is_linear = question.restoring_terms().next().is_none() && question.is_whole;
     if !is_linear || question.flow.kinked || question.flow.lift > 0 {
         return Err(DerivationError::NoPolynomial);

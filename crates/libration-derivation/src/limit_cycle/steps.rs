@@ -1,6 +1,6 @@
 //! The steps of the derivation.
 
-use super::super::averaging::{Question, in_terms};
+use super::super::averaging::{AveragingQuestion, in_terms};
 use super::super::check::{Check, CheckedEquation, CycleClaim, CycleFormula};
 use super::super::document::{Cells, DerivationStep, DerivationTable};
 use super::super::formula::{
@@ -8,7 +8,7 @@ use super::super::formula::{
 };
 use super::super::phase::{Wave, series};
 use super::super::prose::Prose;
-use super::cycle::{Cycle, Order};
+use super::cycle::{Cycle, CycleOrder};
 use libration::algebra::{Polynomial, Rational, Variable};
 
 /// Highest power whose table is shown unfolded; those of higher powers are folded.
@@ -26,7 +26,7 @@ fn whole(n: usize) -> i64 {
     i64::try_from(n).unwrap_or(i64::MAX)
 }
 
-fn motion_name(question: &Question, n: usize) -> Name {
+fn motion_name(question: &AveragingQuestion, n: usize) -> Name {
     question.displacement.clone().index(whole(n))
 }
 
@@ -35,12 +35,12 @@ fn raised(base: Formula, n: usize) -> Formula {
 }
 
 /// factor·ω0ⁿ as a number.
-fn with_omega0(question: &Question, factor: i64, exponent: isize) -> Rational {
+fn with_omega0(question: &AveragingQuestion, factor: i64, exponent: isize) -> Rational {
     let power = question.omega0().integer_power(exponent).unwrap_or_else(|| Rational::from(1));
     Rational::from(factor) * power
 }
 
-pub(super) fn equation(question: &Question) -> DerivationStep {
+pub(super) fn equation(question: &AveragingQuestion) -> DerivationStep {
     let second = Formula::from(question.variable.clone().prime().prime());
     let whole = second + question.acceleration().negated();
     let omega0 = Statement::equal(Name::new("ω").index(0), question.omega0().clone());
@@ -65,7 +65,7 @@ pub(super) fn equation(question: &Question) -> DerivationStep {
         .say("and all amplitudes are possible. The excitation chooses one of them.", [])
 }
 
-pub(super) fn ansatz(question: &Question) -> DerivationStep {
+pub(super) fn ansatz(question: &AveragingQuestion) -> DerivationStep {
     let (c, x) = (|| question.small(), |n: usize| Formula::from(motion_name(question, n)));
     let phase = Statement::defined(tau(), letter("Ω") * letter("t"));
     let motion = vec![x(0), c() * x(1), raised(c(), 2) * x(2), letter("…")];
@@ -105,12 +105,17 @@ pub(super) fn ansatz(question: &Question) -> DerivationStep {
         )
 }
 
-fn checked(question: &Question, n: usize, statement: Statement, claim: CycleClaim) -> CheckedEquation {
+fn checked(
+    question: &AveragingQuestion,
+    n: usize,
+    statement: Statement,
+    claim: CycleClaim,
+) -> CheckedEquation {
     let formula = CycleFormula { flow: question.flow.clone(), order: n, claim };
     CheckedEquation::new(statement, Check::Cycle(Box::new(formula)))
 }
 
-pub(super) fn one_power(question: &Question, cycle: &Cycle, n: usize) -> DerivationStep {
+pub(super) fn one_power(question: &AveragingQuestion, cycle: &Cycle, n: usize) -> DerivationStep {
     let found = &cycle.orders[n - 1];
     let open = index("A", n - 1);
     const ORDINALS: [&str; 9] =
@@ -159,7 +164,7 @@ fn amplitude_found(n: usize) -> &'static str {
     }
 }
 
-fn table(question: &Question, cycle: &Cycle, n: usize) -> DerivationTable {
+fn table(question: &AveragingQuestion, cycle: &Cycle, n: usize) -> DerivationTable {
     let open = index("A", n - 1);
     let row = |(part, products, value): &(Option<usize>, Polynomial, super::open::Open)| {
         vec![
@@ -178,7 +183,7 @@ fn table(question: &Question, cycle: &Cycle, n: usize) -> DerivationTable {
     }
 }
 
-fn part_of_equation(question: &Question, part: Option<usize>) -> Formula {
+fn part_of_equation(question: &AveragingQuestion, part: Option<usize>) -> Formula {
     let Some(term) = part.and_then(|number| question.flow.terms.get(number)) else {
         return letter("Ω").squared() * Formula::from(question.displacement.clone().prime().prime());
     };
@@ -192,7 +197,7 @@ fn part_of_equation(question: &Question, part: Option<usize>) -> Formula {
     }
 }
 
-fn of_products(question: &Question, products: &Polynomial) -> Formula {
+fn of_products(question: &AveragingQuestion, products: &Polynomial) -> Formula {
     let named = |variable: &Variable| {
         let n = usize::try_from(variable.index().unwrap_or(0)).unwrap_or(usize::MAX);
         match variable.letters() {
@@ -215,8 +220,8 @@ fn of_products(question: &Question, products: &Polynomial) -> Formula {
     sum(terms.collect())
 }
 
-fn forcing(question: &Question, cycle: &Cycle, n: usize) -> CheckedEquation {
-    let Order { known, .. } = &cycle.orders[n - 1];
+fn forcing(question: &AveragingQuestion, cycle: &Cycle, n: usize) -> CheckedEquation {
+    let CycleOrder { known, .. } = &cycle.orders[n - 1];
     let open = index("A", n - 1);
     let x = |primes: usize| {
         let name = (0..primes).fold(motion_name(question, n), |name, _| name.prime());
@@ -234,7 +239,7 @@ fn forcing(question: &Question, cycle: &Cycle, n: usize) -> CheckedEquation {
 }
 
 /// Frequency and harmonics as series.
-pub(super) fn result(question: &Question, cycle: &Cycle) -> DerivationStep {
+pub(super) fn result(question: &AveragingQuestion, cycle: &Cycle) -> DerivationStep {
     let last = cycle.orders.len();
     let c = || question.small();
     let frequencies: Vec<Rational> = (0..=last).map(|n| cycle.frequency(question, n)).collect();

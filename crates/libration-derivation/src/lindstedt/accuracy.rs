@@ -7,7 +7,7 @@ use super::super::prose::Prose;
 use super::Released;
 use super::amplitude::of_amplitude;
 use super::names::harmonic_name;
-use super::question::Question;
+use super::question::LindstedtQuestion;
 use libration::algebra::{Polynomial, Rational};
 use libration::comparison::{ExactMotion, ExactValue, ExactValueError, SeriesQuantity};
 use libration::internals::progress::Watch;
@@ -24,7 +24,7 @@ const LONGER: usize = 31;
 const EXAMPLE: f64 = 1.0;
 
 pub(super) fn step(
-    question: &Question,
+    question: &LindstedtQuestion,
     released: Option<&Released>,
     watch: &Watch<'_>,
 ) -> Result<Option<DerivationStep>, DerivationError> {
@@ -54,7 +54,7 @@ pub(super) fn step(
 }
 
 /// An amplitude as given: in degrees, radians, or as a plain number.
-pub fn as_given(question: &Question, amplitude: &Displacement) -> Formula {
+pub fn as_given(question: &LindstedtQuestion, amplitude: &Displacement) -> Formula {
     let radians = || match is_angle(question) {
         true => Decimal::short(amplitude.to_f64(), DecimalUnit::Radian),
         false => Decimal::short(amplitude.to_f64(), DecimalUnit::One),
@@ -69,12 +69,12 @@ pub(super) fn amplitude_of(released: Option<&Released>) -> Result<Displacement, 
     given.or_else(|| Displacement::from_f64(EXAMPLE)).ok_or(DerivationError::NotAnAmplitude(EXAMPLE))
 }
 
-pub(super) fn is_angle(question: &Question) -> bool {
+pub(super) fn is_angle(question: &LindstedtQuestion) -> bool {
     is_angle_name(question.symbolic.variable())
 }
 
 /// Returns `true` if the exact period is known in closed form: for the pendulum below the upright position.
-fn is_pendulum(question: &Question, amplitude: f64) -> bool {
+fn is_pendulum(question: &LindstedtQuestion, amplitude: f64) -> bool {
     let sine: Vec<Rational> = (1..=question.force.len()).map(sine_coefficient).collect();
     is_angle(question) && question.force == sine && amplitude < std::f64::consts::PI
 }
@@ -90,7 +90,7 @@ fn sine_coefficient(n: usize) -> Rational {
 
 /// The partial sums of T/T0.
 fn terms(
-    question: &Question,
+    question: &LindstedtQuestion,
     oscillator: &Oscillator,
     amplitude: f64,
     motion: &Exactly,
@@ -156,7 +156,7 @@ fn rest(remainder: Remainder) -> Prose {
 
 /// ε, the frequency, the period and the harmonics at the amplitude, compared with those of the exact motion.
 pub fn motion(
-    question: &Question,
+    question: &LindstedtQuestion,
     released: &Released,
     found: &Exactly,
 ) -> Result<DerivationTable, DerivationError> {
@@ -204,7 +204,11 @@ pub fn motion(
 type Exactly = Result<ExactMotion, ExactValueError>;
 
 /// The exact motion at an amplitude; `None` for an oscillator with symbols.
-pub fn exactly_at(question: &Question, amplitude: &Displacement, watch: &Watch<'_>) -> Option<Exactly> {
+pub fn exactly_at(
+    question: &LindstedtQuestion,
+    amplitude: &Displacement,
+    watch: &Watch<'_>,
+) -> Option<Exactly> {
     let (oscillator, expansion) = (question.oscillator.as_ref()?, question.solution.numbers.as_ref()?);
     Some(ExactMotion::new(oscillator, expansion, amplitude, watch))
 }

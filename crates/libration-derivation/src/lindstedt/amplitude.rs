@@ -8,15 +8,15 @@ use super::super::formula::{
     Formula, Name, Statement, agm, apply, cos, letter, monomial, number, order, polynomial, sum,
 };
 use super::names::harmonic_name;
-use super::question::Question;
-use super::solution::{Series, Solution};
+use super::question::LindstedtQuestion;
+use super::solution::{PolynomialSeries, Solution};
 use super::substitution::in_epsilon;
 use libration::algebra::{Polynomial, Rational};
 use libration::period_formulas::period_in_amplitude;
 use libration::perturbation::{AmplitudeSeries, Gauge};
 
 /// Σ cₙAⁿ + O(…), with the powers that occur.
-fn in_amplitude(question: &Question, coefficients: &[Polynomial], next: usize) -> Formula {
+fn in_amplitude(question: &LindstedtQuestion, coefficients: &[Polynomial], next: usize) -> Formula {
     let amplitude = Formula::from(question.amplitude());
     let powers = coefficients.iter().enumerate().take(next).filter(|(_, c)| !c.is_zero());
     let terms = powers.map(|(n, c)| monomial(c, &amplitude, n));
@@ -26,7 +26,7 @@ fn in_amplitude(question: &Question, coefficients: &[Polynomial], next: usize) -
 
 /// The relations between measurable quantities.
 pub(super) fn of_amplitude<'a>(
-    question: &Question,
+    question: &LindstedtQuestion,
     solution: &'a Solution,
 ) -> Result<&'a AmplitudeSeries<Polynomial>, DerivationError> {
     solution.of_amplitude.as_ref().ok_or_else(|| {
@@ -37,7 +37,7 @@ pub(super) fn of_amplitude<'a>(
     })
 }
 
-pub(super) fn iteration(question: &Question) -> Result<DerivationStep, DerivationError> {
+pub(super) fn iteration(question: &LindstedtQuestion) -> Result<DerivationStep, DerivationError> {
     let sum_of_harmonics = &question.solution.x_max;
     let total = question.harmonics().into_iter().map(|k| Formula::from(harmonic_name(k)));
     let statement = Statement::equal(question.amplitude(), sum(total.collect()))
@@ -59,7 +59,7 @@ pub(super) fn iteration(question: &Question) -> Result<DerivationStep, Derivatio
 }
 
 /// The symbols, and aₖ as series in ε.
-fn harmonics_in_epsilon<'a>(question: &Question, solution: &Solution) -> Vec<Given<'a>> {
+fn harmonics_in_epsilon<'a>(question: &LindstedtQuestion, solution: &Solution) -> Vec<Given<'a>> {
     let series = |k: usize| Given::Value(harmonic_name(k), polynomial(&solution.harmonic(k), &letter("ε")));
     let mut given = question.free_symbols();
     given.extend(question.harmonics().into_iter().map(series));
@@ -73,7 +73,7 @@ fn answer(pass: usize) -> Name {
 
 /// The solution of A = s₁ε + s₂ε² + … by iterating ε = A/s₁ + F(ε).
 fn passes(
-    question: &Question,
+    question: &LindstedtQuestion,
     step: DerivationStep,
     sum_of_harmonics: &[Polynomial],
 ) -> Result<DerivationStep, DerivationError> {
@@ -82,7 +82,7 @@ fn passes(
     let first = sum_of_harmonics.get(1).and_then(Polynomial::to_constant);
     let scale = first.and_then(|first| one.checked_div(&first)).unwrap_or(one);
     let beyond = |(n, c): (usize, &Polynomial)| if n < 2 { Polynomial::zero() } else { -c.scaled(&scale) };
-    let rest: Series = sum_of_harmonics.iter().enumerate().map(beyond).collect();
+    let rest: PolynomialSeries = sum_of_harmonics.iter().enumerate().map(beyond).collect();
     let function = polynomial(&rest, &letter("z"));
     let start = monomial(&scale, &amplitude, 1);
     let other_side = Statement::equal(apply("F", [letter("ε")]), letter("ε") - start.clone())
@@ -123,7 +123,7 @@ fn passes(
     Err(failed(&statement, "the iteration does not lead to the series of the engine".to_owned()))
 }
 
-pub(super) fn physical_relations(question: &Question) -> Result<DerivationStep, DerivationError> {
+pub(super) fn physical_relations(question: &LindstedtQuestion) -> Result<DerivationStep, DerivationError> {
     let step = DerivationStep::new("period", "The period and the harmonics").say(
         "Put in the place of {}, this gives what can be measured: the frequency and the period over those of very small \
          swings, and the harmonics.",
@@ -147,7 +147,7 @@ pub(super) fn physical_relations(question: &Question) -> Result<DerivationStep, 
 
 /// Frequency, period and harmonics by powers of the amplitude, from the series in ε.
 pub(super) fn relations(
-    question: &Question,
+    question: &LindstedtQuestion,
     solution: &Solution,
 ) -> Result<Vec<CheckedEquation>, DerivationError> {
     let of = of_amplitude(question, solution)?;

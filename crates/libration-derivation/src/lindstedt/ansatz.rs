@@ -7,19 +7,19 @@ use super::super::formula::{
 };
 use super::super::trials::Trials;
 use super::names::{coefficient_name, cosine, harmonic_name};
-use super::question::Question;
+use super::question::LindstedtQuestion;
 use super::substitution::left_side;
 
 fn power_of_epsilon(n: usize) -> Formula {
     if n == 1 { letter("ε") } else { letter("ε").pow(i64::try_from(n).unwrap_or(i64::MAX)) }
 }
 
-fn left_out(question: &Question) -> Formula {
+fn left_out(question: &LindstedtQuestion) -> Formula {
     order(power_of_epsilon(question.order + 1))
 }
 
 /// The step that writes the motion as a fundamental with harmonics.
-pub fn fundamental_and_harmonics(question: &Question) -> DerivationStep {
+pub fn fundamental_and_harmonics(question: &LindstedtQuestion) -> DerivationStep {
     let omega = || letter("Ω");
     let phase = Statement::defined(letter("τ"), omega() * letter("t"));
     let ratio = Statement::defined(letter("Δ"), omega() / Formula::from(Name::new("ω").index(0)));
@@ -55,7 +55,7 @@ pub fn fundamental_and_harmonics(question: &Question) -> DerivationStep {
     step.show(frequency_series(question))
 }
 
-fn harmonic_series(question: &Question, k: usize) -> CheckedEquation {
+fn harmonic_series(question: &LindstedtQuestion, k: usize) -> CheckedEquation {
     let terms = question
         .powers()
         .into_iter()
@@ -64,7 +64,7 @@ fn harmonic_series(question: &Question, k: usize) -> CheckedEquation {
     CheckedEquation::definition(Statement::equal(harmonic_name(k), sum(terms)))
 }
 
-fn frequency_series(question: &Question) -> CheckedEquation {
+fn frequency_series(question: &LindstedtQuestion) -> CheckedEquation {
     let powers = question.powers().into_iter().filter(|n| *n > 1).map(|n| n - 1);
     let term = |n: usize| {
         let name = Name::new("d").index(i64::try_from(n).unwrap_or(i64::MAX));
@@ -75,7 +75,7 @@ fn frequency_series(question: &Question) -> CheckedEquation {
     CheckedEquation::definition(Statement::equal(letter("Δ"), sum(terms)))
 }
 
-pub(super) fn projection(question: &Question) -> Result<DerivationStep, DerivationError> {
+pub(super) fn projection(question: &LindstedtQuestion) -> Result<DerivationStep, DerivationError> {
     let (j, k, tau) = (|| letter("j"), || letter("k"), || letter("τ"));
     let trials = Trials::new(None)?.with(&Name::new("τ"), tenths(7))?.with(&Name::new("j"), number(3))?;
     let product = Statement::equal(

@@ -5,7 +5,7 @@ use super::super::formula::{Formula, letter, sum};
 use super::super::prose::Prose;
 use super::names::{coefficient_name, cosine};
 use super::products::{self, Factors, Products};
-use super::question::Question;
+use super::question::LindstedtQuestion;
 use super::reduced::term_formula;
 use libration::algebra::{Polynomial, Rational, Variable};
 use libration::perturbation::{Condition, RestoringTerm};
@@ -28,7 +28,7 @@ pub struct Contributions {
 
 impl Contributions {
     /// Computes the contribution of each part of the equation of motion.
-    pub fn new(question: &Question) -> Self {
+    pub fn new(question: &LindstedtQuestion) -> Self {
         let displacement = displacement(question);
         let ratio = ratio(question);
         let squared_ratio = product(&ratio, &ratio, question.order);
@@ -119,13 +119,13 @@ fn in_groups(polynomial: &Polynomial) -> Prose {
 }
 
 /// Δ²u″ + u.
-fn linear_part(question: &Question) -> Formula {
+fn linear_part(question: &LindstedtQuestion) -> Formula {
     let second = question.displacement.clone().prime().prime();
     letter("Δ").squared() * Formula::Name(second) + question.u()
 }
 
 /// The coefficients of u.
-fn displacement(question: &Question) -> Factors {
+fn displacement(question: &LindstedtQuestion) -> Factors {
     let all =
         question.harmonics().into_iter().flat_map(|k| question.powers().into_iter().map(move |n| (n, k)));
     let mut present = Factors::new();
@@ -139,7 +139,7 @@ fn displacement(question: &Question) -> Factors {
 }
 
 /// Δ.
-fn ratio(question: &Question) -> Factors {
+fn ratio(question: &LindstedtQuestion) -> Factors {
     let mut ratio = Factors::new();
     ratio.insert((0, 0), Polynomial::constant(Rational::from(1)));
     for n in question.powers().into_iter().filter(|n| *n > 1) {
@@ -150,7 +150,7 @@ fn ratio(question: &Question) -> Factors {
 }
 
 /// The factors of sin kτ in Δu′.
-fn velocity(question: &Question, displacement: &Factors) -> Factors {
+fn velocity(question: &LindstedtQuestion, displacement: &Factors) -> Factors {
     let mut slope = Factors::new();
     for ((n, k), it) in displacement.iter().filter(|((_, k), _)| *k > 0) {
         slope.insert((*n, *k), it.scaled(&Rational::from(-i64::from(*k))));
@@ -184,7 +184,7 @@ fn power(
 }
 
 /// The factors of Δ²u″ + u.
-fn linear(question: &Question, displacement: &Factors, squared_ratio: &Factors) -> Factors {
+fn linear(question: &LindstedtQuestion, displacement: &Factors, squared_ratio: &Factors) -> Factors {
     let mut second = Factors::new();
     for ((n, k), it) in displacement {
         let factor = -i64::from(*k) * i64::from(*k);
@@ -228,7 +228,7 @@ fn key(n: usize, k: usize) -> (u32, u32) {
 }
 
 /// Returns `true` for the coefficient of a harmonic that does not occur at this order.
-pub(super) fn vanishes(question: &Question, unknown: &Variable) -> bool {
+pub(super) fn vanishes(question: &LindstedtQuestion, unknown: &Variable) -> bool {
     let value = question.open.solution().get(unknown);
     unknown.letters() != FREQUENCY && value.is_some_and(Polynomial::is_zero)
 }

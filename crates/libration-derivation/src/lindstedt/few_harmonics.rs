@@ -7,7 +7,7 @@ use super::super::prose::Prose;
 use super::Released;
 use super::accuracy::{amplitude_of, as_given};
 use super::names::harmonic_name;
-use super::question::Question;
+use super::question::LindstedtQuestion;
 use libration::algebra::Complex;
 use libration::internals::progress::Watch;
 use libration::perturbation::{SolutionVerdict, TruncatedSolution, TruncatedSystem};
@@ -19,7 +19,7 @@ pub(super) const DEGREE: usize = 3;
 /// All solutions for two harmonics, each with a verdict; `None` for a force without
 /// a cube, for one that is not odd, and at an amplitude at which solutions coincide.
 pub fn step(
-    question: &Question,
+    question: &LindstedtQuestion,
     released: Option<&Released>,
     watch: &Watch<'_>,
 ) -> Result<Option<DerivationStep>, DerivationError> {

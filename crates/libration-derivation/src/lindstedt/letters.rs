@@ -6,7 +6,7 @@ use super::super::formula::{Formula, Name, Statement, letter, order, polynomial,
 use super::amplitude::of_amplitude;
 use super::names::harmonic_name;
 use super::orders::CHOICES;
-use super::question::Question;
+use super::question::LindstedtQuestion;
 use super::reduced::{in_symbols, omega0};
 use libration::algebra::{LaurentPolynomial, LaurentPolynomials, Rational, Ring};
 use libration::internals::progress::Watch;
@@ -14,7 +14,7 @@ use libration::perturbation::{Gauge, SymbolicExpansion, expand_symbolically};
 
 /// The step; `None` if all numbers of the equation are fractions.
 pub(super) fn step(
-    question: &Question,
+    question: &LindstedtQuestion,
     watch: &Watch<'_>,
 ) -> Result<Option<DerivationStep>, DerivationError> {
     if question.oscillator.is_some() {
@@ -39,7 +39,11 @@ pub(super) fn step(
 }
 
 /// Ω by powers of the amplitude.
-fn frequency(question: &Question, found: &SymbolicExpansion, ratio: &[LaurentPolynomial]) -> Formula {
+fn frequency(
+    question: &LindstedtQuestion,
+    found: &SymbolicExpansion,
+    ratio: &[LaurentPolynomial],
+) -> Formula {
     match &found.omega0 {
         Some(root) => {
             let ring = LaurentPolynomials::new(root.letters().to_vec());
@@ -51,7 +55,7 @@ fn frequency(question: &Question, found: &SymbolicExpansion, ratio: &[LaurentPol
 }
 
 /// Σ cₙAⁿ + O(…), with the powers that occur.
-fn series_formula(question: &Question, coefficients: &[LaurentPolynomial], next: usize) -> Formula {
+fn series_formula(question: &LindstedtQuestion, coefficients: &[LaurentPolynomial], next: usize) -> Formula {
     let amplitude = Formula::from(question.amplitude());
     let power = |n: usize| match n {
         1 => amplitude.clone(),
@@ -72,7 +76,7 @@ fn series_formula(question: &Question, coefficients: &[LaurentPolynomial], next:
 
 /// Compares a series in the amplitude with what the derivation found, with fractions for the symbols of the equation.
 fn checked(
-    question: &Question,
+    question: &LindstedtQuestion,
     coefficients: usize,
     statement: Statement,
 ) -> Result<CheckedEquation, DerivationError> {

@@ -29,7 +29,7 @@ use libration::oscillator::{Kind, NumbersOrLetters};
 use libration::perturbation::Gauge;
 use libration::progress::{Interrupted, Progress, Stage};
 use libration::quantity::Displacement;
-use question::Question;
+use question::LindstedtQuestion;
 
 /// The oscillation whose numbers a derivation shows.
 #[derive(Clone, Debug, PartialEq)]
@@ -75,7 +75,7 @@ pub fn perturbation(
     watch.begin(Stage::Whole, Some(PARTS.len()));
     let title = "Perturbation theory of an oscillator, order by order".to_owned();
     let mut derivation = Derivation { title, introduction: introduction(), steps: vec![], answers: vec![] };
-    let question = match Question::of(&oscillator, order, gauge, &watch.part()) {
+    let question = match LindstedtQuestion::of(&oscillator, order, gauge, &watch.part()) {
         Err(_) if watch.is_stopped() => return Err(Interrupted.into()),
         question => question?,
     };
@@ -94,10 +94,11 @@ pub fn perturbation(
 }
 
 /// A function that returns some steps of a derivation.
-type Part = fn(&Question, Option<&Released>, &Watch<'_>) -> Result<Vec<DerivationStep>, DerivationError>;
+type LindstedtPart =
+    fn(&LindstedtQuestion, Option<&Released>, &Watch<'_>) -> Result<Vec<DerivationStep>, DerivationError>;
 
 /// All parts, in order.
-const PARTS: [Part; 12] = [
+const PARTS: [LindstedtPart; 12] = [
     |question, _, _| Ok(vec![small_swings::equation_of_motion(question)?, small_swings::taylor(question)?]),
     |question, _, _| Ok(vec![ansatz::fundamental_and_harmonics(question), ansatz::projection(question)?]),
     |question, _, watch| Ok(parity::step(question, watch)?.into_iter().collect()),

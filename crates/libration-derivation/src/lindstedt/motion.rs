@@ -4,13 +4,13 @@ use super::super::check::{Check, CheckedEquation, DerivationError, failed};
 use super::super::document::DerivationStep;
 use super::super::formula::{Formula, Name, Statement, letter};
 use super::names::{coefficient_name, harmonic_name};
-use super::question::Question;
+use super::question::LindstedtQuestion;
 use super::solution::Solution;
 use super::substitution::{Motion, in_epsilon, solves};
 use libration::algebra::{Polynomial, Variable};
 use libration::perturbation::Gauge;
 
-pub(super) fn gauge(question: &Question) -> Result<DerivationStep, DerivationError> {
+pub(super) fn gauge(question: &LindstedtQuestion) -> Result<DerivationStep, DerivationError> {
     let unknowns = question.open.unknowns().len();
     let free = question.open.free_constants();
     let count = |number: usize| crate::formula::number(i64::try_from(number).unwrap_or(i64::MAX));
@@ -51,7 +51,7 @@ fn meaning(gauge: &Gauge) -> &'static str {
     }
 }
 
-pub(super) fn solution(question: &Question) -> Result<DerivationStep, DerivationError> {
+pub(super) fn solution(question: &LindstedtQuestion) -> Result<DerivationStep, DerivationError> {
     agrees_with_open_gauge(question, &question.solution)?;
     let step = DerivationStep::new("solution", "The solution")
         .say("With these the coefficients are known, and the motion is", []);
@@ -74,7 +74,7 @@ pub(super) fn solution(question: &Question) -> Result<DerivationStep, Derivation
 }
 
 /// The harmonics and the frequency, each with the check shown below it.
-pub(super) fn series(question: &Question, solution: &Solution) -> Vec<CheckedEquation> {
+pub(super) fn series(question: &LindstedtQuestion, solution: &Solution) -> Vec<CheckedEquation> {
     let mut equations = Vec::new();
     for k in question.harmonics() {
         let statement =
@@ -87,7 +87,7 @@ pub(super) fn series(question: &Question, solution: &Solution) -> Vec<CheckedEqu
 }
 
 /// The motion of a solution, in numbers.
-pub fn motion(question: &Question, solution: &Solution) -> Motion {
+pub fn motion(question: &LindstedtQuestion, solution: &Solution) -> Motion {
     Motion {
         harmonics: question.harmonics().into_iter().map(|k| (k, solution.harmonic(k))).collect(),
         frequency: solution.frequency_ratio.clone(),
@@ -95,7 +95,7 @@ pub fn motion(question: &Question, solution: &Solution) -> Motion {
 }
 
 /// Checks that the general solution, with the symbols of this gauge inserted, is the solution in this gauge.
-fn agrees_with_open_gauge(question: &Question, solution: &Solution) -> Result<(), DerivationError> {
+fn agrees_with_open_gauge(question: &LindstedtQuestion, solution: &Solution) -> Result<(), DerivationError> {
     let free = question.open.free_constants();
     let in_gauge = |polynomial: &Polynomial| {
         free.iter().fold(polynomial.clone(), |value, variable| {
@@ -115,7 +115,11 @@ fn agrees_with_open_gauge(question: &Question, solution: &Solution) -> Result<()
 }
 
 /// The value of a symbol from the library's expansion.
-fn coefficient_of(question: &Question, solution: &Solution, variable: &Variable) -> Option<Polynomial> {
+fn coefficient_of(
+    question: &LindstedtQuestion,
+    solution: &Solution,
+    variable: &Variable,
+) -> Option<Polynomial> {
     let n = usize::try_from(variable.index()?).ok()?;
     if variable.letters() == "d" {
         return solution.frequency_ratio.get(n).cloned();

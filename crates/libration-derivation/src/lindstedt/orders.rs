@@ -6,8 +6,8 @@ use super::super::formula::{Formula, Name, Statement, cos, derivative, letter, n
 use super::super::trials::Trials;
 use super::contributions::{Contributions, vanishes};
 use super::names::{coefficient_name, cosine};
-use super::question::Question;
-use super::solution::Series;
+use super::question::LindstedtQuestion;
+use super::solution::PolynomialSeries;
 use super::substitution::{Motion, has_harmonics};
 use libration::algebra::{Polynomial, Rational, Variable};
 use libration::perturbation::Condition;
@@ -15,7 +15,7 @@ use libration::perturbation::Condition;
 /// Number of choices of fractions for the symbols with which a condition is checked.
 pub(super) const CHOICES: usize = 3;
 
-pub(super) fn secular_terms(question: &Question) -> Result<DerivationStep, DerivationError> {
+pub(super) fn secular_terms(question: &LindstedtQuestion) -> Result<DerivationStep, DerivationError> {
     let tau = || letter("τ");
     let trials = Trials::new(None)?.with(&Name::new("τ"), tenths(7))?;
     let growing = tau() * sin(tau()) / 2;
@@ -70,11 +70,11 @@ pub(super) fn secular_terms(question: &Question) -> Result<DerivationStep, Deriv
 }
 
 /// Highest order whose derivation is shown unfolded; those of higher orders, which grow fast, are folded.
-fn open_to_read(question: &Question) -> usize {
+fn open_to_read(question: &LindstedtQuestion) -> usize {
     if question.is_odd() { 5 } else { 3 }
 }
 
-pub(super) fn conditions(question: &Question) -> Result<Vec<DerivationStep>, DerivationError> {
+pub(super) fn conditions(question: &LindstedtQuestion) -> Result<Vec<DerivationStep>, DerivationError> {
     let contributions = Contributions::new(question);
     let step = |order| {
         check_order(question, order)?;
@@ -84,7 +84,7 @@ pub(super) fn conditions(question: &Question) -> Result<Vec<DerivationStep>, Der
     question.powers().into_iter().map(step).collect()
 }
 
-fn one_order(question: &Question, contributions: &Contributions, order: usize) -> DerivationStep {
+fn one_order(question: &LindstedtQuestion, contributions: &Contributions, order: usize) -> DerivationStep {
     let step = DerivationStep::new(&format!("order-{order}"), &format!("Order {order}, with the gauge open"));
     let shown = question.open.conditions().iter().filter(|condition| is_shown(condition, order));
     shown.fold(vanishing(question, order, step), |step, condition| {
@@ -108,7 +108,7 @@ fn factor_of(condition: &Condition) -> [Formula; 2] {
 
 /// The derivation of a condition.
 fn way_to(
-    question: &Question,
+    question: &LindstedtQuestion,
     step: DerivationStep,
     contributions: &Contributions,
     condition: &Condition,
@@ -125,12 +125,12 @@ fn way_to(
     step.show(substituted(question, condition, Statement::equal(&condition.polynomial, 0)))
 }
 
-fn substituted(question: &Question, condition: &Condition, statement: Statement) -> CheckedEquation {
+fn substituted(question: &LindstedtQuestion, condition: &Condition, statement: Statement) -> CheckedEquation {
     let condition = Some(Box::new(open_condition(question, condition)));
     CheckedEquation::new(statement, Check::Substituted { choices: CHOICES, condition })
 }
 
-fn open_condition(question: &Question, condition: &Condition) -> OpenCondition {
+fn open_condition(question: &LindstedtQuestion, condition: &Condition) -> OpenCondition {
     let place = |n: u32| usize::try_from(n).unwrap_or(usize::MAX);
     let powers = question.powers();
     let harmonics = question.harmonics().into_iter().flat_map(|k| {
@@ -169,7 +169,7 @@ fn fixed_by(condition: &Condition) -> Option<Variable> {
 }
 
 /// The coefficients of harmonics that do not occur yet.
-fn vanishing(question: &Question, order: usize, step: DerivationStep) -> DerivationStep {
+fn vanishing(question: &LindstedtQuestion, order: usize, step: DerivationStep) -> DerivationStep {
     let conditions = question.open.conditions().iter();
     let alone: Vec<&Condition> =
         conditions.filter(|condition| is_of(condition, order) && is_alone(condition)).collect();
@@ -222,7 +222,7 @@ fn is_shown(condition: &Condition, order: usize) -> bool {
 
 /// The coefficients that the conditions of an order fix, with their values, and folded the products that the conditions come from.
 pub(super) fn solutions(
-    question: &Question,
+    question: &LindstedtQuestion,
     order: usize,
     step: DerivationStep,
 ) -> Result<DerivationStep, DerivationError> {
@@ -240,7 +240,7 @@ pub(super) fn solutions(
 }
 
 /// The coefficient that a condition fixes, with its value.
-fn solved(question: &Question, condition: &Condition) -> Option<CheckedEquation> {
+fn solved(question: &LindstedtQuestion, condition: &Condition) -> Option<CheckedEquation> {
     let unknown = fixed_by(condition)?;
     let value = question.open.solution().get(&unknown)?;
     Some(substituted(question, condition, Statement::equal(Name::from(&unknown), value)))
@@ -248,7 +248,7 @@ fn solved(question: &Question, condition: &Condition) -> Option<CheckedEquation>
 
 /// Substitutes fractions for all symbols in the ansatz, with the results of lower orders, and compares the resulting equation of motion with the
 /// conditions; then substitutes the solution, for which it must be zero.
-fn check_order(question: &Question, order: usize) -> Result<(), DerivationError> {
+fn check_order(question: &LindstedtQuestion, order: usize) -> Result<(), DerivationError> {
     for choice in 0..CHOICES {
         let any = |variable: &Variable| fraction_for(variable, choice);
         let expected: Vec<(usize, Polynomial)> = (question.open.conditions().iter())
@@ -266,7 +266,7 @@ fn check_order(question: &Question, order: usize) -> Result<(), DerivationError>
 
 /// Substitutes arbitrary fractions for all symbols in the ansatz, and compares the equation of motion with the sums of the contributions.
 pub fn check_contributions(
-    question: &Question,
+    question: &LindstedtQuestion,
     contributions: &Contributions,
     order: usize,
 ) -> Result<(), DerivationError> {
@@ -298,7 +298,12 @@ enum Newest {
 }
 
 /// The ansatz up to an order, with fractions for the free symbols.
-fn motion(question: &Question, order: usize, any: &dyn Fn(&Variable) -> Rational, newest: Newest) -> Motion {
+fn motion(
+    question: &LindstedtQuestion,
+    order: usize,
+    any: &dyn Fn(&Variable) -> Rational,
+    newest: Newest,
+) -> Motion {
     let value = |variable: Variable, n: usize| {
         let found = question.open.solution().get(&variable);
         let found = found.filter(|_| match newest {
@@ -310,7 +315,7 @@ fn motion(question: &Question, order: usize, any: &dyn Fn(&Variable) -> Rational
     };
     let zero = Polynomial::zero;
     let powers = question.powers();
-    let series = |k: usize| -> Series {
+    let series = |k: usize| -> PolynomialSeries {
         let present = |n: usize| n <= order && powers.contains(&n);
         (0..=order).map(|n| if present(n) { value(coefficient_name(k, n), n) } else { zero() }).collect()
     };
@@ -326,7 +331,11 @@ fn motion(question: &Question, order: usize, any: &dyn Fn(&Variable) -> Rational
 }
 
 /// The polynomial with fractions for all variables but the symbols of the force.
-fn at(question: &Question, polynomial: &Polynomial, any: &dyn Fn(&Variable) -> Rational) -> Polynomial {
+fn at(
+    question: &LindstedtQuestion,
+    polynomial: &Polynomial,
+    any: &dyn Fn(&Variable) -> Rational,
+) -> Polynomial {
     let is_of_force = |variable: &Variable| question.symbols().any(|symbol| symbol == variable);
     let others = polynomial.variables().into_iter().filter(|variable| !is_of_force(variable));
     others.fold(polynomial.clone(), |value, variable| {

@@ -9,14 +9,14 @@ use super::super::formula::{
 use super::super::trials::Trials;
 use super::names::coefficient_name;
 use super::orders::solutions;
-use super::question::Question;
+use super::question::LindstedtQuestion;
 use libration::algebra::{Polynomial, Rational, Variable};
 use libration::internals::progress::Watch;
 use libration::perturbation::Gauge;
 
 /// The step; `None` if the ansatz has all powers anyway.
 pub(super) fn step(
-    question: &Question,
+    question: &LindstedtQuestion,
     watch: &Watch<'_>,
 ) -> Result<Option<DerivationStep>, DerivationError> {
     if question.powers().contains(&2) {
@@ -50,7 +50,7 @@ pub(super) fn step(
 }
 
 /// Shows that A₂ only renames ε.
-fn renamed(open: &Question, step: DerivationStep) -> Result<DerivationStep, DerivationError> {
+fn renamed(open: &LindstedtQuestion, step: DerivationStep) -> Result<DerivationStep, DerivationError> {
     let epsilon = || letter("ε");
     let [first, second] = [1, 2].map(|n| Formula::from(Name::from(&coefficient_name(1, n))));
     let d2 = open.open.solution().get(&Variable::indexed("d", 2));

@@ -13,7 +13,7 @@ use libration::perturbation::{EpsilonPowers, Gauge, OpenGauge, RestoringTerm};
 
 /// An oscillator about its equilibrium, prepared.
 #[derive(Debug)]
-pub struct Question {
+pub struct LindstedtQuestion {
     /// The oscillator, if its numbers are fractions.
     pub(super) oscillator: Option<Oscillator>,
     /// The oscillator with symbols for all that is not a fraction.
@@ -34,7 +34,7 @@ pub struct Question {
     pub solution: Solution,
 }
 
-impl Question {
+impl LindstedtQuestion {
     /// Prepares an oscillator, an order and a gauge; rejects values that are not exact.
     pub fn new(
         oscillator: &Oscillator,

@@ -6,7 +6,7 @@ use super::super::formula::{Name, Statement, letter};
 use super::amplitude::{of_amplitude, relations};
 use super::motion::{motion, series};
 use super::names::coefficient_name;
-use super::question::Question;
+use super::question::LindstedtQuestion;
 use super::solution::Solution;
 use super::substitution::solves;
 use libration::algebra::Rational;
@@ -15,13 +15,13 @@ use libration::perturbation::Gauge;
 use libration::progress::Quiet;
 
 /// A₁ = 1, and −1 for the next coefficient; the first harmonic itself if that was the requested gauge.
-fn other(question: &Question) -> Gauge {
+fn other(question: &LindstedtQuestion) -> Gauge {
     let next = if question.is_odd() { vec![1, 0, -1] } else { vec![1, -1] };
     let other = Gauge::Coefficients(next.into_iter().map(Rational::from).collect());
     if question.solution.gauge == other { Gauge::Fundamental } else { other }
 }
 
-pub(super) fn comparison(question: &Question) -> Result<DerivationStep, DerivationError> {
+pub(super) fn comparison(question: &LindstedtQuestion) -> Result<DerivationStep, DerivationError> {
     let watch = &Watch::new(&Quiet);
     let (own, reduced) = (question.oscillator.as_ref(), &question.reduced);
     let other = Solution::new(own, reduced, question.order, &other(question), watch)?;

@@ -6,11 +6,11 @@ use super::super::check::{
 use super::super::document::DerivationStep;
 use super::super::formula::{Formula, Name, Statement, cos, letter, number, order, polynomial};
 use super::orders::CHOICES;
-use super::question::Question;
+use super::question::LindstedtQuestion;
 use super::reduced::omega0;
 use libration::algebra::Rational;
 
-pub(super) fn equation_of_motion(question: &Question) -> Result<DerivationStep, DerivationError> {
+pub(super) fn equation_of_motion(question: &LindstedtQuestion) -> Result<DerivationStep, DerivationError> {
     let variable = Formula::from(&question.variable);
     let acceleration = Formula::from(question.variable.clone().prime().prime());
     let mut step = DerivationStep::new("equation-of-motion", "The equation of motion")
@@ -59,7 +59,7 @@ pub(super) fn equation_of_motion(question: &Question) -> Result<DerivationStep, 
         ))
 }
 
-pub(super) fn taylor(question: &Question) -> Result<DerivationStep, DerivationError> {
+pub(super) fn taylor(question: &LindstedtQuestion) -> Result<DerivationStep, DerivationError> {
     let step = DerivationStep::new("taylor", "The Taylor step").say(
         "Perturbation theory needs the force as a power series. Up to the order at which the derivation stops, the restoring \
          force over the square of {} is",
@@ -83,7 +83,7 @@ pub(super) fn taylor(question: &Question) -> Result<DerivationStep, DerivationEr
 }
 
 /// The series of a force whose numbers are fractions.
-fn whole_series(question: &Question) -> Result<CheckedEquation, DerivationError> {
+fn whole_series(question: &LindstedtQuestion) -> Result<CheckedEquation, DerivationError> {
     let with_linear: Vec<Rational> = [Rational::from(0)].iter().chain(&question.force).cloned().collect();
     let next = i64::try_from(with_linear.len()).unwrap_or(i64::MAX);
     let series = polynomial(&with_linear, &question.u()) + order(question.u().pow(next));
@@ -96,7 +96,7 @@ fn whole_series(question: &Question) -> Result<CheckedEquation, DerivationError>
 }
 
 /// The series of a force with symbols in its factors, or with a velocity.
-fn by_powers(question: &Question, step: DerivationStep) -> Result<DerivationStep, DerivationError> {
+fn by_powers(question: &LindstedtQuestion, step: DerivationStep) -> Result<DerivationStep, DerivationError> {
     let (u, epsilon) = (|| question.u(), Name::new("ε"));
     let slope = Formula::from(question.displacement.clone().prime());
     let is_one = question.omega0_squared == Formula::from(1);

@@ -10,7 +10,7 @@ use libration::perturbation::{
 };
 
 /// Coefficients of a series: numbers, or polynomials in the symbols of the force.
-pub(super) type Series = Vec<Polynomial>;
+pub(super) type PolynomialSeries = Vec<Polynomial>;
 
 /// The motion in one gauge.
 #[derive(Debug)]
@@ -18,9 +18,9 @@ pub struct Solution {
     pub(super) gauge: Gauge,
     /// The expansion in fractions, if there are no symbols.
     pub(super) numbers: Option<Expansion>,
-    harmonics: Vec<(usize, Series)>,
-    pub(super) frequency_ratio: Series,
-    pub(super) x_max: Series,
+    harmonics: Vec<(usize, PolynomialSeries)>,
+    pub(super) frequency_ratio: PolynomialSeries,
+    pub(super) x_max: PolynomialSeries,
     pub(super) of_amplitude: Option<AmplitudeSeries<Polynomial>>,
 }
 
@@ -57,7 +57,7 @@ impl Solution {
     }
 
     fn of<C>(gauge: &Gauge, of: &Expansion<C>, value: &dyn Fn(&C) -> Option<Polynomial>) -> Option<Self> {
-        let series = |of: &[C]| of.iter().map(value).collect::<Option<Series>>();
+        let series = |of: &[C]| of.iter().map(value).collect::<Option<PolynomialSeries>>();
         let all = |of: &[(usize, Vec<C>)]| {
             of.iter().map(|(k, of)| Some((*k, series(of)?))).collect::<Option<Vec<_>>>()
         };
@@ -84,7 +84,7 @@ impl Solution {
     }
 
     /// The coefficients of cos kτ, by powers of ε.
-    pub(super) fn harmonic(&self, k: usize) -> Series {
+    pub(super) fn harmonic(&self, k: usize) -> PolynomialSeries {
         self.harmonics.iter().find(|(own, _)| *own == k).map_or_else(Vec::new, |(_, series)| series.clone())
     }
 

@@ -11,8 +11,8 @@ use super::super::formula::{
     Formula, Name, Statement, letter, monomial, number, order, polynomial, sin, sum,
 };
 use super::names::{cosine, harmonic_name};
-use super::question::Question;
-use super::solution::Series;
+use super::question::LindstedtQuestion;
+use super::solution::PolynomialSeries;
 use libration::algebra::{Polynomial, Rational};
 
 /// A motion as the harmonics k with their series in ε, and its frequency ratio Ω/ω0.
@@ -23,7 +23,7 @@ pub struct Motion {
 }
 
 /// Checks that a motion solves Δ²u″ = f/ω0² up to the requested order.
-pub fn solves(question: &Question, motion: &Motion) -> Result<CheckedEquation, DerivationError> {
+pub fn solves(question: &LindstedtQuestion, motion: &Motion) -> Result<CheckedEquation, DerivationError> {
     let next = i64::try_from(question.order + 1).unwrap_or(i64::MAX);
     let statement = Statement::equal(left_side(question), order(letter("ε").pow(next)));
     let phases = question.order + 1;
@@ -35,11 +35,13 @@ pub fn solves(question: &Question, motion: &Motion) -> Result<CheckedEquation, D
 }
 
 /// The values of the names in the equation of motion at a phase τ.
-fn letters(question: &Question, motion: &Motion) -> Letters {
-    let series = |(k, series): &(usize, Series)| (harmonic_name(*k), polynomial(series, &letter("ε")));
+fn letters(question: &LindstedtQuestion, motion: &Motion) -> Letters {
+    let series =
+        |(k, series): &(usize, PolynomialSeries)| (harmonic_name(*k), polynomial(series, &letter("ε")));
     let total = |weight: &dyn Fn(usize) -> i64| {
-        let term =
-            |(k, _): &(usize, Series)| number(weight(*k)) * Formula::from(harmonic_name(*k)) * cosine(*k);
+        let term = |(k, _): &(usize, PolynomialSeries)| {
+            number(weight(*k)) * Formula::from(harmonic_name(*k)) * cosine(*k)
+        };
         sum(motion.harmonics.iter().map(term).collect())
     };
     let square = |k: usize| -i64::try_from(k * k).unwrap_or(i64::MAX);
@@ -49,7 +51,7 @@ fn letters(question: &Question, motion: &Motion) -> Letters {
     values.push((question.displacement.clone(), total(&|_| 1)));
     values.push((second_derivative(question), total(&square)));
     if question.has_velocity() {
-        let term = |(k, _): &(usize, Series)| {
+        let term = |(k, _): &(usize, PolynomialSeries)| {
             let k_number = i64::try_from(*k).unwrap_or(i64::MAX);
             number(-k_number) * Formula::from(harmonic_name(*k)) * sin(number(k_number) * letter("τ"))
         };
@@ -65,7 +67,7 @@ fn letters(question: &Question, motion: &Motion) -> Letters {
 
 /// Checks that the coefficient of εⁿ in the equation of motion is Σ pₖ cos kτ.
 pub fn has_harmonics(
-    question: &Question,
+    question: &LindstedtQuestion,
     motion: &Motion,
     n: usize,
     expected: &[(usize, Polynomial)],
@@ -87,18 +89,18 @@ fn epsilon() -> Name {
     Name::new("ε")
 }
 
-fn second_derivative(question: &Question) -> Name {
+fn second_derivative(question: &LindstedtQuestion) -> Name {
     question.displacement.clone().prime().prime()
 }
 
 /// Δ²u″ + g, with g the restoring force divided by ω0².
-pub(super) fn left_side(question: &Question) -> Formula {
+pub(super) fn left_side(question: &LindstedtQuestion) -> Formula {
     letter("Δ").squared() * Formula::Name(second_derivative(question)) + question.restoring_force()
 }
 
 /// cos τ and sin τ at `count` phases with different cosines. The cosines are 0, 1/n, 2/n, …, and the sines are not needed; with a velocity in
 /// the force both are fractions, by the tangent of half the phase.
-fn phases_of(question: &Question, count: usize) -> impl Iterator<Item = [Rational; 2]> {
+fn phases_of(question: &LindstedtQuestion, count: usize) -> impl Iterator<Item = [Rational; 2]> {
     let has_velocity = question.has_velocity();
     let count = i64::try_from(count).unwrap_or(i64::MAX);
     (0..count).filter_map(move |n| match has_velocity {
@@ -126,7 +128,11 @@ fn waves(first: [Rational; 2], cosine: &Rational, highest: usize) -> Vec<Rationa
 }
 
 /// The symbols, Δ, u, its derivatives and the variable at one phase.
-fn given<'a>(question: &Question, motion: &Motion, [cosine, sine]: &[Rational; 2]) -> Vec<Given<'a>> {
+fn given<'a>(
+    question: &LindstedtQuestion,
+    motion: &Motion,
+    [cosine, sine]: &[Rational; 2],
+) -> Vec<Given<'a>> {
     let (cosines, sines) =
         (chebyshev(cosine, question.order), waves([Rational::from(0), sine.clone()], cosine, question.order));
     let sum = |waves: &[Rational], weight: &dyn Fn(i64) -> i64| {

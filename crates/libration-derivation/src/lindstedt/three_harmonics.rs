@@ -7,7 +7,7 @@ use super::super::document::DerivationStep;
 use super::super::formula::{Formula, Statement, number};
 use super::names::{cosine, harmonic_name};
 use super::orders::{CHOICES, fraction_for};
-use super::question::Question;
+use super::question::LindstedtQuestion;
 use super::truncated::{harmonic, in_ratio, ratio};
 use libration::algebra::{Polynomial, Rational, Variable};
 use libration::perturbation::TruncatedSystem;
@@ -17,7 +17,10 @@ const HARMONICS: [usize; 3] = [1, 3, 5];
 const DEGREE: usize = 5;
 
 /// Appends the equations to those for two harmonics; unchanged if these do not exist.
-pub(super) fn after(question: &Question, step: DerivationStep) -> Result<DerivationStep, DerivationError> {
+pub(super) fn after(
+    question: &LindstedtQuestion,
+    step: DerivationStep,
+) -> Result<DerivationStep, DerivationError> {
     let count = u32::try_from(HARMONICS.len()).unwrap_or(u32::MAX);
     let Ok(system) = TruncatedSystem::new(&question.force, count, DEGREE) else { return Ok(step) };
     let conditions = system.conditions();
@@ -43,7 +46,7 @@ pub(super) fn after(question: &Question, step: DerivationStep) -> Result<Derivat
 }
 
 /// Substitutes fractions for the symbols in the equation of motion, and compares the factors of its cosines with the conditions.
-pub fn check(question: &Question, conditions: &[Polynomial]) -> Result<(), DerivationError> {
+pub fn check(question: &LindstedtQuestion, conditions: &[Polynomial]) -> Result<(), DerivationError> {
     for choice in 0..CHOICES {
         let value = |name: &Variable| Some(fraction_for(name, choice));
         let amplitudes = HARMONICS.map(|k| fraction_for(&harmonic(k), choice));
@@ -66,7 +69,7 @@ pub fn check(question: &Question, conditions: &[Polynomial]) -> Result<(), Deriv
 
 /// Δ²u″ + u + …, up to the last power, as the factors of the cosines.
 fn left_in_cosines(
-    question: &Question,
+    question: &LindstedtQuestion,
     amplitudes: &[Rational; 3],
     ratio_squared: &Rational,
 ) -> Vec<Rational> {

@@ -12,7 +12,7 @@ use super::super::trials::Trials;
 use super::amplitude::of_amplitude;
 use super::few_harmonics::{DEGREE, HARMONICS};
 use super::names::{cosine, harmonic_name};
-use super::question::Question;
+use super::question::LindstedtQuestion;
 use libration::algebra::{Polynomial, Rational, Variable};
 use libration::perturbation::TruncatedSystem;
 
@@ -30,7 +30,7 @@ pub struct Elimination {
 }
 
 /// The step; `None` for a force without a cube, or one that is not odd.
-pub(super) fn step(question: &Question) -> Result<Option<DerivationStep>, DerivationError> {
+pub(super) fn step(question: &LindstedtQuestion) -> Result<Option<DerivationStep>, DerivationError> {
     let Some(elimination) = Elimination::new(question) else { return Ok(None) };
     elimination.check()?;
     let Elimination { cube, conditions, ratio_squared, left } = &elimination;
@@ -63,7 +63,7 @@ pub(super) fn step(question: &Question) -> Result<Option<DerivationStep>, Deriva
 
 /// The solution that begins as the small swing, up to the cube of the amplitude.
 fn small_swing(
-    question: &Question,
+    question: &LindstedtQuestion,
     elimination: &Elimination,
     step: DerivationStep,
 ) -> Result<DerivationStep, DerivationError> {
@@ -136,7 +136,7 @@ fn others(elimination: &Elimination, step: DerivationStep) -> DerivationStep {
 
 impl Elimination {
     /// Eliminates, unless the force has even powers or no cubic one.
-    pub fn new(question: &Question) -> Option<Self> {
+    pub fn new(question: &LindstedtQuestion) -> Option<Self> {
         let cube = question.force.get(DEGREE - 1).filter(|cube| !cube.is_zero())?.clone();
         let system = TruncatedSystem::new(&question.force, HARMONICS, DEGREE).ok()?;
         let conditions = <[Polynomial; 2]>::try_from(system.conditions()).ok()?;
@@ -168,7 +168,12 @@ impl Elimination {
     }
 
     /// A harmonic as a series in the amplitude.
-    fn in_amplitude(&self, question: &Question, harmonic: usize, terms: Vec<Formula>) -> CheckedEquation {
+    fn in_amplitude(
+        &self,
+        question: &LindstedtQuestion,
+        harmonic: usize,
+        terms: Vec<Formula>,
+    ) -> CheckedEquation {
         let claim = TruncatedClaim::Series { amplitude: question.amplitude(), harmonic };
         self.checked(Statement::equal(a(harmonic), sum(terms)), claim)
     }

@@ -4,13 +4,13 @@ use libration::algebra::{Rational, Ring};
 use libration::expression::{Expression, Symbol};
 
 /// The values of the symbols of a formula, by name (`theta0`, `theta''`).
-pub(super) type Values<'a, E> = &'a dyn Fn(&str) -> Option<E>;
+pub(super) type PrintedValues<'a, E> = &'a dyn Fn(&str) -> Option<E>;
 
 /// The value of the formula; `None` if a symbol has no value, or an operation does not exist in the ring.
 pub(super) fn value<R: Ring>(
     ring: &R,
     formula: &Expression,
-    of: Values<'_, R::Element>,
+    of: PrintedValues<'_, R::Element>,
 ) -> Option<R::Element> {
     let operands = |a: &Expression, b: &Expression| Some((value(ring, a, of)?, value(ring, b, of)?));
     match formula {

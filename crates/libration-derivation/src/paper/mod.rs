@@ -47,7 +47,7 @@ mod sine;
 pub use finding::{StatementFinding, StatementVerdict};
 pub use statement::{Document, Row};
 
-use statement::{Statement, in_order};
+use statement::{PrintedStatement, in_order};
 
 /// Every statement with its verdict, in the order of the documents.
 #[must_use]
@@ -63,7 +63,7 @@ pub fn rows_where(chosen: impl Fn(Document, &str) -> bool) -> Vec<Row> {
 }
 
 /// All statements with their documents, in order.
-pub fn statements() -> Vec<(Document, Statement)> {
+pub fn statements() -> Vec<(Document, PrintedStatement)> {
     let documents = [(Document::BlackVel, black_vel::STATEMENTS), (Document::Cote, cote::STATEMENTS)];
     let of = |(document, groups)| in_order(groups).into_iter().map(move |statement| (document, *statement));
     documents.into_iter().flat_map(of).collect()

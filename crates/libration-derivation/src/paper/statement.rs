@@ -68,11 +68,11 @@ pub struct Row {
 }
 
 /// A check that compares the printed formulas with computed ones; `None` if a formula cannot be evaluated.
-pub(super) type Check = fn(&Printed) -> Option<StatementFinding>;
+pub(super) type StatementCheck = fn(&Printed) -> Option<StatementFinding>;
 
 /// A statement of a document with its check.
 #[derive(Clone, Copy, Debug)]
-pub struct Statement {
+pub struct PrintedStatement {
     /// The label itself, or for text that of the preceding equation or figure.
     pub(super) after: &'static str,
     /// The number of an equation, or the subject of a text.
@@ -81,13 +81,13 @@ pub struct Statement {
     /// The formulas as the document prints them.
     pub printed: &'static [&'static str],
     pub(super) paraphrase: bool,
-    pub(super) check: Check,
+    pub(super) check: StatementCheck,
 }
 
 /// The evidence if a check could not be carried out.
 pub const NOT_EVALUATED: &str = "the check could not be carried out, as a formula has no value here where one is needed: that says nothing about the statement";
 
-impl Statement {
+impl PrintedStatement {
     /// The statement, marked as a paraphrase of words in the document.
     pub(super) const fn paraphrased(self) -> Self {
         Self { paraphrase: true, ..self }
@@ -116,8 +116,8 @@ pub(super) const fn statement(
     label: &'static str,
     claim: &'static str,
     printed: &'static [&'static str],
-    check: Check,
-) -> Statement {
+    check: StatementCheck,
+) -> PrintedStatement {
     text_after(label, label, claim, printed, check)
 }
 
@@ -127,14 +127,14 @@ pub(super) const fn text_after(
     label: &'static str,
     claim: &'static str,
     printed: &'static [&'static str],
-    check: Check,
-) -> Statement {
-    Statement { after, label, claim, printed, paraphrase: false, check }
+    check: StatementCheck,
+) -> PrintedStatement {
+    PrintedStatement { after, label, claim, printed, paraphrase: false, check }
 }
 
 /// The statements of several groups in the order of the document.
-pub(super) fn in_order(groups: &[&'static [Statement]]) -> Vec<&'static Statement> {
-    let mut ordered: Vec<&Statement> = groups.iter().copied().flatten().collect();
+pub(super) fn in_order(groups: &[&'static [PrintedStatement]]) -> Vec<&'static PrintedStatement> {
+    let mut ordered: Vec<&PrintedStatement> = groups.iter().copied().flatten().collect();
     // The sort is stable: text after an equation follows it in the order of its group.
     ordered.sort_by_key(|statement| (place_of(statement.after), statement.after != statement.label));
     ordered

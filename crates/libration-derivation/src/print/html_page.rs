@@ -9,7 +9,7 @@ use super::super::typeset::escape::html;
 use super::super::typeset::layout::{Layout, Style};
 use super::super::typeset::lines::{self, Lines};
 use super::super::typeset::mathml;
-use super::{Place, sentence, write_blocks};
+use super::{BlockPosition, sentence, write_blocks};
 
 const STYLE: &str = "
 :root { color-scheme: light dark; --ink: #1c1c1c; --paper: #fdfcf9; --soft: #6b6b6b; --line: #d9d5cb; --tick: #2c7a3f }
@@ -57,10 +57,10 @@ pub fn to_html(derivation: &Derivation) -> String {
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <title>{title}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<h1>{title}</h1>\n"
     );
-    write_blocks(&mut page, "", Place::INTRODUCTION, &derivation.introduction, block);
+    write_blocks(&mut page, "", BlockPosition::INTRODUCTION, &derivation.introduction, block);
     let mut answers = "<h1 class=\"answers\" id=\"answers\">Answers</h1>\n";
-    for (place, step) in Place::steps(derivation) {
-        let Place { id, step: number, is_answer } = place;
+    for (place, step) in BlockPosition::steps(derivation) {
+        let BlockPosition { id, step: number, is_answer } = place;
         if is_answer {
             page.push_str(std::mem::take(&mut answers));
         }
@@ -87,7 +87,7 @@ pub fn judgement_to_html(judgement: &Judgement) -> String {
     format!("<p class=\"{class}\">{}</p>\n", prose(&judgement.to_prose()))
 }
 
-fn block(place: Place<'_>, block: &Block) -> String {
+fn block(place: BlockPosition<'_>, block: &Block) -> String {
     match block {
         Block::Paragraph(it) => format!("<p>{}</p>", prose(it)),
         Block::Remark(it) => format!("<p class=\"remark\">{}</p>", prose(it)),
@@ -108,14 +108,14 @@ fn prose(prose: &Prose) -> String {
     sentence(prose, html, |it| format!("<math>{}</math>", mathml(&Style::Inline.formula(it))))
 }
 
-fn equation(place: Place<'_>, number: usize, equation: &CheckedEquation) -> String {
+fn equation(place: BlockPosition<'_>, number: usize, equation: &CheckedEquation) -> String {
     let class = if equation.check().is_computed() { "check computed" } else { "check" };
     let check = prose(&equation.check().to_prose());
     format!("{}\n<p class=\"{class}\">{check}</p>", formula(place, number, equation.statement(), false))
 }
 
 /// A displayed formula with its number, which is a link to the formula; its class says whether answers to it can be compared.
-fn formula(place: Place<'_>, number: usize, statement: &Statement, is_comparable: bool) -> String {
+fn formula(place: BlockPosition<'_>, number: usize, statement: &Statement, is_comparable: bool) -> String {
     let Lines { left, right } = lines::statement(statement);
     let inside = match right.as_slice() {
         [] => mathml(&left),

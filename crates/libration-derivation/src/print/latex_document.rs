@@ -5,7 +5,7 @@ use super::super::formula::Statement;
 use super::super::prose::Prose;
 use super::super::typeset::escape::latex_text;
 use super::super::typeset::{inline_latex, statement_latex};
-use super::{Place, sentence, write_blocks};
+use super::{BlockPosition, sentence, write_blocks};
 
 const HEAD: &str = "\\documentclass[11pt,a4paper]{article}
 \\usepackage{amsmath}
@@ -27,9 +27,9 @@ pub fn to_latex(derivation: &Derivation) -> String {
     let mut text = HEAD.to_owned();
     text.push_str(&format!("\\title{{{}}}\n\\author{{}}\n\\date{{}}\n", latex_text(&derivation.title)));
     text.push_str("\\begin{document}\n\\maketitle\n");
-    write_blocks(&mut text, "\n", Place::INTRODUCTION, &derivation.introduction, block);
+    write_blocks(&mut text, "\n", BlockPosition::INTRODUCTION, &derivation.introduction, block);
     let mut answers = "\n\\clearpage\n\\part*{Answers}\n";
-    for (place, step) in Place::steps(derivation) {
+    for (place, step) in BlockPosition::steps(derivation) {
         if place.is_answer {
             text.push_str(std::mem::take(&mut answers));
             text.push_str(&format!("\n\\section*{{{}\\quad {}}}\n", place.step, latex_text(&step.heading)));
@@ -42,7 +42,7 @@ pub fn to_latex(derivation: &Derivation) -> String {
     text
 }
 
-fn block(place: Place<'_>, block: &Block) -> String {
+fn block(place: BlockPosition<'_>, block: &Block) -> String {
     match block {
         Block::Paragraph(it) => prose(it),
         Block::Remark(it) => format!("\\begin{{remark}}\n{}\n\\end{{remark}}", prose(it)),
@@ -62,7 +62,7 @@ fn block(place: Place<'_>, block: &Block) -> String {
 }
 
 /// A displayed formula with its number.
-fn formula(place: Place<'_>, number: usize, statement: &Statement) -> String {
+fn formula(place: BlockPosition<'_>, number: usize, statement: &Statement) -> String {
     format!("\\[\n{}\n\\tag{{{}}}\n\\]", statement_latex(statement), place.number(number))
 }
 

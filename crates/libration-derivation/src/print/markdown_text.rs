@@ -7,15 +7,15 @@ use super::super::formula::Statement;
 use super::super::prose::Prose;
 use super::super::typeset::escape::markdown;
 use super::super::typeset::{inline_latex, statement_latex};
-use super::{Place, sentence, write_blocks};
+use super::{BlockPosition, sentence, write_blocks};
 
 /// The derivation in Markdown: displayed formulas in `math` fences, other formulas between dollar signs.
 #[must_use]
 pub fn to_markdown(derivation: &Derivation) -> String {
     let mut text = format!("# {}\n", markdown(&derivation.title));
-    write_blocks(&mut text, "\n", Place::INTRODUCTION, &derivation.introduction, block);
+    write_blocks(&mut text, "\n", BlockPosition::INTRODUCTION, &derivation.introduction, block);
     let mut answers = "\n---\n\n## Answers\n";
-    for (place, step) in Place::steps(derivation) {
+    for (place, step) in BlockPosition::steps(derivation) {
         let level = if place.is_answer { "###" } else { "##" };
         if place.is_answer {
             text.push_str(std::mem::take(&mut answers));
@@ -32,7 +32,7 @@ pub fn judgement_to_markdown(judgement: &Judgement) -> String {
     format!("{}\n", prose(&judgement.to_prose()))
 }
 
-pub(super) fn block(place: Place<'_>, block: &Block) -> String {
+pub(super) fn block(place: BlockPosition<'_>, block: &Block) -> String {
     match block {
         Block::Paragraph(it) => prose(it),
         Block::Remark(it) => format!("> {}", prose(it)),
@@ -47,14 +47,14 @@ pub(super) fn block(place: Place<'_>, block: &Block) -> String {
     }
 }
 
-fn equation(place: Place<'_>, number: usize, equation: &CheckedEquation) -> String {
+fn equation(place: BlockPosition<'_>, number: usize, equation: &CheckedEquation) -> String {
     let check = equation.check();
     let tick = if check.is_computed() { "✓ " } else { "" };
     format!("{}\n{tick}{}", formula(place, number, equation.statement()), prose(&check.to_prose()))
 }
 
 /// A displayed formula with its number.
-fn formula(place: Place<'_>, number: usize, statement: &Statement) -> String {
+fn formula(place: BlockPosition<'_>, number: usize, statement: &Statement) -> String {
     format!("```math\n{}\n\\tag{{{}}}\n```", statement_latex(statement), place.number(number))
 }
 

@@ -16,7 +16,7 @@ use super::prose::{Prose, Span};
 
 /// The position of a block.
 #[derive(Clone, Copy)]
-struct Place<'a> {
+struct BlockPosition<'a> {
     /// The id of the step, or of the exercise that the block answers.
     id: &'a str,
     /// The number of the step; zero in the introduction.
@@ -25,7 +25,7 @@ struct Place<'a> {
     is_answer: bool,
 }
 
-impl<'a> Place<'a> {
+impl<'a> BlockPosition<'a> {
     const INTRODUCTION: Self = Self { id: "introduction", step: 0, is_answer: false };
 
     /// The positions of the steps.
@@ -59,9 +59,9 @@ fn sentence(prose: &Prose, text: fn(&str) -> String, formula: fn(&Formula) -> St
 fn write_blocks(
     page: &mut String,
     separator: &str,
-    place: Place<'_>,
+    place: BlockPosition<'_>,
     blocks: &[Block],
-    written: fn(Place<'_>, &Block) -> String,
+    written: fn(BlockPosition<'_>, &Block) -> String,
 ) {
     for block in blocks {
         page.push_str(separator);

@@ -8,7 +8,7 @@ use super::super::document::{Block, Derivation, DerivationStep};
 use super::super::formula::{Name, Statement};
 use super::super::python::{self, Questions};
 use super::super::typeset::statement_latex;
-use super::{Place, markdown_text};
+use super::{BlockPosition, markdown_text};
 use libration::algebra::Rational;
 
 /// The derivation as a notebook of format 4.5.
@@ -16,7 +16,7 @@ use libration::algebra::Rational;
 pub fn to_notebook(derivation: &Derivation) -> String {
     let mut notebook = Notebook::default();
     notebook.say(&format!("# {}", markdown_text::title(derivation)));
-    notebook.blocks(Place::INTRODUCTION, &derivation.introduction);
+    notebook.blocks(BlockPosition::INTRODUCTION, &derivation.introduction);
     if derivation.answers.is_empty() {
         notebook.say(
             "Formulas that can be checked with Python’s own fractions and floats have a cell that does so again, on your computer: it raises an \
@@ -26,7 +26,7 @@ pub fn to_notebook(derivation: &Derivation) -> String {
         notebook.begin_exercises(derivation);
     }
     let mut answers = "## Answers";
-    for (place, step) in Place::steps(derivation) {
+    for (place, step) in BlockPosition::steps(derivation) {
         if place.is_answer && !answers.is_empty() {
             notebook.say(std::mem::take(&mut answers));
             if notebook.questions.comparison().is_some() {
@@ -62,7 +62,7 @@ struct Notebook<'a> {
 impl<'a> Notebook<'a> {
     /// The cell that compares answers, with what it says and the symbols that it knows.
     fn begin_exercises(&mut self, derivation: &Derivation) {
-        for (place, step) in Place::steps(derivation).filter(|(place, _)| place.is_answer) {
+        for (place, step) in BlockPosition::steps(derivation).filter(|(place, _)| place.is_answer) {
             self.questions.add(place.step, &step.blocks);
         }
         let Some(code) = self.questions.comparison() else { return };
@@ -75,14 +75,14 @@ impl<'a> Notebook<'a> {
         self.compute_folded("comparison", &code);
     }
 
-    fn step(&mut self, place: Place<'a>, step: &'a DerivationStep) {
+    fn step(&mut self, place: BlockPosition<'a>, step: &'a DerivationStep) {
         self.end_text();
         let level = if place.is_answer { "###" } else { "##" };
         self.say(&format!("{level} {}. {}", place.step, markdown_text::heading(step)));
         self.blocks(place, &step.blocks);
     }
 
-    fn blocks(&mut self, place: Place<'a>, blocks: &'a [Block]) {
+    fn blocks(&mut self, place: BlockPosition<'a>, blocks: &'a [Block]) {
         for block in blocks {
             match block {
                 Block::Equation { number, equation } => self.equation(place, *number, equation),
@@ -101,7 +101,7 @@ impl<'a> Notebook<'a> {
         }
     }
 
-    fn equation(&mut self, place: Place<'a>, number: usize, equation: &'a CheckedEquation) {
+    fn equation(&mut self, place: BlockPosition<'a>, number: usize, equation: &'a CheckedEquation) {
         self.say(&formula(place, number, equation.statement()));
         let Some(code) = python::check(equation) else {
             return self.say(&markdown_text::check(equation));
@@ -233,7 +233,7 @@ fn code_cell(id: &str, metadata: &str, code: &str) -> String {
 }
 
 /// A displayed formula with its number, in notebook syntax.
-fn formula(place: Place<'_>, number: usize, statement: &Statement) -> String {
+fn formula(place: BlockPosition<'_>, number: usize, statement: &Statement) -> String {
     format!("$$\n{}\n\\tag{{{}}}\n$$", statement_latex(statement), place.number(number))
 }
 

@@ -18,7 +18,7 @@ use super::prose::Prose;
 use libration::expression::Equation;
 use libration::perturbation::SymbolicSlowFlowOptions;
 use libration::progress::Progress;
-use subject::Subject;
+use subject::SlowFlowSubject;
 
 /// The slow flow of amplitude and phase of an oscillator with symbols for its parameters, free or driven, and its steady states, to the lowest
 /// order in the small parameters.
@@ -43,7 +43,7 @@ pub fn slow_flow(
     options: &SymbolicSlowFlowOptions,
     progress: &dyn Progress,
 ) -> Result<Derivation, DerivationError> {
-    let subject = Subject::new(equation, options, progress)?;
+    let subject = SlowFlowSubject::new(equation, options, progress)?;
     let mut steps = vec![
         motion::equation_of_motion(&subject)?,
         motion::ansatz(&subject)?,

@@ -7,9 +7,9 @@ use super::super::formula::{
 };
 use super::super::prose::Prose;
 use super::super::trials::Trials;
-use super::subject::{Subject, cosine};
+use super::subject::{SlowFlowSubject, cosine};
 
-pub(super) fn equation_of_motion(subject: &Subject) -> Result<DerivationStep, DerivationError> {
+pub(super) fn equation_of_motion(subject: &SlowFlowSubject) -> Result<DerivationStep, DerivationError> {
     let x = subject.variable();
     let second = Formula::from(x.clone().prime().prime());
     let acceleration = subject.written(&subject.equation.accelerations()[0]);
@@ -54,7 +54,7 @@ pub(super) fn equation_of_motion(subject: &Subject) -> Result<DerivationStep, De
 }
 
 /// The sentences about the orders of the terms.
-fn smallness(subject: &Subject) -> Prose {
+fn smallness(subject: &SlowFlowSubject) -> Prose {
     let small = |name: &str| Formula::from(subject.name(name));
     match (subject.small.as_slice(), subject.steps.is_by_amplitude) {
         ([], _) => Prose::text(
@@ -84,7 +84,7 @@ fn smallness(subject: &Subject) -> Prose {
     }
 }
 
-pub(super) fn ansatz(subject: &Subject) -> Result<DerivationStep, DerivationError> {
+pub(super) fn ansatz(subject: &SlowFlowSubject) -> Result<DerivationStep, DerivationError> {
     let (x, a, phi) = (subject.variable(), subject.amplitude(), subject.phase());
     let [position, velocity] = &subject.steps.motion[0];
     let psi = Statement::defined(letter("ψ"), subject.angle()?);
@@ -124,7 +124,7 @@ pub(super) fn ansatz(subject: &Subject) -> Result<DerivationStep, DerivationErro
         .show(CheckedEquation::definition(velocity)))
 }
 
-pub(super) fn derivatives(subject: &Subject) -> Result<DerivationStep, DerivationError> {
+pub(super) fn derivatives(subject: &SlowFlowSubject) -> Result<DerivationStep, DerivationError> {
     let (a, psi) = (subject.amplitude(), Name::new("ψ"));
     let primed =
         |name: &Name, primes: usize| Formula::from((0..primes).fold(name.clone(), |name, _| name.prime()));

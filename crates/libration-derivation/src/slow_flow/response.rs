@@ -5,11 +5,11 @@ use super::super::document::DerivationStep;
 use super::super::formula::{Formula, Statement, call, derivative, letter, number, sqrt};
 use super::super::trials::Trials;
 use super::steady::{define_relation, relation_at, relation_name};
-use super::subject::Subject;
+use super::subject::SlowFlowSubject;
 use libration::algebra::Function;
 use libration::expression::{Expression, Symbol};
 
-pub(super) fn curve(subject: &Subject) -> Result<Option<DerivationStep>, DerivationError> {
+pub(super) fn curve(subject: &SlowFlowSubject) -> Result<Option<DerivationStep>, DerivationError> {
     let (Some(relation), Some(curve)) = (&subject.flow().steady_state.relation, &subject.steps.curve) else {
         return Ok(None);
     };
@@ -33,7 +33,11 @@ pub(super) fn curve(subject: &Subject) -> Result<Option<DerivationStep>, Derivat
 }
 
 /// The backbone and the peak.
-fn ridge(subject: &Subject, relation: &str, step: DerivationStep) -> Result<DerivationStep, DerivationError> {
+fn ridge(
+    subject: &SlowFlowSubject,
+    relation: &str,
+    step: DerivationStep,
+) -> Result<DerivationStep, DerivationError> {
     let state = &subject.flow().steady_state;
     let ridge = subject.steps.curve.as_ref().and_then(|curve| curve.ridge.as_ref());
     let (Some([curvature, rest]), Some(backbone)) = (ridge, &state.backbone) else { return Ok(step) };
@@ -81,7 +85,7 @@ fn ridge(subject: &Subject, relation: &str, step: DerivationStep) -> Result<Deri
 
 /// The drive at which folds appear.
 fn critical(
-    subject: &Subject,
+    subject: &SlowFlowSubject,
     relation: &str,
     step: DerivationStep,
 ) -> Result<DerivationStep, DerivationError> {
@@ -149,7 +153,7 @@ fn squared_drive(relation: &Expression, amplitude: &Expression) -> Option<Symbol
 
 /// The condition of the folds as a polynomial of the second degree in A².
 fn two_folds(
-    subject: &Subject,
+    subject: &SlowFlowSubject,
     trials: &Trials,
     step: DerivationStep,
     [b, delta]: [&Formula; 2],

@@ -6,7 +6,7 @@ use super::super::formula::{
     Formula, Name, Statement, apply, cos, integral, letter, number, scaled, sin, sum,
 };
 use super::super::trials::Trials;
-use super::subject::{Subject, cosine};
+use super::subject::{SlowFlowSubject, cosine};
 use libration::expression::{Expression, Symbol};
 use libration::perturbation::SmallTerm;
 
@@ -15,7 +15,7 @@ fn sine() -> Formula {
 }
 
 /// A term with the motion in place of displacement and velocity, in W·t or with its phase.
-fn along(subject: &Subject, term: &SmallTerm, at_phase: usize) -> Result<Formula, DerivationError> {
+fn along(subject: &SlowFlowSubject, term: &SmallTerm, at_phase: usize) -> Result<Formula, DerivationError> {
     let variable = &subject.equation.variables()[0];
     let [position, velocity] = &subject.steps.motion[at_phase];
     let mut force = subject.read(&term.force[at_phase])?;
@@ -26,7 +26,10 @@ fn along(subject: &Subject, term: &SmallTerm, at_phase: usize) -> Result<Formula
 }
 
 /// c·cos ψ + s·sin ψ, with brackets around sums.
-fn wave(subject: &Subject, [cosine_part, sine_part]: &[String; 2]) -> Result<Formula, DerivationError> {
+fn wave(
+    subject: &SlowFlowSubject,
+    [cosine_part, sine_part]: &[String; 2],
+) -> Result<Formula, DerivationError> {
     let mut terms = vec![];
     for (text, wave) in [(cosine_part, cosine()), (sine_part, sine())] {
         let factor = subject.read(text)?;
@@ -38,14 +41,14 @@ fn wave(subject: &Subject, [cosine_part, sine_part]: &[String; 2]) -> Result<For
 }
 
 /// A product with its sign in front.
-fn factored(subject: &Subject, factor: &Expression, wave: Formula) -> Formula {
+fn factored(subject: &SlowFlowSubject, factor: &Expression, wave: Formula) -> Formula {
     match factor {
         Expression::Negate(size) => -(subject.written(size) * wave),
         _ => subject.written(factor) * wave,
     }
 }
 
-pub(super) fn step(subject: &Subject) -> Result<DerivationStep, DerivationError> {
+pub(super) fn step(subject: &SlowFlowSubject) -> Result<DerivationStep, DerivationError> {
     let mut trials = Trials::choices()?;
     for (place, name) in ["α", "β"].into_iter().enumerate() {
         trials.choose(&Name::new(name), &|choice| Formula::Number(chosen(place, choice)))?;
@@ -77,7 +80,7 @@ pub(super) fn step(subject: &Subject) -> Result<DerivationStep, DerivationError>
 }
 
 fn one_term(
-    subject: &Subject,
+    subject: &SlowFlowSubject,
     step: DerivationStep,
     term: &SmallTerm,
 ) -> Result<DerivationStep, DerivationError> {
@@ -112,13 +115,13 @@ fn one_term(
         .show(subject.trials.compare_choices(Statement::equal(turning, resonant))?))
 }
 
-fn bracketed(subject: &Subject) -> Formula {
+fn bracketed(subject: &SlowFlowSubject) -> Formula {
     Formula::Sum(vec![letter("ψ"), -Formula::from(subject.phase())])
 }
 
 /// A force with kinks: its resonant part by an integral over a quarter of a period.
 fn kinked(
-    subject: &Subject,
+    subject: &SlowFlowSubject,
     step: DerivationStep,
     term: &SmallTerm,
     force: Formula,
@@ -147,7 +150,7 @@ fn kinked(
     Ok(step)
 }
 
-pub(super) fn averaged(subject: &Subject) -> Result<DerivationStep, DerivationError> {
+pub(super) fn averaged(subject: &SlowFlowSubject) -> Result<DerivationStep, DerivationError> {
     let (a, phi) = (subject.amplitude(), subject.phase());
     let (growth, turn) = (a.clone().prime(), phi.clone().prime());
     let omega = subject.omega0()?;
@@ -195,7 +198,7 @@ pub(super) fn averaged(subject: &Subject) -> Result<DerivationStep, DerivationEr
 }
 
 /// The rates as means of the whole force.
-fn means(subject: &Subject, step: DerivationStep) -> Result<DerivationStep, DerivationError> {
+fn means(subject: &SlowFlowSubject, step: DerivationStep) -> Result<DerivationStep, DerivationError> {
     let (a, phi) = (subject.amplitude(), subject.phase());
     let f = subject.function(["f", "h", "k"]);
     let mut trials = subject.trials.clone();

@@ -4,17 +4,17 @@ use super::super::check::{CheckedEquation, DerivationError};
 use super::super::document::DerivationStep;
 use super::super::formula::{Formula, Name, Statement, apply, cos, derivative, number, scaled, sin};
 use super::super::trials::Trials;
-use super::subject::Subject;
+use super::subject::SlowFlowSubject;
 use libration::algebra::Rational;
 
 /// The names of A′ and φ′ as functions of amplitude and phase.
-pub(super) fn functions(subject: &Subject) -> [&'static str; 2] {
+pub(super) fn functions(subject: &SlowFlowSubject) -> [&'static str; 2] {
     [subject.function(["G", "U", "M"]), subject.function(["H", "V", "N"])]
 }
 
 /// Defines A′ and φ′ as functions, of the amplitude alone without drive.
 fn with_functions(
-    subject: &Subject,
+    subject: &SlowFlowSubject,
     mut trials: Trials,
     parameters: &[&str],
 ) -> Result<Trials, DerivationError> {
@@ -26,7 +26,7 @@ fn with_functions(
 }
 
 /// The limit cycle of an oscillator without drive.
-pub(super) fn free(subject: &Subject) -> Result<Option<DerivationStep>, DerivationError> {
+pub(super) fn free(subject: &SlowFlowSubject) -> Result<Option<DerivationStep>, DerivationError> {
     let state = &subject.flow().steady_state;
     let Some(amplitude) = &state.cycle_amplitude else { return Ok(None) };
     let [p, q] = functions(subject);
@@ -66,7 +66,10 @@ pub(super) fn free(subject: &Subject) -> Result<Option<DerivationStep>, Derivati
 }
 
 /// The elimination of the phase.
-pub(super) fn driven(subject: &Subject, trials: &Trials) -> Result<Option<DerivationStep>, DerivationError> {
+pub(super) fn driven(
+    subject: &SlowFlowSubject,
+    trials: &Trials,
+) -> Result<Option<DerivationStep>, DerivationError> {
     let state = &subject.flow().steady_state;
     let Some(relation) = &state.relation else { return Ok(None) };
     let (a, phi) = (subject.amplitude(), subject.phase());
@@ -108,12 +111,12 @@ pub(super) fn driven(subject: &Subject, trials: &Trials) -> Result<Option<Deriva
 }
 
 /// The name of the relation.
-pub(super) fn relation_name(subject: &Subject) -> &'static str {
+pub(super) fn relation_name(subject: &SlowFlowSubject) -> &'static str {
     subject.function(["R", "S", "K"])
 }
 
 pub(super) fn define_relation(
-    subject: &Subject,
+    subject: &SlowFlowSubject,
     trials: &mut Trials,
     relation: &str,
 ) -> Result<CheckedEquation, DerivationError> {
@@ -123,13 +126,13 @@ pub(super) fn define_relation(
 }
 
 /// R(A, σ).
-pub(super) fn relation_at(subject: &Subject, r: &str) -> Formula {
+pub(super) fn relation_at(subject: &SlowFlowSubject, r: &str) -> Formula {
     apply(r, [subject.amplitude().into(), subject.detuning().into()])
 }
 
 /// Trace and determinant of the Jacobian.
 pub(super) fn stability(
-    subject: &Subject,
+    subject: &SlowFlowSubject,
     trials: &Trials,
 ) -> Result<Option<DerivationStep>, DerivationError> {
     let state = &subject.flow().steady_state;

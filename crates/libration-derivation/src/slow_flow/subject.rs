@@ -15,7 +15,7 @@ const CHOICES: usize = 3;
 const SEEDS: usize = 12;
 
 /// A slow flow with its equation of motion.
-pub(super) struct Subject {
+pub(super) struct SlowFlowSubject {
     pub(super) equation: Equation,
     pub(super) steps: SlowFlowSteps,
     /// Small parameters with their orders.
@@ -24,7 +24,7 @@ pub(super) struct Subject {
     pub(super) trials: Trials,
 }
 
-impl Subject {
+impl SlowFlowSubject {
     pub(super) fn new(
         equation: &Equation,
         options: &SymbolicSlowFlowOptions,

@@ -5,7 +5,7 @@ use super::super::document::{DerivationStep, DerivationTable};
 use super::super::formula::{Decimal, DecimalUnit, Formula, number, rounded};
 use super::super::phase::PiNumber;
 use super::super::prose::Prose;
-use super::subject::Subject;
+use super::subject::TwoSidedSubject;
 use libration::comparison::{ExactMotion, SeriesQuantity};
 use libration::internals::progress::Watch;
 use libration::perturbation::{Gauge, expand};
@@ -13,7 +13,7 @@ use libration::quantity::Displacement;
 
 /// The partial sums of T/T0, compared with the period found by integration.
 pub(super) fn step(
-    subject: &Subject,
+    subject: &TwoSidedSubject,
     amplitude: &Displacement,
     watch: &Watch<'_>,
 ) -> Result<DerivationStep, DerivationError> {

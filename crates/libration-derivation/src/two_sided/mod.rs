@@ -18,7 +18,7 @@ use libration::oscillator::Oscillator;
 use libration::perturbation::Gauge;
 use libration::progress::Interrupted;
 use libration::quantity::Displacement;
-use subject::Subject;
+use subject::TwoSidedSubject;
 
 pub use quarter::Quarter;
 
@@ -33,7 +33,7 @@ pub(super) fn two_sided(
     if !matches!(gauge, Gauge::Fundamental | Gauge::XMax) {
         return Err(DerivationError::GaugeOfTwoSided);
     }
-    let subject = Subject::new(oscillator, order)?;
+    let subject = TwoSidedSubject::new(oscillator, order)?;
     match subject.agrees_with_library(&watch.part()) {
         Err(_) if watch.is_stopped() => return Err(Interrupted.into()),
         known => known?,

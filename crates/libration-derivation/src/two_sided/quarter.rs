@@ -14,12 +14,12 @@ pub struct Quarter {
     /// 1, d₁, d₂, ….
     pub ratio: Vec<PiNumber>,
     /// The powers from the second on.
-    pub orders: Vec<Order>,
+    pub orders: Vec<QuarterOrder>,
 }
 
 /// The contributions to a power of the amplitude, and the solution without the correction of the frequency.
 #[derive(Clone, Debug)]
-pub struct Order {
+pub struct QuarterOrder {
     /// The power n.
     pub(super) power: usize,
     /// The contributions to the right side of uₙ″ + uₙ = 2dₙ₋₁cos τ + …: those of Δ²u″, and of each power of u.
@@ -53,7 +53,7 @@ impl Quarter {
         quarter
     }
 
-    fn next(&self, power: usize) -> Order {
+    fn next(&self, power: usize) -> QuarterOrder {
         let minus = PiNumber::from(Rational::from(-1));
         let of_acceleration = (1..power).fold(PhaseFunction::default(), |sum, m| {
             let square = self.squared_ratio(m, &self.ratio);
@@ -68,7 +68,7 @@ impl Quarter {
         }
         let known = of_powers.iter().fold(of_acceleration.clone(), |sum, part| sum.plus(part));
         let begun = known.begun_at_rest();
-        Order { power, of_acceleration, of_powers, known, begun }
+        QuarterOrder { power, of_acceleration, of_powers, known, begun }
     }
 
     /// The coefficient of Aᵐ in Δ², from these coefficients of Δ.

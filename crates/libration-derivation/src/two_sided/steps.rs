@@ -12,8 +12,8 @@ use super::super::formula::{
 use super::super::phase::{PhaseFunction, PiNumber, number as written, series};
 use super::super::prose::Prose;
 use super::super::trials::Trials;
-use super::quarter::Order;
-use super::subject::Subject;
+use super::quarter::QuarterOrder;
+use super::subject::TwoSidedSubject;
 use libration::algebra::{Polynomial, Rational, Variable};
 
 fn tau() -> Formula {
@@ -41,7 +41,7 @@ fn power_of_amplitude(n: usize) -> Formula {
     monomial(&Rational::from(1), &letter("A"), n)
 }
 
-pub(super) fn equation_of_motion(subject: &Subject) -> Result<DerivationStep, DerivationError> {
+pub(super) fn equation_of_motion(subject: &TwoSidedSubject) -> Result<DerivationStep, DerivationError> {
     let variable = Formula::from(&subject.variable);
     let second = Formula::from(subject.variable.clone().prime().prime());
     let trials = Trials::new(None)?.with(&subject.variable, subject.equilibrium.clone() + tenths(7))?;
@@ -81,7 +81,7 @@ pub(super) fn equation_of_motion(subject: &Subject) -> Result<DerivationStep, De
         .show(CheckedEquation::definition(square)))
 }
 
-pub(super) fn taylor(subject: &Subject) -> Result<DerivationStep, DerivationError> {
+pub(super) fn taylor(subject: &TwoSidedSubject) -> Result<DerivationStep, DerivationError> {
     let force = &subject.quarter.force;
     let coefficients: Vec<Rational> = [Rational::from(0)].iter().chain(force).cloned().collect();
     let next = order(monomial(&Rational::from(1), &subject.u(), coefficients.len()));
@@ -100,7 +100,7 @@ pub(super) fn taylor(subject: &Subject) -> Result<DerivationStep, DerivationErro
         .show(equation))
 }
 
-pub(super) fn ansatz(subject: &Subject) -> DerivationStep {
+pub(super) fn ansatz(subject: &TwoSidedSubject) -> DerivationStep {
     let u = |n: usize| Formula::from(subject.part(n));
     let phase = Statement::defined(tau(), letter("Ω") * letter("t"));
     let ratio = Statement::defined(letter("Δ"), letter("Ω") / omega0());
@@ -177,7 +177,12 @@ pub(super) fn solutions() -> Result<DerivationStep, DerivationError> {
         ))
 }
 
-fn checked(subject: &Subject, power: usize, statement: Statement, claim: QuarterClaim) -> CheckedEquation {
+fn checked(
+    subject: &TwoSidedSubject,
+    power: usize,
+    statement: Statement,
+    claim: QuarterClaim,
+) -> CheckedEquation {
     let force = subject.quarter.force.iter().skip(1).cloned().collect();
     CheckedEquation::new(statement, Check::Quarter(Box::new(QuarterFormula { force, power, claim })))
 }
@@ -185,7 +190,7 @@ fn checked(subject: &Subject, power: usize, statement: Statement, claim: Quarter
 /// Highest power whose table is shown unfolded; those of higher powers are folded.
 const OPEN_TO_READ: usize = 3;
 
-pub(super) fn one_power(subject: &Subject, found: &Order) -> DerivationStep {
+pub(super) fn one_power(subject: &TwoSidedSubject, found: &QuarterOrder) -> DerivationStep {
     let n = found.power;
     let (part, correction) = (subject.part(n), correction_name(n - 1));
     let known = series(&found.known, "τ");
@@ -245,7 +250,7 @@ fn over_half_pi(value: &PiNumber) -> Formula {
     if is_negative { -product(&value.negated()) } else { product(value) }
 }
 
-fn table(subject: &Subject, found: &Order) -> DerivationTable {
+fn table(subject: &TwoSidedSubject, found: &QuarterOrder) -> DerivationTable {
     let n = found.power;
     let second = Formula::from(subject.displacement.clone().prime().prime());
     let linear = -(letter("Δ").squared() * second);
@@ -272,7 +277,7 @@ fn table(subject: &Subject, found: &Order) -> DerivationTable {
 }
 
 /// The products in the power n of −Δ²u″, without the correction that this power fixes.
-fn of_acceleration(subject: &Subject, n: usize) -> Formula {
+fn of_acceleration(subject: &TwoSidedSubject, n: usize) -> Formula {
     let correction = |m: usize| Polynomial::variable(Variable::indexed("d", u32::try_from(m).unwrap_or(0)));
     let one = Polynomial::constant(Rational::from(1));
     let at = |m: usize| match m {
@@ -294,7 +299,7 @@ fn of_acceleration(subject: &Subject, n: usize) -> Formula {
 }
 
 /// The products in the power n of −factor·u^exponent.
-fn of_power(subject: &Subject, factor: &Rational, exponent: usize, n: usize) -> Formula {
+fn of_power(subject: &TwoSidedSubject, factor: &Rational, exponent: usize, n: usize) -> Formula {
     let zero = || vec![Polynomial::zero(); n + 1];
     let letter = subject.displacement.letter.clone();
     let mut motion = zero();
@@ -314,7 +319,7 @@ fn of_power(subject: &Subject, factor: &Rational, exponent: usize, n: usize) -> 
     Formula::from(&power[n].scaled(&-factor.clone()))
 }
 
-pub(super) fn result(subject: &Subject) -> Result<DerivationStep, DerivationError> {
+pub(super) fn result(subject: &TwoSidedSubject) -> Result<DerivationStep, DerivationError> {
     let (ratio, highest) = (&subject.quarter.ratio, subject.order);
     let in_amplitude = |coefficients: &[PiNumber], next: usize| {
         let series = polynomial(coefficients, &letter("A"));

@@ -12,7 +12,7 @@ use libration::perturbation::{Gauge, SymbolicExpansionError, expand_with_constan
 
 /// An oscillator about its equilibrium, prepared and solved.
 #[derive(Debug)]
-pub(super) struct Subject {
+pub(super) struct TwoSidedSubject {
     pub(super) oscillator: Oscillator,
     /// The variable of the equation of motion.
     pub(super) variable: Name,
@@ -26,7 +26,7 @@ pub(super) struct Subject {
     pub(super) quarter: Quarter,
 }
 
-impl Subject {
+impl TwoSidedSubject {
     pub(super) fn new(oscillator: &Oscillator, order: usize) -> Result<Self, DerivationError> {
         let sides = oscillator.sides().filter(|_| oscillator.is_odd()).ok_or(DerivationError::TwoSided)?;
         let exact = (oscillator.equilibrium().exact(), oscillator.omega0_squared().exact());

@@ -5,7 +5,7 @@ use libration::expression::Equation;
 use libration::internals::progress::Watch;
 use libration::perturbation::{Gauge, slow_flow};
 use libration::progress::{Quiet, Status};
-use libration_derivation::internals::averaging::{self as put_back, Flow, Question};
+use libration_derivation::internals::averaging::{self as put_back, AveragingQuestion, Flow};
 use libration_derivation::internals::phase::{PhaseFunction, PiNumber};
 use libration_derivation::{DerivationError, averaging, to_markdown};
 use std::cell::Cell;
@@ -16,8 +16,8 @@ fn page(equation: &str, orders: [usize; 2]) -> Result<String, DerivationError> {
     averaging(&equation, None, orders[0], orders[1], &Quiet).map(|page| to_markdown(&page))
 }
 
-fn solved(equation: &str, orders: [usize; 2]) -> (Question, Flow) {
-    let question = Question::new(&equation.parse().unwrap(), None, orders).unwrap();
+fn solved(equation: &str, orders: [usize; 2]) -> (AveragingQuestion, Flow) {
+    let question = AveragingQuestion::new(&equation.parse().unwrap(), None, orders).unwrap();
     let flow = Flow::new(&question, &Watch::new(&Quiet)).unwrap();
     (question, flow)
 }

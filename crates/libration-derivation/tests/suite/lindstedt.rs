@@ -7,23 +7,23 @@ use libration::perturbation::{Gauge, TruncatedSystem};
 use libration::progress::Quiet;
 use libration::quantity::Displacement;
 use libration_derivation::internals::lindstedt::{
-    Contributions, Elimination, Question, as_given, check_contributions, check_three_harmonics, exactly_at,
-    few_harmonics, fundamental_and_harmonics, has_harmonics, motion, motion_in_numbers, solves,
+    Contributions, Elimination, LindstedtQuestion, as_given, check_contributions, check_three_harmonics,
+    exactly_at, few_harmonics, fundamental_and_harmonics, has_harmonics, motion, motion_in_numbers, solves,
 };
 use libration_derivation::{
     Block, Formula, Name, Prose, Released, Span, formula_latex, perturbation, to_markdown,
 };
 
-fn question(key: &str, order: usize) -> Question {
+fn question(key: &str, order: usize) -> LindstedtQuestion {
     let oscillator = NamedOscillator::by_key(key).unwrap().oscillator(&[]).unwrap();
-    Question::new(&oscillator, order, &Gauge::Fundamental, &Watch::new(&Quiet)).unwrap()
+    LindstedtQuestion::new(&oscillator, order, &Gauge::Fundamental, &Watch::new(&Quiet)).unwrap()
 }
 
 #[test]
 fn every_single_coefficient_matters_to_the_equation_of_motion() {
     let of = |equation: &str| {
         let oscillator = Oscillator::new(&equation.parse().unwrap()).unwrap();
-        Question::new(&oscillator, 4, &Gauge::Fundamental, &Watch::new(&Quiet)).unwrap()
+        LindstedtQuestion::new(&oscillator, 4, &Gauge::Fundamental, &Watch::new(&Quiet)).unwrap()
     };
     for (key, question) in [
         ("pendulum", question("pendulum", 5)),
@@ -142,7 +142,7 @@ fn contains(formula: &Formula, unknown: &Variable) -> bool {
 #[test]
 fn an_amplitude_is_shown_as_it_was_given() {
     let (pendulum, quadratic) = (question("pendulum", 3), question("quadratic", 3));
-    let shown = |question: &Question, text: &str| {
+    let shown = |question: &LindstedtQuestion, text: &str| {
         let amplitude = Displacement::from_angle_text(text).unwrap();
         formula_latex(&as_given(question, &amplitude))
     };

@@ -8,7 +8,7 @@ use super::expansion::{Certificate, Expansion, ExpansionVariable, Heading, Preci
 use super::gauge::Gauge;
 use super::model::{Model, Motion, values_at};
 use super::modular::{Unsolved, exact_series};
-use super::selection::{Attracting, Condition};
+use super::selection::{Attracting, SelectionCondition};
 use super::series_set::SeriesSet;
 use super::shape::{Shape, shape_of};
 use super::two_sided::{AGREEING_PRECISION, MAX_PI_ORDER, TwoSided, agree};
@@ -72,7 +72,7 @@ pub fn expand(
     if !(1..=MAX_ORDER).contains(&order) {
         return Err(ExpansionError::Order(order));
     }
-    let question = Question::new(oscillator, order, gauge)?;
+    let question = SeriesProblem::new(oscillator, order, gauge)?;
     match question.exact_model()? {
         Some(model) => question.solve_exactly(&model, watch),
         None => question.solve_in_digits(watch),
@@ -130,11 +130,11 @@ pub(super) fn is_rational(
     order: usize,
     gauge: &Gauge,
 ) -> Result<bool, ExpansionError> {
-    Ok(Question::new(oscillator, order, gauge)?.exact_model()?.is_some())
+    Ok(SeriesProblem::new(oscillator, order, gauge)?.exact_model()?.is_some())
 }
 
 /// An oscillator and the expansion requested.
-struct Question<'a> {
+struct SeriesProblem<'a> {
     oscillator: &'a Oscillator,
     order: usize,
     gauge: &'a Gauge,
@@ -143,7 +143,7 @@ struct Question<'a> {
     tape: Tape,
 }
 
-impl<'a> Question<'a> {
+impl<'a> SeriesProblem<'a> {
     fn new(oscillator: &'a Oscillator, order: usize, gauge: &'a Gauge) -> Result<Self, ExpansionError> {
         let x = Symbol { name: oscillator.variable().to_owned(), primes: 0 };
         let mut inputs = vec![x.clone(), Symbol { primes: 1, ..x.clone() }];
@@ -201,8 +201,8 @@ impl<'a> Question<'a> {
     }
 
     /// The condition on the amplitude, when it has rational coefficients.
-    fn condition(&self, omega0: &Rational) -> Result<Option<Condition>, ExpansionError> {
-        Ok(Condition::new(&self.tape, omega0, self.degree()?, self.oscillator.is_odd()))
+    fn condition(&self, omega0: &Rational) -> Result<Option<SelectionCondition>, ExpansionError> {
+        Ok(SelectionCondition::new(&self.tape, omega0, self.degree()?, self.oscillator.is_odd()))
     }
 
     /// The total degree of the acceleration in x and x′.

@@ -80,7 +80,7 @@ pub(crate) fn limit_cycle<R: PhaseRing>(
     order: usize,
     watch: &Watch<'_>,
 ) -> Option<Family<Number<R>>> {
-    let mut expansion = Expansion::new(ring, excitation)?;
+    let mut expansion = LimitCycleSeries::new(ring, excitation)?;
     for n in 1..=order {
         if watch.reached(n).is_err() && n > 1 {
             break;
@@ -92,7 +92,7 @@ pub(crate) fn limit_cycle<R: PhaseRing>(
     Some(expansion.into_family())
 }
 
-struct Expansion<'a, R: PhaseRing> {
+struct LimitCycleSeries<'a, R: PhaseRing> {
     ring: &'a R,
     excitation: &'a Excitation<'a, R>,
     jet: Jet<'a, R>,
@@ -114,7 +114,7 @@ struct Waves<N> {
     sines: Vec<N>,
 }
 
-impl<'a, R: PhaseRing> Expansion<'a, R> {
+impl<'a, R: PhaseRing> LimitCycleSeries<'a, R> {
     fn new(ring: &'a R, excitation: &'a Excitation<'a, R>) -> Option<Self> {
         let numbers = ring.numbers();
         let (zero, one) = (numbers.zero(), numbers.rational(&1.into())?);

@@ -96,7 +96,7 @@ pub(crate) fn family<R: PhaseRing>(
 ) -> Option<Family<Number<R>>> {
     let numbers = ring.numbers();
     let half_wave = fundamental.iter().step_by(2).all(|a| numbers.is_zero(a));
-    let mut expansion = Expansion::new(ring, centre)?;
+    let mut expansion = LindstedtSeries::new(ring, centre)?;
     for (n, gauge) in fundamental.iter().enumerate().skip(1) {
         let harmonics: Vec<usize> = (0..=n).filter(|k| !half_wave || (n - k) % 2 == 0).collect();
         if watch.reached(n).is_err() && n > 1 {
@@ -107,7 +107,7 @@ pub(crate) fn family<R: PhaseRing>(
     Some(expansion.into_family())
 }
 
-struct Expansion<'a, R: PhaseRing> {
+struct LindstedtSeries<'a, R: PhaseRing> {
     ring: &'a R,
     jet: Jet<'a, R>,
     gains: Gains<R::Element>,
@@ -131,7 +131,7 @@ struct Gains<E> {
     velocity: Option<Vec<E>>,
 }
 
-impl<'a, R: PhaseRing> Expansion<'a, R> {
+impl<'a, R: PhaseRing> LindstedtSeries<'a, R> {
     fn new(ring: &'a R, centre: Centre<'a, R>) -> Option<Self> {
         let one = ring.numbers().rational(&1.into())?;
         let jet = Jet::with_values(ring, centre.tape, centre.values);

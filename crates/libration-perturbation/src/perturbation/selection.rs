@@ -11,14 +11,14 @@ use libration_numbers::{
 /// The condition M(a) = Σ mⱼa²ʲ⁺¹ that the amplitude a = √s of a limit cycle at μ = 0 obeys: the sine of the
 /// first-order acceleration, for x = a cos τ. Where its slope is positive the limit cycle attracts for μ > 0.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Condition {
+pub(crate) struct SelectionCondition {
     /// m₀, m₁, …: a polynomial in s = a².
     coefficients: Vec<Rational>,
     degree: usize,
     symmetric: bool,
 }
 
-impl Condition {
+impl SelectionCondition {
     /// The selection from the exact values that a polynomial of this degree in x and x′ needs; `None` when one is not rational.
     pub(crate) fn new(tape: &Tape, omega0: &Rational, degree: usize, symmetric: bool) -> Option<Self> {
         let ring = HarmonicSums { numbers: Rationals };

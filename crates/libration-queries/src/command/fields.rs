@@ -1,7 +1,7 @@
 //! `libration fields`: meanings of the fields of results.
 
 use super::all_fields;
-use crate::output::description::{Answers, Description, Row, descriptions};
+use crate::output::description::{Answers, Description, DescriptionRow, descriptions};
 use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
 use crate::output::table::Table;
@@ -28,8 +28,8 @@ pub(crate) struct FieldsQuestion {
 }
 
 /// The fields that the JSON of every command has.
-const FIRST: &[Row] = &[("schema", "1", "version of the names of the fields")];
-const LAST: &[Row] = &[(
+const FIRST: &[DescriptionRow] = &[("schema", "1", "version of the names of the fields")];
+const LAST: &[DescriptionRow] = &[(
     "note",
     "",
     "reason why numbers of the same object are null; left out where there is none. In CSV the cell of a number that is not known or not finite is empty",
@@ -42,13 +42,13 @@ pub(crate) fn answers() -> Vec<Answers> {
         of_description().described("commands[].json[]."),
         of_description().described("commands[].csv[]."),
     ];
-    const FORM: Row = ("form", "", "json or csv");
+    const FORM: DescriptionRow = ("form", "", "json or csv");
     let csv = [descriptions("", &[COMMAND, OPTION, FORM]), of_description().described_in_csv()];
     vec![Answers { command: "fields", option: "", json: json.concat(), csv: csv.concat() }]
 }
 
-const COMMAND: Row = ("command", "", "command with this output");
-const OPTION: Row =
+const COMMAND: DescriptionRow = ("command", "", "command with this output");
+const OPTION: DescriptionRow =
     ("option", "", "option or oscillator that selects this kind of output, empty for the usual one");
 
 fn of_description() -> Fields<Description> {

@@ -8,7 +8,7 @@ use libration_lab::fit::amplitudes::{AmplitudeTable, AmplitudesFit, LawOfAmplitu
 
 /// The measurements, with the unit of the fitted amplitudes.
 #[derive(Clone, Debug)]
-pub(crate) struct Measured {
+pub(crate) struct MeasuredAmplitudes {
     pub(crate) unit: &'static str,
     /// `true` if the readings are metres and the amplitudes angles.
     pub(crate) is_horizontal: bool,
@@ -19,7 +19,7 @@ pub(crate) struct Measured {
 const DRAWN: f64 = 4.0;
 
 /// The measurements with the laws through them.
-pub(crate) fn fitted(measured: &Measured, fit: &AmplitudesFit) -> Picture {
+pub(crate) fn fitted(measured: &MeasuredAmplitudes, fit: &AmplitudesFit) -> Picture {
     let law = fit.law();
     let scale = if measured.unit == "rad" { 1_f64.to_degrees() } else { 1.0 };
     let unit = if measured.unit == "rad" { "degrees" } else { measured.unit };
@@ -53,7 +53,7 @@ pub(crate) fn fitted(measured: &Measured, fit: &AmplitudesFit) -> Picture {
     picture.with_parameters(quality.into_iter().chain(omega0))
 }
 
-fn residuals(measured: &Measured, law: &LawOfAmplitudes, x: Axis) -> Panel {
+fn residuals(measured: &MeasuredAmplitudes, law: &LawOfAmplitudes, x: Axis) -> Panel {
     let (scale, unit) = match (measured.is_horizontal, measured.unit) {
         (true, _) => (1.0, "m"),
         (false, "rad") => (1_f64.to_degrees(), "degrees"),
@@ -79,7 +79,7 @@ fn residuals(measured: &Measured, law: &LawOfAmplitudes, x: Axis) -> Panel {
 }
 
 /// The amplitudes of the rows: those of the law, and the residuals of the values.
-fn amplitudes(measured: &Measured, law: &LawOfAmplitudes, scale: f64) -> Vec<Point> {
+fn amplitudes(measured: &MeasuredAmplitudes, law: &LawOfAmplitudes, scale: f64) -> Vec<Point> {
     let rows = measured.table.amplitudes(law.zero.map_or(0.0, |zero| zero.value));
     let point = |((position, amplitude), deviation): ((f64, f64), f64)| Point {
         x: position,

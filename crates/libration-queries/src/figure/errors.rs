@@ -12,7 +12,7 @@ const SAMPLES: u32 = 720;
 const NEAR_TOP: [f64; 2] = [1e-6, 180.0];
 
 /// A formula's name for the legend, its family, and its signed fractional error.
-pub(crate) struct Curve {
+pub(crate) struct ErrorOfFormula {
     pub(crate) label: String,
     pub(crate) family: String,
     pub(crate) error: Box<dyn Fn(&Angle) -> f64 + Send + Sync>,
@@ -31,9 +31,9 @@ pub(crate) struct Frame {
 
 /// The picture of the errors; where an error changes sign its curve runs down to the axis. After a cancellation it has only the curves that
 /// are done.
-pub(crate) fn errors(curves: &[Curve], frame: Frame) -> Picture {
+pub(crate) fn errors(curves: &[ErrorOfFormula], frame: Frame) -> Picture {
     let looks = style::of_families(curves.iter().map(|curve| curve.family.as_str()));
-    let numbered: Vec<(usize, &Curve)> = curves.iter().enumerate().collect();
+    let numbered: Vec<(usize, &ErrorOfFormula)> = curves.iter().enumerate().collect();
     let series = |angles: &(dyn Fn() -> Vec<(f64, Option<Angle>)> + Sync)| {
         parallel::map_unless_cancelled(&numbered, "curves", |(number, curve), progress| {
             Series::line(&curve.label, looks[*number].clone(), sizes(&signed(curve, angles(), progress)))
@@ -51,7 +51,11 @@ pub(crate) fn errors(curves: &[Curve], frame: Frame) -> Picture {
 }
 
 /// The errors at these positions on the axis.
-fn signed(curve: &Curve, angles: Vec<(f64, Option<Angle>)>, progress: &dyn Progress) -> Vec<(f64, f64)> {
+fn signed(
+    curve: &ErrorOfFormula,
+    angles: Vec<(f64, Option<Angle>)>,
+    progress: &dyn Progress,
+) -> Vec<(f64, f64)> {
     let asked = angles.into_iter().take_while(|_| progress.update(Status::default()).is_continue());
     asked.map(|(x, angle)| (x, angle.map_or(f64::NAN, |angle| (curve.error)(&angle)))).collect()
 }

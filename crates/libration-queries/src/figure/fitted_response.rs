@@ -9,7 +9,7 @@ use libration_lab::fit::response::{FittedCurve, FittedCurvePoint, ResponseFit, R
 
 /// The measurements, in rad/s, the unit of the amplitudes, and rad.
 #[derive(Clone, Debug)]
-pub(crate) struct Measured {
+pub(crate) struct MeasuredResponse {
     pub(crate) frequencies: Vec<f64>,
     pub(crate) amplitudes: Vec<f64>,
     pub(crate) phases: Option<Vec<f64>>,
@@ -22,7 +22,7 @@ pub(crate) struct Measured {
 }
 
 /// The measurements with the curve through them.
-pub(crate) fn fitted(measured: &Measured, fit: &ResponseFit, curve: &FittedCurve) -> Picture {
+pub(crate) fn fitted(measured: &MeasuredResponse, fit: &ResponseFit, curve: &FittedCurve) -> Picture {
     let scale = if measured.is_angle { 1_f64.to_degrees() } else { 1.0 };
     let amplitude = |point: &FittedCurvePoint| scale * point.amplitude;
     let lines = stretches(curve, amplitude, true);
@@ -62,7 +62,7 @@ pub(crate) fn fitted(measured: &Measured, fit: &ResponseFit, curve: &FittedCurve
         .with_parameters(parameters.into_iter().chain(cubic))
 }
 
-fn of_phases(measured: &Measured, phases: &[f64], curve: &FittedCurve, x: Axis) -> Panel {
+fn of_phases(measured: &MeasuredResponse, phases: &[f64], curve: &FittedCurve, x: Axis) -> Panel {
     let lines = stretches(curve, |point| point.phase.to_degrees(), false);
     let sign = if measured.table.leads() { -1.0 } else { 1.0 };
     // From −90° on, so that what scatters about zero stays together.
@@ -79,7 +79,12 @@ fn of_phases(measured: &Measured, phases: &[f64], curve: &FittedCurve, x: Axis) 
     Panel { x, y, series: [lines, vec![markers("", data)]].concat(), share: 0.4 }
 }
 
-fn points(measured: &Measured, values: &[f64], uncertainties: Option<&[f64]>, scale: f64) -> Vec<Point> {
+fn points(
+    measured: &MeasuredResponse,
+    values: &[f64],
+    uncertainties: Option<&[f64]>,
+    scale: f64,
+) -> Vec<Point> {
     let point = |row: usize| Point {
         x: measured.frequencies[row],
         y: scale * values[row],

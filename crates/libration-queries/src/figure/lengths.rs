@@ -10,7 +10,7 @@ const SAMPLES: u32 = 400;
 
 /// The measurements, in m and s.
 #[derive(Clone, Debug)]
-pub(crate) struct Measured {
+pub(crate) struct MeasuredLengths {
     pub(crate) lengths: Vec<f64>,
     pub(crate) periods: Vec<f64>,
     pub(crate) length_uncertainties: Option<Vec<f64>>,
@@ -19,7 +19,7 @@ pub(crate) struct Measured {
 }
 
 /// The measurements with a fitted law; with the radius of the bob if it is known.
-pub(crate) fn fitted(measured: &Measured, fit: &LengthFit, radius: Option<f64>) -> Picture {
+pub(crate) fn fitted(measured: &MeasuredLengths, fit: &LengthFit, radius: Option<f64>) -> Picture {
     if fit.model.is_of_bars() {
         return bar(measured, fit);
     }
@@ -44,7 +44,7 @@ pub(crate) fn fitted(measured: &Measured, fit: &LengthFit, radius: Option<f64>) 
 }
 
 /// The measurements on a bar: T²h against h², on the line of slope 4π²/g through k².
-fn bar(measured: &Measured, fit: &LengthFit) -> Picture {
+fn bar(measured: &MeasuredLengths, fit: &LengthFit) -> Picture {
     let offset = fit.offset.map_or(0.0, |offset| offset.value);
     let height = |row: usize| (measured.lengths[row] + offset).abs();
     let point = |(row, t0): (usize, f64)| {
@@ -124,7 +124,7 @@ fn markers(label: &str, points: Vec<Point>) -> Series {
     Series { label: label.to_owned(), look: style::measurements(points.len()), points }
 }
 
-fn square(measured: &Measured, row: usize, t0: f64) -> Point {
+fn square(measured: &MeasuredLengths, row: usize, t0: f64) -> Point {
     Point {
         x: measured.lengths[row],
         y: t0 * t0,
@@ -136,7 +136,7 @@ fn square(measured: &Measured, row: usize, t0: f64) -> Point {
     }
 }
 
-fn residual(measured: &Measured, row: usize, fit: &LengthFit) -> Point {
+fn residual(measured: &MeasuredLengths, row: usize, fit: &LengthFit) -> Point {
     Point {
         x: measured.lengths[row],
         y: fit.residuals[row],

@@ -2,7 +2,7 @@
 
 use super::chart::{Axis, Panel, Picture, Series};
 use super::names::name;
-use super::parameters::{self, Angles, of_model, of_start};
+use super::parameters::{self, AngleUnit, of_model, of_start};
 use super::range::around;
 use super::style;
 use libration::chaos::LyapunovExponent;
@@ -24,7 +24,7 @@ pub(crate) fn convergence(model: &Model, start: &[f64], exponent: &LyapunovExpon
     let line = Series::line("", style::curve(0), points.iter().copied());
     let title = format!("Largest Lyapunov exponent: {}, {}", name(model), exponent.verdict);
     let value = Quantity { value: exponent.exponent, uncertainty: Some(exponent.uncertainty) };
-    let made_with = [of_model(model), of_start(model, start, Angles::Degrees)].concat();
+    let made_with = [of_model(model), of_start(model, start, AngleUnit::Degrees)].concat();
     let picture = Picture::new(&title, vec![Panel { x, y, series: vec![zero, line], share: 1.0 }]);
     picture.with_parameters(made_with.into_iter().chain([parameters::found("λ", value, "1/s")]))
 }

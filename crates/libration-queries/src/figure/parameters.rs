@@ -55,18 +55,18 @@ pub(crate) fn of_model(model: &Model) -> Vec<String> {
 
 /// The unit of the angles of an initial state: that of the axes of the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Angles {
+pub(crate) enum AngleUnit {
     Degrees,
     Radians,
 }
 
 /// The initial state, if it has few components: `θ₁(0) = 60°`. Components at rest are omitted.
-pub(crate) fn of_start(model: &Model, state: &[f64], angles: Angles) -> Vec<String> {
+pub(crate) fn of_start(model: &Model, state: &[f64], angles: AngleUnit) -> Vec<String> {
     let named = model.state_names().into_iter().zip(model.state_units()).zip(state);
     let moved: Vec<_> = named.filter(|(_, value)| value.abs() > 0.0).collect();
     let number = |((name, unit), value): &((String, String), &f64)| {
         let name = format!("{}(0)", symbol(name));
-        if unit == "rad" && angles == Angles::Degrees {
+        if unit == "rad" && angles == AngleUnit::Degrees {
             format!("{name} = {}°", shown(value.to_degrees()))
         } else {
             said(&name, **value, unit)

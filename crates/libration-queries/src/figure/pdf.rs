@@ -38,12 +38,12 @@ const INFORMATION: Ref = Ref::new(10);
 /// The bytes of a PDF file; why there are none, if there are.
 pub(crate) fn file(scene: &Scene) -> Result<Vec<u8>, String> {
     let font = Font::new().ok_or("the font within the command is damaged")?;
-    let mut page = Page::new(&font, single(scene.height) * POINTS);
+    let mut page = PdfPage::new(&font, single(scene.height) * POINTS);
     scene.shapes().for_each(|shape| page.draw(shape));
     page.file(scene)
 }
 
-struct Page<'a> {
+struct PdfPage<'a> {
     content: Content,
     font: &'a Font,
     glyphs: GlyphRemapper,
@@ -53,7 +53,7 @@ struct Page<'a> {
     opacities: BTreeSet<u16>,
 }
 
-impl<'a> Page<'a> {
+impl<'a> PdfPage<'a> {
     fn new(font: &'a Font, height: f32) -> Self {
         let mut content = Content::new();
         content.transform([POINTS, 0.0, 0.0, -POINTS, 0.0, height]);

@@ -2,7 +2,7 @@
 
 use super::chart::{Axis, Panel, Picture, Series};
 use super::names::subject;
-use super::parameters::{Angles, of_model, of_start};
+use super::parameters::{AngleUnit, of_model, of_start};
 use super::style;
 use crate::output::number::count;
 use libration::algebra::Complex;
@@ -41,5 +41,5 @@ pub(crate) fn amplitudes(of: &ModeAmplitudes<'_>) -> Picture {
     let y = Axis::linear("amplitude |a|", 0.0, if top > 0.0 { 1.05 * top } else { 1.0 });
     let title = format!("Amplitudes of the modes of {}", subject(of.model));
     Picture::new(&title, vec![Panel { x, y, series, share: 1.0 }])
-        .with_parameters([of_model(of.model), of_start(of.model, of.initial, Angles::Degrees)].concat())
+        .with_parameters([of_model(of.model), of_start(of.model, of.initial, AngleUnit::Degrees)].concat())
 }

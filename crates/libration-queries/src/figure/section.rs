@@ -2,7 +2,7 @@
 
 use super::chart::{Axis, Look, Panel, Picture, Series, Units};
 use super::names::{axis_label, name, symbol};
-use super::parameters::{Angles, of_model, of_start};
+use super::parameters::{AngleUnit, of_model, of_start};
 use super::range::around;
 use super::style;
 use libration::chaos::{DiagramColumn, PoincareSection, angles, folded};
@@ -41,7 +41,7 @@ pub(crate) fn section(
     let title = format!("Poincaré section: {}", name(model));
     let picture = Picture::new(&title, vec![Panel { x, y, series, share: 1.0 }]);
     let start = match starts {
-        [start] => of_start(model, start, Angles::Radians),
+        [start] => of_start(model, start, AngleUnit::Radians),
         _ => vec![],
     };
     Picture { aspect: 0.8, ..picture.with_parameters([of_model(model), start].concat()) }

@@ -3,7 +3,7 @@
 use super::animation::SampledCoordinates;
 use super::chart::{Axis, Panel, Picture, Series, Units};
 use super::names::{formula, subject, symbol};
-use super::parameters::{Angles, of_model, of_start};
+use super::parameters::{AngleUnit, of_model, of_start};
 use super::range::around;
 use super::section::StateAxis;
 use super::style;
@@ -115,7 +115,7 @@ impl<'a> Trace<'a> {
         for panel in &mut panels[..last] {
             panel.x.label.clear();
         }
-        let made_with = [of_model(model), of_start(model, start, Angles::Degrees)].concat();
+        let made_with = [of_model(model), of_start(model, start, AngleUnit::Degrees)].concat();
         Picture::new(&format!("Motion of {}", subject(model)), panels).with_parameters(made_with)
     }
 
@@ -132,7 +132,7 @@ impl<'a> Trace<'a> {
             series: vec![path, begin],
             share: 1.0,
         };
-        let made_with = [of_model(model), of_start(model, start, Angles::Radians)].concat();
+        let made_with = [of_model(model), of_start(model, start, AngleUnit::Radians)].concat();
         Picture { aspect: 0.8, ..Picture::new(&title, vec![panel]).with_parameters(made_with) }
     }
 

@@ -29,10 +29,11 @@ pub(crate) struct Answers {
 }
 
 /// Name, unit and meaning, as listed in a table.
-pub(crate) type Row = (&'static str, &'static str, &'static str);
+pub(crate) type DescriptionRow = (&'static str, &'static str, &'static str);
 
 /// The descriptions of a table, after `place`, such as `cycles[].` or an empty text.
-pub(crate) fn descriptions(place: &str, rows: &[Row]) -> Vec<Description> {
-    let row = |&(name, unit, meaning): &Row| Description::new(&format!("{place}{name}"), unit, meaning);
+pub(crate) fn descriptions(place: &str, rows: &[DescriptionRow]) -> Vec<Description> {
+    let row =
+        |&(name, unit, meaning): &DescriptionRow| Description::new(&format!("{place}{name}"), unit, meaning);
     rows.iter().map(row).collect()
 }

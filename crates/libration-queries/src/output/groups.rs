@@ -14,7 +14,7 @@ use std::io::{self, Write};
 pub(crate) struct Groups {
     rows: Vec<GroupRow>,
     mean: Option<GroupMean>,
-    names: &'static Names,
+    names: &'static FieldNames,
 }
 
 /// A group with its result, or the reason why there is none.
@@ -28,13 +28,13 @@ struct GroupRow {
 
 /// Names of the fields of a quantity: value, uncertainty, expanded, shared.
 #[derive(Debug)]
-pub(crate) struct Names {
+pub(crate) struct FieldNames {
     fields: [&'static str; 4],
     unit: &'static str,
     columns: [&'static str; 2],
 }
 
-pub(crate) const GRAVITY: Names = Names {
+pub(crate) const GRAVITY: FieldNames = FieldNames {
     fields: [
         "gravity_m_per_s2",
         "gravity_uncertainty_m_per_s2",
@@ -45,7 +45,7 @@ pub(crate) const GRAVITY: Names = Names {
     columns: ["g / m/s²", "± / m/s²"],
 };
 
-pub(crate) const T0: Names = Names {
+pub(crate) const T0: FieldNames = FieldNames {
     fields: ["t0_s", "t0_uncertainty_s", "t0_expanded_uncertainty_s", "t0_shared_uncertainty_s"],
     unit: "s",
     columns: ["T₀ / s", "± / s"],
@@ -55,7 +55,7 @@ impl Groups {
     /// Fits each group of rows; `shared` is the standard uncertainty of their common errors. `None` for a single group.
     pub(crate) fn fitted(
         groups: &[String],
-        names: &'static Names,
+        names: &'static FieldNames,
         shared: f64,
         fit: impl Fn(&[usize]) -> Result<(Uncertain, f64), String>,
     ) -> Option<Self> {
@@ -119,13 +119,13 @@ impl Groups {
     }
 
     /// The record with the groups.
-    pub(crate) fn added_to(this: Option<&Self>, names: &'static Names, record: Record) -> Record {
+    pub(crate) fn added_to(this: Option<&Self>, names: &'static FieldNames, record: Record) -> Record {
         fields(names).added_to(record, &this)
     }
 }
 
 /// The fields of groups, omitted from JSON if there are none.
-pub(crate) fn fields<'a>(names: &'static Names) -> Fields<Option<&'a Groups>> {
+pub(crate) fn fields<'a>(names: &'static FieldNames) -> Fields<Option<&'a Groups>> {
     type Of<'a> = Field<Option<&'a Groups>>;
     let rows: fn(&Option<&'a Groups>) -> Option<Value> =
         |it| it.map(|groups| of_row(groups.names).records(&groups.rows));
@@ -140,7 +140,7 @@ pub(crate) fn fields<'a>(names: &'static Names) -> Fields<Option<&'a Groups>> {
     ])
 }
 
-fn of_row(names: &'static Names) -> Fields<GroupRow> {
+fn of_row(names: &'static FieldNames) -> Fields<GroupRow> {
     type Of = Field<GroupRow>;
     Fields::from([
         Of::value("group", "", "name of the group", |it| it.name.clone().into())
@@ -167,7 +167,7 @@ fn of_row(names: &'static Names) -> Fields<GroupRow> {
     ])
 }
 
-fn of_mean(names: &'static Names) -> Fields<Groups> {
+fn of_mean(names: &'static FieldNames) -> Fields<Groups> {
     type Of = Field<Groups>;
     fn mean(it: &Groups, part: fn(&GroupMean) -> f64) -> Option<f64> {
         it.mean.as_ref().map(part)

@@ -15,7 +15,7 @@ const READING: readonly Key[] = [
   "time", "time-unit", "angle", "angular-velocity", "unit", "counts-per-turn", "x", "y", "pivot", "uncertainty", "gate", "signal", "from", "to", "even-times", "times-as-written", "run", "sheet", "delimiter", "decimal", "header",
 ];
 const DIALECT: readonly Key[] = ["sheet", "delimiter", "decimal", "header"];
-const TABLE: readonly Key[] = ["columns", ...DIALECT];
+const TABLE: readonly Key[] = ["columns", "from", "to", "run", ...DIALECT];
 const TIMING: readonly Key[] = ["group", "half-periods", "swings-per-reading", "reaction-time", "shared-timing"];
 const RESPONSE: readonly Key[] = ["oscillator", "measured", "frequency-unit", "response-unit", "phase-unit", "errors"];
 const DECAY: readonly Key[] = ["model", "against", "sides", "period", "response-unit", "errors"];
@@ -50,7 +50,7 @@ const UNITS: Readonly<Partial<Record<Key, readonly string[]>>> = {
   "response-unit": ["rad", "deg", "m", "cm", "mm", "in", "counts"],
   "amplitude-unit": ["rad", "deg"],
   "phase-unit": ["rad", "deg"],
-  "length-unit": ["m", "cm", "mm", "in"],
+  "length-unit": ["m", "dm", "cm", "mm", "in", "ft"],
 };
 
 /** The option of a field. */

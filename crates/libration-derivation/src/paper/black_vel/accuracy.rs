@@ -10,10 +10,10 @@ use crate::paper::errors::{
 };
 use crate::paper::finding::StatementFinding;
 use crate::paper::printed::Printed;
-use crate::paper::statement::Statement;
+use crate::paper::statement::PrintedStatement;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-pub(super) const STATEMENTS: &[Statement] = &[
+pub(super) const STATEMENTS: &[PrintedStatement] = &[
     text_after(
         "(52)",
         "text: (52) is about one order of magnitude more accurate than the 3-term formula",

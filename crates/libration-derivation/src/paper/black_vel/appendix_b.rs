@@ -9,10 +9,10 @@ use crate::paper::lindstedt::Expansion;
 use crate::paper::orders::{Clock, form, orders_of};
 use crate::paper::printed::Printed;
 use crate::paper::sine::sine;
-use crate::paper::statement::Statement;
+use crate::paper::statement::PrintedStatement;
 use libration::algebra::{Polynomial, Rational, Variable};
 
-pub(super) const STATEMENTS: &[Statement] = &[
+pub(super) const STATEMENTS: &[PrintedStatement] = &[
     statement(
         "(B1)",
         "The n-th derivative over n!, at epsilon = 0, picks what stands at epsilon^n.",

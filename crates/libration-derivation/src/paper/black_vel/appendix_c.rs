@@ -10,10 +10,10 @@ use crate::paper::finding::StatementFinding;
 use crate::paper::lindstedt::Expansion;
 use crate::paper::orders::{Clock, form, orders_of};
 use crate::paper::printed::Printed;
-use crate::paper::statement::Statement;
+use crate::paper::statement::PrintedStatement;
 use libration::algebra::Polynomial;
 
-pub(super) const STATEMENTS: &[Statement] = &[
+pub(super) const STATEMENTS: &[PrintedStatement] = &[
     statement(
         "(C1)",
         "The equation of motion with the sine to its fourth term, with Delta = Omega/omega0.",

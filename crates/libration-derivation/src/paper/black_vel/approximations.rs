@@ -5,13 +5,13 @@ use crate::paper::compare::{ROUNDING, decimal, series_in};
 use crate::paper::finding::StatementFinding;
 use crate::paper::period_series::{agreement, exact_series, ratio_series};
 use crate::paper::printed::Printed;
-use crate::paper::statement::Statement;
+use crate::paper::statement::PrintedStatement;
 use libration::algebra::{Rational, Ring};
 use libration::pendulum::period_ratio_near_top;
 use libration::series::PowerSeries;
 use std::f64::consts::PI;
 
-pub(super) const STATEMENTS: &[Statement] = &[
+pub(super) const STATEMENTS: &[PrintedStatement] = &[
     statement(
         "(4)",
         "Bernoulli's period, exact to theta0^2.",

@@ -5,12 +5,12 @@ use crate::paper::compare::decimal;
 use crate::paper::evaluate::value;
 use crate::paper::finding::StatementFinding;
 use crate::paper::printed::Printed;
-use crate::paper::statement::Statement;
+use crate::paper::statement::PrintedStatement;
 use libration::algebra::{Rational, Ring};
 use libration::expression::{Expression, Symbol};
 use libration::series::PowerSeries;
 
-pub(super) const STATEMENTS: &[Statement] = &[statement(
+pub(super) const STATEMENTS: &[PrintedStatement] = &[statement(
     "(54)",
     "A pendulum with damping.",
     &["theta'' + c*theta'^n + omega0^2*sin(theta) = 0"],

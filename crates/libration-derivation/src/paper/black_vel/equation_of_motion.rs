@@ -7,7 +7,7 @@ use crate::paper::evaluate::value;
 use crate::paper::exact_motion::{GRAVITY, LENGTH, instants};
 use crate::paper::finding::StatementFinding;
 use crate::paper::printed::Printed;
-use crate::paper::statement::Statement;
+use crate::paper::statement::PrintedStatement;
 use libration::algebra::{Rational, Ring};
 use libration::expression::Expression;
 use libration::pendulum::{Amplitude, Pendulum};
@@ -15,7 +15,7 @@ use libration::quantity::Angle;
 use libration::series::PowerSeries;
 use std::f64::consts::TAU;
 
-pub(super) const STATEMENTS: &[Statement] = &[
+pub(super) const STATEMENTS: &[PrintedStatement] = &[
     statement(
         "(1)",
         "The equation of motion of a point mass on a massless rod.",

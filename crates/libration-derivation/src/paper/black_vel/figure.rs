@@ -7,13 +7,13 @@ use crate::paper::errors::{PLOTTED, error, exact_at, in_words, leaders};
 use crate::paper::finding::{StatementFinding, StatementVerdict};
 use crate::paper::period_series::{agreement, ratio_series};
 use crate::paper::printed::Printed;
-use crate::paper::statement::Statement;
+use crate::paper::statement::PrintedStatement;
 use libration::algebra::{Rational, Ring};
 use libration::expression::{Expression, Symbol};
 use libration::period_formulas::PeriodFormula;
 use libration::series::PowerSeries;
 
-pub(super) const STATEMENTS: &[Statement] = &[
+pub(super) const STATEMENTS: &[PrintedStatement] = &[
     statement(
         "Fig. 1",
         "The fractional errors of the corrections with one, two and three terms and of the formulas (4) to (7) and \

@@ -8,11 +8,11 @@ use crate::paper::lindstedt::Expansion;
 use crate::paper::orders::{Clock, form, orders_of};
 use crate::paper::printed::Printed;
 use crate::paper::sine::equation_with_sine;
-use crate::paper::statement::Statement;
+use crate::paper::statement::PrintedStatement;
 use libration::algebra::{Polynomial, Rational};
 use libration::expression::Expression;
 
-pub(super) const STATEMENTS: &[Statement] = &[
+pub(super) const STATEMENTS: &[PrintedStatement] = &[
     statement("(32)", "A third harmonic is added.", &["theta = a1*c1 + a3*c3 + a5*c5"], three_harmonics),
     statement(
         "(33)",

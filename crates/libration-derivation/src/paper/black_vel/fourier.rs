@@ -6,13 +6,13 @@ use crate::paper::compare::{ROUNDING, decimal, series_in};
 use crate::paper::exact_motion::{frequency_ratio, harmonics};
 use crate::paper::finding::StatementFinding;
 use crate::paper::printed::Printed;
-use crate::paper::statement::Statement;
+use crate::paper::statement::PrintedStatement;
 use libration::algebra::Rational;
 use libration::pendulum::{Motion, Pendulum};
 use libration::quantity::Angle;
 use std::f64::consts::TAU;
 
-pub(super) const STATEMENTS: &[Statement] = &[
+pub(super) const STATEMENTS: &[PrintedStatement] = &[
     statement(
         "(15)",
         "The small swing released from rest.",

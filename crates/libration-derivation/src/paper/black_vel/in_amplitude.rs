@@ -6,12 +6,12 @@ use crate::paper::finding::{StatementFinding, StatementVerdict};
 use crate::paper::lindstedt::{Expansion, numbers};
 use crate::paper::period_series::{agreement, frequency_series, ratio_series};
 use crate::paper::printed::Printed;
-use crate::paper::statement::Statement;
+use crate::paper::statement::PrintedStatement;
 use libration::algebra::{Polynomial, Polynomials, Rational, Rationals, Ring};
 use libration::series::PowerSeries;
 use libration::series::{powers, powers_of_inverse};
 
-pub(super) const STATEMENTS: &[Statement] = &[
+pub(super) const STATEMENTS: &[PrintedStatement] = &[
     statement(
         "(48)",
         "The fundamental in the amplitude, the same in both gauges.",

@@ -7,11 +7,11 @@ use crate::paper::exact_motion::{GRAVITY, LENGTH};
 use crate::paper::finding::StatementFinding;
 use crate::paper::printed::Printed;
 use crate::paper::quadrature::to_amplitude;
-use crate::paper::statement::Statement;
+use crate::paper::statement::PrintedStatement;
 use libration::pendulum::Amplitude;
 use std::f64::consts::TAU;
 
-pub(super) const STATEMENTS: &[Statement] = &[
+pub(super) const STATEMENTS: &[PrintedStatement] = &[
     statement(
         "(13)",
         "The exact period: a factor times the integral of this from 0 to theta0.",

@@ -8,12 +8,12 @@ use crate::paper::finding::StatementFinding;
 use crate::paper::lindstedt::{Expansion, numbers};
 use crate::paper::orders::in_epsilon;
 use crate::paper::printed::Printed;
-use crate::paper::statement::Statement;
+use crate::paper::statement::PrintedStatement;
 use libration::algebra::{Polynomial, Rational, Rationals, Ring};
 use libration::series::PowerSeries;
 use libration::series::powers_of_inverse;
 
-pub(super) const STATEMENTS: &[Statement] = &[
+pub(super) const STATEMENTS: &[PrintedStatement] = &[
     statement(
         "(39)",
         "The amplitude in this gauge.",

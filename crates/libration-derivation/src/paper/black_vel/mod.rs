@@ -1,6 +1,6 @@
 //! Black and Vel: equations (1) to (54), the appendices, Fig. 1, and the claims of the text.
 
-use super::statement::{Statement, statement, text_after};
+use super::statement::{PrintedStatement, statement, text_after};
 
 mod approximations;
 mod equation_of_motion;
@@ -26,7 +26,7 @@ mod appendix_b;
 mod appendix_c;
 
 /// The statements, in groups.
-pub(super) const STATEMENTS: &[&[Statement]] = &[
+pub(super) const STATEMENTS: &[&[PrintedStatement]] = &[
     equation_of_motion::STATEMENTS,
     approximations::STATEMENTS,
     integral::STATEMENTS,

@@ -10,12 +10,12 @@ use crate::paper::errors::{
 use crate::paper::finding::StatementFinding;
 use crate::paper::period_series::ratio_series;
 use crate::paper::printed::Printed;
-use crate::paper::statement::Statement;
+use crate::paper::statement::PrintedStatement;
 use libration::algebra::Rational;
 use libration::period_formulas::period_in_amplitude;
 use std::f64::consts::PI;
 
-pub(super) const STATEMENTS: &[Statement] = &[
+pub(super) const STATEMENTS: &[PrintedStatement] = &[
     text_after(
         "Fig. 1",
         "text: the 3-term formula is the most accurate for 0 <= theta0 <= pi/2",

@@ -6,11 +6,11 @@ use crate::paper::compare::decimal;
 use crate::paper::exact_motion::{frequency_ratio, harmonics};
 use crate::paper::finding::StatementFinding;
 use crate::paper::printed::Printed;
-use crate::paper::statement::Statement;
+use crate::paper::statement::PrintedStatement;
 use libration::quantity::Angle;
 use std::f64::consts::PI;
 
-pub(super) const STATEMENTS: &[Statement] = &[
+pub(super) const STATEMENTS: &[PrintedStatement] = &[
     text_after(
         "(27)",
         "text: a1 is at most a bit greater than pi",

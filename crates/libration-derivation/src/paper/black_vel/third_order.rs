@@ -10,12 +10,12 @@ use crate::paper::exact_motion::harmonics;
 use crate::paper::finding::StatementFinding;
 use crate::paper::lindstedt::{Expansion, numbers};
 use crate::paper::printed::Printed;
-use crate::paper::statement::Statement;
+use crate::paper::statement::PrintedStatement;
 use libration::algebra::{Polynomial, Rational, Rationals, Ring, Variable};
 use libration::series::PowerSeries;
 use libration::series::powers_of_inverse;
 
-pub(super) const STATEMENTS: &[Statement] = &[
+pub(super) const STATEMENTS: &[PrintedStatement] = &[
     statement(
         "(25)",
         "(22) solved for the square of the frequency.",

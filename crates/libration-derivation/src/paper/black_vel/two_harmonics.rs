@@ -8,12 +8,12 @@ use crate::paper::exact_motion::{frequency_ratio, harmonics};
 use crate::paper::finding::StatementFinding;
 use crate::paper::printed::Printed;
 use crate::paper::sine::{equation_with_sine, sine};
-use crate::paper::statement::Statement;
+use crate::paper::statement::PrintedStatement;
 use libration::algebra::{Polynomial, Rational, Variable};
 use libration::pendulum::Pendulum;
 use std::f64::consts::TAU;
 
-pub(super) const STATEMENTS: &[Statement] = &[
+pub(super) const STATEMENTS: &[PrintedStatement] = &[
     statement(
         "(18)",
         "Two harmonics to begin with (cn is cos(n*Omega*t)).",

@@ -6,10 +6,10 @@ use super::{statement, text_after};
 use crate::paper::compare::{polynomial, series_in};
 use crate::paper::finding::StatementFinding;
 use crate::paper::printed::Printed;
-use crate::paper::statement::Statement;
+use crate::paper::statement::PrintedStatement;
 use libration::algebra::{Polynomial, Rational};
 
-pub(super) const STATEMENTS: &[Statement] = &[
+pub(super) const STATEMENTS: &[PrintedStatement] = &[
     statement(
         "(23)",
         "The binomial series of the integrand (s is sin(psi)), its signs as displayed.",

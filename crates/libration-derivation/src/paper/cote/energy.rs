@@ -7,13 +7,13 @@ use crate::paper::exact_motion::{GRAVITY, Instant, LENGTH, instants};
 use crate::paper::finding::StatementFinding;
 use crate::paper::printed::Printed;
 use crate::paper::quadrature::to_amplitude;
-use crate::paper::statement::Statement;
+use crate::paper::statement::PrintedStatement;
 use libration::algebra::Rational;
 use libration::expression::{Expression, Symbol};
 use libration::pendulum::{Amplitude, Pendulum};
 use libration::quantity::Angle;
 
-pub(super) const STATEMENTS: &[Statement] = &[
+pub(super) const STATEMENTS: &[PrintedStatement] = &[
     statement(
         "(1)",
         "The energy is the kinetic and the potential energy, and does not change.",

@@ -8,9 +8,9 @@ mod period;
 mod recursion;
 mod terms;
 
-use super::statement::{Statement, statement, text_after};
+use super::statement::{PrintedStatement, statement, text_after};
 
-pub(super) const STATEMENTS: &[&[Statement]] = &[
+pub(super) const STATEMENTS: &[&[PrintedStatement]] = &[
     energy::STATEMENTS,
     substitution::STATEMENTS,
     binomial::STATEMENTS,

@@ -8,7 +8,7 @@ use crate::paper::exact_motion::{GRAVITY, LENGTH};
 use crate::paper::finding::StatementFinding;
 use crate::paper::period_series::agreement;
 use crate::paper::printed::Printed;
-use crate::paper::statement::Statement;
+use crate::paper::statement::PrintedStatement;
 use libration::algebra::{Polynomial, Rational};
 use libration::elliptic::Modulus;
 use libration::expression::Expression;
@@ -17,7 +17,7 @@ use libration::period_formulas::{PeriodFormula, period_in_sine_squared};
 use libration::quantity::Angle;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-pub(super) const STATEMENTS: &[Statement] = &[
+pub(super) const STATEMENTS: &[PrintedStatement] = &[
     statement(
         "(35)",
         "K(m) as the sum of this from the given n on.",

@@ -6,12 +6,12 @@ use crate::paper::compare::{decimal, identity, series_in};
 use crate::paper::finding::{StatementFinding, StatementVerdict};
 use crate::paper::printed::Printed;
 use crate::paper::quadrature::quarter;
-use crate::paper::statement::Statement;
+use crate::paper::statement::PrintedStatement;
 use libration::algebra::Rational;
 use libration::expression::Expression;
 use std::f64::consts::FRAC_PI_2;
 
-pub(super) const STATEMENTS: &[Statement] = &[
+pub(super) const STATEMENTS: &[PrintedStatement] = &[
     statement("(26)", "The integral of sin(psi)^(2n) from 0 to pi/2.", &["I = odd/even*pi/2"], wallis),
     text_after(
         "(26)",

@@ -6,14 +6,14 @@ use crate::paper::exact_motion::{GRAVITY, LENGTH};
 use crate::paper::finding::{StatementFinding, StatementVerdict};
 use crate::paper::printed::Printed;
 use crate::paper::quadrature::{quarter, to_amplitude};
-use crate::paper::statement::Statement;
+use crate::paper::statement::PrintedStatement;
 use libration::elliptic::Modulus;
 use libration::expression::Expression;
 use libration::pendulum::{Amplitude, Pendulum};
 use libration::quantity::Angle;
 use std::f64::consts::FRAC_PI_2;
 
-pub(super) const STATEMENTS: &[Statement] = &[
+pub(super) const STATEMENTS: &[PrintedStatement] = &[
     statement(
         "(13)",
         "The substitution; theta from 0 to theta0 is psi from 0 to pi/2.",

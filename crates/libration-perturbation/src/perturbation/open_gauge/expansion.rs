@@ -39,7 +39,7 @@ pub(super) fn frequency_correction(order: u32) -> Variable {
 }
 
 /// x, Δx′, their products and Δ as power series in ε, as far as they are known.
-pub(super) struct Expansion<'a> {
+pub(super) struct OpenExpansion<'a> {
     ansatz: &'a Ansatz,
     force: &'a [RestoringTerm],
     /// The coefficients of εⁿ in x, and in Δx′.
@@ -51,7 +51,7 @@ pub(super) struct Expansion<'a> {
     frequency: Vec<Polynomial>,
 }
 
-impl<'a> Expansion<'a> {
+impl<'a> OpenExpansion<'a> {
     pub(super) fn new(ansatz: &'a Ansatz, force: &'a [RestoringTerm]) -> Self {
         let one = Polynomial::constant(Rational::from(1));
         let zero = || vec![COSINES.zero()];

@@ -5,7 +5,7 @@ mod expansion;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use expansion::{Ansatz, Expansion, coefficient, frequency_correction};
+use expansion::{Ansatz, OpenExpansion, coefficient, frequency_correction};
 use libration_numbers::algebra::{Polynomial, Rational, Variable};
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::{Interrupted, Progress, Stage};
@@ -138,7 +138,7 @@ impl OpenGauge {
     /// for the pendulum 115, 1303 and 15 025 at orders 5, 7 and 9.
     #[must_use]
     pub fn whole_system(&self) -> Option<Vec<Condition>> {
-        let mut expansion = Expansion::new(&self.ansatz, &self.force);
+        let mut expansion = OpenExpansion::new(&self.ansatz, &self.force);
         let orders = &self.ansatz.orders;
         let manageable = orders.last() <= Some(&if orders.contains(&2) { 6 } else { 9 });
         manageable.then(|| orders.iter().flat_map(|order| expansion.conditions(*order)).collect())
@@ -224,7 +224,7 @@ fn solve(
     watch: &Watch<'_>,
 ) -> Result<(Vec<Condition>, BTreeMap<Variable, Polynomial>), Interrupted> {
     let (mut conditions, mut solution) = (Vec::new(), BTreeMap::new());
-    let mut expansion = Expansion::new(ansatz, force);
+    let mut expansion = OpenExpansion::new(ansatz, force);
     watch.begin(Stage::Whole, Some(ansatz.orders.len()));
     for (done, order) in ansatz.orders.iter().enumerate() {
         watch.reached(done)?;

@@ -41,7 +41,7 @@ impl<F: Ring> HalfSwings<F> {
         &self,
         a: &Sums<F>,
         b: &Sums<F>,
-        f: impl Fn(&HarmonicSum<PiPolynomial<F::Element>>, &HarmonicSum<PiPolynomial<F::Element>>) -> Sum<F>,
+        f: impl Fn(&HarmonicSum<PiPolynomial<F::Element>>, &HarmonicSum<PiPolynomial<F::Element>>) -> PiSum<F>,
     ) -> Sums<F> {
         let zero = self.sums.zero();
         let at = |list: &Sums<F>, p: usize| list.get(p).unwrap_or(&zero).clone();
@@ -49,7 +49,7 @@ impl<F: Ring> HalfSwings<F> {
     }
 
     /// The value as a number; `None` if it depends on the phase.
-    fn as_constant<'a>(&self, a: &'a Sums<F>) -> Option<Option<&'a Sum<F>>> {
+    fn as_constant<'a>(&self, a: &'a Sums<F>) -> Option<Option<&'a PiSum<F>>> {
         let (first, rest) = match a.split_first() {
             None => return Some(None),
             Some(parts) => parts,
@@ -95,7 +95,7 @@ impl<F: Ring> HalfSwings<F> {
     }
 }
 
-type Sum<F> = HarmonicSum<PiPolynomial<<F as Ring>::Element>>;
+type PiSum<F> = HarmonicSum<PiPolynomial<<F as Ring>::Element>>;
 
 impl<F: Ring> Ring for HalfSwings<F> {
     type Element = Sums<F>;

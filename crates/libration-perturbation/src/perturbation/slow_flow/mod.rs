@@ -193,11 +193,11 @@ pub fn slow_flow(
         return Err(SlowFlowError::ParameterOrder(parameter_order));
     }
     let force = WeakForce::new(equation, parameter)?;
-    Question::new(&force, [order, parameter_order], gauge)?.answer(&Watch::new(progress))
+    SlowFlowProblem::new(&force, [order, parameter_order], gauge)?.answer(&Watch::new(progress))
 }
 
 /// An oscillator under a weak force, and the slow flow requested.
-struct Question<'a> {
+struct SlowFlowProblem<'a> {
     force: &'a WeakForce,
     tape: Tape,
     equilibrium: &'a Rational,
@@ -208,7 +208,7 @@ struct Question<'a> {
     parameter_order: usize,
 }
 
-impl<'a> Question<'a> {
+impl<'a> SlowFlowProblem<'a> {
     fn new(
         force: &'a WeakForce,
         [order, parameter_order]: [usize; 2],

@@ -83,7 +83,8 @@ pub fn expand_symbolically(
         return Err(ExpansionError::Order(order).into());
     }
     check_gauge(gauge, oscillator)?;
-    Question { oscillator, order, gauge, frequency: Frequency::new(oscillator) }.answer(&Watch::new(progress))
+    SymbolicProblem { oscillator, order, gauge, frequency: Frequency::new(oscillator) }
+        .answer(&Watch::new(progress))
 }
 
 fn check_gauge(gauge: &Gauge, oscillator: &SymbolicOscillator) -> Result<(), ExpansionError> {
@@ -103,14 +104,14 @@ fn is_pendulum(oscillator: &SymbolicOscillator) -> bool {
     Expression::Subtract(Box::new(oscillator.acceleration().clone()), Box::new(pendulum)).vanishes()
 }
 
-struct Question<'a> {
+struct SymbolicProblem<'a> {
     oscillator: &'a SymbolicOscillator,
     order: usize,
     gauge: &'a Gauge,
     frequency: Frequency<'a>,
 }
 
-impl Question<'_> {
+impl SymbolicProblem<'_> {
     fn answer(&self, watch: &Watch<'_>) -> Result<SymbolicExpansion, SymbolicExpansionError> {
         let model = self.model(self.frequency.squared(), self.oscillator.values().to_vec());
         watch.begin(Stage::Check, Some(self.order));

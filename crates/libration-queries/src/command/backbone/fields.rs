@@ -1,6 +1,6 @@
 //! Fields of a backbone, and of each of its points.
 
-use super::Answer;
+use super::BackboneResult;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
@@ -10,11 +10,11 @@ use libration::comparison::{BackbonePoint, ExactValue, OrbitFrequency};
 
 /// A point of the backbone of a result.
 pub(super) struct Point<'a> {
-    answer: &'a Answer,
+    answer: &'a BackboneResult,
     pub(super) point: &'a BackbonePoint,
 }
 
-impl Answer {
+impl BackboneResult {
     pub(super) fn listed(&self) -> impl Iterator<Item = Point<'_>> {
         self.points.iter().map(|point| Point { answer: self, point })
     }
@@ -29,8 +29,8 @@ impl Answer {
     }
 }
 
-pub(super) fn of_backbone() -> Fields<Answer> {
-    type Of = Field<Answer>;
+pub(super) fn of_backbone() -> Fields<BackboneResult> {
+    type Of = Field<BackboneResult>;
     Fields::from([
         Of::value("oscillator", "", "key of the oscillator, null where its equation was typed", |it| {
             it.asked.key.into()
@@ -68,7 +68,7 @@ pub(super) fn of_backbone() -> Fields<Answer> {
     ])
 }
 
-fn no_series(answer: &Answer) -> Option<String> {
+fn no_series(answer: &BackboneResult) -> Option<String> {
     answer.curve.no_series().map(ToString::to_string)
 }
 

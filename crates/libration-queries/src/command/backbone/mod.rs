@@ -48,7 +48,7 @@ pub(crate) struct Backbone {
 const MOST_AMPLITUDES: usize = 100_000;
 
 /// The result to write.
-struct Answer {
+struct BackboneResult {
     asked: Asked,
     curve: Curve,
     order: usize,
@@ -57,7 +57,7 @@ struct Answer {
     points: Vec<BackbonePoint>,
 }
 
-impl Answer {
+impl BackboneResult {
     /// The error that Ctrl-C came before the last amplitude.
     fn interruption(&self) -> Option<QueryError> {
         let (done, all) = (self.points.len(), self.asked_for);
@@ -120,7 +120,7 @@ impl Backbone {
         ))
     }
 
-    fn computed(&self) -> Result<Answer, QueryError> {
+    fn computed(&self) -> Result<BackboneResult, QueryError> {
         let asked = self.oscillator.asked()?;
         let variable = asked.equation.variables().first().map_or("", String::as_str);
         let is_angle = is_angle_name(variable);
@@ -137,7 +137,7 @@ impl Backbone {
         if points.is_empty() {
             return Err(early());
         }
-        Ok(Answer { asked, curve, order: self.order, asked_for, points })
+        Ok(BackboneResult { asked, curve, order: self.order, asked_for, points })
     }
 
     /// The series has to be complete before the first amplitude.

@@ -1,6 +1,6 @@
 //! The backbone as table, JSON and CSV.
 
-use super::Answer;
+use super::BackboneResult;
 use super::fields::{self, EXACT, ORBIT, Point, SERIES};
 use crate::output::json;
 use crate::output::number::rounded;
@@ -8,18 +8,18 @@ use crate::output::table::{sheet, write_text};
 use libration::comparison::Radius;
 use std::io::{self, Write};
 
-pub(super) fn json(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+pub(super) fn json(out: &mut dyn Write, answer: &BackboneResult) -> io::Result<()> {
     let fields = fields::of_point();
     let points = answer.listed().map(|point| fields.record(&point));
     json::document_with_list(out, fields::of_backbone().record(answer), "points", points)
 }
 
-pub(super) fn csv(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+pub(super) fn csv(out: &mut dyn Write, answer: &BackboneResult) -> io::Result<()> {
     fields::of_point().write_csv(out, &answer.listed().collect::<Vec<_>>())
 }
 
 /// Writes the properties of the backbone, the points if they are to be listed, and the reasons for missing ones.
-pub(super) fn table(out: &mut dyn Write, answer: &Answer, listed: bool) -> io::Result<()> {
+pub(super) fn table(out: &mut dyn Write, answer: &BackboneResult, listed: bool) -> io::Result<()> {
     sheet(out, &head(answer))?;
     let points: Vec<Point<'_>> = answer.listed().collect();
     if listed {
@@ -34,7 +34,7 @@ pub(super) fn table(out: &mut dyn Write, answer: &Answer, listed: bool) -> io::R
 }
 
 /// Writes the amplitude above which orbits belong to another family.
-fn write_enclosing(out: &mut dyn Write, answer: &Answer, points: &[Point<'_>]) -> io::Result<()> {
+fn write_enclosing(out: &mut dyn Write, answer: &BackboneResult, points: &[Point<'_>]) -> io::Result<()> {
     let enclosing: Vec<(&Point<'_>, f64)> =
         points.iter().filter_map(|point| Some((point, point.encloses()?))).collect();
     let Some((first, place)) = enclosing.first() else { return Ok(()) };
@@ -48,7 +48,7 @@ fn write_enclosing(out: &mut dyn Write, answer: &Answer, points: &[Point<'_>]) -
     write_text(out, "", &told)
 }
 
-fn head(answer: &Answer) -> Vec<(&'static str, String)> {
+fn head(answer: &BackboneResult) -> Vec<(&'static str, String)> {
     let mut lines = fields::of_backbone().lines(answer);
     let centre = answer.curve.centre();
     if !answer.curve.has_equilibrium() {
@@ -62,7 +62,7 @@ fn head(answer: &Answer) -> Vec<(&'static str, String)> {
     lines
 }
 
-fn series(answer: &Answer) -> String {
+fn series(answer: &BackboneResult) -> String {
     let order = answer.order;
     match (answer.curve.no_series(), answer.curve.radius()) {
         (Some(reason), _) => format!("none: {reason}"),
@@ -82,7 +82,7 @@ fn series(answer: &Answer) -> String {
 }
 
 /// Writes the reasons why orbits are missing, each once.
-fn write_reasons(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+fn write_reasons(out: &mut dyn Write, answer: &BackboneResult) -> io::Result<()> {
     let mut missing = answer.points.iter().filter_map(|point| Some((point, point.orbit.as_ref().err()?)));
     let count = missing.clone().count();
     let Some((first, reason)) = missing.next() else { return Ok(()) };

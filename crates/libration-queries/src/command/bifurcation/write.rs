@@ -10,7 +10,7 @@ use libration::chaos::{Points, SectionEnding};
 use std::io::{self, Write};
 
 /// One point: the sweep, the value of the parameter, time and state.
-pub(crate) struct Row {
+pub(crate) struct DiagramPoint {
     sweep: &'static str,
     value: f64,
     time: f64,
@@ -28,12 +28,12 @@ impl Diagram<'_> {
     }
 
     /// All points, with angles folded if requested.
-    pub(crate) fn rows(&self) -> impl Iterator<Item = Row> + '_ {
+    pub(crate) fn rows(&self) -> impl Iterator<Item = DiagramPoint> + '_ {
         let columns =
             self.sweeps.iter().flat_map(|sweep| sweep.columns.iter().map(move |it| (sweep.name, it)));
         columns
             .flat_map(|(sweep, column)| column.section.points.iter().map(move |it| (sweep, column.value, it)))
-            .map(|(sweep, value, point)| Row {
+            .map(|(sweep, value, point)| DiagramPoint {
                 sweep,
                 value,
                 time: point.time,
@@ -131,8 +131,8 @@ fn of_diagram<'a>() -> Fields<Diagram<'a>> {
     ])
 }
 
-fn of_row() -> Fields<Row> {
-    type Of = Field<Row>;
+fn of_row() -> Fields<DiagramPoint> {
+    type Of = Field<DiagramPoint>;
     Fields::from([
         Of::value("sweep", "", "order of the values: up, down or same start", |it| it.sweep.into())
             .numeral("sweep", |it| it.sweep.to_owned()),
@@ -145,7 +145,7 @@ fn of_row() -> Fields<Row> {
 }
 
 pub(crate) fn answers() -> Vec<Answers> {
-    const NUMBER: description::Row = ("NAME", "", "state variable of this name");
+    const NUMBER: description::DescriptionRow = ("NAME", "", "state variable of this name");
     let json = [of_diagram().described(""), of_row().described("points[].")];
     let csv = [of_row().described_in_csv(), descriptions("", &[NUMBER])];
     vec![Answers { command: "bifurcation", option: "", json: json.concat(), csv: csv.concat() }]

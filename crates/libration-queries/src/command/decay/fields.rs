@@ -1,6 +1,6 @@
 //! Fields of a decay, of its turning points, and of its whole cycles.
 
-use super::report::{Cycle, Report, Row};
+use super::report::{Cycle, NumberedTurn, Report};
 use super::slow_flow;
 use crate::arguments::PendulumOptions;
 use crate::output::description::Answers;
@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 /// A turning point of a decay.
 pub(super) struct Turning<'a> {
     pub(super) decay: &'a Decay,
-    pub(super) row: Row<'a>,
+    pub(super) row: NumberedTurn<'a>,
 }
 
 /// A decay with its derived results.

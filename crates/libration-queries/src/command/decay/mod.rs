@@ -101,7 +101,7 @@ impl Decay {
         };
         let given = self.omega0.is_none().then_some(self.pendulum);
         let listed = drawn.is_empty();
-        write::Answer { given, decay: &decay, slow: slow.as_ref(), report: &report, listed }
+        write::DecayResult { given, decay: &decay, slow: slow.as_ref(), report: &report, listed }
             .write(out, self.form.form())?;
         announce(out, self.form.form(), &drawn)?;
         if report.interrupted {

@@ -31,7 +31,7 @@ pub(crate) struct Turn {
 }
 
 /// A turning point with its number in cycles.
-pub(crate) struct Row<'a> {
+pub(crate) struct NumberedTurn<'a> {
     /// 0, 0.5, 1, ….
     pub(crate) cycle: f64,
     pub(crate) turn: &'a Turn,
@@ -110,7 +110,7 @@ impl Report {
     }
 
     /// All turning points.
-    pub(crate) fn rows(&self, decay: &Decay) -> impl Iterator<Item = Row<'_>> {
+    pub(crate) fn rows(&self, decay: &Decay) -> impl Iterator<Item = NumberedTurn<'_>> {
         let pendulum = decay.pendulum();
         self.turns.iter().enumerate().map(move |(number, turn)| {
             let whole = (number > 0 && number.is_multiple_of(2)).then(|| {
@@ -119,7 +119,7 @@ impl Report {
                 let exact_period = pendulum.period(&middle.amplitude);
                 Cycle { middle: middle.time, duration, exact_period, slow: self.slow_cycle(number, duration) }
             });
-            Row { cycle: in_cycles(number), turn, whole }
+            NumberedTurn { cycle: in_cycles(number), turn, whole }
         })
     }
 

@@ -14,7 +14,7 @@ use libration::decay::{Decay, DecayEnding};
 use std::io::{self, Write};
 
 /// A decay with the query.
-pub(super) struct Answer<'a> {
+pub(super) struct DecayResult<'a> {
     /// Length and gravity, if the pendulum was given by them.
     pub(super) given: Option<PendulumOptions>,
     pub(super) decay: &'a Decay,
@@ -25,7 +25,7 @@ pub(super) struct Answer<'a> {
     pub(super) listed: bool,
 }
 
-impl Answer<'_> {
+impl DecayResult<'_> {
     pub(super) fn write(&self, out: &mut dyn Write, form: Form) -> Result<(), QueryError> {
         match form {
             Form::Json => json::document_with_list(out, self.head(), "turning_points", self.records())?,

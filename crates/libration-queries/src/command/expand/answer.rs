@@ -8,7 +8,7 @@ use libration::perturbation::{Expansion, SymbolicExpansion};
 use libration::quantity::is_angle_name;
 
 /// An expansion with the words for it.
-pub(super) struct Answer<C = Rational> {
+pub(super) struct ExpandResult<C = Rational> {
     pub(super) subject: Subject,
     pub(super) is_angle: bool,
     /// Letters and constants, where parameters are letters.
@@ -37,20 +37,20 @@ pub(super) struct Letters<C> {
     pub(super) frequency: Option<Vec<C>>,
 }
 
-impl<C> About for Answer<C> {
+impl<C> About for ExpandResult<C> {
     fn subject(&self) -> &Subject {
         &self.subject
     }
 }
 
-impl Answer {
+impl ExpandResult {
     pub(super) fn new(chosen: Chosen, expansion: Expansion, interrupted: Option<usize>) -> Self {
         let equation = chosen.oscillator.equation().clone();
         Self::about(&equation, chosen, expansion, None, interrupted)
     }
 }
 
-impl Answer<LaurentPolynomial> {
+impl ExpandResult<LaurentPolynomial> {
     /// A symbolic expansion with the words for its oscillator.
     pub(super) fn with_letters<O>(
         equation: &Equation,
@@ -68,7 +68,7 @@ impl Answer<LaurentPolynomial> {
     }
 }
 
-impl<C> Answer<C> {
+impl<C> ExpandResult<C> {
     pub(super) fn about<O>(
         equation: &Equation,
         chosen: Chosen<O>,

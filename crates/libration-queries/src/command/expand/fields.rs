@@ -1,6 +1,6 @@
 //! Fields of an expansion: its series as lists of coefficients, each a text.
 
-use super::answer::Answer;
+use super::answer::ExpandResult;
 use super::subject::of_subject;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
@@ -13,33 +13,33 @@ use libration::perturbation::{
 use serde_json::Value;
 
 /// Coefficients by powers.
-type Series = Vec<String>;
+type SeriesTexts = Vec<String>;
 
 /// A harmonic of the displacement.
 struct Harmonic {
     k: usize,
-    cos: Series,
-    sin: Series,
+    cos: SeriesTexts,
+    sin: SeriesTexts,
 }
 
 /// The series that depend on an amplitude in the same way in every gauge.
 struct OfAmplitude {
-    frequency_ratio: Series,
-    period_ratio: Series,
-    epsilon: Series,
+    frequency_ratio: SeriesTexts,
+    period_ratio: SeriesTexts,
+    epsilon: SeriesTexts,
     harmonics: Vec<Harmonic>,
 }
 
 /// One coefficient of a series.
-pub(super) struct Coefficient<'a> {
+pub(super) struct SeriesCoefficient<'a> {
     quantity: String,
     variable: &'a str,
     power: usize,
     text: String,
 }
 
-pub(super) fn of_expansion<C: series::Coefficient>() -> Fields<Answer<C>> {
-    type Of<C> = Field<Answer<C>>;
+pub(super) fn of_expansion<C: series::Coefficient>() -> Fields<ExpandResult<C>> {
+    type Of<C> = Field<ExpandResult<C>>;
     let letters = Fields::from([
         Of::<C>::value("letters[]", "", "symbolic parameters, which appear in the coefficients", |it| {
             it.letters.as_ref().map_or(vec![], |letters| letters.names.clone()).into()
@@ -55,8 +55,8 @@ pub(super) fn of_expansion<C: series::Coefficient>() -> Fields<Answer<C>> {
 }
 
 /// The fields of the equilibrium and the expansion parameter.
-fn of_setting<C: series::Coefficient>() -> Fields<Answer<C>> {
-    type Of<C> = Field<Answer<C>>;
+fn of_setting<C: series::Coefficient>() -> Fields<ExpandResult<C>> {
+    type Of<C> = Field<ExpandResult<C>>;
     Fields::from([
         Of::<C>::value("order", "1", "highest power of the expansion", |it| it.expansion.order.into()),
         Of::<C>::value(
@@ -108,15 +108,24 @@ fn of_setting<C: series::Coefficient>() -> Fields<Answer<C>> {
     ])
 }
 
-fn of_series<C: series::Coefficient>() -> Fields<Answer<C>> {
-    type Of<C> = Field<Answer<C>>;
+fn of_series<C: series::Coefficient>() -> Fields<ExpandResult<C>> {
+    type Of<C> = Field<ExpandResult<C>>;
     Fields::from([
         Of::<C>::present_value(
             "angular_frequency[]",
             "",
             "with symbols, where ω0 is a product of them: coefficients of the frequency itself",
             |it| {
-                Some(it.letters.as_ref()?.frequency.as_ref()?.iter().map(written).collect::<Series>().into())
+                Some(
+                    it.letters
+                        .as_ref()?
+                        .frequency
+                        .as_ref()?
+                        .iter()
+                        .map(written)
+                        .collect::<SeriesTexts>()
+                        .into(),
+                )
             },
         ),
         Of::<C>::value(
@@ -207,8 +216,8 @@ fn of_amplitude() -> Fields<OfAmplitude> {
     ])
 }
 
-pub(super) fn of_coefficient<'a>() -> Fields<Coefficient<'a>> {
-    type Of<'a> = Field<Coefficient<'a>>;
+pub(super) fn of_coefficient<'a>() -> Fields<SeriesCoefficient<'a>> {
+    type Of<'a> = Field<SeriesCoefficient<'a>>;
     Fields::from([
         Of::value("quantity", "", "quantity that is expanded", |it| it.quantity.as_str().into()),
         Of::value("variable", "", "variable of the power series", |it| it.variable.into()),
@@ -228,11 +237,11 @@ pub(super) fn answers() -> Answers {
 }
 
 /// The coefficients of all series, in the order of JSON; of harmonics in an amplitude without the cosines or the sines that all vanish.
-pub(super) fn coefficients<C: series::Coefficient>(expansion: &Expansion<C>) -> Vec<Coefficient<'_>> {
+pub(super) fn coefficients<C: series::Coefficient>(expansion: &Expansion<C>) -> Vec<SeriesCoefficient<'_>> {
     let mut all = vec![];
-    let mut add = |quantity: String, variable, series: Series| {
+    let mut add = |quantity: String, variable, series: SeriesTexts| {
         let each = series.into_iter().enumerate();
-        all.extend(each.map(|(power, text)| Coefficient {
+        all.extend(each.map(|(power, text)| SeriesCoefficient {
             quantity: quantity.clone(),
             variable,
             power,
@@ -271,7 +280,7 @@ fn written<C: series::Coefficient>(value: &C) -> String {
     value.written(Precision::Exact)
 }
 
-fn texts<C: series::Coefficient>(expansion: &Expansion<C>, series: &[C]) -> Series {
+fn texts<C: series::Coefficient>(expansion: &Expansion<C>, series: &[C]) -> SeriesTexts {
     series.iter().map(|value| text(expansion, value)).collect()
 }
 
@@ -286,7 +295,7 @@ fn by_number(harmonics: &[Harmonic]) -> Value {
     json::object(harmonics.iter().map(|harmonic| (harmonic.k.to_string(), fields.record(harmonic))))
 }
 
-fn in_amplitude<C: series::Coefficient>(answer: &Answer<C>, of: &Option<AmplitudeSeries<C>>) -> Value {
+fn in_amplitude<C: series::Coefficient>(answer: &ExpandResult<C>, of: &Option<AmplitudeSeries<C>>) -> Value {
     let of = of.as_ref().map(|of| OfAmplitude::new(&answer.expansion, of));
     of.map_or(Value::Null, |of| of_amplitude().record(&of).into())
 }

@@ -1,6 +1,6 @@
 //! Expansions with letters.
 
-use super::answer::Answer;
+use super::answer::ExpandResult;
 use super::numbers::with_orders_shown;
 use crate::arguments::Chosen;
 use crate::query_error::QueryError;
@@ -12,14 +12,14 @@ pub(super) fn answer(
     chosen: Chosen<SymbolicOscillator>,
     order: usize,
     gauge: &Gauge,
-) -> Result<Answer<LaurentPolynomial>, QueryError> {
+) -> Result<ExpandResult<LaurentPolynomial>, QueryError> {
     let equation = chosen.oscillator.equation().clone();
     let expansion =
         with_orders_shown(order, |progress| expand_symbolically(&chosen.oscillator, order, gauge, progress));
     match expansion {
-        Ok(expansion) => Ok(Answer::with_letters(&equation, chosen, expansion, None)),
+        Ok(expansion) => Ok(ExpandResult::with_letters(&equation, chosen, expansion, None)),
         Err(SymbolicExpansionError::Interrupted { known: Some(known) }) => {
-            Ok(Answer::with_letters(&equation, chosen, *known, Some(order)))
+            Ok(ExpandResult::with_letters(&equation, chosen, *known, Some(order)))
         }
         Err(SymbolicExpansionError::Interrupted { known: None }) => {
             Err(QueryError::cancelled("interrupted before any order was found"))

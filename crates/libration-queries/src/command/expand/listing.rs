@@ -1,6 +1,6 @@
 //! The expansion to read, and in LaTeX.
 
-use super::answer::Answer;
+use super::answer::ExpandResult;
 use super::answer::Letters;
 use crate::output::series::{Coefficient, Notation, Style, subscript, superscript, wrapped};
 use crate::output::table::write_text;
@@ -13,7 +13,7 @@ use std::io::{self, Write};
 /// Lines are broken here.
 const COLUMN: usize = 110;
 
-pub(super) fn write<C: Coefficient>(out: &mut dyn Write, answer: &Answer<C>) -> io::Result<()> {
+pub(super) fn write<C: Coefficient>(out: &mut dyn Write, answer: &ExpandResult<C>) -> io::Result<()> {
     let expansion = &answer.expansion;
     let notation = Notation { precision: expansion.precision, style: Style::Text };
     let symbols = Symbols::new(&expansion.variable);
@@ -40,7 +40,7 @@ pub(super) fn write<C: Coefficient>(out: &mut dyn Write, answer: &Answer<C>) -> 
 }
 
 /// Writes the subject of the expansion and the equilibrium.
-pub(super) fn write_head<C: Coefficient>(out: &mut dyn Write, answer: &Answer<C>) -> io::Result<()> {
+pub(super) fn write_head<C: Coefficient>(out: &mut dyn Write, answer: &ExpandResult<C>) -> io::Result<()> {
     answer.subject.write(out)?;
     write_text(out, "", &setting(answer))
 }
@@ -71,7 +71,7 @@ fn number<C: Coefficient>(value: &C, precision: Precision) -> String {
     if is_negative { format!("-{text}") } else { text }
 }
 
-fn setting<C: Coefficient>(answer: &Answer<C>) -> String {
+fn setting<C: Coefficient>(answer: &ExpandResult<C>) -> String {
     let expansion = &answer.expansion;
     let number = |value| number(value, expansion.precision);
     let (place, square) = (number(&expansion.equilibrium), number(&expansion.omega0_squared));
@@ -139,7 +139,7 @@ fn gauge_in_words(gauge: &libration::perturbation::Gauge, letter: &str) -> Strin
 }
 
 fn lines<C: Coefficient>(
-    answer: &Answer<C>,
+    answer: &ExpandResult<C>,
     notation: Notation,
     symbols: &Symbols<'_>,
 ) -> Vec<(String, String)> {
@@ -225,7 +225,7 @@ fn amplitude_lines<C: Coefficient>(
     lines
 }
 
-fn checked<C>(answer: &Answer<C>) -> String {
+fn checked<C>(answer: &ExpandResult<C>) -> String {
     let expansion = &answer.expansion;
     if answer.letters.is_some() {
         return checked_with_letters(expansion.certificate);
@@ -278,7 +278,7 @@ fn checked_with_letters(certificate: Certificate) -> String {
 }
 
 /// The series as display equations.
-pub(super) fn write_latex<C: Coefficient>(out: &mut dyn Write, answer: &Answer<C>) -> io::Result<()> {
+pub(super) fn write_latex<C: Coefficient>(out: &mut dyn Write, answer: &ExpandResult<C>) -> io::Result<()> {
     let expansion = &answer.expansion;
     let notation = Notation { precision: expansion.precision, style: Style::Latex };
     let symbols = Symbols::new(&expansion.variable);

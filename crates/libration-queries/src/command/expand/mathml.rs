@@ -1,13 +1,13 @@
 //! The expansion as formulas in MathML, one a line.
 
-use super::answer::Answer;
+use super::answer::ExpandResult;
 use super::listing::{HarmonicPart, letter_of, parts};
 use crate::output::mathml::{display, element, name, number};
 use crate::output::series::{Coefficient, Notation, Style};
 use libration::perturbation::Precision;
 use std::io::{self, Write};
 
-pub(super) fn write<C: Coefficient>(out: &mut dyn Write, answer: &Answer<C>) -> io::Result<()> {
+pub(super) fn write<C: Coefficient>(out: &mut dyn Write, answer: &ExpandResult<C>) -> io::Result<()> {
     let expansion = &answer.expansion;
     writeln!(out, "{}", display(&element("mtext", &[&answer.subject.equation])))?;
     let variable = name(expansion.variable.name());
@@ -45,7 +45,7 @@ fn ratio(above: &str, below: &str) -> String {
 }
 
 /// The root that is the unit of displacements, if it is not 1.
-fn unit<C: Coefficient>(answer: &Answer<C>) -> String {
+fn unit<C: Coefficient>(answer: &ExpandResult<C>) -> String {
     match answer.expansion.unit_squared.written(Precision::Exact).as_str() {
         "1" => String::new(),
         squared => element("msqrt", &[&number(squared)]),

@@ -21,7 +21,7 @@ use crate::output::language::{Format, FormatOptions};
 use crate::output::series::Coefficient;
 use crate::output::{Form, FormOptions};
 use crate::query_error::QueryError;
-use answer::Answer;
+use answer::ExpandResult;
 use libration::comparison::SeriesQuantity;
 use libration::perturbation::{Gauge, MAX_ORDER, MAX_PARAMETER_ORDER};
 use numbers::refusal;
@@ -145,7 +145,9 @@ impl Expand {
         if let Some(asked) = self.slow_flow()? {
             return self.answer_slow_flow(out, asked);
         }
-        if let Some(answer) = scaling_law::Answer::of(self.oscillator.asked_with_letters(&self.letters)?) {
+        if let Some(answer) =
+            scaling_law::ScalingLawResult::of(self.oscillator.asked_with_letters(&self.letters)?)
+        {
             return self.answer_scaling_law(out, answer);
         }
         let chosen = match self.evaluate {
@@ -182,7 +184,7 @@ impl Expand {
     fn write<C: Coefficient>(
         &self,
         out: &mut dyn Write,
-        answer: &Answer<C>,
+        answer: &ExpandResult<C>,
         validity: impl Fn() -> String,
     ) -> Result<(), QueryError> {
         let format = self.formats.format();

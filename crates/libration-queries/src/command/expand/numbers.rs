@@ -1,6 +1,6 @@
 //! Series with numbers for all parameters, listed or evaluated.
 
-use super::answer::Answer;
+use super::answer::ExpandResult;
 use super::{Expand, Format, LISTED, evaluate};
 use crate::arguments::Chosen;
 use crate::output::number::short;
@@ -49,15 +49,15 @@ impl Expand {
                 exact => exact.map_err(|error| QueryError::no_result("expansion", error))?,
             };
             if let Some(expansion) = exact {
-                let answer = Answer::with_letters(oscillator.equation(), chosen, expansion, None);
+                let answer = ExpandResult::with_letters(oscillator.equation(), chosen, expansion, None);
                 self.write(out, &answer, String::new)?;
                 return Ok(Ok(None));
             }
         }
         let answer = match expanded(&chosen.oscillator, order, &self.gauge()) {
-            Ok(expansion) => Answer::new(chosen, expansion, None),
+            Ok(expansion) => ExpandResult::new(chosen, expansion, None),
             Err(ExpansionError::Interrupted { known: Some(known) }) => {
-                Answer::new(chosen, *known, Some(order))
+                ExpandResult::new(chosen, *known, Some(order))
             }
             Err(error @ ExpansionError::NotPolynomial) => return Ok(Err(error)),
             Err(error) => return Err(refusal(error)),

@@ -21,7 +21,7 @@ use std::io::{self, Write};
 const HARMONICS: usize = 6;
 
 /// A scaling law with the words for it.
-pub(super) struct Answer {
+pub(super) struct ScalingLawResult {
     subject: Subject,
     law: ScalingLaw,
     harmonics: Vec<HarmonicRatio>,
@@ -29,13 +29,13 @@ pub(super) struct Answer {
     at: Option<(f64, f64)>,
 }
 
-impl About for Answer {
+impl About for ScalingLawResult {
     fn subject(&self) -> &Subject {
         &self.subject
     }
 }
 
-impl Answer {
+impl ScalingLawResult {
     /// `None` for other forces.
     pub(super) fn of(asked: Asked) -> Option<Self> {
         let Asked { equation, about, key, title, values, read_as } = asked;
@@ -101,8 +101,8 @@ pub(super) fn answers() -> Answers {
     Answers { command: "expand", option: "pure_cubic", json, csv }
 }
 
-fn of_law() -> Fields<Answer> {
-    type Of = Field<Answer>;
+fn of_law() -> Fields<ScalingLawResult> {
+    type Of = Field<ScalingLawResult>;
     of_subject().and([
         Of::value("equilibrium", "", "equilibrium, from which amplitudes are measured", |it| {
             it.law.force().centre().to_string().into()
@@ -149,7 +149,12 @@ fn of_harmonic() -> Fields<HarmonicRatio> {
     ])
 }
 
-pub(super) fn write(out: &mut dyn Write, form: Form, latex: bool, answer: &Answer) -> Result<(), QueryError> {
+pub(super) fn write(
+    out: &mut dyn Write,
+    form: Form,
+    latex: bool,
+    answer: &ScalingLawResult,
+) -> Result<(), QueryError> {
     match form {
         Form::Json => json::document(out, of_law().record(answer))?,
         Form::Csv => of_harmonic().write_csv(out, &answer.harmonics)?,
@@ -159,7 +164,7 @@ pub(super) fn write(out: &mut dyn Write, form: Form, latex: bool, answer: &Answe
     Ok(())
 }
 
-fn write_listing(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+fn write_listing(out: &mut dyn Write, answer: &ScalingLawResult) -> io::Result<()> {
     let law = &answer.law;
     answer.subject.write(out)?;
     let (variable, centre) = (&answer.subject.variable, law.force().centre());
@@ -211,7 +216,7 @@ fn power_of_amplitude(exponent: &Rational) -> String {
     }
 }
 
-fn write_latex(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+fn write_latex(out: &mut dyn Write, answer: &ScalingLawResult) -> io::Result<()> {
     let law = &answer.law;
     let root = match law.force().strength() {
         one if *one == Expression::from(1) => String::new(),
@@ -233,7 +238,11 @@ fn write_latex(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
 }
 
 impl Expand {
-    pub(super) fn answer_scaling_law(&self, out: &mut dyn Write, answer: Answer) -> Result<(), QueryError> {
+    pub(super) fn answer_scaling_law(
+        &self,
+        out: &mut dyn Write,
+        answer: ScalingLawResult,
+    ) -> Result<(), QueryError> {
         let latex = match self.formats.format() {
             None => false,
             Some(Format::Latex) => true,

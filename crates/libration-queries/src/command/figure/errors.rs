@@ -3,7 +3,7 @@
 use super::PictureOptions;
 use crate::arguments::{self, FormulaChoice};
 use crate::figure::chart::Picture;
-use crate::figure::errors::{Curve, Frame, errors};
+use crate::figure::errors::{ErrorOfFormula, Frame, errors};
 use crate::interrupt;
 use crate::query_error::{QueryError, option};
 use libration::period_formulas::PeriodFormula;
@@ -55,7 +55,7 @@ impl ErrorsFigure {
         }
         let formulas = self.curves()?;
         interrupt::listen()?;
-        let curves: Vec<Curve> = formulas.into_iter().map(curve).collect();
+        let curves: Vec<ErrorOfFormula> = formulas.into_iter().map(curve).collect();
         let (lowest, highest, has_top) = (self.lowest, self.highest, self.near_top);
         Ok(errors(&curves, Frame { from, to, lowest, highest, has_top }))
     }
@@ -69,7 +69,7 @@ impl ErrorsFigure {
     }
 }
 
-fn curve(formula: PeriodFormula) -> Curve {
+fn curve(formula: PeriodFormula) -> ErrorOfFormula {
     let (label, family) = (formula.name().to_owned(), formula.family().to_owned());
-    Curve { label, family, error: Box::new(move |angle| formula.fractional_error(angle)) }
+    ErrorOfFormula { label, family, error: Box::new(move |angle| formula.fractional_error(angle)) }
 }

@@ -33,11 +33,11 @@ use std::path::PathBuf;
     --initial theta=170deg --to 40s --output damping.svg")]
 pub(crate) struct Figure {
     #[command(subcommand)]
-    picture: Subject,
+    picture: FigureSubject,
 }
 
 #[derive(Debug, clap::Subcommand)]
-enum Subject {
+enum FigureSubject {
     Errors(errors::ErrorsFigure),
     Motion(motion::MotionFigure),
     Phase(phase::Phase),
@@ -61,12 +61,12 @@ struct PictureOptions {
 impl Figure {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let (name, options, picture) = match &self.picture {
-            Subject::Errors(subject) => ("errors", &subject.options, subject.picture()?),
-            Subject::Motion(subject) => ("motion", &subject.options, subject.picture()?),
-            Subject::Phase(subject) => ("phase", &subject.options, subject.picture()?),
-            Subject::Spectrum(subject) => ("spectrum", &subject.options, subject.picture()?),
-            Subject::Series(subject) => ("series", &subject.options, subject.picture()?),
-            Subject::Trajectories(subject) => ("trajectories", &subject.options, subject.picture()?),
+            FigureSubject::Errors(subject) => ("errors", &subject.options, subject.picture()?),
+            FigureSubject::Motion(subject) => ("motion", &subject.options, subject.picture()?),
+            FigureSubject::Phase(subject) => ("phase", &subject.options, subject.picture()?),
+            FigureSubject::Spectrum(subject) => ("spectrum", &subject.options, subject.picture()?),
+            FigureSubject::Series(subject) => ("series", &subject.options, subject.picture()?),
+            FigureSubject::Trajectories(subject) => ("trajectories", &subject.options, subject.picture()?),
         };
         let drawn = file::write(&options.output, &picture, &options.layout)?;
         report::write(out, options.form.form(), name, &options.output, &picture)?;

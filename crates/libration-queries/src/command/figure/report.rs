@@ -28,9 +28,9 @@ pub(super) fn write(
 }
 
 /// A series with the number of its panel, from 1 at the top.
-type Curve<'a> = (usize, &'a Series);
+type PanelCurve<'a> = (usize, &'a Series);
 
-fn curves(picture: &Picture) -> impl Iterator<Item = Curve<'_>> {
+fn curves(picture: &Picture) -> impl Iterator<Item = PanelCurve<'_>> {
     let of_panel = |(panel, series)| std::iter::repeat(panel).zip(series);
     (1..).zip(picture.panels.iter().map(|panel| &panel.series)).flat_map(of_panel)
 }
@@ -44,8 +44,8 @@ fn of_picture<'a>() -> Fields<(&'a str, &'a Path)> {
     ])
 }
 
-fn of_curves<'a>() -> Fields<Curve<'a>> {
-    type Of<'a> = Field<Curve<'a>>;
+fn of_curves<'a>() -> Fields<PanelCurve<'a>> {
+    type Of<'a> = Field<PanelCurve<'a>>;
     Fields::from([
         Of::value("panel", "", "number of the panel, from 1 at the top", |(panel, _)| (*panel).into()),
         Of::value("label", "", "name of the curve in the legend", |(_, it)| it.label.as_str().into())
@@ -61,8 +61,8 @@ fn of_curves<'a>() -> Fields<Curve<'a>> {
 }
 
 /// A point with its curve.
-fn of_points<'a>() -> Fields<(Curve<'a>, &'a Point)> {
-    type Of<'a> = Field<(Curve<'a>, &'a Point)>;
+fn of_points<'a>() -> Fields<(PanelCurve<'a>, &'a Point)> {
+    type Of<'a> = Field<(PanelCurve<'a>, &'a Point)>;
     Fields::from([
         Of::value("panel", "", "number of the panel, from 1 at the top", |((panel, _), _)| (*panel).into()),
         Of::value("series", "", "name of the curve in the legend", |((_, it), _)| it.label.as_str().into()),

@@ -6,7 +6,7 @@ use crate::arguments::{
     place_in_state, places_in_state,
 };
 use crate::figure::chart::Picture;
-use crate::figure::parameters::{Angles, of_model, of_start, said};
+use crate::figure::parameters::{AngleUnit, of_model, of_start, said};
 use crate::figure::section::StateAxis;
 use crate::figure::trajectories::{Sampled, against_time, in_plane, spectra};
 use crate::interrupt;
@@ -228,7 +228,7 @@ impl DrawnMotion {
     }
 
     fn numbers_of_start(&self) -> Vec<String> {
-        of_start(&self.model, &self.start.state, Angles::Degrees)
+        of_start(&self.model, &self.start.state, AngleUnit::Degrees)
     }
 }
 

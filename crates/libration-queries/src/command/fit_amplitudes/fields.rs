@@ -13,20 +13,20 @@ use libration_lab::fit::amplitudes::{
 use libration_lab::fit::{DampingKind, Quality, Uncertain};
 
 /// The result for the measurements.
-pub(super) struct Answer<'a> {
+pub(super) struct FitAmplitudesResult<'a> {
     pub(super) file: &'a AmplitudeFile,
     pub(super) fit: &'a AmplitudesFit,
 }
 
 /// A coefficient with the units of the table.
-pub(super) struct Coefficient {
+pub(super) struct LawCoefficient {
     pub(super) of: DampingCoefficient,
     pub(super) unit: String,
     pub(super) rate_unit: String,
 }
 
 /// A row with its predicted value.
-struct Measurement {
+struct PredictedRow {
     position: f64,
     value: f64,
     fitted: f64,
@@ -39,7 +39,7 @@ fn no_period() -> String {
 
 const ONE_SIDE: &str = "the rows are amplitudes of one side, which do not determine the zero";
 
-impl Answer<'_> {
+impl FitAmplitudesResult<'_> {
     /// The warnings with the options that help.
     pub(super) fn warnings(&self) -> Vec<NamedWarning> {
         let text = |warning: &AmplitudesWarning| match warning {
@@ -73,8 +73,8 @@ impl Answer<'_> {
         }
     }
 
-    pub(super) fn coefficients(&self) -> Vec<Coefficient> {
-        let described = |of: &DampingCoefficient| Coefficient {
+    pub(super) fn coefficients(&self) -> Vec<LawCoefficient> {
+        let described = |of: &DampingCoefficient| LawCoefficient {
             of: *of,
             unit: units(of.term, self.unit(), ["/s^2", "1/s", "1/"]),
             rate_unit: match self.against() {
@@ -123,10 +123,10 @@ impl Answer<'_> {
         }
     }
 
-    fn measurements(&self) -> Vec<Measurement> {
+    fn measurements(&self) -> Vec<PredictedRow> {
         let (table, law) = (&self.file.measured.table, self.fit.law());
         let rows = table.positions().zip(table.values()).zip(&law.residuals);
-        let row = |((position, value), &residual): ((f64, f64), &f64)| Measurement {
+        let row = |((position, value), &residual): ((f64, f64), &f64)| PredictedRow {
             position,
             value,
             fitted: value - residual,
@@ -151,15 +151,15 @@ fn product(one: Uncertain, other: Uncertain) -> Uncertain {
     Uncertain { value, uncertainty: value * relative }
 }
 
-pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
+pub(super) fn of_answer<'a>() -> Fields<FitAmplitudesResult<'a>> {
     before_the_result().and(of_result()).and(of_quality()).and(of_rows()).and(warnings::fields(
-        |it: &Answer<'a>| warnings::texts(it.warnings()),
+        |it: &FitAmplitudesResult<'a>| warnings::texts(it.warnings()),
         |it| warnings::names(it.warnings()),
     ))
 }
 
-fn before_the_result<'a>() -> Fields<Answer<'a>> {
-    type Of<'a> = Field<Answer<'a>>;
+fn before_the_result<'a>() -> Fields<FitAmplitudesResult<'a>> {
+    type Of<'a> = Field<FitAmplitudesResult<'a>>;
     Fields::from([
         Of::value("rows", "1", "rows that were fitted", |it| it.file.measured.table.len().into()),
         Of::value("rows_incomplete", "1", "rows left out because a number is missing", |it| {
@@ -190,8 +190,8 @@ fn before_the_result<'a>() -> Fields<Answer<'a>> {
     ])
 }
 
-fn of_result<'a>() -> Fields<Answer<'a>> {
-    type Of<'a> = Field<Answer<'a>>;
+fn of_result<'a>() -> Fields<FitAmplitudesResult<'a>> {
+    type Of<'a> = Field<FitAmplitudesResult<'a>>;
     Fields::from([
         Of::value("law", "", "damping of the reported result", |it| it.fit.law().damping.to_string().into()),
         Of::number("first_amplitude", "", "fitted amplitude at the first row", |it| {
@@ -223,8 +223,8 @@ fn of_result<'a>() -> Fields<Answer<'a>> {
 }
 
 /// Q, the logarithmic decrement, the time of decay.
-fn of_quality<'a>() -> Fields<Answer<'a>> {
-    type Of<'a> = Field<Answer<'a>>;
+fn of_quality<'a>() -> Fields<FitAmplitudesResult<'a>> {
+    type Of<'a> = Field<FitAmplitudesResult<'a>>;
     Fields::from([
         Of::known("quality", "1", QUALITY, |it| it.quality().map(|quality| quality.factor.value)),
         Of::known("quality_uncertainty", "1", "standard uncertainty of Q, or null", |it| {
@@ -255,12 +255,17 @@ fn of_quality<'a>() -> Fields<Answer<'a>> {
         Of::known("decay_time_uncertainty_s", "s", "standard uncertainty of that, or null", |it| {
             it.decay_time().map(|time| time.uncertainty)
         }),
-        Of::known("decay_swings", "1", "the same as a number of swings, or null", Answer::decay_swings),
+        Of::known(
+            "decay_swings",
+            "1",
+            "the same as a number of swings, or null",
+            FitAmplitudesResult::decay_swings,
+        ),
     ])
 }
 
-fn of_rows<'a>() -> Fields<Answer<'a>> {
-    type Of<'a> = Field<Answer<'a>>;
+fn of_rows<'a>() -> Fields<FitAmplitudesResult<'a>> {
+    type Of<'a> = Field<FitAmplitudesResult<'a>>;
     Fields::from([
         Of::nested("laws[].", &of_law(), |it| of_law().records(&it.fit.laws)),
         Of::nested("measurements[].", &of_measurement(), |it| of_measurement().records(&it.measurements())),
@@ -269,8 +274,8 @@ fn of_rows<'a>() -> Fields<Answer<'a>> {
 
 const QUALITY: &str = "ω0/c of linear damping, 2πE/ΔE at the first row of any other, or null";
 
-fn of_coefficient() -> Fields<Coefficient> {
-    type Of = Field<Coefficient>;
+fn of_coefficient() -> Fields<LawCoefficient> {
+    type Of = Field<LawCoefficient>;
     Fields::from([
         Of::value("damping", "", "dry, linear or quadratic", |it| it.of.term.name().into()),
         Of::known(
@@ -352,8 +357,8 @@ pub(super) fn of_law() -> Fields<LawOfAmplitudes> {
     ])
 }
 
-fn of_measurement() -> Fields<Measurement> {
-    type Of = Field<Measurement>;
+fn of_measurement() -> Fields<PredictedRow> {
+    type Of = Field<PredictedRow>;
     Fields::from([
         Of::number("position", "", "time in seconds, or number of swings", |it| it.position),
         Of::number("value", "", "amplitude or turning point, in its SI unit", |it| it.value),

@@ -5,7 +5,7 @@ use crate::arguments::{
     ChosenColumns, ColumnsInSi, ColumnsOption, DialectOptions, DisplacementUnit, Inferences, Wanted, length,
 };
 use crate::call::in_words;
-use crate::figure::amplitudes::Measured;
+use crate::figure::amplitudes::MeasuredAmplitudes;
 use crate::query_error::{QueryError, option};
 use libration_lab::fit::amplitudes::{
     AmplitudeColumns, AmplitudeReading, AmplitudeTable, Position, Sides, UnstatedErrors,
@@ -15,7 +15,7 @@ use std::path::PathBuf;
 
 /// The file, and options for reading it.
 #[derive(Clone, Debug, clap::Args)]
-pub(super) struct Input {
+pub(super) struct FitAmplitudesInput {
     /// A table of times or numbers of swings and of amplitudes or turning points, optionally with uncertainties; - for standard input
     file: PathBuf,
     #[command(flatten)]
@@ -34,7 +34,7 @@ pub(super) struct Input {
     sides: Option<SidesChoice>,
     /// Errors of all amplitudes if no uncertainties are stated: the same absolute error, or the same relative error
     #[arg(long, value_enum, default_value = "absolute")]
-    errors: Errors,
+    errors: UnstatedAmplitudeErrors,
     #[command(flatten)]
     dialect: DialectOptions,
 }
@@ -46,7 +46,7 @@ enum SidesChoice {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Errors {
+enum UnstatedAmplitudeErrors {
     Absolute,
     Relative,
 }
@@ -54,13 +54,13 @@ enum Errors {
 /// The measurements, and the settings with which they were read.
 #[derive(Clone, Debug)]
 pub(super) struct AmplitudeFile {
-    pub(super) measured: Measured,
+    pub(super) measured: MeasuredAmplitudes,
     pub(super) dropped: usize,
     /// Settings inferred from the file.
     pub(super) inferences: Inferences,
 }
 
-impl Input {
+impl FitAmplitudesInput {
     pub(super) fn read(&self) -> Result<AmplitudeFile, QueryError> {
         let table = self.dialect.read(&self.file)?;
         let roles = match self.columns.are_given() {
@@ -112,8 +112,8 @@ impl Input {
                 SidesChoice::Both => Sides::Both,
             }),
             unstated_errors: match self.errors {
-                Errors::Absolute => UnstatedErrors::Absolute,
-                Errors::Relative => UnstatedErrors::Relative,
+                UnstatedAmplitudeErrors::Absolute => UnstatedErrors::Absolute,
+                UnstatedAmplitudeErrors::Relative => UnstatedErrors::Relative,
             },
             ..AmplitudeColumns::new(against.position(), &positions, self.reading(unit)?, &values)
         };
@@ -129,7 +129,8 @@ impl Input {
                     .to_owned(),
             );
         }
-        let measured = Measured { unit: self.unit_of_law(unit), is_horizontal: self.length.is_some(), table };
+        let measured =
+            MeasuredAmplitudes { unit: self.unit_of_law(unit), is_horizontal: self.length.is_some(), table };
         Ok(AmplitudeFile { measured, dropped, inferences })
     }
 

@@ -11,8 +11,8 @@ use crate::document;
 use crate::figure;
 use crate::output::{FormOptions, announce};
 use crate::query_error::QueryError;
-use fields::Answer;
-use input::Input;
+use fields::FitAmplitudesResult;
+use input::FitAmplitudesInput;
 use libration::quantity::Quantity;
 use libration_lab::fit::amplitudes::{AmplitudesOptions, fit_amplitudes};
 use std::io::Write;
@@ -39,7 +39,7 @@ without a period; times need --period, a column of periods T, or one of
 numbers n.")]
 pub(crate) struct FitAmplitudes {
     #[command(flatten)]
-    input: Input,
+    input: FitAmplitudesInput,
     /// Period of small swings, such as 1.42s±0.01s [default: by columns of periods T, or of times t and numbers of swings n]
     #[arg(long, value_name = "PERIOD", value_parser = crate::arguments::period_with_uncertainty)]
     period: Option<Quantity>,
@@ -73,7 +73,7 @@ impl FitAmplitudes {
             let picture = figure::amplitudes::fitted(&file.measured, &fit);
             written.push(figure::file::write(path, &picture, &self.layout)?);
         }
-        let answer = Answer { file: &file, fit: &fit };
+        let answer = FitAmplitudesResult { file: &file, fit: &fit };
         if let Some(path) = &self.report {
             written.push(document::write(path, &report::document(&answer, &self.input.name()))?);
         }

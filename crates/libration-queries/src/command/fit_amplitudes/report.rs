@@ -1,6 +1,6 @@
 //! The report of falling amplitudes.
 
-use super::fields::{self, Answer};
+use super::fields::{self, FitAmplitudesResult};
 use crate::command::fit_report::{self, FitReport};
 use crate::document::{Block, Document};
 use crate::figure;
@@ -8,7 +8,7 @@ use crate::output::number::{rounded, short};
 use libration_lab::fit::amplitudes::Position;
 
 /// The whole report.
-pub(super) fn document(answer: &Answer<'_>, file: &str) -> Document {
+pub(super) fn document(answer: &FitAmplitudesResult<'_>, file: &str) -> Document {
     let headline = match answer.fit.quality {
         Some(quality) => fit_report::doubled("Q", quality.factor, ""),
         None => {
@@ -42,7 +42,7 @@ pub(super) fn document(answer: &Answer<'_>, file: &str) -> Document {
     report.document("Damping of a pendulum", file)
 }
 
-fn position_unit(answer: &Answer<'_>) -> &'static str {
+fn position_unit(answer: &FitAmplitudesResult<'_>) -> &'static str {
     match answer.against() {
         Position::Time => "s",
         Position::Swings => "swings",
@@ -50,7 +50,7 @@ fn position_unit(answer: &Answer<'_>) -> &'static str {
 }
 
 /// Every row with its residual.
-fn rows(answer: &Answer<'_>) -> Vec<Block> {
+fn rows(answer: &FitAmplitudesResult<'_>) -> Vec<Block> {
     let measured = &answer.file.measured;
     let is_angle = answer.unit() == "rad";
     let scale = if is_angle { 1_f64.to_degrees() } else { 1.0 };

@@ -1,6 +1,6 @@
 //! The fit as a sheet with a table of laws, as JSON and as CSV.
 
-use super::fields::{self, Answer};
+use super::fields::{self, FitAmplitudesResult};
 use crate::output::json;
 use crate::output::table::{sheet, write_text};
 use crate::output::{self, Form, number};
@@ -12,7 +12,7 @@ use std::io::{self, Write};
 /// The name of the warning that precedes the result.
 const REFUTED: &str = "law_refuted";
 
-impl Answer<'_> {
+impl FitAmplitudesResult<'_> {
     pub(super) fn write(&self, out: &mut dyn Write, form: Form) -> Result<(), QueryError> {
         match form {
             Form::Json => json::document(out, fields::of_answer().record(self))?,

@@ -11,7 +11,7 @@ use libration_lab::fit::Budget;
 use libration_lab::fit::gates::{GateCycle, GatesFit, T0Source};
 
 /// The result for the times.
-pub(super) struct Answer<'a> {
+pub(super) struct FitGatesResult<'a> {
     pub(super) fit: &'a GatesFit,
     /// Budget with the length.
     pub(super) budget: Option<(&'a Budget, Quantity)>,
@@ -20,7 +20,7 @@ pub(super) struct Answer<'a> {
     pub(super) incomplete: usize,
 }
 
-impl Answer<'_> {
+impl FitGatesResult<'_> {
     /// The warnings with their stable names.
     pub(super) fn warnings(&self) -> Vec<NamedWarning> {
         let of_times = self.fit.warnings.iter().map(|warning| (warning.name(), warning.to_string()));
@@ -37,8 +37,8 @@ impl Answer<'_> {
 }
 
 /// The fields before the budget.
-pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
-    type Of<'a> = Field<Answer<'a>>;
+pub(super) fn of_answer<'a>() -> Fields<FitGatesResult<'a>> {
+    type Of<'a> = Field<FitGatesResult<'a>>;
     Fields::from([
         Of::value("passages", "1", "passages of the bob", |it| it.fit.passages.into()),
         Of::value("edges", "", "true if the times are edges, two for each passage", |it| it.fit.edges.into()),
@@ -104,10 +104,10 @@ fn no_gravity() -> String {
 }
 
 /// The fields after the budget.
-pub(super) fn of_cycles<'a>() -> Fields<Answer<'a>> {
-    type Of<'a> = Field<Answer<'a>>;
+pub(super) fn of_cycles<'a>() -> Fields<FitGatesResult<'a>> {
+    type Of<'a> = Field<FitGatesResult<'a>>;
     let warnings = warnings::fields(
-        |it: &Answer<'a>| warnings::texts(it.warnings()),
+        |it: &FitGatesResult<'a>| warnings::texts(it.warnings()),
         |it| warnings::names(it.warnings()),
     );
     Fields::from([

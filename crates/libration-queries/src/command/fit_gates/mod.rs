@@ -13,7 +13,7 @@ use crate::interrupt::{self, Cancellation};
 use crate::output::normal_gravity::NormalGravity;
 use crate::output::{FormOptions, announce};
 use crate::query_error::{QueryError, option};
-use fields::Answer;
+use fields::FitGatesResult;
 use libration::quantity::{Angle, Quantity};
 use libration_lab::fit::Budget;
 use libration_lab::fit::gates::{
@@ -108,7 +108,7 @@ impl FitGates {
         let normal = budget.as_ref().zip(self.apparatus.normal_gravity()?);
         let normal = normal.map(|(budget, normal)| NormalGravity { measured: budget.gravity(), normal });
         let budget = budget.as_ref().zip(self.apparatus.length());
-        let answer = Answer { fit: &fit, budget, normal, findings, incomplete };
+        let answer = FitGatesResult { fit: &fit, budget, normal, findings, incomplete };
         if let Some(path) = &self.report {
             written.push(document::write(path, &report::document(&answer, &name))?);
         }

@@ -1,6 +1,6 @@
 //! The report of the times of a photogate.
 
-use super::fields::Answer;
+use super::fields::FitGatesResult;
 use crate::command::fit_report::{self, FitReport};
 use crate::document::Document;
 use crate::figure;
@@ -9,7 +9,7 @@ use libration_lab::fit::gates::GateCycle;
 use std::f64::consts::SQRT_2;
 
 /// The whole report.
-pub(super) fn document(answer: &Answer<'_>, file: &str) -> Document {
+pub(super) fn document(answer: &FitGatesResult<'_>, file: &str) -> Document {
     let headline = match (answer.budget, answer.fit.t0) {
         (Some((budget, _)), _) => fit_report::gravity(budget.g, &budget.combined),
         (None, Some(t0)) => fit_report::doubled("T₀", t0, "s"),

@@ -1,6 +1,6 @@
 //! The fit as a sheet, as JSON and as CSV.
 
-use super::fields::{self, Answer};
+use super::fields::{self, FitGatesResult};
 use crate::output::json::{self, Record};
 use crate::output::normal_gravity;
 use crate::output::table::{sheet, write_text};
@@ -10,7 +10,7 @@ use libration_lab::fit::Uncertain;
 use libration_lab::fit::gates::T0Source;
 use std::io::{self, Write};
 
-impl Answer<'_> {
+impl FitGatesResult<'_> {
     pub(super) fn write(&self, out: &mut dyn Write, form: Form) -> Result<(), QueryError> {
         match form {
             Form::Json => json::document(out, self.record())?,

@@ -12,14 +12,14 @@ use crate::output::{budget, combined, json, number, scatter};
 use libration_lab::fit::{GravityMistake, LengthFit, LengthsFit, LengthsWarning, Uncertain};
 
 /// The result for the measurements.
-pub(super) struct Answer<'a> {
+pub(super) struct FitLengthsResult<'a> {
     pub(super) table: &'a LengthFile,
     pub(super) fit: &'a LengthsFit,
     pub(super) groups: Option<&'a Groups>,
     pub(super) normal: Option<NormalGravity>,
 }
 
-impl Answer<'_> {
+impl FitLengthsResult<'_> {
     /// The warnings with the options that help, and names that stay.
     pub(super) fn warnings(&self) -> Vec<NamedWarning> {
         let half = self.table.half_periods;
@@ -80,8 +80,8 @@ impl Answer<'_> {
     }
 }
 
-pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
-    type Of<'a> = Field<Answer<'a>>;
+pub(super) fn of_answer<'a>() -> Fields<FitLengthsResult<'a>> {
+    type Of<'a> = Field<FitLengthsResult<'a>>;
     let before = Fields::from([
         Of::value("rows", "1", "rows that were fitted", |it| it.table.measured.table.len().into()),
         Of::value("rows_incomplete", "1", "rows left out because a number is missing", |it| {
@@ -118,12 +118,14 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
         Of::nested("laws[].", &of_law(), |it| of_law().records(&it.fit.fits)),
     ]);
     let warnings = warnings::fields(
-        |it: &Answer<'a>| warnings::texts(it.warnings()),
+        |it: &FitLengthsResult<'a>| warnings::texts(it.warnings()),
         |it| warnings::names(it.warnings()),
     );
     before.and(warnings).and([
-        scatter::birge_ratio_field(|it: &Answer<'a>| scatter::birge_ratio(it.fit.best().scatter())),
-        scatter::enlargement_field(|it: &Answer<'a>| Some(scatter::enlargement(it.fit.best().scatter()))),
+        scatter::birge_ratio_field(|it: &FitLengthsResult<'a>| scatter::birge_ratio(it.fit.best().scatter())),
+        scatter::enlargement_field(|it: &FitLengthsResult<'a>| {
+            Some(scatter::enlargement(it.fit.best().scatter()))
+        }),
     ])
 }
 

@@ -4,7 +4,7 @@ use crate::arguments::{
     AmplitudeUnit, ColumnsOption, CountedOptions, DialectOptions, GroupOption, Inferences, LengthUnit,
     Wanted, one_amplitude,
 };
-use crate::figure::lengths::Measured;
+use crate::figure::lengths::MeasuredLengths;
 use crate::query_error::{QueryError, option};
 use libration::quantity::{Angle, Quantity};
 use libration_lab::fit::{LengthColumns, LengthTable};
@@ -12,7 +12,7 @@ use std::path::PathBuf;
 
 /// The file, and options for reading it.
 #[derive(Clone, Debug, clap::Args)]
-pub(super) struct Input {
+pub(super) struct FitLengthsInput {
     /// A table of lengths and periods, optionally with uncertainties; - for standard input
     file: PathBuf,
     #[command(flatten)]
@@ -37,7 +37,7 @@ pub(super) struct Input {
 /// The measurements, and the settings with which they were read.
 #[derive(Clone, Debug)]
 pub(super) struct LengthFile {
-    pub(super) measured: Measured,
+    pub(super) measured: MeasuredLengths,
     pub(super) dropped: usize,
     /// The units stated in the header.
     pub(super) inferences: Inferences,
@@ -64,7 +64,7 @@ impl LengthFile {
 /// Amplitude in radians above which radians are not assumed: few pendulums swing that far, and small swings in degrees have such numbers.
 const LARGE: f64 = 1.0;
 
-impl Input {
+impl FitLengthsInput {
     pub(super) fn name(&self) -> String {
         self.file.display().to_string()
     }
@@ -102,7 +102,7 @@ impl Input {
         };
         let period_uncertainties = of_periods;
         Ok(LengthFile {
-            measured: Measured { lengths, periods, length_uncertainties, period_uncertainties, table },
+            measured: MeasuredLengths { lengths, periods, length_uncertainties, period_uncertainties, table },
             dropped: read.dropped,
             inferences: read.inferences,
             half_periods: read.counts[1].total_cmp(&0.5).is_eq(),

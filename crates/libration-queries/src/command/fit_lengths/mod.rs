@@ -12,8 +12,8 @@ use crate::output::groups::{self, Groups};
 use crate::output::normal_gravity::NormalGravity;
 use crate::output::{FormOptions, announce};
 use crate::query_error::{QueryError, option};
-use fields::Answer;
-use input::{Input, LengthFile};
+use fields::FitLengthsResult;
+use input::{FitLengthsInput, LengthFile};
 use libration::quantity::Quantity;
 use libration_lab::fit::{self, BudgetInput, Contribution, LengthsFit, LengthsOptions, LengthsPendulum};
 use std::io::Write;
@@ -46,7 +46,7 @@ centre of mass, and a reversible pendulum 8π²/g = (T1² + T2²)/(h1 + h2) +
 (T1² − T2²)/(h1 − h2) (Bessel), h1 + h2 being the distance of the edges.")]
 pub(crate) struct FitLengths {
     #[command(flatten)]
-    input: Input,
+    input: FitLengthsInput,
     /// The pendulum: simple, a bar turned about points at these distances from its centre of mass or positions on a scale along it, or
     /// reversible with two knife edges [default: a bar if the periods show it, else simple]
     #[arg(long, value_enum)]
@@ -129,7 +129,7 @@ impl FitLengths {
         let groups = groups_of(&table, &fit, &options);
         let normal = self.place.normal_gravity()?;
         let normal = normal.map(|normal| NormalGravity { measured: fit.gravity(), normal });
-        let answer = Answer { table: &table, fit: &fit, groups: groups.as_ref(), normal };
+        let answer = FitLengthsResult { table: &table, fit: &fit, groups: groups.as_ref(), normal };
         if let Some(path) = &self.report {
             written.push(document::write(path, &report::document(&answer, &self.input.name(), radius))?);
         }

@@ -1,6 +1,6 @@
 //! The report of periods against lengths.
 
-use super::fields::{self, Answer};
+use super::fields::{self, FitLengthsResult};
 use crate::command::fit_report::{self, FitReport, known};
 use crate::document::{Block, Document};
 use crate::figure;
@@ -8,7 +8,7 @@ use crate::output::number::rounded;
 use libration_lab::fit::LengthModel;
 
 /// The whole report.
-pub(super) fn document(answer: &Answer<'_>, file: &str, radius: Option<f64>) -> Document {
+pub(super) fn document(answer: &FitLengthsResult<'_>, file: &str, radius: Option<f64>) -> Document {
     let best = answer.fit.best();
     let caption = if best.model == LengthModel::Reversible {
         "The periods about both knife edges"
@@ -62,7 +62,7 @@ fn method(model: LengthModel) -> [&'static str; 3] {
 }
 
 /// Every row with its residual.
-fn rows(answer: &Answer<'_>) -> Vec<Block> {
+fn rows(answer: &FitLengthsResult<'_>) -> Vec<Block> {
     let (measured, best) = (&answer.table.measured, answer.fit.best());
     let of = |column: &Option<Vec<f64>>, row: usize| column.as_ref().map(|column| column[row]);
     let cells = |row: usize| {

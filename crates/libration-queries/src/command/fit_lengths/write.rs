@@ -1,6 +1,6 @@
 //! The fit as a sheet with a table of laws, as JSON and as CSV.
 
-use super::fields::{self, Answer};
+use super::fields::{self, FitLengthsResult};
 use crate::output::groups::{self, Groups};
 use crate::output::json;
 use crate::output::normal_gravity;
@@ -13,7 +13,7 @@ use std::io::{self, Write};
 /// The name of the warning that is printed with gravity.
 const CONTRADICTED: &str = "gravity_contradicted";
 
-impl Answer<'_> {
+impl FitLengthsResult<'_> {
     pub(super) fn write(&self, out: &mut dyn Write, form: Form) -> Result<(), QueryError> {
         match form {
             Form::Json => {

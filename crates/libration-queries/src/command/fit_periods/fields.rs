@@ -1,6 +1,6 @@
 //! Fields of measured periods, and of each law.
 
-use super::input::Measured;
+use super::input::ReadPeriods;
 use crate::arguments::of_columns;
 use crate::call::in_words;
 use crate::output::description::Answers;
@@ -13,8 +13,8 @@ use libration::quantity::Quantity;
 use libration_lab::fit::{Budget, FitError, LawFit, PeriodFit, Weighting};
 
 /// The result for the measurements.
-pub(super) struct Answer<'a> {
-    pub(super) measured: &'a Measured,
+pub(super) struct FitPeriodsResult<'a> {
+    pub(super) measured: &'a ReadPeriods,
     pub(super) fit: &'a PeriodFit,
     pub(super) groups: Option<&'a Groups>,
     pub(super) budget: Option<&'a Budget>,
@@ -28,7 +28,7 @@ pub(super) struct KeyedLaw<'a> {
     fit: Result<&'a LawFit, &'a FitError>,
 }
 
-impl Answer<'_> {
+impl FitPeriodsResult<'_> {
     /// The exact law, the constant period, the formulas.
     pub(super) fn laws(&self) -> Vec<KeyedLaw<'_>> {
         let fixed = [&self.fit.exact, &self.fit.constant].map(|law| KeyedLaw { key: &law.key, fit: Ok(law) });
@@ -56,8 +56,8 @@ impl Answer<'_> {
     }
 }
 
-pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
-    type Of<'a> = Field<Answer<'a>>;
+pub(super) fn of_answer<'a>() -> Fields<FitPeriodsResult<'a>> {
+    type Of<'a> = Field<FitPeriodsResult<'a>>;
     let before = Fields::from([
         Of::value("rows", "1", "rows that were fitted", |it| it.fit.table.len().into()),
         Of::value("rows_incomplete", "1", "rows left out because a number is missing", |it| {
@@ -76,7 +76,7 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
         Of::nested("laws[].", &of_law(), |it| of_law().records(&it.laws())),
     ]);
     let warnings = warnings::fields(
-        |it: &Answer<'a>| warnings::texts(it.warnings()),
+        |it: &FitPeriodsResult<'a>| warnings::texts(it.warnings()),
         |it| warnings::names(it.warnings()),
     );
     before.and(warnings).and([

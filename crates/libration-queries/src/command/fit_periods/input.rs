@@ -11,7 +11,7 @@ use std::path::PathBuf;
 
 /// The file, and options for reading it.
 #[derive(Clone, Debug, clap::Args)]
-pub(super) struct Input {
+pub(super) struct FitPeriodsInput {
     /// A table of amplitudes and periods, optionally with uncertainties; - for standard input
     file: PathBuf,
     #[command(flatten)]
@@ -29,7 +29,7 @@ pub(super) struct Input {
 
 /// The measurements, as columns (rad and s) and as the table to fit.
 #[derive(Clone, Debug)]
-pub(super) struct Measured {
+pub(super) struct ReadPeriods {
     pub(super) rows: Vec<Measurement>,
     pub(super) table: PeriodTable,
     pub(super) lines: Vec<u64>,
@@ -42,7 +42,7 @@ pub(super) struct Measured {
     pub(super) groups: Option<Vec<String>>,
 }
 
-impl Measured {
+impl ReadPeriods {
     /// The relative standard uncertainty of T0 by the common error of all timings.
     pub(super) fn shared_of(&self, fit: &PeriodFit) -> Option<f64> {
         let shared = self.shared_timing.as_ref()?;
@@ -58,12 +58,12 @@ impl Measured {
     }
 }
 
-impl Input {
+impl FitPeriodsInput {
     pub(super) fn name(&self) -> String {
         self.file.display().to_string()
     }
 
-    pub(super) fn read(&self) -> Result<Measured, QueryError> {
+    pub(super) fn read(&self) -> Result<ReadPeriods, QueryError> {
         let table = self.dialect.read(&self.file)?;
         let group = self.group.group.as_ref();
         let read = self.columns.read(&self.name(), &table, &self.wanted(), group, "fit periods")?;
@@ -75,7 +75,7 @@ impl Input {
         [amplitudes, periods, amplitudes.uncertainties(0), periods.uncertainties(1)]
     }
 
-    fn measured(&self, read: ColumnsInSi<4>) -> Result<Measured, QueryError> {
+    fn measured(&self, read: ColumnsInSi<4>) -> Result<ReadPeriods, QueryError> {
         let [amplitudes, periods, of_amplitudes, of_periods] = read.columns;
         let (amplitudes, periods) = (amplitudes.unwrap_or_default(), periods.unwrap_or_default());
         let uncertainties =
@@ -95,7 +95,7 @@ impl Input {
             period_uncertainty: of_periods.as_ref().map(|column| column[index]),
         };
         let rows = (0..periods.len()).map(row).collect();
-        Ok(Measured {
+        Ok(ReadPeriods {
             rows,
             table,
             lines: read.lines,

@@ -12,8 +12,8 @@ use crate::output::groups::{self, Groups};
 use crate::output::normal_gravity::NormalGravity;
 use crate::output::{FormOptions, announce};
 use crate::query_error::QueryError;
-use fields::Answer;
-use input::{Input, Measured};
+use fields::FitPeriodsResult;
+use input::{FitPeriodsInput, ReadPeriods};
 use libration_lab::fit::{self, Law, MeasuredPeriod, PeriodFit};
 use std::io::Write;
 use std::path::PathBuf;
@@ -41,7 +41,7 @@ law fits T = T0·[1 + β(R − 1)], where R = T/T0 by the exact law: β = 1 is t
 exact law.")]
 pub(crate) struct FitPeriods {
     #[command(flatten)]
-    input: Input,
+    input: FitPeriodsInput,
     /// Leave out rows more than this many robust standard deviations from the exact law
     #[arg(long, value_name = "N", value_parser = positive)]
     reject_outliers: Option<f64>,
@@ -92,7 +92,7 @@ impl FitPeriods {
             written.push(figure::file::write(path, &picture, &self.layout)?);
         }
         let groups = self.groups(&measured, &fit);
-        let answer = Answer {
+        let answer = FitPeriodsResult {
             measured: &measured,
             groups: groups.as_ref(),
             fit: &fit,
@@ -108,7 +108,7 @@ impl FitPeriods {
     }
 
     /// T0 of each group, where the rows have groups; the clock and the observer are shared.
-    fn groups(&self, measured: &Measured, fit: &PeriodFit) -> Option<Groups> {
+    fn groups(&self, measured: &ReadPeriods, fit: &PeriodFit) -> Option<Groups> {
         let both = [self.apparatus.clock(), measured.shared_of(fit)]
             .map(|it| it.unwrap_or(0.0) * fit.exact.t0.value);
         let shared = both.iter().map(|it| it * it).sum::<f64>().sqrt();

@@ -1,13 +1,13 @@
 //! The report of periods against amplitudes.
 
-use super::fields::{self, Answer};
+use super::fields::{self, FitPeriodsResult};
 use crate::command::fit_report::{self, FitReport, known};
 use crate::document::{Block, Document};
 use crate::figure;
 use crate::output::number::rounded;
 
 /// The whole report; `left_out` are the outliers that were not fitted.
-pub(super) fn document(answer: &Answer<'_>, file: &str, left_out: &[usize]) -> Document {
+pub(super) fn document(answer: &FitPeriodsResult<'_>, file: &str, left_out: &[usize]) -> Document {
     let exact = &answer.fit.exact;
     let headline = match answer.budget {
         Some(budget) => fit_report::gravity(budget.g, &budget.combined),
@@ -45,7 +45,7 @@ pub(super) fn document(answer: &Answer<'_>, file: &str, left_out: &[usize]) -> D
 }
 
 /// Every row that was fitted, with its residual.
-fn rows(answer: &Answer<'_>, left_out: &[usize]) -> Vec<Block> {
+fn rows(answer: &FitPeriodsResult<'_>, left_out: &[usize]) -> Vec<Block> {
     let fitted = (0..answer.measured.rows.len()).filter(|row| !left_out.contains(row));
     let cells = |(place, row): (usize, usize)| {
         let of = &answer.measured.rows[row];

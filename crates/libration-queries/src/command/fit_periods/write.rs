@@ -1,6 +1,6 @@
 //! The fit as a sheet with a table of laws, as JSON and as CSV.
 
-use super::fields::{self, Answer};
+use super::fields::{self, FitPeriodsResult};
 use crate::output::groups::{self, Groups};
 use crate::output::json::{self, Record};
 use crate::output::normal_gravity;
@@ -10,7 +10,7 @@ use crate::query_error::QueryError;
 use libration_lab::fit::PeriodsWarning;
 use std::io::{self, Write};
 
-impl Answer<'_> {
+impl FitPeriodsResult<'_> {
     pub(super) fn write(&self, out: &mut dyn Write, form: Form) -> Result<(), QueryError> {
         match form {
             Form::Json => json::document(out, self.record())?,

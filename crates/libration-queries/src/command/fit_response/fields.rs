@@ -13,7 +13,7 @@ use libration_lab::fit::response::{
 use serde_json::Value;
 
 /// The result for the measurements.
-pub(super) struct Answer<'a> {
+pub(super) struct FitResponseResult<'a> {
     pub(super) file: &'a ResponseFile,
     pub(super) fit: &'a ResponsesFit,
     pub(super) curve: &'a FittedCurve,
@@ -33,13 +33,13 @@ pub(super) struct OnCurve {
 }
 
 /// A row with its fitted values.
-pub(super) struct Measurement<'a> {
+pub(super) struct FittedRow<'a> {
     pub(super) frequency: f64,
     pub(super) amplitude: f64,
     pub(super) fitted: &'a FittedAnswer,
 }
 
-impl Answer<'_> {
+impl FitResponseResult<'_> {
     pub(super) fn warnings(&self) -> Vec<NamedWarning> {
         self.fit.warnings.iter().map(|warning| (warning.name(), warning.to_string())).collect()
     }
@@ -76,15 +76,15 @@ impl Answer<'_> {
             .collect()
     }
 
-    pub(super) fn measurements(&self) -> Vec<Measurement<'_>> {
+    pub(super) fn measurements(&self) -> Vec<FittedRow<'_>> {
         let measured = &self.file.measured;
         let rows = measured.frequencies.iter().zip(&measured.amplitudes).zip(&self.fit.best().rows);
-        rows.map(|((&frequency, &amplitude), fitted)| Measurement { frequency, amplitude, fitted }).collect()
+        rows.map(|((&frequency, &amplitude), fitted)| FittedRow { frequency, amplitude, fitted }).collect()
     }
 }
 
-pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
-    type Of<'a> = Field<Answer<'a>>;
+pub(super) fn of_answer<'a>() -> Fields<FitResponseResult<'a>> {
+    type Of<'a> = Field<FitResponseResult<'a>>;
     let before = Fields::from([
         Of::value("rows", "1", "rows that were fitted", |it| it.file.measured.table.len().into()),
         Of::value("rows_incomplete", "1", "rows left out because a number is missing", |it| {
@@ -117,7 +117,7 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
         Of::nested("curve[].", &of_curve(), |it| of_curve().records(&it.on_curve())),
     ]);
     before.and(warnings::fields(
-        |it: &Answer<'a>| warnings::texts(it.warnings()),
+        |it: &FitResponseResult<'a>| warnings::texts(it.warnings()),
         |it| warnings::names(it.warnings()),
     ))
 }
@@ -243,8 +243,8 @@ pub(super) fn of_jump() -> Fields<FittedJump> {
     ])
 }
 
-pub(super) fn of_measurement<'a>() -> Fields<Measurement<'a>> {
-    type Of<'a> = Field<Measurement<'a>>;
+pub(super) fn of_measurement<'a>() -> Fields<FittedRow<'a>> {
+    type Of<'a> = Field<FittedRow<'a>>;
     Fields::from([
         Of::number("angular_frequency_rad_per_s", "rad/s", "the frequency that was measured", |it| {
             it.frequency

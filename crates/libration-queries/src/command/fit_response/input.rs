@@ -4,7 +4,7 @@ use crate::arguments::{
     AmplitudeUnit, ColumnsInSi, ColumnsOption, CountedOptions, DialectOptions, DisplacementUnit,
     FrequencyUnit, Inferences, Wanted,
 };
-use crate::figure::fitted_response::Measured;
+use crate::figure::fitted_response::MeasuredResponse;
 use crate::query_error::QueryError;
 use libration_lab::fit::response::{AmplitudeErrors, ResponseColumns, ResponseTable};
 use libration_lab::measurement::{Column, CountedPeriods, QuantityColumns, Role, Table, TableQuantity, Unit};
@@ -13,7 +13,7 @@ use std::path::PathBuf;
 
 /// The file, and options for reading it.
 #[derive(Clone, Debug, clap::Args)]
-pub(super) struct Input {
+pub(super) struct FitResponseInput {
     /// A table of drive frequencies, or periods, and amplitudes, optionally with phases and with uncertainties; - for standard input
     file: PathBuf,
     #[command(flatten)]
@@ -29,13 +29,13 @@ pub(super) struct Input {
     phase_unit: Option<AmplitudeUnit>,
     /// Errors of all amplitudes if no uncertainties are stated: the same absolute error, or the same relative error
     #[arg(long, value_enum, default_value = "absolute")]
-    errors: Errors,
+    errors: ResponseErrors,
     #[command(flatten)]
     dialect: DialectOptions,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Errors {
+enum ResponseErrors {
     Absolute,
     Relative,
 }
@@ -43,7 +43,7 @@ enum Errors {
 /// The measurements, and the settings with which they were read.
 #[derive(Clone, Debug)]
 pub(super) struct ResponseFile {
-    pub(super) measured: Measured,
+    pub(super) measured: MeasuredResponse,
     pub(super) dropped: usize,
     /// The units stated in the header.
     pub(super) inferences: Inferences,
@@ -56,7 +56,7 @@ impl ResponseFile {
     }
 }
 
-impl Input {
+impl FitResponseInput {
     pub(super) fn read(&self) -> Result<ResponseFile, QueryError> {
         let table = self.dialect.read(&self.file)?;
         let has_periods = self.has_periods(&table);
@@ -78,12 +78,12 @@ impl Input {
             amplitude_uncertainties: of_amplitudes.as_deref(),
             phase_uncertainties: of_phases.as_deref(),
             unstated_errors: match self.errors {
-                Errors::Absolute => AmplitudeErrors::Absolute,
-                Errors::Relative => AmplitudeErrors::Relative,
+                ResponseErrors::Absolute => AmplitudeErrors::Absolute,
+                ResponseErrors::Relative => AmplitudeErrors::Relative,
             },
         };
         let table = ResponseTable::new(&columns).map_err(|error| self.no_answer(error))?;
-        let measured = Measured {
+        let measured = MeasuredResponse {
             frequencies,
             amplitudes,
             phases,

@@ -10,8 +10,8 @@ use crate::figure::{self, fitted_response};
 use crate::output::{FormOptions, announce};
 use crate::query_error::QueryError;
 use crate::{interrupt, parallel};
-use fields::Answer;
-use input::{Input, ResponseFile};
+use fields::FitResponseResult;
+use input::{FitResponseInput, ResponseFile};
 use libration::progress::{Progress, Status};
 use libration_lab::fit::response::{
     FittedCurve, MeasuredAmplitude, ResponseFit, ResponseFitError, ResponseModel, ResponsesFit, fit_response,
@@ -36,7 +36,7 @@ amplitude is compared with A: it is single-valued on each branch, so that points
 of sweeps up and down are fitted together.")]
 pub(crate) struct FitResponse {
     #[command(flatten)]
-    input: Input,
+    input: FitResponseInput,
     /// The oscillator [default: the simplest consistent with the rows; a pendulum if amplitudes are angles]
     #[arg(long, value_enum)]
     model: Option<ModelChoice>,
@@ -84,7 +84,7 @@ impl FitResponse {
             let picture = fitted_response::fitted(&file.measured, fit.best(), &curve);
             written.push(figure::file::write(path, &picture, &self.layout)?);
         }
-        let answer = Answer { file: &file, fit: &fit, curve: &curve };
+        let answer = FitResponseResult { file: &file, fit: &fit, curve: &curve };
         if let Some(path) = &self.report {
             written.push(document::write(path, &report::document(&answer, &self.input.name()))?);
         }

@@ -1,6 +1,6 @@
 //! The report of a measured response.
 
-use super::fields::{self, Answer, Measurement};
+use super::fields::{self, FitResponseResult, FittedRow};
 use crate::command::fit_report::{self, FitReport};
 use crate::document::{Block, Document};
 use crate::figure::fitted_response;
@@ -8,7 +8,7 @@ use crate::output::number::{rounded, short};
 use libration_lab::fit::response::ResponseModel;
 
 /// The whole report.
-pub(super) fn document(answer: &Answer<'_>, file: &str) -> Document {
+pub(super) fn document(answer: &FitResponseResult<'_>, file: &str) -> Document {
     let best = answer.fit.best();
     let left_out = answer.fit.left_out.iter().map(|reason| ("left out", reason.to_string()));
     let report = FitReport {
@@ -47,10 +47,10 @@ fn equation(model: ResponseModel) -> &'static str {
 }
 
 /// Every row with the amplitude of the curve.
-fn rows(answer: &Answer<'_>) -> Vec<Block> {
+fn rows(answer: &FitResponseResult<'_>) -> Vec<Block> {
     let is_angle = answer.file.is_angle();
     let (scale, unit) = if is_angle { (1_f64.to_degrees(), "°") } else { (1.0, answer.file.unit) };
-    let cells = |row: Measurement<'_>| {
+    let cells = |row: FittedRow<'_>| {
         vec![
             row.fitted.stability.name().to_owned(),
             short(row.frequency, 6),

@@ -1,6 +1,6 @@
 //! The fit as a sheet with a table of models, as JSON and as CSV.
 
-use super::fields::{self, Answer};
+use super::fields::{self, FitResponseResult};
 use crate::call::in_words;
 use crate::output::table::{sheet, write_text};
 use crate::output::{Form, json, number, scatter};
@@ -8,7 +8,7 @@ use crate::query_error::QueryError;
 use libration_lab::fit::response::{AmplitudeErrors, FittedJump};
 use std::io::{self, Write};
 
-impl Answer<'_> {
+impl FitResponseResult<'_> {
     pub(super) fn write(&self, out: &mut dyn Write, form: Form) -> Result<(), QueryError> {
         match form {
             Form::Json => json::document(out, fields::of_answer().record(self))?,

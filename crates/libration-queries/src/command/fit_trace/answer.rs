@@ -1,6 +1,6 @@
 //! Results for measured swings.
 
-use super::input::Measured;
+use super::input::ReadRecordings;
 use super::model::DampingChoice;
 use super::options;
 use crate::arguments::ApparatusOptions;
@@ -15,16 +15,16 @@ use std::cell::{Cell, RefCell};
 
 /// All results of measured swings.
 #[derive(Debug)]
-pub(super) struct Answer<'a> {
-    pub(super) measured: &'a Measured,
+pub(super) struct FitTraceResult<'a> {
+    pub(super) measured: &'a ReadRecordings,
     pub(super) swings: SwingsFit,
     /// Normal gravity at the place, compared with the measured one.
     pub(super) normal: Option<NormalGravity>,
 }
 
-impl<'a> Answer<'a> {
+impl<'a> FitTraceResult<'a> {
     pub(super) fn new(
-        measured: &'a Measured,
+        measured: &'a ReadRecordings,
         model: DampingChoice,
         options: TraceOptions,
         apparatus: &ApparatusOptions,
@@ -70,7 +70,7 @@ impl<'a> Answer<'a> {
     }
 }
 
-fn failure(measured: &Measured, error: SwingsError) -> QueryError {
+fn failure(measured: &ReadRecordings, error: SwingsError) -> QueryError {
     match error {
         SwingsError::Motion(TraceFitError::Interrupted) => {
             QueryError::cancelled("interrupted: nothing is written")

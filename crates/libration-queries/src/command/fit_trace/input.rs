@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 /// The files.
 #[derive(Clone, Debug, clap::Args)]
-pub(super) struct Input {
+pub(super) struct FitTraceInput {
     /// Recordings of the same pendulum: angle, angular velocity or position against time; - for standard input
     #[arg(required = true)]
     files: Vec<PathBuf>,
@@ -15,7 +15,7 @@ pub(super) struct Input {
 
 /// The recordings that were read.
 #[derive(Clone, Debug)]
-pub(super) struct Measured {
+pub(super) struct ReadRecordings {
     pub(super) files: Vec<File>,
     /// Traces of all files, in the order of the files.
     pub(super) traces: Vec<Trace>,
@@ -28,9 +28,9 @@ pub(super) struct File {
     pub(super) findings: Vec<String>,
 }
 
-impl Input {
-    pub(super) fn read(&self, options: &RecordingOptions) -> Result<Measured, QueryError> {
-        let mut measured = Measured { files: vec![], traces: vec![] };
+impl FitTraceInput {
+    pub(super) fn read(&self, options: &RecordingOptions) -> Result<ReadRecordings, QueryError> {
+        let mut measured = ReadRecordings { files: vec![], traces: vec![] };
         for path in &self.files {
             let name = path.display().to_string();
             let found = options.traces(path)?;
@@ -61,7 +61,7 @@ fn short_name(path: &Path) -> String {
     path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
 }
 
-impl Measured {
+impl ReadRecordings {
     /// The files' names without folders, as one text.
     pub(super) fn short_names(&self) -> String {
         let names = self.files.iter().map(|file| short_name(Path::new(&file.name)));

@@ -14,8 +14,8 @@ use crate::document;
 use crate::figure;
 use crate::output::{Form, FormOptions, announce, json};
 use crate::query_error::QueryError;
-use answer::Answer;
-use input::{Input, Measured};
+use answer::FitTraceResult;
+use input::{FitTraceInput, ReadRecordings};
 use libration_lab::fit::trace::TraceOptions;
 pub(super) use model::DampingChoice;
 use std::io::Write;
@@ -38,7 +38,7 @@ pub(crate) use fields::answers;
     --angle-unit deg --json")]
 pub(crate) struct FitTrace {
     #[command(flatten)]
-    input: Input,
+    input: FitTraceInput,
     /// Damping: auto to compare all kinds, or undamped, dry, linear, quadratic, or sums such as dry+linear
     #[arg(long, default_value = "auto")]
     model: DampingChoice,
@@ -83,9 +83,9 @@ impl FitTrace {
         Ok(announce(out, self.form.form(), &written)?)
     }
 
-    fn fitted<'a>(&self, measured: &'a Measured) -> Result<Answer<'a>, QueryError> {
+    fn fitted<'a>(&self, measured: &'a ReadRecordings) -> Result<FitTraceResult<'a>, QueryError> {
         let options =
             TraceOptions { robust: self.robust, free_scale: self.free_scale, ..TraceOptions::default() };
-        Answer::new(measured, self.model, options, &self.apparatus)
+        FitTraceResult::new(measured, self.model, options, &self.apparatus)
     }
 }

@@ -1,6 +1,6 @@
 //! The result as a sheet with tables, for people at a terminal.
 
-use super::answer::Answer;
+use super::answer::FitTraceResult;
 use super::fields::{self, DampingModel};
 use super::units::in_unit;
 use crate::output;
@@ -16,7 +16,7 @@ use std::io::{self, Write};
 const WIDTH: usize = 100;
 
 /// Writes all results.
-pub(super) fn write(out: &mut dyn Write, answer: &Answer<'_>) -> io::Result<()> {
+pub(super) fn write(out: &mut dyn Write, answer: &FitTraceResult<'_>) -> io::Result<()> {
     sheet(out, &lines(answer))?;
     writeln!(out)?;
     fields::shown_parameters().write_table(out, &fields::parameters(answer))?;
@@ -39,7 +39,7 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer<'_>) -> io::Result<()> 
     })
 }
 
-fn lines(answer: &Answer<'_>) -> Vec<(&'static str, String)> {
+fn lines(answer: &FitTraceResult<'_>) -> Vec<(&'static str, String)> {
     let period = answer.swings.small_angle_period();
     let refuted = answer.swings.warnings.iter().find(|it| matches!(it, Warning::ModelRefuted(_)));
     let mut lines: Vec<_> = refuted.map(|warning| ("refuted", warning.to_string())).into_iter().collect();
@@ -65,14 +65,14 @@ pub(super) fn quality(quality: Quality) -> String {
 }
 
 /// The expanded uncertainty of gravity, if there is one.
-pub(super) fn expanded(answer: &Answer<'_>) -> Option<String> {
+pub(super) fn expanded(answer: &FitTraceResult<'_>) -> Option<String> {
     match &answer.swings.pendulum {
         FittedPendulum::Gravity { budget, .. } => Some(output::combined::expanded(&budget.combined)),
         FittedPendulum::Length(_) => None,
     }
 }
 
-fn data(answer: &Answer<'_>) -> String {
+fn data(answer: &FitTraceResult<'_>) -> String {
     let traces = &answer.measured.traces;
     let rows = answer.swings.fit.rows();
     let seconds =
@@ -86,7 +86,7 @@ fn data(answer: &Answer<'_>) -> String {
 }
 
 /// The damping, and the way in which it was chosen.
-pub(super) fn model(answer: &Answer<'_>) -> String {
+pub(super) fn model(answer: &FitTraceResult<'_>) -> String {
     let chosen = answer.swings.fit.damping.to_string();
     let rivals = answer.swings.rivals();
     match (&answer.swings.comparison, rivals.len()) {
@@ -99,7 +99,7 @@ pub(super) fn model(answer: &Answer<'_>) -> String {
 }
 
 /// Gravity if the length is known, else the length.
-pub(super) fn gravity_or_length(answer: &Answer<'_>) -> (&'static str, String) {
+pub(super) fn gravity_or_length(answer: &FitTraceResult<'_>) -> (&'static str, String) {
     match &answer.swings.pendulum {
         FittedPendulum::Gravity { budget, length } => {
             let length = number::quantity(*length, "m");
@@ -114,12 +114,12 @@ pub(super) fn gravity_or_length(answer: &Answer<'_>) -> (&'static str, String) {
 }
 
 /// The residual, in degrees for angles.
-pub(super) fn residual(answer: &Answer<'_>) -> String {
+pub(super) fn residual(answer: &FitTraceResult<'_>) -> String {
     let rms = in_unit(answer, answer.swings.fit.rms, 3);
     answer.swings.fit.chi2_per_dof.map_or(rms.clone(), |chi2| format!("{rms}, χ²/dof {}", rounded(chi2, 3)))
 }
 
-fn cycles(answer: &Answer<'_>) -> String {
+fn cycles(answer: &FitTraceResult<'_>) -> String {
     let count = answer.swings.all_cycles().count();
     answer.swings.amplitudes().map_or("none".to_owned(), |amplitudes| {
         let [largest, smallest] = amplitudes.map(|amplitude| rounded(amplitude.to_degrees(), 3));
@@ -128,7 +128,7 @@ fn cycles(answer: &Answer<'_>) -> String {
 }
 
 /// β with its expected value, or the reason why there is none.
-pub(super) fn beta(answer: &Answer<'_>) -> String {
+pub(super) fn beta(answer: &FitTraceResult<'_>) -> String {
     match &answer.swings.beta {
         Ok(beta) => {
             let angles =
@@ -139,7 +139,7 @@ pub(super) fn beta(answer: &Answer<'_>) -> String {
     }
 }
 
-fn models(out: &mut dyn Write, answer: &Answer<'_>, comparison: &Comparison) -> io::Result<()> {
+fn models(out: &mut dyn Write, answer: &FitTraceResult<'_>, comparison: &Comparison) -> io::Result<()> {
     fields::shown_models().write_table(out, &best_first(answer, comparison))?;
     writeln!(out, "{}", paragraph("", &counted_rows(answer, comparison), WIDTH))?;
     if comparison.rivals().is_empty() {
@@ -150,14 +150,17 @@ fn models(out: &mut dyn Write, answer: &Answer<'_>, comparison: &Comparison) -> 
     fields::coefficients().write_table(out, &left.collect::<Vec<_>>())
 }
 
-pub(super) fn best_first<'a>(answer: &'a Answer<'a>, comparison: &'a Comparison) -> Vec<DampingModel<'a>> {
+pub(super) fn best_first<'a>(
+    answer: &'a FitTraceResult<'a>,
+    comparison: &'a Comparison,
+) -> Vec<DampingModel<'a>> {
     let mut models = fields::models(answer, comparison);
     models.sort_by(|a, b| a.excess().total_cmp(&b.excess()));
     models
 }
 
 /// The number of independent rows for Akaike's criterion.
-pub(super) fn counted_rows(answer: &Answer<'_>, comparison: &Comparison) -> String {
+pub(super) fn counted_rows(answer: &FitTraceResult<'_>, comparison: &Comparison) -> String {
     format!(
         "{} rows count as {} independent ones.",
         answer.swings.fit.rows(),

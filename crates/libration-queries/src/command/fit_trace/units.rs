@@ -1,6 +1,6 @@
 //! Values and units as people write them.
 
-use super::answer::Answer;
+use super::answer::FitTraceResult;
 use crate::output::number::rounded;
 use libration_lab::measurement::Observable;
 
@@ -10,7 +10,7 @@ pub(super) fn unit(unit: &str) -> String {
 }
 
 /// A difference of two values, in degrees for angles.
-pub(super) fn in_unit(answer: &Answer<'_>, difference: f64, digits: usize) -> String {
+pub(super) fn in_unit(answer: &FitTraceResult<'_>, difference: f64, digits: usize) -> String {
     match answer.measured.traces[0].observable() {
         Observable::Angle => format!("{}°", rounded(difference.to_degrees(), digits)),
         Observable::AngularVelocity => format!("{} rad/s", rounded(difference, digits)),

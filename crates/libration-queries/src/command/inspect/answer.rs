@@ -6,7 +6,7 @@ use libration_lab::measurement::{
 };
 
 /// A file with all that is inferred from it.
-pub(super) struct Answer {
+pub(super) struct InspectResult {
     pub(super) file: String,
     pub(super) bytes: usize,
     pub(super) recording: Recording,
@@ -21,7 +21,7 @@ pub(super) struct Answer {
     pub(super) with_values: bool,
 }
 
-impl Answer {
+impl InspectResult {
     pub(super) fn new(file: String, bytes: usize, recording: Recording, choices: &Choices) -> Self {
         let traces = recording.traces(choices);
         let (gates, signals) = match &traces {

@@ -1,6 +1,6 @@
 //! Fields of a file, of its tables and columns, and of the traces that would be fitted.
 
-use super::answer::{Answer, clock, range};
+use super::answer::{InspectResult, clock, range};
 use crate::arguments::{of_columns, what_would_decide};
 use crate::call;
 use crate::output::description::Answers;
@@ -23,8 +23,8 @@ pub(super) fn columns(sheet: &Sheet) -> Vec<SheetColumn<'_>> {
     channels.map(|(channel, number)| SheetColumn { sheet, number, channel }).collect()
 }
 
-pub(super) fn of_file() -> Fields<Answer> {
-    type Of = Field<Answer>;
+pub(super) fn of_file() -> Fields<InspectResult> {
+    type Of = Field<InspectResult>;
     Fields::from([
         Of::value("file", "", "name of the file", |it| it.file.as_str().into())
             .line_of("file", |it| it.file.clone()),
@@ -115,7 +115,7 @@ pub(super) fn of_column<'a>() -> Fields<SheetColumn<'a>> {
     ])
 }
 
-fn all_columns(answer: &Answer) -> Vec<SheetColumn<'_>> {
+fn all_columns(answer: &InspectResult) -> Vec<SheetColumn<'_>> {
     answer.recording.sheets().iter().flat_map(columns).collect()
 }
 
@@ -207,7 +207,7 @@ pub(super) fn answers() -> Vec<Answers> {
     vec![Answers { command: "inspect", option: "", json, csv }]
 }
 
-fn format(answer: &Answer) -> String {
+fn format(answer: &InspectResult) -> String {
     match answer.recording.format() {
         Format::Text(encoding) => format!("text, {encoding}"),
         Format::Xls => "Excel workbook (xls)".to_owned(),

@@ -9,7 +9,7 @@ use crate::arguments::{RecordingOptions, read_bytes};
 use crate::output::FormOptions;
 use crate::output::description::Answers;
 use crate::query_error::QueryError;
-use answer::Answer;
+use answer::InspectResult;
 use spectrum::SpectrumQuestion;
 use std::io::Write;
 use std::path::PathBuf;
@@ -55,11 +55,11 @@ impl Inspect {
         let bytes = read_bytes(&self.file)?;
         let recording = self.recording.recording_in(&self.file, &bytes)?;
         let file = self.file.display().to_string();
-        let answer = Answer::new(file, bytes.len(), recording, &self.recording.choices());
+        let answer = InspectResult::new(file, bytes.len(), recording, &self.recording.choices());
         let table_fit = match (&answer.traces, &answer.gates) {
             (Err(_), None) => self.recording.table_fit(&bytes),
             _ => None,
         };
-        write::answer(out, &Answer { with_values: self.values, table_fit, ..answer }, self.form.form())
+        write::answer(out, &InspectResult { with_values: self.values, table_fit, ..answer }, self.form.form())
     }
 }

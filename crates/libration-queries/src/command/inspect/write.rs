@@ -1,6 +1,6 @@
 //! A file of measurements as a sheet with a table of columns, as JSON, and as CSV of the columns.
 
-use super::answer::{Answer, clock, range};
+use super::answer::{InspectResult, clock, range};
 use super::fields::{self, SheetColumn, observable};
 use crate::arguments::{finding_with_option, what_would_decide};
 use crate::call;
@@ -11,7 +11,7 @@ use crate::query_error::QueryError;
 use libration_lab::measurement::{Choice, Gates, MeasurementError, Observable, Sheet, Trace};
 use std::io::{self, Write};
 
-pub(super) fn answer(out: &mut dyn Write, answer: &Answer, form: Form) -> Result<(), QueryError> {
+pub(super) fn answer(out: &mut dyn Write, answer: &InspectResult, form: Form) -> Result<(), QueryError> {
     match form {
         Form::Json => json::document(out, fields::of_file().record(answer))?,
         Form::Csv => write_csv(out, answer)?,
@@ -20,7 +20,7 @@ pub(super) fn answer(out: &mut dyn Write, answer: &Answer, form: Form) -> Result
     Ok(())
 }
 
-fn write_csv(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+fn write_csv(out: &mut dyn Write, answer: &InspectResult) -> io::Result<()> {
     let columns: Vec<SheetColumn<'_>> = answer.recording.sheets().iter().flat_map(fields::columns).collect();
     fields::of_column().write_csv(out, &columns)
 }
@@ -28,7 +28,7 @@ fn write_csv(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
 /// Width at which lines are broken, in columns.
 const COLUMNS: usize = 120;
 
-fn write_page(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+fn write_page(out: &mut dyn Write, answer: &InspectResult) -> io::Result<()> {
     sheet(out, &fields::of_file().lines(answer))?;
     for table in answer.recording.sheets() {
         writeln!(out)?;
@@ -49,7 +49,7 @@ fn write_sheet(out: &mut dyn Write, sheet: &Sheet) -> io::Result<()> {
     fields::of_column().write_table(out, &fields::columns(sheet))
 }
 
-fn write_what_would_be_fitted(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+fn write_what_would_be_fitted(out: &mut dyn Write, answer: &InspectResult) -> io::Result<()> {
     match (&answer.traces, &answer.gates) {
         (Ok(found), _) => {
             writeln!(out, "`libration fit trace` would fit")?;
@@ -79,7 +79,7 @@ fn write_what_would_be_fitted(out: &mut dyn Write, answer: &Answer) -> io::Resul
     }
 }
 
-fn write_table_fit(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+fn write_table_fit(out: &mut dyn Write, answer: &InspectResult) -> io::Result<()> {
     let Some(fit) = &answer.table_fit else { return Ok(()) };
     writeln!(out, "`libration {}` would fit the table", fit.command)?;
     fit.read_as.sentences.iter().try_for_each(|note| writeln!(out, "{}", paragraph("  - ", note, COLUMNS)))

@@ -64,7 +64,7 @@ pub(crate) struct Lyapunov {
 }
 
 /// The exponent with the query.
-pub(crate) struct Answer<'a> {
+pub(crate) struct LyapunovResult<'a> {
     pub(crate) model: &'a Model,
     pub(crate) initial: Vec<f64>,
     pub(crate) schedule: Schedule,
@@ -80,7 +80,7 @@ impl Lyapunov {
         let schedule = self.schedule(&model, &start, &effort).map_err(failure)?;
         interrupt::listen()?;
         let found = measured(&model, &start, &schedule, &effort).map_err(failure)?;
-        let answer = Answer { model: &model, initial, schedule, found };
+        let answer = LyapunovResult { model: &model, initial, schedule, found };
         let drawn = match &self.figure {
             Some(path) => {
                 let picture = figure::lyapunov::convergence(&model, &answer.initial, &answer.found);

@@ -1,6 +1,6 @@
 //! The exponent as a sheet with its convergence, JSON and CSV.
 
-use super::Answer;
+use super::LyapunovResult;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
@@ -11,7 +11,7 @@ use std::io::{self, Write};
 /// Width at which sentences are broken, in columns.
 const COLUMNS: usize = 100;
 
-impl Answer<'_> {
+impl LyapunovResult<'_> {
     /// Writes the result in the given form; the table lists the points only if requested.
     pub(super) fn write(&self, out: &mut dyn Write, form: Form, listed: bool) -> io::Result<()> {
         match form {
@@ -44,8 +44,8 @@ impl Answer<'_> {
     }
 }
 
-fn of_answer<'a>() -> Fields<Answer<'a>> {
-    type Of<'a> = Field<Answer<'a>>;
+fn of_answer<'a>() -> Fields<LyapunovResult<'a>> {
+    type Of<'a> = Field<LyapunovResult<'a>>;
     Fields::from([
         Of::value("system", "", "key of the system, null where its equations were typed", |it| {
             it.model.key().into()

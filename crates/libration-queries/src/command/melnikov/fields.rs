@@ -1,6 +1,6 @@
 //! Fields of a Melnikov function, its thresholds, and resonances.
 
-use super::{Answer, Crossing};
+use super::{Crossing, MelnikovResult};
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
@@ -9,7 +9,7 @@ use libration::algebra::Complex;
 use libration::melnikov::{DriveResonance, Melnikov};
 
 /// A harmonic of the function: its number, coefficient and error.
-struct Harmonic {
+struct MelnikovHarmonic {
     number: usize,
     value: Complex,
     error: f64,
@@ -21,7 +21,7 @@ pub(super) struct Neighbours<'a> {
     next: Option<&'a DriveResonance>,
 }
 
-impl Answer {
+impl MelnikovResult {
     pub(super) fn neighbours(&self) -> impl Iterator<Item = Neighbours<'_>> {
         let own = self.resonances.iter().enumerate();
         own.map(|(place, own)| Neighbours { own, next: self.resonances.get(place + 1) })
@@ -34,8 +34,8 @@ impl Neighbours<'_> {
     }
 }
 
-pub(super) fn of_answer() -> Fields<Answer> {
-    type Of = Field<Answer>;
+pub(super) fn of_answer() -> Fields<MelnikovResult> {
+    type Of = Field<MelnikovResult>;
     Fields::from([
         Of::value("system", "", "key of the system, null where its equations were typed", |it| {
             it.model.key().into()
@@ -100,8 +100,11 @@ fn of_separatrix() -> Fields<Melnikov> {
         Of::number("mean_error_rad2_per_s2", "rad²/s²", "bound on its error", |it| it.mean_error),
         Of::nested("harmonics[].", &of_harmonic(), |it| {
             let terms = (1..).zip(&it.harmonics).zip(&it.harmonic_errors);
-            let terms =
-                terms.map(|((number, value), error)| Harmonic { number, value: *value, error: *error });
+            let terms = terms.map(|((number, value), error)| MelnikovHarmonic {
+                number,
+                value: *value,
+                error: *error,
+            });
             of_harmonic().records(&terms.collect::<Vec<_>>())
         }),
         Of::number("minimum_rad2_per_s2", "rad²/s²", "least value of M", |it| it.mean + it.extremes()[0]),
@@ -129,8 +132,8 @@ fn of_separatrix() -> Fields<Melnikov> {
     ])
 }
 
-fn of_harmonic() -> Fields<Harmonic> {
-    type Of = Field<Harmonic>;
+fn of_harmonic() -> Fields<MelnikovHarmonic> {
+    type Of = Field<MelnikovHarmonic>;
     Fields::from([
         Of::value("n", "1", "number of the harmonic of the drive", |it| it.number.into()),
         Of::number("cosine_rad2_per_s2", "rad²/s²", "coefficient of cos(n*phase)", |it| it.value.re),

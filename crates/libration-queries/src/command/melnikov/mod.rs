@@ -62,7 +62,7 @@ struct Crossing {
 }
 
 /// The result to write.
-struct Answer {
+struct MelnikovResult {
     model: Model,
     /// The parameter with the value at which the function is given.
     at: Option<(String, f64)>,
@@ -86,7 +86,7 @@ impl MelnikovQuestion {
         Ok(announce(out, self.form.form(), &drawn)?)
     }
 
-    fn found(&self) -> Result<Answer, QueryError> {
+    fn found(&self) -> Result<MelnikovResult, QueryError> {
         let open = self.over.as_ref().map(|over| over.name.as_str());
         let model = self.system.model_with_open(open.as_slice(), &option("over"))?;
         let thresholds = match &self.over {
@@ -114,11 +114,11 @@ impl MelnikovQuestion {
         });
         let separatrices =
             separatrices.and_then(Result::ok).ok_or_else(|| interrupted("Melnikov functions"))?;
-        Ok(Answer { model, at, pendulum, separatrices, thresholds, resonances })
+        Ok(MelnikovResult { model, at, pendulum, separatrices, thresholds, resonances })
     }
 }
 
-impl Answer {
+impl MelnikovResult {
     /// The content of the picture.
     fn shown(&self) -> Perturbed<'_> {
         Perturbed {

@@ -1,6 +1,6 @@
 //! A Melnikov function as a sheet with words, JSON and CSV.
 
-use super::Answer;
+use super::MelnikovResult;
 use super::fields::{of_answer, of_crossing, of_resonance, separatrix};
 use crate::output::number::{at_most, rounded, short};
 use crate::output::table::{Table, paragraph, write_text};
@@ -13,7 +13,7 @@ const COLUMNS: usize = 100;
 /// Overlap above which motions between resonances are chaotic by experience; the criterion itself has 1.
 const OVERLAP: f64 = 2.0 / 3.0;
 
-impl Answer {
+impl MelnikovResult {
     /// Writes the result in the given form; the table lists the resonances only if requested.
     pub(super) fn write(&self, out: &mut dyn Write, form: Form, listed: bool) -> io::Result<()> {
         match form {

@@ -1,26 +1,26 @@
 //! Fields of an equilibrium, and of each mode about it.
 
-use super::Answer;
-use crate::output::description::{Answers, Row, descriptions};
+use super::ModesResult;
+use crate::output::description::{Answers, DescriptionRow, descriptions};
 use crate::output::field::{Field, Fields};
 use crate::output::json;
 use libration::algebra::Surd;
 use libration::normal_modes::{Behaviour, Mode, Resonance};
 
 /// A mode with its number, from 1.
-pub(super) struct Numbered<'a> {
+pub(super) struct NumberedMode<'a> {
     pub(super) number: usize,
     pub(super) mode: &'a Mode,
 }
 
-impl Answer {
-    pub(super) fn numbered(&self) -> impl Iterator<Item = Numbered<'_>> {
-        (1..).zip(&self.modes.modes).map(|(number, mode)| Numbered { number, mode })
+impl ModesResult {
+    pub(super) fn numbered(&self) -> impl Iterator<Item = NumberedMode<'_>> {
+        (1..).zip(&self.modes.modes).map(|(number, mode)| NumberedMode { number, mode })
     }
 }
 
-pub(super) fn of_equilibrium() -> Fields<Answer> {
-    type Of = Field<Answer>;
+pub(super) fn of_equilibrium() -> Fields<ModesResult> {
+    type Of = Field<ModesResult>;
     Fields::from([
         Of::value("system", "", "key of the system, null where its equations were typed", |it| {
             it.model.key().into()
@@ -45,8 +45,8 @@ pub(super) fn of_equilibrium() -> Fields<Answer> {
 }
 
 /// The fields before the shape in CSV.
-pub(super) fn of_mode<'a>() -> Fields<Numbered<'a>> {
-    type Of<'a> = Field<Numbered<'a>>;
+pub(super) fn of_mode<'a>() -> Fields<NumberedMode<'a>> {
+    type Of<'a> = Field<NumberedMode<'a>>;
     Fields::from([
         Of::value("mode", "1", "number of the mode, from 1", |it| it.number.into()).only_csv(),
         Of::value("behaviour", "", "oscillating, free, unstable or damped", |it| {
@@ -96,8 +96,8 @@ pub(super) fn of_mode<'a>() -> Fields<Numbered<'a>> {
 }
 
 /// The fields after the shape.
-pub(super) fn of_shift<'a>() -> Fields<Numbered<'a>> {
-    type Of<'a> = Field<Numbered<'a>>;
+pub(super) fn of_shift<'a>() -> Fields<NumberedMode<'a>> {
+    type Of<'a> = Field<NumberedMode<'a>>;
     Fields::from([
         Of::value(
             "shift",
@@ -135,7 +135,7 @@ fn of_resonance() -> Fields<Resonance> {
 }
 
 pub(crate) fn answers() -> Vec<Answers> {
-    const SHAPE: Row =
+    const SHAPE: DescriptionRow =
         ("shape_NAME", "", "displacement of the coordinate with this name, the largest 1, real part");
     let json = [of_mode().described("modes[]."), of_shift().described("modes[].")].concat();
     let csv = [of_mode().described_in_csv(), descriptions("", &[SHAPE]), of_shift().described_in_csv()];

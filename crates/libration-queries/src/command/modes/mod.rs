@@ -48,7 +48,7 @@ pub(crate) struct Modes {
 }
 
 /// The result to write.
-struct Answer {
+struct ModesResult {
     model: Model,
     modes: NormalModes,
 }
@@ -67,7 +67,7 @@ impl Modes {
         if let Some(number) = self.follow.follow {
             return self.followed(out, model, &modes, usize::from(number) - 1);
         }
-        let answer = Answer { model, modes };
+        let answer = ModesResult { model, modes };
         let drawn = match &self.figure {
             Some(path) => {
                 let picture = figure::modes::shapes(&answer.model, &answer.modes);

@@ -1,7 +1,7 @@
 //! The modes as text, JSON and CSV.
 
-use super::Answer;
-use super::fields::{self, Numbered, exact_frequency};
+use super::ModesResult;
+use super::fields::{self, NumberedMode, exact_frequency};
 use crate::output::number::{exact, rounded, short};
 use crate::output::table::{paragraph, sheet};
 use crate::output::{csv, json};
@@ -13,13 +13,13 @@ use std::io::{self, Write};
 /// Width at which lines are broken, in columns.
 const COLUMNS: usize = 120;
 
-pub(super) fn json(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+pub(super) fn json(out: &mut dyn Write, answer: &ModesResult) -> io::Result<()> {
     let (of_mode, of_shift) = (fields::of_mode(), fields::of_shift());
     let modes = answer.numbered().map(|mode| of_shift.added_to(of_mode.record(&mode), &mode));
     json::document_with_list(out, fields::of_equilibrium().record(answer), "modes", modes)
 }
 
-pub(super) fn csv(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+pub(super) fn csv(out: &mut dyn Write, answer: &ModesResult) -> io::Result<()> {
     let (of_mode, of_shift) = (fields::of_mode(), fields::of_shift());
     let parts = answer.modes.variables.iter().map(|name| format!("shape_{name}")).collect();
     csv::line(out, &[of_mode.csv_names(), parts, of_shift.csv_names()].concat())?;
@@ -30,13 +30,13 @@ pub(super) fn csv(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     Ok(())
 }
 
-pub(super) fn sheets(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+pub(super) fn sheets(out: &mut dyn Write, answer: &ModesResult) -> io::Result<()> {
     let equations = answer.model.equation().to_string();
     let mut head = fields::of_equilibrium().lines(answer);
     head.extend(equations.split("; ").map(|equation| ("equation", equation.to_owned())));
     head.push(("equilibrium", equilibrium(answer)));
     sheet(out, &head)?;
-    for Numbered { number, mode } in answer.numbered() {
+    for NumberedMode { number, mode } in answer.numbered() {
         writeln!(out, "\n{}", paragraph(&format!("mode {number}: "), &summary(mode), COLUMNS))?;
         for (name, text) in lines(answer, mode) {
             writeln!(out, "{}", paragraph(&format!("  {name:<11}"), &text, COLUMNS))?;
@@ -45,7 +45,7 @@ pub(super) fn sheets(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     Ok(())
 }
 
-fn equilibrium(answer: &Answer) -> String {
+fn equilibrium(answer: &ModesResult) -> String {
     let names = answer.modes.variables.iter();
     let values: Vec<String> = match &answer.modes.exact_equilibrium {
         Some(exact) => names.zip(exact).map(|(name, value)| format!("{name} = {value}")).collect(),
@@ -77,7 +77,7 @@ fn summary(mode: &Mode) -> String {
     }
 }
 
-fn lines(answer: &Answer, mode: &Mode) -> Vec<(&'static str, String)> {
+fn lines(answer: &ModesResult, mode: &Mode) -> Vec<(&'static str, String)> {
     let mut lines = vec![];
     if mode.exponent.im > 0.0 {
         lines.push(("period", rounded(TAU / mode.exponent.im, 15)));

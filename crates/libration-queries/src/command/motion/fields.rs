@@ -8,14 +8,14 @@ use libration::pendulum::{ApproximateMotion, Motion, State};
 
 /// The state at a time.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Sample {
+pub(super) struct StateAtTime {
     pub(super) time: f64,
     pub(super) state: State,
 }
 
 /// The angle by an approximate motion at a time, with the exact one.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Approximation<'a> {
+pub(super) struct ApproximateAngle<'a> {
     pub(super) motion: &'a ApproximateMotion,
     pub(super) angle: f64,
     pub(super) exact: f64,
@@ -54,8 +54,8 @@ pub(super) fn of_motion() -> Fields<Motion> {
     ])
 }
 
-pub(super) fn of_sample() -> Fields<Sample> {
-    type Of = Field<Sample>;
+pub(super) fn of_sample() -> Fields<StateAtTime> {
+    type Of = Field<StateAtTime>;
     Fields::from([
         Of::number("time_s", "s", "time from the start", |it| it.time).short("t / s", 12),
         Of::number("angle_rad", "rad", "angle, turns counted", |it| it.state.angle)
@@ -75,8 +75,8 @@ pub(super) fn of_sample() -> Fields<Sample> {
     ])
 }
 
-pub(super) fn of_approximation<'a>() -> Fields<Approximation<'a>> {
-    type Of<'a> = Field<Approximation<'a>>;
+pub(super) fn of_approximation<'a>() -> Fields<ApproximateAngle<'a>> {
+    type Of<'a> = Field<ApproximateAngle<'a>>;
     Fields::from([
         Of::value("key", "", "short name of the approximate motion", |it| it.motion.key().into()).only_json(),
         Of::number("angle_rad", "rad", "angle of the approximate motion", |it| it.angle)

@@ -85,7 +85,7 @@ impl Motion {
         };
         let listed = drawn.is_empty();
         let answer =
-            write::Answer { pendulum: self.pendulum, motion: &motion, comparison: &comparison, listed };
+            write::MotionResult { pendulum: self.pendulum, motion: &motion, comparison: &comparison, listed };
         interrupt::listen()?;
         let samples = counted(times.iter(), times.len(), "times");
         answer.write(out, self.form.form(), samples)?;

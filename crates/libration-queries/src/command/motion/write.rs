@@ -1,7 +1,7 @@
 //! The samples of a motion as table, JSON and CSV.
 
 use super::Comparison;
-use super::fields::{self, Approximation, Sample};
+use super::fields::{self, ApproximateAngle, StateAtTime};
 use crate::arguments::PendulumOptions;
 use crate::output::field::Fields;
 use crate::output::json::{self, Record};
@@ -15,7 +15,7 @@ use std::io::{self, Write};
 const UNKNOWN_PHASE: &str = "the phase is not known from 2⁹⁷ periods (1.6e29) on";
 
 /// A motion with the parts of its result apart from the samples.
-pub(super) struct Answer<'a> {
+pub(super) struct MotionResult<'a> {
     pub(super) pendulum: PendulumOptions,
     pub(super) motion: &'a Motion,
     pub(super) comparison: &'a Comparison,
@@ -23,7 +23,7 @@ pub(super) struct Answer<'a> {
     pub(super) listed: bool,
 }
 
-impl Answer<'_> {
+impl MotionResult<'_> {
     pub(super) fn write(
         &self,
         out: &mut dyn Write,
@@ -43,12 +43,12 @@ impl Answer<'_> {
         Ok(())
     }
 
-    fn sample(&self, time: f64) -> Sample {
-        Sample { time, state: self.motion.state_at(time) }
+    fn sample(&self, time: f64) -> StateAtTime {
+        StateAtTime { time, state: self.motion.state_at(time) }
     }
 
-    fn approximations(&self, sample: Sample) -> impl Iterator<Item = Approximation<'_>> {
-        self.comparison.approximations.iter().map(move |motion| Approximation {
+    fn approximations(&self, sample: StateAtTime) -> impl Iterator<Item = ApproximateAngle<'_>> {
+        self.comparison.approximations.iter().map(move |motion| ApproximateAngle {
             motion,
             angle: self.comparison.angle_at(motion, sample.time),
             exact: sample.state.angle,
@@ -58,8 +58,8 @@ impl Answer<'_> {
     fn record<'a>(
         &'a self,
         time: f64,
-        of_sample: &Fields<Sample>,
-        of_approximation: &Fields<Approximation<'a>>,
+        of_sample: &Fields<StateAtTime>,
+        of_approximation: &Fields<ApproximateAngle<'a>>,
     ) -> Record {
         let sample = self.sample(time);
         let record = of_sample.record(&sample);
@@ -67,7 +67,7 @@ impl Answer<'_> {
         if self.comparison.approximations.is_empty() {
             return record;
         }
-        let approximations: Vec<Approximation<'_>> = self.approximations(sample).collect();
+        let approximations: Vec<ApproximateAngle<'_>> = self.approximations(sample).collect();
         record.with("approximations", of_approximation.records(&approximations))
     }
 

@@ -1,6 +1,6 @@
 //! Fields of an orbit, and of each of its harmonics.
 
-use super::Answer;
+use super::OrbitResult;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
@@ -10,19 +10,19 @@ use libration::orbit::{Floquet, Harmonic, OrbitKind, Stability};
 use serde_json::Value;
 
 /// One harmonic of one coordinate.
-pub(super) struct Term<'a> {
+pub(super) struct HarmonicTerm<'a> {
     pub(super) coordinate: &'a str,
     pub(super) term: Harmonic,
     pub(super) remainder: f64,
     pub(super) error: f64,
 }
 
-impl Answer {
-    pub(super) fn terms(&self) -> impl Iterator<Item = Term<'_>> {
+impl OrbitResult {
+    pub(super) fn terms(&self) -> impl Iterator<Item = HarmonicTerm<'_>> {
         let all = self.model.coordinates().iter().zip(&self.harmonics);
         all.flat_map(|(coordinate, harmonics)| {
             let (name, remainder, error) = (coordinate.name.as_str(), harmonics.remainder, harmonics.error);
-            harmonics.terms.iter().map(move |&term| Term { coordinate: name, term, remainder, error })
+            harmonics.terms.iter().map(move |&term| HarmonicTerm { coordinate: name, term, remainder, error })
         })
     }
 
@@ -35,8 +35,8 @@ impl Answer {
     }
 }
 
-pub(super) fn of_orbit() -> Fields<Answer> {
-    type Of = Field<Answer>;
+pub(super) fn of_orbit() -> Fields<OrbitResult> {
+    type Of = Field<OrbitResult>;
     Fields::from([
         Of::value("system", "", "key of the system, null where its equations were typed", |it| {
             it.model.key().into()
@@ -116,8 +116,8 @@ pub(super) fn of_orbit() -> Fields<Answer> {
     ])
 }
 
-pub(super) fn of_term<'a>() -> Fields<Term<'a>> {
-    type Of<'a> = Field<Term<'a>>;
+pub(super) fn of_term<'a>() -> Fields<HarmonicTerm<'a>> {
+    type Of<'a> = Field<HarmonicTerm<'a>>;
     Fields::from([
         Of::value("coordinate", "", "coordinate it belongs to", |it| it.coordinate.into())
             .words("coordinate", |it| it.coordinate.to_owned()),
@@ -170,7 +170,7 @@ fn in_words(stability: Stability) -> &'static str {
     }
 }
 
-fn period(answer: &Answer) -> String {
+fn period(answer: &OrbitResult) -> String {
     let (period, uncertainty) = (answer.orbit.period(), answer.orbit.period_uncertainty());
     if answer.kind == OrbitKind::Driven {
         return format!("{} s, set by the drive", rounded(period, 15));
@@ -181,7 +181,7 @@ fn period(answer: &Answer) -> String {
     format!("{} s, to {}", to_its_error(period, uncertainty, 15), at_most(uncertainty))
 }
 
-fn angular_frequency(answer: &Answer) -> String {
+fn angular_frequency(answer: &OrbitResult) -> String {
     let relative = answer.orbit.period_uncertainty() / answer.orbit.period();
     let frequency = answer.orbit.frequency();
     match relative.is_nan() {
@@ -190,7 +190,7 @@ fn angular_frequency(answer: &Answer) -> String {
     }
 }
 
-fn start(answer: &Answer) -> String {
+fn start(answer: &OrbitResult) -> String {
     let names = answer.model.state_names();
     let values = answer.orbit.start();
     let errors = answer.orbit.start_errors();
@@ -202,7 +202,7 @@ fn start(answer: &Answer) -> String {
     told.collect::<Vec<_>>().join(", ") + &to
 }
 
-fn stability(answer: &Answer) -> String {
+fn stability(answer: &OrbitResult) -> String {
     let Some(floquet) = answer.orbit.floquet() else {
         return crate::call::in_words("not computed for a release from rest: give a guess with <--period>");
     };

@@ -63,7 +63,7 @@ pub(crate) struct OrbitQuestion {
 }
 
 /// The result to write.
-pub(crate) struct Answer {
+pub(crate) struct OrbitResult {
     model: Model,
     kind: OrbitKind,
     orbit: Orbit,
@@ -84,7 +84,7 @@ impl OrbitQuestion {
         let early = || QueryError::cancelled("interrupted before the orbit was known: nothing is written");
         let (kind, orbit, harmonics) = found.ok_or_else(early)?.map_err(|error| failure(error, &model))?;
         note_shorter_period(&model, &orbit);
-        let answer = Answer { model, kind, orbit, harmonics };
+        let answer = OrbitResult { model, kind, orbit, harmonics };
         let drawn = match &self.figure {
             Some(path) => {
                 let picture = figure::orbit::orbit(&answer.model, &answer.orbit);

@@ -1,6 +1,6 @@
 //! The orbit as a sheet with its harmonics, JSON and CSV.
 
-use super::Answer;
+use super::OrbitResult;
 use super::fields::{of_orbit, of_term};
 use crate::output::table::{Table, paragraph, write_text};
 use crate::output::{Form, csv, json};
@@ -12,7 +12,7 @@ const COLUMNS: usize = 100;
 const SHOWN: f64 = 1e-12;
 const MOST: usize = 12;
 
-impl Answer {
+impl OrbitResult {
     /// Writes the result in the given form; the table lists the harmonics only if requested.
     pub(super) fn write(&self, out: &mut dyn Write, form: Form, listed: bool) -> io::Result<()> {
         let fields = of_term();

@@ -1,6 +1,6 @@
 //! Fields of a normal form, its terms and the exchange of energy.
 
-use super::Answer;
+use super::ResonanceResult;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
@@ -9,7 +9,7 @@ use libration::normal_form::{Divisor, Exchange, MeasuredExchange, SlowTerm};
 use libration::normal_modes::Mode;
 
 /// A mode with its number, from 1.
-struct Numbered<'a> {
+struct NumberedResonance<'a> {
     number: usize,
     mode: &'a Mode,
 }
@@ -17,8 +17,8 @@ struct Numbered<'a> {
 /// An exchange of energy by the slow flow, and by integration.
 pub(super) type Both = (Exchange, MeasuredExchange);
 
-pub(super) fn of_answer() -> Fields<Answer> {
-    type Of = Field<Answer>;
+pub(super) fn of_answer() -> Fields<ResonanceResult> {
+    type Of = Field<ResonanceResult>;
     Fields::from([
         Of::value("system", "", "key of the system, null where its equations were typed", |it| {
             it.model.key().into()
@@ -38,7 +38,8 @@ pub(super) fn of_answer() -> Fields<Answer> {
         })
         .line_of("order", |it| format!("{} in the amplitudes", it.form.order)),
         Of::nested("modes[].", &of_mode(), |it| {
-            let modes = (1..).zip(&it.form.modes.modes).map(|(number, mode)| Numbered { number, mode });
+            let modes =
+                (1..).zip(&it.form.modes.modes).map(|(number, mode)| NumberedResonance { number, mode });
             of_mode().records(&modes.collect::<Vec<_>>())
         }),
         Of::nested("small_divisors[].", &of_divisor(), |it| of_divisor().records(&it.form.small_divisors)),
@@ -61,8 +62,8 @@ pub(super) fn of_answer() -> Fields<Answer> {
     ])
 }
 
-fn of_mode<'a>() -> Fields<Numbered<'a>> {
-    type Of<'a> = Field<Numbered<'a>>;
+fn of_mode<'a>() -> Fields<NumberedResonance<'a>> {
+    type Of<'a> = Field<NumberedResonance<'a>>;
     Fields::from([
         Of::value("mode", "1", "number of the mode, from 1", |it| it.number.into()),
         Of::number("angular_frequency_rad_per_s", "rad/s", "angular frequency of small oscillations", |it| {

@@ -21,7 +21,7 @@ use std::io::{self, Write};
 const COLUMN: usize = 80;
 
 /// A slow flow with its equations.
-struct Answer {
+struct SymbolicResonanceResult {
     equations: String,
     small: Vec<(String, usize)>,
     flow: CoupledSlowFlow,
@@ -71,7 +71,8 @@ impl ResonanceQuestion {
             || coupled_slow_flow(model.equation(), &options, &Cancellation),
         );
         let flow = flow.map_err(|error| failure(&error))?;
-        let answer = Answer { equations: model.equation().to_string(), small: options.small, flow };
+        let answer =
+            SymbolicResonanceResult { equations: model.equation().to_string(), small: options.small, flow };
         if let Some(format) = self.formats.format() {
             let equations = (&answer.equations[..], &model.equation().to_latex()[..]);
             let formulas: Vec<NamedFormula> = answer.formulas().into_iter().map(|it| it.named).collect();
@@ -86,7 +87,7 @@ impl ResonanceQuestion {
     }
 }
 
-impl Answer {
+impl SymbolicResonanceResult {
     fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         write_text(out, "", &self.equations)?;
         write_text(out, "", &self.setting())?;
@@ -143,8 +144,8 @@ impl Answer {
     }
 }
 
-fn of_answer() -> Fields<Answer> {
-    type Of = Field<Answer>;
+fn of_answer() -> Fields<SymbolicResonanceResult> {
+    type Of = Field<SymbolicResonanceResult>;
     Fields::from([
         Of::value("equations[]", "", "equations of motion as they were read", |it| {
             json::list(it.equations.split("; "))

@@ -89,7 +89,7 @@ pub(crate) struct ResonanceQuestion {
 const USUAL_ORDER: usize = 3;
 
 /// The result to write.
-struct Answer {
+struct ResonanceResult {
     model: Model,
     form: NormalForm,
     initial: Option<Vec<f64>>,
@@ -120,7 +120,7 @@ impl ResonanceQuestion {
                 let measured = form.measured_exchange(model.equation(), state, &exchange, progress)?;
                 Ok((exchange, measured))
             });
-            Ok(Answer { model, form, initial, exchange })
+            Ok(ResonanceResult { model, form, initial, exchange })
         });
         let early =
             || QueryError::cancelled("interrupted before the normal form was known: nothing is written");
@@ -140,7 +140,7 @@ impl ResonanceQuestion {
     }
 }
 
-impl Answer {
+impl ResonanceResult {
     /// The time range of the picture: two exchanges, or forty periods if there is no exchange.
     fn shown(&self) -> Result<ModeAmplitudes<'_>, QueryError> {
         const PERIODS: f64 = 40.0;

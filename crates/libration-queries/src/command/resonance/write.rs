@@ -1,6 +1,6 @@
 //! A normal form as a sheet with words, JSON and CSV.
 
-use super::Answer;
+use super::ResonanceResult;
 use super::fields::{of_answer, of_exchange, of_term, told};
 use crate::output::number::{rounded, short};
 use crate::output::table::{paragraph, sheet, write_text};
@@ -11,7 +11,7 @@ use std::io::{self, Write};
 /// Width at which lines are broken, in columns.
 const COLUMNS: usize = 100;
 
-impl Answer {
+impl ResonanceResult {
     /// Writes the result in the given form; the table lists the terms only if requested.
     pub(super) fn write(&self, out: &mut dyn Write, form: Form, listed: bool) -> io::Result<()> {
         let fields = of_term();

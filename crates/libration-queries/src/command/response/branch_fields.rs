@@ -1,6 +1,6 @@
 //! Fields of branches, their points and special points.
 
-use super::{Answer, Decimal};
+use super::{Decimal, ResponseResult};
 use crate::output::field::{Field, Fields};
 use crate::output::json;
 use crate::output::number::at_most;
@@ -9,37 +9,42 @@ use libration::continuation::{Branch, BranchPoint, Ending, Origin, SpecialPoint}
 use serde_json::Value;
 
 /// A branch of a response, with its number from 1.
-pub(super) struct Numbered<'a> {
-    pub(super) answer: &'a Answer,
+pub(super) struct NumberedBranch<'a> {
+    pub(super) answer: &'a ResponseResult,
     pub(super) number: usize,
     pub(super) branch: &'a Branch,
 }
 
 /// A point of a branch, or a special one.
-pub(super) struct Place<'a> {
-    pub(super) of: &'a Numbered<'a>,
+pub(super) struct PointOfBranch<'a> {
+    pub(super) of: &'a NumberedBranch<'a>,
     pub(super) point: &'a BranchPoint,
     pub(super) special: Option<&'a SpecialPoint>,
     /// The parameter there, where more digits were requested.
     pub(super) precise: Option<&'a Decimal>,
 }
 
-impl Answer {
-    pub(super) fn numbered(&self) -> impl Iterator<Item = Numbered<'_>> {
+impl ResponseResult {
+    pub(super) fn numbered(&self) -> impl Iterator<Item = NumberedBranch<'_>> {
         let numbered = (1..).zip(self.branches());
-        numbered.map(move |(number, branch)| Numbered { answer: self, number, branch })
+        numbered.map(move |(number, branch)| NumberedBranch { answer: self, number, branch })
     }
 }
 
-impl<'a> Numbered<'a> {
-    pub(super) fn points(&'a self) -> impl Iterator<Item = Place<'a>> {
-        self.branch.points.iter().map(move |point| Place { of: self, point, special: None, precise: None })
+impl<'a> NumberedBranch<'a> {
+    pub(super) fn points(&'a self) -> impl Iterator<Item = PointOfBranch<'a>> {
+        self.branch.points.iter().map(move |point| PointOfBranch {
+            of: self,
+            point,
+            special: None,
+            precise: None,
+        })
     }
 
-    pub(super) fn special(&'a self) -> impl Iterator<Item = Place<'a>> {
+    pub(super) fn special(&'a self) -> impl Iterator<Item = PointOfBranch<'a>> {
         let precise = self.answer.precise.get(self.number - 1);
         let special = self.branch.special.iter().enumerate();
-        special.map(move |(place, special)| Place {
+        special.map(move |(place, special)| PointOfBranch {
             of: self,
             point: &special.point,
             special: Some(special),
@@ -48,8 +53,8 @@ impl<'a> Numbered<'a> {
     }
 
     /// Points and special points in their order.
-    pub(super) fn places(&'a self) -> Vec<Place<'a>> {
-        let mut places: Vec<(usize, Place<'a>)> =
+    pub(super) fn places(&'a self) -> Vec<PointOfBranch<'a>> {
+        let mut places: Vec<(usize, PointOfBranch<'a>)> =
             self.points().enumerate().map(|(k, it)| (2 * k + 1, it)).collect();
         places.extend(self.branch.special.iter().map(|it| 2 * it.before).zip(self.special()));
         places.sort_by_key(|(order, _)| *order);
@@ -57,7 +62,7 @@ impl<'a> Numbered<'a> {
     }
 }
 
-impl Place<'_> {
+impl PointOfBranch<'_> {
     /// The parameter to the digits that were requested.
     pub(super) fn digits_text(&self) -> Option<String> {
         let (precise, special) = (self.precise?, self.special?);
@@ -80,8 +85,8 @@ impl Place<'_> {
     }
 }
 
-pub(super) fn of_branch<'a>() -> Fields<Numbered<'a>> {
-    type Of<'a> = Field<Numbered<'a>>;
+pub(super) fn of_branch<'a>() -> Fields<NumberedBranch<'a>> {
+    type Of<'a> = Field<NumberedBranch<'a>>;
     Fields::from([
         Of::value(
             "kind",
@@ -132,15 +137,15 @@ pub(super) fn of_branch<'a>() -> Fields<Numbered<'a>> {
     ])
 }
 
-fn of_place<'a>() -> Fields<Place<'a>> {
-    type Of<'a> = Field<Place<'a>>;
+fn of_place<'a>() -> Fields<PointOfBranch<'a>> {
+    type Of<'a> = Field<PointOfBranch<'a>>;
     Fields::from([
         Of::number("parameter", "", "value of the parameter", |it| it.point.parameter),
         Of::number(
             "amplitude_max",
             "",
             "largest displacement, of angles from the nearest bottom, in rad; for rotating solutions, half the range of the deviation from uniform rotation",
-            Place::amplitude,
+            PointOfBranch::amplitude,
         ),
         Of::number(
             "minimum",
@@ -181,8 +186,8 @@ fn of_place<'a>() -> Fields<Place<'a>> {
 }
 
 /// A special point, whose error is that of its parameter.
-pub(super) fn of_special<'a>() -> Fields<Place<'a>> {
-    type Of<'a> = Field<Place<'a>>;
+pub(super) fn of_special<'a>() -> Fields<PointOfBranch<'a>> {
+    type Of<'a> = Field<PointOfBranch<'a>>;
     Fields::from([
         Of::value(
             "kind",
@@ -208,7 +213,7 @@ pub(super) fn of_special<'a>() -> Fields<Place<'a>> {
         Of::value("parameter_digits_error", "", "bound on the error of this text", |it| {
             it.precise.map_or(Value::Null, |it| json::number(it.error))
         }),
-        Of::number("amplitude_max", "", "largest displacement there", Place::amplitude)
+        Of::number("amplitude_max", "", "largest displacement there", PointOfBranch::amplitude)
             .rounded("amplitude", 8),
         Of::number("period_s", "s", "period of the solution there", |it| it.point.period),
         Of::value("multipliers[][]", "1", "Floquet multipliers there", |it| {

@@ -1,7 +1,7 @@
 //! Fields of a response as a whole, and the lines of CSV.
 
-use super::Answer;
-use super::branch_fields::{Place, of_branch};
+use super::ResponseResult;
+use super::branch_fields::{PointOfBranch, of_branch};
 use super::sweep_fields::{Swept, of_jump, of_swept};
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
@@ -11,12 +11,12 @@ use libration::continuation::{BranchError, BranchPoint, FreeOscillation, OrderAn
 use serde_json::Value;
 
 /// A line of CSV.
-pub(super) enum Row<'a> {
-    Place(Place<'a>),
+pub(super) enum ResponseRow<'a> {
+    PointOfBranch(PointOfBranch<'a>),
     Swept(Swept<'a>),
 }
 
-impl Answer {
+impl ResponseResult {
     /// The amplitude of the chosen coordinate.
     pub(super) fn amplitude(&self, point: &BranchPoint) -> f64 {
         point.amplitude(self.coordinate, self.is_angle())
@@ -36,24 +36,24 @@ impl Answer {
     }
 }
 
-impl Row<'_> {
-    fn place(&self) -> Option<&Place<'_>> {
+impl ResponseRow<'_> {
+    fn place(&self) -> Option<&PointOfBranch<'_>> {
         match self {
-            Self::Place(place) => Some(place),
+            Self::PointOfBranch(place) => Some(place),
             Self::Swept(_) => None,
         }
     }
 
     fn amplitude(&self) -> f64 {
         match self {
-            Self::Place(place) => place.amplitude(),
+            Self::PointOfBranch(place) => place.amplitude(),
             Self::Swept(swept) => swept.amplitude(),
         }
     }
 }
 
-pub(super) fn of_answer() -> Fields<Answer> {
-    type Of = Field<Answer>;
+pub(super) fn of_answer() -> Fields<ResponseResult> {
+    type Of = Field<ResponseResult>;
     Fields::from([
         Of::value("system", "", "key of the system, null where its equations were typed", |it| {
             it.model.key().into()
@@ -146,8 +146,8 @@ fn of_order() -> Fields<OrderAnswers> {
 }
 
 /// A line of CSV: a point, a special one, or one of a sweep.
-pub(super) fn of_row<'a>() -> Fields<Row<'a>> {
-    type Of<'a> = Field<Row<'a>>;
+pub(super) fn of_row<'a>() -> Fields<ResponseRow<'a>> {
+    type Of<'a> = Field<ResponseRow<'a>>;
     Fields::from([
         Of::value("branch", "1", "number of the branch, from 1; empty for rows of sweeps", |it| {
             it.place().map(|it| it.of.number).into()
@@ -156,14 +156,14 @@ pub(super) fn of_row<'a>() -> Fields<Row<'a>> {
             it.place().and_then(|it| it.special).map_or("", |special| special.kind.key()).into()
         }),
         Of::number("parameter", "", "value of the parameter", |it| match it {
-            Row::Place(place) => place.point.parameter,
-            Row::Swept(swept) => swept.point.parameter,
+            ResponseRow::PointOfBranch(place) => place.point.parameter,
+            ResponseRow::Swept(swept) => swept.point.parameter,
         }),
         Of::number(
             "amplitude_max",
             "",
             "largest displacement, of angles from the nearest bottom, in rad; for rotating solutions, half the range of the deviation from uniform rotation",
-            Row::amplitude,
+            ResponseRow::amplitude,
         ),
         Of::value("period_s", "s", "period of the solution; empty for rows of sweeps", |it| {
             it.place().map_or(Value::Null, |it| json::number(it.point.period))
@@ -189,8 +189,8 @@ pub(super) fn of_row<'a>() -> Fields<Row<'a>> {
             "",
             "up or down, for rows of sweeps; empty for points of branches",
             |it| match it {
-                Row::Place(_) => "".into(),
-                Row::Swept(swept) => swept.direction().into(),
+                ResponseRow::PointOfBranch(_) => "".into(),
+                ResponseRow::Swept(swept) => swept.direction().into(),
             },
         ),
     ])

@@ -114,7 +114,7 @@ pub(crate) struct Decimal {
 }
 
 /// The result to write.
-pub(crate) struct Answer {
+pub(crate) struct ResponseResult {
     pub(crate) model: Model,
     pub(crate) parameter: String,
     pub(crate) range: [f64; 2],
@@ -147,7 +147,7 @@ impl ResponseQuestion {
         }
     }
 
-    fn computed(&self) -> Result<Answer, QueryError> {
+    fn computed(&self) -> Result<ResponseResult, QueryError> {
         let ParameterSpan { name, range } = &self.over;
         let model = self.system.model_with_open(&[name], &option("over"))?;
         let named = |name: &CoordinateName| coordinate(&model, &option("coordinate"), name);
@@ -162,7 +162,16 @@ impl ResponseQuestion {
             true => response.backbone(model.equation(), *range, model.coordinates()[0].is_angle()),
             false => vec![],
         };
-        Ok(Answer { model, parameter, range: *range, coordinate, response, precise, sweeps, backbone })
+        Ok(ResponseResult {
+            model,
+            parameter,
+            range: *range,
+            coordinate,
+            response,
+            precise,
+            sweeps,
+            backbone,
+        })
     }
 
     fn response(&self, model: &Model, coordinate: usize) -> Result<Response, QueryError> {
@@ -240,7 +249,7 @@ impl ResponseQuestion {
     }
 }
 
-impl Answer {
+impl ResponseResult {
     pub(crate) fn is_angle(&self) -> bool {
         self.model.coordinates()[self.coordinate].is_angle()
     }

@@ -1,6 +1,6 @@
 //! Fields of slow sweeps: their points and jumps.
 
-use super::Answer;
+use super::ResponseResult;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
 use libration::continuation::{BranchPoint, Jump, SweepPoint};
@@ -8,18 +8,18 @@ use serde_json::Value;
 
 /// A jump of a slow sweep.
 pub(super) struct Jumping<'a> {
-    pub(super) answer: &'a Answer,
+    pub(super) answer: &'a ResponseResult,
     pub(super) jump: &'a Jump,
 }
 
 /// The point of a slow sweep at one value.
 pub(super) struct Swept<'a> {
-    pub(super) answer: &'a Answer,
+    pub(super) answer: &'a ResponseResult,
     pub(super) rising: bool,
     pub(super) point: &'a SweepPoint,
 }
 
-impl Answer {
+impl ResponseResult {
     pub(super) fn jumps(&self) -> impl Iterator<Item = Jumping<'_>> {
         self.response.jumps.iter().map(|jump| Jumping { answer: self, jump })
     }
@@ -32,7 +32,7 @@ impl Answer {
 }
 
 impl Jumping<'_> {
-    fn of_landings(&self, value: fn(&Answer, &BranchPoint) -> f64) -> Value {
+    fn of_landings(&self, value: fn(&ResponseResult, &BranchPoint) -> f64) -> Value {
         json::numbers(&self.jump.to.iter().map(|point| value(self.answer, point)).collect::<Vec<_>>())
     }
 }
@@ -94,7 +94,7 @@ pub(super) fn of_jump<'a>() -> Fields<Jumping<'a>> {
         }),
         Of::number("from", "", "amplitude before the jump", |it| it.answer.amplitude(&it.jump.from)),
         Of::value("to[]", "", "amplitudes of the other stable solutions there", |it| {
-            it.of_landings(Answer::amplitude)
+            it.of_landings(ResponseResult::amplitude)
         }),
         Of::value("to_error[]", "", "errors of the states of these solutions", |it| {
             it.of_landings(|_, point| point.error)

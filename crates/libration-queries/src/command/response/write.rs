@@ -1,8 +1,8 @@
 //! A response as a sheet with its special points and words, JSON and CSV.
 
-use super::Answer;
-use super::branch_fields::{Numbered, ending, of_branch, of_special, origin};
-use super::fields::{Row, of_answer, of_row};
+use super::ResponseResult;
+use super::branch_fields::{NumberedBranch, ending, of_branch, of_special, origin};
+use super::fields::{ResponseRow, of_answer, of_row};
 use super::sweep_fields::{Jumping, of_swept};
 use crate::output::number::at_most;
 use crate::output::table::{Table, paragraph, write_text};
@@ -15,7 +15,7 @@ use std::io::{self, Write};
 /// Width at which lines are broken, in columns.
 const COLUMNS: usize = 100;
 
-impl Answer {
+impl ResponseResult {
     /// Writes the result in the given form; the table lists the special points only if requested.
     pub(super) fn write(&self, out: &mut dyn Write, form: Form, listed: bool) -> io::Result<()> {
         match form {
@@ -34,11 +34,11 @@ impl Answer {
         for branch in self.numbered() {
             let fields = of_row();
             for place in branch.places() {
-                csv::line(out, &fields.csv_cells(&Row::Place(place)))?;
+                csv::line(out, &fields.csv_cells(&ResponseRow::PointOfBranch(place)))?;
             }
         }
         let fields = of_row();
-        self.swept().try_for_each(|swept| csv::line(out, &fields.csv_cells(&Row::Swept(swept))))
+        self.swept().try_for_each(|swept| csv::line(out, &fields.csv_cells(&ResponseRow::Swept(swept))))
     }
 
     fn write_sheet(&self, out: &mut dyn Write, listed: bool) -> io::Result<()> {
@@ -163,7 +163,7 @@ fn counts(points: &[BranchPoint]) -> String {
 }
 
 /// The ends of a branch, and the number of its points that are stable.
-fn summary(branch: &Numbered<'_>) -> String {
+fn summary(branch: &NumberedBranch<'_>) -> String {
     let (answer, points) = (branch.answer, &branch.branch.points);
     let largest = points.iter().map(|point| answer.amplitude(point)).fold(0.0, f64::max);
     let periods = match (answer.response.driven, branch.branch.space.drive_periods()) {

@@ -58,7 +58,7 @@ pub(crate) struct PoincareQuestion {
 }
 
 /// The sections of all motions, with the settings of their output.
-pub(crate) struct Answer<'a> {
+pub(crate) struct SectionResult<'a> {
     pub(crate) model: &'a Model,
     pub(crate) options: &'a SectionOptions,
     pub(crate) place: String,
@@ -75,7 +75,7 @@ impl PoincareQuestion {
             self.initial.read(&model)?.into_iter().map(|initial| initial.state).collect();
         let (place, points) = (self.section.known_section(&model)?, self.section.points_of_section(POINTS));
         let sections = self.sections(&model, &place, &starts)?;
-        let answer = Answer {
+        let answer = SectionResult {
             model: &model,
             options: &self.section,
             place: self.section.description(&place, model.equation()),
@@ -137,7 +137,7 @@ impl PoincareQuestion {
     }
 }
 
-impl Answer<'_> {
+impl SectionResult<'_> {
     /// The reason for missing points, if there are any.
     fn failure(&self) -> Option<QueryError> {
         let first = self.sections.iter().find_map(|section| section.stopped)?;

@@ -1,6 +1,6 @@
 //! The points of a section as table, JSON and CSV.
 
-use super::Answer;
+use super::SectionResult;
 use crate::output::description::{self, Answers, descriptions};
 use crate::output::field::{Field, Fields};
 use crate::output::json;
@@ -8,7 +8,7 @@ use crate::output::table::{Column, Table, sheet};
 use crate::output::{Form, csv, number};
 use std::io::{self, Write};
 
-impl Answer<'_> {
+impl SectionResult<'_> {
     /// Writes the result in the given form; the table lists the points only if requested.
     pub(super) fn write(&self, out: &mut dyn Write, form: Form, listed: bool) -> io::Result<()> {
         match form {
@@ -18,10 +18,10 @@ impl Answer<'_> {
         }
     }
 
-    fn rows(&self) -> impl Iterator<Item = Row> + '_ {
+    fn rows(&self) -> impl Iterator<Item = SectionRow> + '_ {
         let motions = (1..).zip(&self.sections);
         motions.flat_map(|(number, section)| section.points.iter().map(move |point| (number, point))).map(
-            |(motion, point)| Row {
+            |(motion, point)| SectionRow {
                 motion,
                 time: point.time,
                 state: self.options.shown(&point.state, &self.angles),
@@ -72,14 +72,14 @@ impl Answer<'_> {
 }
 
 /// A point of the section.
-struct Row {
+struct SectionRow {
     motion: usize,
     time: f64,
     state: Vec<f64>,
 }
 
-fn of_answer<'a>() -> Fields<Answer<'a>> {
-    type Of<'a> = Field<Answer<'a>>;
+fn of_answer<'a>() -> Fields<SectionResult<'a>> {
+    type Of<'a> = Field<SectionResult<'a>>;
     Fields::from([
         Of::value("system", "", "key of the system, null where its equations were typed", |it| {
             it.model.key().into()
@@ -92,7 +92,7 @@ fn of_answer<'a>() -> Fields<Answer<'a>> {
         Of::value("section", "", "condition at which points are recorded, in words", |it| {
             it.place.as_str().into()
         })
-        .line_of("points", Answer::points_text),
+        .line_of("points", SectionResult::points_text),
         Of::value("skipped", "1", "number of points discarded as transient, for each motion", |it| {
             it.points.skipped.into()
         }),
@@ -104,8 +104,8 @@ fn of_answer<'a>() -> Fields<Answer<'a>> {
     ])
 }
 
-fn of_row() -> Fields<Row> {
-    type Of = Field<Row>;
+fn of_row() -> Fields<SectionRow> {
+    type Of = Field<SectionRow>;
     Fields::from([
         Of::value("motion", "1", "number of the motion, from 1 in the order of --initial", |it| {
             it.motion.into()
@@ -117,7 +117,7 @@ fn of_row() -> Fields<Row> {
 }
 
 pub(crate) fn answers() -> Vec<Answers> {
-    const NUMBER: description::Row = ("NAME", "", "state variable of this name");
+    const NUMBER: description::DescriptionRow = ("NAME", "", "state variable of this name");
     let json = [of_answer().described(""), of_row().described("points[].")];
     let csv = [of_row().described_in_csv(), descriptions("", &[NUMBER])];
     vec![Answers { command: "section", option: "", json: json.concat(), csv: csv.concat() }]

@@ -6,7 +6,7 @@ use super::motion::SimulatedMotion;
 use super::precision::Precision;
 use super::report::{Sample, Summary};
 use super::resume::State;
-use crate::output::description::{Answers, Row, descriptions};
+use crate::output::description::{Answers, DescriptionRow, descriptions};
 use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
 use libration::taylor::{Moment, MomentErrors};
@@ -121,7 +121,8 @@ pub(super) fn of_time() -> Fields<f64> {
 }
 
 /// The field after the state.
-pub(super) const EVENT: Row = ("event", "", "kind of the event, empty in samples; only with --events");
+pub(super) const EVENT: DescriptionRow =
+    ("event", "", "kind of the event, empty in samples; only with --events");
 
 pub(super) fn of_summary() -> Fields<Summary> {
     let state = Field::present_nested("resume.", &State::fields(), |it: &Summary| {
@@ -175,12 +176,12 @@ fn of_start_effect() -> Fields<Moment> {
 }
 
 /// The errors in CSV.
-pub(super) const TIME_ERROR: Row = (
+pub(super) const TIME_ERROR: DescriptionRow = (
     "time_error_s",
     "s",
     "estimate of the error of the time of an event, empty in samples; only with --events",
 );
-const ERROR: Row = (
+const ERROR: DescriptionRow = (
     "NAME_error",
     "",
     "estimate of the error of the column of this name, empty where it is not determined; left out with --no-errors",
@@ -246,7 +247,7 @@ fn of_ending() -> Fields<EventEnding> {
 }
 
 pub(super) fn answers() -> Answers {
-    const NUMBER: Row =
+    const NUMBER: DescriptionRow =
         ("NAME", "", "state variable of this name, formula of --columns, then derivative of --sensitivity");
     let json = [
         of_motion().described(""),

@@ -7,12 +7,12 @@ use libration::taylor::{Moment, SampledErrors, Solution};
 use std::io::{self, Write};
 
 /// A line of a result.
-pub(super) enum Row {
+pub(super) enum SimulatedRow {
     Sample(Sample),
     Event(Happening),
 }
 
-impl Row {
+impl SimulatedRow {
     pub(super) fn write(&self, report: &mut dyn AnswerWriter, out: &mut dyn Write) -> io::Result<()> {
         match self {
             Self::Sample(sample) => report.sample(sample, out),
@@ -39,7 +39,7 @@ impl SimulatedMotion<'_> {
         &'s self,
         solution: &'s Solution,
         errors: Option<&'s SampledErrors<'_>>,
-    ) -> impl Iterator<Item = Row> + 's {
+    ) -> impl Iterator<Item = SimulatedRow> + 's {
         let backward = !self.goes_both_ways() && self.times.last() < 0.0;
         let is_before = move |a: f64, b: f64| if backward { a >= b } else { a <= b };
         let mut samples = solution.samples.iter().peekable();
@@ -50,13 +50,13 @@ impl SimulatedMotion<'_> {
             if let Some(moment) = sample {
                 let columns = self.columns_at(moment);
                 let errors = errors.map(|errors| self.own_errors(errors.of_sample(moment.time).cloned()));
-                return Some(Row::Sample(Sample { moment: self.own(moment), columns, errors }));
+                return Some(SimulatedRow::Sample(Sample { moment: self.own(moment), columns, errors }));
             }
             let event = events.next()?;
             let moment = Moment { time: event.time, state: event.state.clone() };
             let (columns, state) = (self.columns_at(&moment), self.own(&moment).state);
             let errors = errors.map(|errors| self.own_errors(errors.of_event(event).cloned()));
-            Some(Row::Event(Happening { columns, state, errors, ..self.watched.happening(event) }))
+            Some(SimulatedRow::Event(Happening { columns, state, errors, ..self.watched.happening(event) }))
         })
     }
 }

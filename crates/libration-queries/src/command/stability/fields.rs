@@ -1,6 +1,6 @@
 //! Fields of a chart, its curves and their points.
 
-use super::Answer;
+use super::StabilityResult;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
@@ -10,15 +10,15 @@ use libration::continuation::{CurvePoint, Ending, SpecialCurve};
 use serde_json::Value;
 
 /// A curve of the map, with its number from 1.
-pub(super) struct Numbered<'a> {
-    pub(super) answer: &'a Answer,
+pub(super) struct NumberedBoundary<'a> {
+    pub(super) answer: &'a StabilityResult,
     pub(super) number: usize,
     pub(super) curve: &'a SpecialCurve,
 }
 
 /// A point of a curve, or a cusp.
-pub(super) struct Place<'a> {
-    of: &'a Numbered<'a>,
+pub(super) struct PointOfCurve<'a> {
+    of: &'a NumberedBoundary<'a>,
     point: &'a CurvePoint,
     is_cusp: bool,
 }
@@ -29,7 +29,7 @@ pub(super) struct AtEnd {
     pub(super) ranges: Vec<[f64; 2]>,
 }
 
-impl Answer {
+impl StabilityResult {
     /// The ranges at the least value of the first parameter and at its greatest; empty where the start is not an equilibrium.
     pub(super) fn rest_at_ends(&self) -> Vec<AtEnd> {
         let [from, to] = self.ranges[0];
@@ -38,9 +38,9 @@ impl Answer {
             .collect()
     }
 
-    pub(super) fn numbered(&self) -> impl Iterator<Item = Numbered<'_>> {
+    pub(super) fn numbered(&self) -> impl Iterator<Item = NumberedBoundary<'_>> {
         let numbered = (1..).zip(&self.chart.curves);
-        numbered.map(move |(number, curve)| Numbered { answer: self, number, curve })
+        numbered.map(move |(number, curve)| NumberedBoundary { answer: self, number, curve })
     }
 
     /// Values of both parameters as a sentence has them.
@@ -50,24 +50,24 @@ impl Answer {
     }
 }
 
-impl<'a> Numbered<'a> {
-    pub(super) fn points(&'a self) -> impl Iterator<Item = Place<'a>> {
-        self.curve.points.iter().map(move |point| Place { of: self, point, is_cusp: false })
+impl<'a> NumberedBoundary<'a> {
+    pub(super) fn points(&'a self) -> impl Iterator<Item = PointOfCurve<'a>> {
+        self.curve.points.iter().map(move |point| PointOfCurve { of: self, point, is_cusp: false })
     }
 
-    pub(super) fn cusps(&'a self) -> impl Iterator<Item = Place<'a>> {
-        self.curve.cusps.iter().map(move |point| Place { of: self, point, is_cusp: true })
+    pub(super) fn cusps(&'a self) -> impl Iterator<Item = PointOfCurve<'a>> {
+        self.curve.cusps.iter().map(move |point| PointOfCurve { of: self, point, is_cusp: true })
     }
 
     /// The first point and the last, and the cusps between them.
-    pub(super) fn ends_and_cusps(&'a self) -> impl Iterator<Item = Place<'a>> {
-        let end = |point: &'a CurvePoint| Place { of: self, point, is_cusp: false };
+    pub(super) fn ends_and_cusps(&'a self) -> impl Iterator<Item = PointOfCurve<'a>> {
+        let end = |point: &'a CurvePoint| PointOfCurve { of: self, point, is_cusp: false };
         let last = self.curve.points.last().filter(|_| self.curve.points.len() > 1);
         self.curve.points.first().into_iter().map(end).chain(self.cusps()).chain(last.into_iter().map(end))
     }
 }
 
-impl Place<'_> {
+impl PointOfCurve<'_> {
     fn amplitude(&self) -> f64 {
         let is_angle = self.of.answer.model.coordinates().first().is_some_and(|it| it.is_angle());
         self.point.point.amplitude(0, is_angle)
@@ -78,8 +78,8 @@ impl Place<'_> {
     }
 }
 
-pub(super) fn of_answer() -> Fields<Answer> {
-    type Of = Field<Answer>;
+pub(super) fn of_answer() -> Fields<StabilityResult> {
+    type Of = Field<StabilityResult>;
     Fields::from([
         Of::value("system", "", "key of the system, null where its equations were typed", |it| {
             it.model.key().into()
@@ -142,8 +142,8 @@ fn of_end() -> Fields<AtEnd> {
     ])
 }
 
-pub(super) fn of_curve<'a>() -> Fields<Numbered<'a>> {
-    type Of<'a> = Field<Numbered<'a>>;
+pub(super) fn of_curve<'a>() -> Fields<NumberedBoundary<'a>> {
+    type Of<'a> = Field<NumberedBoundary<'a>>;
     Fields::from([
         Of::value(
             "kind",
@@ -173,8 +173,8 @@ pub(super) fn of_curve<'a>() -> Fields<Numbered<'a>> {
     ])
 }
 
-fn of_place<'a>() -> Fields<Place<'a>> {
-    type Of<'a> = Field<Place<'a>>;
+fn of_place<'a>() -> Fields<PointOfCurve<'a>> {
+    type Of<'a> = Field<PointOfCurve<'a>>;
     Fields::from([
         Of::value("parameters[]", "", "values of both parameters", |it| json::numbers(&it.values())),
         Of::number("error", "", "bound on the error of the values across the curve", |it| {
@@ -184,7 +184,7 @@ fn of_place<'a>() -> Fields<Place<'a>> {
             "amplitude_max",
             "",
             "largest displacement of the first coordinate, of angles from the nearest bottom, in rad",
-            Place::amplitude,
+            PointOfCurve::amplitude,
         ),
         Of::number("period_s", "s", "period of the solution", |it| it.point.point.period),
         Of::value(
@@ -201,8 +201,8 @@ fn of_place<'a>() -> Fields<Place<'a>> {
 }
 
 /// A line of CSV, or of the table.
-pub(super) fn of_row<'a>() -> Fields<Place<'a>> {
-    type Of<'a> = Field<Place<'a>>;
+pub(super) fn of_row<'a>() -> Fields<PointOfCurve<'a>> {
+    type Of<'a> = Field<PointOfCurve<'a>>;
     Fields::from([
         Of::value("curve", "1", "number of the curve, from 1", |it| it.of.number.into())
             .numeral("curve", |it| it.of.number.to_string()),
@@ -216,22 +216,27 @@ pub(super) fn of_row<'a>() -> Fields<Place<'a>> {
             it.point.point.error
         })
         .numeral("to", |it| crate::output::number::at_most(it.point.point.error)),
-        Of::number("amplitude_max", "", "largest displacement of the first coordinate", Place::amplitude)
-            .rounded("amplitude", 8),
+        Of::number(
+            "amplitude_max",
+            "",
+            "largest displacement of the first coordinate",
+            PointOfCurve::amplitude,
+        )
+        .rounded("amplitude", 8),
         boundary(),
     ])
 }
 
-fn boundary<'a>() -> Field<Place<'a>> {
+fn boundary<'a>() -> Field<PointOfCurve<'a>> {
     Field::value(
         "boundary",
         "",
         "true if the solution is stable on one side of the curve there",
-        |it: &Place<'_>| it.point.bounds_stability().into(),
+        |it: &PointOfCurve<'_>| it.point.bounds_stability().into(),
     )
 }
 
-impl Place<'_> {
+impl PointOfCurve<'_> {
     fn kind(&self) -> &'static str {
         if self.is_cusp { "cusp" } else { self.of.curve.kind.key() }
     }

@@ -66,7 +66,7 @@ pub(crate) struct StabilityQuestion {
 }
 
 /// The result to write.
-pub(crate) struct Answer {
+pub(crate) struct StabilityResult {
     model: Model,
     parameters: [String; 2],
     ranges: [[f64; 2]; 2],
@@ -92,7 +92,7 @@ impl StabilityQuestion {
         }
     }
 
-    fn computed(&self) -> Result<Answer, QueryError> {
+    fn computed(&self) -> Result<StabilityResult, QueryError> {
         let [first, second] = &self.map;
         let model = self.system.model_with_open(&[&first.name, &second.name], &option("map"))?;
         let start = self.initial.is_given().then(|| self.initial.read_at_rest(&model)).transpose()?;
@@ -116,11 +116,11 @@ impl StabilityQuestion {
             StabilityChart::over(model.equation(), names, ranges, &options, &progress)
         });
         let parameters = names.map(str::to_owned);
-        Ok(Answer { chart: chart.map_err(failure)?, model, parameters, ranges })
+        Ok(StabilityResult { chart: chart.map_err(failure)?, model, parameters, ranges })
     }
 }
 
-impl Answer {
+impl StabilityResult {
     /// The content of the picture.
     fn map(&self) -> Chart<'_> {
         Chart { model: &self.model, parameters: &self.parameters, ranges: self.ranges, chart: &self.chart }

@@ -1,7 +1,7 @@
 //! A chart as a sheet with its curves and words, JSON and CSV.
 
-use super::Answer;
-use super::fields::{AtEnd, Numbered, of_answer, of_curve, of_row};
+use super::StabilityResult;
+use super::fields::{AtEnd, NumberedBoundary, of_answer, of_curve, of_row};
 use crate::output::number::short;
 use crate::output::table::{Table, paragraph, write_text};
 use crate::output::{Form, csv, json};
@@ -11,7 +11,7 @@ use std::io::{self, Write};
 /// Width at which lines are broken, in columns.
 const COLUMNS: usize = 100;
 
-impl Answer {
+impl StabilityResult {
     /// Writes the result in the given form; the table lists the ends of the curves only if requested.
     pub(super) fn write(&self, out: &mut dyn Write, form: Form, listed: bool) -> io::Result<()> {
         match form {
@@ -112,7 +112,7 @@ impl Answer {
 }
 
 /// The kind of a curve, and its ends.
-fn summary(curve: &Numbered<'_>) -> String {
+fn summary(curve: &NumberedBoundary<'_>) -> String {
     let (answer, points) = (curve.answer, &curve.curve.points);
     let [before, behind] = curve.curve.endings;
     let kind = curve.curve.kind;

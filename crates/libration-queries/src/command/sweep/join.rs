@@ -4,7 +4,7 @@ use super::chunk;
 use super::plan::Plan;
 use super::progress::SweepProgress;
 use super::store::Store;
-use crate::output::description::{Answers, Row, descriptions};
+use crate::output::description::{Answers, DescriptionRow, descriptions};
 use crate::output::file::NewFile;
 use crate::output::json::{self, ListWriter, Record};
 use crate::output::{Form, FormOptions, csv};
@@ -142,7 +142,7 @@ fn record(plan: &Plan, point: usize, row: &str) -> Record {
 }
 
 /// The fields of a plan.
-pub(crate) const PLAN: &[Row] = &[
+pub(crate) const PLAN: &[DescriptionRow] = &[
     ("format", "1", "version of the format of sweeps"),
     ("version", "", "version of the program"),
     ("question[]", "", "words of the command, where {NAME} stands for the value of an axis"),
@@ -163,7 +163,7 @@ pub(crate) const PLAN: &[Row] = &[
     ("chunk_shape[]", "1", "number of values along each axis in a chunk"),
 ];
 
-const POINTS: &[Row] = &[
+const POINTS: &[DescriptionRow] = &[
     ("points[].at.NAME", "", "value of the axis of this name"),
     ("points[].values.NAME", "", "number kept of the result, null where there is none"),
     (
@@ -174,7 +174,7 @@ const POINTS: &[Row] = &[
     ("points[].message", "", "reason why there is no result, or null"),
 ];
 
-const COLUMNS: &[Row] = &[
+const COLUMNS: &[DescriptionRow] = &[
     ("NAME", "", "value of an axis, or number kept of the result, by name"),
     ("status", "1", "0 with a result, or the exit status of the command without: 1 no result, 2 usage error"),
     ("message", "", "reason why there is no result"),

@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::io::Write;
 
 /// Names of symbols in a program.
-type Names = BTreeMap<String, String>;
+type SymbolNames = BTreeMap<String, String>;
 
 /// Writes one function for each formula, whose arguments are its symbols in alphabetical order.
 pub(super) fn write(
@@ -43,19 +43,24 @@ fn symbols(tree: &Expression) -> BTreeSet<String> {
     tree.symbols().into_iter().map(|symbol| symbol.name).collect()
 }
 
-fn function(language: Language, (name, meaning): (&str, &str), tree: &Expression, names: &Names) -> Function {
+fn function(
+    language: Language,
+    (name, meaning): (&str, &str),
+    tree: &Expression,
+    names: &SymbolNames,
+) -> Function {
     let arguments = symbols(tree).iter().map(|symbol| name_of(symbol, names)).collect();
     let mut function = Function::new(name, meaning, arguments);
     function.result = written(language, tree, names);
     function
 }
 
-fn name_of(symbol: &str, names: &Names) -> String {
+fn name_of(symbol: &str, names: &SymbolNames) -> String {
     names.get(symbol).map_or(symbol, String::as_str).to_owned()
 }
 
 /// A formula in a language, with brackets about operands where a language needs them.
-fn written(language: Language, formula: &Expression, names: &Names) -> String {
+fn written(language: Language, formula: &Expression, names: &SymbolNames) -> String {
     let part = |formula: &Expression| written(language, formula, names);
     let bracketed = |formula: &Expression| match formula {
         Expression::Number(_)

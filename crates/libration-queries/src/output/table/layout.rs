@@ -11,7 +11,7 @@ const NARROWEST_WORDS: usize = 24;
 /// The blocks of a table, one below the other, each with its columns and their widths. Each contains the first column; columns without title and
 /// text are omitted.
 #[derive(Clone, Debug)]
-pub(super) struct Layout {
+pub(super) struct TableLayout {
     pub(super) blocks: Vec<Vec<ColumnPlace>>,
 }
 
@@ -34,7 +34,7 @@ struct Demand {
     least: usize,
 }
 
-impl Layout {
+impl TableLayout {
     /// The layout of these rows in `room` columns of the screen.
     pub(super) fn new(columns: &[Column], rows: &[Vec<String>], room: usize) -> Self {
         let demand = |(index, column)| Demand::new(index, column, rows);

@@ -3,7 +3,7 @@
 mod layout;
 
 use super::screen;
-use layout::{ColumnPlace, Layout, lines};
+use layout::{ColumnPlace, TableLayout, lines};
 use std::io::{self, Write};
 
 /// Number of rows that are held back to find the widths of the columns.
@@ -47,7 +47,7 @@ impl Column {
 pub struct Table {
     columns: Vec<Column>,
     held: Vec<Vec<String>>,
-    layout: Option<Layout>,
+    layout: Option<TableLayout>,
     /// The width of the screen.
     pub room: usize,
 }
@@ -79,7 +79,7 @@ impl Table {
     /// Finds the widths of the rows held back and writes them below the titles.
     fn release(&mut self, out: &mut dyn Write) -> io::Result<()> {
         let held = std::mem::take(&mut self.held);
-        let layout = Layout::new(&self.columns, &held, self.room);
+        let layout = TableLayout::new(&self.columns, &held, self.room);
         let titles: Vec<String> = self.columns.iter().map(|column| column.title.clone()).collect();
         let mut is_first = self.layout.is_none();
         for block in &layout.blocks {

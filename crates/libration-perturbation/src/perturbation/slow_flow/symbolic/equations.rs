@@ -3,7 +3,7 @@
 use super::error::{LARGEST_RESONANCE, SymbolicSlowFlowError as Error};
 use super::force::Reader;
 use super::letters::{Column, Letters, Sum};
-use super::scales::{Forced, Term};
+use super::scales::{Forced, SmallForceTerm};
 use super::setting::Setting;
 use super::steady::greatest_common_divisor;
 use libration_numbers::algebra::{Rational, Ring};
@@ -395,7 +395,7 @@ pub(super) struct Found {
 }
 
 /// The terms by powers of displacements and velocities, the signs of the first, and their orders.
-pub(super) fn terms(letters: &Letters, sum: &Sum) -> Vec<Term> {
+pub(super) fn terms(letters: &Letters, sum: &Sum) -> Vec<SmallForceTerm> {
     let grade = letters.place(Column::Order);
     let signs = [Column::PositionSign, Column::VelocitySign].map(|column| letters.place(column));
     let mut columns: Vec<usize> = (0..letters.coordinates)
@@ -420,7 +420,7 @@ pub(super) fn terms(letters: &Letters, sum: &Sum) -> Vec<Term> {
         let exponents = wanted[..moving].chunks_exact(2);
         let powers =
             exponents.map(|pair| [pair[0], pair[1]].map(|it| usize::try_from(it).unwrap_or(0))).collect();
-        Term {
+        SmallForceTerm {
             coefficient,
             powers,
             signs: [wanted[moving] != 0, wanted[moving + 1] != 0],

@@ -14,7 +14,7 @@ pub(super) const REACH: f64 = 0.5;
 
 /// Sums of a slow flow that have values.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Sums {
+pub(super) struct FormulaSums {
     pub(super) symbols: Vec<String>,
     pub(super) drive: Option<DriveFrequency>,
     pub(super) resonance: (i64, i64),
@@ -47,12 +47,12 @@ pub struct SteadySolution {
 /// A slow flow with numbers for all symbols.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SlowFlowAt<'a> {
-    sums: &'a Sums,
+    sums: &'a FormulaSums,
     /// Values by columns; A is changed.
     values: Vec<f64>,
 }
 
-impl Sums {
+impl FormulaSums {
     /// The slow flow with values for all symbols and, with a drive that is a symbol, for W; the names that have no value are the error.
     pub(super) fn at(
         &self,

@@ -5,7 +5,7 @@ use super::force::DriveFrequency;
 use super::letters::Column;
 use super::phase_sums::{append, real_and_imaginary};
 use super::result::fast_angle;
-use super::scales::{Forced, Term};
+use super::scales::{Forced, SmallForceTerm};
 use super::setting::Setting;
 use libration_numbers::algebra::Rational;
 
@@ -35,7 +35,7 @@ impl Setting {
             return Some(notes.join("; "));
         }
         for (acceleration, variable) in equations.accelerations.iter().zip(variables) {
-            let is_beyond = |term: &Term| {
+            let is_beyond = |term: &SmallForceTerm| {
                 let degree = term.powers.iter().flatten().sum::<usize>().saturating_sub(1);
                 let raised = if by_amplitude { i64::try_from(degree).unwrap_or(0) } else { 0 };
                 term.order > 0 && term.order + raised > order
@@ -63,7 +63,13 @@ impl Setting {
     }
 
     /// Appends a term as products of symbols, waves, displacements and velocities.
-    fn append_products(&self, text: &mut String, forced: &Forced<'_>, variables: &[String], term: &Term) {
+    fn append_products(
+        &self,
+        text: &mut String,
+        forced: &Forced<'_>,
+        variables: &[String],
+        term: &SmallForceTerm,
+    ) {
         let letters = &self.letters;
         let moving = moving_factors(variables, term);
         let joined = |factors: &[String]| (!factors.is_empty()).then(|| factors.join("*"));
@@ -89,7 +95,7 @@ impl Setting {
 }
 
 /// Powers of displacements and velocities with the signs of the first.
-fn moving_factors(variables: &[String], term: &Term) -> Vec<String> {
+fn moving_factors(variables: &[String], term: &SmallForceTerm) -> Vec<String> {
     let mut factors = vec![];
     for (coordinate, (variable, powers)) in variables.iter().zip(&term.powers).enumerate() {
         let names = [variable.clone(), format!("{variable}'")];

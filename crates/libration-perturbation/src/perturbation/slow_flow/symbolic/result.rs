@@ -2,7 +2,7 @@
 
 use super::criteria::{Peak, ResponseCurve};
 use super::equations::Found;
-use super::evaluation::{SlowFlowAt, Sums};
+use super::evaluation::{FormulaSums, SlowFlowAt};
 use super::force::DriveFrequency;
 use super::letters::{Column, Letters, Sum};
 use super::notes::{notes, peak_note};
@@ -43,7 +43,7 @@ pub struct SymbolicSlowFlow {
     pub displacement_note: Option<&'static str>,
     /// Steady states.
     pub steady_state: SteadyState,
-    pub(super) sums: Sums,
+    pub(super) sums: FormulaSums,
 }
 
 impl SymbolicSlowFlow {
@@ -76,7 +76,7 @@ pub(super) fn collected(
     let steady_state = steady_state(setting, forced, (&rates, &steady), found, [lowest, order]);
     let per_amplitude = letters.power(Column::Amplitude, -1);
     let phase = |k: i64| multiple(k, &names.coordinates[0].phase);
-    let is_kinked = forced.terms.iter().flatten().any(super::scales::Term::is_kinked);
+    let is_kinked = forced.terms.iter().flatten().any(super::scales::SmallForceTerm::is_kinked);
     SymbolicSlowFlow {
         order: usize::try_from(order).unwrap_or(0),
         resonance: setting
@@ -95,7 +95,7 @@ pub(super) fn collected(
         equilibrium: found.equilibrium.as_ref().map_or_else(|| "0".to_owned(), ToString::to_string),
         displacement_note: is_kinked.then_some("harmonics of forces with abs or sign are left out"),
         steady_state,
-        sums: Sums {
+        sums: FormulaSums {
             symbols: letters.ring.letters()[..letters.given].to_vec(),
             drive: setting.drive.clone(),
             resonance: setting.resonance,

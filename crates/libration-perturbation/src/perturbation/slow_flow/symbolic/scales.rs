@@ -19,12 +19,12 @@ pub(super) struct Forced<'a> {
     /// Waves of order zero in each equation, which do not contain the displacements.
     pub(super) drives: Vec<Sum>,
     /// The terms of each equation.
-    pub(super) terms: Vec<Vec<Term>>,
+    pub(super) terms: Vec<Vec<SmallForceTerm>>,
 }
 
 /// A coefficient times Π xⱼᵃ·xⱼ′ᵇ, with the signs of the first coordinate and its velocity as possible factors.
 #[derive(Clone, Debug)]
-pub(super) struct Term {
+pub(super) struct SmallForceTerm {
     pub(super) coefficient: Sum,
     /// Powers of displacement and velocity of each coordinate.
     pub(super) powers: Vec<[usize; 2]>,
@@ -32,7 +32,7 @@ pub(super) struct Term {
     pub(super) order: i64,
 }
 
-impl Term {
+impl SmallForceTerm {
     pub(super) const fn is_kinked(&self) -> bool {
         self.signs[0] || self.signs[1]
     }
@@ -158,7 +158,7 @@ impl Forced<'_> {
     }
 
     /// A force without kinks, to an order.
-    fn product(&self, term: &Term, powers: &[[Vec<Sum>; 2]], n: i64) -> Sum {
+    fn product(&self, term: &SmallForceTerm, powers: &[[Vec<Sum>; 2]], n: i64) -> Sum {
         let letters = self.letters;
         let factors = term.powers.iter().zip(powers).flat_map(|(exponents, [positions, velocities])| {
             [&positions[exponents[0]], &velocities[exponents[1]]]
@@ -170,7 +170,7 @@ impl Forced<'_> {
     }
 
     /// A force of one coordinate along the motion of order zero, of a force with kinks its first harmonic.
-    pub(super) fn along(&self, displacement: &Sum, term: &Term) -> Sum {
+    pub(super) fn along(&self, displacement: &Sum, term: &SmallForceTerm) -> Sum {
         let letters = self.letters;
         if term.is_kinked() {
             return self.first_wave(term);
@@ -240,7 +240,7 @@ impl Forced<'_> {
     }
 
     /// The first harmonic of a force with kinks, with its conjugate.
-    fn first_wave(&self, term: &Term) -> Sum {
+    fn first_wave(&self, term: &SmallForceTerm) -> Sum {
         let letters = self.letters;
         let harmonic = first_harmonic(letters, &self.omega0, term.powers[0], term.signs);
         let wave = letters.times(&letters.times(&term.coefficient, &harmonic), &self.amplitude_wave(term));
@@ -248,7 +248,7 @@ impl Forced<'_> {
     }
 
     /// Aⁿ·e^{iψ} as (2√(z·z̄))ⁿ·√(z/z̄)·e^{iqs}.
-    fn amplitude_wave(&self, term: &Term) -> Sum {
+    fn amplitude_wave(&self, term: &SmallForceTerm) -> Sum {
         let letters = self.letters;
         let n = i64::try_from(term.powers[0][0] + term.powers[0][1]).unwrap_or(0);
         let wave = letters.power(Column::Wave, self.harmonics[0]);

@@ -7,7 +7,7 @@ use super::force::DriveFrequency;
 use super::letters::{Column, Letters, Sum};
 use super::phase_sums::{PhaseSum, append, append_term, real_and_imaginary};
 use super::result::{SymbolicSlowFlow, angle, collected, lowest_order, polar, rates};
-use super::scales::{Forced, Solved, Term};
+use super::scales::{Forced, SmallForceTerm, Solved};
 use super::setting::Setting;
 use super::steady_state::MOST_TERMS;
 use libration_numbers::algebra::Rational;
@@ -109,7 +109,7 @@ struct Written<'a> {
 }
 
 impl Written<'_> {
-    fn term(&self, solved: &Solved, term: &Term) -> SmallTerm {
+    fn term(&self, solved: &Solved, term: &SmallForceTerm) -> SmallTerm {
         let (forced, letters) = (self.forced, self.forced.letters);
         let value = forced.along(&solved.displacements[0], term);
         let text = |sum: &PhaseSum| sum.text(letters, |k| multiple(k, self.phase()));
@@ -137,7 +137,7 @@ impl Written<'_> {
     }
 
     /// The term as a product.
-    fn force(&self, term: &Term) -> String {
+    fn force(&self, term: &SmallForceTerm) -> String {
         let x = self.variable;
         let [position, velocity] = term.powers[0];
         let power = |base: &str, exponent: usize| match exponent {

@@ -7,7 +7,7 @@
 
 mod names;
 
-use super::answer::Answer;
+use super::answer::ExpandResult;
 use super::listing::left_out;
 use crate::output::formulas::program::{Function, Program};
 use crate::output::language::Language;
@@ -20,7 +20,7 @@ use std::io::{self, Write};
 /// Writes the functions below a comment that names the oscillator, the order and the range of validity.
 pub(super) fn write<C: Coefficient>(
     out: &mut dyn Write,
-    answer: &Answer<C>,
+    answer: &ExpandResult<C>,
     language: Language,
     validity: &str,
 ) -> io::Result<()> {
@@ -44,7 +44,7 @@ struct CodeSeries<'a, C> {
 
 impl<'a, C: Coefficient> CodeSeries<'a, C> {
     /// The series in powers of the largest displacement or, for a limit cycle, of its parameter.
-    fn new(answer: &'a Answer<C>) -> Self {
+    fn new(answer: &'a ExpandResult<C>) -> Self {
         let expansion = &answer.expansion;
         let present = |series: &[C]| series.iter().any(|coefficient| !coefficient.is_zero());
         match &expansion.of_amplitude {
@@ -67,7 +67,7 @@ impl<'a, C: Coefficient> CodeSeries<'a, C> {
     }
 }
 
-fn comment<C: Coefficient>(answer: &Answer<C>, validity: &str) -> Vec<String> {
+fn comment<C: Coefficient>(answer: &ExpandResult<C>, validity: &str) -> Vec<String> {
     let expansion = &answer.expansion;
     let number = |value: &C| value.written(expansion.precision);
     let order = expansion.order;
@@ -94,7 +94,7 @@ fn comment<C: Coefficient>(answer: &Answer<C>, validity: &str) -> Vec<String> {
     lines
 }
 
-fn functions<C: Coefficient>(answer: &Answer<C>, language: Language) -> Vec<Function> {
+fn functions<C: Coefficient>(answer: &ExpandResult<C>, language: Language) -> Vec<Function> {
     let series = CodeSeries::new(answer);
     let letters = answer.letters.as_ref().map_or(vec![], |letters| {
         let constants = letters.constants.iter().map(|(name, _)| name.clone());
@@ -107,7 +107,7 @@ fn functions<C: Coefficient>(answer: &Answer<C>, language: Language) -> Vec<Func
 }
 
 struct Writer<'a, C> {
-    answer: &'a Answer<C>,
+    answer: &'a ExpandResult<C>,
     language: Language,
     names: &'a Names,
     series: &'a CodeSeries<'a, C>,

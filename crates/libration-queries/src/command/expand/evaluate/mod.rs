@@ -5,7 +5,7 @@ mod table;
 
 pub(super) use fields::answers;
 
-use super::answer::Answer;
+use super::answer::ExpandResult;
 use crate::output::number::short;
 use crate::output::{Form, json};
 use crate::parallel::unless_cancelled;
@@ -27,7 +27,7 @@ const HIGHEST_DEGREE: usize = 16;
 
 /// The values of a relation at one amplitude. Values that were not computed before a cancellation are `None`.
 struct Numbers<'a> {
-    answer: &'a Answer,
+    answer: &'a ExpandResult,
     relation: &'a SeriesComparison<'a>,
     amplitude: f64,
     evaluation: SeriesEvaluation,
@@ -53,7 +53,7 @@ struct Quotient {
 pub(super) fn write(
     out: &mut dyn Write,
     form: Form,
-    answer: &Answer,
+    answer: &ExpandResult,
     oscillator: &Oscillator,
     quantity: SeriesQuantity,
     amplitude: &Displacement,
@@ -72,7 +72,7 @@ pub(super) fn write(
 }
 
 /// A statement of the nonzero harmonics, for a harmonic that is zero.
-fn absent(answer: &Answer) -> String {
+fn absent(answer: &ExpandResult) -> String {
     let present: Vec<String> =
         answer.expansion.harmonics.iter().take(6).map(|harmonic| format!("a{}", harmonic.k)).collect();
     format!("is zero to this order; nonzero harmonics are {}", present.join(", "))
@@ -80,7 +80,7 @@ fn absent(answer: &Answer) -> String {
 
 impl<'a> Numbers<'a> {
     fn new(
-        answer: &'a Answer,
+        answer: &'a ExpandResult,
         relation: &'a SeriesComparison<'a>,
         exactly: &Displacement,
     ) -> Result<Self, QueryError> {

@@ -1,7 +1,7 @@
 //! Fields of a slow flow: its polynomials as lists of lists of coefficients, each a text.
 
 use super::super::subject::of_subject;
-use super::{Answer, leading_cycles};
+use super::{SlowFlowResult, leading_cycles};
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
@@ -9,15 +9,15 @@ use libration::perturbation::{PhaseTerm, SlowLimitCycle, SlowSeries};
 use serde_json::Value;
 
 /// One coefficient of a polynomial.
-pub(super) struct Coefficient {
+pub(super) struct PolynomialCoefficient {
     quantity: String,
     powers: [usize; 2],
     text: String,
     value: f64,
 }
 
-pub(super) fn of_flow() -> Fields<Answer> {
-    type Of = Field<Answer>;
+pub(super) fn of_flow() -> Fields<SlowFlowResult> {
+    type Of = Field<SlowFlowResult>;
     of_subject().and([
         Of::value("order", "1", "highest power of the amplitude A", |it| it.flow.order.into()),
         Of::value("damping_order", "1", "highest power of the small parameter", |it| {
@@ -99,8 +99,8 @@ fn of_term() -> Fields<PhaseTerm> {
     ])
 }
 
-pub(super) fn of_coefficient() -> Fields<Coefficient> {
-    type Of = Field<Coefficient>;
+pub(super) fn of_coefficient() -> Fields<PolynomialCoefficient> {
+    type Of = Field<PolynomialCoefficient>;
     Fields::from([
         Of::value(
             "quantity",
@@ -121,13 +121,13 @@ pub(super) fn answers() -> Answers {
 }
 
 /// The coefficients that are not zero.
-pub(super) fn coefficients(answer: &Answer) -> Vec<Coefficient> {
+pub(super) fn coefficients(answer: &SlowFlowResult) -> Vec<PolynomialCoefficient> {
     let mut all = vec![];
     let mut add = |quantity: String, series: &SlowSeries| {
         for (j, list) in series.iter().enumerate() {
             for (n, value) in list.iter().enumerate().filter(|(_, value)| !value.is_zero()) {
                 let (quantity, text) = (quantity.clone(), value.to_string());
-                all.push(Coefficient { quantity, powers: [j, n], text, value: value.to_f64() });
+                all.push(PolynomialCoefficient { quantity, powers: [j, n], text, value: value.to_f64() });
             }
         }
     };

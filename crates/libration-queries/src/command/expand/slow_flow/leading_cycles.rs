@@ -1,6 +1,6 @@
 //! Limit cycles over the exact orbits, to leading order in the small parameter.
 
-use super::Answer;
+use super::SlowFlowResult;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
 use crate::output::number::short;
@@ -10,8 +10,8 @@ use libration::quantity::with_uncertainty;
 use serde_json::Value;
 use std::io::{self, Write};
 
-pub(super) fn of_answer() -> Fields<Answer> {
-    type Of = Field<Answer>;
+pub(super) fn of_answer() -> Fields<SlowFlowResult> {
+    type Of = Field<SlowFlowResult>;
     Fields::from([
         Of::nested("leading_limit_cycles[].", &of_cycle(), |it| {
             of_cycle().records(it.leading.as_ref().map_or(&[][..], |found| &found.cycles))
@@ -73,7 +73,7 @@ fn of_cycle() -> Fields<LeadingLimitCycle> {
 }
 
 /// Writes the limit cycles at which the small terms take and give the same energy over exact orbits.
-pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+pub(super) fn write(out: &mut dyn Write, answer: &SlowFlowResult) -> io::Result<()> {
     writeln!(out)?;
     match &answer.leading {
         Ok(found) if found.cycles.is_empty() => write_text(out, "", &without_cycle(found)),

@@ -1,6 +1,6 @@
 //! A slow flow to read, and in LaTeX.
 
-use super::{Answer, leading_cycles};
+use super::{SlowFlowResult, leading_cycles};
 use crate::output::number::short;
 use crate::output::series::{Style, superscript, wrapped};
 use crate::output::table::write_text;
@@ -12,7 +12,7 @@ use std::io::{self, Write};
 /// Lines are broken here.
 const COLUMN: usize = 110;
 
-pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+pub(super) fn write(out: &mut dyn Write, answer: &SlowFlowResult) -> io::Result<()> {
     let flow = &answer.flow;
     answer.subject.write(out)?;
     let variable = &answer.subject.variable;
@@ -20,7 +20,7 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     write_text(out, "", &format!("about {variable} = {place}, where ω0² = {square}"))?;
     write_text(out, "", &meaning(answer))?;
     writeln!(out)?;
-    let names = Names { parameter: &flow.parameter, style: Style::Text };
+    let names = PolynomialNotation { parameter: &flow.parameter, style: Style::Text };
     for (name, series) in [("A′ = ", &flow.amplitude_rate), ("ψ′ = ", &flow.phase_rate)] {
         writeln!(out, "{}", wrapped(name, &names.series(series), COLUMN))?;
     }
@@ -66,7 +66,7 @@ fn in_digits(series: &[f64], parameter: &str) -> String {
     if text.is_empty() { "0".to_owned() } else { text }
 }
 
-fn meaning(answer: &Answer) -> String {
+fn meaning(answer: &SlowFlowResult) -> String {
     let SlowFlow { parameter, order, parameter_order, gauge, .. } = &answer.flow;
     let gauge = match gauge {
         Gauge::XMax => "A is the displacement where the motion turns, at ψ = 0",
@@ -79,7 +79,7 @@ fn power(number: usize) -> String {
     if number == 1 { String::new() } else { superscript(number) }
 }
 
-fn motion_title(answer: &Answer) -> String {
+fn motion_title(answer: &SlowFlowResult) -> String {
     let (variable, flow) = (&answer.subject.variable, &answer.flow);
     let place = if flow.equilibrium.is_zero() { String::new() } else { format!(" - {}", flow.equilibrium) };
     let whole = format!("{variable}(A, ψ){place} is the sum of");
@@ -116,12 +116,12 @@ fn function_name(term: &PhaseTerm, function: &str, style: Style) -> String {
 }
 
 /// The notation of the terms of polynomials.
-struct Names<'a> {
+struct PolynomialNotation<'a> {
     parameter: &'a str,
     style: Style,
 }
 
-impl Names<'_> {
+impl PolynomialNotation<'_> {
     fn series(&self, series: &SlowSeries) -> String {
         let mut text = String::new();
         for (j, list) in series.iter().enumerate() {
@@ -186,11 +186,11 @@ pub fn in_letters(text: &str) -> String {
 }
 
 /// The polynomials as display equations.
-pub(super) fn write_latex(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+pub(super) fn write_latex(out: &mut dyn Write, answer: &SlowFlowResult) -> io::Result<()> {
     let flow = &answer.flow;
     let parameter =
         flow.parameter.parse().map_or_else(|_| flow.parameter.clone(), |it: Expression| it.to_latex());
-    let names = Names { parameter: &parameter, style: Style::Latex };
+    let names = PolynomialNotation { parameter: &parameter, style: Style::Latex };
     writeln!(out, "\\[ {} \\]", answer.subject.equation_latex)?;
     writeln!(out, "\\begin{{align*}}")?;
     writeln!(out, "  \\dot A &= {} \\\\", names.series(&flow.amplitude_rate))?;

@@ -20,7 +20,7 @@ use std::io::Write;
 pub(super) const DAMPING_ORDER: usize = 2;
 
 /// A slow flow with the words for it.
-pub(super) struct Answer {
+pub(super) struct SlowFlowResult {
     subject: Subject,
     flow: SlowFlow,
     /// Limit cycles by the work over exact orbits.
@@ -31,7 +31,7 @@ pub(super) fn answers() -> Answers {
     fields::answers()
 }
 
-impl Answer {
+impl SlowFlowResult {
     pub(super) fn new(
         asked: Asked,
         small: Option<&str>,
@@ -59,7 +59,7 @@ impl Answer {
     }
 }
 
-impl About for Answer {
+impl About for SlowFlowResult {
     fn subject(&self) -> &Subject {
         &self.subject
     }
@@ -78,7 +78,12 @@ fn failure(error: SlowFlowError) -> QueryError {
     }
 }
 
-pub(super) fn write(out: &mut dyn Write, form: Form, latex: bool, answer: &Answer) -> Result<(), QueryError> {
+pub(super) fn write(
+    out: &mut dyn Write,
+    form: Form,
+    latex: bool,
+    answer: &SlowFlowResult,
+) -> Result<(), QueryError> {
     match form {
         Form::Json => json::document(out, fields::of_flow().record(answer))?,
         Form::Csv => fields::of_coefficient().write_csv(out, &fields::coefficients(answer))?,

@@ -1,6 +1,6 @@
 //! The slow flow as the result of `libration expand`.
 
-use super::{Answer, DAMPING_ORDER, write};
+use super::{DAMPING_ORDER, SlowFlowResult, write};
 use crate::arguments::Asked;
 use crate::call;
 use crate::command::expand::{Expand, Format, LISTED};
@@ -64,7 +64,7 @@ impl Expand {
         let order = self.order.unwrap_or(LISTED);
         let gauge = self.gauge.clone().unwrap_or(Gauge::XMax);
         let orders = [order, self.damping_order.unwrap_or(DAMPING_ORDER)];
-        let answer = Answer::new(asked, self.small.as_deref(), orders, &gauge)?;
+        let answer = SlowFlowResult::new(asked, self.small.as_deref(), orders, &gauge)?;
         write(out, self.form.form(), latex, &answer)?;
         Ok(out.flush()?)
     }

@@ -1,7 +1,7 @@
 //! Fields of a slow flow with symbolic parameters.
 
 use super::super::subject::of_subject;
-use super::{Answer, FlowValues, why_left_out};
+use super::{FlowValues, SymbolicFlowResult, why_left_out};
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::formulas::{self, NamedFormula};
@@ -10,13 +10,15 @@ use libration::perturbation::{JudgedState, LeftOutReason, StateLeftOut, SteadySt
 
 type Of<A> = Field<A>;
 
-pub(super) fn of_flow() -> Fields<Answer> {
+pub(super) fn of_flow() -> Fields<SymbolicFlowResult> {
     of_subject().and(of_setting()).and(of_formulas())
 }
 
-fn of_setting() -> Fields<Answer> {
+fn of_setting() -> Fields<SymbolicFlowResult> {
     Fields::from([
-        Of::<Answer>::value("order", "1", "highest order in the small parameters", |it| it.flow.order.into()),
+        Of::<SymbolicFlowResult>::value("order", "1", "highest order in the small parameters", |it| {
+            it.flow.order.into()
+        }),
         Of::value(
             "order_note",
             "",
@@ -54,9 +56,9 @@ fn of_setting() -> Fields<Answer> {
     ])
 }
 
-fn of_formulas() -> Fields<Answer> {
+fn of_formulas() -> Fields<SymbolicFlowResult> {
     Fields::from([
-        Of::<Answer>::nested("slow_flow.", &of_rates(), |it| of_rates().record(it).into()),
+        Of::<SymbolicFlowResult>::nested("slow_flow.", &of_rates(), |it| of_rates().record(it).into()),
         Of::value(
             "displacement",
             "",
@@ -76,9 +78,11 @@ fn of_formulas() -> Fields<Answer> {
     ])
 }
 
-fn of_rates() -> Fields<Answer> {
+fn of_rates() -> Fields<SymbolicFlowResult> {
     Fields::from([
-        Of::<Answer>::value("amplitude", "", "formula of dA/dt", |it| it.flow.amplitude_rate.as_str().into()),
+        Of::<SymbolicFlowResult>::value("amplitude", "", "formula of dA/dt", |it| {
+            it.flow.amplitude_rate.as_str().into()
+        }),
         Of::value("phase", "", "formula of dphi/dt", |it| it.flow.phase_rate.as_str().into()),
     ])
 }
@@ -218,7 +222,7 @@ fn of_left_out() -> Fields<StateLeftOut> {
 }
 
 /// The formulas by name.
-pub(super) fn formulas(answer: &Answer) -> Vec<NamedFormula> {
+pub(super) fn formulas(answer: &SymbolicFlowResult) -> Vec<NamedFormula> {
     let flow = &answer.flow;
     let steady = &flow.steady_state;
     let named = [

@@ -1,6 +1,6 @@
 //! A slow flow with symbolic parameters to read.
 
-use super::{Answer, FlowValues, why_left_out};
+use super::{FlowValues, SymbolicFlowResult, why_left_out};
 use crate::call::in_words;
 use crate::output::number::{short, to_its_error};
 use crate::output::series::wrapped;
@@ -12,7 +12,7 @@ use std::io::{self, Write};
 /// Lines are broken here.
 const COLUMN: usize = 80;
 
-pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+pub(super) fn write(out: &mut dyn Write, answer: &SymbolicFlowResult) -> io::Result<()> {
     let flow = &answer.flow;
     let letter = |meaning: &str| {
         flow.letters.iter().find(|(name, _)| *name == meaning).map_or("", |(_, letter)| letter.as_str())
@@ -35,7 +35,7 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     answer.values.as_ref().map_or(Ok(()), |values| write_values(out, answer, values))
 }
 
-fn setting(answer: &Answer) -> String {
+fn setting(answer: &SymbolicFlowResult) -> String {
     let flow = &answer.flow;
     let small: Vec<String> =
         answer.small.iter().map(|(name, order)| format!("{name} of order {order}")).collect();
@@ -73,7 +73,7 @@ fn line(out: &mut dyn Write, name: &str, formula: &str) -> io::Result<()> {
     writeln!(out, "{}", wrapped(name, formula, COLUMN))
 }
 
-fn write_steady(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
+fn write_steady(out: &mut dyn Write, answer: &SymbolicFlowResult) -> io::Result<()> {
     let steady = &answer.flow.steady_state;
     let drive =
         steady.drive_amplitude.as_ref().filter(|text| text.contains(|it: char| !it.is_alphanumeric()));
@@ -101,7 +101,7 @@ fn write_steady(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
 /// Maximum number of digits.
 const DIGITS: usize = 10;
 
-fn write_values(out: &mut dyn Write, answer: &Answer, values: &FlowValues) -> io::Result<()> {
+fn write_values(out: &mut dyn Write, answer: &SymbolicFlowResult, values: &FlowValues) -> io::Result<()> {
     let Some(states) = &values.states else { return Ok(()) };
     let at = match values.drive_frequency {
         Some(drive) => {
@@ -165,7 +165,7 @@ fn write_notes(out: &mut dyn Write, found: &[JudgedState]) -> io::Result<()> {
     Ok(())
 }
 
-fn write_left_out(out: &mut dyn Write, left: &StateLeftOut, answer: &Answer) -> io::Result<()> {
+fn write_left_out(out: &mut dyn Write, left: &StateLeftOut, answer: &SymbolicFlowResult) -> io::Result<()> {
     let place = place(&left.state, None, answer.flow.resonance.is_some());
     write_text(out, "", &format!("left out: {place} (order {}): {}", left.order, why_left_out(left)))
 }

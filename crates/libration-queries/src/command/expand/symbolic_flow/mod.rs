@@ -12,7 +12,7 @@ use libration::perturbation::{
 };
 
 /// A slow flow with the words for it.
-pub(super) struct Answer {
+pub(super) struct SymbolicFlowResult {
     subject: Subject,
     flow: SymbolicSlowFlow,
     /// Small parameters with their orders.
@@ -28,7 +28,7 @@ pub(super) struct FlowValues {
     states: Option<SteadyStates>,
 }
 
-impl About for Answer {
+impl About for SymbolicFlowResult {
     fn subject(&self) -> &Subject {
         &self.subject
     }

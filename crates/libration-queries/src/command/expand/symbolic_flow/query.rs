@@ -1,6 +1,6 @@
 //! The slow flow with symbolic parameters as the result of `libration expand`.
 
-use super::{Answer, FlowValues, failure, listing};
+use super::{FlowValues, SymbolicFlowResult, failure, listing};
 use crate::arguments::{OscillatorOptions, drive_resonance, small_orders};
 use crate::command::expand::subject::Subject;
 use crate::command::expand::{BOOKKEEPING, Expand};
@@ -77,7 +77,7 @@ impl Expand {
         Ok(out.flush()?)
     }
 
-    fn symbolic_answer(&self) -> Result<Answer, QueryError> {
+    fn symbolic_answer(&self) -> Result<SymbolicFlowResult, QueryError> {
         if self.gauge.is_some() {
             let reason = "here A is the whole amplitude of the component near the natural frequency: leave the gauge out";
             return Err(QueryError::usage(option("gauge"), reason));
@@ -98,7 +98,7 @@ impl Expand {
         let next = || next_slow_flow(&equation, &options, &flow, &Cancellation);
         let values = self.values(&flow, &held, next)?;
         let subject = Subject::new(&equation, (asked.key, asked.title), asked.values, asked.read_as);
-        Ok(Answer { subject, flow, small: held.shown(&equation), values })
+        Ok(SymbolicFlowResult { subject, flow, small: held.shown(&equation), values })
     }
 
     /// The equation with values for all parameters except the small ones and the drive frequency, whose values are kept for the result.

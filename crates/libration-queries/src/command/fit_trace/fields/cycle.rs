@@ -1,21 +1,21 @@
 //! A cycle of a trace.
 
-use super::super::answer::Answer;
+use super::super::answer::FitTraceResult;
 use crate::output::field::{Field, Fields};
 use crate::output::number::{short, with_uncertainty};
 use libration_lab::fit::cycles::Cycle;
 
 /// A cycle with its number, from 1 over all traces.
-pub(in super::super) struct Numbered<'a> {
-    answer: &'a Answer<'a>,
+pub(in super::super) struct NumberedCycle<'a> {
+    answer: &'a FitTraceResult<'a>,
     number: usize,
     trace: usize,
     cycle: &'a Cycle,
 }
 
-pub(in super::super) fn cycles<'a>(answer: &'a Answer<'a>) -> Vec<Numbered<'a>> {
+pub(in super::super) fn cycles<'a>(answer: &'a FitTraceResult<'a>) -> Vec<NumberedCycle<'a>> {
     let cycles = answer.swings.all_cycles().zip(1..);
-    cycles.map(|((trace, cycle), number)| Numbered { answer, number, trace, cycle }).collect()
+    cycles.map(|((trace, cycle), number)| NumberedCycle { answer, number, trace, cycle }).collect()
 }
 
 /// The columns for one trace; for several, [`TRACE`] is the last.
@@ -23,8 +23,8 @@ pub(in super::super) const COLUMNS: [&str; 7] =
     ["cycle", "start / s", "period / s", "± / s", "amplitude / °", "± / °", TRACE];
 pub(in super::super) const TRACE: &str = "trace";
 
-pub(in super::super) fn of_cycle<'a>() -> Fields<Numbered<'a>> {
-    type Of<'a> = Field<Numbered<'a>>;
+pub(in super::super) fn of_cycle<'a>() -> Fields<NumberedCycle<'a>> {
+    type Of<'a> = Field<NumberedCycle<'a>>;
     Fields::from([
         Of::unnamed().numeral(COLUMNS[0], |it| {
             let mark = if it.cycle.outlier { "*" } else { "" };
@@ -52,7 +52,7 @@ pub(in super::super) fn of_cycle<'a>() -> Fields<Numbered<'a>> {
     ])
 }
 
-impl Numbered<'_> {
+impl NumberedCycle<'_> {
     fn period(&self) -> [String; 2] {
         parts(self.cycle.period.value, self.cycle.period.uncertainty)
     }

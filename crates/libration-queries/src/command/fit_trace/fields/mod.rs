@@ -5,7 +5,7 @@ mod model;
 mod parameter;
 mod trace;
 
-use super::answer::Answer;
+use super::answer::FitTraceResult;
 use super::input::File;
 use crate::call::in_words;
 use crate::output::description::Answers;
@@ -24,7 +24,7 @@ pub(super) use parameter::{of_parameter, rows as parameters, shown as shown_para
 pub(super) use trace::{of_row, of_trace, rows, traces};
 
 /// The whole result.
-pub(super) fn record(answer: &Answer<'_>) -> Record {
+pub(super) fn record(answer: &FitTraceResult<'_>) -> Record {
     let record = of_fit().record(answer);
     let record = normal_gravity::fields().added_to(record, &answer.normal);
     let record = match &answer.swings.pendulum {
@@ -37,8 +37,8 @@ pub(super) fn record(answer: &Answer<'_>) -> Record {
 }
 
 /// The fields that precede those of the pendulum.
-fn of_fit<'a>() -> Fields<Answer<'a>> {
-    type Of<'a> = Field<Answer<'a>>;
+fn of_fit<'a>() -> Fields<FitTraceResult<'a>> {
+    type Of<'a> = Field<FitTraceResult<'a>>;
     Fields::from([
         Of::value("files[]", "", "names of the files", |it| {
             json::list(it.measured.files.iter().map(|file| file.name.as_str()))
@@ -98,11 +98,11 @@ fn of_fit<'a>() -> Fields<Answer<'a>> {
 
 const QUALITY: &str = "ω0/c of linear damping, 2πE/ΔE at the largest cycle of any other, or null";
 
-fn quality(answer: &Answer<'_>) -> Result<Quality, String> {
+fn quality(answer: &FitTraceResult<'_>) -> Result<Quality, String> {
     answer.swings.quality().ok_or_else(|| "there is no damping, or no cycle".to_owned())
 }
 
-fn rms(answer: &Answer<'_>, observable: Observable) -> Option<f64> {
+fn rms(answer: &FitTraceResult<'_>, observable: Observable) -> Option<f64> {
     (answer.measured.traces[0].observable() == observable).then_some(answer.swings.fit.rms)
 }
 
@@ -149,10 +149,10 @@ fn of_length() -> Fields<Uncertain> {
 }
 
 /// The warnings, and the tests by which the fit may be judged.
-fn of_doubts<'a>() -> Fields<Answer<'a>> {
-    type Of<'a> = Field<Answer<'a>>;
+fn of_doubts<'a>() -> Fields<FitTraceResult<'a>> {
+    type Of<'a> = Field<FitTraceResult<'a>>;
     let warnings = warnings::fields(
-        |it: &Answer<'a>| json::list(it.warnings()),
+        |it: &FitTraceResult<'a>| json::list(it.warnings()),
         |it| json::list(it.swings.warnings.iter().map(Warning::name)),
     );
     Fields::from(warnings).and([
@@ -187,8 +187,8 @@ fn of_file() -> Fields<File> {
     ])
 }
 
-fn of_residuals<'a>() -> Fields<Answer<'a>> {
-    type Of<'a> = Field<Answer<'a>>;
+fn of_residuals<'a>() -> Fields<FitTraceResult<'a>> {
+    type Of<'a> = Field<FitTraceResult<'a>>;
     Fields::from([
         Of::value("is_noise", "", "true if the residuals are consistent with white noise", |it| {
             it.swings.fit.autocorrelation.is_noise().into()

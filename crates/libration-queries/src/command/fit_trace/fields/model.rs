@@ -1,8 +1,8 @@
 //! Damping models that were tried, and the combined result of those that are not ruled out.
 
-use super::super::answer::Answer;
+use super::super::answer::FitTraceResult;
 use super::super::units::in_unit;
-use super::parameter::{Row, of_parameter};
+use super::parameter::{ParameterRow, of_parameter};
 use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
 use crate::output::number::with_uncertainty;
@@ -12,7 +12,7 @@ use serde_json::Value;
 
 /// A model of a comparison.
 pub(in super::super) struct DampingModel<'a> {
-    answer: &'a Answer<'a>,
+    answer: &'a FitTraceResult<'a>,
     comparison: &'a Comparison,
     place: usize,
     weight: f64,
@@ -20,7 +20,7 @@ pub(in super::super) struct DampingModel<'a> {
 
 /// The models in the order of the comparison.
 pub(in super::super) fn models<'a>(
-    answer: &'a Answer<'a>,
+    answer: &'a FitTraceResult<'a>,
     comparison: &'a Comparison,
 ) -> Vec<DampingModel<'a>> {
     let weights = comparison.weights().into_iter().enumerate();
@@ -108,7 +108,8 @@ pub(in super::super) fn of_model<'a>() -> Fields<DampingModel<'a>> {
         }),
         Of::nested("coefficients[].", &of_parameter(), |it| {
             let terms = it.fit().damping.iter().filter_map(|term| it.fit().damping_coefficient(term));
-            let rows: Vec<Row<'_>> = terms.map(|parameter| Row { parameter, trace: None }).collect();
+            let rows: Vec<ParameterRow<'_>> =
+                terms.map(|parameter| ParameterRow { parameter, trace: None }).collect();
             of_parameter().records(&rows)
         }),
     ])

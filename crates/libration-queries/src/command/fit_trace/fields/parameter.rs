@@ -1,6 +1,6 @@
 //! A fitted parameter.
 
-use super::super::answer::Answer;
+use super::super::answer::FitTraceResult;
 use super::super::units::unit;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
@@ -8,22 +8,22 @@ use crate::output::number::{short, with_uncertainty};
 use libration_lab::fit::trace::Parameter;
 
 /// A parameter, with the name of its trace if there are several.
-pub(in super::super) struct Row<'a> {
+pub(in super::super) struct ParameterRow<'a> {
     pub(super) parameter: &'a Parameter,
     pub(super) trace: Option<&'a str>,
 }
 
-pub(in super::super) fn rows<'a>(answer: &'a Answer<'_>) -> Vec<Row<'a>> {
+pub(in super::super) fn rows<'a>(answer: &'a FitTraceResult<'_>) -> Vec<ParameterRow<'a>> {
     let traces = &answer.measured.traces;
     let name = |place: usize| (traces.len() > 1).then(|| traces[place].name());
     let parameters = answer.swings.fit.parameters.iter();
-    parameters.map(|parameter| Row { parameter, trace: parameter.trace.and_then(name) }).collect()
+    parameters.map(|parameter| ParameterRow { parameter, trace: parameter.trace.and_then(name) }).collect()
 }
 
 const COLUMNS: [&str; 6] = ["parameter", "value", "±", "68 %", "95 %", "unit"];
 
-pub(in super::super) fn of_parameter<'a>() -> Fields<Row<'a>> {
-    type Of<'a> = Field<Row<'a>>;
+pub(in super::super) fn of_parameter<'a>() -> Fields<ParameterRow<'a>> {
+    type Of<'a> = Field<ParameterRow<'a>>;
     Fields::from([
         Of::value("name", "", "name of the parameter", |it| it.parameter.kind.name().into()).words(
             COLUMNS[0],
@@ -63,17 +63,17 @@ pub(in super::super) fn of_parameter<'a>() -> Fields<Row<'a>> {
 }
 
 /// The fields of the table of parameters.
-pub(in super::super) fn shown<'a>() -> Fields<Row<'a>> {
+pub(in super::super) fn shown<'a>() -> Fields<ParameterRow<'a>> {
     of_parameter().for_table(&COLUMNS)
 }
 
 /// The trace that the parameter belongs to.
-pub(super) fn trace<'a>() -> Field<Row<'a>> {
+pub(super) fn trace<'a>() -> Field<ParameterRow<'a>> {
     let meaning = "number of its trace, from 0, if it belongs to one";
-    Field::present_value("trace", "1", meaning, |it: &Row<'a>| it.parameter.trace.map(Into::into))
+    Field::present_value("trace", "1", meaning, |it: &ParameterRow<'a>| it.parameter.trace.map(Into::into))
 }
 
-impl Row<'_> {
+impl ParameterRow<'_> {
     fn interval(&self, place: usize) -> String {
         let ends = self.parameter.intervals[place].map(|end| self.to_the_digit(end));
         format!("{} … {}", ends[0], ends[1])

@@ -1,6 +1,6 @@
 //! A trace by itself, and its rows.
 
-use super::super::answer::Answer;
+use super::super::answer::FitTraceResult;
 use super::super::units::in_unit;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
@@ -10,24 +10,24 @@ use libration_lab::fit::cycles::Cycles;
 
 /// A trace of a result.
 pub(in super::super) struct TraceOf<'a> {
-    answer: &'a Answer<'a>,
+    answer: &'a FitTraceResult<'a>,
     place: usize,
 }
 
-pub(in super::super) fn traces<'a>(answer: &'a Answer<'a>) -> Vec<TraceOf<'a>> {
+pub(in super::super) fn traces<'a>(answer: &'a FitTraceResult<'a>) -> Vec<TraceOf<'a>> {
     (0..answer.measured.traces.len()).map(|place| TraceOf { answer, place }).collect()
 }
 
 /// A row of a trace: time, observed value, fitted value, difference.
-pub(in super::super) struct Row<'a> {
+pub(in super::super) struct RecordedPoint<'a> {
     trace: &'a str,
     numbers: [f64; 4],
 }
 
-pub(in super::super) fn rows<'a>(answer: &'a Answer<'_>) -> Vec<Row<'a>> {
+pub(in super::super) fn rows<'a>(answer: &'a FitTraceResult<'_>) -> Vec<RecordedPoint<'a>> {
     let traces = answer.measured.traces.iter().zip(&answer.swings.fit.traces);
     let rows = traces.flat_map(|(trace, fitted)| {
-        (0..trace.len()).map(move |row| Row {
+        (0..trace.len()).map(move |row| RecordedPoint {
             trace: trace.name(),
             numbers: [trace.times()[row], trace.values()[row], fitted.fitted[row], fitted.residuals[row]],
         })
@@ -35,8 +35,8 @@ pub(in super::super) fn rows<'a>(answer: &'a Answer<'_>) -> Vec<Row<'a>> {
     rows.collect()
 }
 
-pub(in super::super) fn of_row<'a>() -> Fields<Row<'a>> {
-    type Of<'a> = Field<Row<'a>>;
+pub(in super::super) fn of_row<'a>() -> Fields<RecordedPoint<'a>> {
+    type Of<'a> = Field<RecordedPoint<'a>>;
     Fields::from([
         Of::value("trace", "", "name of the run", |it| it.trace.into()),
         Of::number("time_s", "s", "time of the row", |it| it.numbers[0]),

@@ -4,14 +4,14 @@ pub(super) mod pictures;
 mod tables;
 mod words;
 
-use super::answer::Answer;
+use super::answer::FitTraceResult;
 use crate::command::fit_report::{self, sentence};
 use crate::document::{Block, Document, Section, provenance};
 use libration_lab::fit::Budget;
 use libration_lab::fit::swings::FittedPendulum;
 
 /// The whole report.
-pub(super) fn document(answer: &Answer<'_>) -> Document {
+pub(super) fn document(answer: &FitTraceResult<'_>) -> Document {
     let sections = [
         Section::new(
             "Result",
@@ -54,7 +54,7 @@ const METHOD: [&str; 3] = [
 ];
 
 /// The budget, where a length was given.
-fn budget<'a>(answer: &'a Answer<'_>) -> Option<&'a Budget> {
+fn budget<'a>(answer: &'a FitTraceResult<'_>) -> Option<&'a Budget> {
     match &answer.swings.pendulum {
         FittedPendulum::Gravity { budget, .. } => Some(budget),
         FittedPendulum::Length(_) => None,
@@ -62,7 +62,7 @@ fn budget<'a>(answer: &'a Answer<'_>) -> Option<&'a Budget> {
 }
 
 /// The result in one line, and normal gravity at the place.
-fn headline(answer: &Answer<'_>) -> Vec<Block> {
+fn headline(answer: &FitTraceResult<'_>) -> Vec<Block> {
     let text = match budget(answer) {
         Some(budget) => fit_report::gravity(budget.g, &budget.combined),
         None => fit_report::doubled("T₀", answer.swings.small_angle_period(), "s"),
@@ -72,7 +72,7 @@ fn headline(answer: &Answer<'_>) -> Vec<Block> {
 }
 
 /// The warnings about the result.
-fn doubts(answer: &Answer<'_>) -> Vec<Block> {
+fn doubts(answer: &FitTraceResult<'_>) -> Vec<Block> {
     match answer.swings.warnings.is_empty() {
         true => vec![],
         false => vec![Block::Aside("Warnings", sentences(&answer.warnings()))],

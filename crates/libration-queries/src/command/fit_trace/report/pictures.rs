@@ -1,6 +1,6 @@
 //! The pictures of the report.
 
-use super::super::answer::Answer;
+use super::super::answer::FitTraceResult;
 use crate::document::{Block, DocumentFigure};
 use crate::figure::chart::Picture;
 use crate::figure::parameters::found;
@@ -13,7 +13,7 @@ fn figure(name: &str, caption: String, picture: Picture) -> Block {
     Block::Figure(DocumentFigure { name: name.to_owned(), caption, picture })
 }
 
-fn swing<'a>(answer: &'a Answer<'_>, trace: usize) -> Fitted<'a> {
+fn swing<'a>(answer: &'a FitTraceResult<'_>, trace: usize) -> Fitted<'a> {
     Fitted {
         trace: &answer.measured.traces[trace],
         fitted: &answer.swings.fit.traces[trace],
@@ -22,7 +22,7 @@ fn swing<'a>(answer: &'a Answer<'_>, trace: usize) -> Fitted<'a> {
 }
 
 /// The picture of `--figure`: the data of all traces with the fitted motions, and the residuals.
-pub(in super::super) fn of_all(answer: &Answer<'_>) -> Picture {
+pub(in super::super) fn of_all(answer: &FitTraceResult<'_>) -> Picture {
     let count = answer.measured.traces.len();
     let pictures: Vec<Picture> = (0..count).map(|trace| of_one_of(answer, trace)).collect();
     let aspect =
@@ -35,7 +35,7 @@ pub(in super::super) fn of_all(answer: &Answer<'_>) -> Picture {
 }
 
 /// The data and the residuals of one trace, which is named by its time axis if there are several.
-fn of_one_of(answer: &Answer<'_>, trace: usize) -> Picture {
+fn of_one_of(answer: &FitTraceResult<'_>, trace: usize) -> Picture {
     let mut picture = draw::whole(&swing(answer, trace), "");
     if answer.measured.traces.len() > 1
         && let Some(lowest) = picture.panels.last_mut()
@@ -46,15 +46,15 @@ fn of_one_of(answer: &Answer<'_>, trace: usize) -> Picture {
 }
 
 /// The name of a trace, for file names and titles; empty for a trace alone.
-fn suffix(answer: &Answer<'_>, trace: usize) -> String {
+fn suffix(answer: &FitTraceResult<'_>, trace: usize) -> String {
     if answer.measured.traces.len() > 1 { format!("-{}", trace + 1) } else { String::new() }
 }
 
-pub(super) fn of_motion(answer: &Answer<'_>) -> Vec<Block> {
+pub(super) fn of_motion(answer: &FitTraceResult<'_>) -> Vec<Block> {
     (0..answer.measured.traces.len()).flat_map(|trace| of_trace(answer, trace)).collect()
 }
 
-fn of_trace(answer: &Answer<'_>, trace: usize) -> Vec<Block> {
+fn of_trace(answer: &FitTraceResult<'_>, trace: usize) -> Vec<Block> {
     let (swing, suffix) = (swing(answer, trace), suffix(answer, trace));
     let name = swing.trace.name();
     let whole = format!("All rows of {name} with the fitted motion; below, their residuals");
@@ -66,7 +66,7 @@ fn of_trace(answer: &Answer<'_>, trace: usize) -> Vec<Block> {
     blocks
 }
 
-pub(super) fn of_residuals(answer: &Answer<'_>) -> Vec<Block> {
+pub(super) fn of_residuals(answer: &FitTraceResult<'_>) -> Vec<Block> {
     let residuals = answer.swings.fit.traces.iter().flat_map(|trace| trace.residuals.iter().copied());
     let residuals: Vec<f64> = residuals.collect();
     let caption = "Above, the autocorrelation of the residuals against the lag in rows: between the dashed lines, if they are \
@@ -75,7 +75,7 @@ pub(super) fn of_residuals(answer: &Answer<'_>) -> Vec<Block> {
     vec![figure("residuals", caption.to_owned(), picture)]
 }
 
-pub(super) fn of_periods(answer: &Answer<'_>) -> Vec<Block> {
+pub(super) fn of_periods(answer: &FitTraceResult<'_>) -> Vec<Block> {
     let alone = answer.measured.traces.len() == 1;
     let named = answer.measured.traces.iter().zip(&answer.swings.cycles);
     let swings: Vec<Swings<'_>> = named
@@ -95,12 +95,12 @@ pub(super) fn of_periods(answer: &Answer<'_>) -> Vec<Block> {
 }
 
 /// The amplitudes of each trace with the laws of the models.
-pub(super) fn of_damping(answer: &Answer<'_>) -> Vec<Block> {
+pub(super) fn of_damping(answer: &FitTraceResult<'_>) -> Vec<Block> {
     let traces = 0..answer.measured.traces.len();
     traces.filter_map(|trace| of_amplitudes(answer, trace)).collect()
 }
 
-fn of_amplitudes(answer: &Answer<'_>, trace: usize) -> Option<Block> {
+fn of_amplitudes(answer: &FitTraceResult<'_>, trace: usize) -> Option<Block> {
     let half_swings = &answer.swings.cycles[trace].as_ref().ok()?.half_swings;
     let name = answer.measured.traces[trace].name();
     let caption = format!(
@@ -118,7 +118,7 @@ fn of_amplitudes(answer: &Answer<'_>, trace: usize) -> Option<Block> {
 
 /// The amplitude of a model's fitted motion in each half swing.
 fn of_model(
-    answer: &Answer<'_>,
+    answer: &FitTraceResult<'_>,
     fit: &TraceFit,
     trace: usize,
     half_swings: &[HalfSwing],

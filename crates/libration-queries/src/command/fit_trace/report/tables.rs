@@ -1,11 +1,11 @@
 //! The tables of the report.
 
-use super::super::answer::Answer;
+use super::super::answer::FitTraceResult;
 use super::super::{fields, sheet};
 use crate::document::{Block, DocumentTable};
 
 /// The models that were compared.
-pub(super) fn models(answer: &Answer<'_>) -> Vec<Block> {
+pub(super) fn models(answer: &FitTraceResult<'_>) -> Vec<Block> {
     let Some(comparison) = &answer.swings.comparison else { return vec![] };
     vec![Block::Table(DocumentTable {
         caption: "The damping models that were tried, the best first. ΔAICc is Akaike's criterion above that of the best: below 4 \
@@ -17,7 +17,7 @@ pub(super) fn models(answer: &Answer<'_>) -> Vec<Block> {
 }
 
 /// The traces one by one, if there are several.
-pub(super) fn traces(answer: &Answer<'_>) -> Vec<Block> {
+pub(super) fn traces(answer: &FitTraceResult<'_>) -> Vec<Block> {
     if answer.measured.traces.len() == 1 {
         return vec![];
     }
@@ -30,7 +30,7 @@ pub(super) fn traces(answer: &Answer<'_>) -> Vec<Block> {
 }
 
 /// Every cycle that was measured.
-pub(super) fn cycles(answer: &Answer<'_>) -> Vec<Block> {
+pub(super) fn cycles(answer: &FitTraceResult<'_>) -> Vec<Block> {
     let cycles = fields::cycles(answer);
     if cycles.is_empty() {
         return vec![];
@@ -48,7 +48,7 @@ pub(super) fn cycles(answer: &Answer<'_>) -> Vec<Block> {
 }
 
 /// The fitted parameters.
-pub(super) fn parameters(answer: &Answer<'_>) -> Vec<Block> {
+pub(super) fn parameters(answer: &FitTraceResult<'_>) -> Vec<Block> {
     vec![Block::Table(DocumentTable {
         caption:
             "The fitted parameters with standard uncertainties, and the confidence intervals of 68 % and \

@@ -1,6 +1,6 @@
 //! Text of the report.
 
-use super::super::answer::Answer;
+use super::super::answer::FitTraceResult;
 use super::super::{sheet, units};
 use crate::call::in_words;
 use crate::command::fit_report::sentence;
@@ -11,7 +11,7 @@ use libration_lab::fit::swings::FittedPendulum;
 use libration_lab::fit::{DampingKind, Uncertain, alternatives};
 
 /// The few numbers that were requested.
-pub(super) fn result(answer: &Answer<'_>) -> Vec<Block> {
+pub(super) fn result(answer: &FitTraceResult<'_>) -> Vec<Block> {
     let period = answer.swings.small_angle_period();
     let (name, value) = sheet::gravity_or_length(answer);
     let row = |name: &str, value: String| vec![name.to_owned(), value];
@@ -37,14 +37,14 @@ pub(super) fn result(answer: &Answer<'_>) -> Vec<Block> {
 }
 
 /// The meaning of the result.
-pub(super) fn meaning(answer: &Answer<'_>) -> Vec<Block> {
+pub(super) fn meaning(answer: &FitTraceResult<'_>) -> Vec<Block> {
     let meaning = "The number after ± is the standard uncertainty: the true value lies within it with a probability of 68 %, \
                    and within twice as much with 95 %, if the errors are random.";
     vec![Block::words(meaning), Block::words(formula(answer))]
 }
 
 /// The formula for gravity or the length.
-fn formula(answer: &Answer<'_>) -> &'static str {
+fn formula(answer: &FitTraceResult<'_>) -> &'static str {
     match answer.swings.pendulum {
         FittedPendulum::Gravity { .. } => {
             "Gravity is g = ω₀² l with the corrections of the budget below, which shows the sources of its uncertainty."
@@ -57,7 +57,7 @@ fn formula(answer: &Answer<'_>) -> &'static str {
 }
 
 /// The files with the settings inferred from them.
-pub(super) fn read(answer: &Answer<'_>) -> Vec<Block> {
+pub(super) fn read(answer: &FitTraceResult<'_>) -> Vec<Block> {
     let file = |file: &super::super::input::File| {
         let items = file.findings.iter().map(|text| sentence(text)).collect();
         [Block::words(format!("{}:", file.name)), Block::List(items)]
@@ -72,7 +72,7 @@ pub(super) fn read(answer: &Answer<'_>) -> Vec<Block> {
     answer.measured.files.iter().flat_map(file).chain([Block::words(rows)]).collect()
 }
 
-pub(super) fn residuals(answer: &Answer<'_>) -> Vec<Block> {
+pub(super) fn residuals(answer: &FitTraceResult<'_>) -> Vec<Block> {
     let found = &answer.swings.fit.autocorrelation;
     let verdict = if found.is_noise() {
         "They look like white noise: neighbouring residuals are uncorrelated, as reading errors are."
@@ -87,7 +87,7 @@ pub(super) fn residuals(answer: &Answer<'_>) -> Vec<Block> {
     ))]
 }
 
-pub(super) fn periods(answer: &Answer<'_>) -> Vec<Block> {
+pub(super) fn periods(answer: &FitTraceResult<'_>) -> Vec<Block> {
     let law = "A pendulum takes longer for large swings: T = T₀·R(θ₀), where R is 1 for the smallest swings and 1 + θ₀²/16 + … \
                beyond (1.017 at 30°, 1.18 at 90°). Here every cycle was timed separately, without a model of the damping, and \
                T = T₀·[1 + β(R − 1)] was fitted to the cycles. A pendulum has β = 1; a clock that kept its period would have β = 0.";
@@ -106,7 +106,7 @@ pub(super) fn periods(answer: &Answer<'_>) -> Vec<Block> {
     vec![Block::words(law), Block::words(verdict)]
 }
 
-pub(super) fn damping(answer: &Answer<'_>) -> Vec<Block> {
+pub(super) fn damping(answer: &FitTraceResult<'_>) -> Vec<Block> {
     let equation = "The equation of motion is θ″ = −ω₀² sin θ − d·sign θ′ − b·θ′ − c·θ′|θ′|: dry friction d in the bearing, linear \
                     drag b of slow flow and in the string, quadratic drag c of fast flow around the bob. Small amplitudes fall as a \
                     straight line, as an exponential, and as 1/(t + constant).";
@@ -135,7 +135,7 @@ pub(super) fn damping(answer: &Answer<'_>) -> Vec<Block> {
 }
 
 /// `linear damping (b = 0.030 ± 0.001 1/s)`.
-fn named(answer: &Answer<'_>) -> String {
+fn named(answer: &FitTraceResult<'_>) -> String {
     let letter = |term: DampingKind| match term {
         DampingKind::Dry => "d",
         DampingKind::Linear => "b",
@@ -157,7 +157,7 @@ fn named(answer: &Answer<'_>) -> String {
     }
 }
 
-pub(super) fn numbers(_answer: &Answer<'_>) -> Vec<Block> {
+pub(super) fn numbers(_answer: &FitTraceResult<'_>) -> Vec<Block> {
     vec![Block::words(
         "omega0 is ω₀ = √(g/l); dry, linear and quadratic are d, b and c. offset is where the pendulum hangs on the scale of the \
          instrument, theta0 and velocity0 are the angle from there and the angular velocity at the first row.",

@@ -1,6 +1,6 @@
 //! Fields of the harmonics of each trace, of its windows and of each harmonic.
 
-use super::Answer;
+use super::SpectrumResult;
 use crate::figure::measured_spectrum::{MeasuredSpectrum, unit_scale};
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
@@ -54,8 +54,8 @@ struct OfWindow<'a> {
     window: &'a SpectrumWindow,
 }
 
-pub(super) fn of_answer() -> Fields<Answer> {
-    type Of = Field<Answer>;
+pub(super) fn of_answer() -> Fields<SpectrumResult> {
+    type Of = Field<SpectrumResult>;
     Fields::from([
         Of::value("file", "", "name of the file", |it| it.file.as_str().into()),
         Of::nested("traces[].", &of_trace(), |it| of_trace().records(&it.found)),

@@ -43,7 +43,7 @@ pub(super) struct SpectrumQuestion {
 }
 
 /// The harmonics of the traces of a file.
-struct Answer {
+struct SpectrumResult {
     file: String,
     findings: Vec<String>,
     found: Vec<MeasuredSpectrum>,
@@ -70,14 +70,14 @@ impl SpectrumQuestion {
     }
 
     /// An error only where no trace has harmonics.
-    fn found(&self, file: &str, traces: &Traces) -> Result<Answer, QueryError> {
+    fn found(&self, file: &str, traces: &Traces) -> Result<SpectrumResult, QueryError> {
         interrupt::listen()?;
         let options = SpectrumOptions { harmonics: self.harmonics, swings: self.swings };
         let of = |trace: &Trace| fit_spectrum(trace, &options, &Cancellation);
         let all = || traces.traces.iter().map(of).collect::<Vec<_>>();
         let results = parallel::with_progress(|| "harmonics of the swings".to_owned(), all);
         let findings = traces.findings.iter().map(finding_with_option).collect();
-        let mut answer = Answer { file: file.to_owned(), findings, found: vec![], left_out: vec![] };
+        let mut answer = SpectrumResult { file: file.to_owned(), findings, found: vec![], left_out: vec![] };
         let mut first_error = None;
         for (trace, result) in traces.traces.iter().zip(results) {
             let name = trace.name().to_owned();

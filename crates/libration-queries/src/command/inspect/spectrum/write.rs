@@ -1,6 +1,6 @@
 //! The harmonics as a sheet with a table for each trace, as JSON, and as CSV of all windows.
 
-use super::{Answer, fields};
+use super::{SpectrumResult, fields};
 use crate::figure::measured_spectrum::{MeasuredSpectrum, unit_scale};
 use crate::output::number::short;
 use crate::output::table::{sheet, write_text};
@@ -9,7 +9,7 @@ use crate::query_error::QueryError;
 use libration_lab::measurement::Observable;
 use std::io::{self, Write};
 
-impl Answer {
+impl SpectrumResult {
     pub(super) fn write(&self, out: &mut dyn Write, form: Form) -> Result<(), QueryError> {
         match form {
             Form::Json => json::document(out, fields::of_answer().record(self))?,

@@ -2,20 +2,20 @@
 
 use super::super::fields::{EVENT, of_end, of_event_alone, of_integration, of_sample_alone, of_time};
 use super::super::report::Summary;
-use super::Answer;
+use super::SimulatedEach;
 use super::list::Listed;
-use crate::output::description::{Answers, Row, descriptions};
+use crate::output::description::{Answers, DescriptionRow, descriptions};
 use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
 
 /// A motion with its table.
-pub(super) struct Numbered<'a> {
-    pub(super) answer: &'a Answer<'a>,
+pub(super) struct NumberedMotion<'a> {
+    pub(super) answer: &'a SimulatedEach<'a>,
     pub(super) listed: &'a Listed<'a>,
 }
 
-pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
-    type Of<'a> = Field<Answer<'a>>;
+pub(super) fn of_answer<'a>() -> Fields<SimulatedEach<'a>> {
+    type Of<'a> = Field<SimulatedEach<'a>>;
     Fields::from([
         Of::value("system", "", "key of the system, null where its equations were typed", |it| {
             it.model.key().into()
@@ -41,8 +41,8 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
 }
 
 /// The fields that identify a motion.
-pub(super) fn of_number<'a>() -> Fields<Numbered<'a>> {
-    type Of<'a> = Field<Numbered<'a>>;
+pub(super) fn of_number<'a>() -> Fields<NumberedMotion<'a>> {
+    type Of<'a> = Field<NumberedMotion<'a>>;
     Fields::from([
         Of::value("motion", "1", "number of the motion, from 1 in the order of the file", |it| {
             it.listed.number.into()
@@ -57,8 +57,8 @@ pub(super) fn of_number<'a>() -> Fields<Numbered<'a>> {
 }
 
 /// The fields of the values that the file gives to it.
-pub(super) fn of_values<'a>() -> Fields<Numbered<'a>> {
-    type Of<'a> = Field<Numbered<'a>>;
+pub(super) fn of_values<'a>() -> Fields<NumberedMotion<'a>> {
+    type Of<'a> = Field<NumberedMotion<'a>>;
     Fields::from([
         Of::value("parameters.NAME", "", "value of the parameter with this name, in its unit", |it| {
             let add = |record: Record, (name, value): (&str, f64)| record.number(name, value);
@@ -77,7 +77,7 @@ pub(super) fn of_summary() -> Fields<Summary> {
 }
 
 pub(crate) fn answers() -> Answers {
-    const NUMBER: Row =
+    const NUMBER: DescriptionRow =
         ("NAME", "", "state variable of this name, formula of --columns, then derivative of --sensitivity");
     const MOTION: &str = "motions[].";
     let json = [

@@ -31,7 +31,7 @@ pub(super) use fields::answers;
 const MOST_NUMBERS: usize = 1 << 26;
 
 /// The motions of a table, with the query common to all.
-pub(super) struct Answer<'a> {
+pub(super) struct SimulatedEach<'a> {
     path: &'a Path,
     table: &'a MotionTable,
     /// The model with the parameters of the table open.
@@ -58,7 +58,7 @@ impl Simulate {
         interrupt::listen()?;
         let followed = follow::all(&motions, self.figure.is_some());
         let known = motions.iter().zip(followed).filter_map(|(motion, followed)| Some((motion, followed?)));
-        let answer = Answer {
+        let answer = SimulatedEach {
             path,
             table: &table,
             model: &model,
@@ -77,7 +77,7 @@ impl Simulate {
     /// Writes the result to its destination.
     fn write_each(
         &self,
-        answer: &Answer<'_>,
+        answer: &SimulatedEach<'_>,
         drawn: Vec<String>,
         out: &mut dyn Write,
     ) -> Result<(), QueryError> {
@@ -152,7 +152,7 @@ fn open_model(system: &GivenSystem<'_>, table: &MotionTable) -> Result<Model, Qu
         .model_with_open(&parameters.map(|column| column.title.as_str()).collect::<Vec<_>>(), &option("each"))
 }
 
-impl Answer<'_> {
+impl SimulatedEach<'_> {
     fn picture(&self, axes: Option<&[StateAxis; 2]>) -> figure::chart::Picture {
         let curves = self
             .motions

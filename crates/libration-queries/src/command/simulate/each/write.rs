@@ -4,17 +4,17 @@ use super::super::ending::Ending;
 use super::super::fields::{EVENT, of_event_alone, of_sample_alone, of_time};
 use super::super::precision::Precision;
 use super::super::report::Summary;
-use super::super::rows::Row;
+use super::super::rows::SimulatedRow;
 use super::super::sheet::{cells_of, drift, not_estimated, titles};
-use super::Answer;
-use super::fields::{Numbered, of_answer, of_number, of_summary, of_values};
+use super::SimulatedEach;
+use super::fields::{NumberedMotion, of_answer, of_number, of_summary, of_values};
 use super::follow::Followed;
 use crate::arguments::Meaning;
 use crate::output::table::{Column, Table, paragraph, sheet, write_text};
 use crate::output::{Form, csv, json, number};
 use std::io::{self, Write};
 
-impl Answer<'_> {
+impl SimulatedEach<'_> {
     /// Writes the result in the given form; the table lists the samples only if requested.
     pub(super) fn write(&self, form: Form, listed: bool, out: &mut dyn Write) -> io::Result<()> {
         match form {
@@ -34,12 +34,12 @@ impl Answer<'_> {
 
     fn write_json(&self, out: &mut dyn Write) -> io::Result<()> {
         let motions = self.motions.iter().map(|(listed, followed)| {
-            let numbered = Numbered { answer: self, listed };
+            let numbered = NumberedMotion { answer: self, listed };
             let (mut samples, mut events) = (vec![], vec![]);
             for row in listed.motion.rows(&followed.solution, None) {
                 match row {
-                    Row::Sample(sample) => samples.push(of_sample_alone().record(&sample)),
-                    Row::Event(event) => events.push(of_event_alone().record(&event)),
+                    SimulatedRow::Sample(sample) => samples.push(of_sample_alone().record(&sample)),
+                    SimulatedRow::Event(event) => events.push(of_event_alone().record(&event)),
                 }
             }
             let head = of_values().added_to(of_number().record(&numbered), &numbered);
@@ -57,7 +57,7 @@ impl Answer<'_> {
         let event = self.with_events.then(|| EVENT.0.to_owned());
         csv::line(out, &names.chain(event).collect::<Vec<_>>())?;
         for (listed, followed) in &self.motions {
-            let numbered = of_number.csv_cells(&Numbered { answer: self, listed });
+            let numbered = of_number.csv_cells(&NumberedMotion { answer: self, listed });
             for row in listed.motion.rows(&followed.solution, None) {
                 let (time, numbers, kind) = row.parts();
                 let mut cells = numbered[..places].to_vec();
