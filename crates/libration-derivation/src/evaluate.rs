@@ -313,7 +313,7 @@ fn series<R: Analysis>(
     if last.is_some() { Ok(sum) } else { Err(EvaluationError::Divergent("the sum")) }
 }
 
-/// The derivative; only the variable varies, except for the time, with which every name with a rate varies.
+/// The derivative; only the variable varies, except for the time, with which every name with a rate varies as well.
 fn derivative<R: Analysis>(
     of: &Formula,
     by: &Name,
@@ -326,7 +326,11 @@ fn derivative<R: Analysis>(
             movements.push((name, of_name(name, ring, values)?, evaluate(rate, ring, values)?));
         }
     }
-    let at = if by.letter == TIME { None } else { Some(of_name(by, ring, values)?) };
+    let at = match of_name(by, ring, values) {
+        // Without a value the time is in rates alone.
+        Err(_) if by.letter == TIME => None,
+        value => Some(value?),
+    };
     ring.slope(&mut |small| {
         let mut inner = values.clone();
         if let Some(at) = &at {

@@ -6,6 +6,7 @@
 //! the symbols: products against the motion itself, the slow flow against integrals over a period of the force, formulas of steady states at
 //! amplitudes and phases at which both rates are zero.
 
+mod in_time;
 mod motion;
 mod response;
 mod small_terms;
@@ -52,6 +53,7 @@ pub fn slow_flow(
         small_terms::averaged(&subject)?,
     ];
     steps.extend(steady::free(&subject)?);
+    steps.extend(in_time::step(&subject)?);
     if let Some(trials) = subject.steady_trials()? {
         steps.extend(steady::driven(&subject, &trials)?);
         steps.extend(response::curve(&subject)?);

@@ -41,6 +41,8 @@ const CASES: &[Case] = &[
     ("x'' + x = eps*(m*(1 - x^2)*x' - b*x^3)", None, &[]),
     ("x'' + w^2*x = eps*(a*x' - b*x'^3)", None, &[]),
     ("x'' + w^2*x + eps*(c*x' + d*x'^3 + a*x^3 + b*x^5) = 0", None, &[]),
+    ("x'' + w^2*x + eps*(c*x' + R*sign(x')) = 0", None, &[]),
+    ("x'' + w^2*x + eps*a*x^3 = 0", None, &[]),
 ];
 
 fn options(resonance: Option<(u32, u32)>, small: &[(&str, usize)]) -> SymbolicSlowFlowOptions {
@@ -168,4 +170,49 @@ fn flows_of_several_orders_are_refused() {
     }
     let taken = derived(&("x'' + eps*psi*x' + A*x = 0", None, &[]));
     assert!(matches!(taken, Err(DerivationError::TakenLetter { .. })), "{taken:?}");
+}
+
+/// Nayfeh and Mook, sections 3.3 (damping by powers of the velocity, dry friction) and 3.3.4 (van der Pol); the phase by dφ/dA = φ′/A′.
+#[test]
+fn amplitude_and_phase_are_given_in_time() {
+    let expected: [(usize, &[&str]); 7] = [
+        (
+            18,
+            &[
+                r"A=A_{\mathrm{start}}e^{-\varepsilon \mu t}",
+                r"\varphi =\varphi _{\mathrm{start}}-\frac{3a}{16\mu w_{0}}\left(A^{2}-A_{\mathrm{start}}^{2}\right)",
+            ],
+        ),
+        (19, &[r"A=A_{\mathrm{start}}e^{-\mu t/2}"]),
+        (21, &[r"A=\frac{1}{A_{\mathrm{start}}^{-1}+\frac{4\varepsilon cwt}{3\pi }}"]),
+        (22, &[r"A=A_{\mathrm{start}}-\frac{2\varepsilon Rt}{w\pi }"]),
+        (
+            23,
+            &[
+                r"A^{-2}=\left(A_{\mathrm{start}}^{-2}-\frac{1}{4}\right)e^{-\varepsilon mt}+\frac{1}{4}",
+                r"\varphi =\varphi _{\mathrm{start}}-\frac{3b}{m}\,\ln \frac{A}{A_{\mathrm{start}}}+\frac{3\varepsilon bt}{2}",
+            ],
+        ),
+        (
+            26,
+            &[
+                r"A=\left(A_{\mathrm{start}}+\frac{4R}{cw\pi }\right)e^{-\varepsilon ct/2}-\frac{4R}{cw\pi }",
+                "as long as this is positive.",
+            ],
+        ),
+        (27, &[r"\psi'=w+\frac{3\varepsilon aA^{2}}{8w}"]),
+    ];
+    for (place, parts) in expected {
+        let page = to_markdown(&derived(&CASES[place]).unwrap());
+        for part in parts {
+            assert!(page.contains(part), "{}: {part}: {page}", CASES[place].0);
+        }
+    }
+}
+
+#[test]
+fn what_has_no_elementary_solution_is_left_out() {
+    let has = |case: &Case| derived(case).unwrap().steps.iter().any(|step| step.id == "in-time");
+    assert!(!has(&CASES[0]));
+    assert!(!has(&("x'' + w^2*x + eps*(c*x' + d*x'^3 + k*x'^5) = 0", None, &[])));
 }

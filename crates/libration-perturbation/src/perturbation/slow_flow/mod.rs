@@ -66,10 +66,10 @@ pub(super) use phase_functions::{PhaseFunctions, Term};
 pub use error::{MAX_PARAMETER_ORDER, MAX_SLOW_ORDER, SlowFlowError};
 pub use limit_cycle::SlowLimitCycle;
 pub use symbolic::{
-    CoordinateFlow, CoupledSlowFlow, JudgedState, LeftOutReason, MAX_SYMBOLIC_SLOW_ORDER, ResponseSteps,
-    SlowFlowAt, SlowFlowSteps, SmallTerm, StateLeftOut, SteadySolution, SteadyState, SteadyStates,
-    SymbolicSlowFlow, SymbolicSlowFlowError, SymbolicSlowFlowOptions, coupled_slow_flow, drive_symbol,
-    next_slow_flow, slow_flow_steps, slow_flow_symbolically,
+    AmplitudeInTime, CoordinateFlow, CoupledSlowFlow, JudgedState, LeftOutReason, MAX_SYMBOLIC_SLOW_ORDER,
+    PhaseInTime, ResponseSteps, SlowFlowAt, SlowFlowSteps, SmallTerm, StateLeftOut, SteadySolution,
+    SteadyState, SteadyStates, SymbolicSlowFlow, SymbolicSlowFlowError, SymbolicSlowFlowOptions,
+    coupled_slow_flow, drive_symbol, next_slow_flow, slow_flow_steps, slow_flow_symbolically,
 };
 pub(crate) use weak_force::FirstOrder;
 pub use weak_force::WeakForce;

@@ -52,7 +52,7 @@ pub use evaluation::{SlowFlowAt, SteadySolution};
 pub use result::SymbolicSlowFlow;
 pub use states::{JudgedState, LeftOutReason, StateLeftOut, SteadyStates};
 pub use steady_state::SteadyState;
-pub use steps::{ResponseSteps, SlowFlowSteps, SmallTerm};
+pub use steps::{AmplitudeInTime, PhaseInTime, ResponseSteps, SlowFlowSteps, SmallTerm};
 
 /// Small parameters, resonance and order of a slow flow.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

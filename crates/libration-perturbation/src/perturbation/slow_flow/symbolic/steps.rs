@@ -34,6 +34,34 @@ pub struct SlowFlowSteps {
     pub cycle_exponent: Option<String>,
     /// The response curve, where the relation of steady states is known.
     pub curve: Option<ResponseSteps>,
+    /// Amplitude and phase in time; `None` with a drive, or where they are no elementary functions.
+    pub in_time: Option<AmplitudeInTime>,
+}
+
+/// The solution of a slow flow without drive: u = Aᵐ, with u′ = a·u + b.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AmplitudeInTime {
+    /// m.
+    pub power: i64,
+    /// a; `None` for zero.
+    pub growth: Option<String>,
+    /// b; `None` for zero.
+    pub constant: Option<String>,
+    /// b/a, where both are present.
+    pub ratio: Option<String>,
+    /// The phase; `None` where it is no elementary function of amplitude and time.
+    pub phase: Option<PhaseInTime>,
+}
+
+/// A phase φ = Σ factor·Aᵏ + factor·ln A + factor·t + constant.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PhaseInTime {
+    /// Powers k ≠ 0 with their factors.
+    pub powers: Vec<(i64, String)>,
+    /// The factor of ln A; `None` for zero.
+    pub logarithm: Option<String>,
+    /// The factor of t; `None` for zero.
+    pub time: Option<String>,
 }
 
 /// A small term of the equation of motion.
@@ -94,6 +122,7 @@ pub(super) fn steps(
         partials: partials(letters, &flow.sums.rates, written.phase()),
         cycle_exponent: cycle_exponent(letters, forced, &flow, order),
         curve: curve(letters, forced, &flow),
+        in_time: in_time(letters, &flow.sums.rates),
         flow,
     })
 }
@@ -282,4 +311,85 @@ fn curve(letters: &Letters, forced: &Forced<'_>, flow: &SymbolicSlowFlow) -> Opt
         slope: texts([common, folds]),
         cubic: cubic.map(texts),
     })
+}
+
+/// The solution, where A′ has at most one power of A besides the first.
+fn in_time(letters: &Letters, [growth, turning]: &[PhaseSum; 2]) -> Option<AmplitudeInTime> {
+    let rates = powers(letters, growth)?;
+    let (linear, others): (Vec<_>, Vec<_>) = rates.into_iter().partition(|(power, _)| *power == 1);
+    let m = match others.as_slice() {
+        [] => 1,
+        [(power, _)] => 1 - power,
+        _ => return None,
+    };
+    let factor = |terms: Vec<(i64, Sum)>| {
+        terms.into_iter().next().map(|(_, sum)| letters.scaled(&sum, &Rational::from(m)))
+    };
+    let (a, b) = (factor(linear), factor(others));
+    let ratio = match (&a, &b) {
+        (Some(a), Some(b)) => Some(letters.times(b, &letters.inverse(a)?)),
+        _ => None,
+    };
+    let turning = powers(letters, &turning.times(letters, &letters.power(Column::Amplitude, -1)))?;
+    let phase =
+        turning.iter().map(|(n, rate)| phase_in_time(letters, (*n, rate), m, [a.as_ref(), b.as_ref()]));
+    let phase = phase.collect::<Option<Vec<PhaseInTime>>>().and_then(joined);
+    let text = |sum: Option<Sum>| sum.map(|sum| letters.text(&sum));
+    Some(AmplitudeInTime { power: m, growth: text(a), constant: text(b), ratio: text(ratio), phase })
+}
+
+/// Powers of A with their factors; `None` if the rate depends on the phase.
+fn powers(letters: &Letters, rate: &PhaseSum) -> Option<Vec<(i64, Sum)>> {
+    let zero = [letters.zero(), letters.zero()];
+    let [rate, _] = match rate.harmonics.len() {
+        0 => &zero,
+        1 => rate.harmonics.get(&0)?,
+        _ => return None,
+    };
+    let term = |power: i64| (power, letters.coefficient(rate, Column::Amplitude, power));
+    Some(letters.exponents(rate, Column::Amplitude).into_iter().map(term).collect())
+}
+
+/// ∫ rate·Aⁿ dt along u = Aᵐ, u′ = a·u + b.
+fn phase_in_time(
+    letters: &Letters,
+    (n, rate): (i64, &Sum),
+    m: i64,
+    [a, b]: [Option<&Sum>; 2],
+) -> Option<PhaseInTime> {
+    let text = |sum: &Sum| Some(letters.text(sum));
+    let over = |by: &Sum, factor: i64| {
+        Some(letters.scaled(&letters.times(rate, &letters.inverse(by)?), &Rational::from(factor)))
+    };
+    let power = |k: i64, factor: &Sum| {
+        let part = letters.scaled(factor, &Rational::new(1, k)?);
+        Some(PhaseInTime { powers: vec![(k, letters.text(&part))], ..PhaseInTime::default() })
+    };
+    match (a, b) {
+        _ if n == 0 => Some(PhaseInTime { time: text(rate), ..PhaseInTime::default() }),
+        (None, None) => None,
+        (Some(a), None) => power(n, &over(a, m)?),
+        (None, Some(b)) if n + m != 0 => power(n + m, &over(b, m)?),
+        (None, Some(b)) => Some(PhaseInTime { logarithm: text(&over(b, m)?), ..PhaseInTime::default() }),
+        (Some(a), Some(b)) if n + m == 0 => {
+            let time = letters.scaled(&letters.times(&over(b, 1)?, a), &Rational::from(-1));
+            Some(PhaseInTime { logarithm: text(&over(b, m)?), time: text(&time), ..PhaseInTime::default() })
+        }
+        _ => None,
+    }
+}
+
+/// The sum of phases with different powers, of which at most one has a logarithm, and at most one the time.
+fn joined(parts: Vec<PhaseInTime>) -> Option<PhaseInTime> {
+    let mut sum = PhaseInTime::default();
+    for part in parts {
+        let is_twice = |a: &Option<String>, b: &Option<String>| a.is_some() && b.is_some();
+        if is_twice(&sum.logarithm, &part.logarithm) || is_twice(&sum.time, &part.time) {
+            return None;
+        }
+        sum.powers.extend(part.powers);
+        sum.logarithm = sum.logarithm.or(part.logarithm);
+        sum.time = sum.time.or(part.time);
+    }
+    Some(sum)
 }
