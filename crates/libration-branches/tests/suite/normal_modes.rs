@@ -375,7 +375,7 @@ fn slow_modes_next_to_a_fast_one_are_not_taken_for_free_or_equal_ones() {
         let equation = format!("x'' = -sin(x)*exp(0.1); y'' = {sign}sin(y)*exp(0.5); z'' = -z*exp(24)");
         let modes = NormalModes::new(&equation.parse().unwrap()).unwrap().modes;
         assert_eq!(modes.len(), 3, "{equation}");
-        for (square, expected) in [(0.1_f64.exp(), Behaviour::Oscillating), (0.5_f64.exp(), behaviour)] {
+        for (square, expected) in [(libm::exp(0.1), Behaviour::Oscillating), (libm::exp(0.5), behaviour)] {
             let near = |mode: &&Mode| (mode.exponent.abs() / square.sqrt() - 1.0).abs() < 1e-14;
             let mode = modes.iter().find(near).unwrap();
             assert_eq!((mode.behaviour, mode.multiplicity), (expected, 1), "{equation}");

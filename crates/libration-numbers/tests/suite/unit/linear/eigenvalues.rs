@@ -83,7 +83,7 @@ fn changed_matrices_have_their_eigenvalues_within_the_errors() {
 /// A rotation by 2 rad and one by 5 rad, coupled weakly, with velocities in units of 10⁹ and 10⁻⁹: all moduli are 1.
 #[test]
 fn eigenvalues_do_not_depend_on_the_units_of_the_components() {
-    let ([c, s], [d, t]) = ([2.0_f64.cos(), 2.0_f64.sin()], [5.0_f64.cos(), 5.0_f64.sin()]);
+    let [(s, c), (t, d)] = [2.0, 5.0].map(libm::sincos);
     for unit in [1e9, 1e-9] {
         let matrix = vec![
             vec![c, 0.0, s / unit, 0.0],
