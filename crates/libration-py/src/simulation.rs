@@ -78,7 +78,7 @@ pub(crate) fn simulate(
             solution.steps
         )),
         Some(Cause::Interrupted) | None => None,
-        Some(cause) => Some(format!("{cause} at t = {end:?}: the motion is known up to there")),
+        Some(cause) => Some(format!("{cause} at t = {}: the motion is known up to there", cause.time(end))),
     };
     let reason = reason.map(refusal::<SimulationError>);
     Ok((

@@ -298,11 +298,12 @@ impl<'a> Trace<'a> {
         Some(Spot { tangent, left, point: CurvePoint { point, second }, place })
     }
 
-    /// Error of the parameters perpendicular to the curve, from the residuals, a second integration tolerance and the rounding of the unknowns.
+    /// Error of the parameters perpendicular to the curve, from the residuals, a second integration tolerance and the rounding of the unknowns
+    /// and of the multipliers, which near zero parameters is larger.
     fn error(&self, place: &[f64], mut rows: Vec<Vec<f64>>, tangent: &[f64]) -> Option<f64> {
         let values = |tolerance: f64| self.singular.values(place, &self.units, tolerance);
         let rounding =
-            f64::EPSILON * place.iter().zip(&self.units).map(|(x, unit)| (x / unit).abs()).sum::<f64>();
+            f64::EPSILON * place.iter().zip(&self.units).fold(1.0, |sum, (x, unit)| sum + (x / unit).abs());
         let missed = |(own, other): (f64, f64)| own.abs() + other.abs() + rounding;
         let right = values(TOLERANCES[0])?.into_iter().zip(values(TOLERANCES[1])?).map(missed).chain([0.0]);
         let right: Vec<f64> = right.collect();

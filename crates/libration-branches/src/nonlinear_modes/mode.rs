@@ -4,6 +4,7 @@ use super::belonging::Release;
 use super::{LostMode, NonlinearModeError, Reason};
 use crate::normal_modes::{Behaviour, Mode, NormalModes};
 use libration_motion::orbit::{Orbit, OrbitError, OrbitGuess};
+use libration_numbers::algebra::Complex;
 use libration_numbers::expression::Equation;
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Progress;
@@ -151,7 +152,7 @@ impl<'a> ModeFamily<'a> {
         }
         /// Smallest displacement of a moving coordinate, relative to the largest one.
         const STILL: f64 = 1e-6;
-        if mode.shape[coordinate].re.abs() < STILL {
+        if mode.shape[coordinate].abs() < STILL {
             return Err(NonlinearModeError::AtRest(modes.variables[coordinate].clone()));
         }
         Ok(Self { equation, mode, rest: &modes.equilibrium, coordinate, watch })
@@ -192,12 +193,13 @@ impl<'a> ModeFamily<'a> {
         Ok(None)
     }
 
-    /// The linear oscillation with this amplitude.
+    /// The linear oscillation with this amplitude, from a turning point of the coordinate; with gyroscopic forces the others may be moving there.
     fn linear(&self, amplitude: f64) -> OrbitGuess {
-        let scale = amplitude / self.mode.shape[self.coordinate].re;
-        let places = self.rest.iter().zip(&self.mode.shape).map(|(rest, part)| rest + scale * part.re);
-        let state = places.chain(self.rest.iter().map(|_| 0.0)).collect();
-        OrbitGuess { state, period: TAU / self.mode.frequency() }
+        let scale = Complex::from(amplitude) / self.mode.shape[self.coordinate];
+        let parts: Vec<Complex> = self.mode.shape.iter().map(|part| *part * scale).collect();
+        let places = self.rest.iter().zip(&parts).map(|(rest, part)| rest + part.re);
+        let velocities = parts.iter().map(|part| -self.mode.frequency() * part.im);
+        OrbitGuess { state: places.chain(velocities).collect(), period: TAU / self.mode.frequency() }
     }
 
     /// The next orbit, extrapolated by the parabola or the line through the last ones.

@@ -5,7 +5,7 @@ use libration_numbers::algebra::{BigFloat, Doubles, Rational, Rationals, Ring};
 use libration_numbers::internals::roots::{NewtonError, Unsolved, correction, newton};
 use libration_numbers::{
     expression::{Equation, Expression, Symbol},
-    internals::expression::Tape,
+    internals::expression::{Jet, Tape},
 };
 
 /// An equilibrium.
@@ -69,7 +69,9 @@ fn zero_near(formulas: &[Expression], names: &[Symbol], guess: &[f64]) -> Result
     let size = |values: &[f64]| values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
     let is_last =
         |step: &[f64], at: &[f64]| size(step) <= 4.0 * f64::EPSILON * size(at).max(f64::MIN_POSITIVE);
-    let step = |at: &[f64]| correction(&Doubles, |x| x.abs(), &tape, at);
+    let step = |at: &[f64]| {
+        correction(&Doubles, |x| x.abs(), &tape, at).map(|step| shortened(step, at, |at| largest(&tape, at)))
+    };
     newton(&Doubles, guess, MOST_STEPS, step, is_last).map_err(|Unsolved { at: to, reason }| {
         let end = match reason {
             NewtonError::NoValue => SearchEnd::NoValue,
@@ -78,4 +80,33 @@ fn zero_near(formulas: &[Expression], names: &[Symbol], guess: &[f64]) -> Result
         };
         ModesError::NoEquilibrium { from: guess.to_vec(), to, end }
     })
+}
+
+/// The largest acceleration; infinite where one has no value.
+fn largest(tape: &Tape, at: &[f64]) -> f64 {
+    let Ok(jet) = Jet::new(&Doubles, tape, at) else { return f64::INFINITY };
+    let sizes = (0..at.len()).map(|i| jet.result(i)[0].abs());
+    sizes.fold(0.0, |most, size| {
+        if size <= most {
+            most
+        } else if size.is_nan() {
+            f64::INFINITY
+        } else {
+            size
+        }
+    })
+}
+
+/// A step, halved until it reduces the largest acceleration: a full one may cross a singularity to another equilibrium. The full step if none does,
+/// as at rounding errors.
+fn shortened(step: Vec<f64>, at: &[f64], largest: impl Fn(&[f64]) -> f64) -> Vec<f64> {
+    const HALVINGS: u32 = 12;
+    let before = largest(at);
+    let part = |halvings: u32| step.iter().map(move |x| x * libm::exp2(-f64::from(halvings)));
+    let reduces = |halvings: &u32| {
+        let next: Vec<f64> = at.iter().zip(part(*halvings)).map(|(x, by)| x + by).collect();
+        largest(&next) < before
+    };
+    let halvings = (0..=HALVINGS).find(reduces).unwrap_or(0);
+    part(halvings).collect()
 }

@@ -2,9 +2,13 @@
 
 use super::error::ModesError;
 use super::linearisation::{Linear, Linearisation};
-use super::roots::{Root, roots, roots_in_digits};
+use super::roots::{Root, roots};
+use libration_kernels::elementary::count;
 use libration_numbers::algebra::{Complex, Doubles, Rational, Rationals, Ring, Surd};
-use libration_numbers::internals::linear::{characteristic_polynomial, eigenvalues};
+use libration_numbers::internals::linear::{
+    characteristic_polynomial, eigenvalue_errors, eigenvalues, solve_complex,
+};
+use libration_numbers::roots::polynomial_roots;
 
 /// One exponent, or several equal ones.
 #[derive(Clone, Debug)]
@@ -15,8 +19,9 @@ pub(super) struct Exponent {
     pub(super) multiplicity: usize,
 }
 
-/// Difference, relative to the largest, below which approximate numbers are equal.
-const SAME: f64 = 1e-9;
+/// An approximate number with its error, within which others are equal to it: in stiff systems it is far below the small numbers, though these are
+/// far below the large ones.
+type Known = (Complex, f64);
 
 /// The exponents with nonnegative imaginary parts. For a conservative system, where −s is an exponent together with s, one of the two is kept.
 pub(super) fn spectrum(linear: &Linear) -> Result<Vec<Exponent>, ModesError> {
@@ -35,7 +40,8 @@ fn from_fractions(linear: &Linearisation<Rational>, numbers: &Linearisation<f64>
         return None;
     }
     let squares = in_squares(&Rationals, &polynomial);
-    let digits = if has_velocities(numbers) { vec![] } else { in_groups(&eigenvalues(&numbers.stiffness)?) };
+    let digits =
+        if has_velocities(numbers) { vec![] } else { in_groups(&known_eigenvalues(&numbers.stiffness)?) };
     Some(
         roots(&squares, &digits)?
             .into_iter()
@@ -45,8 +51,10 @@ fn from_fractions(linear: &Linearisation<Rational>, numbers: &Linearisation<f64>
 }
 
 fn from_numbers(linear: &Linearisation<f64>) -> Option<Vec<Exponent>> {
-    let squares =
-        if has_velocities(linear) { squares_of_gyroscopic(linear) } else { eigenvalues(&linear.stiffness) };
+    let squares = match has_velocities(linear) {
+        true => squares_of_gyroscopic(linear),
+        false => known_eigenvalues(&linear.stiffness),
+    };
     match squares {
         Some(squares) => Some(
             gathered(&squares)
@@ -55,7 +63,7 @@ fn from_numbers(linear: &Linearisation<f64>) -> Option<Vec<Exponent>> {
                 .collect(),
         ),
         None => {
-            let upper = gathered(&eigenvalues(&first_order(&Doubles, linear)?)?);
+            let upper = gathered(&known_eigenvalues(&in_units(linear)?)?);
             let upper = upper.into_iter().filter(|(value, _)| value.im >= 0.0);
             Some(upper.map(|(value, multiplicity)| Exponent { value, exact: None, multiplicity }).collect())
         }
@@ -67,15 +75,88 @@ fn has_velocities(linear: &Linearisation<f64>) -> bool {
 }
 
 /// −s² for every pair of exponents ±s; `None` if the exponents do not form such pairs.
-fn squares_of_gyroscopic(linear: &Linearisation<f64>) -> Option<Vec<Complex>> {
+fn squares_of_gyroscopic(linear: &Linearisation<f64>) -> Option<Vec<Known>> {
     let polynomial = characteristic_polynomial(&Doubles, &first_order(&Doubles, linear)?)?;
-    let largest = polynomial.iter().fold(0.0, |most: f64, c| most.max(c.abs()));
-    if polynomial.iter().skip(1).step_by(2).any(|c| c.abs() > 1e-12 * largest) {
+    let is_even = |exponent: Complex| {
+        let size = exponent.abs();
+        let terms = polynomial.iter().rev().fold((vec![], 1.0), |(mut terms, power), c| {
+            terms.push((c * power).abs());
+            (terms, power / size)
+        });
+        let largest = terms.0.iter().copied().fold(0.0, f64::max);
+        terms.0.iter().skip(1).step_by(2).all(|term| *term <= 1e-12 * largest)
+    };
+    if !eigenvalues(&in_units(linear)?)?.into_iter().filter(|it| it.abs() > 0.0).all(is_even) {
         return None;
     }
     /// Relative difference of equal exponents, which have half the digits.
     const DIGITS: f64 = 1e-6;
-    roots_in_digits(&in_squares(&Doubles, &polynomial), DIGITS)
+    let roots = polynomial_roots(&in_squares(&Doubles, &polynomial))?;
+    let largest = roots.iter().map(|root| root.value.abs()).fold(0.0, f64::max);
+    let known = |error: f64| error <= DIGITS * largest;
+    roots.into_iter().map(|root| known(root.error).then_some((root.value, root.error))).collect()
+}
+
+/// The matrix of the first-order equations, each velocity in the unit in which the largest stiffness of its coordinate is about 1.
+fn in_units(linear: &Linearisation<f64>) -> Option<Vec<Vec<f64>>> {
+    let unit = |row: &Vec<f64>| {
+        let largest = row.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        if largest > 0.0 { libm::exp2(libm::round(0.5 * libm::log2(largest))) } else { 1.0 }
+    };
+    let ones = linear.stiffness.iter().map(|_| 1.0);
+    let units: Vec<f64> = ones.chain(linear.stiffness.iter().map(unit)).collect();
+    let mut matrix = first_order(&Doubles, linear)?;
+    for (row, own) in matrix.iter_mut().zip(&units) {
+        row.iter_mut().zip(&units).for_each(|(x, unit)| *x *= unit / own);
+    }
+    Some(matrix)
+}
+
+/// The eigenvalues with bounds on the errors of the QR algorithm, which small ones do not have any more after Newton's corrections.
+fn known_eigenvalues(matrix: &[Vec<f64>]) -> Option<Vec<Known>> {
+    /// Rounding errors of an entry and of the QR algorithm for each row.
+    const ROUNDINGS: f64 = 16.0;
+    let values = eigenvalues(matrix)?;
+    let norm = matrix.iter().flatten().fold(0.0, |norm, x| libm::hypot(norm, *x));
+    let errors = eigenvalue_errors(matrix, &values, ROUNDINGS * count(matrix.len()) * f64::EPSILON * norm);
+    Some(
+        values
+            .into_iter()
+            .zip(errors)
+            .map(|(value, error)| (corrected(matrix, value, error), error))
+            .collect(),
+    )
+}
+
+/// An eigenvalue after two of Newton's corrections, as long as they are within its error.
+fn corrected(matrix: &[Vec<f64>], value: Complex, error: f64) -> Complex {
+    /// Largest number of rows: the effort is that of their fourth power.
+    const MOST: usize = 32;
+    /// Number of corrections, the second of which is a rounding error.
+    const CORRECTIONS: u32 = 2;
+    let next = |value: Complex| correction(matrix, value).filter(|by| by.abs() <= error).map(|by| value + by);
+    let most = if matrix.len() <= MOST { CORRECTIONS } else { 0 };
+    (0..most).try_fold(value, |value, _| next(value).ok_or(value)).unwrap_or_else(|value| value)
+}
+
+/// The distance to an eigenvalue: c·G·b/c·G²·b with G = (A − λ)⁻¹ and any vectors b and c. `None` if A − λ is singular.
+fn correction(matrix: &[Vec<f64>], near: Complex) -> Option<Complex> {
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    let rows = 0..matrix.len();
+    let entry =
+        |i: usize, j: usize| Complex::from(matrix[i][j]) - if i == j { near } else { Complex::default() };
+    let any: Vec<Complex> = rows.clone().map(|i| Complex::from(1.0 + (GOLDEN * count(i)).fract())).collect();
+    let solved = |transposed: bool| {
+        let row = |i: usize| {
+            let entries = rows.clone().map(|j| if transposed { entry(j, i) } else { entry(i, j) });
+            entries.collect::<Vec<_>>()
+        };
+        solve_complex(&rows.clone().map(row).collect::<Vec<_>>(), &any)
+    };
+    let (right, left) = (solved(false)?, solved(true)?);
+    let product =
+        |other: &[Complex]| left.iter().zip(other).fold(Complex::default(), |sum, (a, b)| sum + *a * *b);
+    Some(product(&any) / product(&right))
 }
 
 /// The matrix of x′ = v, v′ = −A·x + G·v.
@@ -114,31 +195,29 @@ fn upper_square_root(z: Complex) -> Complex {
 }
 
 /// Equal numbers with their multiplicities; rounding errors of real or zero values are removed.
-fn gathered(values: &[Complex]) -> Vec<(Complex, usize)> {
-    let clean = cleaned(values);
-    in_groups(&values.iter().map(|z| Complex::new(clean(z.re), z.im)).collect::<Vec<_>>())
+fn gathered(values: &[Known]) -> Vec<(Complex, usize)> {
+    let without = |(z, error): &Known| (Complex::new(cleaned(z.re, *error), z.im), *error);
+    in_groups(&values.iter().map(without).collect::<Vec<_>>())
 }
 
-/// Returns a function that replaces numbers by zero if they are rounding errors compared with the largest of some values.
-fn cleaned(values: &[Complex]) -> impl Fn(f64) -> f64 {
-    let largest = values.iter().map(|z| z.abs()).fold(0.0, f64::max);
-    move |x: f64| if x.abs() <= SAME * largest { 0.0 } else { x }
+/// The number, or zero if that is within its error.
+fn cleaned(x: f64, error: f64) -> f64 {
+    if x.abs() <= error { 0.0 } else { x }
 }
 
 /// Equal numbers with their multiplicities; real numbers and conjugates of others are made exactly so.
-fn in_groups(values: &[Complex]) -> Vec<(Complex, usize)> {
-    let largest = values.iter().map(|z| z.abs()).fold(0.0, f64::max);
-    let clean = cleaned(values);
-    let mut groups: Vec<(Complex, usize)> = vec![];
-    let is_same = |a: Complex, b: Complex| (a - b).abs() <= SAME * largest;
-    for value in values.iter().map(|z| Complex::new(z.re, clean(z.im))) {
-        let conjugate = Complex::new(value.re, -value.im);
-        let partner = groups.iter().find(|(other, _)| is_same(*other, conjugate));
-        let value = partner.map_or(value, |(other, _)| Complex::new(other.re, -other.im));
-        match groups.iter_mut().find(|(other, _)| is_same(*other, value)) {
+fn in_groups(values: &[Known]) -> Vec<(Complex, usize)> {
+    let mut groups: Vec<(Known, usize)> = vec![];
+    let is_same = |(a, e): Known, (b, f): Known| (a - b).abs() <= e + f;
+    for (z, error) in values {
+        let value = Complex::new(z.re, cleaned(z.im, *error));
+        let conjugate = |z: Complex| Complex::new(z.re, -z.im);
+        let partner = groups.iter().find(|(other, _)| is_same(*other, (conjugate(value), *error)));
+        let value = partner.map_or(value, |((other, _), _)| conjugate(*other));
+        match groups.iter_mut().find(|(other, _)| is_same(*other, (value, *error))) {
             Some((_, count)) => *count += 1,
-            None => groups.push((value, 1)),
+            None => groups.push(((value, *error), 1)),
         }
     }
-    groups
+    groups.into_iter().map(|((value, _), count)| (value, count)).collect()
 }

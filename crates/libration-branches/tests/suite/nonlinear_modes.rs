@@ -134,3 +134,43 @@ fn a_pendulum_next_to_its_separatrix_is_neither_lost_nor_called_unstable() {
         assert!(off <= point.orbit.period_uncertainty() && point.is_stable(), "{amplitude}: {off:e}");
     }
 }
+
+/// Mode, amplitude, period, y′ at the start. Reference: shooting with SciPy's DOP853 at a tolerance of 1e-13.
+const GYROSCOPIC: [(usize, f64, f64, f64); 6] = [
+    (0, 0.1, 7.770_953_351_915, 0.045_216_267_158),
+    (0, 0.5, 7.474_612_073_140, 0.259_108_839_007),
+    (0, 1.0, 6.740_454_896_187, 0.750_193_985_566),
+    (1, 0.1, 1.603_513_512_046, -0.444_872_399_772),
+    (1, 0.5, 1.596_913_675_779, -2.215_263_013_729),
+    (1, 1.0, 1.576_554_822_092, -4.375_824_528_673),
+];
+
+#[test]
+fn modes_with_gyroscopic_forces_are_followed_though_one_coordinate_moves_while_the_other_turns() {
+    let equation: Equation = "x'' = -2*x + 3*y' - x^3; y'' = -5*y - 3*x'".parse().unwrap();
+    let modes = NormalModes::new(&equation).unwrap();
+    for number in [0, 1] {
+        let mode = NonlinearMode::follow(&equation, &modes, number, 0, &[0.1, 0.5, 1.0], &Quiet).unwrap();
+        assert!(mode.lost.is_none() && mode.changes.is_empty(), "{:?} {:?}", mode.lost, mode.changes);
+        let rows = GYROSCOPIC.iter().filter(|row| row.0 == number);
+        for (point, (_, amplitude, period, velocity)) in mode.points.iter().zip(rows) {
+            let off = [point.orbit.period() - period, point.start[3] - velocity];
+            assert!(off.iter().all(|off| off.abs() < 2e-11) && point.is_stable(), "{amplitude}: {off:?}");
+        }
+    }
+}
+
+#[test]
+fn stability_of_a_mode_does_not_depend_on_the_unit_of_time() {
+    // By SciPy's DOP853 the multipliers of y are on the unit circle; those of x are 1.
+    let slow = "x'' = -1e-8*x - 1e-8*x^3; y'' = -2e-8*y + 1e-8*x*y";
+    let fast = "x'' = -1e8*x - 1e10*x^3 + y; y'' = -2e8*y + x";
+    for equation in [slow, fast] {
+        let equation: Equation = equation.parse().unwrap();
+        let modes = NormalModes::new(&equation).unwrap();
+        let mode = NonlinearMode::follow(&equation, &modes, 0, 0, &[0.01, 0.1, 1.0], &Quiet).unwrap();
+        assert!(mode.lost.is_none() && mode.points.len() == 3, "{equation}: {:?}", mode.lost);
+        assert!(mode.changes.is_empty(), "{equation}: {:?}", mode.changes);
+        assert!(mode.points.iter().all(libration::nonlinear_modes::ModePoint::is_stable), "{equation}");
+    }
+}

@@ -350,3 +350,77 @@ fn a_resonance_that_is_forced_across_the_other_mode_does_no_harm() {
         assert_eq!(modes(equations)[0].shift, Err(ShiftError::Resonance(2)), "{equations}");
     }
 }
+
+/// The frequencies of stiff systems. Reference: eigenvalues with 40 digits by mpmath.
+#[test]
+fn small_frequencies_of_stiff_systems_have_all_their_digits() {
+    let rods = "x'' = -sin(x) - exp(0.1)*(x-y); y'' = -exp(9)*(y-x) - 3*(y-z); z'' = -2.5*exp(0.3)*(z-y) - z*exp(12)";
+    let rod = "x'' = -sin(x) - exp(0.1)*(x-y); y'' = -exp(18)*(y-x)*1.1 - 3*(y-z); z'' = -2.5*exp(0.3)*(z-y) - z*exp(-12)";
+    for (equation, frequencies) in [
+        (rods, [1.000_136_323_154_475_6, 90.039_928_700_359_68, 403.432_976_009_008_93]),
+        (rod, [0.999_999_982_683_709_6, 1.837_022_887_232_957_5, 8_498.586_362_227_226]),
+    ] {
+        let modes = NormalModes::new(&equation.parse().unwrap()).unwrap().modes;
+        for (mode, frequency) in modes.iter().zip(frequencies) {
+            let off = mode.frequency() / frequency - 1.0;
+            assert!(off.abs() < 4e-15, "{equation}: {frequency} {off:e}");
+        }
+    }
+}
+
+/// Slow modes next to a fast one, with the squares of their exponents: one that swings, and one that swings or falls.
+#[test]
+fn slow_modes_next_to_a_fast_one_are_not_taken_for_free_or_equal_ones() {
+    for (sign, behaviour) in [("-", Behaviour::Oscillating), ("+", Behaviour::Unstable)] {
+        let equation = format!("x'' = -sin(x)*exp(0.1); y'' = {sign}sin(y)*exp(0.5); z'' = -z*exp(24)");
+        let modes = NormalModes::new(&equation.parse().unwrap()).unwrap().modes;
+        assert_eq!(modes.len(), 3, "{equation}");
+        for (square, expected) in [(libm::exp(0.1), Behaviour::Oscillating), (libm::exp(0.5), behaviour)] {
+            let near = |mode: &&Mode| (mode.exponent.abs() / square.sqrt() - 1.0).abs() < 1e-14;
+            let mode = modes.iter().find(near).unwrap();
+            assert_eq!((mode.behaviour, mode.multiplicity), (expected, 1), "{equation}");
+        }
+    }
+}
+
+/// Half of the factor of the velocity is the rate, whatever else the system contains, and in any unit of time.
+#[test]
+fn weak_damping_and_weak_excitation_are_not_lost() {
+    for (equation, rate) in [
+        ("x'' = -x - 1e-10*x'", -5e-11),
+        ("x'' = -x - 1e-5*x'; y'' = -1e10*y", -5e-6),
+        ("x'' = -x + 1e-5*x'; y'' = -1e10*y", 5e-6),
+        ("x'' = -1e-20*x + 1e-13*x'", 5e-14),
+    ] {
+        let modes = NormalModes::new(&equation.parse().unwrap()).unwrap().modes;
+        let mode = modes.iter().find(|mode| mode.exponent.re != 0.0).unwrap();
+        let off = (mode.exponent.re - rate).abs();
+        assert!(off < 4.0 * f64::EPSILON * mode.exponent.abs(), "{equation}: {off:e}");
+    }
+}
+
+/// Reference: eigenvalues with 40 digits by mpmath.
+#[test]
+fn exponents_of_a_stiff_system_with_velocities_have_their_digits() {
+    let equation = "x'' = -sin(x)*exp(0.1) - 0.3*y'; y'' = -exp(18)*(y-x)*1.1 + 0.3*x'";
+    let modes = NormalModes::new(&equation.parse().unwrap()).unwrap().modes;
+    let expected = [
+        (-0.150_000_001_921_409_24, 1.040_514_735_477_081_8),
+        (0.150_000_001_921_409_24, 8_498.586_129_972_654),
+    ];
+    for (mode, (re, im)) in modes.iter().zip(expected) {
+        let off = [mode.exponent.re - re, mode.exponent.im - im].map(|off| off.abs() / mode.exponent.abs());
+        assert!(off.iter().all(|off| *off < 1e-14), "{re} + {im}i: {off:?}");
+    }
+}
+
+/// From 1.1 a full step of Newton's method crosses the singularity at zero, behind which there is another equilibrium, at −1.
+#[test]
+fn an_equilibrium_is_not_sought_beyond_a_singularity() {
+    let equation = "x'' = 24*(1/x^13 - 1/x^7)".parse().unwrap();
+    for guess in [0.9, 1.05, 1.1] {
+        let modes = NormalModes::about(&equation, &[guess], &Quiet).unwrap();
+        assert_eq!(modes.equilibrium, [1.0], "{guess}");
+        assert!((modes.modes[0].frequency() - 12.0).abs() < 1e-14, "{guess}");
+    }
+}

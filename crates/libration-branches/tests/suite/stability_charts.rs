@@ -307,3 +307,20 @@ fn the_kind_of_a_boundary_is_that_over_the_least_period() {
         assert!(a.0 == b.0 && (a.1 - b.1).abs() < 1e-12, "{a:?} {b:?}");
     }
 }
+
+/// The first boundary of Mathieu's equation begins at d = 0.
+#[test]
+fn the_error_of_a_boundary_at_zero_contains_that_of_the_multipliers() {
+    let mathieu = "x'' + (d + e*cos(t))*x = 0".parse().unwrap();
+    let options = ChartOptions { lines: 0, ..ChartOptions::default() };
+    let chart =
+        StabilityChart::over(&mathieu, ["d", "e"], [[-0.5, 0.5], [0.0, 1.0]], &options, &Quiet).unwrap();
+    let all = chart.curves.iter().filter(|it| it.kind == SpecialKind::BranchPoint);
+    let start = all.flat_map(|it| &it.points).find(|it| it.second == 0.0).unwrap();
+    assert!(
+        start.point.parameter.abs() <= start.point.error,
+        "{:e} {:e}",
+        start.point.parameter,
+        start.point.error
+    );
+}

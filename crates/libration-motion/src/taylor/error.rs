@@ -1,6 +1,7 @@
 //! The reasons why an integration cannot begin, or does not reach its end.
 
 use super::Solution;
+use libration_numbers::quantity::short;
 
 /// The reason why there is no solution, or only a part of it.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -61,7 +62,7 @@ pub enum IntegrationError {
         time: f64,
     },
     /// An integration that began and stopped.
-    #[error("{cause} at t = {:?}: the motion is known up to there", solution.end.time)]
+    #[error("{cause} at t = {}: the motion is known up to there", cause.time(solution.end.time))]
     Stopped {
         /// The cause of the stop.
         cause: Cause,
@@ -116,4 +117,15 @@ pub enum Cause {
     /// Cancellation by the caller.
     #[error("the integration was interrupted")]
     Interrupted,
+}
+
+impl Cause {
+    /// The time of the stop as text. Where a diverging motion leaves the range of numbers depends on the steps: six digits.
+    #[must_use]
+    pub fn time(self, time: f64) -> String {
+        match self {
+            Self::OutOfRange => short(time, 6),
+            _ => format!("{time:?}"),
+        }
+    }
 }

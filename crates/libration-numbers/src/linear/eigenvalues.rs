@@ -3,8 +3,8 @@
 use crate::algebra::Complex;
 use libration_kernels::elementary::count;
 
-/// All eigenvalues by descending magnitude, from the QR algorithm with Wilkinson's shifts on a Hessenberg matrix; `None` if it does not converge
-/// or an entry is not finite.
+/// All eigenvalues by descending magnitude, from the QR algorithm with Wilkinson's shifts on a balanced Hessenberg matrix; `None` if it does not
+/// converge or an entry is not finite.
 ///
 /// # Accuracy
 /// The results are eigenvalues of a matrix that differs by rounding errors: simple ones are accurate to their condition number, those of a
@@ -12,8 +12,10 @@ use libration_kernels::elementary::count;
 pub fn eigenvalues(matrix: &[Vec<f64>]) -> Option<Vec<Complex>> {
     /// Step limit for each eigenvalue; three steps are usual.
     const MOST_STEPS: usize = 60;
-    let mut h: Vec<Vec<Complex>> =
-        hessenberg(matrix).into_iter().map(|row| row.into_iter().map(Complex::from).collect()).collect();
+    let mut h: Vec<Vec<Complex>> = hessenberg(balanced(matrix))
+        .into_iter()
+        .map(|row| row.into_iter().map(Complex::from).collect())
+        .collect();
     let mut found = vec![];
     let mut steps = 0;
     while let Some(last) = h.len().checked_sub(1) {
@@ -96,9 +98,40 @@ fn adjugate_norm(powers: &[Vec<Vec<f64>>], at: Complex) -> f64 {
     entries.fold(0.0, |norm, (i, j)| libm::hypot(norm, entry(i, j).abs()))
 }
 
-/// A similar matrix with zeros below the subdiagonal, by elimination with pivoting.
-fn hessenberg(matrix: &[Vec<f64>]) -> Vec<Vec<f64>> {
+/// A similar matrix whose rows and columns have norms of the same magnitude, by powers of two, which round nothing: the results do not depend on
+/// the units of the components.
+///
+/// # References
+/// B. N. Parlett and C. Reinsch, Numerische Mathematik 13 (1969) 293–304.
+fn balanced(matrix: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    /// Sweeps that units differing by all powers of two of `f64` may need.
+    const SWEEPS: u32 = 64;
     let (mut a, n) = (matrix.to_vec(), matrix.len());
+    for _ in 0..SWEEPS {
+        let mut is_balanced = true;
+        for i in 0..n {
+            let others = || (0..n).filter(|j| *j != i);
+            let column = others().fold(0.0, |sum, j| libm::hypot(sum, a[j][i]));
+            let row = others().fold(0.0, |sum, j| libm::hypot(sum, a[i][j]));
+            let power = libm::round(0.5 * libm::log2(row / column));
+            if !power.is_finite() || power == 0.0 {
+                continue;
+            }
+            is_balanced = false;
+            let (factor, inverse) = (libm::exp2(power), libm::exp2(-power));
+            a.iter_mut().for_each(|row| row[i] *= factor);
+            a[i].iter_mut().for_each(|entry| *entry *= inverse);
+        }
+        if is_balanced {
+            break;
+        }
+    }
+    a
+}
+
+/// A similar matrix with zeros below the subdiagonal, by elimination with pivoting.
+fn hessenberg(mut a: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+    let n = a.len();
     for m in 1..n.saturating_sub(1) {
         let pivot = (m..n).max_by(|&i, &j| a[i][m - 1].abs().total_cmp(&a[j][m - 1].abs())).unwrap_or(m);
         a.swap(m, pivot);

@@ -9,7 +9,7 @@ use std::ops::ControlFlow;
 
 /// The first position in 0 < x ≤ 1 after which Σ cₙxⁿ has the other sign; `None` if there is none.
 pub fn first_sign_change(coefficients: &[f64]) -> Option<f64> {
-    match search(bernstein(coefficients), 0.0, 1.0, &mut ControlFlow::Break) {
+    match Search::new(coefficients, ControlFlow::Break).within(bernstein(coefficients), 0.0, 1.0) {
         ControlFlow::Break(place) => Some(place),
         ControlFlow::Continue(()) => None,
     }
@@ -18,12 +18,12 @@ pub fn first_sign_change(coefficients: &[f64]) -> Option<f64> {
 /// All such positions in ascending order.
 pub fn sign_changes(coefficients: &[f64]) -> Vec<f64> {
     let mut places = Vec::new();
-    let mut note = |place| {
+    let note = |place| {
         places.push(place);
         ControlFlow::Continue(())
     };
     // The search is never stopped by `note`.
-    let _ = search(bernstein(coefficients), 0.0, 1.0, &mut note);
+    let _ = Search::new(coefficients, note).within(bernstein(coefficients), 0.0, 1.0);
     places
 }
 
@@ -41,33 +41,44 @@ pub fn scaled(series: impl Iterator<Item = f64>, length: f64) -> Vec<f64> {
 /// Length of an interval below which two zeros count as one.
 const NARROWEST: f64 = f64::EPSILON;
 
-fn search(
-    form: Vec<f64>,
-    from: f64,
-    to: f64,
-    found: &mut impl FnMut(f64) -> ControlFlow<f64>,
-) -> ControlFlow<f64> {
-    let changes = changes_of_sign(&form);
-    if changes == 0 {
-        return ControlFlow::Continue(());
+/// A search for zeros by subdivision.
+struct Search<F> {
+    found: F,
+    /// Number of intervals that may still be divided: of rounding errors, in which each interval seems to contain zeros, there are 2⁵².
+    divisions: usize,
+}
+
+impl<F: FnMut(f64) -> ControlFlow<f64>> Search<F> {
+    fn new(coefficients: &[f64], found: F) -> Self {
+        /// Divisions for each zero: 52 lead to neighbouring numbers.
+        const DIVISIONS: usize = 64;
+        Self { found, divisions: DIVISIONS * coefficients.len() }
     }
-    if to - from <= NARROWEST * to {
-        return if changes.is_multiple_of(2) { ControlFlow::Continue(()) } else { found(to) };
+
+    fn within(&mut self, form: Vec<f64>, from: f64, to: f64) -> ControlFlow<f64> {
+        let changes = changes_of_sign(&form);
+        if changes == 0 {
+            return ControlFlow::Continue(());
+        }
+        if to - from <= NARROWEST * to || self.divisions == 0 {
+            return if changes.is_multiple_of(2) { ControlFlow::Continue(()) } else { (self.found)(to) };
+        }
+        if changes == 1
+            && let Some(part) = only_zero(&form)
+        {
+            return (self.found)(from + part * (to - from));
+        }
+        self.divisions -= 1;
+        let middle = 0.5 * (from + to);
+        let (left, mut right) = halves(form);
+        // A zero exactly in the middle belongs to the right half.
+        let before = left.iter().rfind(|c| **c != 0.0).copied();
+        if right[0] == 0.0 {
+            right[0] = before.map_or(0.0, |before| f64::MIN_POSITIVE.copysign(before));
+        }
+        self.within(left, from, middle)?;
+        self.within(right, middle, to)
     }
-    if changes == 1
-        && let Some(part) = only_zero(&form)
-    {
-        return found(from + part * (to - from));
-    }
-    let middle = 0.5 * (from + to);
-    let (left, mut right) = halves(form);
-    // A zero exactly in the middle belongs to the right half.
-    let before = left.iter().rfind(|c| **c != 0.0).copied();
-    if right[0] == 0.0 {
-        right[0] = before.map_or(0.0, |before| f64::MIN_POSITIVE.copysign(before));
-    }
-    search(left, from, middle, found)?;
-    search(right, middle, to, found)
 }
 
 fn changes_of_sign(form: &[f64]) -> usize {

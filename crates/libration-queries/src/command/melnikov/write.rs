@@ -2,7 +2,7 @@
 
 use super::MelnikovResult;
 use super::fields::{of_answer, of_crossing, of_resonance, separatrix};
-use crate::output::number::{at_most, rounded, short};
+use crate::output::number::{at_most, rounded, short, to_its_error};
 use crate::output::table::{Table, paragraph, write_text};
 use crate::output::{Form, csv, json};
 use libration::melnikov::Melnikov;
@@ -82,17 +82,17 @@ impl MelnikovResult {
 
 fn told(melnikov: &Melnikov, at_threshold: bool) -> String {
     let name = separatrix(melnikov.direction);
-    let mut sum = short(melnikov.mean, 12);
+    let mut sum = known_digits(melnikov.mean, melnikov.mean_error, 12);
     let terms = (1..).zip(&melnikov.harmonics).zip(&melnikov.harmonic_errors);
-    for ((k, value), _) in terms.filter(|((_, value), error)| value.abs() > **error) {
+    for ((k, value), error) in terms.filter(|((_, value), error)| value.abs() > **error) {
         let phase = value.argument().to_degrees();
-        let turned = if phase == 0.0 {
-            String::new()
-        } else {
-            format!(" {} {}°", if phase < 0.0 { "-" } else { "+" }, short(phase.abs(), 8))
+        let size = known_digits(phase.abs(), (error / value.abs()).to_degrees(), 8);
+        let turned = match &size[..] {
+            "0" => String::new(),
+            size => format!(" {} {size}°", if phase < 0.0 { "-" } else { "+" }),
         };
         let multiple = if k == 1 { String::new() } else { k.to_string() };
-        sum = format!("{sum} + {} cos({multiple}φ{turned})", short(value.abs(), 12));
+        sum = format!("{sum} + {} cos({multiple}φ{turned})", known_digits(value.abs(), *error, 12));
     }
     let error = at_most(melnikov.error());
     let factor = melnikov.threshold_factor();
@@ -102,6 +102,10 @@ fn told(melnikov: &Melnikov, at_threshold: bool) -> String {
         }
         None if at_threshold => "it touches zero".to_owned(),
         None => "its error does not decide whether it has zeros".to_owned(),
+        Some(true) if factor <= 0.0 => {
+            "it has simple zeros, so that the manifolds of the upright position cross, however weak the drive is"
+                .to_owned()
+        }
         Some(true) => format!(
             "it has simple zeros, so that the manifolds of the upright position cross; they cross above {} of this drive",
             rounded(factor, 6)
@@ -114,4 +118,10 @@ fn told(melnikov: &Melnikov, at_threshold: bool) -> String {
     format!(
         "On the {name} separatrix M(φ) = {sum}, to {error}, with φ the phase of the drive at the bottom: {consequence}."
     )
+}
+
+/// A value to at most this many digits, without those beyond its error and without zeros at the end.
+fn known_digits(value: f64, error: f64, most: usize) -> String {
+    let digits = to_its_error(value, error, most);
+    digits.parse().map_or(digits, |known| short(known, most))
 }

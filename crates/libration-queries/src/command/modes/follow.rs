@@ -204,8 +204,12 @@ fn of_point() -> Fields<ModePoint> {
             json::numbers(&it.start)
         })
         .words("start", |it| {
-            let places = it.start[..it.start.len() / 2].iter().map(|x| short(*x, 10));
-            places.collect::<Vec<_>>().join(", ")
+            let (places, velocities) = it.start.split_at(it.start.len() / 2);
+            /// Velocities below this fraction of the largest one of the coordinate are rounding errors.
+            const STILL: f64 = 1e-9;
+            let still = STILL * it.amplitude * it.orbit.frequency();
+            let shown = if velocities.iter().any(|it| it.abs() > still) { &it.start[..] } else { places };
+            shown.iter().map(|x| short(*x, 10)).collect::<Vec<_>>().join(", ")
         }),
     ])
 }

@@ -2,7 +2,7 @@
 
 use super::ModesResult;
 use super::fields::{self, NumberedMode, exact_frequency};
-use crate::output::number::{exact, rounded, short};
+use crate::output::number::{exact, rounded, short, to_its_error};
 use crate::output::table::{paragraph, sheet};
 use crate::output::{csv, json};
 use libration::algebra::{Complex, Surd};
@@ -59,7 +59,10 @@ fn equilibrium(answer: &ModesResult) -> String {
 
 fn summary(mode: &Mode) -> String {
     let Complex { re, im } = mode.exponent;
-    let (rate, frequency) = (rounded(re.abs(), 15), rounded(im, 15));
+    /// Error of a rate, relative to the exponent.
+    const ERROR: f64 = 4.0 * f64::EPSILON;
+    let rate = to_its_error(re.abs(), ERROR * mode.exponent.abs(), 15);
+    let frequency = rounded(im, 15);
     match mode.behaviour {
         Behaviour::Oscillating => {
             match exact_frequency(mode).filter(|text| text.contains(|c: char| !c.is_ascii_digit())) {

@@ -220,7 +220,8 @@ pub(super) fn ended(
             let place: Vec<String> =
                 place.map(|(name, value)| format!("{name} = {}", number::short(*value, 6))).collect();
             let place = place.join(", ");
-            let reason = format!("{cause} at t = {time:?} s, {place}: the motion is known up to there");
+            let reason =
+                format!("{cause} at t = {} s, {place}: the motion is known up to there", cause.time(*time));
             Ok((Ending::Stopped(reason), *solution))
         }
         Err(error) => Err(QueryError::usage(option("initial"), error)),

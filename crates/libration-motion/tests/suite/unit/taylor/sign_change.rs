@@ -74,3 +74,16 @@ fn touching_is_no_change_of_sign() {
     assert_eq!(first_sign_change(&[0.0, 0.0]), None);
     assert_eq!(first_sign_change(&[]), None);
 }
+
+/// Around a zero of high multiplicity the terms cancel, and each interval seems to contain zeros.
+#[test]
+fn a_search_among_rounding_errors_ends() {
+    // (x − 1/3)³⁹
+    let mut power = vec![1.0];
+    for _ in 0..39 {
+        let shifted = |n: usize| if n == 0 { 0.0 } else { power[n - 1] };
+        power = (0..=power.len()).map(|n| shifted(n) - power.get(n).map_or(0.0, |c| c / 3.0)).collect();
+    }
+    let places = sign_changes(&power);
+    assert!(!places.is_empty() && places.iter().all(|x| (0.1..0.7).contains(x)), "{places:?}");
+}

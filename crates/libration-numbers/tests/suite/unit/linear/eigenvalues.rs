@@ -79,3 +79,18 @@ fn changed_matrices_have_their_eigenvalues_within_the_errors() {
         }
     }
 }
+
+/// A rotation by 2 rad and one by 5 rad, coupled weakly, with velocities in units of 10⁹ and 10⁻⁹: all moduli are 1.
+#[test]
+fn eigenvalues_do_not_depend_on_the_units_of_the_components() {
+    let [(s, c), (t, d)] = [2.0, 5.0].map(libm::sincos);
+    for unit in [1e9, 1e-9] {
+        let matrix = vec![
+            vec![c, 0.0, s / unit, 0.0],
+            vec![0.0, d, 0.0, t / unit],
+            vec![-s * unit, 0.0, c, 0.0],
+            vec![1e-3 * unit, -t * unit, 0.0, d],
+        ];
+        close(&eigenvalues(&matrix).unwrap(), &[(c, s), (c, -s), (d, t), (d, -t)], 1e-14);
+    }
+}
