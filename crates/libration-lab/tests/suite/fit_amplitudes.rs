@@ -176,7 +176,7 @@ fn times_and_numbers_of_swings_give_the_period() {
 /// Times without errors: all of the error of T0 is that of the ratio T/T0 by the fitted amplitudes.
 #[test]
 fn the_uncertainty_of_the_period_contains_that_of_the_amplitudes() {
-    const DRAWS: u64 = 40;
+    const DRAWS: u16 = 40;
     let mut random = Random::seeded(51);
     for (number, case) in cases().iter().enumerate() {
         let sigma = 2e-3 * case.angles[0].abs();
@@ -199,7 +199,7 @@ fn the_uncertainty_of_the_period_contains_that_of_the_amplitudes() {
             })
             .sum();
         // The mean square of 40 normal deviates has a standard deviation of 0.22; scatter that enlarges uncertainties makes it smaller.
-        let mean = square / DRAWS as f64;
+        let mean = square / f64::from(DRAWS);
         assert!((0.3..1.8).contains(&mean), "case {number}: mean square {mean}");
     }
 }
