@@ -40,10 +40,14 @@ class Table:
             raise TypeError(f"an array has no names of columns: give a file, or {ARRAYS}")
         if isinstance(columns, np.ndarray):
             columns = {name: columns[name] for name in columns.dtype.names}
+        columns = _with_index(columns)
         names = [str(name) for name in columns]
         for name in columns:
             refuse_units(columns[name], f"column `{name}`: ")
-        arrays = [np.atleast_1d(np.asarray(without_masks(columns[name]))) for name in columns]
+        arrays = [
+            _after_the_first(np.atleast_1d(np.asarray(without_masks(columns[name]))))
+            for name in columns
+        ]
         if not names:
             raise ValueError(f"there are no columns: give {ARRAYS}")
         lengths = {len(array) for array in arrays}
@@ -55,6 +59,35 @@ class Table:
             )
         lines = [names, *([_cell(cell) for cell in row] for row in zip(*arrays))]
         self.text = "".join(",".join(map(_quoted, line)) + "\n" for line in lines).encode()
+
+
+def _with_index(columns: Any) -> Any:
+    """The columns of a DataFrame, after its index if that has a name or consists of times."""
+    index = getattr(columns, "index", None)
+    if not hasattr(columns, "columns") or getattr(index, "nlevels", 0) != 1:
+        return columns
+    name = index.name
+    if name is None and np.asarray(index).dtype.kind in "mM":
+        name = "time"
+    if name is None or name in columns:
+        return columns
+    return {name: index} | {other: columns[other] for other in columns}
+
+
+def _after_the_first(array: NDArray[Any]) -> NDArray[Any]:
+    """Dates with times of day as times after the first of them; other arrays as they are."""
+    if array.dtype.kind == "O" and array.size and all(map(_is_date, array)):
+        seconds = [(it - array[0]).total_seconds() for it in array]
+        return np.array([np.timedelta64(round(1e9 * it), "ns") for it in seconds])
+    if array.dtype.kind != "M":
+        return array
+    dates = array[~np.isnat(array)]
+    return array - dates[0] if dates.size else array
+
+
+def _is_date(cell: Any) -> bool:
+    """True for dates with times of day, but not for ``NaT`` of pandas, which is unequal to itself."""
+    return hasattr(cell, "timestamp") and bool(cell == cell)
 
 
 Value: TypeAlias = str | SupportsFloat | Fraction
@@ -93,7 +126,8 @@ Say: TypeAlias = bool | Callable[[str], object]
 
 def _cell(value: Any) -> str:
     is_nan = isinstance(value, (float, np.floating)) and np.isnan(value)
-    return "" if is_nan or is_missing(value) else text_of(value)
+    is_nat = isinstance(value, np.timedelta64) and np.isnat(value)
+    return "" if is_nan or is_nat or is_missing(value) else text_of(value)
 
 
 def _quoted(cell: str) -> str:

@@ -254,3 +254,21 @@ def test_a_gap_costs_the_cycles_in_it_alone():
     angle[100:130] = np.nan
     fit = lb.lab.fit_trace({"t (s)": t, "angle (deg)": angle}, length="0.800(1)m", model="linear")
     assert len(fit.cycles) >= 24
+
+
+def test_calendar_times_and_an_index_are_columns():
+    pandas = pytest.importorskip("pandas")
+    t = np.arange(0, 10, 0.05)
+    angle = lb.Pendulum(length=0.57).release("20deg")(t).angle + 1e-3 * np.sin(1e4 * t**2)
+    named = lb.lab.fit_trace({"t (s)": t, "angle (rad)": angle}, model="undamped").t0
+    stamps = pandas.Timestamp("2025-12-31 23:59:55") + pandas.to_timedelta(t, unit="s")
+    missing = stamps.where(np.arange(len(t)) != 7)
+    for table in (
+        {"time": stamps, "angle (rad)": angle},
+        {"time": stamps.tz_localize("UTC"), "angle (rad)": angle},
+        {"time": missing, "angle (rad)": angle},
+        pandas.DataFrame({"angle (rad)": angle}, index=stamps),
+        pandas.DataFrame({"angle (rad)": angle}, index=pandas.Index(t, name="t (s)")),
+    ):
+        found = lb.lab.fit_trace(table, model="undamped").t0
+        assert found.nominal_value == pytest.approx(named.nominal_value, abs=0.1 * named.std_dev)

@@ -364,6 +364,25 @@ fn columns_of_angles_are_the_amplitudes_of_lengths() {
     let full = table("full", &["peak-to-peak (deg),T (s)", "20,2.004", "40,2.015", "60,2.035"]);
     let refused = message(&libration(&format!("fit periods {full}")));
     assert!(refused.contains("twice the amplitude") && refused.contains("--role 1=amplitude"), "{refused}");
+    let mean = table("rms", &["omega (rad/s),RMS amplitude (cm)", "5,1.2", "5.5,2.5", "6,5.9", "6.5,2.4"]);
+    let refused = message(&libration(&format!("fit response {mean}")));
+    assert!(refused.contains("by √2") && refused.contains("--role 2=amplitude"), "{refused}");
+}
+
+#[test]
+fn times_of_day_are_positions_and_no_periods() {
+    let rows = ["10:05:07,10,2.0100", "10:06:07,30,2.0424", "10:07:07,50,2.1058", "10:08:07,70,2.2080"];
+    for head in ["start,amplitude (deg),T (s)", "time,amplitude (deg),period (s)"] {
+        let lines: Vec<&str> = [head].into_iter().chain(rows).collect();
+        let told = json(&format!("fit periods {}", table("clock", &lines)))["told_from_file"].to_string();
+        assert!(told.contains("read as period: column 3"), "{told}");
+    }
+    let alone = table("alone", &["time,amplitude (deg)", "10:05:07,10", "10:06:07,30", "10:07:07,50"]);
+    assert!(!libration(&format!("fit periods {alone}")).status.success());
+    let falling =
+        table("falling", &["time,A (deg)", "10:05:00,20", "10:06:00,15", "10:07:00,11", "10:08:00,8"]);
+    let told = json(&format!("fit amplitudes {falling} --period 2s"))["told_from_file"].to_string();
+    assert!(told.contains("read as position: column 1"), "{told}");
 }
 
 #[test]

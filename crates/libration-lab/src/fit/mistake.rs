@@ -17,6 +17,10 @@ pub enum GravityMistake {
     HalfPeriodsAsWhole,
     /// Whole periods taken as half ones: 1/4.
     WholePeriodsAsHalf,
+    /// Times in milliseconds that were read as seconds: 10⁻⁶.
+    MillisecondsAsSeconds,
+    /// Times in seconds that were read as milliseconds: 10⁶.
+    SecondsAsMilliseconds,
     /// 25 frames a second that were taken for 30: (30/25)².
     FramesOf25As30,
     /// 30 frames a second that were taken for 25: (25/30)².
@@ -27,7 +31,7 @@ pub enum GravityMistake {
 
 impl GravityMistake {
     /// All mistakes.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 18] = [
         Self::CentimetresAsMetres,
         Self::SwingsAsOne(3),
         Self::SwingsAsOne(4),
@@ -41,6 +45,8 @@ impl GravityMistake {
         Self::SwingsAsOne(100),
         Self::HalfPeriodsAsWhole,
         Self::WholePeriodsAsHalf,
+        Self::MillisecondsAsSeconds,
+        Self::SecondsAsMilliseconds,
         Self::FramesOf25As30,
         Self::FramesOf30As25,
         Self::FramesOf29As30,
@@ -54,6 +60,8 @@ impl GravityMistake {
             Self::SwingsAsOne(number) => 1.0 / (f64::from(number) * f64::from(number)),
             Self::HalfPeriodsAsWhole => 4.0,
             Self::WholePeriodsAsHalf => 0.25,
+            Self::MillisecondsAsSeconds => 1e-6,
+            Self::SecondsAsMilliseconds => 1e6,
             Self::FramesOf25As30 => 1.44,
             Self::FramesOf30As25 => 25.0 / 36.0,
             Self::FramesOf29As30 => (30.0 / 29.97) * (30.0 / 29.97),
@@ -101,6 +109,8 @@ impl fmt::Display for GravityMistake {
             Self::CentimetresAsMetres => "lengths in centimetres read as metres",
             Self::HalfPeriodsAsWhole => "half periods taken for whole ones",
             Self::WholePeriodsAsHalf => "two swings counted as one, or whole periods taken for half ones",
+            Self::MillisecondsAsSeconds => "times in milliseconds read as seconds",
+            Self::SecondsAsMilliseconds => "times in seconds read as milliseconds",
             Self::FramesOf25As30 => "25 frames a second taken for 30",
             Self::FramesOf30As25 => "30 frames a second taken for 25",
             Self::FramesOf29As30 => "29.97 frames a second taken for 30",

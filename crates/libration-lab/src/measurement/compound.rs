@@ -1,4 +1,4 @@
-//! Numbers of two units, as seconds or inches: `1 min 2.3 s`, `1'02''`, `1:02.3`; `3 ft 3 3/8 in`, `3' 3 3/8"`; and whole numbers with fractions.
+//! Numbers of two units, as seconds or inches: `1 min 2.3 s`, `1'02''`, `1:02.3`, `10:05:02.3`; `3 ft 3 3/8 in`, `3' 3 3/8"`; and whole numbers with fractions.
 
 use super::Unit;
 use super::heading::Heading;
@@ -42,16 +42,22 @@ impl CompoundNumbers {
         })
     }
 
-    /// `1:02.3`, `0:14`, `00:01:02.3`. Hours and minutes of a clock, `10:05`, are not a duration.
+    /// `1:02.3`, `0:14`, `00:01:02.3`, and a time of day: `10:05:02.3`, `10:05:02:300`. Hours and minutes of a clock, `10:05`, are not a duration.
     fn with_colon(self, cell: &str, mark: DecimalMark) -> Option<Written<'static>> {
-        let hours =
-            cell.strip_prefix("0:").or_else(|| cell.strip_prefix("00:")).filter(|it| it.contains(':'));
-        let (minutes, seconds) = hours.unwrap_or(cell).split_once(':')?;
-        let is_zero = || minutes.bytes().all(|it| it == b'0');
-        let is_known = hours.is_some() || self == Self::Clock || is_zero();
+        let (date, cell) = without_date(cell);
+        let (hours, rest) = match cell.split_once(':') {
+            Some((hours, rest)) if rest.contains(':') => (Some(hours.trim().parse::<u32>().ok()?), rest),
+            _ => (None, cell),
+        };
+        let (minutes, seconds) = rest.split_once(':')?;
+        let seconds = &seconds.replacen(':', sign(mark), 1);
+        let minutes: u32 = minutes.trim().parse().ok()?;
+        let is_known = hours.is_some() || self == Self::Clock || minutes == 0;
         let has_two_digits = seconds.split(['.', ',']).next().is_some_and(|it| it.len() == 2);
-        (has_two_digits && (is_known || seconds.contains(['.', ','])))
-            .then(|| of_minutes(minutes.trim().parse().ok()?, seconds, mark))?
+        let is_of_clock = hours.is_none_or(|hours| hours < 24 && minutes < 60);
+        let days = hours.map_or(0, |hours| 24 * date.unwrap_or(0) + hours);
+        (has_two_digits && is_of_clock && (is_known || seconds.contains(['.', ','])))
+            .then(|| of_minutes(days.checked_mul(60)?.checked_add(minutes)?, seconds, mark))?
     }
 
     /// A number, a unit, a smaller number and its unit: `1 min 2 s`, `1'02"3`, `3 ft 3 in`.
@@ -83,6 +89,29 @@ impl CompoundNumbers {
             None => of_minutes(whole, smaller, mark).filter(|_| is_of(last, Unit::Second)),
         }
     }
+}
+
+/// The days from 1 March 2000 to a date before a time of day, and the time: `2025-03-30 10:05:02.3`, `2025-03-30T10:05:02.3Z`.
+fn without_date(cell: &str) -> (Option<u32>, &str) {
+    let parts = |date: &str| {
+        let mut numbers = date.split('-').map(|part| part.parse::<u32>().ok());
+        let date = [numbers.next()??, numbers.next()??, numbers.next()??];
+        numbers.next().is_none().then_some(date)
+    };
+    let found = cell.get(..10).zip(cell.get(10..)).and_then(|(date, rest)| {
+        let time = rest.strip_prefix([' ', 't'])?.trim_end_matches('z');
+        Some((days(parts(date)?)?, time))
+    });
+    found.map_or((None, cell), |(days, time)| (Some(days), time))
+}
+
+/// Days from 1 March 2000, of the Gregorian calendar with years that begin in March.
+fn days([year, month, day]: [u32; 3]) -> Option<u32> {
+    if !(1..=12).contains(&month) || !(1..=31).contains(&day) || !(2001..=9999).contains(&year) {
+        return None;
+    }
+    let (year, month) = if month > 2 { (year - 2000, month - 3) } else { (year - 2001, month + 9) };
+    Some(365 * year + year / 4 - year / 100 + year / 400 + (153 * month + 2) / 5 + day - 1)
 }
 
 /// Minutes and seconds as seconds, with the decimals of the seconds.

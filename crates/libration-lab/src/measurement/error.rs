@@ -244,6 +244,19 @@ pub enum MeasurementError {
         /// Number of all times.
         rows: usize,
     },
+    /// Times of a gate that go back and continue from there.
+    #[error(
+        "line {line}: the time goes back from {before} s to {after} s and continues from there, as of a clock that overflowed or was set back, \
+         or of another run: take the times before or after that line alone"
+    )]
+    GateClockRestarts {
+        /// Number of the line, from 1.
+        line: u64,
+        /// The time before, in seconds.
+        before: f64,
+        /// The time on that line, in seconds.
+        after: f64,
+    },
     /// A signal without passages of a gate.
     #[error(
         "{column} does not show three dips or peaks that last for two rows or more and stand out from its noise by ten standard deviations: no passages can \

@@ -1,6 +1,7 @@
 //! Times at which a photogate was blocked or freed.
 
 use super::choices::{Choice, Choices, Finding, Suggestion};
+use super::faults::order::restarts;
 use super::heading::{Measures, Unit};
 use super::recording::Recording;
 use super::sheet::Sheet;
@@ -70,7 +71,22 @@ fn gates_of(sheet: &Sheet, choices: &Choices) -> Result<Gates, MeasurementError>
         return Err(MeasurementError::NothingComplete(sheet.rows()));
     }
     refuse_what_is_no_clock(&gates.times)?;
+    gates.refuse_restarts()?;
     Ok(gates)
+}
+
+impl Gates {
+    /// Refuses times that begin anew, which in the order of time would mix the passages of both parts.
+    fn refuse_restarts(&self) -> Result<(), MeasurementError> {
+        match restarts(&self.times).first() {
+            Some(&row) => Err(MeasurementError::GateClockRestarts {
+                line: self.lines[row],
+                before: self.times[row - 1],
+                after: self.times[row],
+            }),
+            None => Ok(()),
+        }
+    }
 }
 
 fn is_asked(time: f64, choices: &Choices) -> bool {

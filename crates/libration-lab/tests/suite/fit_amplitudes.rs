@@ -173,6 +173,37 @@ fn times_and_numbers_of_swings_give_the_period() {
     }
 }
 
+/// Times without errors: all of the error of T0 is that of the ratio T/T0 by the fitted amplitudes.
+#[test]
+fn the_uncertainty_of_the_period_contains_that_of_the_amplitudes() {
+    const DRAWS: u16 = 40;
+    let mut random = Random::seeded(51);
+    for (number, case) in cases().iter().enumerate() {
+        let sigma = 2e-3 * case.angles[0].abs();
+        let uncertainties = vec![sigma; case.angles.len()];
+        let options = AmplitudesOptions { damping: Some(case.law()), period: None };
+        let period = |angles: &[f64]| {
+            let columns = AmplitudeColumns {
+                swing_numbers: Some(&case.swings),
+                value_uncertainties: Some(&uncertainties),
+                ..of_times(case, angles)
+            };
+            fitted(&columns, &options).period.unwrap()
+        };
+        let exact = period(&case.angles).value;
+        let square: f64 = (0..DRAWS)
+            .map(|_| {
+                let found = period(&noisy(case, sigma, &mut random));
+                let deviation = found.deviation_from(exact);
+                deviation * deviation
+            })
+            .sum();
+        // The mean square of 40 normal deviates has a standard deviation of 0.22; scatter that enlarges uncertainties makes it smaller.
+        let mean = square / f64::from(DRAWS);
+        assert!((0.3..1.8).contains(&mean), "case {number}: mean square {mean}");
+    }
+}
+
 /// A = A0 exp(−γt), A0 − at, and A0/(1 + st) of displacements.
 #[test]
 fn small_swings_follow_the_closed_forms() {

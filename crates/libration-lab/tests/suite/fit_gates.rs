@@ -129,6 +129,27 @@ fn the_amplitude_of_the_release_gives_t0() {
     }
 }
 
+/// ω0² = 9.81 s⁻², dry friction of 0.02 s⁻² and no other damping, released at 10°: passages of the centre by SciPy's DOP853 to 1e-12.
+#[test]
+fn dry_friction_is_in_the_uncertainty_of_t0_by_the_release() {
+    #[rustfmt::skip]
+    const PASSAGES: [f64; 42] = [
+        0.506267564, 1.511217099, 2.516084418, 3.520872013, 4.525582408, 5.530218170, 6.534781905, 7.539276274,
+        8.543703995, 9.548067856, 10.552370722, 11.556615554, 12.560805418, 13.564943509, 14.569033174, 15.573077936,
+        16.577081533, 17.581047958, 18.584981512, 19.588886875, 20.592769186, 21.596634156, 22.600488206, 23.604338657,
+        24.608193973, 25.612064097, 26.615960902, 27.619898834, 28.623895809, 29.627974532, 30.632164457, 31.636504793,
+        32.641049285, 33.645874105, 34.651091514, 35.656874905, 36.663508093, 37.671491530, 38.681800727, 39.696632430,
+        40.722219725, 41.786564011,
+    ];
+    let release = exactly(10_f64.to_radians());
+    let options = GateOptions { amplitude: Some(release), signals: Some(GateSignals::Passages), width: None };
+    for passages in [&PASSAGES[..], &PASSAGES[..16]] {
+        let t0 = fit_gates(passages, None, &options, &Quiet).unwrap().t0.unwrap();
+        let truth = std::f64::consts::TAU / libm::sqrt(9.81);
+        assert!(t0.deviation_from(truth) < 3.0 && t0.uncertainty < 2e-4 * truth, "{t0:?} and not {truth}");
+    }
+}
+
 /// Times without information on their scatter: exactly even ones, as in simulations, and those of three passages.
 #[test]
 fn times_that_do_not_tell_their_scatter_are_said_to() {

@@ -273,6 +273,24 @@ fn a_signal_of_two_levels_is_one_of_a_gate_and_no_angle() {
     assert!(matches!(error, MeasurementError::GateSignal { .. }), "{error}");
 }
 
+/// Swings about the end of the scale, ±180° or 0° and 360°, jump by a turn at each passage.
+#[test]
+fn angles_that_jump_by_a_turn_at_rest_are_no_signals_of_gates() {
+    let swing = |t: f64| 40.0 * libm::sin(TAU * t / 1.4);
+    let to_180 = |t: f64| swing(t).rem_euclid(360.0) - 180.0;
+    let to_360 = |t: f64| swing(t).rem_euclid(360.0);
+    for (file, choices) in [
+        (sampled("Angle (deg)", to_180), Choices::default()),
+        (sampled("Angle (deg)", to_360), Choices::default()),
+        (sampled("signal", to_180), Choices { unit: Some(Unit::Degree), ..Choices::default() }),
+    ] {
+        let found = traces(&file, &choices).unwrap();
+        let values = found.traces[0].values();
+        let ends = values.iter().fold((f64::MAX, f64::MIN), |(low, high), it| (it.min(low), it.max(high)));
+        assert!((ends.1 - ends.0 - 80_f64.to_radians()).abs() < 1e-3, "{ends:?}");
+    }
+}
+
 /// A swing, one that is cut off at a third of its height, one to 179.9°, and a small one with few steps of its encoder.
 #[test]
 fn angles_that_rest_at_their_ends_are_no_signals_of_gates() {
@@ -574,6 +592,16 @@ fn a_clock_of_a_gate_goes_back_in_one_row_of_ten_at_most() {
     };
     assert_eq!(back(&[5, 10]).unwrap().times.len(), 20);
     assert!(matches!(back(&[5, 10, 15]), Err(MeasurementError::NotGateTimes { goes_back: 3, rows: 20 })));
+}
+
+/// 2³² microseconds after its start a clock of 32 bits begins anew, and two runs in one file have a clock each.
+#[test]
+fn times_of_a_gate_that_begin_anew_are_refused() {
+    let file: String = (0..20).map(|n| format!("{}\n", (8.0 + 0.7 * f64::from(n)) % 12.0)).collect();
+    let refused = recording(file.as_bytes()).gate_times(&Choices::default()).unwrap_err();
+    assert!(matches!(refused, MeasurementError::GateClockRestarts { line: 7, .. }), "{refused}");
+    let part = Choices { to: Some(7.5), ..Choices::default() };
+    assert_eq!(recording(file.as_bytes()).gate_times(&part).unwrap().times.len(), 11);
 }
 
 #[test]

@@ -12,7 +12,9 @@ pub(crate) fn what_would_decide(error: &MeasurementError) -> String {
         }
         MeasurementError::NotEven { .. } => message + " (without <--even-times>)",
         MeasurementError::CoarseTimes { .. } => message + ", or take them as they are (<--times-as-written>)",
-        MeasurementError::NothingBetween { .. } => message + " (<--from>, <--to>)",
+        MeasurementError::NothingBetween { .. } | MeasurementError::GateClockRestarts { .. } => {
+            message + " (<--from>, <--to>)"
+        }
         MeasurementError::OnlyTimes(_) => message + " (times of a photogate are for <libration fit gates>)",
         MeasurementError::GateSignal { number, .. } => {
             format!("{message}: use <libration fit gates> with <--signal={number}>")

@@ -139,7 +139,7 @@ impl AmplitudesFit {
         let law = &comparison.law;
         let chosen = &comparison.laws[comparison.chosen].found;
         let scale = VarianceFactors::new(table, chosen).of_covariance;
-        let period = period::period(law, chosen, options.period);
+        let period = period::period(law, chosen, scale, options.period);
         let natural_frequency = period.map(|period| period::natural_frequency(table, chosen, period));
         let phase = period::phase_per_position(table, chosen, natural_frequency);
         let ends = [0, table.len() - 1].map(|row| chosen.curve.amplitudes[row]);

@@ -7,6 +7,7 @@ use nalgebra::{DMatrix, DVector};
 use super::law::DecayLaw;
 use super::search::DecayLawFit;
 use super::{AmplitudeTable, Position};
+use crate::fit::damping_model::DampingModel;
 use crate::fit::uncertain::Uncertain;
 use crate::statistics::{count, least_squares, mean};
 use libration::decay::DampingKind;
@@ -15,19 +16,55 @@ use libration::quantity::Quantity;
 /// Points of the curve at which T/T0 is summed: the sum is exact to 1e-6 of its excess over one.
 const POINTS: usize = 1000;
 
-/// The period of small swings; `None` where neither it nor both columns are given, or the rows do not determine it.
-pub(super) fn period(law: &DecayLaw<'_>, found: &DecayLawFit, given: Option<Quantity>) -> Option<Uncertain> {
+/// The period of small swings; `None` where neither it nor both columns are given, or the rows do not determine it. `scale` multiplies the
+/// covariance of the parameters.
+pub(super) fn period(
+    law: &DecayLaw<'_>,
+    found: &DecayLawFit,
+    scale: f64,
+    given: Option<Quantity>,
+) -> Option<Uncertain> {
     match given {
         Some(Quantity { value, uncertainty }) => {
             Some(Uncertain { value, uncertainty: uncertainty.unwrap_or(0.0) })
         }
-        None => by_periods(law, found).or_else(|| by_numbers(law, found)),
+        None => {
+            let period = observed(law, found.terms, &found.parameters)?;
+            Some(period.with_error(error_of_amplitudes(law, found, scale, period.value)))
+        }
     }
 }
 
+/// The period with an uncertainty by the scatter of the times alone.
+fn observed(law: &DecayLaw<'_>, terms: DampingModel, parameters: &[f64]) -> Option<Uncertain> {
+    by_periods(law, terms, parameters).or_else(|| by_numbers(law, terms, parameters))
+}
+
+/// Standard uncertainty of the period by those of the parameters: a larger amplitude makes the ratio T/T0 larger in all rows together.
+fn error_of_amplitudes(law: &DecayLaw<'_>, found: &DecayLawFit, scale: f64, period: f64) -> f64 {
+    let deviation = |k: usize| (scale * found.covariance[(k, k)]).sqrt();
+    let change = |k: usize| {
+        let moved = |sign: f64| {
+            let mut parameters = found.parameters.clone();
+            parameters[k] += sign * deviation(k);
+            observed(law, found.terms, &parameters).map(|it| sign * (it.value - period))
+        };
+        // Outside the domain there is no period on one side.
+        moved(1.0).or_else(|| moved(-1.0)).filter(|it| it.is_finite()).unwrap_or(0.0)
+    };
+    let count = found.parameters.len();
+    let changes = DVector::from_fn(count, |k, _| change(k));
+    let correlation = DMatrix::from_fn(count, count, |i, j| {
+        let product = deviation(i) * deviation(j);
+        if product > 0.0 { scale * found.covariance[(i, j)] / product } else { 0.0 }
+    });
+    (correlation * &changes).dot(&changes).max(0.0).sqrt()
+}
+
 /// The mean of T·T0/T over the rows with a period, three or more.
-fn by_periods(law: &DecayLaw<'_>, found: &DecayLawFit) -> Option<Uncertain> {
-    let rows = law.table.rows.iter().zip(&found.curve.amplitudes);
+fn by_periods(law: &DecayLaw<'_>, terms: DampingModel, parameters: &[f64]) -> Option<Uncertain> {
+    let amplitudes = law.curve(terms, parameters)?.amplitudes;
+    let rows = law.table.rows.iter().zip(&amplitudes);
     let periods: Vec<f64> =
         rows.filter_map(|(row, &amplitude)| Some(row.period? / law.period_ratio(amplitude))).collect();
     if periods.len() < 3 {
@@ -39,12 +76,12 @@ fn by_periods(law: &DecayLaw<'_>, found: &DecayLawFit) -> Option<Uncertain> {
 }
 
 /// T0 by the line of ∫dt T0/T against the number of swings; a table of three rows or more has a scatter.
-fn by_numbers(law: &DecayLaw<'_>, found: &DecayLawFit) -> Option<Uncertain> {
+fn by_numbers(law: &DecayLaw<'_>, terms: DampingModel, parameters: &[f64]) -> Option<Uncertain> {
     let table = law.table;
     if table.against == Position::Swings {
         return None;
     }
-    let points = law.amplitudes_between(found.terms, &found.parameters, POINTS);
+    let points = law.amplitudes_between(terms, parameters, POINTS);
     let mut sums = vec![0.0];
     for pair in points.windows(2) {
         let mean = 0.5 * (1.0 / law.period_ratio(pair[0].1) + 1.0 / law.period_ratio(pair[1].1));

@@ -88,6 +88,10 @@ impl OrderedPassages {
         let first_period = at_the_beginning(&times, &both_sides, self.time(0) - 0.25 * mean);
         let by_amplitude =
             first_period.zip(options.amplitude).map(|(period, a)| by_first_amplitude(period, a));
+        let by_amplitude = by_amplitude.map(|t0| {
+            let dry = options.amplitude.map_or(0.0, |a| dry_friction(t0.value, a.value, &both_sides));
+            t0.with_error(dry * t0.value)
+        });
         let (t0, t0_source) = match (&by_speeds, by_amplitude) {
             (Some(speeds), _) => (Some(speeds.t0), Some(T0Source::Speeds)),
             (None, Some(t0)) => (Some(t0), Some(T0Source::FirstAmplitude)),
@@ -144,6 +148,19 @@ fn contradicting(t0: Uncertain, beta: &Beta) -> Option<Contradiction> {
     let pair = [("β = 1", t0), ("β free", beta.t0)].map(estimate);
     Contradiction::of(pair.each_ref(), beta.deviation(), degrees_of_freedom)
         .filter(|it| it.half_width() > LEAST * t0.value)
+}
+
+/// Relative standard uncertainty of T0 by dry friction, which lengthens the first period by p²/8π if it takes the part p of the first amplitude in each
+/// period (linear damping by p²/8π², which is part of T0). The kind of damping is not known: the error is anywhere between zero and this.
+fn dry_friction(t0: f64, first_amplitude: f64, periods: &[f64]) -> f64 {
+    let excess = Law::exact().ratio_at(first_amplitude) - 1.0;
+    // Later periods are longer again where friction stops the pendulum. R − 1 is nearly proportional to A².
+    let falls = periods.iter().enumerate().skip(periods.len() / 4).map(|(half_swing, period)| {
+        let left = libm::sqrt(((period / t0 - 1.0) / excess).clamp(0.0, 1.0));
+        (1.0 - left) / (1.0 + 0.5 * count(half_swing))
+    });
+    let part = falls.fold(0.0, f64::max);
+    part * part / (8.0 * PI * libm::sqrt(3.0))
 }
 
 /// T0 from the first period and its amplitude.

@@ -4,7 +4,7 @@ use crate::measurement::counted_periods::{SwingNumbers, is_mean, is_number_of_sw
 use crate::measurement::heading::Heading;
 use crate::measurement::sheet::Channel;
 use crate::measurement::table::Table;
-use crate::measurement::{QuantityKind, Role};
+use crate::measurement::{QuantityKind, Role, Unit};
 
 /// Possible contents of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,13 +31,21 @@ pub(super) enum Kind {
     Other,
 }
 
-/// Kinds of all columns.
-pub(super) fn of(table: &Table) -> Vec<Kind> {
+/// Kinds of all columns; that of times of day is given.
+pub(super) fn of(table: &Table, clock: Kind) -> Vec<Kind> {
     let channels = &table.sheet().channels;
     let are_times =
         |channel: &Channel| channel.heading.unit.is_some() && Role::Times.is_said_by(&channel.heading);
     let has_times = channels.iter().any(are_times);
-    channels.iter().map(|channel| kind(channel, has_times)).collect()
+    let kind = |channel| if is_clock(channel) { clock } else { kind(channel, has_times) };
+    channels.iter().map(kind).collect()
+}
+
+/// Returns `true` for times in seconds that increase from an hour or more on: times of day, and no periods.
+fn is_clock(channel: &Channel) -> bool {
+    const HOUR: f64 = 3600.0;
+    let is_late = |number: Option<f64>| number.is_none_or(|number| number >= HOUR);
+    channel.heading.unit == Some(Unit::Second) && channel.increases() && channel.numbers().all(is_late)
 }
 
 const RESOLUTION: [&str; 5] = ["resolution", "least count", "smallest division", "auflösung", "résolution"];

@@ -125,6 +125,9 @@ pub struct TableRoles {
     pub notes: Vec<String>,
 }
 
+/// Name of a quantity that times of day can be; periods cannot.
+const POSITION: &str = "position";
+
 impl Table {
     /// Infers the roles of the columns from headings, units and values, unless they are given.
     ///
@@ -149,7 +152,9 @@ impl Table {
         given: &GivenRoles,
     ) -> Result<TableRoles, MeasurementError> {
         let roles = given.places(self, needed)?;
-        let mut search = RoleSearch { table: self, needed, kinds: kinds::of(self), roles, notes: vec![] };
+        let clock = if needed.iter().any(|it| it.name == POSITION) { Kind::Values } else { Kind::Other };
+        let kinds = kinds::of(self, clock);
+        let mut search = RoleSearch { table: self, needed, kinds, roles, notes: vec![] };
         search.refuse_tables_side_by_side()?;
         search.refuse_bounds()?;
         search.refuse_full_swings()?;

@@ -61,7 +61,7 @@ impl RoleSearch<'_> {
         })
     }
 
-    /// `peak-to-peak (deg)` is twice the amplitude.
+    /// `peak-to-peak (deg)` is twice the amplitude, `rms amplitude` that of a sine over √2.
     pub(super) fn refuse_full_swings(&self) -> Result<(), MeasurementError> {
         const FULL: [&str; 12] = [
             "peak-to-peak",
@@ -77,18 +77,29 @@ impl RoleSearch<'_> {
             "crête à crête",
             "de pico a pico",
         ];
-        let is_full = |place: &usize| {
-            let name = self.heading(*place).name.to_lowercase();
-            FULL.iter().any(|words| name.contains(words))
+        const SQUARES: [&str; 4] = ["r.m.s.", "root mean square", "root-mean-square", "effektivwert"];
+        let not_an_amplitude = |place: usize| {
+            let name = self.heading(place).name.to_lowercase();
+            let has = |notations: &[&str]| notations.iter().any(|words| name.contains(words));
+            let is_square =
+                || has(&SQUARES) || name.split(|it: char| !it.is_alphanumeric()).any(|it| it == "rms");
+            match () {
+                () if has(&FULL) => Some((place, ["twice the", "halve its numbers"])),
+                () if is_square() => {
+                    Some((place, ["a root mean square, 1/√2 of the", "multiply its numbers by √2"]))
+                }
+                () => None,
+            }
         };
         let is_amplitude = |it: &&super::TableQuantity| matches!(it.role, Role::Angles | Role::Displacements);
-        let found = (0..self.kinds.len()).filter(|&place| self.is_free(place)).find(is_full);
-        let (Some(place), Some(quantity)) = (found, self.needed.iter().find(is_amplitude)) else {
+        let found = (0..self.kinds.len()).filter(|&place| self.is_free(place)).find_map(not_an_amplitude);
+        let (Some((place, [what, remedy])), Some(quantity)) = (found, self.needed.iter().find(is_amplitude))
+        else {
             return Ok(());
         };
         Err(MeasurementError::Undecided {
             question: format!(
-                "{} is twice the {} by its heading: halve its numbers and rename it, or take them as they are",
+                "{} is {what} {} by its heading: {remedy} and rename it, or take them as they are",
                 self.describe(place),
                 quantity.name
             ),

@@ -7,6 +7,7 @@ use super::super::two_levels::changes_between_two_levels;
 use super::super::{Column, MeasurementError, Observable, QuantityKind};
 use super::gyroscope;
 use super::runs::Group;
+use super::turns::take_out_jumps;
 use super::value::Value;
 
 /// The columns of one run.
@@ -59,7 +60,7 @@ impl Group<'_> {
         let time = self.time(choices, findings)?;
         let value = self.value(time, choices, findings)?;
         if let Value::Column(place, _) = value {
-            self.no_gate_signal(place)?;
+            self.no_gate_signal(place, choices)?;
         }
         let uncertainty = self.uncertainty(value, choices, findings)?;
         let numbering = self.members.iter().copied().find(|&place| self.heading_is(place, QuantityKind::Run));
@@ -170,8 +171,14 @@ impl Group<'_> {
     }
 
     /// Refuses a column that changes between two levels.
-    fn no_gate_signal(&self, place: usize) -> Result<(), MeasurementError> {
-        let numbers: Vec<f64> = self.sheet.channels[place].numbers().flatten().collect();
+    fn no_gate_signal(&self, place: usize, choices: &Choices) -> Result<(), MeasurementError> {
+        let mut numbers: Vec<f64> = self.sheet.channels[place].numbers().flatten().collect();
+        let unit = choices.unit.or(self.sheet.channels[place].heading.unit);
+        // Angles that jump by a turn at the position of rest are at two levels too.
+        if let Some(unit) = unit.filter(|unit| unit.measures() == Measures::Angle) {
+            numbers.iter_mut().for_each(|number| *number = unit.to_si(*number));
+            take_out_jumps(&mut numbers);
+        }
         match changes_between_two_levels(&numbers) {
             true => {
                 Err(MeasurementError::GateSignal { column: self.sheet.describe(place), number: place + 1 })
@@ -204,7 +211,11 @@ impl Group<'_> {
     ) -> Result<Value, MeasurementError> {
         let mut velocities = self.all_of(QuantityKind::AngularVelocity);
         // The absolute value has lost the sign.
-        velocities.retain(|&place| !self.sheet.channels[place].heading.name.to_lowercase().contains("abs"));
+        let is_absolute = |place: usize| {
+            let name = self.sheet.channels[place].heading.name.to_lowercase();
+            ["abs", "betrag", "magnitude", "norm", "módulo", "modulo"].iter().any(|word| name.contains(word))
+        };
+        velocities.retain(|&place| !is_absolute(place));
         let (value, why) = match velocities[..] {
             [] => return self.unnamed(time, choices, findings),
             [place] => (Some(Value::Column(place, Observable::AngularVelocity)), ""),
@@ -267,17 +278,17 @@ impl Group<'_> {
                 ))
             }
             [place] => {
-                self.no_gate_signal(place)?;
+                self.no_gate_signal(place, choices)?;
                 let question = format!("it is not clear what {} holds", self.sheet.describe(place));
                 Err(MeasurementError::Undecided { question, choices: what_it_holds() })
             }
-            [] => Err(self.nothing_known(time)),
+            [] => Err(self.nothing_known(time, choices)),
             ref several => Err(self.which_and_in_which_unit(several)),
         }
     }
 
     /// The error if no column is known to be an angle, with suggestions for the others.
-    fn nothing_known(&self, time: usize) -> MeasurementError {
+    fn nothing_known(&self, time: usize, choices: &Choices) -> MeasurementError {
         if let Some(place) = self.all_of(QuantityKind::Acceleration).first() {
             return MeasurementError::Accelerations { column: self.sheet.describe(*place) };
         }
@@ -298,7 +309,7 @@ impl Group<'_> {
                     choices: vec![at(Choice::X, x), at(Choice::Y, y)],
                 }
             }
-            (&[only], _) if self.no_gate_signal(only).is_err() => {
+            (&[only], _) if self.no_gate_signal(only, choices).is_err() => {
                 MeasurementError::GateSignal { column: self.sheet.describe(only), number: only + 1 }
             }
             (others, _) => {

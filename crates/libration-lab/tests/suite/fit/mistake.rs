@@ -17,6 +17,8 @@ fn exact_factors_are_named() {
         (0.25, GravityMistake::WholePeriodsAsHalf),
         (1.2 * 1.2, GravityMistake::FramesOf25As30),
         (1.0 / 1.44, GravityMistake::FramesOf30As25),
+        (1e-6, GravityMistake::MillisecondsAsSeconds),
+        (1e6, GravityMistake::SecondsAsMilliseconds),
     ] {
         for local in [9.764, 9.81, 9.833] {
             assert_eq!(explaining(factor * local, 1e-3 * factor), Some(mistake), "{factor} {local}");

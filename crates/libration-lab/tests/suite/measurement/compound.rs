@@ -32,6 +32,32 @@ fn minutes_and_seconds_are_seconds() {
 }
 
 #[test]
+fn times_of_day_are_seconds() {
+    for (cells, expected) in [
+        (["10:05:07", "10:05:08"], [36307.0, 36308.0]),
+        (["10:05:07.25", "10:05:07.5"], [36307.25, 36307.5]),
+        (["10:05:07,25", "10:05:07,5"], [36307.25, 36307.5]),
+        (["9:59:59:750", "10:00:00:250"], [35999.75, 36000.25]),
+    ] {
+        assert_eq!(second("t", &cells).ok().as_deref(), Some(&expected[..]), "{cells:?}");
+    }
+    // Differences of dates, over the end of a leap February and of a year.
+    for (cells, difference) in [
+        (["2024-02-28 23:59:59.5", "2024-03-01 00:00:00.5"], 86401.0),
+        (["2025-12-31T23:59:59Z", "2026-01-01T00:00:01Z"], 2.0),
+        (["2025-03-30 10:00:00", "2025-03-31 10:00:00"], 86400.0),
+    ] {
+        let found = second("t", &cells).unwrap();
+        assert_eq!(found[1] - found[0], difference, "{cells:?}");
+    }
+    for cells in
+        [["24:00:00", "24:00:01"], ["10:60:00", "10:61:00"], ["2025-13-01 10:00:00", "2025-13-01 10:00:01"]]
+    {
+        assert!(second("t", &cells).is_err(), "{cells:?}");
+    }
+}
+
+#[test]
 fn feet_and_inches_are_inches_below_a_heading_of_lengths() {
     for (heading, cells, expected) in [
         ("length", ["3' 3 3/8\"", "2'"], [39.375, 24.0]),
