@@ -74,7 +74,7 @@ export async function close() {
 /** Waits until the query for the entries has run. */
 export async function settled(room) {
   await room.waitForTimeout(380);
-  await room.waitForFunction(() => document.querySelector(".results")?.getAttribute("aria-busy") !== "true", null, { timeout: 60_000 });
+  await room.waitForFunction(() => document.querySelector(".results")?.getAttribute("aria-busy") !== "true", null, { timeout: 180_000 });
 }
 
 /** Enters a value as a reader would, and waits for the new results. */
