@@ -49,7 +49,7 @@ pub struct AmplitudeInTime {
     pub constant: Option<String>,
     /// b/a, where both are present.
     pub ratio: Option<String>,
-    /// The phase; `None` where it is no elementary function of amplitude and time.
+    /// The phase; `None` where it is not an elementary function of amplitude and time.
     pub phase: Option<PhaseInTime>,
 }
 
