@@ -132,11 +132,19 @@ fn plain(text: &str) -> String {
     }
 }
 
+/// Returns `true` if a number in the text would have two points with its comma as one, as in `0.5,0.001`.
+fn has_two_points(text: &str) -> bool {
+    let mut numbers = text.split(|letter: char| !letter.is_ascii_digit() && letter != ',' && letter != '.');
+    numbers.any(|number| number.matches([',', '.']).count() > 1)
+}
+
 fn unit_named(name: &str, text: &str, dimension: Dimension) -> Result<&'static Unit, QuantityError> {
     if name.is_empty() {
         return Ok(Unit::si(dimension));
     }
-    if name.strip_prefix(',').is_some_and(|rest| rest.starts_with(|letter: char| letter.is_ascii_digit())) {
+    let is_decimal =
+        |rest: &str| rest.starts_with(|letter: char| letter.is_ascii_digit()) && !has_two_points(text);
+    if name.strip_prefix(',').is_some_and(is_decimal) {
         return Err(QuantityError::DecimalComma {
             text: excerpt(text),
             with_point: excerpt(&text.replace(',', ".")),

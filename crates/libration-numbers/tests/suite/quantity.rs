@@ -116,8 +116,11 @@ fn a_decimal_comma_is_refused_with_the_point_in_its_place() {
             message.contains("has a comma: write it with a decimal point") && message.contains(with_point);
         assert!(told, "{text}: {message}");
     }
-    let message = parse("1,m", Dimension::Length).unwrap_err().to_string();
-    assert!(message.contains("write 1m"), "{message}");
+    // Two numbers are no decimal, nor is one with a mark of thousands.
+    for text in ["1,m", "0.5,0.001", "1,5m ± 1,2,3", "1.234,5"] {
+        let message = parse(text, Dimension::Length).unwrap_err().to_string();
+        assert!(message.contains("write 1m") && !message.contains("decimal point"), "{text}: {message}");
+    }
 }
 
 #[test]

@@ -207,9 +207,12 @@ fn of_result<'a>() -> Fields<FitAmplitudesResult<'a>> {
             it.zero().map(|zero| zero.uncertainty)
         }),
         Of::nested("coefficients[].", &of_coefficient(), |it| of_coefficient().records(&it.coefficients())),
-        Of::known("small_angle_period_s", "s", "period of small swings T₀, or null", |it| {
-            it.fit.period.map(|period| period.value).ok_or_else(no_period)
-        }),
+        Of::known(
+            "small_angle_period_s",
+            "s",
+            "period T₀ of small swings with the damping, or null",
+            |it| it.fit.period.map(|period| period.value).ok_or_else(no_period),
+        ),
         Of::known("small_angle_period_uncertainty_s", "s", "standard uncertainty of T₀, or null", |it| {
             it.fit.period.map(|period| period.uncertainty).ok_or_else(no_period)
         }),

@@ -59,7 +59,7 @@ impl FitAmplitudesResult<'_> {
             };
             lines.push((coefficient.of.term.name(), said(value, &unit) + note));
         }
-        lines.extend(fit.period.map(|period| ("T₀", said(period, "s"))));
+        lines.extend(fit.period.map(|period| ("T₀", said(period, "s") + "  (of the damped swings)")));
         lines.extend(fit.natural_frequency.map(|omega0| ("ω0", said(omega0, "rad/s"))));
         lines.push(("decay", self.decay()));
         lines.push((
