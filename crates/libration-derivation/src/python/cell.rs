@@ -4,6 +4,7 @@ use super::super::check::{
     AveragedClaim, Check, CheckedEquation, ComparedAt, CycleClaim, CycleQuantity, FlowTerms, ForceTerm,
     Letters, OpenCondition, QuarterClaim, QuarterFormula, TruncatedClaim, TruncatedFormula,
 };
+use super::super::evaluate::TIME;
 use super::super::formula::{DecimalUnit, Formula, Name, Relation, Statement};
 use super::{expression, identifier};
 use libration::algebra::Rational;
@@ -47,7 +48,10 @@ pub(crate) fn check(equation: &CheckedEquation) -> Option<String> {
             let lines = compared(statement)?.into_iter().map(indented);
             Some(block(given(letters)?.into_iter().chain([head]).chain(lines)))
         }
-        Check::Digits { .. } => Some(block(given(letters)?.into_iter().chain(compared(statement)?))),
+        Check::Digits { .. } => {
+            let lines = compared(statement)?.into_iter().map(|line| at_known_rates(line, letters));
+            Some(block(given(letters)?.into_iter().chain(lines)))
+        }
         Check::RoundedDigits => Some(block(given(letters)?.into_iter().chain([rounded(statement)?]))),
         Check::Substituted { condition: Some(condition), .. } => substituted(statement, condition),
         Check::Catalogued { leading_error, .. } => catalogued(statement, leading_error.as_ref()),
@@ -256,6 +260,17 @@ fn substituted(statement: &Statement, condition: &OpenCondition) -> Option<Strin
 }
 
 /// The values of names, in an order in which each needs only earlier ones.
+/// A line in which names without a rate stay as they are in derivatives with respect to the time, which itself grows at the rate 1.
+fn at_known_rates(line: String, letters: &Letters) -> String {
+    let is_constant =
+        |name: &&Name| !letters.values.iter().any(|(other, _)| *other == (*name).clone().prime());
+    let names = letters.values.iter().map(|(name, _)| name).filter(is_constant).filter_map(identifier);
+    names.fold(line, |line, name| {
+        let moved = if name == TIME { format!("{name} + s") } else { name.clone() };
+        line.replace(&format!("{name} + s*{name}_p"), &moved)
+    })
+}
+
 fn given(letters: &Letters) -> Option<Vec<String>> {
     let functions = letters.functions.iter().map(|(name, parameters, body)| {
         let parameters: Option<Vec<String>> = parameters.iter().map(identifier).collect();

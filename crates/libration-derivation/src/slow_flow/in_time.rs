@@ -33,7 +33,11 @@ fn moving(subject: &SlowFlowSubject, mut trials: Trials) -> Result<Trials, Deriv
     trials.let_move(&subject.amplitude());
     // An early time and a small amplitude, for which all powers are positive.
     trials.define(&Name::new("t"), tenths(1))?;
-    trials.with(&start(&subject.amplitude()), tenths(3))
+    for name in [subject.amplitude(), start(&subject.amplitude())] {
+        trials.define(&name, tenths(3))?;
+    }
+    let [growth, _] = subject.rates()?;
+    trials.with(&subject.amplitude().prime(), growth)
 }
 
 /// The value at t = 0.

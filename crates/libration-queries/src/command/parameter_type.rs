@@ -28,7 +28,7 @@ use std::path::PathBuf;
 pub enum ParameterType {
     /// No value: a flag.
     Flag,
-    /// One of [`Parameter::choices`](crate::Parameter::choices).
+    /// One of [`ParameterDescription::choices`](crate::ParameterDescription::choices).
     Choice,
     /// A whole number.
     Integer,

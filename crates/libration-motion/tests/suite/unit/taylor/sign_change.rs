@@ -85,5 +85,6 @@ fn a_search_among_rounding_errors_ends() {
         power = (0..=power.len()).map(|n| shifted(n) - power.get(n).map_or(0.0, |c| c / 3.0)).collect();
     }
     let places = sign_changes(&power);
-    assert!(!places.is_empty() && places.iter().all(|x| (0.1..0.7).contains(x)), "{places:?}");
+    // The value exceeds the rounding errors where |x − 1/3|³⁹ > 2⁻⁵³·(x + 1/3)³⁹: below 0.15 and above 0.75.
+    assert!(!places.is_empty() && places.iter().all(|x| (0.14..0.77).contains(x)), "{places:?}");
 }
