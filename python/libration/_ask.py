@@ -63,7 +63,7 @@ class Table:
 
 def _with_index(columns: Any) -> Any:
     """The columns of a DataFrame, after its index if that has a name or consists of times."""
-    index = getattr(columns, "index", None)
+    index: Any = getattr(columns, "index", None)
     if not hasattr(columns, "columns") or getattr(index, "nlevels", 0) != 1:
         return columns
     name = index.name
@@ -86,7 +86,7 @@ def _after_the_first(array: NDArray[Any]) -> NDArray[Any]:
 
 
 def _is_date(cell: Any) -> bool:
-    """True for dates with times of day, but not for ``NaT`` of pandas, which is unequal to itself."""
+    """True for dates with times of day, not for ``NaT`` of pandas, which is unequal to itself."""
     return hasattr(cell, "timestamp") and bool(cell == cell)
 
 
