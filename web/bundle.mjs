@@ -20,7 +20,7 @@ async function bundled(path, define = {}) {
 
 /** The compressed bytes, in the format that `src/engine/lzma.ts` decompresses. */
 function lzma(bytes) {
-  const made = execFileSync("xz", ["--format=lzma", "--lzma1=preset=9e,lc=4,pb=0", "--stdout"], { input: bytes, maxBuffer: 1 << 28 });
+  const made = execFileSync("xz", ["--format=lzma", "--lzma1=preset=9e,lc=4,pb=0,nice=128", "--stdout"], { input: bytes, maxBuffer: 1 << 28 });
   // xz, which writes to a pipe, leaves the size open.
   made.writeBigUInt64LE(BigInt(bytes.length), 5);
   return made;

@@ -17,6 +17,9 @@ export const PHONE = { width: 320, height: 640 };
 export const DESK = { width: 1280, height: 800 };
 export const PROJECTOR = { width: 1920, height: 1080 };
 
+/** The longest wait for anything, in milliseconds. */
+const LONGEST = 180_000;
+
 let browser;
 let plain;
 
@@ -46,6 +49,8 @@ export async function open(use, { viewport = DESK, ...options } = {}) {
     complaints.push(`asked for ${route.request().url()}`);
     return route.abort();
   });
+  // A loaded machine needs longer than usual; no test measures times by this.
+  opened.setDefaultTimeout(LONGEST);
   try {
     opened.on("pageerror", (error) => complaints.push(`threw ${error.message}`));
     opened.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
@@ -74,7 +79,7 @@ export async function close() {
 /** Waits until the query for the entries has run. */
 export async function settled(room) {
   await room.waitForTimeout(380);
-  await room.waitForFunction(() => document.querySelector(".results")?.getAttribute("aria-busy") !== "true", null, { timeout: 180_000 });
+  await room.waitForFunction(() => document.querySelector(".results")?.getAttribute("aria-busy") !== "true", null, { timeout: LONGEST });
 }
 
 /** Enters a value as a reader would, and waits for the new results. */

@@ -26,7 +26,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 ///
 /// Each formula is followed by how it was checked: exactly in fractions, or to 77 digits at several amplitudes. With --amplitude each step also shows its numbers for that pendulum.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration derive --method elliptic > period.md
   libration derive --method elliptic --amplitude 40deg --length 1m \\
     --format html --output period.html
@@ -48,7 +50,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
   libration derive --method elliptic --exercises --format html \\
     --output exercises.html
   libration derive --method short --answer \"3.1=omega0^2*(1 - theta0^2/8)\"
-  libration derive --method perturbation \"x'' + x + 0.1*x^3 = 0\" --amplitude 0.5")]
+  libration derive --method perturbation \"x'' + x + 0.1*x^3 = 0\" --amplitude 0.5")
+)]
 pub(crate) struct Derive {
     /// The derivation
     #[arg(long, alias = "road", value_enum)]

@@ -14,11 +14,14 @@ use std::io::{self, Write};
 /// In names, [] stands for each entry of a list, and capitals for a name that depends on the command line: KEY is the key of a
 /// formula, NAME the name of a parameter, a coordinate or a velocity, K the number of a harmonic. Nested fields are preceded by their path. The unit is empty where there is none, or where it depends on the command line.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration fields period
   libration fields fit trace
   libration fields --json > fields.json   # of all commands
-  libration fields expand --csv")]
+  libration fields expand --csv")
+)]
 pub(crate) struct FieldsQuestion {
     /// The command, such as period or fit trace [default: all commands]
     #[arg(value_name = "COMMAND")]

@@ -18,10 +18,13 @@ const LIMIT: usize = 1_000_000;
 /// In libration θ(t) = Σ aₙ cos(nΩτ), where τ is the time since the positive turning point. In rotation
 /// θ(t) = mean velocity · τ + Σ aₙ sin(nΩτ), where τ is the time since the bottom.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration fourier 150deg
   libration fourier 60deg --harmonics 3 --json
-  libration fourier 0 --velocity 7rad/s")]
+  libration fourier 0 --velocity 7rad/s")
+)]
 pub(crate) struct Fourier {
     /// The starting angle, such as 60deg, 1.2rad or pi-1e-6
     #[arg(value_parser = arguments::angle)]

@@ -15,7 +15,9 @@ use std::io::{self, Write};
 
 /// The built-in oscillators and systems: equations of motion, parameters, sources
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration list                          # keys and titles
   libration list systems
   libration list duffing double_pendulum  # equations, parameters, sources
@@ -25,7 +27,8 @@ use std::io::{self, Write};
 `simulate`, `modes`, `section`, `bifurcation` and `lyapunov` the keys of systems
 and of oscillators; --set NAME=VALUE sets a parameter. By default the systems
 have no damping and no driving, and the angular frequency of small swings is 1.
-Any other oscillator or system is given by its equations.")]
+Any other oscillator or system is given by its equations.")
+)]
 pub(crate) struct List {
     /// The catalogues `oscillators` and `systems`, or keys of their entries [default: both catalogues]
     #[arg(value_name = "CATALOGUE|KEY")]

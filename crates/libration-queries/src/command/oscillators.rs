@@ -13,13 +13,16 @@ use std::io::{self, Write};
 
 /// The built-in oscillators: equations, parameters, domains of oscillation, and sources
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration oscillators
   libration oscillators duffing morse
   libration oscillators --json
 
 `libration expand` and `libration backbone` take these keys; --set NAME=VALUE
-sets a parameter. Any other oscillator is given by its equation.")]
+sets a parameter. Any other oscillator is given by its equation.")
+)]
 pub(crate) struct Oscillators {
     #[command(flatten)]
     keys: KeyOptions,

@@ -10,7 +10,9 @@ const PAGE: Option<&[u8]> = include!(concat!(env!("OUT_DIR"), "/page.rs"));
 
 /// Write the page for browsers: one file, to open without a network
 #[derive(Debug, clap::Args)]
-#[command(after_help = "\
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "\
 The page holds the moving pendulum, all formulas, series, derivations, fits of
 measured swings, order and chaos. A command contains it if built with it:
   web/build
@@ -19,7 +21,8 @@ measured swings, order and chaos. A command contains it if built with it:
 
 Examples:
   libration page                            # writes libration.html
-  libration page --output lesson.html")]
+  libration page --output lesson.html")
+)]
 pub(crate) struct Page {
     /// The file to write; - for standard output
     #[arg(long, short, value_name = "FILE", default_value = "libration.html")]

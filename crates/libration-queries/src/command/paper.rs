@@ -13,10 +13,13 @@ use std::io::{self, Write};
 /// The documents are B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), and J. Côté, Period of a Pendulum. What they print is compared with what the program computes, exactly where possible. Where they state something in words,
 /// `paraphrase` marks the formula.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration paper                    # every equation, verdict and evidence
   libration paper --only wrong       # wrong statements, with corrections
-  libration paper --label 25 --json")]
+  libration paper --label 25 --json")
+)]
 pub(crate) struct Paper {
     /// Show only statements with this verdict
     #[arg(long, value_parser = verdict, value_name = "VERDICT")]

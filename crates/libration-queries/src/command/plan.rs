@@ -16,12 +16,16 @@ use std::io::{self, Write};
 ///
 /// The rows have independent errors of the angle, and a fit finds ω0, damping and start from them, as `libration fit trace --model linear` does; without a model the fit does not know the law of damping either, and its uncertainties for few swings are about half as large again. The uncertainty of ω0 is the Cramér–Rao bound; length, clock and the scale of the angles add their parts, as in the budget of the measurement.
 #[derive(Debug, clap::Args)]
-#[command(override_usage = USAGE, after_help = "Examples:
+#[command(override_usage = USAGE)]
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration plan --g-to 1e-3 --length 1m±0.5mm --angle-noise 0.2deg --rate 60
   libration plan --g-to 0.01% --length 0.5m±10um --angle-noise 0.01deg \\
     --rate 240 --angle-scale 0.1% --clock 1e-6
   libration plan --g-to 2e-3 --length 57cm±1mm --angle-noise 1deg --rate 30 \\
-    --linear 0.03/s --amplitudes 5deg:60deg:5deg --csv")]
+    --linear 0.03/s --amplitudes 5deg:60deg:5deg --csv")
+)]
 pub(crate) struct PlanQuestion {
     /// The target relative standard uncertainty of g, such as 1e-3 or 0.1%
     #[arg(long, value_name = "PART", value_parser = arguments::part)]

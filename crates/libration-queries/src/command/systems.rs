@@ -13,7 +13,9 @@ use std::io::{self, Write};
 
 /// The built-in systems: equations of motion, parameters with units, energies, and sources
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration systems
   libration systems damped_pendulum double_pendulum
   libration systems --json
@@ -21,7 +23,8 @@ use std::io::{self, Write};
 `libration simulate`, `modes`, `section`, `bifurcation` and `lyapunov` take these
 keys; --set NAME=VALUE sets a parameter. By default there is no damping and no
 driving, and the angular frequency of small swings is 1. Those commands also
-take the keys of `libration oscillators` and any equations of motion.")]
+take the keys of `libration oscillators` and any equations of motion.")
+)]
 pub(crate) struct Systems {
     #[command(flatten)]
     keys: KeyOptions,

@@ -20,12 +20,15 @@ pub(crate) use fields::answers;
 /// Each orbit is a motion released from rest and integrated until it returns; its frequency comes with a bound on its
 /// error. Amplitudes are measured from the equilibrium; frequencies are in radians per unit of time.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration backbone pendulum --amplitudes 10deg:170deg:10deg
   libration backbone duffing --amplitudes 0.1:3:0.1 --figure duffing.svg
   libration backbone \"x'' = -x^3\" --amplitudes 0.5,1,2 --json
   libration backbone helmholtz_duffing --set alpha=1/2 \\
-    --amplitudes 0.1:1:0.1 --csv")]
+    --amplitudes 0.1:1:0.1 --csv")
+)]
 pub(crate) struct Backbone {
     #[command(flatten)]
     oscillator: OscillatorOptions,

@@ -30,7 +30,9 @@ const PIECE: usize = 32;
 
 /// Bifurcation diagram: the Poincaré section of a motion for each value of a parameter
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration bifurcation driven_pendulum --set c=1/2 --over A=1:1.5:0.05 \\
     --initial theta=0.2 --points 30 --figure diagram.png
   libration bifurcation \"x'' + 0.2 x' + x + x^3 = A cos(1.8 t)\" \\
@@ -38,7 +40,8 @@ const PIECE: usize = 32;
 
 With --sweep each motion starts where the one for the previous value ended, so
 that a solution is followed as long as it is stable; sweeping up and down shows
-hysteresis. Ctrl-C stops early and keeps the values that are complete.")]
+hysteresis. Ctrl-C stops early and keeps the values that are complete.")
+)]
 pub(crate) struct Bifurcation {
     #[command(flatten)]
     system: SystemOptions,

@@ -28,7 +28,9 @@ use report::{Cycle, Report};
 /// amplitude), and with the small-amplitude law. The duration of each cycle is compared with the exact period at the
 /// amplitude in its middle.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration decay 60deg --linear 0.1                # viscous damping, 20 cycles
   libration decay 1 --quadratic 0.1 --omega0 1 --cycles 4   # in units of 1/ω0
   libration decay 90deg --dry 0.2 --linear 0.02     # until friction holds it
@@ -37,7 +39,8 @@ use report::{Cycle, Report};
   libration decay 30deg --quadratic 0.1 --order 5   # with the slow flow
 
 Coefficients are divided by the moment of inertia, in SI units: a drag torque of
-b kg m²/s times θ′ on a pendulum of moment of inertia ml² has c = b/(ml²).")]
+b kg m²/s times θ′ on a pendulum of moment of inertia ml² has c = b/(ml²).")
+)]
 pub(crate) struct Decay {
     /// The release angle, such as 60deg, 1.2rad or pi-1e-6
     #[arg(value_parser = arguments::angle)]

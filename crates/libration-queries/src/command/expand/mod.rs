@@ -43,7 +43,9 @@ pub(super) use symbolic_flow::failure as slow_flow_failure;
 /// of the phase, as polynomials in the amplitude and the strength, with the motion x(A, ψ). Powers of the velocity may be even,
 /// x'*abs(x'), and zero, sign(x'). Where a limit cycle has no expansion in a symbolic strength, the slow flow is the result without --damping-order too.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration expand pendulum --order 7
   libration expand pendulum --order 9 --gauge A1=1,A3=-1
   libration expand \"x'' + x + 0.1*x^3 = 0\" --order 5 --latex
@@ -86,7 +88,8 @@ What --evaluate leaves out is below a proven bound where there is one. Elsewhere
 is an estimate, which is too small in about 1 of 100 cases, at order 5 and below
 in about 2 of 100.
 
-Ctrl-C stops a long computation and writes the orders confirmed by then.")]
+Ctrl-C stops a long computation and writes the orders confirmed by then.")
+)]
 pub(crate) struct Expand {
     #[command(flatten)]
     oscillator: OscillatorOptions,

@@ -15,11 +15,14 @@ const FIRST_FIGURE: [&str; 8] =
 
 /// The errors of the formulas against the amplitude, as in the first figure of Black and Vel
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration figure errors --output errors.svg
   libration figure errors --formulas bernoulli,carvalhaes_suppes \\
     --from 60deg --output errors.png
-  libration figure errors --near-top --no-title --output figure1.pdf")]
+  libration figure errors --near-top --no-title --output figure1.pdf")
+)]
 pub(super) struct ErrorsFigure {
     #[command(flatten)]
     formulas: FormulaChoice,

@@ -19,7 +19,9 @@ use std::path::PathBuf;
 
 /// Draw a picture: errors of the formulas, motions, the phase portrait, harmonics, perturbation series, spectra
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration figure errors --output errors.svg
   libration figure errors --formulas bernoulli,carvalhaes_suppes \\
     --from 60deg --output errors.png
@@ -30,7 +32,8 @@ use std::path::PathBuf;
   libration figure series duffing --amplitudes 0.5,0.9,1.1 --order 41 \\
     --output terms.png
   libration figure trajectories damped_pendulum --over c=0.05,0.2,2 \\
-    --initial theta=170deg --to 40s --output damping.svg")]
+    --initial theta=170deg --to 40s --output damping.svg")
+)]
 pub(crate) struct Figure {
     #[command(subcommand)]
     picture: FigureSubject,

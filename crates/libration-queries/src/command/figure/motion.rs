@@ -11,10 +11,13 @@ use std::f64::consts::TAU;
 
 /// The angle in time after release from several amplitudes, with the small-angle cosine
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration figure motion --output motion.svg
   libration figure motion --amplitudes 30deg,90deg,179deg --periods 3 \\
-    --output motion.png")]
+    --output motion.png")
+)]
 pub(super) struct MotionFigure {
     /// Angles of release
     #[arg(long, default_value = "30deg,90deg,150deg,179deg", value_parser = arguments::angle_list)]

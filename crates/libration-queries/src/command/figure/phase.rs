@@ -11,10 +11,13 @@ use libration::pendulum::{Pendulum, PendulumError};
 
 /// The phase portrait: librations, the separatrix, and rotations
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration figure phase --output phase.svg
   libration figure phase --amplitudes 45deg,135deg --energies 1.5 \\
-    --output phase.png")]
+    --output phase.png")
+)]
 pub(super) struct Phase {
     /// Amplitudes of the librations
     #[arg(long, default_value = "30deg,75deg,120deg,160deg", value_parser = arguments::angle_list)]

@@ -17,11 +17,14 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The error of a perturbation series against the amplitude, with its radius of convergence, or against the number of terms
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration figure series pendulum --output series.svg
   libration figure series duffing --amplitudes 0.5,0.9,1.1 --order 41 \\
     --output terms.png
-  libration figure series van_der_pol --quantity frequency --output limit.svg")]
+  libration figure series van_der_pol --quantity frequency --output limit.svg")
+)]
 pub(super) struct Series {
     #[command(flatten)]
     oscillator: OscillatorOptions,

@@ -13,10 +13,13 @@ const HIGHEST: usize = 4000;
 
 /// The harmonics of the angle at several amplitudes
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration figure spectrum --output spectrum.svg
   libration figure spectrum --amplitudes 60deg,150deg,179deg --harmonics 61 \\
-    --output spectrum.png")]
+    --output spectrum.png")
+)]
 pub(super) struct Spectrum {
     /// The amplitudes
     #[arg(long, default_value = "30deg,90deg,150deg,179deg", value_parser = arguments::angle_list)]

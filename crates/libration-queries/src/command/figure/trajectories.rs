@@ -20,7 +20,9 @@ use libration::taylor::{
 
 /// Motions of any system in one picture: against time, in the plane of two state variables, or their spectra
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration figure trajectories pendulum --initial theta=30deg \\
     --initial theta=150deg --to 20s --output swings.svg
   libration figure trajectories damped_pendulum --over c=0.05,0.2,2 \\
@@ -32,7 +34,8 @@ use libration::taylor::{
     --output spectrum.svg
 
 Motions begin at t = 0. A spectrum has a line for each frequency of the motion,
-as high as its amplitude; a motion of seven or more periods separates them.")]
+as high as its amplitude; a motion of seven or more periods separates them.")
+)]
 pub(super) struct Trajectories {
     #[command(flatten)]
     system: PendulumSystemOptions,

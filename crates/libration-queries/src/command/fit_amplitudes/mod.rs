@@ -22,7 +22,9 @@ pub(crate) use fields::answers;
 
 /// Amplitudes or turning points against time or number of swings: damping law, its coefficients, quality factor
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration fit amplitudes examples/amplitudes_synthetic.csv
   libration fit amplitudes examples/amplitudes_synthetic.csv --model linear \\
     --figure amplitudes.svg
@@ -36,7 +38,8 @@ weak damping; a warning says where it is not, as close to the top.
 Q is ω0/c for linear damping, where A falls as exp(-ct/2); for other laws
 2πE/ΔE of a cycle at the amplitude that is named. Numbers of swings give Q
 without a period; times need --period, a column of periods T, or one of
-numbers n.")]
+numbers n.")
+)]
 pub(crate) struct FitAmplitudes {
     #[command(flatten)]
     input: FitAmplitudesInput,

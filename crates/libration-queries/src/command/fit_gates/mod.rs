@@ -26,7 +26,9 @@ pub(crate) use fields::answers;
 
 /// Times of a photogate: periods, T0 and gravity; double triggers and missed passages are detected
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration fit gates examples/gate_synthetic.csv
   libration fit gates examples/gate_synthetic.csv --amplitude 0.9 \\
     --length 0.958m±0.001m
@@ -40,7 +42,8 @@ pub(crate) use fields::answers;
 Each period runs from one passage to the next in the same direction, so the gate
 need not be at the centre. With the diameter of the bob and the length, the speed
 at the gate gives every amplitude; otherwise T0 needs the amplitude of the first
-swing.")]
+swing.")
+)]
 pub(crate) struct FitGates {
     /// Times of one photogate, optionally with its state (blocked or not), or a continuous signal; - for standard input
     file: PathBuf,

@@ -23,7 +23,9 @@ pub(crate) use fields::answers;
 
 /// Measured periods against length: gravity, and the offset common to all lengths
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration fit lengths examples/lengths_synthetic.csv
   libration fit lengths examples/lengths_synthetic.csv --amplitude 10deg \\
     --figure lengths.svg
@@ -43,7 +45,8 @@ amplitude. A string measured without its bob gives an offset δ and leaves g
 unbiased. The moment of inertia of a bob that is given is part of every law;
 without it a radius of gyration is fitted. A bar has T²h = 4π²R²(k² + h²)/g at a distance h = |L + δ| from its
 centre of mass, and a reversible pendulum 8π²/g = (T1² + T2²)/(h1 + h2) +
-(T1² − T2²)/(h1 − h2) (Bessel), h1 + h2 being the distance of the edges.")]
+(T1² − T2²)/(h1 − h2) (Bessel), h1 + h2 being the distance of the edges.")
+)]
 pub(crate) struct FitLengths {
     #[command(flatten)]
     input: FitLengthsInput,

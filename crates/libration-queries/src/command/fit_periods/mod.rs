@@ -22,7 +22,9 @@ pub(crate) use fields::answers;
 
 /// Measured periods against amplitude: T0 under the exact law and every other, a test of the exact law, gravity
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration fit periods examples/period_table_synthetic.csv
   libration fit periods examples/period_table_synthetic.csv \\
     --length 0.994m±0.001m --figure fit.svg
@@ -38,7 +40,8 @@ pub(crate) use fields::answers;
 
 Every law is fitted by weighted least squares in T0 alone. The test of the exact
 law fits T = T0·[1 + β(R − 1)], where R = T/T0 by the exact law: β = 1 is the
-exact law.")]
+exact law.")
+)]
 pub(crate) struct FitPeriods {
     #[command(flatten)]
     input: FitPeriodsInput,

@@ -23,7 +23,9 @@ pub(crate) use fields::answers;
 
 /// Amplitudes and phases of a driven oscillator against frequency: natural frequency, damping and drive, through its jumps
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration fit response examples/response_synthetic.csv
   libration fit response examples/response_synthetic.csv --model pendulum \\
     --figure response.svg --report response.html
@@ -33,7 +35,8 @@ pub(crate) use fields::answers;
 x'' = -c x' - ω0² sin x + A cos Ωt, or with ω0² x + κ x³ (duffing), or ω0² x
 (linear), with all harmonics. The drive that sustains a response of the measured
 amplitude is compared with A: it is single-valued on each branch, so that points
-of sweeps up and down are fitted together.")]
+of sweeps up and down are fitted together.")
+)]
 pub(crate) struct FitResponse {
     #[command(flatten)]
     input: FitResponseInput,

@@ -29,13 +29,16 @@ pub(crate) use fields::answers;
 /// traces, which share ω0 and the damping; each has its own zero of the angle and its own start. Every cycle is also
 /// measured by itself, which tests the exact law of the period: T = T0·[1 + β(R − 1)] with β = 1.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration fit trace examples/swing_synthetic.csv --length 0.56m±0.002m
   libration fit trace examples/swing_synthetic.csv --report swing.html
   libration fit trace examples/swing_synthetic.csv --robust \\
     --model linear+quadratic --from 2s --to 10s --figure fit.svg
   libration fit trace examples/swing_synthetic.csv --time 1 --angle 2 \\
-    --angle-unit deg --json")]
+    --angle-unit deg --json")
+)]
 pub(crate) struct FitTrace {
     #[command(flatten)]
     input: FitTraceInput,

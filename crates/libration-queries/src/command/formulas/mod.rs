@@ -17,12 +17,15 @@ use std::io::Write;
 
 /// The catalogue of formulas for the period: their errors, ranges of validity and crossovers
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration formulas
   libration formulas molina                               # its sheet
   libration formulas --tolerance 1e-3                     # range of each
   libration formulas --amplitude 90deg --tolerance 1e-3   # simplest first
-  libration formulas --crossovers --formulas denman,black_vel_3,butikov")]
+  libration formulas --crossovers --formulas denman,black_vel_3,butikov")
+)]
 pub(crate) struct Formulas {
     /// Keys of formulas whose sheets are shown: formula, derivation, source, error curve
     #[arg(value_name = "KEY", value_parser = arguments::formula, conflicts_with_all = ["amplitude", "tolerance", "crossovers", "formulas"])]

@@ -24,7 +24,9 @@ pub(crate) fn answers() -> Vec<Answers> {
 /// Everything is detected in the file; each finding names the option that overrides it, and the fits take the same options.
 /// Where a file leaves something open, it is described together with the options that would settle it.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration inspect examples/swing_synthetic.csv
   libration inspect examples/swing_synthetic.csv --spectrum
   libration inspect examples/phone/swing.txt --angle-unit rad --spectrum \\
@@ -32,7 +34,8 @@ pub(crate) fn answers() -> Vec<Answers> {
   libration inspect examples/gate_synthetic.csv --json --values
   libration inspect examples/swing_synthetic.csv --angle 2 --angle-unit deg
   printf '0 9\\n0.1 5\\n0.2 3\\n' | libration inspect - --angle 2 --angle-unit deg
-  printf 't (s),x,y\\n0,5,0\\n1,4,1\\n2,5,0\\n' | libration inspect - --pivot 0,3")]
+  printf 't (s),x,y\\n0,5,0\\n1,4,1\\n2,5,0\\n' | libration inspect - --pivot 0,3")
+)]
 pub(crate) struct Inspect {
     /// File of the instrument: text, Excel, or an archive of text files; - for standard input
     file: PathBuf,

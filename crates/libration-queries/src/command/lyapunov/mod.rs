@@ -23,7 +23,9 @@ const MOST_INTERVALS: usize = 100_000_000;
 
 /// The largest Lyapunov exponent: the rate at which neighbouring motions diverge, and whether the motion is chaotic
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration lyapunov driven_pendulum --set A=1.5,c=1/2 --initial theta=0.2 \\
     --intervals 300
   libration lyapunov roessler --initial x=1,y=1 --intervals 50
@@ -36,7 +38,8 @@ const MOST_INTERVALS: usize = 100_000_000;
 run, from the motion and from two neighbouring ones, and no passage so close to a
 separatrix that all digits are lost. `regular` follows from a theorem, or was
 observed over the time measured. Otherwise the verdict is `undecided` and the
-reason states what is missing. Ctrl-C stops early and keeps the estimate so far.")]
+reason states what is missing. Ctrl-C stops early and keeps the estimate so far.")
+)]
 pub(crate) struct Lyapunov {
     #[command(flatten)]
     system: SystemOptions,

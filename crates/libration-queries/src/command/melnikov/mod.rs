@@ -26,7 +26,9 @@ const MOST_PERIODS: usize = 1000;
 /// Everything in the equation but −ω0²·sin of the angle is taken as the perturbation, to first order. Where the Melnikov function has
 /// simple zeros, the motions that leave the upright position and those that return to it cross, and there is chaos next to them.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration melnikov driven_pendulum --set c=0.1,omega=1 --over A=0:1
   libration melnikov driven_pendulum --set A=0.3,c=0.1,omega=1 --json
   libration melnikov \"x'' + 0.1 x' + sin(x) = A cos(t) + A/3*cos(3t)\" \\
@@ -36,7 +38,8 @@ const MOST_PERIODS: usize = 1000;
 With --over the function and the resonances are those of the first threshold in
 the range, or of its end where there is none, and the manifolds themselves are
 followed to where they touch, to all orders. M counts energy per m*l^2, in
-rad^2/s^2, actions are per m*l^2, in rad^2/s.")]
+rad^2/s^2, actions are per m*l^2, in rad^2/s.")
+)]
 pub(crate) struct MelnikovQuestion {
     #[command(flatten)]
     system: SystemOptions,

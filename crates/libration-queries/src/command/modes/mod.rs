@@ -24,13 +24,16 @@ pub(crate) use fields::answers;
 /// Shapes are scaled so that their largest part is 1. With a the amplitude of that coordinate, the frequency is
 /// Ω = ω + κa² as long as a is small.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration modes double_pendulum
   libration modes spring_pendulum --json
   libration modes coupled_pendulums --figure shapes.svg
   libration modes \"x'' = y - 2*x - x^3; y'' = x - 2*y\"
   libration modes pendulum --about theta=180deg
-  libration modes double_pendulum --follow 2 --amplitudes 10deg:80deg:10deg")]
+  libration modes double_pendulum --follow 2 --amplitudes 10deg:80deg:10deg")
+)]
 pub(crate) struct Modes {
     #[command(flatten)]
     system: SystemOptions,

@@ -18,13 +18,16 @@ pub(crate) use fields::answers;
 
 /// Angle and velocity in time, from any starting angle and velocity
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration motion 60deg                                # one period
   libration motion 150deg --times 0:10:0.5 --csv
   libration motion 0 --velocity 7rad/s --times 0,1,2    # a rotation
   libration motion pi-1e-300 --times 0:2000:100         # almost upright
   libration motion 90deg --compare small-angle,fourier-3 --figure motion.svg
-  libration motion 150deg --times 0:10:1 --animate --figure swing.svg")]
+  libration motion 150deg --times 0:10:1 --animate --figure swing.svg")
+)]
 pub(crate) struct Motion {
     /// The starting angle, such as 60deg, 1.2rad or pi-1e-6; beyond the top, whole turns are counted
     #[arg(value_parser = arguments::angle)]

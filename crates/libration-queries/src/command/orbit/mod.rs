@@ -26,7 +26,9 @@ const MOST_PERIODS: usize = 1000;
 /// For a driven system, the periodic response near the start, or the one to which the start leads; without a drive, a motion released
 /// from rest, a limit cycle, or the orbit near a guess of its period. Without a drive the period is the least one.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration orbit driven_pendulum --set A=0.15,c=0.1,omega=0.82
   libration orbit \"x'' = (1 - x^2) x' - x\" --initial x=0.5
   libration orbit pendulum --initial theta=60deg --figure orbit.svg
@@ -38,7 +40,8 @@ const MOST_PERIODS: usize = 1000;
     --initial x=3
 
 Where energy is conserved the start chooses one orbit of a family: its largest
-coordinate is kept, or that of --hold, and the velocity of that one.")]
+coordinate is kept, or that of --hold, and the velocity of that one.")
+)]
 pub(crate) struct OrbitQuestion {
     #[command(flatten)]
     system: SystemOptions,

@@ -20,14 +20,17 @@ pub(crate) use fields::answers;
 #[derive(Debug, clap::Args)]
 #[command(override_usage = "libration period [OPTIONS] <AMPLITUDE>...
        libration period [OPTIONS] --from-file|--period|--ratio|--excess <VALUE>")]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration period 60deg
   libration period 179.999999deg --length 57cm --gravity 9.81m/s^2
   libration period pi-1e-300 --json
   libration period --period '2.10(1)s'    # its amplitude
   libration period 1deg:179deg:1deg --formulas bernoulli,kidd_fogg
   libration period 10deg:170deg:10deg --csv    # with every formula
-  printf '60deg\\n1.2\\npi-1e-6\\n' | libration period --from-file - --csv")]
+  printf '60deg\\n1.2\\npi-1e-6\\n' | libration period --from-file - --csv")
+)]
 pub(crate) struct Period {
     #[command(flatten)]
     amplitudes: AmplitudeOptions,

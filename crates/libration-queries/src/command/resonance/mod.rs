@@ -27,7 +27,9 @@ pub(crate) use fields::answers;
 ///
 /// With symbols in the equations the result is the slow flow of the coordinates as formulas, free or driven.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration resonance spring_pendulum --set kappa=3
   libration resonance spring_pendulum --set kappa=3 --order 5 \\
     --initial r=1.3733,theta=0.04
@@ -48,7 +50,8 @@ drives must be small.
 
 With --initial the exchange from this state is found by the slow flow, in closed
 form where it is one of two modes at 2:1, and by integration of the whole motion,
-whose mean frequencies are exact.")]
+whose mean frequencies are exact.")
+)]
 pub(crate) struct ResonanceQuestion {
     #[command(flatten)]
     system: SystemOptions,

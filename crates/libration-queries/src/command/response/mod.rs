@@ -44,7 +44,9 @@ const MOST_GENERATIONS: usize = 6;
 /// Branches begin with the solutions found at both ends of the range, from the start and by harmonic balance, and are followed through their
 /// folds; secondary branches are followed too. Every point has an error, special points are exact to their last digits.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration response driven_pendulum --set A=0.15,c=0.1 --over omega=0.3:1.4
   libration response driven_pendulum --set omega=0.8,c=0.1 --over A=0:0.7 \\
     --figure response.svg
@@ -65,7 +67,8 @@ within the range can be missed: try --at, or --initial near them, or --orders,
 which finds sub- and superharmonic responses from the free oscillations that the
 drive can sustain; --turns is for rotating responses.
 Without a drive the solutions are limit cycles, to which the motion from
---initial settles. Ctrl-C stops early and keeps what is done.")]
+--initial settles. Ctrl-C stops early and keeps what is done.")
+)]
 pub(crate) struct ResponseQuestion {
     #[command(flatten)]
     system: SystemOptions,

@@ -25,7 +25,9 @@ const POINTS: usize = 1000;
 
 /// Poincaré section: the state once per drive period, or whenever a formula crosses zero
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration section driven_pendulum --set A=1.5,c=1/2 --initial theta=0.2 \\
     --points 1000 --figure attractor.png
   libration section \"x'' + 0.05 x' + x^3 = 7.5 cos(t)\" \\
@@ -37,7 +39,8 @@ const POINTS: usize = 1000;
 
 The first points belong to the transient and are discarded; --skip says how many.
 Repeat --initial for several motions, computed on all cores. Ctrl-C stops early
-and keeps the points computed so far.")]
+and keeps the points computed so far.")
+)]
 pub(crate) struct PoincareQuestion {
     #[command(flatten)]
     system: SystemOptions,

@@ -41,7 +41,9 @@ pub(crate) fn answers() -> Vec<Answers> {
 
 /// The motion of any system in time: damped, driven, coupled, or given by its equations
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration simulate pendulum --initial theta=60deg --times 0:10:0.5
   libration simulate damped_pendulum --set c=0.1,n=2 \\
     --initial \"theta=60deg,theta'=0\" --times 0:100:0.1 --csv
@@ -85,7 +87,8 @@ digits.
 Ctrl-C stops a run early: what was computed is written as complete output, and
 --resume continues from there. The result equals that of a single run, byte for
 byte. With long.csv comes long.csv.state, which records the system and where the
-integration stands; --resume needs it, and also continues a killed run.")]
+integration stands; --resume needs it, and also continues a killed run.")
+)]
 pub(crate) struct Simulate {
     #[command(flatten)]
     system: PendulumSystemOptions,

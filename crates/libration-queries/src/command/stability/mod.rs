@@ -29,7 +29,9 @@ const MOST_GENERATIONS: usize = 6;
 /// An equilibrium, such as the hanging or the upright pendulum whose pivot moves, has its stability boundaries where a Floquet multiplier leaves the unit
 /// circle. Driven motions are followed on some lines of the map, and their singular points from there in both parameters.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration stability vertically_driven_pendulum --set c=0.1 \\
     --map omega=1.5:2.5,a=0:0.2
   libration stability kapitza --set c=0.1 --map omega=5:20,a=0.01:0.6 \\
@@ -38,7 +40,8 @@ const MOST_GENERATIONS: usize = 6;
 
 Where a curve leaves the map its last point is on the edge, so that a map whose
 range begins at a value gives the result there to all digits.
-Ctrl-C stops early and keeps what is done.")]
+Ctrl-C stops early and keeps what is done.")
+)]
 pub(crate) struct StabilityQuestion {
     #[command(flatten)]
     system: SystemOptions,

@@ -16,12 +16,15 @@ use std::path::PathBuf;
 ///
 /// The file is the same, byte for byte, however many shards, threads and interruptions there were.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration sweep lyapunov driven_pendulum --over A=1:1.4:0.1 \\
     --set c=1/2 --initial theta=0.2 --intervals 10 --shard 1/2 --output a
   libration sweep lyapunov driven_pendulum --over A=1:1.4:0.1 \\
     --set c=1/2 --initial theta=0.2 --intervals 10 --shard 2/2 --output b
-  libration sweep join a b --output exponents.csv")]
+  libration sweep join a b --output exponents.csv")
+)]
 pub(crate) struct Join {
     /// The directories of the shards; a single one if all have written to it
     #[arg(value_name = "DIR", required = true)]

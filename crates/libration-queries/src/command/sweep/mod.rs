@@ -46,7 +46,10 @@ const MOST_POINTS: usize = 1_000_000_000;
 ///
 /// Each --over is an axis. Its values replace {NAME} in the command, or go to its option or argument of this name, or they are initial values or parameters of its system.
 #[derive(Debug, clap::Args)]
-#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true, override_usage = USAGE, after_help = "Examples:
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true, override_usage = USAGE)]
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration sweep lyapunov driven_pendulum --over A=1:1.4:0.1 \\
     --over theta=0,0.2 --set c=1/2 --intervals 10 --output exponents
   libration sweep join exponents --output exponents.csv
@@ -61,7 +64,8 @@ Points without a result have empty cells, and the reason in `message`. Finished
 chunks are kept when the command is interrupted or killed; the same command then
 continues. With --shard several machines share the work. Options of the sweep
 may stand anywhere before --; what follows -- belongs to the command alone, such
-as its own --output or --over.")]
+as its own --output or --over.")
+)]
 pub(crate) struct Sweep {
     #[command(subcommand)]
     about: Option<SweepTarget>,

@@ -14,9 +14,12 @@ use std::path::PathBuf;
 
 /// Show the progress of a sweep and the missing shards
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    command(after_help = "Examples:
   libration sweep period --over amplitude=10deg:170deg:10deg --output periods
-  libration sweep status periods")]
+  libration sweep status periods")
+)]
 pub(crate) struct Status {
     /// The directories of the shards; a single one if all write to it
     #[arg(value_name = "DIR", required = true)]
