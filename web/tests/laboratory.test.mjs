@@ -48,7 +48,7 @@ for (const [file, question, fragment, words] of [
   ["lengths_synthetic.csv", "lengths", "", []],
   ["amplitudes_synthetic.csv", "amplitudes", "", []],
   ["class/ten_swings.csv", "lengths", "", []],
-  ["class/groups.csv", "lengths", "?from=0,4m&run=A,B", ["--from", "0.4m", "--run", "A,B"]],
+  ["class/groups.csv", "lengths", "?least=0,4m&groups=A,B", ["--from", "0.4m", "--run", "A,B"]],
   ["class/amplitudes.csv", "periods", "?length=0,500 ± 0,001 m", ["--length", "0.500 ± 0.001 m"]],
   ["response_synthetic.csv", "response", "?oscillator=pendulum&columns=1,2,-,3&response-unit=deg", ["--model", "pendulum", "--columns", "1,2,-,3", "--amplitude-unit", "deg"]],
 ]) {

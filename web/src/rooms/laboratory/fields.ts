@@ -15,12 +15,12 @@ const READING: readonly Key[] = [
   "time", "time-unit", "angle", "angular-velocity", "unit", "counts-per-turn", "x", "y", "pivot", "uncertainty", "gate", "signal", "from", "to", "even-times", "times-as-written", "run", "sheet", "delimiter", "decimal", "header",
 ];
 const DIALECT: readonly Key[] = ["sheet", "delimiter", "decimal", "header"];
-const TABLE: readonly Key[] = ["columns", "from", "to", "run", ...DIALECT];
+const TABLE: readonly Key[] = ["columns", "least", "most", "groups", ...DIALECT];
 const TIMING: readonly Key[] = ["group", "half-periods", "swings-per-reading", "reaction-time", "shared-timing"];
 const RESPONSE: readonly Key[] = ["oscillator", "measured", "frequency-unit", "response-unit", "phase-unit", "errors"];
 const DECAY: readonly Key[] = ["model", "against", "sides", "period", "response-unit", "errors"];
 const CHOICES: readonly Key[] = [
-  "model", "robust", "free-scale", "signals", "diameter", "shape", "gate-distance", "amplitude", "columns", "amplitude-unit", "length-unit", "pendulum", "edges", ...TIMING, "reject-outliers", "linear-damping", "against", "sides", "period", ...RESPONSE,
+  "model", "robust", "free-scale", "signals", "diameter", "shape", "gate-distance", "amplitude", "columns", "least", "most", "groups", "amplitude-unit", "length-unit", "pendulum", "edges", ...TIMING, "reject-outliers", "linear-damping", "against", "sides", "period", ...RESPONSE,
 ];
 
 /** The fields in the order in which they are shown: options of the fit, the apparatus, reading of the files. */
@@ -36,14 +36,14 @@ const TAKEN: Readonly<Record<Kind, readonly Key[]>> = {
 };
 
 /** Options that have another meaning in another fit, or had another name, by their fields; links keep the names of fields. */
-const OPTIONS: Readonly<Partial<Record<Key, string>>> = { oscillator: "model", pendulum: "model", "response-unit": "amplitude-unit", unit: "angle-unit", "linear-damping": "linear" };
+const OPTIONS: Readonly<Partial<Record<Key, string>>> = { oscillator: "model", pendulum: "model", "response-unit": "amplitude-unit", unit: "angle-unit", "linear-damping": "linear", least: "from", most: "to", groups: "run" };
 
 /** The key of the roles of columns, such as `2=ignore,4=period`, which are chosen in the table of columns. */
 export const ROLES = "roles";
 
 const TICKS = new Set<Key>(["robust", "free-scale", "half-periods", "even-times", "times-as-written"]);
 /** Numbers with units, in which a comma can only be a decimal comma. */
-const QUANTITIES = new Set<Key>([...APPARATUS, "diameter", "gate-distance", "amplitude", "edges", "swings-per-reading", "reaction-time", "shared-timing", "reject-outliers", "linear-damping", "period", "counts-per-turn", "from", "to"]);
+const QUANTITIES = new Set<Key>([...APPARATUS, "diameter", "gate-distance", "amplitude", "edges", "swings-per-reading", "reaction-time", "shared-timing", "reject-outliers", "linear-damping", "period", "counts-per-turn", "from", "to", "least", "most"]);
 const SELECTED = new Set<Key>(["delimiter", "decimal", "signals", "shape", "oscillator", "pendulum", "measured", "against", "sides", "errors"]);
 const UNITS: Readonly<Partial<Record<Key, readonly string[]>>> = {
   "frequency-unit": ["Hz", "kHz", "rad/s", "deg/s"],
