@@ -219,7 +219,12 @@ pub fn thresholds(
             watch.go_on()?;
             let Some(value) = zero else { continue };
             let width = ends[1].0 - ends[0].0;
-            let slope = (margin(value + 1e-4 * width) - margin(value - 1e-4 * width)) / (2e-4 * width);
+            let [before, after] = [-1e-4, 1e-4].map(|part| margin(value + part * width));
+            if before * after > 0.0 {
+                // The manifolds cross on both sides, as those of a pendulum without damping with drives of either sign.
+                continue;
+            }
+            let slope = (after - before) / (2e-4 * width);
             let own = &at(value)?[side];
             let error = own.error() / slope.abs() + f64::EPSILON * value.abs();
             found.push(Threshold { direction: own.direction, value, error, above: slope > 0.0 });

@@ -100,6 +100,7 @@ fn largest(tape: &Tape, at: &[f64]) -> f64 {
 /// A step, halved until it reduces the largest acceleration: a full one may cross a singularity to another equilibrium. The full step if none does,
 /// as at rounding errors.
 fn shortened(step: Vec<f64>, at: &[f64], largest: impl Fn(&[f64]) -> f64) -> Vec<f64> {
+    /// Next to a singularity a step is a few times too long; where no part of it down to 1/4096 is better, rounding errors are the reason.
     const HALVINGS: u32 = 12;
     let before = largest(at);
     let part = |halvings: u32| step.iter().map(move |x| x * libm::exp2(-f64::from(halvings)));

@@ -178,6 +178,17 @@ fn what_is_no_pendulum_under_a_periodic_drive_is_refused() {
     assert!(matches!(thresholds(&equation, "B", [0.0, 1.0], &Quiet), Err(MelnikovError::At { .. })));
 }
 
+/// Without damping M = 2π·A·sech(π/2)·cos φ has simple zeros for every A but zero, on both sides of it.
+#[test]
+fn a_drive_that_vanishes_without_damping_is_no_threshold() {
+    let equation: Equation = "x'' + sin(x) = A cos(t)".parse().unwrap();
+    for range in [[0.0, 1.0], [-1.0, 0.0], [-1.0, 1.0], [-0.3, 1.0]] {
+        assert_eq!(thresholds(&equation, "A", range, &Quiet).unwrap(), [], "{range:?}");
+    }
+    let damped: Equation = "x'' + c x' + sin(x) = 0.2 cos(t)".parse().unwrap();
+    assert_eq!(thresholds(&damped, "c", [-1.0, 1.0], &Quiet).unwrap().len(), 4);
+}
+
 #[test]
 fn a_parameter_may_be_the_frequency_of_the_drive() {
     let equation: Equation = "x'' + 0.1 x' + sin(x) = 0.4 cos(w t)".parse().unwrap();

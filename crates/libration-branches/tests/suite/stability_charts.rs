@@ -211,13 +211,17 @@ fn what_has_no_chart_says_why() {
     assert!(matches!(refused("x'' = -k*x + a*cos(w*t)", [[1.0, 2.0]; 2]), BranchError::WithoutValue(_)));
 }
 
+/// The chart of Mathieu's equation over ranges of d and e, without continuation of driven motions.
+fn mathieus(ranges: [[f64; 2]; 2]) -> StabilityChart {
+    let equation = "x'' + (d + e*cos(t))*x = 0".parse().unwrap();
+    let options = ChartOptions { lines: 0, ..ChartOptions::default() };
+    StabilityChart::over(&equation, ["d", "e"], ranges, &options, &Quiet).unwrap()
+}
+
 /// Beyond d = 0 the strip between the first two boundaries of Mathieu's equation is 0.03 wide, half an interval of the grid.
 #[test]
 fn strips_narrower_than_the_grid_are_told() {
-    let mathieu = "x'' + (d + e*cos(t))*x = 0".parse().unwrap();
-    let options = ChartOptions { lines: 0, ..ChartOptions::default() };
-    let chart =
-        StabilityChart::over(&mathieu, ["d", "e"], [[-0.5, 2.5], [0.0, 2.0]], &options, &Quiet).unwrap();
+    let chart = mathieus([[-0.5, 2.5], [0.0, 2.0]]);
     let ranges = chart.rest_is_stable_at(0).unwrap();
     // By SciPy's monodromy matrix: multipliers of 3.2 at 1.18, of modulus 1 from 1.195 to 1.22, of 2.6 at 1.23.
     assert_eq!(ranges.len(), 1);
@@ -311,10 +315,7 @@ fn the_kind_of_a_boundary_is_that_over_the_least_period() {
 /// The first boundary of Mathieu's equation begins at d = 0.
 #[test]
 fn the_error_of_a_boundary_at_zero_contains_that_of_the_multipliers() {
-    let mathieu = "x'' + (d + e*cos(t))*x = 0".parse().unwrap();
-    let options = ChartOptions { lines: 0, ..ChartOptions::default() };
-    let chart =
-        StabilityChart::over(&mathieu, ["d", "e"], [[-0.5, 0.5], [0.0, 1.0]], &options, &Quiet).unwrap();
+    let chart = mathieus([[-0.5, 0.5], [0.0, 1.0]]);
     let all = chart.curves.iter().filter(|it| it.kind == SpecialKind::BranchPoint);
     let start = all.flat_map(|it| &it.points).find(|it| it.second == 0.0).unwrap();
     assert!(

@@ -1,6 +1,7 @@
 //! Bad input gets a message with the argument, the value and the remedy.
 
 use crate::command::{json, libration, message};
+use libration_queries::{ParameterKind, ParameterType, questions};
 
 /// Arguments, exit status, and parts of the message.
 const CASES: [(&str, i32, &[&str]); 54] = [
@@ -81,6 +82,21 @@ fn each_is_refused_with_its_exit_status_and_a_message_that_helps() {
             assert!(message.contains(part), "{arguments}: `{part}` is not in: {message}");
         }
     }
+}
+
+#[test]
+fn every_whole_number_is_asked_for_as_one() {
+    let mut asked = 0;
+    for question in questions() {
+        let options = question.parameters.iter().filter(|it| it.kind == ParameterKind::Option);
+        for option in options.filter(|it| it.value_type == ParameterType::Integer) {
+            let arguments = format!("{} --{}=x", question.words, option.name);
+            let message = message(&libration(&arguments));
+            assert!(message.contains("whole number"), "{arguments}: {message}");
+            asked += 1;
+        }
+    }
+    assert!(asked > 30, "{asked}");
 }
 
 #[test]

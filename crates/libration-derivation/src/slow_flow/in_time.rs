@@ -22,7 +22,7 @@ pub(super) fn step(subject: &SlowFlowSubject) -> Result<Option<DerivationStep>, 
             let step = amplitude(subject, &trials, motion, step.clone())?;
             match &motion.phase {
                 Some(phase) => integrated(subject, &trials, phase, step),
-                None => Ok(step),
+                None => Ok(step.say("The phase follows by integrating its rate along this amplitude.", [])),
             }
         })
         .map(Some)
@@ -81,11 +81,14 @@ fn amplitude(
         |of: Formula| sum(growth.iter().map(|it| times(it, of.clone())).chain(constant.clone()).collect());
     let first = raised(&start(&a));
     let solution = match (&growth, &constant, ratio) {
-        (Some(growth), Some(_), Some(ratio)) => {
+        (Some(growth), Some(constant), ratio) => {
+            let ratio = ratio.unwrap_or_else(|| constant.clone() / growth.clone());
             (first + ratio.clone()) * exp(times(growth, time)) + opposite(ratio)
         }
-        (Some(growth), _, _) => first * exp(times(growth, time)),
-        (None, constant, _) => first + times(constant.as_ref().unwrap_or(&number(0)), time),
+        (Some(growth), None, _) => first * exp(times(growth, time)),
+        (None, constant, _) => {
+            sum([first].into_iter().chain(constant.iter().map(|it| times(it, time.clone()))).collect())
+        }
     };
     let linear = Statement::equal(derivative(raised(&a), "t"), rate(raised(&a)));
     let formula = if motion.power == 1 { solution.clone() } else { root(solution.clone(), motion.power) };

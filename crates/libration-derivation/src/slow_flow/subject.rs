@@ -31,7 +31,9 @@ impl SlowFlowSubject {
         progress: &dyn Progress,
     ) -> Result<Self, DerivationError> {
         let steps = slow_flow_steps(equation, options, progress)?.ok_or(DerivationError::SeveralOrders)?;
-        let taken = ["psi", "t"].into_iter().find(|name| equation.parameters().contains(*name));
+        let taken = ["psi", "t", "A_start", "phi_start"]
+            .into_iter()
+            .find(|name| equation.parameters().contains(*name));
         if let Some(letter) = taken {
             return Err(DerivationError::TakenLetter { letter: letter.to_owned() });
         }

@@ -43,6 +43,7 @@ const CASES: &[Case] = &[
     ("x'' + w^2*x + eps*(c*x' + d*x'^3 + a*x^3 + b*x^5) = 0", None, &[]),
     ("x'' + w^2*x + eps*(c*x' + R*sign(x')) = 0", None, &[]),
     ("x'' + w^2*x + eps*a*x^3 = 0", None, &[]),
+    ("x'' + w^2*x + eps*((c + k)*x' + d*x'*abs(x')) = 0", None, &[]),
 ];
 
 fn options(resonance: Option<(u32, u32)>, small: &[(&str, usize)]) -> SymbolicSlowFlowOptions {
@@ -75,6 +76,16 @@ fn sides(derivation: &Derivation) -> Vec<String> {
         _ => vec![],
     };
     derivation.steps.iter().flat_map(|step| step.blocks.iter().flat_map(of_block)).collect()
+}
+
+/// Asserts that the derivation of each case contains these formulas or words.
+fn assert_contained(expected: &[(usize, &[&str])]) {
+    for (place, parts) in expected {
+        let page = to_markdown(&derived(&CASES[*place]).unwrap());
+        for part in *parts {
+            assert!(page.contains(part), "{}: {part}: {page}", CASES[*place].0);
+        }
+    }
 }
 
 #[test]
@@ -113,12 +124,7 @@ fn textbook_results_are_derived() {
         (5, &[r"\sin 2\varphi =\frac{4\mu w_{0}}{h}", r"\cos\left(\psi -Wt\right)"]),
         (23, &[r"A_{0}:=2", r"=-\varepsilon m"]),
     ];
-    for (place, parts) in expected {
-        let page = to_markdown(&derived(&CASES[place]).unwrap());
-        for part in parts {
-            assert!(page.contains(part), "{}: {part}: {page}", CASES[place].0);
-        }
-    }
+    assert_contained(&expected);
 }
 
 #[test]
@@ -170,12 +176,14 @@ fn flows_of_several_orders_are_refused() {
     }
     let taken = derived(&("x'' + eps*psi*x' + A*x = 0", None, &[]));
     assert!(matches!(taken, Err(DerivationError::TakenLetter { .. })), "{taken:?}");
+    let taken = derived(&("x'' + eps*A_start*x' + x = 0", None, &[]));
+    assert!(matches!(taken, Err(DerivationError::TakenLetter { .. })), "{taken:?}");
 }
 
 /// Nayfeh and Mook, sections 3.3 (damping by powers of the velocity, dry friction) and 3.3.4 (van der Pol); the phase by dφ/dA = φ′/A′.
 #[test]
 fn amplitude_and_phase_are_given_in_time() {
-    let expected: [(usize, &[&str]); 7] = [
+    let expected: [(usize, &[&str]); 9] = [
         (
             18,
             &[
@@ -200,14 +208,17 @@ fn amplitude_and_phase_are_given_in_time() {
                 "as long as this is positive.",
             ],
         ),
+        (25, &["The phase follows by integrating its rate along this amplitude."]),
+        // The factor of A in A′ is a sum.
+        (
+            28,
+            &[
+                r"A^{-1}=\left(A_{\mathrm{start}}^{-1}+\frac{\frac{4\varepsilon dw}{3\pi }}{\frac{\varepsilon c}{2}+\frac{\varepsilon k}{2}}\right)e^{\left(\varepsilon c/2+\varepsilon k/2\right)t}",
+            ],
+        ),
         (27, &[r"\psi'=w+\frac{3\varepsilon aA^{2}}{8w}"]),
     ];
-    for (place, parts) in expected {
-        let page = to_markdown(&derived(&CASES[place]).unwrap());
-        for part in parts {
-            assert!(page.contains(part), "{}: {part}: {page}", CASES[place].0);
-        }
-    }
+    assert_contained(&expected);
 }
 
 #[test]

@@ -97,7 +97,7 @@ impl ParameterType {
 
 fn entries() -> [(ParameterType, Vec<TypeId>); 12] {
     [
-        (ParameterType::Integer, vec![id::<u16>(), id::<u64>(), id::<usize>(), id::<i32>()]),
+        (ParameterType::Integer, vec![id::<u64>(), id::<usize>(), id::<i32>()]),
         (
             ParameterType::Number,
             vec![id::<f64>(), id::<RowBound>(), id::<Tolerances>(), id::<ResonanceOrder>()],

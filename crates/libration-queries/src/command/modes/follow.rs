@@ -1,6 +1,6 @@
 //! A mode followed in amplitude, as table, JSON and CSV.
 
-use crate::arguments::{CoordinateName, coordinate, displacements};
+use crate::arguments::{self, CoordinateName, coordinate, displacements};
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::number::{at_most, short, to_its_error};
@@ -15,12 +15,15 @@ use std::io::{self, Write};
 /// Width at which lines are broken, in columns.
 const COLUMNS: usize = 100;
 
+/// Larger than the number of modes of any system.
+const MOST_MODES: usize = 65_535;
+
 /// The mode that is followed, and its range.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct FollowOptions {
     /// Follow the mode with this number, from 1, to large amplitudes, as periodic orbits with their stability
-    #[arg(long, value_name = "MODE", requires = "amplitudes", value_parser = clap::value_parser!(u16).range(1..))]
-    pub(super) follow: Option<u16>,
+    #[arg(long, value_name = "MODE", requires = "amplitudes", value_parser = arguments::count::<MOST_MODES>)]
+    pub(super) follow: Option<usize>,
     /// Amplitudes of the followed mode: a list or a range, such as 10deg:90deg:10deg or 0.1,0.5
     #[arg(long, value_name = "LIST", requires = "follow")]
     amplitudes: Option<String>,

@@ -68,7 +68,7 @@ impl Modes {
         let modes = modes.ok_or_else(early)?;
         let modes = modes.map_err(|error| QueryError::no_result(argument("SYSTEM|EQUATION"), error))?;
         if let Some(number) = self.follow.follow {
-            return self.followed(out, model, &modes, usize::from(number) - 1);
+            return self.followed(out, model, &modes, number - 1);
         }
         let answer = ModesResult { model, modes };
         let drawn = match &self.figure {

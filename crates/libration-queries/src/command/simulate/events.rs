@@ -1,6 +1,6 @@
 //! Events of an integration: turning points, passages through rest, zeros of any formula.
 
-use crate::arguments::at_commas;
+use crate::arguments::{self, at_commas};
 use crate::query_error::{Parameter, QueryError, option};
 use libration::expression::{Expression, Function, Symbol};
 use libration::systems::{ConditionError, Coordinate, Model};
@@ -23,6 +23,9 @@ struct ListedEvent {
     ends_at: Option<u64>,
 }
 
+/// Largest number of crossings that may be awaited, within 32 bits.
+const MOST_CROSSINGS: usize = 1_000_000_000;
+
 /// Conditions that end a motion.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct UntilOptions {
@@ -33,8 +36,8 @@ pub(super) struct UntilOptions {
     #[arg(long, value_enum, requires = "until", default_value_t = Way::Any)]
     direction: Way,
     /// End the motion at the n-th crossing that counts for --until
-    #[arg(long, value_name = "N", requires = "until", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
-    count: u64,
+    #[arg(long, value_name = "N", requires = "until", default_value_t = 1, value_parser = arguments::count::<MOST_CROSSINGS>)]
+    count: usize,
 }
 
 /// The direction of a crossing.
@@ -144,7 +147,7 @@ impl UntilOptions {
             Way::Rising => Direction::Rising,
             Way::Falling => Direction::Falling,
         };
-        let (name, ends_at) = (text.trim().to_owned(), Some(self.count));
+        let (name, ends_at) = (text.trim().to_owned(), Some(u64::try_from(self.count).unwrap_or(u64::MAX)));
         Ok(ListedEvent { name, direction, ends_at, ..zero_of(&option("until"), text, model)? })
     }
 }

@@ -47,7 +47,7 @@ pub struct AmplitudeInTime {
     pub growth: Option<String>,
     /// b; `None` for zero.
     pub constant: Option<String>,
-    /// b/a, where both are present.
+    /// b/a, where both are present and a is a product.
     pub ratio: Option<String>,
     /// The phase; `None` where it is not an elementary function of amplitude and time.
     pub phase: Option<PhaseInTime>,
@@ -327,7 +327,7 @@ fn in_time(letters: &Letters, [growth, turning]: &[PhaseSum; 2]) -> Option<Ampli
     };
     let (a, b) = (factor(linear), factor(others));
     let ratio = match (&a, &b) {
-        (Some(a), Some(b)) => Some(letters.times(b, &letters.inverse(a)?)),
+        (Some(a), Some(b)) => letters.inverse(a).map(|inverse| letters.times(b, &inverse)),
         _ => None,
     };
     let turning = powers(letters, &turning.times(letters, &letters.power(Column::Amplitude, -1)))?;
