@@ -8,6 +8,7 @@ use super::space::Space;
 use super::special::{Meeting, SpecialKind, SpecialPoint, Stretch};
 use super::units::{difference, in_units};
 use libration_motion::internals::periodic::norm;
+use libration_motion::orbit::Stability;
 use libration_numbers::roots::{Tolerance, bisect};
 
 /// A branch of periodic orbits over one parameter.
@@ -182,8 +183,10 @@ impl<'a> Walk<'a> {
     pub(super) fn walked(mut self, origin: Origin) -> Walked {
         let ending = self.followed();
         let nodes = self.nodes.into_iter().map(|node| node.point);
-        let points = nodes.chain(self.hopf.iter().map(|hopf| hopf.point.clone())).collect();
-        let special = self.special.iter().map(|(special, _)| special).chain(&self.hopf).cloned().collect();
+        let points: Vec<BranchPoint> = nodes.chain(self.hopf.iter().map(|hopf| hopf.point.clone())).collect();
+        let special: Vec<SpecialPoint> =
+            self.special.iter().map(|(special, _)| special).chain(&self.hopf).cloned().collect();
+        self.unresolved.extend(unexplained_changes(&points, &special));
         let beginning = match origin {
             _ if ending == Ending::Closed => Ending::Closed,
             Origin::Primary | Origin::FreeOscillation | Origin::Meeting => Ending::RangeEnd,
@@ -242,8 +245,7 @@ impl<'a> Walk<'a> {
             return None;
         };
         if !established {
-            let [from, to] = [&self.at().point, &next.point].map(|point| point.parameter);
-            self.unresolved.push([from.min(to), from.max(to)]);
+            self.leave_unresolved(&next);
         }
         self.last = *length;
         let longer = (TURNS[1] / turn.max(1e-3)).min(libm::cbrt(0.2 * FAR / off.max(1e-6))).clamp(0.5, 1.6);
@@ -400,13 +402,21 @@ impl<'a> Walk<'a> {
                 return Some(Ending::BranchPoint);
             }
         }
-        let found = stretch.specials();
+        let (found, are_all) = stretch.specials();
+        if !are_all {
+            self.leave_unresolved(&next);
+        }
         let before = self.nodes.len();
         self.special.extend(found.into_iter().map(|it| (SpecialPoint { before, ..it.special }, it.node)));
         self.largest = self.largest.max(self.corrector.family.largest_swing(&next.point));
         self.milestones.push(self.milestone(&next, self.last));
         self.nodes.push(next);
         None
+    }
+
+    fn leave_unresolved(&mut self, next: &Node) {
+        let [from, to] = [&self.at().point, &next.point].map(|point| point.parameter);
+        self.unresolved.push([from.min(to), from.max(to)]);
     }
 
     fn milestone(&self, next: &Node, length: f64) -> Milestone {
@@ -418,6 +428,19 @@ impl<'a> Walk<'a> {
         let middle = || Some(self.milestone(&stretch.node_at(stretch.corrector, 0.5)?, 0.5 * length));
         is_established(&self.milestones, &self.milestone(stretch.ends[1], length), middle)
     }
+}
+
+/// The ranges between neighbouring points of which one attracts and the other is unstable, with no special point between them.
+fn unexplained_changes(points: &[BranchPoint], special: &[SpecialPoint]) -> Vec<[f64; 2]> {
+    let is_known =
+        |point: &BranchPoint| matches!(point.stability, Stability::Attracting | Stability::Unstable);
+    let changes = |pair: &[BranchPoint]| pair.iter().all(is_known) && pair[0].stability != pair[1].stability;
+    let pairs = (1..).zip(points.windows(2)).filter(|(_, pair)| changes(pair));
+    let unexplained = pairs.filter(|(place, _)| special.iter().all(|it| it.before != *place));
+    unexplained
+        .map(|(_, pair)| [0, 1].map(|it: usize| pair[it].parameter))
+        .map(|[a, b]| [a.min(b), a.max(b)])
+        .collect()
 }
 
 /// Ranges in ascending order; adjacent ones are joined.

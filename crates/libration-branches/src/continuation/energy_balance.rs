@@ -20,6 +20,8 @@ pub(super) struct EnergyBalance {
     rest: Tape,
     is_odd: bool,
     is_periodic: bool,
+    /// The size of motions under the drive.
+    scale: f64,
 }
 
 /// Release points with the frequencies of their free oscillations, in ascending order, for each side of the bottom.
@@ -36,8 +38,9 @@ pub(super) enum Work {
 }
 
 impl EnergyBalance {
-    /// Returns the balance of an equation of second order with one coordinate and without open parameters; `None` for others.
-    pub(super) fn new(equation: Equation) -> Option<Self> {
+    /// Returns the balance of an equation of second order with one coordinate and without open parameters, for motions of a scale; `None` for
+    /// other equations.
+    pub(super) fn new(equation: Equation, scale: f64) -> Option<Self> {
         let free = undriven(&equation)?;
         let place = Symbol::plain(&equation.variables()[0]);
         let inputs = [place.clone(), place.with_primes(1), Symbol::plain("t")];
@@ -49,10 +52,12 @@ impl EnergyBalance {
         let force = Tape::new(&[&free.derivatives()[0]], &inputs).ok()?;
         let at = |place: f64| value(&force, [place, 0.0, 0.0]);
         let same = |a: f64, b: f64| (a - b).abs() <= 1e-12 * (a.abs() + b.abs()).max(1e-300);
+        let is_odd_at = |place: f64| same(at(place), -at(-place));
         let places = [0.31, 0.83, 1.7, 2.9];
         Some(Self {
-            is_odd: places.iter().all(|place| same(at(*place), -at(-place))),
-            is_periodic: places.iter().all(|place| (at(*place) - at(place + TAU)).abs() <= 1e-12),
+            is_odd: [1.0, scale].iter().all(|scale| places.iter().all(|place| is_odd_at(scale * place))),
+            is_periodic: places.iter().all(|place| same(at(*place), at(place + TAU))),
+            scale,
             equation,
             free,
             rest,
@@ -83,18 +88,20 @@ impl EnergyBalance {
         places.filter_map(|place| Orbit::released(&self.free, place, &Quiet).ok()).collect()
     }
 
-    /// Release points over six decades, or from the bottom to a hundredth of a radian below the top.
+    /// Release points from three decades below the scale, or 1, to three decades above, or from the bottom to a hundredth of a radian below the top.
     fn places(&self) -> Vec<f64> {
-        const PER_DECADE: i32 = 5;
-        let decades = |from: i32, to: i32| {
-            (from * PER_DECADE..=to * PER_DECADE).map(|k| libm::exp10(f64::from(k) / f64::from(PER_DECADE)))
+        /// Five in a decade.
+        const RATIO: f64 = 1.584_893_192_461_113_6;
+        let between = |low: f64, high: f64| {
+            std::iter::successors(Some(low), |place| Some(place * RATIO))
+                .take_while(move |place| *place < high)
         };
         if !self.is_periodic {
-            return decades(-3, 3).collect();
+            return between(1e-3 * self.scale.min(1.0), 1.1e3 * self.scale.max(1.0)).collect();
         }
-        let below = decades(-3, 1).filter(|place| *place < 0.5 * PI);
-        let above = decades(-2, 1).filter(|place| *place < 0.5 * PI).rev().map(|place| PI - place);
-        below.chain(above).collect()
+        let mut above: Vec<f64> = between(1e-2, 0.5 * PI).map(|place| PI - place).collect();
+        above.reverse();
+        between(1e-3, 0.5 * PI).chain(above).collect()
     }
 
     /// The work of drive and damping on a free oscillation in resonance of the given order, as a function of its phase.

@@ -62,16 +62,16 @@ impl Image {
         self
     }
 
-    /// Adds the period as an unknown, of which the time is a fraction `share`,
-    /// and the equation that the first coordinate turns back at the start.
-    fn beginning_at_turn(mut self, rate: &[f64], share: f64, start: Rates) -> Option<Self> {
+    /// Adds the period as an unknown, of which the time is a fraction `share`, and the equation that the first coordinate turns back at the start:
+    /// its rate, times a unit that makes it a time.
+    fn beginning_at_turn(mut self, rate: &[f64], share: f64, start: Rates, unit: f64) -> Option<Self> {
         let (phase, slopes) = (start.rates[0], &start.slopes[0]);
         let (by_state, by_parameters) = slopes.split_at(self.map.len());
         self.returned = Some(returned(&self.map, rate, by_state)?);
         self.map.iter_mut().zip(rate).for_each(|(row, rate)| row.push(share * rate));
-        self.map.push(by_state.iter().copied().chain([1.0]).collect());
-        self.defect.push(phase);
-        self.by_parameters.iter_mut().zip(by_parameters).for_each(|(all, slope)| all.push(*slope));
+        self.map.push(by_state.iter().map(|slope| unit * slope).chain([1.0]).collect());
+        self.defect.push(unit * phase);
+        self.by_parameters.iter_mut().zip(by_parameters).for_each(|(all, slope)| all.push(unit * slope));
         Some(self)
     }
 
@@ -108,11 +108,16 @@ pub(super) const TOLERANCES: [f64; 2] = [1e-16, 1e-15];
 /// Maximum number of steps of one motion.
 const MOST_STEPS: usize = 100_000;
 
-/// Coordinates below this are of other units than those of the others.
+/// Coordinates below this, or above its inverse, are of other units than those of the others.
 const OTHER_UNITS: f64 = 1e-6;
 
-/// The size of motions under a drive far below [`OTHER_UNITS`], by the inertia: the largest rate at rest in a period, times the square of the time in
-/// which the phase is 1; otherwise 1.
+/// Returns `true` for a size to which 1 is no scale.
+fn is_of_other_units(size: f64) -> bool {
+    size > 0.0 && size.is_finite() && !(OTHER_UNITS..=1.0 / OTHER_UNITS).contains(&size)
+}
+
+/// The size of motions under a drive, if it is [of other units](is_of_other_units), by the inertia: the largest rate at rest in a period, times the
+/// square of the time in which the phase is 1; otherwise 1.
 fn scale_of_drive(layout: &StateLayout, rates: &Tape, law: &DriveLaw, ranges: &[[f64; 2]]) -> f64 {
     const TIMES: u32 = 16;
     let largest = [0, 1].map(|end| {
@@ -133,7 +138,7 @@ fn scale_of_drive(layout: &StateLayout, rates: &Tape, law: &DriveLaw, ranges: &[
         (0..TIMES).map(at).try_fold(0.0_f64, |largest, it| Some(largest.max(it?)))
     });
     match largest.into_iter().flatten().fold(0.0, f64::max) {
-        size if size > 0.0 && size < OTHER_UNITS && largest.iter().all(Option::is_some) => size,
+        size if is_of_other_units(size) && largest.iter().all(Option::is_some) => size,
         _ => 1.0,
     }
 }
@@ -185,7 +190,7 @@ impl<'w> Family<'w> {
     /// The family with the scale of a state, where that of its motions is not known and the state is of other units.
     pub(super) fn at_scale_of(self, state: &[f64]) -> Self {
         let size = state.iter().map(|x| x.abs()).fold(0.0, f64::max);
-        let is_open = self.scale.total_cmp(&1.0).is_eq() && size > 0.0 && size < OTHER_UNITS;
+        let is_open = self.scale.total_cmp(&1.0).is_eq() && is_of_other_units(size);
         Self { scale: if is_open { size } else { self.scale }, ..self }
     }
 
@@ -293,7 +298,11 @@ impl<'w> Family<'w> {
         let share = 0.5 * f64::from(space.half_periods);
         match &self.beat {
             Beat::Drive(_) => Some(image.in_time_of_drive(&rate, &self.duration_slopes(space, parameters)?)),
-            Beat::Own(field) => image.beginning_at_turn(&rate, share, field.at(state, parameters)?),
+            Beat::Own(field) => {
+                let pace = unknowns.last()? / TAU;
+                let unit = pace * pace / self.scale;
+                image.beginning_at_turn(&rate, share, field.at(state, parameters)?, unit)
+            }
         }
     }
 
@@ -329,11 +338,17 @@ impl<'w> Family<'w> {
     /// A start that is not an equilibrium: the coordinates of an equilibrium are displaced a little, each less than the one before, since equal
     /// displacements of equal oscillators would keep them equal.
     pub(super) fn displaced(&self, mut state: Vec<f64>, value: f64) -> Vec<f64> {
+        /// Rates of change, relative to those of coordinates as large as the state, of an equilibrium that is typed with nine digits.
         const REST: f64 = 1e-9;
         const ASIDE: f64 = 0.1;
         const LESS: f64 = 0.7;
         let rates = self.field().and_then(|field| field.at(&state, &[value]));
-        if rates.is_some_and(|it| it.rates.iter().all(|rate| rate.abs() <= REST * self.scale)) {
+        let size = state.iter().fold(self.scale, |most, x| most.max(x.abs()));
+        let is_zero = |(rate, slopes): (&f64, &Vec<f64>)| {
+            let by_coordinates = &slopes[..self.layout.coordinates()];
+            rate.abs() <= REST * size * by_coordinates.iter().map(|slope| slope.abs()).sum::<f64>()
+        };
+        if rates.is_some_and(|it| it.rates.iter().zip(&it.slopes).all(is_zero)) {
             let mut aside = ASIDE;
             for coordinate in &mut state[..self.layout.coordinates()] {
                 *coordinate += aside * coordinate.abs().max(self.scale);

@@ -74,6 +74,9 @@ impl Rest {
     /// Finds an equilibrium by Newton's method, from a state.
     fn near(field: &Field, state: &[f64], value: f64, frequency: f64) -> Option<Self> {
         const MOST_ROUNDS: usize = 30;
+        /// Size, relative to the state, below which a correction that no longer shrinks counts as rounding: it has half of the digits, and the
+        /// next one, if it were not rounding, all of them.
+        const ROUNDING: f64 = 1e-9;
         let numbers = state.len();
         let jacobian = |found: &Rates| -> Vec<Vec<f64>> {
             found.slopes.iter().map(|row| row[..numbers].to_vec()).collect()
@@ -85,9 +88,10 @@ impl Rest {
             change.filter(|change| change.iter().all(|x| x.is_finite())).ok_or(NewtonError::NoSlope)
         };
         let mut before = f64::INFINITY;
-        let is_last = |change: &[f64], _: &[f64]| {
-            let size = change.iter().map(|x| x.abs()).fold(0.0, f64::max);
-            let last = size == 0.0 || (size > 0.5 * before && size < 1e-9);
+        let largest = |numbers: &[f64]| numbers.iter().map(|x| x.abs()).fold(0.0, f64::max);
+        let is_last = |change: &[f64], at: &[f64]| {
+            let size = largest(change);
+            let last = size == 0.0 || (size > 0.5 * before && size < ROUNDING * largest(at));
             before = size;
             last
         };

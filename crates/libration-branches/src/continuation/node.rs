@@ -63,8 +63,7 @@ impl Node {
         [across, along]: [&[f64]; 2],
         width: f64,
     ) -> Option<Self> {
-        let mut sizes = vec![1.0; place.len()];
-        *sizes.last_mut()? = width;
+        let mut sizes = corrector.family.first_units(place, width);
         let mut node: Option<Self> = None;
         for _ in 0..2 {
             let corrected = corrector.corrected(place, &in_units(across, &sizes), &sizes)?;

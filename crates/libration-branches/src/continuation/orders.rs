@@ -65,7 +65,8 @@ impl Search<'_> {
             let value = self.range[0] + self.width() * (f64::from(k) + 0.5) / f64::from(VALUES);
             let Some(drive) = self.family.drive_period(&[value]) else { continue };
             let equation = self.at(value).map_err(BranchError::NoStart)?;
-            let balance = EnergyBalance::new(equation).ok_or(BranchError::NotOneOscillator)?;
+            let balance =
+                EnergyBalance::new(equation, self.family.scale).ok_or(BranchError::NotOneOscillator)?;
             let ratio = f64::from(order.oscillations()) / f64::from(order.drive_periods());
             let frequency = ratio * std::f64::consts::TAU / drive;
             let frequencies = match known.take() {

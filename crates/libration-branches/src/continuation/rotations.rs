@@ -65,13 +65,13 @@ impl Search<'_> {
 
     fn rotating_from(&self, space: Space, mut state: Vec<f64>, value: f64) -> Option<Start> {
         let corrector = self.corrector(space);
-        let units = vec![1.0; state.len() + 1];
-        let mut across = vec![0.0; units.len()];
+        let mut across = vec![0.0; state.len() + 1];
         across[state.len()] = 1.0;
         let [periods, trials] = SETTLING;
         let period = self.family.drive_period(&[value])?;
         for _ in 0..trials {
             let place: Vec<f64> = state.iter().copied().chain([value]).collect();
+            let units = self.family.first_units(&place, 1.0);
             if let Some(corrected) = corrector.corrected(&place, &across, &units) {
                 let mut unknowns = corrected.place;
                 unknowns.pop();

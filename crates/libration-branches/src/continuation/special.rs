@@ -240,8 +240,8 @@ impl Stretch<'_> {
         smaller.find(|it| misses(*it).is_some_and(|off| off < largest))
     }
 
-    /// The singular points on the stretch, in order.
-    pub(super) fn specials(&self) -> Vec<Located> {
+    /// The singular points on the stretch, in order, and whether all of which a test has another sign at its end were located.
+    pub(super) fn specials(&self) -> (Vec<Located>, bool) {
         let [a, b] = self.ends;
         let folds = Test::Fold.changes(a, b);
         let wanted = [
@@ -251,16 +251,33 @@ impl Stretch<'_> {
             (Test::Flip.changes(a, b), Test::Flip),
             (Test::Torus.changes(a, b), Test::Torus),
         ];
-        let found = wanted.iter().filter(|(changes, _)| *changes).filter_map(|(_, test)| self.located(*test));
-        let mut found: Vec<(f64, Located)> = found.collect();
+        let wanted: Vec<Test> =
+            wanted.into_iter().filter(|(changes, _)| *changes).map(|(_, it)| it).collect();
+        let mut found: Vec<(f64, Located)> = wanted.iter().filter_map(|test| self.located(*test)).collect();
+        let are_all = found.len() == wanted.len();
         found.sort_by(|a, b| a.0.total_cmp(&b.0));
-        found.into_iter().map(|(_, located)| located).collect()
+        (found.into_iter().map(|(_, located)| located).collect(), are_all)
     }
 
     fn located(&self, test: Test) -> Option<(f64, Located)> {
         let crosses = test == Test::Branching || (test == Test::Fold && self.may_cross_other_branch());
         let found = if test == Test::Fold && crosses { None } else { self.located_exactly(test) };
-        found.or_else(|| self.crossing(test).filter(|_| crosses))
+        found.or_else(|| if crosses { self.crossing(test) } else { self.enclosed_fold(test) })
+    }
+
+    /// A fold between two nodes that are closer than motions can be corrected, as where the branch turns within the last digits of the parameter: at
+    /// the node whose direction has less of the parameter.
+    fn enclosed_fold(&self, test: Test) -> Option<(f64, Located)> {
+        let [a, b] = self.ends;
+        let flatter = if a.tests.fold.abs() < b.tests.fold.abs() { a } else { b };
+        let steepest = a.tests.fold.abs().max(b.tests.fold.abs());
+        let way = norm(&difference(a.place(), b.place(), self.units)) * self.units.last()?;
+        let apart = (a.point.parameter - b.point.parameter).abs();
+        let own = parameter_error(&flatter.corrected, &flatter.direction, self.units)?;
+        let error = own + apart + steepest * way + f64::EPSILON * flatter.point.parameter.abs();
+        let special =
+            SpecialPoint { kind: SpecialKind::Fold, point: flatter.point.clone(), error, before: 0 };
+        (test == Test::Fold).then(|| (0.5, Located { special, node: flatter.clone() }))
     }
 
     /// Crossing of branches, located as closely as nearby motions can be corrected: at the

@@ -31,6 +31,18 @@ impl Family<'_> {
         largest_half_range(point) <= AT_REST * self.scale
     }
 
+    /// The sizes of the unknowns where no motion is known yet: the scale of the family, the corresponding velocity, and the period if it is
+    /// unknown; followed by that of the parameter.
+    pub(super) fn first_units(&self, place: &[f64], width: f64) -> Vec<f64> {
+        let own = &place[self.layout.numbers()..];
+        let (parameter, period) = own.split_last().map_or((f64::NAN, None), |(it, own)| (*it, own.first()));
+        let period = period.copied();
+        let pace = TAU / self.drive_period(&[parameter]).or(period).unwrap_or(TAU).abs();
+        let places = (0..self.layout.coordinates()).map(|_| self.scale);
+        let sizes = self.layout.arrange(places, |_| self.scale * pace);
+        sizes.into_iter().chain(period).chain([width]).collect()
+    }
+
     /// The sizes of the unknowns, followed by that of the parameter: half of each coordinate's range, the corresponding velocity, and the period
     /// if it is unknown. A component that hardly moves compared with the largest one has a fraction of the largest size.
     pub(super) fn units(&self, point: &BranchPoint, largest: f64, width: f64) -> Vec<f64> {

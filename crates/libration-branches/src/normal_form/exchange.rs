@@ -196,12 +196,14 @@ impl NormalForm {
     /// Period from aⱼ′ = iα·b², b′ = iβ·a·b̄: u = |b|² is a Jacobi function of
     /// the time, between roots of (|a|²u − …), since Re(a·b̄²) is conserved.
     fn closed_form(&self, amplitudes: &[Complex]) -> Option<f64> {
+        // A detuning that is zero up to the rounding of the frequencies.
+        let fastest = self.modes.modes.iter().map(|mode| mode.frequency()).fold(0.0, f64::max);
         let second = |mode: usize, powers: &[u8], bars: &[u8]| {
             let fits = |it: &&super::SlowTerm| {
                 it.mode == mode
                     && it.powers == powers
                     && it.conjugate_powers == bars
-                    && it.detuning.abs() < 1e-12
+                    && it.detuning.abs() <= 1e-12 * fastest
             };
             self.slow_terms.iter().find(fits).map(|it| it.coefficient.im)
         };

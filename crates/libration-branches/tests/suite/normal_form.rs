@@ -79,6 +79,20 @@ fn the_resonance_of_the_spring_pendulum_is_kept_with_its_coefficients() {
     assert!((closed / 598.954_477_867_174 - 1.0).abs() < 4e-3, "{exchange:?}");
 }
 
+/// The closed form is that of frequencies at 2:1 up to rounding, in slow and in fast units.
+#[test]
+fn detuning_is_relative_to_the_frequencies() {
+    let closed = |square: &str, ratio: &str| {
+        let text = format!("x'' = -{square}*(x + x*y); y'' = -{square}*({ratio}*y + x^2/2)");
+        let exchange = form(&text, &[0.0, 0.0], 2).exchange(&[0.1, 0.1, 0.0, 0.0], &Quiet).unwrap();
+        exchange.closed_form
+    };
+    assert_eq!(closed("1e-26", "4.1"), None);
+    for square in ["1e-26", "1", "1e24*sin(1)"] {
+        assert!(closed(square, "4").is_some(), "{square}");
+    }
+}
+
 /// Return maps of motions in long double, on two sections, to the digits given.
 const EXCHANGES: [(f64, f64, f64); 3] = [
     (0.01, 0.01, 597.727_754_675_995_24),

@@ -1,7 +1,9 @@
 //! Limit cycles over a parameter, compared with closed forms and with shooting by another integrator.
 
 use libration::algebra::Complex;
-use libration::continuation::{Branch, BranchError, Ending, Origin, Response, ResponseOptions, SpecialKind};
+use libration::continuation::{
+    Branch, BranchError, Ending, Origin, Response, ResponseOptions, SpecialKind, SpecialPoint,
+};
 use libration::expression::Equation;
 use libration::orbit::Stability;
 use libration::progress::{Quiet, Status};
@@ -255,13 +257,18 @@ fn logarithm_of_multiplier(m: f64, start: &[f64], period: f64) -> f64 {
     let moved = |u: [f64; 3], k: [f64; 3], h: f64| [0, 1, 2].map(|i| u[i] + h * k[i]);
     let step = period / f64::from(STEPS);
     let mut state = [start[0], start[1], 0.0];
+    // What the additions round off, which would otherwise add up to 3e-14.
+    let mut rounded = [0.0; 3];
     for _ in 0..STEPS {
         let first = rates(state);
         let second = rates(moved(state, first, 0.5 * step));
         let third = rates(moved(state, second, 0.5 * step));
         let fourth = rates(moved(state, third, step));
-        state = [0, 1, 2]
-            .map(|i| state[i] + step / 6.0 * (first[i] + 2.0 * second[i] + 2.0 * third[i] + fourth[i]));
+        for i in 0..3 {
+            let change = step / 6.0 * (first[i] + 2.0 * second[i] + 2.0 * third[i] + fourth[i]) - rounded[i];
+            let next = state[i] + change;
+            (rounded[i], state[i]) = ((next - state[i]) - change, next);
+        }
     }
     state[2]
 }
@@ -290,5 +297,30 @@ fn a_cycle_that_becomes_a_homoclinic_orbit_ends_there() {
     for (own, error) in beyond.flat_map(|point| point.multipliers.iter().zip(&point.multiplier_errors)) {
         // The other multiplier is below 2e-6 there, and the return map a difference of much larger numbers.
         assert!((own.re - 1.0).abs() < 1e-12 || own.abs() < error + 2e-6, "{own:?} {error:e}");
+    }
+}
+
+/// FitzHugh and Nagumo's equations are their own image under (v, w, I) → (−v, 7/4 − w, 7/4 − I), and so are the folds of their cycles, both next to
+/// canards: the branch turns within the last digits of the parameter.
+#[test]
+fn both_folds_next_to_canards_are_listed() {
+    let equation = "v' = v - v^3/3 - w + I; w' = 0.08*(v + 0.7 - 0.8*w)".parse().unwrap();
+    for part in [1.0, 0.99, 1.01, 1.02] {
+        let options = ResponseOptions {
+            at: Some(0.8 * part),
+            start: Some(vec![1.0, 0.5]),
+            ..ResponseOptions::default()
+        };
+        let response = Response::over(&equation, "I", [0.0, 2.0], &options, &Quiet).unwrap();
+        let points = || response.branches.iter().flat_map(|branch| &branch.special);
+        for (kind, low) in [(SpecialKind::Fold, 0.3241785225037), (SpecialKind::Hopf, 0.33128133745475)] {
+            for expected in [low, 1.75 - low] {
+                let is_it = |it: &&SpecialPoint| {
+                    it.kind == kind && (it.point.parameter - expected).abs() < 1e-12 + it.error
+                };
+                let found = points().find(is_it);
+                assert!(found.is_some_and(|it| it.error < 1e-12), "{part} {kind:?} {expected}: {found:?}");
+            }
+        }
     }
 }

@@ -1,6 +1,6 @@
-//! Responses whose coordinates are of another order of magnitude than 1: those of the same equation in other units.
+//! Responses whose coordinates or times are of another order of magnitude than 1: those of the same equation in other units.
 
-use libration::continuation::{Response, ResponseOptions, SpecialKind};
+use libration::continuation::{Ending, Response, ResponseOptions, Rotation, SpecialKind};
 use libration::progress::Quiet;
 
 /// Parameters of all special points, with their kinds.
@@ -64,4 +64,85 @@ fn a_small_start_without_a_drive_is_in_its_own_units() {
     let other = Response::over(&usual, "mu", [0.5, 2.0], &options, &Quiet).unwrap();
     let other = other.branches[0].points.last().unwrap();
     assert!((1e12 * last.ranges[0][1] / other.ranges[0][1] - 1.0).abs() < 1e-10, "{last:?} {other:?}");
+}
+
+/// A stop at 1, and at 1e10 with forces whose rounding differs. Corrections in the units of the equation never fell below 1e-9 there.
+#[test]
+fn corrections_of_large_motions_are_in_their_units() {
+    for part in [1.0, 1.0 + 3e-7, 1.0 - 5e-7, 1.0 + 7e-7] {
+        let equation = |unit: f64| {
+            let (damping, stop, drive) = (0.1 * part, 10.0 / part, 0.3 * part * unit);
+            format!("x'' = -{damping:?}*x' - x - {stop:?}*max(x - {unit:?}, 0) + {drive:?}*cos(w*t)")
+        };
+        let usual = special(&equation(1.0), "w", [0.5, 2.0], None);
+        let large = special(&equation(1e10), "w", [0.5, 2.0], None);
+        assert_eq!((usual.len(), large.len()), (2, 2), "{part}");
+        assert!(
+            usual.iter().zip(&large).all(|(a, b)| a.0 == b.0 && (a.1 / b.1 - 1.0).abs() < 1e-12),
+            "{part}"
+        );
+    }
+}
+
+/// θ = wt is exact, at any frequency.
+#[test]
+fn fast_rotations_are_found() {
+    let options = ResponseOptions {
+        rotation: Some(Rotation { coordinate: 0, turns: 1 }),
+        at: Some(2e10),
+        generations: 0,
+        ..ResponseOptions::default()
+    };
+    let equation = "theta'' = -2e9*theta' - 1e20*sin(theta) + 2e9*w + 1e20*sin(w*t)".parse().unwrap();
+    let response = Response::over(&equation, "w", [1.5e10, 3e10], &options, &Quiet).unwrap();
+    let is_even = |it: &libration::continuation::Branch| {
+        it.points.iter().all(|point| (point.state[1] / point.parameter - 1.0).abs() < 1e-12)
+    };
+    let branch = response.branches.iter().find(|it| is_even(it)).unwrap();
+    assert_eq!([branch.points[0].parameter, branch.points.last().unwrap().parameter], [1.5e10, 3e10]);
+}
+
+/// The isola of [`crate::orders`] at amplitudes of 1e-9 and 1e9.
+#[test]
+fn free_oscillations_are_released_in_the_units_of_the_drive() {
+    for (stiffness, drive) in [("1e18", "5e-9"), ("1e-18", "5e9")] {
+        let options = ResponseOptions {
+            orders: vec!["1/3".parse().unwrap()],
+            generations: 0,
+            ..ResponseOptions::default()
+        };
+        let equation = format!("x'' = -0.15*x' - x - {stiffness}*x^3 + {drive}*cos(w*t)").parse().unwrap();
+        let response = Response::over(&equation, "w", [2.5, 6.0], &options, &Quiet).unwrap();
+        let isola = response.branches.iter().find(|it| it.ending == Ending::Closed).unwrap();
+        for expected in [5.294354133015056, 3.648857400987054] {
+            let mut folds = isola.special.iter().map(|it| it.point.parameter);
+            assert!(folds.any(|w| (w - expected).abs() < 1e-12), "{drive}");
+        }
+    }
+}
+
+/// FitzHugh and Nagumo's equations with v and w in units of 1e-9 and 1e9: both Hopf points.
+#[test]
+fn hopf_points_are_found_in_all_units() {
+    let hopf = |unit: f64| {
+        let equation =
+            format!("v' = v - ({:?}*v)^2*v/3 - w + I; w' = 0.08*(v + {:?} - 0.8*w)", 1.0 / unit, 0.7 * unit);
+        let start = Some(vec![unit, 0.5 * unit]);
+        let options = ResponseOptions { at: Some(0.8 * unit), start, ..ResponseOptions::default() };
+        let response =
+            Response::over(&equation.parse().unwrap(), "I", [0.0, 2.0 * unit], &options, &Quiet).unwrap();
+        let points = response.branches.iter().flat_map(|branch| &branch.special);
+        let hopf = points.filter(|it| it.kind == SpecialKind::Hopf).map(|it| it.point.parameter / unit);
+        let mut hopf: Vec<f64> = hopf.collect();
+        hopf.sort_by(f64::total_cmp);
+        hopf.dedup_by(|a, b| (*a / *b - 1.0).abs() < 1e-9);
+        hopf
+    };
+    let usual = hopf(1.0);
+    assert_eq!(usual.len(), 2, "{usual:?}");
+    for unit in [1e-9, 1e9] {
+        let other = hopf(unit);
+        assert_eq!(other.len(), 2, "{unit}: {other:?}");
+        assert!(usual.iter().zip(&other).all(|(a, b)| (a / b - 1.0).abs() < 1e-10), "{unit}: {other:?}");
+    }
 }

@@ -106,7 +106,9 @@ pub(super) fn given(force: &Force, place: &Expression) -> Option<Constant> {
     if let Some(exact) = place.to_rational().filter(|exact| vanishes_at(force, exact)) {
         return Some(Constant::Exact(exact));
     }
-    zero_or_fraction(force, Curve::new(place, &force.x)?.at(0.0), WITHIN)
+    let near = Curve::new(place, &force.x)?.at(0.0);
+    let is_near = |zero: &Constant| near == 0.0 || (zero.to_f64() - near).abs() <= WITHIN * near.abs();
+    zero_or_fraction(force, near, WITHIN).filter(is_near)
 }
 
 /// The zero of the force to [`PRECISION`] bits, by Newton's method from a number next to it.

@@ -138,10 +138,11 @@ impl<'a> Curve<'a> {
     }
 }
 
-/// The fraction of smallest denominator that agrees with a number to `bits` bits, or to this many bits after the point.
+/// The fraction of smallest denominator that agrees with a number to `bits` bits; zero for a number below 2⁻³⁸⁴, which is a rounding error of one with
+/// [`PRECISION`] bits.
 pub(super) fn simplest_about(number: &BigFloat, bits: usize) -> Rational {
     let value = number.to_rational();
-    let scale = value.magnitude().max(Rational::from(1));
-    let width = scale.divided_by_power_of_two(bits);
+    let least = Rational::from(1).divided_by_power_of_two(3 * PRECISION / 4);
+    let width = value.magnitude().divided_by_power_of_two(bits).max(least);
     Rational::simplest_between(&Rationals.subtract(&value, &width), &Rationals.add(&value, &width))
 }

@@ -73,9 +73,9 @@ pub(super) struct Neighbourhood<'a> {
 const TRIED: [usize; 3] = [40, 20, 8];
 /// Binary exponent below which a force may be rounding.
 const NOISE: isize = -460;
-/// Distances at which slopes are measured, as powers of two. Between them a power of the
+/// Distances at which slopes are measured, as powers of two. From the first to the last a power of the
 /// distance like √h changes by 2²⁰ and more, and an analytic function by 2⁻¹⁰⁰ of itself.
-const NEAR: [usize; 2] = [100, 140];
+const NEAR: [usize; 3] = [100, 120, 140];
 
 impl<'a> Neighbourhood<'a> {
     pub(super) fn new(at_rest: &'a Expression, x: &'a Symbol, at: &'a Constant) -> Option<Self> {
@@ -102,9 +102,8 @@ impl<'a> Neighbourhood<'a> {
             Constant::Exact(value) if value.is_zero() => Some(0),
             Constant::Exact(value) => Some(sign(!value.is_negative())),
             value => {
-                let digits = value.digits();
-                let told = digits.exponent().is_some_and(|size| size > NOISE);
-                Some(if told { sign(value.is_positive()) } else { 0 })
+                let is_known = !without_noise(value.digits()).is_zero();
+                Some(if is_known { sign(value.is_positive()) } else { 0 })
             }
         }
     }
@@ -140,10 +139,10 @@ impl<'a> Neighbourhood<'a> {
 
     fn slope(&self, side: Towards) -> OneSided {
         let values: Option<Vec<BigFloat>> =
-            NEAR.iter().map(|&n| self.value(side, n).map(|value| value.digits())).collect();
+            NEAR.iter().map(|&n| self.value(side, n).map(|value| without_noise(value.digits()))).collect();
         let Some(values) = values else { return OneSided::NoValue };
         // A function that tends to zero like any power of the distance above 1/1000 decreases by at least 2 %.
-        if size(&values[1]) > 0.99 * size(&values[0]) && size(&values[0]) > 0.0 {
+        if size(&values[2]) > 0.99 * size(&values[0]) && size(&values[0]) > 0.0 {
             return OneSided::Jump;
         }
         let quotients: Vec<BigFloat> = values
@@ -151,14 +150,13 @@ impl<'a> Neighbourhood<'a> {
             .zip(NEAR)
             .map(|(value, n)| value / BigFloat::from_rational(&step(side, n), PRECISION))
             .collect();
-        let (far, near) = (size(&quotients[0]), size(&quotients[1]));
-        if agree(&quotients[0], &quotients[1]) || near < 1e-3 * far {
-            let zero = near < 1e-9;
-            return OneSided::Slope(if zero {
-                BigFloat::from_integer(0, PRECISION)
-            } else {
-                quotients[1].clone()
-            });
+        let [far, middle, near] = [0, 1, 2].map(|place| size(&quotients[place]));
+        if agree(&quotients[1], &quotients[2]) {
+            return OneSided::Slope(quotients[2].clone());
+        }
+        // Quotients that fall in equal proportions, as powers of the distance do, and not towards a slope.
+        if near < 1e-3 * far && near * far <= 1.05 * middle * middle {
+            return OneSided::Slope(BigFloat::from_integer(0, PRECISION));
         }
         if near > 1.2 * far { OneSided::Infinite } else { OneSided::Unclear }
     }
@@ -186,16 +184,21 @@ fn size(number: &BigFloat) -> f64 {
     number.to_f64().abs()
 }
 
+/// The number, or zero if it may be rounding.
+fn without_noise(number: BigFloat) -> BigFloat {
+    let is_known = number.exponent().is_some_and(|size| size > NOISE);
+    if is_known { number } else { BigFloat::from_integer(0, PRECISION) }
+}
+
 /// ±2⁻ⁿ.
 fn step(side: Towards, n: usize) -> Rational {
     let distance = Rational::from(1).divided_by_power_of_two(n);
     if side == Towards::Below { -distance } else { distance }
 }
 
-/// Returns `true` if two numbers agree to nine digits, or both are negligible.
+/// Returns `true` if two numbers agree to nine digits.
 fn agree(a: &BigFloat, b: &BigFloat) -> bool {
-    let gap = size(&(a.clone() - b.clone()));
-    gap <= 1e-9 * size(a).max(size(b)) || size(a).max(size(b)) < 1e-9
+    size(&(a.clone() - b.clone())) <= 1e-9 * size(a).max(size(b))
 }
 
 /// A slope as a fraction of few digits, or with twelve digits.

@@ -236,6 +236,13 @@ fn a_driven_block_sticks_and_slips() {
     let t = released + 0.5;
     let velocity = libm::cos(released) - libm::cos(t) - friction * 0.5;
     assert!((solution.samples[2].state[1] - velocity).abs() < 1e-14, "{:?}", solution.samples);
+    // The same in other units of time; in fast ones only the series of the force at rest overflow.
+    for rate in [1e-10, 1e10, 1e13] {
+        let square = rate * rate;
+        let fast = format!("x'' = {square:e}*sin({rate:e}*t) - {:e}*sign(x')", friction * square);
+        let end = run(&System::new(&fast.parse().unwrap()).unwrap(), &[0.0, 0.0], &[t / rate], 1e-17).end;
+        assert!((end.state[1] / rate - velocity).abs() < 1e-13, "{rate:e}: {end:?}");
+    }
     // If friction exceeds the force the body never moves.
     let held = System::new(&"x'' = sin(t) - 1.2 sign(x')".parse().unwrap()).unwrap();
     assert_eq!(run(&held, &[0.3, 0.0], &[1000.0], 1e-12).end.state, [0.3, 0.0]);

@@ -3,7 +3,8 @@
 use super::{Expression, Function, Jet, Symbol, Tape};
 use crate::algebra::Doubles;
 
-/// Largest magnitude that counts as zero at a numerical state.
+/// Largest change of the components of a state, relative to the largest one, by which a formula that vanishes at the exact state may have another
+/// value at the numerical one.
 const ZERO: f64 = 1e-12;
 
 /// A state and one side of it.
@@ -28,10 +29,16 @@ impl Side<'_> {
     }
 
     fn vanishes(&self, formula: &Expression) -> bool {
-        let value = Tape::new(&[formula], self.symbols).ok().and_then(|tape| {
+        let at_state = |formula: &Expression| {
+            let tape = Tape::new(&[formula], self.symbols).ok()?;
             let jet = Jet::new(&Doubles, &tape, self.state).ok()?;
-            jet.result(0).first().copied()
-        });
-        value.is_some_and(|value| value.abs() < ZERO)
+            jet.result(0).first().map(|value| value.abs())
+        };
+        let change = || {
+            let slopes = self.symbols.iter().map(|symbol| at_state(&formula.derivative(symbol)));
+            let largest = self.state.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+            Some(ZERO * largest * slopes.sum::<Option<f64>>()?)
+        };
+        at_state(formula).is_some_and(|value| value <= 0.0 || change().is_some_and(|change| value < change))
     }
 }

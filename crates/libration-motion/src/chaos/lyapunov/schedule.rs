@@ -47,7 +47,8 @@ impl Schedule {
 /// The approximate period of the fastest coordinate: 2π times half its width over its largest speed.
 fn period_of_motion(equation: &Equation, start: &Moment, effort: &Effort) -> Result<f64, LyapunovError> {
     const STEPS: usize = 400;
-    const LONG: f64 = 1e9;
+    /// A time that only a motion without a force takes few steps to: others end by the number of steps, in all units.
+    const LONG: f64 = 1e100;
     let system = System::new(equation)?;
     let effort = Effort { most_steps: STEPS, ..*effort };
     let mut extent = Extent::new(start.state.len());

@@ -102,7 +102,8 @@ impl<const N: usize> Stepper<'_, N> {
         /// Number of units: a force of 1e-308 in a state of size one suggests a unit that is too large by 2¹⁰⁰.
         const UNITS: usize = 16;
         for _ in 0..UNITS {
-            if self.block.last_coefficients().all(|last| !any(last, |c| !c.is_finite())) {
+            let is_regular = self.block.last_coefficients().all(|last| !any(last, |c| !c.is_finite()));
+            if is_regular && (0..N).all(|lane| self.has_force_at_rest(lane)) {
                 break;
             }
             let overflows: [bool; N] = std::array::from_fn(|lane| self.overflows(lane));
@@ -123,7 +124,7 @@ impl<const N: usize> Stepper<'_, N> {
         /// Growth of coefficients after the first two, in the state or in a part of a formula, that shows an overflow.
         const GROWN: f64 = 1e20;
         let moves = (self.goal[lane] - self.block.start[lane]).abs() > 0.0;
-        if self.is_regular(lane) || !moves || self.is_far(lane) {
+        if self.is_regular(lane) && self.has_force_at_rest(lane) || !moves || self.is_far(lane) {
             return false;
         }
         let largest = |series: &[[f64; N]]| {
@@ -230,6 +231,11 @@ impl<const N: usize> Stepper<'_, N> {
     /// Returns `true` if the last coefficients are finite, which depend on all earlier ones.
     fn is_regular(&self, lane: usize) -> bool {
         self.block.last_coefficients().all(|c| c[lane].is_finite())
+    }
+
+    /// Returns `false` if friction holds a motion, whose series are then finite, against a force whose series overflows.
+    fn has_force_at_rest(&self, lane: usize) -> bool {
+        !self.sticks(lane) || self.block.rows().flatten().all(|c| c[lane].is_finite())
     }
 
     /// The latest end at which series that seem to be polynomials do not overflow.

@@ -126,6 +126,16 @@ fn an_equilibrium_may_be_given() {
     assert_eq!(about("x'' = sin(x)", "3*pi").unwrap(), "9.42477796076937971538793014984…");
     assert!(about("x'' = x - x^3", "0").unwrap_err().to_string().contains("omega0^2 is -1"));
     assert!(about("x'' = x - x^3", "0.5").unwrap_err().to_string().contains("no equilibrium"));
+    // In other units: zero is not next to 8e-13, nor 1e-12 within 5 % of it.
+    let force = "x'' = x - 1e24*x^3";
+    assert_eq!(about(force, "1e-12").unwrap(), "0.000000000001");
+    assert_eq!(about(force, "1.01e-12").unwrap(), "0.000000000001");
+    assert!(about(force, "8e-13").unwrap_err().to_string().contains("no equilibrium"));
+    assert_eq!(
+        about("x'' = 0.5 - sin(x*1e12)", "5.2e-13").unwrap(),
+        "0.000000000000523598775598298873077107230547…"
+    );
+    assert_eq!(oscillator(force).equilibrium().to_string(), "0.000000000001");
 }
 
 #[test]
@@ -210,6 +220,13 @@ fn what_a_force_lacks_for_a_power_series_is_said_as_it_is() {
             "x'' = -x - x*abs(x)^(1/2)",
             ["it has a derivative, omega0^2 being 1, but not all", "the force points back to it"],
         ),
+        // Slopes in slow units: none is negligible.
+        (
+            "x'' = -1e-12*(x + abs(x)/2)",
+            ["it has a kink, its slope being -5e-13 below and -1.5e-12 above", by_orbits],
+        ),
+        ("x'' = -1e-12*x/(1 + sqrt(abs(x)))", ["it has a derivative, omega0^2 being 1e-12, but not all", ""]),
+        ("x'' = -1e-12*x*abs(x)", ["it has a derivative, omega0^2 being 0, but not all", by_orbits]),
     ] {
         let error = refusal(text);
         assert!(parts.iter().all(|part| error.contains(part)), "{text}: {error}");
