@@ -1,7 +1,10 @@
 //! Equilibria of a system: Newton's method of `roots` from a guess, and rational equilibria at which all forces provably vanish.
+//!
+//! In double precision a force vanishes by rounding where it decreases slowly, as √(x² + a) − x does far out, and a double zero is known to half
+//! the digits. So Newton's method continues with numbers of 256 bits, where only a simple zero attracts it quadratically.
 
 use super::error::{ModesError, SearchEnd};
-use libration_numbers::algebra::{BigFloat, Doubles, Rational, Rationals, Ring};
+use libration_numbers::algebra::{BigFloat, Doubles, Floats, Rational, Rationals, Ring};
 use libration_numbers::internals::roots::{NewtonError, Unsolved, correction, newton};
 use libration_numbers::{
     expression::{Equation, Expression, Symbol},
@@ -14,19 +17,37 @@ pub(super) struct Equilibrium {
     pub(super) at: Vec<f64>,
     /// The equilibrium in fractions, if the accelerations provably vanish there.
     pub(super) exact: Option<Vec<Rational>>,
+    /// The equilibrium to [`PRECISION`] bits, if it is a simple zero that is not known in fractions.
+    pub(super) precise: Option<Vec<BigFloat>>,
 }
+
+/// Bits of a precise equilibrium.
+pub(super) const PRECISION: usize = 256;
 
 /// The equilibrium that Newton's method finds from a guess.
 pub(super) fn equilibrium(equation: &Equation, guess: &[f64]) -> Result<Equilibrium, ModesError> {
     let at_rest: Vec<Expression> = equation.accelerations().iter().map(|it| at_rest(it, equation)).collect();
     let names: Vec<Symbol> = equation.variables().iter().map(|name| Symbol::plain(name)).collect();
     if let Some(exact) = proved(&at_rest, &names, guess) {
-        return Ok(Equilibrium { at: guess.to_vec(), exact: Some(exact) });
+        return Ok(Equilibrium { at: guess.to_vec(), exact: Some(exact), precise: None });
     }
-    let at = zero_near(&at_rest, &names, guess)?;
-    let exact = proved(&at_rest, &names, &at);
-    let at = exact.as_ref().map_or(at, |exact| exact.iter().map(Rational::to_f64).collect());
-    Ok(Equilibrium { at, exact })
+    let near = zero_near(&at_rest, &names, guess)?;
+    let (to, established) = match precise_zero(&at_rest, &names, &near)? {
+        Ok(precise) => (precise.iter().map(BigFloat::to_f64).collect(), Ok(Some(precise))),
+        // Along a free direction the equilibria are a curve, on which the guess lies.
+        Err(Unsolved { reason: NewtonError::NoSlope, .. }) => (near, Ok(None)),
+        Err(Unsolved { at, .. }) => {
+            (at.iter().map(BigFloat::to_f64).collect::<Vec<_>>(), Err(SearchEnd::Rounding))
+        }
+    };
+    if let Some(exact) = proved(&at_rest, &names, &to) {
+        let at = exact.iter().map(Rational::to_f64).collect();
+        return Ok(Equilibrium { at, exact: Some(exact), precise: None });
+    }
+    match established {
+        Ok(precise) => Ok(Equilibrium { at: to, exact: None, precise }),
+        Err(end) => Err(ModesError::NoEquilibrium { from: guess.to_vec(), to, end }),
+    }
 }
 
 /// An acceleration at zero velocities.
@@ -80,6 +101,27 @@ fn zero_near(formulas: &[Expression], names: &[Symbol], guess: &[f64]) -> Result
         };
         ModesError::NoEquilibrium { from: guess.to_vec(), to, end }
     })
+}
+
+/// The zero to which Newton's method converges from an approximate one, to [`PRECISION`] bits.
+fn precise_zero(
+    formulas: &[Expression],
+    names: &[Symbol],
+    near: &[f64],
+) -> Result<Result<Vec<BigFloat>, Unsolved<BigFloat>>, ModesError> {
+    /// A double zero needs one step for each bit; the place reached is then compared with fractions.
+    const MOST_STEPS: usize = 64;
+    let ring = Floats { precision: PRECISION };
+    let tape = Tape::new(&formulas.iter().collect::<Vec<_>>(), names)?;
+    let start: Option<Vec<BigFloat>> = near.iter().map(|&x| BigFloat::from_f64(x, PRECISION)).collect();
+    let start = start.expect("Newton's method in double precision ends at finite numbers");
+    let size = |values: &[BigFloat]| values.iter().filter_map(BigFloat::exponent).max();
+    let bits = isize::try_from(PRECISION * 3 / 4).unwrap_or(isize::MAX);
+    let is_last = |step: &[BigFloat], at: &[BigFloat]| {
+        size(step).is_none_or(|step| size(at).is_some_and(|at| step < at - bits))
+    };
+    let step = |at: &[BigFloat]| correction(&ring, |x| x.to_f64().abs(), &tape, at);
+    Ok(newton(&ring, &start, MOST_STEPS, step, is_last))
 }
 
 /// The largest acceleration; infinite where one has no value.

@@ -63,6 +63,11 @@ pub enum SearchEnd {
     /// The Jacobian matrix does not lead to a zero.
     #[error("where they are not zero and their slopes do not lead to a zero")]
     NoSlope,
+    /// The accelerations vanish up to rounding errors, but no simple zero is there.
+    #[error(
+        "where they vanish up to rounding errors, but have no simple zero: they approach zero, touch it, or have a multiple zero"
+    )]
+    Rounding,
     /// The step limit was reached.
     #[error("where it stopped without convergence")]
     Unsettled,

@@ -1,8 +1,8 @@
 //! The linear equations of small motions: x″ = −A·x + G·x′.
 
-use super::equilibrium::{Equilibrium, substituted};
+use super::equilibrium::{Equilibrium, PRECISION, substituted};
 use super::error::ModesError;
-use libration_numbers::algebra::{Doubles, Rational};
+use libration_numbers::algebra::{BigFloat, Doubles, Floats, Rational, Ring};
 use libration_numbers::{
     expression::{Equation, Expression, Symbol},
     internals::expression::{Jet, Side, Tape},
@@ -41,8 +41,8 @@ pub(super) fn linearisation(equation: &Equation, rest: &Equilibrium) -> Result<L
     };
     let (above, below) = (on_side(1), on_side(-1));
     let slopes = slopes(&above, &symbols);
-    let numbers = in_numbers(&slopes, &symbols, &state)?;
-    if above != below && !is_smooth([&above, &below], &symbols, &state)? {
+    let numbers = in_numbers(&slopes, &symbols, rest)?;
+    if above != below && !is_smooth([&above, &below], &symbols, rest)? {
         return Err(ModesError::NotSmooth { at: rest.at.clone() });
     }
     let is_small = rest.at.len() <= MOST_EXACT;
@@ -60,14 +60,14 @@ fn slopes(formulas: &[Expression], symbols: &[Symbol]) -> Vec<Vec<Expression>> {
 }
 
 /// Returns `true` if formulas and their derivatives are the same on both sides of a state.
-fn is_smooth(sides: [&[Expression]; 2], symbols: &[Symbol], state: &[f64]) -> Result<bool, ModesError> {
+fn is_smooth(sides: [&[Expression]; 2], symbols: &[Symbol], rest: &Equilibrium) -> Result<bool, ModesError> {
     const ROUNDING: f64 = 1e-9;
     let values = |formulas: &[Expression]| {
         let mut rows = slopes(formulas, symbols);
         for (row, formula) in rows.iter_mut().zip(formulas) {
             row.push(formula.clone());
         }
-        in_numbers(&rows, symbols, state)
+        in_numbers(&rows, symbols, rest)
     };
     let (above, below) = (values(sides[0])?.concat(), values(sides[1])?.concat());
     let size = above.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
@@ -81,21 +81,31 @@ fn split<N: Clone>(slopes: &[Vec<N>], negative: impl Fn(&N) -> N) -> Linearisati
     Linearisation { stiffness, velocity: slopes.iter().map(|row| row[n..].to_vec()).collect() }
 }
 
+/// The values at the equilibrium, of which double precision leaves few digits next to a double zero of the accelerations.
 fn in_numbers(
     rows: &[Vec<Expression>],
     symbols: &[Symbol],
-    state: &[f64],
+    rest: &Equilibrium,
 ) -> Result<Vec<Vec<f64>>, ModesError> {
     let all: Vec<&Expression> = rows.iter().flatten().collect();
     let tape = Tape::new(&all, symbols)?;
-    let refusal = || ModesError::NotSmooth { at: state[..rows.len()].to_vec() };
-    let jet = Jet::new(&Doubles, &tape, state).map_err(|_| refusal())?;
-    let values: Vec<f64> = (0..all.len()).map(|i| jet.result(i)[0]).collect();
-    if values.iter().all(|x| x.is_finite()) {
-        Ok(values.chunks(rows[0].len()).map(<[f64]>::to_vec).collect())
-    } else {
-        Err(refusal())
-    }
+    let values = match &rest.precise {
+        Some(at) => {
+            let ring = Floats { precision: PRECISION };
+            values(&ring, &tape, at).map(|values| values.iter().map(BigFloat::to_f64).collect::<Vec<_>>())
+        }
+        None => values(&Doubles, &tape, &rest.at),
+    };
+    let finite = values.filter(|values| values.iter().all(|x| x.is_finite()));
+    let values = finite.ok_or_else(|| ModesError::NotSmooth { at: rest.at.clone() })?;
+    Ok(values.chunks(rows[0].len()).map(<[f64]>::to_vec).collect())
+}
+
+/// The results of a tape at rest in these positions.
+fn values<R: Ring>(ring: &R, tape: &Tape, at: &[R::Element]) -> Option<Vec<R::Element>> {
+    let state: Vec<R::Element> = at.iter().cloned().chain(at.iter().map(|_| ring.zero())).collect();
+    let jet = Jet::new(ring, tape, &state).ok()?;
+    Some((0..tape.results().len()).map(|i| jet.result(i)[0].clone()).collect())
 }
 
 fn in_fractions(

@@ -25,21 +25,51 @@ type Known = (Complex, f64);
 
 /// The exponents with nonnegative imaginary parts. For a conservative system, where −s is an exponent together with s, one of the two is kept.
 pub(super) fn spectrum(linear: &Linear) -> Result<Vec<Exponent>, ModesError> {
-    let found = match &linear.exact {
-        Some(exact) => from_fractions(exact, &linear.numbers).or_else(|| from_numbers(&linear.numbers)),
-        None => from_numbers(&linear.numbers),
-    };
+    let exact = linear.exact.as_ref().and_then(|exact| polynomial(&Rationals, exact));
+    let is_odd = exact.as_ref().is_some_and(|exact| !is_even(exact));
+    let in_fractions = exact.and_then(|exact| match exact.as_slice() {
+        [c, b, _] if is_odd => Some(of_quadratic(c, b)),
+        _ if is_odd => None,
+        even => from_fractions(even, &linear.numbers),
+    });
+    let found = in_fractions.or_else(|| from_numbers(&linear.numbers, is_odd));
     let mut found = found.ok_or(ModesError::NoEigenvalues)?;
     found.sort_by(|a, b| a.value.im.total_cmp(&b.value.im).then(a.value.re.total_cmp(&b.value.re)));
     Ok(found)
 }
 
-fn from_fractions(linear: &Linearisation<Rational>, numbers: &Linearisation<f64>) -> Option<Vec<Exponent>> {
-    let polynomial = characteristic_polynomial(&Rationals, &first_order(&Rationals, linear)?)?;
-    if !polynomial.iter().skip(1).step_by(2).all(Rational::is_zero) {
-        return None;
+fn polynomial<R: Ring>(ring: &R, linear: &Linearisation<R::Element>) -> Option<Vec<R::Element>> {
+    characteristic_polynomial(ring, &first_order(ring, linear)?)
+}
+
+/// Returns `true` if −s is a zero together with s.
+fn is_even(polynomial: &[Rational]) -> bool {
+    polynomial.iter().skip(1).step_by(2).all(Rational::is_zero)
+}
+
+/// The exponents with s² + bs + c = 0, which have all digits however near they are to each other or to the imaginary axis.
+fn of_quadratic(c: &Rational, b: &Rational) -> Vec<Exponent> {
+    let exponent = |re: f64, im: f64, multiplicity: usize| Exponent {
+        value: Complex::new(re, im),
+        exact: None,
+        multiplicity,
+    };
+    let half = b.divided_by_power_of_two(1);
+    let square = Rationals.subtract(&Rationals.multiply(&half, &half), c);
+    let (half, root) = (half.to_f64(), square.to_f64().abs().sqrt());
+    match () {
+        () if square.is_zero() => vec![exponent(-half, 0.0, 2)],
+        () if square.is_negative() => vec![exponent(-half, root, 1)],
+        () => {
+            let larger = -half - root.copysign(half);
+            vec![exponent(larger, 0.0, 1), exponent(c.to_f64() / larger + 0.0, 0.0, 1)]
+        }
     }
-    let squares = in_squares(&Rationals, &polynomial);
+}
+
+/// The exponents of a system with an even characteristic polynomial.
+fn from_fractions(polynomial: &[Rational], numbers: &Linearisation<f64>) -> Option<Vec<Exponent>> {
+    let squares = in_squares(&Rationals, polynomial);
     let digits =
         if has_velocities(numbers) { vec![] } else { in_groups(&known_eigenvalues(&numbers.stiffness)?) };
     Some(
@@ -50,8 +80,10 @@ fn from_fractions(linear: &Linearisation<Rational>, numbers: &Linearisation<f64>
     )
 }
 
-fn from_numbers(linear: &Linearisation<f64>) -> Option<Vec<Exponent>> {
+/// The exponents in numbers; `is_odd` if −s is not an exponent together with s.
+fn from_numbers(linear: &Linearisation<f64>, is_odd: bool) -> Option<Vec<Exponent>> {
     let squares = match has_velocities(linear) {
+        _ if is_odd => None,
         true => squares_of_gyroscopic(linear),
         false => known_eigenvalues(&linear.stiffness),
     };
@@ -76,7 +108,11 @@ fn has_velocities(linear: &Linearisation<f64>) -> bool {
 
 /// −s² for every pair of exponents ±s; `None` if the exponents do not form such pairs.
 fn squares_of_gyroscopic(linear: &Linearisation<f64>) -> Option<Vec<Known>> {
-    let polynomial = characteristic_polynomial(&Doubles, &first_order(&Doubles, linear)?)?;
+    /// Rounding errors of a term, for the cube of the number of coordinates, and their largest sum.
+    const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
+    const MOST: f64 = 1e-12;
+    let polynomial = polynomial(&Doubles, linear)?;
+    let rounding = MOST.min(ROUNDINGS * count(linear.stiffness.len()).powi(3));
     let is_even = |exponent: Complex| {
         let size = exponent.abs();
         let terms = polynomial.iter().rev().fold((vec![], 1.0), |(mut terms, power), c| {
@@ -84,7 +120,7 @@ fn squares_of_gyroscopic(linear: &Linearisation<f64>) -> Option<Vec<Known>> {
             (terms, power / size)
         });
         let largest = terms.0.iter().copied().fold(0.0, f64::max);
-        terms.0.iter().skip(1).step_by(2).all(|term| *term <= 1e-12 * largest)
+        terms.0.iter().skip(1).step_by(2).all(|term| *term <= rounding * largest)
     };
     if !eigenvalues(&in_units(linear)?)?.into_iter().filter(|it| it.abs() > 0.0).all(is_even) {
         return None;

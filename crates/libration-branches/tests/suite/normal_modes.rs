@@ -391,12 +391,31 @@ fn weak_damping_and_weak_excitation_are_not_lost() {
         ("x'' = -x - 1e-5*x'; y'' = -1e10*y", -5e-6),
         ("x'' = -x + 1e-5*x'; y'' = -1e10*y", 5e-6),
         ("x'' = -1e-20*x + 1e-13*x'", 5e-14),
+        ("x'' = -x - 1e-13*x'", -5e-14),
+        ("x'' = -1e18*x + 1e-4*x'", 5e-5),
+        ("x'' = -sqrt(2)*x - 4e-13*x'", -2e-13),
     ] {
         let modes = NormalModes::new(&equation.parse().unwrap()).unwrap().modes;
         let mode = modes.iter().find(|mode| mode.exponent.re != 0.0).unwrap();
         let off = (mode.exponent.re - rate).abs();
         assert!(off < 4.0 * f64::EPSILON * mode.exponent.abs(), "{equation}: {off:e}");
     }
+}
+
+/// s = −1 ± 1e-7, and half a damping that is below the rounding errors of the frequency.
+#[test]
+fn exponents_of_one_coordinate_have_all_digits() {
+    let exponents = |text: &str| modes(text).iter().map(|mode| mode.exponent).collect::<Vec<_>>();
+    let critical = exponents("x'' = -(1 - 1e-14)*x - 2*x'");
+    for expected in [-1.000_000_1, -0.999_999_9] {
+        let found = critical.iter().any(|it| (it.re - expected).abs() < 4e-16 && it.im == 0.0);
+        assert!(found, "{critical:?}");
+    }
+    assert_eq!(exponents("x'' = -x - 2*x'").len(), 1);
+    let weak = exponents("x'' = -x - 2e-25*x'");
+    assert_eq!((weak[0].re, weak[0].im), (-1e-25, 1.0));
+    let stiff = exponents("x'' = -x - 1e9*x'");
+    assert!(stiff.iter().any(|it| (it.re + 1e-9).abs() < 1e-24), "{stiff:?}");
 }
 
 /// Reference: eigenvalues with 40 digits by mpmath.
@@ -423,4 +442,35 @@ fn an_equilibrium_is_not_sought_beyond_a_singularity() {
         assert_eq!(modes.equilibrium, [1.0], "{guess}");
         assert!((modes.modes[0].frequency() - 12.0).abs() < 1e-14, "{guess}");
     }
+}
+
+/// Far out these forces vanish by rounding, and next to a double zero double precision knows half the digits of a zero.
+#[test]
+fn forces_that_vanish_by_rounding_only_have_no_equilibrium() {
+    for (text, guess) in [
+        ("x'' = -x + sqrt(x^2 + 1e-12)", 0.0),
+        ("x'' = -x + sqrt(x^2 + 1)", 0.0),
+        ("x'' = sin(x) - 1", 1.5),
+        ("x'' = -exp(-x)", 700.0),
+    ] {
+        let refused = NormalModes::about(&equation(text), &[guess], &Quiet);
+        assert!(matches!(refused, Err(ModesError::NoEquilibrium { .. })), "{text}: {refused:?}");
+    }
+    let several = equation("x'' = -x; y'' = -y + sqrt(y^2 + 1e-12)");
+    assert!(matches!(NormalModes::new(&several), Err(ModesError::NoEquilibrium { .. })));
+}
+
+/// References: mpmath with 40 digits.
+#[test]
+fn equilibria_next_to_double_zeros_have_all_their_digits() {
+    let double = NormalModes::about(&equation("x'' = -x - x^2 - 1/4"), &[-0.4], &Quiet).unwrap();
+    assert_eq!((double.equilibrium[0], double.modes[0].behaviour), (-0.5, Behaviour::Free));
+    let near = equation("x'' = sin(x) - 0.99999999999999");
+    let near = NormalModes::about(&near, &[1.5], &Quiet).unwrap();
+    assert!((near.equilibrium[0] - 1.570_796_185_373_540_3).abs() < 1e-15, "{:?}", near.equilibrium);
+    assert!(
+        (near.modes[0].exponent.re / 0.000_376_060_309_308_638_9 - 1.0).abs() < 1e-14,
+        "{:?}",
+        near.modes[0].exponent
+    );
 }

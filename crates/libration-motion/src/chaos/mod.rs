@@ -33,6 +33,8 @@ mod repetitions;
 
 pub(crate) mod structure;
 
+mod surface;
+
 mod section;
 
 mod bifurcation;

@@ -3,9 +3,10 @@
 use std::f64::consts::{PI, TAU};
 
 use super::drive::drive_period;
+use super::surface::Surface;
 use crate::taylor::{
-    Cause, Contact, Direction, Effort, Event, IntegrationError, Moment, Occurrence, Solution, Start, System,
-    integrate_from, integrate_stepwise,
+    Cause, Direction, Effort, Event, IntegrationError, Moment, Solution, Start, System, integrate_from,
+    integrate_stepwise,
 };
 use libration_numbers::expression::{Equation, Expression, Symbol, WithoutValue};
 use libration_numbers::internals::progress::Watch;
@@ -21,7 +22,7 @@ pub enum Section {
         /// The phase of the stroboscope after t = 0, as a fraction of the period, from 0 to 1.
         phase: f64,
     },
-    /// A point whenever a formula of coordinates, velocities or rates of change, and time changes its sign.
+    /// A point whenever a formula of coordinates, velocities or rates of change, and time changes its sign, by more than the error of the motion.
     Crossing {
         /// The formula, zero on the surface.
         formula: Expression,
@@ -150,10 +151,10 @@ pub fn compute_section(
             stroboscopic(&System::new(equation)?, start, &times, effort, watch)
         }
         Section::Crossing { formula, direction } => {
-            let surface = Event { formula: formula.clone(), direction: *direction, ends_at: None };
-            let system = System::new(equation)?.with_events(&[surface])?;
+            let system = System::new(equation)?.with_events(&[Event::zero_of(formula.clone())])?;
+            let surface = Surface::new(&system, formula, *direction, effort.relative)?;
             let is_autonomous = !equation.depends_on_time() && !formula.contains(&Symbol::plain("t"));
-            crossings(&system, is_autonomous, start, points, effort, watch)
+            crossings(&system, surface, is_autonomous, start, points, effort, watch)
         }
     }
 }
@@ -204,6 +205,7 @@ fn as_far_as_it_came(
 /// Follows consecutive stretches of the motion until there are enough points, or the motion has come to rest.
 fn crossings(
     system: &System,
+    mut surface: Surface,
     is_autonomous: bool,
     start: &Moment,
     points: Points,
@@ -216,14 +218,12 @@ fn crossings(
     let (mut at, mut found, mut quiet, mut horizon) = (start.clone(), vec![], 0, NEAREST);
     let stopped = loop {
         let taken = found.len();
-        let mut met = taken;
         let outcome =
             integrate_from(system, &Start::State(at.clone()), &[at.time + horizon], &stretch, |step| {
-                met += step.events().iter().filter(|event| goes_through(event)).count();
-                watch.flow_at(met.saturating_sub(points.skipped).min(points.recorded))
+                found.extend(surface.crossings_in(step));
+                watch.flow_at(found.len().saturating_sub(points.skipped).min(points.recorded))
             });
         let (solution, cause) = as_far_as_it_came(outcome)?;
-        found.extend(solution.events.into_iter().filter_map(crossing));
         quiet = if found.len() > taken { 0 } else { quiet + 1 };
         // A motion that is where it was before these steps, bit by bit, is at rest.
         let is_over = is_autonomous && quiet > 0 && solution.end.state == at.state;
@@ -250,15 +250,6 @@ const fn no_more(found: &[Moment]) -> SectionEnding {
 const NEAREST: f64 = 1e-6;
 const FARTHER: f64 = 1e3;
 const NEVER: f64 = 1e200;
-
-/// The state at an event, if the motion passes through the surface there.
-fn crossing(event: Occurrence) -> Option<Moment> {
-    goes_through(&event).then_some(Moment { time: event.time, state: event.state })
-}
-
-fn goes_through(event: &Occurrence) -> bool {
-    matches!(event.contact, Contact::Rising | Contact::Falling)
-}
 
 /// An angle modulo a turn, between −π and π.
 #[must_use]

@@ -111,7 +111,7 @@ pub enum Cause {
     /// An absolute value at zero that the motion can leave to neither side, as in dry friction at rest.
     #[error("an absolute value is zero and the motion can leave it to neither side")]
     NoWayOn,
-    /// A state component at zero, at which a root allows the motion to stay or to leave at any time, as in x′ = √|x|.
+    /// A state at which a root or a jump allows the motion to stay or to leave at any time, as x′ = √|x| and x″ = sign(x) do at zero.
     #[error("the motion can stay where it is or leave at any time, which the equations do not decide,")]
     Undecided,
     /// Cancellation by the caller.

@@ -134,6 +134,21 @@ fn a_rate_that_is_infinite_at_zero_ends_the_motion() {
     assert!((solution.end.time - 2.0 / 3.0).abs() < 1e-12, "{}", solution.end.time);
 }
 
+/// The rates are integrable, but times next to the singularity have no digits to integrate it.
+#[test]
+fn a_rate_that_is_infinite_at_a_time_ends_the_motion() {
+    for equation in
+        ["x' = 1/sqrt(abs(t - 1))", "x' = 1/abs(t - 1)^0.9", "x' = abs(t - 1)^(-0.3) + sqrt(abs(t - 1))"]
+    {
+        let motion =
+            integrate(&system(equation), &from(&[0.0]), &[2.0], &Effort::to_tolerance(1e-12), &Quiet);
+        let Err(IntegrationError::Stopped { solution, .. }) = motion else {
+            panic!("{equation}: {motion:?}")
+        };
+        assert!((solution.end.time - 1.0).abs() < 1e-12, "{equation}: {}", solution.end.time);
+    }
+}
+
 /// v = (1 − t/2)²: after 2/3 it stays at rest, and another coordinate is not affected.
 #[test]
 fn a_velocity_comes_to_rest_while_others_move_on() {
@@ -242,4 +257,39 @@ fn where_zero_may_be_left_at_any_time_the_motion_ends() {
     // If the root is not the whole force, zero is passed.
     let passed = solve("x' = -sqrt(abs(x)) - 1/8", &[1.0], &[9.0], 1e-12).end.state[0];
     assert!(passed < -1.0, "{passed}");
+}
+
+/// At a jump that leads away on both sides, the sign of zero would choose one of three motions.
+#[test]
+fn a_motion_that_begins_where_a_force_leads_away_on_both_sides_ends() {
+    let cause = |equations: &str, state: &[f64], end: f64| {
+        let motion =
+            integrate(&system(equations), &from(state), &[end], &Effort::to_tolerance(1e-12), &Quiet);
+        match motion {
+            Err(IntegrationError::Stopped { cause, .. }) => Some(cause),
+            _ => None,
+        }
+    };
+    for (equations, state, end) in [
+        ("x'' = sign(x)", &[0.0, 0.0][..], 1.0),
+        ("x'' = sign(x)", &[0.0, 0.0], -1.0),
+        ("x' = sign(x)", &[0.0], 1.0),
+        ("x' = -sign(x)", &[0.0], -1.0),
+        ("x'' = sign(x')/3 - x", &[0.1, 0.0], 1.0),
+        ("x'' = sign(x - 1)", &[1.0, 0.0], 1.0),
+        ("x'' = -y; y'' = sign(y)", &[0.0, 0.0, 1.0, 0.0], 1.0),
+    ] {
+        assert_eq!(cause(equations, state, end), Some(Cause::Undecided), "{equations}");
+    }
+    for (equations, state) in [
+        ("x'' = sign(x)", &[0.0, 1.0][..]),
+        ("x'' = sign(x)", &[1e-300, 0.0]),
+        ("x' = -sign(x)", &[0.0]),
+        ("x'' = 2 + sign(x)", &[0.0, 0.0]),
+        ("x'' = sign(x')/3 - x", &[1.0, 0.0]),
+        ("x'' = 1 + abs(x)", &[0.0, 0.0]),
+        ("x'' = abs(x) - x", &[0.0, 0.0]),
+    ] {
+        assert_eq!(cause(equations, state, 1.0), None, "{equations}");
+    }
 }

@@ -34,7 +34,8 @@ pub use verdict::{Doubt, LyapunovVerdict, Regularity};
 pub struct LyapunovExponent {
     /// The mean rate at which the logarithm of a deviation grows, in 1/time.
     pub exponent: f64,
-    /// The standard error of the exponent from ten blocks, or its change in the second half of the time if that is larger.
+    /// The largest of the standard error of the exponent from ten blocks, its change in the second half of the time, and its magnitude if a
+    /// deviation that grows like a power of the time explains it.
     pub uncertainty: f64,
     /// Regular, chaotic or undecided.
     pub verdict: LyapunovVerdict,

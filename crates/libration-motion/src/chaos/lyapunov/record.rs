@@ -62,8 +62,14 @@ impl Record {
         (0..blocks).map(|block| self.rate(edge(block), edge(block + 1))).collect()
     }
 
-    /// The larger of the standard error of the mean over blocks and the change in the second half of the record.
+    /// The variation of the rate; or the exponent itself, if that is larger and the deviation grows or shrinks no more than a power of the time
+    /// does, for which the exponent is zero.
     pub fn uncertainty(&self) -> f64 {
+        self.variation().max(self.algebraic())
+    }
+
+    /// The larger of the standard error of the mean over blocks and the change in the second half of the record.
+    pub fn variation(&self) -> f64 {
         let blocks = self.blocks();
         if blocks.is_empty() {
             return f64::INFINITY;
@@ -73,6 +79,12 @@ impl Record {
         let standard = (squares / count(BLOCKS * (BLOCKS - 1))).sqrt();
         let half = self.rate(self.beginning(), self.intervals().div_ceil(2));
         standard.max((self.exponent() - half).abs())
+    }
+
+    /// The magnitude of the exponent if the square of the time, whose factor since the beginning is at most the square of eleven, explains it.
+    fn algebraic(&self) -> f64 {
+        let by_square = 2.0 * libm::log(count(BLOCKS + 1));
+        if self.growth().abs() <= by_square { self.exponent().abs() } else { 0.0 }
     }
 
     /// The growth of the logarithm since the beginning.

@@ -139,7 +139,7 @@ impl Evidence {
 
     fn converges(&self) -> bool {
         let exponent = self.record.exponent();
-        exponent + CERTAIN * self.record.uncertainty() < 0.0
+        exponent + CERTAIN * self.record.variation() < 0.0
             && self.record.blocks().iter().all(|rate| *rate < 0.0)
     }
 
@@ -154,13 +154,13 @@ impl Evidence {
             return Some(Doubt::TooShort { growth });
         }
         let steady = record.blocks().iter().all(|rate| *rate > 0.0)
-            && record.exponent() > CERTAIN * record.uncertainty();
+            && record.exponent() > CERTAIN * record.variation();
         (!steady).then_some(Doubt::Unsteady)
     }
 
     /// Returns `true` if the exponents of two motions are of the same size, within their errors.
     pub fn agrees_with(&self, other: &Self) -> bool {
-        let [own, others] = [self, other].map(|it| (it.record.exponent(), it.record.uncertainty()));
+        let [own, others] = [self, other].map(|it| (it.record.exponent(), it.record.variation()));
         (own.0 - others.0).abs() <= 0.5 * own.0.max(others.0) + CERTAIN * libm::hypot(own.1, others.1)
     }
 }

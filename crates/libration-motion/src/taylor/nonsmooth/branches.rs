@@ -10,15 +10,23 @@ use crate::taylor::step::sign_change::{first_sign_change, scaled};
 pub(in crate::taylor) struct Branches<const N: usize> {
     /// Number of leading coefficients of each argument that are zero at the start of the step, and that can differ from zero only by rounding.
     zeros: Vec<[usize; N]>,
+    /// `true` until the first step of a motion that begins in this lane.
+    begins: [bool; N],
 }
 
 impl<const N: usize> Branches<N> {
     pub(in crate::taylor) fn new(moduli: usize) -> Self {
-        Self { zeros: vec![[0; N]; moduli] }
+        Self { zeros: vec![[0; N]; moduli], begins: [false; N] }
     }
 
     /// Begins a motion in a lane.
     pub(in crate::taylor) fn start(&mut self, lane: usize) {
+        self.pass(lane);
+        self.begins[lane] = true;
+    }
+
+    /// Forgets the zeros that a lane has passed.
+    pub(in crate::taylor) fn pass(&mut self, lane: usize) {
         for zeros in &mut self.zeros {
             zeros[lane] = 0;
         }
@@ -26,14 +34,10 @@ impl<const N: usize> Branches<N> {
 
     /// Continues a motion in a lane.
     pub(in crate::taylor) fn resume(&mut self, lane: usize, zeros: impl Iterator<Item = usize>) {
+        self.begins[lane] = false;
         for (own, zeros) in self.zeros.iter_mut().zip(zeros) {
             own[lane] = zeros;
         }
-    }
-
-    /// Forgets the zeros that a lane has passed.
-    pub(in crate::taylor) fn pass(&mut self, lane: usize) {
-        self.start(lane);
     }
 
     /// The number of leading coefficients of an argument that are zero where the next step begins.
@@ -53,12 +57,45 @@ impl<const N: usize> Branches<N> {
         for _ in 0..2 * self.zeros.len() {
             expander.expand(block, surroundings);
             if !self.correct(expander, block, surroundings, backward).iter().flatten().any(|wrong| *wrong) {
-                return [Ok(()); N];
+                return self.decided(expander, block, surroundings, backward);
             }
         }
         expander.expand(block, surroundings);
         let wrong = self.correct(expander, block, surroundings, backward);
         self.stick(&wrong, expander, block, surroundings)
+    }
+
+    /// The outcome for signs that agree with the series: undecided where a motion begins at a zero and the opposite sign agrees as well, because a
+    /// force jumps there and leads away on both sides.
+    fn decided(
+        &self,
+        expander: &Expander<'_>,
+        block: &mut Block<N>,
+        surroundings: &mut Surroundings<N>,
+        backward: &[bool; N],
+    ) -> [Result<(), Cause>; N] {
+        let mut outcomes = [Ok(()); N];
+        for modulus in 0..self.zeros.len() {
+            let (argument, sticks) = (expander.argument(modulus), surroundings.sticks[modulus]);
+            let value = block[argument][0];
+            let is_open = |lane: usize| self.begins[lane] && !sticks[lane] && value[lane] == 0.0;
+            let open: Vec<usize> = (0..N).filter(|&lane| is_open(lane)).collect();
+            if open.is_empty() {
+                continue;
+            }
+            let signs = surroundings.signs[modulus];
+            open.iter().for_each(|&lane| surroundings.signs[modulus][lane] = -signs[lane]);
+            expander.expand(block, surroundings);
+            for lane in open {
+                let series = block[argument].iter().map(|c| c[lane]).enumerate();
+                if sign_behind(series, backward[lane]) == Some(-signs[lane]) {
+                    outcomes[lane] = Err(Cause::Undecided);
+                }
+            }
+            surroundings.signs[modulus] = signs;
+            expander.expand(block, surroundings);
+        }
+        outcomes
     }
 
     /// Sets the signs to those of the series of the arguments, and releases components that no sign from −1 to 1 keeps at zero. Returns
@@ -158,6 +195,7 @@ impl<const N: usize> Branches<N> {
             block.end[lane] = block.start[lane] + first * length;
         }
         let moves = (block.end[lane] - block.start[lane]).abs() > 0.0;
+        self.begins[lane] &= !moves;
         for (modulus, change) in changes.iter().enumerate() {
             let changes_now = *change == Some(first);
             let zeros = &mut self.zeros[modulus][lane];

@@ -5,7 +5,7 @@ use libration_numbers::internals::algebra::Slope;
 use libration_numbers::internals::expression::{Operation, Tape};
 
 /// The largest relative rounding error of a number.
-pub(in crate::taylor) const ROUNDING: f64 = f64::EPSILON / 2.0;
+pub(crate) const ROUNDING: f64 = f64::EPSILON / 2.0;
 
 /// Half the distance to the next number; zero for zero, which is exact.
 pub(in crate::taylor) fn half_ulp(value: f64) -> f64 {
@@ -14,7 +14,7 @@ pub(in crate::taylor) fn half_ulp(value: f64) -> f64 {
 
 /// Some formulas of a tape, evaluated in one state after another.
 #[derive(Clone, Debug)]
-pub(in crate::taylor) struct Linearised {
+pub(crate) struct Linearised {
     tape: Tape,
     /// Number of inputs, the first ones of the tape, with respect to which the formulas are differentiated.
     numbers: usize,
@@ -37,7 +37,7 @@ struct Differential {
 
 impl Linearised {
     /// Some formulas of a tape, with derivatives with respect to the first `numbers` inputs.
-    pub(in crate::taylor) fn new(tape: &Tape, formulas: impl Iterator<Item = usize>, numbers: usize) -> Self {
+    pub(crate) fn new(tape: &Tape, formulas: impl Iterator<Item = usize>, numbers: usize) -> Self {
         let operations = tape.operations();
         let mut needed = vec![false; operations.len()];
         for formula in formulas {
@@ -82,24 +82,24 @@ impl Linearised {
     }
 
     /// Evaluates the formulas for these inputs.
-    pub(in crate::taylor) fn evaluate(&mut self, inputs: &[f64]) {
+    pub(crate) fn evaluate(&mut self, inputs: &[f64]) {
         for number in 0..self.varying.len() {
             self.place(self.varying[number], inputs);
         }
     }
 
     /// The value of a formula.
-    pub(in crate::taylor) fn value(&self, formula: usize) -> f64 {
+    pub(crate) fn value(&self, formula: usize) -> f64 {
         self.values[self.tape.results()[formula]]
     }
 
     /// The bound of the rounding error of a formula.
-    pub(in crate::taylor) fn error(&self, formula: usize) -> f64 {
+    pub(crate) fn error(&self, formula: usize) -> f64 {
         ROUNDING * self.errors[self.tape.results()[formula]]
     }
 
     /// The derivatives of a formula.
-    pub(in crate::taylor) fn slopes(&self, formula: usize) -> &[f64] {
+    pub(crate) fn slopes(&self, formula: usize) -> &[f64] {
         let place = self.tape.results()[formula];
         &self.slopes[self.numbers * place..self.numbers * (place + 1)]
     }

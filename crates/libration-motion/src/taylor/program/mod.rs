@@ -5,7 +5,7 @@
 
 #[doc(hidden)]
 pub(crate) mod expander;
-pub(in crate::taylor) mod linearised;
+pub(crate) mod linearised;
 pub(in crate::taylor) mod machine_code;
 pub(in crate::taylor) mod moduli;
 pub(crate) mod open_signs;

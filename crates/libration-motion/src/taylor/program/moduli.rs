@@ -20,6 +20,8 @@ pub(in crate::taylor) struct Modulus {
     pub(in crate::taylor) written: Expression,
     /// `true` if an expression that vanishes with the argument has a power that is not an integer, and no series there.
     pub(in crate::taylor) in_root: bool,
+    /// `true` if a divisor vanishes with the argument and its dividend does not, so that a rate of change is infinite there.
+    pub(in crate::taylor) divides: bool,
 }
 
 impl Moduli {
@@ -44,9 +46,28 @@ impl Moduli {
                 Some(exponent) => self.root(base, |base| {
                     Expression::Power(Box::new(base), Box::new(Expression::Number(exponent)))
                 }),
-                None => formula.with_parts(|part| self.taken_out(part)),
+                None => {
+                    let base = self.taken_out(base);
+                    if exponent.to_f64().is_some_and(|exponent| exponent < 0.0) {
+                        self.divide(&Expression::from(1), &base);
+                    }
+                    Expression::Power(Box::new(base), exponent.clone())
+                }
             },
+            Expression::Divide(dividend, divisor) => {
+                let [dividend, divisor] = [dividend, divisor].map(|part| self.taken_out(part));
+                self.divide(&dividend, &divisor);
+                Expression::Divide(Box::new(dividend), Box::new(divisor))
+            }
             _ => formula.with_parts(|part| self.taken_out(part)),
+        }
+    }
+
+    /// Notes the arguments with which the divisor of a quotient vanishes, but not the dividend.
+    fn divide(&mut self, dividend: &Expression, divisor: &Expression) {
+        for Modulus { argument, divides, .. } in &mut self.arguments {
+            let vanishes = |part: &Expression| roots_of_zero(&with_zero(part, argument)).vanishes();
+            *divides |= vanishes(divisor) && !vanishes(dividend);
         }
     }
 
@@ -84,7 +105,7 @@ impl Moduli {
         let known = self.arguments.iter().position(|other| other.argument == *argument);
         let place = known.unwrap_or_else(|| {
             let (argument, written) = (argument.clone(), written.clone());
-            self.arguments.push(Modulus { argument, written, in_root: false });
+            self.arguments.push(Modulus { argument, written, in_root: false, divides: false });
             self.arguments.len() - 1
         });
         Expression::Symbol(sign(place))

@@ -14,7 +14,7 @@ pub(in crate::taylor) struct Passage {
     tape: Tape,
     coordinates: usize,
     moduli: usize,
-    /// The indices of the |…| of which a power without a series is taken.
+    /// The indices of the |…| of which a power without a series is taken, and with which no divisor vanishes.
     roots: Vec<usize>,
     /// The state components of which such a power is taken directly.
     bases: Vec<usize>,
@@ -36,7 +36,8 @@ impl Passage {
         events: &[Expression],
         inputs: &[Symbol],
     ) -> Result<Option<Self>, WithoutValue> {
-        let roots: Vec<usize> = (0..moduli.len()).filter(|&number| moduli[number].in_root).collect();
+        let is_passed = |number: &usize| moduli[*number].in_root && !moduli[*number].divides;
+        let roots: Vec<usize> = (0..moduli.len()).filter(is_passed).collect();
         if roots.is_empty() && bases.is_empty() {
             return Ok(None);
         }

@@ -245,7 +245,7 @@ impl System {
     }
 
     /// The equations of motion.
-    pub(in crate::taylor) fn equation(&self) -> &Equation {
+    pub(crate) fn equation(&self) -> &Equation {
         &self.equation
     }
 

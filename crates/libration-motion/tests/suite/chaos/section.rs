@@ -193,6 +193,35 @@ fn a_motion_that_crosses_no_more_says_so() {
     }
 }
 
+/// Errors carry a motion across the level of its turning point and back, and |x| seems to change its sign where the sign of x changes.
+#[test]
+fn a_level_that_is_only_touched_is_not_crossed() {
+    for (formula, tolerance, most) in
+        [("x - 1", 1e-16, 3000), ("x + 1", 1e-16, 3000), ("x - 1", 1e-6, 3000), ("abs(x)", 1e-3, 6000)]
+    {
+        let steps = Cell::new(0);
+        let progress = |_: Status| {
+            steps.set(steps.get() + 1);
+            if steps.get() < most { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        };
+        let (equation, points) = ("x'' = -x".parse().unwrap(), Points { skipped: 0, recorded: 1 });
+        let (surface, effort) = (surface(formula, Direction::Any), Effort::to_tolerance(tolerance));
+        let found = compute_section(&equation, &from(&[1.0, 0.0]), &surface, points, &effort, &progress);
+        let PoincareSection { points, stopped } = found.unwrap();
+        assert_eq!(points, [], "{formula}");
+        assert_eq!(stopped, Some(SectionEnding::Stopped(Cause::Interrupted)), "{formula}");
+    }
+}
+
+/// The amplitude decreases by forty powers of ten, below the errors that the first steps would have by their size.
+#[test]
+fn crossings_of_a_decaying_motion_count_at_any_amplitude() {
+    let found = points_of("x'' = -x - 0.2*x'", &[1.0, 0.0], &surface("x", Direction::Rising), 0, 150);
+    let turn = TAU / 0.99_f64.sqrt();
+    let intervals = found.points.windows(2).map(|pair| pair[1].time - pair[0].time);
+    assert!(intervals.clone().count() == 149 && intervals.into_iter().all(|it| (it - turn).abs() < 1e-9));
+}
+
 /// Lorenz's equations where all motions come to rest.
 const LORENZ: &str = "x' = 10*(y - x); y' = x*(41/2 - z) - y; z' = x*y - 8/3*z";
 

@@ -76,7 +76,7 @@ fn of_answer<'a>() -> Fields<LyapunovResult<'a>> {
         Of::number(
             "exponent_uncertainty_per_s",
             "1/s",
-            "standard error of the exponent from ten blocks of the time, or the change in the second half, if larger",
+            "largest of the standard error of the exponent from ten blocks of the time, the change in the second half, and the exponent itself if a power of the time explains the growth",
             |it| it.found.uncertainty,
         ),
         Of::value("verdict", "", "regular, chaotic or undecided", |it| it.found.verdict.to_string().into()),

@@ -186,6 +186,17 @@ fn the_error_of_a_rate_is_that_of_the_blocks_or_what_the_second_half_changes() {
     assert_eq!(record(&[1.0; 10]).uncertainty(), f64::INFINITY);
 }
 
+/// Deviations of integrable motions grow like the time: the exponent is zero, though the rate is ln(11)/10 of the first interval.
+#[test]
+fn an_exponent_that_a_power_of_the_time_explains_may_be_zero() {
+    for power in [-1.5, 1.0, 2.0] {
+        let growths: Vec<f64> = (0..330).map(|n| power * libm::log1p(1.0 / (1.0 + f64::from(n)))).collect();
+        let algebraic = record(&growths);
+        assert!(algebraic.uncertainty() >= algebraic.exponent().abs(), "{power}");
+    }
+    assert_eq!(record(&[0.0625; 330]).uncertainty(), 0.0);
+}
+
 #[test]
 fn valleys_and_rises_are_measured_from_rim_to_rim() {
     let valley = record(&[5.0, -3.0, 1.0, -4.0, 2.0, 8.0, -1.0]);
