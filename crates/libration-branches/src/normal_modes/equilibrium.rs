@@ -23,24 +23,25 @@ pub(super) struct Equilibrium {
 
 /// Bits of a precise equilibrium.
 pub(super) const PRECISION: usize = 256;
+/// Rounding of a precise equilibrium, with a margin: three quarters of the bits are 1e-58.
+const PRECISE: f64 = 1e-50;
 
 /// The equilibrium that Newton's method finds from a guess.
 pub(super) fn equilibrium(equation: &Equation, guess: &[f64]) -> Result<Equilibrium, ModesError> {
     let at_rest: Vec<Expression> = equation.accelerations().iter().map(|it| at_rest(it, equation)).collect();
     let names: Vec<Symbol> = equation.variables().iter().map(|name| Symbol::plain(name)).collect();
-    if let Some(exact) = proved(&at_rest, &names, guess) {
+    if let Some(exact) = proved(&at_rest, &names, guess, 0.0) {
         return Ok(Equilibrium { at: guess.to_vec(), exact: Some(exact), precise: None });
     }
     let near = zero_near(&at_rest, &names, guess)?;
-    let (to, established) = match precise_zero(&at_rest, &names, &near)? {
-        Ok(precise) => (precise.iter().map(BigFloat::to_f64).collect(), Ok(Some(precise))),
+    let to_f64 = |at: &[BigFloat]| at.iter().map(BigFloat::to_f64).collect::<Vec<_>>();
+    let (to, established, rounding) = match precise_zero(&at_rest, &names, &near)? {
+        Ok(precise) => (to_f64(&precise), Ok(Some(precise)), PRECISE),
         // Along a free direction the equilibria are a curve, on which the guess lies.
-        Err(Unsolved { reason: NewtonError::NoSlope, .. }) => (near, Ok(None)),
-        Err(Unsolved { at, .. }) => {
-            (at.iter().map(BigFloat::to_f64).collect::<Vec<_>>(), Err(SearchEnd::Rounding))
-        }
+        Err(Unsolved { reason: NewtonError::NoSlope, .. }) => (near, Ok(None), 4.0 * f64::EPSILON),
+        Err(Unsolved { at, .. }) => (to_f64(&at), Err(SearchEnd::Rounding), PRECISE),
     };
-    if let Some(exact) = proved(&at_rest, &names, &to) {
+    if let Some(exact) = proved(&at_rest, &names, &to, rounding) {
         let at = exact.iter().map(Rational::to_f64).collect();
         return Ok(Equilibrium { at, exact: Some(exact), precise: None });
     }
@@ -58,9 +59,11 @@ fn at_rest(formula: &Expression, equation: &Equation) -> Expression {
     still.simplified()
 }
 
-/// Simple fractions next to the numbers, if all formulas vanish there.
-fn proved(formulas: &[Expression], names: &[Symbol], at: &[f64]) -> Option<Vec<Rational>> {
-    let place: Vec<Rational> = at.iter().map(|&x| simplest(x)).collect::<Option<_>>()?;
+/// Simple fractions next to the numbers, if all formulas vanish there; coordinates below a part of the largest are zero.
+fn proved(formulas: &[Expression], names: &[Symbol], at: &[f64], part: f64) -> Option<Vec<Rational>> {
+    let largest = at.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let fraction = |x: &f64| if x.abs() <= part * largest { Some(0.into()) } else { simplest(*x, x.abs()) };
+    let place: Vec<Rational> = at.iter().map(fraction).collect::<Option<_>>()?;
     let vanishes = |formula: &Expression| {
         substituted(formula, names, &place).to_rational().is_some_and(|it| it.is_zero())
     };
@@ -73,14 +76,14 @@ pub(super) fn substituted(formula: &Expression, names: &[Symbol], values: &[Rati
     pairs.fold(formula.clone(), |it, (name, value)| it.substitute(name, &Expression::Number(value.clone())))
 }
 
-/// The fraction with the smallest denominator within 1e-12 of a number.
-pub(super) fn simplest(x: f64) -> Option<Rational> {
+/// The fraction with the smallest denominator within 1e-12 of a size from a number.
+pub(super) fn simplest(x: f64, size: f64) -> Option<Rational> {
     let value = BigFloat::from_f64(x, 64)?.to_rational();
     if value.is_zero() {
         return Some(value);
     }
-    let width =
-        Rationals.multiply(&value.magnitude().max(Rational::from(1)), &Rational::new(1, 1_000_000_000_000)?);
+    let size = BigFloat::from_f64(size, 64)?.to_rational();
+    let width = Rationals.multiply(&size, &Rational::new(1, 1_000_000_000_000)?);
     Some(Rational::simplest_between(&Rationals.subtract(&value, &width), &Rationals.add(&value, &width)))
 }
 

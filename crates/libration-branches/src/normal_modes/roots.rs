@@ -46,7 +46,7 @@ fn simple_roots(polynomial: Vec<Rational>, near: Vec<Complex>) -> Option<Vec<Roo
     let (mut exact, mut rest) = (vec![], polynomial);
     let mut left = vec![];
     for near in near {
-        let candidate = is_real(near).then(|| simplest(near.re)).flatten();
+        let candidate = is_real(near).then(|| simplest(near.re, near.re.abs())).flatten();
         let factor = candidate.map(|root| (vec![-root.clone(), Rational::from(1)], root));
         match factor.and_then(|(by, root)| Some((divided_exactly(&rest, &by)?, root))) {
             Some((quotient, root)) => {
@@ -78,7 +78,9 @@ fn quadratic_factor(polynomial: &[Rational], near: &[Complex]) -> Option<Option<
         near.iter().enumerate().filter(|(_, z)| is_real(**z)).map(|(i, z)| (i, z.re)).collect();
     for (k, (i, a)) in real.iter().enumerate() {
         for (j, b) in &real[k + 1..] {
-            let Some((p, q)) = simplest(a + b).zip(simplest(a * b)) else { continue };
+            let Some((p, q)) = simplest(a + b, a.abs() + b.abs()).zip(simplest(a * b, (a * b).abs())) else {
+                continue;
+            };
             let factor = [q.clone(), -p.clone(), Rational::from(1)];
             if let Some(quotient) = divided_exactly(polynomial, &factor) {
                 return Some(Some((quotient, quadratic_roots(&p, &q)?, [*i, *j])));

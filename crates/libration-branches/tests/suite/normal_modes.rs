@@ -474,3 +474,15 @@ fn equilibria_next_to_double_zeros_have_all_their_digits() {
         near.modes[0].exponent
     );
 }
+
+/// A double well of any width: a guess next to one minimum is not taken for the maximum at zero, and a narrow one has the frequencies of a wide one.
+#[test]
+fn equilibria_are_distinguished_in_all_units() {
+    for width in [1e-15, 1e-9, 1.0, 1e9] {
+        let wells = equation(&format!("x'' = x - ({:e}*x)^2*x; y'' = -2*y", 1.0 / width));
+        let modes = NormalModes::about(&wells, &[0.8 * width, 0.0], &Quiet).unwrap();
+        assert!((modes.equilibrium[0] / width - 1.0).abs() < 1e-14, "{width}: {:?}", modes.equilibrium);
+        let squares: Vec<f64> = modes.modes.iter().map(|mode| mode.frequency().powi(2)).collect();
+        assert!(squares.iter().all(|square| (square - 2.0).abs() < 1e-13), "{width}: {squares:?}");
+    }
+}
