@@ -111,7 +111,7 @@ const MOST_STEPS: usize = 100_000;
 /// Coordinates below this, or above its inverse, are of other units than those of the others.
 const OTHER_UNITS: f64 = 1e-6;
 
-/// Returns `true` for a size to which 1 is no scale.
+/// Returns `true` for a size that differs from 1 by more orders of magnitude than scales do.
 fn is_of_other_units(size: f64) -> bool {
     size > 0.0 && size.is_finite() && !(OTHER_UNITS..=1.0 / OTHER_UNITS).contains(&size)
 }
