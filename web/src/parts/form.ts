@@ -12,7 +12,7 @@ import { UNIT } from "./unit_switch.ts";
 const PAUSE = 300;
 
 /** The width from which fields are next to the results, as in parts.css. */
-const BESIDE = "(min-width: 60rem)";
+export const BESIDE = "(min-width: 60rem)";
 
 /** All fields of a room, in the order in which they are shown. */
 export class Form {

@@ -39,6 +39,8 @@ const words = text.pendulum;
 const [AHEAD, FARTHEST] = [60, 3840];
 /** Length of the trace, in seconds. */
 const TRACED = 1;
+/** Bound on the time in an address, in seconds. */
+const LATEST = 1e15;
 /** Time between two changes of displayed numbers, in milliseconds. */
 const READABLE = 100;
 
@@ -90,7 +92,8 @@ export class Swing {
     this.#state = new StateButtons(address);
     this.#trials = new TrialsTable(address, engine, () => this.#laws());
     this.#lay(place);
-    this.#clock.time = Math.max(0, Number(address.get("t") ?? "0") || 0);
+    const time = Number(address.get("t") ?? "0");
+    this.#clock.time = time > 0 && time < LATEST ? time : 0;
     this.#start(false);
     if (address.get("t") === undefined && !matchMedia("(prefers-reduced-motion: reduce)").matches) this.#clock.run();
     this.#transport.show();
@@ -223,7 +226,8 @@ export class Swing {
     if (signal.aborted) return;
     this.#said.textContent = "";
     if ("error" in course) {
-      return this.#controls.refuse(FORCE_OF[course.item] ?? "damping", course.error);
+      const [, present = "damping"] = Object.entries(FORCE_OF).find(([, key]) => !isNone(this.#value(key))) ?? [];
+      return this.#controls.refuse(FORCE_OF[course.item] ?? present, course.error);
     }
     this.#course = course;
     this.#window = undefined;

@@ -18,6 +18,8 @@ export const parts = {
   nothingToSave: "Nothing to save.",
   more: "more",
   emptyEntry: "an empty entry",
+  /** Rooms that do what a query does. */
+  queries: { period: "Formulas" } as Readonly<Record<string, string>>,
   alternatives: (values: readonly string[]) => [values.slice(0, -1).join(", "), ...values.slice(-1)].filter((it) => it !== "").join(" or "),
   /** Keys in sentences of the command, each with its words. */
   keys: [
