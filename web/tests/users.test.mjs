@@ -82,3 +82,38 @@ test("a table of trials with its times is as wide as a phone", () =>
     assert.ok(right <= 390, `${right}`);
     await settled(room);
   }, FINGER));
+
+test("on paper the words of a sentence and the names of a table stay, and the stage keeps to its place", async () => {
+  const onPaper = (fragment, use) => visit(fragment, async (room) => {
+    await room.emulateMedia({ media: "print" });
+    await use(room);
+  }, { viewport: { width: 718, height: 1000 }, isMobile: false });
+  await onPaper("pendulum?t=0&angle=10deg", async (room) => {
+    assert.match(await room.locator(".plot", { hasText: "Phase plane" }).innerText(), /outside the dashed separatrix the pendulum/);
+    const [stage, next] = await room.locator("canvas.stage, .how").evaluateAll((all) => all.map((it) => it.getBoundingClientRect().toJSON()));
+    assert.ok(stage.bottom <= next.top && stage.right <= 718, JSON.stringify([stage, next]));
+    assert.equal(await room.locator(".adding:visible, .try:visible").count(), 0);
+  });
+  await onPaper("formulas", async (room) => {
+    await room.getByRole("cell", { name: "yes" }).first().waitFor();
+    assert.match(await room.locator("table", { hasText: "The chosen formulas" }).innerText(), /Bernoulli/);
+  });
+  await onPaper("chaos?over=&sweep=&points=50&intervals=20", async (room) => assert.equal(await room.locator("details.fields:visible").count(), 0));
+});
+
+test("with forced colours it is seen what is chosen, and the energy", () =>
+  visit("pendulum?t=0&angle=40deg&arrows=yes", async (room) => {
+    const colour = (it) => it.evaluate((element) => getComputedStyle(element).backgroundColor);
+    const label = (name) => room.locator(".shown label", { hasText: name });
+    assert.notEqual(await colour(label("Arrows")), await colour(label("Ruler")));
+    assert.notEqual(await colour(room.locator(".bar i.potential")), await colour(room.locator(".bar .track").first()));
+    const border = (it) => it.evaluate((element) => getComputedStyle(element).borderBottomColor);
+    assert.notEqual(await border(room.getByRole("link", { name: "The pendulum" })), await border(room.getByRole("link", { name: "About" })));
+  }, { forcedColors: "active" }));
+
+test("on a phone on its side the circle fills the height of the stage", () =>
+  visit("pendulum?t=0&angle=40deg&ruler=yes", async (room) => {
+    const [canvas, stage, ruler] = await room.locator("canvas.stage, .bench-stage, .ruler").evaluateAll((all) => ["canvas.stage", ".bench-stage", ".ruler"].map((kind) => all.find((it) => it.matches(kind)).getBoundingClientRect().toJSON()));
+    assert.equal(canvas.height, stage.height);
+    assert.ok(ruler.right < canvas.x + canvas.width / 2 && ruler.right > canvas.x + canvas.width / 2 - 20, JSON.stringify([ruler, canvas]));
+  }, { viewport: { width: 844, height: 390 }, hasTouch: true, isMobile: true }));
