@@ -117,3 +117,31 @@ test("on a phone on its side the circle fills the height of the stage", () =>
     assert.equal(canvas.height, stage.height);
     assert.ok(ruler.right < canvas.x + canvas.width / 2 && ruler.right > canvas.x + canvas.width / 2 - 20, JSON.stringify([ruler, canvas]));
   }, { viewport: { width: 844, height: 390 }, hasTouch: true, isMobile: true }));
+
+test("a measured time is announced with the way to the table", () =>
+  visit("pendulum?t=0&stopwatch=yes&speed=4", async (room) => {
+    const stopwatch = room.getByRole("group", { name: "Stopwatch" });
+    await stopwatch.getByRole("button", { name: "Start" }).click();
+    await room.getByRole("button", { name: "Run", exact: true }).click();
+    await room.waitForTimeout(300);
+    await stopwatch.getByRole("button", { name: "Into the table" }).click();
+    await room.getByRole("status").getByRole("button", { name: "To the table: 1 trial" }).click();
+    const { top } = await room.getByRole("heading", { name: "Table of trials" }).evaluate((it) => it.getBoundingClientRect().toJSON());
+    assert.ok(top >= 0 && top < 400, `${top}`);
+  }));
+
+test("pasted text is read with semicolons too, and what is not a number is named", () =>
+  visit("pendulum?t=0", async (room) => {
+    const cell = room.getByLabel("amplitude / °, row 1");
+    const paste = (text) => cell.evaluate((it, data) => {
+      const clipboardData = new DataTransfer();
+      clipboardData.setData("text/plain", data);
+      it.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
+    }, text);
+    await paste("Amplitude\tLänge\n\n????");
+    assert.equal(await room.locator(".trials .error:visible").textContent(), "The pasted text has no line with a number.");
+    await paste("Winkel;l / m;n;t\n10;0,2;10;9,01\n10;0,4;10;12,7o\n10;0,6;10;15,6");
+    assert.equal(await room.getByLabel("time 1 / s, row 1").inputValue(), "9,01");
+    await room.getByRole("button", { name: "Find g" }).click();
+    assert.equal(await room.locator(".trials .error:visible").textContent(), "time 1 / s, row 2: “12,7o” is not a number.");
+  }));

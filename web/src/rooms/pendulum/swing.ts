@@ -67,6 +67,8 @@ export class Swing {
   readonly #keep: Keep;
   readonly #how = element("p", { class: "quiet how" });
   readonly #said = element("p", { class: "unseen", role: "status" });
+  /** The way to the table, which says what it holds. */
+  readonly #seen = element("p", { class: "seen", role: "status" });
   readonly #listen: HTMLButtonElement;
   readonly #closing: (() => void)[] = [];
   #motion: Motion | undefined;
@@ -113,7 +115,7 @@ export class Swing {
 
   #lay(place: HTMLElement): void {
     const hint = element("p", { class: "try" }, words.lead);
-    const cards = element("div", { class: "cards" }, this.#learn.element, this.#gate.element, this.#stopwatch.element);
+    const cards = element("div", { class: "cards" }, this.#learn.element, this.#gate.element, this.#stopwatch.element, this.#seen);
     const stage = element("div", { class: "bench-stage" }, this.#stage.element, this.#readouts.element, this.#ruler.element, this.#bars.element, hint);
     const panel = element("div", { class: "bench-panel controls" }, ...this.#controls.panel, this.#state.element);
     const bench = element("div", { class: "bench" }, stage, cards, this.#transport.element, panel);
@@ -172,7 +174,8 @@ export class Swing {
   #record(swings: number, seconds: string): void {
     const degrees = (180 / Math.PI) * (this.#motion?.amplitude ?? 0);
     const length = this.#controls.isHidden("length") ? "" : String(Number(this.#length.toPrecision(6)));
-    this.#trials.add(String(Number(degrees.toPrecision(6))), length, swings, seconds);
+    const count = this.#trials.add(String(Number(degrees.toPrecision(6))), length, swings, seconds);
+    this.#seen.replaceChildren(button(words.trials.see(words.trials.caption(count)), () => this.#trials.element.scrollIntoView()));
   }
 
   #laws(): Laws {
