@@ -145,3 +145,16 @@ test("pasted text is read with semicolons too, and what is not a number is named
     await room.getByRole("button", { name: "Find g" }).click();
     assert.equal(await room.locator(".trials .error:visible").textContent(), "time 1 / s, row 2: “12,7o” is not a number.");
   }));
+
+test("an unknown system and a force without limits are answered without keys and commands", () =>
+  visit("chaos?over=&sweep=&points=50&intervals=20&until=5&system=nonsense", async (room) => {
+    const shown = () => room.waitForFunction(() => [...document.querySelectorAll(".error")].some((it) => it.checkVisibility() && it.textContent !== ""));
+    const all = () => room.locator(".error:visible").allTextContents().then((texts) => texts.filter((it) => it !== "").join("\n"));
+    await shown();
+    assert.match(await all(), /no system has the name “nonsense”; write its equations, as x'' = y - x/);
+    assert.doesNotMatch(await all(), /keys|_/);
+    await enter(room, "System or equation", "driven_pendulum");
+    await enter(room, "Values of parameters", "c=1e400");
+    await shown();
+    assert.match(await all(), /^a part of the equations of motion is beyond/);
+  }));

@@ -4,6 +4,7 @@ import type { Address } from "../address.ts";
 import type { Answer } from "../engine/engine.ts";
 import { element } from "./element.ts";
 import type { Field } from "./field.ts";
+import { withoutKeys } from "./in_words.ts";
 import { explained, reason } from "./marks.ts";
 import { labels, plain } from "./plain.ts";
 import { UNIT } from "./unit_switch.ts";
@@ -87,7 +88,7 @@ export class Form {
     const { error } = answer;
     const field = keys.map((key) => this.#field(key)).find(({ option }) => option !== undefined && error.parameters.includes(option));
     if (field === undefined) return reason(error);
-    field.refuse(plain(explained(error), labels(this.#fields.values())));
+    field.refuse(withoutKeys(plain(explained(error), labels(this.#fields.values()))));
     field.element.closest("details")?.setAttribute("open", "");
     return "";
   }

@@ -24,7 +24,9 @@ export const parts = {
   /** Keys in sentences of the command, each with its words. */
   keys: [
     [/(?:the nearest are [^;]*; )?the keys are [^;]*; or /g, ""],
+    [/; the keys of oscillators are [^;\n]*/g, ""],
     [/has the key /g, "has the name "],
+    [/^no system has the name an empty entry; /g, ""],
     [/\bx_max\b/g, "largest displacement"],
     [/\bhalf_swing\b/g, "half the swing"],
     [/\bblack_vel_(\d)\b/g, "Fourier-perturbation ($1)"],
