@@ -39,6 +39,7 @@ function showLinks(current: Room): void {
     return link;
   });
   document.getElementById("rooms")?.replaceChildren(...links);
+  links.find((link) => link.ariaCurrent !== null)?.scrollIntoView({ block: "nearest", inline: "center" });
 }
 
 show();

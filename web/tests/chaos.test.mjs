@@ -143,7 +143,7 @@ test("numbers are saved where there are some, and nowhere else", () =>
 test("what cannot be computed is answered beside its field", () =>
   visit(SMALL, async (room) => {
     for (const [label, entry, said] of [
-      ["System or equation", "nonsense", /no system has the key/],
+      ["System or equation", "nonsense", /no system has the name/],
       ["System or equation", "driven_pendulum", undefined],
       ["Initial states", "q=1", /has no state variable/],
       ["Initial states", "theta=0.2", undefined],

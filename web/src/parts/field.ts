@@ -154,7 +154,8 @@ function controlled(description: Description, control: Control, event: string, b
       return unit.measured;
     },
     measure: (its) => unit.set(its),
-    refuse: (reason) => say(error, control, reason),
+    // A bare number has the unit of the field.
+    refuse: (reason) => say(error, control, isAngle ? reason.replace(", 1.2 (radians)", "") : reason),
     onChange: (changed) => control.addEventListener(event, changed),
   };
 }

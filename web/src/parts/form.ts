@@ -4,6 +4,7 @@ import type { Address } from "../address.ts";
 import type { Answer } from "../engine/engine.ts";
 import { element } from "./element.ts";
 import type { Field } from "./field.ts";
+import { withoutKeys } from "./in_words.ts";
 import { explained, reason } from "./marks.ts";
 import { labels, plain } from "./plain.ts";
 import { UNIT } from "./unit_switch.ts";
@@ -12,7 +13,7 @@ import { UNIT } from "./unit_switch.ts";
 const PAUSE = 300;
 
 /** The width from which fields are next to the results, as in parts.css. */
-const BESIDE = "(min-width: 60rem)";
+export const BESIDE = "(min-width: 60rem)";
 
 /** All fields of a room, in the order in which they are shown. */
 export class Form {
@@ -87,7 +88,7 @@ export class Form {
     const { error } = answer;
     const field = keys.map((key) => this.#field(key)).find(({ option }) => option !== undefined && error.parameters.includes(option));
     if (field === undefined) return reason(error);
-    field.refuse(plain(explained(error), labels(this.#fields.values())));
+    field.refuse(withoutKeys(plain(explained(error), labels(this.#fields.values()))));
     field.element.closest("details")?.setAttribute("open", "");
     return "";
   }

@@ -8,7 +8,7 @@ const ELEMENTS = new Set(`${HTML} ${MATH} ${SVG}`.split(" "));
 const ATTRIBUTES = new Set(
   ("class id scope colspan rowspan open display mathvariant stretchy form lspace rspace largeop symmetric minsize maxsize width height depth " +
     "columnalign rowspacing columnspacing displaystyle scriptlevel accent accentunder linethickness notation " +
-    "viewBox role d x y x1 x2 y1 y2 cx cy r points fill stroke stroke-width stroke-linejoin stroke-linecap stroke-dasharray stroke-opacity fill-opacity opacity " +
+    "viewBox role d x y dy x1 x2 y1 y2 cx cy r points fill stroke stroke-width stroke-linejoin stroke-linecap stroke-dasharray stroke-opacity fill-opacity opacity " +
     "font-size font-family font-style font-weight text-anchor dominant-baseline transform").split(" "),
 );
 

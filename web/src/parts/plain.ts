@@ -11,7 +11,7 @@ export type Labels = (name: string) => string | undefined;
 export function plain(sentence: string, label: Labels = () => undefined): string {
   const named = marks(sentence).map((it) => {
     if (typeof it === "string") return it.replace(/`([^`]*)`/g, (_, quoted: string) => (quoted.trim() === "" ? text.parts.emptyEntry : `“${quoted}”`));
-    const name = `“${label(it.name) ?? it.name.replaceAll("-", " ")}”`;
+    const name = `“${label(it.name) ?? text.parts.queries[it.name] ?? it.name.replaceAll("-", " ")}”`;
     return it.values.length === 0 ? name : `${name} ${text.parts.alternatives(it.values)}`;
   });
   return named.join("");

@@ -296,10 +296,15 @@ export function ticks([from, to]: Range, most: number): [number, string][] {
   const power = 10 ** Math.floor(Math.log10(raw));
   const step = power * ([1, 2, 5, 10].find((factor) => factor * power >= raw) ?? 10);
   const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-  const made: [number, string][] = [];
-  for (let n = Math.ceil(from / step - 1e-9); n * step <= to + 1e-9 * step; n++) {
-    const words = decimals > 6 ? (n * step).toExponential(1) : (n * step).toFixed(decimals);
-    made.push([n * step, words.replace(/^-(?=0\.?0*$)/, "").replace("-", "−")]);
-  }
-  return made;
+  return multiples(step, [from, to]).map((it) => {
+    const words = decimals > 6 ? it.toExponential(1) : it.toFixed(decimals);
+    return [it, words.replace(/^-(?=0\.?0*$)/, "").replace("-", "−")];
+  });
+}
+
+/** The multiples of a step in a range. Beyond 2⁵³ steps neighbouring multiples are the same number: there are none. */
+export function multiples(step: number, [from, to]: Range): number[] {
+  const [first, last] = [Math.ceil(from / step - 1e-9), Math.floor(to / step + 1e-9)];
+  if (!(Math.max(-first, last) < 2 ** 53)) return [];
+  return Array.from({ length: Math.max(0, last - first + 1) }, (_, n) => (first + n) * step);
 }

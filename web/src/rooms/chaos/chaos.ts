@@ -6,7 +6,7 @@ import { choice } from "../../parts/choice.ts";
 import { ask, type Command } from "../../parts/command.ts";
 import { element } from "../../parts/element.ts";
 import { Equivalents } from "../../parts/equivalents.ts";
-import { Form } from "../../parts/form.ts";
+import { BESIDE, Form } from "../../parts/form.ts";
 import { ladder } from "../../parts/ladder.ts";
 import { isWanted, Latest } from "../../parts/latest.ts";
 import { Finding, layout } from "../../parts/layout.ts";
@@ -31,8 +31,8 @@ import { Sliders } from "./sliders.ts";
 import { ValueKeeper } from "./value_keeper.ts";
 
 const words = text.chaos;
-/** Number of points with which a section begins. */
-const FIRST = 50;
+/** Number of points with which a section begins, and the largest number. */
+const [FIRST, MOST] = [50, 1e7];
 /** Ways to follow attractors from one value to the next. */
 const SWEEPS = ["both", "up", "down", ""] as const;
 
@@ -104,10 +104,12 @@ class ChaosRoom {
     this.#orbit = new OrbitFinding(engine);
     this.#further = new FurtherFindings(engine, this.#form, this.#questions);
     this.#fleet = new FleetPanel(address, engine, this.#sliders.element, () => this.#equal());
-    const controls = [this.#presets(), this.#form.part(words.question, PARTS.system), this.#fleet.fields, this.#form.part(words.diagramChoices, PARTS.diagram), this.#form.part(words.choices, PARTS.chosen), ...this.#further.fields];
+    const controls = [this.#form.part(words.question, PARTS.system), this.#fleet.fields, this.#form.part(words.diagramChoices, PARTS.diagram), this.#form.part(words.choices, PARTS.chosen), ...this.#further.fields];
+    // On a narrow page the motion comes before the fields.
+    const [first, later] = matchMedia(BESIDE).matches ? [controls, []] : [[], controls];
     // Findings with fields of their own come first, since the reader has asked for them.
     const found = [...this.#further.elements, ...Object.values(this.#findings).map((finding) => finding.element), this.#orbit.element];
-    this.elements = layout(words.title, words.lead, controls, [this.#status.element, this.#fleet.element, element("div", { class: "pairs" }, ...found), this.#equivalents.element]);
+    this.elements = layout(words.title, words.lead, [this.#presets(), ...first], [this.#status.element, this.#fleet.element, element("div", {}, ...later), element("div", { class: "pairs" }, ...found), this.#equivalents.element]);
   }
 
   update(): void {
@@ -199,7 +201,7 @@ class ChaosRoom {
   // Each stage is the same section with fewer points, so that it grows. Returns `true` if the query was valid.
   async #grow(signal: AbortSignal): Promise<boolean> {
     const last = Number(this.#form.value("points"));
-    const earlier = Number.isInteger(last) && last > FIRST ? ladder(last, FIRST).slice(0, -1) : [];
+    const earlier = Number.isInteger(last) && last > FIRST && last <= MOST ? ladder(last, FIRST).slice(0, -1) : [];
     for (const asked of [...earlier.map(String), this.#form.value("points")]) {
       if (earlier.length > 0) this.#status.say(words.growing(Number(asked), last));
       const answer = await this.#pictures.section.draw(this.#questions.section(asked), signal);

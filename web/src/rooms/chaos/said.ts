@@ -6,5 +6,6 @@ import { plain } from "../../parts/plain.ts";
 import { labelOf } from "./fields.ts";
 
 export function said(answer: Answer): string {
-  return plain(explained(answer.error), labelOf);
+  // The subject of an error without a field is the query, whose part of the results shows it.
+  return plain(explained({ ...answer.error, subject: "" }), labelOf);
 }

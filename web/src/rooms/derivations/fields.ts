@@ -39,9 +39,9 @@ export function fields(): Field[] {
     textField({ key: "gauge", option: "--gauge", words: words.gauge }, SUGGESTIONS),
     textField({ key: "set", option: "--set", words: words.set }),
     textField({ key: "about", option: "--about", words: words.about }),
-    textField({ key: "amplitude", option: "--amplitude", words: words.amplitude, unit: "angle" }),
-    textField({ key: "length", option: "--length", words: words.length }),
-    textField({ key: "gravity", option: "--gravity", words: words.gravity }),
+    textField({ key: "amplitude", option: "--amplitude", words: words.amplitude, unit: "angle", isShort: true }),
+    textField({ key: "length", option: "--length", words: words.length, unit: "m", isShort: true }),
+    textField({ key: "gravity", option: "--gravity", words: words.gravity, unit: "m/s^2", isShort: true }),
     tickField({ key: "exercises", option: "--exercises", words: words.exercises }),
     choiceField({ key: "document", option: "--document", words: { label: document.label } }, [["", document.all], ["black-vel", document["black-vel"]], ["cote", document.cote]]),
     choiceField({ key: "only", option: "--only", words: { label: only.label } }, [

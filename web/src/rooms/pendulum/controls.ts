@@ -4,6 +4,7 @@ import type { Address } from "../../address.ts";
 import { button, element } from "../../parts/element.ts";
 import { choiceField, type Field, textField, tickField } from "../../parts/field.ts";
 import { Form } from "../../parts/form.ts";
+import { plain } from "../../parts/plain.ts";
 import { UNIT, unitSwitch } from "../../parts/unit_switch.ts";
 import { converted } from "../../parts/units.ts";
 import { text } from "../../texts/en.ts";
@@ -171,7 +172,7 @@ export class Controls {
   }
 
   refuse(key: string, reason: string): void {
-    this.#field(key).refuse(reason);
+    this.#field(key).refuse(plain(reason));
   }
 
   /** The formulas that can be chosen, by key and name. */

@@ -6,7 +6,7 @@ import { angle as angleInWords, digits, short } from "../../parts/numbers.ts";
 import { text } from "../../texts/en.ts";
 import type { Course, Place, Samples } from "./course.ts";
 import type { Ghost } from "./ghosts.ts";
-import type { Axes, Pen, Plot, Range } from "../../parts/plot.ts";
+import { type Axes, multiples, type Pen, type Plot, type Range } from "../../parts/plot.ts";
 import { lookedAt } from "./look.ts";
 
 const { graphs: words, look } = text.pendulum;
@@ -310,11 +310,8 @@ function angleTicks(axis: "x" | "y", [low, high]: Range, unit: string, most = 5)
   const steps = [1e-6, 1e-5, 1e-4, 1e-3, 0.01, 0.1, 0.5, 1, 5, 10, 15, 30, 45, 90, 180, 360, 720, 1440, 3600];
   const degrees = 180 / Math.PI;
   const span = (high - low) * degrees;
-  const step = steps.find((it) => span / it <= most) ?? 7200;
-  const made: [number, string][] = [];
-  for (let n = Math.ceil((low * degrees) / step); n * step <= high * degrees; n++) {
-    made.push([(n * step) / degrees, `${Number((n * step).toPrecision(6))}°`.replace("-", "−")]);
-  }
+  const step = steps.find((it) => span / it <= most) ?? 3600 * 2 ** Math.ceil(Math.log2(span / most / 3600));
+  const made = multiples(step, [low * degrees, high * degrees]).map((it): [number, string] => [it / degrees, `${Number(it.toPrecision(6))}°`.replace("-", "−")]);
   return axis === "x" ? { xTicks: made } : { yTicks: made };
 }
 

@@ -2,8 +2,7 @@
 
 import { type Engine, text as decoded } from "../../engine/engine.ts";
 import { ask, type Command, extended } from "../../parts/command.ts";
-import { reason } from "../../parts/marks.ts";
-import { plain } from "../../parts/plain.ts";
+import { explained } from "../../parts/marks.ts";
 import { IntegratedCourse } from "./course.ts";
 
 /** Time between two samples, in seconds. */
@@ -50,7 +49,7 @@ export function command({ angle, velocity, angularFrequency, damping, drag, dry,
 /** The motion until a time in seconds, or the reason why there is none. */
 export async function integrated(engine: Engine, forces: Forces, until: number, signal: AbortSignal): Promise<IntegratedCourse | { readonly error: string; readonly item: string }> {
   const answer = await ask(engine, extended(command(forces, until), { csv: true, "no-errors": true }), { signal });
-  if (answer.status !== 0) return { error: plain(reason(answer.error)), item: answer.error.item };
+  if (answer.status !== 0) return { error: explained(answer.error), item: answer.error.item };
   const rows = decoded(answer).trim().split("\n").slice(1);
   const [angles, velocities] = [new Float64Array(rows.length), new Float64Array(rows.length)];
   rows.forEach((row, n) => {

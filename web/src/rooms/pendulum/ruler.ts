@@ -1,4 +1,4 @@
-// A ruler to the scale of the stage, moved by the mouse, a finger or the arrow keys; it begins with its zero at the pivot.
+// A ruler to the scale of the stage, moved by the mouse, a finger or the arrow keys; it begins left of the vertical, with its zero at the pivot.
 
 import { colours } from "../../parts/colours.ts";
 import { element } from "../../parts/element.ts";
@@ -15,7 +15,7 @@ export class Ruler {
   #frame: Frame | undefined;
   #length = NaN;
   /** The place of the zero relative to the pivot, in px. */
-  #at: readonly [x: number, y: number] = [14, 0];
+  #at: readonly [x: number, y: number] = [-WIDTH - 14, 0];
 
   constructor() {
     this.element = element("div", { class: "ruler", tabindex: "0", role: "group" }, this.#canvas);
@@ -42,14 +42,14 @@ export class Ruler {
     const all = colours();
     const { fontFamily } = getComputedStyle(this.#canvas);
     [context.font, context.fillStyle, context.strokeStyle] = [`11px ${fontFamily}`, all.ink, all.ink];
-    context.textBaseline = "middle";
+    [context.textBaseline, context.textAlign] = ["middle", "right"];
     for (let mark = 0; mark <= 100; mark++) {
       const y = Math.round(12 + (frame.radius * mark) / 100) + 0.5;
       context.beginPath();
-      context.moveTo(0, y);
-      context.lineTo(mark % 10 === 0 ? 16 : mark % 5 === 0 ? 11 : 6, y);
+      context.moveTo(WIDTH, y);
+      context.lineTo(WIDTH - (mark % 10 === 0 ? 16 : mark % 5 === 0 ? 11 : 6), y);
       context.stroke();
-      if (mark % 10 === 0) context.fillText(short((frame.metres * mark) / 100, 3) + (mark === 0 ? " m" : ""), 19, y);
+      if (mark % 10 === 0) context.fillText(short((frame.metres * mark) / 100, 3) + (mark === 0 ? " m" : ""), WIDTH - 19, y);
     }
     this.#place();
   }

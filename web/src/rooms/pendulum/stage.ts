@@ -47,7 +47,7 @@ export class Stage {
     this.#shown = shown;
     this.#draw();
     const frame = framed(this.canvas.clientWidth, this.canvas.clientHeight, shown.pendulums);
-    return { ...frame, y: frame.y + this.canvas.offsetTop };
+    return { ...frame, x: frame.x + this.canvas.offsetLeft, y: frame.y + this.canvas.offsetTop };
   }
 
   redraw(): void {

@@ -39,6 +39,8 @@ const words = text.pendulum;
 const [AHEAD, FARTHEST] = [60, 3840];
 /** Length of the trace, in seconds. */
 const TRACED = 1;
+/** Bound on the time in an address, in seconds. */
+const LATEST = 1e15;
 /** Time between two changes of displayed numbers, in milliseconds. */
 const READABLE = 100;
 
@@ -65,6 +67,8 @@ export class Swing {
   readonly #keep: Keep;
   readonly #how = element("p", { class: "quiet how" });
   readonly #said = element("p", { class: "unseen", role: "status" });
+  /** The way to the table, which says what it holds. */
+  readonly #seen = element("p", { class: "seen", role: "status" });
   readonly #listen: HTMLButtonElement;
   readonly #closing: (() => void)[] = [];
   #motion: Motion | undefined;
@@ -90,7 +94,8 @@ export class Swing {
     this.#state = new StateButtons(address);
     this.#trials = new TrialsTable(address, engine, () => this.#laws());
     this.#lay(place);
-    this.#clock.time = Math.max(0, Number(address.get("t") ?? "0") || 0);
+    const time = Number(address.get("t") ?? "0");
+    this.#clock.time = time > 0 && time < LATEST ? time : 0;
     this.#start(false);
     if (address.get("t") === undefined && !matchMedia("(prefers-reduced-motion: reduce)").matches) this.#clock.run();
     this.#transport.show();
@@ -110,7 +115,7 @@ export class Swing {
 
   #lay(place: HTMLElement): void {
     const hint = element("p", { class: "try" }, words.lead);
-    const cards = element("div", { class: "cards" }, this.#learn.element, this.#gate.element, this.#stopwatch.element);
+    const cards = element("div", { class: "cards" }, this.#learn.element, this.#gate.element, this.#stopwatch.element, this.#seen);
     const stage = element("div", { class: "bench-stage" }, this.#stage.element, this.#readouts.element, this.#ruler.element, this.#bars.element, hint);
     const panel = element("div", { class: "bench-panel controls" }, ...this.#controls.panel, this.#state.element);
     const bench = element("div", { class: "bench" }, stage, cards, this.#transport.element, panel);
@@ -169,7 +174,8 @@ export class Swing {
   #record(swings: number, seconds: string): void {
     const degrees = (180 / Math.PI) * (this.#motion?.amplitude ?? 0);
     const length = this.#controls.isHidden("length") ? "" : String(Number(this.#length.toPrecision(6)));
-    this.#trials.add(String(Number(degrees.toPrecision(6))), length, swings, seconds);
+    const count = this.#trials.add(String(Number(degrees.toPrecision(6))), length, swings, seconds);
+    this.#seen.replaceChildren(button(words.trials.see(words.trials.caption(count)), () => this.#trials.element.scrollIntoView()));
   }
 
   #laws(): Laws {
@@ -223,7 +229,8 @@ export class Swing {
     if (signal.aborted) return;
     this.#said.textContent = "";
     if ("error" in course) {
-      return this.#controls.refuse(FORCE_OF[course.item] ?? "damping", course.error);
+      const [, present = "damping"] = Object.entries(FORCE_OF).find(([, key]) => !isNone(this.#value(key))) ?? [];
+      return this.#controls.refuse(FORCE_OF[course.item] ?? present, course.error);
     }
     this.#course = course;
     this.#window = undefined;

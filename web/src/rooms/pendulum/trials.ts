@@ -83,14 +83,14 @@ export class Trials {
     this.#square();
   }
 
-  /** Fills cells from a spreadsheet's text, from a cell on; lines without any number are headings and left out. Returns `false` if not all of it has room. */
-  paste(text: string, row: number, column: number): boolean {
+  /** Fills cells from a spreadsheet's text, from a cell on; lines without any number are headings and left out. Returns the number of lines, `undefined` if not all of it has room. */
+  paste(text: string, row: number, column: number): number | undefined {
     const lines = text.replace(/\r/g, "").split("\n").filter((line) => line.trim() !== "");
-    const cells = lines.map((line) => line.split("\t").map((cell) => cell.trim())).filter((line) => line.some((cell) => Number.isFinite(numberOf(cell))));
+    const cells = lines.map((line) => line.split(/[\t;]/).map((cell) => cell.trim())).filter((line) => line.some((cell) => Number.isFinite(numberOf(cell))));
     const widest = Math.max(0, ...cells.map((line) => line.length));
     while (column + widest > this.width && this.readings < MOST_READINGS) this.addReading();
     cells.slice(0, MOST_TRIALS - row).forEach((line, down) => line.forEach((cell, across) => this.set(row + down, column + across, cell)));
-    return cells.length <= MOST_TRIALS - row && column + widest <= this.width;
+    return cells.length <= MOST_TRIALS - row && column + widest <= this.width ? cells.length : undefined;
   }
 
   clear(): void {

@@ -39,9 +39,10 @@ export class TrialsTable {
     this.#show();
   }
 
-  /** Adds a measured time with the settings of the bench. */
-  add(amplitude: string, length: string, swings: number, seconds: string): void {
+  /** Adds a measured time with the settings of the bench; returns the number of trials. */
+  add(amplitude: string, length: string, swings: number, seconds: string): number {
     this.#change(() => this.#trials.add(amplitude, length, swings, seconds));
+    return this.#trials.all.length;
   }
 
   /** Draws the laws of the present settings. */
@@ -128,11 +129,12 @@ export class TrialsTable {
   #paste(event: ClipboardEvent): void {
     const [pasted, target] = [event.clipboardData?.getData("text/plain") ?? "", event.target as HTMLElement];
     const [down, across] = (target.dataset["cell"] ?? "").split(",").map(Number);
-    if (!/[\t\n]/.test(pasted.trim()) || down === undefined || across === undefined) return;
+    if (!/[\t\n;]/.test(pasted.trim()) || down === undefined || across === undefined) return;
     event.preventDefault();
-    let isWhole = true;
-    this.#change(() => (isWhole = this.#trials.paste(pasted, down, across)));
-    if (!isWhole) this.#fail(words.tooLong(MOST_TRIALS, MOST_READINGS));
+    let lines: number | undefined;
+    this.#change(() => (lines = this.#trials.paste(pasted, down, across)));
+    if (lines === undefined) this.#fail(words.tooLong(MOST_TRIALS, MOST_READINGS));
+    else if (lines === 0) this.#fail(words.noNumbers);
     this.#table.querySelector<HTMLElement>(`[data-cell="${down},${across}"]`)?.focus();
   }
 
@@ -140,6 +142,8 @@ export class TrialsTable {
     this.#abort.abort();
     this.#abort = new AbortController();
     const { signal } = this.#abort;
+    const wrong = this.#table.querySelector<HTMLInputElement>("[aria-invalid]");
+    if (wrong !== null) return this.#fail(words.notNumber(wrong.getAttribute("aria-label") ?? "", wrong.value));
     const [millimetres, seconds] = [numberOf(this.#lengthError.value), numberOf(this.#timeError.value)];
     this.#lengthError.refuse(millimetres > 0 ? "" : words.positive);
     const isKnown = this.#timeError.value !== "";

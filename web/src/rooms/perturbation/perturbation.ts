@@ -30,8 +30,8 @@ import { gaugeOf } from "./gauge.ts";
 import { backbone, evaluation, grouped } from "./results.ts";
 
 const words = text.perturbation;
-/** Highest order that is computed without stages. */
-const QUICK = 15;
+/** Highest order that is computed without stages, and the highest order. */
+const [QUICK, MOST] = [15, 1000];
 const LANGUAGES: readonly (readonly [format: string, name: string, ending: string])[] = [["python", "Python", "py"], ["c", "C", "c"], ["rust", "Rust", "rs"], ["fortran", "Fortran", "f90"]];
 
 export const perturbation: Room = {
@@ -223,7 +223,7 @@ class PerturbationRoom {
   // Expands order by order, so that results are visible early. Returns `true` if there is a series.
   async #expand(signal: AbortSignal): Promise<boolean> {
     const last = Number(this.#form.value("order"));
-    const earlier = Number.isInteger(last) && last > QUICK ? ladder(last, QUICK).slice(0, -1) : [];
+    const earlier = Number.isInteger(last) && last > QUICK && last <= MOST ? ladder(last, QUICK).slice(0, -1) : [];
     for (const order of [...earlier.map(String), this.#form.value("order")]) {
       if (earlier.length > 0) this.#status.say(words.orders(Number(order), last));
       const asked = this.#expansion(order);

@@ -18,11 +18,15 @@ export const parts = {
   nothingToSave: "Nothing to save.",
   more: "more",
   emptyEntry: "an empty entry",
+  /** Rooms that do what a query does. */
+  queries: { period: "Formulas" } as Readonly<Record<string, string>>,
   alternatives: (values: readonly string[]) => [values.slice(0, -1).join(", "), ...values.slice(-1)].filter((it) => it !== "").join(" or "),
   /** Keys in sentences of the command, each with its words. */
   keys: [
     [/(?:the nearest are [^;]*; )?the keys are [^;]*; or /g, ""],
+    [/; the keys of oscillators are [^;\n]*/g, ""],
     [/has the key /g, "has the name "],
+    [/^no system has the name an empty entry; /g, ""],
     [/\bx_max\b/g, "largest displacement"],
     [/\bhalf_swing\b/g, "half the swing"],
     [/\bblack_vel_(\d)\b/g, "Fourier-perturbation ($1)"],

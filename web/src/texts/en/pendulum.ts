@@ -64,7 +64,7 @@ export const pendulum = {
     noFormula: "none",
     presets: "Examples",
   },
-  planets: [["", "as typed"], ["9.80665m/s^2", "the Earth, standard"], ["1.62m/s^2", "the Moon"], ["3.71m/s^2", "Mars"], ["24.79m/s^2", "Jupiter"], ["274m/s^2", "the Sun"], ["mystery", "a mystery planet"]],
+  planets: [["", "as typed"], ["9.80665m/s^2", "the Earth"], ["1.62m/s^2", "the Moon"], ["3.71m/s^2", "Mars"], ["24.79m/s^2", "Jupiter"], ["274m/s^2", "the Sun"], ["mystery", "a mystery planet"]],
   instruments: {
     gate: {
       title: "Photogate",
@@ -183,9 +183,12 @@ export const pendulum = {
     positive: "a number above 0",
     fit: "Find g",
     headline: (value: string, error: string) => `g = ${value} ± ${error} m/s²`,
-    expanded: (error: string) => `With 95 % probability g lies within ± ${error} m/s².`,
-    share: (input: string, share: string) => `${share} of the variance comes from the ${input}.`,
+    expanded: (error: string) => `With 95 % probability g lies within ± ${error} m/s² of this value.`,
+    share: (input: string, share: string) => `${share} of the variance comes from ${input === "slope" ? "the scatter and the uncertainties of the table" : `the ${input}`}.`,
     beta: (value: string, error: string) => `The growth of the period with the amplitude is ${value} ± ${error} times that of the exact law.`,
+    see: (caption: string) => `To the table: ${caption}`,
+    notNumber: (cell: string, entry: string) => `${cell}: “${entry}” is not a number.`,
+    noNumbers: "The pasted text has no line with a number.",
     noTrials: "No trial has an amplitude, a length and a time.",
     leftOut: (count: number) => `${count === 1 ? "1 trial" : `${count} trials`} without amplitude or length left out.`,
     tooLong: (rows: number, readings: number) => `The table holds ${rows} trials with ${readings} readings each: the rest is left out.`,
