@@ -61,7 +61,8 @@ impl Surface {
         let inputs = [step.state_at(time), vec![time]].concat();
         self.formula.evaluate(&inputs);
         let value = self.formula.value(0);
-        if !(value.abs() > self.error(&inputs)) {
+        let is_known = value.abs() > self.error(&inputs);
+        if !is_known {
             return None;
         }
         let changes = value * self.side < 0.0;

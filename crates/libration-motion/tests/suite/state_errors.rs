@@ -395,6 +395,43 @@ fn events_with_errors(
 }
 
 /// A motion that is symmetric in time has the same errors before and after its start, and the start has none.
+/// The polynomial of a step does not tell two zeros from a contact if the formula stays within the tolerance between them.
+#[test]
+fn zeros_that_count_as_one_contact_are_inside_its_error() {
+    let events = |equation: &str, formula: &str, start: &[f64]| {
+        let system = System::new(&equation.parse().unwrap()).unwrap();
+        let system = system.with_events(&[Event::zero_of(formula.parse().unwrap())]).unwrap();
+        events_with_errors(&system, start.to_vec(), 2.0, 1e-12)
+    };
+    for apart in ["0.0000000002", "0.00000001", "0.000001"] {
+        let found = events("x' = 1", &format!("(x - 1)*(x - 1 - {apart})"), &[0.0]);
+        let [(event, errors)] = found.as_slice() else { panic!("{found:?}") };
+        let second = 1.0 + apart.parse::<f64>().unwrap();
+        for zero in [1.0, second] {
+            assert!((event.time - zero).abs() <= errors.time && (event.time - zero).abs() <= errors.state[0]);
+        }
+        assert!(errors.time < second - 1.0, "{apart}: {}", errors.time);
+    }
+    let found = events("x'' = -pi^2*x", "x - 1", &[1.0, 0.0]);
+    assert!(found.last().unwrap().1.time < 1e-13, "{found:?}");
+}
+
+/// The mass turns at π, and friction stops it at 2π; its velocity is known to be zero from there on, but not the time.
+#[test]
+fn the_time_at_which_friction_stops_a_motion_is_inside_its_error() {
+    let system = System::new(&"x'' = -x - 0.3*sign(x')".parse().unwrap()).unwrap();
+    let system = system.with_events(&[Event::zero_of("x'".parse().unwrap())]).unwrap();
+    for tolerance in [1e-9, 1e-12, 1e-16] {
+        let found = events_with_errors(&system, vec![1.0, 0.0], 9.0, tolerance);
+        let [_, turn, stop] = found.as_slice() else { panic!("{found:?}") };
+        for ((event, errors), time) in [(turn, PI), (stop, 2.0 * PI)] {
+            let off = (event.time - time).abs();
+            assert!(off <= errors.time, "{tolerance:e}: {off:e} {:e}", errors.time);
+        }
+        assert!(stop.1.time < 1e3 * tolerance.max(1e-16), "{:e}", stop.1.time);
+    }
+}
+
 #[test]
 fn errors_are_the_same_backward() {
     let system = System::new(&"x'' = -sin(x) - max(x, 0)".parse().unwrap()).unwrap();
@@ -616,6 +653,21 @@ fn errors_of_derivatives_in_closed_form_hold() {
             }
         }
     }
+}
+
+/// The derivative by the second stiffness is zero until that spring acts, at π/2; then it is that of −sin(√b·u)/√b, with u = t − π/2.
+#[test]
+fn derivatives_that_begin_at_a_kink_are_determined() {
+    let equation = "x'' = -max(x, 0) - b*min(x, 0)".parse().unwrap();
+    let by = Sensitivities::new(&equation, &[("b", "2".parse().unwrap())], &["b"]).unwrap();
+    let (found, errors) =
+        determined(&System::new(by.equation()).unwrap(), &by.start(&[1.0, 0.0]), 2.0, 1e-12);
+    assert!(errors.determined_until().is_none());
+    let (end, stated) = found.last().unwrap();
+    let (root, u) = (2.0_f64.sqrt(), end.time - PI / 2.0);
+    let truth = libm::sin(root * u) / (4.0 * root) - u * libm::cos(root * u) / 4.0;
+    let off = (by.derivatives_in(&end.state)[0] - truth).abs();
+    assert!(off <= by.derivatives_in(stated)[0] + 1e-16, "{off:e} {stated:?}");
 }
 
 /// The pendulum from rest at θ0, by θ0: after whole periods the derivative of the angle is one, and that

@@ -52,13 +52,13 @@ impl Crossing {
         kinks.chain([own]).collect()
     }
 
-    /// The first of these formulas that is zero in a state, to rounding errors or within this time of it, or else the last.
-    pub(in crate::taylor) fn zero_at<'a>(
-        formulas: &'a mut [Self],
+    /// The index of the first of these formulas that is zero in a state, to rounding errors or within this time of it, or else of the last.
+    pub(in crate::taylor) fn zero_at(
+        formulas: &mut [Self],
         at: &Moment,
         sizes: &[f64],
         apart: f64,
-    ) -> Option<&'a mut Self> {
+    ) -> Option<usize> {
         /// Half a unit in the last place of each input, and as much for the formula.
         const MARGIN: f64 = 4.0;
         let is_zero = |formula: &mut Self| {
@@ -66,8 +66,7 @@ impl Crossing {
             rest <= MARGIN * (error + ROUNDING * (rate * at.time).abs()) + (rate * apart).abs()
         };
         let last = formulas.len().checked_sub(1)?;
-        let first = formulas[..last].iter_mut().position(is_zero);
-        Some(&mut formulas[first.unwrap_or(last)])
+        Some(formulas[..last].iter_mut().position(is_zero).unwrap_or(last))
     }
 
     fn new(system: &System, formula: &Expression) -> Option<Self> {

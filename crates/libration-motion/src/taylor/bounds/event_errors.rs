@@ -97,11 +97,35 @@ impl StateErrors {
         let (beside, scale) = (length / 1024.0, self.steps.sqrt());
         let formulas = self.crossings(stepper.expander.system, event);
         let moment = |time: f64| Moment { time, state: step.state_at(time) };
-        let formula = Crossing::zero_at(formulas, &moment(event.time), &sizes, SHORTEST_PART * length)?;
-        let mut at = |time: f64| formula.passing(&moment(time), &sizes);
-        let there = at(event.time);
+        let zero = Crossing::zero_at(formulas, &moment(event.time), &sizes, SHORTEST_PART * length)?;
+        let is_at_kink = zero + 1 < formulas.len();
+        let mut at = |time: f64| formulas[zero].passing(&moment(time), &sizes);
+        let mut there = at(event.time);
         let bend = (at(event.time + beside).rate - at(event.time - beside).rate) / (2.0 * beside);
+        if event.contact == Contact::Grazing && !is_at_kink {
+            there.error += self.beyond(accepted, event, &there, &sizes, &spread);
+        }
         Some(ZeroPassage::new(spread, there, bend, scale))
+    }
+
+    /// The error of a rate of change at a contact where the formula itself is known not to be zero, from its distance to the nearest zeros.
+    fn beyond(
+        &mut self,
+        accepted: &AcceptedStep<'_>,
+        event: &Occurrence,
+        rate: &Passing,
+        sizes: &[f64],
+        spread: &Spread,
+    ) -> f64 {
+        let scale = self.steps.sqrt();
+        let of_value = Occurrence { contact: Contact::Rising, ..event.clone() };
+        let Some(formula) = self.crossings(accepted.stepper().expander.system, &of_value).last_mut() else {
+            return 0.0;
+        };
+        let Passing { gradient, rest, error, .. } =
+            formula.passing(&Moment { time: event.time, state: event.state.clone() }, sizes);
+        let is_zero = rest <= error + scale * spread.of_sum(&gradient);
+        if is_zero { 0.0 } else { (2.0 * rest * rate.rate.abs()).sqrt() }
     }
 
     fn crossings(&mut self, system: &System, event: &Occurrence) -> &mut [Crossing] {

@@ -20,7 +20,8 @@ impl Outcome {
         let end = &survey.solution.end;
         let Some(event) = &survey.ending else { return Some(Self::at_given_time(end)) };
         let mut formulas = Crossing::all(system, event);
-        let passing = Crossing::zero_at(&mut formulas, end, &survey.sizes, 0.0)?.passing(end, &survey.sizes);
+        let zero = Crossing::zero_at(&mut formulas, end, &survey.sizes, 0.0)?;
+        let passing = formulas[zero].passing(end, &survey.sizes);
         Some(Self::of_passing(&passing, end))
     }
 

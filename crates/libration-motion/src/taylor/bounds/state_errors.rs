@@ -174,7 +174,7 @@ impl StateErrors {
         self.settle(stepper, step, end);
     }
 
-    /// The spread at a time of the last step.
+    /// The spread at a time of the last step; at its start, that before a velocity comes to rest or a force jumps there.
     pub(in crate::taylor) fn spread_at(
         &mut self,
         stepper: &Stepper<'_, 1>,
@@ -182,6 +182,7 @@ impl StateErrors {
         time: f64,
     ) -> Spread {
         let middle = self.pieces.as_ref().and_then(|pieces| pieces.last.as_ref());
+        let middle = middle.filter(|_| (time - step.start()).abs() > 0.0);
         let start = (step.start(), &self.spreads[0]);
         let (from, spread) = middle.map_or(start, |middle| (middle.step.middle.time, &middle.spread));
         let mut spread = spread.clone();
@@ -288,8 +289,10 @@ impl StateErrors {
                 accelerated.map_or(0.0, |coordinate| self.scales[coordinate] / length)
             }
         };
-        // Numbers below the range of those with all digits are determined with their errors.
-        self.scales[number].max(PART * other).max(f64::MIN_POSITIVE)
+        // Components that are zero so far, such as derivatives by the stiffness of a spring that is not yet touched, are determined with their
+        // errors, and so are numbers below the range of those with all digits.
+        let size = self.scales[number].max(PART * other);
+        if size == 0.0 { f64::INFINITY } else { size.max(f64::MIN_POSITIVE) }
     }
 
     /// Stores the errors at the end of the last step.
