@@ -112,7 +112,8 @@ fn squares_of_gyroscopic(linear: &Linearisation<f64>) -> Option<Vec<Known>> {
     const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
     const MOST: f64 = 1e-12;
     let polynomial = polynomial(&Doubles, linear)?;
-    let rounding = MOST.min(ROUNDINGS * count(linear.stiffness.len()).powi(3));
+    let rows = count(linear.stiffness.len());
+    let rounding = MOST.min(ROUNDINGS * rows * rows * rows);
     let is_even = |exponent: Complex| {
         let size = exponent.abs();
         let terms = polynomial.iter().rev().fold((vec![], 1.0), |(mut terms, power), c| {
