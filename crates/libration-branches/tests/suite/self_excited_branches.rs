@@ -300,7 +300,7 @@ fn a_cycle_that_becomes_a_homoclinic_orbit_ends_there() {
     }
 }
 
-/// FitzHugh and Nagumo's equations are their own image under (v, w, I) → (−v, 7/4 − w, 7/4 − I), and so are the folds of their cycles, both next to
+/// Nagumo's equations of a nerve are their own image under (v, w, I) → (−v, 7/4 − w, 7/4 − I), and so are the folds of their cycles, both next to
 /// canards: the branch turns within the last digits of the parameter.
 #[test]
 fn both_folds_next_to_canards_are_listed() {

@@ -121,7 +121,7 @@ fn free_oscillations_are_released_in_the_units_of_the_drive() {
     }
 }
 
-/// FitzHugh and Nagumo's equations with v and w in units of 1e-9 and 1e9: both Hopf points.
+/// Nagumo's equations of a nerve with v and w in units of 1e-9 and 1e9: both Hopf points.
 #[test]
 fn hopf_points_are_found_in_all_units() {
     let hopf = |unit: f64| {
