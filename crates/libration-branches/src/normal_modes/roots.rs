@@ -45,10 +45,16 @@ pub fn roots(polynomial: &[Rational], digits: &[(Complex, usize)]) -> Option<Vec
 fn simple_roots(polynomial: Vec<Rational>, near: Vec<Complex>) -> Option<Vec<Root>> {
     let (mut exact, mut rest) = (vec![], polynomial);
     let mut left = vec![];
+    // A root at zero is known up to the rounding of the largest one.
+    let zero = 1e-12 * near.iter().map(|root| root.abs()).fold(0.0, f64::max);
     for near in near {
-        let candidate = is_real(near).then(|| simplest(near.re, near.re.abs())).flatten();
-        let factor = candidate.map(|root| (vec![-root.clone(), Rational::from(1)], root));
-        match factor.and_then(|(by, root)| Some((divided_exactly(&rest, &by)?, root))) {
+        let candidates = [
+            (near.abs() <= zero).then(|| Rational::from(0)),
+            is_real(near).then(|| simplest(near.re, near.re.abs())).flatten(),
+        ];
+        let divided =
+            |root: Rational| Some((divided_exactly(&rest, &[-root.clone(), Rational::from(1)])?, root));
+        match candidates.into_iter().flatten().find_map(divided) {
             Some((quotient, root)) => {
                 rest = quotient;
                 exact.push(Root::Exact(Surd::from(root)));
