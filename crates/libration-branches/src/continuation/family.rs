@@ -22,6 +22,15 @@ enum Beat {
     Own(Field),
 }
 
+impl Beat {
+    const fn law(&self) -> Option<&DriveLaw> {
+        match self {
+            Self::Drive(law) => Some(law),
+            Self::Own(_) => None,
+        }
+    }
+}
+
 /// A system with symbolic parameters. The unknowns of a motion are the components of its state, followed by its period if no drive sets it.
 #[derive(Debug)]
 pub(super) struct Family<'w> {
@@ -177,21 +186,23 @@ impl<'w> Family<'w> {
         watch: &'w Watch<'w>,
     ) -> Result<Self, BranchError> {
         let flow = Flow::new(equation, parameters, MOST_STEPS)?.for_many_steps();
-        let law = match &beat {
-            Beat::Drive(law) => Some(law),
-            Beat::Own(_) => None,
-        };
-        let scale = law.map_or(1.0, |law| scale_of_drive(&flow.layout, flow.rates(), law, ranges));
-        let (symmetry, signs) = symmetry(&flow.layout, flow.rates(), law, ranges, scale);
-        let ranges = ranges.to_vec();
-        Ok(Self { layout: flow.layout.clone(), symmetry, signs, beat, flow, ranges, scale, watch })
+        let scale = beat.law().map_or(1.0, |law| scale_of_drive(&flow.layout, flow.rates(), law, ranges));
+        let (layout, ranges) = (flow.layout.clone(), ranges.to_vec());
+        Ok(Self { layout, symmetry: None, signs: vec![], beat, flow, ranges, scale, watch }.with_symmetry())
+    }
+
+    /// The family with its symmetry, which is sought at motions of its scale.
+    fn with_symmetry(mut self) -> Self {
+        let Self { layout, flow, beat, ranges, .. } = &self;
+        (self.symmetry, self.signs) = symmetry(layout, flow.rates(), beat.law(), ranges, self.scale);
+        self
     }
 
     /// The family with the scale of a state, where that of its motions is not known and the state is of other units.
     pub(super) fn at_scale_of(self, state: &[f64]) -> Self {
         let size = state.iter().map(|x| x.abs()).fold(0.0, f64::max);
         let is_open = self.scale.total_cmp(&1.0).is_eq() && is_of_other_units(size);
-        Self { scale: if is_open { size } else { self.scale }, ..self }
+        if is_open { Self { scale: size, ..self }.with_symmetry() } else { self }
     }
 
     /// `true` if the only motion that is its own mirror image at all times is the equilibrium at zero.
