@@ -218,12 +218,9 @@ impl<'w> Family<'w> {
             let largest = vector.iter().map(|x| x.abs()).fold(0.0, f64::max);
             vector.iter().map(|x| x.abs() > LEAST * largest).collect()
         };
-        let law = match &self.beat {
-            Beat::Drive(law) => Some(law),
-            Beat::Own(_) => None,
-        };
+        let Self { layout, flow, beat, ranges, .. } = self;
         let (changed, kept) = (counts(deviation), counts(state));
-        has_partial_mirror(&self.layout, self.flow.rates(), law, &self.ranges, self.scale, [&changed, &kept])
+        has_partial_mirror(layout, flow.rates(), beat.law(), ranges, self.scale, [&changed, &kept])
     }
 
     /// `true` if a force jumps.
