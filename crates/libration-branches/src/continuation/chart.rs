@@ -15,6 +15,7 @@ use libration_numbers::algebra::BigFloat;
 use libration_numbers::expression::{Equation, Expression};
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::{Progress, Stage};
+use std::f64::consts::TAU;
 
 /// Options of a stability chart.
 #[derive(Clone, Debug, PartialEq)]
@@ -141,13 +142,19 @@ impl Survey<'_> {
 
     /// Returns `true` if the start is an equilibrium at some trial values of the parameters and of the time.
     fn is_at_rest(&self) -> bool {
+        /// Largest change in the time of one radian of the drive, relative to the size of motions.
         const SAME: f64 = 1e-11;
         const PARTS: [[f64; 2]; 3] = [[0.1, 0.35], [0.52, 0.77], [0.93, 0.61]];
         PARTS.iter().all(|parts| {
             let value = |(part, [low, high]): (&f64, &[f64; 2])| low + part * (high - low);
             let parameters: Vec<f64> = parts.iter().zip(&self.ranges).map(value).collect();
-            let rate = |time: f64| self.family.rate(self.start, time, &parameters);
-            parts.iter().all(|time| rate(7.0 * time).is_some_and(|rate| rate.iter().all(|x| x.abs() <= SAME)))
+            let Some(period) = self.family.drive_period(&parameters) else { return false };
+            let sizes = self.family.sizes_in(period);
+            let is_zero = |(rate, size): (&f64, &f64)| (rate * period / TAU).abs() <= SAME * size;
+            parts.iter().all(|part| {
+                let rates = self.family.rate(self.start, part * period, &parameters);
+                rates.is_some_and(|rates| rates.iter().zip(&sizes).all(is_zero))
+            })
         })
     }
 

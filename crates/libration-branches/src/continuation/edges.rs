@@ -9,6 +9,7 @@ use super::special::Test;
 use libration_motion::orbit::Stability;
 use libration_numbers::internals::roots::other_sign_between;
 use libration_numbers::roots::{Tolerance, zero_between};
+use std::f64::consts::TAU;
 
 /// Stability of an equilibrium on a grid over two parameters.
 #[derive(Clone, Debug, PartialEq)]
@@ -115,7 +116,8 @@ impl<'a> Grid<'a> {
             return None;
         }
         let image = self.family.image(self.space, self.rest, &place, TOLERANCES[0])?;
-        let own = multipliers(&image, &vec![1.0; self.rest.len()], 0.0, 0.0)?;
+        let units = self.family.sizes_in(self.family.drive_period(&place).unwrap_or(TAU));
+        let own = multipliers(&image, &units, 0.0, 0.0)?;
         let tests = Tests::of(&own, 0.0);
         let stability = Stability::of(own.iter().map(|(it, error)| (it.abs(), *error)));
         Some((tests, stability.may_last()))

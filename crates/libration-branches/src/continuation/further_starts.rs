@@ -72,11 +72,11 @@ impl Search<'_> {
                 if repels_elsewhere || self.has_shorter_period(&start, value) {
                     continue;
                 }
-                let distance = SAME * norm(&start.unknowns);
-                if motions
-                    .iter()
-                    .any(|(other, _)| self.turns.are_near(&other.unknowns, &start.unknowns, distance))
-                {
+                let sizes = self.family.sizes_of(&start.unknowns, value, 0.0);
+                let is_same = |(other, _): &(Start, f64)| {
+                    self.turns.are_near(&other.unknowns, &start.unknowns, &sizes, SAME)
+                };
+                if motions.iter().any(is_same) {
                     continue;
                 }
                 if largest <= LASTS && centres.iter().all(|centre| estimate.is_about_another(centre)) {
@@ -93,10 +93,11 @@ impl Search<'_> {
     fn has_shorter_period(&self, start: &Start, value: f64) -> bool {
         let periods = start.space.drive_periods();
         let Some(period) = self.family.drive_period(&[value]) else { return false };
+        let sizes = self.family.sizes_of(&start.unknowns, value, 0.0);
         let returns = |part: &u32| {
             let span = [0.0, period * f64::from(*part)];
             let end = self.family.moved_on(&start.unknowns, value, span);
-            end.is_some_and(|end| self.turns.are_near(&end, &start.unknowns, SAME * norm(&start.unknowns)))
+            end.is_some_and(|end| self.turns.are_near(&end, &start.unknowns, &sizes, SAME))
         };
         (1..periods).filter(|part| periods.is_multiple_of(*part)).any(|part| returns(&part))
     }

@@ -144,8 +144,9 @@ impl Search<'_> {
             return landings.any(|point| self.is_cycle(start, value, &point, SAME));
         }
         let Some(copies) = self.copies(start, value) else { return false };
-        let size = start.unknowns.iter().map(|x| x.abs()).fold(0.0, f64::max);
-        let is_copy = |state: &[f64]| copies.iter().any(|copy| self.turns.are_near(copy, state, SAME * size));
+        let sizes = self.family.sizes_of(&start.unknowns, value, 0.0);
+        let is_copy =
+            |state: &[f64]| copies.iter().any(|copy| self.turns.are_near(copy, state, &sizes, SAME));
         landings.any(|landing| is_copy(&landing.state))
     }
 

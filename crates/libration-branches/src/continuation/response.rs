@@ -13,6 +13,7 @@ use super::space::Space;
 use super::special::Meeting;
 use super::switching::Leaving;
 use super::turns::Turns;
+use super::units::LEAST;
 use libration_numbers::expression::Equation;
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::{Progress, Stage};
@@ -259,10 +260,10 @@ impl Search<'_> {
         }
         /// Largest difference relative to the size of the state.
         const SAME: f64 = 1e-7;
-        let size = start.unknowns.iter().map(|x| x.abs()).fold(1e-6 * self.family.scale, f64::max);
+        let sizes = self.family.sizes_of(&start.unknowns, value, LEAST);
         let copies = self.copies(start, value).unwrap_or_else(|| vec![start.unknowns.clone()]);
         let is_same = |point: &BranchPoint| match self.family.is_driven() {
-            true => copies.iter().any(|copy| self.turns.are_near(&point.state, copy, SAME * size)),
+            true => copies.iter().any(|copy| self.turns.are_near(&point.state, copy, &sizes, SAME)),
             false => self.is_cycle(start, value, point, SAME),
         };
         let ends = branches.iter().flat_map(|branch| [branch.points.first(), branch.points.last()]).flatten();

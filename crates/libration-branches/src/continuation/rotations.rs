@@ -42,8 +42,8 @@ impl Search<'_> {
             self.family.watch.go_on()?;
             /// Largest difference relative to the size of the state.
             const SAME: f64 = 1e-7;
-            let size = start.unknowns.iter().map(|x| x.abs()).fold(1.0, f64::max);
-            let is_same = |copy: &Vec<f64>| self.turns.are_near(copy, &start.unknowns, SAME * size);
+            let sizes = self.family.sizes_of(&start.unknowns, value, 1.0);
+            let is_same = |copy: &Vec<f64>| self.turns.are_near(copy, &start.unknowns, &sizes, SAME);
             if !found.iter().flat_map(|(_, copies)| copies).any(is_same) {
                 let copies = self.copies(&start, value).unwrap_or_default();
                 found.push((start, copies));

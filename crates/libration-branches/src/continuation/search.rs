@@ -9,6 +9,7 @@ use super::options::ResponseOptions;
 use super::point::BranchPoint;
 use super::space::Space;
 use super::turns::Turns;
+use super::units::LEAST;
 use libration_motion::orbit::{Orbit, OrbitError};
 use libration_numbers::algebra::BigFloat;
 use libration_numbers::expression::{Equation, Expression};
@@ -189,11 +190,10 @@ impl Search<'_> {
     pub(super) fn belongs_to(&self, space: Space, state: &[f64], value: f64) -> bool {
         /// Largest defect relative to the size of the state: a closed motion differs from its mirror image by rounding errors or by far more.
         const SAME: f64 = 1e-9;
-        let size = state.iter().map(|x| x.abs()).fold(1e-6 * self.family.scale, f64::max);
+        let sizes = self.family.sizes_of(state, value, LEAST);
         let image = self.family.image(space, state, &[value], TOLERANCES[0]);
-        // Without a drive the last component of the defect is the phase condition.
-        let numbers = self.family.layout.numbers();
-        image.is_some_and(|it| it.defect[..numbers].iter().all(|d| d.abs() <= SAME * size))
+        // Without a drive the last component of the defect, which has no size here, is the phase condition.
+        image.is_some_and(|it| it.defect.iter().zip(&sizes).all(|(d, size)| d.abs() <= SAME * size))
     }
 
     /// The branch through a motion at a value, in both directions.

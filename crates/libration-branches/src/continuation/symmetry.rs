@@ -6,6 +6,7 @@ use libration_kernels::elementary::count;
 use libration_motion::taylor::StateLayout;
 use libration_numbers::algebra::Doubles;
 use libration_numbers::internals::expression::{Jet, Operation, Tape};
+use std::f64::consts::TAU;
 
 /// Number of states, times and parameters at which the equation is tested: an
 /// equation without the symmetry would have to pass by chance at all of them.
@@ -92,7 +93,7 @@ impl Trial<'_> {
         let operations = self.rates.operations().iter().enumerate();
         let has_kinks = operations.into_iter().any(|(place, it)| kink(it) && !self.rates.is_constant(place));
         let [least, most] = if has_kinks { SCALES } else { [0, 0] };
-        let other = Some(self.scale).filter(|scale| *scale < 1.0);
+        let other = Some(self.scale).filter(|scale| scale.total_cmp(&1.0).is_ne());
         (least..=most).step_by(2).map(|power| libm::ldexp(1.0, power)).chain(other)
     }
 
@@ -125,7 +126,9 @@ impl Trial<'_> {
         // Without a drive all times are equivalent.
         let period = self.law.map_or(Some(1.0), |law| law.period(&parameters).map(|(period, _)| period))?;
         let time = period * 0.5 * (drawn(0) + 1.0);
-        let state: Vec<f64> = (10..).map(|k| scale * drawn(k)).take(self.layout.numbers()).collect();
+        let pace = self.law.map_or(1.0, |_| TAU / period.abs());
+        let units = self.layout.arrange(vec![1.0; self.layout.coordinates()], |_| pace);
+        let state: Vec<f64> = (10..).zip(units).map(|(k, unit)| scale * unit * drawn(k)).collect();
         let (own, size) = self.values(state.iter().copied(), time, &parameters)?;
         let image = state.iter().zip(self.of_state(mirror)).map(|(x, sign)| sign * x);
         let (mirrored, other) = self.values(image, time + shift * period, &parameters)?;

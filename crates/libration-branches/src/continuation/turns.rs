@@ -33,11 +33,11 @@ impl Turns {
         }
     }
 
-    /// Returns `true` if every component of two states differs, but for turns, by at most a distance.
-    pub(super) fn are_near(&self, a: &[f64], b: &[f64], distance: f64) -> bool {
+    /// Returns `true` if every component of two states differs, but for turns, by at most a part of its size.
+    pub(super) fn are_near(&self, a: &[f64], b: &[f64], sizes: &[f64], part: f64) -> bool {
         let apart: Vec<f64> = a.iter().zip(b).map(|(a, b)| a - b).collect();
         let mut without = apart.clone();
         self.subtract(&mut without, |coordinate| apart[coordinate]);
-        without.iter().all(|far| far.abs() <= distance)
+        without.iter().zip(sizes).all(|(far, size)| far.abs() <= part * size)
     }
 }

@@ -10,6 +10,9 @@ fn largest_half_range(point: &BranchPoint) -> f64 {
     point.ranges.iter().map(|[low, high]| 0.5 * (high - low)).fold(0.0, f64::max)
 }
 
+/// Part of the scale of a family below which the size of a motion does not matter.
+pub(super) const LEAST: f64 = 1e-6;
+
 /// A direction as a unit vector, in scaled units.
 pub(super) fn in_units(direction: &[f64], units: &[f64]) -> Vec<f64> {
     let scaled: Vec<f64> = direction.iter().zip(units).map(|(x, unit)| x / unit).collect();
@@ -34,13 +37,26 @@ impl Family<'_> {
     /// The sizes of the unknowns where no motion is known yet: the scale of the family, the corresponding velocity, and the period if it is
     /// unknown; followed by that of the parameter.
     pub(super) fn first_units(&self, place: &[f64], width: f64) -> Vec<f64> {
-        let own = &place[self.layout.numbers()..];
-        let (parameter, period) = own.split_last().map_or((f64::NAN, None), |(it, own)| (*it, own.first()));
-        let period = period.copied();
-        let pace = TAU / self.drive_period(&[parameter]).or(period).unwrap_or(TAU).abs();
+        let (unknowns, parameter) = place.split_at(place.len() - 1);
+        let period = unknowns.get(self.layout.numbers()).copied();
+        let beat = self.drive_period(parameter).or(period).unwrap_or(TAU);
+        self.sizes_in(beat).into_iter().chain(period).chain([width]).collect()
+    }
+
+    /// The sizes of the components of a state for motions of the scale of the family with a period.
+    pub(super) fn sizes_in(&self, period: f64) -> Vec<f64> {
         let places = (0..self.layout.coordinates()).map(|_| self.scale);
-        let sizes = self.layout.arrange(places, |_| self.scale * pace);
-        sizes.into_iter().chain(period).chain([width]).collect()
+        self.layout.arrange(places, |_| self.scale * TAU / period.abs())
+    }
+
+    /// The sizes of the components of a state at a value of the parameter: an amplitude and its velocity, as large as its largest component, and at
+    /// least a part of the scale of the family.
+    pub(super) fn sizes_of(&self, unknowns: &[f64], value: f64, part: f64) -> Vec<f64> {
+        let own = unknowns.get(self.layout.numbers()).copied();
+        let units = self.sizes_in(self.drive_period(&[value]).or(own).unwrap_or(TAU));
+        let of_component = |(x, unit): (&f64, &f64)| (x / unit).abs();
+        let largest = self.state(unknowns).iter().zip(&units).map(of_component).fold(part, f64::max);
+        units.into_iter().map(|unit| largest * unit).collect()
     }
 
     /// The sizes of the unknowns, followed by that of the parameter: half of each coordinate's range, the corresponding velocity, and the period

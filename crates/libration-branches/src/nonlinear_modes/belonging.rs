@@ -5,6 +5,7 @@
 
 use super::Reason;
 use libration_motion::orbit::{Orbit, OrbitError};
+use std::f64::consts::TAU;
 
 /// Release of a mode from rest, displaced in one coordinate.
 pub(super) struct Release<'a> {
@@ -68,9 +69,11 @@ impl Release<'_> {
 
 /// Number of repetitions of a shorter orbit of which the orbit consists; `None` if there is no shorter one.
 fn turns(orbit: &Orbit, start: &[f64]) -> Option<u32> {
+    let pace = TAU / orbit.period();
     let distance = |state: &[f64]| {
-        let squares = state.iter().zip(start).map(|(a, b)| (a - b) * (a - b));
-        libm::sqrt(squares.sum())
+        let units = (0..).map(|number| if 2 * number < start.len() { 1.0 } else { pace });
+        let apart = state.iter().zip(start).zip(units).map(|((a, b), unit)| (a - b) / unit);
+        libm::sqrt(apart.map(|x| x * x).sum())
     };
     let after = |part: f64| distance(&orbit.state_at(part * orbit.period()));
     (2..=MOST_TURNS).find(|turns| {

@@ -1,6 +1,10 @@
 //! Responses whose coordinates or times are of another order of magnitude than 1: those of the same equation in other units.
 
-use libration::continuation::{Ending, Response, ResponseOptions, Rotation, SpecialKind};
+use libration::continuation::{
+    ChartOptions, Ending, Response, ResponseOptions, Rotation, SpecialKind, StabilityChart,
+};
+use libration::nonlinear_modes::NonlinearMode;
+use libration::normal_modes::NormalModes;
 use libration::progress::Quiet;
 
 /// Parameters of all special points, with their kinds.
@@ -145,4 +149,47 @@ fn hopf_points_are_found_in_all_units() {
         assert_eq!(other.len(), 2, "{unit}: {other:?}");
         assert!(usual.iter().zip(&other).all(|(a, b)| (a / b - 1.0).abs() < 1e-10), "{unit}: {other:?}");
     }
+}
+
+/// Both stable motions at the lower end of the range are distinguished, whatever the unit of time, and their boundaries are those without a rest.
+#[test]
+fn units_of_time_do_not_matter() {
+    let found = |unit: f64| {
+        let (damping, square) = (0.1 / unit, 1.0 / (unit * unit));
+        let force = format!("x'' = -{damping:e}*x' - {square:e}*(x + x^3)");
+        let driven = format!("{force} + {:e}*cos(w*t)", 0.3 * square).parse().unwrap();
+        let range = [1.45 / unit, 2.0 / unit];
+        let response = Response::over(&driven, "w", range, &ResponseOptions::default(), &Quiet).unwrap();
+        let ends = response.branches.iter().map(|it| it.points[0].ranges[0][1]).collect::<Vec<_>>();
+        let charted = format!("{force} + A*cos(w*t)").parse().unwrap();
+        let ranges = [[1.0 / unit, 2.0 / unit], [0.1 * square, 0.5 * square]];
+        let options = ChartOptions { generations: 0, ..ChartOptions::default() };
+        let chart = StabilityChart::over(&charted, ["w", "A"], ranges, &options, &Quiet).unwrap();
+        let kinds: Vec<SpecialKind> = chart.curves.iter().map(|curve| curve.kind).collect();
+        (ends, kinds)
+    };
+    let (ends, kinds) = found(1.0);
+    assert_eq!(kinds, [SpecialKind::Fold; 2]);
+    for unit in [1e-9, 1e9] {
+        let (own_ends, own_kinds) = found(unit);
+        assert_eq!((own_ends.len(), &own_kinds), (ends.len(), &kinds), "{unit}");
+        assert!(
+            own_ends.iter().zip(&ends).all(|(a, b)| (a / b - 1.0).abs() < 1e-10),
+            "{unit}: {own_ends:?} {ends:?}"
+        );
+    }
+}
+
+#[test]
+fn modes_are_followed_in_fast_units() {
+    let equation = "x'' = 1e18*(-2*x + y - x^3); y'' = 1e18*(x - 3*y)".parse().unwrap();
+    let modes = NormalModes::new(&equation).unwrap();
+    let mode = NonlinearMode::follow(&equation, &modes, 0, 0, &[0.5, 1.0], &Quiet).unwrap();
+    assert!(mode.lost.is_none() && mode.points.len() == 2, "{:?}", mode.lost);
+    let usual = "x'' = -2*x + y - x^3; y'' = x - 3*y".parse().unwrap();
+    let modes = NormalModes::new(&usual).unwrap();
+    let usual = NonlinearMode::follow(&usual, &modes, 0, 0, &[0.5, 1.0], &Quiet).unwrap();
+    let periods =
+        mode.points.iter().zip(&usual.points).map(|(a, b)| 1e9 * a.orbit.period() / b.orbit.period());
+    assert!(periods.into_iter().all(|ratio| (ratio - 1.0).abs() < 1e-12));
 }
