@@ -151,7 +151,7 @@ fn hopf_points_are_found_in_all_units() {
     }
 }
 
-/// Both stable motions at the lower end of the range are distinguished, whatever the unit of time, and their boundaries are those without a rest.
+/// Stable motions at the lower end of the range are distinguished, whatever the unit of time, and the boundaries are those without a rest.
 #[test]
 fn units_of_time_do_not_matter() {
     let found = |unit: f64| {
