@@ -30,6 +30,26 @@ pub struct Branch {
     pub unresolved: Vec<[f64; 2]>,
 }
 
+impl Branch {
+    /// The ranges between neighbouring points of which one attracts and the other is unstable, with no special point between them.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn unexplained_changes(&self) -> Vec<[f64; 2]> {
+        let is_known =
+            |point: &BranchPoint| matches!(point.stability, Stability::Attracting | Stability::Unstable);
+        let changes =
+            |pair: &[BranchPoint]| pair.iter().all(is_known) && pair[0].stability != pair[1].stability;
+        let pairs = (1..).zip(self.points.windows(2)).filter(|(_, pair)| changes(pair));
+        let unexplained = pairs.filter(|(place, _)| self.special.iter().all(|it| it.before != *place));
+        unexplained.map(|(_, pair)| between_points(&pair[0], &pair[1])).collect()
+    }
+}
+
+/// The range of the parameter between two points.
+fn between_points(a: &BranchPoint, b: &BranchPoint) -> [f64; 2] {
+    [a.parameter.min(b.parameter), a.parameter.max(b.parameter)]
+}
+
 /// Origin of a branch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Origin {
@@ -183,18 +203,18 @@ impl<'a> Walk<'a> {
     pub(super) fn walked(mut self, origin: Origin) -> Walked {
         let ending = self.followed();
         let nodes = self.nodes.into_iter().map(|node| node.point);
-        let points: Vec<BranchPoint> = nodes.chain(self.hopf.iter().map(|hopf| hopf.point.clone())).collect();
-        let special: Vec<SpecialPoint> =
-            self.special.iter().map(|(special, _)| special).chain(&self.hopf).cloned().collect();
-        self.unresolved.extend(unexplained_changes(&points, &special));
+        let points = nodes.chain(self.hopf.iter().map(|hopf| hopf.point.clone())).collect();
+        let special = self.special.iter().map(|(special, _)| special).chain(&self.hopf).cloned().collect();
         let beginning = match origin {
             _ if ending == Ending::Closed => Ending::Closed,
             Origin::Primary | Origin::FreeOscillation | Origin::Meeting => Ending::RangeEnd,
             Origin::SymmetryBreaking | Origin::PeriodDoubling => Ending::BranchPoint,
         };
         let Self { corrector: Corrector { space, .. }, .. } = self;
-        let unresolved = merged(self.unresolved);
-        let branch = Branch { origin, space, points, special, beginning, ending, unresolved };
+        let unresolved = std::mem::take(&mut self.unresolved);
+        let mut branch = Branch { origin, space, points, special, beginning, ending, unresolved };
+        branch.unresolved.extend(branch.unexplained_changes());
+        branch.unresolved = merged(branch.unresolved);
         Walked { branch, specials: self.special, meetings: self.meeting.into_iter().collect() }
     }
 
@@ -415,8 +435,8 @@ impl<'a> Walk<'a> {
     }
 
     fn leave_unresolved(&mut self, next: &Node) {
-        let [from, to] = [&self.at().point, &next.point].map(|point| point.parameter);
-        self.unresolved.push([from.min(to), from.max(to)]);
+        let range = between_points(&self.at().point, &next.point);
+        self.unresolved.push(range);
     }
 
     fn milestone(&self, next: &Node, length: f64) -> Milestone {
@@ -428,19 +448,6 @@ impl<'a> Walk<'a> {
         let middle = || Some(self.milestone(&stretch.node_at(stretch.corrector, 0.5)?, 0.5 * length));
         is_established(&self.milestones, &self.milestone(stretch.ends[1], length), middle)
     }
-}
-
-/// The ranges between neighbouring points of which one attracts and the other is unstable, with no special point between them.
-fn unexplained_changes(points: &[BranchPoint], special: &[SpecialPoint]) -> Vec<[f64; 2]> {
-    let is_known =
-        |point: &BranchPoint| matches!(point.stability, Stability::Attracting | Stability::Unstable);
-    let changes = |pair: &[BranchPoint]| pair.iter().all(is_known) && pair[0].stability != pair[1].stability;
-    let pairs = (1..).zip(points.windows(2)).filter(|(_, pair)| changes(pair));
-    let unexplained = pairs.filter(|(place, _)| special.iter().all(|it| it.before != *place));
-    unexplained
-        .map(|(_, pair)| [0, 1].map(|it: usize| pair[it].parameter))
-        .map(|[a, b]| [a.min(b), a.max(b)])
-        .collect()
 }
 
 /// Ranges in ascending order; adjacent ones are joined.

@@ -365,3 +365,16 @@ fn the_backbone_is_that_of_the_frequency_of_the_drive() {
     empty("theta'' = -0.1*theta' - sin(theta) + A*cos(0.9*t)", "A", [0.01, 0.1]);
     empty("x'' = -0.1*x' - w*x + 0.15*cos(w*t)", "w", [0.6, 1.2]);
 }
+
+/// Every change of stability along a branch is at a special point, or it is listed.
+#[test]
+fn changes_of_stability_without_a_special_point_are_listed() {
+    let equation = "x'' = -0.1*x' - x - x^3 + 0.3*cos(w*t)".parse().unwrap();
+    let response = Response::over(&equation, "w", [0.5, 2.0], &ResponseOptions::default(), &Quiet).unwrap();
+    let mut branch = response.branches[0].clone();
+    assert_eq!((branch.special.len(), branch.unexplained_changes().len()), (2, 0));
+    let folds: Vec<f64> = branch.special.drain(..).map(|it| it.point.parameter).collect();
+    let changes = branch.unexplained_changes();
+    let is_near = |fold: &f64| changes.iter().any(|[low, high]| (low - 1e-2..high + 1e-2).contains(fold));
+    assert!(changes.len() == 2 && folds.iter().all(is_near), "{changes:?} {folds:?}");
+}

@@ -486,3 +486,16 @@ fn equilibria_are_distinguished_in_all_units() {
         assert!(squares.iter().all(|square| (square - 2.0).abs() < 1e-13), "{width}: {squares:?}");
     }
 }
+
+/// An equilibrium at a kink is not linear, however large its coordinate and with it the rounding; one next to a kink is, however small both are.
+#[test]
+fn kinks_are_seen_in_all_units() {
+    for unit in [1e-13, 1.0, 1e9] {
+        let at_kink = format!("x'' = -(x - sqrt(2)*{unit:e}) - abs(x - sqrt(2)*{unit:e})/2");
+        let refused = NormalModes::about(&equation(&at_kink), &[1.5 * unit], &Quiet);
+        assert!(matches!(refused, Err(ModesError::NotSmooth { .. })), "{unit}: {refused:?}");
+        let beside = format!("x'' = -(x - {unit:e}) - 10*max(x - 3*{unit:e}, 0)");
+        let modes = NormalModes::about(&equation(&beside), &[1.5 * unit], &Quiet).unwrap();
+        assert!((modes.modes[0].frequency() - 1.0).abs() < 1e-14, "{unit}");
+    }
+}
