@@ -46,6 +46,7 @@ impl Legend {
         let (mut left, mut top, mut row) = (0.0, 0.0, 0.0);
         for entry in &named {
             let advance = if in_one_row { whole(entry) } else { column };
+            // The last entry of a row may fill it exactly, but for rounding.
             if left + advance - APART > across + 1e-9 {
                 (left, top) = (0.0, top + row);
                 row = 0.0;

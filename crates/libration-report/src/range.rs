@@ -27,6 +27,7 @@ pub fn decades(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
     let positive = values.into_iter().filter(|value| *value > 0.0 && value.is_finite());
     let (low, high) = positive.fold((f64::INFINITY, 0.0), |(l, h), v| (v.min(l), v.max(h)));
     if high <= 0.0 {
+        // Errors down to a rounding error.
         return (1e-16, 1.0);
     }
     (10f64.powf((low.log10().floor() - 3.0).max(-18.0)), 10f64.powf(high.log10().ceil()))

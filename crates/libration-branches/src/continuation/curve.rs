@@ -178,6 +178,7 @@ impl<'a> Trace<'a> {
             self.spots.push(next);
             return Some(Ending::BranchPoint);
         }
+        // A turn below a thousandth allows the largest growth, and may be zero.
         let longer = (TURNS[1] / turn.max(1e-3)).clamp(0.5, 1.6);
         if let Some((which, value)) = self.outside(&next) {
             let end = self.at_value(&next, which, value);
@@ -237,9 +238,11 @@ impl<'a> Trace<'a> {
     /// Newton's method perpendicular to a direction; the derivatives are kept once the correction is small.
     fn corrected(&self, guess: &[f64], across: &[f64]) -> Option<Vec<f64>> {
         const MOST_ROUNDS: usize = 16;
+        /// Last correction, in scaled units, from which the derivatives are kept: they change by a thousandth, so that each round gains three digits.
         const NEAR: f64 = 1e-3;
         /// Largest remaining correction, in scaled units: a few rounding errors.
         const DONE: f64 = 3e-15;
+        /// Corrections that may grow: next to a cusp the derivatives are nearly singular, and rounding errors are enlarged by up to a million.
         const ROUNDING: f64 = 1e-9;
         let mut place = guess.to_vec();
         let (mut before, mut rows) = (f64::INFINITY, vec![]);
@@ -387,6 +390,7 @@ impl<'a> Trace<'a> {
 
     /// The spot at which the parameters turn back: its tangent has components in the state only.
     fn turning(&self, next: &Spot) -> Option<Spot> {
+        /// Accuracy along the secant: the parameters, which have an extreme there, change by its square, less than rounding.
         const WIDTH: f64 = 1e-10;
         let (a, b) = (self.at(), next);
         let secant = self.difference(&b.place, &a.place);

@@ -51,6 +51,7 @@ impl EnergyBalance {
         let rest = Tape::new(&[&difference], &inputs).ok()?;
         let force = Tape::new(&[&free.derivatives()[0]], &inputs).ok()?;
         let at = |place: f64| value(&force, [place, 0.0, 0.0]);
+        // Rounding errors of formulas of some hundred operations.
         let same = |a: f64, b: f64| (a - b).abs() <= 1e-12 * (a.abs() + b.abs()).max(1e-300);
         let is_odd_at = |place: f64| same(at(place), -at(-place));
         let places = [0.31, 0.83, 1.7, 2.9];
@@ -125,6 +126,7 @@ impl EnergyBalance {
         let stretches = (0..PHASES).zip(values.windows(2));
         let zeros = stretches.filter_map(|(j, pair)| {
             let ends = [(phase(j), pair[0][0]), (phase(j + 1), pair[1][0])];
+            // The start of Newton's method, which needs a few digits.
             zero_between(ends, Tolerance::relative(1e-9), at)
         });
         Work::Balanced(zeros.map(|shift| orbit.state_at(shift)).collect())

@@ -12,6 +12,7 @@ impl Walk<'_> {
     /// The nearest node on the other side of a motion at which the number of stops of a force that jumps changes, with its distance: the branch
     /// is continuous there, but its direction is not, and next to it deviations have no derivatives.
     pub(super) fn across_change_of_stops(&self, units: &[f64]) -> Option<(Node, f64)> {
+        /// Distances that are tried, in scaled units, from the shortest on: far enough for derivatives, near enough to skip little of the branch.
         const LENGTHS: [f64; 4] = [1e-6, 1e-5, 1e-4, 1e-3];
         /// Largest distance of the node relative to the step.
         const NEAR: f64 = 10.0;

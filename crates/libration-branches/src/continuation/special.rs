@@ -105,6 +105,7 @@ impl Test {
         match self {
             Self::Fold => 0.0,
             Self::Branching | Self::Flip | Self::Collision => 1e-12,
+            // The products of pairs of multipliers have the rounding of both.
             Self::Torus => 1e-9,
         }
     }

@@ -219,6 +219,7 @@ pub fn thresholds(
             watch.go_on()?;
             let Some(value) = zero else { continue };
             let width = ends[1].0 - ends[0].0;
+            // Next to its zero the margin exceeds its rounding, be it linear or, where it only touches zero, quadratic.
             let [before, after] = [-1e-4, 1e-4].map(|part| margin(value + part * width));
             if before * after > 0.0 {
                 // The manifolds cross on both sides, as those of a pendulum without damping with drives of either sign.

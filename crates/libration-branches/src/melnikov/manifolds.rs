@@ -71,6 +71,7 @@ impl<'a> Manifolds<'a> {
     /// relative to its distance from the saddle, makes the time of the passage uncertain, and the last two passages give the resulting error.
     fn velocity_at(&self, time: f64, end: usize, delay: &mut f64) -> Result<f64, TangencyError> {
         const TRIES: usize = 30;
+        /// Distance of a passage from the time wanted, in units of 1/ω0: the square of it, which the slope leaves, is below rounding.
         const NEAR: f64 = 1e-8;
         let mut start = time - *delay;
         let mut last = self.passage(start - NEAR.sqrt() / self.omega0, end)?;

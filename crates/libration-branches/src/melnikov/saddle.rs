@@ -33,6 +33,7 @@ impl Saddle {
         [omega0, frequency]: [f64; 2],
     ) -> Result<Self, TangencyError> {
         const ROUNDS: usize = 400;
+        /// Largest last change, in radians: the iteration contracts, and the start on the manifold, not this, sets the error of a tangency.
         const ENOUGH: f64 = 1e-12;
         let angle = Symbol::plain(&equation.variables()[0]);
         let inputs = [angle.clone(), angle.with_primes(1), Symbol::plain("t")];

@@ -93,9 +93,12 @@ impl Approach<'_> {
     /// Finds the tangency by the secant method, beginning at the threshold. If a
     /// step is so short that rounding affects its slope, the previous slope is kept.
     fn tangency(&self, threshold: f64) -> Result<Tangency, TangencyError> {
+        /// First step relative to the threshold: its difference of separations has many digits.
         const FIRST_STEP: f64 = 1e-3;
+        /// Shortest step, relative to the value, of which a slope is taken.
         const SHORTEST_OF_SLOPE: f64 = 1e-7;
         const STEPS: usize = 20;
+        /// Relative change below which a change that no longer decreases is the rounding of the separation.
         const SMALL: f64 = 1e-9;
         let first = self.nearest(threshold, DISTANCE, self.first_time(threshold)?, FAR)?;
         let (mut time, mut slope) = (first.time, f64::NAN);

@@ -235,6 +235,7 @@ fn motion(
     samples: usize,
     watch: &Watch<'_>,
 ) -> Result<Vec<Vec<f64>>, ExchangeError> {
+    /// Far below the error of the slow flow, with which the motion is compared.
     const TOLERANCE: f64 = 1e-14;
     let system = System::new(equation).map_err(|_| ExchangeError::TooFar)?;
     let times: Vec<f64> = (0..=samples).map(|k| interval * count(k)).collect();

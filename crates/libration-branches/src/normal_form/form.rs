@@ -153,6 +153,7 @@ impl NormalForm {
                 return None;
             }
             amplitudes = next;
+            // A few rounding errors.
             if change <= 1e-15 * size {
                 return Some(amplitudes);
             }

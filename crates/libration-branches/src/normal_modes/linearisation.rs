@@ -59,9 +59,13 @@ fn slopes(formulas: &[Expression], symbols: &[Symbol]) -> Vec<Vec<Expression>> {
     formulas.iter().map(|formula| symbols.iter().map(|symbol| formula.derivative(symbol)).collect()).collect()
 }
 
-/// Returns `true` if formulas and their derivatives are the same on both sides of a state.
+/// Returns `true` if formulas and their derivatives are the same on both sides of a state. Each number is compared by itself: its
+/// unit is that of no other, and a kink of a slow coordinate is small next to the stiffness of a fast one.
 fn is_smooth(sides: [&[Expression]; 2], symbols: &[Symbol], rest: &Equilibrium) -> Result<bool, ModesError> {
-    const ROUNDING: f64 = 1e-9;
+    /// Largest relative difference: the state of a double zero of the accelerations has half the digits.
+    const SAME: f64 = 1e-9;
+    /// Rounding errors of terms that cancel, relative to the largest number of the same formula.
+    const ROUNDING: f64 = 64.0 * f64::EPSILON;
     let values = |formulas: &[Expression]| {
         let mut rows = slopes(formulas, symbols);
         for (row, formula) in rows.iter_mut().zip(formulas) {
@@ -69,9 +73,12 @@ fn is_smooth(sides: [&[Expression]; 2], symbols: &[Symbol], rest: &Equilibrium) 
         }
         in_numbers(&rows, symbols, rest)
     };
-    let (above, below) = (values(sides[0])?.concat(), values(sides[1])?.concat());
-    let size = above.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-    Ok(above.iter().zip(&below).all(|(a, b)| (a - b).abs() <= ROUNDING * size))
+    let (above, below) = (values(sides[0])?, values(sides[1])?);
+    let are_same = |(a, b): (&Vec<f64>, &Vec<f64>)| {
+        let size = a.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        a.iter().zip(b).all(|(a, b)| (a - b).abs() <= (SAME * a.abs()).max(ROUNDING * size))
+    };
+    Ok(above.iter().zip(&below).all(are_same))
 }
 
 /// The derivatives with respect to coordinates with opposite sign, and those with respect to velocities.

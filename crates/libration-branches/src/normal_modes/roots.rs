@@ -72,6 +72,7 @@ fn simple_roots(polynomial: Vec<Rational>, near: Vec<Complex>) -> Option<Vec<Roo
 }
 
 fn is_real(near: Complex) -> bool {
+    // Approximate roots have nine digits (`numeric_roots`); only what divides the polynomial exactly is taken from them.
     near.im.abs() <= 1e-9 * near.abs()
 }
 

@@ -106,6 +106,7 @@ fn complex_vectors(linear: &Linearisation<f64>, exponent: &Exponent) -> Vec<Vec<
     let mut shapes: Vec<Vec<Complex>> = vec![];
     for vector in vectors {
         let shape = scaled(&(0..n).map(|i| Complex::new(vector[i], vector[i + n])).collect::<Vec<_>>());
+        // Shapes have a largest part of one; those of a multiple exponent lose half of the digits.
         let same = |other: &Vec<Complex>| other.iter().zip(&shape).all(|(a, b)| (*a - *b).abs() < 1e-6);
         if !shapes.iter().any(same) && shapes.len() < exponent.multiplicity {
             shapes.push(shape);

@@ -50,6 +50,7 @@ fn in_digits(
     mode: &Mode,
     resonant: Vec<usize>,
 ) -> Result<Shift, ShiftError> {
+    /// Fraction of the largest number that is zero: third derivatives lose some digits where terms cancel.
     const ROUNDING: f64 = 1e-11;
     let fundamental = Fundamental {
         frequency: mode.frequency(),
@@ -62,6 +63,7 @@ fn in_digits(
     if !(frequency.is_finite() && growth.is_finite()) {
         return Err(ShiftError::NotSmooth);
     }
+    // Rounding errors of the coefficients, a hundred times the fraction that counts as zero.
     if growth.abs() > 1e-9 * frequency.abs().max(growth.abs()) {
         return Err(ShiftError::NotPeriodic { grows: growth > 0.0 });
     }

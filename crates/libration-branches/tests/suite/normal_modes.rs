@@ -487,6 +487,18 @@ fn equilibria_are_distinguished_in_all_units() {
     }
 }
 
+/// A kink of one coordinate is seen next to the stiffness of another, coupled or not.
+#[test]
+fn kinks_are_seen_next_to_stiff_coordinates() {
+    for stiffness in [1e8, 1e10, 1e12] {
+        for coupling in ["", "+ x"] {
+            let text = format!("x'' = -{stiffness:e}*x; y'' = -y - 0.5*max(y,0) {coupling}");
+            let refused = NormalModes::about(&equation(&text), &[0.0, 0.0], &Quiet);
+            assert!(matches!(refused, Err(ModesError::NotSmooth { .. })), "{text}: {refused:?}");
+        }
+    }
+}
+
 /// An equilibrium at a kink is not linear, however large its coordinate and with it the rounding; one next to a kink is, however small both are.
 #[test]
 fn kinks_are_seen_in_all_units() {

@@ -33,6 +33,7 @@ pub(super) fn step(
     }
     let Some(cycle) = AveragedCycle::new(flow, powers) else { return Ok(None) };
     let same = |cycle: &AveragedCycle, other: &SlowLimitCycle| {
+        // The other method computes in `f64`.
         let near = |a: &CycleSeries, b: &[f64]| {
             a.len() == b.len()
                 && a.iter().zip(b).all(|(a, b)| (a.to_f64() - b).abs() < 1e-9 * b.abs().max(1.0))

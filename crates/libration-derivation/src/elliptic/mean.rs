@@ -186,6 +186,7 @@ fn iterates(trials: &Trials) -> Result<DerivationTable, DerivationError> {
             [vec![Prose::formula(number(n)), cell(a.clone(), 12)?, cell(b.clone(), 12)?], errors.to_vec()]
                 .concat(),
         );
+        // The table has twelve digits, and the mean squares its error in each row.
         if trials.value(&(a - b))?.to_f64() < 1e-30 {
             break;
         }

@@ -51,6 +51,7 @@ impl Known {
             Self::Fractions(known) => return cycle.is(question, known),
             Self::Digits(known) => known,
         };
+        // The digits known are those of an `f64`, after sums of some dozen terms.
         let near = |a: Rational, b: &f64| (a.to_f64() - b).abs() <= 1e-9 * b.abs().max(1.0);
         let amplitudes = cycle.orders.iter().zip(&known.amplitude);
         let frequencies = known.frequency.iter().enumerate();
@@ -70,6 +71,7 @@ fn fraction(value: f64) -> Option<Rational> {
         let above = Rational::new(1, below)?.to_f64();
         let digits = format!("{:.0}", value / above);
         let candidate = Rational::new(digits.parse().ok()?, below)?;
+        // Fractions with such denominators are at least 1e-6 apart.
         ((candidate.to_f64() - value).abs() < 1e-9).then_some(candidate)
     };
     (1..=DENOMINATORS).find_map(near)

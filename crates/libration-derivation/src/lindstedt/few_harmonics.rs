@@ -90,6 +90,7 @@ fn size(solution: &TruncatedSolution) -> f64 {
 /// A complex number, whose parts are zero if they are rounding errors of numbers of this size.
 fn complex(number: Complex, size: f64) -> Prose {
     const DIGITS: usize = 5;
+    /// The limit of `SolutionVerdict`, above which a solution is called complex.
     const ROUNDING: f64 = 1e-9;
     let part = |part: f64| if part.abs() <= ROUNDING * size { 0.0 } else { part };
     let (re, im) = (part(number.re), part(number.im));

@@ -20,7 +20,8 @@
 //! A check is a function that parses the text of a statement with `expression`, evaluates it in a suitable ring (numbers, power series,
 //! polynomials with undetermined constants) and compares it with the result of an independent method; if that fails, the statement is undecided.
 //! A formula for a statement in words is marked as a paraphrase. Verdicts are not stored: the tests change every number and every sign of a
-//! verified statement and check that the verdict changes, and correct the wrong ones and check that they are verified.
+//! verified statement and check that the verdict changes, and correct the wrong ones and check that they are verified. The tolerances of
+//! comparisons of numbers, 1e-3 to 1e-15, lie between the rounding of the evaluation and the effect of such a change.
 
 mod finding;
 pub(crate) mod statement;

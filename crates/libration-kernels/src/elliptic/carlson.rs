@@ -23,6 +23,7 @@ impl Closeness {
     fn distance(self) -> f64 {
         match self {
             Self::Rounding => 0.006,
+            // 1e-32/50 is 2⁻¹¹². The eighth power of 0.006, 1.7e-18, with the same fiftieth is 2⁻⁶⁴.
             Self::TwoWords => 1e-4,
         }
     }

@@ -129,6 +129,7 @@ impl Weighted for T0 {
     }
 
     fn negligible(&self) -> f64 {
+        // Some hundred rounding errors: the coefficients come from a linear solution.
         1e-13 * self.scale().abs()
     }
 }

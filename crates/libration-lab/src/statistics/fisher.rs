@@ -45,6 +45,7 @@ fn incomplete_beta(x: f64, a: f64, b: f64) -> f64 {
             c = away(1.0 + step / c);
             fraction *= c * d;
         }
+        // A few rounding errors: a factor of the continued fraction changes nothing more.
         if (c * d - 1.0).abs() < 1e-15 {
             break;
         }

@@ -35,6 +35,7 @@ pub(crate) fn probability_beyond_any(t: f64, dof: f64) -> f64 {
 
 /// Degrees of freedom truncated to a whole number of at least one: 10 minus rounding errors is 10.
 fn whole(dof: f64) -> f64 {
+    /// Far above rounding, far below the effect of a degree of freedom.
     const ROUNDING: f64 = 1e-9;
     (dof * (1.0 + ROUNDING)).floor().max(1.0)
 }

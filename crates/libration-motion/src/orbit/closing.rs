@@ -145,6 +145,7 @@ impl Round {
         let kinds = [(0, places), (layout.coordinates(), velocities)].into_iter();
         let sizes = kinds.flat_map(|(first, ranges)| {
             let largest = ranges.iter().copied().fold(0.0, f64::max);
+            // A coordinate that hardly moves, or by rounding alone, has no size of its own.
             let size = move |range: f64| if range > 1e-9 * largest { range } else { largest };
             ranges.iter().enumerate().map(move |(i, range)| size(*range).max(least(first + i)))
         });

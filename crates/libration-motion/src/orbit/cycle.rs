@@ -387,6 +387,7 @@ impl Maxima {
 
     /// Returns `true` if the coordinate is farther away than any orbit that is searched.
     fn goes_away(&self) -> bool {
+        /// Squares of distances must not overflow.
         const FAR: f64 = 1e100;
         self.range.1 - self.range.0 > FAR
     }

@@ -21,6 +21,7 @@ pub(super) fn leap(
     from: &OrbitGuess,
 ) -> Result<Option<OrbitGuess>, OrbitError> {
     let Some(velocity) = rounds.layout().velocity(coordinate) else { return Ok(None) };
+    // The drift in one turn may be a small part of the motion: as exact as rounding allows.
     let Some(path) = rounds.turn(coordinate, from, 1e-16)? else { return Ok(None) };
     let period = path.end_time();
     let drift = difference(&path.state_at(period), &from.state);

@@ -30,6 +30,7 @@ pub(super) fn through_start(
     guess: &OrbitGuess,
     family: FamilyCondition,
 ) -> Result<Option<Orbit>, OrbitError> {
+    // Enough to tell a motion from rest half a period later.
     let Ok(path) = rounds.path(&guess.state, guess.period, 1e-12) else { return Ok(None) };
     let opposite = path.state_at(0.5 * guess.period);
     let moves = |(there, here): (&f64, &f64)| (there - here).abs() > STILL * here.abs();

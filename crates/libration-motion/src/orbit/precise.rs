@@ -230,6 +230,7 @@ fn scaled(series: &[BigFloat], length: f64) -> Vec<f64> {
 /// The first sign change of a polynomial on [0, 1]; for a polynomial that begins at zero, the sign shortly afterwards counts.
 fn sign_change(polynomial: &[f64]) -> Option<f64> {
     const LOOKS: u32 = 16;
+    /// Earlier than the first of the looks, later than what rounding makes of a zero.
     const SOON: f64 = 1e-3;
     let value = |part: f64| polynomial.iter().rev().fold(0.0, |sum, c| sum * part + c);
     let sign = value(if polynomial[0] == 0.0 { SOON } else { 0.0 });

@@ -124,6 +124,7 @@ impl<'a> Release<'a> {
         if self.is_too_small() {
             return Err(OrbitError::TooSmall(self.start));
         }
+        // Below rounding: the error of the period is then that of the sums of its steps.
         let found = self.once_around(self.start, 1e-17).and_then(|around| self.judged(around));
         let doubtful = match &found {
             Ok(orbit) => orbit.period_uncertainty() > tolerance * orbit.period(),
@@ -183,6 +184,7 @@ impl<'a> Release<'a> {
         let kinetic = path.states().map(|state| 0.5 * state[1] * state[1]).fold(0.0, f64::max);
         let part = PART * libm::fmin(1.0, STEEP * kinetic / first / swing.abs());
         let change = |side: &f64| {
+            // The difference of two periods, which may agree in most digits.
             let neighbour = self.once_around(self.start + side * part * swing, 1e-16);
             neighbour.map_or(f64::INFINITY, |around| (1.0 - around.full.end_time() / period).abs())
         };

@@ -215,6 +215,7 @@ impl<'a> Newton<'a> {
         let mut part = self.largest_part(&change);
         for _ in 0..HALVINGS {
             let next = self.moved(&change, part);
+            // Below rounding: defects are compared down to the last digit.
             let end =
                 self.rounds.path(&next.state, next.period, 1e-17).map(|path| path.state_at(next.period));
             let near = end.is_ok_and(|end| {

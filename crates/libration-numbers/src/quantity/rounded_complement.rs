@@ -28,6 +28,7 @@ impl RoundedComplement {
     /// 179.98°. The period depends on the logarithm of the complement, so that its error is smaller still.
     #[must_use]
     pub fn of(angle: &Angle) -> Option<Self> {
+        /// Relative error of a complement with twelve digits.
         const KEPT: f64 = 1e-12;
         let wanted = angle.complement();
         let rounded = Angle::from_radians(angle.radians()).ok()?.complement();

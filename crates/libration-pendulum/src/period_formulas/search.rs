@@ -310,6 +310,7 @@ fn zeros_in_dip(triple: &[(f64, f64)], f: &mut dyn FnMut(f64) -> f64) -> Vec<Coo
     if !may_reach {
         return Vec::new();
     }
+    // At an extreme the value has the square of this error.
     let (place, depth) = maximum_between(&mut |u| -sign * f(u), triple[0].0, triple[2].0, 1e-7);
     if depth <= 0.0 {
         return Vec::new();

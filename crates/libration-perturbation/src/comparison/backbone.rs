@@ -234,6 +234,7 @@ impl Backbone {
     /// The frequencies for a line in a picture: the frequency of the orbit may have a relative error of 10⁻⁶.
     #[must_use]
     pub fn drawn_at(&self, displacement: &Displacement, progress: &dyn Progress) -> BackbonePoint {
+        /// Less than a line's width in the largest picture.
         const DRAWN: f64 = 1e-6;
         self.point(displacement, DRAWN, progress)
     }

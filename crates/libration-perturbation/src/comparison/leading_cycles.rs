@@ -152,6 +152,7 @@ struct Scan {
 /// Ratio of successive amplitudes: a force of the tenth power changes by 9 between them, and cycles that differ by a quarter are
 /// distinguished without further amplitudes.
 const RATIO: f64 = 1.25;
+/// First amplitude of the scan, in the unit of the equation; the result names the range.
 const SMALLEST: f64 = 1e-4;
 const LARGEST: f64 = 1e4;
 /// Halvings of the distance to the end of the orbits: next to a separatrix 1e-3 of it remain, and a cycle beyond has an exponent that terms of

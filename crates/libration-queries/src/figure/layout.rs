@@ -73,6 +73,7 @@ impl Layout {
         let refused = |side: Parameter, asked: Option<PictureSide>, usual: f64, least: f64| {
             let asked =
                 asked.unwrap_or(PictureSide { length: (usual / UNITS_PER_MM).round(), unit: &MILLIMETRE });
+            // The change of units may round a whole number up.
             let least = PictureSide { length: (least / asked.unit.size - 1e-6).ceil(), ..asked };
             let reason =
                 format!("{asked} is too small for this picture and its labels: give at least {least}");

@@ -49,7 +49,7 @@ impl Map {
     }
 }
 
-/// The modules that ARCHITECTURE.md describes, by crate: a heading with the name of the crate, then rows that begin with a module's name.
+/// The modules that ARCHITECTURE.md describes, by crate: a heading with the name of the crate, then rows whose first cell names one or more modules.
 pub(crate) fn described() -> BTreeMap<String, Vec<String>> {
     let names: BTreeSet<String> = Map::read().crates.into_iter().map(|section| section.name).collect();
     let (mut described, mut heading) = (BTreeMap::<String, Vec<String>>::new(), None);
@@ -58,7 +58,8 @@ pub(crate) fn described() -> BTreeMap<String, Vec<String>> {
             heading = quoted(line, '`').into_iter().find(|name| names.contains(name));
         }
         if let (Some(name), true) = (&heading, line.starts_with("| `")) {
-            described.entry(name.clone()).or_default().push(quoted(line, '`').remove(0));
+            let cell = line.split(" | ").next().unwrap_or_default();
+            described.entry(name.clone()).or_default().extend(quoted(cell, '`'));
         }
     }
     described

@@ -284,6 +284,7 @@ fn count_half_swings(rows: &[AmplitudeRow], against: Position) -> bool {
     };
     let opposite = rows.windows(2).filter(|pair| pair[0].side * pair[1].side < 0.0);
     let mut steps = opposite.map(|pair| Some(number(&pair[1])? - number(&pair[0])?));
+    // A number of swings that is not whole differs by a few hundredths at least.
     let is_whole = |step: Option<f64>| step.is_some_and(|step| (step - step.round()).abs() < 1e-6);
     steps.next().is_some_and(is_whole) && steps.all(is_whole)
 }

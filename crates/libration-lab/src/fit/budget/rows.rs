@@ -268,6 +268,7 @@ impl Inputs<'_> {
                 format!("stretched by x = {stretch} m at rest"),
             ),
             (false, true) => {
+                // 11/8 of x/L = 1e-3, from the formula above.
                 let note = format!("for a string that the bob stretches by x = {:.1e} m", 1e-3 * length);
                 usually("stretch", FORMULA, 1.375e-3 * amplitude * amplitude, note)
             }
@@ -292,6 +293,7 @@ impl Inputs<'_> {
         let Values { stiffness, length, bob_mass, .. } = self.values;
         if stiffness <= 0.0 {
             let bob_mass = if bob_mass > 0.0 { bob_mass } else { 1.0 };
+            // The weight divided by 0.1 mm.
             let with = Values { bob_mass, stiffness: bob_mass * self.gravity() / 1e-4, ..self.values };
             let note = "for a support that the weight of the bob, pulling sideways, moves by 0.1 mm; give its stiffness";
             return self.typical("support", FORMULA, BudgetEffect::Support, &with, note.into());

@@ -53,6 +53,7 @@ impl<'a> Fall<'a> {
             rates: DecayRates::new(omega0, largest),
             weights: half_swings
                 .iter()
+                // Traces without noise have amplitudes without uncertainty, and weights must be finite.
                 .map(|half| 1.0 / half.amplitude.uncertainty.max(1e-9 * largest))
                 .collect(),
             substep: PI / omega0,

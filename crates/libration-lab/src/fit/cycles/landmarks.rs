@@ -106,6 +106,7 @@ impl Guess {
         let extremes = apart(extremes, &mut residuals);
         let centre = self.centre.renewed(&extremes);
         let largest = self.extremes.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+        // Readings without noise have at least the rounding of their shape.
         let noise = robust_deviation(&residuals)?.max(1e-13 * largest);
         Some(Landmarks { passages, extremes, centre, noise })
     }

@@ -118,6 +118,7 @@ impl OrderedPassages {
             median(said.collect()).unwrap_or(0.0) - t0
         };
         let ends = [0.1 * longest, longest].map(|t0| (t0, excess(t0)));
+        // Far below the resolution of any clock.
         zero_between(ends, Tolerance::absolute(1e-12 * longest), excess)
     }
 

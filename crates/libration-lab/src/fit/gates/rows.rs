@@ -84,6 +84,7 @@ fn row(cycle: usize, bottoms: [Bottom; 3]) -> CycleRow {
 
 /// The second derivative of T/T0 with respect to the amplitude.
 fn curvature(amplitude: f64) -> f64 {
+    /// Interval relative to the amplitude: the curvature enters a correction of second order, and a thousandth of it is enough.
     const STEP: f64 = 1e-2;
     let slope = |amplitude: f64| Law::exact().slope_at(amplitude);
     (slope(amplitude * (1.0 + STEP)) - slope(amplitude * (1.0 - STEP))) / (2.0 * STEP * amplitude)

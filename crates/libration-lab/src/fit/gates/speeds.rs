@@ -35,6 +35,7 @@ impl NearBottom {
         if largest.is_nan() || largest <= 0.0 {
             return None;
         }
+        // In radians: far below what the resolution of a clock leaves.
         zero_between([(0.0, -width), (LARGEST, largest)], Tolerance::absolute(1e-13), excess)
     }
 

@@ -16,6 +16,7 @@ use crate::statistics::levenberg_marquardt::{Effort, Linearised, ResidualsError,
 use crate::statistics::student::probability_beyond_any;
 use crate::statistics::{Design, count, is_settled, weighted_least_squares};
 
+/// The tolerance is above the rounding of a sum of squares.
 const EFFORT: Effort = Effort { tolerance: 1e-13, patience: 100 };
 /// Rounding errors of the derivatives, which are closed forms.
 const EXACTNESS: f64 = 1e-12;

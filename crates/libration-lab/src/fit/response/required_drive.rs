@@ -130,6 +130,7 @@ pub(super) struct AllHarmonics {
 
 /// Number of motions that are integrated together, in lanes.
 const LANES: usize = 8;
+/// Tolerances far below the errors of measured amplitudes, so that differences of motions give derivatives.
 pub(super) const EFFORT: Effort = Effort { relative: 1e-13, absolute: 1e-15, most_steps: 20_000 };
 /// Newton's rounds: from one harmonic four to six.
 const MOST_ROUNDS: usize = 25;

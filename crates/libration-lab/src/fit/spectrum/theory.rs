@@ -104,6 +104,7 @@ fn amplitude(first: f64) -> Option<f64> {
     if !(first > 0.0 && of(bracket[1]) >= first) {
         return None;
     }
+    // Some rounding errors.
     let [inside, _] = bisect(bracket, Tolerance::relative(1e-14), |amplitude| of(amplitude) < first);
     Some(inside)
 }

@@ -33,6 +33,7 @@ impl SignificantDigits {
 
 fn is_written_with(digits: usize, time: f64) -> bool {
     let rounded = format!("{time:.*e}", digits - 1).parse::<f64>().unwrap_or(f64::NAN);
+    // The last bits of a time may come from a change of units.
     (rounded - time).abs() <= 1e-12 * time.abs()
 }
 

@@ -116,6 +116,7 @@ impl<'a> Laboratory<'a> {
 
     /// The start, displaced by about a millionth of the motion's extent, in different directions for each neighbour.
     fn displaced(&self, start: &Moment, neighbour: usize) -> Moment {
+        /// Larger than what regular motions make of rounding errors, small enough for the neighbours to share the motion's fate.
         const BESIDE: f64 = 1e-6;
         let places = self.units.iter().zip(1..);
         let moves = places.map(|(unit, place)| {

@@ -174,6 +174,7 @@ impl<const N: usize> Stepper<'_, N> {
         /// Distance from a boundary, in tolerances of the change in the step, within which the boundary
         /// is examined: the series of √(x² + ε²) resolve ε²/x² if it is not below one tolerance.
         const NEAR: f64 = 1e4;
+        /// Largest such distance relative to the change: with tolerances above 1e-6 every boundary would be examined in every step.
         const WIDEST: f64 = 1e-2;
         if self.expander.plan.boundaries.is_empty() || self.sticks(lane) {
             return Ok(end);

@@ -217,7 +217,9 @@ impl SharpFormula {
     /// Returns `true` if the series do not represent the formula, and its values at both ends of a
     /// part are much larger than at a distance of a million parts from them, which excludes a jump.
     fn has_pole(&self, jet: &Jet<'_, Doubles>, step: &Step<'_>, constants: &[f64], part: Waiting) -> bool {
+        /// Difference of series and formula, relative to its values, from which they do not represent it.
         const NOTHING: f64 = 0.1;
+        /// Distance in parts: over it a pole of x^(-1/4) grows by `GROWTH`, and a weaker one is not recognised.
         const AWAY: f64 = 1e6;
         const GROWTH: f64 = 32.0;
         let [from, to] = [step.start(), step.end()];

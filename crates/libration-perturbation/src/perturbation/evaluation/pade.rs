@@ -111,6 +111,7 @@ impl Pade {
         let of_numerator = zeros(&self.numerator);
         let directions = self.next_lower().map(|lower| zeros(&lower.denominator));
         let pole = |position: Complex| {
+            // A pole with a zero next to it: the approximant has more terms than the digits of the series determine.
             let cancelled = of_numerator.iter().any(|zero| (*zero - position).abs() < 1e-4 * position.abs());
             let alone =
                 directions.as_ref().is_some_and(|known| !known.iter().any(|z| same_direction(*z, position)));

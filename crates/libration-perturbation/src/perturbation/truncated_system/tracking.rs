@@ -66,6 +66,7 @@ impl Root {
 }
 
 fn coincide(a: &Root, b: &Root) -> bool {
+    // Newton's method leaves some rounding errors.
     a.distance(b) < 1e-9 * a.size()
 }
 
@@ -125,6 +126,7 @@ impl<'a> Homotopy<'a> {
 
     /// Follows a solution from s = 0 to s = 1; `None` when it is lost.
     fn follow(&self, start: Vec<Complex>) -> Option<Root> {
+        /// A path that needs shorter steps goes to infinity or meets another one.
         const SMALLEST_STEP: f64 = 1e-12;
         let (mut s, mut step, mut z) = (0.0, 0.01, start);
         while s < 1.0 {

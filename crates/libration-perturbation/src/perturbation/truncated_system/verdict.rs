@@ -63,6 +63,7 @@ fn verdict(
     sought: Option<&Root>,
 ) -> SolutionVerdict {
     let size = amplitudes.iter().map(|a| a.abs()).fold(0.0, f64::max);
+    // Newton's method ends with rounding errors, enlarged near double solutions.
     let real = |z: Complex, size: f64| z.im.abs() <= 1e-9 * size;
     if !(amplitudes.iter().all(|a| real(*a, size))
         && real(frequency_ratio_squared, frequency_ratio_squared.abs()))
@@ -74,6 +75,7 @@ fn verdict(
     }
     let near = |root: &Root| {
         let gap = amplitudes.iter().zip(&root.amplitudes).map(|(a, b)| (*a - *b).abs()).fold(0.0, f64::max);
+        // Two results of Newton's method for one solution; solutions nearer to one another meet at a fold of the amplitude.
         gap <= 1e-8 * size
     };
     match amplitudes.first() {
@@ -85,6 +87,7 @@ fn verdict(
 
 /// The solution with a₁ = amplitude, Δ = 1 at small amplitudes, followed up to this one; `None` if it ends before.
 fn small_oscillation(equations: &Collocation, amplitude: f64) -> Option<Root> {
+    /// Part of the amplitude: shorter steps are needed only where the solution ends.
     const SMALLEST_STEP: f64 = 1e-9;
     let mut z = vec![Complex::default(); equations.harmonics() + 1];
     (z[0], z[equations.harmonics()]) = (Complex::from(1.0), Complex::from(1.0));
@@ -109,5 +112,6 @@ fn corrected(equations: &Collocation, z: &[Complex]) -> Option<Vec<Complex>> {
     let (z, first) = newton(&target(equations, 1.0, z), z.to_vec())?;
     let (z, second) = newton(&target(equations, 1.0, &z), z)?;
     let (z, third) = newton(&target(equations, 1.0, &z), z)?;
+    // Corrections shrink quadratically: by ten in the first round, or down to rounding.
     (first < 0.02 && second < 0.1 * first + 1e-12 && third < 1e-6).then_some(z)
 }

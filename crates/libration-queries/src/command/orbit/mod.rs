@@ -124,6 +124,7 @@ impl OrbitQuestion {
 
 /// Number of drive periods in a period that is a multiple of the drive period, within the accuracy of a written number.
 fn drive_periods(period: f64, drive: f64) -> Option<u32> {
+    /// Accuracy of a period that was typed with three or four digits.
     const WRITTEN: f64 = 1e-3;
     (1..=1000).find(|periods| (period - f64::from(*periods) * drive).abs() < WRITTEN * drive)
 }
