@@ -32,16 +32,13 @@
 mod formula;
 mod prose;
 mod typeset;
-
 mod document;
-
 mod check;
 mod evaluate;
 mod numbers;
 mod phase;
 mod trials;
 mod words;
-
 mod averaging;
 mod elliptic;
 mod first_correction;
@@ -50,12 +47,10 @@ mod lindstedt;
 mod published;
 mod slow_flow;
 mod two_sided;
-
 mod answers;
 mod exercises;
 mod print;
 mod python;
-
 pub mod paper;
 
 pub use answers::{AnswerError, Judgement};

@@ -51,7 +51,6 @@ mod uses;
 mod windows;
 #[cfg(all(target_arch = "x86_64", unix))]
 mod written_out;
-
 mod compiled;
 
 pub use aligned::Aligned;

@@ -16,7 +16,6 @@ pub mod range;
 pub mod scene;
 pub mod style;
 pub mod svg;
-
 mod advances;
 mod angles;
 mod animation;

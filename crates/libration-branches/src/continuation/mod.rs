@@ -43,65 +43,43 @@
 //! it is accepted if multiple shooting with the whole equation ends within the errors of the motion (`pieces.rs`).
 
 mod error;
-
 mod drive_law;
 mod field;
 mod space;
 mod turns;
 mod units;
-
 mod symmetry;
-
 mod family;
-
 mod corrector;
-
 mod description;
 mod pieces;
 mod point;
-
 mod node;
-
 mod special;
-
 mod hopf;
-
 mod backbone;
 mod branch;
 mod established;
 mod restarts;
 mod undriven;
-
 mod jumps;
-
 mod order;
-
 mod options;
-
 mod search;
 mod switching;
-
 mod rotations;
-
 mod further_starts;
 mod harmonic_balance;
-
 mod energy_balance;
 mod full_strength;
 mod orders;
-
 mod response;
-
 mod sweep;
-
 mod curve;
 mod edges;
 mod singular;
-
 mod chart;
-
 mod precise_flow;
-
 mod precise;
 
 pub use backbone::FreeOscillation;

@@ -18,19 +18,14 @@
 //! rule. For resonances, the mean power of the same perturbation is taken over the exact motions with frequency pΩ/q.
 
 mod error;
-
 mod trigonometric;
-
 pub(crate) mod perturbation;
 
 #[doc(hidden)]
 pub(crate) mod separatrix;
-
 mod function;
 mod resonance;
-
 mod saddle;
-
 mod manifolds;
 mod tangency;
 

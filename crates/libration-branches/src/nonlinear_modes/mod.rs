@@ -16,7 +16,6 @@
 //! ```
 
 mod error;
-
 mod belonging;
 mod mode;
 

@@ -21,14 +21,10 @@
 //! faster than any power. The full motion is analysed through the same normal form, which does not change mean frequencies.
 
 mod error;
-
 mod polynomials;
-
 mod expansion;
 mod linear_motion;
-
 mod form;
-
 mod exchange;
 mod slow_flow;
 

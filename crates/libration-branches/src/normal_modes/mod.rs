@@ -25,21 +25,17 @@
 
 mod error;
 mod mode;
-
 mod equilibrium;
 mod linearisation;
 
 #[doc(hidden)]
 pub(crate) mod roots;
 mod spectrum;
-
 mod shapes;
-
 mod lindstedt;
 mod no_shift;
 mod resonance;
 mod shift;
-
 mod modes;
 
 pub use error::{ModesError, SearchEnd};

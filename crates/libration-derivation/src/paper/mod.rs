@@ -25,7 +25,6 @@
 
 mod finding;
 pub(crate) mod statement;
-
 mod black_vel;
 mod cote;
 

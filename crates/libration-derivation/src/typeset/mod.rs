@@ -4,7 +4,6 @@ pub(super) mod escape;
 pub(super) mod layout;
 pub(super) mod lines;
 mod place;
-
 mod latex;
 mod mathml;
 

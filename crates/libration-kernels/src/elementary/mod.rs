@@ -13,7 +13,6 @@ use crate::fused::FusedMultiplyAdd;
 
 pub mod rough;
 pub mod two_word;
-
 mod arctangent;
 mod exponential;
 mod fine_logarithm;

@@ -15,7 +15,6 @@
 
 #[doc(hidden)]
 pub(crate) mod complete;
-
 mod carlson;
 mod complete_stages;
 #[doc(hidden)]

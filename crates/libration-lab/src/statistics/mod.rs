@@ -8,7 +8,6 @@ pub(crate) mod least_squares;
 mod mean;
 pub(crate) mod robust;
 pub(crate) mod triangle;
-
 pub(crate) mod akaike;
 pub(crate) mod chi_squared;
 pub(crate) mod fisher;

@@ -7,7 +7,6 @@ use libration_testing::random;
 mod synthetic_gate;
 mod synthetic_response;
 mod synthetic_trace;
-
 mod class_readings;
 mod continuation;
 mod damping_bias;

@@ -28,19 +28,12 @@
 //! ```
 
 pub(crate) mod drive;
-
 mod repetitions;
-
 pub(crate) mod structure;
-
 mod surface;
-
 mod section;
-
 mod bifurcation;
-
 mod extent;
-
 pub(crate) mod lyapunov;
 
 pub use bifurcation::{Continuation, DiagramColumn, DiagramError, Family, compute_bifurcation_diagram};

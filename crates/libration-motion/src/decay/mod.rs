@@ -23,16 +23,11 @@
 //! ```
 
 mod error;
-
 mod damping;
 mod kind;
-
 mod cycle;
-
 mod envelope;
-
 mod turning;
-
 mod ending;
 #[doc(hidden)]
 pub(crate) mod half_swing;

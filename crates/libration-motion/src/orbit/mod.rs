@@ -21,16 +21,13 @@
 //! ```
 
 mod error;
-
 mod path;
 mod pieces;
-
 mod harmonics;
 #[doc(hidden)]
 pub(crate) mod least_period;
 mod near;
 mod periodic;
-
 mod divergence;
 
 #[doc(hidden)]
@@ -41,17 +38,13 @@ pub(crate) mod place;
 pub(crate) mod precise;
 #[doc(hidden)]
 pub(crate) mod released;
-
 mod closing;
 mod shooting;
-
 mod drift;
 mod family;
 mod relaxation;
-
 mod cycle;
 mod driven;
-
 mod search;
 
 pub use crate::periodic::{Floquet, Stability};

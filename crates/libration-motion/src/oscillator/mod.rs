@@ -15,7 +15,6 @@
 
 mod catalogue;
 mod named;
-
 mod centre;
 mod constant;
 mod equilibrium;
@@ -24,7 +23,6 @@ mod neighbourhood;
 #[doc(hidden)]
 pub(crate) mod roots;
 mod sides;
-
 mod error;
 mod model;
 mod named_constants;

@@ -17,14 +17,12 @@
 
 mod catalogue;
 mod named;
-
 mod coordinate;
 mod count;
 mod error;
 mod idle_drive;
 mod initial;
 mod model;
-
 mod bodies;
 mod energy;
 mod line_integral;

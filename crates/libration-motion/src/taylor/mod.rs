@@ -40,9 +40,7 @@
 //! convergence limits, is no longer than the rounding errors of cancelling terms allow (`drivers/cancellation.rs`).
 
 mod error;
-
 mod solution;
-
 mod bounds;
 mod drivers;
 mod events;

@@ -20,17 +20,14 @@ pub(crate) mod decimal;
 mod lexer;
 mod members;
 mod parser;
-
 mod display;
 mod latex;
 mod precedence;
-
 mod derivative;
 mod normal_form;
 #[doc(hidden)]
 pub(crate) mod simplify;
 mod symbols;
-
 mod equation;
 
 #[doc(hidden)]

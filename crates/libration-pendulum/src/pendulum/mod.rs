@@ -18,32 +18,24 @@
 pub(crate) mod period;
 mod period_stages;
 mod periods;
-
 mod amplitude;
 mod initial;
 mod inverse;
-
 mod action_angle;
 mod motion;
 mod start;
 mod state;
-
 mod orbit;
-
 mod libration;
 mod rotation;
 mod separatrix;
-
 mod prepared;
 #[doc(hidden)]
 pub(crate) mod table;
-
 mod swing_period;
 mod swing_period_stages;
-
 mod varying;
 mod varying_stages;
-
 pub(crate) mod approximate_motion;
 mod display;
 mod fourier;

@@ -25,12 +25,9 @@ mod quantity;
 pub(crate) mod enclosed;
 mod exact;
 mod pendulum_harmonic;
-
 mod relation;
-
 mod backbone;
 mod cycle_distance;
-
 mod leading_cycles;
 mod scaling_law;
 mod slow_decay;

@@ -31,10 +31,8 @@ pub(crate) mod spectrum;
 pub(crate) mod stability;
 pub(crate) mod trace;
 pub(crate) mod trajectories;
-
 pub(crate) mod file;
 pub(crate) mod names;
-
 pub(crate) mod cusps;
 #[cfg(not(target_family = "wasm"))]
 pub(crate) mod font;

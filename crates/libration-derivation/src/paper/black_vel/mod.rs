@@ -5,22 +5,18 @@ use super::statement::{PrintedStatement, statement, text_after};
 mod approximations;
 mod equation_of_motion;
 mod integral;
-
 mod fourier;
 mod sizes;
 mod third_order;
 mod two_harmonics;
-
 mod forms;
 mod gauges;
 mod in_amplitude;
 mod iteration;
-
 mod accuracy;
 mod damping;
 mod figure;
 mod regimes;
-
 mod appendix_a;
 mod appendix_b;
 mod appendix_c;

@@ -2,7 +2,6 @@
 
 mod energy;
 mod substitution;
-
 mod binomial;
 mod period;
 mod recursion;

@@ -14,43 +14,28 @@
 //! and twelve synthetic ones: near the top and over it, angular velocities, coarse, noisy, short, long, small and strongly damped ones.
 
 mod error;
-
 pub(crate) mod shape;
-
 pub(crate) mod local_fit;
-
 pub(crate) mod swings;
 pub(crate) mod turning_point;
-
 pub(crate) mod centre;
 mod window;
-
 mod passage;
-
 pub(crate) mod even;
 mod extreme;
-
 mod landmarks;
-
 mod found;
-
 pub(crate) mod generalised;
 pub(super) mod period_law;
 pub(super) mod row;
-
 pub(crate) mod decay_rates;
 mod envelope;
 mod fall;
-
 mod bias;
 mod pivot;
-
 mod analysis;
-
 mod several;
-
 mod unit;
-
 mod warning;
 
 pub use analysis::fit_cycles;

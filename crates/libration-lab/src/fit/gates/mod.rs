@@ -5,28 +5,18 @@
 //! gate drops out. Double triggers and missed passages are recognised by the pattern and counted.
 
 mod error;
-
 pub(crate) mod passages;
-
 pub(crate) mod directions;
-
 mod swings;
-
 mod scatter;
-
 pub(crate) mod speeds;
-
 mod amplitudes;
-
 mod by_speeds;
 mod rows;
 pub(crate) mod trend;
-
 mod analysis;
 mod warning;
-
 pub(crate) mod width;
-
 mod gravity;
 
 pub use analysis::fit_gates;

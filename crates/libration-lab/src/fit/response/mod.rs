@@ -31,18 +31,14 @@
 
 mod error;
 mod model;
-
 mod required_drive;
 pub(crate) mod stability;
 mod table;
-
 mod found_row;
 mod scatters;
 mod search;
 mod start;
-
 mod fitted;
-
 mod curve;
 mod warning;
 

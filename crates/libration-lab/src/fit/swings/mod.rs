@@ -22,19 +22,13 @@
 
 mod options;
 mod pendulum;
-
 mod warning;
 mod warning_text;
-
 mod advice;
-
 mod fitted;
-
 mod reliability;
-
 mod doubts;
 mod improvements;
-
 mod analysis;
 
 pub use advice::{Advice, EndOfTrace};

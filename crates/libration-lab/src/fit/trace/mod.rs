@@ -22,11 +22,8 @@
 
 mod error;
 mod options;
-
 pub(crate) mod swing;
-
 mod weak_form;
-
 mod data;
 pub(crate) mod huber;
 mod layout;
@@ -36,24 +33,19 @@ pub(crate) mod problem;
 pub(crate) mod search;
 pub(crate) mod series;
 pub(crate) mod weights;
-
 mod autocorrelation;
 mod bootstrap;
 pub(crate) mod noise;
 pub(crate) mod random;
 mod response;
 pub(crate) mod uncertainty;
-
 pub(crate) mod clock;
 mod pivot;
 pub(crate) mod systematic;
-
 pub(crate) mod profile;
-
 pub(crate) mod comparison;
 mod fitted;
 pub(crate) mod information;
-
 mod continuation;
 
 pub use super::{DampingKind, DampingModel, DampingModelError};

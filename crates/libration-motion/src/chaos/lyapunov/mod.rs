@@ -12,11 +12,9 @@
 
 mod schedule;
 pub(crate) mod verdict;
-
 mod deviation;
 #[doc(hidden)]
 pub(crate) mod record;
-
 mod laboratory;
 
 use super::structure::has_jumps;

@@ -3,7 +3,6 @@
 #[doc(hidden)]
 pub(crate) mod entry;
 mod hyperbolic;
-
 mod abs;
 mod acos;
 mod asin;
