@@ -22,7 +22,7 @@ fn with_output(command: Command) -> Command {
     if command.has_subcommands() {
         return command.mut_subcommands(with_output);
     }
-    let has_its_own = command.get_arguments().any(|it| it.get_long() == Some("output"));
+    let has_its_own = command.get_arguments().any(|argument| argument.get_long() == Some("output"));
     if has_its_own { command } else { command.arg(output()) }
 }
 

@@ -27,7 +27,7 @@ impl TerminalOptions {
 
     /// Number of words, from the first on, that form an option.
     fn read(&mut self, words: &[OsString]) -> usize {
-        let text = |place: usize| words.get(place).and_then(|it| it.to_str()).unwrap_or_default();
+        let text = |place: usize| words.get(place).and_then(|word| word.to_str()).unwrap_or_default();
         let (value, length) = match text(0) {
             "-q" | "--quiet" => {
                 self.is_quiet = true;

@@ -17,7 +17,10 @@ pub fn program(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let mut words: Vec<OsString> = arguments.into_iter().collect();
     let options = TerminalOptions::take(&mut words);
     let mut command = command::command(options.color);
-    if words.iter().filter_map(|it| it.to_str()).any(|it| it.starts_with("-o") || it.starts_with("--output"))
+    if words
+        .iter()
+        .filter_map(|word| word.to_str())
+        .any(|it| it.starts_with("-o") || it.starts_with("--output"))
     {
         // What is noted about these words is noted when they are read again.
         let read = Reading::new(words.clone(), true, &mut command);

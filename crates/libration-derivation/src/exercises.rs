@@ -69,7 +69,7 @@ fn exercise_of(block: &Block, results: &[Formula]) -> Vec<Block> {
         },
         Block::Table(table) if table.cells == Cells::Formulas => Block::Table(unsolved(table)),
         Block::Details { summary, blocks } => {
-            let blocks = blocks.iter().flat_map(|it| exercise_of(it, results)).collect();
+            let blocks = blocks.iter().flat_map(|block| exercise_of(block, results)).collect();
             Block::Details { summary: summary.clone(), blocks }
         }
         other => other.clone(),
@@ -81,7 +81,7 @@ fn answers_of(block: &Block, results: &[Formula]) -> Vec<Block> {
     match block {
         Block::Equation { equation, .. } if question(equation, results).is_some() => vec![block.clone()],
         Block::Table(table) if table.cells == Cells::Formulas => vec![block.clone()],
-        Block::Details { blocks, .. } => blocks.iter().flat_map(|it| answers_of(it, results)).collect(),
+        Block::Details { blocks, .. } => blocks.iter().flat_map(|block| answers_of(block, results)).collect(),
         _ => vec![],
     }
 }

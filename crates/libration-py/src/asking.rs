@@ -142,7 +142,8 @@ pub(crate) fn raised(py: Python<'_>, error: &QueryError) -> PyErr {
         Kind::MissingFile => refusal::<MissingFile>(message),
         Kind::Output(_) => return PyOSError::new_err(message),
     };
-    let parameters: Vec<_> = error.parameters().iter().map(|it| PythonWords.parameter(it)).collect();
+    let parameters: Vec<_> =
+        error.parameters().iter().map(|parameter| PythonWords.parameter(parameter)).collect();
     let value = exception.value(py);
     let set = value
         .setattr("parameters", parameters)
@@ -165,15 +166,28 @@ type ParameterData = (String, &'static str, String, bool, bool, Vec<String>, Str
 /// All queries: words, purpose, remarks, parameters.
 #[pyfunction]
 pub(crate) fn questions() -> Vec<(String, String, String, Vec<ParameterData>)> {
-    let given = |it: ParameterDescription| {
-        let kind = match it.kind {
+    let given = |description: ParameterDescription| {
+        let kind = match description.kind {
             ParameterKind::Argument => "argument",
             ParameterKind::Option => "option",
             ParameterKind::Flag => "flag",
         };
-        let value_type = it.value_type.name();
-        (it.name, kind, it.value, it.is_required, it.is_repeated, it.choices, it.meaning, value_type)
+        let value_type = description.value_type.name();
+        (
+            description.name,
+            kind,
+            description.value,
+            description.is_required,
+            description.is_repeated,
+            description.choices,
+            description.meaning,
+            value_type,
+        )
     };
     let asked = libration_queries::questions().into_iter();
-    asked.map(|it| (it.words, it.about, it.remarks, it.parameters.into_iter().map(given).collect())).collect()
+    asked
+        .map(|asked| {
+            (asked.words, asked.about, asked.remarks, asked.parameters.into_iter().map(given).collect())
+        })
+        .collect()
 }

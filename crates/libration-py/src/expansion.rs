@@ -148,7 +148,9 @@ impl Coefficient for Rational {
 
 impl Coefficient for LaurentPolynomial {
     fn terms(&self) -> Terms {
-        let power = |it: libration::algebra::LetterPower<'_>| (it.letter.to_owned(), it.exponent.to_string());
+        let power = |power: libration::algebra::LetterPower<'_>| {
+            (power.letter.to_owned(), power.exponent.to_string())
+        };
         self.terms()
             .map(|(factor, powers)| (factor.to_string(), powers.into_iter().map(power).collect()))
             .collect()
@@ -169,7 +171,7 @@ impl NativeExpansion {
                 of_equation(&fields, oscillator.equation())?;
                 of_expansion(&fields, expansion)?;
                 let exact = [oscillator.equilibrium(), oscillator.omega0_squared()];
-                fields.set_item("are_exact", exact.map(|it| it.exact().is_some()))?;
+                fields.set_item("are_exact", exact.map(|exact| exact.exact().is_some()))?;
             }
             Found::Constants { oscillator, expansion, .. } => {
                 of_equation(&fields, oscillator.equation())?;
@@ -191,9 +193,10 @@ impl NativeExpansion {
         let quantity: SeriesQuantity = quantity.parse().map_err(refusal::<Refused>)?;
         let relation = SeriesComparison::new(oscillator, expansion, quantity);
         let evaluation = relation.evaluation_at(at);
-        let rest = evaluation.steps().last().map(|it| it.remainder);
-        let (size, certainty) = rest.map_or((f64::NAN, Certainty::Estimated), |it| (it.size, it.certainty));
-        let steps = evaluation.steps().iter().map(|it| (it.power, it.term, it.sum)).collect();
+        let rest = evaluation.steps().last().map(|step| step.remainder);
+        let (size, certainty) =
+            rest.map_or((f64::NAN, Certainty::Estimated), |rest| (rest.size, rest.certainty));
+        let steps = evaluation.steps().iter().map(|step| (step.power, step.term, step.sum)).collect();
         Ok((evaluation.value(), size, certainty == Certainty::Proven, steps))
     }
 }
@@ -217,7 +220,7 @@ impl Found {
 
 fn of_symbolic(fields: &Bound<'_, PyDict>, expansion: &SymbolicExpansion) -> PyResult<()> {
     of_expansion(fields, &expansion.series)?;
-    let value = |it: &Expression| it.to_f64().unwrap_or(f64::NAN);
+    let value = |expression: &Expression| expression.to_f64().unwrap_or(f64::NAN);
     let constants = expansion.constants.iter().map(|(name, it)| (name, it.to_string(), value(it)));
     fields.set_item("constants", constants.collect::<Vec<_>>())
 }
@@ -256,7 +259,8 @@ fn of_expansion<C: Coefficient>(fields: &Bound<'_, PyDict>, expansion: &Expansio
     ] {
         fields.set_item(name, terms(series))?;
     }
-    let harmonics = expansion.harmonics.iter().map(|it| (it.k, (terms(&it.cos), terms(&it.sin))));
+    let harmonics =
+        expansion.harmonics.iter().map(|harmonic| (harmonic.k, (terms(&harmonic.cos), terms(&harmonic.sin))));
     fields.set_item("harmonics", harmonics.collect::<Vec<_>>())?;
     fields.set_item("of_amplitude", expansion.of_amplitude.as_ref().map(of_amplitude))?;
     fields.set_item("of_half_swing", expansion.of_half_swing.as_ref().map(of_amplitude))

@@ -39,11 +39,11 @@ impl NativeFormula {
     }
 
     fn ratios(&self, py: Python<'_>, amplitudes: Vec<f64>) -> Vec<f64> {
-        py.detach(|| amplitudes.into_iter().map(|it| self.0.period_ratio_at(it)).collect())
+        py.detach(|| amplitudes.into_iter().map(|amplitude| self.0.period_ratio_at(amplitude)).collect())
     }
 
     fn errors(&self, py: Python<'_>, amplitudes: Vec<f64>) -> Vec<f64> {
-        py.detach(|| amplitudes.into_iter().map(|it| self.0.fractional_error_at(it)).collect())
+        py.detach(|| amplitudes.into_iter().map(|amplitude| self.0.fractional_error_at(amplitude)).collect())
     }
 
     /// The largest error up to an amplitude, and the amplitude at which it occurs.

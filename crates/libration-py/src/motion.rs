@@ -99,9 +99,9 @@ impl NativeMotion {
     ) -> ((f64, f64, f64), HarmonicArrays<'py>) {
         let FourierSeries { fundamental, mean_velocity, epoch, terms } =
             py.detach(|| self.0.harmonics(tolerance, limit));
-        let number: Vec<i64> = terms.iter().map(|it| i64::try_from(it.n).unwrap_or(i64::MAX)).collect();
-        let angle: Vec<f64> = terms.iter().map(|it| it.angle).collect();
-        let velocity: Vec<f64> = terms.iter().map(|it| it.velocity).collect();
+        let number: Vec<i64> = terms.iter().map(|term| i64::try_from(term.n).unwrap_or(i64::MAX)).collect();
+        let angle: Vec<f64> = terms.iter().map(|term| term.angle).collect();
+        let velocity: Vec<f64> = terms.iter().map(|term| term.velocity).collect();
         let terms = (number.into_pyarray(py), angle.into_pyarray(py), velocity.into_pyarray(py));
         ((fundamental, mean_velocity, epoch), terms)
     }

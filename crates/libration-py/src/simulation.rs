@@ -101,7 +101,7 @@ impl Asked {
         let model = model(system, values)?;
         let borrowed: Vec<(&str, &str)> = initial.iter().map(|(name, value)| (&**name, &**value)).collect();
         let start = model.initial(&borrowed).map_err(refusal::<SimulationError>)?;
-        let all = events.iter().map(|it| (it, None)).chain(until.iter().map(|it| (it, Some(1))));
+        let all = events.iter().map(|event| (event, None)).chain(until.iter().map(|it| (it, Some(1))));
         let events = all.map(|((text, way), ends_at)| {
             let formula = model.zero_of(text).map_err(refusal::<SimulationError>)?;
             Ok(Event { formula, direction: direction(way)?, ends_at })
@@ -166,8 +166,8 @@ impl Errors {
             found.cloned().unwrap_or_else(unknown)
         };
         Self {
-            samples: solution.samples.iter().map(|it| known(errors.of_sample(it.time))).collect(),
-            events: solution.events.iter().map(|it| known(errors.of_event(it))).collect(),
+            samples: solution.samples.iter().map(|sample| known(errors.of_sample(sample.time))).collect(),
+            events: solution.events.iter().map(|event| known(errors.of_event(event))).collect(),
             determined_until: errors.worse().and_then(StateErrors::determined_until),
         }
     }
@@ -240,14 +240,20 @@ impl NativeSimulation {
     /// Times and states, a row for each time.
     fn samples<'py>(&self, py: Python<'py>) -> PyResult<Samples<'py>> {
         let samples = &self.solution.samples;
-        let times: Vec<f64> = samples.iter().map(|it| it.time).collect();
-        let numbers: Vec<f64> = samples.iter().flat_map(|it| it.state.iter().copied()).collect();
+        let times: Vec<f64> = samples.iter().map(|sample| sample.time).collect();
+        let numbers: Vec<f64> = samples.iter().flat_map(|sample| sample.state.iter().copied()).collect();
         Ok((times.into_pyarray(py), self.rows(py, numbers, samples.len())?))
     }
 
     fn events<'py>(&self, py: Python<'py>) -> Vec<Happening<'py>> {
-        let happening =
-            |it: &Occurrence| (it.event, it.time, it.state.clone().into_pyarray(py), contact(it.contact));
+        let happening = |occurrence: &Occurrence| {
+            (
+                occurrence.event,
+                occurrence.time,
+                occurrence.state.clone().into_pyarray(py),
+                contact(occurrence.contact),
+            )
+        };
         self.solution.events.iter().map(happening).collect()
     }
 
@@ -258,7 +264,7 @@ impl NativeSimulation {
             let numbers = all.iter().flat_map(|it| it.state.iter().copied()).collect();
             self.rows(py, numbers, all.len())
         };
-        let times: Vec<f64> = events.iter().map(|it| it.time).collect();
+        let times: Vec<f64> = events.iter().map(|event| event.time).collect();
         Ok(Some((states(samples)?, times.into_pyarray(py), states(events)?, *determined_until)))
     }
 

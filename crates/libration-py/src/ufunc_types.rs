@@ -64,7 +64,7 @@ unsafe extern "C" fn resolve(
 type Input<'py> = Bound<'py, PyUntypedArray>;
 
 fn is_among(input: &Input<'_>, types: &[NPY_TYPES]) -> bool {
-    types.iter().any(|it| *it as c_int == input.dtype().num())
+    types.iter().any(|kind| *kind as c_int == input.dtype().num())
 }
 
 fn is_text(input: &Input<'_>) -> bool {

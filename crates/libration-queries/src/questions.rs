@@ -68,19 +68,24 @@ pub fn questions() -> Vec<Question> {
 
 /// The name of the argument whose value has this name in the help, in the query of a command line.
 pub(crate) fn argument_name(words: &[OsString], value: &str) -> Option<String> {
-    let word = |place: usize| words.get(place).and_then(|it| it.to_str()).unwrap_or_default();
+    let word = |place: usize| words.get(place).and_then(|word| word.to_str()).unwrap_or_default();
     let (one, two) = (word(0).to_owned(), format!("{} {}", word(0), word(1)));
     let mut command = command([]);
     command.build();
-    let asked = leaves(&command, "", |_| true).into_iter().filter(|it| it.words == one || it.words == two);
+    let asked =
+        leaves(&command, "", |_| true).into_iter().filter(|leaf| leaf.words == one || leaf.words == two);
     let question = asked.max_by_key(|it| it.words.len())?;
-    let is_it = |it: &ParameterDescription| it.kind == ParameterKind::Argument && it.value == value;
-    question.parameters.into_iter().find(is_it).map(|it| it.name)
+    let is_it = |description: &ParameterDescription| {
+        description.kind == ParameterKind::Argument && description.value == value
+    };
+    question.parameters.into_iter().find(is_it).map(|parameter| parameter.name)
 }
 
 /// The runnable commands below this one, if they are shown.
 fn leaves(command: &Command, words: &str, is_shown: fn(&Command) -> bool) -> Vec<Question> {
-    let below = command.get_subcommands().filter(|it| it.get_name() != "help" && is_shown(it));
+    let below = command
+        .get_subcommands()
+        .filter(|subcommand| subcommand.get_name() != "help" && is_shown(subcommand));
     let each = below.flat_map(|it| {
         let words = format!("{words} {}", it.get_name()).trim_start().to_owned();
         let itself = (!it.is_subcommand_required_set()).then(|| question(it, words.clone()));
@@ -92,7 +97,8 @@ fn leaves(command: &Command, words: &str, is_shown: fn(&Command) -> bool) -> Vec
 fn question(command: &Command, words: String) -> Question {
     let about = command.get_about().map(ToString::to_string).unwrap_or_default();
     let long = command.get_long_about().map(ToString::to_string).unwrap_or_default();
-    let given = command.get_arguments().filter(|it| !["help", "version"].contains(&it.get_id().as_str()));
+    let given =
+        command.get_arguments().filter(|argument| !["help", "version"].contains(&argument.get_id().as_str()));
     Question {
         words,
         remarks: long.strip_prefix(&about).unwrap_or(&long).trim().to_owned(),
@@ -110,7 +116,7 @@ fn parameter(arg: &Arg) -> ParameterDescription {
     };
     let value = arg.get_value_names().filter(|_| takes_value).map(|names| names.join(" "));
     let choices = arg.get_possible_values();
-    let choices = choices.iter().filter(|_| takes_value).map(|it| it.get_name().to_owned());
+    let choices = choices.iter().filter(|_| takes_value).map(|choice| choice.get_name().to_owned());
     ParameterDescription {
         name: arg.get_long().map_or_else(|| arg.get_id().to_string(), str::to_owned),
         kind,
@@ -119,7 +125,7 @@ fn parameter(arg: &Arg) -> ParameterDescription {
         is_required: arg.is_required_set(),
         is_repeated: takes_value
             && (matches!(arg.get_action(), ArgAction::Append)
-                || arg.get_num_args().is_some_and(|it| it.max_values() > 1)),
+                || arg.get_num_args().is_some_and(|argument| argument.max_values() > 1)),
         choices: choices.collect(),
         meaning: meaning(arg),
     }
@@ -128,7 +134,7 @@ fn parameter(arg: &Arg) -> ParameterDescription {
 /// The help, followed by the default.
 fn meaning(arg: &Arg) -> String {
     let help = arg.get_long_help().or_else(|| arg.get_help()).map(ToString::to_string).unwrap_or_default();
-    let defaults: Vec<_> = arg.get_default_values().iter().map(|it| it.to_string_lossy()).collect();
+    let defaults: Vec<_> = arg.get_default_values().iter().map(|value| value.to_string_lossy()).collect();
     let shows = arg.get_action().takes_values() && !defaults.is_empty() && !arg.is_hide_default_value_set();
     if shows { format!("{help} [default: {}]", defaults.join(" ")) } else { help }
 }

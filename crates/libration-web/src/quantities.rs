@@ -10,7 +10,8 @@ pub extern "C" fn angle() -> bool {
     let mut exchange = exchange();
     let read = exchange.take_text().and_then(|text| text.parse::<Angle>().map_err(|error| error.to_string()));
     #[expect(clippy::cast_precision_loss, reason = "angles have at most 2⁵³ turns")]
-    exchange.answer(read.map(|it| vec![it.radians(), it.in_turn(), it.complement(), it.turns() as f64]))
+    exchange
+        .answer(read.map(|read| vec![read.radians(), read.in_turn(), read.complement(), read.turns() as f64]))
 }
 
 /// Reads the text as a length in metres.

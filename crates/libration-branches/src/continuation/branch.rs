@@ -301,7 +301,7 @@ impl<'a> Walk<'a> {
         if size(next) > UNBOUNDED * self.scale {
             return Some(Ending::Unbounded);
         }
-        let growth = next.multipliers.first().map_or(0.0, |it| it.abs());
+        let growth = next.multipliers.first().map_or(0.0, |multiplier| multiplier.abs());
         (growth > self.limits.largest_growth).then_some(Ending::Sensitive)
     }
 

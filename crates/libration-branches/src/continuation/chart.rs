@@ -205,7 +205,7 @@ impl Survey<'_> {
     fn is_same(&self, edge: &SpecialCurve, crossings: [&Crossing; 2]) -> bool {
         /// Largest distance relative to the ranges: the error of linear interpolation between points.
         const SAME: f64 = 2e-3;
-        let [[off, first], [near, other]] = crossings.map(|it| self.side(edge, it));
+        let [[off, first], [near, other]] = crossings.map(|crossing| self.side(edge, crossing));
         let same_test = crossings[0].test == crossings[1].test;
         same_test && off.is_finite() && near <= SAME && (first > 0.0) == (other > 0.0)
     }
@@ -216,9 +216,9 @@ impl Survey<'_> {
         /// Length of the shortest steps along a boundary, relative to the ranges.
         const SHORTEST: f64 = 1e-7;
         let widths = self.ranges.map(|[low, high]| high - low);
-        let relative = |it: &CurvePoint| {
+        let relative = |point: &CurvePoint| {
             let [x, y] = crossing.place;
-            [(it.point.parameter - x) / widths[0], (it.second - y) / widths[1]]
+            [(point.point.parameter - x) / widths[0], (point.second - y) / widths[1]]
         };
         let of_pair = |pair: &[CurvePoint]| {
             let [a, b] = [relative(&pair[0]), relative(&pair[1])];
@@ -301,7 +301,7 @@ impl Survey<'_> {
     fn is_on(&self, curve: &SpecialCurve, seed: &Seed, fixed: usize) -> bool {
         /// Largest distance relative to the range: the error of linear interpolation between points.
         const SAME: f64 = 2e-3;
-        let values = |it: &CurvePoint| [it.point.parameter, it.second];
+        let values = |point: &CurvePoint| [point.point.parameter, point.second];
         let (here, open) = ([seed.point.parameter, seed.second], 1 - fixed);
         let width = self.ranges[open][1] - self.ranges[open][0];
         let goes_through = |pair: &[CurvePoint]| {

@@ -73,7 +73,7 @@ impl SpecialCurve {
     /// The part of the curve that is a stability boundary.
     #[must_use]
     pub fn stability_boundary(&self) -> BoundaryPart {
-        let count = self.points.iter().filter(|it| it.bounds_stability()).count();
+        let count = self.points.iter().filter(|point| point.bounds_stability()).count();
         match count {
             0 => BoundaryPart::None,
             _ if count == self.points.len() => BoundaryPart::Whole,

@@ -22,7 +22,7 @@ impl DriveLaw {
         let (frequency, times) = drive_frequency(equation).ok_or(BranchError::NotDriven)?;
         let symbols: Vec<Symbol> = parameters.iter().map(|name| Symbol::plain(name)).collect();
         let slopes: Vec<Expression> =
-            symbols.iter().map(|it| frequency.derivative(it).simplified()).collect();
+            symbols.iter().map(|symbol| frequency.derivative(symbol).simplified()).collect();
         let formulas: Vec<&Expression> = std::iter::once(&frequency).chain(&slopes).collect();
         Ok(Self { frequency: Tape::new(&formulas, &symbols)?, times })
     }

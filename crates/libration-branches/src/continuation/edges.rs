@@ -94,7 +94,7 @@ impl<'a> Grid<'a> {
     /// first, in whose middle the equilibrium is stable; they may be narrower than the grid.
     fn stable_ranges(&self, first: f64, edges: &[SpecialCurve]) -> Vec<[f64; 2]> {
         let ends = edges.iter().flat_map(|edge| &edge.points);
-        let ends = ends.filter(|it| it.point.parameter.to_bits() == first.to_bits()).map(|it| it.second);
+        let ends = ends.filter(|end| end.point.parameter.to_bits() == first.to_bits()).map(|end| end.second);
         let outermost = [self.values[1].first(), self.values[1].last()];
         let mut cuts: Vec<f64> = ends.chain(outermost.into_iter().flatten().copied()).collect();
         cuts.sort_by(f64::total_cmp);
@@ -144,7 +144,7 @@ impl<'a> Grid<'a> {
             if along == 0 { [value, across] } else { [across, value] }
         };
         let point = |at: f64, tests: &Option<(Tests, bool)>| {
-            tests.as_ref().filter(|it| has_sign(&it.0)).map(|(tests, _)| (at, test.of(tests)))
+            tests.as_ref().filter(|test| has_sign(&test.0)).map(|(tests, _)| (at, test.of(tests)))
         };
         let on_grid = |k: usize| if along == 0 { &self.tests[line][k] } else { &self.tests[k][line] };
         let axis = &self.values[along];
@@ -222,7 +222,7 @@ fn passes(edge: &SpecialCurve, [a, b]: [[f64; 2]; 2]) -> bool {
     let [a, b] = [beyond(a, b), beyond(b, a)];
     let side =
         |[a, b]: [[f64; 2]; 2], it: [f64; 2]| (b[0] - a[0]) * (it[1] - a[1]) - (b[1] - a[1]) * (it[0] - a[0]);
-    let of = |it: &CurvePoint| [it.point.parameter, it.second];
+    let of = |point: &CurvePoint| [point.point.parameter, point.second];
     edge.points.windows(2).any(|pair| {
         let [c, d] = [of(&pair[0]), of(&pair[1])];
         side([a, b], c) * side([a, b], d) <= 0.0 && side([c, d], a) * side([c, d], b) <= 0.0

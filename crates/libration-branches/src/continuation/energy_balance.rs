@@ -150,7 +150,7 @@ impl EnergyBalance {
     /// The free oscillator with a multiple of drive and damping, and the name of this multiple, a new parameter.
     pub(super) fn with_part_of_rest(&self) -> (Equation, String) {
         let full = &self.equation.derivatives()[0];
-        let taken: Vec<String> = full.symbols().into_iter().map(|it| it.name).collect();
+        let taken: Vec<String> = full.symbols().into_iter().map(|symbol| symbol.name).collect();
         let mut name = "strength".to_owned();
         while taken.contains(&name) {
             name.push('_');

@@ -36,7 +36,7 @@ pub(super) fn is_established(
     match before {
         [] => false,
         [start] => middle().is_some_and(|middle| {
-            let turned = |it: &Milestone| Milestone { at: -it.at, ..*it };
+            let turned = |milestone: &Milestone| Milestone { at: -milestone.at, ..*milestone };
             is_clear(&[*start, middle], next) && is_clear(&[turned(next), turned(&middle)], &turned(start))
         }),
         _ => is_clear(before, next),
@@ -48,7 +48,7 @@ fn is_clear(before: &[Milestone], next: &Milestone) -> bool {
     let Some(&[a, b]) = before.last_chunk::<2>() else { return false };
     let earlier = before.len().checked_sub(3).map(|place| before[place]);
     let is_clear_of = |test: Test| {
-        let value = |it: &Milestone| (it.at, test.of(&it.tests));
+        let value = |milestone: &Milestone| (milestone.at, test.of(&milestone.tests));
         let three = [value(&a), value(&b), value(next)];
         // A test function without a sign, as in conservative systems, is pure rounding and cannot be tested.
         if [&b, next].iter().any(|it| !test.has_sign(&it.tests)) {

@@ -42,7 +42,8 @@ impl Field {
         }
         let inputs: Vec<Symbol> =
             state.into_iter().chain(parameters.iter().map(|name| Symbol::plain(name))).collect();
-        let slopes = rates.iter().flat_map(|rate| inputs.iter().map(|it| rate.derivative(it).simplified()));
+        let slopes =
+            rates.iter().flat_map(|rate| inputs.iter().map(|input| rate.derivative(input).simplified()));
         let formulas: Vec<Expression> = rates.iter().cloned().chain(slopes).collect();
         let tape = Tape::new(&formulas.iter().collect::<Vec<_>>(), &inputs)?;
         Ok(Self { tape, numbers: rates.len(), inputs: inputs.len() })

@@ -52,7 +52,7 @@ impl<'w> ToFullStrength<'w> {
             initial_step: FIRST,
         };
         let branch = Walk::new(corrector, limits, start).walked(Origin::FreeOscillation).branch;
-        branch.points.last().filter(|it| it.parameter.to_bits() == 1.0_f64.to_bits()).cloned()
+        branch.points.last().filter(|point| point.parameter.to_bits() == 1.0_f64.to_bits()).cloned()
     }
 
     /// The response near a state at a given strength, followed by the strength.

@@ -116,10 +116,10 @@ impl Search<'_> {
         let multipliers = eigenvalues(image.return_map())?;
         /// Half of the digits: where a multiplier is 1, motions form families, or a fold is at the end of the range.
         const ISOLATED: f64 = 1e-8;
-        if multipliers.iter().any(|it| (*it - Complex::from(1.0)).abs() < ISOLATED) {
+        if multipliers.iter().any(|multiplier| (*multiplier - Complex::from(1.0)).abs() < ISOLATED) {
             return None;
         }
-        let largest = multipliers.iter().map(|it| it.abs()).fold(0.0, f64::max);
+        let largest = multipliers.iter().map(|multiplier| multiplier.abs()).fold(0.0, f64::max);
         let ranges = self.family.ranges_of(space, &place, value)?;
         self.turns.subtract(&mut place, |coordinate| middle(ranges[coordinate]));
         Some((Start { unknowns: place, space }, largest))

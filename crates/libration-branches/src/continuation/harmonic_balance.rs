@@ -156,7 +156,7 @@ impl<'f> HarmonicBalance<'f> {
     }
 
     fn estimate(&self, motion: Vec<f64>, settled: bool) -> Estimate {
-        let state = self.states(&motion, &self.samples[0]).iter().map(|it| it[0]).collect();
+        let state = self.states(&motion, &self.samples[0]).iter().map(|state| state[0]).collect();
         Estimate { state, motion, coordinates: self.family.layout.coordinates(), settled }
     }
 
@@ -179,7 +179,7 @@ impl<'f> HarmonicBalance<'f> {
             } else {
                 decades.clone().collect()
             };
-            for size in amplitudes.into_iter().flat_map(|it| [it, -it]) {
+            for size in amplitudes.into_iter().flat_map(|amplitude| [amplitude, -amplitude]) {
                 // The mean, the cosine and the sine.
                 starts.extend((0..3).map(|function| self.moved(centre, &shape, function, size)));
             }
@@ -286,7 +286,7 @@ impl<'f> HarmonicBalance<'f> {
             let is_velocity = component >= self.family.layout.coordinates();
             let aside = ASIDE * size * if is_velocity { self.frequency } else { 1.0 };
             let before = inputs[component];
-            inputs[component] = before.map(|it| it + aside);
+            inputs[component] = before.map(|before| before + aside);
             let there = self.highest(&inputs)?;
             let slope =
                 |(there, here): (&Values, &Values)| std::array::from_fn(|k| (there[k] - here[k]) / aside);

@@ -47,13 +47,13 @@ pub(super) fn hopf(
     let slope = ((b.1 - a.1) / (b.0 - a.0)).abs();
     let error = 4.0 * f64::EPSILON * (parameter.abs() + eigenvalues.first()?.abs() / slope);
     let period = TAU / critical.im;
-    let multiplier = |it: Complex| {
-        Complex { re: libm::cos(it.im * period), im: libm::sin(it.im * period) }
-            .scaled(libm::exp(it.re * period))
+    let multiplier = |number: Complex| {
+        Complex { re: libm::cos(number.im * period), im: libm::sin(number.im * period) }
+            .scaled(libm::exp(number.re * period))
     };
     // An eigenvalue has an error of a few roundings of the largest.
     let rounding = 16.0 * f64::EPSILON * eigenvalues.first()?.abs() * period;
-    let with_error = |it: Complex| (multiplier(it), multiplier(it).abs() * rounding);
+    let with_error = |number: Complex| (multiplier(number), multiplier(number).abs() * rounding);
     let mut multipliers: Vec<(Complex, f64)> = eigenvalues.into_iter().map(with_error).collect();
     multipliers.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()));
     let point = BranchPoint {
@@ -97,7 +97,7 @@ impl Rest {
         };
         let state = newton(&Doubles, state, MOST_ROUNDS, step, is_last).ok()?;
         let own = eigenvalues(&jacobian(&field.at(&state, &[value])?))?;
-        let off = |it: &&Complex| (it.im - frequency).abs();
+        let off = |number: &&Complex| (number.im - frequency).abs();
         let above = own.iter().filter(|it| it.im > 0.0);
         let critical = *above.min_by(|a, b| off(a).total_cmp(&off(b)))?;
         Some(Self { state, eigenvalues: own, critical })

@@ -139,7 +139,7 @@ fn collision(own: &[(Complex, f64)], largest: f64) -> f64 {
     let mut powers = vec![Complex::from(1.0); own.len()];
     let mut traces = vec![];
     for _ in 0..2 * pairs - 1 {
-        traces.push(powers.iter().map(|it| it.re).sum::<f64>());
+        traces.push(powers.iter().map(|power| power.re).sum::<f64>());
         powers.iter_mut().zip(own).for_each(|(power, (it, _))| *power = *power * *it);
     }
     // Σaᵏ = ½ Σ C(k, j) Σλ^(k−2j), since a pair contributes λᵐ + λ⁻ᵐ.

@@ -35,7 +35,7 @@ impl BranchPoint {
     /// from the uniform rotation for which the largest lead and lag are equal.
     #[must_use]
     pub fn amplitude(&self, coordinate: usize, is_angle: bool) -> f64 {
-        let rotates = self.rotation.is_some_and(|it| it.coordinate == coordinate);
+        let rotates = self.rotation.is_some_and(|rotation| rotation.coordinate == coordinate);
         amplitude_of(self.ranges[coordinate], is_angle, rotates)
     }
 
@@ -48,7 +48,7 @@ impl BranchPoint {
     /// The motion with these multipliers and their errors, and the resulting stability. A multiplier that is exactly 1
     /// without error is that of deviations along the motion, which a motion without a drive has; it decides nothing.
     pub(super) fn with_multipliers(self, multipliers: Vec<(Complex, f64)>) -> Self {
-        let along = multipliers.iter().position(|it| *it == (Complex::from(1.0), 0.0));
+        let along = multipliers.iter().position(|multiplier| *multiplier == (Complex::from(1.0), 0.0));
         let counted = (0..).zip(&multipliers).filter(|(place, _)| Some(*place) != along);
         let stability = Stability::of(counted.map(|(_, (it, error))| (it.abs(), *error)));
         let (multipliers, multiplier_errors) = multipliers.into_iter().unzip();
@@ -68,7 +68,8 @@ impl BranchPoint {
     pub(super) fn is_collision(&self) -> bool {
         /// Largest distance from the circle: at a double multiplier rounding has an effect of about its square root.
         const OFF: f64 = 1e-5;
-        let own: Vec<Complex> = self.multipliers.iter().copied().filter(|it| it.im > 0.0).collect();
+        let own: Vec<Complex> =
+            self.multipliers.iter().copied().filter(|multiplier| multiplier.im > 0.0).collect();
         let pairs = (0..own.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
         let apart = |&(i, j): &(usize, usize)| (own[i] - own[j]).abs();
         let nearest = pairs.min_by(|a, b| apart(a).total_cmp(&apart(b)));

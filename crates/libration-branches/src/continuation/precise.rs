@@ -170,7 +170,8 @@ impl PreciseSearch<'_> {
             Test::Torus => {
                 let rounded: Vec<Vec<f64>> =
                     image.map.iter().map(|row| row.iter().map(BigFloat::to_f64).collect()).collect();
-                let largest = eigenvalues(&rounded)?.first().map_or(1.0, |it| it.abs().max(1.0));
+                let largest =
+                    eigenvalues(&rounded)?.first().map_or(1.0, |eigenvalue| eigenvalue.abs().max(1.0));
                 let one = BigFloat::from_integer(1, ring.precision);
                 ring.subtract(&determinant(ring, &image.map)?, &one).to_f64() / (largest * largest)
             }

@@ -199,8 +199,8 @@ impl Search<'_> {
     /// Adds a branch, with the branches that leave it and the meetings at its ends.
     fn keep(&self, found: &mut FollowedBranches, walked: Walked, generation: usize) {
         found.leaving.extend(self.leaving(&walked, generation));
-        found.met.extend(walked.meetings.iter().map(|it| (walked.branch.space, it.clone())));
-        found.open.extend(walked.meetings.into_iter().map(|it| (generation, it)));
+        found.met.extend(walked.meetings.iter().map(|meeting| (walked.branch.space, meeting.clone())));
+        found.open.extend(walked.meetings.into_iter().map(|meeting| (generation, meeting)));
         found.branches.push(walked.branch);
     }
 

@@ -57,13 +57,13 @@ impl Walk<'_> {
             return false;
         }
         let width = self.limits.range[1] - self.limits.range[0];
-        let is_this = |it: &Node| {
-            (it.point.parameter - here.parameter).abs() <= SAME * width
-                && (it.point.period - here.period).abs() <= SAME * here.period
+        let is_this = |node: &Node| {
+            (node.point.parameter - here.parameter).abs() <= SAME * width
+                && (node.point.period - here.period).abs() <= SAME * here.period
         };
         let nodes = self.other_turns(units).unwrap_or_default().into_iter().filter(is_this);
         let best = nodes.min_by(|a, b| a.point.error.total_cmp(&b.point.error));
-        let Some(node) = best.filter(|it| it.point.error < LESS * here.error) else { return false };
+        let Some(node) = best.filter(|best| best.point.error < LESS * here.error) else { return false };
         let at = self.milestones.last().map_or(0.0, |last| last.at);
         self.milestones = vec![Milestone { at, tests: node.tests }];
         self.nodes.pop();

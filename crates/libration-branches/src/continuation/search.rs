@@ -193,7 +193,7 @@ impl Search<'_> {
         let sizes = self.family.sizes_of(state, value, LEAST);
         let image = self.family.image(space, state, &[value], TOLERANCES[0]);
         // Without a drive the last component of the defect, which has no size here, is the phase condition.
-        image.is_some_and(|it| it.defect.iter().zip(&sizes).all(|(d, size)| d.abs() <= SAME * size))
+        image.is_some_and(|image| image.defect.iter().zip(&sizes).all(|(d, size)| d.abs() <= SAME * size))
     }
 
     /// The branch through a motion at a value, in both directions.

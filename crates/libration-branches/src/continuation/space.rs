@@ -53,9 +53,9 @@ impl Space {
 
     /// The spaces contained in this one: of symmetric motions, and of motions with half the period.
     pub(super) fn within(self, symmetry: Option<Symmetry>) -> Vec<Self> {
-        let turns = self.rotation.map_or(0, |it| it.turns);
+        let turns = self.rotation.map_or(0, |rotation| rotation.turns);
         let is_even = !self.mirrored && self.half_periods.is_multiple_of(4) && turns % 2 == 0;
-        let rotation = self.rotation.map(|it| Rotation { turns: turns / 2, ..it });
+        let rotation = self.rotation.map(|rotation| Rotation { turns: turns / 2, ..rotation });
         let half = is_even.then_some(Self { half_periods: self.half_periods / 2, rotation, ..self });
         self.symmetric(symmetry).into_iter().chain(half).collect()
     }
@@ -74,7 +74,7 @@ impl Space {
 
     /// Number of turns that a component of the state has made at the end.
     pub(super) fn turns_of(self, number: usize) -> i32 {
-        self.rotation.map_or(0, |it| it.turns_of(number))
+        self.rotation.map_or(0, |rotation| rotation.turns_of(number))
     }
 
     /// Difference between the end, or its mirror image, and the start, without the turns.

@@ -406,9 +406,11 @@ fn left_of(test: Test, at: [&Node; 2], [a, b]: [&Node; 2]) -> f64 {
     if test == Test::Fold {
         return 0.0;
     }
-    let product =
-        |it: &Node| it.point.multipliers.iter().fold(f64::EPSILON, |size, it| size * (1.0 + it.abs()));
-    let largest = |it: &Node| it.point.multipliers.first().map_or(1.0, |it| it.abs().max(1.0));
+    let product = |node: &Node| {
+        node.point.multipliers.iter().fold(f64::EPSILON, |size, node| size * (1.0 + node.abs()))
+    };
+    let largest =
+        |node: &Node| node.point.multipliers.first().map_or(1.0, |multiplier| multiplier.abs().max(1.0));
     let scale = if test == Test::Torus { largest(at[0]) * largest(at[0]) } else { 1.0 };
     let left: f64 = at.iter().map(|it| test.of(&it.tests).abs()).sum::<f64>() + product(at[0]) / scale;
     let slope = (test.of(&b.tests) - test.of(&a.tests)) / (b.point.parameter - a.point.parameter);

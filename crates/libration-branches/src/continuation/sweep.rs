@@ -62,7 +62,7 @@ impl SweepPoint {
     #[must_use]
     pub fn amplitude(&self, coordinate: usize, is_angle: bool) -> Option<f64> {
         let [low, high] = self.ranges[coordinate];
-        let rotates = self.rotation.is_some_and(|it| it.coordinate == coordinate);
+        let rotates = self.rotation.is_some_and(|rotation| rotation.coordinate == coordinate);
         let goes_on = self.drive_periods.is_none() && is_angle && high - low > TAU + PI;
         (!goes_on).then(|| amplitude_of([low, high], is_angle, rotates))
     }
@@ -123,8 +123,8 @@ impl Response {
     fn stable_at(&self, end: f64) -> Option<&[f64]> {
         let mut points =
             self.branches.iter().flat_map(|branch| [branch.points.first(), branch.points.last()]);
-        let found =
-            points.find_map(|it| it.filter(|it| it.is_stable() && it.parameter.to_bits() == end.to_bits()));
+        let found = points
+            .find_map(|point| point.filter(|it| it.is_stable() && it.parameter.to_bits() == end.to_bits()));
         found.map(|point| &point.state[..])
     }
 }
@@ -175,11 +175,12 @@ impl Sweeping<'_> {
                     && before().take(periods - 1).any(|earlier| self.is_same(&next, earlier, DISTINCT))
             };
             if let Some((periods, earlier)) = repeats.filter(|(periods, _)| !is_transient(*periods)) {
-                let turns = |it: &usize| self.whole_turns(*it, next[*it] - earlier[*it]) / TAU;
+                let turns =
+                    |number: &usize| self.whole_turns(*number, next[*number] - earlier[*number]) / TAU;
                 let around = (0..self.angles.len()).find(|it| turns(it) != 0.0);
                 #[expect(clippy::cast_possible_truncation, reason = "whole turns in at most eight periods")]
-                let rotation =
-                    around.map(|it| Rotation { coordinate: it, turns: libm::rint(turns(&it)) as i32 });
+                let rotation = around
+                    .map(|around| Rotation { coordinate: around, turns: libm::rint(turns(&around)) as i32 });
                 return self.seen(value, next, u32::try_from(periods).ok(), rotation);
             }
             states.push(next);
@@ -211,6 +212,6 @@ impl Sweeping<'_> {
 
     /// The whole turns in a component of the state, in radians; zero unless the component is an angle.
     fn whole_turns(&self, number: usize, x: f64) -> f64 {
-        if self.angles.get(number).is_some_and(|it| *it) { TAU * libm::rint(x / TAU) } else { 0.0 }
+        if self.angles.get(number).is_some_and(|angle| *angle) { TAU * libm::rint(x / TAU) } else { 0.0 }
     }
 }

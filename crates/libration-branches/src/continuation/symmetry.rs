@@ -148,6 +148,6 @@ impl Trial<'_> {
         let jet = Jet::new(&Doubles, self.rates, &inputs).ok()?;
         let largest = jet.values().map(|it| it.abs()).fold(0.0, f64::max);
         let values: Vec<f64> = (0..self.layout.coordinates()).map(|result| jet.result(result)[0]).collect();
-        (largest.is_finite() && values.iter().all(|it| it.is_finite())).then_some((values, largest))
+        (largest.is_finite() && values.iter().all(|value| value.is_finite())).then_some((values, largest))
     }
 }

@@ -99,7 +99,7 @@ impl PerturbedPendulum {
 
     /// The highest harmonic of the drive that can occur.
     pub(super) fn harmonics(&self) -> usize {
-        let closed = self.closed.terms.keys().map(|it| it.harmonic.unsigned_abs() as usize).max();
+        let closed = self.closed.terms.keys().map(|key| key.harmonic.unsigned_abs() as usize).max();
         closed.unwrap_or(0).max(if self.rest_depends_on_time { HARMONICS } else { 0 })
     }
 

@@ -107,7 +107,7 @@ impl PerturbedPendulum {
             }
         }
         // 0, 1, −1.
-        let regime = |it: &DriveResonance| (it.direction - 0.4).abs();
+        let regime = |resonance: &DriveResonance| (resonance.direction - 0.4).abs();
         found.sort_by(|a, b| {
             regime(a).total_cmp(&regime(b)).then(a.motion.action().total_cmp(&b.motion.action()))
         });

@@ -199,13 +199,13 @@ impl NormalForm {
         // A detuning that is zero up to the rounding of the frequencies.
         let fastest = self.modes.modes.iter().map(|mode| mode.frequency()).fold(0.0, f64::max);
         let second = |mode: usize, powers: &[u8], bars: &[u8]| {
-            let fits = |it: &&super::SlowTerm| {
-                it.mode == mode
-                    && it.powers == powers
-                    && it.conjugate_powers == bars
-                    && it.detuning.abs() <= 1e-12 * fastest
+            let fits = |term: &&super::SlowTerm| {
+                term.mode == mode
+                    && term.powers == powers
+                    && term.conjugate_powers == bars
+                    && term.detuning.abs() <= 1e-12 * fastest
             };
-            self.slow_terms.iter().find(fits).map(|it| it.coefficient.im)
+            self.slow_terms.iter().find(fits).map(|term| term.coefficient.im)
         };
         if amplitudes.len() != 2 {
             return None;
@@ -241,7 +241,7 @@ fn motion(
     let times: Vec<f64> = (0..=samples).map(|k| interval * count(k)).collect();
     let start = Moment { time: 0.0, state: start.to_vec() };
     let solution = integrate(&system, &start, &times, &Effort::to_tolerance(TOLERANCE), &watch.part())?;
-    Ok(solution.samples.into_iter().map(|it| it.state).collect())
+    Ok(solution.samples.into_iter().map(|sample| sample.state).collect())
 }
 
 /// Centre and size of a closed curve.
@@ -253,9 +253,9 @@ struct Scale {
 
 impl Scale {
     fn of(places: &[Place]) -> Self {
-        let least = places.iter().map(|it| it[0]).fold(f64::INFINITY, f64::min);
-        let most = places.iter().map(|it| it[0]).fold(0.0, f64::max);
-        let height = places.iter().map(|it| it[1].abs()).fold(0.0, f64::max);
+        let least = places.iter().map(|place| place[0]).fold(f64::INFINITY, f64::min);
+        let most = places.iter().map(|place| place[0]).fold(0.0, f64::max);
+        let height = places.iter().map(|place| place[1].abs()).fold(0.0, f64::max);
         Self { middle: 0.5 * (least + most), half_width: 0.5 * (most - least), height }
     }
 

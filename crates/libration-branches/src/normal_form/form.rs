@@ -100,12 +100,12 @@ impl NormalForm {
             return Err(NormalFormError::Order(order));
         }
         let modes = NormalModes::about(equation, guess, &watch.part())?;
-        if let Some(number) = modes.modes.iter().position(|it| it.behaviour != Behaviour::Oscillating) {
+        if let Some(number) = modes.modes.iter().position(|mode| mode.behaviour != Behaviour::Oscillating) {
             return Err(NormalFormError::NotOscillating(number + 1));
         }
         let formulas: Vec<_> = equation.accelerations().iter().collect();
         let plain = equation.variables().iter().map(|name| Symbol::plain(name));
-        let symbols: Vec<Symbol> = plain.clone().chain(plain.map(|it| it.with_primes(1))).collect();
+        let symbols: Vec<Symbol> = plain.clone().chain(plain.map(|plain| plain.with_primes(1))).collect();
         let tape = Tape::new(&formulas, &symbols)?;
         let least = modes.modes.iter().map(|mode| mode.frequency()).fold(f64::INFINITY, f64::min);
         let smallest = detuning * least;

@@ -28,7 +28,8 @@ const PRECISE: f64 = 1e-50;
 
 /// The equilibrium that Newton's method finds from a guess.
 pub(super) fn equilibrium(equation: &Equation, guess: &[f64]) -> Result<Equilibrium, ModesError> {
-    let at_rest: Vec<Expression> = equation.accelerations().iter().map(|it| at_rest(it, equation)).collect();
+    let at_rest: Vec<Expression> =
+        equation.accelerations().iter().map(|acceleration| at_rest(acceleration, equation)).collect();
     let names: Vec<Symbol> = equation.variables().iter().map(|name| Symbol::plain(name)).collect();
     if let Some(exact) = proved(&at_rest, &names, guess, 0.0) {
         return Ok(Equilibrium { at: guess.to_vec(), exact: Some(exact), precise: None });

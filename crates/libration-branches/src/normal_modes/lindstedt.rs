@@ -206,7 +206,7 @@ impl<N: Ring> LindstedtExpansion<'_, N> {
         let ring = self.ring;
         let parts = |k: usize| {
             let own = sums.iter().map(move |sum| ring.harmonic(sum, k));
-            own.clone().map(|it| it.cosine).chain(own.map(|it| it.sine)).collect()
+            own.clone().map(|own| own.cosine).chain(own.map(|own| own.sine)).collect()
         };
         Ok(harmonics.iter().map(|&k| parts(k)).collect())
     }

@@ -50,7 +50,7 @@ pub(super) fn linearisation(equation: &Equation, rest: &Equilibrium) -> Result<L
     let exact = exact.and_then(|place| in_fractions(&slopes, &symbols, place));
     Ok(Linear {
         numbers: split(&numbers, |x| -x),
-        exact: exact.map(|it| split(&it, |x: &Rational| -x.clone())),
+        exact: exact.map(|exact| split(&exact, |x: &Rational| -x.clone())),
     })
 }
 

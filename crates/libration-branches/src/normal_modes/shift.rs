@@ -38,7 +38,8 @@ pub(super) fn shift(
 
 /// The multiples of the mode's frequency that are frequencies of free oscillations.
 fn resonant(modes: &[Mode], number: usize) -> Vec<usize> {
-    let exact = modes[number].resonances.iter().filter(|it| it.exact && it.other_is_faster);
+    let exact =
+        modes[number].resonances.iter().filter(|resonance| resonance.exact && resonance.other_is_faster);
     let multiples = exact.filter_map(|it| usize::try_from(it.multiple).ok());
     let free = modes.iter().any(|mode| mode.behaviour == Behaviour::Free);
     multiples.chain(free.then_some(0)).collect()

@@ -123,7 +123,8 @@ fn squares_of_gyroscopic(linear: &Linearisation<f64>) -> Option<Vec<Known>> {
         let largest = terms.0.iter().copied().fold(0.0, f64::max);
         terms.0.iter().skip(1).step_by(2).all(|term| *term <= rounding * largest)
     };
-    if !eigenvalues(&in_units(linear)?)?.into_iter().filter(|it| it.abs() > 0.0).all(is_even) {
+    if !eigenvalues(&in_units(linear)?)?.into_iter().filter(|eigenvalue| eigenvalue.abs() > 0.0).all(is_even)
+    {
         return None;
     }
     /// Relative difference of equal exponents, which have half the digits.

@@ -83,7 +83,7 @@ impl Comparison<'_> {
         let atoms = Atoms { waves: has_wave_power(result), formulas: RefCell::default() };
         let [known, found] = [result, &self.formula].map(|it| terms(it, &|part| atoms.number(part)));
         let is_right = match (is_zero, &found, &known) {
-            (false, ..) => samples.iter().all(|it| are_close(&it.answer, &it.result)),
+            (false, ..) => samples.iter().all(|sample| are_close(&sample.answer, &sample.result)),
             (true, Some(found), Some(known)) => is_multiple(found, known),
             (true, ..) => is_constant_factor(samples),
         };
@@ -107,8 +107,8 @@ impl Comparison<'_> {
     fn is_asked(&self) -> bool {
         let Question { asked, result, .. } = self.question;
         let written = formula_latex(&self.formula);
-        asked.is_some_and(|it| {
-            formula_latex(it) == written && formula_latex(&without_order(result)) != written
+        asked.is_some_and(|asked| {
+            formula_latex(asked) == written && formula_latex(&without_order(result)) != written
         })
     }
 
@@ -195,9 +195,9 @@ fn are_close(a: &BigFloat, b: &BigFloat) -> bool {
 /// Returns `true` if the answer is the result times a number.
 fn is_constant_factor(samples: &[Sample]) -> bool {
     let ratios: Option<Vec<BigFloat>> =
-        samples.iter().map(|it| DIGITS.divide(&it.answer, &it.result)).collect();
+        samples.iter().map(|sample| DIGITS.divide(&sample.answer, &sample.result)).collect();
     let Some(ratios) = ratios else { return false };
-    ratios.windows(2).all(|pair| are_close(&pair[0], &pair[1])) && ratios.iter().all(|it| !it.is_zero())
+    ratios.windows(2).all(|pair| are_close(&pair[0], &pair[1])) && ratios.iter().all(|ratio| !ratio.is_zero())
 }
 
 /// The formula without O(…).
@@ -237,7 +237,7 @@ fn operations(formula: &Formula) -> usize {
 
 /// Returns `true` if a formula has powers of sines or cosines.
 fn has_wave_power(formula: &Formula) -> bool {
-    let is_wave = |it: &Formula| matches!(it, Formula::Call(Function::Sin | Function::Cos, _));
+    let is_wave = |formula: &Formula| matches!(formula, Formula::Call(Function::Sin | Function::Cos, _));
     matches!(formula, Formula::Power(base, _) if is_wave(base))
         || formula.parts().into_iter().any(has_wave_power)
 }

@@ -144,7 +144,9 @@ impl Derivation {
     /// The symbols that an answer may have.
     fn symbols(&self) -> Symbols {
         let statements = self.statements();
-        let sides = statements.iter().flat_map(|it| it.rest.iter().map(|(_, side)| side).chain([&it.first]));
+        let sides = statements
+            .iter()
+            .flat_map(|statement| statement.rest.iter().map(|(_, side)| side).chain([&statement.first]));
         let mut symbols = Symbols::new();
         for name in sides.flat_map(Formula::free_names).filter(|it| it.can_be_typed() && it.letter != "?") {
             let key = key(&name);

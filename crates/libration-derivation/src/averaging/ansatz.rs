@@ -244,11 +244,12 @@ fn example_holds(choice: i64, times: usize) -> bool {
         ((2, 0), term(1, 0, Wave::Cosine)),
     ]);
     let along = Along { growth: &growth, frequency: &frequency, level: 20, parameter_order: 9, lift: 0 };
-    let by_phase =
-        |it: &PhaseSeries| it.iter().map(|(place, part)| (*place, part.slope())).collect::<PhaseSeries>();
-    let by_amplitude = |it: &PhaseSeries| {
+    let by_phase = |series: &PhaseSeries| {
+        series.iter().map(|(place, part)| (*place, part.slope())).collect::<PhaseSeries>()
+    };
+    let by_amplitude = |series: &PhaseSeries| {
         let degree = |n: usize| number(i64::try_from(n).unwrap_or(0), 1);
-        let parts = it.iter().filter(|((n, _), _)| *n > 0);
+        let parts = series.iter().filter(|((n, _), _)| *n > 0);
         parts.map(|((n, j), part)| ((n - 1, *j), part.scaled(&degree(*n)))).collect::<PhaseSeries>()
     };
     let series = |it: &BTreeMap<PowerPair, PiNumber>| {

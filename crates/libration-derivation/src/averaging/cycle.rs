@@ -51,10 +51,10 @@ pub(super) fn step(
 
 fn written(question: &AveragingQuestion, cycle: &AveragedCycle, powers: usize) -> DerivationStep {
     let c = || question.small();
-    let series = |it: &CycleSeries| {
-        let next = i64::try_from(it.len()).unwrap_or(i64::MAX);
+    let series = |series: &CycleSeries| {
+        let next = i64::try_from(series.len()).unwrap_or(i64::MAX);
         let power = if next == 1 { c() } else { c().pow(next) };
-        polynomial(it, &c()) + order(power)
+        polynomial(series, &c()) + order(power)
     };
     let show = |left: Formula, it: &CycleSeries, quantity: CycleQuantity| -> CheckedEquation {
         let claim = AveragedClaim::Cycle { parameter: question.parameter.clone(), quantity };

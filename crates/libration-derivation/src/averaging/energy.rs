@@ -72,11 +72,11 @@ fn mean(question: &AveragingQuestion) -> Formula {
         1 => Some(Formula::from(name)),
         n => Some(Formula::from(name).pow(i64::try_from(n).unwrap_or(i64::MAX))),
     };
-    let term = |it: &ForceTerm| {
+    let term = |term: &ForceTerm| {
         let factors =
-            [raised(question.displacement.clone(), it.position), raised(Name::new("v"), it.velocity + 1)];
+            [raised(question.displacement.clone(), term.position), raised(Name::new("v"), term.velocity + 1)];
         let product = factors.into_iter().flatten().reduce(|product, factor| product * factor);
-        scaled(&it.factor, product.unwrap_or_else(|| number(1)))
+        scaled(&term.factor, product.unwrap_or_else(|| number(1)))
     };
     let power = sum(question.weak_terms().map(term).collect());
     number(1) / end.clone() * integral("ψ", 0, end, power)
@@ -87,7 +87,9 @@ fn force(question: &AveragingQuestion, highest: usize) -> Vec<Rational> {
     let mut force = vec![Rational::from(0); highest + 1];
     let square = question.omega0().clone() * question.omega0().clone();
     let linear = [(1, square)].into_iter();
-    for (n, factor) in linear.chain(question.restoring_terms().map(|it| (it.position, it.factor.clone()))) {
+    for (n, factor) in
+        linear.chain(question.restoring_terms().map(|term| (term.position, term.factor.clone())))
+    {
         if let Some(coefficient) = force.get_mut(n) {
             *coefficient = coefficient.clone() + factor;
         }

@@ -183,7 +183,7 @@ impl Flow {
             let value = self.value(&products);
             Contribution { part, products, value }
         });
-        moved.filter(|it| !it.products.is_zero()).collect()
+        moved.filter(|moved| !moved.products.is_zero()).collect()
     }
 
     /// The value of products of names.

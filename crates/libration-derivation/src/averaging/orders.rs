@@ -89,11 +89,11 @@ fn superscript(n: usize) -> String {
 
 /// The contribution of each part of the equation of motion, as products of lower results and evaluated.
 fn table(question: &AveragingQuestion, order: &FlowOrder) -> DerivationTable {
-    let row = |it: &Contribution| {
+    let row = |contribution: &Contribution| {
         vec![
-            Prose::formula(part(question, it.part)),
-            in_terms(&of_products(question, &it.products)),
-            in_terms(&phase::series(&it.value, "ψ")),
+            Prose::formula(part(question, contribution.part)),
+            in_terms(&of_products(question, &contribution.products)),
+            in_terms(&phase::series(&contribution.value, "ψ")),
         ]
     };
     let head =

@@ -145,7 +145,7 @@ fn is_sine(question: &AveragingQuestion) -> bool {
     let x = Symbol::plain(question.force.oscillator.variable());
     let own = question.force.oscillator.acceleration();
     let sine = Expression::Call(Function::Sin, Box::new(Expression::Symbol(x.clone())));
-    let series = |it: &Expression| it.taylor_series(&Rationals, &x, &0.into(), 20);
+    let series = |expression: &Expression| expression.taylor_series(&Rationals, &x, &0.into(), 20);
     let negative = Expression::Negate(Box::new(sine));
     series(own).is_some_and(|own| Some(own) == series(&negative))
 }

@@ -228,7 +228,7 @@ pub fn same_series_where(
     statement: Statement,
 ) -> Result<CheckedEquation, DerivationError> {
     let series = ComparedSeries { variable, coefficients, given };
-    let rest = |it: &Polynomial| (!it.is_zero()).then(|| it.to_string());
+    let rest = |polynomial: &Polynomial| (!polynomial.is_zero()).then(|| polynomial.to_string());
     let compared = series.compared(Polynomials, &rest, &symbolic, &statement)?;
     let check = Check::Series { variable: variable.clone(), coefficients: compared };
     Ok(CheckedEquation::new(statement, check).with_letters(letters_of(given)))
@@ -245,7 +245,8 @@ pub(super) fn same_series_for_choices(
     // A sum of some hundred products of 256 bits is right to 70 digits.
     const LEAST: f64 = 1e-60;
     let floats = Floats { precision: PRECISION };
-    let rest = |it: &BigFloat| Some(it.to_f64()).filter(|it| it.abs() > LEAST).map(|it| format!("{it:e}"));
+    let rest =
+        |number: &BigFloat| Some(number.to_f64()).filter(|it| it.abs() > LEAST).map(|it| format!("{it:e}"));
     for choice in 0..choices {
         let series = ComparedSeries { variable, coefficients, given: &given(choice) };
         series.compared(floats, &rest, &|_, _| None, &statement)?;

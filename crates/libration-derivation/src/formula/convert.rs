@@ -61,12 +61,13 @@ pub(crate) fn laurent(sum_of: &LaurentPolynomial, of: &dyn Fn(&str) -> Formula) 
         let is_above = |power: &&LetterPower<'_>| !power.exponent.is_negative();
         let written = |power: &LetterPower<'_>| of_letter(of(power.letter), &power.exponent.magnitude());
         let above: Vec<Formula> = powers.iter().filter(is_above).flat_map(written).collect();
-        let below: Vec<Formula> = powers.iter().filter(|it| !is_above(it)).flat_map(written).collect();
+        let below: Vec<Formula> = powers.iter().filter(|power| !is_above(power)).flat_map(written).collect();
         let size = factor.magnitude();
         let [over, under] = [size.numerator(), size.denominator()].map(|it| it.parse::<Rational>().ok());
         let one = Some(Rational::from(1));
         let with = |number: Option<Rational>, letters: Vec<Formula>, number_alone: bool| {
-            let number = number.filter(|it| Some(it) != one.as_ref() || letters.is_empty() && number_alone);
+            let number =
+                number.filter(|number| Some(number) != one.as_ref() || letters.is_empty() && number_alone);
             number.into_iter().map(Formula::Number).chain(letters).collect::<Vec<_>>()
         };
         let term = if below.is_empty() {

@@ -63,7 +63,7 @@ impl Cycle {
         match n.checked_sub(1) {
             None => question.omega0().clone(),
             Some(place) => {
-                self.orders.get(place).map_or_else(|| Rational::from(0), |it| it.frequency.clone())
+                self.orders.get(place).map_or_else(|| Rational::from(0), |order| order.frequency.clone())
             }
         }
     }
@@ -143,7 +143,7 @@ impl LowerOrders {
         let motion: Vec<Open> = (0..n).map(cycle).collect();
         let first = [question.omega0().clone()];
         let frequency: Vec<Rational> =
-            first.into_iter().chain(orders.iter().map(|it| it.frequency.clone())).collect();
+            first.into_iter().chain(orders.iter().map(|order| order.frequency.clone())).collect();
         let velocity = (0..n).map(|m| {
             let terms = (0..=m).map(|i| motion[i].slope().scaled(&frequency[m - i]));
             terms.fold(Open::default(), |sum, it| sum.plus(&it))

@@ -62,8 +62,9 @@ impl Open {
     /// The factor of cos τ or sin τ, by powers of the amplitude.
     pub(super) fn first_harmonic(&self, wave: Wave) -> Vec<Rational> {
         let highest = self.powers.keys().next_back().copied().unwrap_or(0);
-        let of =
-            |degree: usize| self.powers.get(&degree).and_then(|it| it.coefficient(0, 1, wave).to_rational());
+        let of = |degree: usize| {
+            self.powers.get(&degree).and_then(|power| power.coefficient(0, 1, wave).to_rational())
+        };
         (0..=highest).map(|degree| of(degree).unwrap_or_else(|| Rational::from(0))).collect()
     }
 

@@ -246,7 +246,7 @@ pub(super) fn result(question: &AveragingQuestion, cycle: &Cycle) -> DerivationS
     let frequency = polynomial(&frequencies, &c()) + order(raised(c(), last + 1));
     let claim = CycleClaim::FrequencySeries { parameter: question.parameter.clone() };
     let frequency = checked(question, last, Statement::equal(letter("Ω"), frequency), claim);
-    let amplitudes: Vec<Rational> = cycle.orders.iter().map(|it| it.amplitude_below.clone()).collect();
+    let amplitudes: Vec<Rational> = cycle.orders.iter().map(|order| order.amplitude_below.clone()).collect();
     let amplitude = polynomial(&amplitudes, &c()) + order(raised(c(), last));
     let first = checked(
         question,

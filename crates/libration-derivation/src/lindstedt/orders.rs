@@ -275,7 +275,11 @@ pub fn check_contributions(
             true => Rational::from(0),
             false => fraction_for(variable, choice),
         };
-        let of_order = question.open.conditions().iter().filter(|it| usize::try_from(it.order) == Ok(order));
+        let of_order = question
+            .open
+            .conditions()
+            .iter()
+            .filter(|condition| usize::try_from(condition.order) == Ok(order));
         let expected = of_order.filter_map(|condition| {
             let sum = contributions.sum(condition.order, condition.harmonic);
             Some((usize::try_from(condition.harmonic).ok()?, at(question, &sum, &any)))

@@ -39,7 +39,7 @@ impl Products {
             return;
         }
         let one = Polynomial::constant(Rational::from(1));
-        let of = |it: &Polynomial| (*it != one).then(|| Formula::from(it));
+        let of = |polynomial: &Polynomial| (*polynomial != one).then(|| Formula::from(polynomial));
         let [orderings, mut share] = numbers;
         let mut first = term.factor.to_constant().unwrap_or_else(|| Rational::from(1));
         if share.is_negative() {
@@ -181,7 +181,7 @@ fn orderings(chosen: &[usize]) -> i64 {
 /// The factor of cos kτ in the product of cosines, and of the derivatives −j·sin jτ of an even number of further ones: the part of the choices
 /// of signs with ±k₁ ± k₂ … = ±k. A sine is half the difference of its two exponentials over i.
 fn share(cosines: &[i64], slopes: &[i64], k: i64) -> Rational {
-    let waves = cosines.iter().map(|it| (*it, 1)).chain(slopes.iter().map(|it| (*it, -1)));
+    let waves = cosines.iter().map(|cosine| (*cosine, 1)).chain(slopes.iter().map(|slope| (*slope, -1)));
     let mut sums = BTreeMap::from([(0_i64, 1_i64)]);
     for (harmonic, sign) in waves {
         let mut next = BTreeMap::new();

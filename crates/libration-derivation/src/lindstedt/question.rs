@@ -97,7 +97,7 @@ impl LindstedtQuestion {
         let variable = Name::from(&Symbol::plain(symbolic.variable()));
         let is_at_zero = symbolic.equilibrium().is_zero();
         let displacement = if is_at_zero { variable.clone() } else { Name::new("u") };
-        let is_exact = oscillator.is_some_and(|it| it.omega0_squared().exact().is_some());
+        let is_exact = oscillator.is_some_and(|oscillator| oscillator.omega0_squared().exact().is_some());
         let oscillator = oscillator.filter(|_| is_exact && reduced.is_of_numbers()).cloned();
         let solution = Solution::new(oscillator.as_ref(), &reduced, order, gauge, watch)?;
         let powers = if symbolic.is_odd() && !solution.has_even_powers() {
@@ -165,7 +165,11 @@ impl LindstedtQuestion {
     pub(super) fn terms(&self) -> impl Iterator<Item = &RestoringTerm> {
         let is_present = |term: &&RestoringTerm| !term.factor.is_zero();
         let highest = u32::try_from(self.order).unwrap_or(u32::MAX);
-        self.reduced.terms.iter().filter(is_present).filter(move |it| it.position + it.velocity <= highest)
+        self.reduced
+            .terms
+            .iter()
+            .filter(is_present)
+            .filter(move |term| term.position + term.velocity <= highest)
     }
 
     /// Returns `true` if the force depends on the velocity.

@@ -68,7 +68,7 @@ impl Reduced {
         }
         for term in &self.terms {
             let place = usize::try_from(term.position).ok().and_then(|position| position.checked_sub(1));
-            match (term.velocity, term.factor.to_constant(), place.and_then(|it| factors.get_mut(it))) {
+            match (term.velocity, term.factor.to_constant(), place.and_then(|place| factors.get_mut(place))) {
                 (0, Some(number), Some(factor)) => *factor = number,
                 _ => return vec![],
             }

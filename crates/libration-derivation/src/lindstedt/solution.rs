@@ -69,7 +69,7 @@ impl Solution {
                 harmonics: all(&of.harmonics)?,
             })
         });
-        let harmonics = of.harmonics.iter().map(|it| Some((it.k, series(&it.cos)?)));
+        let harmonics = of.harmonics.iter().map(|harmonic| Some((harmonic.k, series(&harmonic.cos)?)));
         Some(Self {
             gauge: gauge.clone(),
             numbers: None,

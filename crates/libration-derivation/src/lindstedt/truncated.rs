@@ -150,7 +150,7 @@ impl Elimination {
     /// Compares the polynomials with the equation of motion after substitution of the printed cube of the two harmonics.
     pub fn check(&self) -> Result<(), DerivationError> {
         let minus = Rational::from(-1);
-        let left: Vec<Polynomial> = factors(&self.cube).iter().map(|it| it.scaled(&minus)).collect();
+        let left: Vec<Polynomial> = factors(&self.cube).iter().map(|factor| factor.scaled(&minus)).collect();
         let solved = at_ratio(&left[0], &self.ratio_squared).is_zero();
         let rest = at_ratio(&left[1], &self.ratio_squared).primitive();
         let same = left.iter().zip(&self.conditions).all(|(left, condition)| left.primitive() == *condition);

@@ -132,7 +132,7 @@ impl<'a> Notebook<'a> {
 
     /// Defines the ansatz of a condition, unless the previous conditions have the same one.
     fn begin(&mut self, condition: &'a OpenCondition) {
-        let is_same = self.ansatz.is_some_and(|it| it.harmonics == condition.harmonics);
+        let is_same = self.ansatz.is_some_and(|ansatz| ansatz.harmonics == condition.harmonics);
         if let (false, Some(code)) = (is_same, python::ansatz(condition)) {
             (self.ansatz, self.known) = (Some(condition), vec![]);
             self.check(&format!("ansatz-{}", self.cells.len()), &code);

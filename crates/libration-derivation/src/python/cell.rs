@@ -66,8 +66,8 @@ pub(crate) fn check(equation: &CheckedEquation) -> Option<String> {
 /// The ansatz of a condition, with its symbols.
 pub(crate) fn ansatz(condition: &OpenCondition) -> Option<String> {
     let OpenCondition { force, symbols, harmonics, frequency, .. } = condition;
-    let term = |it: &RestoringTerm| {
-        Some(format!("({}, {}): {}", it.position, it.velocity, expression(&(&it.factor).into())?))
+    let term = |term: &RestoringTerm| {
+        Some(format!("({}, {}): {}", term.position, term.velocity, expression(&(&term.factor).into())?))
     };
     let force: Vec<String> = force.iter().map(term).collect::<Option<_>>()?;
     let names = harmonics.iter().map(|(_, _, name)| name).chain(frequency.iter().map(|(_, name)| name));
@@ -91,7 +91,7 @@ pub(crate) fn ansatz(condition: &OpenCondition) -> Option<String> {
 
 /// The equation of a slow flow, as long as the displacement falls.
 pub(crate) fn slow_flow(flow: &FlowTerms) -> Option<String> {
-    let number = |it: &Rational| expression(&Formula::Number(it.clone()));
+    let number = |fraction: &Rational| expression(&Formula::Number(fraction.clone()));
     let term = |term: &ForceTerm| {
         Some(format!("({}, {}, {}, {})", number(&term.factor)?, term.position, term.velocity, term.parameter))
     };

@@ -36,7 +36,7 @@ impl Questions {
         let Some(text) = expression(result) else { return };
         let question = asked.and_then(expression).unwrap_or_default();
         let names = asked.into_iter().chain([result]).flat_map(Formula::free_names);
-        self.names.extend(names.filter_map(|it| identifier(&it)));
+        self.names.extend(names.filter_map(|name| identifier(&name)));
         let is_zero = if is_zero { "True" } else { "False" };
         let line = format!("    \"{place}\": ({is_zero}, \"{}\", \"{}\"),", digits(&question), digits(&text));
         self.lines.push((place, line));

@@ -42,7 +42,7 @@ pub(super) fn identifier(name: &Name) -> Option<String> {
 
 fn written(formula: &Formula) -> Option<(String, Level)> {
     let call = |function: &str, arguments: &[&Formula]| -> Option<(String, Level)> {
-        let arguments: Option<Vec<String>> = arguments.iter().map(|it| expression(it)).collect();
+        let arguments: Option<Vec<String>> = arguments.iter().map(|argument| expression(argument)).collect();
         Some((format!("{function}({})", arguments?.join(", ")), Level::Atom))
     };
     Some(match formula {
@@ -59,7 +59,8 @@ fn written(formula: &Formula) -> Option<(String, Level)> {
         Formula::Name(name) => (identifier(name)?, Level::Atom),
         Formula::Negate(it) => (format!("-{}", at_least(Level::Product, it)?), Level::Product),
         Formula::Sum(terms) => {
-            let terms: Option<Vec<String>> = terms.iter().map(|it| at_least(Level::Product, it)).collect();
+            let terms: Option<Vec<String>> =
+                terms.iter().map(|term| at_least(Level::Product, term)).collect();
             (terms?.join(" + ").replace(" + -", " - "), Level::Sum)
         }
         Formula::Product(factors) => {

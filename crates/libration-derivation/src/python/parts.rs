@@ -13,7 +13,7 @@ pub(crate) fn prelude_for(cells: &[String]) -> String {
     let mut used: Vec<bool> = vec![false; parts.len()];
     let mut wanted: BTreeSet<&str> = cells.iter().flat_map(|cell| words(cell)).collect();
     while let Some(place) = (0..parts.len())
-        .find(|place| !used[*place] && names(parts[*place]).iter().any(|it| wanted.contains(it)))
+        .find(|place| !used[*place] && names(parts[*place]).iter().any(|name| wanted.contains(name)))
     {
         used[place] = true;
         wanted.extend(words(parts[place]));

@@ -129,7 +129,8 @@ pub(super) fn derivatives(subject: &SlowFlowSubject) -> Result<DerivationStep, D
     let primed =
         |name: &Name, primes: usize| Formula::from((0..primes).fold(name.clone(), |name, _| name.prime()));
     let trials = moving([&a, &psi])?;
-    let (zero, one, two) = (|it: &Name| primed(it, 0), |it: &Name| primed(it, 1), |it: &Name| primed(it, 2));
+    let (zero, one, two) =
+        (|name: &Name| primed(name, 0), |name: &Name| primed(name, 1), |name: &Name| primed(name, 2));
     let velocity = || one(&a) * cos(&psi) - zero(&a) * one(&psi) * sin(&psi);
     let inner = || two(&a) - zero(&a) * one(&psi).squared();
     let outer = || number(2) * one(&a) * one(&psi) + zero(&a) * two(&psi);

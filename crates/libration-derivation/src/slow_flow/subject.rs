@@ -290,7 +290,7 @@ impl SlowFlowSubject {
             let x = &self.equation.variables()[0];
             let has = |text: &String, name: &str| {
                 let read = self.read(text).ok();
-                read.is_some_and(|it| it.symbols().into_iter().any(|symbol| symbol.name == name))
+                read.is_some_and(|read| read.symbols().into_iter().any(|symbol| symbol.name == name))
             };
             still.iter().any(|text| has(text, symbol) && !has(text, x))
         };

@@ -75,7 +75,7 @@ pub(crate) fn letter_name(letter: char) -> Option<&'static str> {
 
 /// The digit for a superscript.
 fn raised_digit(letter: char) -> Option<usize> {
-    "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|it| it == letter)
+    "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|character| character == letter)
 }
 
 /// Escapes text for Markdown, so that nothing becomes emphasis, a link, a heading or HTML.

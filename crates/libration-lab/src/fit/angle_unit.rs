@@ -49,7 +49,7 @@ fn column(table: &PeriodTable, of: impl Fn(&Row) -> f64) -> Vec<f64> {
 
 fn stated(table: &PeriodTable) -> UncertaintyColumns {
     let of_periods = column(table, |row| row.period_uncertainty);
-    let is_stated = of_periods.iter().all(|&it| it > 0.0);
+    let is_stated = of_periods.iter().all(|&period| period > 0.0);
     [Some(column(table, |row| row.amplitude_uncertainty)), is_stated.then_some(of_periods)]
 }
 

@@ -59,13 +59,14 @@ impl GroupMean {
     /// ```
     #[must_use]
     pub fn new(groups: &[GroupResult], shared: f64) -> Option<Self> {
-        let is_usable = |it: &GroupResult| it.value.value.is_finite() && it.value.uncertainty > 0.0;
+        let is_usable =
+            |result: &GroupResult| result.value.value.is_finite() && result.value.uncertainty > 0.0;
         if groups.len() < 2 || !groups.iter().all(is_usable) {
             return None;
         }
         let mean = weighted(groups.iter());
-        let pull = |it: &GroupResult| (it.value.value - mean.value) / it.value.uncertainty;
-        let chi2 = groups.iter().map(|it| pull(it) * pull(it)).sum();
+        let pull = |result: &GroupResult| (result.value.value - mean.value) / result.value.uncertainty;
+        let chi2 = groups.iter().map(|group| pull(group) * pull(group)).sum();
         let scatter = Scatter::new(Some(chi2), groups.len() - 1)?;
         let uncertainty = mean.uncertainty * scatter.enlargement();
         let total = uncertainty * uncertainty + shared * shared;
@@ -96,7 +97,7 @@ impl GroupMean {
 }
 
 fn weighted<'a>(groups: impl Iterator<Item = &'a GroupResult>) -> Uncertain {
-    let weight = |it: &GroupResult| 1.0 / (it.value.uncertainty * it.value.uncertainty);
+    let weight = |result: &GroupResult| 1.0 / (result.value.uncertainty * result.value.uncertainty);
     let (sum, weights) = groups
         .fold((0.0, 0.0), |(sum, weights), it| (sum + weight(it) * it.value.value, weights + weight(it)));
     Uncertain { value: sum / weights, uncertainty: 1.0 / weights.sqrt() }
@@ -105,9 +106,9 @@ fn weighted<'a>(groups: impl Iterator<Item = &'a GroupResult>) -> Uncertain {
 /// Effective degrees of freedom of the weighted mean with this uncertainty, after Welch and Satterthwaite.
 fn welch<'a>(groups: impl Iterator<Item = &'a GroupResult>, uncertainty: f64) -> f64 {
     // The part of a group is (wᵢuᵢ/Σw)² = u⁴/uᵢ².
-    let part = |it: &GroupResult| {
-        let part = uncertainty * uncertainty / (it.value.uncertainty * it.value.uncertainty);
-        part * part / it.degrees_of_freedom
+    let part = |result: &GroupResult| {
+        let part = uncertainty * uncertainty / (result.value.uncertainty * result.value.uncertainty);
+        part * part / result.degrees_of_freedom
     };
     1.0 / groups.map(part).sum::<f64>()
 }

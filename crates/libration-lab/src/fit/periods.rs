@@ -171,7 +171,10 @@ impl PeriodFit {
         let ratios = self.table.amplitudes().map(|amplitude| Law::exact().ratio_at(amplitude));
         MeasuredPeriod {
             t0: Uncertain { uncertainty: self.uncertainty_of_rows, ..self.exact.t0 }.into(),
-            model: self.contradiction.as_ref().map(|it| it.uncertainty() / self.exact.t0.value),
+            model: self
+                .contradiction
+                .as_ref()
+                .map(|contradiction| contradiction.uncertainty() / self.exact.t0.value),
             amplitude: typical_amplitude(ratios),
             angle_scale,
             clock,

@@ -85,8 +85,9 @@ pub fn fit_small_angle_period(table: &PeriodTable, law: &Law<'_>) -> Result<LawF
     let c: Vec<f64> = points.iter().zip(&variances).map(|(point, v)| variance * point.ratio / v).collect();
     let readings = table.readings().filter(|_| weighted);
     let columns = DMatrix::from_fn(points.len(), 1, |i, _| points[i].ratio);
-    let of_readings = readings
-        .map(|it| ReadingsOfFit::new(it, vec![1.0; points.len()], &columns, &variances, &fit.covariance));
+    let of_readings = readings.map(|reading| {
+        ReadingsOfFit::new(reading, vec![1.0; points.len()], &columns, &variances, &fit.covariance)
+    });
     let variance = of_readings.as_ref().map_or(variance, |it| it.covariance()[(0, 0)]);
     let readings_degrees_of_freedom =
         of_readings.as_ref().map_or(f64::INFINITY, |it| it.degrees_of_freedom(&[1.0], variance));

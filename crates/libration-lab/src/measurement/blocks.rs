@@ -91,7 +91,8 @@ impl Blocks {
     /// Returns `true` if a row has text where other rows have numbers, and no number there. Cells that all begin with digits are wrong numbers.
     fn is_text(&self, row: &TextRow) -> bool {
         let cells = || row.cells.iter().filter(|cell| !cell.is_empty());
-        if cells().count() > 1 && cells().all(|cell| cell.starts_with(|it: char| it.is_ascii_digit())) {
+        if cells().count() > 1 && cells().all(|cell| cell.starts_with(|letter: char| letter.is_ascii_digit()))
+        {
             return false;
         }
         let kinds = || row.kinds(self.mark).zip(&self.are_numbers).filter(|(_, is_number)| **is_number);

@@ -21,7 +21,8 @@ impl CompoundNumbers {
     /// The numbers below this heading.
     pub(super) fn below(heading: &str) -> Self {
         const CLOCK: [&str; 6] = ["min:s", "mm:ss", "m:ss", "m:s", "mn:s", "min.:s"];
-        let plain: String = heading.to_lowercase().chars().filter(|it| !it.is_whitespace()).collect();
+        let plain: String =
+            heading.to_lowercase().chars().filter(|character| !character.is_whitespace()).collect();
         match () {
             () if CLOCK.iter().any(|unit| plain.contains(unit)) => Self::Clock,
             () if Role::Lengths.is_said_by(&Heading::read(heading, None, None)) => Self::Lengths,
@@ -81,7 +82,7 @@ impl CompoundNumbers {
         let is_minute = is_prime
             || self != Self::Lengths && ["m", "mn"].contains(&unit)
             || unit.parse() == Ok(Unit::Minute);
-        let fraction = last.strip_prefix('"').filter(|it| it.bytes().all(|it| it.is_ascii_digit()));
+        let fraction = last.strip_prefix('"').filter(|it| it.bytes().all(|byte| byte.is_ascii_digit()));
         match fraction {
             _ if !is_minute || smaller.is_empty() => None,
             Some("") => of_minutes(whole, smaller, mark),
@@ -137,7 +138,8 @@ fn mixed(text: &str, mark: DecimalMark) -> Option<f64> {
     let (whole, numerator) = rest.trim().rsplit_once(' ').unwrap_or(("0", rest));
     let Cell::Number(whole) = Cell::parse(whole, mark) else { return None };
     let [numerator, denominator] = [numerator, denominator].map(|it| it.trim().parse::<u8>().ok());
-    let (numerator, denominator) = (numerator?, denominator.filter(|it| it.is_power_of_two() && *it <= 64)?);
+    let (numerator, denominator) =
+        (numerator?, denominator.filter(|denominator| denominator.is_power_of_two() && *denominator <= 64)?);
     let is_proper = numerator < denominator && whole >= 0.0 && whole.fract() == 0.0;
     is_proper.then(|| whole + f64::from(numerator) / f64::from(denominator))
 }

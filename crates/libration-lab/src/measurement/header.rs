@@ -126,7 +126,7 @@ fn number_runs(headings: &mut [Heading]) {
     }
     for heading in headings.iter_mut().filter(|heading| heading.run.is_none()) {
         heading.run =
-            heading.index.as_ref().filter(|index| times.contains(index)).map(|it| format!("run {it}"));
+            heading.index.as_ref().filter(|index| times.contains(index)).map(|index| format!("run {index}"));
     }
 }
 

@@ -169,14 +169,14 @@ fn is_header(row: &TextRow, above: &[TextRow], text: &str, width: usize) -> bool
         numbers.iter().zip(1_i32..).all(|(number, place)| number.total_cmp(&place.into()).is_eq());
     let is_numbered = numbers.len() > 1 && are_counted && numbers.len() < cells().count();
     let is_ordinal = |cell: &str| {
-        let rest = cell.trim_start_matches(|it: char| it.is_ascii_digit());
+        let rest = cell.trim_start_matches(|letter: char| letter.is_ascii_digit());
         rest.len() < cell.len()
             && rest.trim_start_matches(['.', '°', 'º', 'ª']).trim().chars().all(char::is_alphabetic)
     };
     let above = above.iter().rev().find(|other| other.line < row.line);
     let is_over = |above: &TextRow| {
         (0..row.cells.len()).any(|place| {
-            row.cells[place].is_empty() && above.cells.get(place).is_some_and(|it| !it.is_empty())
+            row.cells[place].is_empty() && above.cells.get(place).is_some_and(|cell| !cell.is_empty())
         })
     };
     let is_below = above.is_some_and(is_over) && cells().all(is_ordinal);

@@ -83,7 +83,7 @@ fn without_groups(cell: &str, mark: DecimalMark) -> Option<String> {
         || [' ', '\u{a0}', '\u{202f}', '\u{2009}', '\'', '’'].contains(&between);
     let mut groups = whole.split(between);
     let first = groups.next()?;
-    let are_digits = |text: &str| text.bytes().all(|it| it.is_ascii_digit());
+    let are_digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
     let are_groups = (1..=3).contains(&first.len())
         && !first.starts_with('0')
         && are_digits(first)

@@ -21,7 +21,7 @@ pub(super) fn number(heading: &str) -> Option<f64> {
     // `T5_2` is the second reading of five swings.
     let rest = rest.split_first().filter(|(again, _)| in_digits(again).is_some()).map_or(rest, |it| it.1);
     let is_unit = |word: &String| matches!(word.as_str(), "/" | "in" | "seconds") || is(&UNITS_OF_TIME, word);
-    let whole = in_digits(first).filter(|it| it.fract() == 0.0 && !symbol.is_empty())?;
+    let whole = in_digits(first).filter(|digit| digit.fract() == 0.0 && !symbol.is_empty())?;
     rest.iter().all(is_unit).then_some(whole)
 }
 

@@ -74,7 +74,8 @@ impl Recording {
         if let Some(asked) = asked {
             return Ok((self.sheet_named(asked)?.clone(), count));
         }
-        let of_numbers = |sheet: &Sheet| sheet.channels.iter().filter(|it| it.count() > 1).count() > 1;
+        let of_numbers =
+            |sheet: &Sheet| sheet.channels.iter().filter(|channel| channel.count() > 1).count() > 1;
         let place = self.sheets.iter().position(of_numbers).unwrap_or(0);
         Ok((self.sheets.swap_remove(place), count))
     }
@@ -210,7 +211,8 @@ impl Sheet {
         if let Some(line) = self.divided_line {
             findings.push(Finding::new(format!("{of}{}", divided(line)), Choice::Header));
         }
-        findings.extend(self.remarks.iter().map(|it| Finding::new(format!("{of}{it}"), Choice::Header)));
+        findings
+            .extend(self.remarks.iter().map(|remark| Finding::new(format!("{of}{remark}"), Choice::Header)));
         if let Some(first) = self.names_without_column.first() {
             let (columns, names) =
                 (self.channels.len(), self.channels.len() + self.names_without_column.len());

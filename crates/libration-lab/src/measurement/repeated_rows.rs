@@ -64,7 +64,7 @@ impl Readings {
     }
 
     fn key(&self, row: usize, labels: Option<&[String]>) -> RowKey {
-        let bits = |numbers: &Vec<f64>| numbers.iter().map(|it| it.to_bits()).collect::<Vec<_>>();
+        let bits = |numbers: &Vec<f64>| numbers.iter().map(|number| number.to_bits()).collect::<Vec<_>>();
         let own = |of: &Option<Vec<f64>>| of.iter().map(|of| of[row].to_bits()).collect();
         RowKey {
             numbers: self.quantities.iter().map(|of| bits(&of[row])).collect(),

@@ -269,7 +269,11 @@ impl Sheet {
         let count = self.channels.len();
         let mut available = format!("columns 1 to {count} and no header");
         if self.header_line.is_some() {
-            let names = self.channels.iter().take(SHOWN).map(|it| format!("`{}`", excerpt(&it.heading.text)));
+            let names = self
+                .channels
+                .iter()
+                .take(SHOWN)
+                .map(|channel| format!("`{}`", excerpt(&channel.heading.text)));
             let names: Vec<String> = names.collect();
             let more = if count > SHOWN { ", …" } else { "" };
             available = format!("columns 1 to {count}, named {}{more}", names.join(", "));

@@ -70,7 +70,7 @@ impl SignalPassages {
 /// The median of each value and its neighbours: the value itself on a flank, without isolated wrong rows.
 fn without_spikes(values: &[f64]) -> Vec<f64> {
     let middle = |[a, b, c]: [f64; 3]| a.max(b).min(a.min(b).max(c));
-    let all = values.windows(3).map(|it| middle([it[0], it[1], it[2]]));
+    let all = values.windows(3).map(|window| middle([window[0], window[1], window[2]]));
     let [first, last] = [values.first(), values.last()].map(Option::into_iter);
     let all: Vec<f64> = first.copied().chain(all).chain(last.copied()).collect();
     all[..values.len().min(all.len())].to_vec()
@@ -80,7 +80,9 @@ fn without_spikes(values: &[f64]) -> Vec<f64> {
 fn noise(values: &[f64]) -> f64 {
     /// Sum of the squares of 1, −4, 6, −4, 1.
     const VARIANCE: f64 = 70.0;
-    let fourth = values.windows(5).map(|it| (it[0] + it[4] - 4.0 * (it[1] + it[3]) + 6.0 * it[2]).abs());
+    let fourth = values
+        .windows(5)
+        .map(|window| (window[0] + window[4] - 4.0 * (window[1] + window[3]) + 6.0 * window[2]).abs());
     NORMAL_PER_MEDIAN_DEVIATION * median(fourth.collect()).unwrap_or(0.0) / VARIANCE.sqrt()
 }
 

@@ -145,7 +145,8 @@ impl Table {
         sheet.repeat_headings();
         sheet.join_parts();
         let named = sheet.header_line.is_some();
-        let names = sheet.channels.iter().filter(|_| named).map(|it| it.heading.text.clone()).collect();
+        let names =
+            sheet.channels.iter().filter(|_| named).map(|channel| channel.heading.text.clone()).collect();
         Ok(Self { sheet, names, sheets })
     }
 
@@ -213,7 +214,7 @@ impl Table {
     /// # Errors
     /// Those of [`select`](Self::select).
     pub fn readings(&self, quantities: &[Vec<Column>]) -> Result<Readings, MeasurementError> {
-        let places = |columns: &Vec<Column>| columns.iter().map(|it| self.sheet.place(it)).collect();
+        let places = |columns: &Vec<Column>| columns.iter().map(|column| self.sheet.place(column)).collect();
         let places: Vec<Vec<usize>> = quantities.iter().map(places).collect::<Result<_, _>>()?;
         let mut found = Readings {
             quantities: vec![vec![]; places.len()],

@@ -84,8 +84,9 @@ impl WrittenDrive {
 fn common_frequency(equation: &Equation) -> Option<(Expression, i32)> {
     let time = Symbol::plain(TIME);
     let parameters = equation.parameters();
-    let is_constant =
-        |slope: &Expression| slope.symbols().iter().all(|it| it.primes == 0 && parameters.contains(&it.name));
+    let is_constant = |slope: &Expression| {
+        slope.symbols().iter().all(|symbol| symbol.primes == 0 && parameters.contains(&symbol.name))
+    };
     let mut frequencies = vec![];
     let mut formulas = equation.derivatives().iter();
     if !formulas.all(|formula| collect_frequencies(formula, &time, &is_constant, &mut frequencies)) {

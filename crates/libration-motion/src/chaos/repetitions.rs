@@ -54,10 +54,10 @@ impl RationalTrials {
     fn new(equation: &Equation, frequency: &Expression, times: i32) -> Option<Self> {
         let mut rest = vec![];
         let rates: Vec<Expression> =
-            equation.derivatives().iter().map(|it| rational(it, false, &mut rest)).collect();
+            equation.derivatives().iter().map(|derivative| rational(derivative, false, &mut rest)).collect();
         let formulas: Vec<&Expression> = [frequency].into_iter().chain(&rates).collect();
         let time = Symbol::plain(TIME);
-        let others = formulas.iter().flat_map(|it| it.symbols()).filter(|it| *it != time);
+        let others = formulas.iter().flat_map(|formula| formula.symbols()).filter(|it| *it != time);
         let mut inputs: Vec<Symbol> = others.collect();
         inputs.sort();
         inputs.dedup();
@@ -70,10 +70,10 @@ impl RationalTrials {
     fn hold(&self, shift: impl Fn(Floats, &BigFloat) -> Option<BigFloat>) -> bool {
         let holds = |place: u32| {
             let mut outcomes = BITS.iter().map(|&precision| self.holds(Floats { precision }, place, &shift));
-            outcomes.find(|it| *it != Some(true)).unwrap_or(Some(true))
+            outcomes.find(|outcome| *outcome != Some(true)).unwrap_or(Some(true))
         };
         let mut outcomes = (0..PLACES).filter_map(holds).peekable();
-        outcomes.peek().is_some() && outcomes.all(|it| it)
+        outcomes.peek().is_some() && outcomes.all(|outcome| outcome)
     }
 
     fn holds(

@@ -41,7 +41,7 @@ pub fn turning_groups(equation: &Equation) -> Vec<Vec<usize>> {
     let mut groups: Vec<Vec<usize>> = angles.into_iter().map(|angle| vec![angle]).collect();
     let mut candidates: Vec<Vec<usize>> =
         if others.len() > MOST_TRIED { vec![others] } else { subsets(&others) };
-    candidates.retain(|it| it.len() > 1);
+    candidates.retain(|candidate| candidate.len() > 1);
     candidates.sort_by_key(Vec::len);
     for candidate in candidates {
         let is_free = candidate.iter().all(|it| groups.iter().all(|group| !group.contains(it)));
@@ -62,7 +62,7 @@ fn subsets(of: &[usize]) -> Vec<Vec<usize>> {
 /// Returns `true` if the coordinates occur in the equations, and a turn of all of them changes nothing, but a part of it does.
 fn turn_together(equation: &Equation, coordinates: &[usize]) -> bool {
     let symbols: Vec<Symbol> =
-        coordinates.iter().map(|it| Symbol::plain(&equation.variables()[*it])).collect();
+        coordinates.iter().map(|coordinate| Symbol::plain(&equation.variables()[*coordinate])).collect();
     let formulas = equation.derivatives();
     symbols.iter().all(|symbol| occurs(equation, symbol))
         && formulas.iter().all(|formula| turns_leave(formula, &symbols))

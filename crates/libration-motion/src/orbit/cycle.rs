@@ -247,7 +247,7 @@ fn repels(rounds: &Rounds<'_>, maxima: &Maxima) -> bool {
     let variations = rounds.variations(&maxima.state, [0.0, PART * maxima.moved_until]);
     let units = vec![1.0; maxima.state.len()];
     let floquet = variations.ok().and_then(|it| Floquet::new(&it.by_start, &units, CHANGE, false));
-    floquet.is_some_and(|it| it.stability == Stability::Unstable)
+    floquet.is_some_and(|floquet| floquet.stability == Stability::Unstable)
 }
 
 fn lost(error: Option<IntegrationError>, maxima: &Maxima) -> OrbitError {

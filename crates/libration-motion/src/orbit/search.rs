@@ -134,7 +134,7 @@ impl OrbitSearch {
     fn fixed(&self, layout: &StateLayout) -> [usize; 2] {
         let size = |coordinate: &usize| self.start[*coordinate].abs();
         let farthest = || (0..layout.coordinates()).max_by(|a, b| size(a).total_cmp(&size(b))).unwrap_or(0);
-        let held = self.held.filter(|it| *it < layout.coordinates()).unwrap_or_else(farthest);
+        let held = self.held.filter(|held| *held < layout.coordinates()).unwrap_or_else(farthest);
         match layout.velocity(held) {
             Some(velocity) => [velocity, held],
             None => [held, usize::from(held == 0)],

@@ -181,7 +181,7 @@ impl<'a> Newton<'a> {
         /// Relative tolerance of the integration of variations.
         const VARIATIONS: f64 = 1e-12;
         let floquet = Floquet::new(&self.round.monodromy, &self.sizes, VARIATIONS, false);
-        if floquet.map(|it| it.stability) == Some(Stability::Attracting) {
+        if floquet.map(|floquet| floquet.stability) == Some(Stability::Attracting) {
             Lost::Rest
         } else {
             Lost::UnstableRest
@@ -382,7 +382,7 @@ impl<'a> Newton<'a> {
         let mut errors = vec![0.0; residual.len()];
         let own = self.step().errors(residual);
         for (place, (&j, size)) in self.unknowns.free.iter().zip(self.units()).enumerate() {
-            errors[j] = own.as_ref().map_or(f64::INFINITY, |it| 2.0 * it[place] * size);
+            errors[j] = own.as_ref().map_or(f64::INFINITY, |own| 2.0 * own[place] * size);
         }
         errors
     }
@@ -395,7 +395,8 @@ impl<'a> Newton<'a> {
         }
         let missing =
             |defect: &[f64]| self.change(defect).and_then(|it| it.last().copied()).map_or(f64::NAN, f64::abs);
-        let rounded = self.step().errors(rounding).and_then(|it| it.last().copied()).unwrap_or(f64::NAN);
+        let rounded =
+            self.step().errors(rounding).and_then(|error| error.last().copied()).unwrap_or(f64::NAN);
         let spread = missing(&self.round.defect) + missing(other);
         4.0 * (spread + (rounded + f64::EPSILON) * self.at.period)
     }

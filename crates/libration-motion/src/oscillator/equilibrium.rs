@@ -42,7 +42,9 @@ pub(super) struct Candidates {
 /// The sign changes of the force at rest, to double precision.
 pub(super) fn candidates(force: &Force) -> Candidates {
     let at_rest = force.at_rest();
-    let polynomial = at_rest.polynomial_coefficients(&force.x).filter(|it| it.len() <= LARGEST_DEGREE + 1);
+    let polynomial = at_rest
+        .polynomial_coefficients(&force.x)
+        .filter(|coefficient| coefficient.len() <= LARGEST_DEGREE + 1);
     let everywhere = polynomial.and_then(|coefficients| polynomial_sign_changes(&scaled(&coefficients)));
     let (mut near, none) = match (everywhere, Curve::new(&at_rest, &force.x)) {
         (Some(zeros), _) => (zeros, OscillatorError::NoEquilibrium),

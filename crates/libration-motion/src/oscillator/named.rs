@@ -70,9 +70,9 @@ impl NamedOscillator {
         let letters = given.parameters_called(letters)?;
         let mut open = given.parameters();
         open.retain(|name| !letters.contains(name));
-        let open = self.parameters.iter().filter(|it| open.contains(it.name));
-        let open = open.filter(|it| Some(it.name) != self.expansion_parameter);
-        let defaults = open.map(|it| Ok((it.name, it.default.parse()?)));
+        let open = self.parameters.iter().filter(|parameter| open.contains(parameter.name));
+        let open = open.filter(|open| Some(open.name) != self.expansion_parameter);
+        let defaults = open.map(|open| Ok((open.name, open.default.parse()?)));
         given.with(&defaults.collect::<Result<Vec<_>, EquationError>>()?)
     }
 

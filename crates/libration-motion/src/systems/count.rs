@@ -23,7 +23,11 @@ impl Counted {
         let Some(name) = named.count else {
             return Ok(Self { equations: named.equations.to_owned(), values: others, count: None });
         };
-        let default = named.parameters.iter().find(|it| it.name == name).map_or("1", |it| it.default);
+        let default = named
+            .parameters
+            .iter()
+            .find(|parameter| parameter.name == name)
+            .map_or("1", |parameter| parameter.default);
         let given = values.iter().find(|(name, _)| is_count(name)).map(|(_, value)| value.clone());
         let value = given.map_or_else(
             || default.parse().map_err(libration_numbers::expression::EquationError::from),

@@ -66,19 +66,20 @@ impl Model {
         let Counted { equations, values: given, count } = Counted::new(named, values)?;
         let given: Vec<(&str, Expression)> =
             given.iter().map(|(name, value)| (name.as_str(), value.clone())).collect();
-        let others = named.parameters.iter().filter(|it| Some(it.name) != named.count);
-        let defaults = others.map(|it| (it.name, it.default));
+        let others = named.parameters.iter().filter(|parameter| Some(parameter.name) != named.count);
+        let defaults = others.map(|other| (other.name, other.default));
         let (equation, mut values) = filled(&equations, &given, defaults, open)?;
         values.extend(count);
         if let Some(powers) = named.velocity_power {
             check_power(powers, &values)?;
         }
-        let defaults: Vec<_> = named.parameters.iter().map(|it| (it.name, it.default)).collect();
+        let defaults: Vec<_> =
+            named.parameters.iter().map(|parameter| (parameter.name, parameter.default)).collect();
         let put_in = |text: &str| Ok::<_, ModelError>(with_values(formula(text)?, &values));
-        let coordinates = named.coordinates.iter().map(|it| {
-            let at_rest = with_values(put_in(it.at_rest)?, &all_defaults(&defaults)?);
+        let coordinates = named.coordinates.iter().map(|coordinate| {
+            let at_rest = with_values(put_in(coordinate.at_rest)?, &all_defaults(&defaults)?);
             let at_rest = at_rest.to_f64().unwrap_or(0.0);
-            Ok(Coordinate { name: it.name.to_owned(), unit: it.unit.to_owned(), at_rest })
+            Ok(Coordinate { name: coordinate.name.to_owned(), unit: coordinate.unit.to_owned(), at_rest })
         });
         let coordinates = coordinates.collect::<Result<Vec<_>, ModelError>>()?;
         let coordinates =
@@ -104,7 +105,7 @@ impl Model {
         values: ParameterValues,
         open: &[&str],
     ) -> Result<Self, ModelError> {
-        let defaults = named.parameters.iter().map(|it| (it.name, it.default));
+        let defaults = named.parameters.iter().map(|parameter| (parameter.name, parameter.default));
         let (equation, values) = filled(named.equation, values, defaults, open)?;
         let mut coordinates = by_names(&equation);
         if let Ok(oscillator) = Oscillator::new(&equation) {
@@ -231,7 +232,8 @@ impl Model {
     /// The positions of the bodies, if known: those given for named systems; angles of other equations are those of rods on one axle.
     #[must_use]
     pub fn bodies(&self) -> Option<Bodies> {
-        let names: Vec<Symbol> = self.coordinates.iter().map(|it| Symbol::plain(&it.name)).collect();
+        let names: Vec<Symbol> =
+            self.coordinates.iter().map(|coordinate| Symbol::plain(&coordinate.name)).collect();
         let places = match &self.known {
             Some(known) if known.bodies.is_empty() => return None,
             Some(known) => known.bodies.clone(),
@@ -326,9 +328,13 @@ fn with_values(formula: Expression, values: &[(String, Expression)]) -> Expressi
 /// The coordinate of each variable of the equations: that of its family, `x[i]` for x1, with the name of the variable.
 fn each_like(families: &[Coordinate], equation: &Equation) -> Vec<Coordinate> {
     let of = |name: &String| {
-        let family =
-            families.iter().find(|it| it.name.split('[').next().is_some_and(|it| name.starts_with(it)));
-        family.map_or_else(|| Coordinate::by_name(name), |it| Coordinate { name: name.clone(), ..it.clone() })
+        let family = families
+            .iter()
+            .find(|family| family.name.split('[').next().is_some_and(|it| name.starts_with(it)));
+        family.map_or_else(
+            || Coordinate::by_name(name),
+            |family| Coordinate { name: name.clone(), ..family.clone() },
+        )
     };
     equation.variables().iter().map(of).collect()
 }

@@ -133,7 +133,7 @@ impl NamedSystem {
             values.push((parameter.name, value));
             said = [said[0] || says[0], said[1] || says[1]];
         }
-        let names = || self.parameters.iter().map(|it| it.name).collect::<Vec<_>>().join(", ");
+        let names = || self.parameters.iter().map(|parameter| parameter.name).collect::<Vec<_>>().join(", ");
         match said {
             [true, true] => Ok(values),
             [false, _] => {

@@ -323,7 +323,7 @@ impl<'a> Parser<'a> {
 
     /// The text from one lexeme up to another.
     fn between(&self, from: usize, to: usize) -> &'a str {
-        let end = self.lexemes.get(to).map_or(self.text.len(), |it| it.start);
+        let end = self.lexemes.get(to).map_or(self.text.len(), |lexeme| lexeme.start);
         self.text[self.lexemes[from].start..end].trim()
     }
 

@@ -23,7 +23,7 @@ use super::{Tolerance, bisect};
 pub fn polynomial_sign_changes(coefficients: &[f64]) -> Option<Vec<f64>> {
     let degree = coefficients.iter().rposition(|c| *c != 0.0);
     let mut derivatives = vec![coefficients[..degree.map_or(0, |degree| degree + 1)].to_vec()];
-    while let Some(last) = derivatives.last().filter(|it| it.len() > 2) {
+    while let Some(last) = derivatives.last().filter(|derivative| derivative.len() > 2) {
         derivatives.push(derivative(last));
     }
     derivatives.iter().rev().try_fold(vec![], |turns, polynomial| between(polynomial, &turns))

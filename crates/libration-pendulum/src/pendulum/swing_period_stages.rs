@@ -101,8 +101,8 @@ impl Block {
         for i in 0..BLOCK {
             let one = (DoubleDouble::ONE, DoubleDouble::PI - DoubleDouble::ONE);
             let regular = amplitudes.get(i).filter(|amplitude| is_regular(amplitude));
-            let (amplitude, complement) =
-                regular.map_or(one, |it| (it.angle.in_turn_words(), it.angle.complement_words()));
+            let (amplitude, complement) = regular
+                .map_or(one, |regular| (regular.angle.in_turn_words(), regular.angle.complement_words()));
             self.amplitude.set(i, amplitude);
             self.complement.set(i, complement);
         }

@@ -38,7 +38,9 @@ impl Exact {
 
     /// The errors at each amplitude in turn, from ratios in two words of a block at a time; `None` for an invalid amplitude.
     pub(super) fn each(amplitudes: &[Option<SwingAmplitude>]) -> impl Iterator<Item = Option<Self>> {
-        let found = |(amplitude, quick): (&Option<_>, _)| amplitude.map(|it| Self::from_quick(it, quick));
+        let found = |(amplitude, quick): (&Option<_>, _)| {
+            amplitude.map(|amplitude| Self::from_quick(amplitude, quick))
+        };
         amplitudes.chunks(BLOCK).flat_map(move |block| block.iter().zip(Quick::block(block)).map(found))
     }
 

@@ -263,7 +263,8 @@ pub fn fractional_errors(formulas: &[PeriodFormula], amplitudes: &[Angle]) -> Ve
     let amplitudes: Vec<_> = amplitudes.iter().map(SwingAmplitude::from_angle).collect();
     let mut errors = Vec::with_capacity(formulas.len() * amplitudes.len());
     for mut exact in Exact::each(&amplitudes) {
-        let error = |formula: &PeriodFormula| exact.as_mut().map_or(f64::NAN, |it| formula.error_beside(it));
+        let error =
+            |formula: &PeriodFormula| exact.as_mut().map_or(f64::NAN, |exact| formula.error_beside(exact));
         errors.extend(formulas.iter().map(error));
     }
     errors

@@ -67,7 +67,9 @@ impl Kernel for AmplitudeBlock<'_> {
     type Output = [Option<Quick>; BLOCK];
     #[inline(always)]
     fn run(self) -> Self::Output {
-        let suited = |i| self.0.get(i).copied().flatten().filter(|it: &SwingAmplitude| it.suits_two_words());
+        let suited = |i| {
+            self.0.get(i).copied().flatten().filter(|amplitude: &SwingAmplitude| amplitude.suits_two_words())
+        };
         let (mut halves, mut sines, mut cosines) = (Words::ZERO, Words::ZERO, Words::ZERO);
         for i in 0..BLOCK {
             halves.set(i, suited(i).unwrap_or(INSTEAD).half_distance());

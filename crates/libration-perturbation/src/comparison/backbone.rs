@@ -245,7 +245,7 @@ impl Backbone {
         let (mut series, mut exact) = (None, None);
         if let (Ok(own), Some(omega0)) = (&self.series, self.omega0()) {
             series = own.frequency_at(amplitude, omega0);
-            exact = own.exact_at(displacement).map(|found| found.map(|it| in_units_of(it, omega0)));
+            exact = own.exact_at(displacement).map(|found| found.map(|found| in_units_of(found, omega0)));
         }
         BackbonePoint { amplitude, orbit, series, exact }
     }

@@ -85,7 +85,7 @@ impl SeriesComparison<'_> {
             unit * series.iter().rev().fold(0.0, |sum, coefficient| sum * strength + coefficient.to_f64())
         };
         let harmonics = self.expansion().harmonics.iter();
-        harmonics.map(|it| (it.k, [value(&it.cos), value(&it.sin)])).collect()
+        harmonics.map(|harmonic| (harmonic.k, [value(&harmonic.cos), value(&harmonic.sin)])).collect()
     }
 }
 

@@ -110,7 +110,9 @@ pub fn expand_with_pi(
     }
     check_gauge(gauge, oscillator.kind(), oscillator)?;
     let two_sided = TwoSided::new(oscillator, order, gauge).filter(|_| order <= MAX_PI_ORDER);
-    let Some((question, set)) = two_sided.and_then(|it| it.with_pi().map(|set| (it, set))) else {
+    let Some((question, set)) =
+        two_sided.and_then(|two_sided| two_sided.with_pi().map(|set| (two_sided, set)))
+    else {
         return Ok(None);
     };
     let pi = BigFloat::pi(AGREEING_PRECISION);

@@ -93,8 +93,8 @@ impl<E: Clone> SeriesSet<E> {
             harmonics: self.harmonics.iter().map(of_harmonic).collect(),
             x_max: of(0, &self.x_max),
             x_min: of(0, &self.x_min),
-            of_amplitude: self.of_amplitude.as_ref().map(|it| of_variable(1, it)),
-            of_half_swing: self.of_half_swing.as_ref().map(|it| of_variable(2, it)),
+            of_amplitude: self.of_amplitude.as_ref().map(|of_amplitude| of_variable(1, of_amplitude)),
+            of_half_swing: self.of_half_swing.as_ref().map(|of_half_swing| of_variable(2, of_half_swing)),
         };
         places.numbers()
     }

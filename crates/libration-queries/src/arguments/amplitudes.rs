@@ -81,7 +81,7 @@ impl AmplitudeOptions {
             of(&self.ratio, "ratio", &InferredAmplitude::from_ratio)?,
             of(&self.excess, "excess", &InferredAmplitude::from_excess)?,
         ];
-        let both = |it: InferredAmplitude| (it.amplitude.angle(), it.uncertainty);
+        let both = |amplitude: InferredAmplitude| (amplitude.amplitude.angle(), amplitude.uncertainty);
         let (angles, uncertainties) = inferred.concat().into_iter().map(both).unzip();
         Ok(Amplitudes { sets: vec![AngleSet::List(angles)], uncertainties })
     }

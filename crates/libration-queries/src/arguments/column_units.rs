@@ -109,7 +109,7 @@ fn lengths<const N: usize>(
 ) -> Option<Vec<f64>> {
     /// Longest pendulum of a table without a unit of its lengths, in metres: shorter than those of most tables in centimetres.
     const LONGEST: f64 = 5.0;
-    let is_length = |it: &Wanted| it.role == Role::Lengths && it.uncertainties_of.is_none();
+    let is_length = |wanted: &Wanted| wanted.role == Role::Lengths && wanted.uncertainties_of.is_none();
     let place = wanted.iter().position(is_length)?;
     let first = |readings: &Vec<f64>| Some(units[place].to_si(*readings.first()?));
     let lengths: Option<Vec<f64>> = read.quantities[place].iter().map(first).collect();

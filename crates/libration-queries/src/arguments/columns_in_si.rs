@@ -117,7 +117,7 @@ impl<const N: usize> ColumnsInSi<N> {
             .collect();
         let stated = std::array::from_fn(|place| (units.units[place], units.are_stated[place]));
         let counts = chosen.column_of_swings.is_none().then_some(units.counts);
-        let read_columns = chosen.roles.iter().map(|it| it.with_units(wanted, stated, counts)).collect();
+        let read_columns = chosen.roles.iter().map(|role| role.with_units(wanted, stated, counts)).collect();
         Ok(Self {
             columns: std::array::from_fn(|place| rows.column(place, &repeated)),
             rounding: std::array::from_fn(|place| rows.rounding(place)),

@@ -44,7 +44,7 @@ impl ReadColumn {
         let places = (0..wanted.len()).filter_map(|place| Some((place, wanted[place].quantity()?)));
         let of_quantities = places.zip(&roles.quantities).flat_map(|((place, quantity), columns)| {
             let name = quantity.name;
-            let readings = columns.readings.iter().map(move |it| column(it, name, Some(place)));
+            let readings = columns.readings.iter().map(move |reading| column(reading, name, Some(place)));
             let uncertainties = columns.uncertainties.iter().map(move |(it, kind)| {
                 let of = |wanted: &Wanted| wanted.uncertainties_of() == Some(place);
                 column(it, &format!("{name}-{}", kind.word()), wanted.iter().position(of))
@@ -77,16 +77,18 @@ impl ReadColumn {
 pub(crate) fn of_columns() -> Fields<ReadColumn> {
     type Of = Field<ReadColumn>;
     Fields::from([
-        Of::value("number", "1", "number of the column, from 1", |it| it.number.into()),
-        Of::value("role", "", "its role, as --role takes it; ignore if it is not used", |it| {
-            it.role.as_str().into()
+        Of::value("number", "1", "number of the column, from 1", |column| column.number.into()),
+        Of::value("role", "", "its role, as --role takes it; ignore if it is not used", |column| {
+            column.role.as_str().into()
         }),
-        Of::value("unit", "", "unit in which it was read, or null", |it| {
-            it.unit.map(|unit| unit.to_string()).into()
+        Of::value("unit", "", "unit in which it was read, or null", |column| {
+            column.unit.map(|unit| unit.to_string()).into()
         }),
-        Of::value("unit_is_stated", "", "true if its header states that unit", |it| it.is_unit_stated.into()),
-        Of::value("swings", "1", "number of periods that each of its times lasts, or null", |it| {
-            it.swings.map_or(serde_json::Value::Null, json::number)
+        Of::value("unit_is_stated", "", "true if its header states that unit", |column| {
+            column.is_unit_stated.into()
+        }),
+        Of::value("swings", "1", "number of periods that each of its times lasts, or null", |column| {
+            column.swings.map_or(serde_json::Value::Null, json::number)
         }),
     ])
 }

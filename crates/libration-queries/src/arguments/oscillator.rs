@@ -179,7 +179,10 @@ impl OscillatorOptions {
             |text: &str| text.parse::<Equation>().and_then(|equation| equation.with(&borrowed(&given)));
         let equation = parse(named.equations).map_err(|error| QueryError::usage(option("set"), error))?;
         let letters = equation.parameters();
-        let defaults = named.parameters.iter().filter(|it| it.name != open && letters.contains(it.name));
+        let defaults = named
+            .parameters
+            .iter()
+            .filter(|parameter| parameter.name != open && letters.contains(parameter.name));
         let defaults: Vec<(String, Expression)> = defaults
             .filter_map(|parameter| Some((parameter.name.to_owned(), parameter.default.parse().ok()?)))
             .collect();
@@ -241,7 +244,10 @@ fn place(text: &str, equation: &Equation, given: &[(String, Expression)]) -> Res
     };
     let formula = text.parse::<Expression>().map(|formula| given.iter().fold(formula, with_value));
     if let Ok(constant) = formula.as_ref()
-        && constant.symbols().iter().all(|it| it.primes == 0 && equation.parameters().contains(&it.name))
+        && constant
+            .symbols()
+            .iter()
+            .all(|symbol| symbol.primes == 0 && equation.parameters().contains(&symbol.name))
     {
         return Ok(constant.clone());
     }

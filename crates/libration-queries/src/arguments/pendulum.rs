@@ -23,11 +23,11 @@ pub(crate) struct PendulumOptions {
 
 impl PendulumOptions {
     pub(crate) fn length(self) -> f64 {
-        self.length.map_or(DEFAULT_LENGTH, |it| it.value)
+        self.length.map_or(DEFAULT_LENGTH, |length| length.value)
     }
 
     pub(crate) fn gravity(self) -> f64 {
-        self.gravity.map_or(STANDARD_GRAVITY, |it| it.value)
+        self.gravity.map_or(STANDARD_GRAVITY, |gravity| gravity.value)
     }
 
     /// Returns `true` if neither was given.
@@ -38,7 +38,7 @@ impl PendulumOptions {
     /// The pendulum, with a note on uncertainties, which are not used.
     pub(crate) fn pendulum(self) -> Result<Pendulum, QueryError> {
         for (name, given) in [("length", self.length), ("gravity", self.gravity)] {
-            if given.is_some_and(|it| it.uncertainty.is_some()) {
+            if given.is_some_and(|given| given.uncertainty.is_some()) {
                 call::current()
                     .note(&format!("the uncertainty of the {name} is not used here, only its value"));
             }
@@ -48,8 +48,9 @@ impl PendulumOptions {
 
     /// The pendulum, and the relative uncertainty of its period of small swings.
     pub(crate) fn with_uncertainty(self) -> Result<(Pendulum, f64), QueryError> {
-        let relative =
-            |given: Option<Quantity>| given.map_or(0.0, |it| it.uncertainty.unwrap_or(0.0) / it.value);
+        let relative = |given: Option<Quantity>| {
+            given.map_or(0.0, |given| given.uncertainty.unwrap_or(0.0) / given.value)
+        };
         Ok((self.exact()?, 0.5 * relative(self.length).hypot(relative(self.gravity))))
     }
 
@@ -62,11 +63,14 @@ impl PendulumOptions {
         type Of = Field<PendulumOptions>;
         const GRAVITY: &str = "acceleration of free fall";
         Fields::from([
-            Of::number("length_m", "m", "length of the pendulum", |it| it.length())
-                .line_of("length", |it| format!("{} m{}", number::short(it.length(), 12), said(it.length))),
-            Of::number("gravity_m_per_s2", "m/s²", GRAVITY, |it| it.gravity()).line_of("gravity", |it| {
-                format!("{} m/s²{}", number::short(it.gravity(), 12), said(it.gravity))
-            }),
+            Of::number("length_m", "m", "length of the pendulum", |options| options.length())
+                .line_of("length", |options| {
+                    format!("{} m{}", number::short(options.length(), 12), said(options.length))
+                }),
+            Of::number("gravity_m_per_s2", "m/s²", GRAVITY, |options| options.gravity())
+                .line_of("gravity", |options| {
+                    format!("{} m/s²{}", number::short(options.gravity(), 12), said(options.gravity))
+                }),
         ])
     }
 

@@ -127,8 +127,8 @@ impl SectionOptions {
             ),
             Section::Stroboscope { period, phase } => {
                 let period = period.or_else(|| drive_period(equation));
-                let period =
-                    period.map_or_else(|| "period of the drive".to_owned(), |it| number::seconds(it, 10));
+                let period = period
+                    .map_or_else(|| "period of the drive".to_owned(), |period| number::seconds(period, 10));
                 format!("once every {period}, at phase {}", number::short(*phase, 6))
             }
         }
@@ -155,7 +155,7 @@ pub(crate) fn place_in_state(model: &Model, argument: &Parameter, name: &str) ->
 
 /// The number of the coordinate with this name.
 pub(crate) fn coordinate(model: &Model, argument: &Parameter, name: &str) -> Result<usize, QueryError> {
-    let names: Vec<&str> = model.coordinates().iter().map(|it| it.name.as_str()).collect();
+    let names: Vec<&str> = model.coordinates().iter().map(|coordinate| coordinate.name.as_str()).collect();
     names.iter().position(|known| *known == plain_name(name)).ok_or_else(|| {
         let known = names.join(", ");
         QueryError::usage(argument, format!("the system has no coordinate `{}`: it has {known}", name.trim()))

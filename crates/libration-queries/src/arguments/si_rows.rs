@@ -57,7 +57,9 @@ impl<const N: usize> SiRows<'_, N> {
     /// Number of periods in a time; one for other quantities.
     fn swings_of(&self, place: usize, row: usize) -> f64 {
         match &self.swings {
-            Some(swings) if self.wanted[place].counted.is_some_and(|it| it.said().is_none()) => swings[row],
+            Some(swings) if self.wanted[place].counted.is_some_and(|counted| counted.said().is_none()) => {
+                swings[row]
+            }
             _ => self.units.counts[place],
         }
     }
@@ -252,7 +254,8 @@ impl<const N: usize> SiRows<'_, N> {
             () if unlike.is_empty() => String::new(),
             () => format!("; those of line {} scatter more, and count by their own scatter", unlike.join(", ")),
         };
-        let with_reaction = self.wanted[place].counted.is_some_and(|it| it.reaction_time().is_some());
+        let with_reaction =
+            self.wanted[place].counted.is_some_and(|counted| counted.reaction_time().is_some());
         let reaction = with_reaction.then(|| {
             in_words("the reaction time (<--reaction-time>) is part of the scatter of repeated readings, and is not added")
         });

@@ -125,9 +125,14 @@ impl PendulumSystemOptions {
         }
         let argument = if self.length.is_some() { option("length") } else { option("gravity") };
         let apparatus = self.apparatus(&argument)?;
-        if let Some((name, _)) = apparatus.iter().find(|(name, _)| values.iter().any(|it| it.0 == *name)) {
-            let other =
-                if parameter.is_some_and(|it| it.0 == *name) { option("over") } else { option("set") };
+        if let Some((name, _)) =
+            apparatus.iter().find(|(name, _)| values.iter().any(|value| value.0 == *name))
+        {
+            let other = if parameter.is_some_and(|parameter| parameter.0 == *name) {
+                option("over")
+            } else {
+                option("set")
+            };
             let reason = format!("it sets {name}, as {other} does: give one of them");
             return Err(QueryError::usage(argument, reason));
         }

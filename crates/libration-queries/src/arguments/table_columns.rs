@@ -138,7 +138,8 @@ impl ColumnsOption {
     ) -> Result<GivenRoles, QueryError> {
         let columns: Vec<Option<Column>> = self.columns.iter().map(|text| optional_column(text)).collect();
         if columns[0].is_none() || columns[1].is_none() {
-            let names = quantities.iter().take(2).map(|it| it.name).collect::<Vec<_>>().join(" and ");
+            let names =
+                quantities.iter().take(2).map(|quantity| quantity.name).collect::<Vec<_>>().join(" and ");
             let reason = format!("{names} are needed: - stands only for an uncertainty");
             return Err(QueryError::usage(option("columns"), reason));
         }

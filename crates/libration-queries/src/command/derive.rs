@@ -341,7 +341,7 @@ impl SeriesOptions {
     fn with_symbols(&self) -> Result<Option<WithSymbols>, QueryError> {
         let resonance = self.resonance.as_deref().map(drive_resonance).transpose()?;
         let small = self.small.as_deref();
-        let is_forced = resonance.is_some() || small.is_some_and(|it| it.contains([':', ',']));
+        let is_forced = resonance.is_some() || small.is_some_and(|small| small.contains([':', ',']));
         let Some(text) = &self.oscillator else {
             return match is_forced {
                 true => Err(QueryError::misuse("give the equation of the oscillator")),

@@ -57,12 +57,12 @@ const OPTION: DescriptionRow =
 fn of_description() -> Fields<Description> {
     type Of = Field<Description>;
     Fields::from([
-        Of::value("name", "", "name of the field", |it| it.name.as_str().into())
-            .words("name", |it| it.name.clone()),
-        Of::value("unit", "", "its unit, 1 for counts and ratios", |it| it.unit.into())
-            .words("unit", |it| it.unit.to_owned()),
-        Of::value("meaning", "", "meaning", |it| it.meaning.into())
-            .words("meaning", |it| it.meaning.to_owned()),
+        Of::value("name", "", "name of the field", |description| description.name.as_str().into())
+            .words("name", |description| description.name.clone()),
+        Of::value("unit", "", "its unit, 1 for counts and ratios", |description| description.unit.into())
+            .words("unit", |description| description.unit.to_owned()),
+        Of::value("meaning", "", "meaning", |description| description.meaning.into())
+            .words("meaning", |description| description.meaning.to_owned()),
     ])
 }
 
@@ -89,7 +89,7 @@ impl FieldsQuestion {
         let mut chosen = all_fields();
         chosen.retain(is_asked);
         if chosen.is_empty() {
-            let mut names: Vec<&str> = all_fields().iter().map(|it| it.command).collect();
+            let mut names: Vec<&str> = all_fields().iter().map(|field| field.command).collect();
             names.dedup();
             let reason = format!(
                 "`{}` has no result with fields; the commands that have are {}",

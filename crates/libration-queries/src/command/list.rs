@@ -92,20 +92,20 @@ impl ChosenEntries {
     }
 
     fn add_oscillator(&mut self, named: &'static NamedOscillator) {
-        if self.oscillators.iter().all(|it| it.key != named.key) {
+        if self.oscillators.iter().all(|oscillator| oscillator.key != named.key) {
             self.oscillators.push(named);
         }
     }
 
     fn add_system(&mut self, named: &'static NamedSystem) {
-        if self.systems.iter().all(|it| it.key != named.key) {
+        if self.systems.iter().all(|system| system.key != named.key) {
             self.systems.push(named);
         }
     }
 
     fn entries(&self) -> Vec<CatalogueEntry> {
-        let oscillators = self.oscillators.iter().map(|it| CatalogueEntry::Oscillator(it));
-        oscillators.chain(self.systems.iter().map(|it| CatalogueEntry::System(it))).collect()
+        let oscillators = self.oscillators.iter().map(|oscillator| CatalogueEntry::Oscillator(oscillator));
+        oscillators.chain(self.systems.iter().map(|system| CatalogueEntry::System(system))).collect()
     }
 }
 
@@ -143,26 +143,26 @@ impl CatalogueEntry {
 fn of_entry() -> Fields<CatalogueEntry> {
     type Of = Field<CatalogueEntry>;
     let fields = [
-        Of::value("catalogue", "", "oscillators or systems", |it| {
-            it.text(|_| OSCILLATORS.to_owned(), |_| SYSTEMS.to_owned())
+        Of::value("catalogue", "", "oscillators or systems", |entry| {
+            entry.text(|_| OSCILLATORS.to_owned(), |_| SYSTEMS.to_owned())
         }),
         Of::value("key", "", "short name that commands take", |it| {
-            it.text(|it| it.key.to_owned(), |it| it.key.to_owned())
+            it.text(|entry| entry.key.to_owned(), |entry| entry.key.to_owned())
         }),
         Of::value("title", "", "usual name", |it| {
-            it.text(|it| it.title.to_owned(), |it| it.title.to_owned())
+            it.text(|entry| entry.title.to_owned(), |entry| entry.title.to_owned())
         }),
         Of::value("equations", "", "equations of motion, with ; between them", |it| {
-            it.text(|it| it.equation.to_owned(), |it| it.equations.to_owned())
+            it.text(|entry| entry.equation.to_owned(), |entry| entry.equations.to_owned())
         }),
-        Of::value("parameters", "", "parameters with their default values", |it| {
-            it.text(oscillators::defaults, systems::defaults)
+        Of::value("parameters", "", "parameters with their default values", |entry| {
+            entry.text(oscillators::defaults, systems::defaults)
         }),
         Of::value("domain", "", "domain, for oscillators that in which they oscillate", |it| {
-            it.text(|it| it.domain.to_owned(), |it| it.domain.to_owned())
+            it.text(|entry| entry.domain.to_owned(), |entry| entry.domain.to_owned())
         }),
         Of::value("source", "", "source of the equations", |it| {
-            it.text(|it| it.source.to_owned(), |it| it.source.to_owned())
+            it.text(|entry| entry.source.to_owned(), |entry| entry.source.to_owned())
         }),
     ];
     Fields::from(fields.map(Of::only_csv))
@@ -190,15 +190,16 @@ fn write_sheets(out: &mut dyn Write, chosen: &ChosenEntries) -> io::Result<()> {
 
 /// The keys and titles of each catalogue that is not empty.
 fn write_tables(out: &mut dyn Write, chosen: &ChosenEntries) -> io::Result<()> {
-    let oscillators = chosen.oscillators.iter().map(|it| (it.key, it.title)).collect();
-    let systems = chosen.systems.iter().map(|it| (it.key, it.title)).collect();
+    let oscillators =
+        chosen.oscillators.iter().map(|oscillator| (oscillator.key, oscillator.title)).collect();
+    let systems = chosen.systems.iter().map(|system| (system.key, system.title)).collect();
     let tables: [(&str, Vec<_>); 2] = [("oscillator", oscillators), ("system", systems)];
-    for (place, (title, entries)) in tables.iter().filter(|it| !it.1.is_empty()).enumerate() {
+    for (place, (title, entries)) in tables.iter().filter(|table| !table.1.is_empty()).enumerate() {
         if place > 0 {
             writeln!(out)?;
         }
         let mut table = Table::new(vec![Column::words(*title), Column::words("title")]);
-        entries.iter().try_for_each(|it| table.row(out, vec![it.0.to_owned(), it.1.to_owned()]))?;
+        entries.iter().try_for_each(|entry| table.row(out, vec![entry.0.to_owned(), entry.1.to_owned()]))?;
         table.finish(out)?;
     }
     Ok(())

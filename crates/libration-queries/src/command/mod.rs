@@ -177,7 +177,7 @@ thread_local! {
 /// Writes the result of the query that was read.
 pub(crate) fn write(matches: &ArgMatches, out: &mut dyn Write) -> Result<(), QueryError> {
     let (words, parameters) = read(matches);
-    let query = queries().into_iter().find(|it| it.words == words);
+    let query = queries().into_iter().find(|query| query.words == words);
     let query = query.ok_or_else(|| QueryError::misuse(format!("there is no query `{words}`")))?;
     (query.write)(parameters, out)
 }
@@ -205,11 +205,11 @@ pub(crate) fn ensemble(matches: &ArgMatches) -> Result<(Model, Ensemble), QueryE
 
 /// The fields of the results of all queries.
 pub(crate) fn all_fields() -> Vec<Answers> {
-    queries().iter().flat_map(|it| (it.fields)()).collect()
+    queries().iter().flat_map(|query| (query.fields)()).collect()
 }
 
 /// The fields of JSON of a query, for all of its options.
 pub(crate) fn fields_of(words: &[String]) -> Vec<Description> {
     let is_asked = |it: &Answers| it.command.split(' ').zip(words).all(|(own, word)| own == word);
-    all_fields().into_iter().filter(is_asked).flat_map(|it| it.json).collect()
+    all_fields().into_iter().filter(is_asked).flat_map(|field| field.json).collect()
 }

@@ -49,38 +49,46 @@ impl Oscillators {
 fn of_oscillator() -> Fields<NamedOscillator> {
     type Of = Field<NamedOscillator>;
     Fields::from([
-        Of::value("key", "", "short name that commands accept", |it| it.key.into()),
-        Of::value("also[]", "", "other names that they accept", |it| json::list(it.also.to_vec())),
-        Of::value("title", "", "usual name", |it| it.title.into()),
-        Of::value("equation", "", "equation of motion", |it| it.equation.into()),
-        Of::nested("parameters[].", &of_parameter(), |it| of_parameter().records(it.parameters)),
-        Of::value("parameters", "", "parameters with their default values", |it| defaults(it).into())
-            .only_csv(),
+        Of::value("key", "", "short name that commands accept", |oscillator| oscillator.key.into()),
+        Of::value("also[]", "", "other names that they accept", |oscillator| {
+            json::list(oscillator.also.to_vec())
+        }),
+        Of::value("title", "", "usual name", |oscillator| oscillator.title.into()),
+        Of::value("equation", "", "equation of motion", |oscillator| oscillator.equation.into()),
+        Of::nested("parameters[].", &of_parameter(), |oscillator| {
+            of_parameter().records(oscillator.parameters)
+        }),
+        Of::value("parameters", "", "parameters with their default values", |oscillator| {
+            defaults(oscillator).into()
+        })
+        .only_csv(),
         Of::value(
             "expansion_parameter",
             "",
             "parameter that series are in powers of; null where they are in the amplitude",
-            |it| it.expansion_parameter.into(),
+            |oscillator| oscillator.expansion_parameter.into(),
         )
         .only_json(),
-        Of::value("description", "", "system that the equation describes", |it| it.description.into())
-            .only_json(),
-        Of::value("domain", "", "domain in which it oscillates", |it| it.domain.into()),
-        Of::value("source", "", "source of the equation", |it| it.source.into()),
+        Of::value("description", "", "system that the equation describes", |oscillator| {
+            oscillator.description.into()
+        })
+        .only_json(),
+        Of::value("domain", "", "domain in which it oscillates", |oscillator| oscillator.domain.into()),
+        Of::value("source", "", "source of the equation", |oscillator| oscillator.source.into()),
     ])
 }
 
 fn of_parameter() -> Fields<NamedParameter> {
     type Of = Field<NamedParameter>;
     Fields::from([
-        Of::value("name", "", "name of the parameter", |it| it.name.into()),
-        Of::value("default", "", "default value", |it| it.default.into()),
-        Of::value("meaning", "", "meaning of the parameter", |it| it.meaning.into()),
+        Of::value("name", "", "name of the parameter", |parameter| parameter.name.into()),
+        Of::value("default", "", "default value", |parameter| parameter.default.into()),
+        Of::value("meaning", "", "meaning of the parameter", |parameter| parameter.meaning.into()),
     ])
 }
 
 pub(super) fn defaults(named: &NamedOscillator) -> String {
-    let values = named.parameters.iter().map(|it| format!("{}={}", it.name, it.default));
+    let values = named.parameters.iter().map(|parameter| format!("{}={}", parameter.name, parameter.default));
     values.collect::<Vec<_>>().join(",")
 }
 

@@ -129,31 +129,33 @@ fn write_table(out: &mut dyn Write, plan: &Plan) -> io::Result<()> {
 fn of_plan() -> Fields<Plan> {
     type Of = Field<Plan>;
     Fields::from([
-        Of::number("wanted", "1", "target standard uncertainty of g, as a part of g", |it| it.target)
+        Of::number("wanted", "1", "target standard uncertainty of g, as a part of g", |plan| plan.target)
             .line("u(g)/g wanted", 3),
         Of::number(
             "left_for_recording",
             "1",
             "contribution to it that is left for noise and scale of the angles, as a part of g",
-            |it| it.left_for_recording,
+            |plan| plan.left_for_recording,
         )
         .line("for the recording", 3),
         Of::nullable(
             "length_uncertainty_needed_m",
             "m",
             "uncertainty of the length that is required, or null where the present one suffices",
-            |it| it.length_needed,
+            |plan| plan.length_needed,
         ),
-        Of::value("swings", "1", "fewest swings that suffice, or null where none do", |it| {
-            it.best().and_then(|best| best.swings).into()
+        Of::value("swings", "1", "fewest swings that suffice, or null where none do", |plan| {
+            plan.best().and_then(|best| best.swings).into()
         }),
-        Of::nullable("amplitude_rad", "rad", "amplitude of their release, or null", |it| {
-            it.best().map(|best| best.amplitude)
+        Of::nullable("amplitude_rad", "rad", "amplitude of their release, or null", |plan| {
+            plan.best().map(|best| best.amplitude)
         }),
-        Of::nullable("duration_s", "s", "their duration, or null", |it| it.best().map(|best| best.duration)),
-        Of::value("advice[]", "", "advice, in sentences", |it| json::list(it.advice()))
-            .line_of("advice", |it| it.advice().join("; ")),
-        Of::nested("choices[].", &of_choice(), |it| of_choice().records(&choices(it))),
+        Of::nullable("duration_s", "s", "their duration, or null", |plan| {
+            plan.best().map(|best| best.duration)
+        }),
+        Of::value("advice[]", "", "advice, in sentences", |plan| json::list(plan.advice()))
+            .line_of("advice", |plan| plan.advice().join("; ")),
+        Of::nested("choices[].", &of_choice(), |plan| of_choice().records(&choices(plan))),
     ])
 }
 
@@ -163,14 +165,16 @@ fn of_choice<'a>() -> Fields<Choice<'a>> {
         Of::number(name, "1", meaning, value).short(title, 3)
     };
     Fields::from([
-        Of::number("amplitude_rad", "rad", "amplitude of the release", |it| it.swings.amplitude)
+        Of::number("amplitude_rad", "rad", "amplitude of the release", |choice| choice.swings.amplitude)
             .degrees("amplitude / °", 4),
-        Of::value("swings", "1", "fewest swings that suffice, or null where 10000 do not", |it| {
-            it.swings.swings.map_or(Value::Null, Value::from)
+        Of::value("swings", "1", "fewest swings that suffice, or null where 10000 do not", |choice| {
+            choice.swings.swings.map_or(Value::Null, Value::from)
         })
-        .numeral("swings", |it| it.swings.swings.map_or("–".to_owned(), |swings| swings.to_string())),
-        Of::nullable("duration_s", "s", "their duration, or null", |it| {
-            it.swings.swings.map(|_| it.swings.duration)
+        .numeral("swings", |choice| {
+            choice.swings.swings.map_or("–".to_owned(), |swings| swings.to_string())
+        }),
+        Of::nullable("duration_s", "s", "their duration, or null", |choice| {
+            choice.swings.swings.map(|_| choice.swings.duration)
         })
         .short("time / s", 4)
         .or("–"),
@@ -188,8 +192,8 @@ fn of_choice<'a>() -> Fields<Choice<'a>> {
         }),
         part("clock", "the same by the clock", "clock", |it| it.swings.expected.clock),
         part("total", "the same by all of them", "u(g)/g", |it| it.swings.expected.total()),
-        Of::value("is_best", "", "true if it has the fewest swings", |it| it.is_best.into())
-            .words("", |it| if it.is_best { "best".to_owned() } else { String::new() }),
+        Of::value("is_best", "", "true if it has the fewest swings", |choice| choice.is_best.into())
+            .words("", |choice| if choice.is_best { "best".to_owned() } else { String::new() }),
     ])
 }
 

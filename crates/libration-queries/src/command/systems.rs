@@ -51,56 +51,61 @@ impl Systems {
 fn of_system() -> Fields<NamedSystem> {
     type Of = Field<NamedSystem>;
     Fields::from([
-        Of::value("key", "", "short name that commands accept", |it| it.key.into()),
-        Of::value("also[]", "", "other names that they accept", |it| json::list(it.also.to_vec())),
-        Of::value("title", "", "usual name", |it| it.title.into()),
-        Of::value("equations[]", "", "equations of motion", |it| {
-            json::list(it.equations.split(';').map(str::trim))
+        Of::value("key", "", "short name that commands accept", |system| system.key.into()),
+        Of::value("also[]", "", "other names that they accept", |system| json::list(system.also.to_vec())),
+        Of::value("title", "", "usual name", |system| system.title.into()),
+        Of::value("equations[]", "", "equations of motion", |system| {
+            json::list(system.equations.split(';').map(str::trim))
         }),
-        Of::value("equations", "", "equations of motion, with ; between them", |it| it.equations.into())
+        Of::value("equations", "", "equations of motion, with ; between them", |system| {
+            system.equations.into()
+        })
+        .only_csv(),
+        Of::nested("coordinates[].", &of_coordinate(), |system| of_coordinate().records(system.coordinates)),
+        Of::nested("parameters[].", &of_parameter(), |system| of_parameter().records(system.parameters)),
+        Of::value("parameters", "", "parameters with their default values", |system| defaults(system).into())
             .only_csv(),
-        Of::nested("coordinates[].", &of_coordinate(), |it| of_coordinate().records(it.coordinates)),
-        Of::nested("parameters[].", &of_parameter(), |it| of_parameter().records(it.parameters)),
-        Of::value("parameters", "", "parameters with their default values", |it| defaults(it).into())
-            .only_csv(),
-        Of::value("energy", "", "formula of the energy, or null", |it| known(it.energy).into()),
-        Of::value("energy_unit", "", "divisor of the energy, or its unit, or null", |it| {
-            known(it.energy_unit).into()
+        Of::value("energy", "", "formula of the energy, or null", |system| known(system.energy).into()),
+        Of::value("energy_unit", "", "divisor of the energy, or its unit, or null", |system| {
+            known(system.energy_unit).into()
         })
         .only_json(),
-        Of::value("power", "", "formula of the power gained, or null", |it| known(it.power).into())
+        Of::value("power", "", "formula of the power gained, or null", |system| known(system.power).into())
             .only_json(),
         Of::value(
             "drive_frequency",
             "",
             "parameter that is the angular frequency of the drive, or null",
-            |it| it.drive_frequency.into(),
+            |system| system.drive_frequency.into(),
         )
         .only_json(),
-        Of::value("count", "", "parameter that counts the bodies, or null", |it| it.count.into()).only_json(),
-        Of::value("description", "", "system that the equation describes", |it| it.description.into())
+        Of::value("count", "", "parameter that counts the bodies, or null", |system| system.count.into())
             .only_json(),
-        Of::value("domain", "", "domain of the equations", |it| it.domain.into()),
-        Of::value("source", "", "source of the equations", |it| it.source.into()),
+        Of::value("description", "", "system that the equation describes", |system| {
+            system.description.into()
+        })
+        .only_json(),
+        Of::value("domain", "", "domain of the equations", |system| system.domain.into()),
+        Of::value("source", "", "source of the equations", |system| system.source.into()),
     ])
 }
 
 fn of_coordinate() -> Fields<NamedCoordinate> {
     type Of = Field<NamedCoordinate>;
     Fields::from([
-        Of::value("name", "", "name of the coordinate", |it| it.name.into()),
-        Of::value("unit", "", "its unit", |it| it.unit.into()),
-        Of::value("rest", "", "its value at rest", |it| it.at_rest.into()),
+        Of::value("name", "", "name of the coordinate", |coordinate| coordinate.name.into()),
+        Of::value("unit", "", "its unit", |coordinate| coordinate.unit.into()),
+        Of::value("rest", "", "its value at rest", |coordinate| coordinate.at_rest.into()),
     ])
 }
 
 fn of_parameter() -> Fields<NamedParameter> {
     type Of = Field<NamedParameter>;
     Fields::from([
-        Of::value("name", "", "name of the parameter", |it| it.name.into()),
-        Of::value("default", "", "default value", |it| it.default.into()),
-        Of::value("unit", "", "its unit", |it| it.unit.into()),
-        Of::value("meaning", "", "meaning of the parameter", |it| it.meaning.into()),
+        Of::value("name", "", "name of the parameter", |parameter| parameter.name.into()),
+        Of::value("default", "", "default value", |parameter| parameter.default.into()),
+        Of::value("unit", "", "its unit", |parameter| parameter.unit.into()),
+        Of::value("meaning", "", "meaning of the parameter", |parameter| parameter.meaning.into()),
     ])
 }
 
@@ -110,7 +115,7 @@ fn known(text: &'static str) -> Option<&'static str> {
 }
 
 pub(super) fn defaults(named: &NamedSystem) -> String {
-    let values = named.parameters.iter().map(|it| format!("{}={}", it.name, it.default));
+    let values = named.parameters.iter().map(|parameter| format!("{}={}", parameter.name, parameter.default));
     values.collect::<Vec<_>>().join(",")
 }
 

@@ -35,7 +35,7 @@ fn panel(found: &MeasuredSpectrum, is_last: bool, is_first: bool) -> Panel {
     let line: Vec<(f64, f64)> = line.filter(|(_, y)| *y > 0.0 && y.is_finite()).collect();
     let shown = || harmonics.iter().filter(|harmonic| harmonic.n > 0);
     let theory = shown().filter(|harmonic| harmonic.theory != 0.0);
-    let theory: Vec<(f64, f64)> = theory.map(|it| (place(it), scale * it.theory.abs())).collect();
+    let theory: Vec<(f64, f64)> = theory.map(|theory| (place(theory), scale * theory.theory.abs())).collect();
     let point = |harmonic: &Harmonic| {
         let amplitude = harmonic.amplitude();
         let y_uncertainty = Some(scale * amplitude.uncertainty);

@@ -60,18 +60,21 @@ fn function(separatrices: &[Melnikov; 2]) -> Panel {
 fn resonances(of: &Perturbed<'_>) -> Option<Panel> {
     let pendulum = Pendulum::from_angular_frequency(of.omega0).ok()?;
     let speed = |motion: &Motion| (2.0 * motion.specific_energy()).sqrt();
-    let sign = |it: &DriveResonance| if it.direction < 0.0 { -1.0 } else { 1.0 };
+    let sign = |resonance: &DriveResonance| if resonance.direction < 0.0 { -1.0 } else { 1.0 };
     let top = 2.0 * of.omega0;
-    let place = |it: &DriveResonance| {
-        let speed = speed(&it.motion);
+    let place = |resonance: &DriveResonance| {
+        let speed = speed(&resonance.motion);
         // dE = ω·dJ and E = v²/2.
-        let half = it.half_width * it.motion.frequency() / speed;
-        Point { x_uncertainty: Some(half), ..Point::new(sign(it) * speed, it.motion.frequency()) }
+        let half = resonance.half_width * resonance.motion.frequency() / speed;
+        Point {
+            x_uncertainty: Some(half),
+            ..Point::new(sign(resonance) * speed, resonance.motion.frequency())
+        }
     };
     let points: Vec<Point> = of.resonances.iter().map(place).collect();
     let half = |point: &Point| point.x_uncertainty.unwrap_or(0.0);
-    let last = points.iter().map(|it| it.x + half(it)).fold(1.25 * top, f64::max);
-    let first = points.iter().map(|it| it.x - half(it) - 0.1 * top).fold(0.0, f64::min);
+    let last = points.iter().map(|point| point.x + half(point)).fold(1.25 * top, f64::max);
+    let first = points.iter().map(|point| point.x - half(point) - 0.1 * top).fold(0.0, f64::min);
     let curve = |from: f64, to: f64| {
         let velocities = (0..=PLACES).map(move |j| from + (to - from) * count(j) / count(PLACES));
         velocities.filter_map(|velocity| {
@@ -84,7 +87,7 @@ fn resonances(of: &Perturbed<'_>) -> Option<Panel> {
     if first < 0.0 {
         series.push(line("", first.min(-top), -top));
     }
-    let high = series.iter().flat_map(|one| one.points.iter().map(|it| it.y)).fold(0.0, f64::max);
+    let high = series.iter().flat_map(|one| one.points.iter().map(|point| point.y)).fold(0.0, f64::max);
     for edge in [-top, top].into_iter().filter(|edge| *edge > first) {
         series.push(Series::line("", style::reference(), [(edge, 0.0), (edge, 1.05 * high)]));
     }

@@ -9,7 +9,12 @@ pub(crate) fn name(model: &Model) -> String {
     match model.key() {
         Some(_) => model.title().to_owned(),
         None if equation.chars().count() <= SHORT => equation.replace('\'', "′"),
-        None => model.coordinates().iter().map(|it| symbol(&it.name)).collect::<Vec<_>>().join(", "),
+        None => model
+            .coordinates()
+            .iter()
+            .map(|coordinate| symbol(&coordinate.name))
+            .collect::<Vec<_>>()
+            .join(", "),
     }
 }
 

@@ -17,7 +17,8 @@ pub(crate) fn backbone(model: &Model, mode: usize, coordinate: usize, found: &No
     let unit = if coordinate.is_angle() { 1_f64.to_degrees() } else { 1.0 };
     let place = |point: &ModePoint| (unit * point.amplitude, point.orbit.frequency());
     let mut series = vec![];
-    let small = found.points.iter().filter_map(|it| Some((unit * it.amplitude, it.series_frequency?)));
+    let small =
+        found.points.iter().filter_map(|point| Some((unit * point.amplitude, point.series_frequency?)));
     let small: Vec<(f64, f64)> = small.collect();
     if !small.is_empty() {
         series.push(Series::line("ω + κa²", style::reference(), small));

@@ -79,8 +79,10 @@ pub(crate) fn response(curve: &ResponseCurve<'_>) -> Picture {
     }
     for (number, wanted) in KINDS.iter().enumerate() {
         let special = curve.branches.iter().flat_map(|branch| &branch.special);
-        let points: Vec<(f64, f64)> =
-            special.filter(|it| it.kind == *wanted).map(|it| curve.place(&it.point)).collect();
+        let points: Vec<(f64, f64)> = special
+            .filter(|special| special.kind == *wanted)
+            .map(|special| curve.place(&special.point))
+            .collect();
         if !points.is_empty() {
             series.push(Series::line(&wanted.to_string(), style::markers(number + 1), points));
         }

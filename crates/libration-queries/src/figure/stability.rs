@@ -47,7 +47,7 @@ struct CurvePiece {
 
 /// The pieces of a curve; each ends where the next one begins.
 fn pieces(curve: &SpecialCurve) -> Vec<CurvePiece> {
-    let role = |it: &CurvePoint| match (curve.at_rest, it.bounds_stability()) {
+    let role = |point: &CurvePoint| match (curve.at_rest, point.bounds_stability()) {
         (true, true) => Role::Boundary,
         (true, false) => Role::Unstable,
         (false, _) => Role::Driven,

@@ -86,21 +86,24 @@ pub(crate) fn described() -> Vec<Description> {
 fn of_effect() -> Fields<BudgetRow> {
     type Of = Field<BudgetRow>;
     Fields::from([
-        Of::value("name", "", "effect", |it| it.name.into()).words(COLUMNS[0], |it| it.name.to_owned()),
-        Of::value("formula", "", "formula of the correction", |it| it.formula.into())
-            .words(COLUMNS[4], |it| it.formula.to_owned()),
-        Of::nullable("correction", "1", "fractional correction of gravity that was applied, or null", |it| {
-            match it.correction {
+        Of::value("name", "", "effect", |row| row.name.into()).words(COLUMNS[0], |row| row.name.to_owned()),
+        Of::value("formula", "", "formula of the correction", |row| row.formula.into())
+            .words(COLUMNS[4], |row| row.formula.to_owned()),
+        Of::nullable(
+            "correction",
+            "1",
+            "fractional correction of gravity that was applied, or null",
+            |row| match row.correction {
                 Correction::Applied(part) => Some(part),
                 _ => None,
-            }
-        })
-        .numeral(COLUMNS[1], |it| correction(it.correction)),
+            },
+        )
+        .numeral(COLUMNS[1], |row| correction(row.correction)),
         Of::nullable(
             "usual_size",
             "1",
             "typical size of the correction, where it was not applied, or null",
-            |it| match it.correction {
+            |row| match row.correction {
                 Correction::Typical(part) => Some(part),
                 _ => None,
             },
@@ -109,16 +112,16 @@ fn of_effect() -> Fields<BudgetRow> {
             "uncertainty_m_per_s2",
             "m/s²",
             "standard uncertainty of gravity by this effect, or null",
-            |it| it.uncertainty,
+            |row| row.uncertainty,
         )
         .rounded(COLUMNS[2], 2)
         .or("–"),
-        Of::value("type", "", combined::KINDS, |it| it.evaluation.letter().to_string().into())
-            .words(COLUMNS[3], |it| it.evaluation.letter().to_string()),
-        Of::value("with", "", "values that the correction was computed with", |it| it.note.as_str().into())
-            .words(COLUMNS[5], |it| match it.correction {
-                Correction::Typical(_) => format!("not corrected; {}", it.note),
-                _ => it.note.clone(),
+        Of::value("type", "", combined::KINDS, |row| row.evaluation.letter().to_string().into())
+            .words(COLUMNS[3], |row| row.evaluation.letter().to_string()),
+        Of::value("with", "", "values that the correction was computed with", |row| row.note.as_str().into())
+            .words(COLUMNS[5], |row| match row.correction {
+                Correction::Typical(_) => format!("not corrected; {}", row.note),
+                _ => row.note.clone(),
             }),
     ])
 }

@@ -76,7 +76,8 @@ fn inputs(combined: &CombinedUncertainty) -> Vec<InputRow<'_>> {
 
 /// The expanded uncertainty and its contributions.
 pub(crate) fn of_uncertainty() -> Fields<CombinedUncertainty> {
-    let correlations = |it: &CombinedUncertainty| of_correlation().records(&it.correlations);
+    let correlations =
+        |uncertainty: &CombinedUncertainty| of_correlation().records(&uncertainty.correlations);
     with_correlations(Field::nested("budget_correlations[].", &of_correlation(), correlations))
 }
 
@@ -93,7 +94,7 @@ fn with_correlations(correlations: Field<CombinedUncertainty>) -> Fields<Combine
             "gravity_expanded_uncertainty_m_per_s2",
             "m/s²",
             "expanded uncertainty of gravity",
-            |it| it.expanded(),
+            |uncertainty| uncertainty.expanded(),
         ),
         Of::number(
             "coverage_probability",
@@ -101,22 +102,22 @@ fn with_correlations(correlations: Field<CombinedUncertainty>) -> Fields<Combine
             "probability that gravity is within the expanded uncertainty",
             |_| COVERAGE_PROBABILITY,
         ),
-        Of::number("coverage_factor", "1", "expanded uncertainty over the standard one", |it| {
-            it.coverage_factor()
+        Of::number("coverage_factor", "1", "expanded uncertainty over the standard one", |uncertainty| {
+            uncertainty.coverage_factor()
         }),
         Of::value(
             "effective_degrees_of_freedom",
             "1",
             "degrees of freedom of the standard uncertainty, null where they are infinite",
-            |it| json::number(it.degrees_of_freedom),
+            |uncertainty| json::number(uncertainty.degrees_of_freedom),
         ),
-        Of::nested("budget_inputs[].", &of_input(), |it| of_input().records(&inputs(it))),
+        Of::nested("budget_inputs[].", &of_input(), |uncertainty| of_input().records(&inputs(uncertainty))),
         correlations,
         Of::number(
             "share_of_correlations",
             "1",
             "share of the variance of gravity that correlations make",
-            |it| it.share_of_correlations(),
+            |uncertainty| uncertainty.share_of_correlations(),
         ),
     ])
 }
@@ -124,53 +125,55 @@ fn with_correlations(correlations: Field<CombinedUncertainty>) -> Fields<Combine
 fn of_correlation() -> Fields<Correlation> {
     type Of = Field<Correlation>;
     Fields::from([
-        Of::value("between[]", "", "names of two inputs that are correlated", |it| {
-            json::list(it.between.iter().map(|input| input.name()))
+        Of::value("between[]", "", "names of two inputs that are correlated", |correlation| {
+            json::list(correlation.between.iter().map(|input| input.name()))
         }),
-        Of::number("coefficient", "1", "their correlation coefficient", |it| it.coefficient),
+        Of::number("coefficient", "1", "their correlation coefficient", |correlation| {
+            correlation.coefficient
+        }),
     ])
 }
 
 fn of_input<'a>() -> Fields<InputRow<'a>> {
     type Of<'a> = Field<InputRow<'a>>;
     Fields::from([
-        Of::value("input", "", "name of the input quantity x", |it| it.each.input.name().into())
-            .words("input", |it| it.each.input.name().to_owned()),
-        Of::number("value", "", "value of the input, in its unit", |it| it.each.value)
-            .numeral("x", |it| with_unit(number::short(it.each.value, 7), it.each.input.unit())),
-        Of::value("unit", "", "unit of the input", |it| it.each.input.unit().into()),
-        Of::nullable("uncertainty", "", "standard uncertainty u(x), in the same unit, or null", |it| {
-            it.each.uncertainty
+        Of::value("input", "", "name of the input quantity x", |row| row.each.input.name().into())
+            .words("input", |row| row.each.input.name().to_owned()),
+        Of::number("value", "", "value of the input, in its unit", |row| row.each.value)
+            .numeral("x", |row| with_unit(number::short(row.each.value, 7), row.each.input.unit())),
+        Of::value("unit", "", "unit of the input", |row| row.each.input.unit().into()),
+        Of::nullable("uncertainty", "", "standard uncertainty u(x), in the same unit, or null", |row| {
+            row.each.uncertainty
         })
         .short("u(x)", 2)
         .or("–"),
-        Of::number("sensitivity", "", "sensitivity coefficient ∂g/∂x", |it| it.each.sensitivity)
-            .numeral("∂g/∂x", |it| {
-                with_unit(number::short(it.each.sensitivity, 4), it.each.input.unit_of_sensitivity())
+        Of::number("sensitivity", "", "sensitivity coefficient ∂g/∂x", |row| row.each.sensitivity)
+            .numeral("∂g/∂x", |row| {
+                with_unit(number::short(row.each.sensitivity, 4), row.each.input.unit_of_sensitivity())
             }),
-        Of::value("sensitivity_unit", "", "unit of the sensitivity coefficient", |it| {
-            it.each.input.unit_of_sensitivity().into()
+        Of::value("sensitivity_unit", "", "unit of the sensitivity coefficient", |row| {
+            row.each.input.unit_of_sensitivity().into()
         }),
         Of::number(
             "contribution_m_per_s2",
             "m/s²",
             "change of gravity by one standard uncertainty of the input",
-            |it| it.each.change(),
+            |row| row.each.change(),
         )
-        .numeral("|∂g/∂x| u(x) / m/s²", |it| it.if_known(number::rounded(it.each.change().abs(), 2))),
-        Of::number("share", "1", "share of the variance of gravity that the input makes by itself", |it| {
-            it.combined.share(it.each)
+        .numeral("|∂g/∂x| u(x) / m/s²", |row| row.if_known(number::rounded(row.each.change().abs(), 2))),
+        Of::number("share", "1", "share of the variance of gravity that the input makes by itself", |row| {
+            row.combined.share(row.each)
         })
-        .numeral("share", |it| it.if_known(percent(it.combined.share(it.each)))),
-        Of::value("type", "", KINDS, |it| it.each.evaluation.letter().to_string().into())
-            .words("type", |it| it.each.evaluation.letter().to_string()),
+        .numeral("share", |row| row.if_known(percent(row.combined.share(row.each)))),
+        Of::value("type", "", KINDS, |row| row.each.evaluation.letter().to_string().into())
+            .words("type", |row| row.each.evaluation.letter().to_string()),
         Of::value(
             "degrees_of_freedom",
             "1",
             "degrees of freedom of u(x), null where they are infinite",
-            |it| json::number(it.each.degrees_of_freedom),
+            |row| json::number(row.each.degrees_of_freedom),
         )
-        .numeral("ν", |it| degrees(it.each.degrees_of_freedom)),
+        .numeral("ν", |row| degrees(row.each.degrees_of_freedom)),
     ])
 }
 

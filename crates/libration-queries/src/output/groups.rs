@@ -143,12 +143,12 @@ pub(crate) fn fields<'a>(names: &'static FieldNames) -> Fields<Option<&'a Groups
 fn of_row(names: &'static FieldNames) -> Fields<GroupRow> {
     type Of = Field<GroupRow>;
     Fields::from([
-        Of::value("group", "", "name of the group", |it| it.name.clone().into())
-            .words("group", |it| it.name.clone()),
-        Of::value("rows", "1", "number of its rows", |it| it.rows.into())
-            .numeral("rows", |it| it.rows.to_string()),
-        Of::known(names.fields[0], names.unit, "result of its rows", |it| {
-            it.result.clone().map(|it| it.value)
+        Of::value("group", "", "name of the group", |row| row.name.clone().into())
+            .words("group", |row| row.name.clone()),
+        Of::value("rows", "1", "number of its rows", |row| row.rows.into())
+            .numeral("rows", |row| row.rows.to_string()),
+        Of::known(names.fields[0], names.unit, "result of its rows", |row| {
+            row.result.clone().map(|result| result.value)
         })
         .rounded(names.columns[0], 6)
         .or("–"),
@@ -156,14 +156,14 @@ fn of_row(names: &'static FieldNames) -> Fields<GroupRow> {
             names.fields[1],
             names.unit,
             "standard uncertainty by errors that are not common to all groups",
-            |it| it.result.clone().map(|it| it.uncertainty),
+            |row| row.result.clone().map(|result| result.uncertainty),
         )
         .rounded(names.columns[1], 2)
         .or("–"),
-        Of::value("stands_out", "", "true if it is farther from the others than chance explains", |it| {
-            it.stands_out.into()
+        Of::value("stands_out", "", "true if it is farther from the others than chance explains", |row| {
+            row.stands_out.into()
         })
-        .words("", |it| if it.stands_out { "stands out".to_owned() } else { String::new() }),
+        .words("", |row| if row.stands_out { "stands out".to_owned() } else { String::new() }),
     ])
 }
 
@@ -173,29 +173,32 @@ fn of_mean(names: &'static FieldNames) -> Fields<Groups> {
         it.mean.as_ref().map(part)
     }
     Fields::from([
-        Of::nullable(names.fields[0], names.unit, "weighted mean of the groups", |it| {
-            mean(it, |mean| mean.value.value)
+        Of::nullable(names.fields[0], names.unit, "weighted mean of the groups", |groups| {
+            mean(groups, |mean| mean.value.value)
         }),
-        Of::nullable(names.fields[1], names.unit, "its standard uncertainty, with the shared part", |it| {
-            mean(it, |mean| mean.total().uncertainty)
-        }),
-        Of::nullable(names.fields[2], names.unit, "its expanded uncertainty", |it| {
-            mean(it, GroupMean::expanded)
+        Of::nullable(
+            names.fields[1],
+            names.unit,
+            "its standard uncertainty, with the shared part",
+            |groups| mean(groups, |mean| mean.total().uncertainty),
+        ),
+        Of::nullable(names.fields[2], names.unit, "its expanded uncertainty", |groups| {
+            mean(groups, GroupMean::expanded)
         }),
         Of::nullable(
             names.fields[3],
             names.unit,
             "standard uncertainty by errors common to all groups",
-            |it| mean(it, |mean| mean.shared),
+            |groups| mean(groups, |mean| mean.shared),
         ),
-        Of::nullable("birge_ratio", "1", "scatter of the groups over their uncertainties", |it| {
-            mean(it, |mean| mean.scatter.birge_ratio())
+        Of::nullable("birge_ratio", "1", "scatter of the groups over their uncertainties", |groups| {
+            mean(groups, |mean| mean.scatter.birge_ratio())
         }),
         Of::value(
             "effective_degrees_of_freedom",
             "1",
             "degrees of freedom of the standard uncertainty, null where they are infinite",
-            |it| json::number(it.mean.as_ref().map_or(f64::NAN, |mean| mean.degrees_of_freedom)),
+            |groups| json::number(groups.mean.as_ref().map_or(f64::NAN, |mean| mean.degrees_of_freedom)),
         ),
     ])
 }

@@ -135,7 +135,7 @@ impl QueryError {
 
     /// The same error with queries that have a result instead.
     pub(crate) fn with_remedies(self, remedies: &[Remedy]) -> Self {
-        let sentences: Vec<_> = remedies.iter().map(|it| sentence(*it)).collect();
+        let sentences: Vec<_> = remedies.iter().map(|remedy| sentence(*remedy)).collect();
         if sentences.is_empty() { self } else { self.with_hint(&sentences.join("; ")) }
     }
 
@@ -157,8 +157,9 @@ impl QueryError {
     /// The same error with the names that a query has for its arguments, by those of their values in the help.
     pub(crate) fn named(self, name_of: &dyn Fn(&str) -> Option<String>) -> Self {
         let ErrorSubject::Parameters(parameters) = &self.0.about else { return self };
-        let about =
-            ErrorSubject::Parameters(parameters.iter().cloned().map(|it| it.named(name_of)).collect());
+        let about = ErrorSubject::Parameters(
+            parameters.iter().cloned().map(|parameter| parameter.named(name_of)).collect(),
+        );
         Self(Box::new(ErrorContent { about, ..*self.0 }))
     }
 
@@ -232,7 +233,7 @@ impl QueryError {
         if let Kind::Output(error) = &self.0.kind {
             return format!("cannot write the output: {error}");
         }
-        let names: Vec<_> = self.parameters().iter().map(|it| words.parameter(it)).collect();
+        let names: Vec<_> = self.parameters().iter().map(|parameter| words.parameter(parameter)).collect();
         let names = match names.as_slice() {
             [] => String::new(),
             [name] => format!("{name}: "),
@@ -363,7 +364,7 @@ fn refused_parameters(error: &clap::Error) -> Vec<Parameter> {
     match error.get(ContextKind::InvalidArg) {
         Some(ContextValue::String(usage)) => Parameter::of_usage(usage).into_iter().collect(),
         Some(ContextValue::Strings(usages)) => {
-            usages.iter().flat_map(|it| Parameter::all_of_usage(it)).collect()
+            usages.iter().flat_map(|usage| Parameter::all_of_usage(usage)).collect()
         }
         _ => vec![],
     }

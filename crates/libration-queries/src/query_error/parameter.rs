@@ -46,7 +46,9 @@ impl Parameter {
         }
         let alternatives = usage.trim_matches(['<', '>']).split('|');
         alternatives
-            .filter_map(|it| Self::of_usage(it).or_else(|| Self::of_usage(&format!("<{it}>"))))
+            .filter_map(|alternative| {
+                Self::of_usage(alternative).or_else(|| Self::of_usage(&format!("<{alternative}>")))
+            })
             .collect()
     }
 

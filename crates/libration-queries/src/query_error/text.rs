@@ -27,7 +27,8 @@ pub trait Words {
     fn query(&self, words: &str) -> String;
     /// A value, in quotes where a shell needs them.
     fn value(&self, value: &str) -> String {
-        let is_plain = value.chars().all(|it| it.is_ascii_alphanumeric() || "=.,-_/".contains(it));
+        let is_plain =
+            value.chars().all(|character| character.is_ascii_alphanumeric() || "=.,-_/".contains(character));
         if is_plain { value.to_owned() } else { format!("\"{value}\"") }
     }
     /// A parameter with a value, or with several alternative values.
@@ -129,8 +130,10 @@ fn mark(text: &str) -> Option<(MessagePart, usize)> {
     let end = text.find('>')?;
     let inner = &text[1..end];
     let is_name = |name: &str, more: char| {
-        name.starts_with(|it: char| it.is_ascii_lowercase())
-            && name.chars().all(|it| it.is_ascii_lowercase() || it.is_ascii_digit() || it == more)
+        name.starts_with(|letter: char| letter.is_ascii_lowercase())
+            && name.chars().all(|character| {
+                character.is_ascii_lowercase() || character.is_ascii_digit() || character == more
+            })
     };
     let (option, value) =
         inner.split_once('=').map_or((inner, None), |(option, value)| (option, Some(value)));

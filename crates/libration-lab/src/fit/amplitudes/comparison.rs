@@ -51,7 +51,7 @@ impl<'a> LawComparison<'a> {
         let mut found: Vec<DecayLawFit> =
             DampingModel::all().into_iter().filter_map(|terms| fit(&law, terms)).collect();
         let is_physical =
-            |it: &DecayLawFit| it.parameters[1..=it.terms.count()].iter().all(|&rate| rate >= 0.0);
+            |fit: &DecayLawFit| fit.parameters[1..=fit.terms.count()].iter().all(|&rate| rate >= 0.0);
         if let Some(terms) = given
             && !found.iter().any(|it| it.terms == terms && is_physical(it))
         {
@@ -61,8 +61,8 @@ impl<'a> LawComparison<'a> {
         let laws = compared(table, &found);
         let separated = separated(table);
         let preferred =
-            laws.iter().position(|it| it.excess <= separated).ok_or(AmplitudesError::NotFalling)?;
-        let chosen = given.and_then(|terms| laws.iter().position(|it| it.found.terms == terms));
+            laws.iter().position(|law| law.excess <= separated).ok_or(AmplitudesError::NotFalling)?;
+        let chosen = given.and_then(|terms| laws.iter().position(|law| law.found.terms == terms));
         if let (Some(terms), None) = (given, chosen) {
             return Err(AmplitudesError::Law(terms));
         }
@@ -105,27 +105,27 @@ fn separated(table: &AmplitudeTable) -> f64 {
 
 fn compared(table: &AmplitudeTable, found: &[DecayLawFit]) -> Vec<Compared> {
     let rows = count(table.len());
-    let dof = |it: &DecayLawFit| table.len() - parameters(table, it.terms);
+    let dof = |fit: &DecayLawFit| table.len() - parameters(table, fit.terms);
     // Stated uncertainties that are too small by one factor would separate laws that they do not.
     let birge = found.iter().filter(|it| dof(it) > 0).map(|it| it.chi2 / count(dof(it)));
     let scale = if table.weighted { birge.fold(f64::INFINITY, f64::min).clamp(1.0, f64::MAX) } else { 1.0 };
-    let misfit = |it: &DecayLawFit| {
-        let spread: f64 = it.deviations.iter().map(|deviation| 2.0 * libm::log(*deviation)).sum();
+    let misfit = |fit: &DecayLawFit| {
+        let spread: f64 = fit.deviations.iter().map(|deviation| 2.0 * libm::log(*deviation)).sum();
         match table.weighted {
-            true => it.chi2 / scale + spread,
-            false => akaike::misfit_of_scatter(it.chi2 / rows, rows) + spread,
+            true => fit.chi2 / scale + spread,
+            false => akaike::misfit_of_scatter(fit.chi2 / rows, rows) + spread,
         }
     };
-    let aicc = |it: &DecayLawFit| {
-        let parameters = parameters(table, it.terms) + usize::from(!table.weighted);
-        Some(misfit(it) + akaike::cost(rows, count(parameters))?)
+    let aicc = |fit: &DecayLawFit| {
+        let parameters = parameters(table, fit.terms) + usize::from(!table.weighted);
+        Some(misfit(fit) + akaike::cost(rows, count(parameters))?)
     };
     let damped = || found.iter().filter(|it| it.terms != DampingModel::UNDAMPED);
     let has_criterion = damped().any(|it| aicc(it).is_some());
     // Where the rows are too few for the criterion laws of one kind of damping compare by their misfit.
-    let score = |it: &DecayLawFit| match has_criterion {
-        true => aicc(it),
-        false => (it.terms.count() == 1).then(|| misfit(it)),
+    let score = |fit: &DecayLawFit| match has_criterion {
+        true => aicc(fit),
+        false => (fit.terms.count() == 1).then(|| misfit(fit)),
     };
     let least = damped().filter_map(score).fold(f64::INFINITY, f64::min);
     let mut laws: Vec<Compared> = damped()
@@ -145,7 +145,7 @@ fn compared(table: &AmplitudeTable, found: &[DecayLawFit]) -> Vec<Compared> {
 /// Probability by the F test of the last term. It uses the scatter, so that a common factor of all uncertainties does not matter.
 fn chance(law: &DecayLawFit, all: &[DecayLawFit], dof: usize) -> Option<f64> {
     let simpler = all.iter().filter(|it| it.terms.count() + 1 == law.terms.count());
-    let simpler = simpler.filter(|it| it.terms.is_part_of(law.terms)).map(|it| it.chi2);
+    let simpler = simpler.filter(|simpler| simpler.terms.is_part_of(law.terms)).map(|simpler| simpler.chi2);
     let simpler = simpler.fold(f64::INFINITY, f64::min);
     (dof > 0 && simpler.is_finite()).then(|| {
         let square = (simpler - law.chi2).max(0.0) / (law.chi2 / count(dof));

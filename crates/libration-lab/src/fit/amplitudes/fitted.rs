@@ -123,7 +123,11 @@ impl LawOfAmplitudes {
             chance: compared.chance,
             amplitudes: found.curve.amplitudes.clone(),
             residuals: residuals(table, found),
-            standard_deviations: found.deviations.iter().map(|it| it * scale.of_row.sqrt()).collect(),
+            standard_deviations: found
+                .deviations
+                .iter()
+                .map(|deviation| deviation * scale.of_row.sqrt())
+                .collect(),
             rows_per_error: scale.rows_per_error,
             curve: law.amplitudes_between(found.terms, &found.parameters, CURVE),
         }

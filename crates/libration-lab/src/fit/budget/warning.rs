@@ -78,7 +78,8 @@ impl Budget {
     pub fn warnings(&self) -> Vec<BudgetWarning> {
         let likely = 0.5 * (GRAVITY_ON_EARTH[0] + GRAVITY_ON_EARTH[1]);
         // A refuted model is reason enough.
-        let is_refuted = self.combined.contributions.iter().any(|it| it.input == BudgetInput::Model);
+        let is_refuted =
+            self.combined.contributions.iter().any(|contribution| contribution.input == BudgetInput::Model);
         let is_suspect = !is_refuted && is_nowhere_on_earth(self.gravity(), self.combined.degrees_of_freedom);
         let contradicted = is_suspect.then(|| BudgetWarning::GravityContradicted {
             length: self.length,

@@ -104,7 +104,7 @@ impl SimulatedMeasurement {
         let terms = damping.damping;
         let names: Vec<&str> = std::iter::once("k").chain(terms.iter().map(symbol)).collect();
         let system = System::with_parameters(&equation(terms), &names).ok()?;
-        let coefficients = damping.coefficients.iter().map(|it| it.estimate.value);
+        let coefficients = damping.coefficients.iter().map(|coefficient| coefficient.estimate.value);
         let parameters: Vec<f64> = std::iter::once(self.omega0 * self.omega0).chain(coefficients).collect();
         let released = starts.iter().map(|(amplitude, times)| Trajectory {
             start: Moment { time: 0.0, state: vec![*amplitude, 0.0] },

@@ -203,7 +203,7 @@ impl GatesFit {
             (known, _) => known,
         };
         let period = MeasuredPeriod {
-            model: self.contradiction.as_ref().map(|it| it.uncertainty() / t0.value),
+            model: self.contradiction.as_ref().map(|contradiction| contradiction.uncertainty() / t0.value),
             t0: Quantity { uncertainty: (!self.is_exact(t0)).then_some(t0.uncertainty), value: t0.value },
             amplitude: self.amplitude,
             angle_scale,

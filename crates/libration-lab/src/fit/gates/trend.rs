@@ -21,7 +21,7 @@ pub fn at_the_beginning(times: &[f64], periods: &[f64], time: f64) -> Option<Unc
     let parts = halves.take_while(|rows| *rows >= ROWS_FOR_DEGREES[1]);
     let parts = parts.filter_map(|rows| extrapolated(&times[..rows], &periods[..rows], time));
     let best = std::iter::once(whole).chain(parts).map(|it| it.period);
-    best.filter(|it| it.uncertainty.is_finite())
+    best.filter(|best| best.uncertainty.is_finite())
         .min_by(|one, other| one.uncertainty.total_cmp(&other.uncertainty))
 }
 

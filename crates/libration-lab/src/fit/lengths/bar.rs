@@ -125,7 +125,7 @@ fn trials(table: &LengthTable) -> Vec<f64> {
         .collect();
     let is_least = |step: &usize| {
         let neighbour =
-            |other: Option<usize>| other.and_then(|it| sums.get(it)).copied().unwrap_or(f64::INFINITY);
+            |other: Option<usize>| other.and_then(|other| sums.get(other)).copied().unwrap_or(f64::INFINITY);
         sums[*step].is_finite()
             && sums[*step] <= neighbour(step.checked_sub(1))
             && sums[*step] <= neighbour(Some(step + 1))
@@ -175,7 +175,7 @@ fn at_minimum(table: &LengthTable, model: LengthModel, offset: f64, ratio: f64) 
     for _ in 0..MOST_ROUNDS {
         let deviations = deviations(table, &parameters, ratio);
         let least = minimum(parameters.clone(), EFFORT, |it| linearised(table, it, &deviations)).ok()?;
-        if !least.parameters.iter().take(2).all(|&it| it > 0.0) {
+        if !least.parameters.iter().take(2).all(|&parameter| parameter > 0.0) {
             return None;
         }
         let covariance = Design::new(&least.linearised.jacobian, EXACTNESS).ok()?.covariance();
@@ -210,7 +210,7 @@ fn deviations(table: &LengthTable, parameters: &DVector<f64>, ratio: f64) -> Vec
     }
     let factors = table.rows.iter().map(|row| libm::hypot(1.0, ratio * bar.slope_of_period(table, row)));
     let factors: Vec<f64> = factors.collect();
-    let mean = libm::exp(factors.iter().map(|&it| libm::log(it)).sum::<f64>() / count(factors.len()));
+    let mean = libm::exp(factors.iter().map(|&factor| libm::log(factor)).sum::<f64>() / count(factors.len()));
     table.rows.iter().zip(factors).map(|(row, factor)| of_period(table, row) * factor / mean).collect()
 }
 

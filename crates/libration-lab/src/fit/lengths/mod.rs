@@ -217,7 +217,7 @@ fn mistaken_sign(table: &LengthTable, options: &LengthsOptions, bars: &[LengthFi
     /// offset δ of its lengths L the radius comes out as √(δL).
     const FARTHEST: f64 = 2.0;
     let negative =
-        table.negative().filter(|_| table.rows.iter().filter(|it| it.length < 0.0).count() == 1)?;
+        table.negative().filter(|_| table.rows.iter().filter(|row| row.length < 0.0).count() == 1)?;
     let positive = table.of_positive_lengths();
     of_strings(&positive, options).ok()?;
     let shortest = positive.rows.iter().map(|row| row.length).fold(f64::INFINITY, f64::min);
@@ -245,7 +245,8 @@ fn is_bar(bars: &[LengthFit], table: &LengthTable) -> bool {
     let distances = || table.rows.iter().map(|row| row.length + offset);
     let shortest = distances().map(f64::abs).fold(f64::INFINITY, f64::min);
     let falls = bar.gyration.is_some_and(|gyration| gyration.value > shortest * shortest);
-    let is_on_both_sides = distances().any(|it| it < 0.0) && distances().any(|it| it > 0.0);
+    let is_on_both_sides =
+        distances().any(|distance| distance < 0.0) && distances().any(|distance| distance > 0.0);
     let is_separated = bar.aicc.is_some_and(|aicc| aicc + SEPARATED < aicc_of_strings(table));
     is_determined(bar) && (falls || is_on_both_sides) && is_separated
 }
@@ -322,11 +323,13 @@ impl LengthsOptions {
             fits.iter().find(|fit| fit.model == preferred).ok_or(FitError::NoConvergence("the line"))?;
         let own = own.unwrap_or_else(|| vec![slope(best)]);
         let found = CorrectedLaw { table, options: self, model: preferred }.budget(best)?;
-        let row = |it: &Contribution| match it.input {
-            BudgetInput::Slope => {
-                budget::input_row(it, "u(s)/s", "s: slope of T^2/(2pi R)^2 against the length".into())
-            }
-            _ => budget::input_row(it, "u(g)/g", "of the reversible pendulum".into()),
+        let row = |contribution: &Contribution| match contribution.input {
+            BudgetInput::Slope => budget::input_row(
+                contribution,
+                "u(s)/s",
+                "s: slope of T^2/(2pi R)^2 against the length".into(),
+            ),
+            _ => budget::input_row(contribution, "u(g)/g", "of the reversible pendulum".into()),
         };
         let rows: Vec<BudgetRow> = own.iter().map(row).chain(found.rows).collect();
         let contributions = [own, found.contributions].concat();

@@ -342,7 +342,8 @@ impl Solution {
         };
         let covariance = readings.as_ref().map_or_else(|| self.covariance.clone(), ReadingsOfFit::covariance);
         // The relative variances of g and of the slope are equal.
-        let degrees_of_freedom = |it: &ReadingsOfFit<'_>| it.degrees_of_freedom(&[1.0], covariance[(0, 0)]);
+        let degrees_of_freedom =
+            |readings: &ReadingsOfFit<'_>| readings.degrees_of_freedom(&[1.0], covariance[(0, 0)]);
         let readings_degrees_of_freedom = readings.as_ref().map_or(f64::INFINITY, degrees_of_freedom);
         let found = Self { covariance, ..self.clone() };
         let enlargement = scatter.map_or(1.0, Scatter::enlargement);

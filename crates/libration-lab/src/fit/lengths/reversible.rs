@@ -77,7 +77,8 @@ pub(super) fn reversible(
         }
     };
     let contributions: Vec<Contribution> = [vec![of_periods], of_distances].concat();
-    let square: f64 = contributions.iter().map(|it| it.change() * it.change()).sum();
+    let square: f64 =
+        contributions.iter().map(|contribution| contribution.change() * contribution.change()).sum();
     let gravity = Uncertain { value: gravity, uncertainty: square.sqrt() };
     Ok((described(table, gravity), contributions))
 }

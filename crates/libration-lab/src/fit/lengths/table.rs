@@ -198,7 +198,7 @@ impl LengthRow {
         }
         let amplitude = columns.amplitudes.get(index).or(columns.amplitudes.first());
         let (ratio, relative) = ratio(amplitude, row)?;
-        let amplitude = amplitude.map_or(0.0, |it| it.value.abs());
+        let amplitude = amplitude.map_or(0.0, |amplitude| amplitude.value.abs());
         let period_uncertainty = if weighted { libm::hypot(own, period * relative) } else { 0.0 };
         Ok(Self { length, period, length_uncertainty, period_uncertainty, ratio, amplitude })
     }

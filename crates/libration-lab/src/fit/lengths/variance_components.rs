@@ -36,7 +36,7 @@ pub(super) fn most_likely(fits: &[OfRatio<'_>]) -> Option<(usize, DMatrix<f64>)>
     let likelihoods: Vec<f64> = fits.iter().map(OfRatio::log_likelihood).collect();
     let (index, &largest) =
         likelihoods.iter().enumerate().max_by(|(_, one), (_, other)| one.total_cmp(other))?;
-    if !likelihoods.iter().all(|it| it.is_finite()) {
+    if !likelihoods.iter().all(|likelihood| likelihood.is_finite()) {
         return None;
     }
     let best = &fits[index];

@@ -72,7 +72,7 @@ impl Iterator for RecordingParts<'_> {
         let amplitude = self.first * libm::exp(-decay);
         // Amplitudes that have fallen to nearly zero count as small swings.
         let swing = Angle::from_radians(amplitude).ok().and_then(|angle| Amplitude::new(angle).ok());
-        let (ratio, condition) = swing.map_or((1.0, 0.0), |it| (it.period_ratio(), it.condition()));
+        let (ratio, condition) = swing.map_or((1.0, 0.0), |swing| (swing.period_ratio(), swing.condition()));
         let half = self.recording.angular_frequency() / ratio * self.duration / f64::from(2 * PLACES);
         let rates = [half, half * condition, half * condition * part / 2.0];
         let middle = [0, 1, 2].map(|it| self.integrals[it] + rates[it]);

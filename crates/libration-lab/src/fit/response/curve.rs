@@ -118,7 +118,8 @@ impl ResponseFit {
         let asked = Asked { frequency, amplitude };
         let required = law.required(&[asked], coefficients)?.pop()?;
         let radial = |change| along(required.drive, change);
-        let mut gradient: Vec<f64> = required.by_coefficients.iter().map(|it| radial(*it)).collect();
+        let mut gradient: Vec<f64> =
+            required.by_coefficients.iter().map(|coefficient| radial(*coefficient)).collect();
         gradient.push(-1.0);
         Some(self.deviation(&gradient) / radial(required.by_frequency(&asked, coefficients)).abs())
     }

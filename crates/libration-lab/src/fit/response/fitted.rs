@@ -207,7 +207,8 @@ fn beyond_fold(
         return None;
     }
     let radial = |change| along(required.drive, change);
-    let mut gradient: Vec<f64> = required.by_coefficients.iter().map(|it| radial(*it)).collect();
+    let mut gradient: Vec<f64> =
+        required.by_coefficients.iter().map(|coefficient| radial(*coefficient)).collect();
     gradient.push(-1.0);
     let asked = Asked { frequency: row.frequency, amplitude: found.amplitude };
     let by_frequency = radial(required.by_frequency(&asked, coefficients));

@@ -106,7 +106,7 @@ impl OneHarmonic {
 impl DriveMethod for OneHarmonic {
     fn required(&self, asked: &[Asked], coefficients: &[f64]) -> Option<Vec<RequiredDrive>> {
         let drives: Vec<RequiredDrive> = asked.iter().map(|it| self.drive(it, coefficients)).collect();
-        drives.iter().all(|it| it.drive.is_finite()).then_some(drives)
+        drives.iter().all(|drive| drive.drive.is_finite()).then_some(drives)
     }
 }
 

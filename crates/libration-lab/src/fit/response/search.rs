@@ -291,7 +291,8 @@ impl Search<'_> {
             let excess = (row.amplitude - amplitude) / deviation;
             let misses = DVector::from_vec(row.misses(drive, parameters[parameters.len() - 1]))
                 + DVector::from_row_slice(&slope) * excess;
-            let by_coefficients = here[place].by_coefficients.iter().map(|it| row.components(drive, *it));
+            let by_coefficients =
+                here[place].by_coefficients.iter().map(|coefficient| row.components(drive, *coefficient));
             let by_drive = std::iter::once(vec![-1.0, 0.0][..slope.len()].to_vec());
             let columns: Vec<DVector<f64>> = by_coefficients.chain(by_drive).map(DVector::from_vec).collect();
             let (residuals, jacobian) = (&whitening * misses, &whitening * DMatrix::from_columns(&columns));

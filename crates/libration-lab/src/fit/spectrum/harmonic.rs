@@ -47,13 +47,13 @@ impl Harmonic {
     /// The difference over its uncertainty.
     #[must_use]
     pub fn deviation(&self) -> Option<f64> {
-        self.difference.map(|it| it.value / it.uncertainty)
+        self.difference.map(|difference| difference.value / difference.uncertainty)
     }
 
     /// The quadrature over its uncertainty.
     #[must_use]
     pub fn quadrature_deviation(&self) -> Option<f64> {
-        self.quadrature.map(|it| it.value / it.uncertainty)
+        self.quadrature.map(|quadrature| quadrature.value / quadrature.uncertainty)
     }
 }
 

@@ -256,7 +256,7 @@ impl UsableWindows {
         let growth = |n: usize| {
             self.fits.iter().map(|fit| fit.theory.growth(n).power).sum::<f64>() / count(self.fits.len())
         };
-        let of = |it: &Harmonic| of_harmonic(it, growth(it.n), &swing);
+        let of = |harmonic: &Harmonic| of_harmonic(harmonic, growth(harmonic.n), &swing);
         harmonics.iter().flat_map(of).collect()
     }
 }

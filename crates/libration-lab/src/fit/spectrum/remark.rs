@@ -95,12 +95,14 @@ pub(super) fn of_harmonic(harmonic: &Harmonic, growth: f64, swing: &MeasuredSwin
     let MeasuredSwing { observable, first, decay, .. } = *swing;
     let Harmonic { n, in_phase, theory, .. } = *harmonic;
     let is_known = |value: f64| value.abs() > INEXACT[0] * theory.abs() + INEXACT[1] * first;
-    let differs = harmonic.difference.is_some_and(|it| is_known(it.value))
+    let differs = harmonic.difference.is_some_and(|difference| is_known(difference.value))
         && is_significant(harmonic.deviation(), harmonic.degrees_of_freedom, swing.harmonics);
-    let lags = harmonic.quadrature.is_some_and(|it| is_known(it.value))
+    let lags = harmonic.quadrature.is_some_and(|quadrature| is_known(quadrature.value))
         && is_significant(harmonic.quadrature_deviation(), harmonic.degrees_of_freedom, swing.harmonics);
-    let part =
-        |it: Uncertain| Uncertain { value: it.value.abs() / first, uncertainty: it.uncertainty / first };
+    let part = |quantity: Uncertain| Uncertain {
+        value: quantity.value.abs() / first,
+        uncertainty: quantity.uncertainty / first,
+    };
     if n == 0 {
         return if differs { vec![SpectrumRemark::Offset { value: in_phase, observable }] } else { vec![] };
     }
@@ -149,8 +151,10 @@ impl SpectrumRemark {
 
 impl fmt::Display for SpectrumRemark {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let percent =
-            |it: &Uncertain| Uncertain { value: 100.0 * it.value, uncertainty: 100.0 * it.uncertainty };
+        let percent = |quantity: &Uncertain| Uncertain {
+            value: 100.0 * quantity.value,
+            uncertainty: 100.0 * quantity.uncertainty,
+        };
         match self {
             Self::Offset { value, observable: Observable::Angle } => {
                 let degrees = Uncertain {

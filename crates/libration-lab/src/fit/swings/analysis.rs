@@ -60,7 +60,10 @@ pub fn fit_swings(
     let (contradiction, warnings, advice) = (None, vec![], vec![]);
     let mut found = SwingsFit { fit, comparison, cycles, beta, contradiction, pendulum, warnings, advice };
     found.contradiction = found.contradicting(traces);
-    let model = found.contradiction.as_ref().map(|it| it.uncertainty() / it.values[0]);
+    let model = found
+        .contradiction
+        .as_ref()
+        .map(|contradiction| contradiction.uncertainty() / contradiction.values[0]);
     found.pendulum = pendulum_of(&found.fit, found.period_of_runs(), model, &found.cycles, options)?;
     found.warnings = doubts::warnings(&found, traces);
     found.advice = improvements::advice(&found, traces, options.angle_scale);

@@ -218,7 +218,9 @@ impl TraceFit {
 
     /// The speed at the bottom by the energy at the beginning of a trace.
     fn greatest_speed(&self, trace: usize) -> f64 {
-        let own = |kind| self.parameters.iter().find(|it| it.trace == Some(trace) && it.kind == kind);
+        let own = |kind| {
+            self.parameters.iter().find(|parameter| parameter.trace == Some(trace) && parameter.kind == kind)
+        };
         let value = |kind| own(kind).map_or(0.0, |parameter| parameter.estimate.value);
         let height = 2.0 * libm::sin(0.5 * value(ParameterKind::FirstAngle));
         libm::hypot(value(ParameterKind::FirstVelocity), self.parameters[0].estimate.value * height)

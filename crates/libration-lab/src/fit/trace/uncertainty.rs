@@ -117,7 +117,7 @@ fn heed_noise(parameters: &mut [Parameter], traces: &[Trace], response: &Respons
 fn independent_rows(parameters: &[Parameter], rows: usize) -> f64 {
     let shared = parameters.iter().filter(|parameter| parameter.trace.is_none());
     let logarithms: Vec<f64> = shared
-        .map(|it| 2.0 * libm::log(it.estimate.uncertainty / it.formal_uncertainty))
+        .map(|shared| 2.0 * libm::log(shared.estimate.uncertainty / shared.formal_uncertainty))
         .filter(|x| x.is_finite())
         .collect();
     // Without any it is NaN, for which `max` returns the other number.

@@ -34,7 +34,7 @@ pub(in crate::measurement) fn name_minima(headings: &mut [Heading]) {
             continue;
         };
         let maximum = headings.iter().find(|other| other.text.to_lowercase() == format!("{stem}max"));
-        if let Some(quantity) = maximum.map(|it| it.quantity) {
+        if let Some(quantity) = maximum.map(|maximum| maximum.quantity) {
             let heading = &mut headings[place];
             let name = heading.text.clone();
             (heading.name, heading.quantity, heading.unit, heading.unit_text) = (name, quantity, None, None);

@@ -77,8 +77,9 @@ impl Heading {
         let run = run.or(after).or(group).map(str::trim).filter(|run| !run.is_empty());
         let unit = unit_text.and_then(|unit| unit.parse().ok());
         let words = Words::read(name);
-        let is_angular =
-            unit == Some(Unit::Hertz) && unit_text.is_some_and(|it| it.contains('s')) && is_angular(name);
+        let is_angular = unit == Some(Unit::Hertz)
+            && unit_text.is_some_and(|unit_text| unit_text.contains('s'))
+            && is_angular(name);
         let unit = if is_angular { Some(Unit::RadianPerSecond) } else { unit };
         Self {
             text: text.into(),
@@ -241,7 +242,7 @@ fn is_angular(name: &str) -> bool {
 /// The text after the number of a reading in brackets: ` [s]` of `T (2) [s]`.
 fn after_number(rest: &str, close: char) -> Option<&str> {
     let (number, after) = rest.split_once(close)?;
-    (!number.is_empty() && number.bytes().all(|it| it.is_ascii_digit())).then_some(after)
+    (!number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit())).then_some(after)
 }
 
 /// Splits `t / s` but not `T/2`, whose 2 is not a unit; `T/2 / s` has the unit s.

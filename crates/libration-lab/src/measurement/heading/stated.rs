@@ -28,7 +28,9 @@ const FRACTIONS: [(&str, f64); 7] = [
 pub(in crate::measurement) fn without_stated(text: &str) -> (String, Option<StatedUncertainty>) {
     let found = text.split_once('±').and_then(|(before, after)| {
         let after = after.trim_start();
-        let end = after.find(|it: char| !(it.is_ascii_digit() || ".,".contains(it))).unwrap_or(after.len());
+        let end = after
+            .find(|letter: char| !(letter.is_ascii_digit() || ".,".contains(letter)))
+            .unwrap_or(after.len());
         let value: f64 = after[..end].trim_end_matches(['.', ',']).replace(',', ".").parse().ok()?;
         Some((before, value, &after[end..])).filter(|_| value > 0.0 && value.is_finite())
     });
@@ -68,7 +70,7 @@ impl Heading {
         let lower = self.text.to_lowercase();
         FRACTIONS.iter().find_map(|(sign, size)| {
             let before = &lower[..lower.find(sign)?];
-            (!before.trim_end().ends_with(|it: char| it.is_ascii_digit())).then_some(*size)
+            (!before.trim_end().ends_with(|letter: char| letter.is_ascii_digit())).then_some(*size)
         })
     }
 

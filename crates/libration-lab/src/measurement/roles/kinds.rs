@@ -114,7 +114,7 @@ fn is_of_swings(channel: &Channel, has_times: bool) -> bool {
 
 fn most_are_numbers(channel: &Channel) -> bool {
     let are_numbers: Vec<bool> = channel.numbers().flatten().map(is_number_of_swings).collect();
-    2 * are_numbers.iter().filter(|it| **it).count() >= are_numbers.len()
+    2 * are_numbers.iter().filter(|number| **number).count() >= are_numbers.len()
 }
 
 fn most_are_whole(channel: &Channel) -> bool {

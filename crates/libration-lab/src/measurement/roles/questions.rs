@@ -44,9 +44,9 @@ impl RoleSearch<'_> {
             Some(([high, low], Heading::read(&name, None, None)))
         });
         let Some((pair, plain)) = found else { return Ok(()) };
-        let said = |it: &&super::TableQuantity| {
-            it.only_named.is_none()
-                && [self.heading(pair[0]), &plain].iter().any(|heading| it.role.is_said_by(heading))
+        let said = |quantity: &&super::TableQuantity| {
+            quantity.only_named.is_none()
+                && [self.heading(pair[0]), &plain].iter().any(|heading| quantity.role.is_said_by(heading))
         };
         let Some(quantity) = self.needed.iter().find(said) else { return Ok(()) };
         let [high, low] = pair.map(|place| self.describe(place));
@@ -81,8 +81,9 @@ impl RoleSearch<'_> {
         let not_an_amplitude = |place: usize| {
             let name = self.heading(place).name.to_lowercase();
             let has = |notations: &[&str]| notations.iter().any(|words| name.contains(words));
-            let is_square =
-                || has(&SQUARES) || name.split(|it: char| !it.is_alphanumeric()).any(|it| it == "rms");
+            let is_square = || {
+                has(&SQUARES) || name.split(|letter: char| !letter.is_alphanumeric()).any(|it| it == "rms")
+            };
             match () {
                 () if has(&FULL) => Some((place, ["twice the", "halve its numbers"])),
                 () if is_square() => {
@@ -91,7 +92,8 @@ impl RoleSearch<'_> {
                 () => None,
             }
         };
-        let is_amplitude = |it: &&super::TableQuantity| matches!(it.role, Role::Angles | Role::Displacements);
+        let is_amplitude =
+            |quantity: &&super::TableQuantity| matches!(quantity.role, Role::Angles | Role::Displacements);
         let found = (0..self.kinds.len()).filter(|&place| self.is_free(place)).find_map(not_an_amplitude);
         let (Some((place, [what, remedy])), Some(quantity)) = (found, self.needed.iter().find(is_amplitude))
         else {

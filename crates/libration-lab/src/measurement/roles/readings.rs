@@ -73,7 +73,7 @@ impl RoleSearch<'_> {
 
     fn names(&self) -> String {
         let needed = self.needed.iter().filter(|it| it.only_named.is_none());
-        needed.map(|it| it.name).collect::<Vec<_>>().join(" and ")
+        needed.map(|needed| needed.name).collect::<Vec<_>>().join(" and ")
     }
 
     /// Number of columns of numbers.
@@ -109,7 +109,8 @@ impl RoleSearch<'_> {
 
     /// Returns `true` if a unit shows that a column contains angles, and this is the only quantity of angles.
     fn is_only_angle(&self, place: usize, needed: TableQuantity) -> bool {
-        let of_angles = |it: &&TableQuantity| matches!(it.role, Role::Angles | Role::Displacements);
+        let of_angles =
+            |quantity: &&TableQuantity| matches!(quantity.role, Role::Angles | Role::Displacements);
         let heading = self.heading(place);
         needed.role == Role::Angles
             && self.needed.iter().filter(of_angles).count() == 1
@@ -250,13 +251,18 @@ fn stem(heading: &Heading) -> String {
         '₀'..='₉' => '0',
         other => other,
     };
-    let plain: String =
-        heading.name.to_lowercase().chars().filter(|it| !"{}#()".contains(*it)).map(subscript).collect();
+    let plain: String = heading
+        .name
+        .to_lowercase()
+        .chars()
+        .filter(|character| !"{}#()".contains(*character))
+        .map(subscript)
+        .collect();
     let mut words: Vec<&str> = plain.split([' ', '_']).filter(|word| !word.is_empty()).collect();
     let is_ordinal = |word: &str| {
         let digits = word.trim_end_matches(|letter: char| letter.is_alphabetic() || ".°".contains(letter));
         !digits.is_empty()
-            && digits.bytes().all(|it| it.is_ascii_digit())
+            && digits.bytes().all(|byte| byte.is_ascii_digit())
             && ["st", "nd", "rd", "th", ".", "°", "º", "ª", "e", "er", "ère"].contains(&&word[digits.len()..])
     };
     words.retain(|word| !is_ordinal(word));
@@ -266,5 +272,8 @@ fn stem(heading: &Heading) -> String {
     {
         words.pop();
     }
-    words.join(" ").trim_end_matches(|it: char| it.is_ascii_digit() || it == ' ' || it == '.').to_owned()
+    words
+        .join(" ")
+        .trim_end_matches(|letter: char| letter.is_ascii_digit() || letter == ' ' || letter == '.')
+        .to_owned()
 }

@@ -174,12 +174,15 @@ fn plan(system: &System, order: usize, lanes: usize) -> Plan {
     let formulas = system.coordinates() + system.moduli();
     let first_sign = degrees.len() - system.moduli();
     let boundaries = boundaries(system.tape(), formulas, first_sign).into_iter();
-    let on_block = |it: Boundary<usize>| Boundary { of: program.places[it.of], forbidden: it.forbidden };
+    let on_block = |boundary: Boundary<usize>| Boundary {
+        of: program.places[boundary.of],
+        forbidden: boundary.forbidden,
+    };
     let boundaries: Vec<Boundary<Row>> = boundaries.map(on_block).collect();
     let divisors = boundaries.iter().filter(|boundary| boundary.forbidden == Forbidden::Zero);
     let divisors = divisors.map(|boundary| Steep::divisor(boundary.of));
     let steep = steep_places(system.tape(), system.coordinates(), order).into_iter();
-    let steep = steep.map(|it| it.moved(program.places[it.of])).chain(divisors).collect();
+    let steep = steep.map(|steep| steep.moved(program.places[steep.of])).chain(divisors).collect();
     let machine_code = || MachineCode::new(lanes, system.is_for_many_steps());
     let (beginning, expansion) = (machine_code(), machine_code());
     let arguments = &system.tape().results()[system.coordinates()..formulas];

@@ -26,12 +26,12 @@ pub(super) struct Written {
 /// One equation for each number of each range, with plain names.
 pub(super) fn expanded(written: Vec<Written>) -> Result<Vec<Sides>, EquationError> {
     let is_plain =
-        |one: &Written| one.range.is_none() && !symbols(&one.sides).any(|it| it.name.contains('['));
+        |one: &Written| one.range.is_none() && !symbols(&one.sides).any(|symbol| symbol.name.contains('['));
     if written.iter().all(is_plain) {
         return Ok(written.into_iter().map(|one| one.sides).collect());
     }
     let sizes = written.iter().filter_map(|one| one.range.as_ref());
-    if sizes.map(|it| it.last.saturating_sub(it.first) as usize + 1).sum::<usize>() > MOST_EQUATIONS {
+    if sizes.map(|size| size.last.saturating_sub(size.first) as usize + 1).sum::<usize>() > MOST_EQUATIONS {
         return Err(EquationError::TooManyEquations { limit: MOST_EQUATIONS });
     }
     let mut equations = vec![];
@@ -169,12 +169,14 @@ impl Chain {
         {
             return Ok(Expression::Symbol(other.with_primes(symbol.primes)));
         }
-        if let Some(other) =
-            end.symbols().into_iter().find(|it| it.name.contains('[') && !self.inside.contains(&it.name))
+        if let Some(other) = end
+            .symbols()
+            .into_iter()
+            .find(|symbol| symbol.name.contains('[') && !self.inside.contains(&symbol.name))
         {
             return Err(EquationError::EndByEnd { name: symbol.name.clone(), other: other.name });
         }
-        let moves = end.symbols().iter().any(|it| self.inside.contains(&it.name));
+        let moves = end.symbols().iter().any(|symbol| self.inside.contains(&symbol.name));
         if symbol.primes > 0 && moves {
             return Err(EquationError::RateOfEnd { rate: symbol.clone(), end: excerpt(&end.to_string()) });
         }
@@ -202,7 +204,8 @@ impl Chain {
 /// The members that have an equation: those with a second derivative, and in equations without one those with a first derivative.
 fn own_members(equations: &[Sides]) -> BTreeSet<String> {
     let members = |sides: &Sides, primes: u8| -> BTreeSet<String> {
-        let members = symbols(sides).filter(|it| it.primes == primes && Member::of(&it.name).is_some());
+        let members =
+            symbols(sides).filter(|symbol| symbol.primes == primes && Member::of(&symbol.name).is_some());
         members.map(|symbol| symbol.name).collect()
     };
     let accelerated: BTreeSet<String> = equations.iter().flat_map(|sides| members(sides, 2)).collect();
@@ -215,7 +218,7 @@ fn own_members(equations: &[Sides]) -> BTreeSet<String> {
 
 /// The formula with x3 in place of `x[3]`; `x[-1]` has no such name.
 fn plain_names(formula: &Expression) -> Result<Expression, EquationError> {
-    let below = formula.symbols().into_iter().find(|it| it.name.contains("[-"));
+    let below = formula.symbols().into_iter().find(|symbol| symbol.name.contains("[-"));
     if let Some(Symbol { name, .. }) = below {
         return Err(EquationError::NegativeIndex(name));
     }

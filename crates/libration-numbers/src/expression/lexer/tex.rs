@@ -87,8 +87,8 @@ impl Lexer<'_> {
     fn upright(&mut self) -> Result<Token, Fault> {
         let rest = self.rest();
         let inside = rest.strip_prefix('{').and_then(|rest| rest.split_once('}')).map(|(inside, _)| inside);
-        let name = inside.filter(|it| it.starts_with(|c: char| c.is_ascii_alphabetic()));
-        let name = name.filter(|it| it.bytes().all(|byte| byte.is_ascii_alphanumeric()));
+        let name = inside.filter(|inside| inside.starts_with(|c: char| c.is_ascii_alphabetic()));
+        let name = name.filter(|name| name.bytes().all(|byte| byte.is_ascii_alphanumeric()));
         let name = name.ok_or(Fault::WordWithoutBraces)?.to_owned();
         self.at += name.len() + 2;
         self.with_index_and_primes(name, 0)

@@ -64,7 +64,8 @@ impl Parser<'_> {
     /// Consumes a `(t)` after a variable; other brackets remain as factors.
     fn before_bracket(&mut self, symbol: &Symbol) -> Result<(), Fault> {
         let argument = self.lexemes.get(self.next + 1..self.next + 3);
-        let of_time = argument.is_some_and(|it| is_time(&it[0]) && it[1].token == Token::Sign(')'));
+        let of_time =
+            argument.is_some_and(|argument| is_time(&argument[0]) && argument[1].token == Token::Sign(')'));
         let name = symbol.to_string();
         match (self.is_variable(&symbol.name), of_time) {
             (true, true) => self.next += 3,
@@ -80,8 +81,7 @@ impl Parser<'_> {
 
     /// Returns `true` if a name has primes anywhere in the text.
     fn is_variable(&self, name: &str) -> bool {
-        let primed =
-            |it: &Lexeme| matches!(&it.token, Token::Name(other) if other.primes > 0 && other.name == name);
+        let primed = |lexeme: &Lexeme| matches!(&lexeme.token, Token::Name(other) if other.primes > 0 && other.name == name);
         self.lexemes.iter().any(primed)
     }
 

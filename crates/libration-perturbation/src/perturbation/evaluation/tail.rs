@@ -44,7 +44,7 @@ pub(super) fn beyond_the_last(
         .collect();
     let ratio = largest_ratio(&later, ((end - from) / 3).max(1));
     let known = convergence.filter(|_| terms.len() > MANY);
-    let of_radius = known.map(|it| CAUTION * libm::pow(x.abs() / it.at_least, count(stride)));
+    let of_radius = known.map(|known| CAUTION * libm::pow(x.abs() / known.at_least, count(stride)));
     let ratio = of_radius.map_or(ratio, |other| f64::min(ratio, other));
     if ratio.is_nan() || ratio >= 1.0 {
         return f64::INFINITY;

@@ -108,7 +108,7 @@ fn while_falling(formula: &Expression, velocity: &Symbol) -> Expression {
 }
 
 fn has_kinks(formula: &Expression, velocity: &Symbol) -> bool {
-    let kink = |it: &Expression| matches!(it, Expression::Call(Function::Abs | Function::Sign, of) if is_symbol(of, velocity));
+    let kink = |expression: &Expression| matches!(expression, Expression::Call(Function::Abs | Function::Sign, of) if is_symbol(of, velocity));
     kink(formula) || formula.parts().any(|part| has_kinks(part, velocity))
 }
 

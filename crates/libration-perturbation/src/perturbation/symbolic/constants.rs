@@ -88,6 +88,6 @@ fn value(constant: &Expression) -> Option<BigFloat> {
 
 /// The coefficients of the frequency and of all harmonics.
 fn coefficients<C: Clone>(of: &Expansion<C>) -> Vec<C> {
-    let harmonics = of.harmonics.iter().flat_map(|it| it.cos.iter().chain(&it.sin));
+    let harmonics = of.harmonics.iter().flat_map(|harmonic| harmonic.cos.iter().chain(&harmonic.sin));
     of.frequency_ratio.iter().chain(harmonics).cloned().collect()
 }

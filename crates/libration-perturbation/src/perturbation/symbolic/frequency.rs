@@ -57,7 +57,9 @@ impl<'a> Frequency<'a> {
 
     /// The name of ω0 with its root as a formula, if ω0² is one term whose root occurs in these coefficients.
     pub(super) fn named_root(&self, coefficients: &[LaurentPolynomial]) -> Option<(String, Expression)> {
-        let occurs = |it: &LaurentPolynomial| it.half_powers().any(|(powers, _)| powers[self.place] != 0);
+        let occurs = |polynomial: &LaurentPolynomial| {
+            polynomial.half_powers().any(|(powers, _)| powers[self.place] != 0)
+        };
         if self.is_sum() || !coefficients.iter().any(occurs) {
             return None;
         }

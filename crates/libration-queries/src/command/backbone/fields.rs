@@ -32,38 +32,45 @@ impl BackboneResult {
 pub(super) fn of_backbone() -> Fields<BackboneResult> {
     type Of = Field<BackboneResult>;
     Fields::from([
-        Of::value("oscillator", "", "key of the oscillator, null where its equation was typed", |it| {
-            it.asked.key.into()
+        Of::value("oscillator", "", "key of the oscillator, null where its equation was typed", |result| {
+            result.asked.key.into()
         })
-        .line_of("oscillator", |it| it.asked.title.clone()),
-        Of::value("equation", "", "equation of motion", |it| it.asked.equation.to_string().into())
-            .line_of("equation", |it| it.asked.equation.to_string()),
-        Of::value("parameters.NAME", "", "value of the parameter with this name, as text", |it| {
-            json::object(it.asked.values.iter().cloned())
+        .line_of("oscillator", |result| result.asked.title.clone()),
+        Of::value("equation", "", "equation of motion", |result| result.asked.equation.to_string().into())
+            .line_of("equation", |result| result.asked.equation.to_string()),
+        Of::value("parameters.NAME", "", "value of the parameter with this name, as text", |result| {
+            json::object(result.asked.values.iter().cloned())
         }),
-        Of::value("order", "1", "order of the perturbation series", |it| it.order.into()),
-        Of::number("centre", "", "equilibrium that amplitudes are measured from", |it| it.curve.centre()),
+        Of::value("order", "1", "order of the perturbation series", |result| result.order.into()),
+        Of::number("centre", "", "equilibrium that amplitudes are measured from", |result| {
+            result.curve.centre()
+        }),
         Of::value(
             "centre_is_equilibrium",
             "",
             "true if it is a stable equilibrium; if false, amplitudes are measured from 0",
-            |it| it.curve.has_equilibrium().into(),
+            |result| result.curve.has_equilibrium().into(),
         ),
-        Of::known("omega0_rad_per_s", "rad/s", "angular frequency of small oscillations, or null", |it| {
-            it.curve.omega0().ok_or_else(|| no_series(it).unwrap_or_default())
+        Of::known(
+            "omega0_rad_per_s",
+            "rad/s",
+            "angular frequency of small oscillations, or null",
+            |result| result.curve.omega0().ok_or_else(|| no_series(result).unwrap_or_default()),
+        ),
+        Of::value("no_series", "", "reason why there is no series, or null", |result| {
+            no_series(result).into()
         }),
-        Of::value("no_series", "", "reason why there is no series, or null", |it| no_series(it).into()),
-        Of::present("series_radius", "", "amplitude below which the series converges", |it| {
-            it.curve.radius().map(|radius| radius.value())
+        Of::present("series_radius", "", "amplitude below which the series converges", |result| {
+            result.curve.radius().map(|radius| radius.value())
         }),
-        Of::present_value("series_radius_is", "", "proven or estimated", |it| {
-            it.curve.radius().map(|radius| certainty(radius_certainty(&radius)).into())
+        Of::present_value("series_radius_is", "", "proven or estimated", |result| {
+            result.curve.radius().map(|radius| certainty(radius_certainty(&radius)).into())
         }),
         Of::present_value(
             "interrupted",
             "",
             "true where Ctrl-C ended the work before the last amplitude, else left out",
-            |it| it.interruption().map(|_| true.into()),
+            |result| result.interruption().map(|_| true.into()),
         ),
     ])
 }
@@ -79,33 +86,33 @@ pub(super) const EXACT: &str = "Ω exactly";
 pub(super) fn of_point<'a>() -> Fields<Point<'a>> {
     type Of<'a> = Field<Point<'a>>;
     Fields::from([
-        Of::number("amplitude", "", "amplitude, in rad for angles", |it| it.point.amplitude)
-            .numeral(ORBIT[0], |it| it.answer.amplitude_text(it.point.amplitude, 10)),
-        Of::nullable("angular_frequency_rad_per_s", "rad/s", "angular frequency by the orbit, or null", |it| {
-            it.orbit().map(|orbit| orbit.frequency)
+        Of::number("amplitude", "", "amplitude, in rad for angles", |point| point.point.amplitude)
+            .numeral(ORBIT[0], |point| point.answer.amplitude_text(point.point.amplitude, 10)),
+        Of::nullable("angular_frequency_rad_per_s", "rad/s", "angular frequency by the orbit, or null", |point| {
+            point.orbit().map(|orbit| orbit.frequency)
         })
         .rounded(ORBIT[1], 15)
         .or("none"),
-        Of::present("angular_frequency_uncertainty_rad_per_s", "rad/s", "bound on the error of that frequency", |it| {
-            it.orbit().map(|orbit| orbit.uncertainty)
+        Of::present("angular_frequency_uncertainty_rad_per_s", "rad/s", "bound on the error of that frequency", |point| {
+            point.orbit().map(|orbit| orbit.uncertainty)
         })
-        .numeral(ORBIT[2], |it| it.orbit().map_or_else(String::new, |orbit| at_most(orbit.uncertainty))),
+        .numeral(ORBIT[2], |point| point.orbit().map_or_else(String::new, |orbit| at_most(orbit.uncertainty))),
         Of::present(
             "other_turning_point",
             "",
             "displacement from the centre at the other turning point",
-            |it| it.orbit().map(|orbit| orbit.other_side),
+            |point| point.orbit().map(|orbit| orbit.other_side),
         ),
-        Of::present_value("encloses", "", "another equilibrium that the orbit encloses, or null", |it| {
-            it.orbit().map(|orbit| orbit.encloses.map(json::number).into())
+        Of::present_value("encloses", "", "another equilibrium that the orbit encloses, or null", |point| {
+            point.orbit().map(|orbit| orbit.encloses.map(json::number).into())
         })
         .only_json(),
-        Of::present_value("no_orbit", "", "reason why there is no orbit", |it| {
-            it.point.orbit.as_ref().err().map(|reason| reason.to_string().into())
+        Of::present_value("no_orbit", "", "reason why there is no orbit", |point| {
+            point.point.orbit.as_ref().err().map(|reason| reason.to_string().into())
         })
         .only_json(),
-        Of::nullable("series_angular_frequency_rad_per_s", "rad/s", "angular frequency by the perturbation series, or null", |it| {
-            it.point.series.as_ref().map(|series| series.frequency)
+        Of::nullable("series_angular_frequency_rad_per_s", "rad/s", "angular frequency by the perturbation series, or null", |point| {
+            point.point.series.as_ref().map(|series| series.frequency)
         })
         .rounded(SERIES[0], 15)
         .or("none"),
@@ -114,11 +121,11 @@ pub(super) fn of_point<'a>() -> Fields<Point<'a>> {
             "series_remainder_rad_per_s",
             "rad/s",
             "bound on the remainder of the series, or an estimate of it, too small in about 1 of 100 cases; or null",
-            |it| it.point.series.as_ref().map(|series| json::number(series.remainder.size)),
+            |point| point.point.series.as_ref().map(|series| json::number(series.remainder.size)),
         )
         .only_json(),
-        Of::present_value("series_remainder_is", "", "proven or estimated", |it| {
-            it.point.series.as_ref().map(|series| certainty(series.remainder.certainty).into())
+        Of::present_value("series_remainder_is", "", "proven or estimated", |point| {
+            point.point.series.as_ref().map(|series| certainty(series.remainder.certainty).into())
         })
         .only_json(),
         Of::note(enclosing),
@@ -126,15 +133,15 @@ pub(super) fn of_point<'a>() -> Fields<Point<'a>> {
             "exact",
             "rad/s",
             "angular frequency of the pendulum by elliptic integrals, else null",
-            |it| match &it.point.exact {
+            |point| match &point.point.exact {
                 Some(exact) => exact.as_ref().map(|exact| exact.value).map_err(ToString::to_string),
                 None => Err(String::new()),
             },
         )
         .rounded(EXACT, 15)
         .or("none"),
-        Of::present("exact_uncertainty", "rad/s", "bound on the error of that frequency", |it| {
-            it.exact().map(|exact| exact.uncertainty)
+        Of::present("exact_uncertainty", "rad/s", "bound on the error of that frequency", |point| {
+            point.exact().map(|exact| exact.uncertainty)
         }),
     ])
 }

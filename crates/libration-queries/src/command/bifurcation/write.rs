@@ -30,9 +30,11 @@ impl Diagram<'_> {
     /// All points, with angles folded if requested.
     pub(crate) fn rows(&self) -> impl Iterator<Item = DiagramPoint> + '_ {
         let columns =
-            self.sweeps.iter().flat_map(|sweep| sweep.columns.iter().map(move |it| (sweep.name, it)));
+            self.sweeps.iter().flat_map(|sweep| sweep.columns.iter().map(move |column| (sweep.name, column)));
         columns
-            .flat_map(|(sweep, column)| column.section.points.iter().map(move |it| (sweep, column.value, it)))
+            .flat_map(|(sweep, column)| {
+                column.section.points.iter().map(move |point| (sweep, column.value, point))
+            })
             .map(|(sweep, value, point)| DiagramPoint {
                 sweep,
                 value,
@@ -48,7 +50,9 @@ impl Diagram<'_> {
     /// The first reason for a missing point; `None` if there are points.
     pub(super) fn without_points(&self) -> Option<SectionEnding> {
         let sections = || self.sweeps.iter().flat_map(|sweep| &sweep.columns).map(|column| &column.section);
-        sections().find_map(|section| section.stopped).filter(|_| sections().all(|it| it.points.is_empty()))
+        sections()
+            .find_map(|section| section.stopped)
+            .filter(|_| sections().all(|section| section.points.is_empty()))
     }
 
     fn write_json(&self, out: &mut dyn Write) -> io::Result<()> {
@@ -105,28 +109,32 @@ impl Diagram<'_> {
 fn of_diagram<'a>() -> Fields<Diagram<'a>> {
     type Of<'a> = Field<Diagram<'a>>;
     Fields::from([
-        Of::value("system", "", "key of the system, null where its equations were typed", |it| {
-            it.model.key().into()
+        Of::value("system", "", "key of the system, null where its equations were typed", |diagram| {
+            diagram.model.key().into()
         })
-        .line_of("system", |it| it.model.title().to_owned()),
-        Of::value("equation", "", "equations of motion as they were read", |it| {
-            it.model.equation().to_string().into()
+        .line_of("system", |diagram| diagram.model.title().to_owned()),
+        Of::value("equation", "", "equations of motion as they were read", |diagram| {
+            diagram.model.equation().to_string().into()
         })
-        .line_of("equation", |it| it.model.equation().to_string()),
-        Of::value("parameter", "", "name of the parameter that is varied", |it| {
-            it.parameter.name.as_str().into()
+        .line_of("equation", |diagram| diagram.model.equation().to_string()),
+        Of::value("parameter", "", "name of the parameter that is varied", |diagram| {
+            diagram.parameter.name.as_str().into()
         }),
-        Of::value("section", "", "condition at which points are recorded, in words", |it| {
-            it.place.as_str().into()
+        Of::value("section", "", "condition at which points are recorded, in words", |diagram| {
+            diagram.place.as_str().into()
         })
         .line_of("points", Diagram::points_text),
-        Of::value("skipped", "1", "number of points discarded as transient, for each value", |it| {
-            it.points.skipped.into()
+        Of::value("skipped", "1", "number of points discarded as transient, for each value", |diagram| {
+            diagram.points.skipped.into()
         }),
-        Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
-        Of::value("complete", "", "true if each sweep has all values", |it| it.is_complete().into()),
-        Of::value("stopped[]", "", "values for which the motion stopped early, and why", |it| {
-            json::list(it.stopped())
+        Of::value("state[]", "", "names of the state variables", |diagram| {
+            json::list(diagram.model.state_names())
+        }),
+        Of::value("complete", "", "true if each sweep has all values", |diagram| {
+            diagram.is_complete().into()
+        }),
+        Of::value("stopped[]", "", "values for which the motion stopped early, and why", |diagram| {
+            json::list(diagram.stopped())
         }),
     ])
 }
@@ -134,13 +142,15 @@ fn of_diagram<'a>() -> Fields<Diagram<'a>> {
 fn of_row() -> Fields<DiagramPoint> {
     type Of = Field<DiagramPoint>;
     Fields::from([
-        Of::value("sweep", "", "order of the values: up, down or same start", |it| it.sweep.into())
-            .numeral("sweep", |it| it.sweep.to_owned()),
-        Of::number("value", "", "value of the parameter, in its unit", |it| it.value)
+        Of::value("sweep", "", "order of the values: up, down or same start", |point| point.sweep.into())
+            .numeral("sweep", |point| point.sweep.to_owned()),
+        Of::number("value", "", "value of the parameter, in its unit", |point| point.value)
             .in_csv_as("KEY")
             .short("KEY", 10),
-        Of::number("time_s", "s", "time of the point", |it| it.time).short("time", 10),
-        Of::value("state[]", "", "state there, in the order of the names", |it| json::numbers(&it.state)),
+        Of::number("time_s", "s", "time of the point", |point| point.time).short("time", 10),
+        Of::value("state[]", "", "state there, in the order of the names", |point| {
+            json::numbers(&point.state)
+        }),
     ])
 }
 

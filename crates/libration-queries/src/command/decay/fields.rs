@@ -113,33 +113,36 @@ pub(super) fn of_decay<'a>() -> Fields<Found<'a>> {
 pub(super) fn of_turning<'a>() -> Fields<Turning<'a>> {
     type Of<'a> = Field<Turning<'a>>;
     Fields::from([
-        Of::number("cycle", "1", "cycles since the release: 0, 0.5, 1, …", |it| it.row.cycle)
+        Of::number("cycle", "1", "cycles since the release: 0, 0.5, 1, …", |turn| turn.row.cycle)
             .short("cycle", 12),
-        Of::number("time_s", "s", "time of the turning point", |it| it.row.turn.point.time)
+        Of::number("time_s", "s", "time of the turning point", |turn| turn.row.turn.point.time)
             .rounded("t / s", 9),
-        Of::number("amplitude_rad", "rad", "amplitude there, by integrating the equation of motion", |it| {
-            it.row.turn.point.amplitude.radians()
-        })
+        Of::number(
+            "amplitude_rad",
+            "rad",
+            "amplitude there, by integrating the equation of motion",
+            |turn| turn.row.turn.point.amplitude.radians(),
+        )
         .degrees("amplitude / °", 8),
-        Of::number("averaged_rad", "rad", "amplitude at that time by the averaged law", |it| {
-            it.row.turn.averaged
+        Of::number("averaged_rad", "rad", "amplitude at that time by the averaged law", |turn| {
+            turn.row.turn.averaged
         })
         .degrees("averaged / °", 8),
         Of::number(
             "small_amplitude_rad",
             "rad",
             "amplitude at that time by the law of small amplitudes",
-            |it| it.row.turn.small,
+            |turn| turn.row.turn.small,
         )
         .degrees("small amplitudes / °", 8),
         Of::number(
             "loss_in_a_cycle",
             "1",
             "fraction of its energy that a cycle of the undamped motion at that amplitude would lose",
-            |it| it.decay.loss_in_a_cycle(&it.row.turn.point.amplitude),
+            |turn| turn.decay.loss_in_a_cycle(&turn.row.turn.point.amplitude),
         ),
-        Of::number("quality", "1", "2πE/ΔE of the undamped cycle at that amplitude", |it| {
-            quality_at(it.decay, &it.row.turn.point.amplitude)
+        Of::number("quality", "1", "2πE/ΔE of the undamped cycle at that amplitude", |turn| {
+            quality_at(turn.decay, &turn.row.turn.point.amplitude)
         })
         .only_json(),
     ])

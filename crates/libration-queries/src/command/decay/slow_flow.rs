@@ -54,22 +54,25 @@ pub(super) fn of_all<'a>() -> Fields<Compared<'a>> {
             "slow_flow_order",
             "1",
             "highest power of the amplitude in the slow flow, as given by --order",
-            |it| it.slow.flow().order.into(),
+            |comparison| comparison.slow.flow().order.into(),
         ),
-        Of::value("slow_flow_damping_order", "1", "highest power of the damping in the slow flow", |it| {
-            it.slow.flow().parameter_order.into()
-        }),
+        Of::value(
+            "slow_flow_damping_order",
+            "1",
+            "highest power of the damping in the slow flow",
+            |comparison| comparison.slow.flow().parameter_order.into(),
+        ),
         Of::number(
             "largest_error_slow_flow_rad",
             "rad",
             "largest error of the slow flow's amplitude at a turning point",
-            |it| it.largest_errors[0],
+            |comparison| comparison.largest_errors[0],
         ),
         Of::number(
             "largest_phase_error_slow_flow_rad",
             "rad",
             "largest error of the slow flow's phase at a turning point",
-            |it| it.largest_errors[1],
+            |comparison| comparison.largest_errors[1],
         ),
     ])
 }
@@ -77,17 +80,17 @@ pub(super) fn of_all<'a>() -> Fields<Compared<'a>> {
 pub(super) fn of_turn() -> Fields<SlowTurn> {
     type Of = Field<SlowTurn>;
     Fields::from([
-        Of::number("slow_flow_rad", "rad", "amplitude at that time by the slow flow", |it| it.amplitude)
+        Of::number("slow_flow_rad", "rad", "amplitude at that time by the slow flow", |turn| turn.amplitude)
             .degrees("slow flow / °", 8),
-        Of::number("slow_flow_error_rad", "rad", "difference from the integrated amplitude", |it| {
-            it.amplitude_error
+        Of::number("slow_flow_error_rad", "rad", "difference from the integrated amplitude", |turn| {
+            turn.amplitude_error
         }),
-        Of::number("slow_flow_phase_rad", "rad", "phase at that time by the slow flow", |it| it.phase),
+        Of::number("slow_flow_phase_rad", "rad", "phase at that time by the slow flow", |turn| turn.phase),
         Of::number(
             "slow_flow_phase_error_rad",
             "rad",
             "difference from the phase of the turning point, a multiple of π",
-            |it| it.phase_error,
+            |turn| turn.phase_error,
         )
         .short("error of the phase / rad", 3),
     ])
@@ -96,9 +99,13 @@ pub(super) fn of_turn() -> Fields<SlowTurn> {
 pub(super) fn of_cycle() -> Fields<SlowCycle> {
     type Of = Field<SlowCycle>;
     Fields::from([
-        Of::number("slow_flow_duration_s", "s", "time of that cycle by the slow flow", |it| it.duration)
-            .rounded("slow flow / s", 8),
-        Of::number("slow_flow_duration_error_s", "s", "difference from the integrated time", |it| it.error),
+        Of::number("slow_flow_duration_s", "s", "time of that cycle by the slow flow", |cycle| {
+            cycle.duration
+        })
+        .rounded("slow flow / s", 8),
+        Of::number("slow_flow_duration_error_s", "s", "difference from the integrated time", |cycle| {
+            cycle.error
+        }),
     ])
 }
 

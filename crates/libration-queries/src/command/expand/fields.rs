@@ -184,8 +184,8 @@ fn of_series<C: series::Coefficient>() -> Fields<ExpandResult<C>> {
 fn of_harmonic(cosines: &'static str) -> Fields<Harmonic> {
     type Of = Field<Harmonic>;
     Fields::from([
-        Of::value("cos[]", "", cosines, |it| it.cos.clone().into()),
-        Of::value("sin[]", "", "those of sin Kτ", |it| it.sin.clone().into()),
+        Of::value("cos[]", "", cosines, |harmonic| harmonic.cos.clone().into()),
+        Of::value("sin[]", "", "those of sin Kτ", |harmonic| harmonic.sin.clone().into()),
     ])
 }
 
@@ -219,14 +219,16 @@ fn of_amplitude() -> Fields<OfAmplitude> {
 pub(super) fn of_coefficient<'a>() -> Fields<SeriesCoefficient<'a>> {
     type Of<'a> = Field<SeriesCoefficient<'a>>;
     Fields::from([
-        Of::value("quantity", "", "quantity that is expanded", |it| it.quantity.as_str().into()),
-        Of::value("variable", "", "variable of the power series", |it| it.variable.into()),
-        Of::value("power", "1", "power", |it| it.power.into()),
+        Of::value("quantity", "", "quantity that is expanded", |coefficient| {
+            coefficient.quantity.as_str().into()
+        }),
+        Of::value("variable", "", "variable of the power series", |coefficient| coefficient.variable.into()),
+        Of::value("power", "1", "power", |coefficient| coefficient.power.into()),
         Of::value(
             "coefficient",
             "",
             "coefficient of that power: a fraction, a decimal, or a formula of symbols",
-            |it| it.text.as_str().into(),
+            |coefficient| coefficient.text.as_str().into(),
         ),
     ])
 }
@@ -287,7 +289,9 @@ fn texts<C: series::Coefficient>(expansion: &Expansion<C>, series: &[C]) -> Seri
 fn harmonics<C: series::Coefficient>(expansion: &Expansion<C>) -> Vec<Harmonic> {
     let texts = |series: &[C]| texts(expansion, series);
     let harmonics = expansion.harmonics.iter();
-    harmonics.map(|it| Harmonic { k: it.k, cos: texts(&it.cos), sin: texts(&it.sin) }).collect()
+    harmonics
+        .map(|harmonic| Harmonic { k: harmonic.k, cos: texts(&harmonic.cos), sin: texts(&harmonic.sin) })
+        .collect()
 }
 
 fn by_number(harmonics: &[Harmonic]) -> Value {

@@ -189,8 +189,8 @@ pub(super) struct HarmonicPart<'a, C> {
 /// The parts of harmonics that are present, and the first one in any case.
 pub(super) fn parts<C: Coefficient>(expansion: &Expansion<C>) -> Vec<HarmonicPart<'_, C>> {
     let first = letter_of(expansion);
-    let present = |it: &HarmonicPart<'_, C>| {
-        (it.letter, it.k) == (first, 1) || it.series.iter().any(|coefficient| !coefficient.is_zero())
+    let present = |part: &HarmonicPart<'_, C>| {
+        (part.letter, part.k) == (first, 1) || part.series.iter().any(|coefficient| !coefficient.is_zero())
     };
     expansion.harmonics.iter().flat_map(both).filter(present).collect()
 }

@@ -104,38 +104,43 @@ pub(super) fn answers() -> Answers {
 fn of_law() -> Fields<ScalingLawResult> {
     type Of = Field<ScalingLawResult>;
     of_subject().and([
-        Of::value("equilibrium", "", "equilibrium, from which amplitudes are measured", |it| {
-            it.law.force().centre().to_string().into()
+        Of::value("equilibrium", "", "equilibrium, from which amplitudes are measured", |result| {
+            result.law.force().centre().to_string().into()
         }),
-        Of::value("strength", "", "k of the force k·sign(x)·|x|^p, a formula of the symbols", |it| {
-            it.law.force().strength().to_string().into()
+        Of::value("strength", "", "k of the force k·sign(x)·|x|^p, a formula of the symbols", |result| {
+            result.law.force().strength().to_string().into()
         }),
-        Of::value("exponent", "1", "p of that force", |it| it.law.force().exponent().to_string().into()),
+        Of::value("exponent", "1", "p of that force", |result| {
+            result.law.force().exponent().to_string().into()
+        }),
         Of::value(
             "angular_frequency_constant",
             "",
             "C of the frequency Ω = C·√k·A^((p-1)/2) at the amplitude A, as a formula",
-            |it| it.constant().into(),
+            |result| result.constant().into(),
         ),
-        Of::value("angular_frequency_factor", "1", "C", |it| json::number(it.law.frequency_factor())),
-        Of::value("angular_frequency_factor_uncertainty", "1", "uncertainty of C", |it| {
-            json::number(it.law.frequency_factor_uncertainty())
+        Of::value("angular_frequency_factor", "1", "C", |result| json::number(result.law.frequency_factor())),
+        Of::value("angular_frequency_factor_uncertainty", "1", "uncertainty of C", |result| {
+            json::number(result.law.frequency_factor_uncertainty())
         }),
-        Of::value("period_factor", "1", "2π/C of the period 2π/C·A^((1-p)/2)/√k", |it| {
-            json::number(it.law.period_factor())
+        Of::value("period_factor", "1", "2π/C of the period 2π/C·A^((1-p)/2)/√k", |result| {
+            json::number(result.law.period_factor())
         }),
-        Of::value("period_factor_uncertainty", "1", "uncertainty of this factor", |it| {
-            json::number(it.law.period_factor_uncertainty())
+        Of::value("period_factor_uncertainty", "1", "uncertainty of this factor", |result| {
+            json::number(result.law.period_factor_uncertainty())
         }),
-        Of::value("amplitude_exponent", "1", "(p-1)/2, the power of the amplitude in the frequency", |it| {
-            it.law.amplitude_exponent().to_string().into()
+        Of::value(
+            "amplitude_exponent",
+            "1",
+            "(p-1)/2, the power of the amplitude in the frequency",
+            |result| result.law.amplitude_exponent().to_string().into(),
+        ),
+        Of::nested("harmonics[].", &of_harmonic(), |result| of_harmonic().records(&result.harmonics)),
+        Of::value("amplitude", "", "amplitude that --evaluate gives, or null", |result| {
+            result.at.map_or(serde_json::Value::Null, |(amplitude, _)| json::number(amplitude))
         }),
-        Of::nested("harmonics[].", &of_harmonic(), |it| of_harmonic().records(&it.harmonics)),
-        Of::value("amplitude", "", "amplitude that --evaluate gives, or null", |it| {
-            it.at.map_or(serde_json::Value::Null, |(amplitude, _)| json::number(amplitude))
-        }),
-        Of::value("angular_frequency_rad_per_s", "rad/s", "frequency at that amplitude, or null", |it| {
-            it.at.map_or(serde_json::Value::Null, |(_, frequency)| json::number(frequency))
+        Of::value("angular_frequency_rad_per_s", "rad/s", "frequency at that amplitude, or null", |result| {
+            result.at.map_or(serde_json::Value::Null, |(_, frequency)| json::number(frequency))
         }),
     ])
 }
@@ -143,9 +148,11 @@ fn of_law() -> Fields<ScalingLawResult> {
 fn of_harmonic() -> Fields<HarmonicRatio> {
     type Of = Field<HarmonicRatio>;
     Fields::from([
-        Of::value("k", "1", "number of the harmonic; even ones vanish", |it| it.k.into()),
-        Of::value("ratio", "1", "coefficient of cos kΩt over the amplitude", |it| json::number(it.ratio)),
-        Of::value("uncertainty", "1", "uncertainty of the ratio", |it| json::number(it.uncertainty)),
+        Of::value("k", "1", "number of the harmonic; even ones vanish", |ratio| ratio.k.into()),
+        Of::value("ratio", "1", "coefficient of cos kΩt over the amplitude", |ratio| {
+            json::number(ratio.ratio)
+        }),
+        Of::value("uncertainty", "1", "uncertainty of the ratio", |ratio| json::number(ratio.uncertainty)),
     ])
 }
 

@@ -20,7 +20,7 @@ pub(super) fn write(
         Form::Json => {
             let fields = of_curves();
             let head = of_picture().record(&(name, path));
-            json::document_with_list(out, head, "series", curves(picture).map(|it| fields.record(&it)))
+            json::document_with_list(out, head, "series", curves(picture).map(|curve| fields.record(&curve)))
         }
         Form::Csv => write_csv(out, picture),
         Form::Table => write_summary(out, picture),

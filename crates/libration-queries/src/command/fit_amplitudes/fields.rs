@@ -153,7 +153,7 @@ fn product(one: Uncertain, other: Uncertain) -> Uncertain {
 
 pub(super) fn of_answer<'a>() -> Fields<FitAmplitudesResult<'a>> {
     before_the_result().and(of_result()).and(of_quality()).and(of_rows()).and(warnings::fields(
-        |it: &FitAmplitudesResult<'a>| warnings::texts(it.warnings()),
+        |result: &FitAmplitudesResult<'a>| warnings::texts(result.warnings()),
         |it| warnings::names(it.warnings()),
     ))
 }
@@ -161,27 +161,29 @@ pub(super) fn of_answer<'a>() -> Fields<FitAmplitudesResult<'a>> {
 fn before_the_result<'a>() -> Fields<FitAmplitudesResult<'a>> {
     type Of<'a> = Field<FitAmplitudesResult<'a>>;
     Fields::from([
-        Of::value("rows", "1", "rows that were fitted", |it| it.file.measured.table.len().into()),
-        Of::value("rows_incomplete", "1", "rows left out because a number is missing", |it| {
-            it.file.dropped.into()
+        Of::value("rows", "1", "rows that were fitted", |result| result.file.measured.table.len().into()),
+        Of::value("rows_incomplete", "1", "rows left out because a number is missing", |result| {
+            result.file.dropped.into()
         }),
-        Of::value("told_from_file[]", "", "settings inferred from the file", |it| {
-            json::list(it.file.inferences.sentences.clone())
+        Of::value("told_from_file[]", "", "settings inferred from the file", |result| {
+            json::list(result.file.inferences.sentences.clone())
         }),
-        Of::nested("read_columns[].", &of_columns(), |it| of_columns().records(&it.file.inferences.columns)),
-        Of::value("weighting", "", "weights of the rows", |it| it.weighting().into()),
-        Of::value("amplitude_unit", "", "rad, m or counts: the unit of the fitted amplitudes", |it| {
-            it.unit().into()
+        Of::nested("read_columns[].", &of_columns(), |result| {
+            of_columns().records(&result.file.inferences.columns)
         }),
-        Of::value("against", "", "time or swings: the quantity of the positions", |it| {
-            match it.against() {
+        Of::value("weighting", "", "weights of the rows", |result| result.weighting().into()),
+        Of::value("amplitude_unit", "", "rad, m or counts: the unit of the fitted amplitudes", |result| {
+            result.unit().into()
+        }),
+        Of::value("against", "", "time or swings: the quantity of the positions", |result| {
+            match result.against() {
                 Position::Time => "time",
                 Position::Swings => "swings",
             }
             .into()
         }),
-        Of::value("sides", "", "one for amplitudes, both for turning points", |it| {
-            match it.file.measured.table.sides() {
+        Of::value("sides", "", "one for amplitudes, both for turning points", |result| {
+            match result.file.measured.table.sides() {
                 Sides::One => "one",
                 Sides::Both => "both",
             }
@@ -193,34 +195,41 @@ fn before_the_result<'a>() -> Fields<FitAmplitudesResult<'a>> {
 fn of_result<'a>() -> Fields<FitAmplitudesResult<'a>> {
     type Of<'a> = Field<FitAmplitudesResult<'a>>;
     Fields::from([
-        Of::value("law", "", "damping of the reported result", |it| it.fit.law().damping.to_string().into()),
-        Of::number("first_amplitude", "", "fitted amplitude at the first row", |it| {
-            it.fit.law().first_amplitude.value
+        Of::value("law", "", "damping of the reported result", |result| {
+            result.fit.law().damping.to_string().into()
         }),
-        Of::number("first_amplitude_uncertainty", "", "standard uncertainty of that", |it| {
-            it.fit.law().first_amplitude.uncertainty
+        Of::number("first_amplitude", "", "fitted amplitude at the first row", |result| {
+            result.fit.law().first_amplitude.value
         }),
-        Of::known("zero", "", "reading of the scale at the equilibrium, in its SI unit, or null", |it| {
-            it.zero().map(|zero| zero.value)
+        Of::number("first_amplitude_uncertainty", "", "standard uncertainty of that", |result| {
+            result.fit.law().first_amplitude.uncertainty
         }),
-        Of::known("zero_uncertainty", "", "standard uncertainty of that, or null", |it| {
-            it.zero().map(|zero| zero.uncertainty)
+        Of::known("zero", "", "reading of the scale at the equilibrium, in its SI unit, or null", |result| {
+            result.zero().map(|zero| zero.value)
         }),
-        Of::nested("coefficients[].", &of_coefficient(), |it| of_coefficient().records(&it.coefficients())),
+        Of::known("zero_uncertainty", "", "standard uncertainty of that, or null", |result| {
+            result.zero().map(|zero| zero.uncertainty)
+        }),
+        Of::nested("coefficients[].", &of_coefficient(), |result| {
+            of_coefficient().records(&result.coefficients())
+        }),
         Of::known(
             "small_angle_period_s",
             "s",
             "period T₀ of small swings with the damping, or null",
-            |it| it.fit.period.map(|period| period.value).ok_or_else(no_period),
+            |result| result.fit.period.map(|period| period.value).ok_or_else(no_period),
         ),
-        Of::known("small_angle_period_uncertainty_s", "s", "standard uncertainty of T₀, or null", |it| {
-            it.fit.period.map(|period| period.uncertainty).ok_or_else(no_period)
+        Of::known(
+            "small_angle_period_uncertainty_s",
+            "s",
+            "standard uncertainty of T₀, or null",
+            |result| result.fit.period.map(|period| period.uncertainty).ok_or_else(no_period),
+        ),
+        Of::known("omega0_rad_per_s", "rad/s", "ω0 of small swings without damping, or null", |result| {
+            result.fit.natural_frequency.map(|omega0| omega0.value).ok_or_else(no_period)
         }),
-        Of::known("omega0_rad_per_s", "rad/s", "ω0 of small swings without damping, or null", |it| {
-            it.fit.natural_frequency.map(|omega0| omega0.value).ok_or_else(no_period)
-        }),
-        Of::known("omega0_uncertainty_rad_per_s", "rad/s", "standard uncertainty of ω0, or null", |it| {
-            it.fit.natural_frequency.map(|omega0| omega0.uncertainty).ok_or_else(no_period)
+        Of::known("omega0_uncertainty_rad_per_s", "rad/s", "standard uncertainty of ω0, or null", |result| {
+            result.fit.natural_frequency.map(|omega0| omega0.uncertainty).ok_or_else(no_period)
         }),
     ])
 }
@@ -229,34 +238,40 @@ fn of_result<'a>() -> Fields<FitAmplitudesResult<'a>> {
 fn of_quality<'a>() -> Fields<FitAmplitudesResult<'a>> {
     type Of<'a> = Field<FitAmplitudesResult<'a>>;
     Fields::from([
-        Of::known("quality", "1", QUALITY, |it| it.quality().map(|quality| quality.factor.value)),
-        Of::known("quality_uncertainty", "1", "standard uncertainty of Q, or null", |it| {
-            it.quality().map(|quality| quality.factor.uncertainty)
+        Of::known("quality", "1", QUALITY, |result| result.quality().map(|quality| quality.factor.value)),
+        Of::known("quality_uncertainty", "1", "standard uncertainty of Q, or null", |result| {
+            result.quality().map(|quality| quality.factor.uncertainty)
         }),
-        Of::known("quality_amplitude", "", "amplitude of the cycle that Q describes, or null", |it| {
+        Of::known("quality_amplitude", "", "amplitude of the cycle that Q describes, or null", |result| {
             let reason = || "Q of linear damping is the same at every amplitude".to_owned();
-            it.quality()?.amplitude.ok_or_else(reason)
+            result.quality()?.amplitude.ok_or_else(reason)
         }),
-        Of::known("last_quality", "1", "Q at the last row, of other than linear damping, or null", |it| {
-            it.last_quality().map(|quality| quality.factor.value)
+        Of::known(
+            "last_quality",
+            "1",
+            "Q at the last row, of other than linear damping, or null",
+            |result| result.last_quality().map(|quality| quality.factor.value),
+        ),
+        Of::known("last_quality_uncertainty", "1", "standard uncertainty of that, or null", |result| {
+            result.last_quality().map(|quality| quality.factor.uncertainty)
         }),
-        Of::known("last_quality_uncertainty", "1", "standard uncertainty of that, or null", |it| {
-            it.last_quality().map(|quality| quality.factor.uncertainty)
+        Of::known("last_quality_amplitude", "", "amplitude at the last row, or null", |result| {
+            result.last_quality()?.amplitude.ok_or_else(|| "linear damping".to_owned())
         }),
-        Of::known("last_quality_amplitude", "", "amplitude at the last row, or null", |it| {
-            it.last_quality()?.amplitude.ok_or_else(|| "linear damping".to_owned())
+        Of::known("log_decrement", "1", "π/√(Q² − 1/4) of linear damping, or null", |result| {
+            result.log_decrement().map(|decrement| decrement.value)
         }),
-        Of::known("log_decrement", "1", "π/√(Q² − 1/4) of linear damping, or null", |it| {
-            it.log_decrement().map(|decrement| decrement.value)
+        Of::known("log_decrement_uncertainty", "1", "standard uncertainty of that, or null", |result| {
+            result.log_decrement().map(|decrement| decrement.uncertainty)
         }),
-        Of::known("log_decrement_uncertainty", "1", "standard uncertainty of that, or null", |it| {
-            it.log_decrement().map(|decrement| decrement.uncertainty)
-        }),
-        Of::known("decay_time_s", "s", "time of a fall by e at the rate at the first row, or null", |it| {
-            it.decay_time().map(|time| time.value)
-        }),
-        Of::known("decay_time_uncertainty_s", "s", "standard uncertainty of that, or null", |it| {
-            it.decay_time().map(|time| time.uncertainty)
+        Of::known(
+            "decay_time_s",
+            "s",
+            "time of a fall by e at the rate at the first row, or null",
+            |result| result.decay_time().map(|time| time.value),
+        ),
+        Of::known("decay_time_uncertainty_s", "s", "standard uncertainty of that, or null", |result| {
+            result.decay_time().map(|time| time.uncertainty)
         }),
         Of::known(
             "decay_swings",
@@ -270,8 +285,10 @@ fn of_quality<'a>() -> Fields<FitAmplitudesResult<'a>> {
 fn of_rows<'a>() -> Fields<FitAmplitudesResult<'a>> {
     type Of<'a> = Field<FitAmplitudesResult<'a>>;
     Fields::from([
-        Of::nested("laws[].", &of_law(), |it| of_law().records(&it.fit.laws)),
-        Of::nested("measurements[].", &of_measurement(), |it| of_measurement().records(&it.measurements())),
+        Of::nested("laws[].", &of_law(), |result| of_law().records(&result.fit.laws)),
+        Of::nested("measurements[].", &of_measurement(), |result| {
+            of_measurement().records(&result.measurements())
+        }),
     ])
 }
 
@@ -280,22 +297,27 @@ const QUALITY: &str = "ω0/c of linear damping, 2πE/ΔE at the first row of any
 fn of_coefficient() -> Fields<LawCoefficient> {
     type Of = Field<LawCoefficient>;
     Fields::from([
-        Of::value("damping", "", "dry, linear or quadratic", |it| it.of.term.name().into()),
+        Of::value("damping", "", "dry, linear or quadratic", |coefficient| coefficient.of.term.name().into()),
         Of::known(
             "coefficient",
             "",
             "c of the acceleration −c·θ′|θ′|ⁿ⁻¹, n = 0, 1 or 2, or null",
-            |it| it.of.coefficient.map(|it| it.value).ok_or_else(no_period),
+            |it| it.of.coefficient.map(|coefficient| coefficient.value).ok_or_else(no_period),
         ),
         Of::known("coefficient_uncertainty", "", "standard uncertainty of c, or null", |it| {
-            it.of.coefficient.map(|it| it.uncertainty).ok_or_else(no_period)
+            it.of.coefficient.map(|coefficient| coefficient.uncertainty).ok_or_else(no_period)
         }),
-        Of::value("unit", "", "unit of c", |it| it.unit.clone().into()),
-        Of::number("rate", "", "c·ω0ⁿ⁻¹, by which the amplitude falls per second or swing", |it| {
-            it.of.rate.value
+        Of::value("unit", "", "unit of c", |coefficient| coefficient.unit.clone().into()),
+        Of::number(
+            "rate",
+            "",
+            "c·ω0ⁿ⁻¹, by which the amplitude falls per second or swing",
+            |coefficient| coefficient.of.rate.value,
+        ),
+        Of::number("rate_uncertainty", "", "standard uncertainty of that", |coefficient| {
+            coefficient.of.rate.uncertainty
         }),
-        Of::number("rate_uncertainty", "", "standard uncertainty of that", |it| it.of.rate.uncertainty),
-        Of::value("rate_unit", "", "unit of the rate", |it| it.rate_unit.clone().into()),
+        Of::value("rate_unit", "", "unit of the rate", |coefficient| coefficient.rate_unit.clone().into()),
     ])
 }
 
@@ -304,47 +326,53 @@ const COLUMNS: [&str; 7] = ["law", "Q", "±", "amplitude", "χ²/dof", "ΔAICc",
 pub(super) fn of_law() -> Fields<LawOfAmplitudes> {
     type Of = Field<LawOfAmplitudes>;
     Fields::from([
-        Of::value("law", "", "kinds of damping", |it| it.damping.to_string().into())
-            .words(COLUMNS[0], |it| it.damping.to_string()),
-        Of::known("quality", "1", QUALITY, |it| it.quality.map(|it| it.factor.value).ok_or_else(no_period))
-            .numeral(COLUMNS[1], |it| it.quality.map_or("–".to_owned(), |it| value(it.factor))),
-        Of::known("quality_uncertainty", "1", "standard uncertainty of Q under this law, or null", |it| {
-            it.quality.map(|it| it.factor.uncertainty).ok_or_else(no_period)
+        Of::value("law", "", "kinds of damping", |law| law.damping.to_string().into())
+            .words(COLUMNS[0], |law| law.damping.to_string()),
+        Of::known("quality", "1", QUALITY, |law| {
+            law.quality.map(|quality| quality.factor.value).ok_or_else(no_period)
         })
-        .numeral(COLUMNS[2], |it| or_dash(it.quality.map(|it| it.factor.uncertainty), 2)),
-        Of::known("quality_amplitude", "", "amplitude of the cycle that Q describes, or null", |it| {
-            it.quality.and_then(|it| it.amplitude).ok_or_else(|| "linear damping, or no period".to_owned())
+        .numeral(COLUMNS[1], |law| law.quality.map_or("–".to_owned(), |quality| value(quality.factor))),
+        Of::known("quality_uncertainty", "1", "standard uncertainty of Q under this law, or null", |law| {
+            law.quality.map(|quality| quality.factor.uncertainty).ok_or_else(no_period)
         })
-        .only_json(),
-        Of::number("first_amplitude", "", "fitted amplitude at the first row", |it| it.first_amplitude.value)
-            .numeral(COLUMNS[3], |it| value(it.first_amplitude)),
-        Of::number("first_amplitude_uncertainty", "", "standard uncertainty of that", |it| {
-            it.first_amplitude.uncertainty
+        .numeral(COLUMNS[2], |law| or_dash(law.quality.map(|quality| quality.factor.uncertainty), 2)),
+        Of::known("quality_amplitude", "", "amplitude of the cycle that Q describes, or null", |law| {
+            law.quality
+                .and_then(|quality| quality.amplitude)
+                .ok_or_else(|| "linear damping, or no period".to_owned())
         })
         .only_json(),
-        Of::known("chi2_per_dof", "1", "χ² per degree of freedom, or null", |it| {
-            it.scatter()
+        Of::number("first_amplitude", "", "fitted amplitude at the first row", |law| {
+            law.first_amplitude.value
+        })
+        .numeral(COLUMNS[3], |law| value(law.first_amplitude)),
+        Of::number("first_amplitude_uncertainty", "", "standard uncertainty of that", |law| {
+            law.first_amplitude.uncertainty
+        })
+        .only_json(),
+        Of::known("chi2_per_dof", "1", "χ² per degree of freedom, or null", |law| {
+            law.scatter()
                 .map(|it| it.chi2_per_dof())
                 .ok_or_else(|| "no uncertainties are stated, or there are too few rows".to_owned())
         })
         .rounded(COLUMNS[4], 4)
         .or("–"),
-        Of::value("dof", "1", "degrees of freedom", |it| it.dof.into()).only_json(),
-        Of::known("aicc", "1", "Akaike's criterion, corrected for few rows, or null", |it| {
-            it.aicc.ok_or_else(|| "too few rows".to_owned())
+        Of::value("dof", "1", "degrees of freedom", |law| law.dof.into()).only_json(),
+        Of::known("aicc", "1", "Akaike's criterion, corrected for few rows, or null", |law| {
+            law.aicc.ok_or_else(|| "too few rows".to_owned())
         })
         .only_json(),
-        Of::number("aicc_difference", "1", "excess of the criterion over the least one", |it| {
-            it.aicc_difference
+        Of::number("aicc_difference", "1", "excess of the criterion over the least one", |law| {
+            law.aicc_difference
         })
-        .numeral(COLUMNS[5], |it| number::rounded(it.aicc_difference, 3)),
+        .numeral(COLUMNS[5], |law| number::rounded(law.aicc_difference, 3)),
         Of::known(
             "chance_of_last_parameter",
             "1",
             "probability of an improvement over the best simpler law as large by chance, or null",
-            |it| it.chance.ok_or_else(|| "too few rows".to_owned()),
+            |law| law.chance.ok_or_else(|| "too few rows".to_owned()),
         )
-        .numeral(COLUMNS[6], |it| match it.chance {
+        .numeral(COLUMNS[6], |law| match law.chance {
             Some(chance) if chance < 1e-15 => "<1e-15".to_owned(),
             chance => or_dash(chance, 2),
         }),
@@ -352,21 +380,21 @@ pub(super) fn of_law() -> Fields<LawOfAmplitudes> {
             "rows_per_error",
             "1",
             "neighbouring rows that share one error, 1 for white noise",
-            |it| it.rows_per_error,
+            |law| law.rows_per_error,
         )
         .only_json(),
-        scatter::birge_ratio_field(|it: &LawOfAmplitudes| scatter::birge_ratio(it.scatter())),
-        scatter::enlargement_field(|it: &LawOfAmplitudes| Some(scatter::enlargement(it.scatter()))),
+        scatter::birge_ratio_field(|law: &LawOfAmplitudes| scatter::birge_ratio(law.scatter())),
+        scatter::enlargement_field(|law: &LawOfAmplitudes| Some(scatter::enlargement(law.scatter()))),
     ])
 }
 
 fn of_measurement() -> Fields<PredictedRow> {
     type Of = Field<PredictedRow>;
     Fields::from([
-        Of::number("position", "", "time in seconds, or number of swings", |it| it.position),
-        Of::number("value", "", "amplitude or turning point, in its SI unit", |it| it.value),
-        Of::number("fitted", "", "value under the law", |it| it.fitted),
-        Of::number("residual", "", "value less the fitted one", |it| it.residual),
+        Of::number("position", "", "time in seconds, or number of swings", |row| row.position),
+        Of::number("value", "", "amplitude or turning point, in its SI unit", |row| row.value),
+        Of::number("fitted", "", "value under the law", |row| row.fitted),
+        Of::number("residual", "", "value less the fitted one", |row| row.residual),
     ])
 }
 

@@ -40,54 +40,64 @@ impl FitGatesResult<'_> {
 pub(super) fn of_answer<'a>() -> Fields<FitGatesResult<'a>> {
     type Of<'a> = Field<FitGatesResult<'a>>;
     Fields::from([
-        Of::value("passages", "1", "passages of the bob", |it| it.fit.passages.into()),
-        Of::value("edges", "", "true if the times are edges, two for each passage", |it| it.fit.edges.into()),
-        Of::value("unpaired_edges", "1", "edges without a partner", |it| it.fit.unpaired.into()),
-        Of::value("double_triggers", "1", "passages too close to others, left out", |it| {
-            it.fit.double_triggers.into()
+        Of::value("passages", "1", "passages of the bob", |result| result.fit.passages.into()),
+        Of::value("edges", "", "true if the times are edges, two for each passage", |result| {
+            result.fit.edges.into()
         }),
-        Of::value("missed_passages", "1", "passages that were not recorded", |it| it.fit.missed.into()),
-        Of::value("rows_incomplete", "1", "rows left out because a number is missing", |it| {
-            it.incomplete.into()
+        Of::value("unpaired_edges", "1", "edges without a partner", |result| result.fit.unpaired.into()),
+        Of::value("double_triggers", "1", "passages too close to others, left out", |result| {
+            result.fit.double_triggers.into()
+        }),
+        Of::value("missed_passages", "1", "passages that were not recorded", |result| {
+            result.fit.missed.into()
+        }),
+        Of::value("rows_incomplete", "1", "rows left out because a number is missing", |result| {
+            result.incomplete.into()
         }),
         Of::number(
             "part_between_passages",
             "1",
             "fraction of a period from a passage of the first side to one of the other, 0.5 at the centre",
-            |it| it.fit.part_between,
+            |result| result.fit.part_between,
         ),
         Of::known(
             "timing_s",
             "s",
             "standard deviation of a time, by the scatter of the times, or null",
-            |it| it.fit.timing.ok_or_else(|| "more passages are needed".to_owned()),
+            |result| result.fit.timing.ok_or_else(|| "more passages are needed".to_owned()),
         ),
-        Of::number("mean_period_s", "s", "mean of all periods", |it| it.fit.mean_period.value),
-        Of::number("mean_period_uncertainty_s", "s", "standard uncertainty of that mean", |it| {
-            it.fit.mean_period.uncertainty
+        Of::number("mean_period_s", "s", "mean of all periods", |result| result.fit.mean_period.value),
+        Of::number("mean_period_uncertainty_s", "s", "standard uncertainty of that mean", |result| {
+            result.fit.mean_period.uncertainty
         }),
-        Of::known("t0_s", "s", "period of small swings T₀, or null", |it| {
-            it.fit.t0.map(|t0| t0.value).ok_or_else(no_t0)
+        Of::known("t0_s", "s", "period of small swings T₀, or null", |result| {
+            result.fit.t0.map(|t0| t0.value).ok_or_else(no_t0)
         }),
-        Of::known("t0_uncertainty_s", "s", "standard uncertainty of T₀, or null", |it| {
-            it.fit.t0.map(|t0| t0.uncertainty).ok_or_else(no_t0)
+        Of::known("t0_uncertainty_s", "s", "standard uncertainty of T₀, or null", |result| {
+            result.fit.t0.map(|t0| t0.uncertainty).ok_or_else(no_t0)
         }),
-        Of::value("t0_by", "", "source of the amplitude used for T₀", |it| it.source().into()),
+        Of::value("t0_by", "", "source of the amplitude used for T₀", |result| result.source().into()),
         Of::known(
             "beta",
             "1",
             "measured rise of the period with the amplitude over that of the exact law, or null",
-            |it| it.fit.beta.map(|beta| beta.factor.value).ok_or_else(no_beta),
+            |result| result.fit.beta.map(|beta| beta.factor.value).ok_or_else(no_beta),
         ),
-        Of::known("beta_uncertainty", "1", "standard uncertainty of β, or null", |it| {
-            it.fit.beta.map(|beta| beta.factor.uncertainty).ok_or_else(no_beta)
+        Of::known("beta_uncertainty", "1", "standard uncertainty of β, or null", |result| {
+            result.fit.beta.map(|beta| beta.factor.uncertainty).ok_or_else(no_beta)
         }),
-        Of::known("gravity_m_per_s2", "m/s²", "acceleration of free fall, or null without a length", |it| {
-            it.budget.map(|(budget, _)| budget.g).ok_or_else(no_gravity)
-        }),
-        Of::known("gravity_uncertainty_m_per_s2", "m/s²", "standard uncertainty of gravity, or null", |it| {
-            it.budget.map(|(budget, _)| budget.uncertainty).ok_or_else(no_gravity)
-        }),
+        Of::known(
+            "gravity_m_per_s2",
+            "m/s²",
+            "acceleration of free fall, or null without a length",
+            |result| result.budget.map(|(budget, _)| budget.g).ok_or_else(no_gravity),
+        ),
+        Of::known(
+            "gravity_uncertainty_m_per_s2",
+            "m/s²",
+            "standard uncertainty of gravity, or null",
+            |result| result.budget.map(|(budget, _)| budget.uncertainty).ok_or_else(no_gravity),
+        ),
     ])
 }
 
@@ -107,13 +117,13 @@ fn no_gravity() -> String {
 pub(super) fn of_cycles<'a>() -> Fields<FitGatesResult<'a>> {
     type Of<'a> = Field<FitGatesResult<'a>>;
     let warnings = warnings::fields(
-        |it: &FitGatesResult<'a>| warnings::texts(it.warnings()),
+        |result: &FitGatesResult<'a>| warnings::texts(result.warnings()),
         |it| warnings::names(it.warnings()),
     );
     Fields::from([
-        Of::nested("cycles[].", &of_cycle(), |it| of_cycle().records(&it.fit.cycles)),
-        Of::value("told_from_file[]", "", "settings inferred from the file", |it| {
-            json::list(it.findings.clone())
+        Of::nested("cycles[].", &of_cycle(), |result| of_cycle().records(&result.fit.cycles)),
+        Of::value("told_from_file[]", "", "settings inferred from the file", |result| {
+            json::list(result.findings.clone())
         }),
     ])
     .and(warnings)
@@ -122,13 +132,13 @@ pub(super) fn of_cycles<'a>() -> Fields<FitGatesResult<'a>> {
 pub(super) fn of_cycle() -> Fields<GateCycle> {
     type Of = Field<GateCycle>;
     Fields::from([
-        Of::number("time_s", "s", "time of the middle of the cycle", |it| it.time),
-        Of::number("period_s", "s", "time between passages of the same side", |it| it.period),
-        Of::value("side", "1", "0 where the cycle begins like the first passage, else 1", |it| {
-            it.side.into()
+        Of::number("time_s", "s", "time of the middle of the cycle", |cycle| cycle.time),
+        Of::number("period_s", "s", "time between passages of the same side", |cycle| cycle.period),
+        Of::value("side", "1", "0 where the cycle begins like the first passage, else 1", |cycle| {
+            cycle.side.into()
         }),
-        Of::nullable("amplitude_rad", "rad", "amplitude by the speed at the gate, or null", |it| {
-            it.amplitude
+        Of::nullable("amplitude_rad", "rad", "amplitude by the speed at the gate, or null", |cycle| {
+            cycle.amplitude
         }),
     ])
 }

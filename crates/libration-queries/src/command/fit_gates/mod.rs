@@ -125,7 +125,8 @@ impl FitGates {
             Signals::Passages => GateSignals::Passages,
         });
         let amplitude = self.amplitude.as_ref().map(one_amplitude).transpose()?;
-        let amplitude = amplitude.map(|it| Quantity { value: it.angle().radians(), uncertainty: None });
+        let amplitude =
+            amplitude.map(|amplitude| Quantity { value: amplitude.angle().radians(), uncertainty: None });
         Ok(GateOptions { signals, width: geometry.and_then(GateGeometry::width), amplitude })
     }
 
@@ -137,7 +138,9 @@ impl FitGates {
             Shape::Ball => FlagShape::Ball,
             Shape::Flag => FlagShape::Flat,
         };
-        geometry.map(|it| Some(it.with_shape(shape))).map_err(|error| QueryError::no_result("gate", error))
+        geometry
+            .map(|geometry| Some(geometry.with_shape(shape)))
+            .map_err(|error| QueryError::no_result("gate", error))
     }
 
     fn budget(&self, fit: &GatesFit, geometry: Option<&GateGeometry>) -> Result<Option<Budget>, QueryError> {

@@ -17,10 +17,11 @@ pub(super) fn document(answer: &FitGatesResult<'_>, file: &str) -> Document {
     };
     let read = answer.findings.iter().map(|finding| ("detected", finding.clone()));
     // A period is the difference of two times.
-    let (of_time, of_period) = (answer.fit.timing, answer.fit.timing.map(|it| SQRT_2 * it));
+    let (of_time, of_period) = (answer.fit.timing, answer.fit.timing.map(|timing| SQRT_2 * timing));
     let value = |value: f64, error: Option<f64>| fit_report::known(value, error).swap_remove(0);
     let cells = |cycle: &GateCycle| {
-        let amplitude = cycle.amplitude.map_or("–".to_owned(), |it| short(it.to_degrees(), 5));
+        let amplitude =
+            cycle.amplitude.map_or("–".to_owned(), |amplitude| short(amplitude.to_degrees(), 5));
         vec![value(cycle.time, of_time), cycle.side.to_string(), value(cycle.period, of_period), amplitude]
     };
     let report = FitReport {

@@ -46,9 +46,9 @@ impl FitGatesResult<'_> {
     pub(super) fn lines(&self) -> Vec<(&'static str, String)> {
         let fit = self.fit;
         let by_scatter = |timing: f64| format!("{} s, from the scatter", number::rounded(timing, 2));
-        let said = |it: Uncertain, unit: &str| match fit.is_exact(it) {
-            true => format!("{} {unit}, ± not known", number::rounded(it.value, 6)),
-            false => number::with_uncertainty(it.value, it.uncertainty, unit),
+        let said = |quantity: Uncertain, unit: &str| match fit.is_exact(quantity) {
+            true => format!("{} {unit}, ± not known", number::rounded(quantity.value, 6)),
+            false => number::with_uncertainty(quantity.value, quantity.uncertainty, unit),
         };
         let kind = if fit.edges { "from pairs of edges" } else { "one time each" };
         let mut lines = vec![

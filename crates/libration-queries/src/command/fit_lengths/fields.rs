@@ -83,48 +83,54 @@ impl FitLengthsResult<'_> {
 pub(super) fn of_answer<'a>() -> Fields<FitLengthsResult<'a>> {
     type Of<'a> = Field<FitLengthsResult<'a>>;
     let before = Fields::from([
-        Of::value("rows", "1", "rows that were fitted", |it| it.table.measured.table.len().into()),
-        Of::value("rows_incomplete", "1", "rows left out because a number is missing", |it| {
-            it.table.dropped.into()
+        Of::value("rows", "1", "rows that were fitted", |result| result.table.measured.table.len().into()),
+        Of::value("rows_incomplete", "1", "rows left out because a number is missing", |result| {
+            result.table.dropped.into()
         }),
-        Of::value("told_from_file[]", "", "settings inferred from the file", |it| {
-            json::list(it.table.inferences.sentences.clone())
+        Of::value("told_from_file[]", "", "settings inferred from the file", |result| {
+            json::list(result.table.inferences.sentences.clone())
         }),
-        Of::nested("read_columns[].", &of_columns(), |it| of_columns().records(&it.table.inferences.columns)),
-        Of::value("weighting", "", "weights of the rows", |it| it.weighting().into()),
-        Of::value("law", "", "law that the data prefer, from which gravity is computed", |it| {
-            it.fit.best().model.name().into()
+        Of::nested("read_columns[].", &of_columns(), |result| {
+            of_columns().records(&result.table.inferences.columns)
         }),
-        Of::number("gravity_m_per_s2", "m/s²", "acceleration of free fall", |it| it.fit.best().g.value),
-        Of::number("gravity_uncertainty_m_per_s2", "m/s²", "standard uncertainty of gravity", |it| {
-            it.fit.combined.standard
+        Of::value("weighting", "", "weights of the rows", |result| result.weighting().into()),
+        Of::value("law", "", "law that the data prefer, from which gravity is computed", |result| {
+            result.fit.best().model.name().into()
         }),
-        Of::known("offset_m", "m", OFFSET, |it| it.offset().map(|offset| offset.value)),
-        Of::known("offset_uncertainty_m", "m", "standard uncertainty of that length, or null", |it| {
-            it.offset().map(|offset| offset.uncertainty)
+        Of::number("gravity_m_per_s2", "m/s²", "acceleration of free fall", |result| {
+            result.fit.best().g.value
         }),
-        Of::known("radius_of_gyration_m", "m", "k of a bar about its centre of mass, or null", |it| {
-            it.radius_of_gyration().map(|radius| radius.value)
+        Of::number("gravity_uncertainty_m_per_s2", "m/s²", "standard uncertainty of gravity", |result| {
+            result.fit.combined.standard
         }),
-        Of::known("radius_of_gyration_uncertainty_m", "m", "standard uncertainty of k, or null", |it| {
-            it.radius_of_gyration().map(|radius| radius.uncertainty)
+        Of::known("offset_m", "m", OFFSET, |result| result.offset().map(|offset| offset.value)),
+        Of::known("offset_uncertainty_m", "m", "standard uncertainty of that length, or null", |result| {
+            result.offset().map(|offset| offset.uncertainty)
         }),
-        Of::known("exponent", "1", "n of T = a·Lⁿ, 1/2 of a simple pendulum, or null", |it| {
-            it.fit.power_law.map(|law| law.exponent.value).ok_or_else(|| NO_POWER.to_owned())
+        Of::known("radius_of_gyration_m", "m", "k of a bar about its centre of mass, or null", |result| {
+            result.radius_of_gyration().map(|radius| radius.value)
         }),
-        Of::known("exponent_uncertainty", "1", "standard uncertainty of n, or null", |it| {
-            it.fit.power_law.map(|law| law.exponent.uncertainty).ok_or_else(|| NO_POWER.to_owned())
+        Of::known("radius_of_gyration_uncertainty_m", "m", "standard uncertainty of k, or null", |result| {
+            result.radius_of_gyration().map(|radius| radius.uncertainty)
         }),
-        Of::nested("laws[].", &of_law(), |it| of_law().records(&it.fit.fits)),
+        Of::known("exponent", "1", "n of T = a·Lⁿ, 1/2 of a simple pendulum, or null", |result| {
+            result.fit.power_law.map(|law| law.exponent.value).ok_or_else(|| NO_POWER.to_owned())
+        }),
+        Of::known("exponent_uncertainty", "1", "standard uncertainty of n, or null", |result| {
+            result.fit.power_law.map(|law| law.exponent.uncertainty).ok_or_else(|| NO_POWER.to_owned())
+        }),
+        Of::nested("laws[].", &of_law(), |result| of_law().records(&result.fit.fits)),
     ]);
     let warnings = warnings::fields(
-        |it: &FitLengthsResult<'a>| warnings::texts(it.warnings()),
+        |result: &FitLengthsResult<'a>| warnings::texts(result.warnings()),
         |it| warnings::names(it.warnings()),
     );
     before.and(warnings).and([
-        scatter::birge_ratio_field(|it: &FitLengthsResult<'a>| scatter::birge_ratio(it.fit.best().scatter())),
-        scatter::enlargement_field(|it: &FitLengthsResult<'a>| {
-            Some(scatter::enlargement(it.fit.best().scatter()))
+        scatter::birge_ratio_field(|result: &FitLengthsResult<'a>| {
+            scatter::birge_ratio(result.fit.best().scatter())
+        }),
+        scatter::enlargement_field(|result: &FitLengthsResult<'a>| {
+            Some(scatter::enlargement(result.fit.best().scatter()))
         }),
     ])
 }
@@ -137,43 +143,43 @@ const COLUMNS: [&str; 8] = ["law", "g / m/s²", "± / m/s²", "δ / mm", "± / m
 pub(super) fn of_law() -> Fields<LengthFit> {
     type Of = Field<LengthFit>;
     Fields::from([
-        scatter::birge_ratio_field(|it: &LengthFit| scatter::birge_ratio(it.scatter())),
-        scatter::enlargement_field(|it: &LengthFit| Some(scatter::enlargement(it.scatter()))),
-        Of::value("law", "", "free parameters of this law besides gravity", |it| it.model.name().into())
-            .words(COLUMNS[0], |it| it.model.name().to_owned()),
-        Of::number("g_m_per_s2", "m/s²", "acceleration of free fall under this law", |it| it.g.value)
+        scatter::birge_ratio_field(|fit: &LengthFit| scatter::birge_ratio(fit.scatter())),
+        scatter::enlargement_field(|fit: &LengthFit| Some(scatter::enlargement(fit.scatter()))),
+        Of::value("law", "", "free parameters of this law besides gravity", |fit| fit.model.name().into())
+            .words(COLUMNS[0], |fit| fit.model.name().to_owned()),
+        Of::number("g_m_per_s2", "m/s²", "acceleration of free fall under this law", |fit| fit.g.value)
             .rounded(COLUMNS[1], 6),
-        Of::number("g_uncertainty_m_per_s2", "m/s²", "standard uncertainty of that", |it| it.g.uncertainty)
-            .numeral(COLUMNS[2], |it| or_dash(Some(it.g.uncertainty), 2)),
-        Of::known("offset_m", "m", OFFSET, |it| it.offset.map(|offset| offset.value).ok_or_else(not_free))
-            .numeral(COLUMNS[3], |it| or_dash(it.offset.map(|offset| 1e3 * offset.value), 4)),
-        Of::known("offset_uncertainty_m", "m", "standard uncertainty of that length, or null", |it| {
-            it.offset.map(|offset| offset.uncertainty).ok_or_else(not_free)
+        Of::number("g_uncertainty_m_per_s2", "m/s²", "standard uncertainty of that", |fit| fit.g.uncertainty)
+            .numeral(COLUMNS[2], |fit| or_dash(Some(fit.g.uncertainty), 2)),
+        Of::known("offset_m", "m", OFFSET, |fit| fit.offset.map(|offset| offset.value).ok_or_else(not_free))
+            .numeral(COLUMNS[3], |fit| or_dash(fit.offset.map(|offset| 1e3 * offset.value), 4)),
+        Of::known("offset_uncertainty_m", "m", "standard uncertainty of that length, or null", |fit| {
+            fit.offset.map(|offset| offset.uncertainty).ok_or_else(not_free)
         })
-        .numeral(COLUMNS[4], |it| or_dash(it.offset.map(|offset| 1e3 * offset.uncertainty), 2)),
-        Of::known("gyration_m2", "m²", "square of the radius of gyration of the bob, or null", |it| {
-            it.gyration.map(|gyration| gyration.value).ok_or_else(not_free)
+        .numeral(COLUMNS[4], |fit| or_dash(fit.offset.map(|offset| 1e3 * offset.uncertainty), 2)),
+        Of::known("gyration_m2", "m²", "square of the radius of gyration of the bob, or null", |fit| {
+            fit.gyration.map(|gyration| gyration.value).ok_or_else(not_free)
         })
         .only_json(),
-        Of::known("gyration_uncertainty_m2", "m²", "standard uncertainty of that, or null", |it| {
-            it.gyration.map(|gyration| gyration.uncertainty).ok_or_else(not_free)
+        Of::known("gyration_uncertainty_m2", "m²", "standard uncertainty of that, or null", |fit| {
+            fit.gyration.map(|gyration| gyration.uncertainty).ok_or_else(not_free)
         })
         .only_json(),
         Of::known(
             "correlation_of_g_and_offset",
             "1",
             "correlation coefficient of gravity and offset, or null",
-            |it| it.correlation.ok_or_else(not_free),
+            |fit| fit.correlation.ok_or_else(not_free),
         )
         .only_json(),
-        Of::known("chi2_per_dof", "1", "χ² per degree of freedom, or null", |it| {
-            it.chi2_per_dof().ok_or_else(|| scatter::NO_SCATTER.to_owned())
+        Of::known("chi2_per_dof", "1", "χ² per degree of freedom, or null", |fit| {
+            fit.chi2_per_dof().ok_or_else(|| scatter::NO_SCATTER.to_owned())
         })
         .rounded(COLUMNS[5], 4)
         .or("–"),
-        Of::value("dof", "1", "degrees of freedom", |it| it.dof.into()).only_json(),
-        Of::known("aicc", "1", "Akaike's criterion, corrected for few rows, or null", |it| {
-            it.aicc.ok_or_else(|| "too few rows".to_owned())
+        Of::value("dof", "1", "degrees of freedom", |fit| fit.dof.into()).only_json(),
+        Of::known("aicc", "1", "Akaike's criterion, corrected for few rows, or null", |fit| {
+            fit.aicc.ok_or_else(|| "too few rows".to_owned())
         })
         .rounded(COLUMNS[6], 5)
         .or("–"),
@@ -181,10 +187,10 @@ pub(super) fn of_law() -> Fields<LengthFit> {
             "chance_of_last_parameter",
             "1",
             "p-value of the last free parameter: probability of one at least as large by chance if it is zero, or null",
-            |it| it.p_value.ok_or_else(|| "nothing but g is free, or too few rows".to_owned()),
+            |fit| fit.p_value.ok_or_else(|| "nothing but g is free, or too few rows".to_owned()),
         )
         .only_json()
-        .numeral(COLUMNS[7], |it| match it.p_value {
+        .numeral(COLUMNS[7], |fit| match fit.p_value {
             Some(chance) if chance < 1e-15 => "<1e-15".to_owned(),
             chance => or_dash(chance, 2),
         }),

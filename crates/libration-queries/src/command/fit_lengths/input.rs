@@ -138,7 +138,7 @@ impl FitLengthsInput {
             (Some(column), None) => Ok(column.into_iter().map(exactly).collect()),
             (None, amplitude) => {
                 let amplitude = amplitude.as_ref().map(one_amplitude).transpose()?;
-                Ok(amplitude.map(|it| exactly(it.angle().radians())).into_iter().collect())
+                Ok(amplitude.map(|amplitude| exactly(amplitude.angle().radians())).into_iter().collect())
             }
         }
     }

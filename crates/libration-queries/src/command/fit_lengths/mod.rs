@@ -144,13 +144,15 @@ impl FitLengths {
 /// Gravity of each group, if the rows have groups; they share everything except the fitted line.
 fn groups_of(read: &LengthFile, fit: &LengthsFit, options: &LengthsOptions) -> Option<Groups> {
     let contributions = fit.combined.contributions.iter();
-    let shared = contributions.filter(|it| !is_own(it)).map(|it| it.change() * it.change());
+    let shared = contributions
+        .filter(|contribution| !is_own(contribution))
+        .map(|contribution| contribution.change() * contribution.change());
     let own = LengthsOptions { corrections: options.corrections, ..LengthsOptions::default() };
     let of_rows = |rows: &[usize]| {
         let fit =
             fit::fit_lengths(&read.measured.table.only(rows), &own).map_err(|error| error.to_string())?;
-        let slope = fit.combined.contributions.iter().find(|it| is_own(it));
-        Ok((fit.best().g, slope.map_or(f64::INFINITY, |it| it.degrees_of_freedom)))
+        let slope = fit.combined.contributions.iter().find(|contribution| is_own(contribution));
+        Ok((fit.best().g, slope.map_or(f64::INFINITY, |slope| slope.degrees_of_freedom)))
     };
     Groups::fitted(read.groups.as_ref()?, &groups::GRAVITY, shared.sum::<f64>().sqrt(), of_rows)
 }

@@ -69,7 +69,8 @@ fn rows(answer: &FitLengthsResult<'_>) -> Vec<Block> {
         let group = answer.table.groups.as_ref().map(|groups| groups[row].clone());
         let length = known(measured.lengths[row], of(&measured.length_uncertainties, row));
         let period = known(measured.periods[row], of(&measured.period_uncertainties, row));
-        let residual = best.residuals.get(row).map_or_else(String::new, |it| rounded(1e3 * it, 2));
+        let residual =
+            best.residuals.get(row).map_or_else(String::new, |residual| rounded(1e3 * residual, 2));
         [vec![(row + 1).to_string()], group.into_iter().collect(), length, period, vec![residual]].concat()
     };
     let words: &[&str] = if answer.table.groups.is_some() { &["row", "group"] } else { &["row"] };

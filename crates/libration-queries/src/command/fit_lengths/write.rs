@@ -47,7 +47,8 @@ impl FitLengthsResult<'_> {
 
     /// The centre of mass and the radius of gyration of a bar.
     fn of_bar(&self) -> Vec<(&'static str, String)> {
-        let metres = |it: Uncertain| number::with_uncertainty(it.value, it.uncertainty, "m");
+        let metres =
+            |quantity: Uncertain| number::with_uncertainty(quantity.value, quantity.uncertainty, "m");
         let centre = self.fit.best().offset.map(|offset| Uncertain { value: -offset.value, ..offset });
         let text = |centre| format!("{}  (of the scale of the positions)", metres(centre));
         let centre = centre.map(|centre| ("centre of mass", text(centre)));

@@ -59,24 +59,27 @@ impl FitPeriodsResult<'_> {
 pub(super) fn of_answer<'a>() -> Fields<FitPeriodsResult<'a>> {
     type Of<'a> = Field<FitPeriodsResult<'a>>;
     let before = Fields::from([
-        Of::value("rows", "1", "rows that were fitted", |it| it.fit.table.len().into()),
-        Of::value("rows_incomplete", "1", "rows left out because a number is missing", |it| {
-            it.measured.dropped.into()
+        Of::value("rows", "1", "rows that were fitted", |result| result.fit.table.len().into()),
+        Of::value("rows_incomplete", "1", "rows left out because a number is missing", |result| {
+            result.measured.dropped.into()
         }),
-        Of::value("told_from_file[]", "", "settings inferred from the file", |it| {
-            json::list(it.measured.inferences.sentences.clone())
+        Of::value("told_from_file[]", "", "settings inferred from the file", |result| {
+            json::list(result.measured.inferences.sentences.clone())
         }),
-        Of::nested("read_columns[].", &of_columns(), |it| {
-            of_columns().records(&it.measured.inferences.columns)
+        Of::nested("read_columns[].", &of_columns(), |result| {
+            of_columns().records(&result.measured.inferences.columns)
         }),
-        Of::value("weighting", "", "weights of the rows", |it| it.weighting().into()),
-        Of::value("outlier_lines[]", "1", "lines of the file whose period is far from the exact law", |it| {
-            json::list(it.outlier_lines())
-        }),
-        Of::nested("laws[].", &of_law(), |it| of_law().records(&it.laws())),
+        Of::value("weighting", "", "weights of the rows", |result| result.weighting().into()),
+        Of::value(
+            "outlier_lines[]",
+            "1",
+            "lines of the file whose period is far from the exact law",
+            |result| json::list(result.outlier_lines()),
+        ),
+        Of::nested("laws[].", &of_law(), |result| of_law().records(&result.laws())),
     ]);
     let warnings = warnings::fields(
-        |it: &FitPeriodsResult<'a>| warnings::texts(it.warnings()),
+        |result: &FitPeriodsResult<'a>| warnings::texts(result.warnings()),
         |it| warnings::names(it.warnings()),
     );
     before.and(warnings).and([
@@ -84,10 +87,10 @@ pub(super) fn of_answer<'a>() -> Fields<FitPeriodsResult<'a>> {
             "beta",
             "1",
             "measured rise of the period with the amplitude over that of the exact law, 1 if it holds",
-            |it| it.fit.beta.as_ref().map(|beta| beta.beta.factor.value).map_err(ToString::to_string),
+            |result| result.fit.beta.as_ref().map(|beta| beta.beta.factor.value).map_err(ToString::to_string),
         ),
-        Of::known("beta_uncertainty", "1", "standard uncertainty of β", |it| {
-            it.fit.beta.as_ref().map(|beta| beta.beta.factor.uncertainty).map_err(ToString::to_string)
+        Of::known("beta_uncertainty", "1", "standard uncertainty of β", |result| {
+            result.fit.beta.as_ref().map(|beta| beta.beta.factor.uncertainty).map_err(ToString::to_string)
         }),
         Of::known(
             "beta_uncertainty_scaled",
@@ -98,12 +101,18 @@ pub(super) fn of_answer<'a>() -> Fields<FitPeriodsResult<'a>> {
                 scaled.ok_or_else(|| "chi² per degree of freedom is needed to scale it".to_owned())
             },
         ),
-        Of::known("gravity_m_per_s2", "m/s²", "acceleration of free fall, or null without a length", |it| {
-            it.budget.map(|budget| budget.g).ok_or_else(no_gravity)
-        }),
-        Of::known("gravity_uncertainty_m_per_s2", "m/s²", "standard uncertainty of gravity, or null", |it| {
-            it.budget.map(|budget| budget.uncertainty).ok_or_else(no_gravity)
-        }),
+        Of::known(
+            "gravity_m_per_s2",
+            "m/s²",
+            "acceleration of free fall, or null without a length",
+            |result| result.budget.map(|budget| budget.g).ok_or_else(no_gravity),
+        ),
+        Of::known(
+            "gravity_uncertainty_m_per_s2",
+            "m/s²",
+            "standard uncertainty of gravity, or null",
+            |result| result.budget.map(|budget| budget.uncertainty).ok_or_else(no_gravity),
+        ),
     ])
 }
 
@@ -114,8 +123,8 @@ fn no_gravity() -> String {
 pub(super) fn of_law<'a>() -> Fields<KeyedLaw<'a>> {
     type Of<'a> = Field<KeyedLaw<'a>>;
     Fields::from([
-        Of::value("key", "", "law of the period: exact, constant, or a formula", |it| it.key.into())
-            .words("law", |it| it.key.to_owned()),
+        Of::value("key", "", "law of the period: exact, constant, or a formula", |law| law.key.into())
+            .words("law", |law| law.key.to_owned()),
         scatter::birge_ratio_field(|it: &KeyedLaw<'a>| {
             it.fit.map_or_else(|_| Err(String::new()), |law| scatter::birge_ratio(law.scatter()))
         }),
@@ -132,8 +141,8 @@ pub(super) fn of_law<'a>() -> Fields<KeyedLaw<'a>> {
         })
         .rounded("± / s", 2)
         .or("–"),
-        Of::known("chi2_per_dof", "1", "χ² per degree of freedom, or null", |it| {
-            let chi2 = it.fit.map_err(|_| String::new())?.chi2_per_dof();
+        Of::known("chi2_per_dof", "1", "χ² per degree of freedom, or null", |law| {
+            let chi2 = law.fit.map_err(|_| String::new())?.chi2_per_dof();
             chi2.ok_or_else(|| scatter::NO_SCATTER.to_owned())
         })
         .rounded("χ²/dof", 4)
@@ -141,7 +150,7 @@ pub(super) fn of_law<'a>() -> Fields<KeyedLaw<'a>> {
         Of::nullable("rms_s", "s", "root mean square of the residuals", |it| it.fit.ok().map(|law| law.rms))
             .rounded("rms residual / s", 3)
             .or("–"),
-        Of::note(|it| it.fit.err().map(ToString::to_string)),
+        Of::note(|law| law.fit.err().map(ToString::to_string)),
     ])
 }
 

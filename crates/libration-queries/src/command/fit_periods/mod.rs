@@ -114,7 +114,7 @@ impl FitPeriods {
     fn groups(&self, measured: &ReadPeriods, fit: &PeriodFit) -> Option<Groups> {
         let both = [self.apparatus.clock(), measured.shared_of(fit)]
             .map(|it| it.unwrap_or(0.0) * fit.exact.t0.value);
-        let shared = both.iter().map(|it| it * it).sum::<f64>().sqrt();
+        let shared = both.iter().map(|one| one * one).sum::<f64>().sqrt();
         let of_rows = |rows: &[usize]| {
             let others: Vec<usize> = (0..measured.table.len()).filter(|row| !rows.contains(row)).collect();
             let options = fit::PeriodsOptions { reject_outliers: self.reject_outliers };

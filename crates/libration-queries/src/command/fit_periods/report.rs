@@ -54,7 +54,7 @@ fn rows(answer: &FitPeriodsResult<'_>, left_out: &[usize]) -> Vec<Block> {
         let amplitude = known(of.amplitude.to_degrees(), of.amplitude_uncertainty.map(f64::to_degrees));
         let period = known(of.period, of.period_uncertainty);
         let residual = answer.fit.exact.residuals.get(place);
-        let residual = residual.map_or_else(String::new, |it| rounded(1e3 * it, 2));
+        let residual = residual.map_or_else(String::new, |residual| rounded(1e3 * residual, 2));
         [vec![line], group.into_iter().collect(), amplitude, period, vec![residual]].concat()
     };
     let words: &[&str] = if answer.measured.groups.is_some() { &["line", "group"] } else { &["line"] };

@@ -47,7 +47,7 @@ impl FitPeriodsResult<'_> {
         let exact = &self.fit.exact;
         let warnings = self.fit.warnings();
         let (grave, others): (Vec<_>, Vec<_>) =
-            warnings.iter().partition(|it| !matches!(it, PeriodsWarning::Scatter(_)));
+            warnings.iter().partition(|warning| !matches!(warning, PeriodsWarning::Scatter(_)));
         let said = |warning: &&PeriodsWarning| ("warning", warning.to_string());
         let mut lines: Vec<(&'static str, String)> = grave.iter().map(said).collect();
         let first = lines.len();

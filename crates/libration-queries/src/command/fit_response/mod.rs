@@ -113,7 +113,7 @@ impl FitResponse {
             Some(ModelChoice::Pendulum) => vec![ResponseModel::Pendulum],
             Some(ModelChoice::Duffing) => vec![ResponseModel::Duffing],
             None => {
-                let possible = |it: &ResponseModel| file.is_angle() || *it != ResponseModel::Pendulum;
+                let possible = |model: &ResponseModel| file.is_angle() || *model != ResponseModel::Pendulum;
                 ResponseModel::ALL.into_iter().filter(possible).collect()
             }
         }

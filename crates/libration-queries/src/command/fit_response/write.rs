@@ -47,8 +47,8 @@ impl FitResponseResult<'_> {
                 "are leads of the response over the drive: their signs are changed".to_owned(),
             ));
         }
-        let of = |it: libration_lab::fit::Uncertain, unit: &str| {
-            number::with_uncertainty(it.value, it.uncertainty, unit)
+        let of = |quantity: libration_lab::fit::Uncertain, unit: &str| {
+            number::with_uncertainty(quantity.value, quantity.uncertainty, unit)
         };
         let other = match self.file.measured.table.amplitude_errors() {
             AmplitudeErrors::Absolute => in_words("; <--errors=relative> for equal parts of the amplitudes"),

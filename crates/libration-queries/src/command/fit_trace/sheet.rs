@@ -41,7 +41,7 @@ pub(super) fn write(out: &mut dyn Write, answer: &FitTraceResult<'_>) -> io::Res
 
 fn lines(answer: &FitTraceResult<'_>) -> Vec<(&'static str, String)> {
     let period = answer.swings.small_angle_period();
-    let refuted = answer.swings.warnings.iter().find(|it| matches!(it, Warning::ModelRefuted(_)));
+    let refuted = answer.swings.warnings.iter().find(|warning| matches!(warning, Warning::ModelRefuted(_)));
     let mut lines: Vec<_> = refuted.map(|warning| ("refuted", warning.to_string())).into_iter().collect();
     lines.extend([
         ("data", data(answer)),

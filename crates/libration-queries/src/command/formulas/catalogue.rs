@@ -16,52 +16,58 @@ const WIDEST: usize = 59;
 fn of_entry() -> Fields<Entry> {
     type Of = Field<Entry>;
     let fields = Fields::from([
-        Of::value("key", "", "short name of the formula", |it| it.formula.key().into())
-            .words("key", |it| it.formula.key().to_owned()),
-        Of::value("name", "", "name of the formula", |it| it.formula.name().into())
+        Of::value("key", "", "short name of the formula", |entry| entry.formula.key().into())
+            .words("key", |entry| entry.formula.key().to_owned()),
+        Of::value("name", "", "name of the formula", |entry| entry.formula.name().into())
             .only_json()
-            .words("formula", |it| it.formula.name().to_owned()),
-        Of::value("family", "", "series or iteration that it is a member of, or its key", |it| {
-            it.formula.family().into()
+            .words("formula", |entry| entry.formula.name().to_owned()),
+        Of::value("family", "", "series or iteration that it is a member of, or its key", |entry| {
+            entry.formula.family().into()
         })
         .only_json(),
-        Of::value("authors", "", "authors of the publication", |it| it.formula.authors().into())
-            .words("authors", |it| it.formula.authors().to_owned()),
-        Of::value("year", "", "year of the publication, null where it is not known", |it| {
-            it.formula.year().into()
+        Of::value("authors", "", "authors of the publication", |entry| entry.formula.authors().into())
+            .words("authors", |entry| entry.formula.authors().to_owned()),
+        Of::value("year", "", "year of the publication, null where it is not known", |entry| {
+            entry.formula.year().into()
         })
-        .words("year", |it| it.formula.year().map_or_else(String::new, |year| year.to_string())),
-        Of::value("source", "", "source of the formula", |it| it.formula.source().into()),
-        Of::value("formula", "", "T/T0, with c = cos(θ0/2), k = sin(θ0/2), s = √c, L = ln(4/c)", |it| {
-            it.formula.text().into()
-        })
-        .words("T/T0", |it| {
-            let text = it.formula.text();
-            if text.chars().count() > WIDEST { it.formula.name().to_owned() } else { text.to_owned() }
+        .words("year", |entry| entry.formula.year().map_or_else(String::new, |year| year.to_string())),
+        Of::value("source", "", "source of the formula", |entry| entry.formula.source().into()),
+        Of::value(
+            "formula",
+            "",
+            "T/T0, with c = cos(θ0/2), k = sin(θ0/2), s = √c, L = ln(4/c)",
+            |entry| entry.formula.text().into(),
+        )
+        .words("T/T0", |entry| {
+            let text = entry.formula.text();
+            if text.chars().count() > WIDEST { entry.formula.name().to_owned() } else { text.to_owned() }
         }),
-        Of::value("latex", "", "the formula in LaTeX", |it| it.formula.latex().into()),
-        Of::value("derivation", "", "the argument that leads to the formula", |it| {
-            it.formula.derivation().into()
+        Of::value("latex", "", "the formula in LaTeX", |entry| entry.formula.latex().into()),
+        Of::value("derivation", "", "the argument that leads to the formula", |entry| {
+            entry.formula.derivation().into()
         })
         .only_json(),
-        Of::value("domain", "", "domain in which it is good, and its limit at the end", |it| {
-            it.formula.domain().into()
+        Of::value("domain", "", "domain in which it is good, and its limit at the end", |entry| {
+            entry.formula.domain().into()
         })
         .only_json(),
-        Of::value("complexity", "1", "effort: an operation counts 1, a root 2, a function 3", |it| {
-            it.formula.complexity().rank().into()
+        Of::value("complexity", "1", "effort: an operation counts 1, a root 2, a function 3", |entry| {
+            entry.formula.complexity().rank().into()
         })
         .only_json(),
         Of::number(
             "worst_error_to_90deg",
             "1",
             "largest magnitude of its fractional error up to 90°",
-            |it| it.formula.worst_error_to_90deg().abs(),
+            |entry| entry.formula.worst_error_to_90deg().abs(),
         )
         .rounded("error to 90°", 3),
-        Of::present("holds_to_rad", "rad", "amplitude up to which it is within the given tolerance", |it| {
-            it.holds_to
-        })
+        Of::present(
+            "holds_to_rad",
+            "rad",
+            "amplitude up to which it is within the given tolerance",
+            |entry| entry.holds_to,
+        )
         .degrees("holds to / °", 12),
     ]);
     fields.and(formula_sheet::of_curve())
@@ -78,7 +84,7 @@ pub(super) fn write(out: &mut dyn Write, form: Form, entries: &[Entry]) -> io::R
             csv::line(out, &fields.csv_names())?;
             entries.iter().try_for_each(|entry| csv::line(out, &fields.csv_cells(entry)))
         }
-        Form::Table if entries.iter().any(|it| it.is_sheet) => formula_sheet::write(out, entries),
+        Form::Table if entries.iter().any(|entry| entry.is_sheet) => formula_sheet::write(out, entries),
         Form::Table => write_table(out, entries),
     }
 }

@@ -33,16 +33,16 @@ pub(super) fn write(out: &mut dyn Write, form: Form, formulas: &[PeriodFormula])
     let fields = of_crossover();
     match form {
         Form::Json => {
-            let records = crossovers.iter().map(|it| fields.record(it));
+            let records = crossovers.iter().map(|crossover| fields.record(crossover));
             json::document_with_list(out, Record::new(), "crossovers", records)?;
         }
         Form::Csv => {
             csv::line(out, &fields.csv_names())?;
-            crossovers.iter().try_for_each(|it| csv::line(out, &fields.csv_cells(it)))?;
+            crossovers.iter().try_for_each(|crossover| csv::line(out, &fields.csv_cells(crossover)))?;
         }
         Form::Table => {
             let mut table = Table::new(fields.columns());
-            crossovers.iter().try_for_each(|it| table.row(out, fields.cells(it)))?;
+            crossovers.iter().try_for_each(|crossover| table.row(out, fields.cells(crossover)))?;
             table.finish(out)?;
         }
     }
@@ -53,19 +53,25 @@ pub(super) fn write(out: &mut dyn Write, form: Form, formulas: &[PeriodFormula])
 fn of_crossover() -> Fields<Crossover> {
     type Of = Field<Crossover>;
     Fields::from([
-        Of::number("amplitude_rad", "rad", "amplitude of the crossover", |it| it.amplitude.radians())
-            .numeral("amplitude / °", |it| number::rounded(it.amplitude.degrees(), 13)),
-        Of::number("complement_rad", "rad", "π minus that amplitude", |it| it.amplitude.complement()),
-        Of::value("better_below", "", "formula with the smaller error directly below", |it| {
-            it.better_below.as_str().into()
+        Of::number("amplitude_rad", "rad", "amplitude of the crossover", |crossover| {
+            crossover.amplitude.radians()
         })
-        .words("better below", |it| it.better_below.clone()),
-        Of::value("better_above", "", "formula with the smaller error directly above", |it| {
-            it.better_above.as_str().into()
+        .numeral("amplitude / °", |crossover| number::rounded(crossover.amplitude.degrees(), 13)),
+        Of::number("complement_rad", "rad", "π minus that amplitude", |crossover| {
+            crossover.amplitude.complement()
+        }),
+        Of::value("better_below", "", "formula with the smaller error directly below", |crossover| {
+            crossover.better_below.as_str().into()
         })
-        .words("better above", |it| it.better_above.clone()),
-        Of::number("error", "1", "magnitude that the fractional errors of both have there", |it| it.error)
-            .rounded("|error| there", 3),
+        .words("better below", |crossover| crossover.better_below.clone()),
+        Of::value("better_above", "", "formula with the smaller error directly above", |crossover| {
+            crossover.better_above.as_str().into()
+        })
+        .words("better above", |crossover| crossover.better_above.clone()),
+        Of::number("error", "1", "magnitude that the fractional errors of both have there", |crossover| {
+            crossover.error
+        })
+        .rounded("|error| there", 3),
     ])
 }
 

@@ -45,10 +45,10 @@ fn ranges(formula: &PeriodFormula) -> Vec<Range> {
 fn of_point() -> Fields<ErrorCurvePoint> {
     type Of = Field<ErrorCurvePoint>;
     Fields::from([
-        Of::number("amplitude_rad", "rad", "amplitude", |it| it.amplitude.radians())
-            .numeral("amplitude / °", |it| number::rounded(it.amplitude.degrees(), 4)),
-        Of::number("ratio", "1", "T/T0 by the formula", |it| it.ratio).rounded("T/T0", 10),
-        Of::number("fractional_error", "1", "formula over exact period, minus 1", |it| it.error)
+        Of::number("amplitude_rad", "rad", "amplitude", |point| point.amplitude.radians())
+            .numeral("amplitude / °", |point| number::rounded(point.amplitude.degrees(), 4)),
+        Of::number("ratio", "1", "T/T0 by the formula", |point| point.ratio).rounded("T/T0", 10),
+        Of::number("fractional_error", "1", "formula over exact period, minus 1", |point| point.error)
             .rounded("error", 3),
     ])
 }
@@ -56,9 +56,9 @@ fn of_point() -> Fields<ErrorCurvePoint> {
 fn of_range() -> Fields<Range> {
     type Of = Field<Range>;
     Fields::from([
-        Of::number("tolerance", "1", "fractional error that is not exceeded", |it| it.tolerance)
-            .numeral("error at most", |it| format!("{:?}", it.tolerance)),
-        Of::number("holds_to_rad", "rad", "amplitude up to which it is not exceeded", |it| it.to)
+        Of::number("tolerance", "1", "fractional error that is not exceeded", |range| range.tolerance)
+            .numeral("error at most", |range| format!("{:?}", range.tolerance)),
+        Of::number("holds_to_rad", "rad", "amplitude up to which it is not exceeded", |range| range.to)
             .degrees("to / °", 6),
     ])
 }
@@ -67,11 +67,11 @@ fn of_range() -> Fields<Range> {
 pub(super) fn of_curve() -> [Field<Entry>; 2] {
     type Of = Field<Entry>;
     [
-        Of::present_nested("errors[].", &of_point(), |it| {
-            it.is_sheet.then(|| of_point().records(&points(&it.formula)))
+        Of::present_nested("errors[].", &of_point(), |entry| {
+            entry.is_sheet.then(|| of_point().records(&points(&entry.formula)))
         }),
-        Of::present_nested("holds[].", &of_range(), |it| {
-            it.is_sheet.then(|| of_range().records(&ranges(&it.formula)))
+        Of::present_nested("holds[].", &of_range(), |entry| {
+            entry.is_sheet.then(|| of_range().records(&ranges(&entry.formula)))
         }),
     ]
 }

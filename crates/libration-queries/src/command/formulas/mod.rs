@@ -49,7 +49,7 @@ impl Formulas {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         if !self.keys.is_empty() {
             let sheets: Vec<_> =
-                self.keys.iter().map(|it| Entry { is_sheet: true, ..entry(it, None) }).collect();
+                self.keys.iter().map(|key| Entry { is_sheet: true, ..entry(key, None) }).collect();
             return Ok(catalogue::write(out, self.form.form(), &sheets)?);
         }
         let formulas = self.formulas.chosen_or_all();

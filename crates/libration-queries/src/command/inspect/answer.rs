@@ -55,7 +55,9 @@ fn is_of_a_gate(recording: &Recording, gates: &Gates) -> bool {
 
 fn suggests_signals(error: &MeasurementError) -> bool {
     match error {
-        MeasurementError::Undecided { choices, .. } => choices.iter().any(|it| it.choice == Choice::Signal),
+        MeasurementError::Undecided { choices, .. } => {
+            choices.iter().any(|choice| choice.choice == Choice::Signal)
+        }
         _ => false,
     }
 }

@@ -87,7 +87,9 @@ fn write_table_fit(out: &mut dyn Write, answer: &InspectResult) -> io::Result<()
 
 fn has_no_time(error: &MeasurementError) -> bool {
     match error {
-        MeasurementError::Undecided { choices, .. } => choices.iter().all(|it| it.choice == Choice::Time),
+        MeasurementError::Undecided { choices, .. } => {
+            choices.iter().all(|choice| choice.choice == Choice::Time)
+        }
         _ => false,
     }
 }

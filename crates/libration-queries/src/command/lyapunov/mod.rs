@@ -130,9 +130,9 @@ fn measured(
     let latest = Mutex::new(None);
     let how_far = || {
         let latest: Option<Status> = latest.lock().ok().and_then(|latest| *latest);
-        let beside = latest.is_some_and(|it| it.stage != Stage::Motion { number: 0 });
+        let beside = latest.is_some_and(|latest| latest.stage != Stage::Motion { number: 0 });
         let which = if beside { " of a neighbouring motion" } else { "" };
-        format!("{} of {} intervals{which}", latest.map_or(0, |it| it.done), schedule.intervals)
+        format!("{} of {} intervals{which}", latest.map_or(0, |latest| latest.done), schedule.intervals)
     };
     let progress = |status: Status| {
         if let Ok(mut latest) = latest.lock() {

@@ -47,41 +47,45 @@ impl LyapunovResult<'_> {
 fn of_answer<'a>() -> Fields<LyapunovResult<'a>> {
     type Of<'a> = Field<LyapunovResult<'a>>;
     Fields::from([
-        Of::value("system", "", "key of the system, null where its equations were typed", |it| {
-            it.model.key().into()
+        Of::value("system", "", "key of the system, null where its equations were typed", |result| {
+            result.model.key().into()
         })
-        .line_of("system", |it| it.model.title().to_owned()),
-        Of::value("equation", "", "equations of motion as they were read", |it| {
-            it.model.equation().to_string().into()
+        .line_of("system", |result| result.model.title().to_owned()),
+        Of::value("equation", "", "equations of motion as they were read", |result| {
+            result.model.equation().to_string().into()
         })
-        .line_of("equation", |it| it.model.equation().to_string()),
-        Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
-        Of::value("initial[]", "", "state at the start, in the order of those names", |it| {
-            json::numbers(&it.initial)
+        .line_of("equation", |result| result.model.equation().to_string()),
+        Of::value("state[]", "", "names of the state variables", |result| {
+            json::list(result.model.state_names())
         }),
-        Of::number("transient_s", "s", "time that passed before measuring", |it| it.schedule.transient),
-        Of::number("interval_s", "s", "time between two measurements of the deviation", |it| {
-            it.schedule.interval
+        Of::value("initial[]", "", "state at the start, in the order of those names", |result| {
+            json::numbers(&result.initial)
         }),
-        Of::number("exponent_per_s", "1/s", "largest Lyapunov exponent", |it| it.found.exponent).line_of(
-            "largest Lyapunov exponent",
-            |it| {
-                let exponent = number::rounded(it.found.exponent, 5);
-                match it.found.uncertainty {
+        Of::number("transient_s", "s", "time that passed before measuring", |result| {
+            result.schedule.transient
+        }),
+        Of::number("interval_s", "s", "time between two measurements of the deviation", |result| {
+            result.schedule.interval
+        }),
+        Of::number("exponent_per_s", "1/s", "largest Lyapunov exponent", |result| result.found.exponent)
+            .line_of("largest Lyapunov exponent", |result| {
+                let exponent = number::rounded(result.found.exponent, 5);
+                match result.found.uncertainty {
                     known if known.is_finite() => format!("{exponent} ± {} 1/s", number::rounded(known, 2)),
                     _ => format!("{exponent} 1/s  (uncertainty not known: too few intervals)"),
                 }
-            },
-        ),
+            }),
         Of::number(
             "exponent_uncertainty_per_s",
             "1/s",
             "largest of the standard error of the exponent from ten blocks of the time, the change in the second half, and the exponent itself if a power of the time explains the growth",
-            |it| it.found.uncertainty,
+            |result| result.found.uncertainty,
         ),
-        Of::value("verdict", "", "regular, chaotic or undecided", |it| it.found.verdict.to_string().into()),
-        Of::value("reason", "", "evidence for the verdict, or the evidence that is missing", |it| {
-            it.found.verdict.reason().into()
+        Of::value("verdict", "", "regular, chaotic or undecided", |result| {
+            result.found.verdict.to_string().into()
+        }),
+        Of::value("reason", "", "evidence for the verdict, or the evidence that is missing", |result| {
+            result.found.verdict.reason().into()
         }),
     ])
 }

@@ -19,13 +19,13 @@ impl MelnikovResult {
         match form {
             Form::Json => {
                 let fields = of_resonance();
-                let resonances = self.neighbours().map(|it| fields.record(&it));
+                let resonances = self.neighbours().map(|neighbour| fields.record(&neighbour));
                 json::document_with_list(out, of_answer().record(self), "resonances", resonances)
             }
             Form::Csv => {
                 let fields = of_resonance();
                 csv::line(out, &fields.csv_names())?;
-                self.neighbours().try_for_each(|it| csv::line(out, &fields.csv_cells(&it)))
+                self.neighbours().try_for_each(|neighbour| csv::line(out, &fields.csv_cells(&neighbour)))
             }
             Form::Table => self.write_sheet(out, listed),
         }
@@ -46,7 +46,9 @@ impl MelnikovResult {
                 write_text(out, "", "No threshold in the range.")?;
             } else {
                 of_crossing().write_table(out, thresholds)?;
-                if let Some(reason) = thresholds.iter().find_map(|it| it.tangency.as_ref().err()) {
+                if let Some(reason) =
+                    thresholds.iter().find_map(|threshold| threshold.tangency.as_ref().err())
+                {
                     write_text(out, "", &format!("The tangency is not known: {reason}."))?;
                 }
             }
@@ -55,7 +57,7 @@ impl MelnikovResult {
             writeln!(out)?;
             let fields = of_resonance();
             let mut table = Table::new(fields.columns());
-            self.neighbours().try_for_each(|it| table.row(out, fields.cells(&it)))?;
+            self.neighbours().try_for_each(|neighbour| table.row(out, fields.cells(&neighbour)))?;
             table.finish(out)?;
             writeln!(out)?;
             write_text(out, "", &self.overlaps())?;
@@ -64,7 +66,7 @@ impl MelnikovResult {
     }
 
     fn overlaps(&self) -> String {
-        let known = || self.neighbours().filter_map(|it| it.overlap());
+        let known = || self.neighbours().filter_map(|neighbour| neighbour.overlap());
         let most = known().fold(0.0, f64::max);
         match known().count() {
             0 => "No two resonances of one kind are adjacent.".to_owned(),

@@ -99,10 +99,10 @@ impl FollowedMode {
     }
 
     fn words(&self) -> String {
-        let change = |it: &StabilityChange| {
-            let [from, to] = it.between.map(|amplitude| self.amplitude_text(amplitude));
+        let change = |change: &StabilityChange| {
+            let [from, to] = change.between.map(|amplitude| self.amplitude_text(amplitude));
             let place = if from == to { format!("at {from}") } else { format!("between {from} and {to}") };
-            format!("It becomes {} {place}.", if it.stable_above { "stable" } else { "unstable" })
+            format!("It becomes {} {place}.", if change.stable_above { "stable" } else { "unstable" })
         };
         let mut sentences: Vec<String> = self.found.changes.iter().map(change).collect();
         if let Some(reach) = self.found.series_reach(0.01) {
@@ -130,30 +130,30 @@ impl FollowedMode {
 fn of_family() -> Fields<FollowedMode> {
     type Of = Field<FollowedMode>;
     Fields::from([
-        Of::value("system", "", "key of the system, null where its equations were typed", |it| {
-            it.model.key().into()
+        Of::value("system", "", "key of the system, null where its equations were typed", |mode| {
+            mode.model.key().into()
         })
-        .line_of("system", |it| it.model.title().to_owned()),
-        Of::value("equations[]", "", "equations of motion as they were read", |it| {
-            json::list(it.model.equation().to_string().split("; "))
+        .line_of("system", |mode| mode.model.title().to_owned()),
+        Of::value("equations[]", "", "equations of motion as they were read", |mode| {
+            json::list(mode.model.equation().to_string().split("; "))
         })
-        .line_of("equations", |it| it.model.equation().to_string()),
-        Of::value("mode", "1", "number of the mode, from 1", |it| (it.mode + 1).into())
-            .line_of("mode", |it| (it.mode + 1).to_string()),
-        Of::value("coordinate", "", "coordinate of the amplitude", |it| {
-            it.model.coordinates()[it.coordinate].name.as_str().into()
+        .line_of("equations", |mode| mode.model.equation().to_string()),
+        Of::value("mode", "1", "number of the mode, from 1", |mode| (mode.mode + 1).into())
+            .line_of("mode", |mode| (mode.mode + 1).to_string()),
+        Of::value("coordinate", "", "coordinate of the amplitude", |mode| {
+            mode.model.coordinates()[mode.coordinate].name.as_str().into()
         })
-        .line_of("amplitude of", |it| it.model.coordinates()[it.coordinate].name.clone()),
-        Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
-        Of::nested("stability_changes[].", &of_change(), |it| of_change().records(&it.found.changes)),
+        .line_of("amplitude of", |mode| mode.model.coordinates()[mode.coordinate].name.clone()),
+        Of::value("state[]", "", "names of the state variables", |mode| json::list(mode.model.state_names())),
+        Of::nested("stability_changes[].", &of_change(), |mode| of_change().records(&mode.found.changes)),
         Of::nullable(
             "series_reach",
             "",
             "amplitude up to which ω + κa² is within 1 % of the frequency, or null",
-            |it| it.found.series_reach(0.01),
+            |mode| mode.found.series_reach(0.01),
         ),
-        Of::value("lost", "", "reason why it does not reach the last amplitude, or null", |it| {
-            it.found.lost.as_ref().map(ToString::to_string).into()
+        Of::value("lost", "", "reason why it does not reach the last amplitude, or null", |mode| {
+            mode.found.lost.as_ref().map(ToString::to_string).into()
         }),
     ])
 }
@@ -161,57 +161,65 @@ fn of_family() -> Fields<FollowedMode> {
 fn of_change() -> Fields<StabilityChange> {
     type Of = Field<StabilityChange>;
     Fields::from([
-        Of::number("from", "", "amplitude below the change of stability", |it| it.between[0]),
-        Of::number("to", "", "amplitude above it", |it| it.between[1]),
-        Of::value("stable_above", "", "true if the mode is stable above", |it| it.stable_above.into()),
+        Of::number("from", "", "amplitude below the change of stability", |change| change.between[0]),
+        Of::number("to", "", "amplitude above it", |change| change.between[1]),
+        Of::value("stable_above", "", "true if the mode is stable above", |change| {
+            change.stable_above.into()
+        }),
     ])
 }
 
 fn of_point() -> Fields<ModePoint> {
     type Of = Field<ModePoint>;
     Fields::from([
-        Of::number("amplitude", "", "displacement at the start, in rad for angles", |it| it.amplitude)
+        Of::number("amplitude", "", "displacement at the start, in rad for angles", |point| point.amplitude)
             .rounded("amplitude", 6),
-        Of::number("period_s", "s", "period of the orbit", |it| it.orbit.period())
-            .numeral("period / s", |it| to_its_error(it.orbit.period(), it.orbit.period_uncertainty(), 14)),
-        Of::number("error_s", "s", "bound on its error", |it| it.orbit.period_uncertainty())
-            .numeral("to", |it| at_most(it.orbit.period_uncertainty())),
-        Of::number("angular_frequency_rad_per_s", "rad/s", "angular frequency of the orbit", |it| {
-            it.orbit.frequency()
+        Of::number("period_s", "s", "period of the orbit", |point| point.orbit.period())
+            .numeral("period / s", |point| {
+                to_its_error(point.orbit.period(), point.orbit.period_uncertainty(), 14)
+            }),
+        Of::number("error_s", "s", "bound on its error", |point| point.orbit.period_uncertainty())
+            .numeral("to", |point| at_most(point.orbit.period_uncertainty())),
+        Of::number("angular_frequency_rad_per_s", "rad/s", "angular frequency of the orbit", |point| {
+            point.orbit.frequency()
         }),
         Of::nullable(
             "series_angular_frequency_rad_per_s",
             "rad/s",
             "ω + κa² of its first harmonic, or null",
-            |it| it.series_frequency,
+            |point| point.series_frequency,
         )
         .rounded("ω + κa²", 8),
         Of::value(
             "stability",
             "",
             "attracting, neutral, unstable or undetermined (within the errors of the multipliers)",
-            |it| it.orbit.floquet().map(|floquet| floquet.stability.name()).into(),
+            |point| point.orbit.floquet().map(|floquet| floquet.stability.name()).into(),
         )
-        .words("stability", |it| {
-            it.orbit.floquet().map_or("", |floquet| floquet.stability.name()).to_owned()
+        .words("stability", |point| {
+            point.orbit.floquet().map_or("", |floquet| floquet.stability.name()).to_owned()
         }),
-        Of::value("multipliers[][]", "1", "Floquet multipliers, real and imaginary part", |it| {
+        Of::value("multipliers[][]", "1", "Floquet multipliers, real and imaginary part", |point| {
             let multipliers =
-                it.orbit.floquet().map(|floquet| floquet.multipliers.clone()).unwrap_or_default();
+                point.orbit.floquet().map(|floquet| floquet.multipliers.clone()).unwrap_or_default();
             json::list(multipliers.iter().map(|z| json::numbers(&[z.re, z.im])))
         }),
-        Of::value("multiplier_errors[]", "1", "errors of the multipliers, in their order", |it| {
-            json::numbers(it.orbit.floquet().map_or(&[], |floquet| &floquet.errors))
+        Of::value("multiplier_errors[]", "1", "errors of the multipliers, in their order", |point| {
+            json::numbers(point.orbit.floquet().map_or(&[], |floquet| &floquet.errors))
         }),
-        Of::value("start[]", "", "state at the start, in the order of the names", |it| {
-            json::numbers(&it.start)
+        Of::value("start[]", "", "state at the start, in the order of the names", |point| {
+            json::numbers(&point.start)
         })
-        .words("start", |it| {
-            let (places, velocities) = it.start.split_at(it.start.len() / 2);
+        .words("start", |point| {
+            let (places, velocities) = point.start.split_at(point.start.len() / 2);
             /// Velocities below this fraction of the largest one of the coordinate are rounding errors.
             const STILL: f64 = 1e-9;
-            let still = STILL * it.amplitude * it.orbit.frequency();
-            let shown = if velocities.iter().any(|it| it.abs() > still) { &it.start[..] } else { places };
+            let still = STILL * point.amplitude * point.orbit.frequency();
+            let shown = if velocities.iter().any(|velocity| velocity.abs() > still) {
+                &point.start[..]
+            } else {
+                places
+            };
             shown.iter().map(|x| short(*x, 10)).collect::<Vec<_>>().join(", ")
         }),
     ])

@@ -103,7 +103,7 @@ fn lines(answer: &ModesResult, mode: &Mode) -> Vec<(&'static str, String)> {
     lines.extend(
         mode.resonances
             .iter()
-            .filter(|it| mode.multiplicity == 1 || it.multiple > 1)
+            .filter(|resonance| mode.multiplicity == 1 || resonance.multiple > 1)
             .map(|it| ("resonance", resonance_text(it))),
     );
     lines

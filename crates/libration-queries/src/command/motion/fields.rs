@@ -57,20 +57,20 @@ pub(super) fn of_motion() -> Fields<Motion> {
 pub(super) fn of_sample() -> Fields<StateAtTime> {
     type Of = Field<StateAtTime>;
     Fields::from([
-        Of::number("time_s", "s", "time from the start", |it| it.time).short("t / s", 12),
-        Of::number("angle_rad", "rad", "angle, turns counted", |it| it.state.angle)
+        Of::number("time_s", "s", "time from the start", |moment| moment.time).short("t / s", 12),
+        Of::number("angle_rad", "rad", "angle, turns counted", |moment| moment.state.angle)
             .rounded("θ / rad", 10)
             .degrees("θ / °", 10),
-        Of::value("turns", "1", "whole turns in the angle", |it| it.state.turns.into())
-            .numeral("turns", |it| it.state.turns.to_string()),
-        Of::number("angle_in_turn_rad", "rad", "angle without its whole turns, from −π to π", |it| {
-            it.state.angle_in_turn
+        Of::value("turns", "1", "whole turns in the angle", |moment| moment.state.turns.into())
+            .numeral("turns", |moment| moment.state.turns.to_string()),
+        Of::number("angle_in_turn_rad", "rad", "angle without its whole turns, from −π to π", |moment| {
+            moment.state.angle_in_turn
         }),
-        Of::number("complement_rad", "rad", "distance from the top, π − |angle in the turn|", |it| {
-            it.state.complement
+        Of::number("complement_rad", "rad", "distance from the top, π − |angle in the turn|", |moment| {
+            moment.state.complement
         })
         .rounded("π − |θ| / rad", 6),
-        Of::number("velocity_rad_per_s", "rad/s", "angular velocity", |it| it.state.velocity)
+        Of::number("velocity_rad_per_s", "rad/s", "angular velocity", |moment| moment.state.velocity)
             .rounded("θ′ / (rad/s)", 10),
     ])
 }
@@ -78,12 +78,13 @@ pub(super) fn of_sample() -> Fields<StateAtTime> {
 pub(super) fn of_approximation<'a>() -> Fields<ApproximateAngle<'a>> {
     type Of<'a> = Field<ApproximateAngle<'a>>;
     Fields::from([
-        Of::value("key", "", "short name of the approximate motion", |it| it.motion.key().into()).only_json(),
-        Of::number("angle_rad", "rad", "angle of the approximate motion", |it| it.angle)
+        Of::value("key", "", "short name of the approximate motion", |angle| angle.motion.key().into())
+            .only_json(),
+        Of::number("angle_rad", "rad", "angle of the approximate motion", |angle| angle.angle)
             .in_csv_as("KEY_angle_rad")
             .rounded("KEY / rad", 10),
-        Of::number("error_rad", "rad", "angle of the approximate motion minus the exact one", |it| {
-            it.angle - it.exact
+        Of::number("error_rad", "rad", "angle of the approximate motion minus the exact one", |angle| {
+            angle.angle - angle.exact
         })
         .in_csv_as("KEY_error_rad")
         .rounded("error of KEY / rad", 3),

@@ -78,7 +78,9 @@ impl MotionResult<'_> {
         csv::line(out, &of_sample.csv_names().into_iter().chain(more).collect::<Vec<_>>())?;
         for time in times {
             let sample = self.sample(time);
-            let more = self.approximations(sample).flat_map(|it| of_approximation.csv_cells(&it));
+            let more = self
+                .approximations(sample)
+                .flat_map(|approximation| of_approximation.csv_cells(&approximation));
             csv::line(out, &of_sample.csv_cells(&sample).into_iter().chain(more).collect::<Vec<_>>())?;
         }
         Ok(())
@@ -98,7 +100,8 @@ impl MotionResult<'_> {
         for time in times {
             let sample = self.sample(time);
             is_known &= !sample.state.velocity.is_nan();
-            let more = self.approximations(sample).flat_map(|it| of_approximation.cells(&it));
+            let more =
+                self.approximations(sample).flat_map(|approximation| of_approximation.cells(&approximation));
             table.row(out, of_sample.cells(&sample).into_iter().chain(more).collect())?;
         }
         table.finish(out)?;

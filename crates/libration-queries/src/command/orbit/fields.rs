@@ -38,80 +38,80 @@ impl OrbitResult {
 pub(super) fn of_orbit() -> Fields<OrbitResult> {
     type Of = Field<OrbitResult>;
     Fields::from([
-        Of::value("system", "", "key of the system, null where its equations were typed", |it| {
-            it.model.key().into()
+        Of::value("system", "", "key of the system, null where its equations were typed", |result| {
+            result.model.key().into()
         })
-        .line_of("system", |it| it.model.title().to_owned()),
-        Of::value("equation", "", "equations of motion as they were read", |it| {
-            it.model.equation().to_string().into()
+        .line_of("system", |result| result.model.title().to_owned()),
+        Of::value("equation", "", "equations of motion as they were read", |result| {
+            result.model.equation().to_string().into()
         })
-        .line_of("equation", |it| it.model.equation().to_string()),
+        .line_of("equation", |result| result.model.equation().to_string()),
         Of::value(
             "kind",
             "",
             "released, limit_cycle, passed (unstable; no cycle was found to which the motion settles), driven, family or near",
-            |it| kind(it.kind)[0].into(),
+            |result| kind(result.kind)[0].into(),
         )
-        .line_of("orbit", |it| kind(it.kind)[1].to_owned()),
-        Of::number("period_s", "s", "period", |it| it.orbit.period()).line_of("period", period),
+        .line_of("orbit", |result| kind(result.kind)[1].to_owned()),
+        Of::number("period_s", "s", "period", |result| result.orbit.period()).line_of("period", period),
         Of::number(
             "period_uncertainty_s",
             "s",
             "bound on its error, 0 where the drive sets it, null where the equations do not determine it",
-            |it| it.orbit.period_uncertainty(),
+            |result| result.orbit.period_uncertainty(),
         ),
-        Of::number("angular_frequency_rad_per_s", "rad/s", "2π over the period", |it| it.orbit.frequency())
+        Of::number("angular_frequency_rad_per_s", "rad/s", "2π over the period", |result| result.orbit.frequency())
             .line_of("angular frequency", angular_frequency),
-        Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
-        Of::value("start[]", "", "state at the start of the orbit, in the order of those names", |it| {
-            json::numbers(&it.orbit.start())
+        Of::value("state[]", "", "names of the state variables", |result| json::list(result.model.state_names())),
+        Of::value("start[]", "", "state at the start of the orbit, in the order of those names", |result| {
+            json::numbers(&result.orbit.start())
         })
         .line_of("start", start),
-        Of::value("start_error[]", "", "errors of the start, 0 where it is given", |it| {
-            json::numbers(it.orbit.start_errors())
+        Of::value("start_error[]", "", "errors of the start, 0 where it is given", |result| {
+            json::numbers(result.orbit.start_errors())
         }),
         Of::value(
             "closing_error[]",
             "",
             "closing error of each state component after a period",
-            |it| json::numbers(&it.orbit.closing_error()),
+            |result| json::numbers(&result.orbit.closing_error()),
         )
-        .line_of("closes to", |it| {
-            at_most(it.orbit.closing_error().into_iter().fold(f64::EPSILON, f64::max))
+        .line_of("closes to", |result| {
+            at_most(result.orbit.closing_error().into_iter().fold(f64::EPSILON, f64::max))
         }),
-        Of::value("minimum[]", "", "minimum of each component of the state", |it| {
-            json::list((0..it.numbers()).map(|number| json::number(it.orbit.range(number).0)))
+        Of::value("minimum[]", "", "minimum of each component of the state", |result| {
+            json::list((0..result.numbers()).map(|number| json::number(result.orbit.range(number).0)))
         }),
-        Of::value("maximum[]", "", "maximum of each component of the state", |it| {
-            json::list((0..it.numbers()).map(|number| json::number(it.orbit.range(number).1)))
+        Of::value("maximum[]", "", "maximum of each component of the state", |result| {
+            json::list((0..result.numbers()).map(|number| json::number(result.orbit.range(number).1)))
         }),
         Of::value(
             "state_error[]",
             "",
             "largest error of each component on the orbit, at the same part of the period; that of minimum and maximum",
-            |it| json::numbers(it.orbit.state_errors()),
+            |result| json::numbers(result.orbit.state_errors()),
         ),
         Of::value(
             "multipliers[][]",
             "1",
             "Floquet multipliers by descending magnitude, real and imaginary part",
-            |it| json::list(it.multipliers().iter().map(pair)),
+            |result| json::list(result.multipliers().iter().map(pair)),
         ),
-        Of::value("multiplier_errors[]", "1", "errors of the multipliers, in their order", |it| {
-            json::numbers(it.orbit.floquet().map_or(&[], |floquet| &floquet.errors))
+        Of::value("multiplier_errors[]", "1", "errors of the multipliers, in their order", |result| {
+            json::numbers(result.orbit.floquet().map_or(&[], |floquet| &floquet.errors))
         }),
         Of::value(
             "stability",
             "",
             "attracting, neutral, unstable or undetermined (within the errors of the multipliers); null where it was not requested",
-            |it| it.orbit.floquet().map(|floquet| floquet.stability.name()).into(),
+            |result| result.orbit.floquet().map(|floquet| floquet.stability.name()).into(),
         )
         .line_of("stability", stability),
         Of::present(
             "multiplier_logarithm",
             "1",
             "logarithm of the multiplier of a cycle of one coordinate, which may be below the range of numbers",
-            |it| it.orbit.floquet().and_then(|floquet| floquet.logarithm),
+            |result| result.orbit.floquet().and_then(|floquet| floquet.logarithm),
         ),
     ])
 }
@@ -119,25 +119,25 @@ pub(super) fn of_orbit() -> Fields<OrbitResult> {
 pub(super) fn of_term<'a>() -> Fields<HarmonicTerm<'a>> {
     type Of<'a> = Field<HarmonicTerm<'a>>;
     Fields::from([
-        Of::value("coordinate", "", "coordinate it belongs to", |it| it.coordinate.into())
-            .words("coordinate", |it| it.coordinate.to_owned()),
-        Of::value("n", "1", "number of the harmonic, 0 for the mean", |it| it.term.n.into())
-            .numeral("n", |it| it.term.n.to_string()),
+        Of::value("coordinate", "", "coordinate it belongs to", |term| term.coordinate.into())
+            .words("coordinate", |term| term.coordinate.to_owned()),
+        Of::value("n", "1", "number of the harmonic, 0 for the mean", |term| term.term.n.into())
+            .numeral("n", |term| term.term.n.to_string()),
         Of::number(
             "cosine",
             "",
             "coefficient of cos nΩt, the time counted from the start; the mean for n = 0",
-            |it| it.term.cosine,
+            |term| term.term.cosine,
         )
-        .numeral("cosine", |it| to_its_error(it.term.cosine, it.error, 12)),
-        Of::number("sine", "", "coefficient of sin nΩt", |it| it.term.sine)
-            .numeral("sine", |it| to_its_error(it.term.sine, it.error, 12)),
-        Of::number("amplitude", "", "√(cosine² + sine²)", |it| it.term.amplitude())
-            .numeral("amplitude", |it| to_its_error(it.term.amplitude(), it.error, 6)),
-        Of::number("error", "", "error of cosine and sine", |it| it.error)
-            .numeral("to", |it| at_most(it.error)),
-        Of::number("remainder", "", "upper bound on the omitted harmonics of the coordinate", |it| {
-            it.remainder
+        .numeral("cosine", |term| to_its_error(term.term.cosine, term.error, 12)),
+        Of::number("sine", "", "coefficient of sin nΩt", |term| term.term.sine)
+            .numeral("sine", |term| to_its_error(term.term.sine, term.error, 12)),
+        Of::number("amplitude", "", "√(cosine² + sine²)", |term| term.term.amplitude())
+            .numeral("amplitude", |term| to_its_error(term.term.amplitude(), term.error, 6)),
+        Of::number("error", "", "error of cosine and sine", |term| term.error)
+            .numeral("to", |term| at_most(term.error)),
+        Of::number("remainder", "", "upper bound on the omitted harmonics of the coordinate", |term| {
+            term.remainder
         }),
     ])
 }

@@ -39,9 +39,9 @@ impl OrbitResult {
         writeln!(out)?;
         let fields = of_term();
         let mut table = Table::new(fields.columns());
-        let largest = self.terms().map(|it| it.term.amplitude()).fold(0.0, f64::max);
+        let largest = self.terms().map(|term| term.term.amplitude()).fold(0.0, f64::max);
         let (mut left_out, mut count) = (false, (String::new(), 0));
-        for term in self.terms().filter(|it| it.term.amplitude() > it.error.max(SHOWN * largest)) {
+        for term in self.terms().filter(|term| term.term.amplitude() > term.error.max(SHOWN * largest)) {
             if count.0 != term.coordinate {
                 count = (term.coordinate.to_owned(), 0);
             }

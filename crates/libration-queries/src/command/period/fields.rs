@@ -62,57 +62,59 @@ pub(super) fn of_swing(is_of_period: bool) -> Fields<Swing> {
         "amplitude_uncertainty_rad",
         "rad",
         "uncertainty of an amplitude that follows from a period: from the period's, or else from its rounding",
-        |it| it.uncertainty,
+        |swing| swing.uncertainty,
     )
     .rounded("u(θ₀) / rad", 2)
-    .line_of("uncertainty of θ₀", |it| {
-        let uncertainty = it.uncertainty.unwrap_or(0.0);
+    .line_of("uncertainty of θ₀", |swing| {
+        let uncertainty = swing.uncertainty.unwrap_or(0.0);
         let [radians, degrees] = [uncertainty, uncertainty.to_degrees()].map(|it| number::rounded(it, 2));
         format!("{radians} rad = {degrees}°")
     });
     let amplitude = Fields::from([
-        Of::number("amplitude_rad", "rad", "amplitude", |it| it.amplitude.radians())
-            .numeral("θ₀ / °", |it| number::short(it.amplitude.angle().degrees(), 12))
-            .line_of("amplitude θ₀", |it| {
-                let degrees = it.amplitude.angle().degrees();
-                let degrees = match it.uncertainty {
+        Of::number("amplitude_rad", "rad", "amplitude", |swing| swing.amplitude.radians())
+            .numeral("θ₀ / °", |swing| number::short(swing.amplitude.angle().degrees(), 12))
+            .line_of("amplitude θ₀", |swing| {
+                let degrees = swing.amplitude.angle().degrees();
+                let degrees = match swing.uncertainty {
                     Some(error) => number::to_its_error(degrees, error.to_degrees() / 10.0, 12),
                     None => number::short(degrees, 12),
                 };
-                format!("{} rad = {degrees}°", it.radians(it.amplitude.radians()))
+                format!("{} rad = {degrees}°", swing.radians(swing.amplitude.radians()))
             }),
-        Of::number("complement_rad", "rad", "π minus the amplitude", |it| it.amplitude.complement())
+        Of::number("complement_rad", "rad", "π minus the amplitude", |swing| swing.amplitude.complement())
             .rounded("π − θ₀ / rad", 8)
-            .line_of("π − θ₀", |it| it.radians(it.amplitude.complement())),
+            .line_of("π − θ₀", |swing| swing.radians(swing.amplitude.complement())),
     ]);
     let amplitude = if is_of_period { amplitude.and([uncertainty]) } else { amplitude };
     amplitude.and([
-        Of::number("small_angle_period_s", "s", "period of small swings, 2π√(l/g)", |it| {
-            it.small_angle_period
+        Of::number("small_angle_period_s", "s", "period of small swings, 2π√(l/g)", |swing| {
+            swing.small_angle_period
         })
         .line(SMALL_ANGLE_PERIOD, DIGITS),
-        Of::number("period_s", "s", "exact period at this amplitude", |it| it.exact.period)
+        Of::number("period_s", "s", "exact period at this amplitude", |swing| swing.exact.period)
             .rounded("T / s", 12)
             .line("exact period T", DIGITS),
-        Of::number("frequency_hz", "Hz", "reciprocal of the exact period", |it| it.exact.period.recip())
-            .only_json()
-            .line("frequency 1/T", DIGITS),
-        Of::number("ratio", "1", "exact period over the small-angle period", |it| it.exact.ratio)
+        Of::number("frequency_hz", "Hz", "reciprocal of the exact period", |swing| {
+            swing.exact.period.recip()
+        })
+        .only_json()
+        .line("frequency 1/T", DIGITS),
+        Of::number("ratio", "1", "exact period over the small-angle period", |swing| swing.exact.ratio)
             .rounded("T/T₀", 12)
             .line("T/T₀", DIGITS),
-        Of::number("excess", "1", "that ratio minus 1, without cancellation", |it| it.exact.excess)
+        Of::number("excess", "1", "that ratio minus 1, without cancellation", |swing| swing.exact.excess)
             .rounded("T/T₀ − 1", 12)
             .line("excess T/T₀ − 1", DIGITS),
-        Of::number("nome", "1", "nome q of the elliptic functions of the motion", |it| it.exact.nome)
+        Of::number("nome", "1", "nome q of the elliptic functions of the motion", |swing| swing.exact.nome)
             .line("nome q", DIGITS),
         Of::number(
             "condition",
             "1",
             "relative change of the period per relative change of the amplitude",
-            |it| it.exact.condition,
+            |swing| swing.exact.condition,
         )
-        .line_of("condition", |it| {
-            let condition = number::rounded(it.exact.condition, 6);
+        .line_of("condition", |swing| {
+            let condition = number::rounded(swing.exact.condition, 6);
             format!("{condition} (relative change of T per relative change of θ₀)")
         }),
     ])
@@ -121,20 +123,25 @@ pub(super) fn of_swing(is_of_period: bool) -> Fields<Swing> {
 pub(super) fn of_formula<'a>() -> Fields<Estimate<'a>> {
     type Of<'a> = Field<Estimate<'a>>;
     Fields::from([
-        Of::value("key", "", "short name of the formula", |it| it.formula.key().into())
+        Of::value("key", "", "short name of the formula", |estimate| estimate.formula.key().into())
             .only_json()
-            .words("key", |it| it.formula.key().to_owned()),
-        Of::number("ratio", "1", "period over the small-angle period by this formula", |it| it.ratio)
-            .in_csv_as("KEY_ratio"),
-        Of::number("period_s", "s", "period by this formula", |it| it.period)
+            .words("key", |estimate| estimate.formula.key().to_owned()),
+        Of::number("ratio", "1", "period over the small-angle period by this formula", |estimate| {
+            estimate.ratio
+        })
+        .in_csv_as("KEY_ratio"),
+        Of::number("period_s", "s", "period by this formula", |estimate| estimate.period)
             .only_json()
             .rounded("T / s", 12),
-        Of::number("fractional_error", "1", "period by this formula over the exact one, minus 1", |it| {
-            it.fractional_error
-        })
+        Of::number(
+            "fractional_error",
+            "1",
+            "period by this formula over the exact one, minus 1",
+            |estimate| estimate.fractional_error,
+        )
         .in_csv_as("KEY_fractional_error")
         .rounded("error", 3),
-        Of::unnamed().words("formula", |it| it.formula.name().to_owned()),
+        Of::unnamed().words("formula", |estimate| estimate.formula.name().to_owned()),
     ])
 }
 

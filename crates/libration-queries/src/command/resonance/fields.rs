@@ -20,44 +20,51 @@ pub(super) type Both = (Exchange, MeasuredExchange);
 pub(super) fn of_answer() -> Fields<ResonanceResult> {
     type Of = Field<ResonanceResult>;
     Fields::from([
-        Of::value("system", "", "key of the system, null where its equations were typed", |it| {
-            it.model.key().into()
+        Of::value("system", "", "key of the system, null where its equations were typed", |result| {
+            result.model.key().into()
         })
-        .line_of("system", |it| it.model.title().to_owned()),
-        Of::value("equations[]", "", "equations of motion as they were read", |it| {
-            json::list(it.model.equation().to_string().split("; "))
+        .line_of("system", |result| result.model.title().to_owned()),
+        Of::value("equations[]", "", "equations of motion as they were read", |result| {
+            json::list(result.model.equation().to_string().split("; "))
         }),
-        Of::value("coordinates[]", "", "names of the coordinates", |it| {
-            json::list(it.form.modes.variables.clone())
+        Of::value("coordinates[]", "", "names of the coordinates", |result| {
+            json::list(result.form.modes.variables.clone())
         }),
-        Of::value("equilibrium[]", "", "coordinates of the equilibrium", |it| {
-            json::numbers(&it.form.modes.equilibrium)
+        Of::value("equilibrium[]", "", "coordinates of the equilibrium", |result| {
+            json::numbers(&result.form.modes.equilibrium)
         }),
-        Of::value("order", "1", "greatest degree of the monomials in the amplitudes", |it| {
-            it.form.order.into()
+        Of::value("order", "1", "greatest degree of the monomials in the amplitudes", |result| {
+            result.form.order.into()
         })
-        .line_of("order", |it| format!("{} in the amplitudes", it.form.order)),
-        Of::nested("modes[].", &of_mode(), |it| {
+        .line_of("order", |result| format!("{} in the amplitudes", result.form.order)),
+        Of::nested("modes[].", &of_mode(), |result| {
             let modes =
-                (1..).zip(&it.form.modes.modes).map(|(number, mode)| NumberedResonance { number, mode });
+                (1..).zip(&result.form.modes.modes).map(|(number, mode)| NumberedResonance { number, mode });
             of_mode().records(&modes.collect::<Vec<_>>())
         }),
-        Of::nested("small_divisors[].", &of_divisor(), |it| of_divisor().records(&it.form.small_divisors)),
+        Of::nested("small_divisors[].", &of_divisor(), |result| {
+            of_divisor().records(&result.form.small_divisors)
+        }),
         Of::value(
             "slow_flow",
             "",
             "the slow flow in real numbers, a1 = u1 + i*w1, as equations of motion",
-            |it| it.form.slow_flow().to_string().into(),
+            |result| result.form.slow_flow().to_string().into(),
         ),
-        Of::value("initial[]", "", "state at the start, or null", |it| {
-            it.initial.as_ref().map(|state| json::numbers(state)).into()
+        Of::value("initial[]", "", "state at the start, or null", |result| {
+            result.initial.as_ref().map(|state| json::numbers(state)).into()
         }),
-        Of::present_nested("exchange.", &of_exchange(), |it| {
-            let both = it.exchange.as_ref()?.as_ref().ok()?;
+        Of::present_nested("exchange.", &of_exchange(), |result| {
+            let both = result.exchange.as_ref()?.as_ref().ok()?;
             Some(of_exchange().record(both).into())
         }),
-        Of::value("no_exchange", "", "reason why there is no exchange from the start, or null", |it| {
-            it.exchange.as_ref().and_then(|it| it.as_ref().err()).map(ToString::to_string).into()
+        Of::value("no_exchange", "", "reason why there is no exchange from the start, or null", |result| {
+            result
+                .exchange
+                .as_ref()
+                .and_then(|exchange| exchange.as_ref().err())
+                .map(ToString::to_string)
+                .into()
         }),
     ])
 }
@@ -65,12 +72,15 @@ pub(super) fn of_answer() -> Fields<ResonanceResult> {
 fn of_mode<'a>() -> Fields<NumberedResonance<'a>> {
     type Of<'a> = Field<NumberedResonance<'a>>;
     Fields::from([
-        Of::value("mode", "1", "number of the mode, from 1", |it| it.number.into()),
-        Of::number("angular_frequency_rad_per_s", "rad/s", "angular frequency of small oscillations", |it| {
-            it.mode.frequency()
-        }),
-        Of::value("shape[]", "", "displacements of the coordinates, the largest 1", |it| {
-            json::list(it.mode.shape.iter().map(|part| part.re))
+        Of::value("mode", "1", "number of the mode, from 1", |resonance| resonance.number.into()),
+        Of::number(
+            "angular_frequency_rad_per_s",
+            "rad/s",
+            "angular frequency of small oscillations",
+            |resonance| resonance.mode.frequency(),
+        ),
+        Of::value("shape[]", "", "displacements of the coordinates, the largest 1", |resonance| {
+            json::list(resonance.mode.shape.iter().map(|part| part.re))
         }),
     ])
 }
@@ -78,85 +88,92 @@ fn of_mode<'a>() -> Fields<NumberedResonance<'a>> {
 fn of_divisor() -> Fields<Divisor> {
     type Of = Field<Divisor>;
     Fields::from([
-        Of::value("mode", "1", "number of the mode", |it| (it.mode + 1).into()),
-        Of::value("monomial", "", "term that is removed, ~ for conjugates", |it| {
-            monomial(&it.powers, &it.conjugate_powers).into()
+        Of::value("mode", "1", "number of the mode", |divisor| (divisor.mode + 1).into()),
+        Of::value("monomial", "", "term that is removed, ~ for conjugates", |divisor| {
+            monomial(&divisor.powers, &divisor.conjugate_powers).into()
         }),
-        Of::number("divisor_rad_per_s", "rad/s", "its frequency less that of the mode", |it| it.divisor),
+        Of::number("divisor_rad_per_s", "rad/s", "its frequency less that of the mode", |divisor| {
+            divisor.divisor
+        }),
     ])
 }
 
 pub(super) fn of_term() -> Fields<SlowTerm> {
     type Of = Field<SlowTerm>;
     Fields::from([
-        Of::value("mode", "1", "number of the mode whose amplitude changes", |it| (it.mode + 1).into())
-            .numeral("mode", |it| (it.mode + 1).to_string()),
-        Of::value("monomial", "", "product of amplitudes, ~ for conjugates", |it| {
-            monomial(&it.powers, &it.conjugate_powers).into()
+        Of::value("mode", "1", "number of the mode whose amplitude changes", |term| (term.mode + 1).into())
+            .numeral("mode", |term| (term.mode + 1).to_string()),
+        Of::value("monomial", "", "product of amplitudes, ~ for conjugates", |term| {
+            monomial(&term.powers, &term.conjugate_powers).into()
         })
-        .words("term", |it| monomial(&it.powers, &it.conjugate_powers)),
-        Of::number("real", "", "real part of its coefficient", |it| it.coefficient.re)
+        .words("term", |term| monomial(&term.powers, &term.conjugate_powers)),
+        Of::number("real", "", "real part of its coefficient", |term| term.coefficient.re)
             .numeral("coefficient", coefficient),
-        Of::number("imaginary", "", "imaginary part of its coefficient", |it| it.coefficient.im),
-        Of::value("exact", "", "coefficient with square roots, or null", |it| it.exact.as_deref().into())
-            .words("exactly", |it| it.exact.clone().unwrap_or_default()),
-        Of::value("kind", "", "shift, of a frequency with an amplitude, or resonance", |it| kind(it).into())
-            .words("kind", |it| kind(it).to_owned()),
-        Of::number("detuning_rad_per_s", "rad/s", "its frequency less that of the mode", |it| it.detuning)
-            .short("detuning", 4),
+        Of::number("imaginary", "", "imaginary part of its coefficient", |term| term.coefficient.im),
+        Of::value("exact", "", "coefficient with square roots, or null", |term| term.exact.as_deref().into())
+            .words("exactly", |term| term.exact.clone().unwrap_or_default()),
+        Of::value("kind", "", "shift, of a frequency with an amplitude, or resonance", |term| {
+            kind(term).into()
+        })
+        .words("kind", |term| kind(term).to_owned()),
+        Of::number("detuning_rad_per_s", "rad/s", "its frequency less that of the mode", |term| {
+            term.detuning
+        })
+        .short("detuning", 4),
     ])
 }
 
 pub(super) fn of_exchange() -> Fields<Both> {
     type Of = Field<Both>;
     Fields::from([
-        Of::number("period_s", "s", "time in which the amplitudes return, by the slow flow", |it| {
-            it.0.period
+        Of::number("period_s", "s", "time in which the amplitudes return, by the slow flow", |both| {
+            both.0.period
         })
-        .line_of("exchange by the slow flow", |it| period(it.0.period, it.0.error)),
+        .line_of("exchange by the slow flow", |both| period(both.0.period, both.0.error)),
         Of::number(
             "error_s",
             "s",
             "error of it as the period of the slow flow, from the change over a tenth of the time",
-            |it| it.0.error,
+            |both| both.0.error,
         ),
         Of::nullable(
             "closed_form_s",
             "s",
             "the same by Jacobi functions with second-order terms only, or null",
-            |it| it.0.closed_form,
+            |both| both.0.closed_form,
         )
-        .line_of("second order, closed form", |it| {
-            it.0.closed_form.map_or_else(String::new, |period| format!("{} s", rounded(period, 10)))
+        .line_of("second order, closed form", |both| {
+            both.0.closed_form.map_or_else(String::new, |period| format!("{} s", rounded(period, 10)))
         }),
-        Of::number("measured_period_s", "s", "the same of the whole motion, by integration", |it| {
-            it.1.period
+        Of::number("measured_period_s", "s", "the same of the whole motion, by integration", |both| {
+            both.1.period
         })
-        .line_of("exchange of the whole motion", |it| period(it.1.period, it.1.error)),
+        .line_of("exchange of the whole motion", |both| period(both.1.period, both.1.error)),
         Of::number(
             "measured_error_s",
             "s",
             "its error, from the change over a tenth of the time of integration",
-            |it| it.1.error,
+            |both| both.1.error,
         ),
         Of::number(
             "relative_difference",
             "1",
             "period of the slow flow over that of the motion, minus 1",
-            |it| it.0.period / it.1.period - 1.0,
+            |both| both.0.period / both.1.period - 1.0,
         )
-        .line_of("relative difference", |it| short(it.0.period / it.1.period - 1.0, 2)),
+        .line_of("relative difference", |both| short(both.0.period / both.1.period - 1.0, 2)),
         Of::value(
             "amplitudes[][]",
             "",
             "least and greatest amplitude of each mode during the exchange",
-            |it| json::list(it.0.amplitudes.iter().map(|ends| json::numbers(ends))),
+            |both| json::list(both.0.amplitudes.iter().map(|ends| json::numbers(ends))),
         )
-        .line_of("amplitudes", |it| {
-            let ends =
-                it.0.amplitudes
-                    .iter()
-                    .map(|[least, most]| format!("{} … {}", short(*least, 6), short(*most, 6)));
+        .line_of("amplitudes", |both| {
+            let ends = both
+                .0
+                .amplitudes
+                .iter()
+                .map(|[least, most]| format!("{} … {}", short(*least, 6), short(*most, 6)));
             ends.collect::<Vec<_>>().join(", ")
         }),
     ])

@@ -75,7 +75,8 @@ impl ResonanceQuestion {
             SymbolicResonanceResult { equations: model.equation().to_string(), small: options.small, flow };
         if let Some(format) = self.formats.format() {
             let equations = (&answer.equations[..], &model.equation().to_latex()[..]);
-            let formulas: Vec<NamedFormula> = answer.formulas().into_iter().map(|it| it.named).collect();
+            let formulas: Vec<NamedFormula> =
+                answer.formulas().into_iter().map(|formula| formula.named).collect();
             return formulas::write(out, format, equations, &formulas);
         }
         match self.form.form() {
@@ -122,19 +123,19 @@ impl SymbolicResonanceResult {
     }
 
     fn formulas(&self) -> Vec<Formula> {
-        let of_coordinate = |it: &CoordinateFlow| {
+        let of_coordinate = |flow: &CoordinateFlow| {
             let rate = |symbol: &str| format!(r"\dot{{{}}}", formulas::latex(symbol));
             let all = [
-                ("amplitude", "rate of the amplitude", rate(&it.amplitude), &it.amplitude_rate),
-                ("phase", "rate of the phase", rate(&it.phase), &it.phase_rate),
-                ("displacement", "displacement", formulas::latex(&it.name), &it.displacement),
+                ("amplitude", "rate of the amplitude", rate(&flow.amplitude), &flow.amplitude_rate),
+                ("phase", "rate of the phase", rate(&flow.phase), &flow.phase_rate),
+                ("displacement", "displacement", formulas::latex(&flow.name), &flow.displacement),
             ];
             all.map(|(quantity, meaning, left, text)| Formula {
-                coordinate: it.name.clone(),
+                coordinate: flow.name.clone(),
                 quantity,
                 named: NamedFormula {
-                    name: format!("{quantity}_{}", it.name),
-                    meaning: format!("{meaning} of {}", it.name),
+                    name: format!("{quantity}_{}", flow.name),
+                    meaning: format!("{meaning} of {}", flow.name),
                     left,
                     text: text.clone(),
                 },
@@ -147,69 +148,73 @@ impl SymbolicResonanceResult {
 fn of_answer() -> Fields<SymbolicResonanceResult> {
     type Of = Field<SymbolicResonanceResult>;
     Fields::from([
-        Of::value("equations[]", "", "equations of motion as they were read", |it| {
-            json::list(it.equations.split("; "))
+        Of::value("equations[]", "", "equations of motion as they were read", |result| {
+            json::list(result.equations.split("; "))
         }),
-        Of::value("order", "1", "highest order in the small parameters", |it| it.flow.order.into()),
+        Of::value("order", "1", "highest order in the small parameters", |result| result.flow.order.into()),
         Of::value(
             "order_note",
             "",
             "terms of the equations that are of higher order; null where there are none",
-            |it| it.flow.order_note.clone().into(),
+            |result| result.flow.order_note.clone().into(),
         ),
-        Of::value("small_orders.NAME", "1", "order of the small parameter with this name", |it| {
-            json::object(it.small.iter().cloned())
+        Of::value("small_orders.NAME", "1", "order of the small parameter with this name", |result| {
+            json::object(result.small.iter().cloned())
         }),
         Of::value(
             "resonance",
             "1",
             "p/q of W = (p/q)·ω + detuning, drive over the natural frequency of the first coordinate; null without drive",
-            |it| it.flow.resonance.map(|(p, q)| format!("{p}/{q}")).into(),
+            |result| result.flow.resonance.map(|(p, q)| format!("{p}/{q}")).into(),
         ),
-        Of::value("drive_frequency", "", "formula of the drive frequency W; null without drive", |it| {
-            it.flow.drive_frequency.clone().into()
+        Of::value("drive_frequency", "", "formula of the drive frequency W; null without drive", |result| {
+            result.flow.drive_frequency.clone().into()
         }),
-        Of::value("detuning", "", "symbol of the detuning of the drive; null without drive", |it| {
-            it.flow.detuning.clone().into()
+        Of::value("detuning", "", "symbol of the detuning of the drive; null without drive", |result| {
+            result.flow.detuning.clone().into()
         }),
         Of::value(
             "natural_frequency_squared",
             "",
             "formula of w0², where the natural frequency of the first coordinate is called w0; null otherwise",
-            |it| it.flow.natural_frequency_squared.clone().into(),
+            |result| result.flow.natural_frequency_squared.clone().into(),
         ),
-        Of::nested("coordinates[].", &of_coordinate(), |it| of_coordinate().records(&it.flow.coordinates)),
-        Of::nested("steady_state.", &of_steady_states(), |it| of_steady_states().record(&it.flow).into()),
+        Of::nested("coordinates[].", &of_coordinate(), |result| {
+            of_coordinate().records(&result.flow.coordinates)
+        }),
+        Of::nested("steady_state.", &of_steady_states(), |result| {
+            of_steady_states().record(&result.flow).into()
+        }),
     ])
 }
 
 fn of_coordinate() -> Fields<CoordinateFlow> {
     type Of = Field<CoordinateFlow>;
     Fields::from([
-        Of::value("name", "", "name of the coordinate", |it| it.name.as_str().into()),
-        Of::value("amplitude", "", "symbol of its amplitude", |it| it.amplitude.as_str().into()),
-        Of::value("phase", "", "symbol of its phase", |it| it.phase.as_str().into()),
+        Of::value("name", "", "name of the coordinate", |flow| flow.name.as_str().into()),
+        Of::value("amplitude", "", "symbol of its amplitude", |flow| flow.amplitude.as_str().into()),
+        Of::value("phase", "", "symbol of its phase", |flow| flow.phase.as_str().into()),
         Of::value(
             "natural_frequency",
             "",
             "formula of its natural frequency without detuning, symbols being positive",
-            |it| it.natural_frequency.as_str().into(),
+            |flow| flow.natural_frequency.as_str().into(),
         ),
         Of::value(
             "frequency_difference",
             "",
             "formula of what is added to it for the natural frequency of its equation; null where that is the same",
-            |it| it.frequency_difference.clone().into(),
+            |flow| flow.frequency_difference.clone().into(),
         ),
-        Of::value("frequency_squared", "", "formula of the square of the latter; null likewise", |it| {
-            it.detuning.as_ref().map(|[_, square]| square.clone()).into()
+        Of::value("frequency_squared", "", "formula of the square of the latter; null likewise", |flow| {
+            flow.detuning.as_ref().map(|[_, square]| square.clone()).into()
         }),
-        Of::nested("slow_flow.", &of_rates(), |it| of_rates().record(it).into()),
+        Of::nested("slow_flow.", &of_rates(), |flow| of_rates().record(flow).into()),
         Of::value(
             "displacement",
             "",
             "formula of the coordinate: the amplitude times a cosine, and terms of other frequencies",
-            |it| it.displacement.as_str().into(),
+            |flow| flow.displacement.as_str().into(),
         ),
     ])
 }
@@ -217,11 +222,11 @@ fn of_coordinate() -> Fields<CoordinateFlow> {
 fn of_rates() -> Fields<CoordinateFlow> {
     type Of = Field<CoordinateFlow>;
     Fields::from([
-        Of::value("amplitude", "", "formula of the time derivative of the amplitude", |it| {
-            it.amplitude_rate.as_str().into()
+        Of::value("amplitude", "", "formula of the time derivative of the amplitude", |flow| {
+            flow.amplitude_rate.as_str().into()
         }),
-        Of::value("phase", "", "formula of the time derivative of the phase", |it| {
-            it.phase_rate.as_str().into()
+        Of::value("phase", "", "formula of the time derivative of the phase", |flow| {
+            flow.phase_rate.as_str().into()
         }),
     ])
 }
@@ -231,18 +236,25 @@ fn of_steady_states() -> Fields<CoupledSlowFlow> {
         "equations[]",
         "",
         "for each coordinate A′ and A·phi′, all zero at steady states",
-        |it| json::list(it.coordinates.iter().flat_map(|it| it.equations.iter().map(String::as_str))),
+        |it| {
+            json::list(
+                it.coordinates.iter().flat_map(|coordinate| coordinate.equations.iter().map(String::as_str)),
+            )
+        },
     )])
 }
 
 fn of_formula() -> Fields<Formula> {
     type Of = Field<Formula>;
     Fields::from([
-        Of::value("coordinate", "", "name of the coordinate", |it| it.coordinate.as_str().into()),
-        Of::value("quantity", "", "amplitude and phase of which the rate is given, or displacement", |it| {
-            it.quantity.into()
-        }),
-        Of::value("formula", "", "its formula in plain text", |it| it.named.text.as_str().into()),
+        Of::value("coordinate", "", "name of the coordinate", |formula| formula.coordinate.as_str().into()),
+        Of::value(
+            "quantity",
+            "",
+            "amplitude and phase of which the rate is given, or displacement",
+            |formula| formula.quantity.into(),
+        ),
+        Of::value("formula", "", "its formula in plain text", |formula| formula.named.text.as_str().into()),
     ])
 }
 

@@ -93,46 +93,52 @@ pub(super) fn of_branch<'a>() -> Fields<NumberedBranch<'a>> {
             "",
             "origin of the branch: primary, at an end of the range; free_oscillation; symmetry_breaking; period_doubling; meeting, at the end of \
              another branch",
-            |it| origin(it.branch.origin)[0].into(),
+            |branch| origin(branch.branch.origin)[0].into(),
         ),
-        Of::value("closed", "", "true if it is a closed curve", |it| {
-            (it.branch.ending == Ending::Closed).into()
+        Of::value("closed", "", "true if it is a closed curve", |branch| {
+            (branch.branch.ending == Ending::Closed).into()
         }),
-        Of::value("symmetric", "", "true if the mirror image half a period later is the same motion", |it| {
-            it.branch.space.mirrored.into()
-        }),
+        Of::value(
+            "symmetric",
+            "",
+            "true if the mirror image half a period later is the same motion",
+            |branch| branch.branch.space.mirrored.into(),
+        ),
         Of::value(
             "drive_periods",
             "1",
             "periods of the drive in one period of the solution; without a drive, turns of the first coordinate",
-            |it| it.branch.space.drive_periods().into(),
+            |branch| branch.branch.space.drive_periods().into(),
         ),
         Of::value(
             "turns",
             "1",
             "whole turns of the coordinate in one period; zero where it oscillates",
-            |it| it.answer.turns(it.branch).into(),
+            |branch| branch.answer.turns(branch.branch).into(),
         ),
         Of::value(
             "ending",
             "",
             "reason why it ends after its last point: range_end, closed, branch_point, rest, slow_drive, infinite_period, unbounded, sensitive, point_limit, lost or interrupted",
-            |it| ending(it.branch.ending)[0].into(),
+            |branch| ending(branch.branch.ending)[0].into(),
         ),
-        Of::value("beginning", "", "reason why it ends before its first point, in the same words", |it| {
-            ending(it.branch.beginning)[0].into()
-        }),
+        Of::value(
+            "beginning",
+            "",
+            "reason why it ends before its first point, in the same words",
+            |branch| ending(branch.branch.beginning)[0].into(),
+        ),
         Of::value(
             "unresolved[][]",
             "",
             "ranges of the parameter in which further special points cannot be excluded, from the lower end to the upper",
-            |it| json::list(it.branch.unresolved.iter().map(|range| json::numbers(range))),
+            |branch| json::list(branch.branch.unresolved.iter().map(|range| json::numbers(range))),
         ),
-        Of::nested("points[].", &of_place(), |it| {
-            json::records(it.points().map(|place| of_place().record(&place)))
+        Of::nested("points[].", &of_place(), |branch| {
+            json::records(branch.points().map(|place| of_place().record(&place)))
         }),
-        Of::nested("special[].", &of_special(), |it| {
-            json::records(it.special().map(|place| of_special().record(&place)))
+        Of::nested("special[].", &of_special(), |branch| {
+            json::records(branch.special().map(|place| of_special().record(&place)))
         }),
     ])
 }
@@ -140,7 +146,7 @@ pub(super) fn of_branch<'a>() -> Fields<NumberedBranch<'a>> {
 fn of_place<'a>() -> Fields<PointOfBranch<'a>> {
     type Of<'a> = Field<PointOfBranch<'a>>;
     Fields::from([
-        Of::number("parameter", "", "value of the parameter", |it| it.point.parameter),
+        Of::number("parameter", "", "value of the parameter", |point| point.point.parameter),
         Of::number(
             "amplitude_max",
             "",
@@ -151,36 +157,36 @@ fn of_place<'a>() -> Fields<PointOfBranch<'a>> {
             "minimum",
             "",
             "least value of the coordinate; where it rotates, of its lead over a uniform rotation from t = 0 on",
-            |it| it.range()[0],
+            |point| point.range()[0],
         ),
-        Of::number("maximum", "", "greatest value, likewise", |it| it.range()[1]),
-        Of::number("period_s", "s", "period of the solution", |it| it.point.period),
+        Of::number("maximum", "", "greatest value, likewise", |point| point.range()[1]),
+        Of::number("period_s", "s", "period of the solution", |point| point.point.period),
         Of::value(
             "stability",
             "",
             "attracting, neutral, unstable or undetermined (within the errors of the multipliers)",
-            |it| it.point.stability.name().into(),
+            |point| point.point.stability.name().into(),
         ),
         Of::value(
             "multipliers[][]",
             "1",
             "Floquet multipliers of the whole period by descending magnitude, real and imaginary part; below 1e-13 of the first they are rounding",
-            |it| json::list(it.point.multipliers.iter().map(pair)),
+            |point| json::list(point.point.multipliers.iter().map(pair)),
         ),
-        Of::value("multiplier_errors[]", "1", "errors of the multipliers, in their order", |it| {
-            json::numbers(&it.point.multiplier_errors)
+        Of::value("multiplier_errors[]", "1", "errors of the multipliers, in their order", |point| {
+            json::numbers(&point.point.multiplier_errors)
         }),
         Of::number(
             "error",
             "",
             "error of the state, estimated from another tolerance and from rounding",
-            |it| it.point.error,
+            |point| point.point.error,
         ),
         Of::value(
             "start[]",
             "",
             "state at the phase zero of the drive, in the order of the names; without a drive, at a turning point of the first coordinate",
-            |it| json::numbers(&it.point.state),
+            |point| json::numbers(&point.point.state),
         ),
     ])
 }
@@ -193,37 +199,39 @@ pub(super) fn of_special<'a>() -> Fields<PointOfBranch<'a>> {
             "kind",
             "",
             "fold, symmetry_breaking, period_doubling, neimark_sacker, neutral_saddle, branch_point or hopf",
-            |it| it.special.map(|special| special.kind.key()).into(),
+            |point| point.special.map(|special| special.kind.key()).into(),
         )
-        .words("special point", |it| it.special.map_or_else(String::new, |special| special.kind.to_string())),
-        Of::value("branch", "1", "number of its branch, from 1", |it| it.of.number.into())
-            .numeral("branch", |it| it.of.number.to_string()),
-        Of::number("parameter", "", "value of the parameter there", |it| it.point.parameter)
+        .words("special point", |point| {
+            point.special.map_or_else(String::new, |special| special.kind.to_string())
+        }),
+        Of::value("branch", "1", "number of its branch, from 1", |point| point.of.number.into())
+            .numeral("branch", |point| point.of.number.to_string()),
+        Of::number("parameter", "", "value of the parameter there", |point| point.point.parameter)
             .rounded("parameter", 16),
-        Of::number("error", "", "bound on the error of that value", |it| {
-            it.special.map_or(f64::NAN, |it| it.error)
+        Of::number("error", "", "bound on the error of that value", |point| {
+            point.special.map_or(f64::NAN, |special| special.error)
         })
-        .numeral("to", |it| at_most(it.special.map_or(f64::NAN, |it| it.error))),
+        .numeral("to", |point| at_most(point.special.map_or(f64::NAN, |special| special.error))),
         Of::value(
             "parameter_digits",
             "",
             "the value to the digits of --digits, as text; null where none are requested or known",
-            |it| it.precise.map(|it| it.text.clone()).into(),
+            |point| point.precise.map(|precise| precise.text.clone()).into(),
         ),
-        Of::value("parameter_digits_error", "", "bound on the error of this text", |it| {
-            it.precise.map_or(Value::Null, |it| json::number(it.error))
+        Of::value("parameter_digits_error", "", "bound on the error of this text", |point| {
+            point.precise.map_or(Value::Null, |precise| json::number(precise.error))
         }),
         Of::number("amplitude_max", "", "largest displacement there", PointOfBranch::amplitude)
             .rounded("amplitude", 8),
-        Of::number("period_s", "s", "period of the solution there", |it| it.point.period),
-        Of::value("multipliers[][]", "1", "Floquet multipliers there", |it| {
-            json::list(it.point.multipliers.iter().map(pair))
+        Of::number("period_s", "s", "period of the solution there", |point| point.point.period),
+        Of::value("multipliers[][]", "1", "Floquet multipliers there", |point| {
+            json::list(point.point.multipliers.iter().map(pair))
         }),
-        Of::value("multiplier_errors[]", "1", "errors of these multipliers", |it| {
-            json::numbers(&it.point.multiplier_errors)
+        Of::value("multiplier_errors[]", "1", "errors of these multipliers", |point| {
+            json::numbers(&point.point.multiplier_errors)
         }),
-        Of::value("start[]", "", "state at the phase zero of the drive there", |it| {
-            json::numbers(&it.point.state)
+        Of::value("start[]", "", "state at the phase zero of the drive there", |point| {
+            json::numbers(&point.point.state)
         }),
     ])
 }

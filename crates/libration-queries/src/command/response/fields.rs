@@ -55,38 +55,49 @@ impl ResponseRow<'_> {
 pub(super) fn of_answer() -> Fields<ResponseResult> {
     type Of = Field<ResponseResult>;
     Fields::from([
-        Of::value("system", "", "key of the system, null where its equations were typed", |it| {
-            it.model.key().into()
+        Of::value("system", "", "key of the system, null where its equations were typed", |result| {
+            result.model.key().into()
         })
-        .line_of("system", |it| it.model.title().to_owned()),
-        Of::value("equation", "", "equations of motion as they were read", |it| {
-            it.model.equation().to_string().into()
+        .line_of("system", |result| result.model.title().to_owned()),
+        Of::value("equation", "", "equations of motion as they were read", |result| {
+            result.model.equation().to_string().into()
         })
-        .line_of("equation", |it| it.model.equation().to_string()),
-        Of::value("parameter", "", "name of the parameter", |it| it.parameter.as_str().into()),
-        Of::value("range[]", "", "its values at both ends", |it| json::numbers(&it.range))
-            .line_of("over", |it| {
-                format!("{} from {} to {}", it.parameter, short(it.range[0], 10), short(it.range[1], 10))
-            }),
-        Of::value("coordinate", "", "coordinate of the amplitude", |it| {
-            it.model.coordinates()[it.coordinate].name.as_str().into()
+        .line_of("equation", |result| result.model.equation().to_string()),
+        Of::value("parameter", "", "name of the parameter", |result| result.parameter.as_str().into()),
+        Of::value("range[]", "", "its values at both ends", |result| json::numbers(&result.range)).line_of(
+            "over",
+            |result| {
+                format!(
+                    "{} from {} to {}",
+                    result.parameter,
+                    short(result.range[0], 10),
+                    short(result.range[1], 10)
+                )
+            },
+        ),
+        Of::value("coordinate", "", "coordinate of the amplitude", |result| {
+            result.model.coordinates()[result.coordinate].name.as_str().into()
         }),
-        Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
-        Of::value("interrupted", "", "true if Ctrl-C ended the work", |it| it.response.interrupted.into()),
-        Of::nested("missing[].", &of_missing(), |it| {
-            json::records(it.response.missing.iter().map(|missing| of_missing().record(missing)))
+        Of::value("state[]", "", "names of the state variables", |result| {
+            json::list(result.model.state_names())
         }),
-        Of::nested("orders[].", &of_order(), |it| {
-            json::records(it.response.orders.iter().map(|order| of_order().record(order)))
+        Of::value("interrupted", "", "true if Ctrl-C ended the work", |result| {
+            result.response.interrupted.into()
         }),
-        Of::nested("backbone[].", &of_backbone(), |it| {
-            json::records(it.backbone.iter().map(|point| of_backbone().record(point)))
+        Of::nested("missing[].", &of_missing(), |result| {
+            json::records(result.response.missing.iter().map(|missing| of_missing().record(missing)))
         }),
-        Of::nested("jumps[].", &of_jump(), |it| {
-            json::records(it.jumps().map(|jump| of_jump().record(&jump)))
+        Of::nested("orders[].", &of_order(), |result| {
+            json::records(result.response.orders.iter().map(|order| of_order().record(order)))
         }),
-        Of::nested("sweeps[].", &of_swept(), |it| {
-            json::records(it.swept().map(|swept| of_swept().record(&swept)))
+        Of::nested("backbone[].", &of_backbone(), |result| {
+            json::records(result.backbone.iter().map(|point| of_backbone().record(point)))
+        }),
+        Of::nested("jumps[].", &of_jump(), |result| {
+            json::records(result.jumps().map(|jump| of_jump().record(&jump)))
+        }),
+        Of::nested("sweeps[].", &of_swept(), |result| {
+            json::records(result.swept().map(|swept| of_swept().record(&swept)))
         }),
     ])
 }
@@ -99,10 +110,12 @@ fn of_backbone() -> Fields<FreeOscillation> {
             "parameter",
             "",
             "frequency of the drive with which a free oscillation repeats itself; none where the parameter is not that frequency",
-            |it| it.parameter,
+            |oscillation| oscillation.parameter,
         ),
-        Of::number("error", "", "estimate of the error of the parameter", |it| it.error),
-        Of::number("amplitude", "", "amplitude of the free oscillation, of angles in rad", |it| it.amplitude),
+        Of::number("error", "", "estimate of the error of the parameter", |oscillation| oscillation.error),
+        Of::number("amplitude", "", "amplitude of the free oscillation, of angles in rad", |oscillation| {
+            oscillation.amplitude
+        }),
     ])
 }
 
@@ -121,23 +134,23 @@ fn of_missing() -> Fields<(f64, BranchError)> {
 fn of_order() -> Fields<OrderAnswers> {
     type Of = Field<OrderAnswers>;
     Fields::from([
-        Of::value("order", "", "oscillations over periods of the drive, such as 1/3", |it| {
-            it.order.to_string().into()
+        Of::value("order", "", "oscillations over periods of the drive, such as 1/3", |answers| {
+            answers.order.to_string().into()
         }),
-        Of::value("branches", "1", "number of branches found from free oscillations", |it| {
-            it.branches.into()
+        Of::value("branches", "1", "number of branches found from free oscillations", |answers| {
+            answers.branches.into()
         }),
         Of::value(
             "finding",
             "",
             "outcome of the search: no_oscillation, no_work, too_weak, not_reached or found",
-            |it| finding(it.finding).into(),
+            |answers| finding(answers.finding).into(),
         ),
         Of::value(
             "share",
             "1",
             "where too weak: the largest fraction of the energy lost to damping that the drive supplies, to first order; else null",
-            |it| match it.finding {
+            |answers| match answers.finding {
                 OrderFinding::TooWeak(share) => json::number(share),
                 _ => Value::Null,
             },
@@ -149,13 +162,13 @@ fn of_order() -> Fields<OrderAnswers> {
 pub(super) fn of_row<'a>() -> Fields<ResponseRow<'a>> {
     type Of<'a> = Field<ResponseRow<'a>>;
     Fields::from([
-        Of::value("branch", "1", "number of the branch, from 1; empty for rows of sweeps", |it| {
-            it.place().map(|it| it.of.number).into()
+        Of::value("branch", "1", "number of the branch, from 1; empty for rows of sweeps", |row| {
+            row.place().map(|it| it.of.number).into()
         }),
-        Of::value("special", "", "kind of special point, empty for other points", |it| {
-            it.place().and_then(|it| it.special).map_or("", |special| special.kind.key()).into()
+        Of::value("special", "", "kind of special point, empty for other points", |row| {
+            row.place().and_then(|it| it.special).map_or("", |special| special.kind.key()).into()
         }),
-        Of::number("parameter", "", "value of the parameter", |it| match it {
+        Of::number("parameter", "", "value of the parameter", |row| match row {
             ResponseRow::PointOfBranch(place) => place.point.parameter,
             ResponseRow::Swept(swept) => swept.point.parameter,
         }),
@@ -165,21 +178,21 @@ pub(super) fn of_row<'a>() -> Fields<ResponseRow<'a>> {
             "largest displacement, of angles from the nearest bottom, in rad; for rotating solutions, half the range of the deviation from uniform rotation",
             ResponseRow::amplitude,
         ),
-        Of::value("period_s", "s", "period of the solution; empty for rows of sweeps", |it| {
-            it.place().map_or(Value::Null, |it| json::number(it.point.period))
+        Of::value("period_s", "s", "period of the solution; empty for rows of sweeps", |row| {
+            row.place().map_or(Value::Null, |it| json::number(it.point.period))
         }),
         Of::value(
             "stability",
             "",
             "attracting, neutral, unstable or undetermined (within the errors of the multipliers); empty for rows of sweeps",
-            |it| it.place().map(|it| it.point.stability.name()).into(),
+            |row| row.place().map(|it| it.point.stability.name()).into(),
         ),
         Of::value(
             "error",
             "",
             "error of the state, of special points that of the parameter; empty for rows of sweeps",
-            |it| {
-                it.place().map_or(Value::Null, |it| {
+            |row| {
+                row.place().map_or(Value::Null, |it| {
                     json::number(it.special.map_or(it.point.error, |special| special.error))
                 })
             },
@@ -188,7 +201,7 @@ pub(super) fn of_row<'a>() -> Fields<ResponseRow<'a>> {
             "sweep",
             "",
             "up or down, for rows of sweeps; empty for points of branches",
-            |it| match it {
+            |row| match row {
                 ResponseRow::PointOfBranch(_) => "".into(),
                 ResponseRow::Swept(swept) => swept.direction().into(),
             },

@@ -237,9 +237,9 @@ impl ResponseQuestion {
         let of_point = |space: Space, special: &SpecialPoint| {
             let name = &self.over.name;
             let precise = special.to_digits(model.equation(), name, space, wanted, &Cancellation);
-            let decimal = |it: PreciseSpecial| Decimal {
-                text: it.parameter.to_rational().to_decimal(digits),
-                error: it.error,
+            let decimal = |special: PreciseSpecial| Decimal {
+                text: special.parameter.to_rational().to_decimal(digits),
+                error: special.error,
             };
             Ok(precise.map_err(|error| failure(error, model))?.map(decimal))
         };

@@ -60,10 +60,10 @@ pub(super) fn of_swept<'a>() -> Fields<Swept<'a>> {
             "direction",
             "",
             "up or down: direction of the parameter in this sweep by integration",
-            |it| it.direction().into(),
+            |sweep| sweep.direction().into(),
         )
-        .words("sweep", |it| it.direction().to_owned()),
-        Of::number("parameter", "", "value of the parameter", |it| it.point.parameter)
+        .words("sweep", |sweep| sweep.direction().to_owned()),
+        Of::number("parameter", "", "value of the parameter", |sweep| sweep.point.parameter)
             .rounded("parameter", 10),
         Of::number(
             "amplitude_max",
@@ -76,11 +76,13 @@ pub(super) fn of_swept<'a>() -> Fields<Swept<'a>> {
             "drive_periods",
             "1",
             "periods of the drive after which it repeats itself to a millionth; null where it does not",
-            |it| it.point.drive_periods.into(),
+            |sweep| sweep.point.drive_periods.into(),
         )
-        .numeral("periods", |it| it.point.drive_periods.map_or_else(|| "-".to_owned(), |it| it.to_string())),
-        Of::value("turns", "1", "turns of the coordinate in these periods", |it| {
-            it.point.rotation.map_or(0, |rotation| rotation.turns_of(it.answer.coordinate)).into()
+        .numeral("periods", |sweep| {
+            sweep.point.drive_periods.map_or_else(|| "-".to_owned(), |it| it.to_string())
+        }),
+        Of::value("turns", "1", "turns of the coordinate in these periods", |sweep| {
+            sweep.point.rotation.map_or(0, |rotation| rotation.turns_of(sweep.answer.coordinate)).into()
         }),
     ])
 }
@@ -88,16 +90,16 @@ pub(super) fn of_swept<'a>() -> Fields<Swept<'a>> {
 pub(super) fn of_jump<'a>() -> Fields<Jumping<'a>> {
     type Of<'a> = Field<Jumping<'a>>;
     Fields::from([
-        Of::number("parameter", "", "value at which a slow sweep jumps", |it| it.jump.from.parameter),
-        Of::value("sweep", "", "up or down: direction of the parameter", |it| {
-            direction(it.jump.rising).into()
+        Of::number("parameter", "", "value at which a slow sweep jumps", |jump| jump.jump.from.parameter),
+        Of::value("sweep", "", "up or down: direction of the parameter", |jump| {
+            direction(jump.jump.rising).into()
         }),
-        Of::number("from", "", "amplitude before the jump", |it| it.answer.amplitude(&it.jump.from)),
-        Of::value("to[]", "", "amplitudes of the other stable solutions there", |it| {
-            it.of_landings(ResponseResult::amplitude)
+        Of::number("from", "", "amplitude before the jump", |jump| jump.answer.amplitude(&jump.jump.from)),
+        Of::value("to[]", "", "amplitudes of the other stable solutions there", |jump| {
+            jump.of_landings(ResponseResult::amplitude)
         }),
-        Of::value("to_error[]", "", "errors of the states of these solutions", |it| {
-            it.of_landings(|_, point| point.error)
+        Of::value("to_error[]", "", "errors of the states of these solutions", |jump| {
+            jump.of_landings(|_, point| point.error)
         }),
     ])
 }

@@ -204,8 +204,8 @@ fn summary(branch: &NumberedBranch<'_>) -> String {
     let unresolved = match &branch.branch.unresolved[..] {
         [] => String::new(),
         ranges => {
-            let low = ranges.iter().map(|it| it[0]).fold(f64::INFINITY, f64::min);
-            let high = ranges.iter().map(|it| it[1]).fold(f64::NEG_INFINITY, f64::max);
+            let low = ranges.iter().map(|range| range[0]).fold(f64::INFINITY, f64::min);
+            let high = ranges.iter().map(|range| range[1]).fold(f64::NEG_INFINITY, f64::max);
             let width: f64 = ranges.iter().map(|[low, high]| high - low).sum();
             let (from, to) = (answer.value_text(low), answer.value_text(high));
             let place = if from == to { format!("near {from}") } else { format!("between {from} and {to}") };

@@ -81,38 +81,45 @@ struct SectionRow {
 fn of_answer<'a>() -> Fields<SectionResult<'a>> {
     type Of<'a> = Field<SectionResult<'a>>;
     Fields::from([
-        Of::value("system", "", "key of the system, null where its equations were typed", |it| {
-            it.model.key().into()
+        Of::value("system", "", "key of the system, null where its equations were typed", |result| {
+            result.model.key().into()
         })
-        .line_of("system", |it| it.model.title().to_owned()),
-        Of::value("equation", "", "equations of motion as they were read", |it| {
-            it.model.equation().to_string().into()
+        .line_of("system", |result| result.model.title().to_owned()),
+        Of::value("equation", "", "equations of motion as they were read", |result| {
+            result.model.equation().to_string().into()
         })
-        .line_of("equation", |it| it.model.equation().to_string()),
-        Of::value("section", "", "condition at which points are recorded, in words", |it| {
-            it.place.as_str().into()
+        .line_of("equation", |result| result.model.equation().to_string()),
+        Of::value("section", "", "condition at which points are recorded, in words", |result| {
+            result.place.as_str().into()
         })
         .line_of("points", SectionResult::points_text),
-        Of::value("skipped", "1", "number of points discarded as transient, for each motion", |it| {
-            it.points.skipped.into()
+        Of::value("skipped", "1", "number of points discarded as transient, for each motion", |result| {
+            result.points.skipped.into()
         }),
-        Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
-        Of::value("initial[][]", "", "state at the start of each motion, in the order of the names", |it| {
-            json::list(it.starts.clone())
+        Of::value("state[]", "", "names of the state variables", |result| {
+            json::list(result.model.state_names())
         }),
-        Of::value("complete", "", "true if all requested points are present", |it| it.is_complete().into()),
+        Of::value(
+            "initial[][]",
+            "",
+            "state at the start of each motion, in the order of the names",
+            |result| json::list(result.starts.clone()),
+        ),
+        Of::value("complete", "", "true if all requested points are present", |result| {
+            result.is_complete().into()
+        }),
     ])
 }
 
 fn of_row() -> Fields<SectionRow> {
     type Of = Field<SectionRow>;
     Fields::from([
-        Of::value("motion", "1", "number of the motion, from 1 in the order of --initial", |it| {
-            it.motion.into()
+        Of::value("motion", "1", "number of the motion, from 1 in the order of --initial", |row| {
+            row.motion.into()
         })
-        .numeral("motion", |it| it.motion.to_string()),
-        Of::number("time_s", "s", "time of the point", |it| it.time).rounded("time", 10),
-        Of::value("state[]", "", "state there, in the order of the names", |it| json::numbers(&it.state)),
+        .numeral("motion", |row| row.motion.to_string()),
+        Of::number("time_s", "s", "time of the point", |row| row.time).rounded("time", 10),
+        Of::value("state[]", "", "state there, in the order of the names", |row| json::numbers(&row.state)),
     ])
 }
 

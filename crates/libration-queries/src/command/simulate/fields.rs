@@ -15,25 +15,27 @@ use serde_json::Value;
 pub(super) fn of_motion<'a>() -> Fields<SimulatedMotion<'a>> {
     type Of<'a> = Field<SimulatedMotion<'a>>;
     Fields::from([
-        Of::value("system", "", "key of the system, or its equations as they were read", |it| {
-            it.name().into()
+        Of::value("system", "", "key of the system, or its equations as they were read", |motion| {
+            motion.name().into()
         }),
-        Of::value("equations", "", "equations of motion with the values of all parameters", |it| {
-            it.model.equation().to_string().into()
+        Of::value("equations", "", "equations of motion with the values of all parameters", |motion| {
+            motion.model.equation().to_string().into()
         }),
-        Of::value("parameters.NAME", "", "value of the parameter with this name, in its unit", |it| {
+        Of::value("parameters.NAME", "", "value of the parameter with this name, in its unit", |motion| {
             let add = |record: Record, (name, value): (&str, f64)| record.number(name, value);
-            let values = it.model.values().iter();
+            let values = motion.model.values().iter();
             let values = values.map(|(name, value)| (name.as_str(), value.to_f64().unwrap_or(f64::NAN)));
             values.fold(Record::new(), add).into()
         }),
-        Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
+        Of::value("state[]", "", "names of the state variables", |motion| {
+            json::list(motion.model.state_names())
+        }),
         Of::present_value(
             "columns[]",
             "",
             "names of the formulas of --columns and of the derivatives of --sensitivity, else left out",
-            |it| {
-                let names = it.column_names();
+            |motion| {
+                let names = motion.column_names();
                 (!names.is_empty()).then(|| json::list(names))
             },
         ),
@@ -47,9 +49,9 @@ pub(super) fn of_sample() -> Fields<Sample> {
             "error[]",
             "",
             "estimate of the error of each of these, null where the state is not determined; left out where none is estimated",
-            |it| it.errors.as_ref().map(|errors| json::numbers(&errors.state)),
+            |sample| sample.errors.as_ref().map(|errors| json::numbers(&errors.state)),
         ),
-        Of::present_value("columns_error[]", "", OF_COLUMNS, |it| of_columns(it.errors.as_ref())),
+        Of::present_value("columns_error[]", "", OF_COLUMNS, |sample| of_columns(sample.errors.as_ref())),
     ])
 }
 
@@ -65,15 +67,15 @@ fn of_columns(errors: Option<&MomentErrors>) -> Option<Value> {
 pub(super) fn of_sample_alone() -> Fields<Sample> {
     type Of = Field<Sample>;
     Fields::from([
-        Of::number("time_s", "s", "time of the sample", |it| it.moment.time),
-        Of::value("state[]", "", "state then, in the order of the names", |it| {
-            json::numbers(&it.moment.state)
+        Of::number("time_s", "s", "time of the sample", |sample| sample.moment.time),
+        Of::value("state[]", "", "state then, in the order of the names", |sample| {
+            json::numbers(&sample.moment.state)
         }),
         Of::present_value(
             "columns[]",
             "",
             "values of the formulas and derivatives then, in the order of their names",
-            |it| it.columns.as_ref().map(|values| json::numbers(values)),
+            |sample| sample.columns.as_ref().map(|values| json::numbers(values)),
         ),
     ])
 }
@@ -85,15 +87,15 @@ pub(super) fn of_event() -> Fields<Happening> {
             "time_error_s",
             "s",
             "estimate of the error of the time, null where the motion is not determined; left out where none is estimated",
-            |it| it.errors.as_ref().map(|errors| json::number(errors.time)),
+            |event| event.errors.as_ref().map(|errors| json::number(errors.time)),
         ),
         Of::present_value(
             "error[]",
             "",
             "estimate of the error of each number of the state, as in samples",
-            |it| it.errors.as_ref().map(|errors| json::numbers(&errors.state)),
+            |event| event.errors.as_ref().map(|errors| json::numbers(&errors.state)),
         ),
-        Of::present_value("columns_error[]", "", OF_COLUMNS, |it| of_columns(it.errors.as_ref())),
+        Of::present_value("columns_error[]", "", OF_COLUMNS, |event| of_columns(event.errors.as_ref())),
     ])
 }
 
@@ -101,16 +103,18 @@ pub(super) fn of_event() -> Fields<Happening> {
 pub(super) fn of_event_alone() -> Fields<Happening> {
     type Of = Field<Happening>;
     Fields::from([
-        Of::number("time_s", "s", "time of the event", |it| it.time),
-        Of::value("kind", "", "requested event, and how it touched zero if it did not cross it", |it| {
-            it.kind.as_str().into()
+        Of::number("time_s", "s", "time of the event", |event| event.time),
+        Of::value("kind", "", "requested event, and how it touched zero if it did not cross it", |event| {
+            event.kind.as_str().into()
         }),
-        Of::value("state[]", "", "state then, in the order of the names", |it| json::numbers(&it.state)),
+        Of::value("state[]", "", "state then, in the order of the names", |event| {
+            json::numbers(&event.state)
+        }),
         Of::present_value(
             "columns[]",
             "",
             "values of the formulas and derivatives then, in the order of their names",
-            |it| it.columns.as_ref().map(|values| json::numbers(values)),
+            |event| event.columns.as_ref().map(|values| json::numbers(values)),
         ),
     ])
 }
@@ -125,8 +129,8 @@ pub(super) const EVENT: DescriptionRow =
     ("event", "", "kind of the event, empty in samples; only with --events");
 
 pub(super) fn of_summary() -> Fields<Summary> {
-    let state = Field::present_nested("resume.", &State::fields(), |it: &Summary| {
-        it.state.as_ref().map(|state| State::fields().record(state).into())
+    let state = Field::present_nested("resume.", &State::fields(), |summary: &Summary| {
+        summary.state.as_ref().map(|state| State::fields().record(state).into())
     });
     of_integration().and(of_precision()).and([state]).and(of_end())
 }
@@ -140,12 +144,12 @@ fn of_precision() -> Fields<Summary> {
             "s",
             "time after which the error of a state component exceeds a tenth of its largest magnitude so far; left out where \
              none does",
-            |it| match it.precision {
+            |summary| match summary.precision {
                 Precision::Estimated { determined_until, .. } => determined_until,
                 Precision::NotEstimated(_) => None,
             },
         ),
-        Of::present_nested("half_ulp_of_start.", &of_start_effect(), |it| match &it.precision {
+        Of::present_nested("half_ulp_of_start.", &of_start_effect(), |summary| match &summary.precision {
             Precision::Estimated { start_effect, .. } => Some(of_start_effect().record(start_effect).into()),
             Precision::NotEstimated(_) => None,
         }),
@@ -153,7 +157,7 @@ fn of_precision() -> Fields<Summary> {
             "no_errors",
             "",
             "reason why no error of the states is estimated, left out where they are",
-            |it| match it.precision {
+            |summary| match summary.precision {
                 Precision::Estimated { .. } => None,
                 Precision::NotEstimated(reason) => Some(reason.into()),
             },
@@ -165,12 +169,12 @@ fn of_precision() -> Fields<Summary> {
 fn of_start_effect() -> Fields<Moment> {
     type Of = Field<Moment>;
     Fields::from([
-        Of::number("time_s", "s", "time of the last state that is determined", |it| it.time),
+        Of::number("time_s", "s", "time of the last state that is determined", |moment| moment.time),
         Of::value(
             "effect[]",
             "",
             "change of that state by half a unit in the last place of each number of the start, not included in the errors",
-            |it| json::numbers(&it.state),
+            |moment| json::numbers(&moment.state),
         ),
     ])
 }
@@ -195,15 +199,15 @@ pub(super) fn of_integration() -> Fields<Summary> {
             "energy_drift",
             "1",
             "largest change of a conserved energy over the largest kinetic energy, or null",
-            |it| it.drift.clone().map(|[drift, _]| drift),
+            |summary| summary.drift.clone().map(|[drift, _]| drift),
         ),
         Of::nullable(
             "energy_drift_uncertainty",
             "1",
             "uncertainty of the drift, from the work of the forces, or null",
-            |it| it.drift.as_ref().ok().map(|[_, uncertainty]| *uncertainty),
+            |summary| summary.drift.as_ref().ok().map(|[_, uncertainty]| *uncertainty),
         ),
-        Of::value("steps", "1", "steps of the integration", |it| it.steps.into()),
+        Of::value("steps", "1", "steps of the integration", |summary| summary.steps.into()),
     ])
 }
 
@@ -211,10 +215,13 @@ pub(super) fn of_integration() -> Fields<Summary> {
 pub(super) fn of_end() -> Fields<Summary> {
     type Of = Field<Summary>;
     Fields::from([
-        Of::present_value("interrupted", "", "true where Ctrl-C ended the run early, else left out", |it| {
-            matches!(it.ending, Ending::Interrupted(_)).then(|| true.into())
-        }),
-        Of::present_nested("until.", &of_ending(), |it| match &it.ending {
+        Of::present_value(
+            "interrupted",
+            "",
+            "true where Ctrl-C ended the run early, else left out",
+            |summary| matches!(summary.ending, Ending::Interrupted(_)).then(|| true.into()),
+        ),
+        Of::present_nested("until.", &of_ending(), |summary| match &summary.ending {
             Ending::Event(event) => Some(of_ending().record(event).into()),
             _ => None,
         }),
@@ -222,7 +229,7 @@ pub(super) fn of_end() -> Fields<Summary> {
             "stopped",
             "",
             "reason why the integration ended before the last time, else left out",
-            |it| match &it.ending {
+            |summary| match &summary.ending {
                 Ending::NotReached(reason) | Ending::Stopped(reason) => Some(reason.as_str().into()),
                 _ => None,
             },
@@ -234,15 +241,17 @@ pub(super) fn of_end() -> Fields<Summary> {
 fn of_ending() -> Fields<EventEnding> {
     type Of = Field<EventEnding>;
     Fields::from([
-        Of::value("event", "", "event of --until that ended the motion; without it left out", |it| {
-            it.name.as_str().into()
+        Of::value("event", "", "event of --until that ended the motion; without it left out", |ending| {
+            ending.name.as_str().into()
         }),
-        Of::number("time_s", "s", "when", |it| it.end.time),
-        Of::nullable("time_error_s", "s", "error of that time, null with --no-errors", |it| {
-            Some(it.error.time).filter(|error| error.is_finite())
+        Of::number("time_s", "s", "when", |ending| ending.end.time),
+        Of::nullable("time_error_s", "s", "error of that time, null with --no-errors", |ending| {
+            Some(ending.error.time).filter(|error| error.is_finite())
         }),
-        Of::value("state[]", "", "state then, in the order of the names", |it| json::numbers(&it.end.state)),
-        Of::value("state_error[]", "", "error of each of these", |it| json::numbers(&it.error.state)),
+        Of::value("state[]", "", "state then, in the order of the names", |ending| {
+            json::numbers(&ending.end.state)
+        }),
+        Of::value("state_error[]", "", "error of each of these", |ending| json::numbers(&ending.error.state)),
     ])
 }
 

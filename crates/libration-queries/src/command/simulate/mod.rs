@@ -241,7 +241,12 @@ impl Simulate {
             own_tolerances: self.tolerance.own.clone(),
             events: watched.names(),
             errors: self.reason_for_no_errors().is_none(),
-            columns: self.columns.iter().chain(&self.sensitivity).map(|it| it.trim().to_owned()).collect(),
+            columns: self
+                .columns
+                .iter()
+                .chain(&self.sensitivity)
+                .map(|column| column.trim().to_owned())
+                .collect(),
         }
     }
 }

@@ -32,7 +32,7 @@ impl SimulatedMotion<'_> {
     /// The values of the columns that were requested, in a state of the integration.
     pub(super) fn columns_at(&self, moment: &Moment) -> Option<Vec<f64>> {
         let formulas = self.observables.map(|observables| observables.values_at(&self.own(moment)));
-        let derivatives = self.sensitivities.map(|it| it.derivatives_in(&moment.state));
+        let derivatives = self.sensitivities.map(|sensitivity| sensitivity.derivatives_in(&moment.state));
         match (formulas, derivatives) {
             (None, None) => None,
             (formulas, derivatives) => {
@@ -44,9 +44,9 @@ impl SimulatedMotion<'_> {
     /// The formulas of the columns with their derivatives.
     pub(super) fn gradients(&self) -> Option<Gradients> {
         let gradients = self.observables.map(Observables::gradients);
-        gradients.map(|it| match self.sensitivities {
-            Some(sensitivities) => it.among(sensitivities),
-            None => it,
+        gradients.map(|gradient| match self.sensitivities {
+            Some(sensitivities) => gradient.among(sensitivities),
+            None => gradient,
         })
     }
 

@@ -61,7 +61,8 @@ impl SimulatedMotion<'_> {
             state: unknown(self.beginning().state.len()),
             formulas: unknown(formulas),
         });
-        let derivatives = self.sensitivities.map(|it| it.derivatives_in(&state)).unwrap_or_default();
+        let derivatives =
+            self.sensitivities.map(|sensitivity| sensitivity.derivatives_in(&state)).unwrap_or_default();
         let Moment { state, .. } = self.own(&Moment { time, state });
         MomentErrors { time, state, formulas: [formulas, derivatives].concat() }
     }

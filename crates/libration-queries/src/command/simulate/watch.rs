@@ -115,7 +115,7 @@ impl<'a> Watch<'a> {
 
     /// The drift of the energy so far and its uncertainty; NaN if they are unknown.
     pub(super) fn drift(&self) -> [f64; 2] {
-        self.balance.as_ref().map_or([f64::NAN; 2], |it| [it.drift(), it.drift_uncertainty()])
+        self.balance.as_ref().map_or([f64::NAN; 2], |balance| [balance.drift(), balance.drift_uncertainty()])
     }
 
     /// The precision of the motion.

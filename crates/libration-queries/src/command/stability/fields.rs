@@ -69,7 +69,8 @@ impl<'a> NumberedBoundary<'a> {
 
 impl PointOfCurve<'_> {
     fn amplitude(&self) -> f64 {
-        let is_angle = self.of.answer.model.coordinates().first().is_some_and(|it| it.is_angle());
+        let is_angle =
+            self.of.answer.model.coordinates().first().is_some_and(|coordinate| coordinate.is_angle());
         self.point.point.amplitude(0, is_angle)
     }
 
@@ -81,63 +82,69 @@ impl PointOfCurve<'_> {
 pub(super) fn of_answer() -> Fields<StabilityResult> {
     type Of = Field<StabilityResult>;
     Fields::from([
-        Of::value("system", "", "key of the system, null where its equations were typed", |it| {
-            it.model.key().into()
+        Of::value("system", "", "key of the system, null where its equations were typed", |result| {
+            result.model.key().into()
         })
-        .line_of("system", |it| it.model.title().to_owned()),
-        Of::value("equation", "", "equations of motion as they were read", |it| {
-            it.model.equation().to_string().into()
+        .line_of("system", |result| result.model.title().to_owned()),
+        Of::value("equation", "", "equations of motion as they were read", |result| {
+            result.model.equation().to_string().into()
         })
-        .line_of("equation", |it| it.model.equation().to_string()),
-        Of::value("parameters[]", "", "names of the two parameters", |it| json::list(it.parameters.clone())),
-        Of::value("ranges[][]", "", "both ends of their ranges", |it| {
-            json::list(it.ranges.iter().map(|range| json::numbers(range)))
+        .line_of("equation", |result| result.model.equation().to_string()),
+        Of::value("parameters[]", "", "names of the two parameters", |result| {
+            json::list(result.parameters.clone())
+        }),
+        Of::value("ranges[][]", "", "both ends of their ranges", |result| {
+            json::list(result.ranges.iter().map(|range| json::numbers(range)))
         })
-        .line_of("map", |it| {
+        .line_of("map", |result| {
             let part = |(name, [from, to]): (&String, &[f64; 2])| {
                 format!("{name} from {} to {}", short(*from, 10), short(*to, 10))
             };
-            it.parameters.iter().zip(&it.ranges).map(part).collect::<Vec<_>>().join(", ")
+            result.parameters.iter().zip(&result.ranges).map(part).collect::<Vec<_>>().join(", ")
         }),
-        Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
+        Of::value("state[]", "", "names of the state variables", |result| {
+            json::list(result.model.state_names())
+        }),
         Of::value(
             "rest_stable[][]",
             "",
             "true where the equilibrium is stable: a row for each value of the second parameter, a column for each of the first; null where this is not known, no rows where the start is not an equilibrium",
-            |it| {
-                let rows = it.chart.rest.iter().flat_map(|rest| &rest.stable);
+            |result| {
+                let rows = result.chart.rest.iter().flat_map(|rest| &rest.stable);
                 json::list(rows.map(|row| json::list(row.iter().copied())))
             },
         ),
-        Of::value("grid[][]", "", "the values of both parameters at these", |it| {
-            let values = it.chart.rest.iter().flat_map(|rest| &rest.values);
+        Of::value("grid[][]", "", "the values of both parameters at these", |result| {
+            let values = result.chart.rest.iter().flat_map(|rest| &rest.values);
             json::list(values.map(|values| json::numbers(values)))
         }),
         Of::value(
             "unresolved[][]",
             "",
             "values of both parameters between neighbouring points of the grid of which one is stable and the other is not, although no boundary was followed between them",
-            |it| {
-                let places = it.chart.rest.iter().flat_map(|rest| &rest.unresolved);
+            |result| {
+                let places = result.chart.rest.iter().flat_map(|rest| &rest.unresolved);
                 json::list(places.map(|place| json::numbers(place)))
             },
         ),
-        Of::nested("rest_stable_at[].", &of_end(), |it| of_end().records(&it.rest_at_ends())),
-        Of::value("interrupted", "", "true if Ctrl-C ended the work", |it| it.chart.interrupted.into()),
+        Of::nested("rest_stable_at[].", &of_end(), |result| of_end().records(&result.rest_at_ends())),
+        Of::value("interrupted", "", "true if Ctrl-C ended the work", |result| {
+            result.chart.interrupted.into()
+        }),
     ])
 }
 
 fn of_end() -> Fields<AtEnd> {
     type Of = Field<AtEnd>;
     Fields::from([
-        Of::number("value", "", "an end of the range of the first parameter, the least value first", |it| {
-            it.value
+        Of::number("value", "", "an end of the range of the first parameter, the least value first", |end| {
+            end.value
         }),
         Of::value(
             "ranges[][]",
             "",
             "ranges of the second parameter in which the equilibrium is stable there, between the ends of its stability boundaries",
-            |it| json::list(it.ranges.iter().map(|range| json::numbers(range))),
+            |end| json::list(end.ranges.iter().map(|range| json::numbers(range))),
         ),
     ])
 }
@@ -149,26 +156,28 @@ pub(super) fn of_curve<'a>() -> Fields<NumberedBoundary<'a>> {
             "kind",
             "",
             "fold, symmetry_breaking, period_doubling, neimark_sacker, or branch_point where other solutions branch off the equilibrium",
-            |it| it.curve.kind.key().into(),
+            |boundary| boundary.curve.kind.key().into(),
         ),
-        Of::value("at_rest", "", "true if the solution is the equilibrium", |it| it.curve.at_rest.into()),
+        Of::value("at_rest", "", "true if the solution is the equilibrium", |boundary| {
+            boundary.curve.at_rest.into()
+        }),
         Of::value(
             "stability_boundary",
             "",
             "part of the curve on one side of which the solution is stable: whole, part, or none, where it is unstable on both sides",
-            |it| it.curve.stability_boundary().key().into(),
+            |boundary| boundary.curve.stability_boundary().key().into(),
         ),
-        Of::value("closed", "", "true if it is a closed curve", |it| {
-            (it.curve.endings[1] == Ending::Closed).into()
+        Of::value("closed", "", "true if it is a closed curve", |boundary| {
+            (boundary.curve.endings[1] == Ending::Closed).into()
         }),
-        Of::value("drive_periods", "1", "periods of the drive in one period of the solution", |it| {
-            it.curve.space.drive_periods().into()
+        Of::value("drive_periods", "1", "periods of the drive in one period of the solution", |boundary| {
+            boundary.curve.space.drive_periods().into()
         }),
-        Of::nested("points[].", &of_place(), |it| {
-            json::records(it.points().map(|place| of_place().record(&place)))
+        Of::nested("points[].", &of_place(), |boundary| {
+            json::records(boundary.points().map(|place| of_place().record(&place)))
         }),
-        Of::nested("cusps[].", &of_place(), |it| {
-            json::records(it.cusps().map(|place| of_place().record(&place)))
+        Of::nested("cusps[].", &of_place(), |boundary| {
+            json::records(boundary.cusps().map(|place| of_place().record(&place)))
         }),
     ])
 }
@@ -176,9 +185,9 @@ pub(super) fn of_curve<'a>() -> Fields<NumberedBoundary<'a>> {
 fn of_place<'a>() -> Fields<PointOfCurve<'a>> {
     type Of<'a> = Field<PointOfCurve<'a>>;
     Fields::from([
-        Of::value("parameters[]", "", "values of both parameters", |it| json::numbers(&it.values())),
-        Of::number("error", "", "bound on the error of the values across the curve", |it| {
-            it.point.point.error
+        Of::value("parameters[]", "", "values of both parameters", |point| json::numbers(&point.values())),
+        Of::number("error", "", "bound on the error of the values across the curve", |point| {
+            point.point.point.error
         }),
         Of::number(
             "amplitude_max",
@@ -186,16 +195,16 @@ fn of_place<'a>() -> Fields<PointOfCurve<'a>> {
             "largest displacement of the first coordinate, of angles from the nearest bottom, in rad",
             PointOfCurve::amplitude,
         ),
-        Of::number("period_s", "s", "period of the solution", |it| it.point.point.period),
+        Of::number("period_s", "s", "period of the solution", |point| point.point.point.period),
         Of::value(
             "multipliers[][]",
             "1",
             "Floquet multipliers of the whole period, real and imaginary part",
-            |it| json::list(it.point.point.multipliers.iter().map(pair)),
+            |point| json::list(point.point.point.multipliers.iter().map(pair)),
         ),
         boundary(),
-        Of::value("start[]", "", "state at the phase zero of the drive", |it| {
-            json::numbers(&it.point.point.state)
+        Of::value("start[]", "", "state at the phase zero of the drive", |point| {
+            json::numbers(&point.point.point.state)
         }),
     ])
 }
@@ -204,18 +213,21 @@ fn of_place<'a>() -> Fields<PointOfCurve<'a>> {
 pub(super) fn of_row<'a>() -> Fields<PointOfCurve<'a>> {
     type Of<'a> = Field<PointOfCurve<'a>>;
     Fields::from([
-        Of::value("curve", "1", "number of the curve, from 1", |it| it.of.number.into())
-            .numeral("curve", |it| it.of.number.to_string()),
-        Of::value("kind", "", "kind of singular point, or cusp", |it| it.kind().into())
-            .words("kind", |it| it.kind().replace('_', " ")),
-        Of::value("at_rest", "", "true if the solution is the equilibrium", |it| it.of.curve.at_rest.into()),
-        Of::number("first", "", "value of the first parameter", |it| it.point.point.parameter)
+        Of::value("curve", "1", "number of the curve, from 1", |point| point.of.number.into())
+            .numeral("curve", |point| point.of.number.to_string()),
+        Of::value("kind", "", "kind of singular point, or cusp", |point| point.kind().into())
+            .words("kind", |point| point.kind().replace('_', " ")),
+        Of::value("at_rest", "", "true if the solution is the equilibrium", |point| {
+            point.of.curve.at_rest.into()
+        }),
+        Of::number("first", "", "value of the first parameter", |point| point.point.point.parameter)
             .rounded("first", 14),
-        Of::number("second", "", "value of the second parameter", |it| it.point.second).rounded("second", 14),
-        Of::number("error", "", "bound on the error of the values across the curve", |it| {
-            it.point.point.error
+        Of::number("second", "", "value of the second parameter", |point| point.point.second)
+            .rounded("second", 14),
+        Of::number("error", "", "bound on the error of the values across the curve", |point| {
+            point.point.point.error
         })
-        .numeral("to", |it| crate::output::number::at_most(it.point.point.error)),
+        .numeral("to", |point| crate::output::number::at_most(point.point.point.error)),
         Of::number(
             "amplitude_max",
             "",
@@ -232,7 +244,7 @@ fn boundary<'a>() -> Field<PointOfCurve<'a>> {
         "boundary",
         "",
         "true if the solution is stable on one side of the curve there",
-        |it: &PointOfCurve<'_>| it.point.bounds_stability().into(),
+        |point: &PointOfCurve<'_>| point.point.bounds_stability().into(),
     )
 }
 

@@ -123,7 +123,7 @@ fn summary(curve: &NumberedBoundary<'_>) -> String {
         (false, BoundaryPart::None) => format!("{kind} of unstable driven motions"),
         (false, _) => format!("{kind} of driven motions"),
     };
-    let place = |point: Option<&_>| point.map_or_else(String::new, |it| answer.values_text(it));
+    let place = |point: Option<&_>| point.map_or_else(String::new, |point| answer.values_text(point));
     let ends = match behind {
         Ending::Closed => "closed".to_owned(),
         _ => format!(
@@ -134,7 +134,7 @@ fn summary(curve: &NumberedBoundary<'_>) -> String {
             said(behind)
         ),
     };
-    let cusps: Vec<String> = curve.curve.cusps.iter().map(|it| answer.values_text(it)).collect();
+    let cusps: Vec<String> = curve.curve.cusps.iter().map(|cusp| answer.values_text(cusp)).collect();
     let through = match cusps.len() {
         0 => String::new(),
         1 => format!("; through a cusp at {}", cusps[0]),

@@ -54,7 +54,8 @@ impl Join {
 
 /// The stores of one sweep.
 pub(crate) fn opened(directories: &[PathBuf]) -> Result<Vec<Store>, QueryError> {
-    let stores: Vec<Store> = directories.iter().map(|it| Store::open(it)).collect::<Result<_, _>>()?;
+    let stores: Vec<Store> =
+        directories.iter().map(|directory| Store::open(directory)).collect::<Result<_, _>>()?;
     let first = stores.first().ok_or_else(|| QueryError::misuse("DIR: give the directory of a sweep"))?;
     for other in &stores[1..] {
         if let Some(difference) = first.difference(other) {

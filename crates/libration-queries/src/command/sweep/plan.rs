@@ -148,10 +148,10 @@ fn read_plan(written: &Value) -> Option<Plan> {
     let counts = |value: &Value| -> Option<Vec<usize>> {
         value.as_array()?.iter().map(|it| usize::try_from(it.as_u64()?).ok().filter(|it| *it > 0)).collect()
     };
-    let axis = |it: &Value| Axis::of_words(it["name"].as_str()?, texts(&it["values"])?).ok();
-    let field = |it: &Value| {
-        let kept = Kept::read(&format!("{}={}", it["name"].as_str()?, it["path"].as_str()?)).ok()?;
-        let (unit, meaning) = (it["unit"].as_str()?.to_owned(), it["meaning"].as_str()?.to_owned());
+    let axis = |value: &Value| Axis::of_words(value["name"].as_str()?, texts(&value["values"])?).ok();
+    let field = |value: &Value| {
+        let kept = Kept::read(&format!("{}={}", value["name"].as_str()?, value["path"].as_str()?)).ok()?;
+        let (unit, meaning) = (value["unit"].as_str()?.to_owned(), value["meaning"].as_str()?.to_owned());
         Some(KeptField { kept, unit, meaning })
     };
     let axes: Vec<Axis> = written["axes"].as_array()?.iter().map(axis).collect::<Option<_>>()?;
@@ -188,7 +188,7 @@ fn all_numbers(known: &[Description], answer: &Value) -> Result<Vec<Kept>, Query
         return Ok(alone);
     }
     let in_lists = known.iter().filter(|it| !it.unit.is_empty() && it.name.contains("[]"));
-    let ways: Vec<String> = in_lists.map(|it| it.name.replace("[]", "[0]")).take(3).collect();
+    let ways: Vec<String> = in_lists.map(|list| list.name.replace("[]", "[0]")).take(3).collect();
     let reason = format!(
         "all numbers of these results stand in lists: choose those to keep, such as {}",
         ways.join(", ")

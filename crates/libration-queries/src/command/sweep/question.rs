@@ -93,8 +93,8 @@ impl Template {
         }
         let words = self.at(axes, &vec![0; axes.len()]);
         let matches = matches_of_query(words.into_iter().map(Into::into).collect())?;
-        let options =
-            SystemOptions::from_arg_matches(innermost(&matches)).map_err(|it| QueryError::refused(&it))?;
+        let options = SystemOptions::from_arg_matches(innermost(&matches))
+            .map_err(|item| QueryError::refused(&item))?;
         options.state_names()
     }
 }

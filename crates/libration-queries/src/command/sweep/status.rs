@@ -65,30 +65,32 @@ pub(crate) fn write(out: &mut dyn Write, form: Form, stores: &[Store]) -> Result
 fn of_status<'a>() -> Fields<SweepState<'a>> {
     type Of<'a> = Field<SweepState<'a>>;
     let progress = Fields::from([
-        Of::value("chunks", "1", "number of chunks of the sweep", |it| it.progress.chunks.into()),
-        Of::value("chunks_whole", "1", "number of them that are complete", |it| {
-            it.progress.done.len().into()
+        Of::value("chunks", "1", "number of chunks of the sweep", |state| state.progress.chunks.into()),
+        Of::value("chunks_whole", "1", "number of them that are complete", |state| {
+            state.progress.done.len().into()
         })
-        .line_of("complete chunks", |it| format!("{} of {}", it.progress.done.len(), it.progress.chunks)),
-        Of::value("points", "1", "number of points of the grid", |it| it.progress.points.into()),
-        Of::value("points_done", "1", "number of points in complete chunks", |it| {
-            it.progress.points_done.into()
+        .line_of("complete chunks", |state| {
+            format!("{} of {}", state.progress.done.len(), state.progress.chunks)
+        }),
+        Of::value("points", "1", "number of points of the grid", |state| state.progress.points.into()),
+        Of::value("points_done", "1", "number of points in complete chunks", |state| {
+            state.progress.points_done.into()
         })
-        .line_of("points", |it| format!("{} of {}", it.progress.points_done, it.progress.points)),
-        Of::value("without_answer", "1", "number of them without a result", |it| {
-            it.progress.without_answer.into()
+        .line_of("points", |state| format!("{} of {}", state.progress.points_done, state.progress.points)),
+        Of::value("without_answer", "1", "number of them without a result", |state| {
+            state.progress.without_answer.into()
         })
-        .line_of("without a result", |it| it.progress.without_answer.to_string()),
-        Of::value("missing", "", "missing parts, in words, or null", |it| it.progress.missing().into())
-            .line_of("missing", |it| it.progress.missing().unwrap_or_else(|| "nothing".to_owned())),
+        .line_of("without a result", |state| state.progress.without_answer.to_string()),
+        Of::value("missing", "", "missing parts, in words, or null", |state| state.progress.missing().into())
+            .line_of("missing", |state| state.progress.missing().unwrap_or_else(|| "nothing".to_owned())),
     ]);
     let asked = Fields::from([
-        Of::value("question", "", "the command, where {NAME} stands for the value of an axis", |it| {
-            it.question().into()
+        Of::value("question", "", "the command, where {NAME} stands for the value of an axis", |state| {
+            state.question().into()
         })
         .line_of("question", SweepState::question),
-        Of::value("kept[]", "", "names of the numbers kept of each result", |it| json::list(it.kept()))
-            .line_of("kept of each result", |it| it.kept().collect::<Vec<_>>().join(", ")),
+        Of::value("kept[]", "", "names of the numbers kept of each result", |state| json::list(state.kept()))
+            .line_of("kept of each result", |state| state.kept().collect::<Vec<_>>().join(", ")),
     ]);
     asked.and(progress)
 }

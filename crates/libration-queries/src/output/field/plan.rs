@@ -187,7 +187,11 @@ impl Plans {
     /// The fields of JSON at `place`, such as `results[].` or an empty text.
     pub(super) fn described(&self, place: &str) -> Vec<Description> {
         let described = self.0.iter().filter(|plan| plan.in_json).flat_map(|plan| &plan.described);
-        described.map(|it| Description::new(&format!("{place}{}", it.name), it.unit, it.meaning)).collect()
+        described
+            .map(|described| {
+                Description::new(&format!("{place}{}", described.name), described.unit, described.meaning)
+            })
+            .collect()
     }
 
     pub(super) fn described_in_csv(&self) -> Vec<Description> {

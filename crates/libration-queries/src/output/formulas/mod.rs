@@ -45,6 +45,6 @@ pub(crate) fn write(
 
 /// A formula in LaTeX.
 pub(crate) fn latex(text: &str) -> String {
-    let latex = text.parse().map_or_else(|_| text.to_owned(), |it: Expression| it.to_latex());
+    let latex = text.parse().map_or_else(|_| text.to_owned(), |expression: Expression| expression.to_latex());
     latex.replace(r"\phi", r"\varphi")
 }

@@ -80,7 +80,7 @@ impl Comparison {
             let mut added = rival.damping.iter().filter(|term| !own(term));
             let is_zero = |term: DampingKind| {
                 let added = rival.damping_coefficient(term).map(|it| it.estimate);
-                added.is_none_or(|it| it.deviation_from(0.0) <= Self::ZERO)
+                added.is_none_or(|added| added.deviation_from(0.0) <= Self::ZERO)
             };
             contains && added.all(is_zero)
         };

@@ -80,7 +80,7 @@ impl AnyWell {
         let sum = self.of_energy.iter().rev().fold(0.0, |sum, term| sum * energy + term);
         // At a larger energy those beyond are together less than the largest dx/ds.
         let larger = self.beyond.iter().filter(|it| it.energy > energy);
-        let beyond = larger.map(|it| it.slope * libm::pow(energy / it.energy, count(TERMS)));
+        let beyond = larger.map(|larger| larger.slope * libm::pow(energy / larger.energy, count(TERMS)));
         sum + beyond.fold(f64::INFINITY, f64::min)
     }
 
@@ -103,13 +103,13 @@ impl AnyWell {
 
 /// w(x).
 fn value(weights: &[Weight], x: f64) -> f64 {
-    weights.iter().map(|it| it.coefficient * libm::pow(x, count(it.power))).sum()
+    weights.iter().map(|weight| weight.coefficient * libm::pow(x, count(weight.power))).sum()
 }
 
 /// Σ wⱼ f(j) over the powers up to one.
 fn weighted(weights: &[Weight], up_to: usize, of: impl Fn(usize) -> f64) -> f64 {
-    let known = weights.iter().take_while(|it| it.power <= up_to);
-    known.map(|it| it.coefficient * of(it.power)).sum()
+    let known = weights.iter().take_while(|weight| weight.power <= up_to);
+    known.map(|known| known.coefficient * of(known.power)).sum()
 }
 
 /// Positions that approach the separatrix, at which energy and slope keep enough digits.
@@ -119,7 +119,9 @@ fn beyond(weights: &[Weight], critical: f64) -> Vec<Beyond> {
         let x = 1.0 - libm::exp2(-0.5 * f64::from(place));
         let square = x * x * (1.0 - value(weights, x));
         // Of the force x − Σ |cₘ| xᵐ, where cₘ = (m + 1)/2 of the weight.
-        let force = |it: &Weight| 0.5 * count(it.power + 2) * it.coefficient * libm::pow(x, count(it.power));
+        let force = |weight: &Weight| {
+            0.5 * count(weight.power + 2) * weight.coefficient * libm::pow(x, count(weight.power))
+        };
         let slope = libm::sqrt(square) / (x - x * weights.iter().map(force).sum::<f64>());
         Beyond { energy: square / critical, slope }
     };

@@ -17,7 +17,8 @@ pub(super) fn resultant(letters: &Letters, sum: &Sum) -> Option<Sum> {
     }
     let coefficients: Vec<Sum> = (first..=last).map(|k| letters.coefficient(sum, Column::Wave, k)).collect();
     // The conjugate has the conjugate coefficients in the opposite order.
-    let opposite: Vec<Sum> = coefficients.iter().rev().map(|it| letters.conjugate(it)).collect();
+    let opposite: Vec<Sum> =
+        coefficients.iter().rev().map(|coefficient| letters.conjugate(coefficient)).collect();
     let size = usize::try_from(2 * degree).ok()?;
     let rows: Vec<Vec<Sum>> = [&coefficients, &opposite]
         .into_iter()

@@ -35,12 +35,15 @@ pub(super) fn notes(
         note(too_long());
     }
     let missing = |obstacle| missing(obstacle, state, steady).join(", ");
-    if let Some((obstacle, formulas)) =
-        steady.obstacle.map(|it| (it, missing(it))).filter(|(_, formulas)| !formulas.is_empty())
+    if let Some((obstacle, formulas)) = steady
+        .obstacle
+        .map(|obstacle| (obstacle, missing(obstacle)))
+        .filter(|(_, formulas)| !formulas.is_empty())
     {
         note(format!("{formulas}: {}", reason(obstacle, steady, highest)));
     }
-    let is_curve = steady.obstacle.is_none_or(|it| it == Obstacle::Sums) && steady.relation.is_some();
+    let is_curve =
+        steady.obstacle.is_none_or(|obstacle| obstacle == Obstacle::Sums) && steady.relation.is_some();
     if is_curve && state.critical_drive.is_none() {
         note("critical_drive: known for linear damping, a cubic backbone and one drive".to_owned());
     }

@@ -156,7 +156,7 @@ fn steady_state(
     let text = |sum: &Option<Sum>| sum.as_ref().filter(|sum| is_short(sum)).map(|sum| letters.text(sum));
     let phase = |k: i64| multiple(k, &setting.names.coordinates[0].phase);
     let shown = if is_driven { 2 } else { 1 };
-    let relation = steady.relation.clone().filter(|it| is_driven || depends_on_amplitude(&it));
+    let relation = steady.relation.clone().filter(|relation| is_driven || depends_on_amplitude(&relation));
     let mut state = SteadyState {
         equations: rates.iter().take(shown).map(|rate| rate.text(letters, phase)).collect(),
         relation: text(&relation),

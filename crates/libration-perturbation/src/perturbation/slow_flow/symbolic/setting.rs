@@ -107,7 +107,7 @@ fn ratios(given: &[u32], coordinates: usize) -> Result<Vec<i64>, Error> {
         return Err(Error::Ratios { given: given.to_vec(), coordinates });
     }
     let common = ratios.iter().copied().fold(0, greatest_common_divisor).max(1);
-    Ok(ratios.iter().map(|it| it / common).collect())
+    Ok(ratios.iter().map(|ratio| ratio / common).collect())
 }
 
 fn resonance(given: Option<(u32, u32)>, is_driven: bool) -> Result<(i64, i64), Error> {
@@ -176,6 +176,6 @@ impl Names {
     }
 
     fn is_detuning(&self, name: &str) -> bool {
-        name == self.detuning || self.coordinates.iter().skip(1).any(|it| it.detuning == name)
+        name == self.detuning || self.coordinates.iter().skip(1).any(|coordinate| coordinate.detuning == name)
     }
 }

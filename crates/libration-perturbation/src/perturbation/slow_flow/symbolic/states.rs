@@ -98,7 +98,7 @@ impl SlowFlowAt<'_> {
         others: &[SteadySolution],
     ) -> Option<SteadySolution> {
         let nearest = |of: &SteadySolution, list: &[SteadySolution]| {
-            let distance = |it: &SteadySolution| self.distance(of, it);
+            let distance = |solution: &SteadySolution| self.distance(of, solution);
             list.iter().copied().min_by(|a, b| distance(a).total_cmp(&distance(b)))
         };
         let other = nearest(state, others)?;

@@ -268,7 +268,7 @@ impl SteadyEquations<'_> {
         let per_amplitude = letters.power(Column::Amplitude, -1);
         let upper = [at(&by_amplitude(&rates[0])), at(&by_phase(&rates[0]))];
         let lower = [by_amplitude(&rates[1]), by_phase(&rates[1])];
-        let lower = lower.map(|it| letters.times(&at(&it), &per_amplitude));
+        let lower = lower.map(|lower| letters.times(&at(&lower), &per_amplitude));
         let trace = letters.add(&upper[0], &lower[1]);
         let determinant =
             letters.subtract(&letters.times(&upper[0], &lower[1]), &letters.times(&upper[1], &lower[0]));

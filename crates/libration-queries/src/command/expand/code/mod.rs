@@ -57,8 +57,9 @@ impl<'a, C: Coefficient> CodeSeries<'a, C> {
                 },
             },
             None => {
-                let parts =
-                    expansion.harmonics.iter().flat_map(|it| [(it.k, false, &it.cos), (it.k, true, &it.sin)]);
+                let parts = expansion.harmonics.iter().flat_map(|harmonic| {
+                    [(harmonic.k, false, &harmonic.cos), (harmonic.k, true, &harmonic.sin)]
+                });
                 let parts = parts.map(|(k, is_sine, series)| (k, is_sine, series.as_slice()));
                 let harmonics = parts.filter(|(_, _, series)| present(series)).collect();
                 Self { argument: "strength", frequency: &expansion.frequency_ratio, harmonics }

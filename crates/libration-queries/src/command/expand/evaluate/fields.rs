@@ -123,23 +123,24 @@ pub(super) fn of_numbers<'a>() -> Fields<Numbers<'a>> {
 pub(super) fn of_term<'a>() -> Fields<Term<'a>> {
     type Of<'a> = Field<Term<'a>>;
     Fields::from([
-        Of::value("power", "1", "power of the term", |it| it.step.power.into())
-            .numeral("power", |it| it.step.power.to_string()),
-        Of::value("coefficient", "", "its coefficient, a fraction or a decimal", |it| {
-            coefficient(it.coefficient(), it.precision()).into()
+        Of::value("power", "1", "power of the term", |term| term.step.power.into())
+            .numeral("power", |term| term.step.power.to_string()),
+        Of::value("coefficient", "", "its coefficient, a fraction or a decimal", |term| {
+            coefficient(term.coefficient(), term.precision()).into()
         })
-        .numeral("coefficient", |it| shortened(it.coefficient(), it.precision())),
-        Of::number("term", "", "the term", |it| it.step.term).numeral("term", |it| in_range(it.step.term, 5)),
-        Of::number("sum", "", "sum up to it", |it| it.step.sum)
-            .numeral("sum so far", |it| in_range(it.step.sum, 15)),
-        Of::nullable("error", "", "that sum minus the exact value, or null", |it| {
-            it.numbers.error(it.step.sum)
+        .numeral("coefficient", |term| shortened(term.coefficient(), term.precision())),
+        Of::number("term", "", "the term", |term| term.step.term)
+            .numeral("term", |term| in_range(term.step.term, 5)),
+        Of::number("sum", "", "sum up to it", |term| term.step.sum)
+            .numeral("sum so far", |term| in_range(term.step.sum, 15)),
+        Of::nullable("error", "", "that sum minus the exact value, or null", |term| {
+            term.numbers.error(term.step.sum)
         })
-        .numeral("its error", |it| it.numbers.error_text(it.step.sum)),
-        Of::nullable("bound", "", "proven bound on the remainder, or null", |it| {
-            it.remainder(Certainty::Proven)
+        .numeral("its error", |term| term.numbers.error_text(term.step.sum)),
+        Of::nullable("bound", "", "proven bound on the remainder, or null", |term| {
+            term.remainder(Certainty::Proven)
         })
-        .numeral("|error| KEY", |it| match it.step.remainder {
+        .numeral("|error| KEY", |term| match term.step.remainder {
             Remainder { size, .. } if size.is_finite() => rounded(size, 3),
             Remainder { certainty: Certainty::Proven, .. } => "no bound".to_owned(),
             Remainder { certainty: Certainty::Estimated, .. } => "unknown".to_owned(),
@@ -148,13 +149,13 @@ pub(super) fn of_term<'a>() -> Fields<Term<'a>> {
             "bound_is",
             "",
             "proven, or estimated where no bound is known: an estimate covers the error in about 99 of 100 cases",
-            |it| certainty(it.step.remainder.certainty).into(),
+            |term| certainty(term.step.remainder.certainty).into(),
         ),
         Of::nullable(
             "estimate",
             "",
             "estimate of the remainder where no bound is known, too small in about 1 of 100 cases, in 2 of 100 at order 5 and below; or null",
-            |it| it.remainder(Certainty::Estimated),
+            |term| term.remainder(Certainty::Estimated),
         ),
         Of::unnamed().words("", |it| if it.is_smallest() { "← smallest term" } else { "" }.to_owned()),
     ])
@@ -163,25 +164,30 @@ pub(super) fn of_term<'a>() -> Fields<Term<'a>> {
 pub(super) fn of_approximant<'a>() -> Fields<Approximant<'a>> {
     type Of<'a> = Field<Approximant<'a>>;
     Fields::from([
-        Of::value("degrees[]", "1", "degrees of numerator and denominator of the Padé approximant", |it| {
-            json::list([it.quotient.degree; 2])
+        Of::value(
+            "degrees[]",
+            "1",
+            "degrees of numerator and denominator of the Padé approximant",
+            |approximant| json::list([approximant.quotient.degree; 2]),
+        )
+        .words("Padé", |approximant| format!("[{0}/{0}]", approximant.quotient.degree)),
+        Of::number("value", "", "its value", |approximant| approximant.quotient.value)
+            .numeral("value", |approximant| in_range(approximant.quotient.value, 15)),
+        Of::nullable("error", "", "its value minus the exact one, or null", |approximant| {
+            approximant.numbers.error(approximant.quotient.value)
         })
-        .words("Padé", |it| format!("[{0}/{0}]", it.quotient.degree)),
-        Of::number("value", "", "its value", |it| it.quotient.value)
-            .numeral("value", |it| in_range(it.quotient.value, 15)),
-        Of::nullable("error", "", "its value minus the exact one, or null", |it| {
-            it.numbers.error(it.quotient.value)
-        })
-        .numeral("its error", |it| it.numbers.error_text(it.quotient.value)),
+        .numeral("its error", |approximant| approximant.numbers.error_text(approximant.quotient.value)),
         Of::nullable(
             "pole_before",
             "",
             "position of a pole between zero and the amplitude, which makes the value worthless, or null",
-            |it| it.quotient.pole_before,
+            |approximant| approximant.quotient.pole_before,
         )
-        .words("", |it| {
-            let pole =
-                it.quotient.pole_before.map(|pole| format!("has a pole before, at {}", short(pole, 5)));
+        .words("", |approximant| {
+            let pole = approximant
+                .quotient
+                .pole_before
+                .map(|pole| format!("has a pole before, at {}", short(pole, 5)));
             pole.unwrap_or_default()
         }),
     ])

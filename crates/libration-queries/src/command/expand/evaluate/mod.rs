@@ -148,7 +148,8 @@ impl<'a> Numbers<'a> {
             ("the radius of convergence", self.radius.is_none()),
             ("the Padé approximants", self.pade.is_none()),
         ];
-        let missing: Vec<&str> = parts.iter().filter(|(_, is_missing)| *is_missing).map(|it| it.0).collect();
+        let missing: Vec<&str> =
+            parts.iter().filter(|(_, is_missing)| *is_missing).map(|part| part.0).collect();
         let orders = self.answer.missing_orders();
         if missing.is_empty() {
             return orders;

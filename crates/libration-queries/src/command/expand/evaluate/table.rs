@@ -175,6 +175,8 @@ fn needed(evaluation: &SeriesEvaluation, counts: impl Iterator<Item = (f64, Opti
 fn write_pade(out: &mut dyn Write, numbers: &Numbers<'_>, pade: &[Quotient]) -> io::Result<()> {
     let last = pade.last().map_or(0, |last| last.degree);
     let mut approximants = numbers.approximants(pade);
-    approximants.retain(|it| it.quotient.degree.is_power_of_two() || it.quotient.degree == last);
+    approximants.retain(|approximant| {
+        approximant.quotient.degree.is_power_of_two() || approximant.quotient.degree == last
+    });
     fields::of_approximant().write_table(out, &approximants)
 }

@@ -19,40 +19,40 @@ pub(super) struct PolynomialCoefficient {
 pub(super) fn of_flow() -> Fields<SlowFlowResult> {
     type Of = Field<SlowFlowResult>;
     of_subject().and([
-        Of::value("order", "1", "highest power of the amplitude A", |it| it.flow.order.into()),
-        Of::value("damping_order", "1", "highest power of the small parameter", |it| {
-            it.flow.parameter_order.into()
+        Of::value("order", "1", "highest power of the amplitude A", |result| result.flow.order.into()),
+        Of::value("damping_order", "1", "highest power of the small parameter", |result| {
+            result.flow.parameter_order.into()
         }),
-        Of::value("small_parameter", "", "name of the small parameter, which stays symbolic", |it| {
-            it.flow.parameter.as_str().into()
+        Of::value("small_parameter", "", "name of the small parameter, which stays symbolic", |result| {
+            result.flow.parameter.as_str().into()
         }),
         Of::value(
             "gauge",
             "",
             "meaning of A: `x_max`, the displacement where the motion turns at ψ = 0, or `fundamental`, the coefficient of cos ψ",
-            |it| it.flow.gauge.to_string().into(),
+            |result| result.flow.gauge.to_string().into(),
         ),
-        Of::value("equilibrium", "", "equilibrium x₀ without the small terms", |it| {
-            it.flow.equilibrium.to_string().into()
+        Of::value("equilibrium", "", "equilibrium x₀ without the small terms", |result| {
+            result.flow.equilibrium.to_string().into()
         }),
-        Of::value("omega0_squared", "", "square of the angular frequency ω0 of small oscillations", |it| {
-            it.flow.omega0_squared.to_string().into()
+        Of::value("omega0_squared", "", "square of the angular frequency ω0 of small oscillations", |result| {
+            result.flow.omega0_squared.to_string().into()
         }),
         Of::value(
             "amplitude_rate[][]",
             "",
             "coefficients of A′, by powers of the small parameter, and for each by powers of A",
-            |it| texts(&it.flow.amplitude_rate),
+            |result| texts(&result.flow.amplitude_rate),
         ),
-        Of::value("phase_rate[][]", "", "coefficients of ψ′, likewise", |it| texts(&it.flow.phase_rate)),
+        Of::value("phase_rate[][]", "", "coefficients of ψ′, likewise", |result| texts(&result.flow.phase_rate)),
         Of::value(
             "half_swing",
             "",
             "true if the motion is given for 0 ≤ ψ ≤ π, and is the opposite at ψ + π",
-            |it| it.flow.half_swing.into(),
+            |result| result.flow.half_swing.into(),
         ),
-        Of::nested("motion[].", &of_term(), |it| of_term().records(&it.flow.motion)),
-        Of::nested("limit_cycles[].", &of_cycle(), |it| of_cycle().records(&it.flow.limit_cycles())),
+        Of::nested("motion[].", &of_term(), |result| of_term().records(&result.flow.motion)),
+        Of::nested("limit_cycles[].", &of_cycle(), |result| of_cycle().records(&result.flow.limit_cycles())),
     ])
     .and(leading_cycles::of_answer())
 }
@@ -60,20 +60,20 @@ pub(super) fn of_flow() -> Fields<SlowFlowResult> {
 fn of_cycle() -> Fields<SlowLimitCycle> {
     type Of = Field<SlowLimitCycle>;
     Fields::from([
-        Of::value("amplitude[]", "", "A of a limit cycle, by powers of the small parameter", |it| {
-            numbers(&it.amplitude)
+        Of::value("amplitude[]", "", "A of a limit cycle, by powers of the small parameter", |cycle| {
+            numbers(&cycle.amplitude)
         }),
         Of::value(
             "angular_frequency_rad_per_s[]",
             "rad/s",
             "its angular frequency, by powers of the small parameter",
-            |it| numbers(&it.frequency),
+            |cycle| numbers(&cycle.frequency),
         ),
         Of::value(
             "exponent_per_s[]",
             "1/s",
             "rate at which distances from it grow, by powers of the small parameter",
-            |it| numbers(&it.exponent),
+            |cycle| numbers(&cycle.exponent),
         ),
     ])
 }
@@ -85,17 +85,17 @@ fn numbers(list: &[f64]) -> Value {
 fn of_term() -> Fields<PhaseTerm> {
     type Of = Field<PhaseTerm>;
     Fields::from([
-        Of::value("phase_power", "1", "power of ψ before a harmonic of the displacement", |it| {
-            it.power.into()
+        Of::value("phase_power", "1", "power of ψ before a harmonic of the displacement", |term| {
+            term.power.into()
         }),
-        Of::value("k", "1", "number of the harmonic", |it| it.k.into()),
+        Of::value("k", "1", "number of the harmonic", |term| term.k.into()),
         Of::value(
             "cos[][]",
             "",
             "coefficients of cos kψ, by powers of the small parameter, and for each by powers of A",
-            |it| texts(&it.cos),
+            |term| texts(&term.cos),
         ),
-        Of::value("sin[][]", "", "those of sin kψ", |it| texts(&it.sin)),
+        Of::value("sin[][]", "", "those of sin kψ", |term| texts(&term.sin)),
     ])
 }
 
@@ -106,12 +106,16 @@ pub(super) fn of_coefficient() -> Fields<PolynomialCoefficient> {
             "quantity",
             "",
             "quantity that is expanded: A′, ψ′, or ψᵖ·cos kψ as cos_k_p",
-            |it| it.quantity.as_str().into(),
+            |coefficient| coefficient.quantity.as_str().into(),
         ),
-        Of::value("parameter_power", "1", "power of the small parameter", |it| it.powers[0].into()),
-        Of::value("amplitude_power", "1", "power of A", |it| it.powers[1].into()),
-        Of::value("coefficient", "", "their coefficient, exactly", |it| it.text.as_str().into()),
-        Of::number("value", "", "the same in digits", |it| it.value),
+        Of::value("parameter_power", "1", "power of the small parameter", |coefficient| {
+            coefficient.powers[0].into()
+        }),
+        Of::value("amplitude_power", "1", "power of A", |coefficient| coefficient.powers[1].into()),
+        Of::value("coefficient", "", "their coefficient, exactly", |coefficient| {
+            coefficient.text.as_str().into()
+        }),
+        Of::number("value", "", "the same in digits", |coefficient| coefficient.value),
     ])
 }
 

@@ -13,34 +13,39 @@ use std::io::{self, Write};
 pub(super) fn of_answer() -> Fields<SlowFlowResult> {
     type Of = Field<SlowFlowResult>;
     Fields::from([
-        Of::nested("leading_limit_cycles[].", &of_cycle(), |it| {
-            of_cycle().records(it.leading.as_ref().map_or(&[][..], |found| &found.cycles))
+        Of::nested("leading_limit_cycles[].", &of_cycle(), |result| {
+            of_cycle().records(result.leading.as_ref().map_or(&[][..], |found| &found.cycles))
         }),
         Of::value(
             "leading_amplitudes_searched[]",
             "",
             "least and greatest amplitude whose exact orbit was examined; null where no orbits are known",
-            |it| {
-                it.leading.as_ref().map_or(Value::Null, |found| json::list(found.searched.map(json::number)))
+            |result| {
+                result
+                    .leading
+                    .as_ref()
+                    .map_or(Value::Null, |found| json::list(found.searched.map(json::number)))
             },
         ),
         Of::value(
             "leading_work_signs[]",
             "1",
             "sign of the work of the small terms over these two orbits, for a positive parameter",
-            |it| it.leading.as_ref().map_or(Value::Null, |found| json::list(found.signs.map(json::number))),
+            |result| {
+                result.leading.as_ref().map_or(Value::Null, |found| json::list(found.signs.map(json::number)))
+            },
         ),
         Of::value(
             "leading_orbits_end",
             "",
             "true if the orbits about the equilibrium end at the greatest amplitude",
-            |it| it.leading.as_ref().map_or(Value::Null, |found| found.family_ends.into()),
+            |result| result.leading.as_ref().map_or(Value::Null, |found| found.family_ends.into()),
         ),
         Of::value(
             "leading_reason",
             "",
             "reason why no exact orbits were examined; null where they were",
-            |it| it.leading.as_ref().err().map_or(Value::Null, |error| error.to_string().into()),
+            |result| result.leading.as_ref().err().map_or(Value::Null, |error| error.to_string().into()),
         ),
     ])
 }
@@ -52,22 +57,24 @@ fn of_cycle() -> Fields<LeadingLimitCycle> {
             "amplitude",
             "",
             "largest displacement of a limit cycle for a small parameter, over the exact orbits",
-            |it| it.amplitude,
+            |cycle| cycle.amplitude,
         ),
-        Of::number("amplitude_uncertainty", "", "uncertainty of the amplitude", |it| {
-            it.amplitude_uncertainty
+        Of::number("amplitude_uncertainty", "", "uncertainty of the amplitude", |cycle| {
+            cycle.amplitude_uncertainty
         }),
-        Of::number("other_side", "", "displacement at the other turning point", |it| it.other_side),
-        Of::number("period_s", "s", "its period, that of the exact orbit", |it| it.period),
-        Of::number("period_uncertainty_s", "s", "uncertainty of the period", |it| it.period_uncertainty),
+        Of::number("other_side", "", "displacement at the other turning point", |cycle| cycle.other_side),
+        Of::number("period_s", "s", "its period, that of the exact orbit", |cycle| cycle.period),
+        Of::number("period_uncertainty_s", "s", "uncertainty of the period", |cycle| {
+            cycle.period_uncertainty
+        }),
         Of::number(
             "exponent_per_s",
             "1/s",
             "rate at which distances from it grow, over the small parameter",
-            |it| it.exponent,
+            |cycle| cycle.exponent,
         ),
-        Of::number("exponent_uncertainty_per_s", "1/s", "uncertainty of the exponent", |it| {
-            it.exponent_uncertainty
+        Of::number("exponent_uncertainty_per_s", "1/s", "uncertainty of the exponent", |cycle| {
+            cycle.exponent_uncertainty
         }),
     ])
 }

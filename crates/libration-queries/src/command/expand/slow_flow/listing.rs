@@ -168,7 +168,7 @@ impl PolynomialNotation<'_> {
                 let latex = size
                     .unwrap_or(&text)
                     .parse()
-                    .map_or_else(|_| text.clone(), |it: Expression| it.to_latex());
+                    .map_or_else(|_| text.clone(), |expression: Expression| expression.to_latex());
                 let sign = if size.is_some() { "-" } else { "" };
                 [format!("{sign}{latex}"), latex]
             }
@@ -188,8 +188,10 @@ pub fn in_letters(text: &str) -> String {
 /// The polynomials as display equations.
 pub(super) fn write_latex(out: &mut dyn Write, answer: &SlowFlowResult) -> io::Result<()> {
     let flow = &answer.flow;
-    let parameter =
-        flow.parameter.parse().map_or_else(|_| flow.parameter.clone(), |it: Expression| it.to_latex());
+    let parameter = flow
+        .parameter
+        .parse()
+        .map_or_else(|_| flow.parameter.clone(), |expression: Expression| expression.to_latex());
     let names = PolynomialNotation { parameter: &parameter, style: Style::Latex };
     writeln!(out, "\\[ {} \\]", answer.subject.equation_latex)?;
     writeln!(out, "\\begin{{align*}}")?;
@@ -200,7 +202,7 @@ pub(super) fn write_latex(out: &mut dyn Write, answer: &SlowFlowResult) -> io::R
         .subject
         .variable
         .parse()
-        .map_or_else(|_| answer.subject.variable.clone(), |it: Expression| it.to_latex());
+        .map_or_else(|_| answer.subject.variable.clone(), |expression: Expression| expression.to_latex());
     let place = if flow.equilibrium.is_zero() { String::new() } else { format!(" - {}", flow.equilibrium) };
     let terms = of_motion(flow, Style::Latex);
     let terms: Vec<String> = terms

@@ -75,8 +75,10 @@ fn line(out: &mut dyn Write, name: &str, formula: &str) -> io::Result<()> {
 
 fn write_steady(out: &mut dyn Write, answer: &SymbolicFlowResult) -> io::Result<()> {
     let steady = &answer.flow.steady_state;
-    let drive =
-        steady.drive_amplitude.as_ref().filter(|text| text.contains(|it: char| !it.is_alphanumeric()));
+    let drive = steady
+        .drive_amplitude
+        .as_ref()
+        .filter(|text| text.contains(|letter: char| !letter.is_alphanumeric()));
     let critical = drive.map_or("critical drive = ".to_owned(), |drive| format!("critical drive {drive} = "));
     let formulas = [
         ("limit cycle, A = ", &steady.cycle_amplitude),
@@ -143,8 +145,8 @@ fn place(state: &SteadySolution, errors: Option<[f64; 2]>, is_driven: bool) -> S
         Some(error) => to_its_error(value, error, DIGITS),
         None => short(value, FEW),
     };
-    let amplitude = written(state.amplitude, errors.map(|it| it[0]));
-    let phase = written(state.phase, errors.map(|it| it[1]));
+    let amplitude = written(state.amplitude, errors.map(|error| error[0]));
+    let phase = written(state.phase, errors.map(|error| error[1]));
     if is_driven { format!("A = {amplitude}, phi = {phase}") } else { format!("A = {amplitude}") }
 }
 

@@ -26,29 +26,31 @@ pub(in super::super) const TRACE: &str = "trace";
 pub(in super::super) fn of_cycle<'a>() -> Fields<NumberedCycle<'a>> {
     type Of<'a> = Field<NumberedCycle<'a>>;
     Fields::from([
-        Of::unnamed().numeral(COLUMNS[0], |it| {
-            let mark = if it.cycle.outlier { "*" } else { "" };
-            format!("{}{mark}", it.number)
+        Of::unnamed().numeral(COLUMNS[0], |cycle| {
+            let mark = if cycle.cycle.outlier { "*" } else { "" };
+            format!("{}{mark}", cycle.number)
         }),
-        Of::number("time_s", "s", "time of the middle of the cycle", |it| it.cycle.time)
-            .numeral(COLUMNS[1], |it| short(it.cycle.time - 0.5 * it.cycle.period.value, 6)),
-        Of::number("period_s", "s", "period of the cycle", |it| it.cycle.period.value)
-            .numeral(COLUMNS[2], |it| it.period()[0].clone()),
-        Of::unnamed().numeral(COLUMNS[3], |it| it.period()[1].clone()),
-        Of::number("amplitude_rad", "rad", "amplitude in its middle", |it| it.cycle.amplitude.value)
-            .numeral(COLUMNS[4], |it| it.amplitude()[0].clone()),
-        Of::unnamed().numeral(COLUMNS[5], |it| it.amplitude()[1].clone()),
-        Of::number("period_uncertainty_s", "s", "standard uncertainty of the period", |it| {
-            it.cycle.period.uncertainty
+        Of::number("time_s", "s", "time of the middle of the cycle", |cycle| cycle.cycle.time)
+            .numeral(COLUMNS[1], |cycle| short(cycle.cycle.time - 0.5 * cycle.cycle.period.value, 6)),
+        Of::number("period_s", "s", "period of the cycle", |cycle| cycle.cycle.period.value)
+            .numeral(COLUMNS[2], |cycle| cycle.period()[0].clone()),
+        Of::unnamed().numeral(COLUMNS[3], |cycle| cycle.period()[1].clone()),
+        Of::number("amplitude_rad", "rad", "amplitude in its middle", |cycle| cycle.cycle.amplitude.value)
+            .numeral(COLUMNS[4], |cycle| cycle.amplitude()[0].clone()),
+        Of::unnamed().numeral(COLUMNS[5], |cycle| cycle.amplitude()[1].clone()),
+        Of::number("period_uncertainty_s", "s", "standard uncertainty of the period", |cycle| {
+            cycle.cycle.period.uncertainty
         }),
-        Of::number("amplitude_uncertainty_rad", "rad", "standard uncertainty of the amplitude", |it| {
-            it.cycle.amplitude.uncertainty
+        Of::number("amplitude_uncertainty_rad", "rad", "standard uncertainty of the amplitude", |cycle| {
+            cycle.cycle.amplitude.uncertainty
         }),
-        Of::value("outlier", "", "true if the period is far from the law", |it| it.cycle.outlier.into()),
-        Of::present_value("trace", "1", "number of the trace, from 0, if there are several", |it| {
-            (it.answer.measured.traces.len() > 1).then(|| it.trace.into())
+        Of::value("outlier", "", "true if the period is far from the law", |cycle| {
+            cycle.cycle.outlier.into()
+        }),
+        Of::present_value("trace", "1", "number of the trace, from 0, if there are several", |cycle| {
+            (cycle.answer.measured.traces.len() > 1).then(|| cycle.trace.into())
         })
-        .words(COLUMNS[6], |it| it.answer.measured.traces[it.trace].name().to_owned()),
+        .words(COLUMNS[6], |cycle| cycle.answer.measured.traces[cycle.trace].name().to_owned()),
     ])
 }
 

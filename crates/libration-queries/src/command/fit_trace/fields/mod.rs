@@ -40,58 +40,67 @@ pub(super) fn record(answer: &FitTraceResult<'_>) -> Record {
 fn of_fit<'a>() -> Fields<FitTraceResult<'a>> {
     type Of<'a> = Field<FitTraceResult<'a>>;
     Fields::from([
-        Of::value("files[]", "", "names of the files", |it| {
-            json::list(it.measured.files.iter().map(|file| file.name.as_str()))
+        Of::value("files[]", "", "names of the files", |result| {
+            json::list(result.measured.files.iter().map(|file| file.name.as_str()))
         }),
-        Of::value("model", "", "damping that was fitted", |it| it.swings.fit.damping.to_string().into()),
-        Of::nested("parameters[].", &of_parameter().and([parameter::trace()]), |it| {
-            of_parameter().and([parameter::trace()]).records(&parameters(it))
+        Of::value("model", "", "damping that was fitted", |result| {
+            result.swings.fit.damping.to_string().into()
+        }),
+        Of::nested("parameters[].", &of_parameter().and([parameter::trace()]), |result| {
+            of_parameter().and([parameter::trace()]).records(&parameters(result))
         }),
         Of::known(
             "chi2_per_dof",
             "1",
             "χ² per degree of freedom, or null without uncertainties of the rows",
-            |it| it.swings.fit.chi2_per_dof.ok_or_else(|| "the rows have no uncertainties".to_owned()),
+            |result| {
+                result.swings.fit.chi2_per_dof.ok_or_else(|| "the rows have no uncertainties".to_owned())
+            },
         ),
         Of::present(
             "rms_residual_rad",
             "rad",
             "root mean square of the residuals, where angles were measured",
-            |it| rms(it, Observable::Angle),
+            |result| rms(result, Observable::Angle),
         ),
         Of::present(
             "rms_residual_rad_per_s",
             "rad/s",
             "the same where angular velocities were measured",
-            |it| rms(it, Observable::AngularVelocity),
+            |result| rms(result, Observable::AngularVelocity),
         ),
-        Of::value("rows", "1", "rows that were fitted", |it| it.swings.fit.rows().into()),
-        Of::value("converged", "", "true if the fit converged to the least sum of squares", |it| {
-            it.swings.fit.converged.into()
+        Of::value("rows", "1", "rows that were fitted", |result| result.swings.fit.rows().into()),
+        Of::value("converged", "", "true if the fit converged to the least sum of squares", |result| {
+            result.swings.fit.converged.into()
         }),
-        Of::number("small_angle_period_s", "s", "period of small swings T₀", |it| {
-            it.swings.small_angle_period().value
+        Of::number("small_angle_period_s", "s", "period of small swings T₀", |result| {
+            result.swings.small_angle_period().value
         }),
-        Of::number("small_angle_period_uncertainty_s", "s", "standard uncertainty of T₀", |it| {
-            it.swings.small_angle_period().uncertainty
+        Of::number("small_angle_period_uncertainty_s", "s", "standard uncertainty of T₀", |result| {
+            result.swings.small_angle_period().uncertainty
         }),
-        Of::known("quality", "1", QUALITY, |it| quality(it).map(|quality| quality.factor.value)),
-        Of::known("quality_uncertainty", "1", "standard uncertainty of Q, or null", |it| {
-            quality(it).map(|quality| quality.factor.uncertainty)
+        Of::known("quality", "1", QUALITY, |result| quality(result).map(|quality| quality.factor.value)),
+        Of::known("quality_uncertainty", "1", "standard uncertainty of Q, or null", |result| {
+            quality(result).map(|quality| quality.factor.uncertainty)
         }),
-        Of::known("quality_amplitude_rad", "rad", "amplitude of the cycle that Q describes, or null", |it| {
-            let reason = || "Q of linear damping is the same at every amplitude".to_owned();
-            quality(it)?.amplitude.ok_or_else(reason)
-        }),
-        Of::nested("cycles[].", &of_cycle(), |it| of_cycle().records(&cycles(it))),
+        Of::known(
+            "quality_amplitude_rad",
+            "rad",
+            "amplitude of the cycle that Q describes, or null",
+            |result| {
+                let reason = || "Q of linear damping is the same at every amplitude".to_owned();
+                quality(result)?.amplitude.ok_or_else(reason)
+            },
+        ),
+        Of::nested("cycles[].", &of_cycle(), |result| of_cycle().records(&cycles(result))),
         Of::known(
             "beta",
             "1",
             "measured rise of the period with the amplitude over that of the exact law, or null",
-            |it| it.swings.beta.as_ref().map(|beta| beta.factor.value).map_err(ToString::to_string),
+            |result| result.swings.beta.as_ref().map(|beta| beta.factor.value).map_err(ToString::to_string),
         ),
-        Of::known("beta_uncertainty", "1", "standard uncertainty of β, or null", |it| {
-            it.swings.beta.as_ref().map(|beta| beta.factor.uncertainty).map_err(ToString::to_string)
+        Of::known("beta_uncertainty", "1", "standard uncertainty of β, or null", |result| {
+            result.swings.beta.as_ref().map(|beta| beta.factor.uncertainty).map_err(ToString::to_string)
         }),
     ])
 }
@@ -152,61 +161,61 @@ fn of_length() -> Fields<Uncertain> {
 fn of_doubts<'a>() -> Fields<FitTraceResult<'a>> {
     type Of<'a> = Field<FitTraceResult<'a>>;
     let warnings = warnings::fields(
-        |it: &FitTraceResult<'a>| json::list(it.warnings()),
+        |result: &FitTraceResult<'a>| json::list(result.warnings()),
         |it| json::list(it.swings.warnings.iter().map(Warning::name)),
     );
     Fields::from(warnings).and([
-        Of::value("advice[]", "", "advice for a better measurement", |it| json::list(it.advice())),
-        Of::value("advice_kinds[]", "", "kind of each piece of advice, in the same order", |it| {
-            json::list(it.swings.advice.iter().map(Advice::name))
+        Of::value("advice[]", "", "advice for a better measurement", |result| json::list(result.advice())),
+        Of::value("advice_kinds[]", "", "kind of each piece of advice, in the same order", |result| {
+            json::list(result.swings.advice.iter().map(Advice::name))
         }),
-        Of::nested("traces[].", &of_trace(), |it| of_trace().records(&traces(it))),
-        Of::nested("findings[].", &of_file(), |it| of_file().records(&it.measured.files)),
-        Of::nested("comparison[].", &of_model(), |it| match &it.swings.comparison {
-            Some(comparison) => of_model().records(&models(it, comparison)),
+        Of::nested("traces[].", &of_trace(), |result| of_trace().records(&traces(result))),
+        Of::nested("findings[].", &of_file(), |result| of_file().records(&result.measured.files)),
+        Of::nested("comparison[].", &of_model(), |result| match &result.swings.comparison {
+            Some(comparison) => of_model().records(&models(result, comparison)),
             None => Value::Null,
         }),
-        Of::nested("averaged.", &model::of_averages(), |it| {
-            it.swings.comparison.as_ref().map_or(Value::Null, model::averaged)
+        Of::nested("averaged.", &model::of_averages(), |result| {
+            result.swings.comparison.as_ref().map_or(Value::Null, model::averaged)
         }),
         Of::value(
             "correlations[][]",
             "1",
             "correlation coefficients of the parameters, in their order",
-            |it| json::list(it.swings.fit.correlations.iter().map(|row| json::numbers(row))),
+            |result| json::list(result.swings.fit.correlations.iter().map(|row| json::numbers(row))),
         ),
-        Of::nested("autocorrelation.", &of_residuals(), |it| of_residuals().record(it).into()),
+        Of::nested("autocorrelation.", &of_residuals(), |result| of_residuals().record(result).into()),
     ])
 }
 
 fn of_file() -> Fields<File> {
     type Of = Field<File>;
     Fields::from([
-        Of::value("file", "", "name of the file", |it| it.name.as_str().into()),
-        Of::value("findings[]", "", "settings inferred from it", |it| json::list(it.findings.clone())),
+        Of::value("file", "", "name of the file", |file| file.name.as_str().into()),
+        Of::value("findings[]", "", "settings inferred from it", |file| json::list(file.findings.clone())),
     ])
 }
 
 fn of_residuals<'a>() -> Fields<FitTraceResult<'a>> {
     type Of<'a> = Field<FitTraceResult<'a>>;
     Fields::from([
-        Of::value("is_noise", "", "true if the residuals are consistent with white noise", |it| {
-            it.swings.fit.autocorrelation.is_noise().into()
+        Of::value("is_noise", "", "true if the residuals are consistent with white noise", |result| {
+            result.swings.fit.autocorrelation.is_noise().into()
         }),
-        Of::number("correlation_time_rows", "1", "rows after which residuals are independent", |it| {
-            it.swings.fit.autocorrelation.time
+        Of::number("correlation_time_rows", "1", "rows after which residuals are independent", |result| {
+            result.swings.fit.autocorrelation.time
         }),
         Of::number(
             "excess",
             "1",
             "Ljung and Box's statistic less its mean for noise, over its standard deviation",
-            |it| it.swings.fit.autocorrelation.excess,
+            |result| result.swings.fit.autocorrelation.excess,
         ),
         Of::value(
             "bootstrap_block_rows",
             "1",
             "rows of a block of the bootstrap, null where none was needed",
-            |it| it.swings.fit.bootstrap_block.into(),
+            |result| result.swings.fit.bootstrap_block.into(),
         ),
     ])
 }

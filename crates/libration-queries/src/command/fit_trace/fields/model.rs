@@ -58,8 +58,9 @@ impl DampingModel<'_> {
 
     fn coefficient(&self, term: DampingKind) -> String {
         let parameter = self.fit().damping_coefficient(term);
-        parameter
-            .map_or("–".to_owned(), |it| with_uncertainty(it.estimate.value, it.estimate.uncertainty, ""))
+        parameter.map_or("–".to_owned(), |parameter| {
+            with_uncertainty(parameter.estimate.value, parameter.estimate.uncertainty, "")
+        })
     }
 }
 
@@ -68,46 +69,46 @@ const COLUMNS: [&str; 6] = ["damping", "ΔAICc", "weight", "rms residual", "T₀
 pub(in super::super) fn of_model<'a>() -> Fields<DampingModel<'a>> {
     type Of<'a> = Field<DampingModel<'a>>;
     Fields::from([
-        Of::value("model", "", "damping of the model", |it| it.fit().damping.to_string().into())
-            .words(COLUMNS[0], |it| it.fit().damping.to_string()),
-        Of::value("standing", "", "preferred, tied, possible, negative, feeds_energy or excluded", |it| {
-            it.comparison.standing(it.place).name().into()
+        Of::value("model", "", "damping of the model", |model| model.fit().damping.to_string().into())
+            .words(COLUMNS[0], |model| model.fit().damping.to_string()),
+        Of::value("standing", "", "preferred, tied, possible, negative, feeds_energy or excluded", |model| {
+            model.comparison.standing(model.place).name().into()
         })
         .words(COLUMNS[5], DampingModel::remark),
-        Of::number("rms_residual", "", "root mean square of the residuals, in rad or rad/s", |it| {
-            it.fit().rms
+        Of::number("rms_residual", "", "root mean square of the residuals, in rad or rad/s", |model| {
+            model.fit().rms
         })
-        .numeral(COLUMNS[3], |it| in_unit(it.answer, it.fit().rms, 4)),
+        .numeral(COLUMNS[3], |model| in_unit(model.answer, model.fit().rms, 4)),
         Of::number(
             "excess_aicc",
             "1",
             "Akaike's criterion less the least of all models",
             DampingModel::excess,
         )
-        .numeral(COLUMNS[1], |it| format!("{:.1}", it.excess())),
-        Of::number("weight", "1", "weight in the averages", |it| it.weight)
-            .numeral(COLUMNS[2], |it| format!("{:.2}", it.weight)),
-        Of::number("independent_rows", "1", "number of rows counted as independent", |it| {
-            it.comparison.independent_rows
+        .numeral(COLUMNS[1], |model| format!("{:.1}", model.excess())),
+        Of::number("weight", "1", "weight in the averages", |model| model.weight)
+            .numeral(COLUMNS[2], |model| format!("{:.2}", model.weight)),
+        Of::number("independent_rows", "1", "number of rows counted as independent", |model| {
+            model.comparison.independent_rows
         }),
-        Of::number("small_angle_period_s", "s", "period of small swings T₀ by this model", |it| {
-            it.fit().small_angle_period().value
+        Of::number("small_angle_period_s", "s", "period of small swings T₀ by this model", |model| {
+            model.fit().small_angle_period().value
         })
-        .numeral(COLUMNS[4], |it| it.fit().small_angle_period().to_string()),
-        Of::number("small_angle_period_uncertainty_s", "s", "standard uncertainty of that", |it| {
-            it.fit().small_angle_period().uncertainty
+        .numeral(COLUMNS[4], |model| model.fit().small_angle_period().to_string()),
+        Of::number("small_angle_period_uncertainty_s", "s", "standard uncertainty of that", |model| {
+            model.fit().small_angle_period().uncertainty
         }),
         Of::value(
             "dissipates",
             "",
             "true if its damping takes energy at all speeds of the data, within two standard uncertainties",
-            |it| it.fit().dissipates().into(),
+            |model| model.fit().dissipates().into(),
         ),
-        Of::value("negative_terms[]", "", "damping terms with a negative coefficient", |it| {
-            json::list(it.fit().negative_terms().into_iter().map(DampingKind::name))
+        Of::value("negative_terms[]", "", "damping terms with a negative coefficient", |model| {
+            json::list(model.fit().negative_terms().into_iter().map(DampingKind::name))
         }),
-        Of::nested("coefficients[].", &of_parameter(), |it| {
-            let terms = it.fit().damping.iter().filter_map(|term| it.fit().damping_coefficient(term));
+        Of::nested("coefficients[].", &of_parameter(), |model| {
+            let terms = model.fit().damping.iter().filter_map(|term| model.fit().damping_coefficient(term));
             let rows: Vec<ParameterRow<'_>> =
                 terms.map(|parameter| ParameterRow { parameter, trace: None }).collect();
             of_parameter().records(&rows)
@@ -125,10 +126,10 @@ pub(in super::super) fn coefficients<'a>() -> Fields<DampingModel<'a>> {
     type Of<'a> = Field<DampingModel<'a>>;
     let [dry, linear, quadratic] = ["dry / (rad/s²)", "linear / (1/s)", "quadratic"];
     Fields::from([
-        Of::unnamed().words(COLUMNS[0], |it| it.fit().damping.to_string()),
-        Of::unnamed().numeral(dry, |it| it.coefficient(DampingKind::Dry)),
-        Of::unnamed().numeral(linear, |it| it.coefficient(DampingKind::Linear)),
-        Of::unnamed().numeral(quadratic, |it| it.coefficient(DampingKind::Quadratic)),
+        Of::unnamed().words(COLUMNS[0], |model| model.fit().damping.to_string()),
+        Of::unnamed().numeral(dry, |model| model.coefficient(DampingKind::Dry)),
+        Of::unnamed().numeral(linear, |model| model.coefficient(DampingKind::Linear)),
+        Of::unnamed().numeral(quadratic, |model| model.coefficient(DampingKind::Quadratic)),
     ])
 }
 
@@ -160,10 +161,15 @@ fn of_values(names: [&'static str; 3], unit: &'static str, meaning: &'static str
     type Of = Field<ModelAverage>;
     let [value, uncertainty, spread] = names;
     Fields::from([
-        Of::number(value, unit, meaning, |it| it.mean.value),
-        Of::number(uncertainty, unit, "its standard uncertainty, the spread of the models included", |it| {
-            it.mean.uncertainty
+        Of::number(value, unit, meaning, |average| average.mean.value),
+        Of::number(
+            uncertainty,
+            unit,
+            "its standard uncertainty, the spread of the models included",
+            |average| average.mean.uncertainty,
+        ),
+        Of::number(spread, unit, "spread of the models alone, as a standard deviation", |average| {
+            average.spread
         }),
-        Of::number(spread, unit, "spread of the models alone, as a standard deviation", |it| it.spread),
     ])
 }

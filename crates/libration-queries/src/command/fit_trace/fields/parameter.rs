@@ -25,40 +25,40 @@ const COLUMNS: [&str; 6] = ["parameter", "value", "±", "68 %", "95 %", "unit"];
 pub(in super::super) fn of_parameter<'a>() -> Fields<ParameterRow<'a>> {
     type Of<'a> = Field<ParameterRow<'a>>;
     Fields::from([
-        Of::value("name", "", "name of the parameter", |it| it.parameter.kind.name().into()).words(
+        Of::value("name", "", "name of the parameter", |row| row.parameter.kind.name().into()).words(
             COLUMNS[0],
-            |it| {
-                it.trace.map_or_else(
-                    || it.parameter.kind.name().to_owned(),
-                    |trace| format!("{}, {trace}", it.parameter.kind.name()),
+            |row| {
+                row.trace.map_or_else(
+                    || row.parameter.kind.name().to_owned(),
+                    |trace| format!("{}, {trace}", row.parameter.kind.name()),
                 )
             },
         ),
-        Of::number("value", "", "its value, in its unit", |it| it.parameter.estimate.value)
-            .numeral(COLUMNS[1], |it| it.to_the_digit(it.parameter.estimate.value)),
-        Of::number("uncertainty", "", "its standard uncertainty, in its unit", |it| {
-            it.parameter.estimate.uncertainty
+        Of::number("value", "", "its value, in its unit", |row| row.parameter.estimate.value)
+            .numeral(COLUMNS[1], |row| row.to_the_digit(row.parameter.estimate.value)),
+        Of::number("uncertainty", "", "its standard uncertainty, in its unit", |row| {
+            row.parameter.estimate.uncertainty
         })
         .rounded(COLUMNS[2], 2),
-        Of::value("unit", "", "its unit", |it| it.parameter.unit.into())
-            .words(COLUMNS[5], |it| unit(it.parameter.unit)),
+        Of::value("unit", "", "its unit", |row| row.parameter.unit.into())
+            .words(COLUMNS[5], |row| unit(row.parameter.unit)),
         Of::number(
             "formal_uncertainty",
             "",
             "standard uncertainty as if residuals were independent, in its unit",
-            |it| it.parameter.formal_uncertainty,
+            |row| row.parameter.formal_uncertainty,
         ),
-        Of::number("degrees_of_freedom", "1", "degrees of freedom of the uncertainty", |it| {
-            it.parameter.degrees_of_freedom
+        Of::number("degrees_of_freedom", "1", "degrees of freedom of the uncertainty", |row| {
+            row.parameter.degrees_of_freedom
         }),
-        Of::value("interval_68[]", "", "ends of the interval of 68 % confidence", |it| {
-            json::numbers(&it.parameter.intervals[0])
+        Of::value("interval_68[]", "", "ends of the interval of 68 % confidence", |row| {
+            json::numbers(&row.parameter.intervals[0])
         })
-        .numeral(COLUMNS[3], |it| it.interval(0)),
-        Of::value("interval_95[]", "", "ends of the interval of 95 % confidence", |it| {
-            json::numbers(&it.parameter.intervals[1])
+        .numeral(COLUMNS[3], |row| row.interval(0)),
+        Of::value("interval_95[]", "", "ends of the interval of 95 % confidence", |row| {
+            json::numbers(&row.parameter.intervals[1])
         })
-        .numeral(COLUMNS[4], |it| it.interval(1)),
+        .numeral(COLUMNS[4], |row| row.interval(1)),
     ])
 }
 
@@ -70,7 +70,7 @@ pub(in super::super) fn shown<'a>() -> Fields<ParameterRow<'a>> {
 /// The trace that the parameter belongs to.
 pub(super) fn trace<'a>() -> Field<ParameterRow<'a>> {
     let meaning = "number of its trace, from 0, if it belongs to one";
-    Field::present_value("trace", "1", meaning, |it: &ParameterRow<'a>| it.parameter.trace.map(Into::into))
+    Field::present_value("trace", "1", meaning, |row: &ParameterRow<'a>| row.parameter.trace.map(Into::into))
 }
 
 impl ParameterRow<'_> {

@@ -38,50 +38,52 @@ pub(in super::super) fn rows<'a>(answer: &'a FitTraceResult<'_>) -> Vec<Recorded
 pub(in super::super) fn of_row<'a>() -> Fields<RecordedPoint<'a>> {
     type Of<'a> = Field<RecordedPoint<'a>>;
     Fields::from([
-        Of::value("trace", "", "name of the run", |it| it.trace.into()),
-        Of::number("time_s", "s", "time of the row", |it| it.numbers[0]),
-        Of::number("value", "", "measured value, in rad or rad/s", |it| it.numbers[1]),
-        Of::number("fitted", "", "value of the fitted motion", |it| it.numbers[2]),
-        Of::number("residual", "", "measured minus fitted", |it| it.numbers[3]),
+        Of::value("trace", "", "name of the run", |point| point.trace.into()),
+        Of::number("time_s", "s", "time of the row", |point| point.numbers[0]),
+        Of::number("value", "", "measured value, in rad or rad/s", |point| point.numbers[1]),
+        Of::number("fitted", "", "value of the fitted motion", |point| point.numbers[2]),
+        Of::number("residual", "", "measured minus fitted", |point| point.numbers[3]),
     ])
 }
 
 pub(in super::super) fn of_trace<'a>() -> Fields<TraceOf<'a>> {
     type Of<'a> = Field<TraceOf<'a>>;
     Fields::from([
-        Of::value("name", "", "name of the run", |it| it.name().into())
-            .words("trace", |it| it.name().to_owned()),
-        Of::value("rows", "1", "its rows", |it| it.times().len().into())
-            .numeral("rows", |it| it.times().len().to_string()),
-        Of::number("first_s", "s", "time of its first row", |it| it.times()[0]),
-        Of::number("last_s", "s", "time of its last row", |it| it.times()[it.times().len() - 1]),
+        Of::value("name", "", "name of the run", |trace| trace.name().into())
+            .words("trace", |trace| trace.name().to_owned()),
+        Of::value("rows", "1", "its rows", |trace| trace.times().len().into())
+            .numeral("rows", |trace| trace.times().len().to_string()),
+        Of::number("first_s", "s", "time of its first row", |trace| trace.times()[0]),
+        Of::number("last_s", "s", "time of its last row", |trace| trace.times()[trace.times().len() - 1]),
         Of::number("rms_residual", "", "root mean square of its residuals, in rad or rad/s", TraceOf::rms)
-            .numeral("rms residual", |it| in_unit(it.answer, it.rms(), 3)),
+            .numeral("rms residual", |trace| in_unit(trace.answer, trace.rms(), 3)),
         Of::value(
             "outlier_rows[]",
             "1",
             "rows beyond five robust standard deviations, numbered from 0",
-            |it| json::list(it.answer.swings.fit.traces[it.place].outliers.clone()),
+            |trace| json::list(trace.answer.swings.fit.traces[trace.place].outliers.clone()),
         ),
-        Of::unnamed().numeral("cycles", |it| {
-            it.cycles().map_or("–".to_owned(), |found| found.cycles.len().to_string())
+        Of::unnamed().numeral("cycles", |trace| {
+            trace.cycles().map_or("–".to_owned(), |found| found.cycles.len().to_string())
         }),
-        Of::unnamed().numeral("largest", |it| it.amplitude(f64::max)),
-        Of::unnamed().numeral("smallest", |it| it.amplitude(f64::min)),
-        Of::known("t0_by_cycles_s", "s", "T₀ by the periods of its cycles, or null", |it| {
-            it.cycles().map(|found| found.t0.value)
+        Of::unnamed().numeral("largest", |trace| trace.amplitude(f64::max)),
+        Of::unnamed().numeral("smallest", |trace| trace.amplitude(f64::min)),
+        Of::known("t0_by_cycles_s", "s", "T₀ by the periods of its cycles, or null", |trace| {
+            trace.cycles().map(|found| found.t0.value)
         })
-        .numeral("T₀ by cycles / s", |it| {
-            let t0 = it.cycles().map(|found| with_uncertainty(found.t0.value, found.t0.uncertainty, ""));
+        .numeral("T₀ by cycles / s", |trace| {
+            let t0 = trace.cycles().map(|found| with_uncertainty(found.t0.value, found.t0.uncertainty, ""));
             t0.unwrap_or("–".to_owned())
         }),
-        Of::known("t0_by_cycles_uncertainty_s", "s", "standard uncertainty of that, or null", |it| {
-            it.cycles().map(|found| found.t0.uncertainty)
+        Of::known("t0_by_cycles_uncertainty_s", "s", "standard uncertainty of that, or null", |trace| {
+            trace.cycles().map(|found| found.t0.uncertainty)
         }),
-        Of::known("beta", "1", "β of this trace, or null", |it| it.beta().map(|beta| beta.factor.value))
-            .numeral("β", |it| it.beta().map_or("–".to_owned(), |beta| beta.factor.to_string())),
-        Of::known("beta_uncertainty", "1", "standard uncertainty of that, or null", |it| {
-            it.beta().map(|beta| beta.factor.uncertainty)
+        Of::known("beta", "1", "β of this trace, or null", |trace| {
+            trace.beta().map(|beta| beta.factor.value)
+        })
+        .numeral("β", |trace| trace.beta().map_or("–".to_owned(), |beta| beta.factor.to_string())),
+        Of::known("beta_uncertainty", "1", "standard uncertainty of that, or null", |trace| {
+            trace.beta().map(|beta| beta.factor.uncertainty)
         }),
     ])
 }

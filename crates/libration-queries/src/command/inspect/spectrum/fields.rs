@@ -57,13 +57,13 @@ struct OfWindow<'a> {
 pub(super) fn of_answer() -> Fields<SpectrumResult> {
     type Of = Field<SpectrumResult>;
     Fields::from([
-        Of::value("file", "", "name of the file", |it| it.file.as_str().into()),
-        Of::nested("traces[].", &of_trace(), |it| of_trace().records(&it.found)),
-        Of::value("left_out[]", "", "reasons why other traces have no harmonics", |it| {
-            json::list(it.left_out.clone())
+        Of::value("file", "", "name of the file", |result| result.file.as_str().into()),
+        Of::nested("traces[].", &of_trace(), |result| of_trace().records(&result.found)),
+        Of::value("left_out[]", "", "reasons why other traces have no harmonics", |result| {
+            json::list(result.left_out.clone())
         }),
-        Of::value("told_from_file[]", "", "settings inferred from the file", |it| {
-            json::list(it.findings.clone())
+        Of::value("told_from_file[]", "", "settings inferred from the file", |result| {
+            json::list(result.findings.clone())
         }),
     ])
 }
@@ -71,57 +71,73 @@ pub(super) fn of_answer() -> Fields<SpectrumResult> {
 fn of_trace() -> Fields<MeasuredSpectrum> {
     type Of = Field<MeasuredSpectrum>;
     Fields::from([
-        Of::value("name", "", "name of the run", |it| it.name.as_str().into()),
-        Of::value("seen", "", "measured quantity: angle or angular velocity", |it| {
-            match it.spectrum.observable {
+        Of::value("name", "", "name of the run", |spectrum| spectrum.name.as_str().into()),
+        Of::value("seen", "", "measured quantity: angle or angular velocity", |spectrum| {
+            match spectrum.spectrum.observable {
                 Observable::Angle => "angle",
                 Observable::AngularVelocity => "angular velocity",
             }
             .into()
         }),
-        Of::value("unit", "", "rad or rad/s: the unit of the harmonics and the noise", |it| {
-            unit_scale(it.spectrum.observable).0.into()
+        Of::value("unit", "", "rad or rad/s: the unit of the harmonics and the noise", |spectrum| {
+            unit_scale(spectrum.spectrum.observable).0.into()
         }),
-        Of::number("frequency_hz", "Hz", "frequency of the first harmonic, the mean of the windows", |it| {
-            it.spectrum.frequency
-        }),
+        Of::number(
+            "frequency_hz",
+            "Hz",
+            "frequency of the first harmonic, the mean of the windows",
+            |spectrum| spectrum.spectrum.frequency,
+        ),
         Of::number(
             "amplitude_rad",
             "rad",
             "amplitude of the undamped swing with it, the mean of the windows",
-            |it| it.spectrum.amplitude,
+            |spectrum| spectrum.spectrum.amplitude,
         ),
         Of::number(
             "noise",
             "",
             "standard deviation of a row about the harmonics; a part of its uncertainty where rows have some",
-            |it| it.spectrum.noise,
+            |spectrum| spectrum.spectrum.noise,
         ),
-        Of::value("outliers", "1", "rows left out, far from all harmonics", |it| {
-            it.spectrum.outliers.len().into()
+        Of::value("outliers", "1", "rows left out, far from all harmonics", |spectrum| {
+            spectrum.spectrum.outliers.len().into()
         }),
-        Of::nested("harmonics[].", &of_line(), |it| of_line().records(&it.means())),
-        Of::nested("windows[].", &of_window(), |it| of_window().records(&it.windows())),
-        Of::value("spectrum_hz[]", "Hz", "frequencies of the spectrum of the first sixty swings", |it| {
-            json::numbers(&it.spectrum.points.iter().map(|point| point.frequency).collect::<Vec<_>>())
-        }),
+        Of::nested("harmonics[].", &of_line(), |spectrum| of_line().records(&spectrum.means())),
+        Of::nested("windows[].", &of_window(), |spectrum| of_window().records(&spectrum.windows())),
+        Of::value(
+            "spectrum_hz[]",
+            "Hz",
+            "frequencies of the spectrum of the first sixty swings",
+            |spectrum| {
+                json::numbers(
+                    &spectrum.spectrum.points.iter().map(|point| point.frequency).collect::<Vec<_>>(),
+                )
+            },
+        ),
         Of::value(
             "spectrum_amplitudes[]",
             "",
             "amplitudes of the best sines there, by Hann's window",
-            |it| json::numbers(&it.spectrum.points.iter().map(|point| point.amplitude).collect::<Vec<_>>()),
+            |spectrum| {
+                json::numbers(
+                    &spectrum.spectrum.points.iter().map(|point| point.amplitude).collect::<Vec<_>>(),
+                )
+            },
         ),
         Of::value(
             "spectrum_powers[]",
             "1",
             "fractions of the sum of squares that they explain (Lomb–Scargle)",
-            |it| json::numbers(&it.spectrum.points.iter().map(|point| point.power).collect::<Vec<_>>()),
+            |spectrum| {
+                json::numbers(&spectrum.spectrum.points.iter().map(|point| point.power).collect::<Vec<_>>())
+            },
         ),
-        Of::value("remarks[]", "", "conclusions from the harmonics", |it| {
-            json::list(it.spectrum.remarks.iter().map(ToString::to_string))
+        Of::value("remarks[]", "", "conclusions from the harmonics", |spectrum| {
+            json::list(spectrum.spectrum.remarks.iter().map(ToString::to_string))
         }),
-        Of::value("remark_kinds[]", "", "kind of each remark, in the same order", |it| {
-            json::list(it.spectrum.remarks.iter().map(|remark| remark.name()))
+        Of::value("remark_kinds[]", "", "kind of each remark, in the same order", |spectrum| {
+            json::list(spectrum.spectrum.remarks.iter().map(|remark| remark.name()))
         }),
     ])
 }
@@ -129,20 +145,25 @@ fn of_trace() -> Fields<MeasuredSpectrum> {
 fn of_window<'a>() -> Fields<OfWindow<'a>> {
     type Of<'a> = Field<OfWindow<'a>>;
     Fields::from([
-        Of::number("time_s", "s", "time of its middle", |it| it.window.time),
-        Of::value("rows", "1", "rows that count", |it| it.window.rows.into()),
-        Of::number("frequency_hz", "Hz", "frequency of the first harmonic", |it| it.window.frequency.value),
-        Of::number("frequency_uncertainty_hz", "Hz", "its standard uncertainty", |it| {
-            it.window.frequency.uncertainty
+        Of::number("time_s", "s", "time of its middle", |window| window.window.time),
+        Of::value("rows", "1", "rows that count", |window| window.window.rows.into()),
+        Of::number("frequency_hz", "Hz", "frequency of the first harmonic", |window| {
+            window.window.frequency.value
         }),
-        Of::number("amplitude_rad", "rad", "amplitude of the undamped swing with the first harmonic", |it| {
-            it.window.amplitude.value
+        Of::number("frequency_uncertainty_hz", "Hz", "its standard uncertainty", |window| {
+            window.window.frequency.uncertainty
         }),
-        Of::number("amplitude_uncertainty_rad", "rad", "its standard uncertainty", |it| {
-            it.window.amplitude.uncertainty
+        Of::number(
+            "amplitude_rad",
+            "rad",
+            "amplitude of the undamped swing with the first harmonic",
+            |window| window.window.amplitude.value,
+        ),
+        Of::number("amplitude_uncertainty_rad", "rad", "its standard uncertainty", |window| {
+            window.window.amplitude.uncertainty
         }),
-        Of::nested("harmonics[].", &of_line(), |it| {
-            of_line().records(&it.spectrum.of_window(it.number, it.window))
+        Of::nested("harmonics[].", &of_line(), |window| {
+            of_line().records(&window.spectrum.of_window(window.number, window.window))
         }),
     ])
 }
@@ -150,81 +171,85 @@ fn of_window<'a>() -> Fields<OfWindow<'a>> {
 pub(super) fn of_line<'a>() -> Fields<Line<'a>> {
     type Of<'a> = Field<Line<'a>>;
     Fields::from([
-        Of::value("trace", "", "name of the run", |it| it.trace.into()).only_csv(),
-        Of::value("window", "1", "number of the window, from 1; empty for the mean of all", |it| {
-            it.window.map_or(Value::Null, |window| window.0.into())
+        Of::value("trace", "", "name of the run", |line| line.trace.into()).only_csv(),
+        Of::value("window", "1", "number of the window, from 1; empty for the mean of all", |line| {
+            line.window.map_or(Value::Null, |window| window.0.into())
         })
         .only_csv(),
-        Of::nullable("time_s", "s", "time of the middle of the window", |it| {
-            it.window.map(|window| window.1)
+        Of::nullable("time_s", "s", "time of the middle of the window", |line| {
+            line.window.map(|window| window.1)
         })
         .only_csv(),
-        Of::value("n", "1", "number of the harmonic; 0 for the constant", |it| it.harmonic.n.into())
-            .numeral("n", |it| it.harmonic.n.to_string()),
-        Of::number("frequency_hz", "Hz", "its frequency", |it| number::count(it.harmonic.n) * it.fundamental)
-            .short("f / Hz", 5),
-        Of::number("amplitude", "", "√(in_phase² + quadrature²), rad or rad/s", |it| {
-            it.harmonic.amplitude().value
+        Of::value("n", "1", "number of the harmonic; 0 for the constant", |line| line.harmonic.n.into())
+            .numeral("n", |line| line.harmonic.n.to_string()),
+        Of::number("frequency_hz", "Hz", "its frequency", |line| {
+            number::count(line.harmonic.n) * line.fundamental
         })
-        .numeral("amplitude", |it| {
-            it.shown(it.harmonic.amplitude().value, it.harmonic.amplitude().uncertainty)
+        .short("f / Hz", 5),
+        Of::number("amplitude", "", "√(in_phase² + quadrature²), rad or rad/s", |line| {
+            line.harmonic.amplitude().value
+        })
+        .numeral("amplitude", |line| {
+            line.shown(line.harmonic.amplitude().value, line.harmonic.amplitude().uncertainty)
         }),
-        Of::number("amplitude_uncertainty", "", "its standard uncertainty", |it| {
-            it.harmonic.amplitude().uncertainty
+        Of::number("amplitude_uncertainty", "", "its standard uncertainty", |line| {
+            line.harmonic.amplitude().uncertainty
         })
-        .numeral("±", |it| it.shown_uncertainty(it.harmonic.amplitude().uncertainty)),
+        .numeral("±", |line| line.shown_uncertainty(line.harmonic.amplitude().uncertainty)),
         Of::nullable(
             "lag_rad",
             "rad",
             "phase by which it lags behind cos nφ, null where it is lost in noise",
-            |it| it.harmonic.lag().map(|lag| lag.value),
+            |line| line.harmonic.lag().map(|lag| lag.value),
         )
-        .numeral("lag", |it| it.lag()),
-        Of::nullable("lag_uncertainty_rad", "rad", "its standard uncertainty, or null", |it| {
-            it.harmonic.lag().map(|lag| lag.uncertainty)
+        .numeral("lag", |line| line.lag()),
+        Of::nullable("lag_uncertainty_rad", "rad", "its standard uncertainty, or null", |line| {
+            line.harmonic.lag().map(|lag| lag.uncertainty)
         }),
         Of::number(
             "in_phase",
             "",
             "coefficient of cos nφ, where the first harmonic has maxima at φ = 0",
-            |it| it.harmonic.in_phase.value,
+            |line| line.harmonic.in_phase.value,
         )
-        .numeral("in phase", |it| it.shown(it.harmonic.in_phase.value, it.harmonic.in_phase.uncertainty)),
-        Of::number("in_phase_uncertainty", "", "its standard uncertainty", |it| {
-            it.harmonic.in_phase.uncertainty
+        .numeral("in phase", |line| {
+            line.shown(line.harmonic.in_phase.value, line.harmonic.in_phase.uncertainty)
         }),
-        Of::number("theory", "", "the same of an undamped pendulum with the same first harmonic", |it| {
-            it.harmonic.theory
+        Of::number("in_phase_uncertainty", "", "its standard uncertainty", |line| {
+            line.harmonic.in_phase.uncertainty
+        }),
+        Of::number("theory", "", "the same of an undamped pendulum with the same first harmonic", |line| {
+            line.harmonic.theory
         })
-        .numeral("theory", |it| it.shown(it.harmonic.theory, it.harmonic.in_phase.uncertainty)),
+        .numeral("theory", |line| line.shown(line.harmonic.theory, line.harmonic.in_phase.uncertainty)),
         Of::nullable(
             "difference",
             "",
             "in_phase less theory; null for n = 1, by which the amplitude is known",
-            |it| it.harmonic.difference.map(|it| it.value),
+            |line| line.harmonic.difference.map(|difference| difference.value),
         ),
-        Of::nullable("difference_uncertainty", "", "its standard uncertainty, or null", |it| {
-            it.harmonic.difference.map(|it| it.uncertainty)
+        Of::nullable("difference_uncertainty", "", "its standard uncertainty, or null", |line| {
+            line.harmonic.difference.map(|difference| difference.uncertainty)
         }),
-        Of::nullable("deviation", "1", "difference over its uncertainty, or null", |it| {
-            it.harmonic.deviation()
+        Of::nullable("deviation", "1", "difference over its uncertainty, or null", |line| {
+            line.harmonic.deviation()
         })
-        .numeral("diff./σ", |it| deviation(it.harmonic.deviation())),
-        Of::nullable("quadrature", "", "coefficient of sin nφ; null for n = 0 and n = 1", |it| {
-            it.harmonic.quadrature.map(|it| it.value)
+        .numeral("diff./σ", |line| deviation(line.harmonic.deviation())),
+        Of::nullable("quadrature", "", "coefficient of sin nφ; null for n = 0 and n = 1", |line| {
+            line.harmonic.quadrature.map(|quadrature| quadrature.value)
         }),
-        Of::nullable("quadrature_uncertainty", "", "its standard uncertainty, or null", |it| {
-            it.harmonic.quadrature.map(|it| it.uncertainty)
+        Of::nullable("quadrature_uncertainty", "", "its standard uncertainty, or null", |line| {
+            line.harmonic.quadrature.map(|quadrature| quadrature.uncertainty)
         }),
-        Of::nullable("quadrature_deviation", "1", "quadrature over its uncertainty, or null", |it| {
-            it.harmonic.quadrature_deviation()
+        Of::nullable("quadrature_deviation", "1", "quadrature over its uncertainty, or null", |line| {
+            line.harmonic.quadrature_deviation()
         })
-        .numeral("quad./σ", |it| deviation(it.harmonic.quadrature_deviation())),
+        .numeral("quad./σ", |line| deviation(line.harmonic.quadrature_deviation())),
         Of::value(
             "degrees_of_freedom",
             "1",
             "degrees of freedom of the noise about it, for Student's t",
-            |it| it.harmonic.degrees_of_freedom.into(),
+            |line| line.harmonic.degrees_of_freedom.into(),
         ),
     ])
 }

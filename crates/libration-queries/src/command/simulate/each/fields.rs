@@ -17,23 +17,25 @@ pub(super) struct NumberedMotion<'a> {
 pub(super) fn of_answer<'a>() -> Fields<SimulatedEach<'a>> {
     type Of<'a> = Field<SimulatedEach<'a>>;
     Fields::from([
-        Of::value("system", "", "key of the system, null where its equations were typed", |it| {
-            it.model.key().into()
+        Of::value("system", "", "key of the system, null where its equations were typed", |motion| {
+            motion.model.key().into()
         }),
         Of::value(
             "equations",
             "",
             "equations of motion, with names in place of the values in the file",
-            |it| it.model.equation().to_string().into(),
+            |motion| motion.model.equation().to_string().into(),
         ),
         Of::value("no_errors", "", "reason why no error of the states is estimated", |_| "--each".into()),
-        Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
+        Of::value("state[]", "", "names of the state variables", |motion| {
+            json::list(motion.model.state_names())
+        }),
         Of::present_value(
             "columns[]",
             "",
             "names of the formulas of --columns and of the derivatives of --sensitivity, else left out",
-            |it| {
-                let columns = it.column_names();
+            |motion| {
+                let columns = motion.column_names();
                 (!columns.is_empty()).then(|| json::list(columns))
             },
         ),
@@ -44,14 +46,14 @@ pub(super) fn of_answer<'a>() -> Fields<SimulatedEach<'a>> {
 pub(super) fn of_number<'a>() -> Fields<NumberedMotion<'a>> {
     type Of<'a> = Field<NumberedMotion<'a>>;
     Fields::from([
-        Of::value("motion", "1", "number of the motion, from 1 in the order of the file", |it| {
-            it.listed.number.into()
+        Of::value("motion", "1", "number of the motion, from 1 in the order of the file", |motion| {
+            motion.listed.number.into()
         }),
         Of::present_value(
             "name",
             "",
             "its name, where the file has a column of names, else left out",
-            |it| it.listed.name(it.answer.table).map(Into::into),
+            |motion| motion.listed.name(motion.answer.table).map(Into::into),
         ),
     ])
 }
@@ -60,14 +62,14 @@ pub(super) fn of_number<'a>() -> Fields<NumberedMotion<'a>> {
 pub(super) fn of_values<'a>() -> Fields<NumberedMotion<'a>> {
     type Of<'a> = Field<NumberedMotion<'a>>;
     Fields::from([
-        Of::value("parameters.NAME", "", "value of the parameter with this name, in its unit", |it| {
+        Of::value("parameters.NAME", "", "value of the parameter with this name, in its unit", |motion| {
             let add = |record: Record, (name, value): (&str, f64)| record.number(name, value);
-            let values = it.listed.motion.model.values().iter();
+            let values = motion.listed.motion.model.values().iter();
             let values = values.map(|(name, value)| (name.as_str(), value.to_f64().unwrap_or(f64::NAN)));
             values.fold(Record::new(), add).into()
         }),
-        Of::value("initial[]", "", "state at t = 0, in the order of the names", |it| {
-            json::numbers(&it.listed.motion.initial.state)
+        Of::value("initial[]", "", "state at t = 0, in the order of the names", |motion| {
+            json::numbers(&motion.listed.motion.initial.state)
         }),
     ])
 }

@@ -135,7 +135,10 @@ impl<'m, 'a> Account<'m, 'a> {
         progress: &MotionsProgress,
     ) -> Followed<'a> {
         progress.tell(&mut self.told, progress.last);
-        let drift = self.balance.as_ref().map_or([f64::NAN; 2], |it| [it.drift(), it.drift_uncertainty()]);
+        let drift = self
+            .balance
+            .as_ref()
+            .map_or([f64::NAN; 2], |balance| [balance.drift(), balance.drift_uncertainty()]);
         let (ending, solution) = concluded(listed, outcome);
         let mut trace = self.trace;
         if let Some(trace) = &mut trace {

@@ -25,21 +25,21 @@ impl Mark {
     pub(super) fn fields() -> Fields<Self> {
         type Of = Field<Mark>;
         Fields::from([
-            Of::value("time_s", "s", "time of the checkpoint that --resume continues from", |it| {
-                json::number(it.checkpoint.time)
+            Of::value("time_s", "s", "time of the checkpoint that --resume continues from", |mark| {
+                json::number(mark.checkpoint.time)
             }),
-            Of::value("state[][]", "", "state there, each number as the sum of two", |it| {
-                json::list(it.checkpoint.state.iter().map(|pair| json::numbers(pair)))
+            Of::value("state[][]", "", "state there, each number as the sum of two", |mark| {
+                json::list(mark.checkpoint.state.iter().map(|pair| json::numbers(pair)))
             }),
-            Of::value("unit_s", "s", "unit of time of the series of the next step", |it| {
-                json::number(it.checkpoint.unit)
+            Of::value("unit_s", "s", "unit of time of the series of the next step", |mark| {
+                json::number(mark.checkpoint.unit)
             }),
             Of::value(
                 "absolute_values[][]",
                 "",
                 "sign, sticking and leading zeros of each absolute value",
-                |it| {
-                    let moduli = it.checkpoint.moduli.iter();
+                |mark| {
+                    let moduli = mark.checkpoint.moduli.iter();
                     json::list(moduli.map(|one| json!([one.sign, one.sticks, one.zeros])))
                 },
             ),
@@ -47,26 +47,26 @@ impl Mark {
                 "event_formulas[][]",
                 "",
                 "side of zero, last zero, nearness to zero and number of zeros of each event",
-                |it| {
-                    let events = it.checkpoint.events.iter();
+                |mark| {
+                    let events = mark.checkpoint.events.iter();
                     json::list(events.map(|one| json!([one.side, one.last, one.near, one.found])))
                 },
             ),
-            Of::value("steps", "1", "steps up to there", |it| it.checkpoint.steps.into()),
-            Of::value("samples", "1", "samples up to there", |it| it.samples.into()),
-            Of::value("events", "1", "events up to there", |it| it.events.into()),
-            Of::value("bytes", "1", "bytes of the CSV file up to there", |it| it.bytes.into()),
-            Of::value("checksum", "", "checksum of those bytes, in hexadecimal digits", |it| {
-                format!("{:016x}", it.checksum).into()
+            Of::value("steps", "1", "steps up to there", |mark| mark.checkpoint.steps.into()),
+            Of::value("samples", "1", "samples up to there", |mark| mark.samples.into()),
+            Of::value("events", "1", "events up to there", |mark| mark.events.into()),
+            Of::value("bytes", "1", "bytes of the CSV file up to there", |mark| mark.bytes.into()),
+            Of::value("checksum", "", "checksum of those bytes, in hexadecimal digits", |mark| {
+                format!("{:016x}", mark.checksum).into()
             }),
             Of::present_value(
                 "errors[]",
                 "",
                 "source of the errors of the next states, left out where none are estimated",
-                |it| it.errors.as_ref().map(|errors| json::numbers(errors)),
+                |mark| mark.errors.as_ref().map(|errors| json::numbers(errors)),
             ),
-            Of::nested("energy.", &of_energy(), |it| {
-                it.energy.as_ref().map(|account| of_energy().record(account)).into()
+            Of::nested("energy.", &of_energy(), |mark| {
+                mark.energy.as_ref().map(|account| of_energy().record(account)).into()
             }),
         ])
     }
@@ -112,21 +112,25 @@ fn event(value: &Value) -> Option<EventCheckpoint> {
 fn of_energy() -> Fields<EnergyAccount> {
     type Of = Field<EnergyAccount>;
     Fields::from([
-        Of::value("start[]", "", "state at which the energy balance begins", |it| json::numbers(&it.start)),
-        Of::value("last[]", "", "state at its present end", |it| json::numbers(&it.last)),
+        Of::value("start[]", "", "state at which the energy balance begins", |account| {
+            json::numbers(&account.start)
+        }),
+        Of::value("last[]", "", "state at its present end", |account| json::numbers(&account.last)),
         Of::value(
             "potential[]",
             "",
             "potential energy gained up to there, as the sum of two numbers",
-            |it| json::numbers(&it.potential),
+            |account| json::numbers(&account.potential),
         ),
-        Of::value("missed", "", "bound on the error of that potential energy beyond roundings", |it| {
-            json::number(it.quadrature_error)
+        Of::value("missed", "", "bound on the error of that potential energy beyond roundings", |account| {
+            json::number(account.quadrature_error)
         }),
-        Of::value("largest_change", "", "largest change of the energy since the start", |it| {
-            json::number(it.largest_change)
+        Of::value("largest_change", "", "largest change of the energy since the start", |account| {
+            json::number(account.largest_change)
         }),
-        Of::value("largest_kinetic", "", "largest kinetic energy", |it| json::number(it.largest_kinetic)),
+        Of::value("largest_kinetic", "", "largest kinetic energy", |account| {
+            json::number(account.largest_kinetic)
+        }),
     ])
 }
 

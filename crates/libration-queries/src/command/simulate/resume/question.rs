@@ -86,30 +86,42 @@ impl RunParameters {
     pub(super) fn fields() -> Fields<Self> {
         type Of = Field<RunParameters>;
         Fields::from([
-            Of::value("system", "", "compared by --resume: key of the system, or null", |it| {
-                it.system.clone().into()
+            Of::value("system", "", "compared by --resume: key of the system, or null", |parameters| {
+                parameters.system.clone().into()
             }),
-            Of::value("equations", "", "equations of motion with the values of all parameters", |it| {
-                it.equations.as_str().into()
+            Of::value(
+                "equations",
+                "",
+                "equations of motion with the values of all parameters",
+                |parameters| parameters.equations.as_str().into(),
+            ),
+            Of::value("state[]", "", "names of the state variables", |parameters| {
+                json::list(parameters.state.clone())
             }),
-            Of::value("state[]", "", "names of the state variables", |it| json::list(it.state.clone())),
-            Of::value("initial[]", "", "state at t = 0", |it| json::numbers(&it.initial)),
-            Of::value("tolerance", "1", "relative error allowed in each step", |it| {
-                json::number(it.tolerance)
+            Of::value("initial[]", "", "state at t = 0", |parameters| json::numbers(&parameters.initial)),
+            Of::value("tolerance", "1", "relative error allowed in each step", |parameters| {
+                json::number(parameters.tolerance)
             }),
             Of::present_value(
                 "own_tolerances.NAME",
                 "1",
                 "that in the coordinate of this name; left out where none has its own",
-                |it| {
-                    let own = it.own_tolerances.iter().map(|(name, own)| (name.clone(), json::number(*own)));
-                    (!it.own_tolerances.is_empty()).then(|| json::object(own))
+                |parameters| {
+                    let own = parameters
+                        .own_tolerances
+                        .iter()
+                        .map(|(name, own)| (name.clone(), json::number(*own)));
+                    (!parameters.own_tolerances.is_empty()).then(|| json::object(own))
                 },
             ),
-            Of::value("events[]", "", "events that are located", |it| json::list(it.events.clone())),
-            Of::value("errors", "", "true if errors of the states are estimated", |it| it.errors.into()),
-            Of::value("columns[]", "", "formulas in addition to the state", |it| {
-                json::list(it.columns.clone())
+            Of::value("events[]", "", "events that are located", |parameters| {
+                json::list(parameters.events.clone())
+            }),
+            Of::value("errors", "", "true if errors of the states are estimated", |parameters| {
+                parameters.errors.into()
+            }),
+            Of::value("columns[]", "", "formulas in addition to the state", |parameters| {
+                json::list(parameters.columns.clone())
             }),
         ])
     }

@@ -22,8 +22,12 @@ impl State {
         type Of = Field<State>;
         let (question, mark) = (RunParameters::fields(), Mark::fields());
         Fields::from([
-            Of::nested("question.", &question, |it| RunParameters::fields().record(&it.question).into()),
-            Of::nested("known.", &mark, |it| it.mark.as_ref().map(|mark| Mark::fields().record(mark)).into()),
+            Of::nested("question.", &question, |state| {
+                RunParameters::fields().record(&state.question).into()
+            }),
+            Of::nested("known.", &mark, |state| {
+                state.mark.as_ref().map(|mark| Mark::fields().record(mark)).into()
+            }),
         ])
     }
 
