@@ -239,7 +239,8 @@ fn check(oscillator: &Oscillator, random: &mut Random) {
         check_steps(oscillator, branch);
     }
     let [low, high] = oscillator.range;
-    let unresolved: f64 = response.branches.iter().flat_map(|it| &it.unresolved).map(|[a, b]| b - a).sum();
+    let unresolved: f64 =
+        response.branches.iter().flat_map(|branch| &branch.unresolved).map(|[a, b]| b - a).sum();
     assert!(
         unresolved <= 0.01 * (high - low),
         "{}: {unresolved} of the range is unresolved",
@@ -354,7 +355,7 @@ fn settled(oscillator: &Oscillator, w: f64, reach: f64) -> Vec<([f64; 2], u32)> 
     const SIDE: i32 = 2;
     let grid = (-SIDE..=SIDE).flat_map(|i| (-SIDE..=SIDE).map(move |j| [i, j]));
     let mut found: Vec<([f64; 2], u32)> = vec![];
-    for start in grid.map(|it| it.map(|k| reach * f64::from(k) / f64::from(SIDE))) {
+    for start in grid.map(|grid| grid.map(|k| reach * f64::from(k) / f64::from(SIDE))) {
         let state = oscillator.roughly_after([start[0], start[1] * w], w, 150);
         let motion = [1, 2].into_iter().find_map(|periods| {
             let (closed, growth) = oscillator.periodic(state, w, periods)?;
@@ -439,7 +440,7 @@ fn motions_beyond_the_fold_of_one_harmonic_are_followed() {
     let oscillator = Oscillator { range: [1.033, 1.1], ..wells };
     let response = oscillator.response();
     let motions = settled(&oscillator, 1.033, 3.0);
-    assert_eq!(motions.iter().map(|it| it.1).collect::<Vec<_>>(), [1, 1]);
+    assert_eq!(motions.iter().map(|motion| motion.1).collect::<Vec<_>>(), [1, 1]);
     for (state, _) in motions {
         let off = distance(&oscillator, &response, 1.033, state);
         assert!(off < 1e-4, "{state:?} is {off} from all branches");
@@ -467,19 +468,23 @@ impl Pair {
             ResponseOptions { generations: 0, start: self.given.clone(), ..ResponseOptions::default() };
         let response =
             Response::over(&self.text.parse().unwrap(), "w", self.range, &options, &Quiet).unwrap();
-        let middles = |it: &BranchPoint| [0, 1].map(|number| 0.5 * it.ranges[number].iter().sum::<f64>());
-        let is_upright = |it: &BranchPoint| {
-            let [x, y] = middles(it);
+        let middles =
+            |point: &BranchPoint| [0, 1].map(|number| 0.5 * point.ranges[number].iter().sum::<f64>());
+        let is_upright = |point: &BranchPoint| {
+            let [x, y] = middles(point);
             (self.without_turns)([x, y, 0.0, 0.0]) == [x, y, 0.0, 0.0]
         };
         for branch in &response.branches {
             let ends = [branch.points.first(), branch.points.last()];
-            assert!(ends.into_iter().flatten().any(is_upright), "{:?}", ends.map(|it| it.map(middles)));
+            assert!(ends.into_iter().flatten().any(is_upright), "{:?}", ends.map(|end| end.map(middles)));
         }
         self.range.map(|w| {
-            let ends =
-                response.branches.iter().flat_map(|it| [it.points.first(), it.points.last()]).flatten();
-            let here: Vec<_> = ends.filter(|it| it.parameter.to_bits() == w.to_bits()).collect();
+            let ends = response
+                .branches
+                .iter()
+                .flat_map(|branch| [branch.points.first(), branch.points.last()])
+                .flatten();
+            let here: Vec<_> = ends.filter(|end| end.parameter.to_bits() == w.to_bits()).collect();
             let far = |point: &BranchPoint, state: [f64; 4]| {
                 let apart = (self.without_turns)(std::array::from_fn(|i| point.state[i] - state[i]));
                 apart.iter().fold(0.0, |far: f64, x| far.max(x.abs()))
@@ -489,7 +494,8 @@ impl Pair {
                 let start = [0, 1, 2, 3].map(|bit| self.starts[usize::from(number >> bit & 1 == 1)]);
                 let end = self.followed(start, w, 500);
                 let mirrored = self.followed(end, w, 1).map(|x| -x);
-                let is_near = |it: &usize| far(here[*it], end).min(far(here[*it], mirrored)) < 1e-3;
+                let is_near =
+                    |number: &usize| far(here[*number], end).min(far(here[*number], mirrored)) < 1e-3;
                 let own: Vec<usize> = (0..here.len()).filter(is_near).collect();
                 assert!(own.len() == 1 && here[own[0]].is_stable(), "{end:?} at w = {w} is on {own:?}");
                 seen[own[0]] = true;
@@ -522,7 +528,8 @@ fn mirror_images_about_the_top_are_followed_once() {
         let options = ResponseOptions::default();
         Response::over(&equation, "A", [1.02, 1.066], &options, &Quiet).unwrap().branches
     };
-    let swings = |branch: &Branch| branch.points.last().map(|it| it.ranges[0]).map(|[low, high]| high - low);
+    let swings =
+        |branch: &Branch| branch.points.last().map(|point| point.ranges[0]).map(|[low, high]| high - low);
     let (hanging, upright) = (branches("+"), branches("-"));
     let ([hanging], [upright]) = (&hanging[..], &upright[..]) else { panic!("{hanging:?} {upright:?}") };
     assert!(!upright.space.mirrored);
@@ -536,7 +543,7 @@ fn doubled_periods_end_where_deviations_grow_a_million_times() {
     let equation = "theta'' + 0.2*theta' + sin(theta) = 0.3 + 0.4*cos(w*t)".parse().unwrap();
     let options = ResponseOptions { generations: 1, ..ResponseOptions::default() };
     let response = Response::over(&equation, "w", [0.3, 1.4], &options, &Quiet).unwrap();
-    let doubled = response.branches.iter().find(|it| it.space.drive_periods() == 2).unwrap();
+    let doubled = response.branches.iter().find(|branch| branch.space.drive_periods() == 2).unwrap();
     assert_eq!(doubled.ending, Ending::Sensitive);
     let last = doubled.points.last().unwrap().multipliers[0].abs();
     assert!((1e5..1e6).contains(&last), "{last}");
@@ -590,10 +597,15 @@ fn a_range_between_the_folds_has_both_stable_branches() {
         [(1.1, [-0.5214468245574, 1.6954936148828]), (1.35, [-0.1216164199760, 1.4076615831498])];
     let equation = "x'' + 0.1*x^3 + 0.02*x' + x = 0.1*cos(W*t)".parse().unwrap();
     let response = Response::over(&equation, "W", [1.1, 1.35], &ResponseOptions::default(), &Quiet).unwrap();
-    for (value, place) in EXPECTED.into_iter().flat_map(|(value, places)| places.map(|it| (value, it))) {
-        let ends = response.branches.iter().flat_map(|it| [it.points.first(), it.points.last()]).flatten();
-        let stable = ends.filter(|it| it.parameter.to_bits() == value.to_bits() && it.is_stable());
-        let off = stable.map(|it| (it.state[0] - place).abs()).fold(f64::INFINITY, f64::min);
+    for (value, place) in EXPECTED.into_iter().flat_map(|(value, places)| places.map(|place| (value, place)))
+    {
+        let ends = response
+            .branches
+            .iter()
+            .flat_map(|branch| [branch.points.first(), branch.points.last()])
+            .flatten();
+        let stable = ends.filter(|end| end.parameter.to_bits() == value.to_bits() && end.is_stable());
+        let off = stable.map(|stable| (stable.state[0] - place).abs()).fold(f64::INFINITY, f64::min);
         assert!(off < 1e-9, "{place} at {value} is missed by {off}");
     }
 }
@@ -774,8 +786,8 @@ fn a_branch_in_which_others_end_is_followed_once() {
     let equation = "x'' + 0.09982078986811771*x' + x + 3.0515445510566805*max(x - 0.3834842493610043, 0) - 3.0515445510566805*max(-x - 0.09108689179579989, 0) = 0.32494762822662293*cos(w*t)";
     let equation: Equation = equation.parse().unwrap();
     let response = Response::over(&equation, "w", [0.6, 2.0], &ResponseOptions::default(), &Quiet).unwrap();
-    let periods: Vec<u32> = response.branches.iter().map(|it| it.space.drive_periods()).collect();
-    assert_eq!(periods.iter().filter(|it| **it == 1).count(), 1, "{periods:?}");
+    let periods: Vec<u32> = response.branches.iter().map(|branch| branch.space.drive_periods()).collect();
+    assert_eq!(periods.iter().filter(|period| **period == 1).count(), 1, "{periods:?}");
     assert_eq!(periods.len(), 2, "{periods:?}");
 }
 
@@ -789,7 +801,7 @@ fn errors_of_multipliers_hold_for_random_oscillators() {
     let mut oscillators = vec![(steep.to_owned(), [0.6, 2.0])];
     for kind in [parametron, clearance, smooth] {
         let drawn = (0..sweep::number(4, 40)).map(|_| kind(&mut random));
-        oscillators.extend(drawn.map(|it| (it.text, it.range)));
+        oscillators.extend(drawn.map(|drawn| (drawn.text, drawn.range)));
     }
     let mut ratios = vec![];
     for (text, range) in oscillators {

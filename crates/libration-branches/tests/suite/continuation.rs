@@ -22,7 +22,7 @@ fn over(equation: &Equation, parameter: &str, range: [f64; 2]) -> Response {
 
 fn specials(response: &Response, kind: SpecialKind) -> Vec<f64> {
     let special = response.branches.iter().flat_map(|branch| &branch.special);
-    special.filter(|it| it.kind == kind).map(|it| it.point.parameter).collect()
+    special.filter(|special| special.kind == kind).map(|special| special.point.parameter).collect()
 }
 
 /// Asserts that one of the special points of a kind is at a value, to 12 digits and within its stated error.
@@ -76,16 +76,16 @@ fn losses_of_symmetry_and_doublings_are_exact_and_each_branch_is_followed_once()
     );
     assert_special(&response, SpecialKind::PeriodDoubling, 1.06637286245520700528907, None);
     let asymmetric =
-        response.branches.iter().filter(|it| !it.space.mirrored && it.space.drive_periods() == 1);
+        response.branches.iter().filter(|branch| !branch.space.mirrored && branch.space.drive_periods() == 1);
     assert_eq!(
         asymmetric.count(),
         1,
         "{:?}",
-        response.branches.iter().map(|it| (it.origin, it.space)).collect::<Vec<_>>()
+        response.branches.iter().map(|branch| (branch.origin, branch.space)).collect::<Vec<_>>()
     );
     assert!(specials(&response, SpecialKind::Fold).is_empty());
     let doubled: Vec<&Branch> =
-        response.branches.iter().filter(|it| it.origin == Origin::PeriodDoubling).collect();
+        response.branches.iter().filter(|branch| branch.origin == Origin::PeriodDoubling).collect();
     assert_eq!(doubled.len(), 1);
     // The doubled branch begins at its period doubling, stable, with twice the period.
     let [first, second] = [&doubled[0].points[0], &doubled[0].points[1]];
@@ -210,13 +210,15 @@ fn the_shaken_pendulum_swings_from_one_edge_of_its_tongue_to_the_other() {
     let edges = specials(&response, SpecialKind::PeriodDoubling);
     assert_eq!(edges.len(), 2);
     let swings: Vec<&Branch> =
-        response.branches.iter().filter(|it| it.origin == Origin::PeriodDoubling).collect();
+        response.branches.iter().filter(|branch| branch.origin == Origin::PeriodDoubling).collect();
     assert_eq!((swings.len(), swings[0].ending), (1, Ending::BranchPoint));
     // Both ends of the swings are at rest, which is unstable only between the edges.
-    let at_two: Vec<&BranchPoint> = response.branches[0].points.iter().filter(|it| !it.is_stable()).collect();
+    let at_two: Vec<&BranchPoint> =
+        response.branches[0].points.iter().filter(|point| !point.is_stable()).collect();
     assert!(at_two.iter().all(|point| (edges[0]..=edges[1]).contains(&point.parameter)));
     let within = over(&shaken, "w", [1.9, 2.0]);
-    let at_ends = |it: &Branch| [&it.points[0], it.points.last().unwrap()].map(|it| it.amplitude(0, true));
+    let at_ends =
+        |branch: &Branch| [&branch.points[0], branch.points.last().unwrap()].map(|it| it.amplitude(0, true));
     assert_eq!(at_ends(&within.branches[0]), [0.0, 0.0], "the range has no edge");
     assert_eq!(within.branches.len(), 2);
     let options = ResponseOptions {
@@ -229,7 +231,7 @@ fn the_shaken_pendulum_swings_from_one_edge_of_its_tongue_to_the_other() {
     // The drive leaves the pendulum at rest, so that swings of twice its period are searched without these options too.
     for ends in [&swing.branches[0], &within.branches[1]].map(at_ends) {
         for expected in [1.3244542926298063671, 1.0834319329429958589] {
-            assert!(ends.iter().any(|it| (it - expected).abs() < 1e-12), "{expected} in {ends:?}");
+            assert!(ends.iter().any(|end| (end - expected).abs() < 1e-12), "{expected} in {ends:?}");
         }
     }
 }
@@ -275,7 +277,7 @@ fn sweeps_of_the_integrator_land_on_the_stable_branches() {
         }
     }
     let jumps = &response.jumps;
-    assert_eq!(jumps.iter().map(|it| it.rising).collect::<Vec<_>>(), [true, false]);
+    assert_eq!(jumps.iter().map(|jump| jump.rising).collect::<Vec<_>>(), [true, false]);
     assert!(jumps.iter().all(|jump| jump.to.len() == 1), "{jumps:?}");
     // The state in which the integrator settles beyond the first fold; SciPy's
     // integrator with the shooting of another library gives 89.1191735153°.

@@ -98,7 +98,7 @@ fn van_der_pols_cycle_crosses_all_circles_where_nothing_excites_it() {
         assert!(off <= crossing.error && off < off_by, "{off:e} {:e}", crossing.error);
         // At the crossing the cycle is the circle of radius 2.
         assert!((crossing.point.amplitude(0, false) - 2.0).abs() < 1e-4, "{:?}", crossing.point);
-        assert!(branch.points.iter().all(|it| (2.0 - 1e-4..2.1).contains(&it.amplitude(0, false))));
+        assert!(branch.points.iter().all(|point| (2.0 - 1e-4..2.1).contains(&point.amplitude(0, false))));
     }
     let circles = "x'' = -x + mu*0".parse().unwrap();
     let none = Response::over(&circles, "mu", [0.0, 1.0], &ResponseOptions::default(), &Quiet);
@@ -121,7 +121,7 @@ fn answers_that_are_found_turns_away_are_on_the_branches_about_the_bottom() {
         all().map(|it| it.kind).collect::<Vec<_>>()
     );
     let doublings = all().filter(|it| it.kind == SpecialKind::PeriodDoubling);
-    let mut values: Vec<f64> = doublings.map(|it| it.point.parameter).collect();
+    let mut values: Vec<f64> = doublings.map(|doubling| doubling.point.parameter).collect();
     values.sort_by(f64::total_cmp);
     assert!(values.windows(2).all(|pair| pair[1] - pair[0] > 1e-9), "{values:?}");
 }
@@ -148,7 +148,7 @@ fn a_drive_whose_mirror_image_keeps_a_coordinate_is_recognised() {
         let response = Response::over(&pair, "A", [0.0, 0.6], &options, &Quiet).unwrap();
         let of_branch = |branch: &Branch| {
             let lost = branch.special.iter().filter(|it| it.kind == SpecialKind::SymmetryBreaking);
-            lost.map(|it| (branch.space, it.clone())).collect::<Vec<_>>()
+            lost.map(|lost| (branch.space, lost.clone())).collect::<Vec<_>>()
         };
         let all: Vec<_> = response.branches.iter().flat_map(of_branch).collect();
         let off = |value: f64| (value - 0.528969001376244).abs();

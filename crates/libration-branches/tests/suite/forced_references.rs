@@ -166,8 +166,8 @@ fn point_near(equation: &Equation, frequency: f64, state: [f64; 2], drive_period
     };
     let range = [frequency, frequency + 0.01];
     let response = Response::over(equation, "w", range, &options, &Quiet).unwrap();
-    let points = response.branches.iter().flat_map(|it| it.points.clone());
-    let mut at = points.filter(|it| it.parameter.to_bits() == frequency.to_bits());
+    let points = response.branches.iter().flat_map(|branch| branch.points.clone());
+    let mut at = points.filter(|point| point.parameter.to_bits() == frequency.to_bits());
     at.next().unwrap_or_else(|| panic!("nothing at {frequency}"))
 }
 
@@ -186,8 +186,9 @@ fn points_of_the_driven_pendulum_have_their_states_and_multipliers() {
         let point = point_near(&pendulum, *w, *state, 1);
         assert_state(&point, *state, *amplitude);
         for expected in [first, second] {
-            let off =
-                |it: &libration::algebra::Complex| libm::hypot(it.re - expected[0], it.im - expected[1]);
+            let off = |number: &libration::algebra::Complex| {
+                libm::hypot(number.re - expected[0], number.im - expected[1])
+            };
             let nearest = point.multipliers.iter().map(off).fold(f64::INFINITY, f64::min);
             assert!(nearest < 2e-12, "{expected:?} in {:?}", point.multipliers);
         }
@@ -218,7 +219,7 @@ fn assert_special(equation: &Equation, parameter: &str, start: [f64; 2], kind: S
         ..ResponseOptions::default()
     };
     let response = Response::over(equation, parameter, range, &options, &Quiet).unwrap();
-    let special = response.branches.iter().flat_map(|it| &it.special).filter(|it| it.kind == kind);
+    let special = response.branches.iter().flat_map(|branch| &branch.special).filter(|it| it.kind == kind);
     let off = |found: f64| (found - expected).abs();
     let nearest = special.min_by(|a, b| off(a.point.parameter).total_cmp(&off(b.point.parameter)));
     let nearest = nearest.unwrap_or_else(|| panic!("no {kind} at {expected}"));
@@ -259,8 +260,8 @@ fn further_folds_and_losses_of_symmetry_are_exact() {
         ..ResponseOptions::default()
     };
     let response = Response::over(&relaxed, "w", [0.85, 1.0], &options, &Quiet).unwrap();
-    let folds = response.branches.iter().flat_map(|it| &it.special).filter(|it| it.kind == Fold);
-    let offs = folds.map(|it| (it.point.parameter - 0.9955703586630364856476981).abs());
+    let folds = response.branches.iter().flat_map(|branch| &branch.special).filter(|it| it.kind == Fold);
+    let offs = folds.map(|fold| (fold.point.parameter - 0.9955703586630364856476981).abs());
     assert!(offs.fold(f64::INFINITY, f64::min) < 1e-12);
 }
 

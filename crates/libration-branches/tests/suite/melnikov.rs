@@ -113,7 +113,9 @@ fn zeros_are_where_the_function_vanishes() {
 fn a_travelling_wave_locks_the_rotations_that_its_own_separatrix_holds() {
     let driven = perturbed("x'' + 1e-8 sin(x) = -0.04 sin(x - 3t)");
     let resonances = driven.resonances(1, &Quiet).unwrap();
-    let [rotation] = &resonances.iter().filter(|it| it.direction != 0.0).collect::<Vec<_>>()[..] else {
+    let [rotation] =
+        &resonances.iter().filter(|resonance| resonance.direction != 0.0).collect::<Vec<_>>()[..]
+    else {
         panic!("{resonances:?}")
     };
     assert_eq!((rotation.motion_periods, rotation.drive_periods, rotation.direction), (1, 1, 1.0));
@@ -128,7 +130,7 @@ fn a_resonance_of_librations_is_as_wide_as_motions_show() {
     let strength = 1e-4;
     let equation: Equation = format!("x'' + sin(x) = {strength} cos(0.9 t)").parse().unwrap();
     let resonances = PerturbedPendulum::new(&equation).unwrap().resonances(1, &Quiet).unwrap();
-    let libration = resonances.iter().find(|it| it.direction == 0.0).unwrap();
+    let libration = resonances.iter().find(|resonance| resonance.direction == 0.0).unwrap();
     // A motion from the hyperbolic point of the resonance reaches the half-width on its way around.
     let system = System::new(&equation).unwrap();
     let action = |state: &[f64]| {
@@ -145,8 +147,10 @@ fn a_resonance_of_librations_is_as_wide_as_motions_show() {
             let state = libration.motion.state_at(period * f64::from(j) / 6.0);
             let start = Moment { time: 0.0, state: vec![state.angle, state.velocity] };
             let solution = integrate(&system, &start, &times, &Effort::to_tolerance(1e-12), &Quiet).unwrap();
-            let reached =
-                solution.samples.iter().map(|it| (action(&it.state) - libration.motion.action()).abs());
+            let reached = solution
+                .samples
+                .iter()
+                .map(|sample| (action(&sample.state) - libration.motion.action()).abs());
             reached.fold(0.0, f64::max)
         })
         .fold(0.0, f64::max);
@@ -156,7 +160,12 @@ fn a_resonance_of_librations_is_as_wide_as_motions_show() {
 #[test]
 fn damping_must_be_made_up_for_within_a_resonance() {
     let driven = perturbed("x'' + 0.01 x' + sin(x) = 0.1 cos(0.8 t)");
-    let libration = driven.resonances(1, &Quiet).unwrap().into_iter().find(|it| it.direction == 0.0).unwrap();
+    let libration = driven
+        .resonances(1, &Quiet)
+        .unwrap()
+        .into_iter()
+        .find(|resonance| resonance.direction == 0.0)
+        .unwrap();
     // The dissipated energy per period is c∮θ′dθ = 2πcJ.
     let expected = -0.01 * libration.motion.action() * libration.motion.frequency();
     assert!((libration.mean_power - expected).abs() < 1e-15);

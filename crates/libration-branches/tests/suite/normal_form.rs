@@ -56,7 +56,7 @@ fn modes_without_resonance_have_the_shifts_of_lindstedts_expansion() {
     let form = form(DOUBLE_PENDULUM, &[0.0, 0.0], 3);
     let modes = NormalModes::new(&equation).unwrap().modes;
     for (number, mode) in modes.iter().enumerate() {
-        let own = |it: &&libration::normal_form::SlowTerm| it.mode == number && it.powers[number] == 2;
+        let own = |term: &&libration::normal_form::SlowTerm| term.mode == number && term.powers[number] == 2;
         let term = form.slow_terms.iter().find(own).unwrap();
         let expected = mode.shift.as_ref().unwrap().coefficient;
         assert!((term.coefficient.im / expected - 1.0).abs() < 1e-12 && term.exact.is_some(), "{term:?}");
@@ -69,9 +69,10 @@ fn modes_without_resonance_have_the_shifts_of_lindstedts_expansion() {
 fn the_resonance_of_the_spring_pendulum_is_kept_with_its_coefficients() {
     let form = form(SPRING_PENDULUM, &[4.0 / 3.0, 0.0], 2);
     // With k = 3ω/4r0 in displacements: r″ ∋ ..., a′ = (ik/4)·(r0·b)² and b′ = ikab̄.
-    let texts: Vec<_> = form.slow_terms.iter().map(|it| (it.mode, it.exact.as_deref().unwrap())).collect();
+    let texts: Vec<_> =
+        form.slow_terms.iter().map(|term| (term.mode, term.exact.as_deref().unwrap())).collect();
     assert_eq!(texts, [(0, "9/32*sqrt(3)*i"), (1, "1/8*sqrt(3)*i")]);
-    assert!(form.slow_terms.iter().all(|it| it.detuning == 0.0));
+    assert!(form.slow_terms.iter().all(|term| term.detuning == 0.0));
     let exchange = form.exchange(&[4.0 / 3.0 + 0.01, 0.01, 0.0, 0.0], &Quiet).unwrap();
     // Jacobi's functions agree with the integrated slow flow, and with multiple scales for first-order amplitudes: 598.954477867174.
     let closed = exchange.closed_form.unwrap();
@@ -159,7 +160,8 @@ fn the_slow_flow_is_also_an_equation() {
         [libration::algebra::Complex::new(0.1, 0.2), libration::algebra::Complex::new(-0.3, 0.05)];
     let rates = form.rates(&amplitudes);
     let values = [("u1", 0.1), ("w1", 0.2), ("u2", -0.3), ("w2", 0.05)];
-    for (formula, expected) in flow.derivatives().iter().zip(rates.iter().flat_map(|it| [it.re, it.im])) {
+    for (formula, expected) in flow.derivatives().iter().zip(rates.iter().flat_map(|rate| [rate.re, rate.im]))
+    {
         let put_in = values.iter().fold(formula.clone(), |it, (name, value)| {
             it.substitute(
                 &libration::expression::Symbol::plain(name),

@@ -191,7 +191,7 @@ fn free_unstable_and_damped_modes_are_told_apart() {
 #[test]
 fn exponents_with_fewer_shapes_than_their_multiplicity_have_powers_of_time() {
     let numbers = |text: &str| -> Vec<[usize; 2]> {
-        modes(text).iter().map(|it| [it.multiplicity, it.with_powers_of_time]).collect()
+        modes(text).iter().map(|mode| [mode.multiplicity, mode.with_powers_of_time]).collect()
     };
     assert_eq!(numbers("x'' + 2*x' + x = 0"), [[1, 1]]);
     assert_eq!(numbers("x'' = -x + y; y'' = -y"), [[1, 1]]);

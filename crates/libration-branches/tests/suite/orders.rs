@@ -14,7 +14,7 @@ fn sought(equation: &str, range: [f64; 2], orders: &[&str]) -> Result<Response, 
 
 fn folds(branch: &Branch) -> Vec<f64> {
     let folds = branch.special.iter().filter(|it| it.kind == SpecialKind::Fold);
-    folds.map(|it| it.point.parameter).collect()
+    folds.map(|fold| fold.point.parameter).collect()
 }
 
 #[test]
@@ -26,7 +26,7 @@ fn an_isola_that_no_sweep_meets_is_found_and_followed_once_around() {
     // The main resonance ends in a fold near the backbone, at the amplitude 5/(0.15 w) to first order.
     assert!(resonance.origin == Origin::Primary && resonance.points[0].is_stable());
     // The isola is not connected with the primary branch.
-    assert!(primary.special.is_empty() && primary.points.iter().all(|it| it.is_stable()));
+    assert!(primary.special.is_empty() && primary.points.iter().all(|point| point.is_stable()));
     assert_eq!((isola.origin, isola.ending), (Origin::FreeOscillation, Ending::Closed));
     assert_eq!((isola.space.drive_periods(), isola.points.first()), (3, isola.points.last()));
     for expected in [5.294354133015056, 3.648857400987054] {
@@ -47,14 +47,14 @@ fn the_subharmonic_answer_of_a_hard_oscillator_has_its_fold() {
 fn answers_that_are_followed_already_are_not_followed_again() {
     let response = sought("x'' = -0.1*x' - x - x^3/4 + 0.3*cos(w*t)", [0.8, 1.6], &["1"]).unwrap();
     assert_eq!((response.orders[0].branches, response.orders[0].finding), (0, OrderFinding::Found));
-    assert!(response.branches.iter().all(|it| it.origin == Origin::Primary));
+    assert!(response.branches.iter().all(|branch| branch.origin == Origin::Primary));
 }
 
 #[test]
 fn an_order_without_answers_says_why() {
     let finding = |equation: &str, order: &str| {
         let response = sought(equation, [2.5, 6.0], &[order]).unwrap();
-        assert!(response.branches.iter().all(|it| it.origin == Origin::Primary));
+        assert!(response.branches.iter().all(|branch| branch.origin == Origin::Primary));
         response.orders[0].finding
     };
     // A symmetric oscillation has no even harmonic on which the drive could do work.

@@ -27,8 +27,10 @@ fn assert_digits(case: &Case<'_>) {
     let equation = case.equation.parse::<Equation>().unwrap().with(&values).unwrap();
     let response = Response::over(&equation, case.parameter, case.range, &case.options, &Quiet).unwrap();
     let near: f64 = case.expected.parse().unwrap();
-    let mut specials =
-        response.branches.iter().flat_map(|it| it.special.iter().map(move |special| (it.space, special)));
+    let mut specials = response
+        .branches
+        .iter()
+        .flat_map(|branch| branch.special.iter().map(move |special| (branch.space, special)));
     let found = specials.find(|(_, it)| it.kind == case.kind && (it.point.parameter - near).abs() < 1e-11);
     let (space, special) = found.unwrap_or_else(|| panic!("no {} at {}", case.kind, case.expected));
     let precise = special.to_digits(&equation, case.parameter, space, 25, &Quiet).unwrap().unwrap();
@@ -194,7 +196,8 @@ fn what_has_no_digits_has_none() {
     let values = [("mu", "1".parse().unwrap()), ("F", "1".parse().unwrap())];
     let equation = VAN_DER_POL.parse::<Equation>().unwrap().with(&values).unwrap();
     let response = Response::over(&equation, "w", [1.1, 1.3], &once(), &Quiet).unwrap();
-    let special = response.branches.iter().flat_map(|it| it.special.iter().map(move |one| (it.space, one)));
+    let special =
+        response.branches.iter().flat_map(|branch| branch.special.iter().map(move |one| (branch.space, one)));
     let saddles: Vec<_> = special.filter(|(_, it)| it.kind == SpecialKind::NeutralSaddle).collect();
     assert!(!saddles.is_empty());
     for (space, saddle) in saddles {

@@ -31,7 +31,7 @@ fn an_even_rotation_is_found_over_all_its_range() {
         let options = ResponseOptions { at: Some(2.0), ..turning(turns, u32::try_from(turns).unwrap()) };
         let response = Response::over(&pendulum, "w", [1.5, 3.0], &options, &Quiet).unwrap();
         let is_even = |point: &BranchPoint| point.amplitude(0, true) < 1e-12;
-        let branch = response.branches.iter().find(|it| it.points.iter().all(is_even)).unwrap();
+        let branch = response.branches.iter().find(|branch| branch.points.iter().all(is_even)).unwrap();
         // A solution with two turns in two periods has one turn in one period, and is followed as such.
         assert_eq!(branch.space.rotation, Some(Rotation { coordinate: 0, turns: 1 }));
         for point in &branch.points {
@@ -56,7 +56,7 @@ fn rotating_answers_and_their_special_points_are_those_of_taylor_shooting() {
             ["w", "theta", "velocity", "trace"].map(|it| row.text(it).parse::<f64>().unwrap());
         let is_near = |point: &BranchPoint| {
             let states = apart(point.state[0], theta).max((point.state[1] - velocity).abs());
-            let sum: f64 = point.multipliers.iter().map(|it| it.re).sum();
+            let sum: f64 = point.multipliers.iter().map(|multiplier| multiplier.re).sum();
             (point.parameter - w).abs() < 1e-12 && states < 1e-9 && (sum - trace).abs() < 1e-9
         };
         let options =
@@ -64,7 +64,10 @@ fn rotating_answers_and_their_special_points_are_those_of_taylor_shooting() {
         let response = Response::over(&pendulum, "w", [0.67, 1.0], &options, &Quiet).unwrap();
         let points = response.branches.iter().flat_map(|branch| &branch.points);
         let special = |kind: SpecialKind| {
-            let all = response.branches.iter().flat_map(|it| it.special.iter().map(|one| (it.space, one)));
+            let all = response
+                .branches
+                .iter()
+                .flat_map(|branch| branch.special.iter().map(|one| (branch.space, one)));
             all.filter(|(_, it)| it.kind == kind).find(|(_, it)| is_near(&it.point))
         };
         let precise = |(space, it): (_, &SpecialPoint)| {
@@ -130,7 +133,7 @@ fn sweeps_go_along_the_stable_answers_and_jump_where_these_end() {
     let pendulum = equation_with(PENDULUM, &[("c", "0.1"), ("A", "0.15")]);
     let (response, sweeps) = swept(&pendulum, ("w", [0.7, 1.0]), 31, &ResponseOptions::default());
     assert_eq!(
-        sweeps.iter().map(|it| (it.rising, it.points.len())).collect::<Vec<_>>(),
+        sweeps.iter().map(|sweep| (sweep.rising, sweep.points.len())).collect::<Vec<_>>(),
         [(true, 31), (false, 31)]
     );
     let [up, down] = [0.8721575691379169, 0.7806326535189843];
@@ -162,11 +165,11 @@ fn sweeps_tell_doubled_chaotic_and_rotating_motions() {
     let pendulum = equation_with("theta'' = -theta'/2 - sin(theta) + A*cos(2*t/3)", &[]);
     let options = ResponseOptions { generations: 0, ..ResponseOptions::default() };
     let (_, sweeps) = swept(&pendulum, ("A", [0.95, 1.15]), 11, &options);
-    let upwards = sweeps.iter().find(|it| it.rising).unwrap();
-    let periods: Vec<Option<u32>> = upwards.points.iter().map(|it| it.drive_periods).collect();
+    let upwards = sweeps.iter().find(|sweep| sweep.rising).unwrap();
+    let periods: Vec<Option<u32>> = upwards.points.iter().map(|point| point.drive_periods).collect();
     assert_eq!((periods[0], periods[6], periods[10]), (Some(1), Some(2), None), "{periods:?}");
     let (_, sweeps) = swept(&pendulum, ("A", [1.35, 1.37]), 3, &turning(1, 1));
-    for point in sweeps.iter().flat_map(|it| &it.points) {
+    for point in sweeps.iter().flat_map(|sweep| &sweep.points) {
         assert_eq!(point.rotation, Some(Rotation { coordinate: 0, turns: 1 }), "{point:?}");
         assert!(point.amplitude(0, true).is_some_and(|it| it < TAU));
     }
@@ -182,5 +185,5 @@ fn sweeps_end_where_the_watch_says() {
         _ => std::ops::ControlFlow::Break(()),
     };
     let sweeps = response.sweeps(&pendulum, "w", [0.9, 1.0], 20, &progress).unwrap();
-    assert_eq!(sweeps.iter().map(|it| it.points.len()).sum::<usize>(), 5);
+    assert_eq!(sweeps.iter().map(|sweep| sweep.points.len()).sum::<usize>(), 5);
 }

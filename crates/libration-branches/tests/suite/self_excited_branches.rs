@@ -34,7 +34,7 @@ fn van_der_pols_cycle_has_its_period_from_weak_to_strong_excitation() {
     for point in &branch.points {
         // All cycles of van der Pol's equation attract: its divergence has a negative mean over them (Liénard).
         assert_eq!(point.stability, Stability::Attracting, "{point:?}");
-        let own: Vec<f64> = point.multipliers.iter().map(|it| it.re).collect();
+        let own: Vec<f64> = point.multipliers.iter().map(|multiplier| multiplier.re).collect();
         assert!(own[0].to_bits() == 1.0_f64.to_bits() && (0.0..1e-3).contains(&own[1].abs()), "{own:?}");
     }
 }
@@ -54,7 +54,8 @@ fn cycles_that_are_circles_have_their_radius_multiplier_fold_and_beginning() {
         let r2 = radius * radius;
         assert!((m + r2 - r2 * r2).abs() < 1e-12 && (point.period - TAU).abs() < 1e-11, "{point:?}");
         let multiplier = libm::exp(TAU * (m + 3.0 * r2 - 5.0 * r2 * r2));
-        let found = point.multipliers.iter().find(|it| it.re.to_bits() != 1.0_f64.to_bits()).unwrap();
+        let found =
+            point.multipliers.iter().find(|multiplier| multiplier.re.to_bits() != 1.0_f64.to_bits()).unwrap();
         assert!((found.re - multiplier).abs() < 1e-10 * multiplier.max(1.0), "{point:?} {multiplier}");
         let stability = if r2 > 0.5 { Stability::Attracting } else { Stability::Unstable };
         assert_eq!(point.stability, stability, "{point:?}");
@@ -92,7 +93,7 @@ fn a_cycle_between_two_hopf_points_is_found_from_a_value_within_the_range() {
     assert_eq!([branch.beginning, branch.ending], [Ending::Rest; 2]);
     let ends = [&branch.points[0], branch.points.last().unwrap()];
     assert!(
-        ends.iter().all(|it| it.ranges.iter().all(|[low, high]| low.to_bits() == high.to_bits())),
+        ends.iter().all(|end| end.ranges.iter().all(|[low, high]| low.to_bits() == high.to_bits())),
         "{ends:?}"
     );
 }
@@ -104,7 +105,7 @@ fn roesslers_cycle_doubles_its_period_and_doubles_it_again() {
     let doubled = response
         .branches
         .iter()
-        .find(|it| it.origin == Origin::PeriodDoubling && it.space.drive_periods() == 2)
+        .find(|branch| branch.origin == Origin::PeriodDoubling && branch.space.drive_periods() == 2)
         .unwrap();
     // By Newton's method for closing Taylor series of order 34 in 113 bits, and the zero of det(M + 1).at 2e-14 and the variational equations.
     for (branch, expected, period) in [
@@ -120,7 +121,8 @@ fn roesslers_cycle_doubles_its_period_and_doubles_it_again() {
     // The period of a doubled cycle is twice that of its primary cycle at the bifurcation.
     assert!((doubled.points[0].period - 2.0 * 5.769820016506563).abs() < 1e-10);
     // The cycle of four turns to which the motion settles at the end belongs to the second doubling, and is followed only once.
-    let four: Vec<&Branch> = response.branches.iter().filter(|it| it.space.drive_periods() == 4).collect();
+    let four: Vec<&Branch> =
+        response.branches.iter().filter(|branch| branch.space.drive_periods() == 4).collect();
     assert!(four.len() == 1 && four[0].ending == Ending::BranchPoint, "{four:?}");
 }
 
@@ -161,11 +163,14 @@ fn a_mirror_image_of_two_of_three_coordinates_is_recognised() {
         let options = ResponseOptions { start: Some(start), ..ResponseOptions::default() };
         let response = over(lorenz, "rho", range, &options);
         let specials: Vec<_> = response.branches.iter().flat_map(|branch| &branch.special).collect();
-        let lost: Vec<_> = specials.iter().filter(|it| it.kind == SpecialKind::SymmetryBreaking).collect();
+        let lost: Vec<_> =
+            specials.iter().filter(|special| special.kind == SpecialKind::SymmetryBreaking).collect();
         assert!(lost.len() == 1 && (lost[0].point.parameter - 312.973532984206).abs() < 1e-9, "{lost:?}");
-        assert!(lost[0].error < 1e-10 && specials.iter().all(|it| it.kind != SpecialKind::BranchPoint));
+        assert!(
+            lost[0].error < 1e-10 && specials.iter().all(|special| special.kind != SpecialKind::BranchPoint)
+        );
         if range[0] < 220.0 {
-            let doubled = response.branches.iter().filter(|it| it.origin == Origin::PeriodDoubling);
+            let doubled = response.branches.iter().filter(|branch| branch.origin == Origin::PeriodDoubling);
             assert!(doubled.count() >= 1, "the doubled cycles are followed");
         }
     }
@@ -220,8 +225,9 @@ fn cycles_of_many_turns_double_their_period_and_are_followed() {
     let options =
         ResponseOptions { at: Some(150.0), start: Some(vec![0.1, 0.0, 0.0]), ..ResponseOptions::default() };
     let response = over(lorenz, "rho", [130.0, 170.0], &options);
-    let of_turns =
-        |turns: u32| response.branches.iter().filter(move |it| it.space.drive_periods() == turns).collect();
+    let of_turns = |turns: u32| {
+        response.branches.iter().filter(move |branch| branch.space.drive_periods() == turns).collect()
+    };
     let (pair, quadruple): (Vec<&Branch>, Vec<&Branch>) = (of_turns(6), of_turns(12));
     let ([pair], [quadruple]) = (&pair[..], &quadruple[..]) else { panic!("{response:?}") };
     // By Newton's method for closing Taylor series of order 34 in 113 bits, and the zero of det(M + 1).
@@ -247,7 +253,9 @@ fn cycles_with_one_period_are_distinguished_by_their_ranges() {
         radii.len() == 2 && (radii[0] - 1.0).abs() < 1e-12 && (radii[1] - 3.0).abs() < 1e-12,
         "{radii:?}"
     );
-    assert!(response.branches.iter().flat_map(|it| &it.points).all(|it| (it.period - TAU).abs() < 1e-11));
+    assert!(
+        response.branches.iter().flat_map(|branch| &branch.points).all(|it| (it.period - TAU).abs() < 1e-11)
+    );
 }
 
 /// The divergence m + x of x′ = y, y′ = my + x − x² + xy, integrated over a cycle by Runge and Kutta's method: the logarithm of its multiplier.
@@ -315,11 +323,14 @@ fn both_folds_next_to_canards_are_listed() {
         let points = || response.branches.iter().flat_map(|branch| &branch.special);
         for (kind, low) in [(SpecialKind::Fold, 0.3241785225037), (SpecialKind::Hopf, 0.33128133745475)] {
             for expected in [low, 1.75 - low] {
-                let is_it = |it: &&SpecialPoint| {
-                    it.kind == kind && (it.point.parameter - expected).abs() < 1e-12 + it.error
+                let is_it = |point: &&SpecialPoint| {
+                    point.kind == kind && (point.point.parameter - expected).abs() < 1e-12 + point.error
                 };
                 let found = points().find(is_it);
-                assert!(found.is_some_and(|it| it.error < 1e-12), "{part} {kind:?} {expected}: {found:?}");
+                assert!(
+                    found.is_some_and(|found| found.error < 1e-12),
+                    "{part} {kind:?} {expected}: {found:?}"
+                );
             }
         }
     }

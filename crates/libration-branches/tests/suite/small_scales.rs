@@ -17,7 +17,7 @@ fn special(
     let options = ResponseOptions { start, ..ResponseOptions::default() };
     let response = Response::over(&equation.parse().unwrap(), parameter, range, &options, &Quiet).unwrap();
     let points = response.branches.iter().flat_map(|branch| &branch.special);
-    points.map(|it| (it.kind, it.point.parameter)).collect()
+    points.map(|point| (point.kind, point.point.parameter)).collect()
 }
 
 /// Duffing's equation with hardening at amplitudes of 1, 1e-12 and 1e-10 s; a drive that grows.
@@ -99,10 +99,10 @@ fn fast_rotations_are_found() {
     };
     let equation = "theta'' = -2e9*theta' - 1e20*sin(theta) + 2e9*w + 1e20*sin(w*t)".parse().unwrap();
     let response = Response::over(&equation, "w", [1.5e10, 3e10], &options, &Quiet).unwrap();
-    let is_even = |it: &libration::continuation::Branch| {
-        it.points.iter().all(|point| (point.state[1] / point.parameter - 1.0).abs() < 1e-12)
+    let is_even = |branch: &libration::continuation::Branch| {
+        branch.points.iter().all(|point| (point.state[1] / point.parameter - 1.0).abs() < 1e-12)
     };
-    let branch = response.branches.iter().find(|it| is_even(it)).unwrap();
+    let branch = response.branches.iter().find(|branch| is_even(branch)).unwrap();
     assert_eq!([branch.points[0].parameter, branch.points.last().unwrap().parameter], [1.5e10, 3e10]);
 }
 
@@ -117,7 +117,7 @@ fn free_oscillations_are_released_in_the_units_of_the_drive() {
         };
         let equation = format!("x'' = -0.15*x' - x - {stiffness}*x^3 + {drive}*cos(w*t)").parse().unwrap();
         let response = Response::over(&equation, "w", [2.5, 6.0], &options, &Quiet).unwrap();
-        let isola = response.branches.iter().find(|it| it.ending == Ending::Closed).unwrap();
+        let isola = response.branches.iter().find(|branch| branch.ending == Ending::Closed).unwrap();
         for expected in [5.294354133015056, 3.648857400987054] {
             let mut folds = isola.special.iter().map(|it| it.point.parameter);
             assert!(folds.any(|w| (w - expected).abs() < 1e-12), "{drive}");
@@ -136,7 +136,8 @@ fn hopf_points_are_found_in_all_units() {
         let response =
             Response::over(&equation.parse().unwrap(), "I", [0.0, 2.0 * unit], &options, &Quiet).unwrap();
         let points = response.branches.iter().flat_map(|branch| &branch.special);
-        let hopf = points.filter(|it| it.kind == SpecialKind::Hopf).map(|it| it.point.parameter / unit);
+        let hopf =
+            points.filter(|point| point.kind == SpecialKind::Hopf).map(|point| point.point.parameter / unit);
         let mut hopf: Vec<f64> = hopf.collect();
         hopf.sort_by(f64::total_cmp);
         hopf.dedup_by(|a, b| (*a / *b - 1.0).abs() < 1e-9);
@@ -160,7 +161,7 @@ fn units_of_time_do_not_matter() {
         let driven = format!("{force} + {:e}*cos(w*t)", 0.3 * square).parse().unwrap();
         let range = [1.45 / unit, 2.0 / unit];
         let response = Response::over(&driven, "w", range, &ResponseOptions::default(), &Quiet).unwrap();
-        let ends = response.branches.iter().map(|it| it.points[0].ranges[0][1]).collect::<Vec<_>>();
+        let ends = response.branches.iter().map(|branch| branch.points[0].ranges[0][1]).collect::<Vec<_>>();
         let charted = format!("{force} + A*cos(w*t)").parse().unwrap();
         let ranges = [[1.0 / unit, 2.0 / unit], [0.1 * square, 0.5 * square]];
         let options = ChartOptions { generations: 0, ..ChartOptions::default() };

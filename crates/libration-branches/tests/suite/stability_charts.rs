@@ -18,10 +18,10 @@ const REST_ALONE: ChartOptions =
 
 /// Asserts the second parameter of the point on curves of this kind that is at a value of the first parameter and nearest to the expected point.
 fn assert_at(chart: &StabilityChart, kind: SpecialKind, at_rest: bool, [first, second]: [f64; 2]) {
-    let curves = chart.curves.iter().filter(|it| it.kind == kind && it.at_rest == at_rest);
+    let curves = chart.curves.iter().filter(|curve| curve.kind == kind && curve.at_rest == at_rest);
     let points =
-        curves.flat_map(|it| &it.points).filter(|it| it.point.parameter.to_bits() == first.to_bits());
-    let off = |it: &CurvePoint| (it.second - second).abs();
+        curves.flat_map(|curve| &curve.points).filter(|it| it.point.parameter.to_bits() == first.to_bits());
+    let off = |point: &CurvePoint| (point.second - second).abs();
     let nearest = points.min_by(|a, b| off(a).total_cmp(&off(b)));
     let nearest = nearest.unwrap_or_else(|| panic!("no {kind} at {first}"));
     assert!(
@@ -38,7 +38,7 @@ fn assert_edge([w, c]: [&str; 2], rest: f64, range: [f64; 2], kind: SpecialKind,
         ResponseOptions { start: Some(vec![rest, 0.0]), generations: 0, ..ResponseOptions::default() };
     let response =
         Response::over(&equation_with(PIVOT, &[("w", w), ("c", c)]), "a", range, &options, &Quiet).unwrap();
-    let special = response.branches.iter().flat_map(|it| &it.special).filter(|it| it.kind == kind);
+    let special = response.branches.iter().flat_map(|branch| &branch.special).filter(|it| it.kind == kind);
     let off = |parameter: f64| (parameter - edge).abs();
     let found = special.min_by(|a, b| off(a.point.parameter).total_cmp(&off(b.point.parameter)));
     let found = found.unwrap_or_else(|| panic!("no {kind} at w = {w}, c = {c}"));
@@ -103,7 +103,8 @@ fn tongues_narrower_than_the_grid_are_found() {
     let hanging = equation_with(PIVOT, &[("c", "0")]);
     let ranges = [[0.5, 4.5], [0.0, 0.05]];
     let chart = StabilityChart::over(&hanging, ["w", "a"], ranges, &REST_ALONE, &Quiet).unwrap();
-    let edges = |kind: SpecialKind| chart.curves.iter().filter(|it| it.kind == kind).collect::<Vec<_>>();
+    let edges =
+        |kind: SpecialKind| chart.curves.iter().filter(|curve| curve.kind == kind).collect::<Vec<_>>();
     let first = edges(SpecialKind::PeriodDoubling);
     assert!(first.len() >= 2, "{} edges", first.len());
     let near_tip = |curve: &&&SpecialCurve| {
@@ -113,7 +114,7 @@ fn tongues_narrower_than_the_grid_are_found() {
     assert!(first.iter().filter(near_tip).count() >= 2);
     // To first order in a the boundaries are at w = 2 ± a·w²/2·… = 2(1 ± a).
     for curve in first.iter().filter(near_tip) {
-        for point in curve.points.iter().filter(|it| it.second > 1e-3) {
+        for point in curve.points.iter().filter(|point| point.second > 1e-3) {
             let slope = (point.point.parameter / 2.0 - 1.0).abs() / point.second;
             assert!((slope - 1.0).abs() < 0.2, "{slope} at {}", point.second);
         }
@@ -150,7 +151,8 @@ fn folds_of_swings_begin_at_the_edge_of_rest() {
     let ends = [1.512626304330608055862438, 2.2];
     let chart = StabilityChart::over(&hanging, ["w", "a"], [ends, [0.01, 0.2]], &options, &Quiet).unwrap();
     assert_at(&chart, SpecialKind::Fold, false, [ends[0], 0.1]);
-    let folds: Vec<&SpecialCurve> = chart.curves.iter().filter(|it| it.kind == SpecialKind::Fold).collect();
+    let folds: Vec<&SpecialCurve> =
+        chart.curves.iter().filter(|curve| curve.kind == SpecialKind::Fold).collect();
     assert!(folds.len() == 1 && folds[0].endings.contains(&Ending::BranchPoint), "{:?}", folds[0].endings);
     // The motions on the curve shrink to the equilibrium where it ends, on the stability boundary.
     let end = if folds[0].endings[0] == Ending::BranchPoint {
@@ -160,9 +162,11 @@ fn folds_of_swings_begin_at_the_edge_of_rest() {
     };
     let end = end.unwrap();
     assert!(end.point.amplitude(0, true) < 0.01);
-    let edge = chart.curves.iter().find(|it| it.kind == SpecialKind::PeriodDoubling && it.at_rest).unwrap();
-    let apart =
-        |it: &CurvePoint| libm::hypot(it.point.parameter - end.point.parameter, it.second - end.second);
+    let edge =
+        chart.curves.iter().find(|curve| curve.kind == SpecialKind::PeriodDoubling && curve.at_rest).unwrap();
+    let apart = |point: &CurvePoint| {
+        libm::hypot(point.point.parameter - end.point.parameter, point.second - end.second)
+    };
     assert!(edge.points.iter().map(apart).fold(f64::INFINITY, f64::min) < 0.02);
 }
 
@@ -180,7 +184,7 @@ fn losses_of_symmetry_and_second_frequencies_are_followed() {
     let chart = StabilityChart::over(&van_der_pol, ["w", "F"], ranges, &options, &Quiet).unwrap();
     assert_at(&chart, SpecialKind::NeimarkSacker, false, [ranges[0][0], 0.2]);
     // Averaged over the fast oscillation: w = 1 ± mu/(2√3), F = 2·mu·√(8/27).
-    let cusps: Vec<&CurvePoint> = chart.curves.iter().flat_map(|it| &it.cusps).collect();
+    let cusps: Vec<&CurvePoint> = chart.curves.iter().flat_map(|curve| &curve.cusps).collect();
     assert_eq!(cusps.len(), 2);
     for cusp in cusps {
         assert!(((cusp.point.parameter - 1.0).abs() - 0.0288675).abs() < 1e-3, "{cusp:?}");
@@ -237,8 +241,9 @@ const TWO: &str = "x'' + c*x' + (1 + m*cos(2*w*t))*x + 0.27*y + x^3 = 0; y'' + c
 fn upper_ends(chart: &StabilityChart, second: f64) -> Vec<(SpecialKind, f64)> {
     let mut found = vec![];
     for curve in &chart.curves {
-        let at_top = curve.points.iter().filter(|it| it.second.to_bits() == second.to_bits());
-        let mut own: Vec<(SpecialKind, f64)> = at_top.map(|it| (curve.kind, it.point.parameter)).collect();
+        let at_top = curve.points.iter().filter(|point| point.second.to_bits() == second.to_bits());
+        let mut own: Vec<(SpecialKind, f64)> =
+            at_top.map(|at_top| (curve.kind, at_top.point.parameter)).collect();
         // A curve that was found on the edge of the map has two points there.
         own.sort_by(|a, b| a.1.total_cmp(&b.1));
         own.dedup_by(|a, b| (a.1 - b.1).abs() < 1e-9);
@@ -267,7 +272,7 @@ fn combination_resonances_are_found_without_damping_and_with_little() {
         let ranges = [[0.98, 1.11], [0.0333333, 0.1]];
         let chart = StabilityChart::over(&equation, ["w", "m"], ranges, &REST_ALONE, &Quiet).unwrap();
         assert_upper_ends(&chart, 0.1, &expected, 1e-9);
-        assert!(chart.curves.iter().all(|it| it.kind == SpecialKind::NeimarkSacker), "damping {c}");
+        assert!(chart.curves.iter().all(|curve| curve.kind == SpecialKind::NeimarkSacker), "damping {c}");
         assert_eq!(chart.rest.unwrap().unresolved, [[0.0; 2]; 0]);
     }
 }
@@ -316,7 +321,7 @@ fn the_kind_of_a_boundary_is_that_over_the_least_period() {
 #[test]
 fn the_error_of_a_boundary_at_zero_contains_that_of_the_multipliers() {
     let chart = mathieus([[-0.5, 0.5], [0.0, 1.0]]);
-    let all = chart.curves.iter().filter(|it| it.kind == SpecialKind::BranchPoint);
+    let all = chart.curves.iter().filter(|curve| curve.kind == SpecialKind::BranchPoint);
     let start = all.flat_map(|it| &it.points).find(|it| it.second == 0.0).unwrap();
     assert!(
         start.point.parameter.abs() <= start.point.error,

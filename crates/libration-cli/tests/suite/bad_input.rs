@@ -88,8 +88,8 @@ fn each_is_refused_with_its_exit_status_and_a_message_that_helps() {
 fn every_whole_number_is_asked_for_as_one() {
     let mut asked = 0;
     for question in questions() {
-        let options = question.parameters.iter().filter(|it| it.kind == ParameterKind::Option);
-        for option in options.filter(|it| it.value_type == ParameterType::Integer) {
+        let options = question.parameters.iter().filter(|parameter| parameter.kind == ParameterKind::Option);
+        for option in options.filter(|option| option.value_type == ParameterType::Integer) {
             let arguments = format!("{} --{}=x", question.words, option.name);
             let message = message(&libration(&arguments));
             assert!(message.contains("whole number"), "{arguments}: {message}");

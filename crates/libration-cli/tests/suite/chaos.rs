@@ -58,8 +58,10 @@ fn sweeps_show_hysteresis_and_single_values_are_the_same_bits() {
     let both =
         ask(&[&arguments[..], &["--over", "A=0.5:1.5:0.5", "--points", "1", "--sweep", "both"]].concat());
     let points = both["points"].as_array().unwrap();
-    let sweeps: Vec<(&str, f64)> =
-        points.iter().map(|it| (it["sweep"].as_str().unwrap(), it["value"].as_f64().unwrap())).collect();
+    let sweeps: Vec<(&str, f64)> = points
+        .iter()
+        .map(|point| (point["sweep"].as_str().unwrap(), point["value"].as_f64().unwrap()))
+        .collect();
     let order = [("up", 0.5), ("up", 1.0), ("up", 1.5), ("down", 1.5), ("down", 1.0), ("down", 0.5)];
     assert_eq!(sweeps, order);
     // More values than one work item has.

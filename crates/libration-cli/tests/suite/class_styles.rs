@@ -90,7 +90,8 @@ fn headers_of_many_languages_say_lengths_and_numbers_of_swings() {
 #[test]
 fn units_of_angles_and_lengths_of_other_languages_are_known() {
     let angles = [10.0, 20.0, 30.0, 40.0, 50.0, 60.0];
-    let rows: String = angles.map(|it| format!("{};{}\n", comma(it, 0), comma(period_at(it), 4))).concat();
+    let rows: String =
+        angles.map(|angle| format!("{};{}\n", comma(angle, 0), comma(period_at(angle), 4))).concat();
     for (name, header) in [
         ("grad", "Auslenkwinkel in Grad;Periodendauer in s"),
         ("graus", "ângulo (graus);período (s)"),
@@ -287,7 +288,9 @@ fn feet_and_inches_with_fractions_are_lengths() {
     check("dm", format!("L;T (s)\n{decimetres}"));
     // A Swiss mark of thousands is not a foot.
     let thousands = [1005.0, 1205.0, 1410.0, 1605.0];
-    let rows = thousands.map(|it| format!("1'{:03.0};{:.4}\n", it - 1000.0, period(it / 1000.0))).concat();
+    let rows = thousands
+        .map(|thousand| format!("1'{:03.0};{:.4}\n", thousand - 1000.0, period(thousand / 1000.0)))
+        .concat();
     check("thousands", format!("L (mm);T (s)\n{rows}"));
 }
 
@@ -357,7 +360,7 @@ fn rows_are_chosen_by_a_range_and_by_runs() {
         "{said}"
     );
     let angles = [10.0, 20.0, 30.0, 40.0, 50.0, 60.0];
-    let angles = angles.map(|it| format!("{it},{:.4}\n", period_at(it))).concat();
+    let angles = angles.map(|angle| format!("{angle},{:.4}\n", period_at(angle))).concat();
     let angles = file("angles", format!("theta (deg),T (s)\n{angles}"));
     let answer = json(&format!("fit periods {angles} --from 20 --to 0.9rad"));
     assert_eq!(answer["rows"], 4, "{answer}");

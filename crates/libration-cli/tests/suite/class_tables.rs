@@ -486,7 +486,7 @@ fn means_with_standard_deviations_are_as_good_as_their_readings() {
         [0.75, 1.7333, 1.7512, 1.7398],
         [1.0, 2.0012, 1.9903, 2.0187],
     ];
-    let line = |row: &[f64; 4]| row.map(|it| it.to_string()).join(",");
+    let line = |row: &[f64; 4]| row.map(|row| row.to_string()).join(",");
     let summary = |row: &[f64; 4]| {
         let [length, rest @ ..] = row;
         let mean = rest.iter().sum::<f64>() / 3.0;

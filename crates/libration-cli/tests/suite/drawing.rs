@@ -272,7 +272,7 @@ fn small(text: &str, is_below: bool) -> String {
     } else {
         ["0123456789+−n", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁿ"]
     };
-    let place = |letter| drawn.chars().position(|it| it == letter).unwrap();
+    let place = |letter| drawn.chars().position(|character| character == letter).unwrap();
     text.chars().map(|letter| written.chars().nth(place(letter)).unwrap()).collect()
 }
 
@@ -379,5 +379,8 @@ fn exponent(raised_digits: &str) -> f64 {
 }
 
 fn raised(letter: char) -> Option<char> {
-    "⁻⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|it| it == letter).and_then(|place| "-0123456789".chars().nth(place))
+    "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
+        .chars()
+        .position(|character| character == letter)
+        .and_then(|place| "-0123456789".chars().nth(place))
 }

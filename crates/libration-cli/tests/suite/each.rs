@@ -32,7 +32,8 @@ fn are_those_of_single_runs(name: &str, question: &[&str], names: &str, rows: &[
     for (number, [set, initial]) in (1..).zip(rows) {
         let values: Vec<&str> =
             [*set, *initial].into_iter().filter(|it| !it.is_empty()).flat_map(|it| it.split(',')).collect();
-        text += &(values.iter().map(|it| it.split_once('=').unwrap().1).collect::<Vec<_>>().join(",") + "\n");
+        text += &(values.iter().map(|value| value.split_once('=').unwrap().1).collect::<Vec<_>>().join(",")
+            + "\n");
         let set = if set.is_empty() { vec![] } else { vec!["--set", *set] };
         let single =
             run(&[&["simulate"], question, &set, &["--initial", initial, "--csv", "--no-errors"]].concat());

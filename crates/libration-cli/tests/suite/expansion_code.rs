@@ -170,7 +170,11 @@ fn rust_computes_what_the_series_say() {
         modules += &format!("mod {} {{\n{}}}\n", case.name, code(case, "rust"));
         let prints =
             calls(case, str::to_owned).map(|call| format!("println!(\"{{:?}}\", {}::{call});\n", case.name));
-        main += &format!("if std::env::args().any(|it| it == \"{}\") {{\n{}}}\n", case.name, prints.concat());
+        main += &format!(
+            "if std::env::args().any(|argument| argument == \"{}\") {{\n{}}}\n",
+            case.name,
+            prints.concat()
+        );
     }
     std::fs::write(place.join("code.rs"), format!("{modules}fn main() {{\n{main}}}\n")).unwrap();
     built("rustc", &["--edition", "2024", "-o", "code", "code.rs"], &place);

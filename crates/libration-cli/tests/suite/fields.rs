@@ -160,7 +160,8 @@ impl Shown {
             if known.is_empty() {
                 self.lacks(kind, &path);
             }
-            let is_whole = |it: &&String| it.as_str() == "note" || steps(it).len() == steps(&path).len();
+            let is_whole =
+                |string: &&String| string.as_str() == "note" || steps(string).len() == steps(&path).len();
             known.into_iter().filter(is_whole).for_each(|it| self.add(kind, "json", it));
         }
     }

@@ -501,7 +501,7 @@ fn a_spectrum_of_measured_swings() {
     let drawing = drawn(&question.replace("examples", EXAMPLES), "--figure");
     let answer = json(&format!("inspect {EXAMPLES}/swing_synthetic.csv --spectrum"));
     let trace = &answer["traces"][0];
-    let value = |it: &serde_json::Value| it.as_f64().unwrap();
+    let value = |value: &serde_json::Value| value.as_f64().unwrap();
     // The third harmonic: of the pendulum, as measured, and the line between both.
     let third = &trace["harmonics"][3];
     let frequency = 3.0 * value(&trace["frequency_hz"]);
@@ -699,7 +699,7 @@ fn traces_of_one_picture_are_named() {
     };
     let (early, late) = (file("early.csv", 0), file("late.csv", 600));
     let drawing = drawn(&format!("fit|trace|{early}|{late}|--model|linear"), "--figure");
-    let across: Vec<&str> = drawing.texts.iter().map(|it| it.content.as_str()).collect();
+    let across: Vec<&str> = drawing.texts.iter().map(|text| text.content.as_str()).collect();
     for name in ["early.csv", "late.csv"] {
         assert_eq!(across.iter().filter(|text| text.contains(name)).count(), 1, "{across:?}");
     }

@@ -72,7 +72,7 @@ const SWING: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/swing_s
 fn harmonics_of_a_swing_stand_beside_those_of_the_pendulum() {
     let answer = json(&format!("inspect {SWING} --spectrum"));
     let trace = &answer["traces"][0];
-    let number = |it: &serde_json::Value| it.as_f64().unwrap();
+    let number = |value: &serde_json::Value| value.as_f64().unwrap();
     assert_eq!((&trace["unit"], trace["windows"].as_array().unwrap().len()), (&"rad".into(), 2));
     let [first, last] = [0, 1].map(|place| trace["windows"][place].clone());
     assert!(number(&first["amplitude_rad"]) > number(&last["amplitude_rad"]));

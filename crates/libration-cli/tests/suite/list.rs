@@ -77,7 +77,7 @@ fn a_key_of_both_catalogues_shows_both_entries_and_none_twice() {
     let answer = json("list pendulum simple_pendulum duffing");
     let keys = |name: &str| {
         let entries = answer[name].as_array().unwrap().iter();
-        entries.map(|it| it["key"].as_str().unwrap().to_owned()).collect::<Vec<_>>()
+        entries.map(|entry| entry["key"].as_str().unwrap().to_owned()).collect::<Vec<_>>()
     };
     assert_eq!(keys("oscillators"), ["pendulum", "duffing"]);
     assert_eq!(keys("systems"), ["pendulum"]);

@@ -52,8 +52,8 @@ const SHARED: &[(&str, &str)] = &[
 /// The options of all queries with their help texts, without defaults and remarks.
 fn helps() -> BTreeMap<String, BTreeSet<String>> {
     let mut helps = BTreeMap::<String, BTreeSet<String>>::new();
-    let options = questions().into_iter().flat_map(|it| it.parameters);
-    for option in options.filter(|it| it.kind != ParameterKind::Argument) {
+    let options = questions().into_iter().flat_map(|question| question.parameters);
+    for option in options.filter(|option| option.kind != ParameterKind::Argument) {
         let help = option.meaning.split(" [default").next().unwrap().to_owned();
         helps.entry(option.name).or_default().insert(help);
     }
@@ -107,9 +107,11 @@ const TEXTS: &[(&str, &str)] = &[
 
 #[test]
 fn parameters_have_types() {
-    let parameters = questions().into_iter().flat_map(|it| it.parameters);
-    let texts: BTreeSet<String> =
-        parameters.filter(|it| it.value_type == ParameterType::Text).map(|it| it.name).collect();
+    let parameters = questions().into_iter().flat_map(|question| question.parameters);
+    let texts: BTreeSet<String> = parameters
+        .filter(|parameter| parameter.value_type == ParameterType::Text)
+        .map(|parameter| parameter.name)
+        .collect();
     let expected: BTreeSet<String> = TEXTS.iter().map(|(name, _)| (*name).to_owned()).collect();
     assert_eq!(texts, expected, "parameters without a type, and those that are known to be text");
 }
@@ -118,8 +120,8 @@ fn parameters_have_types() {
 fn types_are_those_of_the_values() {
     let questions = questions();
     let of = |words: &str, name: &str| {
-        let query = questions.iter().find(|it| it.words == words).unwrap();
-        query.parameters.iter().find(|it| it.name == name).unwrap().value_type
+        let query = questions.iter().find(|question| question.words == words).unwrap();
+        query.parameters.iter().find(|parameter| parameter.name == name).unwrap().value_type
     };
     for (words, name, expected) in [
         ("motion", "angle", ParameterType::Angle),
@@ -157,7 +159,7 @@ fn former_names_of_options_are_hidden_and_accepted() {
         ("melnikov", "orders", "max-drive-periods"),
     ] {
         let query = words.split(' ').fold(&command, |of, word| of.find_subcommand(word).unwrap());
-        let option = query.get_arguments().find(|it| it.get_long() == Some(now)).unwrap();
+        let option = query.get_arguments().find(|argument| argument.get_long() == Some(now)).unwrap();
         assert_eq!(option.get_all_aliases(), Some(vec![former]), "{words}");
         assert!(option.get_visible_aliases().unwrap_or_default().is_empty(), "{words}");
     }

@@ -41,7 +41,7 @@ fn a_response_has_the_fields_of_the_contract() {
             && number(folds[0], "error") < 1e-13
     );
     let jumps = answer["jumps"].as_array().unwrap();
-    assert_eq!(jumps.iter().map(|it| it["sweep"].as_str().unwrap()).collect::<Vec<_>>(), ["up", "down"]);
+    assert_eq!(jumps.iter().map(|jump| jump["sweep"].as_str().unwrap()).collect::<Vec<_>>(), ["up", "down"]);
     // From SciPy's DOP853 and fsolve.
     let landing = (jumps[0]["to"][0].as_f64().unwrap(), jumps[0]["to_error"][0].as_f64().unwrap());
     assert!((landing.0.to_degrees() - 89.119173515280).abs() < 1e-9 && landing.1 < 1e-12, "{landing:?}");
@@ -171,7 +171,7 @@ fn answers_that_go_around_are_followed() {
     let question = "response driven_pendulum --set c=0.5,A=2 --over omega=0.8:1 --turns 1 --generations 1";
     let answer = json(question);
     let branches = answer["branches"].as_array().unwrap();
-    let turns = |it: &Value| (it["turns"].as_i64().unwrap(), it["drive_periods"].as_i64().unwrap());
+    let turns = |value: &Value| (value["turns"].as_i64().unwrap(), value["drive_periods"].as_i64().unwrap());
     // Two branches at the lower end, one of which is unstable throughout, and the secondary branch.
     assert_eq!(branches.iter().map(turns).collect::<Vec<_>>(), [(1, 1), (1, 1), (2, 2)]);
     // By Taylor shooting in 40 digits.
@@ -205,8 +205,10 @@ fn slow_sweeps_are_listed_where_they_are_asked_for() {
     assert_eq!(json(question)["sweeps"], serde_json::json!([]));
     let answer = json(&format!("{question} --sweeps 4"));
     let sweeps = answer["sweeps"].as_array().unwrap();
-    let values: Vec<(&str, f64)> =
-        sweeps.iter().map(|it| (it["direction"].as_str().unwrap(), number(it, "parameter"))).collect();
+    let values: Vec<(&str, f64)> = sweeps
+        .iter()
+        .map(|sweep| (sweep["direction"].as_str().unwrap(), number(sweep, "parameter")))
+        .collect();
     let expected = [("up", [0.7, 0.8, 0.9, 1.0]), ("down", [1.0, 0.9, 0.8, 0.7])];
     let expected = expected.iter().flat_map(|(way, all)| all.iter().map(move |it| (*way, *it)));
     assert!(expected.zip(&values).all(|(a, b)| a.0 == b.0 && (a.1 - b.1).abs() < 1e-15), "{values:?}");

@@ -16,7 +16,7 @@ fn a_chart_has_its_curves_with_both_parameters() {
     let points = curves[0]["points"].as_array().unwrap();
     // By Hill's matrix in floats of 130 bits.
     for (omega, edge) in [(5.0, 0.2877861746702333933585712), (10.0, 0.142045148229182661499441)] {
-        let at = |it: &&Value| it["parameters"][0] == omega;
+        let at = |value: &&Value| value["parameters"][0] == omega;
         let found = points.iter().find(at).unwrap_or_else(|| panic!("nothing at {omega}"));
         let off = found["parameters"][1].as_f64().unwrap() - edge;
         assert!(off.abs() < 1e-13 && found["error"].as_f64().unwrap() < 1e-12, "{found}");
@@ -52,7 +52,7 @@ fn a_curve_between_unstable_regions_is_not_a_stability_boundary() {
     ] {
         let answer = json(&question(damping, second));
         let curves = answer["curves"].as_array().unwrap();
-        let is_right = curves.iter().all(|it| it["stability_boundary"] == part);
+        let is_right = curves.iter().all(|curve| curve["stability_boundary"] == part);
         assert!(!curves.is_empty() && is_right, "{damping} {second}");
         let is_stable = |row: &Value| row.as_array().unwrap().contains(&true.into());
         assert_eq!(answer["rest_stable"].as_array().unwrap().iter().any(is_stable), part == "whole");
@@ -67,7 +67,7 @@ fn a_curve_between_unstable_regions_is_not_a_stability_boundary() {
         for point in points.iter().filter(|_| curve["kind"] == "period_doubling") {
             assert_eq!(point["boundary"], point["parameters"][0].as_f64().unwrap() > 0.33, "{point}");
         }
-        let count = points.iter().filter(|it| it["boundary"] == true).count();
+        let count = points.iter().filter(|point| point["boundary"] == true).count();
         let part = if count == 0 { "none" } else { "part" };
         assert!(curve["stability_boundary"] == part && count < points.len(), "{curve}");
     }

@@ -25,7 +25,7 @@ fn succeeded(output: &Output) {
 /// The joined sweep of several directories.
 fn joined(directories: &[&Path], ending: &str) -> String {
     let file = directories[0].with_extension(ending);
-    let words = directories.iter().map(|it| it.to_str().unwrap());
+    let words = directories.iter().map(|directory| directory.to_str().unwrap());
     let words: Vec<&str> =
         ["sweep", "join"].into_iter().chain(words).chain(["--output", file.to_str().unwrap()]).collect();
     succeeded(&run(&words));
@@ -35,7 +35,7 @@ fn joined(directories: &[&Path], ending: &str) -> String {
 /// The files of chunks in a directory, by name. Files that are still written have other names and may vanish.
 fn chunks(directory: &Path) -> BTreeMap<String, String> {
     let entries = fs::read_dir(directory).unwrap().map(Result::unwrap);
-    let named = entries.map(|it| (it.file_name().into_string().unwrap(), it.path()));
+    let named = entries.map(|entry| (entry.file_name().into_string().unwrap(), entry.path()));
     let of_chunks = named.filter(|(name, _)| name.starts_with("chunk"));
     of_chunks.map(|(name, path)| (name, fs::read_to_string(path).unwrap())).collect()
 }
@@ -70,7 +70,7 @@ fn shards_and_chunks_join_to_the_same_bytes() {
     for (number, part) in (1..).zip(&parts) {
         succeeded(&sweep(QUESTION, part, &["--shard", &format!("{number}/3")]));
     }
-    let parts: Vec<&Path> = parts.iter().map(|it| it.as_path()).collect();
+    let parts: Vec<&Path> = parts.iter().map(|part| part.as_path()).collect();
     for ending in ["csv", "json"] {
         assert_eq!(joined(&parts, ending), joined(&[&whole], ending));
     }
@@ -141,7 +141,7 @@ fn points_without_an_answer_say_why() {
     let table: Value = serde_json::from_str(&joined(&[&place], "json")).unwrap();
     assert_described("sweep join", &table);
     let points = table["points"].as_array().unwrap();
-    let status: Vec<u64> = points.iter().map(|it| it["status"].as_u64().unwrap()).collect();
+    let status: Vec<u64> = points.iter().map(|point| point["status"].as_u64().unwrap()).collect();
     assert_eq!(status, [0, 2, 1, 2, 0, 2]);
     for point in points {
         let has_answer = point["status"] == 0;
@@ -163,7 +163,7 @@ fn all_numbers_that_stand_alone_are_kept_with_their_units() {
     let table: Value = serde_json::from_str(&joined(&[&place], "json")).unwrap();
     let fields = table["fields"].as_array().unwrap();
     let of = |name: &str| {
-        fields.iter().find(|it| it["name"] == name).unwrap_or_else(|| panic!("{name}: {fields:?}"))
+        fields.iter().find(|field| field["name"] == name).unwrap_or_else(|| panic!("{name}: {fields:?}"))
     };
     assert_eq!(
         (&of("period_s")["path"], &of("period_s")["unit"]),
@@ -172,7 +172,7 @@ fn all_numbers_that_stand_alone_are_kept_with_their_units() {
     assert!(!of("nome")["meaning"].as_str().unwrap().is_empty());
     // The exact period and the formula's have the same name, so that both have their paths.
     assert_eq!(of("results[0].formulas[0].ratio")["path"], "results[0].formulas[0].ratio");
-    assert!(fields.iter().all(|it| it["name"] != "schema"));
+    assert!(fields.iter().all(|field| field["name"] != "schema"));
 }
 
 #[test]

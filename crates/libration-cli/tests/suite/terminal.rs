@@ -52,8 +52,8 @@ fn colours_are_those_of_the_option() {
 fn manual_pages_name_every_option_and_example() {
     let page = text("man fit trace");
     let escaped = |option: &str| option.replace('-', "\\-");
-    let query = questions().into_iter().find(|it| it.words == "fit trace").unwrap();
-    for parameter in query.parameters.iter().filter(|it| it.kind != ParameterKind::Argument) {
+    let query = questions().into_iter().find(|question| question.words == "fit trace").unwrap();
+    for parameter in query.parameters.iter().filter(|parameter| parameter.kind != ParameterKind::Argument) {
         assert!(page.contains(&escaped(&parameter.name)), "{}", parameter.name);
     }
     assert!(page.contains("libration fit trace examples/swing_synthetic.csv"));

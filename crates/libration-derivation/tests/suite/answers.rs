@@ -20,8 +20,8 @@ fn typed_name(name: &Name) -> String {
 /// A formula as it is typed, without O(…).
 fn typed(formula: &Formula) -> String {
     let joined = |parts: &[Formula], sign: &str| {
-        let parts = parts.iter().filter(|it| !matches!(it, Formula::Order(_)));
-        parts.map(|it| format!("({})", typed(it))).collect::<Vec<_>>().join(sign)
+        let parts = parts.iter().filter(|part| !matches!(part, Formula::Order(_)));
+        parts.map(|part| format!("({})", typed(part))).collect::<Vec<_>>().join(sign)
     };
     match formula {
         Formula::Number(value) => value.to_string(),

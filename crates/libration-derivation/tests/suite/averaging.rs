@@ -91,7 +91,7 @@ fn a_coefficient_that_is_changed_is_found() {
             let other = put_back::agrees_with_library(&question, &wrong, &Watch::new(&Quiet));
             assert!(matches!(other, Err(DerivationError::Disagreement { .. })), "{damping} a {place:?}");
         }
-        for place in places(&|flow| flow.motion.keys().copied().filter(|it| *it != (1, 0)).collect()) {
+        for place in places(&|flow| flow.motion.keys().copied().filter(|key| *key != (1, 0)).collect()) {
             let (_, mut wrong) = solved(&equation, [3, 2]);
             let more = PhaseFunction::sine().scaled(&Rational::new(1, 1000).unwrap().into());
             let value = wrong.motion[&place].plus(&more);

@@ -136,8 +136,10 @@ fn the_first_correction_takes_two_pages() {
     assert!(matches!(first_correction(Some(&swing(160.1))), Err(DerivationError::Amplitude { .. })));
     for degrees in [0.01, 40.0, 159.9] {
         let derivation = first_correction(Some(&swing(degrees))).unwrap();
-        let compared =
-            equations(&derivation).iter().filter(|it| matches!(it.check(), Check::Digits { .. })).count();
+        let compared = equations(&derivation)
+            .iter()
+            .filter(|equation| matches!(equation.check(), Check::Digits { .. }))
+            .count();
         assert!(compared >= 6, "{degrees}: {compared}");
     }
     let text = to_markdown(&first_correction(Some(&swing(40.0))).unwrap());

@@ -119,8 +119,9 @@ fn as_many_coefficients_are_shown_as_are_counted() {
     {
         let question = question(key, order);
         let ansatz = fundamental_and_harmonics(&question);
-        let names =
-            |formula: &Formula| question.open.unknowns().iter().filter(|it| contains(formula, it)).count();
+        let names = |formula: &Formula| {
+            question.open.unknowns().iter().filter(|unknown| contains(formula, unknown)).count()
+        };
         let statements = ansatz.blocks.iter().filter_map(|block| match block {
             Block::Equation { equation, .. } => Some(equation.statement()),
             _ => None,
@@ -165,7 +166,10 @@ fn contributions_become_the_conditions() {
                 if own { None } else { question.open.solution().get(unknown) }
             };
             let sum = contributions.sum(condition.order, condition.harmonic);
-            let found = sum.variables().into_iter().filter_map(|it| Some((lower(&it)?.clone(), it)));
+            let found = sum
+                .variables()
+                .into_iter()
+                .filter_map(|variable| Some((lower(&variable)?.clone(), variable)));
             let inserted = found.fold(sum.clone(), |sum, (value, it)| sum.substitute(&it, &value));
             let alone = condition.polynomial.terms().count() == 1 && condition.harmonic != 1;
             let expected = if alone { Polynomial::zero() } else { condition.polynomial.clone() };

@@ -35,7 +35,7 @@ fn derivations() -> Vec<(String, Derivation)> {
     ];
     for order in 1..=5 {
         let mut add = |name: &str, derivation: Option<Derivation>| {
-            all.extend(derivation.map(|it| (format!("{name} {order}"), it)));
+            all.extend(derivation.map(|derivation| (format!("{name} {order}"), derivation)));
         };
         add("perturbation", perturbation(&pendulum, order, &Gauge::Fundamental, None, &Quiet).ok());
         add("averaging", averaging(&damped, None, order, 2, &Quiet).ok());
@@ -49,11 +49,11 @@ fn results(blocks: &[Block]) -> Vec<String> {
     let of_block = |block: &Block| match block {
         Block::Equation { equation, .. } => {
             let statement = equation.statement();
-            let is_zero = |it: &Formula| formula_latex(it) == "0";
+            let is_zero = |formula: &Formula| formula_latex(formula) == "0";
             let all_are_zero = statement.rest.iter().all(|(_, side)| is_zero(side));
             let sides = statement.rest.iter().map(|(_, side)| side).filter(|it| !is_zero(it));
             let first = all_are_zero.then_some(&statement.first);
-            sides.chain(first).filter(|it| !matches!(it, Formula::Order(_))).map(formula_latex).collect()
+            sides.chain(first).filter(|side| !matches!(side, Formula::Order(_))).map(formula_latex).collect()
         }
         Block::Details { blocks, .. } => results(blocks),
         _ => vec![],
@@ -78,11 +78,16 @@ fn exercises_do_not_contain_their_answers_above_the_line() {
     let (mut searched, mut found) = (0, 0);
     for (name, derivation) in DERIVATIONS.iter() {
         let exercises = derivation.clone().exercises();
-        let results: Vec<String> = exercises.answers.iter().flat_map(|it| results(&it.blocks)).collect();
+        let results: Vec<String> =
+            exercises.answers.iter().flat_map(|answer| results(&answer.blocks)).collect();
         let notebook = joined(&to_notebook(&exercises));
         let (above, below) = notebook.split_once("##Answers").unwrap_or((&notebook, ""));
-        let is_long = |it: &&String| it.split("+O").next().is_some_and(|it| it.len() > 12);
-        for result in results.iter().filter(is_long).filter(|it| it.chars().any(|it| it.is_ascii_digit())) {
+        let is_long = |string: &&String| string.split("+O").next().is_some_and(|it| it.len() > 12);
+        for result in results
+            .iter()
+            .filter(is_long)
+            .filter(|result| result.chars().any(|character| character.is_ascii_digit()))
+        {
             let result = joined(result);
             let stands = |ending: &str| above.contains(&format!("={result}{ending}"));
             assert!(
@@ -103,10 +108,12 @@ fn helpers_are_folded_and_only_those_that_the_cells_use() {
         let notebook = to_notebook(derivation);
         let cells: Vec<&str> =
             notebook.lines().filter(|line| line.contains("\"cell_type\": \"code\"")).collect();
-        let folded: Vec<&&str> = cells.iter().filter(|it| it.contains("\"source_hidden\": true")).collect();
+        let folded: Vec<&&str> =
+            cells.iter().filter(|cell| cell.contains("\"source_hidden\": true")).collect();
         assert_eq!(folded.len(), 1, "{name}");
         assert!(folded[0].contains("\"id\": \"prelude\""), "{name}");
-        let uses = |class: &str| cells.iter().filter(|it| !folded.contains(it)).any(|it| it.contains(class));
+        let uses =
+            |class: &str| cells.iter().filter(|cell| !folded.contains(cell)).any(|cell| cell.contains(class));
         for class in ["Ansatz(", "FewHarmonics(", "SlowFlow(", "LimitCycle(", "Quarter("] {
             let is_carried = folded[0].contains(&format!("class {}", class.trim_end_matches('(')));
             // A limit cycle takes its equation from a slow flow.
@@ -120,7 +127,7 @@ fn helpers_are_folded_and_only_those_that_the_cells_use() {
 fn exercises_have_cells_for_answers() {
     for (name, derivation) in DERIVATIONS.iter() {
         let exercises = derivation.clone().exercises();
-        let asked: usize = exercises.answers.iter().map(|it| results(&it.blocks).len()).sum();
+        let asked: usize = exercises.answers.iter().map(|answer| results(&answer.blocks).len()).sum();
         let notebook = to_notebook(&exercises);
         let (above, _) = notebook.split_once("## Answers").unwrap_or((&notebook, ""));
         let cells = above.matches("answer = None").count();

@@ -96,7 +96,8 @@ fn batch_of_jacobi_functions_equals_the_scalar_function_bit_for_bit() {
         jacobi_functions(&arguments, kinds(&values)[index].0, results).unwrap();
         for i in 0..values.len() {
             let expected = scalar(values[i]).map(|modulus| modulus.jacobi(arguments[i]));
-            let expected = expected.map_or([f64::NAN; 4], |it| [it.sn, it.cn, it.dn, it.am]);
+            let expected = expected
+                .map_or([f64::NAN; 4], |expected| [expected.sn, expected.cn, expected.dn, expected.am]);
             for (found, expected) in [sn[i], cn[i], dn[i], am[i]].into_iter().zip(expected) {
                 assert!(same(found, expected), "{} {}: {found:?} {expected:?}", values[i], arguments[i]);
             }
@@ -115,7 +116,8 @@ fn one_modulus_for_many_arguments_then_another_equals_the_scalar_function() {
         jacobi_functions(&arguments, Moduli::Parameters(&values), results).unwrap();
         for i in 0..300 {
             let expected = Modulus::from_parameter(values[i]).map(|it| it.jacobi(arguments[i]));
-            let expected = expected.map_or([f64::NAN; 4], |it| [it.sn, it.cn, it.dn, it.am]);
+            let expected = expected
+                .map_or([f64::NAN; 4], |expected| [expected.sn, expected.cn, expected.dn, expected.am]);
             for (found, expected) in [sn[i], cn[i], dn[i], am[i]].into_iter().zip(expected) {
                 assert!(same(found, expected), "{pair:?} {i}: {found:?} {expected:?}");
             }

@@ -126,9 +126,9 @@ fn coverage(quantity: &str, design: &str) -> (usize, f64, f64) {
 fn intervals_of_normal_readings_hold_as_often_as_they_say() {
     for quantity in ["t0", "gravity"] {
         let designs = ["readings", "single", "groups"].map(|design| coverage(quantity, design));
-        let all: usize = designs.iter().map(|it| it.0).sum();
+        let all: usize = designs.iter().map(|design| design.0).sum();
         let part = |of: fn(&(usize, f64, f64)) -> f64| {
-            designs.iter().map(|it| number(it.0) * of(it)).sum::<f64>() / number(all)
+            designs.iter().map(|design| number(design.0) * of(design)).sum::<f64>() / number(all)
         };
         let (wide, narrow) = (part(|it| it.1), part(|it| it.2));
         assert!((0.92..=0.98).contains(&wide), "{quantity}: {wide} {designs:?}");

@@ -88,7 +88,7 @@ fn no_scale_is_called_wrong_under_dry_and_quadratic_friction() {
             let options = SwingsOptions { damping: Some(law.parse().unwrap()), ..SwingsOptions::default() };
             let found = fit_swings(&[trace], &options, &Quiet).unwrap();
             let is_of_scale =
-                |it: &Warning| matches!(it, Warning::BetaNotOne { .. } | Warning::ModelRefuted(_));
+                |warning: &Warning| matches!(warning, Warning::BetaNotOne { .. } | Warning::ModelRefuted(_));
             assert!(!found.warnings.iter().any(is_of_scale), "{law} {noise}: {:?}", found.warnings);
         }
     }

@@ -55,7 +55,7 @@ impl Case {
 
     /// The coefficients of the law, in its order.
     fn truth(&self) -> Vec<f64> {
-        self.coefficients.into_iter().filter(|it| *it > 0.0).collect()
+        self.coefficients.into_iter().filter(|coefficient| *coefficient > 0.0).collect()
     }
 
     /// The observed period of small swings, with damping.
@@ -132,9 +132,13 @@ fn numbers_of_swings_give_the_quality_factor_without_a_period() {
         let options = AmplitudesOptions { damping: Some(case.law()), period: None };
         let fit = fitted(&columns, &options);
         let quality = fit.quality.unwrap();
-        let truth = quality.amplitude.map_or(case.omega0 / case.coefficients[1], |it| case.quality(it));
+        let truth =
+            quality.amplitude.map_or(case.omega0 / case.coefficients[1], |amplitude| case.quality(amplitude));
         assert_near(quality.factor.value, truth, 1e-4 + 1.0 / (truth * truth), "Q");
-        assert!(fit.period.is_none() && fit.coefficients.iter().all(|it| it.coefficient.is_none()));
+        assert!(
+            fit.period.is_none()
+                && fit.coefficients.iter().all(|coefficient| coefficient.coefficient.is_none())
+        );
         // With the period the coefficients follow too.
         let known = fitted(&columns, &case.options(Some(case.law())));
         for (coefficient, truth) in known.coefficients.iter().zip(case.truth()) {
@@ -164,7 +168,8 @@ fn times_and_numbers_of_swings_give_the_period() {
         let fit = fitted(&columns, &AmplitudesOptions { damping: Some(case.law()), period: None });
         // T/T0 is averaged along the curve, which the fall within a swing changes by 1/Q² or so.
         assert_near(fit.period.unwrap().value, case.period(), 2e-4, "T0");
-        let periods: Vec<f64> = case.angles.iter().map(|it| case.period() * period_ratio(it.abs())).collect();
+        let periods: Vec<f64> =
+            case.angles.iter().map(|angle| case.period() * period_ratio(angle.abs())).collect();
         let with_periods = AmplitudeColumns { periods: Some(&periods), ..of_times(&case, &case.angles) };
         let fit = fitted(&with_periods, &AmplitudesOptions { damping: Some(case.law()), period: None });
         assert_near(fit.period.unwrap().value, case.period(), 2e-4, "T0");
@@ -306,14 +311,14 @@ fn the_quality_factor_of_a_trace_is_that_of_its_damping() {
         let options = SwingsOptions { damping: Some(case.law()), ..SwingsOptions::default() };
         let fit = fit_swings(&[trace], &options, &Quiet).unwrap();
         let quality = fit.quality().unwrap();
-        let truth = quality.amplitude.map_or(synthetic.omega0 / linear, |it| case.quality(it));
+        let truth = quality.amplitude.map_or(synthetic.omega0 / linear, |amplitude| case.quality(amplitude));
         let Uncertain { value, uncertainty } = quality.factor;
         assert!(
             (value - truth).abs() < 3.5 * uncertainty && uncertainty < 0.05 * truth,
             "{quality:?} {truth}"
         );
         // At the amplitude of the cycles, the largest of which is next to the release.
-        assert!(quality.amplitude.is_none_or(|it| (0.9..1.05).contains(&it)), "{quality:?}");
+        assert!(quality.amplitude.is_none_or(|amplitude| (0.9..1.05).contains(&amplitude)), "{quality:?}");
     }
 }
 
@@ -350,7 +355,8 @@ fn residuals_that_are_not_white_are_warned_of() {
         .collect();
     let columns = AmplitudeColumns::new(Position::Time, times, AmplitudeReading::Angle, &angles);
     let fit = fitted(&columns, &case.options(Some(case.law())));
-    let is_named = fit.warnings.iter().any(|it| matches!(it, AmplitudesWarning::ResidualsNotWhite { .. }));
+    let is_named =
+        fit.warnings.iter().any(|warning| matches!(warning, AmplitudesWarning::ResidualsNotWhite { .. }));
     assert!(is_named && fit.law().rows_per_error > 2.0, "{:?}", fit.warnings);
 }
 
@@ -417,7 +423,7 @@ fn coverage(number: u64, is_chosen_by_rows: bool, stated: Stated) -> [Coverage; 
         let sigma = part * case.angles[0];
         let angles: Vec<f64> = match stated {
             Stated::Relative => {
-                case.angles.iter().map(|it| it.abs() * (1.0 + part * random.normal())).collect()
+                case.angles.iter().map(|angle| angle.abs() * (1.0 + part * random.normal())).collect()
             }
             _ => noisy(case, sigma, &mut random),
         };
@@ -439,7 +445,8 @@ fn coverage(number: u64, is_chosen_by_rows: bool, stated: Stated) -> [Coverage; 
             found[0].count(coefficient.value - case.truth()[0], coefficient.uncertainty, dof);
         }
         let quality = fit.quality.unwrap();
-        let truth = quality.amplitude.map_or_else(|| linear_quality(case), |it| case.quality(it));
+        let truth =
+            quality.amplitude.map_or_else(|| linear_quality(case), |amplitude| case.quality(amplitude));
         found[1].count(quality.factor.value - truth, quality.factor.uncertainty, dof);
     }
     found
@@ -507,8 +514,11 @@ fn an_average_near_the_top_is_warned_of() {
         let columns = AmplitudeColumns { value_uncertainties: Some(&spread), ..columns };
         let period = Some(Quantity { value: TAU / 4.4, uncertainty: None });
         let fit = fitted(&columns, &AmplitudesOptions { damping: None, period });
-        let near = |it: &AmplitudesWarning| matches!(it, AmplitudesWarning::AveragedNearTop { error, .. } if *error > 0.01);
-        (fit.warnings.iter().any(near), fit.warnings.iter().any(|it| it.name() == "averaged_near_top"))
+        let near = |warning: &AmplitudesWarning| matches!(warning, AmplitudesWarning::AveragedNearTop { error, .. } if *error > 0.01);
+        (
+            fit.warnings.iter().any(near),
+            fit.warnings.iter().any(|warning| warning.name() == "averaged_near_top"),
+        )
     };
     assert_eq!((warned(0), warned(6)), ((true, true), (false, false)));
 }
@@ -526,7 +536,8 @@ fn few_rows_do_not_exclude_the_right_law() {
             let angles: Vec<f64> = times.iter().map(angle).collect();
             let columns = AmplitudeColumns::new(Position::Time, &times, AmplitudeReading::Angle, &angles);
             let fit = fitted(&columns, &AmplitudesOptions::default());
-            let is_told = fit.warnings.iter().any(|it| matches!(it, AmplitudesWarning::LawsNotSeparated(_)));
+            let is_told =
+                fit.warnings.iter().any(|warning| matches!(warning, AmplitudesWarning::LawsNotSeparated(_)));
             !fit.law().damping.to_string().contains("linear") && !is_told
         });
         // Two wrong laws with a chance of one in 44 each: more than 25 of 200 with a probability below 1e-5.

@@ -31,7 +31,7 @@ fn exact(positions: &[f64], centre: f64, options: &LengthsOptions) -> LengthsFit
 }
 
 fn is_named(fit: &LengthsFit) -> bool {
-    fit.warnings.iter().any(|it| matches!(it, LengthsWarning::PhysicalPendulum { .. }))
+    fit.warnings.iter().any(|warning| matches!(warning, LengthsWarning::PhysicalPendulum { .. }))
 }
 
 #[test]
@@ -69,7 +69,7 @@ fn drawn(positions: &[f64], centre: f64, seed: u64) -> Vec<(LengthsFit, bool)> {
 }
 
 fn names_two_centres(fit: &LengthsFit) -> bool {
-    fit.warnings.iter().any(|it| matches!(it, LengthsWarning::TwoCentres { .. }))
+    fit.warnings.iter().any(|warning| matches!(warning, LengthsWarning::TwoCentres { .. }))
 }
 
 #[test]
@@ -395,7 +395,8 @@ fn bars_on_both_sides_of_their_centre_are_recognised_without_uncertainties() {
             let fit = fitted(&columns, &LengthsOptions::default()).unwrap();
             let is_right = (fit.gravity().value - G).abs() < 6.0 * fit.gravity().uncertainty;
             let is_bar = fit.best().model.is_of_bars();
-            let is_told = fit.warnings.iter().any(|it| matches!(it, LengthsWarning::Undetermined { .. }));
+            let is_told =
+                fit.warnings.iter().any(|warning| matches!(warning, LengthsWarning::Undetermined { .. }));
             assert!(is_bar && is_right || is_told, "{fit:?}");
             bars += u32::from(is_bar);
         }

@@ -302,7 +302,7 @@ fn exact_swings_have_cycles_however_they_are_sampled_in_a_sweep() {
                 Ok(found) if found.cycles.len() > 4 => {}
                 other => failures.push(format!(
                     "{name} {degrees} {step} {seconds}: {:?}",
-                    other.map(|it| it.cycles.len())
+                    other.map(|other| other.cycles.len())
                 )),
             }
         }

@@ -545,7 +545,7 @@ fn a_row_with_a_typing_error_is_named_with_g_without_it() {
     let given = [0.2, 0.35, 0.5, 0.65, 0.8, 1.0];
     let periods = [0.8975, 1.1869, 1.4816, 1.6174, 1.7943, 2.0061];
     let warnings = told(&given, &periods);
-    let found = warnings.iter().find_map(|it| match it {
+    let found = warnings.iter().find_map(|warning| match warning {
         LengthsWarning::Outlying { row, gravity } => Some((*row, gravity.value)),
         _ => None,
     });
@@ -566,7 +566,7 @@ fn rows_without_mistakes_are_seldom_called_outlying() {
             let sigma = vec![0.002; given.len()];
             let table = table(&given, &periods, stated.map(|_: f64| &sigma[..]));
             let fit = fit_lengths(&table, &LengthsOptions::default()).unwrap();
-            fit.warnings.iter().any(|it| matches!(it, LengthsWarning::Outlying { .. }))
+            fit.warnings.iter().any(|warning| matches!(warning, LengthsWarning::Outlying { .. }))
         });
         let named = named.count();
         assert!(named <= 17, "{rows}: {named}");
@@ -583,7 +583,10 @@ fn swapped_columns_are_told_by_the_exponent() {
     // An offset makes an exponent other than 1/2 as well, and makes no other law.
     let offset: Vec<f64> = given.iter().map(|length| 2.0061 * (length - 0.15_f64).sqrt()).collect();
     let warnings = told(&given, &offset);
-    assert!(!warnings.iter().any(|it| matches!(it, LengthsWarning::OtherPower { .. })), "{warnings:?}");
+    assert!(
+        !warnings.iter().any(|warning| matches!(warning, LengthsWarning::OtherPower { .. })),
+        "{warnings:?}"
+    );
 }
 
 /// One sign is wrong in each of 100 tables of strings with an offset; 100 tables of bars have one point on the other side of the centre.

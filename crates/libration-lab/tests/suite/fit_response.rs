@@ -37,7 +37,7 @@ fn fit(columns: &ResponseColumns<'_>, model: ResponseModel, measured: MeasuredAm
 
 /// ω0, c, perhaps κ, and A.
 fn values(fit: &ResponseFit) -> Vec<f64> {
-    let cubic = fit.cubic.map(|it| it.value);
+    let cubic = fit.cubic.map(|cubic| cubic.value);
     [fit.natural_frequency.value, fit.damping.value]
         .into_iter()
         .chain(cubic)
@@ -295,7 +295,8 @@ fn a_damping_that_amplitudes_leave_open_is_bounded() {
     let mut random = Random::seeded(3);
     let mut open = 0;
     for _ in 0..10 {
-        let noisy: Vec<f64> = amplitudes.iter().map(|it| it * (1.0 + 0.01 * random.normal())).collect();
+        let noisy: Vec<f64> =
+            amplitudes.iter().map(|amplitude| amplitude * (1.0 + 0.01 * random.normal())).collect();
         let columns = ResponseColumns {
             frequencies: &frequencies,
             amplitudes: &noisy,
@@ -543,7 +544,7 @@ fn good_pendulums_are_fitted_without_stated_uncertainties_in_a_sweep() {
         };
         let table = ResponseTable::new(&columns).unwrap();
         let fit = fit_response(&table, &ResponseModel::ALL, MeasuredAmplitude::Peak, &Quiet).unwrap();
-        let pendulum = fit.fits.iter().find(|it| it.model == ResponseModel::Pendulum).unwrap();
+        let pendulum = fit.fits.iter().find(|fit| fit.model == ResponseModel::Pendulum).unwrap();
         let distance = distance_squared(pendulum, &[truth.omega, truth.damping, truth.drive]);
         // 3·F(3, 37) is beyond 75 with the probability 5e-9.
         assert!(distance < 75.0, "{place} {errors:?} {truth:?} {part}: {distance}");

@@ -56,7 +56,7 @@ fn without_damping_and_noise_harmonics_are_the_exact_ones() {
     assert!((found.frequency / (3.0 * FREQUENCY / (2.0 * PI)) - 1.0).abs() < 1e-7, "{}", found.frequency);
     for harmonic in &found.harmonics {
         let exact = if harmonic.n % 2 == 1 { EXACT[harmonic.n / 2] } else { 0.0 };
-        let quadrature = harmonic.quadrature.map_or(0.0, |it| it.value);
+        let quadrature = harmonic.quadrature.map_or(0.0, |quadrature| quadrature.value);
         assert!((harmonic.in_phase.value - exact).abs() < 1e-6, "{harmonic:?}");
         assert!((harmonic.theory - exact).abs() < 1e-6 && quadrature.abs() < 1e-6, "{harmonic:?}");
     }
@@ -240,7 +240,7 @@ fn uneven_rows_gaps_and_outliers_do_not_matter() {
         "{:?}",
         found.remarks
     );
-    for harmonic in found.harmonics.iter().filter(|it| it.n != 1) {
+    for harmonic in found.harmonics.iter().filter(|harmonic| harmonic.n != 1) {
         assert!(harmonic.deviation().unwrap().abs() < 4.0, "{harmonic:?}");
     }
     let third = found.harmonics[3];

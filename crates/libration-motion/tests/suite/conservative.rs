@@ -104,7 +104,8 @@ fn drift_of_chain(alpha: &str, beta: &str, end: f64) -> f64 {
         integrate(&model.system().unwrap(), &start, &times, &Effort::to_tolerance(1e-15), &Quiet).unwrap();
     let [alpha, beta] = [alpha, beta].map(|text| text.parse().unwrap());
     let energy = energy_of_chain(&start.state, alpha, beta);
-    let changes = motion.samples.iter().map(|it| energy_of_chain(&it.state, alpha, beta) / energy - 1.0);
+    let changes =
+        motion.samples.iter().map(|sample| energy_of_chain(&sample.state, alpha, beta) / energy - 1.0);
     changes.fold(0.0, |largest, change| f64::max(largest, change.abs()))
 }
 

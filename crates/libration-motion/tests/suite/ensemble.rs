@@ -32,7 +32,8 @@ fn alone(system: &System, starts: &[Moment], times: &[f64], effort: &Effort) -> 
         .collect();
     let solutions: Vec<_> =
         integrate_many(system, &trajectories, effort, &Quiet).into_iter().map(Result::unwrap).collect();
-    let at = |place: usize| solutions.iter().flat_map(|it| it.samples[place].state.clone()).collect();
+    let at =
+        |place: usize| solutions.iter().flat_map(|solution| solution.samples[place].state.clone()).collect();
     (0..times.len() - 1).map(at).collect()
 }
 

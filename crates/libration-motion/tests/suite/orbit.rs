@@ -197,7 +197,7 @@ fn the_two_ways_to_a_cycle_meet() {
 fn multipliers_have_the_product_that_the_divergence_tells() {
     let orbit = Orbit::limit_cycle(&van_der_pol("1"), &[1.0, 0.0], &Quiet).unwrap();
     let spectrum = orbit.harmonics(0);
-    let squares: f64 = spectrum.terms.iter().map(|it| 0.5 * it.amplitude() * it.amplitude()).sum();
+    let squares: f64 = spectrum.terms.iter().map(|term| 0.5 * term.amplitude() * term.amplitude()).sum();
     let divergence = orbit.period() * (1.0 - squares);
     let [one, other] = orbit.floquet().unwrap().multipliers[..] else { panic!("two multipliers") };
     assert_within(one.re, 1.0, 1e-11, "the shift along the orbit");
@@ -270,7 +270,12 @@ fn damped_motion_next_to_a_strongly_unstable_one_does_not_close() {
         let equation = equation(&format!("y'' = -y - {damping}*y'; x'' = 20*x + y"));
         let guess = OrbitGuess { state: vec![1.0, -1.0 / 21.0, 0.0, 0.0], period: TAU };
         let found = Orbit::near(&equation, &guess, &[0, 2], &Quiet);
-        assert_eq!(found.is_ok(), is_orbit, "{damping}: {:?}", found.map(|it| it.start_errors().to_vec()));
+        assert_eq!(
+            found.is_ok(),
+            is_orbit,
+            "{damping}: {:?}",
+            found.map(|found| found.start_errors().to_vec())
+        );
     }
 }
 
@@ -350,7 +355,7 @@ fn a_cycle_has_its_least_period_and_attracts() {
         let floquet = orbit.floquet().unwrap();
         assert_eq!((kind, floquet.stability), (OrbitKind::LimitCycle, Stability::Attracting), "{c}");
         assert_within(orbit.period(), period, 1e-12 * period, c);
-        let found = floquet.multipliers.iter().find(|it| (it.re - 1.0).abs() > 1e-7).unwrap();
+        let found = floquet.multipliers.iter().find(|multiplier| (multiplier.re - 1.0).abs() > 1e-7).unwrap();
         assert_within(found.re, multiplier, 2e-8, c);
         // A multiple of the period as a guess leads to the same.
         let search = OrbitSearch { start: orbit.start(), period: Some(11.0 * orbit.period()), ..search };
@@ -520,7 +525,10 @@ fn an_orbit_that_begins_on_a_jump_of_the_force_is_found() {
         // By the jump of the velocity of deviations, 2k/|x′|, and free flight over half a period, twice.
         let half = 1.0 - k * PI / (a + 0.5 * k * PI);
         let real = 2.0 * half * half - 1.0;
-        assert!(multipliers.iter().all(|it| (it.re - real).abs() < 1e-9), "{multipliers:?} {real}");
+        assert!(
+            multipliers.iter().all(|multiplier| (multiplier.re - real).abs() < 1e-9),
+            "{multipliers:?} {real}"
+        );
     }
 }
 
@@ -601,7 +609,7 @@ fn coupled_modes_of_a_spring_in_resonance_with_its_swing_are_found_at_an_angle()
         let off = (orbit.period() / period - 1.0).abs().max((orbit.start()[0] / start - 1.0).abs());
         assert!(off < 1e-12, "{off:e} at {degrees}");
         // Two multipliers are 1, of deviations along the motion and along the family.
-        let sum: f64 = orbit.floquet().unwrap().multipliers.iter().map(|it| it.re).sum();
+        let sum: f64 = orbit.floquet().unwrap().multipliers.iter().map(|multiplier| multiplier.re).sum();
         assert!((sum - 2.0 - trace).abs() < 1e-6, "{sum}");
         // The component farthest from zero is r; holding it would choose another orbit of the family.
         let other = Orbit::search(&spring, &OrbitSearch { held: None, ..search }, &Quiet).unwrap().1;

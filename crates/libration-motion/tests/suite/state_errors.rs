@@ -484,11 +484,11 @@ fn rows(system: &System, start: &Moment, times: &[f64], tolerance: f64, formulas
         ControlFlow::Continue(())
     });
     let motion = motion.unwrap();
-    let samples = motion.samples.iter().map(|it| (it.clone(), errors.of_sample(it.time)));
+    let samples = motion.samples.iter().map(|sample| (sample.clone(), errors.of_sample(sample.time)));
     let events = motion
         .events
         .iter()
-        .map(|it| (Moment { time: it.time, state: it.state.clone() }, errors.of_event(it)));
+        .map(|event| (Moment { time: event.time, state: event.state.clone() }, errors.of_event(event)));
     let determined = |(moment, errors): (Moment, Option<&MomentErrors>)| Some((moment, errors?.clone()));
     [samples.filter_map(determined).collect(), events.filter_map(determined).collect()]
 }

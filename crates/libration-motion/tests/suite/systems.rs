@@ -206,7 +206,10 @@ fn coordinates_have_the_units_of_their_names() {
     let model = Model::typed("theta1'' = -theta1 - r; r'' = -r - phi; phi'' = -phi", &[], &[]).unwrap();
     assert_eq!(model.state_names(), ["theta1", "r", "phi", "theta1'", "r'", "phi'"]);
     assert_eq!(model.state_units(), ["rad", "", "rad", "rad/s", "", "rad/s"]);
-    assert_eq!(model.coordinates().iter().map(|it| it.is_angle()).collect::<Vec<_>>(), [true, false, true]);
+    assert_eq!(
+        model.coordinates().iter().map(|coordinate| coordinate.is_angle()).collect::<Vec<_>>(),
+        [true, false, true]
+    );
     let spring = Model::by_key("spring_pendulum", &[], &[]).unwrap();
     assert_eq!(spring.state_units(), ["m", "rad", "m/s", "rad/s"]);
     assert_eq!(spring.system().unwrap().state_names(), spring.state_names());

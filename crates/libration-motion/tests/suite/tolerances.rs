@@ -75,7 +75,8 @@ fn motions_side_by_side_are_those_alone() {
     let start = |n: u32| system.start(&[("x", 0.3 * f64::from(n)), ("y", 1.0)]).unwrap();
     let trajectory = |n| Trajectory { start: start(n), parameters: vec![], times: &times };
     let trajectories: Vec<Trajectory<'_>> = (1..=11).map(trajectory).collect();
-    let alone: Vec<_> = trajectories.iter().map(|it| it.integrate(&system, &EFFORT, &Quiet)).collect();
+    let alone: Vec<_> =
+        trajectories.iter().map(|trajectory| trajectory.integrate(&system, &EFFORT, &Quiet)).collect();
     assert_eq!(integrate_many(&system, &trajectories, &EFFORT, &Quiet), alone);
 }
 

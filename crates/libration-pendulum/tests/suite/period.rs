@@ -302,7 +302,9 @@ fn what_belongs_to_a_period_is_what_each_method_says_bit_for_bit() {
 
 #[test]
 fn what_belongs_to_many_periods_is_what_belongs_to_each_bit_for_bit() {
-    let bits = |it: &SwingPeriod| [it.period, it.ratio, it.excess, it.nome, it.condition].map(f64::to_bits);
+    let bits = |period: &SwingPeriod| {
+        [period.period, period.ratio, period.excess, period.nome, period.condition].map(f64::to_bits)
+    };
     let amplitudes = seams_and_2000_amplitudes();
     for pendulum in [Pendulum::new(0.7, 9.81), Pendulum::from_angular_frequency(1e-200)].map(Result::unwrap) {
         // Blocks of every length, with amplitudes that are not regular at any position.
@@ -336,7 +338,8 @@ fn seams_and_2000_amplitudes() -> Vec<Amplitude> {
 fn the_change_with_the_period_is_that_of_the_forward_function() {
     let seams =
         [0.18_f64, 0.18_f64.next_down(), 0.18_f64.next_up(), 1e-30, 1e-9, 0.01, 0.07, 1.0, 30.0, 439.0];
-    for (excess, fraction) in seams.into_iter().flat_map(|it| [1e-12, 1e-6, 1e-3, 0.1].map(|part| (it, part)))
+    for (excess, fraction) in
+        seams.into_iter().flat_map(|seam| [1e-12, 1e-6, 1e-3, 0.1].map(|part| (seam, part)))
     {
         let amplitude = Amplitude::from_period_excess(excess).unwrap();
         let change = amplitude.change_with_period(fraction);

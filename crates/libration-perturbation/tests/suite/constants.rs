@@ -17,7 +17,7 @@ fn constants(of: &SymbolicExpansion) -> Vec<(&str, String)> {
 }
 
 fn all<C: Clone>(of: &Expansion<C>) -> Vec<C> {
-    let harmonics = of.harmonics.iter().flat_map(|it| it.cos.iter().chain(&it.sin));
+    let harmonics = of.harmonics.iter().flat_map(|harmonic| harmonic.cos.iter().chain(&harmonic.sin));
     of.frequency_ratio.iter().chain(harmonics).chain(&of.x_max).chain(&of.x_min).cloned().collect()
 }
 

@@ -162,8 +162,11 @@ fn by_slow_flow(flow: &CoupledSlowFlow, values: Values<'_>, slow: &[f64], time: 
 fn distance(text: &str, flow: &CoupledSlowFlow, values: Values<'_>, slow: &[f64], eps: f64) -> f64 {
     let mut at = values.to_vec();
     at.push(("eps", eps));
-    let rates = flow.coordinates.iter().flat_map(|it| {
-        [format!("{}' = {}", it.amplitude, it.amplitude_rate), format!("{}' = {}", it.phase, it.phase_rate)]
+    let rates = flow.coordinates.iter().flat_map(|coordinate| {
+        [
+            format!("{}' = {}", coordinate.amplitude, coordinate.amplitude_rate),
+            format!("{}' = {}", coordinate.phase, coordinate.phase_rate),
+        ]
     });
     let slow_text = rates.collect::<Vec<_>>().join("; ");
     let before = by_slow_flow(flow, &at, slow, 0.0);
@@ -230,7 +233,7 @@ fn motions_depart_from_slow_flows_by_the_power_of_the_order() {
 fn detunings_have_the_order_of_the_terms_that_act_first() {
     let rates = |text: &str, ratios: &str, order: usize| {
         let flow = flow(text, ratios, "", order);
-        flow.coordinates.into_iter().map(|it| it.phase_rate).collect::<Vec<_>>()
+        flow.coordinates.into_iter().map(|coordinate| coordinate.phase_rate).collect::<Vec<_>>()
     };
     let quadratic = "x'' + w1^2*x + a*x*y = 0; y'' + w2^2*y + b*x^2 = 0";
     let expected = ["a*A_y/(4*w1)*cos(2*phi_x - phi_y)", "sigma_y + b*A_x^2/(8*w1*A_y)*cos(2*phi_x - phi_y)"];
@@ -246,7 +249,7 @@ fn detunings_have_the_order_of_the_terms_that_act_first() {
 fn ratios_follow_from_numbers_and_equal_letters() {
     let frequencies = |text: &str, ratios: &str| {
         let flow = flow(text, ratios, "", 1);
-        flow.coordinates.iter().map(|it| it.natural_frequency.clone()).collect::<Vec<_>>()
+        flow.coordinates.iter().map(|coordinate| coordinate.natural_frequency.clone()).collect::<Vec<_>>()
     };
     assert_eq!(frequencies("x'' + x + eps*x*y = 0; y'' + 9/4*y + eps*x = 0", ""), ["1", "3/2"]);
     assert_eq!(frequencies("x'' + 4*w^2*x + eps*x*y = 0; y'' + w^2*y + eps*x = 0", ""), ["2*w", "w"]);

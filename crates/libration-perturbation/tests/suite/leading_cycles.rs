@@ -19,7 +19,7 @@ fn by_integration(text: &str, sign: f64, start: f64) -> [f64; 3] {
         let orbit = Orbit::limit_cycle(&equation, &[start, 0.0], &Quiet).unwrap();
         // One multiplier is 1, the other that of a distance from the cycle.
         let multipliers = &orbit.floquet().unwrap().multipliers;
-        let distance = multipliers.iter().map(|it| it.re).fold(f64::INFINITY, f64::min);
+        let distance = multipliers.iter().map(|multiplier| multiplier.re).fold(f64::INFINITY, f64::min);
         [orbit.start()[0], orbit.period(), libm::log(distance) / (orbit.period() * sign * strength)]
     };
     let [coarse, fine] = [at(0.04), at(0.02)];

@@ -136,7 +136,7 @@ fn the_turning_points_are_opposite_in_every_gauge() {
         assert_eq!(found.x_max, opposite);
         assert_eq!(found.of_half_swing, None);
         assert_eq!(found.certificate, Certificate::PlainRationals);
-        let of = |it: &Expansion| it.of_amplitude.clone().unwrap();
+        let of = |expansion: &Expansion| expansion.of_amplitude.clone().unwrap();
         assert_eq!(of(found).harmonics, of(&natural).harmonics);
         assert_eq!(of(found).period_ratio, of(&natural).period_ratio);
     }

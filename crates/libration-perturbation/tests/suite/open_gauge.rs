@@ -77,9 +77,9 @@ fn both_agree_with_velocities_and_symbols() {
         let mut compared = 0;
         for (variable, polynomial) in open.solution() {
             let order = variable.index().unwrap();
-            let at = |it: &Variable| match it.letters() {
+            let at = |variable: &Variable| match variable.letters() {
                 "b" => Some(value.clone()),
-                _ => gauge().get(it.index()? as usize - 1).cloned(),
+                _ => gauge().get(variable.index()? as usize - 1).cloned(),
             };
             let expected = if variable.letters() == "d" {
                 expansion.frequency_ratio[order as usize].clone()

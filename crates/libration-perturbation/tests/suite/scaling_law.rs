@@ -96,7 +96,7 @@ fn one_power_is_recognised_however_it_is_written() {
     }
     let about = PurePower::of(&"x'' = -(x - 3)^3".parse().unwrap(), Some(&"3".parse().unwrap())).unwrap();
     assert_eq!(about.centre().to_string(), "3");
-    assert_eq!(ScalingLaw::new(about).gamma_arguments().map(|it| it.to_string()), ["3/4", "1/4"]);
+    assert_eq!(ScalingLaw::new(about).gamma_arguments().map(|argument| argument.to_string()), ["3/4", "1/4"]);
     for text in [
         "x'' + x = 0",
         "x'' + x^3 + 1e-30*x = 0",

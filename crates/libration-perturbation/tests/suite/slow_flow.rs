@@ -181,7 +181,8 @@ fn limit_cycles_are_those_of_integration() {
             let whole = equation(text).with(&[("k", value)]).unwrap();
             let orbit = Orbit::limit_cycle(&whole, &[cycle.amplitude_at(strength), 0.0], &Quiet).unwrap();
             let floquet = orbit.floquet().unwrap();
-            let multiplier = floquet.multipliers.iter().map(|it| it.abs()).fold(1.0, f64::min);
+            let multiplier =
+                floquet.multipliers.iter().map(|multiplier| multiplier.abs()).fold(1.0, f64::min);
             [
                 (orbit.frequency() - cycle.frequency_at(strength)).abs(),
                 (libm::log(multiplier) / orbit.period() - cycle.exponent_at(strength)).abs(),

@@ -115,7 +115,8 @@ fn all_coefficients_are_those_of_another_algebra_system() {
         ("x'' + a*sin(k*x)/k = 0", 9),
     ] {
         let SymbolicExpansion { letters, series, .. } = expanded(text, order);
-        let harmonics = series.harmonics.iter().map(|it| (format!("cos {}", it.k), it.cos.clone()));
+        let harmonics =
+            series.harmonics.iter().map(|harmonic| (format!("cos {}", harmonic.k), harmonic.cos.clone()));
         let all = std::iter::once(("frequency".to_owned(), series.frequency_ratio.clone())).chain(harmonics);
         let own: BTreeMap<(String, String), String> = all
             .flat_map(|(name, series)| {
@@ -202,7 +203,7 @@ fn an_equilibrium_may_be_a_formula_of_the_letters() {
     let numbers = wells.with(&[("a", "4".parse().unwrap()), ("b", "9".parse().unwrap())]).unwrap();
     let numbers = expand(&Oscillator::new(&numbers).unwrap(), 5, &Gauge::XMax, &Quiet).unwrap();
     let own = all(&expansion.series).into_iter().flat_map(|(_, series)| series);
-    let own: Vec<Rational> = own.map(|it| value(&it, &[("a", "4"), ("b", "9")])).collect();
+    let own: Vec<Rational> = own.map(|own| value(&own, &[("a", "4"), ("b", "9")])).collect();
     assert_eq!(own, all(&numbers).into_iter().flat_map(|(_, series)| series).collect::<Vec<_>>());
 }
 

@@ -183,7 +183,7 @@ fn errors(of: Driven<'_>, values: &[(&str, f64)], drive: f64) -> [f64; 2] {
     let of_name = |name: &str| values.iter().find(|(other, _)| *other == name).map(|(_, value)| *value);
     let at = flow.at(&of_name, Some(drive)).unwrap();
     let stable =
-        |at: &SlowFlowAt<'_>| at.steady_states().unwrap().into_iter().rfind(|it| it.is_stable).unwrap();
+        |at: &SlowFlowAt<'_>| at.steady_states().unwrap().into_iter().rfind(|state| state.is_stable).unwrap();
     let SteadySolution { amplitude, phase, .. } = stable(&at);
     let displacement = |time: f64| {
         let mut at: Vec<(&str, f64)> = values.to_vec();
@@ -485,9 +485,9 @@ fn errors_of_amplitude_and_phase_are_those_from_the_integrated_motion() {
         let of = Driven { text: locked, resonance: (1, 1), small: "", order };
         let states = judged(of, &[("eps", 0.1), ("F", 0.5)], 1.004);
         for (amplitude, phase) in exact {
-            let distance = |it: &JudgedState| (it.state.amplitude - amplitude).abs();
+            let distance = |state: &JudgedState| (state.state.amplitude - amplitude).abs();
             let nearest = states.found.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
-            let found = nearest.filter(|it| distance(it) < 0.02).unwrap();
+            let found = nearest.filter(|nearest| distance(nearest) < 0.02).unwrap();
             let [_, error] = found.errors.unwrap();
             let missed = (found.state.phase - phase).abs();
             // Ratios of 0.8 to 1.1, and 2.3 at order 4, where the phase moves to the next order by a fifth of its error only.
@@ -515,7 +515,7 @@ fn states_that_the_series_does_not_reach_are_left_out_by_name() {
         let of = Driven { text, resonance: (1, 1), small: "", order };
         let states = judged(of, &[("eps", 0.1), ("m", 0.2), ("a", 1.0), ("F", 1.0)], 1.3);
         let all = states.found.iter().map(|it| it.state).chain(states.left_out.iter().map(|it| it.state));
-        let near = |amplitude: f64| all.clone().filter(|it| (it.amplitude - amplitude).abs() < 0.3).count();
+        let near = |amplitude: f64| all.clone().filter(|all| (all.amplitude - amplitude).abs() < 0.3).count();
         assert!(near(0.145) == 1 && near(3.0) >= 2, "order {order}: {states:?}");
         for found in &states.found {
             let distance = |amplitude: f64| (found.state.amplitude - amplitude).abs();

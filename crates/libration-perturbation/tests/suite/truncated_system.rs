@@ -30,7 +30,7 @@ fn system(harmonics: u32, degree: usize) -> TruncatedSystem {
 fn accepted(harmonics: u32, degree: usize, amplitude: f64) -> TruncatedSolution {
     let solutions = system(harmonics, degree).solutions(amplitude, &Quiet).unwrap();
     let accepted: Vec<_> =
-        solutions.into_iter().filter(|it| it.verdict == SolutionVerdict::Accepted).collect();
+        solutions.into_iter().filter(|solution| solution.verdict == SolutionVerdict::Accepted).collect();
     assert_eq!(accepted.len(), 1, "{harmonics} harmonics at {amplitude}");
     accepted[0].clone()
 }
@@ -71,8 +71,10 @@ fn all_solutions_are_those_of_elimination() {
         assert_eq!(rows.len(), solutions.len());
         for row in rows {
             let golden = golden_coordinates(row, harmonics as usize);
-            let nearest =
-                solutions.iter().map(|it| distance(&coordinates(it), &golden)).fold(f64::MAX, f64::min);
+            let nearest = solutions
+                .iter()
+                .map(|solution| distance(&coordinates(solution), &golden))
+                .fold(f64::MAX, f64::min);
             // Newton's method stops at rounding errors, which the worst conditioned solution multiplies by 1e3.
             assert!(nearest < 1e-12, "{golden:?} is {nearest:e} away");
         }
@@ -85,8 +87,10 @@ fn four_harmonics_have_four_hundred_solutions_in_conjugate_pairs() {
     assert_eq!(solutions.len(), 1 + 7 + 49 + 343);
     for solution in &solutions {
         let conjugate: Vec<_> = coordinates(solution).iter().map(|z| Complex::new(z.re, -z.im)).collect();
-        let nearest =
-            solutions.iter().map(|it| distance(&coordinates(it), &conjugate)).fold(f64::MAX, f64::min);
+        let nearest = solutions
+            .iter()
+            .map(|solution| distance(&coordinates(solution), &conjugate))
+            .fold(f64::MAX, f64::min);
         assert!(nearest < 1e-9, "{nearest:e}");
     }
 }
@@ -142,7 +146,8 @@ fn beyond_the_reach_of_the_cubic_force_nothing_is_accepted() {
 #[test]
 fn pure_overtones_are_recognised() {
     let solutions = system(3, 5).solutions(0.5, &Quiet).unwrap();
-    let overtones: Vec<_> = solutions.iter().filter(|it| it.verdict == SolutionVerdict::Overtone).collect();
+    let overtones: Vec<_> =
+        solutions.iter().filter(|solution| solution.verdict == SolutionVerdict::Overtone).collect();
     assert_eq!(overtones.len(), 2);
     for overtone in overtones {
         // x = θ0 cos nΩt: the frequency nΩ is that of one harmonic.

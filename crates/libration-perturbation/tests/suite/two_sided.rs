@@ -17,7 +17,7 @@ fn with_pi(text: &str, order: usize, gauge: &Gauge) -> Expansion<LaurentPolynomi
 fn number(coefficient: &LaurentPolynomial) -> f64 {
     let term = |(factor, powers): (&Rational, Vec<_>)| {
         let power =
-            powers.first().map_or(0.0, |it: &libration::algebra::LetterPower<'_>| it.exponent.to_f64());
+            powers.first().map_or(0.0, |power: &libration::algebra::LetterPower<'_>| power.exponent.to_f64());
         factor.to_f64() * libm::pow(PI, power)
     };
     coefficient.terms().map(term).sum()
@@ -49,8 +49,11 @@ fn the_first_coefficients_are_those_of_the_half_swing() {
     assert_eq!(found.certificate, Certificate::Quadrature);
     // T/T0 by the amplitude has no other power of π than 1/π.
     let period = with_pi("x'' + x + x*abs(x) = 0", 9, &Gauge::XMax).of_amplitude.unwrap().period_ratio;
-    let powers = |it: &LaurentPolynomial| -> Vec<f64> {
-        it.terms().map(|(_, powers)| powers.first().map_or(0.0, |power| power.exponent.to_f64())).collect()
+    let powers = |polynomial: &LaurentPolynomial| -> Vec<f64> {
+        polynomial
+            .terms()
+            .map(|(_, powers)| powers.first().map_or(0.0, |power| power.exponent.to_f64()))
+            .collect()
     };
     assert!(period.iter().flat_map(powers).all(|power| power == 0.0 || power == -1.0));
     assert!(!found.has_all_harmonics);
@@ -147,8 +150,9 @@ fn every_gauge_gives_the_same_of_the_amplitude_in_a_sweep() {
             let other = with_pi(text, 4, gauge);
             let (a, b) = (natural.of_amplitude.clone().unwrap(), other.of_amplitude.clone().unwrap());
             assert_eq!((a.period_ratio, a.harmonics), (b.period_ratio, b.harmonics), "{text} {gauge}");
-            let half =
-                |it: &Expansion<LaurentPolynomial>| it.of_half_swing.clone().map(|of| of.frequency_ratio);
+            let half = |expansion: &Expansion<LaurentPolynomial>| {
+                expansion.of_half_swing.clone().map(|of| of.frequency_ratio)
+            };
             assert_eq!(half(&natural), half(&other), "{text} {gauge}");
         }
         assert!(expand_with_pi(&oscillator(text), 4, &Gauge::Nome, &Quiet).is_err());

@@ -124,7 +124,7 @@ const REFUSED: &[(&[&str], &[&str], bool)] = &[
 fn messages_name_parameters_by_data_alone() {
     let queries = questions();
     let names: Vec<String> =
-        queries.iter().flat_map(|it| &it.parameters).map(|it| format!("--{}", it.name)).collect();
+        queries.iter().flat_map(|query| &query.parameters).map(|it| format!("--{}", it.name)).collect();
     let mut wrong = vec![];
     for (words, parameters, has_hint) in REFUSED {
         let Err(error) = ask(words.iter().map(OsString::from), Arc::new(Nowhere)) else {
@@ -134,14 +134,16 @@ fn messages_name_parameters_by_data_alone() {
         let found: Vec<String> = error.parameters().iter().map(QueryParameter::name).collect();
         let written = error.in_words(&OtherWords);
         let is_word = |name: &String| {
-            written.split(|it: char| !it.is_ascii_lowercase() && it != '-').any(|word| word == name)
+            written
+                .split(|letter: char| !letter.is_ascii_lowercase() && letter != '-')
+                .any(|word| word == name)
         };
         let query = queries
             .iter()
-            .filter(|it| words.join(" ").starts_with(&it.words))
-            .max_by_key(|it| it.words.len())
+            .filter(|query| words.join(" ").starts_with(&query.words))
+            .max_by_key(|query| query.words.len())
             .unwrap();
-        let is_known = |name: &String| query.parameters.iter().any(|it| it.name == *name);
+        let is_known = |name: &String| query.parameters.iter().any(|parameter| parameter.name == *name);
         let holds = found == *parameters
             && error.hint(&OtherWords).is_some() == *has_hint
             && !names.iter().any(is_word)

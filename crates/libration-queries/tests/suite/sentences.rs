@@ -105,7 +105,8 @@ fn sentences_of_results_name_parameters_in_the_words_of_the_front_end() {
         assert!(texts.iter().any(|text| text.contains(expected)), "{words}: {expected}: {texts:#?}");
         // Without its marks a table is that of the command, with the same line breaks.
         let (marked, _) = result(words, &input, &MarkedWords);
-        let unmarked: String = marked.chars().filter(|it| !('\u{e000}'..='\u{e002}').contains(it)).collect();
+        let unmarked: String =
+            marked.chars().filter(|character| !('\u{e000}'..='\u{e002}').contains(character)).collect();
         assert_eq!(unmarked, result(words, &input, &CommandWords).0, "{words}");
     }
 }

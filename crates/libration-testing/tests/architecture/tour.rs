@@ -10,10 +10,11 @@ fn public_modules(lib: &str) -> BTreeSet<&str> {
     let shown = lib.split("#[doc(hidden)]").next().unwrap();
     let declared = shown.lines().filter_map(|line| line.strip_prefix("pub mod ")?.strip_suffix(';'));
     let exports = shown.split("pub use libration_").skip(1);
-    let exported = exports.filter_map(|it| it.split_once(';')?.0.split_once("::")).flat_map(|(_, names)| {
-        let names = names.trim_start_matches('{').trim_end_matches('}').split(',').map(str::trim);
-        names.filter(|name| name.starts_with(char::is_lowercase) && !name.contains("::"))
-    });
+    let exported =
+        exports.filter_map(|export| export.split_once(';')?.0.split_once("::")).flat_map(|(_, names)| {
+            let names = names.trim_start_matches('{').trim_end_matches('}').split(',').map(str::trim);
+            names.filter(|name| name.starts_with(char::is_lowercase) && !name.contains("::"))
+        });
     declared.chain(exported).collect()
 }
 

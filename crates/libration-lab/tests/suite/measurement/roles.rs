@@ -300,7 +300,7 @@ fn headings_below_titles_have_their_units() {
 fn rows_of_sums_and_means_are_left_out_in_other_languages() {
     for word in ["Ø", "MW", "Σ", "Summe", "somme", "promedio", "x̄", "Durchschnitt:"] {
         let table = read(&format!("name,L (m),T (s)\nAnn,0.25,1.0\nBob,0.5,1.42\n{word},0.375,1.21\n"));
-        assert_eq!(table.summaries().iter().map(|it| it.0).collect::<Vec<_>>(), [4], "{word}");
+        assert_eq!(table.summaries().iter().map(|summary| summary.0).collect::<Vec<_>>(), [4], "{word}");
     }
 }
 
@@ -343,7 +343,10 @@ fn standard_deviations_next_to_a_number_of_readings_are_of_single_ones() {
         let row = |value: &str| format!("0.{value},1.{value},0.0{value},{count}");
         let table = read(&format!("{header}\n{}\n{}\n", row("25"), row("36")));
         let roles = roles(&table, &[LENGTH, PERIOD]).unwrap();
-        (roles.quantities[1].uncertainties.as_ref().map(|it| it.1), roles.readings.as_ref().map(number))
+        (
+            roles.quantities[1].uncertainties.as_ref().map(|uncertainty| uncertainty.1),
+            roles.readings.as_ref().map(number),
+        )
     };
     for (header, expected) in [
         ("L (m),T (s),sd (s),n", (UncertaintyKind::Deviation, Some(4))),

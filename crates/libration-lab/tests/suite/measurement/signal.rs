@@ -28,7 +28,8 @@ fn dips_and_peaks_are_timed_at_half_of_their_height() {
     let truth: Vec<f64> = (0..18).map(|n| 0.5 + 1.0137 * f64::from(n)).collect();
     let (times, values) = dips(&truth, 200.0, 1.0, &mut random);
     let below = SignalPassages::in_signal(&times, &values).unwrap();
-    let above = SignalPassages::in_signal(&times, &values.iter().map(|it| -it).collect::<Vec<_>>()).unwrap();
+    let above =
+        SignalPassages::in_signal(&times, &values.iter().map(|value| -value).collect::<Vec<_>>()).unwrap();
     assert!(below.are_dips && !above.are_dips && below.passages == above.passages);
     assert_eq!(below.passages.len(), truth.len());
     for (passage, middle) in below.passages.iter().zip(&truth) {
@@ -119,7 +120,7 @@ fn a_recording_of_samples_is_asked_for_its_signal() {
     let recording = Recording::read(text.as_bytes(), &ReadOptions::default()).unwrap();
     let error = recording.gate_times(&Choices::default()).unwrap_err();
     let MeasurementError::Undecided { choices, .. } = &error else { panic!("{error}") };
-    let choices: Vec<_> = choices.iter().map(|it| (it.choice, it.value.as_str())).collect();
+    let choices: Vec<_> = choices.iter().map(|choice| (choice.choice, choice.value.as_str())).collect();
     assert_eq!(choices, [(Choice::Signal, "3")], "{error}");
     let of = |column| Choices { signal: Some(Column::Number(column)), ..Choices::default() };
     let gates = recording.gate_times(&of(3)).unwrap();

@@ -167,7 +167,7 @@ fn a_rival_that_adds_nothing_is_none_and_a_long_decay_is_long_enough() {
         let fit = found(&[swing.trace(&mut Random::seeded(seed))], &SwingsOptions::default());
         let preferred = fit.fit.damping;
         for rival in fit.rivals() {
-            let of = |fits: &[TraceFit]| fits.iter().find(|it| it.damping == rival).cloned().unwrap();
+            let of = |fits: &[TraceFit]| fits.iter().find(|fit| fit.damping == rival).cloned().unwrap();
             let rival = of(&fit.comparison.as_ref().unwrap().fits);
             let contains = preferred.iter().all(|term| rival.damping_coefficient(term).is_some());
             let mut added = rival.damping.iter().filter(|term| fit.fit.damping_coefficient(*term).is_none());

@@ -219,7 +219,10 @@ fn crossings_of_a_decaying_motion_count_at_any_amplitude() {
     let found = points_of("x'' = -x - 0.2*x'", &[1.0, 0.0], &surface("x", Direction::Rising), 0, 150);
     let turn = TAU / 0.99_f64.sqrt();
     let intervals = found.points.windows(2).map(|pair| pair[1].time - pair[0].time);
-    assert!(intervals.clone().count() == 149 && intervals.into_iter().all(|it| (it - turn).abs() < 1e-9));
+    assert!(
+        intervals.clone().count() == 149
+            && intervals.into_iter().all(|interval| (interval - turn).abs() < 1e-9)
+    );
 }
 
 /// Lorenz's equations where all motions come to rest.
@@ -260,7 +263,9 @@ fn interruptions_keep_what_is_done() {
     let points = Points { skipped: 5, recorded: 20 };
     let family = Family { equation: &equation, parameter: "A", section: &FLASH, points };
     let stop = |limit: usize| {
-        move |it: Status| if it.done >= limit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        move |status: Status| {
+            if status.done >= limit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        }
     };
     let (start, effort) = (from(&[0.2, 0.0]), Effort::to_tolerance(1e-10));
     let values = [1.0, 1.1, 1.2, 1.3];
@@ -365,7 +370,7 @@ fn a_section_tells_how_far_it_is_and_stops_when_asked() {
         let found = compute_section(&equation, &from(&[1.0, 0.0]), &cut, points, &effort, &progress).unwrap();
         assert_eq!(found.stopped, Some(SectionEnding::Stopped(Cause::Interrupted)));
         let reports = reports.into_inner();
-        assert!(reports.is_sorted_by_key(|it| it.done) && reports.iter().all(|it| it.of == Some(20)));
+        assert!(reports.is_sorted_by_key(|it| it.done) && reports.iter().all(|report| report.of == Some(20)));
         assert_eq!((found.points.len(), reports.last().unwrap().done), (5, 5));
     }
 }

@@ -66,7 +66,12 @@ fn every_entry_of_the_catalogue_is_used_by_the_tests_above_or_refused() {
         }
         let equation = named.equation.parse::<Equation>().unwrap();
         let names: Vec<String> = equation.parameters().into_iter().collect();
-        assert_eq!(names, named.parameters.iter().map(|it| it.name).collect::<Vec<_>>(), "{}", named.key);
+        assert_eq!(
+            names,
+            named.parameters.iter().map(|parameter| parameter.name).collect::<Vec<_>>(),
+            "{}",
+            named.key
+        );
     }
     let refused = NamedOscillator::by_key("pure_cubic").unwrap().oscillator(&[]).unwrap_err().to_string();
     assert!(refused.contains("at 0 the restoring force has no linear part"), "{refused}");
@@ -357,7 +362,8 @@ fn hostile_equations_are_answered() {
         format!("x'' = -cos(200*x){}", " + cos(x)*exp(x)^2/7".repeat(90)),
     ] {
         let answer = Oscillator::new(&text.parse::<Equation>().unwrap());
-        let text = answer.map_or_else(|error| error.to_string(), |it| it.omega0_squared().to_string());
+        let text =
+            answer.map_or_else(|error| error.to_string(), |answer| answer.omega0_squared().to_string());
         assert!(text.len() < 50_000);
     }
 }

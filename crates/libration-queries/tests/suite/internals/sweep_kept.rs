@@ -13,7 +13,7 @@ fn ways_lead_to_numbers() {
     assert_eq!(numbers("rows[-1].state[0]"), [3.0]);
     assert_eq!(numbers("rows[0:2].state[1]"), [2.0, 4.0]);
     for text in ["none", "word", "a", "c", "rows", "rows[2].state[0]", "rows[-3].state[0]", "a[0]"] {
-        assert!(numbers(text).iter().all(|it| it.is_nan()), "{text}");
+        assert!(numbers(text).iter().all(|number| number.is_nan()), "{text}");
     }
     let beyond = numbers("rows[1:4].state[1]");
     assert_eq!(beyond.iter().map(|it| it.is_nan()).collect::<Vec<_>>(), [false, true, true]);

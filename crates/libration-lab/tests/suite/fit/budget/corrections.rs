@@ -141,7 +141,7 @@ fn impossible_corrections_are_refused() {
         &small_swings(1.55),
         &[],
     );
-    assert!(found.is_ok_and(|it| it.g > 100.0));
+    assert!(found.is_ok_and(|found| found.g > 100.0));
     let support = Corrections { support_stiffness: Some(exactly(400.0)), ..Corrections::default() };
     assert_eq!(refused(support), BudgetError::SupportWithoutBob);
     let warming = Corrections { warming: Some(exactly(1.0)), ..Corrections::default() };

@@ -73,7 +73,7 @@ fn a_gap_whose_edges_look_like_turns_parts_two_stretches() {
         let above = |row: &usize| trace.values()[*row] > stretch.centre;
         stretch.turns.iter().map(above).collect::<Vec<bool>>()
     };
-    assert!(swings.stretches.iter().all(|it| sides(it).windows(2).all(|pair| pair[0] != pair[1])));
+    assert!(swings.stretches.iter().all(|stretch| sides(stretch).windows(2).all(|pair| pair[0] != pair[1])));
 }
 
 #[test]

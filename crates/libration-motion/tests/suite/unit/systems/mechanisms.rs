@@ -161,7 +161,7 @@ pub(super) struct Open {
 impl Open {
     pub(super) fn all() -> impl Iterator<Item = Self> {
         catalogue().map(|named| {
-            let names = named.parameters.iter().map(|it| it.name);
+            let names = named.parameters.iter().map(|parameter| parameter.name);
             let open: Vec<&str> = names.filter(|name| named.count != Some(name)).collect();
             let three = named.count.map(|name| (name, Expression::from(3)));
             Self { named, model: Model::named(named, three.as_slice(), &open).unwrap() }
@@ -179,7 +179,7 @@ impl Open {
     }
 
     pub(super) fn places(&self) -> impl Iterator<Item = Symbol> {
-        self.model.coordinates().iter().map(|it| Symbol::plain(&it.name))
+        self.model.coordinates().iter().map(|coordinate| Symbol::plain(&coordinate.name))
     }
 
     /// The time derivative along the motion.

@@ -67,7 +67,7 @@ fn changed_matrices_have_their_eigenvalues_within_the_errors() {
         let own = eigenvalues(&matrix).unwrap();
         let change = 1e-9;
         let errors = eigenvalue_errors(&matrix, &own, change);
-        assert!(errors.iter().all(|it| *it <= most * change), "{errors:?}");
+        assert!(errors.iter().all(|error| *error <= most * change), "{errors:?}");
         for _ in 0..200 {
             // The norm of such a matrix is below three times its entries.
             let mut moved = matrix.clone();

@@ -32,7 +32,7 @@ fn no_function_takes_ten_evaluations_more_than_bisection() {
     let tolerances =
         [Tolerance::LAST_BIT, Tolerance::absolute(1e-9), Tolerance::absolute(0.1), Tolerance::relative(1e-6)];
     let brackets = [(-1.0, 1.0), (0.0, 2.0), (-1e10, 1e-3), (1.0, -1e10)];
-    for (f, &tolerance) in wild.iter().flat_map(|f| tolerances.iter().map(move |it| (f, it))) {
+    for (f, &tolerance) in wild.iter().flat_map(|f| tolerances.iter().map(move |tolerance| (f, tolerance))) {
         for (number, (a, b)) in (1..200).flat_map(|n| brackets.map(|bracket| (n, bracket))) {
             let c = a + (b - a) * f64::from(number) / 200.0 * 0.999;
             let (zero, count) = counted(a, b, tolerance, |x| f(x, c));

@@ -4,7 +4,7 @@ use libration::internals::expression::Tape;
 use libration::internals::roots::{NewtonError, Unsolved, correction, newton};
 
 fn tape(formulas: &[&str], names: &[&str]) -> Tape {
-    let formulas: Vec<Expression> = formulas.iter().map(|it| it.parse().unwrap()).collect();
+    let formulas: Vec<Expression> = formulas.iter().map(|formula| formula.parse().unwrap()).collect();
     let names: Vec<Symbol> = names.iter().map(|name| Symbol::plain(name)).collect();
     Tape::new(&formulas.iter().collect::<Vec<_>>(), &names).unwrap()
 }

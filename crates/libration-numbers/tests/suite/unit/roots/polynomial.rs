@@ -28,7 +28,7 @@ fn roots_of_unity_are_found() {
     for k in 0..12 {
         let root = Complex::unit(TAU * count(k) / 12.0);
         let near = found.iter().find(|it| (it.value - root).abs() <= it.error + 1e-16);
-        assert!(near.is_some_and(|it| it.multiplicity == 1 && it.error < 1e-13), "{found:?}");
+        assert!(near.is_some_and(|near| near.multiplicity == 1 && near.error < 1e-13), "{found:?}");
     }
     assert_eq!(found.iter().filter(|it| it.value.im == 0.0).count(), 2);
 }
@@ -53,7 +53,7 @@ fn roots_that_coincide_say_so_and_lie_within_their_error() {
     assert_encloses(&[3.0, -5.0, 1.0, 1.0], &[1.0, 1.0, -3.0], 1e-5);
     assert_encloses(&[-8.0, 12.0, -6.0, 1.0], &[2.0, 2.0, 2.0], 1e-2);
     let pairs = polynomial_roots(&[1.0, 0.0, 2.0, 0.0, 1.0]).unwrap();
-    assert!(pairs.iter().all(|it| it.multiplicity == 2), "{pairs:?}");
+    assert!(pairs.iter().all(|pair| pair.multiplicity == 2), "{pairs:?}");
     for root in pairs {
         let off = (root.value - Complex::new(0.0, 1.0_f64.copysign(root.value.im))).abs();
         assert!(off <= root.error && root.error < 1e-5, "{root:?}");

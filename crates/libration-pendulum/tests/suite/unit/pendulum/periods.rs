@@ -15,7 +15,7 @@ fn periods_are_those_of_the_pendulum() {
     for amplitude in amplitudes() {
         let found = period(amplitude, 0.994, 9.81);
         let angle = Angle::from_radians(amplitude).ok();
-        let truth = angle.and_then(|it| Amplitude::new(it).ok()).map(|it| pendulum.period(&it));
+        let truth = angle.and_then(|angle| Amplitude::new(angle).ok()).map(|it| pendulum.period(&it));
         match truth {
             Some(truth) => assert!((found / truth - 1.0).abs() <= f64::EPSILON, "{amplitude}"),
             None => assert!(found.is_nan(), "{amplitude}"),
