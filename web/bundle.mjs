@@ -56,7 +56,21 @@ function pack(id, raw) {
   packed.set(id, `<script type="text/plain" id="${id}">${text}</script>`);
   sizes.push([id, raw.length, compressed.length, text.length]);
 }
-for (const [id, path] of given.map((pair) => pair.split("="))) pack(id, readFileSync(path));
+const streams = await build({ entryPoints: [here("src/engine/streams.ts")], bundle: true, write: false, format: "esm" });
+const { joined, split } = await import(`data:text/javascript;base64,${Buffer.from(streams.outputFiles[0].contents).toString("base64")}`);
+
+/** The streams of a module, from which the page makes the module again. */
+function inStreams(module) {
+  const made = split(module);
+  const again = joined(made);
+  if (again.length !== module.length || !WebAssembly.validate(again) || Buffer.compare(split(again), made) !== 0) throw new Error("the module does not come back from its streams");
+  return made;
+}
+for (const [id, path] of given.map((pair) => pair.split("="))) {
+  const module = readFileSync(path);
+  // The small module, which the first picture waits for, stays as it is.
+  pack(id, id === "whole" ? inStreams(module) : module);
+}
 pack("style", Buffer.from(await bundled("src/style.css")));
 pack("font", await mathematicsFont());
 pack("program", Buffer.from(program));

@@ -1,5 +1,7 @@
 // Compressed parts of the page, as text in script elements that are not executed: WebAssembly modules, and licences.
 
+import { joined } from "./streams.ts";
+
 /** The text of the element with this id, which may not have been parsed yet. */
 export async function text(id: string): Promise<string> {
   if (document.readyState === "loading") {
@@ -20,5 +22,5 @@ export async function unpacked(id: string): Promise<string> {
 
 /** The module of such a text. */
 export function compiled(text: string): Promise<WebAssembly.Module> {
-  return WebAssembly.compile(unpack(text));
+  return WebAssembly.compile(joined(unpack(text)));
 }
