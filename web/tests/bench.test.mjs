@@ -112,6 +112,22 @@ test("energy bars are the parts of the energy", () =>
     assert.match(room.url(), /bars=(&|$)/);
   }));
 
+test("what friction takes is heat, unless a drive works too", () =>
+  visit("pendulum?angle=120deg&damping=0.3&t=5", async (room) => {
+    await room.waitForFunction(() => document.querySelectorAll(".bar").length === 4 && document.querySelector(".readout.time strong").textContent === "5.00 s");
+    await settled(room);
+    const [kinetic, potential, total, heat] = (await room.locator(".bar b").allTextContents()).map(read);
+    const { samples } = answer("simulate", "driven_pendulum", "--set", `omega0=${Math.sqrt(9.80665)},c=0.3,A=0`, "--initial", "theta=120deg", "--times", "5");
+    const [angle, velocity] = samples[0].state;
+    const truth = [velocity ** 2 / 4 / 9.80665, Math.sin(angle / 2) ** 2];
+    [kinetic, potential, total, heat].forEach((energy, n) => assert.ok(Math.abs(energy - [...truth, truth[0] + truth[1], 0.75 - truth[0] - truth[1]][n]) < 0.0051, `${[kinetic, potential, total, heat]}`));
+    await visit("pendulum?angle=120deg&damping=0.3&drive=0.1&t=5", async (driven) => {
+      await driven.waitForFunction(() => document.querySelector(".readout.time strong").textContent === "5.00 s");
+      await settled(driven);
+      assert.equal(await driven.locator(".bar").count(), 3);
+    });
+  }));
+
 /** Processor time in s that the page's thread has used until the first room is painted. */
 async function firstPicture() {
   let used = 0;

@@ -18,6 +18,7 @@ const shown = (room) => room.locator(".derivation").evaluate((it) => {
   return text.textContent.replaceAll(/\s/g, "");
 });
 
+const DRIVEN = "x'' + 2*eps*mu*x' + w0^2*x + eps*a*x^3 = eps*F*cos(W*t)";
 for (const [fragment, words, names = {}] of [
   ["road=elliptic&amplitude=40deg&length=57cm", ["--method", "elliptic", "--amplitude", "40deg", "--length", "57cm"]],
   ["amplitude=40deg", ["--method", "short", "--amplitude", "40deg"]],
@@ -26,6 +27,7 @@ for (const [fragment, words, names = {}] of [
   ["road=perturbation&oscillator=duffing&order=3", ["--method", "perturbation", "duffing", "--order", "3"]],
   ["road=averaging&set=n%3D2&order=3", ["--method", "averaging", "--set", "n=2", "--order", "3"]],
   ["road=limit-cycle", ["--method", "limit-cycle"]],
+  [`road=averaging&resonance=1%2F1&oscillator=${encodeURIComponent(DRIVEN)}`, ["--method", "averaging", "--resonance", "1/1", DRIVEN]],
 ]) {
   test(`the derivation of ${fragment} is the command's, word by word`, () =>
     visit(`derivations?${fragment}`, async (room) => {

@@ -260,12 +260,6 @@ impl Derive {
     }
 
     fn slow_flow(&self, (equation, asked): WithSymbols) -> Result<(Derivation, bool), QueryError> {
-        // Twenty kilobytes of the page, which is to have three megabytes.
-        if cfg!(target_arch = "wasm32") {
-            let reason =
-                "the page has no derivations with several symbols or a drive; use <libration derive>";
-            return Err(QueryError::no_result("derivation", reason));
-        }
         let options = &self.series;
         for (name, given) in [("order", options.order), ("damping-order", options.damping_order)] {
             if given.is_some() {

@@ -14,7 +14,7 @@ const TAKEN: Readonly<Record<string, readonly string[]>> = {
   elliptic: ["amplitude", "length", "gravity", "exercises"],
   formulas: ["amplitude", "length", "gravity", "exercises"],
   perturbation: ["oscillator", "order", "gauge", "set", "about", "amplitude", "length", "gravity", "exercises"],
-  averaging: ["oscillator", "order", "damping-order", "small", "set", "exercises"],
+  averaging: ["oscillator", "order", "damping-order", "small", "resonance", "set", "exercises"],
   "limit-cycle": ["oscillator", "order", "small", "set", "exercises"],
   paper: ["document", "only", "label"],
 };
@@ -23,7 +23,7 @@ export function taken(road: string): readonly string[] {
   return TAKEN[road] ?? [];
 }
 
-export const SERIES_KEYS = ["oscillator", "order", "damping-order", "small", "gauge", "set", "about"];
+export const SERIES_KEYS = ["oscillator", "order", "damping-order", "small", "resonance", "gauge", "set", "about"];
 export const OWN_KEYS = ["amplitude", "length", "gravity", "exercises"];
 export const PAPER_KEYS = ["document", "only", "label"];
 
@@ -36,6 +36,7 @@ export function fields(): Field[] {
     textField({ key: "order", option: "--order", words: words.order }),
     textField({ key: "damping-order", option: "--damping-order", words: words.dampingOrder }),
     textField({ key: "small", option: "--small", words: words.small }),
+    textField({ key: "resonance", option: "--resonance", words: words.resonance }),
     textField({ key: "gauge", option: "--gauge", words: words.gauge }, SUGGESTIONS),
     textField({ key: "set", option: "--set", words: words.set }),
     textField({ key: "about", option: "--about", words: words.about }),

@@ -379,7 +379,12 @@ export class Swing {
   #energy(motion: Motion, { angle, velocity }: Place): void {
     const isShown = this.#value("bars") === "yes";
     this.#bars.element.hidden = !isShown;
-    if (isShown) this.#bars.show(...energies(angle, velocity, 2 * motion.angularFrequency), Math.max(1, motion.energyRatio), this.#joules());
+    if (!isShown) return;
+    const [kinetic, potential] = energies(angle, velocity, 2 * motion.angularFrequency);
+    // The work of a drive would have to be known too.
+    const hasFriction = isNone(this.#value("drive")) && this.#forces(motion) !== undefined;
+    const heat = hasFriction ? Math.max(0, motion.energyRatio - kinetic - potential) : undefined;
+    this.#bars.show(kinetic, potential, heat, Math.max(1, motion.energyRatio), this.#joules());
   }
 
   #lookAhead(): void {

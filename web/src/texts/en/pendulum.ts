@@ -121,7 +121,7 @@ export const pendulum = {
     angle: { title: "Angle", axis: (unit: string) => (unit === "rad" ? "θ in rad" : "θ"), words: (period: string, least: string, most: string) => `Angle against time, period ${period}, from ${least} to ${most}`, second: "; and that of the other pendulum" },
     velocity: { title: "Angular velocity", axis: "θ′ in rad/s", words: (least: string, most: string) => `Angular velocity against time, from ${least} to ${most} rad/s` },
     phase: { title: "Phase plane with separatrix", x: (unit: string) => (unit === "rad" ? "θ in rad" : "θ"), words: (regime: string) => `Velocity against angle, with the separatrix of the free pendulum as dashed curves. ${regime}` },
-    energy: { title: "Energy", bars: "Energy now", axis: "E / 2mgl", kinetic: "kinetic", potential: "potential", total: "total", words: (energy: string, isConserved: boolean) => `Kinetic, potential and total energy against time. The total ${isConserved ? "is" : "begins at"} ${energy} of the energy at rest upright, shown as a dashed line` },
+    energy: { title: "Energy", bars: "Energy now", axis: "E / 2mgl", kinetic: "kinetic", potential: "potential", total: "total", heat: "heat", words: (energy: string, isConserved: boolean) => `Kinetic, potential and total energy against time. The total ${isConserved ? "is" : "begins at"} ${energy} of the energy at rest upright, shown as a dashed line` },
     free: {
       title: "Any quantity against any other",
       quantities: { time: "time in s", angle: "θ", velocity: "θ′ in rad/s", acceleration: "θ″ by gravity in rad/s²", kinetic: "kinetic energy / 2mgl", potential: "potential energy / 2mgl", total: "total energy / 2mgl" },
