@@ -57,7 +57,7 @@ pub mod internals {
     pub mod linear {
         pub use crate::linear::{
             characteristic::characteristic_polynomial,
-            eigenvalues::{eigenvalue_errors, eigenvalues},
+            eigenvalues::{balancing, eigenvalue_errors, eigenvalues},
             elimination::{determinant, null_space, solve, solve_complex},
             least_squares::least_squares,
         };

@@ -66,6 +66,7 @@ mod jumps;
 mod order;
 mod options;
 mod search;
+mod coordinate_units;
 mod switching;
 mod rotations;
 mod further_starts;

@@ -1,6 +1,7 @@
 //! The responses of a driven system over a parameter range: all branches from its ends, and their secondary branches.
 
 use super::branch::{Branch, Origin, Walked};
+use super::coordinate_units::CoordinateUnits;
 use super::error::BranchError;
 use super::family::Family;
 use super::jumps::{Jump, jumps};
@@ -114,7 +115,13 @@ impl Response {
         let search =
             Search { equation, parameter, family: &family, turns: Turns::of(equation), range, options };
         options.rotation.map_or(Ok(()), |rotation| search.check(rotation))?;
-        search.response()
+        let starts = search.starts_of_range();
+        let first =
+            starts.iter().find_map(|((value, _), starts)| Some((*value, starts.as_ref().ok()?.first()?)));
+        let Some(units) = first.and_then(|(value, start)| CoordinateUnits::of(&search, value, start)) else {
+            return search.response(starts);
+        };
+        Ok(units.restored(Self::over(&units.equation, parameter, range, &units.options(options), progress)?))
     }
 }
 
@@ -130,14 +137,23 @@ struct FollowedBranches {
 }
 
 impl Search<'_> {
-    fn response(&self) -> Result<Response, BranchError> {
-        let mut found = FollowedBranches::default();
-        let mut missing: Vec<(f64, BranchError)> = vec![];
+    /// The motions to begin with at the ends of the range, or at the given value, with the direction into the range.
+    fn starts_of_range(&self) -> Vec<((f64, f64), Result<Vec<Start>, BranchError>)> {
         let [low, high] = self.range;
         let places = self.options.at.map_or(vec![(low, 1.0), (high, -1.0)], |at| vec![(at, 1.0)]);
-        for place in &places {
-            match self.starts(place.0) {
-                Ok(starts) => self.begin(&mut found, &mut missing, *place, starts),
+        places.into_iter().map(|place| (place, self.starts(place.0))).collect()
+    }
+
+    fn response(
+        &self,
+        starts: Vec<((f64, f64), Result<Vec<Start>, BranchError>)>,
+    ) -> Result<Response, BranchError> {
+        let mut found = FollowedBranches::default();
+        let mut missing: Vec<(f64, BranchError)> = vec![];
+        let places: Vec<(f64, f64)> = starts.iter().map(|(place, _)| *place).collect();
+        for (place, starts) in starts {
+            match starts {
+                Ok(starts) => self.begin(&mut found, &mut missing, place, starts),
                 Err(BranchError::Interrupted(interrupted)) if found.branches.is_empty() => {
                     return Err(interrupted.into());
                 }

@@ -80,6 +80,14 @@ impl Search<'_> {
         }
     }
 
+    /// The period of the motion to begin with.
+    pub(super) fn period_of(&self, start: &Start, value: f64) -> Option<f64> {
+        let periods = f64::from(start.space.drive_periods());
+        let period =
+            self.family.drive_period(&[value]).or(start.unknowns.get(self.family.layout.numbers()).copied());
+        period.map(|period| period.abs() * periods)
+    }
+
     fn start(&self, value: f64) -> Result<Start, OrbitError> {
         let equation = self.at(value)?;
         let state = self.given();

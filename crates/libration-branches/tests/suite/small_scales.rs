@@ -1,7 +1,7 @@
 //! Responses whose coordinates or times are of another order of magnitude than 1: those of the same equation in other units.
 
 use libration::continuation::{
-    ChartOptions, Ending, Response, ResponseOptions, Rotation, SpecialKind, StabilityChart,
+    Branch, ChartOptions, Ending, Response, ResponseOptions, Rotation, SpecialKind, StabilityChart,
 };
 use libration::nonlinear_modes::NonlinearMode;
 use libration::normal_modes::NormalModes;
@@ -193,4 +193,66 @@ fn modes_are_followed_in_fast_units() {
     let periods =
         mode.points.iter().zip(&usual.points).map(|(a, b)| 1e9 * a.orbit.period() / b.orbit.period());
     assert!(periods.into_iter().all(|ratio| (ratio - 1.0).abs() < 1e-12));
+}
+
+/// The equations of two coordinates in which y is measured in another unit, 1/`factor` of the one in the text.
+fn with_second_in(equations: [&str; 2], factor: f64) -> String {
+    let in_unit = |text: &str| {
+        text.replace('y', &format!("y/{factor:e}"))
+            .replace(&format!("/{factor:e}'"), &format!("'/{factor:e}"))
+    };
+    let [(first, left), (second, right)] = equations.map(|text| text.split_once('=').unwrap());
+    format!("{first} = {}; {second} = {factor:e}*({})", in_unit(left), in_unit(right))
+}
+
+/// Two driven oscillators, one of them with a stop, and two self-excited systems, with the unit of the second coordinate from 1e-10 to 1e9 of
+/// that of the first: the same singular points, with the same motions in the same units.
+#[test]
+fn coordinates_of_far_different_units_have_the_same_branches() {
+    let cases: [([&str; 2], &str, [f64; 2], Option<f64>); 4] = [
+        (
+            ["x''=-x-0.1*x'-x^3+0.2*(y)+0.3*cos(w*t)", "y''=-4*(y)-0.1*(y')-(y)^3+0.2*x"],
+            "w",
+            [0.6, 1.6],
+            None,
+        ),
+        (
+            ["x''=-x-0.1*x'-5*max(x-1,0)+0.1*(y)+0.4*cos(w*t)", "y''=-3*(y)-0.2*(y')+0.1*x"],
+            "w",
+            [1.0, 1.6],
+            None,
+        ),
+        (["x'=x-x^3/3-(y)+I", "y'=0.08*(x+0.7-0.8*(y))"], "I", [0.0, 2.0], Some(0.8)),
+        (["x'=1-(b+1)*x+x^2*(y)", "y'=b*x-x^2*(y)"], "b", [1.5, 4.0], None),
+    ];
+    for (equations, parameter, range, at) in cases {
+        let response = |factor: f64| {
+            let options = ResponseOptions { at, ..ResponseOptions::default() };
+            let equation = with_second_in(equations, factor);
+            Response::over(&equation.parse().unwrap(), parameter, range, &options, &Quiet).unwrap()
+        };
+        let usual = response(1.0);
+        for factor in [1e-9, 1e-4, 1e5, 1e10] {
+            let other = response(factor);
+            assert_eq!(other.branches.len(), usual.branches.len(), "{equations:?} {factor:e}");
+            assert_eq!(other.jumps.len(), usual.jumps.len(), "{equations:?} {factor:e}");
+            for (branch, of_usual) in other.branches.iter().zip(&usual.branches) {
+                assert_eq!([branch.beginning, branch.ending], [of_usual.beginning, of_usual.ending]);
+                let kinds =
+                    |branch: &Branch| branch.special.iter().map(|special| special.kind).collect::<Vec<_>>();
+                assert_eq!(kinds(branch), kinds(of_usual), "{equations:?} {factor:e}");
+                for (special, same) in branch.special.iter().zip(&of_usual.special) {
+                    let apart = (special.point.parameter - same.point.parameter).abs();
+                    assert!(apart <= 1e-11, "{equations:?} {factor:e}: {special:?} {same:?}");
+                    let [range, of_same] =
+                        [special, same].map(|special| special.point.ranges[1].map(|end| end));
+                    let size = of_same[1].abs().max(of_same[0].abs());
+                    assert!(
+                        range.iter().zip(&of_same).all(|(a, b)| (a / factor - b).abs() <= 1e-6 * size),
+                        "{range:?} {of_same:?} {factor:e}"
+                    );
+                }
+            }
+        }
+    }
 }

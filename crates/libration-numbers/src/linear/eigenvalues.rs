@@ -98,15 +98,24 @@ fn adjugate_norm(powers: &[Vec<Vec<f64>>], at: Complex) -> f64 {
     entries.fold(0.0, |norm, (i, j)| libm::hypot(norm, entry(i, j).abs()))
 }
 
-/// A similar matrix whose rows and columns have norms of the same magnitude, by powers of two, which round nothing: the results do not depend on
-/// the units of the components.
+/// A similar matrix whose rows and columns have norms of the same magnitude: the results do not depend on the units of the components.
+fn balanced(matrix: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let units = balancing(matrix);
+    let row =
+        |(row, unit): (&Vec<f64>, &f64)| row.iter().zip(&units).map(|(x, other)| x * other / unit).collect();
+    matrix.iter().zip(&units).map(row).collect()
+}
+
+/// Units of the components, powers of two, which round nothing, in which the rows and columns of a matrix have norms of the same magnitude. A
+/// component that is affected by no other, or affects none, keeps its unit.
 ///
 /// # References
 /// B. N. Parlett and C. Reinsch, Numerische Mathematik 13 (1969) 293–304.
-fn balanced(matrix: &[Vec<f64>]) -> Vec<Vec<f64>> {
+pub fn balancing(matrix: &[Vec<f64>]) -> Vec<f64> {
     /// Sweeps that units differing by all powers of two of `f64` may need.
     const SWEEPS: u32 = 64;
     let (mut a, n) = (matrix.to_vec(), matrix.len());
+    let mut units = vec![1.0; n];
     for _ in 0..SWEEPS {
         let mut is_balanced = true;
         for i in 0..n {
@@ -119,6 +128,7 @@ fn balanced(matrix: &[Vec<f64>]) -> Vec<Vec<f64>> {
             }
             is_balanced = false;
             let (factor, inverse) = (libm::exp2(power), libm::exp2(-power));
+            units[i] *= factor;
             a.iter_mut().for_each(|row| row[i] *= factor);
             a[i].iter_mut().for_each(|entry| *entry *= inverse);
         }
@@ -126,7 +136,7 @@ fn balanced(matrix: &[Vec<f64>]) -> Vec<Vec<f64>> {
             break;
         }
     }
-    a
+    units
 }
 
 /// A similar matrix with zeros below the subdiagonal, by elimination with pivoting.
