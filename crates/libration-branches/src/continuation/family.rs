@@ -346,15 +346,13 @@ impl<'w> Family<'w> {
     /// A start that is not an equilibrium: the coordinates of an equilibrium are displaced a little, each less than the one before, since equal
     /// displacements of equal oscillators would keep them equal.
     pub(super) fn displaced(&self, mut state: Vec<f64>, value: f64) -> Vec<f64> {
-        /// Rates of change, relative to those of coordinates as large as the state, of an equilibrium that is typed with nine digits.
+        /// Rates of change, relative to those that the coordinates cause one by one, of an equilibrium that is typed with nine digits.
         const REST: f64 = 1e-9;
         const ASIDE: f64 = 0.1;
         const LESS: f64 = 0.7;
         let rates = self.field().and_then(|field| field.at(&state, &[value]));
-        let size = state.iter().fold(self.scale, |most, x| most.max(x.abs()));
         let is_zero = |(rate, slopes): (&f64, &Vec<f64>)| {
-            let by_coordinates = &slopes[..self.layout.coordinates()];
-            rate.abs() <= REST * size * by_coordinates.iter().map(|slope| slope.abs()).sum::<f64>()
+            rate.abs() <= REST * slopes.iter().zip(&state).map(|(slope, x)| (slope * x).abs()).sum::<f64>()
         };
         if rates.is_some_and(|it| it.rates.iter().zip(&it.slopes).all(is_zero)) {
             let mut aside = ASIDE;

@@ -229,7 +229,8 @@ fn coordinates_of_far_different_units_have_the_same_branches() {
         let response = |factor: f64| {
             let options = ResponseOptions { at, ..ResponseOptions::default() };
             let equation = with_second_in(equations, factor);
-            Response::over(&equation.parse().unwrap(), parameter, range, &options, &Quiet).unwrap()
+            let response = Response::over(&equation.parse().unwrap(), parameter, range, &options, &Quiet);
+            response.unwrap_or_else(|error| panic!("{equations:?} {factor:e}: {error}"))
         };
         let usual = response(1.0);
         for factor in [1e-9, 1e-4, 1e5, 1e10] {
@@ -246,9 +247,10 @@ fn coordinates_of_far_different_units_have_the_same_branches() {
                     assert!(apart <= 1e-11, "{equations:?} {factor:e}: {special:?} {same:?}");
                     let [range, of_same] =
                         [special, same].map(|special| special.point.ranges[1].map(|end| end));
+                    // A fold whose parameter is known to its last digit has a motion with half the digits, and along a canard fewer.
                     let size = of_same[1].abs().max(of_same[0].abs());
                     assert!(
-                        range.iter().zip(&of_same).all(|(a, b)| (a / factor - b).abs() <= 1e-6 * size),
+                        range.iter().zip(&of_same).all(|(a, b)| (a / factor - b).abs() <= 1e-4 * size),
                         "{range:?} {of_same:?} {factor:e}"
                     );
                 }
