@@ -121,8 +121,8 @@ impl RepeatedReadings {
         let rounding = Some(step / 12.0_f64.sqrt()).filter(|rounding| *rounding > deviation);
         let row = |(row, group): (usize, &RowReadings)| {
             let is_unlike = Some(row) == unlike;
-            let own = if is_unlike { group.variance().sqrt() } else { deviation };
-            let by_scatter = own / count(group.count).sqrt();
+            let spread = if is_unlike { group.variance().sqrt() } else { deviation };
+            let by_scatter = spread / count(group.count).sqrt();
             let alone = (group.variance() / count(group.count)).sqrt();
             let by_own_scatter = if differ && group.dof > 0 { alone } else { by_scatter };
             let by_rounding = rounding.unwrap_or(0.0);
@@ -178,9 +178,10 @@ pub fn effective_degrees_of_freedom(readings: &RepeatedReadings, coefficients: &
     let parts: Vec<(usize, f64)> = coefficients.iter().enumerate().map(part).collect();
     let pooled: f64 =
         parts.iter().filter(|(row, _)| !readings.is_by_itself(*row)).map(|(_, part)| part).sum();
-    let own = parts.iter().filter(|(row, _)| readings.is_by_itself(*row));
-    let own: f64 = own.map(|(row, part)| part * part / count(readings.degrees_of_freedom_of(*row))).sum();
-    let spread = own + pooled * pooled / count(readings.degrees_of_freedom.max(1));
+    let single_rows = parts.iter().filter(|(row, _)| readings.is_by_itself(*row));
+    let separate: f64 =
+        single_rows.map(|(row, part)| part * part / count(readings.degrees_of_freedom_of(*row))).sum();
+    let spread = separate + pooled * pooled / count(readings.degrees_of_freedom.max(1));
     if spread > 0.0 { total * total / spread } else { f64::INFINITY }
 }
 

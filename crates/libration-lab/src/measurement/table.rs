@@ -216,7 +216,7 @@ impl Table {
     pub fn readings(&self, quantities: &[Vec<Column>]) -> Result<Readings, MeasurementError> {
         let places = |columns: &Vec<Column>| columns.iter().map(|column| self.sheet.place(column)).collect();
         let places: Vec<Vec<usize>> = quantities.iter().map(places).collect::<Result<_, _>>()?;
-        let mut found = Readings {
+        let mut readings = Readings {
             quantities: vec![vec![]; places.len()],
             uncertainties: vec![Some(vec![]); places.len()],
             lines: vec![],
@@ -228,21 +228,22 @@ impl Table {
                 places.iter().map(|columns| self.present(row, columns)).collect::<Result<_, _>>()?;
             if of_row.iter().zip(&places).any(|(numbers, columns)| numbers.is_empty() && !columns.is_empty())
             {
-                found.dropped += 1;
+                readings.dropped += 1;
                 continue;
             }
-            found.push(self.sheet.lines[row], row, of_row);
-            for (uncertainties, columns) in found.uncertainties.iter_mut().zip(&places) {
-                let own = columns.first().and_then(|&place| self.sheet.channels[place].uncertainties[row]);
-                match (uncertainties.as_mut(), own) {
-                    (Some(known), Some(own)) if columns.len() == 1 => known.push(own),
+            readings.push(self.sheet.lines[row], row, of_row);
+            for (uncertainties, columns) in readings.uncertainties.iter_mut().zip(&places) {
+                let measured =
+                    columns.first().and_then(|&column| self.sheet.channels[column].uncertainties[row]);
+                match (uncertainties.as_mut(), measured) {
+                    (Some(column), Some(uncertainty)) if columns.len() == 1 => column.push(uncertainty),
                     _ => *uncertainties = None,
                 }
             }
         }
-        match found.lines.is_empty() {
+        match readings.lines.is_empty() {
             true => Err(MeasurementError::NothingComplete(self.sheet.rows())),
-            false => Ok(found),
+            false => Ok(readings),
         }
     }
 
@@ -278,10 +279,10 @@ impl Table {
     /// # Errors
     /// No such column; relative uncertainties without a sign of their unit.
     pub fn fraction(&self, column: &Column) -> Result<Option<f64>, MeasurementError> {
-        let place = self.sheet.place(column)?;
-        let heading = &self.sheet.channels[place].heading;
+        let index = self.sheet.place(column)?;
+        let heading = &self.sheet.channels[index].heading;
         if heading.is_relative_without_unit() {
-            return Err(MeasurementError::RelativeWithoutUnit { place: self.sheet.describe(place) });
+            return Err(MeasurementError::RelativeWithoutUnit { place: self.sheet.describe(index) });
         }
         Ok(heading.fraction())
     }
@@ -310,7 +311,7 @@ impl Table {
             let word = word.split('(').next().unwrap_or_default();
             word.trim().trim_end_matches([':', '=', '.']).trim().to_lowercase()
         };
-        let words = |row: usize| (0..self.width()).filter_map(move |place| self.sheet.word(place, row));
+        let words = |row: usize| (0..self.width()).filter_map(move |column| self.sheet.word(column, row));
         let has = |bound: &str| (0..self.sheet.rows()).any(|row| words(row).any(|word| plain(word) == bound));
         let is_of_summary = |word: &&str| {
             let word = plain(word);
@@ -324,12 +325,12 @@ impl Table {
                 || BOUNDS.contains(&word.as_str()) && BOUNDS.iter().all(|bound| has(bound))
         };
         // `g = ` where other rows have numbers.
-        let is_label = |place: &usize| {
-            let mostly_numbers = 2 * self.sheet.channels[*place].count() > self.sheet.rows();
+        let is_label = |column: &usize| {
+            let mostly_numbers = 2 * self.sheet.channels[*column].count() > self.sheet.rows();
             mostly_numbers
-                && self.sheet.word(*place, row).is_some_and(|word| word.trim().ends_with(['=', ':']))
+                && self.sheet.word(*column, row).is_some_and(|word| word.trim().ends_with(['=', ':']))
         };
-        let label = || (0..self.width()).find(is_label).and_then(|place| self.sheet.word(place, row));
+        let label = || (0..self.width()).find(is_label).and_then(|column| self.sheet.word(column, row));
         words(row).rfind(is_of_summary).or_else(label)
     }
 
@@ -341,14 +342,14 @@ impl Table {
     /// The numbers in these columns of a row, without missing ones.
     fn present(&self, row: usize, places: &[usize]) -> Result<Vec<f64>, MeasurementError> {
         let numbers: Vec<Option<f64>> =
-            places.iter().map(|&place| self.sheet.number(place, row)).collect::<Result<_, _>>()?;
+            places.iter().map(|&column| self.sheet.number(column, row)).collect::<Result<_, _>>()?;
         Ok(numbers.into_iter().flatten().collect())
     }
 
     /// The numbers of a row; `None` if one of them is missing.
     fn numbers(&self, row: usize, places: &[usize]) -> Result<Option<Vec<f64>>, MeasurementError> {
         let numbers: Vec<Option<f64>> =
-            places.iter().map(|&place| self.sheet.number(place, row)).collect::<Result<_, _>>()?;
+            places.iter().map(|&column| self.sheet.number(column, row)).collect::<Result<_, _>>()?;
         Ok(numbers.into_iter().collect())
     }
 }

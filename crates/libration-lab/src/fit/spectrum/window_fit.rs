@@ -106,22 +106,22 @@ impl WindowRows<'_> {
         let half = 0.5 * (self.ends[1] - self.ends[0]);
         let middle = 0.5 * (self.ends[1] + self.ends[0]);
         let places: Vec<f64> = self.times.iter().map(|time| (time - middle) / half).collect();
-        let own: Vec<f64> = match self.uncertainties {
+        let inverses: Vec<f64> = match self.uncertainties {
             Some(column) => column.iter().map(|it| it.recip()).collect(),
             None => vec![1.0; places.len()],
         };
         let growths = (0..=self.highest).map(Growth::by_number).collect();
         let phase = [0.0, TAU * half / self.period, 0.0, 0.0, 0.0];
         let mut state = PhaseAndShape { phase, shape: [1.0, 0.0, 0.0, 0.0, 0.0], growths };
-        let mut weights = own.clone();
+        let mut weights = inverses.clone();
         let mut settled = self.settle(&places, &weights, half, &mut state)?;
         for pass in 0..PASSES {
-            let residuals = settled.residuals(self.values, &places, &own, &state);
+            let residuals = settled.residuals(self.values, &places, &inverses, &state);
             let Some(scale) = robust_deviation(&residuals).filter(|scale| *scale > 0.0) else { break };
-            let renewed: Vec<f64> = own
+            let renewed: Vec<f64> = inverses
                 .iter()
                 .zip(&residuals)
-                .map(|(own, residual)| own * weight(residual.abs() / scale, pass))
+                .map(|(inverse, residual)| inverse * weight(residual.abs() / scale, pass))
                 .collect();
             if renewed == weights {
                 break;
@@ -189,10 +189,15 @@ struct Settled {
 
 impl Settled {
     /// Residuals of all rows, in units of their own uncertainties.
-    fn residuals(&self, values: &[f64], places: &[f64], own: &[f64], state: &PhaseAndShape) -> Vec<f64> {
+    fn residuals(&self, values: &[f64], places: &[f64], inverses: &[f64], state: &PhaseAndShape) -> Vec<f64> {
         let highest = (self.fit.coefficients.len() - OTHERS) / 2 + 1;
-        let fitted = state.matrix(places, own, highest) * &self.fit.coefficients;
-        values.iter().zip(own).zip(fitted.iter()).map(|((value, own), fitted)| value * own - fitted).collect()
+        let fitted = state.matrix(places, inverses, highest) * &self.fit.coefficients;
+        values
+            .iter()
+            .zip(inverses)
+            .zip(fitted.iter())
+            .map(|((value, inverse), fitted)| value * inverse - fitted)
+            .collect()
     }
 }
 

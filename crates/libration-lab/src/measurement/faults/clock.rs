@@ -141,14 +141,14 @@ fn grid_of_digits(times: &[f64], digits: SignificantDigits, interval: f64) -> Op
     let is_fine = |row: &usize| half_steps[*row] < 0.1 * (times[*row] - times[*row - 1]);
     let fine: Vec<f64> = (1..times.len()).filter(is_fine).map(|row| times[row] - times[row - 1]).collect();
     let seen = lower_median(fine).unwrap_or(interval);
-    let mut place = 0;
+    let mut tick = 0;
     let with_gaps: Vec<usize> = rows
         .iter()
         .map(|&row| {
             let steps =
                 if row > 0 && is_fine(&row) { whole((times[row] - times[row - 1]) / seen).max(1) } else { 1 };
-            place += if row > 0 { steps } else { 0 };
-            place
+            tick += if row > 0 { steps } else { 0 };
+            tick
         })
         .collect();
     let mut places = [rows, with_gaps].into_iter();
@@ -173,15 +173,15 @@ fn missing(grid: &Grid) -> Vec<Gap> {
 fn grid_of_increasing(times: &[f64], kept: &[usize], interval: f64, resolution: Option<f64>) -> Option<Grid> {
     let increasing: Vec<f64> = kept.iter().map(|&row| times[row]).collect();
     let better = slope_between_gaps(&increasing, interval);
-    let mut place = 0;
+    let mut tick = 0;
     let mut places = vec![0];
     for length in intervals(&increasing) {
-        place = whole(length / better).max(1).saturating_add(place);
-        places.push(place);
+        tick = whole(length / better).max(1).saturating_add(tick);
+        places.push(tick);
     }
-    let found = grid(&increasing, &places, resolution)?;
-    let numbers = times.iter().map(|time| whole((time - found.first) / found.interval)).collect();
-    Some(Grid { numbers, ..found })
+    let grid = grid(&increasing, &places, resolution)?;
+    let numbers = times.iter().map(|time| whole((time - grid.first) / grid.interval)).collect();
+    Some(Grid { numbers, ..grid })
 }
 
 /// The slope of the times against their row within stretches without gaps, all stretches together.
@@ -201,9 +201,9 @@ fn slope_between_gaps(times: &[f64], interval: f64) -> f64 {
 /// The least-squares grid, if the times are on it up to their rounding, and not exactly.
 fn grid(times: &[f64], places: &[usize], resolution: Option<f64>) -> Option<Grid> {
     let resolution = resolution?;
-    let (x, t) = (mean(places.iter().map(|&place| count(place))), mean(times.iter().copied()));
-    let moments = places.iter().zip(times).map(|(&place, time)| {
-        let from_mean = count(place) - x;
+    let (x, t) = (mean(places.iter().map(|&number| count(number))), mean(times.iter().copied()));
+    let moments = places.iter().zip(times).map(|(&number, time)| {
+        let from_mean = count(number) - x;
         (from_mean * (time - t), from_mean * from_mean)
     });
     let (products, squares) = moments.fold((0.0, 0.0), |(a, b), (c, d)| (a + c, b + d));

@@ -35,8 +35,8 @@ impl ColumnRole {
         ];
         let all: Vec<(String, Self)> =
             of_quantities.chain(others.map(|(word, role)| (word.to_owned(), role))).collect();
-        let found = all.iter().find(|(name, _)| name.eq_ignore_ascii_case(word.trim()));
-        found.map(|(_, role)| *role).ok_or_else(|| MeasurementError::NoSuch {
+        let entry = all.iter().find(|(name, _)| name.eq_ignore_ascii_case(word.trim()));
+        entry.map(|(_, role)| *role).ok_or_else(|| MeasurementError::NoSuch {
             what: "role",
             asked: word.trim().to_owned(),
             available: all.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>().join(", "),

@@ -40,8 +40,8 @@ impl<'a> Group<'a> {
     }
 
     fn of_run(sheet: &'a Sheet, run: Option<String>) -> Self {
-        let belongs = |place: &usize| {
-            let heading = &sheet.channels[*place].heading;
+        let belongs = |column: &usize| {
+            let heading = &sheet.channels[*column].heading;
             run.is_none() || heading.run.is_none() || heading.run == run
         };
         Self { sheet, members: (0..sheet.channels.len()).filter(belongs).collect(), run }

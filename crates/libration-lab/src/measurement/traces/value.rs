@@ -18,7 +18,7 @@ impl Value {
     /// The columns it needs.
     pub(super) fn places(self) -> Vec<usize> {
         match self {
-            Self::Column(place, _) => vec![place],
+            Self::Column(column, _) => vec![column],
             Self::Positions { x, y } => vec![x, y],
             Self::Axes(places, _) => places.to_vec(),
         }

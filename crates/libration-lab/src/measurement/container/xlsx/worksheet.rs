@@ -62,12 +62,12 @@ impl Cells<'_> {
     }
 
     fn begun(&self, element: &Element<'_>) -> Result<UnfinishedCell, MeasurementError> {
-        let place = match element.attribute("r")? {
+        let address = match element.attribute("r")? {
             Some(address) => place(&address).ok_or_else(|| beyond(&address))?,
             None => self.next,
         };
         Ok(UnfinishedCell {
-            place,
+            place: address,
             kind: element.attribute("t")?.unwrap_or_default(),
             style: element.number("s")?.unwrap_or(0),
             value: String::new(),
@@ -124,9 +124,9 @@ impl UnfinishedCell {
 pub fn place(address: &str) -> Option<(u32, u32)> {
     let (letters, number) = address.split_at(address.find(|letter: char| letter.is_ascii_digit())?);
     let column = letters.bytes().try_fold(0_u32, |sum, letter| {
-        let place =
+        let digit =
             letter.is_ascii_alphabetic().then(|| u32::from(letter.to_ascii_uppercase() - b'A') + 1)?;
-        Some(26 * sum + place).filter(|&column| column <= MOST_COLUMNS)
+        Some(26 * sum + digit).filter(|&column| column <= MOST_COLUMNS)
     })?;
     Some((row(number)?, column.checked_sub(1)?))
 }
