@@ -33,16 +33,16 @@ pub(super) fn steps(
 
 /// The power A without the small parameter.
 fn beginning(question: &AveragingQuestion, flow: &Flow) -> DerivationStep {
-    let place = (1, 0);
-    let velocity = flow.velocity.get(&place).cloned().unwrap_or_default();
+    let powers = (1, 0);
+    let velocity = flow.velocity.get(&powers).cloned().unwrap_or_default();
     DerivationStep::new("order-1-0", "The beginning")
         .say(
             "In the power {} without {} there is the small swing alone, which turns at {}:",
             [question.amplitude(), question.small(), question.amplitude()],
         )
-        .show(CheckedEquation::definition(Statement::equal(motion_name(question, place), cos(phase()))))
+        .show(CheckedEquation::definition(Statement::equal(motion_name(question, powers), cos(phase()))))
         .show(CheckedEquation::definition(Statement::equal(
-            velocity_name(place),
+            velocity_name(powers),
             phase::series(&velocity, "ψ"),
         )))
 }
@@ -140,13 +140,13 @@ fn forcing(question: &AveragingQuestion, order: &FlowOrder) -> CheckedEquation {
         let name = motion_name(question, order.place);
         Formula::from((0..primes).fold(name, |name, _| name.prime()))
     };
-    let known = phase::series(&order.known, "ψ");
+    let forcing = phase::series(&order.known, "ψ");
     let left = times_omega0(question, 2, x(2)) + times_omega0(question, 2, x(0));
     let twice = |name: Name, wave: Formula| {
         let factor = Rational::from(2) * question.omega0().clone();
         scaled(&factor, Formula::from(name)) * wave
     };
-    let mut right = if order.known.is_zero() { vec![] } else { summands(known.clone()) };
+    let mut right = if order.known.is_zero() { vec![] } else { summands(forcing.clone()) };
     if let Some(below) = n.checked_sub(1) {
         right.push(twice(frequency_name((below, j)), cos(phase())));
     }
@@ -154,7 +154,7 @@ fn forcing(question: &AveragingQuestion, order: &FlowOrder) -> CheckedEquation {
         right.push(twice(growth_name(order.place), sin(phase())));
     }
     let statement = Statement::equal(left, sum(right));
-    averaged(question, statement, AveragedClaim::Forcing { power: n, parameter: j, known })
+    averaged(question, statement, AveragedClaim::Forcing { power: n, parameter: j, known: forcing })
 }
 
 fn summands(formula: Formula) -> Vec<Formula> {
@@ -179,9 +179,9 @@ fn conditions(
     order: &FlowOrder,
     step: DerivationStep,
 ) -> Result<DerivationStep, DerivationError> {
-    let found = rates(order);
+    let rates = rates(order);
     let both = order.place.1 > 0;
-    let step = match found.as_slice() {
+    let step = match rates.as_slice() {
         [] if both => step.say(
             "Neither {} nor {} has a part in its right side: amplitude and phase need no correction in this power.",
             [cos(phase()), sin(phase())],
@@ -197,7 +197,7 @@ fn conditions(
         [_] => step.say("The part of {} in its right side is zero for", [cos(phase())]),
         _ => step.say("The parts of {} and {} in its right side are zero for", [sin(phase()), cos(phase())]),
     };
-    rates_with_integrals(question, order, found).map(|found| step.show_all(found))
+    rates_with_integrals(question, order, rates).map(|equations| step.show_all(equations))
 }
 
 /// The nonzero coefficients.
@@ -218,7 +218,7 @@ fn rates(order: &FlowOrder) -> Vec<(Name, PiNumber, AveragedClaim, Wave)> {
 fn rates_with_integrals(
     question: &AveragingQuestion,
     order: &FlowOrder,
-    found: Vec<(Name, PiNumber, AveragedClaim, Wave)>,
+    rates: Vec<(Name, PiNumber, AveragedClaim, Wave)>,
 ) -> Result<Vec<CheckedEquation>, DerivationError> {
     let is_short = question.flow.kinked && order.known.terms().count() <= SHORT;
     let with_integral = |(name, value, claim, wave): (Name, PiNumber, AveragedClaim, Wave)| {
@@ -233,7 +233,7 @@ fn rates_with_integrals(
         Trials::new(None)?.compare_once(Statement::equal(whole.clone(), value.clone()))?;
         Ok(averaged(question, Statement::equal(name, whole).and_equal(value), claim))
     };
-    found.into_iter().map(with_integral).collect()
+    rates.into_iter().map(with_integral).collect()
 }
 
 /// The motion at this power.

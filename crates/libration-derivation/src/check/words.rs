@@ -66,8 +66,8 @@ impl Check {
                     false => equal,
                 }
             }
-            Self::Digits { place, value, difference, against } => {
-                place.to_prose().and(agreement(value, *difference, *against))
+            Self::Digits { place: point, value, difference, against } => {
+                point.to_prose().and(agreement(value, *difference, *against))
             }
         }
     }

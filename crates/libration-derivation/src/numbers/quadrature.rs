@@ -75,9 +75,9 @@ impl Node {
         let pi = BigFloat::pi(PRECISION);
         let slope = pi.clone() * (up.clone() + down.clone()).halved();
         let decay = (-(pi * (up - down).halved())).exp();
-        let place = one.clone() / (one.clone() + decay.clone());
-        let weight = slope * place.clone() * place.clone() * decay;
-        Self { place, weight }
+        let point = one.clone() / (one.clone() + decay.clone());
+        let weight = slope * point.clone() * point.clone() * decay;
+        Self { place: point, weight }
     }
 
     /// Returns `true` if the point is so close to 0 or 1 that an integrand may lose its
