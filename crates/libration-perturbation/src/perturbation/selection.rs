@@ -154,11 +154,11 @@ pub(crate) fn interpolated<R: Ring>(
         }
     }
     let mut polynomial: Vec<R::Element> = vec![];
-    for (place, difference) in places.iter().zip(&differences).rev() {
+    for (point, difference) in places.iter().zip(&differences).rev() {
         // polynomial·(s − place) + difference.
         polynomial.insert(0, ring.zero());
         for i in 0..polynomial.len() - 1 {
-            let carried = ring.multiply(&polynomial[i + 1], place);
+            let carried = ring.multiply(&polynomial[i + 1], point);
             polynomial[i] = ring.subtract(&polynomial[i], &carried);
         }
         polynomial[0] = ring.add(&polynomial[0], difference);

@@ -71,8 +71,8 @@ impl Convergence {
         }
         let stride = stride(present);
         let spread: Vec<Rational> = coefficients[first..].iter().step_by(stride).cloned().collect();
-        let found = one_singularity(&spread).or_else(|| pair_of_singularities(&spread));
-        let (inverse, singularity) = found.unwrap_or_else(|| (by_roots(&spread), Singularity::Unclear));
+        let estimate = one_singularity(&spread).or_else(|| pair_of_singularities(&spread));
+        let (inverse, singularity) = estimate.unwrap_or_else(|| (by_roots(&spread), Singularity::Unclear));
         Some(inverse.to_convergence(stride, singularity))
     }
 }

@@ -30,9 +30,9 @@ struct Leading {
 impl<'a> Frequency<'a> {
     pub(super) fn new(oscillator: &'a SymbolicOscillator) -> Self {
         let (ring, square) = (oscillator.ring(), oscillator.omega0_squared());
-        let place = ring.letters().len() - 1;
-        let leading = if square.as_single_term().is_some() { None } else { leading(ring, square, place) };
-        Self { ring, square, place, leading }
+        let index = ring.letters().len() - 1;
+        let leading = if square.as_single_term().is_some() { None } else { leading(ring, square, index) };
+        Self { ring, square, place: index, leading }
     }
 
     /// ω0² as the recurrences take it.
@@ -119,15 +119,15 @@ fn whole_squares(half_power: i64) -> Option<i64> {
     (half_power % 4 == 0).then_some(half_power / 4)
 }
 
-fn leading(ring: &LaurentPolynomials, square: &LaurentPolynomial, place: usize) -> Option<Leading> {
-    let candidates = (0..place).flat_map(|letter| [(letter, 1), (letter, -1)]);
+fn leading(ring: &LaurentPolynomials, square: &LaurentPolynomial, index: usize) -> Option<Leading> {
+    let candidates = (0..index).flat_map(|letter| [(letter, 1), (letter, -1)]);
     candidates.into_iter().find_map(|(letter, direction)| {
         let power = square.half_powers().map(|(powers, _)| direction * powers[letter]).max()?;
         let term = ring.part(square, |powers| direction * powers[letter] == power);
         if power <= 0 || term.as_single_term().is_none() {
             return None;
         }
-        let symbol_squared = ring.multiply(&ring.letter(place), &ring.letter(place));
+        let symbol_squared = ring.multiply(&ring.letter(index), &ring.letter(index));
         let instead = ring.subtract(&symbol_squared, &ring.subtract(square, &term));
         Some(Leading { letter, direction, power, instead: ring.divide(&instead, &term)? })
     })
@@ -184,11 +184,11 @@ impl<'a> Point<'a> {
 
     /// The value of a coefficient; `None` if it is undefined there.
     pub(super) fn value(&self, coefficient: &LaurentPolynomial) -> Option<Rational> {
-        coefficient.value(|place, half_power| {
-            if place == self.frequency.place {
+        coefficient.value(|index, half_power| {
+            if index == self.frequency.place {
                 return self.omega0_squared.integer_power(isize::try_from(whole_squares(half_power)?).ok()?);
             }
-            self.roots.get(place)?.integer_power(isize::try_from(half_power).ok()?)
+            self.roots.get(index)?.integer_power(isize::try_from(half_power).ok()?)
         })
     }
 }

@@ -16,9 +16,9 @@ pub(super) fn integrals(
     let length = side.displacement.len();
     let mut sums = vec![vec![floats.zero(); length]; harmonics.len()];
     let highest = harmonics.last().copied().unwrap_or(0);
-    for (place, weight) in upper_places(floats, number_of_places(floats, length + highest)) {
+    for (node, weight) in upper_places(floats, number_of_places(floats, length + highest)) {
         watch.go_on().ok()?;
-        let at = Place::new(floats, side, floats.multiply(&place, &floats.pi()?.halved()))?;
+        let at = Place::new(floats, side, floats.multiply(&node, &floats.pi()?.halved()))?;
         for (sum, &k) in sums.iter_mut().zip(harmonics) {
             for (sum, value) in sum.iter_mut().zip(at.integrand(k)?) {
                 *sum = floats.add(sum, &floats.multiply(&weight, &value));
@@ -77,9 +77,9 @@ impl<'a> Place<'a> {
     fn integrand(&self, k: usize) -> Option<Vec<BigFloat>> {
         let floats = self.floats;
         let length = self.side.displacement.len();
-        let place = |n: usize| floats.multiply(&self.side.displacement[n], &self.cosines[n]);
+        let projected = |n: usize| floats.multiply(&self.side.displacement[n], &self.cosines[n]);
         if k == 0 {
-            let places: Vec<BigFloat> = (0..length).map(place).collect();
+            let places: Vec<BigFloat> = (0..length).map(projected).collect();
             let twice = floats.series_product(&places, &self.rate, length);
             return Some(twice.into_iter().map(BigFloat::halved).collect());
         }
@@ -121,16 +121,16 @@ fn gauss_place(floats: Floats, degree: usize, near: f64) -> Option<(BigFloat, Bi
     // From 1e-16 three steps lead to 1e-128, more bits take more.
     let steps = 3 + floats.precision / 400;
     let one = floats.rational(&1.into())?;
-    let mut place = BigFloat::from_f64(near, floats.precision)?;
+    let mut node = BigFloat::from_f64(near, floats.precision)?;
     for _ in 0..=steps {
-        let (value, slope) = legendre(floats, degree, &place)?;
-        place = floats.subtract(&place, &floats.divide(&value, &slope)?);
+        let (value, slope) = legendre(floats, degree, &node)?;
+        node = floats.subtract(&node, &floats.divide(&value, &slope)?);
     }
-    let (_, slope) = legendre(floats, degree, &place)?;
-    let beyond = floats.subtract(&one, &floats.multiply(&place, &place));
+    let (_, slope) = legendre(floats, degree, &node)?;
+    let beyond = floats.subtract(&one, &floats.multiply(&node, &node));
     let weight = floats
         .divide(&floats.rational(&2.into())?, &floats.multiply(&beyond, &floats.multiply(&slope, &slope)))?;
-    Some((place, weight))
+    Some((node, weight))
 }
 
 /// Pₙ and its derivative n(tPₙ − Pₙ₋₁)/(t² − 1).

@@ -148,9 +148,9 @@ impl Setting {
     fn springs(&self, accelerations: &[Sum]) -> Result<Vec<Sum>, Error> {
         let letters = &self.letters;
         let spring = |(coordinate, acceleration): (usize, &Sum)| {
-            let place = letters.place_of(Column::Position, coordinate);
+            let position = letters.place_of(Column::Position, coordinate);
             let linear = letters.scaled(&self.linear(acceleration, coordinate), &Rational::from(-1));
-            let square = letters.times(&linear, &letters.power_at(place, -1));
+            let square = letters.times(&linear, &letters.power_at(position, -1));
             let is_negative = square.as_single_term().is_some_and(|(_, factor)| factor.is_negative());
             if square.is_zero() || is_negative {
                 Err(Error::NoOscillation(square.to_string()))
@@ -178,7 +178,7 @@ impl Setting {
         let places = [Column::Drive, Column::Order].map(|column| self.letters.place(column));
         acceleration
             .half_powers()
-            .all(|(powers, _)| places.iter().all(|&place| powers[place] >= 0 && powers[place] % 2 == 0))
+            .all(|(powers, _)| places.iter().all(|&column| powers[column] >= 0 && powers[column] % 2 == 0))
     }
 
     /// W − (p/q)·ω0 for the first coordinate, the detuning of the natural frequency for another: σ, times the small parameter if there is one.
@@ -186,7 +186,7 @@ impl Setting {
         let letters = &self.letters;
         let factor = self
             .bookkeeping
-            .map_or_else(|| letters.number(Rational::from(1)), |place| letters.power_at(place, 1));
+            .map_or_else(|| letters.number(Rational::from(1)), |column| letters.power_at(column, 1));
         let sigma = letters.power_at(letters.place_of(Column::Detuning, coordinate), 1);
         letters.times(&letters.times(&sigma, &letters.power(Column::Order, order)), &factor)
     }
@@ -207,13 +207,14 @@ impl Setting {
     /// The terms of order zero that are linear in a displacement, without others, velocities and waves.
     fn linear(&self, sum: &Sum, coordinate: usize) -> Sum {
         let letters = &self.letters;
-        let own = letters.place_of(Column::Position, coordinate);
+        let position = letters.place_of(Column::Position, coordinate);
         let mut moving = [Column::Order, Column::Wave, Column::PositionSign, Column::VelocitySign]
             .map(|it| letters.place(it))
             .to_vec();
         moving.extend([Column::Position, Column::Velocity].map(|it| letters.places(it)).concat());
-        letters
-            .part(sum, |powers| moving.iter().all(|&place| powers[place] == if place == own { 2 } else { 0 }))
+        letters.part(sum, |powers| {
+            moving.iter().all(|&column| powers[column] == if column == position { 2 } else { 0 })
+        })
     }
 
     /// Distributes the accelerations with detunings of this order, and returns the symbols of the drive that does not contain displacements.
@@ -244,7 +245,7 @@ impl Setting {
             });
             let large = letters.of_order(&graded, 0);
             let is_still =
-                |powers: &[i64]| degree(powers) == 0 && signs.iter().all(|&place| powers[place] == 0);
+                |powers: &[i64]| degree(powers) == 0 && signs.iter().all(|&column| powers[column] == 0);
             let waves = letters.part(&large, |powers| is_still(powers) && powers[wave] != 0);
             self.refuse_large(&letters.subtract(&large, &waves), &degree)?;
             forced.drives[coordinate] = waves;
@@ -252,7 +253,7 @@ impl Setting {
             let driving = letters.part(&graded, |powers| degree(powers) == 0 && powers[wave] != 0);
             drives.extend(
                 (0..letters.given)
-                    .filter(|&place| driving.half_powers().any(|(powers, _)| powers[place] > 0)),
+                    .filter(|&column| driving.half_powers().any(|(powers, _)| powers[column] > 0)),
             );
         }
         if forced.terms.iter().all(Vec::is_empty) && forced.detuning.is_zero() {
@@ -286,7 +287,7 @@ impl Setting {
     /// The degree of a term in displacements and velocities.
     fn degree(&self) -> impl Fn(&[i64]) -> i64 + use<> {
         let places = [Column::Position, Column::Velocity].map(|column| self.letters.places(column)).concat();
-        move |powers| places.iter().map(|&place| powers[place]).sum::<i64>() / 2
+        move |powers| places.iter().map(|&column| powers[column]).sum::<i64>() / 2
     }
 
     /// The degrees of nonlinear terms without a small parameter, each with `true` if the sign of a displacement or velocity is a factor.
@@ -298,7 +299,7 @@ impl Setting {
         let terms =
             equations.accelerations.iter().flat_map(|sum| sum.half_powers().map(|(powers, _)| &powers[..]));
         terms.filter(move |powers| powers[order] == 0).filter_map(move |powers| {
-            let is_kinked = signs.iter().any(|&place| powers[place] != 0);
+            let is_kinked = signs.iter().any(|&column| powers[column] != 0);
             Some((degree(powers), is_kinked)).filter(|(degree, _)| *degree >= 2)
         })
     }
@@ -308,19 +309,19 @@ impl Setting {
         &self,
         equations: &'a Equations,
     ) -> impl Iterator<Item = (i64, bool)> + use<'a> {
-        let known = equations.known_degree.and_then(|degree| i64::try_from(degree).ok());
-        let is_known = move |degree: i64| known.is_none_or(|known| degree <= known);
+        let limit = equations.known_degree.and_then(|degree| i64::try_from(degree).ok());
+        let is_known = move |degree: i64| limit.is_none_or(|highest| degree <= highest);
         self.large_degrees(equations).filter(move |(degree, _)| is_known(*degree))
     }
 
     /// The order at which all nonlinear terms without a small parameter act on amplitude or phase: one of odd degree d, or with a sign, at its own
     /// order d − 1, one of even degree at the square of that.
     fn acting_order(&self, equations: &Equations) -> Option<i64> {
-        let own = |(degree, is_kinked): (i64, bool)| match is_kinked || degree % 2 == 1 {
+        let order_of = |(degree, is_kinked): (i64, bool)| match is_kinked || degree % 2 == 1 {
             true => degree - 1,
             false => 2 * (degree - 1),
         };
-        self.known_degrees(equations).map(own).max()
+        self.known_degrees(equations).map(order_of).max()
     }
 
     fn signs(&self) -> [usize; 2] {
@@ -331,7 +332,7 @@ impl Setting {
     fn refuse_large(&self, large: &Sum, degree: &impl Fn(&[i64]) -> i64) -> Result<(), Error> {
         let letters = &self.letters;
         let Some((powers, _)) = large.half_powers().next() else { return Ok(()) };
-        let term = letters.part(large, |own| own == &powers[..]);
+        let term = letters.part(large, |other| other == &powers[..]);
         let text = letters.changed(&term, |powers, factor| {
             powers[letters.place(Column::Order)..].fill(0);
             factor.clone()
@@ -405,15 +406,15 @@ pub(super) fn terms(letters: &Letters, sum: &Sum) -> Vec<SmallForceTerm> {
         .collect();
     let moving = columns.len();
     columns.extend(signs);
-    let key = |powers: &[i64]| columns.iter().chain([&grade]).map(|&place| powers[place] / 2).collect();
+    let key = |powers: &[i64]| columns.iter().chain([&grade]).map(|&column| powers[column] / 2).collect();
     let mut keys: Vec<Vec<i64>> = sum.half_powers().map(|(powers, _)| key(powers)).collect();
     keys.sort_unstable();
     keys.dedup();
     let term = |wanted: Vec<i64>| {
-        let own = letters.part(sum, |powers| key(powers) == wanted);
-        let coefficient = letters.changed(&own, |powers, factor| {
-            for &place in &columns {
-                powers[place] = 0;
+        let part = letters.part(sum, |powers| key(powers) == wanted);
+        let coefficient = letters.changed(&part, |powers, factor| {
+            for &column in &columns {
+                powers[column] = 0;
             }
             factor.clone()
         });

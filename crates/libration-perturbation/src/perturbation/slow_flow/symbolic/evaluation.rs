@@ -72,10 +72,10 @@ impl FormulaSums {
             .collect();
         let given = values.len();
         values.resize(self.omega0.letters().len(), 1.0);
-        let place = |column: Column| given + column as usize;
-        values[place(Column::Pi)] = PI;
+        let index = |column: Column| given + column as usize;
+        values[index(Column::Pi)] = PI;
         if let Some(square) = &self.square {
-            values[place(Column::Natural)] = libm::sqrt(number(square, &values));
+            values[index(Column::Natural)] = libm::sqrt(number(square, &values));
         }
         let drive = match &self.drive {
             Some(DriveFrequency::Number(number)) => Some(number.to_f64()),
@@ -88,7 +88,7 @@ impl FormulaSums {
         if !missing.is_empty() {
             return Err(missing);
         }
-        values[place(Column::Detuning)] = drive.map_or(0.0, |drive| {
+        values[index(Column::Detuning)] = drive.map_or(0.0, |drive| {
             let [p, q] = [self.resonance.0, self.resonance.1].map(double);
             (drive - p / q * number(&self.omega0, &values)) / number(&self.unit, &values)
         });
@@ -137,10 +137,10 @@ impl SlowFlowAt<'_> {
         let has_drive = steady.order - dropped >= 2 * steady.coupling - steady.lowest;
         let relation = steady.relation.as_ref().filter(|_| is_known && has_drive)?;
         let values = self.with_amplitude(1.0);
-        let place = self.place(Column::Amplitude);
+        let column = self.place(Column::Amplitude);
         let mut coefficients = vec![];
         for (powers, factor) in self.to_order(relation, self.higher_orders() - dropped) {
-            let power = usize::try_from(powers[place] / 2).ok()?;
+            let power = usize::try_from(powers[column] / 2).ok()?;
             if coefficients.len() <= power {
                 coefficients.resize(power + 1, 0.0);
             }

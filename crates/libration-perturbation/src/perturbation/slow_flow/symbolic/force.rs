@@ -50,14 +50,14 @@ impl DriveFrequency {
         symbols.sort();
         symbols.dedup();
         let Some(first) = rates.first() else { return Ok(None) };
-        let found = match (symbols.as_slice(), numbers.iter().min()) {
+        let drive = match (symbols.as_slice(), numbers.iter().min()) {
             ([one], None) => Some(Self::Symbol(one.clone())),
             ([], Some(smallest)) => Some(Self::Number(smallest.clone())),
             _ => None,
         };
         let opposite = Expression::Negate(Box::new(first.clone())).simplified();
-        match found.filter(|found| rates.iter().all(|rate| found.multiple(rate).is_some())) {
-            Some(found) => Ok(Some(found)),
+        match drive.filter(|frequency| rates.iter().all(|rate| frequency.multiple(rate).is_some())) {
+            Some(frequency) => Ok(Some(frequency)),
             None if rates.iter().all(|rate| rate == first || *rate == opposite) => {
                 Err(Error::DriveFrequency(first.to_string()))
             }
@@ -133,14 +133,14 @@ impl Reader<'_> {
                 _ => moving,
             });
         }
-        let known = self.symbols.iter().find(|(name, ..)| *name == symbol.name);
-        if let (None, Some(DriveFrequency::Symbol(name))) = (known, self.drive)
+        let entry = self.symbols.iter().find(|(name, ..)| *name == symbol.name);
+        if let (None, Some(DriveFrequency::Symbol(name))) = (entry, self.drive)
             && *name == symbol.name
         {
             return Ok(self.letters.power(Column::Drive, 1));
         }
-        let (_, place, order) = known.ok_or_else(|| Error::NotPolynomial(symbol.name.clone()))?;
-        Ok(self.letters.times(&self.letters.power_at(*place, 1), &self.letters.power(Column::Order, *order)))
+        let (_, column, order) = entry.ok_or_else(|| Error::NotPolynomial(symbol.name.clone()))?;
+        Ok(self.letters.times(&self.letters.power_at(*column, 1), &self.letters.power(Column::Order, *order)))
     }
 
     fn raised(&self, base: &Expression, exponent: &Expression) -> Result<Sum, Error> {
@@ -208,7 +208,7 @@ impl Reader<'_> {
         let letters = self.letters;
         let moving = self.moving();
         let order = letters.place(Column::Order);
-        let is_still = |powers: &[i64]| moving.iter().all(|&place| powers[place] == 0);
+        let is_still = |powers: &[i64]| moving.iter().all(|&column| powers[column] == 0);
         let still = letters.part(base, |powers| powers[order] == 0 && is_still(powers));
         // The order of a constant product is one of its powers.
         let constant = if still.is_zero() { base.clone() } else { still };
@@ -245,7 +245,7 @@ impl Reader<'_> {
         let letters = self.letters;
         let order = letters.place(Column::Order);
         let moving = [Column::Position, Column::Velocity].map(|column| letters.places(column)).concat();
-        let degree = |powers: &[i64]| moving.iter().map(|&place| powers[place]).sum::<i64>();
+        let degree = |powers: &[i64]| moving.iter().map(|&column| powers[column]).sum::<i64>();
         let is_graded = argument.half_powers().all(|(powers, _)| powers[order] > 0);
         if argument.half_powers().any(|(powers, _)| powers[order] <= 0 && degree(powers) <= 0) {
             return None;
@@ -265,9 +265,9 @@ impl Reader<'_> {
 
     /// The columns of variables.
     fn moving(&self) -> Vec<usize> {
-        let own =
+        let columns =
             [Column::Drive, Column::Wave, Column::Imaginary, Column::PositionSign, Column::VelocitySign];
-        let mut places: Vec<usize> = own.map(|column| self.letters.place(column)).to_vec();
+        let mut places: Vec<usize> = columns.map(|column| self.letters.place(column)).to_vec();
         places
             .extend([Column::Position, Column::Velocity].map(|column| self.letters.places(column)).concat());
         places

@@ -75,8 +75,8 @@ impl Letters {
         [natural, detuning, amplitude]: [&str; 3],
         further: &[[String; 2]],
     ) -> Self {
-        let own = [natural, "pi", detuning, amplitude].map(str::to_owned);
-        let mut names: Vec<String> = symbols.iter().cloned().chain(own).collect();
+        let columns = [natural, "pi", detuning, amplitude].map(str::to_owned);
+        let mut names: Vec<String> = symbols.iter().cloned().chain(columns).collect();
         names.resize(symbols.len() + COLUMNS, String::new());
         for names_of_coordinate in further {
             names.extend(names_of_coordinate.iter().cloned());
@@ -91,9 +91,9 @@ impl Letters {
 
     /// The index of a column of a coordinate; that of waves is for e^{iφ} in the further coordinates.
     pub(super) fn place_of(&self, column: Column, coordinate: usize) -> usize {
-        let own = OF_COORDINATE.iter().position(|it| *it == column);
-        match (coordinate.checked_sub(1), own) {
-            (Some(further), Some(own)) => self.given + COLUMNS + further * OF_COORDINATE.len() + own,
+        let among_further = OF_COORDINATE.iter().position(|it| *it == column);
+        match (coordinate.checked_sub(1), among_further) {
+            (Some(further), Some(offset)) => self.given + COLUMNS + further * OF_COORDINATE.len() + offset,
             _ => self.place(column),
         }
     }
@@ -121,9 +121,9 @@ impl Letters {
     }
 
     /// A symbol of the equation, or another column by its index, to a power.
-    pub(super) fn power_at(&self, place: usize, exponent: i64) -> Sum {
+    pub(super) fn power_at(&self, column: usize, exponent: i64) -> Sum {
         let mut powers = vec![0; self.width()];
-        powers[place] = 2 * exponent;
+        powers[column] = 2 * exponent;
         self.ring.term(powers.into(), Rational::from(1))
     }
 
@@ -219,19 +219,20 @@ impl Letters {
 
     /// The exponents with which a column occurs, rising; those that are not whole are rounded down.
     pub(super) fn exponents(&self, a: &Sum, column: Column) -> Vec<i64> {
-        let place = self.place(column);
-        let mut found: Vec<i64> = a.half_powers().map(|(powers, _)| powers[place].div_euclid(2)).collect();
-        found.sort_unstable();
-        found.dedup();
-        found
+        let index = self.place(column);
+        let mut exponents: Vec<i64> =
+            a.half_powers().map(|(powers, _)| powers[index].div_euclid(2)).collect();
+        exponents.sort_unstable();
+        exponents.dedup();
+        exponents
     }
 
     /// The coefficient of a power of a column.
     pub(super) fn coefficient(&self, a: &Sum, column: Column, exponent: i64) -> Sum {
-        let place = self.place(column);
-        let such = self.part(a, |powers| powers[place] == 2 * exponent);
+        let index = self.place(column);
+        let such = self.part(a, |powers| powers[index] == 2 * exponent);
         self.changed(&such, |powers, factor| {
-            powers[place] = 0;
+            powers[index] = 0;
             factor.clone()
         })
     }
@@ -242,10 +243,10 @@ impl Letters {
     }
 
     /// The derivative with respect to a column by its index.
-    pub(super) fn derivative_at(&self, a: &Sum, place: usize) -> Sum {
+    pub(super) fn derivative_at(&self, a: &Sum, column: usize) -> Sum {
         self.changed(a, |powers, factor| {
-            let exponent = Rational::new(powers[place], 2).unwrap_or_else(|| Rational::from(0));
-            powers[place] -= 2;
+            let exponent = Rational::new(powers[column], 2).unwrap_or_else(|| Rational::from(0));
+            powers[column] -= 2;
             exponent * factor.clone()
         })
     }

@@ -126,7 +126,7 @@ impl SteadyEquations<'_> {
     fn without_inverse(&self, m: i64, rates: &[Sum; 2], matrix: &Coupling, coupling: i64) -> Steady {
         let letters = self.letters;
         let places = [Column::Cosine, Column::Sine].map(|column| letters.place(column));
-        let is_linear = |powers: &[i64]| places.iter().map(|&place| powers[place]).sum::<i64>() <= 2;
+        let is_linear = |powers: &[i64]| places.iter().map(|&column| powers[column]).sum::<i64>() <= 2;
         let leading = rates.each_ref().map(|rate| letters.of_order(rate, coupling));
         let obstacle = match () {
             () if !leading.iter().all(|rate| rate.half_powers().all(|(powers, _)| is_linear(powers))) => {
@@ -152,13 +152,13 @@ impl SteadyEquations<'_> {
         let places = [Column::Cosine, Column::Sine].map(|column| letters.place(column));
         let [p, q] = rates
             .each_ref()
-            .map(|rate| letters.part(rate, |powers| places.iter().all(|&place| powers[place] == 0)));
+            .map(|rate| letters.part(rate, |powers| places.iter().all(|&column| powers[column] == 0)));
         let [[a, b], [c, d]] = matrix;
         let minor =
             |x: &Sum, u: &Sum, y: &Sum, v: &Sum| letters.subtract(&letters.times(x, u), &letters.times(y, v));
         let all = [minor(b, &q, d, &p), minor(c, &p, a, &q), self.determinant(matrix)];
-        let least = |place: usize| {
-            let powers = all.iter().flat_map(Sum::half_powers).map(|(powers, _)| powers[place]);
+        let least = |column: usize| {
+            let powers = all.iter().flat_map(Sum::half_powers).map(|(powers, _)| powers[column]);
             powers.min().unwrap_or(0)
         };
         let least: Vec<i64> = (0..letters.ring.letters().len()).map(least).collect();
@@ -185,7 +185,7 @@ impl SteadyEquations<'_> {
     fn growth(&self, rates: &[Sum; 2]) -> Option<i64> {
         let letters = self.letters;
         let places = [Column::Cosine, Column::Sine].map(|column| letters.place(column));
-        let still = letters.part(&rates[0], |powers| places.iter().all(|&place| powers[place] == 0));
+        let still = letters.part(&rates[0], |powers| places.iter().all(|&column| powers[column] == 0));
         letters.lowest_order(&still)
     }
 
@@ -193,7 +193,7 @@ impl SteadyEquations<'_> {
     fn coupling(&self, rates: &[Sum; 2]) -> Option<i64> {
         let letters = self.letters;
         let places = [Column::Cosine, Column::Sine].map(|column| letters.place(column));
-        let coupled = |rate| letters.part(rate, |powers| places.iter().any(|&place| powers[place] != 0));
+        let coupled = |rate| letters.part(rate, |powers| places.iter().any(|&column| powers[column] != 0));
         rates.iter().filter_map(|rate| letters.lowest_order(&coupled(rate))).min()
     }
 
@@ -202,8 +202,8 @@ impl SteadyEquations<'_> {
         let letters = self.letters;
         let places = [Column::Cosine, Column::Sine].map(|column| letters.place(column));
         let leading = |rate: &Sum, powers: [i64; 2]| {
-            let such = letters.part(&letters.of_order(rate, coupling), |own| {
-                places.iter().zip(powers).all(|(&place, power)| own[place] == 2 * power)
+            let such = letters.part(&letters.of_order(rate, coupling), |exponents| {
+                places.iter().zip(powers).all(|(&column, power)| exponents[column] == 2 * power)
             });
             let [cosine, sine] = [Column::Cosine, Column::Sine];
             let such = letters.coefficient(&such, cosine, powers[0]);
@@ -233,8 +233,8 @@ impl SteadyEquations<'_> {
             |x: &Sum, u: &Sum, y: &Sum, v: &Sum| letters.subtract(&letters.times(x, u), &letters.times(y, v));
         let mut phase = [letters.zero(), letters.zero()];
         for _ in 0..=self.order - self.lowest + 1 {
-            let known = rest.each_ref().map(|rest| self.at_phase(rest, &phase, self.order));
-            let next = [minor(d, &known[0], b, &known[1]), minor(a, &known[1], c, &known[0])];
+            let residuals = rest.each_ref().map(|rest| self.at_phase(rest, &phase, self.order));
+            let next = [minor(d, &residuals[0], b, &residuals[1]), minor(a, &residuals[1], c, &residuals[0])];
             let next = next.map(|it| letters.to_order(&letters.times(&it, &inverse), highest));
             if next == phase {
                 return Some(phase);
