@@ -96,9 +96,9 @@ impl<'a> Parser<'a> {
 
     /// Consumes the sign if it is next, and returns `true` if it was.
     pub(super) fn take(&mut self, sign: char) -> bool {
-        let found = *self.peek() == Token::Sign(sign);
-        self.next += usize::from(found);
-        found
+        let is_next = *self.peek() == Token::Sign(sign);
+        self.next += usize::from(is_next);
+        is_next
     }
 
     pub(super) fn fault(&self, fault: Fault) -> ParseError {
@@ -277,10 +277,10 @@ impl<'a> Parser<'a> {
     /// Consumes `deg` directly after the number that was read, and returns `true` if it was there.
     fn take_degrees(&mut self) -> bool {
         let Lexeme { token, spaced, .. } = &self.lexemes[self.next];
-        let found = !spaced && matches!(token, Token::Name(Symbol { name, primes: 0 }) if name == "deg");
-        self.next += usize::from(found);
-        self.free |= found;
-        found
+        let is_next = !spaced && matches!(token, Token::Name(Symbol { name, primes: 0 }) if name == "deg");
+        self.next += usize::from(is_next);
+        self.free |= is_next;
+        is_next
     }
 
     /// A number of degrees, in radians.

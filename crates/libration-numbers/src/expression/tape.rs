@@ -81,20 +81,20 @@ impl Tape {
     }
 
     /// The positions that an operation reads.
-    pub fn operands(&self, place: usize) -> Vec<usize> {
-        self.operations[place].operands().collect()
+    pub fn operands(&self, position: usize) -> Vec<usize> {
+        self.operations[position].operands().collect()
     }
 
     pub fn inputs(&self) -> usize {
         self.inputs
     }
 
-    pub fn is_constant(&self, place: usize) -> bool {
-        self.constant[place]
+    pub fn is_constant(&self, position: usize) -> bool {
+        self.constant[position]
     }
 
-    pub fn is_weighted(&self, place: usize) -> bool {
-        self.weighted[place]
+    pub fn is_weighted(&self, position: usize) -> bool {
+        self.weighted[position]
     }
 }
 
@@ -124,18 +124,18 @@ fn constant_places(operations: &[Operation]) -> Vec<bool> {
     let mut constant: Vec<bool> = vec![];
     for operation in operations {
         let input = matches!(operation, Operation::Input(_));
-        constant.push(!input && operation.operands().all(|place| constant[place]));
+        constant.push(!input && operation.operands().all(|operand| constant[operand]));
     }
     constant
 }
 
 fn weighted_places(operations: &[Operation]) -> Vec<bool> {
     let mut weighted = vec![false; operations.len()];
-    for (place, operation) in operations.iter().enumerate() {
+    for (position, operation) in operations.iter().enumerate() {
         match *operation {
             Operation::Power(a, _) | Operation::Inverse { of: a, .. } => {
                 weighted[a] = true;
-                weighted[place] = true;
+                weighted[position] = true;
             }
             Operation::Exp(a) | Operation::Tangent { of: a, .. } | Operation::Paired { of: a, .. } => {
                 weighted[a] = true;
@@ -155,21 +155,21 @@ struct Writer<'a> {
 impl Writer<'_> {
     fn place(&mut self, operation: Operation) -> usize {
         let operation = self.folded(operation);
-        if let Some(&place) = self.places.get(&operation) {
-            return place;
+        if let Some(&position) = self.places.get(&operation) {
+            return position;
         }
-        let place = self.operations.len();
+        let position = self.operations.len();
         self.operations.push(operation.clone());
-        self.places.insert(operation, place);
-        place
+        self.places.insert(operation, position);
+        position
     }
 
     fn number(&mut self, value: i64) -> usize {
         self.place(Operation::Number(Rational::from(value)))
     }
 
-    fn known(&self, place: usize) -> Option<&Rational> {
-        if let Operation::Number(value) = &self.operations[place] { Some(value) } else { None }
+    fn known(&self, position: usize) -> Option<&Rational> {
+        if let Operation::Number(value) = &self.operations[position] { Some(value) } else { None }
     }
 
     /// The operation after arithmetic of numbers; factors of one and terms of zero are removed.
@@ -281,8 +281,8 @@ impl Writer<'_> {
         let (function, plus) = (first, Slope::Plus);
         let wanted = Operation::Paired { function, of, other: next + 1, slope: plus };
         let same = |operation: &Operation| matches!(operation, Operation::Paired { function: f, of: a, .. } if *f == first && *a == of);
-        if let Some(place) = self.operations.iter().position(same) {
-            return (place, place + 1);
+        if let Some(position) = self.operations.iter().position(same) {
+            return (position, position + 1);
         }
         self.operations.push(wanted);
         self.operations.push(Operation::Paired { function: second, of, other: next, slope });
@@ -291,14 +291,14 @@ impl Writer<'_> {
 
     fn tangent(&mut self, function: Function, of: usize) -> usize {
         let operation = Operation::Tangent { function, of };
-        if let Some(&place) = self.places.get(&operation) {
-            return place;
+        if let Some(&position) = self.places.get(&operation) {
+            return position;
         }
-        let place = self.operations.len();
+        let position = self.operations.len();
         self.operations.push(operation.clone());
-        self.places.insert(operation, place);
-        self.operations.push(Operation::Multiply(place, place));
-        place
+        self.places.insert(operation, position);
+        self.operations.push(Operation::Multiply(position, position));
+        position
     }
 
     fn divisor(&mut self, divisor: Divisor, of: usize) -> usize {

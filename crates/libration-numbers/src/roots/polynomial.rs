@@ -166,15 +166,15 @@ impl Balanced {
         let radii: Vec<f64> = (0..places.len()).map(|k| self.radius(places, k)).collect();
         let clusters = clusters(places, &radii);
         let root = |k: usize| {
-            let own: Vec<usize> = (0..places.len()).filter(|j| clusters[*j] == clusters[k]).collect();
-            let reach = own.iter().map(|&j| (places[k] - places[j]).abs() + radii[j]).fold(0.0, f64::max);
-            let value = if own.len() == 1 { real_if_it_must_be(places, &radii, k) } else { places[k] };
+            let cluster: Vec<usize> = (0..places.len()).filter(|j| clusters[*j] == clusters[k]).collect();
+            let reach = cluster.iter().map(|&j| (places[k] - places[j]).abs() + radii[j]).fold(0.0, f64::max);
+            let value = if cluster.len() == 1 { real_if_it_must_be(places, &radii, k) } else { places[k] };
             // A disc about the real position to which the root was moved must contain the original disc.
             let error = reach + (value - places[k]).abs();
             PolynomialRoot {
                 value: self.in_units(value),
                 error: self.in_units(error.into()).re,
-                multiplicity: own.len(),
+                multiplicity: cluster.len(),
             }
         };
         (0..places.len()).map(root).collect()

@@ -66,10 +66,10 @@ impl Convolution<'_> {
     fn recent_sum(&self, recent: &[IBig], n: usize) -> IBig {
         let pairs = recent.iter().rev().zip(self.known.iter().skip(1));
         match self.weight {
-            Weight::Ordinary => pairs.map(|(y, known)| y * known).sum(),
+            Weight::Ordinary => pairs.map(|(y, coefficient)| y * coefficient).sum(),
             Weight::EvenFactorial => {
                 let terms = pairs.zip(even_binomials(n));
-                terms.map(|((y, known), binomial)| y * (known * binomial)).sum()
+                terms.map(|((y, coefficient), binomial)| y * (coefficient * binomial)).sum()
             }
         }
     }
@@ -77,8 +77,8 @@ impl Convolution<'_> {
     /// Adds the contribution of `answers[l..middle]` to the sums of `answers[middle..r]`.
     fn carry(&self, answers: &mut [IBig], l: usize, middle: usize, r: usize) {
         let reach = (r - l).min(self.known.len());
-        let (found, sums) = answers.split_at_mut(middle);
-        let left = self.weight.cleared(&found[l..], l);
+        let (solved, sums) = answers.split_at_mut(middle);
+        let left = self.weight.cleared(&solved[l..], l);
         let right = self.weight.cleared(&self.known[..reach], 0);
         let divisor: IBig = (1..reach).map(|k| self.weight.step(k)).product();
         let mut multiplier = IBig::ONE;
