@@ -30,14 +30,14 @@ impl Pendulum {
     pub fn swing_periods(
         &self,
         amplitudes: &[Amplitude],
-        found: &mut [SwingPeriod],
+        periods: &mut [SwingPeriod],
     ) -> Result<(), LengthMismatch> {
-        LengthMismatch::check_lengths(amplitudes.len(), found.len())?;
+        LengthMismatch::check_lengths(amplitudes.len(), periods.len())?;
         let frequency = self.angular_frequency_words();
-        dispatch_slices(Each { amplitudes, frequency, found });
-        for (amplitude, found) in amplitudes.iter().zip(found) {
+        dispatch_slices(Each { amplitudes, frequency, found: periods });
+        for (amplitude, period) in amplitudes.iter().zip(periods) {
             if !is_regular(amplitude) {
-                *found = self.swing_period(amplitude);
+                *period = self.swing_period(amplitude);
             }
         }
         Ok(())
@@ -62,13 +62,13 @@ impl Kernel for Each<'_> {
     fn run(self) {
         let mut block = Block::ZERO;
         let mut all = [SwingPeriod::default(); BLOCK];
-        for (amplitudes, found) in self.amplitudes.chunks(BLOCK).zip(self.found.chunks_mut(BLOCK)) {
+        for (amplitudes, periods) in self.amplitudes.chunks(BLOCK).zip(self.found.chunks_mut(BLOCK)) {
             block.load(amplitudes);
             block.halves();
             block.modulus.block(&block.sine, &block.cosine);
             block.ratios();
             block.write(self.frequency, &mut all);
-            found.copy_from_slice(&all[..found.len()]);
+            periods.copy_from_slice(&all[..periods.len()]);
         }
     }
 }
@@ -139,13 +139,13 @@ impl Block {
 
     #[inline(always)]
     fn write(&self, frequency: DoubleDouble, all: &mut [SwingPeriod; BLOCK]) {
-        for (i, found) in all.iter_mut().enumerate() {
+        for (i, period) in all.iter_mut().enumerate() {
             let (amplitude, first) = (self.amplitude.get(i), self.modulus.first.get(i));
             let (above, below) = (amplitude_above(amplitude.hi), self.period.excess.get(i));
             let ratio = ratio_above(below, self.period.log.get(i));
             let twice = self.cosine.get(i).scaled(2.0);
             let slope = slope_of(self.sine.get(i), self.modulus.cosine_part.get(i), first, twice);
-            *found = SwingPeriod {
+            *period = SwingPeriod {
                 period: period_of_quarter(first, frequency),
                 ratio: Ratio::round(above, below, ratio),
                 excess: Excess::round(above, below, ratio),
