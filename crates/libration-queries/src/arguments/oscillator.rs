@@ -190,7 +190,7 @@ impl OscillatorOptions {
             equation.with(&borrowed(&defaults)).map_err(|error| QueryError::usage(option("set"), error))?;
         let about = self.about.as_deref().map(|text| place(text, &equation, &given)).transpose()?;
         let absent = |(name, value): &(String, Expression)| {
-            given.iter().any(|(own, _)| own == name) || *value != Expression::from(0)
+            given.iter().any(|(given_name, _)| given_name == name) || *value != Expression::from(0)
         };
         let values = given.iter().cloned().chain(defaults.into_iter().filter(absent));
         let values = values.map(|(name, value)| (name, value.to_string())).collect();
@@ -225,7 +225,7 @@ impl Asked {
     fn oscillator(&self) -> Result<Oscillator, OscillatorError> {
         match &self.about {
             None => Oscillator::new(&self.equation),
-            Some(place) => Oscillator::about(&self.equation, place),
+            Some(equilibrium) => Oscillator::about(&self.equation, equilibrium),
         }
     }
 

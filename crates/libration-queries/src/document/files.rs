@@ -72,5 +72,5 @@ fn place(files: &[(PathBuf, Vec<u8>)]) -> Result<(), QueryError> {
 }
 
 fn is(path: &Path, ending: &str) -> bool {
-    path.extension().is_some_and(|found| found.eq_ignore_ascii_case(ending))
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(ending))
 }

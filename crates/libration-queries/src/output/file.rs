@@ -51,8 +51,8 @@ impl NewFile {
                 let stream = stream.open().map_err(fails)?;
                 Target::Stream(Box::new(io::BufWriter::with_capacity(BUFFER, stream)))
             }
-            Destination::File(place) => {
-                let unfinished = Unfinished::create(place)?;
+            Destination::File(path) => {
+                let unfinished = Unfinished::create(path)?;
                 let file = unfinished.file.try_clone().map_err(fails)?;
                 Target::Disk(io::BufWriter::with_capacity(BUFFER, file), unfinished)
             }
@@ -103,20 +103,20 @@ impl Target {
 
 impl Unfinished {
     /// A new name in the same directory, where a rename cannot cross file systems.
-    fn create(place: PathBuf) -> Result<Self, QueryError> {
-        let name = place.file_name().ok_or_else(|| {
+    fn create(path: PathBuf) -> Result<Self, QueryError> {
+        let name = path.file_name().ok_or_else(|| {
             QueryError::misuse(format!(
                 "{} names no file: give a path that ends in a file name",
-                place.display()
+                path.display()
             ))
         })?;
-        leftover::remove(&place);
-        let beside = place.with_file_name(leftover::name(name, std::process::id()));
+        leftover::remove(&path);
+        let beside = path.with_file_name(leftover::name(name, std::process::id()));
         let file = fs::OpenOptions::new().write(true).create_new(true).open(&beside);
-        let file = file.map_err(|error| cannot_write(&place, error))?;
+        let file = file.map_err(|error| cannot_write(&path, error))?;
         // Where files cannot be locked nobody takes one for left.
         let _ = file.try_lock();
-        Ok(Self { file, beside, place })
+        Ok(Self { file, beside, place: path })
     }
 
     fn put_in_place(self) -> io::Result<()> {

@@ -51,9 +51,9 @@ fn write_sheet(out: &mut dyn Write, sheet: &Sheet) -> io::Result<()> {
 
 fn write_what_would_be_fitted(out: &mut dyn Write, answer: &InspectResult) -> io::Result<()> {
     match (&answer.traces, &answer.gates) {
-        (Ok(found), _) => {
+        (Ok(traces), _) => {
             writeln!(out, "`libration fit trace` would fit")?;
-            found
+            traces
                 .traces
                 .iter()
                 .try_for_each(|trace| writeln!(out, "{}", paragraph("  - ", &trace_line(trace), COLUMNS)))

@@ -82,8 +82,8 @@ impl Lyapunov {
         let effort = Effort::to_tolerance(self.tolerance);
         let schedule = self.schedule(&model, &start, &effort).map_err(failure)?;
         interrupt::listen()?;
-        let found = measured(&model, &start, &schedule, &effort).map_err(failure)?;
-        let answer = LyapunovResult { model: &model, initial, schedule, found };
+        let exponent = measured(&model, &start, &schedule, &effort).map_err(failure)?;
+        let answer = LyapunovResult { model: &model, initial, schedule, found: exponent };
         let drawn = match &self.figure {
             Some(path) => {
                 let picture = figure::lyapunov::convergence(&model, &answer.initial, &answer.found);

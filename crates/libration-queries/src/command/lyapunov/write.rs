@@ -33,8 +33,8 @@ impl LyapunovResult<'_> {
 
     fn write_sheet(&self, out: &mut dyn Write, listed: bool) -> io::Result<()> {
         sheet(out, &of_answer().lines(self))?;
-        let found = &self.found;
-        let verdict = format!("{}: {}", found.verdict, found.verdict.reason());
+        let exponent = &self.found;
+        let verdict = format!("{}: {}", exponent.verdict, exponent.verdict.reason());
         writeln!(out, "{}", paragraph("verdict                    ", &verdict, COLUMNS))?;
         if !listed {
             return Ok(());
@@ -71,7 +71,9 @@ fn of_answer<'a>() -> Fields<LyapunovResult<'a>> {
             .line_of("largest Lyapunov exponent", |result| {
                 let exponent = number::rounded(result.found.exponent, 5);
                 match result.found.uncertainty {
-                    known if known.is_finite() => format!("{exponent} ± {} 1/s", number::rounded(known, 2)),
+                    uncertainty if uncertainty.is_finite() => {
+                        format!("{exponent} ± {} 1/s", number::rounded(uncertainty, 2))
+                    }
                     _ => format!("{exponent} 1/s  (uncertainty not known: too few intervals)"),
                 }
             }),

@@ -23,8 +23,8 @@ pub(super) struct Neighbours<'a> {
 
 impl MelnikovResult {
     pub(super) fn neighbours(&self) -> impl Iterator<Item = Neighbours<'_>> {
-        let own = self.resonances.iter().enumerate();
-        own.map(|(place, own)| Neighbours { own, next: self.resonances.get(place + 1) })
+        let numbered = self.resonances.iter().enumerate();
+        numbered.map(|(index, resonance)| Neighbours { own: resonance, next: self.resonances.get(index + 1) })
     }
 }
 

@@ -101,8 +101,12 @@ impl FollowedMode {
     fn words(&self) -> String {
         let change = |change: &StabilityChange| {
             let [from, to] = change.between.map(|amplitude| self.amplitude_text(amplitude));
-            let place = if from == to { format!("at {from}") } else { format!("between {from} and {to}") };
-            format!("It becomes {} {place}.", if change.stable_above { "stable" } else { "unstable" })
+            let amplitude_text =
+                if from == to { format!("at {from}") } else { format!("between {from} and {to}") };
+            format!(
+                "It becomes {} {amplitude_text}.",
+                if change.stable_above { "stable" } else { "unstable" }
+            )
         };
         let mut sentences: Vec<String> = self.found.changes.iter().map(change).collect();
         if let Some(reach) = self.found.series_reach(0.01) {

@@ -39,14 +39,14 @@ impl ResponseResult {
 impl ResponseRow<'_> {
     fn place(&self) -> Option<&PointOfBranch<'_>> {
         match self {
-            Self::PointOfBranch(place) => Some(place),
+            Self::PointOfBranch(point) => Some(point),
             Self::Swept(_) => None,
         }
     }
 
     fn amplitude(&self) -> f64 {
         match self {
-            Self::PointOfBranch(place) => place.amplitude(),
+            Self::PointOfBranch(point) => point.amplitude(),
             Self::Swept(swept) => swept.amplitude(),
         }
     }
@@ -169,7 +169,7 @@ pub(super) fn of_row<'a>() -> Fields<ResponseRow<'a>> {
             row.place().and_then(|it| it.special).map_or("", |special| special.kind.key()).into()
         }),
         Of::number("parameter", "", "value of the parameter", |row| match row {
-            ResponseRow::PointOfBranch(place) => place.point.parameter,
+            ResponseRow::PointOfBranch(point) => point.point.parameter,
             ResponseRow::Swept(swept) => swept.point.parameter,
         }),
         Of::number(

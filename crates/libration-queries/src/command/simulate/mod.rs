@@ -178,7 +178,7 @@ impl Simulate {
         let form = self.form.form_of_file(self.output.as_deref());
         let axes =
             self.axes.as_deref().map(|names| arguments::places_in_state(&model, &option("axes"), names));
-        let axes = axes.transpose()?.map(|places| places.map(|place| StateAxis::new(&model, place)));
+        let axes = axes.transpose()?.map(|places| places.map(|component| StateAxis::new(&model, component)));
         let figure = self.figure.as_deref().map(|path| run::MotionPicture {
             path,
             layout: &self.layout,
@@ -265,8 +265,8 @@ fn write_file(
     // An unfinished file that was gone on from is left to be removed now.
     drop(motion);
     file.finish()?;
-    if let Some([place, _]) = places {
-        state.write(&state_of(&place))?;
+    if let Some([target, _]) = places {
+        state.write(&state_of(&target))?;
     }
     Ok((ending, drawn))
 }

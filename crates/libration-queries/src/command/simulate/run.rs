@@ -216,12 +216,14 @@ pub(super) fn ended(
         }
         Err(IntegrationError::Stopped { cause, solution }) => {
             let Moment { time, state } = &motion.own(&solution.end);
-            let place = motion.model.state_names().into_iter().zip(state);
-            let place: Vec<String> =
-                place.map(|(name, value)| format!("{name} = {}", number::short(*value, 6))).collect();
-            let place = place.join(", ");
-            let reason =
-                format!("{cause} at t = {} s, {place}: the motion is known up to there", cause.time(*time));
+            let pairs = motion.model.state_names().into_iter().zip(state);
+            let components: Vec<String> =
+                pairs.map(|(name, value)| format!("{name} = {}", number::short(*value, 6))).collect();
+            let state_text = components.join(", ");
+            let reason = format!(
+                "{cause} at t = {} s, {state_text}: the motion is known up to there",
+                cause.time(*time)
+            );
             Ok((Ending::Stopped(reason), *solution))
         }
         Err(error) => Err(QueryError::usage(option("initial"), error)),

@@ -83,10 +83,10 @@ pub(super) fn of_numbers<'a>() -> Fields<Numbers<'a>> {
             "orbit_distance",
             "",
             "for a limit cycle: largest distance, at the same phase, of the displacement that the series gives from that of the periodic orbit to which Newton's method converges from there; left out where it does not converge",
-            |it| it.orbit_distance().map(|found| found.distance),
+            |it| it.orbit_distance().map(|orbit| orbit.distance),
         ),
         Of::present("orbit_distance_uncertainty", "", "error of that orbit's displacement", |it| {
-            it.orbit_distance().map(|found| found.uncertainty)
+            it.orbit_distance().map(|orbit| orbit.uncertainty)
         }),
         Of::note(Numbers::without_orbit),
         Of::known("radius", "", "radius of convergence, or null", radius),

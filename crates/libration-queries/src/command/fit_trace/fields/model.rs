@@ -24,7 +24,7 @@ pub(in super::super) fn models<'a>(
     comparison: &'a Comparison,
 ) -> Vec<DampingModel<'a>> {
     let weights = comparison.weights().into_iter().enumerate();
-    weights.map(|(place, weight)| DampingModel { answer, comparison, place, weight }).collect()
+    weights.map(|(index, weight)| DampingModel { answer, comparison, place: index, weight }).collect()
 }
 
 impl DampingModel<'_> {
@@ -138,8 +138,8 @@ pub(super) fn averaged(comparison: &Comparison) -> Value {
     let record = of_period().added_to(Record::new(), &comparison.small_angle_period());
     let shared = DampingKind::ALL.map(ParameterKind::Damping);
     let shared = [ParameterKind::NaturalFrequency].into_iter().chain(shared);
-    let known = shared.filter_map(|kind| Some((kind.name(), comparison.parameter(kind)?)));
-    known.fold(record, |record, (name, value)| of_average().added_for(name, record, &value)).into()
+    let parameters = shared.filter_map(|kind| Some((kind.name(), comparison.parameter(kind)?)));
+    parameters.fold(record, |record, (name, value)| of_average().added_for(name, record, &value)).into()
 }
 
 pub(super) fn of_averages() -> Fields<ModelAverage> {

@@ -24,8 +24,8 @@ pub(super) fn listed<'a>(
     places: &[usize],
     settings: &'a [Setting],
 ) -> Result<Vec<Listed<'a>>, QueryError> {
-    let motions = (1..).zip(&table.rows).zip(places).map(|((number, row), place)| {
-        let setting = &settings[*place];
+    let motions = (1..).zip(&table.rows).zip(places).map(|((number, row), setting_index)| {
+        let setting = &settings[*setting_index];
         let cells: Vec<(&str, &str)> = table.cells_of(row, Meaning::Initial).collect();
         let initial = question.initial.read_with(&cells, &setting.model)?;
         let initial = initial.map_err(|reason| at_line(path, row.line, &reason))?;
