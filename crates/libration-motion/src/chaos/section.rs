@@ -215,28 +215,28 @@ fn crossings(
     const STEPS: usize = 2000;
     const QUIET: usize = 200;
     let stretch = Effort { most_steps: STEPS.min(effort.most_steps), ..*effort };
-    let (mut at, mut found, mut quiet, mut horizon) = (start.clone(), vec![], 0, NEAREST);
+    let (mut at, mut points_found, mut quiet, mut horizon) = (start.clone(), vec![], 0, NEAREST);
     let stopped = loop {
-        let taken = found.len();
+        let taken = points_found.len();
         let outcome =
             integrate_from(system, &Start::State(at.clone()), &[at.time + horizon], &stretch, |step| {
-                found.extend(surface.crossings_in(step));
-                watch.flow_at(found.len().saturating_sub(points.skipped).min(points.recorded))
+                points_found.extend(surface.crossings_in(step));
+                watch.flow_at(points_found.len().saturating_sub(points.skipped).min(points.recorded))
             });
         let (solution, cause) = as_far_as_it_came(outcome)?;
-        quiet = if found.len() > taken { 0 } else { quiet + 1 };
+        quiet = if points_found.len() > taken { 0 } else { quiet + 1 };
         // A motion that is where it was before these steps, bit by bit, is at rest.
         let is_over = is_autonomous && quiet > 0 && solution.end.state == at.state;
         at = solution.end;
         match cause {
-            _ if found.len() >= points.skipped + points.recorded => break None,
+            _ if points_found.len() >= points.skipped + points.recorded => break None,
             None if horizon < NEVER => horizon *= FARTHER,
             Some(Cause::StepLimit) if quiet < QUIET && !is_over => {}
-            Some(Cause::StepLimit | Cause::OutOfRange) | None => break Some(no_more(&found)),
+            Some(Cause::StepLimit | Cause::OutOfRange) | None => break Some(no_more(&points_found)),
             Some(cause) => break Some(SectionEnding::Stopped(cause)),
         }
     };
-    let points = found.into_iter().skip(points.skipped).take(points.recorded).collect();
+    let points = points_found.into_iter().skip(points.skipped).take(points.recorded).collect();
     Ok(PoincareSection { points, stopped })
 }
 

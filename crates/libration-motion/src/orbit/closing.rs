@@ -137,8 +137,8 @@ impl Round {
         let pace = TAU / start.period;
         let least = |number: usize| {
             let coordinate = layout.driving(number).unwrap_or(number);
-            let place = LEAST_SIZE * start.state[coordinate].abs();
-            if layout.is_velocity(number) { place * pace } else { place }
+            let size = LEAST_SIZE * start.state[coordinate].abs();
+            if layout.is_velocity(number) { size * pace } else { size }
         };
         let ranges = self.ranges(layout.numbers());
         let (places, velocities) = ranges.split_at(layout.coordinates());
