@@ -129,7 +129,7 @@ impl<'f> HarmonicBalance<'f> {
             let mut means: Vec<f64> = motion.iter().copied().step_by(self.functions()).collect();
             let centre = means.clone();
             turns.subtract(&mut means, |coordinate| centre[coordinate]);
-            motion.iter_mut().step_by(self.functions()).zip(means).for_each(|(own, mean)| *own = mean);
+            motion.iter_mut().step_by(self.functions()).zip(means).for_each(|(entry, mean)| *entry = mean);
             let is_same = |other: &Estimate| {
                 let apart: Vec<f64> = other.motion.iter().zip(&motion).map(|(a, b)| a - b).collect();
                 let same = SAME[usize::from(!(other.settled && settled))];
@@ -309,7 +309,7 @@ fn inner(a: &Values, b: &Values) -> f64 {
 /// Proportions of the coordinates: each alone, all together, and neighbours in opposition.
 fn shapes(coordinates: usize) -> Vec<Vec<f64>> {
     let each = |part: &dyn Fn(usize) -> f64| (0..coordinates).map(part).collect();
-    let alone = (0..coordinates).map(|own| each(&|it| f64::from(it == own)));
+    let alone = (0..coordinates).map(|moving| each(&|it| f64::from(it == moving)));
     let together = [1.0, -1.0].map(|sign| each(&|it| if it % 2 == 0 { 1.0 } else { sign }));
     alone.chain(together.into_iter().filter(|_| coordinates > 1)).collect()
 }

@@ -52,8 +52,8 @@ impl Family<'_> {
     /// The sizes of the components of a state at a value of the parameter: an amplitude and its velocity, as large as its largest component, and at
     /// least a part of the scale of the family.
     pub(super) fn sizes_of(&self, unknowns: &[f64], value: f64, part: f64) -> Vec<f64> {
-        let own = unknowns.get(self.layout.numbers()).copied();
-        let units = self.sizes_in(self.drive_period(&[value]).or(own).unwrap_or(TAU));
+        let period = unknowns.get(self.layout.numbers()).copied();
+        let units = self.sizes_in(self.drive_period(&[value]).or(period).unwrap_or(TAU));
         let of_component = |(x, unit): (&f64, &f64)| (x / unit).abs();
         let largest = self.state(unknowns).iter().zip(&units).map(of_component).fold(part, f64::max);
         units.into_iter().map(|unit| largest * unit).collect()

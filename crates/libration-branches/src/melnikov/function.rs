@@ -70,11 +70,11 @@ impl Melnikov {
     }
 
     fn new(pendulum: &PerturbedPendulum, direction: f64, found: Vec<(Complex, f64)>) -> Self {
-        let mut found = found.into_iter();
-        let (mean, mean_error) = found.next().unwrap_or_default();
+        let mut coefficients = found.into_iter();
+        let (mean, mean_error) = coefficients.next().unwrap_or_default();
         // e^{−ikΩt} has the conjugate coefficient.
         let mut harmonics: Vec<(Complex, f64)> =
-            found.map(|(value, error)| (value.scaled(2.0), 2.0 * error)).collect();
+            coefficients.map(|(value, error)| (value.scaled(2.0), 2.0 * error)).collect();
         while harmonics.last().is_some_and(|(value, error)| value.abs() <= *error) {
             harmonics.pop();
         }
@@ -147,14 +147,14 @@ impl Melnikov {
 
     fn zeros_of(&self, f: &dyn Fn(f64) -> f64) -> Vec<f64> {
         let places = PLACES * self.harmonics.len();
-        let place = |j: usize| TAU * count(j) / count(places);
-        let ends: Vec<(f64, f64)> = (0..=places).map(|j| (place(j), f(place(j)))).collect();
+        let time = |j: usize| TAU * count(j) / count(places);
+        let ends: Vec<(f64, f64)> = (0..=places).map(|j| (time(j), f(time(j)))).collect();
         // A zero at an end belongs to the interval that begins there.
-        let own = |pair: &[(f64, f64)]| {
-            let found = (pair[1].1 != 0.0).then(|| zero_between([pair[0], pair[1]], Tolerance::LAST_BIT, f));
-            found.flatten()
+        let zero = |pair: &[(f64, f64)]| {
+            let zero = (pair[1].1 != 0.0).then(|| zero_between([pair[0], pair[1]], Tolerance::LAST_BIT, f));
+            zero.flatten()
         };
-        ends.windows(2).filter_map(own).collect()
+        ends.windows(2).filter_map(zero).collect()
     }
 }
 
@@ -202,15 +202,16 @@ pub fn thresholds(
         return Err(MelnikovError::Range { from, to });
     }
     let at = |value: f64| at_value(equation, parameter, value, watch);
-    let place = |j: u32| if j == LOOKS { to } else { from + (to - from) * f64::from(j) / f64::from(LOOKS) };
+    let value_at =
+        |j: u32| if j == LOOKS { to } else { from + (to - from) * f64::from(j) / f64::from(LOOKS) };
     watch.begin(Stage::Whole, Some(LOOKS as usize + 1));
     let look = |(done, j): (usize, u32)| {
         watch.reached(done)?;
-        Ok((place(j), at(place(j))?))
+        Ok((value_at(j), at(value_at(j))?))
     };
     let looks = (0..).zip(0..=LOOKS).map(look);
     let looks = looks.collect::<Result<Vec<_>, MelnikovError>>()?;
-    let mut found = vec![];
+    let mut thresholds = vec![];
     for side in [0, 1] {
         let margin = |value: f64| at(value).map_or(f64::NAN, |both| both[side].margin());
         for pair in looks.windows(2) {
@@ -226,12 +227,12 @@ pub fn thresholds(
                 continue;
             }
             let slope = (after - before) / (2e-4 * width);
-            let own = &at(value)?[side];
-            let error = own.error() / slope.abs() + f64::EPSILON * value.abs();
-            found.push(Threshold { direction: own.direction, value, error, above: slope > 0.0 });
+            let function = &at(value)?[side];
+            let error = function.error() / slope.abs() + f64::EPSILON * value.abs();
+            thresholds.push(Threshold { direction: function.direction, value, error, above: slope > 0.0 });
         }
     }
-    Ok(found)
+    Ok(thresholds)
 }
 
 fn at_value(

@@ -139,15 +139,15 @@ impl Approach<'_> {
         let farther = self.nearest(value, 2.0 * DISTANCE, nearest.time, NEXT)?;
         let start = (farther.separation - nearest.separation).abs();
         let error = change + (start + nearest.separation_error) / slope.abs();
-        let place = self.nearest(value, DISTANCE, nearest.time, SHORTER)?;
+        let shorter = self.nearest(value, DISTANCE, nearest.time, SHORTER)?;
         let pendulum = PerturbedPendulum::new(&with_value(self.equation, self.parameter, value)?)?;
         let frequency = pendulum.frequency().ok_or(TangencyError::NoSaddle)?;
-        let time_error = (place.time - nearest.time).abs() + place.time_rounding;
+        let time_error = (shorter.time - nearest.time).abs() + shorter.time_rounding;
         Ok(Tangency {
             value,
             error,
-            phase: (frequency * place.time).rem_euclid(TAU),
-            velocity: place.velocity,
+            phase: (frequency * shorter.time).rem_euclid(TAU),
+            velocity: shorter.velocity,
             place_error: frequency * time_error + error,
         })
     }

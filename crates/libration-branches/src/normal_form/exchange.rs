@@ -253,9 +253,9 @@ struct Scale {
 
 impl Scale {
     fn of(places: &[Place]) -> Self {
-        let least = places.iter().map(|place| place[0]).fold(f64::INFINITY, f64::min);
-        let most = places.iter().map(|place| place[0]).fold(0.0, f64::max);
-        let height = places.iter().map(|place| place[1].abs()).fold(0.0, f64::max);
+        let least = places.iter().map(|point| point[0]).fold(f64::INFINITY, f64::min);
+        let most = places.iter().map(|point| point[0]).fold(0.0, f64::max);
+        let height = places.iter().map(|point| point[1].abs()).fold(0.0, f64::max);
         Self { middle: 0.5 * (least + most), half_width: 0.5 * (most - least), height }
     }
 
@@ -272,7 +272,7 @@ impl Scale {
 /// half at each. The mean converges faster than any power of the length: the error of nine tenths is a few times that of the whole, that of one
 /// half thousands of times as large. The effect of the integration tolerance is added.
 fn winding(places: &[Place], interval: f64, scale: &Scale) -> [f64; 2] {
-    let angles: Vec<f64> = places.iter().map(|place| scale.angle(place)).collect();
+    let angles: Vec<f64> = places.iter().map(|point| scale.angle(point)).collect();
     let step = |pair: &[f64]| {
         let step = pair[1] - pair[0];
         step - TAU * (step / TAU).round()
