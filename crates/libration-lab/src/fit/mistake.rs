@@ -75,8 +75,8 @@ impl GravityMistake {
     /// ```
     /// use libration_lab::fit::{GravityMistake, Uncertain};
     ///
-    /// let found = Uncertain { value: 39.1, uncertainty: 0.4 };
-    /// let mistake = GravityMistake::explaining(found, GravityMistake::anywhere_on_earth());
+    /// let gravity = Uncertain { value: 39.1, uncertainty: 0.4 };
+    /// let mistake = GravityMistake::explaining(gravity, GravityMistake::anywhere_on_earth());
     /// assert_eq!(mistake, Some(GravityMistake::HalfPeriodsAsWhole));
     /// ```
     #[must_use]

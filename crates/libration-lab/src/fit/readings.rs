@@ -99,9 +99,9 @@ impl RepeatedReadings {
     /// use libration_lab::fit::{ReadingSummary, RepeatedReadings};
     ///
     /// let summary = |mean| ReadingSummary { mean, deviation: 0.02_f64.sqrt(), count: 2 };
-    /// let known = RepeatedReadings::of_summaries(&[summary(1.1), summary(3.0)], 0.01).unwrap();
+    /// let summarised = RepeatedReadings::of_summaries(&[summary(1.1), summary(3.0)], 0.01).unwrap();
     /// let readings = RepeatedReadings::new(&[vec![1.0, 1.2], vec![3.1, 2.9]], 0.01).unwrap();
-    /// assert!((known.rows[0].uncertainty / readings.rows[0].uncertainty - 1.0).abs() < 1e-12);
+    /// assert!((summarised.rows[0].uncertainty / readings.rows[0].uncertainty - 1.0).abs() < 1e-12);
     /// ```
     #[must_use]
     pub fn of_summaries(rows: &[ReadingSummary], step: f64) -> Option<Self> {

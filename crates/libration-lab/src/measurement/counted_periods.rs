@@ -35,7 +35,7 @@ impl Table {
     /// ```
     pub fn counted_periods(&self, column: &Column) -> Result<CountedPeriods, MeasurementError> {
         let sheet = self.sheet();
-        let index = sheet.place(column)?;
+        let index = sheet.index_of(column)?;
         let heading = &sheet.channels[index].heading;
         let text = match heading.stated_uncertainty {
             Some(_) => &without_stated(&heading.text.replace("+/-", "±").replace("+-", "±")).0,

@@ -39,7 +39,7 @@ fn gates_of(sheet: &Sheet, choices: &Choices) -> Result<Gates, MeasurementError>
     let mut findings = Vec::new();
     let time = time_column(sheet, choices, &mut findings)?;
     if let Some(column) = &choices.signal {
-        return gates_of_signal(sheet, time, sheet.place(column)?, choices, findings);
+        return gates_of_signal(sheet, time, sheet.index_of(column)?, choices, findings);
     }
     let state = state_column(sheet, choices, &mut findings)?;
     if state.is_none() && choices.time.is_none() {
@@ -232,7 +232,7 @@ fn time_column(
     findings: &mut Vec<Finding>,
 ) -> Result<usize, MeasurementError> {
     if let Some(column) = &choices.time {
-        return sheet.place(column);
+        return sheet.index_of(column);
     }
     let named: Vec<usize> = (0..sheet.channels.len())
         .filter(|&column| sheet.channels[column].heading.is(QuantityKind::Time))
@@ -262,7 +262,7 @@ fn state_column(
     findings: &mut Vec<Finding>,
 ) -> Result<Option<usize>, MeasurementError> {
     if let Some(column) = &choices.gate {
-        return sheet.place(column).map(Some);
+        return sheet.index_of(column).map(Some);
     }
     let index =
         (0..sheet.channels.len()).find(|&column| sheet.channels[column].heading.is(QuantityKind::Gate));

@@ -246,15 +246,15 @@ impl Sheet {
     ///
     /// # Errors
     /// No such column, or a name that several bear.
-    pub fn place(&self, column: &Column) -> Result<usize, MeasurementError> {
+    pub fn index_of(&self, column: &Column) -> Result<usize, MeasurementError> {
         match column {
             Column::Number(number) if (1..=self.channels.len()).contains(number) => Ok(number - 1),
             Column::Number(number) => Err(self.no_such_column(&number.to_string())),
-            Column::Name(name) => self.place_of_name(name),
+            Column::Name(name) => self.index_of_name(name),
         }
     }
 
-    fn place_of_name(&self, name: &str) -> Result<usize, MeasurementError> {
+    fn index_of_name(&self, name: &str) -> Result<usize, MeasurementError> {
         let bears = |index: &usize| self.channels[*index].heading.is_named(name);
         let mut places = (0..self.channels.len()).filter(bears);
         match (places.next(), places.next()) {

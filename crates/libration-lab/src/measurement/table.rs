@@ -154,8 +154,8 @@ impl Table {
     ///
     /// # Errors
     /// No such column, or a name that several bear.
-    pub fn place(&self, column: &Column) -> Result<usize, MeasurementError> {
-        self.sheet.place(column)
+    pub fn index_of(&self, column: &Column) -> Result<usize, MeasurementError> {
+        self.sheet.index_of(column)
     }
 
     pub(super) fn sheet(&self) -> &Sheet {
@@ -193,7 +193,7 @@ impl Table {
     /// No such column, a name that several columns bear, a cell that is text, no complete row.
     pub fn select(&self, columns: &[Column]) -> Result<Selection, MeasurementError> {
         let places: Vec<usize> =
-            columns.iter().map(|column| self.sheet.place(column)).collect::<Result<_, _>>()?;
+            columns.iter().map(|column| self.sheet.index_of(column)).collect::<Result<_, _>>()?;
         let mut selection =
             Selection { columns: vec![Vec::new(); places.len()], lines: Vec::new(), dropped: 0 };
         for row in self.rows() {
@@ -214,7 +214,8 @@ impl Table {
     /// # Errors
     /// Those of [`select`](Self::select).
     pub fn readings(&self, quantities: &[Vec<Column>]) -> Result<Readings, MeasurementError> {
-        let places = |columns: &Vec<Column>| columns.iter().map(|column| self.sheet.place(column)).collect();
+        let places =
+            |columns: &Vec<Column>| columns.iter().map(|column| self.sheet.index_of(column)).collect();
         let places: Vec<Vec<usize>> = quantities.iter().map(places).collect::<Result<_, _>>()?;
         let mut readings = Readings {
             quantities: vec![vec![]; places.len()],
@@ -252,7 +253,7 @@ impl Table {
     /// # Errors
     /// No such column.
     pub fn labels(&self, column: &Column, rows: &[usize]) -> Result<Vec<String>, MeasurementError> {
-        let channel = &self.sheet.channels[self.sheet.place(column)?];
+        let channel = &self.sheet.channels[self.sheet.index_of(column)?];
         Ok(rows.iter().map(|&row| channel.label(row).unwrap_or_default()).collect())
     }
 
@@ -261,7 +262,7 @@ impl Table {
     /// # Errors
     /// No such column.
     pub fn step(&self, column: &Column) -> Result<f64, MeasurementError> {
-        let channel = &self.sheet.channels[self.sheet.place(column)?];
+        let channel = &self.sheet.channels[self.sheet.index_of(column)?];
         Ok(libm::exp10(-f64::from(channel.decimals)))
     }
 
@@ -270,7 +271,7 @@ impl Table {
     /// # Errors
     /// No such column.
     pub fn stated_uncertainty(&self, column: &Column) -> Result<Option<StatedUncertainty>, MeasurementError> {
-        Ok(self.sheet.channels[self.sheet.place(column)?].heading.stated_uncertainty)
+        Ok(self.sheet.channels[self.sheet.index_of(column)?].heading.stated_uncertainty)
     }
 
     /// The fraction of another quantity to which 1 corresponds in a column of relative uncertainties: 0.01 for `u(T) in %`; `None` for other
@@ -279,7 +280,7 @@ impl Table {
     /// # Errors
     /// No such column; relative uncertainties without a sign of their unit.
     pub fn fraction(&self, column: &Column) -> Result<Option<f64>, MeasurementError> {
-        let index = self.sheet.place(column)?;
+        let index = self.sheet.index_of(column)?;
         let heading = &self.sheet.channels[index].heading;
         if heading.is_relative_without_unit() {
             return Err(MeasurementError::RelativeWithoutUnit { place: self.sheet.describe(index) });

@@ -21,7 +21,7 @@ impl Table {
     /// # Ok::<(), libration_lab::measurement::MeasurementError>(())
     /// ```
     pub fn unit(&self, column: &Column, role: Role) -> Result<WrittenUnit, MeasurementError> {
-        let (sheet, index) = (self.sheet(), self.sheet().place(column)?);
+        let (sheet, index) = (self.sheet(), self.sheet().index_of(column)?);
         let heading = &sheet.channels[index].heading;
         match role.contradicted_by(heading) {
             _ if heading.is_uncertainty => Err(holds_other(sheet, index, "uncertainties", role)),
@@ -35,7 +35,7 @@ impl Table {
     /// # Errors
     /// No such column; a unit of something else.
     pub fn unit_of_chosen(&self, column: &Column, role: Role) -> Result<WrittenUnit, MeasurementError> {
-        let (sheet, index) = (self.sheet(), self.sheet().place(column)?);
+        let (sheet, index) = (self.sheet(), self.sheet().index_of(column)?);
         let heading = &sheet.channels[index].heading;
         match role.contradicted_by_unit(heading) {
             Some(other) => Err(holds_other(sheet, index, other, role)),
@@ -49,14 +49,14 @@ impl Table {
         let heading = |index: usize| &self.sheet().channels[index].heading;
         let is_angle = |name: &str| !["auslenkung", "deflection"].contains(&name.to_lowercase().as_str());
         self.sheet()
-            .place(column)
+            .index_of(column)
             .is_ok_and(|index| heading(index).is(QuantityKind::Angle) && is_angle(&heading(index).name))
     }
 
     /// Returns `true` if the name of a column says lengths of a pendulum, whatever its unit is: `L`, `string length`.
     #[must_use]
     pub fn names_lengths(&self, column: &Column) -> bool {
-        let position = self.sheet().place(column);
+        let position = self.sheet().index_of(column);
         position.is_ok_and(|index| is_name_of_length(&self.sheet().channels[index].heading.name))
     }
 
@@ -65,7 +65,7 @@ impl Table {
     /// # Errors
     /// No such column.
     pub fn describe(&self, column: &Column) -> Result<String, MeasurementError> {
-        self.sheet().place(column).map(|index| self.sheet().describe(index))
+        self.sheet().index_of(column).map(|index| self.sheet().describe(index))
     }
 }
 

@@ -26,7 +26,7 @@ pub(super) struct LawComparison<'a> {
 
 /// A law with its standing.
 pub(super) struct Compared {
-    pub(super) found: DecayLawFit,
+    pub(super) fit: DecayLawFit,
     /// `None` where the rows are too few for the criterion.
     pub(super) aicc: Option<f64>,
     /// Excess of the criterion, or of the misfit where there is none, over the least one.
@@ -62,7 +62,7 @@ impl<'a> LawComparison<'a> {
         let separated = separated(table);
         let preferred =
             laws.iter().position(|law| law.excess <= separated).ok_or(AmplitudesError::NotFalling)?;
-        let chosen = given.and_then(|terms| laws.iter().position(|law| law.found.terms == terms));
+        let chosen = given.and_then(|terms| laws.iter().position(|law| law.fit.terms == terms));
         if let (Some(terms), None) = (given, chosen) {
             return Err(AmplitudesError::Law(terms));
         }
@@ -133,12 +133,10 @@ fn compared(table: &AmplitudeTable, fits: &[DecayLawFit]) -> Vec<Compared> {
             aicc: aicc(it),
             excess: score(it).map_or(f64::INFINITY, |score| score - least),
             chance: chance(it, fits, dof(it)),
-            found: it.clone(),
+            fit: it.clone(),
         })
         .collect();
-    laws.sort_by(|a, b| {
-        a.found.terms.count().cmp(&b.found.terms.count()).then(a.excess.total_cmp(&b.excess))
-    });
+    laws.sort_by(|a, b| a.fit.terms.count().cmp(&b.fit.terms.count()).then(a.excess.total_cmp(&b.excess)));
     laws
 }
 

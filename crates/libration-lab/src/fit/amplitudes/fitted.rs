@@ -101,7 +101,7 @@ impl LawOfAmplitudes {
     }
 
     fn new(law: &DecayLaw<'_>, compared: &Compared, phase: Option<Uncertain>) -> Self {
-        let (table, fit) = (law.table, &compared.found);
+        let (table, fit) = (law.table, &compared.fit);
         let terms = fit.terms.count();
         let scale = VarianceFactors::new(table, fit);
         let estimate = |index: usize| Uncertain {
@@ -141,7 +141,7 @@ impl AmplitudesFit {
         comparison: &LawComparison<'_>,
     ) -> Self {
         let law = &comparison.law;
-        let chosen = &comparison.laws[comparison.chosen].found;
+        let chosen = &comparison.laws[comparison.chosen].fit;
         let scale = VarianceFactors::new(table, chosen).of_covariance;
         let period = period::period(law, chosen, scale, options.period);
         let natural_frequency = period.map(|period| period::natural_frequency(table, chosen, period));
@@ -205,9 +205,8 @@ impl LawComparison<'_> {
     /// The difference of Q at an amplitude to other laws: to the preferred one where the given one is refuted; without a given one to those that the rows
     /// do not separate, with their Akaike weights.
     fn spread_of_quality(&self, phase: Option<Uncertain>, amplitude: f64) -> f64 {
-        let of = |law: &Compared| {
-            Some(quality::at_amplitude(&self.law, &law.found, phase?, amplitude, 1.0)?.value)
-        };
+        let of =
+            |law: &Compared| Some(quality::at_amplitude(&self.law, &law.fit, phase?, amplitude, 1.0)?.value);
         let chosen = &self.laws[self.chosen];
         let Some(quality) = of(chosen) else { return 0.0 };
         let difference = |law: &Compared| of(law).map_or(0.0, |other| other - quality);

@@ -267,7 +267,7 @@ impl<'a> Inputs<'a> {
         let values = self.values;
         move |x| {
             let mut moved = values;
-            if let Some(variable) = input.place(&mut moved) {
+            if let Some(variable) = input.slot(&mut moved) {
                 *variable = x;
             }
             of(&moved)
@@ -276,7 +276,7 @@ impl<'a> Inputs<'a> {
 
     fn value(&self, input: BudgetInput) -> f64 {
         let mut values = self.values;
-        input.place(&mut values).map_or(f64::NAN, |variable| *variable)
+        input.slot(&mut values).map_or(f64::NAN, |variable| *variable)
     }
 
     /// Distance over which the functions are defined: to zero, and for amplitudes to the top.

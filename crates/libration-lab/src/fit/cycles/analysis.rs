@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use super::bias::{Bias, SimulatedMeasurement};
 use super::centre::Centre;
+use super::cycle_landmarks::CycleLandmarks;
 use super::envelope::{Envelope, envelope};
-use super::found::CycleLandmarks;
 use super::generalised::CycleScatter;
 use super::landmarks::{Landmarks, landmarks};
 use super::period_law::{self, PeriodLaw};

@@ -8,8 +8,8 @@
 
 use std::f64::consts::TAU;
 
+use super::cycle_landmarks::CycleLandmarks;
 use super::envelope::EnvelopeFit;
-use super::found::CycleLandmarks;
 use super::landmarks::landmarks;
 use super::row::CycleRow;
 use super::shape::LARGEST_AMPLITUDE;

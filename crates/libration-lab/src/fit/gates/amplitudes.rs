@@ -78,7 +78,7 @@ impl OrderedPassages {
             amplitudes.t0 = self.consistent_t0(&amplitudes, watch).unwrap_or(amplitudes.t0);
             amplitudes.of_passages = self.by_speed(&amplitudes, amplitudes.t0, watch);
             self.follow(&mut amplitudes);
-            self.place(&mut amplitudes, &at_middles);
+            self.set_gate(&mut amplitudes, &at_middles);
         }
         amplitudes.of_passages = self.by_speed(&amplitudes, amplitudes.t0, watch);
         amplitudes
@@ -160,7 +160,7 @@ impl OrderedPassages {
 
     /// Sets the position of the gate to the median of its angles at the middle passages of cycles, at these times after the bottom, and computes
     /// the times at all passages.
-    fn place(&self, amplitudes: &mut Amplitudes, at_middles: &[f64]) {
+    fn set_gate(&self, amplitudes: &mut Amplitudes, at_middles: &[f64]) {
         let angle = |(&cycle, &time): (&usize, &f64)| {
             let (passage, blocked) = (cycle + 1, self.blocked(cycle + 1)?);
             let amplitude = amplitudes.smooth[passage]?;

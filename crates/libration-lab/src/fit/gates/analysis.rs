@@ -30,8 +30,8 @@ use libration::quantity::Quantity;
 /// use libration_lab::fit::gates::{GateOptions, fit_gates};
 /// // A period of 2 s, and a gate off the centre.
 /// let times: Vec<f64> = (0..10).flat_map(|k| [2.0 * f64::from(k), 2.0 * f64::from(k) + 1.2]).collect();
-/// let found = fit_gates(&times, None, &GateOptions::default(), &Quiet)?;
-/// assert!((found.mean_period.value - 2.0).abs() < 1e-12 && (found.part_between - 0.6).abs() < 1e-12);
+/// let fit = fit_gates(&times, None, &GateOptions::default(), &Quiet)?;
+/// assert!((fit.mean_period.value - 2.0).abs() < 1e-12 && (fit.part_between - 0.6).abs() < 1e-12);
 /// # Ok::<(), libration_lab::fit::gates::GatesError>(())
 /// ```
 pub fn fit_gates(

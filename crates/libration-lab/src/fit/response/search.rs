@@ -153,7 +153,7 @@ impl Search<'_> {
         for _ in 0..MOST_ROUNDS {
             self.watch.go_on().map_err(|_| ResponseFitError::Interrupted)?;
             if round.is_settled(&here) {
-                return Ok(self.found(&here, round, true));
+                return Ok(self.to_minimum(&here, round, true));
             }
             let next = self.moved(&here, &round, part);
             match self.round(&next) {
@@ -169,7 +169,7 @@ impl Search<'_> {
                 Err(_) => part = (0.5 * part).max(LEAST_PART),
             }
         }
-        Ok(self.found(&here, round, false))
+        Ok(self.to_minimum(&here, round, false))
     }
 
     /// The state after a fraction of the step of a round.
@@ -210,7 +210,7 @@ impl Search<'_> {
         step
     }
 
-    fn found(&self, here: &State, round: Round, settled: bool) -> ResponseMinimum {
+    fn to_minimum(&self, here: &State, round: Round, settled: bool) -> ResponseMinimum {
         let chi2 = round.residuals.norm_squared();
         let misfit =
             if self.table.is_weighted() { chi2 } else { here.scatters.misfit(self.table, &round.rows) };

@@ -79,9 +79,9 @@ pub struct Spectrum {
 /// let times: Vec<f64> = (0..600).map(|row| f64::from(row) / 60.0).collect();
 /// let angles = times.iter().map(|&time| motion.state_at(time).angle).collect();
 /// let trace = Trace::new("swing", Observable::Angle, times, angles, None)?;
-/// let found = fit_spectrum(&trace, &SpectrumOptions::default(), &Quiet)?;
-/// assert!((found.amplitude.to_degrees() - 80.0).abs() < 1e-3);
-/// let third = found.harmonics[3];
+/// let spectrum = fit_spectrum(&trace, &SpectrumOptions::default(), &Quiet)?;
+/// assert!((spectrum.amplitude.to_degrees() - 80.0).abs() < 1e-3);
+/// let third = spectrum.harmonics[3];
 /// assert!((third.in_phase.value - third.theory).abs() < 1e-6 && third.theory < -0.01);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

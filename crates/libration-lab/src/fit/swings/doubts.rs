@@ -56,7 +56,7 @@ fn refuted(analysis: &SwingsFit) -> Option<Warning> {
 fn pivot(traces: &[Trace]) -> Option<Warning> {
     let mut pivots = traces.iter().filter_map(Trace::fitted_pivot);
     let contradicted = |pivot: &FittedPivot| {
-        Some(Warning::PivotContradicted { given: pivot.place, found: pivot.contradicted_by? })
+        Some(Warning::PivotContradicted { given: pivot.position, found: pivot.contradicted_by? })
     };
     pivots.find_map(contradicted)
 }

@@ -53,7 +53,7 @@ pub(super) fn intervals(
         let parameter = &parameters[index];
         let inflation = parameter.estimate.uncertainty / parameter.formal_uncertainty;
         let wanted = students(level, parameter.degrees_of_freedom) * inflation;
-        let profile = Profile { problem, minimum, free: &free, covariance, place: index, variance };
+        let profile = Profile { problem, minimum, free: &free, covariance, index, variance };
         profile.end(side * wanted, parameter.formal_uncertainty, watch)
     });
     let distances = outcomes.into_iter().collect::<Result<Vec<f64>, TraceFitError>>()?;
@@ -70,14 +70,14 @@ struct Profile<'a> {
     free: &'a [usize],
     covariance: &'a DMatrix<f64>,
     /// Index of the parameter among the free ones.
-    place: usize,
+    index: usize,
     variance: f64,
 }
 
 impl Profile<'_> {
     /// The value at this number of standard deviations; by the linear approximation if the profile does not reach so far.
     fn end(&self, deviations: f64, uncertainty: f64, watch: &Watch<'_>) -> Result<f64, TraceFitError> {
-        let centre = self.minimum.parameters[self.free[self.place]];
+        let centre = self.minimum.parameters[self.free[self.index]];
         let mut distance = deviations * uncertainty;
         for _ in 0..TRIES {
             let reached = match self.deviations(distance, watch) {
@@ -98,11 +98,11 @@ impl Profile<'_> {
     /// of the linear approximation.
     fn deviations(&self, distance: f64, watch: &Watch<'_>) -> Result<f64, TraceFitError> {
         let mut parameters = self.minimum.parameters.clone();
-        let variance = self.covariance[(self.place, self.place)];
+        let variance = self.covariance[(self.index, self.index)];
         for (column, &index) in self.free.iter().enumerate() {
-            parameters[index] += distance * self.covariance[(self.place, column)] / variance;
+            parameters[index] += distance * self.covariance[(self.index, column)] / variance;
         }
-        let fixed = self.free[self.place];
+        let fixed = self.free[self.index];
         let others = self.free.iter().copied().filter(|&other| other != fixed).collect();
         let least = self.minimum.sum_of_squares();
         let moved = self.problem.sum_beside(&self.minimum.weights, parameters, others, least, watch)?;

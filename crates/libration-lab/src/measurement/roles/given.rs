@@ -54,7 +54,7 @@ impl GivenRoles {
         let rest = self.are_all.then_some(ColumnRole::Ignored);
         let mut places = vec![rest; table.width()];
         for (column, role) in &self.roles {
-            places[table.sheet().place(column)?] = Some(*role);
+            places[table.sheet().index_of(column)?] = Some(*role);
         }
         for (quantity, it) in needed.iter().enumerate() {
             let of_quantity = |role: &&Option<ColumnRole>| matches!(role, Some(ColumnRole::Uncertainty(of, _)) if *of == quantity);

@@ -163,7 +163,7 @@ impl Table {
         search.assign_number_of_readings()?;
         search.assign_rest();
         search.refuse_counts_of_periods(given)?;
-        Ok(search.found())
+        Ok(search.assigned())
     }
 }
 
@@ -171,7 +171,7 @@ impl Table {
     /// Returns `true` if headings name these columns of a quantity.
     #[must_use]
     pub fn heads(&self, quantity: &TableQuantity, columns: &QuantityColumns) -> bool {
-        let first = columns.readings.first().and_then(|column| self.sheet().place(column).ok());
+        let first = columns.readings.first().and_then(|column| self.sheet().index_of(column).ok());
         first.is_some_and(|index| {
             columns.are_squares || quantity.role.is_said_by(&self.sheet().channels[index].heading)
         })
@@ -218,7 +218,7 @@ impl RoleSearch<'_> {
         }
     }
 
-    fn found(self) -> TableRoles {
+    fn assigned(self) -> TableRoles {
         let column = |index: usize| Column::Number(index + 1);
         let columns = |role| self.with_role(role).into_iter().map(column).collect::<Vec<_>>();
         let of_quantity = |quantity: usize| {

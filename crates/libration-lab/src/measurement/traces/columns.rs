@@ -77,7 +77,7 @@ impl Group<'_> {
     }
 
     fn chosen(&self, column: Option<&Column>) -> Result<Option<usize>, MeasurementError> {
-        column.map(|column| self.sheet.place(column)).transpose()
+        column.map(|column| self.sheet.index_of(column)).transpose()
     }
 
     fn undecided(&self, question: &str, choice: Choice, places: &[usize]) -> MeasurementError {

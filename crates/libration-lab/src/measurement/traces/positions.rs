@@ -68,7 +68,7 @@ pub(super) fn angles(
     let position = [x, y];
     let uncertain = match (pivot, contradicting) {
         (None, _) => Some(FittedPivot {
-            place: position,
+            position,
             covariance: circle.covariance,
             derivatives: derivatives(),
             contradicted_by: None,
@@ -78,7 +78,7 @@ pub(super) fn angles(
             let apart = [centre[0] - x, centre[1] - y];
             let covariance = apart.map(|one| apart.map(|other| one * other / 3.0));
             Some(FittedPivot {
-                place: position,
+                position,
                 covariance,
                 derivatives: derivatives(),
                 contradicted_by: Some(centre),

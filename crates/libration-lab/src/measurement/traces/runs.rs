@@ -17,7 +17,7 @@ impl<'a> Group<'a> {
         let mut runs = named_runs(sheet);
         let explicit = [&choices.angle, &choices.angular_velocity, &choices.x, &choices.y, &choices.time];
         if let Some(column) = explicit.into_iter().flatten().next() {
-            let run = &sheet.channels[sheet.place(column)?].heading.run;
+            let run = &sheet.channels[sheet.index_of(column)?].heading.run;
             runs.retain(|other| other == run);
         }
         let is_numbered = sheet.channels.iter().any(|channel| channel.heading.is(QuantityKind::Run));
