@@ -438,7 +438,7 @@ impl TrialComparison {
         let value = Decimal::rounded(self.value, SHOWN, DecimalUnit::One);
         CheckedEquation::new(
             statement,
-            Check::Digits { place: compared_at, value, difference: self.difference, against },
+            Check::Digits { compared_at, value, difference: self.difference, against },
         )
     }
 }

@@ -113,12 +113,12 @@ fn counted(
 /// The powers of the ansatz at which a coefficient may be nonzero.
 fn places(question: &AveragingQuestion, flow: &Flow) -> [Vec<PowerPair>; 3] {
     let shown = |powers: &PowerPair| question.asks_for(*powers);
-    let orders = || flow.orders.iter().filter(|order| shown(&order.place) && can_be(question, order.place));
-    let at = |order: &FlowOrder| order.place;
+    let orders = || flow.orders.iter().filter(|order| shown(&order.powers) && can_be(question, order.powers));
+    let at = |order: &FlowOrder| order.powers;
     let motions = orders().map(at).collect();
     let is_reversed = question.is_reversed_by_its_parameter();
     let growths = orders().map(at).filter(|(_, j)| *j > 0 && !(is_reversed && j % 2 == 0)).collect();
-    let frequencies = orders().filter_map(|order| Some((order.place.0.checked_sub(1)?, order.place.1)));
+    let frequencies = orders().filter_map(|order| Some((order.powers.0.checked_sub(1)?, order.powers.1)));
     let frequencies = frequencies.filter(|(_, j)| !(is_reversed && j % 2 == 1));
     [motions, growths, frequencies.filter(|powers| *powers != (0, 0)).collect()]
 }

@@ -29,11 +29,11 @@ pub struct Flow {
 /// One power of the amplitude and of the small parameter.
 #[derive(Debug)]
 pub(crate) struct FlowOrder {
-    pub(crate) place: PowerPair,
+    pub(crate) powers: PowerPair,
     /// The parts of the equation of motion with their contributions to the right side.
     pub(crate) parts: Vec<Contribution>,
     /// The sum of the contributions.
-    pub(crate) known: PhaseFunction,
+    pub(crate) forcing: PhaseFunction,
     pub(crate) growth: PiNumber,
     pub(crate) frequency: PiNumber,
     pub(crate) motion: PhaseFunction,
@@ -119,7 +119,7 @@ impl Flow {
         }
         insert(&mut self.motion, powers, &motion);
         insert(&mut self.velocity, powers, &velocity);
-        self.orders.push(FlowOrder { place: powers, parts, known: forcing, growth, frequency, motion });
+        self.orders.push(FlowOrder { powers, parts, forcing, growth, frequency, motion });
         Ok(())
     }
 

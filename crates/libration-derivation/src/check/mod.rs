@@ -114,7 +114,7 @@ pub enum Check {
     /// All sides have the same value, in many digits.
     Digits {
         /// Amplitudes or parameters of the comparison.
-        place: ComparedAt,
+        compared_at: ComparedAt,
         /// The value at the first amplitude or parameter.
         value: Decimal,
         /// The largest difference, relative to the size of the sides.

@@ -13,7 +13,7 @@ pub(super) struct CycleOrder {
     /// The parts of the equation of motion with their contributions to the right side: the index of the term, or `None` for the acceleration.
     pub(super) parts: Vec<(Option<usize>, Polynomial, Open)>,
     /// The sum of the contributions, as a function of the undetermined amplitude one power below.
-    pub(super) known: Open,
+    pub(super) forcing: Open,
     /// The amplitude one power below.
     pub(super) amplitude_below: Rational,
     /// Ωₙ.
@@ -123,7 +123,7 @@ fn next(
         let factor = Rational::from(1).checked_div(&stiffness).ok_or(DerivationError::NoCycle)?;
         forced = forced.plus(&PhaseFunction::term(0, k, wave, value.scaled(&factor)));
     }
-    Ok(CycleOrder { parts, known: forcing, amplitude_below, frequency, forced })
+    Ok(CycleOrder { parts, forcing, amplitude_below, frequency, forced })
 }
 
 impl LowerOrders {

@@ -132,7 +132,7 @@ pub(super) fn one_power(question: &AveragingQuestion, cycle: &Cycle, n: usize) -
         true => way(step),
         false => step.fold("Contributions of lower powers, and the equation", way),
     };
-    let sine = polynomial(&order.known.first_harmonic(Wave::Sine), &Formula::from(&open));
+    let sine = polynomial(&order.forcing.first_harmonic(Wave::Sine), &Formula::from(&open));
     let amplitude = Statement::equal(&open, order.amplitude_below.clone());
     let frequency = Statement::equal(index("Ω", n), order.frequency.clone());
     let amplitude_here = index("A", n);
@@ -221,7 +221,7 @@ fn of_products(question: &AveragingQuestion, products: &Polynomial) -> Formula {
 }
 
 fn forcing(question: &AveragingQuestion, cycle: &Cycle, n: usize) -> CheckedEquation {
-    let CycleOrder { known: forcing, .. } = &cycle.orders[n - 1];
+    let CycleOrder { forcing, .. } = &cycle.orders[n - 1];
     let open = index("A", n - 1);
     let x = |primes: usize| {
         let name = (0..primes).fold(motion_name(question, n), |name, _| name.prime());
@@ -234,7 +234,7 @@ fn forcing(question: &AveragingQuestion, cycle: &Cycle, n: usize) -> CheckedEqua
         _ => scaled(&(with_omega0(question, 2, 1) * cycle.orders[0].amplitude_below.clone()), frequency),
     };
     let right = if written == number(0) { newest } else { written.clone() + newest };
-    let claim = CycleClaim::Forcing { open, known: written };
+    let claim = CycleClaim::Forcing { open, value: written };
     checked(question, n, Statement::equal(x(2) + x(0), right), claim)
 }
 

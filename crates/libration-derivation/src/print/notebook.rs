@@ -45,7 +45,7 @@ struct Notebook<'a> {
     text: String,
     /// The condition whose ansatz is defined in the cells, and the coefficients that are known for it.
     ansatz: Option<&'a OpenCondition>,
-    known: Vec<&'a Name>,
+    determined: Vec<&'a Name>,
     /// The equation whose slow flow is defined in the cells.
     flow: Option<&'a FlowTerms>,
     /// `true` if the quarter swing is defined in the cells.
@@ -110,7 +110,7 @@ impl<'a> Notebook<'a> {
         if let Check::Substituted { condition: Some(condition), .. } = equation.check() {
             self.begin(condition);
             lines.extend(self.lower(condition));
-            self.known.extend(&condition.fixes);
+            self.determined.extend(&condition.fixes);
         }
         if let Check::Truncated(formula) = equation.check() {
             self.begin_few(formula);
@@ -134,7 +134,7 @@ impl<'a> Notebook<'a> {
     fn begin(&mut self, condition: &'a OpenCondition) {
         let is_same = self.ansatz.is_some_and(|ansatz| ansatz.harmonics == condition.harmonics);
         if let (false, Some(code)) = (is_same, python::ansatz(condition)) {
-            (self.ansatz, self.known) = (Some(condition), vec![]);
+            (self.ansatz, self.determined) = (Some(condition), vec![]);
             self.check(&format!("ansatz-{}", self.cells.len()), &code);
         }
     }
@@ -165,9 +165,9 @@ impl<'a> Notebook<'a> {
     /// The coefficients that a condition takes from lower powers and that have no cell yet.
     fn lower(&mut self, condition: &'a OpenCondition) -> Vec<String> {
         let missing: Vec<_> =
-            condition.lower.iter().filter(|(name, _)| !self.known.contains(&name)).collect();
-        self.known.extend(missing.iter().map(|(name, _)| name));
-        missing.into_iter().filter_map(|(name, value)| python::known(name, value)).collect()
+            condition.lower.iter().filter(|(name, _)| !self.determined.contains(&name)).collect();
+        self.determined.extend(missing.iter().map(|(name, _)| name));
+        missing.into_iter().filter_map(|(name, value)| python::coefficient(name, value)).collect()
     }
 
     /// Adds a paragraph of text.

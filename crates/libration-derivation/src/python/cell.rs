@@ -43,7 +43,7 @@ pub(crate) fn check(equation: &CheckedEquation) -> Option<String> {
             Some(block(given(letters)?.into_iter().chain([head, indented(body)])))
         }
         Check::Fraction => Some(format!("same_fraction({})", sides(statement)?.join(", "))),
-        Check::Digits { place: ComparedAt::Cases { index, first, last }, .. } => {
+        Check::Digits { compared_at: ComparedAt::Cases { index, first, last }, .. } => {
             let head = format!("for {} in map(Q, range({first}, {})):", identifier(index)?, last + 1);
             let lines = compared(statement)?.into_iter().map(indented);
             Some(block(given(letters)?.into_iter().chain([head]).chain(lines)))
@@ -157,7 +157,7 @@ pub(crate) fn limit_cycle(flow: &FlowTerms) -> Option<String> {
 fn cycle(statement: &Statement, n: usize, claim: &CycleClaim) -> Option<String> {
     let right = || statement.rest.last().and_then(|(_, side)| expression(side));
     match claim {
-        CycleClaim::Forcing { open, known: forcing } => {
+        CycleClaim::Forcing { open, value: forcing } => {
             Some(format!("cycle.forces({n}, lambda τ, {}: {})", identifier(open)?, expression(forcing)?))
         }
         CycleClaim::Sine { open } => {
@@ -185,7 +185,7 @@ fn averaged(statement: &Statement, claim: &AveragedClaim) -> Option<String> {
     };
     match claim {
         AveragedClaim::ChainRule => None,
-        AveragedClaim::Forcing { power, parameter, known: forcing } => {
+        AveragedClaim::Forcing { power, parameter, value: forcing } => {
             of_phase("forces", at(power, parameter), expression(forcing)?)
         }
         AveragedClaim::Growth { power, parameter } => of_phase("grows", at(power, parameter), right()?),
@@ -225,7 +225,7 @@ pub(crate) fn quarter_swing(formula: &QuarterFormula) -> Option<String> {
 fn quarter(statement: &Statement, n: usize, claim: &QuarterClaim) -> Option<String> {
     let right = expression(&statement.rest.last()?.1)?;
     Some(match claim {
-        QuarterClaim::Forcing { known: forcing } => {
+        QuarterClaim::Forcing { value: forcing } => {
             format!("quarter.forces({n}, lambda pi, τ: {})", expression(forcing)?)
         }
         QuarterClaim::Begun => format!("quarter.begins({n}, lambda pi, τ: {right})"),
@@ -238,7 +238,7 @@ fn quarter(statement: &Statement, n: usize, claim: &QuarterClaim) -> Option<Stri
 }
 
 /// A coefficient determined at lower orders.
-pub(crate) fn known(name: &Name, value: &Formula) -> Option<String> {
+pub(crate) fn coefficient(name: &Name, value: &Formula) -> Option<String> {
     Some(format!("ansatz.known[\"{}\"] = polynomial({})", identifier(name)?, expression(value)?))
 }
 

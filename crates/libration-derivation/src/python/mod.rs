@@ -4,7 +4,7 @@ mod cell;
 mod exercise;
 mod parts;
 
-pub(super) use cell::{ansatz, check, few_harmonics, known, limit_cycle, quarter_swing, slow_flow};
+pub(super) use cell::{ansatz, check, coefficient, few_harmonics, limit_cycle, quarter_swing, slow_flow};
 pub(super) use exercise::Questions;
 pub(super) use parts::prelude_for;
 

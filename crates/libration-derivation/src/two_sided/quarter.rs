@@ -26,7 +26,7 @@ pub struct QuarterOrder {
     pub(super) of_acceleration: PhaseFunction,
     pub(super) of_powers: Vec<PhaseFunction>,
     /// Their sum.
-    pub(super) known: PhaseFunction,
+    pub(super) forcing: PhaseFunction,
     /// The solution for it that begins at rest in zero.
     pub(super) begun: PhaseFunction,
 }
@@ -68,7 +68,7 @@ impl Quarter {
         }
         let forcing = of_powers.iter().fold(of_acceleration.clone(), |sum, part| sum.plus(part));
         let begun = forcing.begun_at_rest();
-        QuarterOrder { power, of_acceleration, of_powers, known: forcing, begun }
+        QuarterOrder { power, of_acceleration, of_powers, forcing, begun }
     }
 
     /// The coefficient of Aᵐ in Δ², from these coefficients of Δ.

@@ -193,13 +193,13 @@ const OPEN_TO_READ: usize = 3;
 pub(super) fn one_power(subject: &TwoSidedSubject, order: &QuarterOrder) -> DerivationStep {
     let n = order.power;
     let (part, correction) = (subject.part(n), correction_name(n - 1));
-    let force = series(&order.known, "τ");
+    let force = series(&order.forcing, "τ");
     let left = Formula::from(part.clone().prime().prime()) + Formula::from(&part);
     let of_correction = number(2) * Formula::from(&correction) * cos(tau());
-    let right = if order.known.is_zero() { of_correction } else { of_correction + force.clone() };
-    let forcing = checked(subject, n, Statement::equal(left, right), QuarterClaim::Forcing { known: force });
+    let right = if order.forcing.is_zero() { of_correction } else { of_correction + force.clone() };
+    let forcing = checked(subject, n, Statement::equal(left, right), QuarterClaim::Forcing { value: force });
     let step = DerivationStep::new(&format!("order-{n}"), &format!("Power {n} of the amplitude"));
-    if order.known.is_zero() {
+    if order.forcing.is_zero() {
         return step
             .say("Lower powers bring nothing to the right side. The equation in this power is", [])
             .show(forcing)
