@@ -101,8 +101,8 @@ impl LeadingLimitCycles {
     /// use libration::comparison::LeadingLimitCycles;
     /// use libration::progress::Quiet;
     /// // Van der Pol's excitation of a spring that stiffens: the amplitude is not 2.
-    /// let found = LeadingLimitCycles::new(&"x'' + x + x^3 = mu*(1 - x^2)*x'".parse()?, None, &Quiet)?;
-    /// let [cycle] = &found.cycles[..] else { panic!() };
+    /// let leading = LeadingLimitCycles::new(&"x'' + x + x^3 = mu*(1 - x^2)*x'".parse()?, None, &Quiet)?;
+    /// let [cycle] = &leading.cycles[..] else { panic!() };
     /// assert!((cycle.amplitude - 1.9351).abs() < 1e-4 && cycle.exponent < 0.0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

@@ -33,7 +33,7 @@ pub fn exact_series(model: &Model<Rational>, watch: &Watch<'_>) -> Result<Series
     let numbers = match reconstruct(&mut images, primes) {
         Ok(numbers) => numbers.ok_or(Unsolved::NoPrimes)?,
         Err(Stopped { error: NoImage::NoPrimes, .. }) => return Err(Unsolved::NoPrimes),
-        Err(Stopped { error: NoImage::Interrupted, known: certain }) => {
+        Err(Stopped { error: NoImage::Interrupted, certain }) => {
             let confirmed = images.shape.zip(certain).and_then(|(shape, (numbers, complete))| {
                 let set = shape.with_numbers(numbers.into_iter())?.without_last(model.order - complete);
                 (complete > 0).then_some(set)

@@ -160,13 +160,13 @@ impl<'a> Homotopy<'a> {
 
     /// dz/ds.
     fn direction(&self, s: f64, z: &[Complex]) -> Option<Vec<Complex>> {
-        let (start, sought) = (self.known(z), target(self.equations, self.amplitude, z));
+        let (start, sought) = (self.start_system(z), target(self.equations, self.amplitude, z));
         let change = start.values.iter().zip(&sought.values).map(|(a, b)| self.gamma * *a - *b);
         solve_complex(&self.mixed(s, &start, &sought).derivatives, &change.collect::<Vec<_>>())
     }
 
     fn linearization(&self, s: f64, z: &[Complex]) -> Linearization {
-        self.mixed(s, &self.known(z), &target(self.equations, self.amplitude, z))
+        self.mixed(s, &self.start_system(z), &target(self.equations, self.amplitude, z))
     }
 
     fn mixed(&self, s: f64, start: &Linearization, sought: &Linearization) -> Linearization {
@@ -179,7 +179,7 @@ impl<'a> Homotopy<'a> {
     }
 
     /// −n²Δ²aₙ + cₙaₙᵈ, and the difference of Σ aₙ from its value at the start.
-    fn known(&self, z: &[Complex]) -> Linearization {
+    fn start_system(&self, z: &[Complex]) -> Linearization {
         let k = self.factors.len();
         let degree = u32::try_from(self.equations.degree()).unwrap_or(u32::MAX);
         let mut derivatives = vec![vec![Complex::default(); k + 1]; k + 1];

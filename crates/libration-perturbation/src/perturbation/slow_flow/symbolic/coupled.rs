@@ -115,7 +115,7 @@ fn coordinate_flow(
     let letters = forced.letters;
     let names = &setting.names.coordinates[coordinate];
     let rates = Phases::rates(letters, &solved.rates[coordinate], coordinate);
-    let per_amplitude = letters.power_at(letters.place_of(Column::Amplitude, coordinate), -1);
+    let per_amplitude = letters.power_at(letters.index_of(Column::Amplitude, coordinate), -1);
     let angle = |turns: &[i64]| slow_angle(setting, turns);
     let square = properties.natural_squares[coordinate].as_ref();
     CoordinateFlow {
@@ -138,9 +138,9 @@ struct Phases(BTreeMap<Vec<i64>, [Sum; 2]>);
 impl Phases {
     /// A′ and A·φ′ of a coordinate: real and imaginary part of 2z′·e^{−iφ}.
     fn rates(letters: &Letters, rate: &Sum, coordinate: usize) -> [Self; 2] {
-        let conjugate = letters.power_at(letters.place_of(Column::Conjugate, coordinate), 1);
+        let conjugate = letters.power_at(letters.index_of(Column::Conjugate, coordinate), 1);
         // z̄ is A·e^{−iφ}/2: 2z′·e^{−iφ} is 4·z′·z̄/A.
-        let inverse = letters.power_at(letters.place_of(Column::Amplitude, coordinate), -1);
+        let inverse = letters.power_at(letters.index_of(Column::Amplitude, coordinate), -1);
         let turned = letters.times(&letters.times(rate, &conjugate), &inverse);
         Self::parts(letters, &letters.scaled(&turned, &Rational::from(4)))
     }
@@ -193,7 +193,7 @@ impl Phases {
 fn turns_of(letters: &Letters, powers: &[i64]) -> Vec<i64> {
     let turn = |coordinate| {
         let [z, conjugate] =
-            [Column::Phasor, Column::Conjugate].map(|column| powers[letters.place_of(column, coordinate)]);
+            [Column::Phasor, Column::Conjugate].map(|column| powers[letters.index_of(column, coordinate)]);
         (z - conjugate) / 2
     };
     (0..letters.coordinates).map(turn).collect()

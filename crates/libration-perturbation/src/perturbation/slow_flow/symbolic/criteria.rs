@@ -92,7 +92,7 @@ impl ResponseCurve<'_> {
 
     /// A sum divided by the power `low` of A, with the power `root` of A in the column of A; `None` if others occur.
     fn in_power(&self, sum: &Sum, low: i64, root: i64) -> Option<Sum> {
-        let amplitude = self.letters.place(Column::Amplitude);
+        let amplitude = self.letters.index(Column::Amplitude);
         if sum.half_powers().any(|(powers, _)| (powers[amplitude] - 2 * low) % (2 * root) != 0) {
             return None;
         }
@@ -126,7 +126,7 @@ impl ResponseCurve<'_> {
         let drive = letters.coefficient(on_ridge, Column::Amplitude, 0);
         let Some(order) = letters.lowest_order(&drive).filter(|_| high > 0) else { return false };
         // A^high has the order of the drive over that of the damping.
-        let (amplitude, grade) = (letters.place(Column::Amplitude), letters.place(Column::Order));
+        let (amplitude, grade) = (letters.index(Column::Amplitude), letters.index(Column::Order));
         let is_smaller =
             |powers: &[i64]| powers[grade] * high + (order - first) * powers[amplitude] > 2 * order * high;
         on_ridge.half_powers().all(|(powers, _)| {
@@ -158,7 +158,7 @@ impl ResponseCurve<'_> {
 
     /// A sum in powers of A at a value of a power of A.
     pub(super) fn at_power(&self, sum: &Sum, power: &Sum, root: i64, order: i64) -> Option<Sum> {
-        let amplitude = self.letters.place(Column::Amplitude);
+        let amplitude = self.letters.index(Column::Amplitude);
         if sum.half_powers().any(|(powers, _)| powers[amplitude] % (2 * root) != 0) {
             return None;
         }
@@ -265,7 +265,7 @@ impl ResponseCurve<'_> {
     /// are smaller.
     fn leading(&self) -> Sum {
         let letters = self.letters;
-        let [detuning, amplitude] = [Column::Detuning, Column::Amplitude].map(|column| letters.place(column));
+        let [detuning, amplitude] = [Column::Detuning, Column::Amplitude].map(|column| letters.index(column));
         let leading = letters.of_order(self.relation, 0);
         [0, 2].into_iter().fold(leading, |sum, power| {
             let is_level = |powers: &[i64]| powers[detuning] == 0 && powers[amplitude] == 2 * power;
@@ -291,7 +291,7 @@ impl ResponseCurve<'_> {
     /// √(above/(√3·|slope|)), positive factors of the slope taken out.
     fn over_slope(&self, above: &Sum, slope: &Sum) -> String {
         let letters = self.letters;
-        let natural = letters.place(Column::Natural);
+        let natural = letters.index(Column::Natural);
         let Some((powers, factor)) = slope.as_single_term() else {
             return format!("sqrt(({})/(sqrt(3)*abs({})))", letters.text(above), letters.text(slope));
         };

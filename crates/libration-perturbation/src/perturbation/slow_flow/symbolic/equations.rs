@@ -24,7 +24,7 @@ impl Setting {
         let mut accelerations = self.accelerations(&mut reader, equation)?;
         let springs = self.springs(&accelerations)?;
         let (harmonics, drive_harmonic) = self.harmonics(&springs)?;
-        let wave = letters.place(Column::Wave);
+        let wave = letters.index(Column::Wave);
         for acceleration in &mut accelerations {
             *acceleration = letters.changed(acceleration, |powers, factor| {
                 powers[wave] *= drive_harmonic;
@@ -99,7 +99,7 @@ impl Setting {
     /// Returns `true` if the symbol of the drive frequency is also one of the natural frequencies.
     pub(super) fn is_drive_natural(&self, equation: &Equation) -> Result<bool, Error> {
         let accelerations = self.accelerations(&mut self.reader(equation, 1), equation)?;
-        let drive = self.letters.place(Column::Drive);
+        let drive = self.letters.index(Column::Drive);
         let mut linear =
             accelerations.iter().enumerate().map(|(coordinate, sum)| self.linear(sum, coordinate));
         Ok(linear.any(|spring| spring.half_powers().any(|(powers, _)| powers[drive] != 0)))
@@ -148,7 +148,7 @@ impl Setting {
     fn springs(&self, accelerations: &[Sum]) -> Result<Vec<Sum>, Error> {
         let letters = &self.letters;
         let spring = |(coordinate, acceleration): (usize, &Sum)| {
-            let position = letters.place_of(Column::Position, coordinate);
+            let position = letters.index_of(Column::Position, coordinate);
             let linear = letters.scaled(&self.linear(acceleration, coordinate), &Rational::from(-1));
             let square = letters.times(&linear, &letters.power_at(position, -1));
             let is_negative = square.as_single_term().is_some_and(|(_, factor)| factor.is_negative());
@@ -175,7 +175,7 @@ impl Setting {
 
     /// Natural powers of the drive frequency and of the small parameters.
     fn is_polynomial(&self, acceleration: &Sum) -> bool {
-        let places = [Column::Drive, Column::Order].map(|column| self.letters.place(column));
+        let places = [Column::Drive, Column::Order].map(|column| self.letters.index(column));
         acceleration
             .half_powers()
             .all(|(powers, _)| places.iter().all(|&column| powers[column] >= 0 && powers[column] % 2 == 0))
@@ -187,7 +187,7 @@ impl Setting {
         let factor = self
             .bookkeeping
             .map_or_else(|| letters.number(Rational::from(1)), |column| letters.power_at(column, 1));
-        let sigma = letters.power_at(letters.place_of(Column::Detuning, coordinate), 1);
+        let sigma = letters.power_at(letters.index_of(Column::Detuning, coordinate), 1);
         letters.times(&letters.times(&sigma, &letters.power(Column::Order, order)), &factor)
     }
 
@@ -207,11 +207,11 @@ impl Setting {
     /// The terms of order zero that are linear in a displacement, without others, velocities and waves.
     fn linear(&self, sum: &Sum, coordinate: usize) -> Sum {
         let letters = &self.letters;
-        let position = letters.place_of(Column::Position, coordinate);
+        let position = letters.index_of(Column::Position, coordinate);
         let mut moving = [Column::Order, Column::Wave, Column::PositionSign, Column::VelocitySign]
-            .map(|it| letters.place(it))
+            .map(|it| letters.index(it))
             .to_vec();
-        moving.extend([Column::Position, Column::Velocity].map(|it| letters.places(it)).concat());
+        moving.extend([Column::Position, Column::Velocity].map(|it| letters.indices(it)).concat());
         letters.part(sum, |powers| {
             moving.iter().all(|&column| powers[column] == if column == position { 2 } else { 0 })
         })
@@ -227,13 +227,13 @@ impl Setting {
             .map(|coordinate| self.rest(forced, equations, coordinate, grade))
             .collect();
         let degree = self.degree();
-        let order = letters.place(Column::Order);
+        let order = letters.index(Column::Order);
         // Without a small factor a term is small because the amplitude is, and then powers of the amplitude count everywhere.
         let by_amplitude = self.large_degrees(equations).next().is_some();
         if equations.known_degree.is_some() && !by_amplitude {
             return Err(Error::EndlessSeries);
         }
-        let (wave, signs) = (letters.place(Column::Wave), self.signs());
+        let (wave, signs) = (letters.index(Column::Wave), self.signs());
         let mut drives = vec![];
         forced.terms.clear();
         for (coordinate, rest) in rests.iter().enumerate() {
@@ -280,13 +280,13 @@ impl Setting {
         let detuning = self.detuning(coordinate, grade);
         let twice = letters.scaled(&forced.natural_frequency(coordinate), &Rational::from(2));
         let excess = letters.times(&letters.add(&twice, &detuning), &detuning);
-        let position = letters.power_at(letters.place_of(Column::Position, coordinate), 1);
+        let position = letters.power_at(letters.index_of(Column::Position, coordinate), 1);
         letters.subtract(&rest, &letters.times(&excess, &position))
     }
 
     /// The degree of a term in displacements and velocities.
     fn degree(&self) -> impl Fn(&[i64]) -> i64 + use<> {
-        let places = [Column::Position, Column::Velocity].map(|column| self.letters.places(column)).concat();
+        let places = [Column::Position, Column::Velocity].map(|column| self.letters.indices(column)).concat();
         move |powers| places.iter().map(|&column| powers[column]).sum::<i64>() / 2
     }
 
@@ -295,7 +295,7 @@ impl Setting {
         &self,
         equations: &'a Equations,
     ) -> impl Iterator<Item = (i64, bool)> + use<'a> {
-        let (degree, order, signs) = (self.degree(), self.letters.place(Column::Order), self.signs());
+        let (degree, order, signs) = (self.degree(), self.letters.index(Column::Order), self.signs());
         let terms =
             equations.accelerations.iter().flat_map(|sum| sum.half_powers().map(|(powers, _)| &powers[..]));
         terms.filter(move |powers| powers[order] == 0).filter_map(move |powers| {
@@ -325,7 +325,7 @@ impl Setting {
     }
 
     fn signs(&self) -> [usize; 2] {
-        [Column::PositionSign, Column::VelocitySign].map(|column| self.letters.place(column))
+        [Column::PositionSign, Column::VelocitySign].map(|column| self.letters.index(column))
     }
 
     /// Refuses terms of order zero other than the spring and the drive.
@@ -334,10 +334,10 @@ impl Setting {
         let Some((powers, _)) = large.half_powers().next() else { return Ok(()) };
         let term = letters.part(large, |other| other == &powers[..]);
         let text = letters.changed(&term, |powers, factor| {
-            powers[letters.place(Column::Order)..].fill(0);
+            powers[letters.index(Column::Order)..].fill(0);
             factor.clone()
         });
-        Err(match (degree(powers), powers[letters.place(Column::Wave)]) {
+        Err(match (degree(powers), powers[letters.index(Column::Wave)]) {
             (0, _) => Error::Equilibrium(text.to_string()),
             (_, 0) => Error::NotSmall(text.to_string()),
             _ => Error::ParametricNotSmall(text.to_string()),
@@ -397,11 +397,11 @@ pub(super) struct Found {
 
 /// The terms by powers of displacements and velocities, the signs of the first, and their orders.
 pub(super) fn terms(letters: &Letters, sum: &Sum) -> Vec<SmallForceTerm> {
-    let grade = letters.place(Column::Order);
-    let signs = [Column::PositionSign, Column::VelocitySign].map(|column| letters.place(column));
+    let grade = letters.index(Column::Order);
+    let signs = [Column::PositionSign, Column::VelocitySign].map(|column| letters.index(column));
     let mut columns: Vec<usize> = (0..letters.coordinates)
         .flat_map(|coordinate| {
-            [Column::Position, Column::Velocity].map(|column| letters.place_of(column, coordinate))
+            [Column::Position, Column::Velocity].map(|column| letters.index_of(column, coordinate))
         })
         .collect();
     let moving = columns.len();

@@ -127,7 +127,7 @@ impl Reader<'_> {
     fn symbol(&self, symbol: &Symbol) -> Result<Sum, Error> {
         if let Some(coordinate) = self.variables.iter().position(|name| *name == symbol.name) {
             let column = if symbol.primes == 0 { Column::Position } else { Column::Velocity };
-            let moving = self.letters.power_at(self.letters.place_of(column, coordinate), 1);
+            let moving = self.letters.power_at(self.letters.index_of(column, coordinate), 1);
             return Ok(match &self.equilibrium {
                 Some(equilibrium) if symbol.primes == 0 => self.letters.add(equilibrium, &moving),
                 _ => moving,
@@ -189,13 +189,13 @@ impl Reader<'_> {
     fn kink(&self, function: Function, argument: &Sum) -> Option<Sum> {
         let letters = self.letters;
         let (powers, factor) = argument.as_single_term()?;
-        let kinked = [Column::Position, Column::Velocity].map(|it| powers[letters.place(it)]);
+        let kinked = [Column::Position, Column::Velocity].map(|it| powers[letters.index(it)]);
         let sign = match kinked {
             [2, 0] => Column::PositionSign,
             [0, 2] => Column::VelocitySign,
             _ => return None,
         };
-        if powers[letters.place(Column::Wave)] != 0 || powers[letters.place(Column::Imaginary)] != 0 {
+        if powers[letters.index(Column::Wave)] != 0 || powers[letters.index(Column::Imaginary)] != 0 {
             return None;
         }
         let size = Rational::from(if factor.is_negative() { -1 } else { 1 });
@@ -207,7 +207,7 @@ impl Reader<'_> {
     fn fractional_power(&self, base: &Sum, exponent: &Rational) -> Option<Sum> {
         let letters = self.letters;
         let moving = self.moving();
-        let order = letters.place(Column::Order);
+        let order = letters.index(Column::Order);
         let is_still = |powers: &[i64]| moving.iter().all(|&column| powers[column] == 0);
         let still = letters.part(base, |powers| powers[order] == 0 && is_still(powers));
         // The order of a constant product is one of its powers.
@@ -243,8 +243,8 @@ impl Reader<'_> {
     /// Σ cₙ·uⁿ of a sum whose terms are small, by their orders or as displacements or velocities.
     fn small_series(&self, series: impl Iterator<Item = Rational>, argument: &Sum) -> Option<Sum> {
         let letters = self.letters;
-        let order = letters.place(Column::Order);
-        let moving = [Column::Position, Column::Velocity].map(|column| letters.places(column)).concat();
+        let order = letters.index(Column::Order);
+        let moving = [Column::Position, Column::Velocity].map(|column| letters.indices(column)).concat();
         let degree = |powers: &[i64]| moving.iter().map(|&column| powers[column]).sum::<i64>();
         let is_graded = argument.half_powers().all(|(powers, _)| powers[order] > 0);
         if argument.half_powers().any(|(powers, _)| powers[order] <= 0 && degree(powers) <= 0) {
@@ -267,9 +267,9 @@ impl Reader<'_> {
     fn moving(&self) -> Vec<usize> {
         let columns =
             [Column::Drive, Column::Wave, Column::Imaginary, Column::PositionSign, Column::VelocitySign];
-        let mut places: Vec<usize> = columns.map(|column| self.letters.place(column)).to_vec();
+        let mut places: Vec<usize> = columns.map(|column| self.letters.index(column)).to_vec();
         places
-            .extend([Column::Position, Column::Velocity].map(|column| self.letters.places(column)).concat());
+            .extend([Column::Position, Column::Velocity].map(|column| self.letters.indices(column)).concat());
         places
     }
 }

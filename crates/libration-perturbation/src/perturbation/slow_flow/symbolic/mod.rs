@@ -161,7 +161,7 @@ pub fn slow_flow_steps(
         let options = SymbolicSlowFlowOptions { order: Some(order), ..options.clone() };
         let collected = |setting: &Setting, forced: &Forced<'_>, properties: &_, solved: &Solved, order| {
             let letters = forced.letters;
-            let detuning = letters.place(Column::Detuning);
+            let detuning = letters.index(Column::Detuning);
             let is_bare = |powers: &[i64]| powers[detuning] == 0;
             let acts = !letters.part(&solved.rates[0], is_bare).is_zero();
             acts.then(|| steps::steps(setting, forced, properties, solved, (equation, order)))

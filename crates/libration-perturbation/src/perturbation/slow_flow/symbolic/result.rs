@@ -111,7 +111,7 @@ pub(super) fn collected(
 /// A′ and A·φ′: real and imaginary part of 2z′·e^{−iφ}.
 pub(super) fn rates(letters: &Letters, rate: &Sum) -> [PhaseSum; 2] {
     let [z, conjugate, wave] =
-        [Column::Phasor, Column::Conjugate, Column::Wave].map(|column| letters.place(column));
+        [Column::Phasor, Column::Conjugate, Column::Wave].map(|column| letters.index(column));
     let turned = letters.changed(rate, |powers, factor| {
         powers[wave] = powers[z] - powers[conjugate] - 2;
         factor.clone()
@@ -122,7 +122,7 @@ pub(super) fn rates(letters: &Letters, rate: &Sum) -> [PhaseSum; 2] {
 /// The sum with A/2 in place of each z and z̄.
 pub(super) fn polar(letters: &Letters, sum: &Sum) -> Sum {
     let [phasors, conjugates, amplitudes] =
-        [Column::Phasor, Column::Conjugate, Column::Amplitude].map(|column| letters.places(column));
+        [Column::Phasor, Column::Conjugate, Column::Amplitude].map(|column| letters.indices(column));
     let half = Rational::new(1, 2).unwrap_or_else(|| Rational::from(0));
     letters.changed(sum, |powers, factor| {
         let mut halvings = 0;
@@ -151,7 +151,7 @@ fn steady_state(
 ) -> SteadyState {
     let letters = &setting.letters;
     let is_driven = setting.drive.is_some();
-    let amplitude = letters.place(Column::Amplitude);
+    let amplitude = letters.index(Column::Amplitude);
     let depends_on_amplitude = |sum: &&Sum| sum.half_powers().any(|(powers, _)| powers[amplitude] != 0);
     let text = |sum: &Option<Sum>| sum.as_ref().filter(|sum| is_short(sum)).map(|sum| letters.text(sum));
     let phase = |k: i64| multiple(k, &setting.names.coordinates[0].phase);
@@ -275,7 +275,7 @@ fn displacement(
 ) -> String {
     let letters = forced.letters;
     let motion = &solved.displacements[0];
-    let [z, conjugate] = [Column::Phasor, Column::Conjugate].map(|column| letters.place(column));
+    let [z, conjugate] = [Column::Phasor, Column::Conjugate].map(|column| letters.index(column));
     let mut turns: Vec<i64> =
         motion.half_powers().map(|(powers, _)| (powers[z] - powers[conjugate]) / 2).collect();
     turns.sort_by_key(|turn| (turn.abs(), -turn));

@@ -125,7 +125,7 @@ impl SteadyEquations<'_> {
     /// The formulas that remain where the lowest order is not solved for cos mφ and sin mφ.
     fn without_inverse(&self, m: i64, rates: &[Sum; 2], matrix: &Coupling, coupling: i64) -> Steady {
         let letters = self.letters;
-        let places = [Column::Cosine, Column::Sine].map(|column| letters.place(column));
+        let places = [Column::Cosine, Column::Sine].map(|column| letters.index(column));
         let is_linear = |powers: &[i64]| places.iter().map(|&column| powers[column]).sum::<i64>() <= 2;
         let leading = rates.each_ref().map(|rate| letters.of_order(rate, coupling));
         let obstacle = match () {
@@ -149,7 +149,7 @@ impl SteadyEquations<'_> {
     /// Numerators of cos mφ and sin mφ with their denominator, without order, where the lowest order is the only one.
     fn quotients(&self, rates: &[Sum; 2], matrix: &Coupling) -> [Sum; 3] {
         let letters = self.letters;
-        let places = [Column::Cosine, Column::Sine].map(|column| letters.place(column));
+        let places = [Column::Cosine, Column::Sine].map(|column| letters.index(column));
         let [p, q] = rates
             .each_ref()
             .map(|rate| letters.part(rate, |powers| places.iter().all(|&column| powers[column] == 0)));
@@ -165,7 +165,7 @@ impl SteadyEquations<'_> {
         all.each_ref().map(|sum| {
             letters.changed(sum, |powers, factor| {
                 powers.iter_mut().zip(&least).for_each(|(power, least)| *power -= least);
-                powers[letters.place(Column::Order)] = 0;
+                powers[letters.index(Column::Order)] = 0;
                 factor.clone()
             })
         })
@@ -184,7 +184,7 @@ impl SteadyEquations<'_> {
     /// The lowest order in which the amplitude changes without the phase.
     fn growth(&self, rates: &[Sum; 2]) -> Option<i64> {
         let letters = self.letters;
-        let places = [Column::Cosine, Column::Sine].map(|column| letters.place(column));
+        let places = [Column::Cosine, Column::Sine].map(|column| letters.index(column));
         let still = letters.part(&rates[0], |powers| places.iter().all(|&column| powers[column] == 0));
         letters.lowest_order(&still)
     }
@@ -192,7 +192,7 @@ impl SteadyEquations<'_> {
     /// The lowest order in which the phase occurs.
     fn coupling(&self, rates: &[Sum; 2]) -> Option<i64> {
         let letters = self.letters;
-        let places = [Column::Cosine, Column::Sine].map(|column| letters.place(column));
+        let places = [Column::Cosine, Column::Sine].map(|column| letters.index(column));
         let coupled = |rate| letters.part(rate, |powers| places.iter().any(|&column| powers[column] != 0));
         rates.iter().filter_map(|rate| letters.lowest_order(&coupled(rate))).min()
     }
@@ -200,7 +200,7 @@ impl SteadyEquations<'_> {
     /// The coefficients of cos mφ and sin mφ at the lowest order in which they occur.
     fn matrix(&self, rates: &[Sum; 2], coupling: i64) -> Coupling {
         let letters = self.letters;
-        let places = [Column::Cosine, Column::Sine].map(|column| letters.place(column));
+        let places = [Column::Cosine, Column::Sine].map(|column| letters.index(column));
         let leading = |rate: &Sum, powers: [i64; 2]| {
             let such = letters.part(&letters.of_order(rate, coupling), |exponents| {
                 places.iter().zip(powers).all(|(&column, power)| exponents[column] == 2 * power)
@@ -284,7 +284,7 @@ impl SteadyEquations<'_> {
 
 /// The sum divided by the powers that all its terms have; only π keeps those that are negative.
 pub(super) fn without_common_powers(letters: &Letters, sum: &Sum) -> Sum {
-    let pi = letters.place(Column::Pi);
+    let pi = letters.index(Column::Pi);
     let mut least: Option<Vec<i64>> = None;
     for (powers, _) in sum.half_powers() {
         let least = least.get_or_insert_with(|| powers.to_vec());

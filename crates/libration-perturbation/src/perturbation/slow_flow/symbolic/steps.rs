@@ -148,7 +148,7 @@ impl Written<'_> {
             let [real, imaginary] = rates(letters, &coefficient);
             [text(&real), text(&imaginary.times(letters, &minus))]
         };
-        let wave = letters.place(Column::Wave);
+        let wave = letters.index(Column::Wave);
         let resonant = letters.part(&value, |powers| powers[wave].abs() == 2 * forced.harmonics[0]);
         let is_turning = |powers: &[i64]| self.wave_numbers(powers)[1] != 0;
         let turning = letters.part(&resonant, is_turning);
@@ -193,7 +193,7 @@ impl Written<'_> {
     fn wave_numbers(&self, powers: &[i64]) -> [i64; 2] {
         let letters = self.forced.letters;
         let [z, conjugate, wave] =
-            [Column::Phasor, Column::Conjugate, Column::Wave].map(|column| powers[letters.place(column)]);
+            [Column::Phasor, Column::Conjugate, Column::Wave].map(|column| powers[letters.index(column)]);
         let j = (z - conjugate) / 2;
         [j, (wave / 2 - self.forced.harmonics[0] * j) / self.forced.drive_harmonic]
     }
@@ -210,7 +210,7 @@ impl Written<'_> {
         let mut text = String::new();
         for numbers in all {
             let wave_part = letters.part(sum, |powers| self.wave_numbers(powers) == numbers);
-            let wave = letters.place(Column::Wave);
+            let wave = letters.index(Column::Wave);
             let still = letters.changed(&wave_part, |powers, factor| {
                 powers[wave] = 0;
                 factor.clone()
