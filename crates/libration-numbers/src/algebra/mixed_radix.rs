@@ -152,13 +152,13 @@ impl Ends {
 
 impl RadixPrime {
     fn next_digits(&self, digits: &[Residues], residues: &Residues, factor: u32) -> Residues {
-        dispatch_slices(NextDigits { place: self, digits, residues, factor })
+        dispatch_slices(NextDigits { prime: self, digits, residues, factor })
     }
 }
 
 /// The digits for one prime from the digits for the primes before it.
 struct NextDigits<'a> {
-    place: &'a RadixPrime,
+    prime: &'a RadixPrime,
     digits: &'a [Residues],
     residues: &'a Residues,
     factor: u32,
@@ -169,9 +169,9 @@ impl Kernel for NextDigits<'_> {
 
     #[inline(always)]
     fn run(self) -> Residues {
-        let field = self.place.field;
+        let field = self.prime.field;
         let mut sums: Sums = [0; LANES];
-        for (digits, products) in self.digits.chunks(PRODUCTS).zip(self.place.products.chunks(PRODUCTS)) {
+        for (digits, products) in self.digits.chunks(PRODUCTS).zip(self.prime.products.chunks(PRODUCTS)) {
             for sum in &mut sums {
                 *sum = field.folded(*sum);
             }
@@ -185,7 +185,7 @@ impl Kernel for NextDigits<'_> {
         for ((next, &residue), &sum) in next.iter_mut().zip(self.residues).zip(&sums) {
             let lower = field.reduced(field.folded(sum));
             let residue = field.representative(field.product(residue, self.factor));
-            *next = field.product(field.difference(residue, lower), self.place.inverse);
+            *next = field.product(field.difference(residue, lower), self.prime.inverse);
         }
         next
     }

@@ -49,7 +49,7 @@ pub struct Place {
 pub struct Stopped<E> {
     pub error: E,
     /// The numbers of the lowest orders, with zeros for the higher ones, and the highest of these orders; `None` if no order was certain.
-    pub known: Option<(Vec<Rational>, usize)>,
+    pub certain: Option<(Vec<Rational>, usize)>,
 }
 
 /// Reconstructs the numbers from their images: primes are added until the fractions agree with primes that did not contribute to them.
@@ -64,14 +64,18 @@ pub fn reconstruct<I: Images>(
         let image = match images.image(&fields) {
             Ok(Some(image)) => image,
             Ok(None) => continue,
-            Err(error) => return Err(Stopped { error, known: fractions.and_then(Fractions::of_low_orders) }),
+            Err(error) => {
+                return Err(Stopped { error, certain: fractions.and_then(Fractions::of_low_orders) });
+            }
         };
         let numbers = fractions.get_or_insert_with(|| Fractions::new(&images.places()));
         numbers.push(&fields, &image);
         match numbers.advance(images) {
             Ok(true) => return Ok(fractions.map(|solved| solved.numbers)),
             Ok(false) => {}
-            Err(error) => return Err(Stopped { error, known: fractions.and_then(Fractions::of_low_orders) }),
+            Err(error) => {
+                return Err(Stopped { error, certain: fractions.and_then(Fractions::of_low_orders) });
+            }
         }
     }
     Ok(None)

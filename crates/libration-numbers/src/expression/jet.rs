@@ -15,7 +15,7 @@ use crate::algebra::{Rational, Ring};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SeriesError {
     /// The index of the operation on the tape.
-    pub(crate) place: usize,
+    pub(crate) position: usize,
 }
 
 /// The first coefficients of every result on a tape.
@@ -48,7 +48,7 @@ impl<'a, R: Ring> Jet<'a, R> {
             self.places[position].plain.truncate(keep);
             self.places[position].weighted.truncate(keep);
             if self.places[position].plain.is_empty() {
-                let value = self.value(position, inputs).ok_or(SeriesError { place: position })?;
+                let value = self.value(position, inputs).ok_or(SeriesError { position })?;
                 self.push(position, value);
             }
         }
@@ -87,7 +87,7 @@ impl<'a, R: Ring> Jet<'a, R> {
     /// Appends the next coefficient at every position, given those of the inputs.
     pub fn extend(&mut self, inputs: &[R::Element]) -> Result<(), SeriesError> {
         for position in 0..self.places.len() {
-            let value = self.coefficient(position, inputs).ok_or(SeriesError { place: position })?;
+            let value = self.coefficient(position, inputs).ok_or(SeriesError { position })?;
             self.push(position, value);
         }
         Ok(())
@@ -106,7 +106,7 @@ impl<'a, R: Ring> Jet<'a, R> {
     pub fn gains(&self, input: usize) -> Result<Vec<R::Element>, SeriesError> {
         let values = self.values().cloned().collect();
         let mut jet = Self::with_values(self.ring, self.tape, values);
-        let one = self.ring.rational(&1.into()).ok_or(SeriesError { place: 0 })?;
+        let one = self.ring.rational(&1.into()).ok_or(SeriesError { position: 0 })?;
         let seed = |n: usize| if n == input { one.clone() } else { self.ring.zero() };
         jet.extend(&(0..self.tape.inputs()).map(seed).collect::<Vec<_>>())?;
         Ok(jet.places.into_iter().map(|mut series| series.plain.swap_remove(1)).collect())
@@ -154,7 +154,7 @@ impl<'a, R: Ring> Jet<'a, R> {
         }
         let rows = |operand: usize| Weighted {
             plain: plain(operand),
-            weighted: SeriesRow { place: operand, weighted: true },
+            weighted: SeriesRow { position: operand, weighted: true },
         };
         let degree = |operand: usize| if self.tape.is_constant(operand) { 0 } else { usize::MAX };
         let instruction = Instruction::new(operation, position, rows, |_| None, degree, |exponent| exponent)?;
@@ -165,12 +165,12 @@ impl<'a, R: Ring> Jet<'a, R> {
 /// The coefficients at one position, plain or weighted.
 #[derive(Clone, Copy, Debug)]
 struct SeriesRow {
-    place: usize,
+    position: usize,
     weighted: bool,
 }
 
 fn plain(position: usize) -> SeriesRow {
-    SeriesRow { place: position, weighted: false }
+    SeriesRow { position, weighted: false }
 }
 
 impl<R: Ring> Evaluator<SeriesRow, &Rational> for Jet<'_, R> {
@@ -180,7 +180,7 @@ impl<R: Ring> Evaluator<SeriesRow, &Rational> for Jet<'_, R> {
         self.ring
     }
 
-    fn row(&self, SeriesRow { place: position, weighted }: SeriesRow) -> &[R::Element] {
+    fn row(&self, SeriesRow { position, weighted }: SeriesRow) -> &[R::Element] {
         let series = &self.places[position];
         if weighted { &series.weighted } else { &series.plain }
     }

@@ -51,7 +51,7 @@ pub(super) struct Lexeme {
 
 /// The lexemes of a text, including the end.
 pub(super) struct Lexemes {
-    pub(super) found: Vec<Lexeme>,
+    pub(super) lexemes: Vec<Lexeme>,
     /// `true` if the text has notations that are not used for output: commands of LaTeX, derivatives as quotients.
     pub(super) free: bool,
 }
@@ -70,7 +70,7 @@ pub(super) fn lexemes(text: &str) -> Result<Lexemes, ParseError> {
         let end = token == Token::End;
         lexemes.push(Lexeme { token, start, spaced });
         if end {
-            return Ok(Lexemes { found: lexemes, free: lexer.free });
+            return Ok(Lexemes { lexemes, free: lexer.free });
         }
     }
 }

@@ -73,7 +73,7 @@ pub(super) struct Parser<'a> {
 
 impl<'a> Parser<'a> {
     pub(super) fn new(text: &'a str) -> Result<Self, ParseError> {
-        let Lexemes { found: lexemes, free } = lexemes(text)?;
+        let Lexemes { lexemes, free } = lexemes(text)?;
         Ok(Self { text, lexemes, next: 0, nesting: 0, free })
     }
 
@@ -119,10 +119,10 @@ impl<'a> Parser<'a> {
 
     /// The error for a lexeme that cannot follow.
     pub(super) fn unexpected(&self) -> ParseError {
-        self.fault(Fault::Unexpected { found: self.found() })
+        self.fault(Fault::Unexpected { found: self.next_in_words() })
     }
 
-    fn found(&self) -> String {
+    fn next_in_words(&self) -> String {
         match self.peek() {
             Token::Number(_) => "a number".to_owned(),
             Token::Name(symbol) => format!("`{symbol}`"),
@@ -269,7 +269,7 @@ impl<'a> Parser<'a> {
             Token::Sign('{') => self.bracketed('}'),
             Token::Fraction => self.fraction(),
             Token::Sign(_) | Token::Raised { .. } | Token::Range(_) | Token::End => {
-                Err(self.fault(Fault::MissingOperand { found: self.found() }))
+                Err(self.fault(Fault::MissingOperand { found: self.next_in_words() }))
             }
         }
     }
