@@ -22,9 +22,9 @@ impl Pendulum {
     /// use libration::pendulum::{Amplitude, Pendulum};
     /// let pendulum = Pendulum::new(1.0, 9.81)?;
     /// let amplitudes = [Amplitude::new("60deg".parse()?)?, Amplitude::new("pi-1e-9".parse()?)?];
-    /// let mut found = amplitudes.map(|_| Default::default());
-    /// pendulum.swing_periods(&amplitudes, &mut found)?;
-    /// assert_eq!(found[1], pendulum.swing_period(&amplitudes[1]));
+    /// let mut periods = amplitudes.map(|_| Default::default());
+    /// pendulum.swing_periods(&amplitudes, &mut periods)?;
+    /// assert_eq!(periods[1], pendulum.swing_period(&amplitudes[1]));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn swing_periods(
@@ -34,7 +34,7 @@ impl Pendulum {
     ) -> Result<(), LengthMismatch> {
         LengthMismatch::check_lengths(amplitudes.len(), periods.len())?;
         let frequency = self.angular_frequency_words();
-        dispatch_slices(Each { amplitudes, frequency, found: periods });
+        dispatch_slices(Each { amplitudes, frequency, periods });
         for (amplitude, period) in amplitudes.iter().zip(periods) {
             if !is_regular(amplitude) {
                 *period = self.swing_period(amplitude);
@@ -53,7 +53,7 @@ fn is_regular(amplitude: &Amplitude) -> bool {
 struct Each<'a> {
     amplitudes: &'a [Amplitude],
     frequency: DoubleDouble,
-    found: &'a mut [SwingPeriod],
+    periods: &'a mut [SwingPeriod],
 }
 
 impl Kernel for Each<'_> {
@@ -62,7 +62,7 @@ impl Kernel for Each<'_> {
     fn run(self) {
         let mut block = Block::ZERO;
         let mut all = [SwingPeriod::default(); BLOCK];
-        for (amplitudes, periods) in self.amplitudes.chunks(BLOCK).zip(self.found.chunks_mut(BLOCK)) {
+        for (amplitudes, periods) in self.amplitudes.chunks(BLOCK).zip(self.periods.chunks_mut(BLOCK)) {
             block.load(amplitudes);
             block.halves();
             block.modulus.block(&block.sine, &block.cosine);

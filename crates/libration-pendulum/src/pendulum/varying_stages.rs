@@ -92,14 +92,14 @@ const FEW: usize = 6;
 #[repr(align(64))]
 struct Queue {
     count: usize,
-    place: [usize; BLOCK],
+    position: [usize; BLOCK],
     amplitude: [f64; BLOCK],
     time: [f64; BLOCK],
 }
 
 impl Queue {
     fn new() -> Self {
-        Self { count: 0, place: [0; BLOCK], amplitude: [0.0; BLOCK], time: [0.0; BLOCK] }
+        Self { count: 0, position: [0; BLOCK], amplitude: [0.0; BLOCK], time: [0.0; BLOCK] }
     }
 
     /// Puts an element into a slot below `BLOCK`; the next element overwrites it unless the count is increased.
@@ -107,7 +107,7 @@ impl Queue {
     fn put(&mut self, slot: usize, index: usize, amplitude: f64, time: f64) {
         // The remainder makes a bounds check unnecessary.
         let slot = slot % BLOCK;
-        self.place[slot] = index;
+        self.position[slot] = index;
         self.amplitude[slot] = amplitude;
         self.time[slot] = time;
     }
@@ -117,7 +117,7 @@ impl Queue {
     fn one_by_one(&mut self, angular_frequency: f64, angles: &mut [f64], velocities: &mut [f64]) {
         for i in 0..self.count {
             let state = One { amplitude: self.amplitude[i], angular_frequency, time: self.time[i] }.run();
-            (angles[self.place[i]], velocities[self.place[i]]) = (state.angle, state.velocity);
+            (angles[self.position[i]], velocities[self.position[i]]) = (state.angle, state.velocity);
         }
         self.count = 0;
     }
@@ -181,7 +181,7 @@ impl ReleaseStages {
         }
         self.angles::<S>(queue);
         for i in 0..queue.count {
-            (angles[queue.place[i]], velocities[queue.place[i]]) = (self.angle[i], self.velocity[i]);
+            (angles[queue.position[i]], velocities[queue.position[i]]) = (self.angle[i], self.velocity[i]);
         }
         queue.count = 0;
     }

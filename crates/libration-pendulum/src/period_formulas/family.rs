@@ -94,7 +94,7 @@ impl Family {
     /// The formula with this many corrections, or of this degree, at least one.
     pub fn formula(self, corrections: usize) -> PeriodFormula {
         let Built { law, text, latex, leading_error } = self.built(corrections);
-        let published = self.known(corrections);
+        let published = self.published(corrections);
         let numbered = format!("{}{corrections}", self.stem());
         PeriodFormula {
             key: published.map_or_else(|| numbered.clone(), |formula| formula.key.to_owned()),
@@ -173,7 +173,7 @@ impl Family {
     }
 
     /// The older formula that equals this series with one correction, for two of the series.
-    fn known(self, corrections: usize) -> Option<&'static Known> {
+    fn published(self, corrections: usize) -> Option<&'static Known> {
         match self {
             Self::PowerSeries if corrections == 1 => Some(&BERNOULLI),
             Self::FourierPerturbation if corrections == 1 => Some(&DENMAN),
